@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/base/assert.hpp>
+
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+void printFailure(const char* condition, const char* file, int line) {
+    std::fprintf(stderr, "%s:%d: kodo: this cannot be, but is: not (%s)\n", file, line, condition);
+}
+
+std::atomic<AssertHandler> currentHandler{&printFailure};
+
+} // namespace
+
+AssertHandler setAssertHandler(AssertHandler handler) {
+    return currentHandler.exchange(handler != nullptr ? handler : &printFailure);
+}
+
+void assertionFailed(const char* condition, const char* file, int line) {
+    currentHandler.load()(condition, file, line);
+    std::abort();
+}
+
+} // namespace kodo::inline KODO_PRECISION

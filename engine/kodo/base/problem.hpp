@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/base/real.hpp>
+
+#include <stdexcept>
+#include <string>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// What is wrong with a value that a user gave: which field, and why, as a sentence.
+struct Problem {
+    std::string field;  // as written in the definition, for example "shape.radius"
+    std::string reason; // for example "must be greater than 0, but is -1"
+
+    std::string text() const { return field + ": " + reason; }
+};
+
+/// A definition, a setter or a step was given a value it cannot use. Nothing has changed.
+class BadDefinition : public std::invalid_argument {
+public:
+    explicit BadDefinition(Problem problem)
+        : std::invalid_argument(problem.text()), problem_(std::move(problem)) {}
+
+    const Problem& problem() const { return problem_; }
+
+private:
+    Problem problem_;
+};
+
+/// A body id that names no body of this World: never given out, or its body was removed.
+class BadBodyId : public std::out_of_range {
+public:
+    using std::out_of_range::out_of_range;
+};
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/bodies/bodies.hpp>
+
+namespace kodo::inline KODO_PRECISION {
+
+BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const Form> form) {
+    const IdPool::Slot slot = bodies.ids.allocate();
+    if (slot.index == bodies.size()) {
+        bodies.motion.emplace_back();
+        bodies.pose.emplace_back();
+        bodies.acceleration.emplace_back();
+        bodies.record.emplace_back();
+    }
+    Motion motion;
+    motion.velocity = def.velocity;
+    motion.angularVelocity = def.angularVelocity;
+    bodies.motion[slot.index] = motion;
+    const Rot rotation = normalize(def.rotation);
+    bodies.pose[slot.index] = {def.position + rotation * form->mass.center, rotation};
+    bodies.acceleration[slot.index] = {};
+    BodyRecord record;
+    record.form = std::move(form);
+    record.filter = {def.flags, def.required};
+    record.userData = def.userData;
+    bodies.record[slot.index] = std::move(record);
+    refreshMass(bodies, slot.index);
+    return {slot.index, slot.generation};
+}
+
+void removeBody(Bodies& bodies, std::uint32_t index) {
+    bodies.ids.release(index);
+    bodies.motion[index] = {};
+    bodies.pose[index] = {};
+    bodies.acceleration[index] = {};
+    bodies.record[index] = {};
+}
+
+void setForm(Bodies& bodies, std::uint32_t index, std::shared_ptr<const Form> form) {
+    const Vec2 origin = bodies.originOf(index);
+    Transform& pose = bodies.pose[index];
+    pose.position = origin + pose.rotation * form->mass.center;
+    bodies.record[index].form = std::move(form);
+    refreshMass(bodies, index);
+}
+
+void weldBodies(Bodies& bodies, std::uint32_t into, std::uint32_t part) {
+    const Transform frame{bodies.originOf(into), bodies.pose[into].rotation};
+    const Transform other{bodies.originOf(part), bodies.pose[part].rotation};
+    std::vector<Part> parts = bodies.form(into).parts;
+    for (const Part& added : bodies.form(part).parts) {
+        parts.push_back(
+            {moved(added.primitive, between(frame, other)), added.material, added.density});
+    }
+    const std::shared_ptr<const Form> form = makeForm(std::move(parts));
+
+    const Vec2 center = frame * form->mass.center;
+    Vec2 momentum;
+    Real spin = 0; // angular momentum about the new centre
+    for (const std::uint32_t body : {into, part}) {
+        const Mass& mass = bodies.form(body).mass;
+        const Motion& motion = bodies.motion[body];
+        momentum += mass.mass * motion.velocity;
+        spin += mass.inertia * motion.angularVelocity +
+                mass.mass * cross(bodies.pose[body].position - center, motion.velocity);
+    }
+    Motion& motion = bodies.motion[into];
+    if (motion.invMass > 0) {
+        motion.velocity = momentum / form->mass.mass;
+    } else { // the centre moves within a body that goes on as it did
+        motion.velocity = velocityAt(motion, center - bodies.pose[into].position);
+    }
+    if (motion.invInertia > 0) {
+        motion.angularVelocity = spin / form->mass.inertia;
+    }
+    setForm(bodies, into, form);
+}
+
+void refreshMass(Bodies& bodies, std::uint32_t index) {
+    const Mass& mass = bodies.form(index).mass;
+    const Flags flags = bodies.record[index].filter.flags;
+    bodies.motion[index].invMass = (flags & kLockMove) != 0 ? 0 : 1 / mass.mass;
+    bodies.motion[index].invInertia = (flags & kLockRotate) != 0 ? 0 : 1 / mass.inertia;
+}
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/base/id_pool.hpp>
+#include <kodo/bodies/form.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// What a solver reads and writes in every pass: 32 bytes (float) a body and nothing else.
+struct Motion {
+    Vec2 velocity;            // m/s, of the centre of mass
+    Real angularVelocity = 0; // rad/s
+    Real invMass = 0;         // 1/kg; 0 for what nothing can push
+    Vec2 move;                // m, since the start of the step
+    Real turn = 0;            // rad, since the start of the step
+    Real invInertia = 0;      // 1/(kg m^2); 0 for what nothing can turn
+};
+
+/// Constant over a step, from forces and fields.
+struct Acceleration {
+    Vec2 linear;      // m/s^2
+    Real angular = 0; // rad/s^2
+};
+
+/// The rest of a body: read once or twice a step.
+struct BodyRecord {
+    std::shared_ptr<const Form> form;
+    CollisionFilter filter;
+    std::uint64_t userData = 0;
+    Vec2 force;      // N, since the last step
+    Real torque = 0; // N m
+};
+
+/// All bodies of a World as parallel arrays, indexed by BodyId::index. A dead slot keeps its place
+/// with zero velocity and infinite mass.
+struct Bodies {
+    IdPool ids;
+    std::vector<Motion> motion;
+    std::vector<Transform> pose; // of the centre of mass
+    std::vector<Acceleration> acceleration;
+    std::vector<BodyRecord> record;
+
+    BodyId idAt(std::size_t index) const {
+        return {static_cast<std::uint32_t>(index), ids.generationAt(index)};
+    }
+    std::size_t size() const { return record.size(); }
+
+    const Form& form(std::size_t index) const { return *record[index].form; }
+    bool locked(std::size_t index) const {
+        return motion[index].invMass == 0 && motion[index].invInertia == 0;
+    }
+    /// Position of the shape's frame, whose origin need not be the centre of mass.
+    Vec2 originOf(std::size_t index) const {
+        return pose[index].position - pose[index].rotation * form(index).mass.center;
+    }
+};
+
+/// Adds a body from a valid definition.
+BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const Form> form);
+void removeBody(Bodies& bodies, std::uint32_t index);
+
+/// Gives a body another form and keeps the world place of its shape's frame.
+void setForm(Bodies& bodies, std::uint32_t index, std::shared_ptr<const Form> form);
+
+/// Moves the parts of one body into another, where they are, and keeps momentum and angular
+/// momentum of the two as far as `into` is not locked. `part` stays as it is, to be removed.
+void weldBodies(Bodies& bodies, std::uint32_t into, std::uint32_t part);
+
+/// Reciprocals of mass and inertia after a change of form or lock flags.
+void refreshMass(Bodies& bodies, std::uint32_t index);
+
+/// World velocity of the point that an arm (m, from the centre of mass) reaches
+/// [Thesis06, eq. 4.5].
+inline Vec2 velocityAt(const Motion& motion, Vec2 arm) {
+    return motion.velocity + cross(motion.angularVelocity, arm);
+}
+
+/// Changes the velocities as an impulse (N s) at the end of an arm does.
+inline void applyImpulse(Motion& motion, Vec2 arm, Vec2 impulse) {
+    motion.velocity += motion.invMass * impulse;
+    motion.angularVelocity += motion.invInertia * cross(arm, impulse);
+}
+
+} // namespace kodo::inline KODO_PRECISION

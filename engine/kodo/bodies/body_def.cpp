@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/bodies/body_def.hpp>
+
+#include <cmath>
+#include <sstream>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+std::string number(Real value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
+
+} // namespace
+
+std::optional<Problem> checkRange(const char* field, Real value, Real low, Real high) {
+    if (!(value >= low && value <= high)) { // false for NaN
+        return Problem{field, "must be from " + number(low) + " to " + number(high) + ", but is " +
+                                  number(value)};
+    }
+    return std::nullopt;
+}
+
+std::optional<Problem> checkPosition(const char* field, Vec2 value) {
+    if (auto problem = checkRange(field, value.x, -kFarthest, kFarthest)) {
+        return problem;
+    }
+    return checkRange(field, value.y, -kFarthest, kFarthest);
+}
+
+std::optional<Problem> checkVelocity(const char* field, Vec2 value) {
+    if (auto problem = checkRange(field, value.x, -kHighestSpeed, kHighestSpeed)) {
+        return problem;
+    }
+    return checkRange(field, value.y, -kHighestSpeed, kHighestSpeed);
+}
+
+std::optional<Problem> checkRotation(const char* field, Rot value) {
+    const Real norm = value.c * value.c + value.s * value.s;
+    if (!(std::abs(norm - 1) < Real(1e-3))) {
+        return Problem{field, "must be a unit vector (cos, sin), but has length " +
+                                  number(std::sqrt(norm))};
+    }
+    return std::nullopt;
+}
+
+std::optional<Problem> check(const Material& material) {
+    constexpr Real kMost = Real(1e6);
+    if (auto problem = checkRange("material.kineticFriction", material.kineticFriction, 0, kMost)) {
+        return problem;
+    }
+    if (auto problem = checkRange("material.staticFriction", material.staticFriction,
+                                  material.kineticFriction, kMost)) {
+        return problem;
+    }
+    if (auto problem = checkRange("material.restitution", material.restitution, 0, 1)) {
+        return problem;
+    }
+    return checkRange("material.rollingResistance", material.rollingResistance, 0, kMost);
+}
+
+Material mix(const Material& a, const Material& b) {
+    return {std::sqrt(a.staticFriction * b.staticFriction),
+            std::sqrt(a.kineticFriction * b.kineticFriction),
+            std::min(a.restitution, b.restitution),
+            std::max(a.rollingResistance, b.rollingResistance)};
+}
+
+std::optional<Problem> check(const BodyDef& def) {
+    if (auto problem = check(def.shape)) {
+        problem->field = "shape." + problem->field;
+        return problem;
+    }
+    if (auto problem = checkPosition("position", def.position)) {
+        return problem;
+    }
+    if (auto problem = checkRotation("rotation", def.rotation)) {
+        return problem;
+    }
+    if (auto problem = checkVelocity("velocity", def.velocity)) {
+        return problem;
+    }
+    if (auto problem =
+            checkRange("angularVelocity", def.angularVelocity, -kHighestSpeed, kHighestSpeed)) {
+        return problem;
+    }
+    if (auto problem = check(def.material)) {
+        return problem;
+    }
+    return checkRange("density", def.density, kLowestDensity, kHighestDensity);
+}
+
+} // namespace kodo::inline KODO_PRECISION

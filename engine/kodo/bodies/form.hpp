@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/bodies/body_def.hpp>
+#include <kodo/shapes/convex.hpp>
+#include <kodo/shapes/mass.hpp>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// One convex piece of a body, with what it is made of.
+struct Part {
+    Primitive primitive; // as given, in the frame of the shape
+    Material material;
+    Real density = 1; // kg/m^2
+    Convex convex{};  // the same outline about the centre of mass of the whole body
+};
+
+/// All that never changes about the build of a body. Immutable, so that equal bodies, clones and
+/// copies of a World share one.
+struct Form {
+    std::vector<Part> parts;
+    Mass mass;       // centre in the frame of the shape
+    Real area = 0;   // m^2; parts that overlap count twice
+    Real reach = 0;  // m; no point of the body is farther from the centre of mass
+    Real inside = 0; // m; the thinnest part's
+};
+
+/// The parts of a valid definition: one, or one for each part of a compound.
+std::vector<Part> partsOf(const BodyDef& def);
+
+/// Finds mass, centre and outlines. The parts' `convex` is overwritten.
+std::shared_ptr<const Form> makeForm(std::vector<Part> parts);
+
+/// A part of one body, moved into the frame of another's shape.
+Primitive moved(const Primitive& primitive, const Transform& transform);
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/bodies/integrate.hpp>
+
+#include <utility>
+
+namespace kodo::inline KODO_PRECISION {
+
+void gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        BodyRecord& record = bodies.record[i];
+        const Motion& motion = bodies.motion[i];
+        Push push{std::exchange(record.force, {}), std::exchange(record.torque, Real(0))};
+        if (bodies.locked(i)) {
+            bodies.acceleration[i] = {};
+            continue;
+        }
+        for (const FieldEntry& entry : fields) {
+            if (accepts(entry.which, record.filter.flags)) {
+                const Push more = entry.field->at(bodies, static_cast<std::uint32_t>(i));
+                push.force += more.force;
+                push.torque += more.torque;
+            }
+        }
+        bodies.acceleration[i] = {motion.invMass * push.force, motion.invInertia * push.torque};
+    }
+}
+
+void beginMotion(Bodies& bodies) {
+    for (Motion& motion : bodies.motion) {
+        motion.move = {};
+        motion.turn = 0;
+    }
+}
+
+void integrateVelocities(Bodies& bodies, Real h) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        Motion& motion = bodies.motion[i];
+        motion.velocity += h * bodies.acceleration[i].linear;
+        motion.angularVelocity += h * bodies.acceleration[i].angular;
+    }
+}
+
+void integrateMoves(Bodies& bodies, std::span<const std::uint8_t> held, Real h) {
+    const Real half = h * h / 2;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        Motion& motion = bodies.motion[i];
+        motion.move += h * motion.velocity;
+        motion.turn += h * motion.angularVelocity;
+        if (held[i] == 0) {
+            motion.move -= half * bodies.acceleration[i].linear;
+            motion.turn -= half * bodies.acceleration[i].angular;
+        }
+    }
+}
+
+void movePoses(Bodies& bodies) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const Motion& motion = bodies.motion[i];
+        bodies.pose[i].position += motion.move;
+        if (motion.turn != 0) {
+            bodies.pose[i].rotation = turned(bodies.pose[i].rotation, motion.turn);
+        }
+    }
+}
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/base/real.hpp>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// Distances (m) that follow from the length unit of a World: one number scales them all.
+struct Tolerances {
+    Real slop;   // closer than this counts as touching
+    Real margin; // contacts are kept ready up to this gap
+    Real grown;  // bounds are grown by this, so that they need not follow every move
+
+    static constexpr Tolerances forUnit(Real unit) {
+        return {Real(1) / 256 * unit, Real(1) / 64 * unit, Real(1) / 8 * unit};
+    }
+};
+
+} // namespace kodo::inline KODO_PRECISION

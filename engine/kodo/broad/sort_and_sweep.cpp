@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/broad/sort_and_sweep.hpp>
+
+#include <algorithm>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+constexpr std::uint32_t kAxisInterval = 64; // calls between two looks at the axis
+constexpr Real kWorthSwapping = Real(1.25); // the other axis must tag that many times more cells
+
+} // namespace
+
+/// Cuts both axes into as many cells as there are bounds and tags those in which one begins or
+/// ends: the axis with more of them tagged spreads the bounds better [Thesis06, 5.1.1]. True when
+/// the other axis is so much better that sorting anew pays.
+bool SortAndSweep::chooseAxis(std::span<const Aabb> bounds) {
+    Aabb all = bounds[0];
+    for (const Aabb& box : bounds) {
+        all = unite(all, box);
+    }
+    const auto tagged = [&](Real low, Real high, auto from, auto to) {
+        cells_.assign(bounds.size(), false);
+        const Real scale = static_cast<Real>(bounds.size()) / std::max(high - low, Real(1e-30));
+        std::size_t count = 0;
+        for (const Aabb& box : bounds) {
+            for (const Real at : {from(box), to(box)}) {
+                const Real cell = (at - low) * scale;
+                const std::size_t k = std::min(static_cast<std::size_t>(cell), cells_.size() - 1);
+                count += cells_[k] ? 0u : 1u;
+                cells_[k] = true;
+            }
+        }
+        return count;
+    };
+    const std::size_t x = tagged(
+        all.lower.x, all.upper.x, [](const Aabb& b) { return b.lower.x; },
+        [](const Aabb& b) { return b.upper.x; });
+    const std::size_t y = tagged(
+        all.lower.y, all.upper.y, [](const Aabb& b) { return b.lower.y; },
+        [](const Aabb& b) { return b.upper.y; });
+    const std::size_t now = alongX_ ? x : y;
+    const std::size_t other = alongX_ ? y : x;
+    if (static_cast<Real>(other) <= kWorthSwapping * static_cast<Real>(now)) {
+        return false;
+    }
+    alongX_ = !alongX_;
+    return true;
+}
+
+void SortAndSweep::sort(std::span<const Aabb> bounds) {
+    bool anew = entries_.size() != bounds.size();
+    if (anew) {
+        entries_.resize(bounds.size());
+        for (std::size_t i = 0; i < bounds.size(); ++i) {
+            entries_[i].index = static_cast<std::uint32_t>(i);
+        }
+        calls_ = 0;
+    }
+    if (!bounds.empty() && calls_++ % kAxisInterval == 0) {
+        anew = chooseAxis(bounds) || anew;
+    }
+    for (Entry& e : entries_) {
+        const Aabb& box = bounds[e.index];
+        e.low = alongX_ ? box.lower.x : box.lower.y;
+        e.high = alongX_ ? box.upper.x : box.upper.y;
+    }
+    const auto before = [](const Entry& a, const Entry& b) {
+        return a.low < b.low || (a.low == b.low && a.index < b.index); // a total order
+    };
+    if (anew) {
+        std::sort(entries_.begin(), entries_.end(), before); // total order
+        return;
+    }
+    for (std::size_t i = 1; i < entries_.size(); ++i) { // nearly sorted: insertion is linear
+        const Entry e = entries_[i];
+        std::size_t j = i;
+        for (; j > 0 && before(e, entries_[j - 1]); --j) {
+            entries_[j] = entries_[j - 1];
+        }
+        entries_[j] = e;
+    }
+}
+
+void SortAndSweep::sortPairs(std::vector<BoundsPair>& pairs) {
+    std::sort(pairs.begin(), pairs.end()); // total order: no two are equal
+}
+
+} // namespace kodo::inline KODO_PRECISION

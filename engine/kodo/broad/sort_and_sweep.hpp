@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/broad/broad_phase.hpp>
+
+#include <cstddef>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// Sorts bounds along one axis and sweeps over them, so that only those whose projections overlap
+/// are tested [Thesis06, 5.1].
+///
+/// It remembers the order and the axis from one call to the next, which makes sorting cheap while
+/// little moves. Neither changes the pairs found, only the time it takes.
+class SortAndSweep {
+public:
+    /// Every pair of overlapping bounds that `accept(first, second)` lets through, in order.
+    template <typename Accept>
+    void pairs(std::span<const Aabb> bounds, Accept accept, std::vector<BoundsPair>& out) {
+        sort(bounds);
+        tests_ = 0;
+        for (std::size_t i = 0; i < entries_.size(); ++i) {
+            const Entry& e = entries_[i];
+            for (std::size_t j = i + 1; j < entries_.size() && entries_[j].low <= e.high; ++j) {
+                ++tests_;
+                const BoundsPair pair = e.index < entries_[j].index
+                                            ? BoundsPair{e.index, entries_[j].index}
+                                            : BoundsPair{entries_[j].index, e.index};
+                if (overlap(bounds[pair.first], bounds[pair.second]) &&
+                    accept(pair.first, pair.second)) {
+                    out.push_back(pair);
+                }
+            }
+        }
+        sortPairs(out);
+    }
+
+    /// Pairs whose projections overlapped in the last call: what it had to test.
+    std::size_t testCount() const { return tests_; }
+    bool alongX() const { return alongX_; }
+
+private:
+    struct Entry {
+        Real low;
+        Real high;
+        std::uint32_t index;
+    };
+
+    void sort(std::span<const Aabb> bounds);
+    bool chooseAxis(std::span<const Aabb> bounds);
+    static void sortPairs(std::vector<BoundsPair>& pairs);
+
+    std::vector<Entry> entries_;
+    std::vector<bool> cells_;
+    std::size_t tests_ = 0;
+    std::uint32_t calls_ = 0;
+    bool alongX_ = true;
+};
+
+} // namespace kodo::inline KODO_PRECISION

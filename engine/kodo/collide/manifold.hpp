@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/math/vec2.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// One place where two convex outlines meet, halfway between their surfaces.
+struct ManifoldPoint {
+    Vec2 armA;                 // m, world axes; from A's frame (its centre of mass) to the point
+    Vec2 armB;                 // m, the same point from B's
+    Real separation = 0;       // m, along the normal; < 0 in overlap
+    std::uint32_t feature = 0; // the same as long as the same edges and corners meet
+};
+
+/// How two convex outlines touch, or nearly do [Thesis06, 3.3]. The deepest point comes first.
+struct Manifold {
+    Vec2 normal; // unit, world axes, from A towards B; the direction that parts them soonest
+    std::array<ManifoldPoint, 2> points;
+    int count = 0; // 0: farther apart than asked for, and nothing else was written
+};
+
+} // namespace kodo::inline KODO_PRECISION

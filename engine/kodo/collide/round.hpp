@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/shapes/convex.hpp>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// The point of a polygon's outline nearest to the centre of a circle, seen from the polygon.
+struct RoundAxis {
+    Vec2 normal;             // unit, from the polygon towards the centre
+    Real distance = 0;       // m, from the outline to the centre; < 0 with the centre inside
+    std::size_t feature = 0; // edge i, or vertex i + number of edges
+};
+
+/// The side with the largest distance to the centre decides [Thesis06, 3.2.2]; beyond its ends the
+/// corner does, by Pythagoras, as in Arvo's test of sphere and box.
+RoundAxis nearestToCenter(const Convex& polygon, Vec2 center);
+
+} // namespace kodo::inline KODO_PRECISION

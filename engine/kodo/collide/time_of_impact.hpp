@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/shapes/convex.hpp>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// The way of a body through one step: a straight line and an even turn.
+struct Sweep {
+    Transform start; // of the centre of mass
+    Vec2 move;       // m, over the whole step
+    Real turn = 0;   // rad, over the whole step
+    Real stopAt = 1; // share of the step after which it stands still
+
+    Transform at(Real share) const {
+        const Real t = share < stopAt ? share : stopAt;
+        return {start.position + t * move, turned(start.rotation, t * turn)};
+    }
+};
+
+/// The share (0..1) of the step after which two outlines that start apart are `target` (m) apart
+/// for the first time; 1 or more when they never are.
+///
+/// Conservative advancement [Mirtich96]: along the axis that separates them now, they cannot close
+/// faster than their motion along it plus what their turning adds, so that much of the step is
+/// free.
+Real timeOfImpact(const Convex& shapeA, const Sweep& a, const Convex& shapeB, const Sweep& b,
+                  Real target);
+
+} // namespace kodo::inline KODO_PRECISION

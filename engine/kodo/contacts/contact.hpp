@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/bodies/body_def.hpp>
+#include <kodo/collide/manifold.hpp>
+
+#include <array>
+#include <compare>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// Two parts of two bodies; a before b by body index.
+struct ContactKey {
+    std::uint32_t bodyA = 0;
+    std::uint16_t partA = 0;
+    std::uint32_t bodyB = 0;
+    std::uint16_t partB = 0;
+    friend constexpr auto operator<=>(const ContactKey&, const ContactKey&) = default;
+};
+
+/// What was pushed at one point of a contact. Kept from step to step, as the solver's first guess.
+struct PointImpulse {
+    Real normal = 0;  // N s, of one substep, >= 0
+    Real impact = 0;  // N s, in the impact group of this step
+    Real largest = 0; // N s, in one group of this step
+};
+
+/// Two parts that touch or are near each other, from when their grown bounds meet until they part.
+struct Contact {
+    ContactKey key;
+    BodyId a;
+    BodyId b;
+    std::uint32_t proxyA = 0; // place of the parts' bounds in the ContactSet
+    std::uint32_t proxyB = 0;
+    Material material; // of the pair
+    Vec2 centerA;      // m, world: where armA of the manifold starts
+    Manifold manifold;
+    std::array<PointImpulse, 2> impulse;
+    Real friction = 0;        // N s, along perp(normal), of both points, of one substep
+    Real rolling = 0;         // N m s, of one substep
+    Real approachSpeed = 0;   // m/s, before the solver
+    Real total = 0;           // N s, normal, all points, over the step
+    bool touching = false;    // in this step
+    bool wasTouching = false; // in the last step; equal to touching between steps
+};
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/broad/brute_force.hpp>
+#include <kodo/collide/collide.hpp>
+#include <kodo/contacts/contact_set.hpp>
+
+#include <cmath>
+#include <utility>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+// Up to here the brute force beats sorting; both find the same pairs.
+constexpr std::size_t kBruteForceLimit = 32;
+
+/// Nothing pushes it, it does not move, and it did not move in the last step.
+bool stands(const Motion& motion) {
+    return motion.invMass == 0 && motion.invInertia == 0 && motion.velocity == Vec2{} &&
+           motion.angularVelocity == 0 && motion.move == Vec2{} && motion.turn == 0;
+}
+
+/// Bounds of a part moved by the motion of its body within this step.
+Aabb boundsAfter(const Convex& convex, const Transform& pose, const Motion& motion) {
+    return boundsOf(convex, {pose.position + motion.move, turned(pose.rotation, motion.turn)});
+}
+
+Real approachSpeedOf(const Contact& contact, const Bodies& bodies) {
+    const Motion& a = bodies.motion[contact.key.bodyA];
+    const Motion& b = bodies.motion[contact.key.bodyB];
+    Real fastest = 0;
+    for (int i = 0; i < contact.manifold.count; ++i) {
+        const ManifoldPoint& p = contact.manifold.points[static_cast<std::size_t>(i)];
+        const Vec2 relative = velocityAt(b, p.armB) - velocityAt(a, p.armA);
+        fastest = std::max(fastest, -dot(contact.manifold.normal, relative));
+    }
+    return fastest;
+}
+
+/// Hands the impulses of the old points on to the new ones that are made by the same features.
+void keepImpulses(const Contact& old, Contact& now) {
+    now.impulse = {};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(now.manifold.count); ++i) {
+        for (std::size_t k = 0; k < static_cast<std::size_t>(old.manifold.count); ++k) {
+            if (now.manifold.points[i].feature == old.manifold.points[k].feature) {
+                now.impulse[i].normal = old.impulse[k].normal;
+            }
+        }
+    }
+    if (now.manifold.count == 0) {
+        now.friction = 0;
+        now.rolling = 0;
+    }
+}
+
+CollisionRecord endOf(const Contact& contact) {
+    CollisionRecord record;
+    record.a = contact.a;
+    record.b = contact.b;
+    record.partA = contact.key.partA;
+    record.partB = contact.key.partB;
+    record.phase = TouchPhase::End;
+    record.normal = contact.manifold.normal;
+    record.point = contact.centerA + contact.manifold.points[0].armA;
+    return record;
+}
+
+} // namespace
+
+void ContactSet::drop(std::uint32_t body) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const Contact& contact = contacts_[i];
+        if (contact.key.bodyA != body && contact.key.bodyB != body) {
+            contacts_[kept++] = contact;
+        } else if (contact.wasTouching) {
+            ended_.push_back(endOf(contact));
+        }
+    }
+    contacts_.resize(kept);
+    stale_ = true;
+}
+
+std::vector<CollisionRecord> ContactSet::takeEnded() {
+    return std::exchange(ended_, {});
+}
+
+const Convex& ContactSet::outline(const Bodies& bodies, std::size_t proxy) const {
+    return bodies.form(proxies_[proxy].body).parts[proxies_[proxy].part].convex;
+}
+
+void ContactSet::rebuildProxies(const Bodies& bodies) {
+    proxies_.clear();
+    for (std::size_t body = 0; body < bodies.size(); ++body) {
+        if (!bodies.ids.aliveAt(body)) {
+            continue;
+        }
+        const std::size_t parts = bodies.form(body).parts.size();
+        for (std::size_t part = 0; part < parts; ++part) {
+            proxies_.push_back(
+                {static_cast<std::uint32_t>(body), static_cast<std::uint16_t>(part)});
+        }
+    }
+    tight_.assign(proxies_.size(), {});
+    grown_.assign(proxies_.size(), {});
+}
+
+void ContactSet::updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt) {
+    const bool anew = std::exchange(stale_, false);
+    if (anew) {
+        rebuildProxies(bodies);
+    }
+    bool outgrown = anew;
+    for (std::size_t i = 0; i < proxies_.size(); ++i) {
+        const std::uint32_t body = proxies_[i].body;
+        const Motion& motion = bodies.motion[body];
+        if (!anew && stands(motion)) {
+            continue;
+        }
+        tight_[i] = boundsOf(outline(bodies, i), bodies.pose[body]);
+        // A bounce may send it in any direction, so it is grown by its motion on all sides.
+        const Real motionThisStep =
+            dt *
+            (length(motion.velocity) + bodies.form(body).reach * std::abs(motion.angularVelocity));
+        const Aabb needed = tight_[i].grown(tolerances.margin + motionThisStep);
+        if (anew || !grown_[i].contains(needed)) {
+            grown_[i] = needed.grown(tolerances.grown + motionThisStep);
+            outgrown = true;
+        }
+    }
+    if (outgrown) {
+        findPairs(bodies);
+        mergePairs(bodies);
+    }
+}
+
+void ContactSet::coverMoves(const Bodies& bodies, const Tolerances& tolerances) {
+    bool outgrown = false;
+    for (std::size_t i = 0; i < proxies_.size(); ++i) {
+        const std::uint32_t body = proxies_[i].body;
+        const Motion& motion = bodies.motion[body];
+        if (stands(motion)) {
+            continue;
+        }
+        const Aabb after = boundsAfter(outline(bodies, i), bodies.pose[body], motion);
+        if (!grown_[i].contains(after)) {
+            grown_[i] = unite(tight_[i], after).grown(tolerances.margin + tolerances.grown);
+            outgrown = true;
+        }
+    }
+    if (outgrown) {
+        findPairs(bodies);
+        mergePairs(bodies);
+    }
+}
+
+void ContactSet::findPairs(const Bodies& bodies) {
+    const auto accept = [&](std::uint32_t i, std::uint32_t j) {
+        const std::uint32_t a = proxies_[i].body;
+        const std::uint32_t b = proxies_[j].body;
+        return a != b && !(bodies.locked(a) && bodies.locked(b)) &&
+               shouldCollide(bodies.record[a].filter, bodies.record[b].filter);
+    };
+    pairs_.clear();
+    if (grown_.size() <= kBruteForceLimit) {
+        bruteForce(grown_, accept, pairs_);
+    } else {
+        sortAndSweep_.pairs(grown_, accept, pairs_);
+    }
+}
+
+Contact ContactSet::makeContact(const Bodies& bodies, BoundsPair pair) const {
+    const Proxy& a = proxies_[pair.first];
+    const Proxy& b = proxies_[pair.second];
+    Contact contact;
+    contact.key = {a.body, a.part, b.body, b.part};
+    contact.a = bodies.idAt(a.body);
+    contact.b = bodies.idAt(b.body);
+    return contact;
+}
+
+/// Both lists are in the order of the keys, so one walk over both keeps what stays, drops what is
+/// gone and adds what is new.
+void ContactSet::mergePairs(const Bodies& bodies) {
+    std::swap(contacts_, previous_);
+    contacts_.clear();
+    std::size_t old = 0;
+    const auto skipOld = [&](const ContactKey* upTo) {
+        for (; old < previous_.size() && (upTo == nullptr || previous_[old].key < *upTo); ++old) {
+            if (previous_[old].wasTouching) {
+                ended_.push_back(endOf(previous_[old]));
+            }
+        }
+    };
+    for (const BoundsPair pair : pairs_) {
+        Contact contact = makeContact(bodies, pair);
+        skipOld(&contact.key);
+        if (old < previous_.size() && previous_[old].key == contact.key) {
+            contact = previous_[old++];
+        }
+        contact.proxyA = pair.first;
+        contact.proxyB = pair.second;
+        contact.material = mix(bodies.form(contact.key.bodyA).parts[contact.key.partA].material,
+                               bodies.form(contact.key.bodyB).parts[contact.key.partB].material);
+        contacts_.push_back(contact);
+    }
+    skipOld(nullptr);
+}
+
+void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances) {
+    // Which face carries a contact of parallel faces must not flicker with rounding.
+    const Real preference = tolerances.slop / 8;
+    for (Contact& contact : contacts_) {
+        contact.touching = false;
+        contact.total = 0;
+        contact.approachSpeed = 0;
+        const bool near =
+            overlap(tight_[contact.proxyA].grown(tolerances.margin), tight_[contact.proxyB]);
+        if (!near) {
+            contact.manifold.count = 0;
+            contact.impulse = {};
+            contact.friction = 0;
+            contact.rolling = 0;
+            continue;
+        }
+        const Transform& a = bodies.pose[contact.key.bodyA];
+        const Transform& b = bodies.pose[contact.key.bodyB];
+        const Contact old = contact;
+        contact.manifold =
+            collide(outline(bodies, contact.proxyA), a, outline(bodies, contact.proxyB), b,
+                    tolerances.margin, preference);
+        contact.centerA = a.position;
+        keepImpulses(old, contact);
+        contact.approachSpeed = approachSpeedOf(contact, bodies);
+    }
+}
+
+void finishContact(Contact& contact, const Tolerances& tolerances) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        PointImpulse& impulse = contact.impulse[i];
+        impulse.largest = std::max(impulse.largest, impulse.impact);
+        contact.total += impulse.impact;
+        contact.touching = contact.touching || impulse.largest > 0 ||
+                           contact.manifold.points[i].separation <= tolerances.slop;
+    }
+}
+
+void recordContact(const Contact& contact, std::vector<CollisionRecord>& out) {
+    if (!contact.touching) {
+        if (contact.wasTouching) {
+            out.push_back(endOf(contact));
+        }
+        return;
+    }
+    CollisionRecord record = endOf(contact);
+    record.phase = contact.wasTouching ? TouchPhase::Persist : TouchPhase::Begin;
+    record.pointCount = static_cast<std::uint8_t>(contact.manifold.count);
+    record.separation = contact.manifold.points[0].separation;
+    record.approachSpeed = contact.approachSpeed;
+    record.totalImpulse = contact.total;
+    for (std::size_t i = 0; i < record.pointCount; ++i) {
+        if (contact.impulse[i].largest > record.maxImpulse) {
+            record.maxImpulse = contact.impulse[i].largest;
+            record.point = contact.centerA + contact.manifold.points[i].armA;
+        }
+    }
+    out.push_back(record);
+}
+
+} // namespace kodo::inline KODO_PRECISION

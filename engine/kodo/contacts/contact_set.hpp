@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/bodies/bodies.hpp>
+#include <kodo/bodies/tolerances.hpp>
+#include <kodo/broad/sort_and_sweep.hpp>
+#include <kodo/contacts/collision_record.hpp>
+#include <kodo/contacts/contact.hpp>
+
+#include <span>
+#include <vector>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// All contacts of a World, ordered by key, with the bounds they are found by.
+class ContactSet {
+public:
+    /// A body came, went, jumped, or changed its form or filter: look at all of them again.
+    void bodiesChanged() { stale_ = true; }
+    /// Forgets the contacts of one body. Those that touched end in the next record.
+    void drop(std::uint32_t body);
+
+    /// Brings the list up to date before a step of dt: the pairs that may meet within it, in order.
+    void updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt);
+    /// Finds where the pairs touch, now, and how fast they approach.
+    void updateManifolds(const Bodies& bodies, const Tolerances& tolerances);
+    /// Adds the pairs of bodies that the solver sent farther than updatePairs could foresee.
+    void coverMoves(const Bodies& bodies, const Tolerances& tolerances);
+
+    std::span<Contact> contacts() { return contacts_; }
+    std::span<const Contact> contacts() const { return contacts_; }
+
+    /// The records of the contacts that lost a body since the last call.
+    std::vector<CollisionRecord> takeEnded();
+
+private:
+    struct Proxy {
+        std::uint32_t body;
+        std::uint16_t part;
+    };
+
+    void rebuildProxies(const Bodies& bodies);
+    const Convex& outline(const Bodies& bodies, std::size_t proxy) const;
+    void findPairs(const Bodies& bodies);
+    void mergePairs(const Bodies& bodies);
+    Contact makeContact(const Bodies& bodies, BoundsPair pair) const;
+
+    std::vector<Proxy> proxies_; // one for each part of each body, in order
+    std::vector<Aabb> tight_;    // where it is
+    std::vector<Aabb> grown_;    // where it may be until its pairs are looked for again
+    std::vector<BoundsPair> pairs_;
+    SortAndSweep sortAndSweep_;
+    std::vector<Contact> contacts_;
+    std::vector<Contact> previous_; // spare, so that merging allocates nothing
+    std::vector<CollisionRecord> ended_;
+    bool stale_ = true;
+};
+
+/// Sums up a step for one contact: did it touch, and how hard.
+void finishContact(Contact& contact, const Tolerances& tolerances);
+
+/// Appends what one contact did in this step, if it did anything.
+void recordContact(const Contact& contact, std::vector<CollisionRecord>& out);
+
+} // namespace kodo::inline KODO_PRECISION

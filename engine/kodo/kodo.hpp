@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Kodo, a 2D rigid-body engine. Include this one; everything else comes with it.
+///
+/// CONVENTIONS
+///   units     SI: metres, kilograms, seconds, radians. Density in kg/m^2, impulse in N s.
+///   axes      x right, y up; angles and turns counter-clockwise.
+///   polygons  convex, corners counter-clockwise.
+///   pairs     a before b by index; a normal points from a to b; separation < 0 is overlap.
+///   frames    a body's position is the origin of its shape's frame; dynamics work about its
+///             centre of mass.
+///   order     whatever comes as a list comes in the order of ids.
+///   bits      the same calls give the same bits with every compiler, CPU and day, as long as it
+///             is built with -ffp-contract=off and without -ffast-math.
+///   errors    bad values throw BadDefinition, dead ids BadBodyId; nothing has changed then.
+
+#include <kodo/math/affine.hpp>
+#include <kodo/world/world.hpp>

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/base/real.hpp>
+
+#include <cmath>
+#include <concepts>
+#include <numbers>
+
+namespace kodo::inline KODO_PRECISION {
+
+template <std::floating_point T>
+struct SinCos {
+    T sin;
+    T cos;
+};
+
+/// Sine and cosine from + - * and floor alone, since the functions of the C library round
+/// differently from one system to the next. Angle in radians; within 2 units in the last place of 1
+/// for |angle| < 100, losing one bit of it for each doubling beyond.
+///
+/// The angle is brought to |r| <= pi/4 by quarter turns; there the Taylor series ends below the
+/// rounding of a double after x^16.
+template <std::floating_point T>
+SinCos<T> sinCos(T angle) {
+    // pi/2 in two parts; the first has so few bits that multiplying it by k is exact.
+    constexpr T kQuarterHigh = sizeof(T) == 4 ? T(1.5703125) : T(1.57079632673412561417e+00);
+    constexpr T kQuarterLow =
+        sizeof(T) == 4 ? T(4.83826794896619e-4) : T(6.07710050650619224932e-11);
+    const T turns = std::floor(angle * (2 / std::numbers::pi_v<T>)+T(0.5));
+    const T r = (angle - turns * kQuarterHigh) - turns * kQuarterLow;
+    const T q = r * r;
+    const T s =
+        r *
+        (1 -
+         q / 6 *
+             (1 - q / 20 *
+                      (1 - q / 42 * (1 - q / 72 * (1 - q / 110 * (1 - q / 156 * (1 - q / 210)))))));
+    const T c =
+        1 -
+        q / 2 *
+            (1 -
+             q / 12 *
+                 (1 -
+                  q / 30 *
+                      (1 - q / 56 * (1 - q / 90 * (1 - q / 132 * (1 - q / 182 * (1 - q / 240)))))));
+    const T quadrant = turns - 4 * std::floor(turns / 4);
+    if (quadrant == 0) {
+        return {s, c};
+    }
+    if (quadrant == 1) {
+        return {c, -s};
+    }
+    if (quadrant == 2) {
+        return {-s, -c};
+    }
+    return {-c, s};
+}
+
+/// Arc tangent of 0 <= x <= 1. Halving the angle three times leaves x < 0.1, where the series ends
+/// below the rounding of a double after x^17.
+///
+///   atan(x) = 2 atan(x / (1 + sqrt(1 + x^2)))
+template <std::floating_point T>
+T atanOfUnit(T x) {
+    for (int halving = 0; halving < 3; ++halving) {
+        x = x / (1 + std::sqrt(1 + x * x));
+    }
+    const T q = x * x;
+    T sum = 0;
+    for (int n = 17; n >= 1; n -= 2) {
+        sum = 1 / T(n) - q * sum;
+    }
+    return 8 * x * sum;
+}
+
+/// Angle of the vector (x, y) in -pi..pi, counter-clockwise from +x; 0 for the zero vector.
+template <std::floating_point T>
+T atan2(T y, T x) {
+    const T ax = x < 0 ? -x : x;
+    const T ay = y < 0 ? -y : y;
+    if (ax == 0 && ay == 0) {
+        return 0;
+    }
+    T angle = ay <= ax ? atanOfUnit(ay / ax) : std::numbers::pi_v<T> / 2 - atanOfUnit(ax / ay);
+    if (x < 0) {
+        angle = std::numbers::pi_v<T> - angle;
+    }
+    return y < 0 ? -angle : angle;
+}
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/solve/impact.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+/// How the relative velocity at one point answers to an impulse there, along normal and tangent.
+struct Response {
+    Real nn; // (m/s along n) per (N s along n), and so on
+    Real nt;
+    Real tt;
+};
+
+/// One contact with its two bodies at hand.
+struct Impact {
+    Contact& contact;
+    Motion& a;
+    Motion& b;
+    bool frictionless;
+
+    Vec2 normal() const { return contact.manifold.normal; }
+    Vec2 tangent() const { return perp(contact.manifold.normal); }
+    const ManifoldPoint& point(std::size_t i) const { return contact.manifold.points[i]; }
+    Vec2 relativeVelocity(std::size_t i) const {
+        return velocityAt(b, point(i).armB) - velocityAt(a, point(i).armA);
+    }
+    void push(std::size_t i, Vec2 impulse) const {
+        applyImpulse(a, point(i).armA, -impulse);
+        applyImpulse(b, point(i).armB, impulse);
+        contact.impulse[i].impact += dot(normal(), impulse);
+    }
+};
+
+/// Along u at point i, for an impulse along v at point k.
+Real response(const Impact& hit, std::size_t i, Vec2 u, std::size_t k, Vec2 v) {
+    const ManifoldPoint& p = hit.point(i);
+    const ManifoldPoint& q = hit.point(k);
+    return (hit.a.invMass + hit.b.invMass) * dot(u, v) +
+           hit.a.invInertia * cross(p.armA, u) * cross(q.armA, v) +
+           hit.b.invInertia * cross(p.armB, u) * cross(q.armB, v);
+}
+
+/// One point with friction: the impulse that stops all sliding, if the friction cone allows it;
+/// otherwise the one on the edge of the cone [Guendelman03, section 6].
+void hitPoint(const Impact& hit, std::size_t i) {
+    const Vec2 n = hit.normal();
+    const Vec2 t = hit.tangent();
+    const Vec2 v = hit.relativeVelocity(i);
+    const Response k{response(hit, i, n, i, n), response(hit, i, n, i, t),
+                     response(hit, i, t, i, t)};
+    const Real wanted = -(1 + hit.contact.material.restitution) * dot(n, v);
+    const Real sliding = dot(t, v);
+    const Material& material = hit.contact.material;
+    if (hit.frictionless || material.staticFriction == 0 || sliding == 0) {
+        hit.push(i, (wanted / k.nn) * n);
+        return;
+    }
+    const Real determinant = k.nn * k.tt - k.nt * k.nt;
+    const Real jn = (wanted * k.tt + sliding * k.nt) / determinant;
+    const Real jt = (-sliding * k.nn - wanted * k.nt) / determinant;
+    if (determinant > 0 && jn > 0 && std::abs(jt) <= material.staticFriction * jn) {
+        hit.push(i, jn * n + jt * t);
+        return;
+    }
+    const Real slope = sliding > 0 ? -material.kineticFriction : material.kineticFriction;
+    const Real along = k.nn + slope * k.nt;
+    if (along > 0) {
+        hit.push(i, (wanted / along) * (n + slope * t));
+    } else { // wedged: friction alone would drive the bodies together
+        hit.push(i, (wanted / k.nn) * n);
+    }
+}
+
+/// Friction of a point that has just been pushed by jn.
+void rub(const Impact& hit, std::size_t i, Real jn) {
+    const Vec2 t = hit.tangent();
+    const Real stick = -dot(t, hit.relativeVelocity(i)) / response(hit, i, t, i, t);
+    const Material& material = hit.contact.material;
+    const Real limit = material.kineticFriction * jn;
+    const bool sticks = std::abs(stick) <= material.staticFriction * jn;
+    hit.push(i, (sticks ? stick : std::clamp(stick, -limit, limit)) * t);
+}
+
+/// Both points at once, so that a box that lands flat rises flat. False when one of them would have
+/// to pull; then they must be hit singly.
+bool hitBoth(const Impact& hit) {
+    const Vec2 n = hit.normal();
+    const Real k11 = response(hit, 0, n, 0, n);
+    const Real k22 = response(hit, 1, n, 1, n);
+    const Real k12 = response(hit, 0, n, 1, n);
+    const Real gain = -(1 + hit.contact.material.restitution);
+    const Real w1 = gain * dot(n, hit.relativeVelocity(0));
+    const Real w2 = gain * dot(n, hit.relativeVelocity(1));
+    const Real determinant = k11 * k22 - k12 * k12;
+    constexpr Real kSingular = sizeof(Real) == 4 ? Real(1e-5) : Real(1e-12);
+    if (determinant < kSingular * k11 * k22) { // cannot turn: both points are as one
+        hit.push(0, (w1 / (2 * k11)) * n);
+        hit.push(1, (w1 / (2 * k11)) * n);
+        return true;
+    }
+    const Real j1 = (k22 * w1 - k12 * w2) / determinant;
+    const Real j2 = (k11 * w2 - k12 * w1) / determinant;
+    if (j1 < 0 || j2 < 0) {
+        return false;
+    }
+    hit.push(0, j1 * n);
+    hit.push(1, j2 * n);
+    if (!hit.frictionless && hit.contact.material.staticFriction > 0) {
+        rub(hit, 0, j1);
+        rub(hit, 1, j2);
+    }
+    return true;
+}
+
+/// Approach speed at point i if it is an impact, else 0.
+Real approach(const Impact& hit, std::size_t i, Real restSpeed) {
+    const Real speed = -dot(hit.normal(), hit.relativeVelocity(i));
+    return speed > restSpeed ? speed : 0;
+}
+
+/// True if the contact was hit.
+bool hitContact(const Impact& hit, const Tolerances& tolerances, Real restSpeed) {
+    Real speed[2] = {0, 0};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(hit.contact.manifold.count); ++i) {
+        if (hit.point(i).separation <= tolerances.slop) {
+            speed[i] = approach(hit, i, restSpeed);
+        }
+    }
+    if (speed[0] == 0 && speed[1] == 0) {
+        return false;
+    }
+    if (speed[0] > 0 && speed[1] > 0 && hitBoth(hit)) {
+        return true;
+    }
+    hitPoint(hit, speed[0] >= speed[1] ? 0 : 1);
+    return true;
+}
+
+/// The speed that forces alone give within the step.
+Real restSpeedOf(const Bodies& bodies, const Contact& contact, Real dt) {
+    const Vec2 a = bodies.acceleration[contact.key.bodyA].linear;
+    const Vec2 b = bodies.acceleration[contact.key.bodyB].linear;
+    return dt * std::max(length(a), length(b));
+}
+
+} // namespace
+
+void solveImpacts(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
+                  const Tolerances& tolerances, Real dt) {
+    for (Contact& contact : contacts) {
+        for (PointImpulse& impulse : contact.impulse) {
+            impulse.impact = 0;
+        }
+    }
+    if (!settings.has(Feature::Restitution)) {
+        return;
+    }
+    const bool frictionless = !settings.has(Feature::Friction);
+    bool any = true;
+    for (int pass = 0; pass < settings.impactPasses && any; ++pass) {
+        any = false;
+        for (Contact& contact : contacts) {
+            if (contact.manifold.count == 0 || contact.material.restitution == 0) {
+                continue;
+            }
+            const Impact hit{contact, bodies.motion[contact.key.bodyA],
+                             bodies.motion[contact.key.bodyB], frictionless};
+            any = hitContact(hit, tolerances, restSpeedOf(bodies, contact, dt)) || any;
+        }
+    }
+}
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/base/problem.hpp>
+
+#include <cstdint>
+#include <optional>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// Features that a step can do without. What is left out costs nothing and changes nothing else.
+enum class Feature : std::uint8_t {
+    Friction = 1,
+    RollingResistance = 2,
+    Restitution = 4,
+    Sweep = 8,
+    Records = 16,
+};
+
+/// How a World steps: the user's dial between speed and accuracy. Every number can be set alone.
+struct StepSettings {
+    int substeps = 4;          // 1..64; more: stiffer contacts, smaller errors, more time
+    int impactPasses = 16;     // 0..1000; rounds of restitution through bodies that touch
+    Real contactHertz = 60;    // stiffness of contacts; at most a quarter of the substep rate
+    Real contactDamping = 10;  // damping ratio of contacts; 1 is critical
+    Real pushSpeed = 3;        // length units/s at most, when overlapping bodies are parted
+    std::uint8_t leaveOut = 0; // a set of Feature
+
+    bool has(Feature feature) const { return (leaveOut & static_cast<std::uint8_t>(feature)) == 0; }
+    friend bool operator==(const StepSettings&, const StepSettings&) = default;
+};
+
+std::optional<Problem> check(const StepSettings& settings);
+
+/// Shortest and longest step (s).
+inline constexpr Real kShortestStep = Real(1e-7);
+inline constexpr Real kLongestStep = 1;
+
+} // namespace kodo::inline KODO_PRECISION

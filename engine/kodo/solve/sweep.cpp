@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/collide/time_of_impact.hpp>
+#include <kodo/solve/sweep.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+const Convex& outline(const Bodies& bodies, std::uint32_t body, std::uint16_t part) {
+    return bodies.form(body).parts[part].convex;
+}
+
+/// Could this pair touch within the step, and would it matter?
+bool worthSweeping(const Bodies& bodies, const Contact& contact, const StepSettings& settings,
+                   const Tolerances& tolerances) {
+    const Motion& a = bodies.motion[contact.key.bodyA];
+    const Motion& b = bodies.motion[contact.key.bodyB];
+    const Convex& shapeA = outline(bodies, contact.key.bodyA, contact.key.partA);
+    const Convex& shapeB = outline(bodies, contact.key.bodyB, contact.key.partB);
+    const bool near = contact.manifold.count > 0;
+    const Real gap = near ? contact.manifold.points[0].separation : tolerances.margin;
+    if (gap <= tolerances.slop) {
+        return false; // touching already: the rows hold it
+    }
+    // Not their relative motion: one of them may be stopped by something else.
+    const Real motion = length(a.move) + length(b.move) + std::abs(a.turn) * shapeA.reach +
+                        std::abs(b.turn) * shapeB.reach;
+    if (motion < gap) {
+        return false;
+    }
+    const bool bounces = contact.material.restitution > 0 && settings.has(Feature::Restitution);
+    return bounces || motion > std::min(shapeA.inside, shapeB.inside) / 2;
+}
+
+Sweep sweepOf(const Bodies& bodies, std::uint32_t body, Real stopAt) {
+    const Motion& motion = bodies.motion[body];
+    return {bodies.pose[body], motion.move, motion.turn, stopAt};
+}
+
+Real impactTime(const Bodies& bodies, const Contact& contact, std::span<const Real> stopAt,
+                const Tolerances& tolerances) {
+    const ContactKey& key = contact.key;
+    return timeOfImpact(outline(bodies, key.bodyA, key.partA),
+                        sweepOf(bodies, key.bodyA, stopAt[key.bodyA]),
+                        outline(bodies, key.bodyB, key.partB),
+                        sweepOf(bodies, key.bodyB, stopAt[key.bodyB]), tolerances.slop / 4);
+}
+
+/// Cuts a body's motion off. The velocity loses what the forces gave it after that moment.
+void stop(Bodies& bodies, std::uint32_t body, Real share, Real dt) {
+    Motion& motion = bodies.motion[body];
+    motion.move *= share;
+    motion.turn *= share;
+    const Real lost = (1 - share) * dt;
+    motion.velocity -= lost * bodies.acceleration[body].linear;
+    motion.angularVelocity -= lost * bodies.acceleration[body].angular;
+}
+
+} // namespace
+
+void SweepStage::run(Bodies& bodies, std::span<const Contact> contacts,
+                     const StepSettings& settings, const Tolerances& tolerances, Real dt) {
+    candidates_.clear();
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        if (worthSweeping(bodies, contacts[i], settings, tolerances)) {
+            candidates_.push_back({static_cast<std::uint32_t>(i), 0, false});
+        }
+    }
+    if (candidates_.empty()) {
+        return;
+    }
+    stopAt_.assign(bodies.size(), 1);
+    for (Candidate& candidate : candidates_) {
+        candidate.time = impactTime(bodies, contacts[candidate.contact], stopAt_, tolerances);
+    }
+    while (true) {
+        Candidate* first = nullptr;
+        for (Candidate& candidate : candidates_) {
+            if (!candidate.done && candidate.time < 1 &&
+                (first == nullptr || candidate.time < first->time)) {
+                first = &candidate;
+            }
+        }
+        if (first == nullptr) {
+            break;
+        }
+        first->done = true;
+        const ContactKey& key = contacts[first->contact].key;
+        for (const std::uint32_t body : {key.bodyA, key.bodyB}) {
+            if (!bodies.locked(body)) {
+                stopAt_[body] = std::min(stopAt_[body], first->time);
+            }
+        }
+        for (Candidate& other : candidates_) {
+            const ContactKey& k = contacts[other.contact].key;
+            const bool shares = k.bodyA == key.bodyA || k.bodyA == key.bodyB ||
+                                k.bodyB == key.bodyA || k.bodyB == key.bodyB;
+            if (!other.done && other.time < 1 && shares) {
+                other.time = impactTime(bodies, contacts[other.contact], stopAt_, tolerances);
+            }
+        }
+    }
+    for (std::size_t body = 0; body < stopAt_.size(); ++body) {
+        if (stopAt_[body] < 1) {
+            stop(bodies, static_cast<std::uint32_t>(body), stopAt_[body], dt);
+        }
+    }
+}
+
+} // namespace kodo::inline KODO_PRECISION

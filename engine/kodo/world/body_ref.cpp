@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/world/body_ref.hpp>
+#include <kodo/world/world.hpp>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+void refuse(const std::optional<Problem>& problem) {
+    if (problem) {
+        throw BadDefinition(*problem);
+    }
+}
+
+} // namespace
+
+BodyView::BodyView(const World& world, BodyId id) : world_(&world), id_(id) {
+    world.requireAlive(id);
+}
+
+const Bodies& BodyView::bodies() const {
+    return world_->bodies_;
+}
+
+Vec2 BodyView::position() const {
+    return bodies().originOf(index());
+}
+Rot BodyView::rotation() const {
+    return bodies().pose[index()].rotation;
+}
+Vec2 BodyView::center() const {
+    return bodies().pose[index()].position;
+}
+Vec2 BodyView::velocity() const {
+    return bodies().motion[index()].velocity;
+}
+Real BodyView::angularVelocity() const {
+    return bodies().motion[index()].angularVelocity;
+}
+Vec2 BodyView::velocityAt(Vec2 point) const {
+    return kodo::velocityAt(bodies().motion[index()], point - center());
+}
+Real BodyView::mass() const {
+    return bodies().form(index()).mass.mass;
+}
+Real BodyView::inertia() const {
+    return bodies().form(index()).mass.inertia;
+}
+Real BodyView::area() const {
+    return bodies().form(index()).area;
+}
+Flags BodyView::flags() const {
+    return bodies().record[index()].filter.flags;
+}
+std::uint16_t BodyView::required() const {
+    return bodies().record[index()].filter.required;
+}
+std::uint64_t BodyView::userData() const {
+    return bodies().record[index()].userData;
+}
+std::size_t BodyView::partCount() const {
+    return bodies().form(index()).parts.size();
+}
+const Part& BodyView::part(std::size_t index) const {
+    return bodies().form(this->index()).parts.at(index);
+}
+const Transform& BodyView::placement() const {
+    return bodies().pose[index()];
+}
+
+Aabb BodyView::bounds() const {
+    Aabb box = boundsOf(part(0).convex, placement());
+    for (std::size_t i = 1; i < partCount(); ++i) {
+        box = unite(box, boundsOf(part(i).convex, placement()));
+    }
+    return box;
+}
+
+bool BodyView::contains(Vec2 point) const {
+    for (std::size_t i = 0; i < partCount(); ++i) {
+        if (kodo::contains(part(i).convex, placement(), point)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+BodyRef::BodyRef(World& world, BodyId id) : BodyView(world, id), world_(&world) {}
+
+void BodyRef::setPosition(Vec2 position) {
+    refuse(checkPosition("position", position));
+    Transform& pose = world_->bodies_.pose[index()];
+    pose.position = position + pose.rotation * bodies().form(index()).mass.center;
+    world_->contacts_.bodiesChanged();
+}
+
+void BodyRef::setRotation(Rot rotation) {
+    refuse(checkRotation("rotation", rotation));
+    const Vec2 origin = position();
+    world_->bodies_.pose[index()].rotation = normalize(rotation);
+    setPosition(origin);
+}
+
+void BodyRef::setVelocity(Vec2 velocity) {
+    refuse(checkVelocity("velocity", velocity));
+    world_->bodies_.motion[index()].velocity = velocity;
+}
+
+void BodyRef::setAngularVelocity(Real radiansPerSecond) {
+    refuse(checkRange("angularVelocity", radiansPerSecond, -kHighestSpeed, kHighestSpeed));
+    world_->bodies_.motion[index()].angularVelocity = radiansPerSecond;
+}
+
+void BodyRef::moveTo(Vec2 position, Real dt) {
+    moveTo(position, rotation(), dt);
+}
+
+void BodyRef::moveTo(Vec2 position, Rot rotation, Real dt) {
+    refuse(checkPosition("position", position));
+    refuse(checkRotation("rotation", rotation));
+    refuse(checkRange("dt", dt, kShortestStep, kLongestStep));
+    const Vec2 target = position + rotation * bodies().form(index()).mass.center;
+    const Vec2 velocity = (target - center()) / dt;
+    const Real spin = (rotation * this->rotation().inverse()).angle() / dt;
+    refuse(checkVelocity("velocity", velocity));
+    refuse(checkRange("angularVelocity", spin, -kHighestSpeed, kHighestSpeed));
+    world_->bodies_.motion[index()].velocity = velocity;
+    world_->bodies_.motion[index()].angularVelocity = spin;
+}
+
+void BodyRef::applyForce(Vec2 force) {
+    applyForce(force, center());
+}
+
+void BodyRef::applyForce(Vec2 force, Vec2 point) {
+    refuse(isFinite(force) ? std::nullopt : std::optional(Problem{"force", "must be finite"}));
+    refuse(checkPosition("point", point));
+    BodyRecord& record = world_->bodies_.record[index()];
+    record.force += force;
+    record.torque += cross(point - center(), force);
+}
+
+void BodyRef::applyTorque(Real torque) {
+    refuse(std::isfinite(torque) ? std::nullopt
+                                 : std::optional(Problem{"torque", "must be finite"}));
+    world_->bodies_.record[index()].torque += torque;
+}
+
+void BodyRef::applyImpulse(Vec2 impulse) {
+    applyImpulse(impulse, center());
+}
+
+void BodyRef::applyImpulse(Vec2 impulse, Vec2 point) {
+    refuse(isFinite(impulse) ? std::nullopt : std::optional(Problem{"impulse", "must be finite"}));
+    refuse(checkPosition("point", point));
+    Motion after = bodies().motion[index()];
+    kodo::applyImpulse(after, point - center(), impulse);
+    refuse(checkVelocity("velocity after the impulse", after.velocity));
+    refuse(checkRange("angularVelocity after the impulse", after.angularVelocity, -kHighestSpeed,
+                      kHighestSpeed));
+    world_->bodies_.motion[index()] = after;
+}
+
+void BodyRef::setFlags(Flags flags) {
+    world_->bodies_.record[index()].filter.flags = flags;
+    refreshMass(world_->bodies_, index());
+    world_->contacts_.bodiesChanged();
+}
+
+void BodyRef::setRequired(std::uint16_t required) {
+    world_->bodies_.record[index()].filter.required = required;
+    world_->contacts_.bodiesChanged();
+}
+
+void BodyRef::setUserData(std::uint64_t userData) {
+    world_->bodies_.record[index()].userData = userData;
+}
+
+void BodyRef::setMaterial(const Material& material) {
+    refuse(check(material));
+    std::vector<Part> parts = bodies().form(index()).parts;
+    for (Part& part : parts) {
+        part.material = material;
+    }
+    setForm(world_->bodies_, index(), makeForm(std::move(parts)));
+    world_->contacts_.bodiesChanged();
+}
+
+} // namespace kodo::inline KODO_PRECISION

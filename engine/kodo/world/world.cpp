@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/base/hash.hpp>
+#include <kodo/bodies/integrate.hpp>
+#include <kodo/solve/impact.hpp>
+#include <kodo/world/world.hpp>
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+bool sameBuild(const std::vector<Part>& a, const std::vector<Part>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Part& p, const Part& q) {
+        return p.primitive == q.primitive && p.material == q.material && p.density == q.density;
+    });
+}
+
+void refuse(const std::optional<Problem>& problem) {
+    if (problem) {
+        throw BadDefinition(*problem);
+    }
+}
+
+} // namespace
+
+std::optional<Problem> check(const WorldDef& def) {
+    if (auto problem = checkVelocity("gravity", def.gravity)) {
+        return problem;
+    }
+    if (auto problem = checkRange("lengthUnit", def.lengthUnit, Real(1e-6), Real(1e6))) {
+        return problem;
+    }
+    return check(def.settings);
+}
+
+World::World(const WorldDef& def) : tolerances_() {
+    refuse(check(def));
+    settings_ = def.settings;
+    tolerances_ = Tolerances::forUnit(def.lengthUnit);
+    if (def.gravity != Vec2{}) {
+        addField({std::make_shared<Gravity>(def.gravity)});
+    }
+}
+
+void World::requireAlive(BodyId id) const {
+    if (!contains(id)) {
+        throw BadBodyId("body " + std::to_string(id.index) + " of generation " +
+                        std::to_string(id.generation) +
+                        " is not in this World: it was removed, or never added");
+    }
+}
+
+std::shared_ptr<const Form> World::formFor(const BodyDef& def) {
+    std::vector<Part> parts = partsOf(def);
+    if (!lastForm_ || !sameBuild(lastForm_->parts, parts)) {
+        lastForm_ = makeForm(std::move(parts));
+    }
+    return lastForm_;
+}
+
+BodyId World::add(const BodyDef& def) {
+    refuse(check(def));
+    const BodyId id = addBody(bodies_, def, formFor(def));
+    contacts_.bodiesChanged();
+    ++count_;
+    return id;
+}
+
+void World::remove(BodyId id) {
+    requireAlive(id);
+    contacts_.drop(id.index);
+    removeBody(bodies_, id.index);
+    --count_;
+}
+
+BodyId World::clone(BodyId id, Vec2 position) {
+    requireAlive(id);
+    refuse(checkPosition("position", position));
+    const BodyView source(*this, id);
+    BodyDef def;
+    def.position = position;
+    def.rotation = source.rotation();
+    def.velocity = source.velocity();
+    def.angularVelocity = source.angularVelocity();
+    def.flags = source.flags();
+    def.required = source.required();
+    def.userData = source.userData();
+    const BodyId copy = addBody(bodies_, def, bodies_.record[id.index].form);
+    contacts_.bodiesChanged();
+    ++count_;
+    return copy;
+}
+
+std::vector<BodyId> World::bodies() const {
+    std::vector<BodyId> ids;
+    ids.reserve(count_);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        if (bodies_.ids.aliveAt(i)) {
+            ids.push_back(bodies_.idAt(i));
+        }
+    }
+    return ids;
+}
+
+std::size_t World::weld(BodyId into, BodyId part) {
+    requireAlive(into);
+    requireAlive(part);
+    if (into == part) {
+        throw BadDefinition({"part", "is the body that it is to be welded to"});
+    }
+    const std::size_t firstPart = bodies_.form(into.index).parts.size();
+    weldBodies(bodies_, into.index, part.index);
+    remove(part);
+    return firstPart;
+}
+
+void World::applyForceToAll(Vec2 force, CollisionFilter which) {
+    for (const BodyId id : bodies()) {
+        if (accepts(which, bodies_.record[id.index].filter.flags)) {
+            (*this)[id].applyForce(force);
+        }
+    }
+}
+
+void World::applyTorqueToAll(Real torque, CollisionFilter which) {
+    for (const BodyId id : bodies()) {
+        if (accepts(which, bodies_.record[id.index].filter.flags)) {
+            (*this)[id].applyTorque(torque);
+        }
+    }
+}
+
+void World::setSettings(const StepSettings& settings) {
+    refuse(check(settings));
+    settings_ = settings;
+}
+
+void World::step(Real dt) {
+    refuse(checkRange("dt", dt, kShortestStep, kLongestStep));
+    gatherAccelerations(bodies_, fields_);
+    contacts_.updatePairs(bodies_, tolerances_, dt);
+    beginMotion(bodies_);
+    contacts_.updateManifolds(bodies_, tolerances_);
+    solveImpacts(bodies_, contacts_.contacts(), settings_, tolerances_, dt);
+    softStep_.solve(bodies_, contacts_.contacts(), settings_, tolerances_, dt);
+    if (settings_.has(Feature::Sweep)) {
+        contacts_.coverMoves(bodies_, tolerances_);
+        sweep_.run(bodies_, contacts_.contacts(), settings_, tolerances_, dt);
+    }
+    movePoses(bodies_);
+    recordCollisions();
+    ++stepCount_;
+}
+
+void World::recordCollisions() {
+    records_.clear();
+    for (BodyRecord& record : bodies_.record) {
+        record.filter.flags &= ~kColliding;
+    }
+    const std::vector<CollisionRecord> ended = contacts_.takeEnded();
+    const bool wanted = settings_.has(Feature::Records);
+    for (Contact& contact : contacts_.contacts()) {
+        finishContact(contact, tolerances_);
+        if (wanted) {
+            recordContact(contact, records_);
+        }
+        contact.wasTouching = contact.touching;
+        if (contact.touching) {
+            bodies_.record[contact.key.bodyA].filter.flags |= kColliding;
+            bodies_.record[contact.key.bodyB].filter.flags |= kColliding;
+        }
+    }
+    if (wanted && !ended.empty()) {
+        records_.insert(records_.end(), ended.begin(), ended.end());
+        std::stable_sort(records_.begin(), records_.end(),
+                         [](const CollisionRecord& a, const CollisionRecord& b) {
+                             return std::tie(a.a, a.partA, a.b, a.partB) <
+                                    std::tie(b.a, b.partA, b.b, b.partB);
+                         });
+    }
+}
+
+std::uint64_t World::stateHash() const {
+    StateHash hash;
+    hash.add(stepCount_);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        hash.add(bodies_.ids.generationAt(i));
+        if (!bodies_.ids.aliveAt(i)) {
+            continue;
+        }
+        const Motion& motion = bodies_.motion[i];
+        const Transform& pose = bodies_.pose[i];
+        const BodyRecord& record = bodies_.record[i];
+        for (const Real value :
+             {pose.position.x, pose.position.y, pose.rotation.c, pose.rotation.s, motion.velocity.x,
+              motion.velocity.y, motion.angularVelocity, motion.invMass, motion.invInertia,
+              record.force.x, record.force.y, record.torque}) {
+            hash.add(value);
+        }
+        hash.add(record.filter.flags);
+        hash.add(record.filter.required);
+        hash.add(static_cast<std::uint32_t>(record.form->parts.size()));
+    }
+    for (const Contact& contact : contacts_.contacts()) {
+        if (!contact.wasTouching) {
+            continue;
+        }
+        hash.add(contact.key.bodyA);
+        hash.add(contact.key.partA);
+        hash.add(contact.key.bodyB);
+        hash.add(contact.key.partB);
+        for (const Real value : {contact.impulse[0].normal, contact.impulse[1].normal,
+                                 contact.friction, contact.rolling}) {
+            hash.add(value);
+        }
+    }
+    return hash.value();
+}
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/bodies/force_field.hpp>
+#include <kodo/contacts/collision_record.hpp>
+#include <kodo/contacts/contact_set.hpp>
+#include <kodo/solve/settings.hpp>
+#include <kodo/solve/soft_step.hpp>
+#include <kodo/solve/sweep.hpp>
+#include <kodo/world/body_ref.hpp>
+
+#include <span>
+#include <vector>
+
+namespace kodo::inline KODO_PRECISION {
+
+struct WorldDef {
+    Vec2 gravity{};      // m/s^2; becomes the first force field unless it is zero
+    Real lengthUnit = 1; // m; the size of a typical body. Every tolerance is a share of it
+    StepSettings settings{};
+};
+
+std::optional<Problem> check(const WorldDef& def);
+
+/// Bodies, and the laws that move them [Thesis06, 4.2]. A value: a copy is a snapshot, and both
+/// go on alike. Worlds share nothing that changes, so each may run on a thread of its own.
+class World {
+public:
+    explicit World(const WorldDef& def = {});
+
+    /// Throws BadDefinition with what check(def) says.
+    BodyId add(const BodyDef& def);
+    /// Throws BadBodyId for an id that is not alive, as everything here does.
+    void remove(BodyId id);
+    /// A body like this one in all but its id and its place.
+    BodyId clone(BodyId id, Vec2 position);
+    bool contains(BodyId id) const { return bodies_.ids.alive(id.index, id.generation); }
+    std::size_t bodyCount() const { return count_; }
+    std::vector<BodyId> bodies() const; // in the order of their ids
+
+    BodyRef operator[](BodyId id) { return {*this, id}; }
+    BodyView operator[](BodyId id) const { return {*this, id}; }
+
+    /// Makes `part` a part of `into`, where it is now: its parts follow those of `into`, and its id
+    /// dies. Mass, centre, inertia, momentum and angular momentum of the pair are kept; a locked
+    /// `into` stays locked. Returns the index of the first part added.
+    std::size_t weld(BodyId into, BodyId part);
+
+    void addField(FieldEntry entry) { fields_.push_back(std::move(entry)); }
+    std::vector<FieldEntry>& fields() { return fields_; }
+    const std::vector<FieldEntry>& fields() const { return fields_; }
+    /// Until the next step; on the bodies that `which` accepts.
+    void applyForceToAll(Vec2 force, CollisionFilter which = {});
+    void applyTorqueToAll(Real torque, CollisionFilter which = {});
+
+    /// Moves everything on by dt seconds, kShortestStep to kLongestStep. Throws BadDefinition for
+    /// any other dt.
+    void step(Real dt);
+    /// What touched in the last step, ordered by bodies and parts. Valid until the next step,
+    /// whatever is added, removed or welded meanwhile.
+    std::span<const CollisionRecord> collisions() const { return records_; }
+
+    const StepSettings& settings() const { return settings_; }
+    void setSettings(const StepSettings& settings);
+    const Tolerances& tolerances() const { return tolerances_; }
+    std::uint64_t stepCount() const { return stepCount_; }
+
+    /// Equal for worlds that will go on alike. The same on every machine.
+    std::uint64_t stateHash() const;
+
+private:
+    friend class BodyView;
+    friend class BodyRef;
+
+    void requireAlive(BodyId id) const;
+    std::shared_ptr<const Form> formFor(const BodyDef& def);
+
+    void recordCollisions();
+
+    StepSettings settings_;
+    Tolerances tolerances_;
+    std::uint64_t stepCount_ = 0;
+    std::size_t count_ = 0;
+    Bodies bodies_;
+    std::vector<FieldEntry> fields_;
+    ContactSet contacts_;
+    SoftStep softStep_;
+    SweepStage sweep_;
+    std::vector<CollisionRecord> records_;
+    std::shared_ptr<const Form> lastForm_; // equal bodies are usually added in a row
+};
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <SFML/Graphics/BlendMode.hpp>
+#include <SFML/Graphics/Color.hpp>
+#include <SFML/Graphics/Font.hpp>
+#include <SFML/Graphics/Rect.hpp>
+#include <SFML/Graphics/RenderTarget.hpp>
+#include <SFML/Graphics/Texture.hpp>
+#include <SFML/Graphics/Vertex.hpp>
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace kodo_sfml {
+
+enum class Blend { Over, Add };
+
+/// Collects one picture as triangles, in the order of painting, and draws them in as few calls as
+/// textures and blending allow. All positions and lengths are pixels, y down.
+class Painter {
+public:
+    void clear();
+    void draw(sf::RenderTarget& target) const;
+
+    /// Of everything added from here on.
+    void setBlend(Blend blend) { blend_ = blend; }
+
+    /// Convex, in either direction; one colour, or one a corner.
+    void polygon(std::span<const sf::Vector2f> corners, sf::Color color);
+    void polygon(std::span<const sf::Vector2f> corners, std::span<const sf::Color> colors);
+    /// The edges of any polygon, mitred; half of the width lies inside.
+    void outline(std::span<const sf::Vector2f> corners, float width, sf::Color color);
+    void line(sf::Vector2f from, sf::Vector2f to, float width, sf::Color color);
+    /// Shaded from the middle to the rim.
+    void disc(sf::Vector2f center, float radius, sf::Color middle, sf::Color rim);
+    void ring(sf::Vector2f center, float radius, float width, sf::Color color);
+    /// A part (texels) of a texture on a rectangle. The texture must live until draw().
+    void image(const sf::Texture& texture, sf::FloatRect part, sf::FloatRect where,
+               sf::Color tint = sf::Color::White);
+    /// UTF-8, one line, starting at `start` on the base line. The font must live until draw().
+    void text(const sf::Font& font, std::string_view utf8, unsigned heightPixels,
+              sf::Vector2f start, sf::Color color);
+
+    std::size_t vertexCount() const { return vertices_.size(); }
+
+private:
+    /// Vertices that one call can draw.
+    struct Run {
+        std::size_t first;
+        Blend blend;
+        const sf::Texture* texture;
+    };
+
+    void use(const sf::Texture* texture);
+    void triangle(const sf::Vertex& a, const sf::Vertex& b, const sf::Vertex& c);
+    void quad(std::span<const sf::Vertex, 4> corners);
+
+    std::vector<sf::Vertex> vertices_;
+    std::vector<Run> runs_;
+    Blend blend_ = Blend::Over;
+};
+
+/// How far the pen moves over a line of text, in pixels. Loads the glyphs, so it needs a display.
+float textWidth(const sf::Font& font, std::string_view utf8, unsigned heightPixels);
+
+} // namespace kodo_sfml
