@@ -1,0 +1,226 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Fails when a file, a function, a line or a parameter list is longer than the house style allows:
+header 250 lines, source 400, test 500; function 60 lines (80 outside engine/ and game/apart/core);
+line 100 columns; 6 parameters.
+
+Run it from anywhere: tools/check_sizes.py. It looks at engine/, game/, tests/ and tools/.
+Functions are found by the depth of braces in formatted code, which needs no compiler."""
+import argparse
+import pathlib
+import re
+import sys
+
+MAX_COLUMNS = 100
+MAX_PARAMETERS = 6
+
+TOKEN = re.compile(
+    r"""(?P<comment>//(?:\\\n|[^\n])*|/\*.*?\*/)
+      | (?P<raw>\bR"(?P<mark>[^()\s\\]{0,16})\(.*?\)(?P=mark)")
+      | (?P<string>"(?:\\.|[^"\\\n])*")
+      | (?P<char>(?<![0-9A-Fa-f])'(?:\\.|[^'\\\n])+')""",
+    re.DOTALL | re.VERBOSE,
+)
+PREPROCESSOR = re.compile(r"^[ \t]*#(?:\\\n|[^\n])*", re.MULTILINE)
+# What may stand between the parameters and the body.
+SPECIFIERS = re.compile(
+    r"(?:\s*(?:const|volatile|noexcept(?:\s*\([^()]*(?:\([^()]*\)[^()]*)*\))?"
+    r"|override|final|mutable|constexpr|try|&&?|requires\b.*|->.*))*\s*$",
+    re.DOTALL,
+)
+ACCESS = re.compile(r"\s*(public|private|protected)\s*")
+CONSTRUCTOR = re.compile(r"\)\s*(?:noexcept\s*)?:(?!:)")
+NOT_A_NAME = {"decltype", "noexcept", "explicit", "alignas", "requires", "__attribute__", "sizeof"}
+
+
+def blank_comments_and_strings(text):
+    """Same length in lines and columns; includes keep their names."""
+
+    def blank(match):
+        before = text[max(0, match.start() - 20) : match.start()]
+        if match.lastgroup == "string" and re.search(r"#\s*include\s*$", before):
+            return match.group(0)
+        body = re.sub(r"[^\n]", " ", match.group(0))
+        return body if match.group("comment") else '""' + body[2:]
+
+    return TOKEN.sub(blank, text)
+
+
+def split_at_commas(text):
+    """Parts at bracket depth 0."""
+    parts, depth, start = [], 0, 0
+    for i, c in enumerate(text):
+        if c in "(<[{":
+            depth += 1
+        elif c in ")]}" or (c == ">" and text[i - 1] != "-"):
+            depth -= 1
+        elif c == "," and depth == 0:
+            parts.append(text[start:i])
+            start = i + 1
+    parts.append(text[start:])
+    return [part for part in parts if part.strip()]
+
+
+def parameters_of(head):
+    """(name, number of parameters) of the function whose declaration starts like this, or None."""
+    head = re.sub(r"\[\[.*?\]\]", " ", head, flags=re.DOTALL)
+    name = r"(operator\s*(?:\(\s*\)|[^\s\w(]+|\w+)|~?[A-Za-z_]\w*)\s*\("
+    for match in re.finditer(name, head):
+        before = head[: match.start()]
+        if match.group(1) in NOT_A_NAME or before.count("(") != before.count(")"):
+            continue
+        depth, i = 0, match.end() - 1
+        for i in range(match.end() - 1, len(head)):
+            depth += {"(": 1, ")": -1}.get(head[i], 0)
+            if depth == 0:
+                break
+        return match.group(1), len(split_at_commas(head[match.end() : i]))
+    return None
+
+
+def is_body(head):
+    """Does the brace after this text open the body of a function?"""
+    if CONSTRUCTOR.search(head):  # a: m_{...}, n_(...) {   only the last brace follows ) or }
+        return head.rstrip()[-1:] in ")}"
+    depth = 0
+    for i, c in enumerate(head):
+        depth += {"(": 1, ")": -1}.get(c, 0)
+        if c == ")" and depth == 0 and SPECIFIERS.fullmatch(head[i + 1 :]):
+            return True
+    return False
+
+
+def is_scope(head):
+    """Does the brace after this text open a namespace or a type?"""
+    noise = r"\btemplate\s*<.*?>|\balignas\s*\(.*?\)|\[\[.*?\]\]"
+    head = re.sub(noise, " ", head, flags=re.DOTALL)
+    if re.match(r'\s*(inline\s+)?namespace\b|\s*extern\s*""\s*$', head):
+        return True
+    return re.search(r"\b(class|struct|union)\b[^()=]*$", head) is not None
+
+
+def is_declaration(head):
+    """Does the semicolon after this text end the declaration of a function?"""
+    outside, depth = "", 0
+    for c in head:
+        depth -= c == ")"
+        outside += c if depth == 0 else ""
+        depth += c == "("
+    outside = re.sub(r"operator\s*[^\s\w(]+|=\s*(0|default|delete)\s*$", "", outside)
+    return re.search(r"\w\s*\(\)|^\s*\(\)", outside) is not None and "=" not in outside
+
+
+class Scanner:
+    """Walks over code without comments and collects the functions of namespaces and types."""
+
+    def __init__(self, text):
+        self.code = PREPROCESSOR.sub(
+            lambda match: re.sub(r"[^\n]", " ", match.group(0)), blank_comments_and_strings(text)
+        )
+        self.functions = []  # (begin, end, name, parameters); begin = end: only declared
+
+    def line(self, position):
+        return self.code.count("\n", 0, position) + 1
+
+    def past_brace(self, i):
+        """The position after the brace that closes the one at i."""
+        depth = 0
+        while i < len(self.code):
+            depth += {"{": 1, "}": -1}.get(self.code[i], 0)
+            i += 1
+            if depth == 0:
+                break
+        return i
+
+    def add(self, start, end, head):
+        first = start + len(head) - len(head.lstrip())
+        name, parameters = parameters_of(head) or ("a lambda", 0)
+        self.functions.append((first, max(first, end), name, parameters))
+
+    def scan(self):
+        i, start, head, paren = 0, 0, "", 0
+        while i < len(self.code):
+            c = self.code[i]
+            paren += {"(": 1, ")": -1}.get(c, 0)
+            end = i + 1
+            starts_anew = False
+            if c == "{" and paren == 0 and is_scope(head):
+                starts_anew = True
+            elif c == "{":
+                end = self.past_brace(i)
+                starts_anew = paren == 0 and is_body(head)
+                if starts_anew:
+                    self.add(start, end, head)
+            elif paren == 0 and c == ";":
+                starts_anew = True
+                if is_declaration(head):
+                    self.add(start, start, head)
+            elif c == "}" or (c == ":" and ACCESS.fullmatch(head)):
+                starts_anew = True
+            if starts_anew:
+                start, head = end, ""
+            else:
+                head += "{}" if c == "{" else c
+            i = end
+        return self.functions
+
+
+def functions_of(text):
+    """Yields (first line, lines, name, parameters); lines is 0 for what is only declared."""
+    scanner = Scanner(text)
+    for first, end, name, parameters in scanner.scan():
+        begin = scanner.line(first)
+        yield begin, (scanner.line(end - 1) - begin + 1 if end > first else 0), name, parameters
+
+
+def check_file(path, name):
+    """Yields (line number, sentence)."""
+    text = path.read_text(encoding="utf-8")
+    lines = text.splitlines()
+    if name.parts[0] == "tests":
+        kind, limit = "test", 500
+    elif name.suffix == ".hpp":
+        kind, limit = "header", 250
+    else:
+        kind, limit = "source", 400
+    if len(lines) > limit:
+        yield 1, f"{len(lines)} lines; a {kind} has at most {limit}"
+    for number, line in enumerate(lines, 1):
+        if len(line) > MAX_COLUMNS:
+            yield number, f"{len(line)} columns; a line has at most {MAX_COLUMNS}"
+    longest = 60 if name.as_posix().startswith(("engine/", "game/apart/core/")) else 80
+    for first, count, function, parameters in functions_of(text):
+        if count > longest:
+            yield first, f"{function} has {count} lines; here a function has at most {longest}"
+        if parameters > MAX_PARAMETERS:
+            yield first, (
+                f"{function} has {parameters} parameters;"
+                f" more than {MAX_PARAMETERS} become a struct"
+            )
+
+
+def cpp_files():
+    """Yields (path, name from the root of the repository) of every C++ file."""
+    root = pathlib.Path(__file__).resolve().parent.parent
+    for top in ("engine", "game", "tests", "tools"):
+        for path in sorted((root / top).rglob("*.[hc]pp")):
+            yield path, path.relative_to(root)
+
+
+def run(what, check, description):
+    """The main function of a check: prints what check(path, name) yields; true when bad."""
+    argparse.ArgumentParser(
+        description=description, formatter_class=argparse.RawDescriptionHelpFormatter
+    ).parse_args()
+    files = list(cpp_files())
+    bad = [
+        f"{name}:{line}: {sentence}"
+        for path, name in files
+        for line, sentence in sorted(check(path, name))
+    ]
+    print("\n".join(bad) or f"{what}: ok, {len(files)} files")
+    return bool(bad)
+
+
+if __name__ == "__main__":
+    sys.exit(run("sizes", check_file, __doc__))
