@@ -10,6 +10,7 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const Form> f
         bodies.pose.emplace_back();
         bodies.acceleration.emplace_back();
         bodies.record.emplace_back();
+        bodies.rest.emplace_back();
     }
     Motion motion;
     motion.velocity = def.velocity;
@@ -22,7 +23,10 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const Form> f
     record.form = std::move(form);
     record.filter = {def.flags, def.required};
     record.userData = def.userData;
+    record.filter.flags &= ~kStatusFlags;
     bodies.record[slot.index] = std::move(record);
+    bodies.rest[slot.index] = {};
+    bodies.awakeStale = true;
     refreshMass(bodies, slot.index);
     return {slot.index, slot.generation};
 }
@@ -33,6 +37,25 @@ void removeBody(Bodies& bodies, std::uint32_t index) {
     bodies.pose[index] = {};
     bodies.acceleration[index] = {};
     bodies.record[index] = {};
+    bodies.rest[index] = {};
+    bodies.awakeStale = true;
+}
+
+bool refreshAwake(Bodies& bodies) {
+    for (const std::uint32_t body : bodies.awake) {
+        bodies.awakeStale = bodies.awakeStale || !bodies.active(body);
+    }
+    if (!bodies.awakeStale) {
+        return false;
+    }
+    bodies.awakeStale = false;
+    bodies.awake.clear();
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (bodies.ids.aliveAt(i) && bodies.active(i)) {
+            bodies.awake.push_back(static_cast<std::uint32_t>(i));
+        }
+    }
+    return true;
 }
 
 void setForm(Bodies& bodies, std::uint32_t index, std::shared_ptr<const Form> form) {

@@ -34,6 +34,15 @@ struct BodyRecord {
     Real torque = 0; // N m
 };
 
+/// How long a body has been calm, and the island that it rests in.
+struct RestState {
+    static constexpr std::uint32_t kNoIsland = ~std::uint32_t{};
+
+    std::uint32_t calmSteps = 0;
+    std::uint32_t island = kNoIsland;
+    Transform since; // where it was when it became calm
+};
+
 /// All bodies of a World as parallel arrays, indexed by BodyId::index. A dead slot keeps its place
 /// with zero velocity and infinite mass.
 struct Bodies {
@@ -42,6 +51,11 @@ struct Bodies {
     std::vector<Transform> pose; // of the centre of mass
     std::vector<Acceleration> acceleration;
     std::vector<BodyRecord> record;
+    std::vector<RestState> rest;
+    /// What a step works on, in order: all that can be pushed and does not rest, and of the locked
+    /// bodies those that move. Everything else costs nothing.
+    std::vector<std::uint32_t> awake;
+    bool awakeStale = true;
 
     BodyId idAt(std::size_t index) const {
         return {static_cast<std::uint32_t>(index), ids.generationAt(index)};
@@ -52,6 +66,15 @@ struct Bodies {
     bool locked(std::size_t index) const {
         return motion[index].invMass == 0 && motion[index].invInertia == 0;
     }
+    bool resting(std::size_t index) const { return (record[index].filter.flags & kResting) != 0; }
+    /// Locked, and neither moving nor having moved in the last step.
+    bool stands(std::size_t index) const {
+        const Motion& m = motion[index];
+        return locked(index) && m.velocity == Vec2{} && m.angularVelocity == 0 &&
+               m.move == Vec2{} && m.turn == 0;
+    }
+    /// Takes part in a step.
+    bool active(std::size_t index) const { return !resting(index) && !stands(index); }
     /// Position of the shape's frame, whose origin need not be the centre of mass.
     Vec2 originOf(std::size_t index) const {
         return pose[index].position - pose[index].rotation * form(index).mass.center;
@@ -68,6 +91,9 @@ void setForm(Bodies& bodies, std::uint32_t index, std::shared_ptr<const Form> fo
 /// Moves the parts of one body into another, where they are, and keeps momentum and angular
 /// momentum of the two as far as `into` is not locked. `part` stays as it is, to be removed.
 void weldBodies(Bodies& bodies, std::uint32_t into, std::uint32_t part);
+
+/// Brings `awake` up to date. True if it has changed.
+bool refreshAwake(Bodies& bodies);
 
 /// Reciprocals of mass and inertia after a change of form or lock flags.
 void refreshMass(Bodies& bodies, std::uint32_t index);

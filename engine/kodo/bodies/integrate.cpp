@@ -6,7 +6,7 @@
 namespace kodo::inline KODO_PRECISION {
 
 void gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields) {
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
+    for (const std::uint32_t i : bodies.awake) {
         BodyRecord& record = bodies.record[i];
         const Motion& motion = bodies.motion[i];
         Push push{std::exchange(record.force, {}), std::exchange(record.torque, Real(0))};
@@ -16,7 +16,7 @@ void gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields) {
         }
         for (const FieldEntry& entry : fields) {
             if (accepts(entry.which, record.filter.flags)) {
-                const Push more = entry.field->at(bodies, static_cast<std::uint32_t>(i));
+                const Push more = entry.field->at(bodies, i);
                 push.force += more.force;
                 push.torque += more.torque;
             }
@@ -26,14 +26,15 @@ void gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields) {
 }
 
 void beginMotion(Bodies& bodies) {
-    for (Motion& motion : bodies.motion) {
+    for (const std::uint32_t i : bodies.awake) {
+        Motion& motion = bodies.motion[i];
         motion.move = {};
         motion.turn = 0;
     }
 }
 
 void integrateVelocities(Bodies& bodies, Real h) {
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
+    for (const std::uint32_t i : bodies.awake) {
         Motion& motion = bodies.motion[i];
         motion.velocity += h * bodies.acceleration[i].linear;
         motion.angularVelocity += h * bodies.acceleration[i].angular;
@@ -42,7 +43,7 @@ void integrateVelocities(Bodies& bodies, Real h) {
 
 void integrateMoves(Bodies& bodies, std::span<const std::uint8_t> held, Real h) {
     const Real half = h * h / 2;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
+    for (const std::uint32_t i : bodies.awake) {
         Motion& motion = bodies.motion[i];
         motion.move += h * motion.velocity;
         motion.turn += h * motion.angularVelocity;
@@ -54,7 +55,7 @@ void integrateMoves(Bodies& bodies, std::span<const std::uint8_t> held, Real h) 
 }
 
 void movePoses(Bodies& bodies) {
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
+    for (const std::uint32_t i : bodies.awake) {
         const Motion& motion = bodies.motion[i];
         bodies.pose[i].position += motion.move;
         if (motion.turn != 0) {

@@ -16,7 +16,11 @@ inline constexpr Flags kLockMove = 1u << 16;   // infinite mass: moves only as i
 inline constexpr Flags kLockRotate = 1u << 17; // infinite inertia: turns only as it is told to
 inline constexpr Flags kLocked = kLockMove | kLockRotate;
 inline constexpr Flags kDisabled = 1u << 18;  // collides with nothing; the thesis has its opposite
+inline constexpr Flags kResting = 1u << 19;   // set by the step: sleeps until something wakes it
+inline constexpr Flags kNeverRest = 1u << 20; // may not be put to rest
 inline constexpr Flags kColliding = 1u << 21; // set by the step: touched something in it
+/// Those that only the engine sets.
+inline constexpr Flags kStatusFlags = kResting | kColliding;
 
 /// How a body compares `required` with the user flags of what it meets. None of the three: it
 /// meets everything.

@@ -3,6 +3,7 @@
 #include <kodo/collide/collide.hpp>
 #include <kodo/contacts/contact_set.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -11,12 +12,6 @@ namespace {
 
 // Up to here the brute force beats sorting; both find the same pairs.
 constexpr std::size_t kBruteForceLimit = 32;
-
-/// Nothing pushes it, it does not move, and it did not move in the last step.
-bool stands(const Motion& motion) {
-    return motion.invMass == 0 && motion.invInertia == 0 && motion.velocity == Vec2{} &&
-           motion.angularVelocity == 0 && motion.move == Vec2{} && motion.turn == 0;
-}
 
 /// Bounds of a part moved by the motion of its body within this step.
 Aabb boundsAfter(const Convex& convex, const Transform& pose, const Motion& motion) {
@@ -65,22 +60,54 @@ CollisionRecord endOf(const Contact& contact) {
 
 } // namespace
 
+void ContactSet::noteEnd(const Contact& contact) {
+    if (contact.wasTouching) {
+        ended_.push_back(endOf(contact));
+    }
+}
+
 void ContactSet::drop(std::uint32_t body) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         const Contact& contact = contacts_[i];
         if (contact.key.bodyA != body && contact.key.bodyB != body) {
             contacts_[kept++] = contact;
-        } else if (contact.wasTouching) {
-            ended_.push_back(endOf(contact));
+        } else {
+            noteEnd(contact);
         }
     }
     contacts_.resize(kept);
     stale_ = true;
 }
 
-std::vector<CollisionRecord> ContactSet::takeEnded() {
-    return std::exchange(ended_, {});
+std::vector<Contact> ContactSet::takeIdle(const Bodies& bodies) {
+    std::vector<Contact> idle;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const ContactKey& key = contacts_[i].key;
+        if (bodies.active(key.bodyA) || bodies.active(key.bodyB)) {
+            contacts_[kept++] = contacts_[i];
+        } else {
+            idle.push_back(contacts_[i]);
+        }
+    }
+    contacts_.resize(kept);
+    return idle;
+}
+
+void ContactSet::putBack(std::span<const Contact> contacts) {
+    const auto before = [](const Contact& a, const Contact& b) { return a.key < b.key; };
+    const std::size_t old = contacts_.size();
+    for (const Contact& contact : contacts) {
+        const auto end = contacts_.begin() + static_cast<std::ptrdiff_t>(old);
+        const auto place = std::lower_bound(contacts_.begin(), end, contact, before);
+        if (place == end || place->key != contact.key) {
+            contacts_.push_back(contact);
+            contacts_.back().proxyA = firstProxy_[contact.key.bodyA] + contact.key.partA;
+            contacts_.back().proxyB = firstProxy_[contact.key.bodyB] + contact.key.partB;
+        }
+    }
+    std::sort(contacts_.begin(), contacts_.end(), before); // total order: keys are unique
 }
 
 const Convex& ContactSet::outline(const Bodies& bodies, std::size_t proxy) const {
@@ -89,10 +116,12 @@ const Convex& ContactSet::outline(const Bodies& bodies, std::size_t proxy) const
 
 void ContactSet::rebuildProxies(const Bodies& bodies) {
     proxies_.clear();
+    firstProxy_.assign(bodies.size(), 0);
     for (std::size_t body = 0; body < bodies.size(); ++body) {
         if (!bodies.ids.aliveAt(body)) {
             continue;
         }
+        firstProxy_[body] = static_cast<std::uint32_t>(proxies_.size());
         const std::size_t parts = bodies.form(body).parts.size();
         for (std::size_t part = 0; part < parts; ++part) {
             proxies_.push_back(
@@ -105,25 +134,28 @@ void ContactSet::rebuildProxies(const Bodies& bodies) {
 
 void ContactSet::updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt) {
     const bool anew = std::exchange(stale_, false);
+    bool outgrown = std::exchange(pairsStale_, false) || anew;
     if (anew) {
         rebuildProxies(bodies);
-    }
-    bool outgrown = anew;
-    for (std::size_t i = 0; i < proxies_.size(); ++i) {
-        const std::uint32_t body = proxies_[i].body;
-        const Motion& motion = bodies.motion[body];
-        if (!anew && stands(motion)) {
-            continue;
+        for (std::size_t i = 0; i < proxies_.size(); ++i) {
+            tight_[i] = boundsOf(outline(bodies, i), bodies.pose[proxies_[i].body]);
+            grown_[i] = tight_[i].grown(tolerances.margin);
         }
-        tight_[i] = boundsOf(outline(bodies, i), bodies.pose[body]);
+    }
+    for (const std::uint32_t body : bodies.awake) {
+        const Motion& motion = bodies.motion[body];
+        const Form& form = bodies.form(body);
         // A bounce may send it in any direction, so it is grown by its motion on all sides.
-        const Real motionThisStep =
-            dt *
-            (length(motion.velocity) + bodies.form(body).reach * std::abs(motion.angularVelocity));
-        const Aabb needed = tight_[i].grown(tolerances.margin + motionThisStep);
-        if (anew || !grown_[i].contains(needed)) {
-            grown_[i] = needed.grown(tolerances.grown + motionThisStep);
-            outgrown = true;
+        const Real reachable =
+            dt * (length(motion.velocity) + form.reach * std::abs(motion.angularVelocity));
+        for (std::size_t part = 0; part < form.parts.size(); ++part) {
+            const std::size_t i = firstProxy_[body] + part;
+            tight_[i] = boundsOf(form.parts[part].convex, bodies.pose[body]);
+            const Aabb needed = tight_[i].grown(tolerances.margin + reachable);
+            if (!grown_[i].contains(needed)) {
+                grown_[i] = needed.grown(tolerances.grown + reachable);
+                outgrown = true;
+            }
         }
     }
     if (outgrown) {
@@ -134,16 +166,16 @@ void ContactSet::updatePairs(const Bodies& bodies, const Tolerances& tolerances,
 
 void ContactSet::coverMoves(const Bodies& bodies, const Tolerances& tolerances) {
     bool outgrown = false;
-    for (std::size_t i = 0; i < proxies_.size(); ++i) {
-        const std::uint32_t body = proxies_[i].body;
-        const Motion& motion = bodies.motion[body];
-        if (stands(motion)) {
-            continue;
-        }
-        const Aabb after = boundsAfter(outline(bodies, i), bodies.pose[body], motion);
-        if (!grown_[i].contains(after)) {
-            grown_[i] = unite(tight_[i], after).grown(tolerances.margin + tolerances.grown);
-            outgrown = true;
+    for (const std::uint32_t body : bodies.awake) {
+        const Form& form = bodies.form(body);
+        for (std::size_t part = 0; part < form.parts.size(); ++part) {
+            const std::size_t i = firstProxy_[body] + part;
+            const Aabb after =
+                boundsAfter(form.parts[part].convex, bodies.pose[body], bodies.motion[body]);
+            if (!grown_[i].contains(after)) {
+                grown_[i] = unite(tight_[i], after).grown(tolerances.margin + tolerances.grown);
+                outgrown = true;
+            }
         }
     }
     if (outgrown) {
@@ -157,6 +189,7 @@ void ContactSet::findPairs(const Bodies& bodies) {
         const std::uint32_t a = proxies_[i].body;
         const std::uint32_t b = proxies_[j].body;
         return a != b && !(bodies.locked(a) && bodies.locked(b)) &&
+               (bodies.active(a) || bodies.active(b)) &&
                shouldCollide(bodies.record[a].filter, bodies.record[b].filter);
     };
     pairs_.clear();
@@ -185,9 +218,7 @@ void ContactSet::mergePairs(const Bodies& bodies) {
     std::size_t old = 0;
     const auto skipOld = [&](const ContactKey* upTo) {
         for (; old < previous_.size() && (upTo == nullptr || previous_[old].key < *upTo); ++old) {
-            if (previous_[old].wasTouching) {
-                ended_.push_back(endOf(previous_[old]));
-            }
+            noteEnd(previous_[old]);
         }
     };
     for (const BoundsPair pair : pairs_) {

@@ -20,6 +20,14 @@ public:
     /// Forgets the contacts of one body. Those that touched end in the next record.
     void drop(std::uint32_t body);
 
+    /// Some body fell asleep, woke up, or a locked one began or ceased to move.
+    void activityChanged() { pairsStale_ = true; }
+
+    /// Takes out the contacts between bodies that take no part in a step, in order.
+    std::vector<Contact> takeIdle(const Bodies& bodies);
+    /// Puts contacts back that takeIdle once gave. One that is in the list by now stays as it is.
+    void putBack(std::span<const Contact> contacts);
+
     /// Brings the list up to date before a step of dt: the pairs that may meet within it, in order.
     void updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt);
     /// Finds where the pairs touch, now, and how fast they approach.
@@ -30,8 +38,10 @@ public:
     std::span<Contact> contacts() { return contacts_; }
     std::span<const Contact> contacts() const { return contacts_; }
 
-    /// The records of the contacts that lost a body since the last call.
-    std::vector<CollisionRecord> takeEnded();
+    /// The records of contacts that ended because they lost a body, until clearEnded().
+    std::span<const CollisionRecord> ended() const { return ended_; }
+    void clearEnded() { ended_.clear(); }
+    void noteEnd(const Contact& contact);
 
 private:
     struct Proxy {
@@ -45,15 +55,17 @@ private:
     void mergePairs(const Bodies& bodies);
     Contact makeContact(const Bodies& bodies, BoundsPair pair) const;
 
-    std::vector<Proxy> proxies_; // one for each part of each body, in order
-    std::vector<Aabb> tight_;    // where it is
-    std::vector<Aabb> grown_;    // where it may be until its pairs are looked for again
+    std::vector<Proxy> proxies_;            // one for each part of each body, in order
+    std::vector<std::uint32_t> firstProxy_; // by body
+    std::vector<Aabb> tight_;               // where it is
+    std::vector<Aabb> grown_;               // where it may be until its pairs are looked for again
     std::vector<BoundsPair> pairs_;
     SortAndSweep sortAndSweep_;
     std::vector<Contact> contacts_;
     std::vector<Contact> previous_; // spare, so that merging allocates nothing
     std::vector<CollisionRecord> ended_;
     bool stale_ = true;
+    bool pairsStale_ = true;
 };
 
 /// Sums up a step for one contact: did it touch, and how hard.

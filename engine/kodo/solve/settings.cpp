@@ -31,6 +31,9 @@ std::optional<Problem> check(const StepSettings& settings) {
     if (auto problem = checkCount("settings.impactPasses", settings.impactPasses, 0, 1000)) {
         return problem;
     }
+    if (auto problem = checkCount("settings.restSteps", settings.restSteps, 1, 1000000)) {
+        return problem;
+    }
     if (auto problem = checkPositive("settings.contactHertz", settings.contactHertz)) {
         return problem;
     }

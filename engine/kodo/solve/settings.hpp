@@ -15,6 +15,7 @@ enum class Feature : std::uint8_t {
     Restitution = 4,
     Sweep = 8,
     Records = 16,
+    Resting = 32,
 };
 
 /// How a World steps: the user's dial between speed and accuracy. Every number can be set alone.
@@ -24,6 +25,7 @@ struct StepSettings {
     Real contactHertz = 60;    // stiffness of contacts; at most a quarter of the substep rate
     Real contactDamping = 10;  // damping ratio of contacts; 1 is critical
     Real pushSpeed = 3;        // length units/s at most, when overlapping bodies are parted
+    int restSteps = 30;        // 1..1000000; calm steps in a row before an island is put to rest
     std::uint8_t leaveOut = 0; // a set of Feature
 
     bool has(Feature feature) const { return (leaveOut & static_cast<std::uint8_t>(feature)) == 0; }

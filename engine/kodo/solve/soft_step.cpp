@@ -185,7 +185,10 @@ Softness Softness::from(Real hertz, Real damping, Real h) {
 void SoftStep::makeRows(const Bodies& bodies, std::span<const Contact> contacts,
                         const StepSettings& settings, const Tolerances& tolerances) {
     rows_.clear();
-    held_.assign(bodies.size(), 0);
+    held_.resize(bodies.size());
+    for (const std::uint32_t body : bodies.awake) {
+        held_[body] = 0;
+    }
     // Contacts with the ground come last in each pass, so that they have the last word.
     for (const bool onLocked : {false, true}) {
         for (std::size_t i = 0; i < contacts.size(); ++i) {

@@ -102,9 +102,9 @@ void SweepStage::run(Bodies& bodies, std::span<const Contact> contacts,
             }
         }
     }
-    for (std::size_t body = 0; body < stopAt_.size(); ++body) {
+    for (const std::uint32_t body : bodies.awake) {
         if (stopAt_[body] < 1) {
-            stop(bodies, static_cast<std::uint32_t>(body), stopAt_[body], dt);
+            stop(bodies, body, stopAt_[body], dt);
         }
     }
 }

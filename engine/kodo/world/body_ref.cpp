@@ -86,11 +86,28 @@ bool BodyView::contains(Vec2 point) const {
 
 BodyRef::BodyRef(World& world, BodyId id) : BodyView(world, id), world_(&world) {}
 
+Motion& BodyRef::motion() {
+    return world_->bodies_.motion[index()];
+}
+
+void BodyRef::changed() {
+    world_->rest_.disturb(world_->bodies_, world_->contacts_, index());
+    world_->contacts_.bodiesChanged();
+    world_->bodies_.awakeStale = true;
+}
+
+void BodyRef::pushed() {
+    world_->rest_.wake(world_->bodies_, world_->contacts_, index());
+    if (bodies().locked(index())) { // it may begin to move
+        world_->bodies_.awakeStale = true;
+    }
+}
+
 void BodyRef::setPosition(Vec2 position) {
     refuse(checkPosition("position", position));
     Transform& pose = world_->bodies_.pose[index()];
     pose.position = position + pose.rotation * bodies().form(index()).mass.center;
-    world_->contacts_.bodiesChanged();
+    changed();
 }
 
 void BodyRef::setRotation(Rot rotation) {
@@ -102,12 +119,14 @@ void BodyRef::setRotation(Rot rotation) {
 
 void BodyRef::setVelocity(Vec2 velocity) {
     refuse(checkVelocity("velocity", velocity));
-    world_->bodies_.motion[index()].velocity = velocity;
+    motion().velocity = velocity;
+    pushed();
 }
 
 void BodyRef::setAngularVelocity(Real radiansPerSecond) {
     refuse(checkRange("angularVelocity", radiansPerSecond, -kHighestSpeed, kHighestSpeed));
-    world_->bodies_.motion[index()].angularVelocity = radiansPerSecond;
+    motion().angularVelocity = radiansPerSecond;
+    pushed();
 }
 
 void BodyRef::moveTo(Vec2 position, Real dt) {
@@ -123,8 +142,9 @@ void BodyRef::moveTo(Vec2 position, Rot rotation, Real dt) {
     const Real spin = (rotation * this->rotation().inverse()).angle() / dt;
     refuse(checkVelocity("velocity", velocity));
     refuse(checkRange("angularVelocity", spin, -kHighestSpeed, kHighestSpeed));
-    world_->bodies_.motion[index()].velocity = velocity;
-    world_->bodies_.motion[index()].angularVelocity = spin;
+    motion().velocity = velocity;
+    motion().angularVelocity = spin;
+    pushed();
 }
 
 void BodyRef::applyForce(Vec2 force) {
@@ -137,12 +157,14 @@ void BodyRef::applyForce(Vec2 force, Vec2 point) {
     BodyRecord& record = world_->bodies_.record[index()];
     record.force += force;
     record.torque += cross(point - center(), force);
+    pushed();
 }
 
 void BodyRef::applyTorque(Real torque) {
     refuse(std::isfinite(torque) ? std::nullopt
                                  : std::optional(Problem{"torque", "must be finite"}));
     world_->bodies_.record[index()].torque += torque;
+    pushed();
 }
 
 void BodyRef::applyImpulse(Vec2 impulse) {
@@ -157,18 +179,20 @@ void BodyRef::applyImpulse(Vec2 impulse, Vec2 point) {
     refuse(checkVelocity("velocity after the impulse", after.velocity));
     refuse(checkRange("angularVelocity after the impulse", after.angularVelocity, -kHighestSpeed,
                       kHighestSpeed));
-    world_->bodies_.motion[index()] = after;
+    motion() = after;
+    pushed();
 }
 
 void BodyRef::setFlags(Flags flags) {
-    world_->bodies_.record[index()].filter.flags = flags;
+    changed();
+    Flags& own = world_->bodies_.record[index()].filter.flags;
+    own = (flags & ~kStatusFlags) | (own & kStatusFlags);
     refreshMass(world_->bodies_, index());
-    world_->contacts_.bodiesChanged();
 }
 
 void BodyRef::setRequired(std::uint16_t required) {
     world_->bodies_.record[index()].filter.required = required;
-    world_->contacts_.bodiesChanged();
+    changed();
 }
 
 void BodyRef::setUserData(std::uint64_t userData) {
@@ -182,7 +206,7 @@ void BodyRef::setMaterial(const Material& material) {
         part.material = material;
     }
     setForm(world_->bodies_, index(), makeForm(std::move(parts)));
-    world_->contacts_.bodiesChanged();
+    changed();
 }
 
 } // namespace kodo::inline KODO_PRECISION

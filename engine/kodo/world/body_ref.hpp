@@ -67,12 +67,16 @@ public:
     void applyImpulse(Vec2 impulse);         // N s
     void applyImpulse(Vec2 impulse, Vec2 point);
 
-    void setFlags(Flags flags);
+    void setFlags(Flags flags); // those that only the engine sets stay as they are
     void setRequired(std::uint16_t required);
     void setUserData(std::uint64_t userData);
     void setMaterial(const Material& material); // of all parts
 
 private:
+    Motion& motion();
+    void changed(); // its place, build or filter: contacts and what leans on it must know
+    void pushed();  // its velocity or forces
+
     World* world_;
 };
 

@@ -70,6 +70,7 @@ BodyId World::add(const BodyDef& def) {
 
 void World::remove(BodyId id) {
     requireAlive(id);
+    rest_.disturb(bodies_, contacts_, id.index);
     contacts_.drop(id.index);
     removeBody(bodies_, id.index);
     --count_;
@@ -110,10 +111,21 @@ std::size_t World::weld(BodyId into, BodyId part) {
     if (into == part) {
         throw BadDefinition({"part", "is the body that it is to be welded to"});
     }
+    rest_.disturb(bodies_, contacts_, into.index);
     const std::size_t firstPart = bodies_.form(into.index).parts.size();
     weldBodies(bodies_, into.index, part.index);
     remove(part);
     return firstPart;
+}
+
+void World::addField(FieldEntry entry) {
+    fields_.push_back(std::move(entry));
+    rest_.wakeAll(bodies_, contacts_);
+}
+
+void World::setFields(std::vector<FieldEntry> fields) {
+    fields_ = std::move(fields);
+    rest_.wakeAll(bodies_, contacts_);
 }
 
 void World::applyForceToAll(Vec2 force, CollisionFilter which) {
@@ -139,10 +151,15 @@ void World::setSettings(const StepSettings& settings) {
 
 void World::step(Real dt) {
     refuse(checkRange("dt", dt, kShortestStep, kLongestStep));
-    gatherAccelerations(bodies_, fields_);
-    contacts_.updatePairs(bodies_, tolerances_, dt);
+    if (refreshAwake(bodies_) && rest_.anyResting()) {
+        contacts_.activityChanged();
+    }
     beginMotion(bodies_);
+    contacts_.updatePairs(bodies_, tolerances_, dt);
     contacts_.updateManifolds(bodies_, tolerances_);
+    rest_.wakeTouched(bodies_, contacts_, tolerances_);
+    refreshAwake(bodies_);
+    gatherAccelerations(bodies_, fields_);
     solveImpacts(bodies_, contacts_.contacts(), settings_, tolerances_, dt);
     softStep_.solve(bodies_, contacts_.contacts(), settings_, tolerances_, dt);
     if (settings_.has(Feature::Sweep)) {
@@ -151,15 +168,15 @@ void World::step(Real dt) {
     }
     movePoses(bodies_);
     recordCollisions();
+    rest_.settle(bodies_, contacts_, settings_, tolerances_, dt);
     ++stepCount_;
 }
 
 void World::recordCollisions() {
     records_.clear();
-    for (BodyRecord& record : bodies_.record) {
-        record.filter.flags &= ~kColliding;
+    for (const std::uint32_t body : bodies_.awake) {
+        bodies_.record[body].filter.flags &= ~kColliding;
     }
-    const std::vector<CollisionRecord> ended = contacts_.takeEnded();
     const bool wanted = settings_.has(Feature::Records);
     for (Contact& contact : contacts_.contacts()) {
         finishContact(contact, tolerances_);
@@ -172,14 +189,18 @@ void World::recordCollisions() {
             bodies_.record[contact.key.bodyB].filter.flags |= kColliding;
         }
     }
+    const std::span<const CollisionRecord> ended = contacts_.ended();
     if (wanted && !ended.empty()) {
         records_.insert(records_.end(), ended.begin(), ended.end());
-        std::stable_sort(records_.begin(), records_.end(),
-                         [](const CollisionRecord& a, const CollisionRecord& b) {
-                             return std::tie(a.a, a.partA, a.b, a.partB) <
-                                    std::tie(b.a, b.partA, b.b, b.partB);
-                         });
+        const auto key = [](const CollisionRecord& r) {
+            return std::tie(r.a, r.partA, r.b, r.partB, r.phase);
+        };
+        std::sort(records_.begin(), records_.end(), // total order: a pair has one record, or an End
+                  [&](const CollisionRecord& r, const CollisionRecord& s) { // and a new Begin
+                      return key(r) < key(s);
+                  });
     }
+    contacts_.clearEnded();
 }
 
 std::uint64_t World::stateHash() const {
@@ -199,13 +220,14 @@ std::uint64_t World::stateHash() const {
               record.force.x, record.force.y, record.torque}) {
             hash.add(value);
         }
+        hash.add(bodies_.rest[i].calmSteps);
         hash.add(record.filter.flags);
         hash.add(record.filter.required);
         hash.add(static_cast<std::uint32_t>(record.form->parts.size()));
     }
-    for (const Contact& contact : contacts_.contacts()) {
+    const auto addContact = [&](const Contact& contact) {
         if (!contact.wasTouching) {
-            continue;
+            return;
         }
         hash.add(contact.key.bodyA);
         hash.add(contact.key.partA);
@@ -215,7 +237,11 @@ std::uint64_t World::stateHash() const {
                                  contact.friction, contact.rolling}) {
             hash.add(value);
         }
+    };
+    for (const Contact& contact : contacts_.contacts()) {
+        addContact(contact);
     }
+    rest_.forEachContact(addContact);
     return hash.value();
 }
 

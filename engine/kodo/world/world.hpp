@@ -4,6 +4,7 @@
 #include <kodo/bodies/force_field.hpp>
 #include <kodo/contacts/collision_record.hpp>
 #include <kodo/contacts/contact_set.hpp>
+#include <kodo/solve/rest.hpp>
 #include <kodo/solve/settings.hpp>
 #include <kodo/solve/soft_step.hpp>
 #include <kodo/solve/sweep.hpp>
@@ -46,8 +47,9 @@ public:
     /// `into` stays locked. Returns the index of the first part added.
     std::size_t weld(BodyId into, BodyId part);
 
-    void addField(FieldEntry entry) { fields_.push_back(std::move(entry)); }
-    std::vector<FieldEntry>& fields() { return fields_; }
+    /// Fields act in the order of the list. A change wakes everything.
+    void addField(FieldEntry entry);
+    void setFields(std::vector<FieldEntry> fields);
     const std::vector<FieldEntry>& fields() const { return fields_; }
     /// Until the next step; on the bodies that `which` accepts.
     void applyForceToAll(Vec2 force, CollisionFilter which = {});
@@ -86,6 +88,7 @@ private:
     ContactSet contacts_;
     SoftStep softStep_;
     SweepStage sweep_;
+    RestStage rest_;
     std::vector<CollisionRecord> records_;
     std::shared_ptr<const Form> lastForm_; // equal bodies are usually added in a row
 };

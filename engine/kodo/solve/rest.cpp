@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/solve/rest.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+constexpr std::uint32_t kNone = RestState::kNoIsland;
+
+/// Twice the kinetic energy now, against twice what the forces give within dt.
+bool isQuiet(const Motion& motion, const Acceleration& acceleration, const Mass& mass, Real dt) {
+    const Real w = motion.angularVelocity;
+    const Real gained = dt * acceleration.angular;
+    return mass.mass * lengthSquared(motion.velocity) + mass.inertia * w * w <=
+           mass.mass * lengthSquared(dt * acceleration.linear) + mass.inertia * gained * gained;
+}
+
+/// Has any point of the body moved farther than that since `since`?
+bool crept(const Transform& pose, const Transform& since, Real reach, Real distance) {
+    const Rot turn = pose.rotation * since.rotation.inverse();
+    const Real moved = lengthSquared(pose.position - since.position);
+    const Real turned = reach * reach * turn.s * turn.s;
+    return moved + turned > distance * distance || turn.c < 0;
+}
+
+} // namespace
+
+void RestStage::wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t island) {
+    const Island woken = std::exchange(islands_[island], {});
+    --restingIslands_;
+    for (const std::uint32_t body : woken.bodies) {
+        bodies.record[body].filter.flags &= ~kResting;
+        bodies.rest[body] = {};
+        bodies.rest[body].since = bodies.pose[body];
+        bodies.motion[body].move = {};
+        bodies.motion[body].turn = 0;
+        bodies.acceleration[body] = {};
+    }
+    contacts.putBack(woken.contacts);
+    contacts.activityChanged();
+    bodies.awakeStale = true;
+}
+
+void RestStage::wake(Bodies& bodies, ContactSet& contacts, std::uint32_t body) {
+    bodies.rest[body].calmSteps = 0;
+    bodies.rest[body].since = bodies.pose[body];
+    if (bodies.rest[body].island != kNone) {
+        wakeIsland(bodies, contacts, bodies.rest[body].island);
+    }
+}
+
+void RestStage::wakeAll(Bodies& bodies, ContactSet& contacts) {
+    for (std::uint32_t island = 0; island < islands_.size(); ++island) {
+        if (!islands_[island].bodies.empty()) {
+            wakeIsland(bodies, contacts, island);
+        }
+    }
+}
+
+void RestStage::disturb(Bodies& bodies, ContactSet& contacts, std::uint32_t body) {
+    wake(bodies, contacts, body);
+    for (std::uint32_t island = 0; island < islands_.size(); ++island) {
+        const std::vector<Contact>& held = islands_[island].contacts;
+        const bool leans = std::any_of(held.begin(), held.end(), [&](const Contact& contact) {
+            return contact.key.bodyA == body || contact.key.bodyB == body;
+        });
+        if (leans) {
+            wakeIsland(bodies, contacts, island);
+        }
+    }
+}
+
+void RestStage::wakeTouched(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances) {
+    for (std::size_t i = 0; i < contacts.contacts().size(); ++i) {
+        const Contact& contact = contacts.contacts()[i];
+        if (contact.manifold.count == 0 ||
+            contact.manifold.points[0].separation > tolerances.slop) {
+            continue;
+        }
+        for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
+            if (bodies.rest[body].island != kNone) {
+                wakeIsland(bodies, contacts, bodies.rest[body].island);
+                i = 0; // the list has grown and is in order again
+                break;
+            }
+        }
+    }
+}
+
+std::uint32_t RestStage::find(std::uint32_t body) {
+    while (parent_[body] != body) {
+        parent_[body] = parent_[parent_[body]];
+        body = parent_[body];
+    }
+    return body;
+}
+
+/// True if some body has been calm for long enough, so that islands are worth looking at.
+bool RestStage::countCalm(Bodies& bodies, const StepSettings& settings,
+                          const Tolerances& tolerances, Real dt) {
+    bool any = false;
+    for (const std::uint32_t body : bodies.awake) {
+        RestState& rest = bodies.rest[body];
+        const Form& form = bodies.form(body);
+        const bool calm = (bodies.record[body].filter.flags & kNeverRest) == 0 &&
+                          isQuiet(bodies.motion[body], bodies.acceleration[body], form.mass, dt) &&
+                          !crept(bodies.pose[body], rest.since, form.reach, tolerances.slop / 4);
+        if (calm) {
+            ++rest.calmSteps;
+        } else {
+            rest.calmSteps = 0;
+            rest.since = bodies.pose[body];
+        }
+        any = any || rest.calmSteps >= static_cast<std::uint32_t>(settings.restSteps);
+    }
+    return any;
+}
+
+void RestStage::joinTouching(const Bodies& bodies, const ContactSet& contacts) {
+    parent_.resize(bodies.size());
+    leastCalm_.resize(bodies.size());
+    for (const std::uint32_t body : bodies.awake) {
+        parent_[body] = body;
+    }
+    const auto join = [&](std::uint32_t a, std::uint32_t b) {
+        const std::uint32_t rootA = find(a);
+        const std::uint32_t rootB = find(b);
+        parent_[std::max(rootA, rootB)] = std::min(rootA, rootB);
+    };
+    for (const Contact& contact : contacts.contacts()) {
+        const ContactKey& key = contact.key;
+        if (contact.touching && bodies.active(key.bodyA) && bodies.active(key.bodyB)) {
+            // A locked body that moves joins what it carries: none of it rests meanwhile.
+            join(key.bodyA, key.bodyB);
+        }
+    }
+    for (const std::uint32_t body : bodies.awake) {
+        leastCalm_[body] = bodies.locked(body) ? 0 : bodies.rest[body].calmSteps;
+    }
+    for (const std::uint32_t body : bodies.awake) {
+        std::uint32_t& least = leastCalm_[find(body)];
+        const std::uint32_t own = bodies.locked(body) ? 0 : bodies.rest[body].calmSteps;
+        least = std::min(least, own);
+    }
+}
+
+void RestStage::putToRest(Bodies& bodies, std::span<const std::uint32_t> members) {
+    std::uint32_t island = 0;
+    while (island < islands_.size() && !islands_[island].bodies.empty()) {
+        ++island;
+    }
+    if (island == islands_.size()) {
+        islands_.emplace_back();
+    }
+    for (const std::uint32_t body : members) {
+        bodies.record[body].filter.flags |= kResting;
+        bodies.rest[body].island = island;
+        bodies.motion[body].velocity = {};
+        bodies.motion[body].angularVelocity = 0;
+    }
+    ++restingIslands_;
+    islands_[island].bodies.assign(members.begin(), members.end());
+}
+
+void RestStage::settle(Bodies& bodies, ContactSet& contacts, const StepSettings& settings,
+                       const Tolerances& tolerances, Real dt) {
+    if (!settings.has(Feature::Resting) || !countCalm(bodies, settings, tolerances, dt)) {
+        return;
+    }
+    joinTouching(bodies, contacts);
+    const auto enough = static_cast<std::uint32_t>(settings.restSteps);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> resting; // root and body
+    for (const std::uint32_t body : bodies.awake) {
+        const std::uint32_t root = find(body);
+        if (leastCalm_[root] >= enough) {
+            resting.emplace_back(root, body);
+        }
+    }
+    if (resting.empty()) {
+        return;
+    }
+    std::sort(resting.begin(), resting.end()); // total order: bodies are unique
+    std::vector<std::uint32_t> members;
+    for (std::size_t i = 0; i < resting.size(); ++i) {
+        members.push_back(resting[i].second);
+        if (i + 1 == resting.size() || resting[i + 1].first != resting[i].first) {
+            putToRest(bodies, members);
+            members.clear();
+        }
+    }
+    for (const Contact& contact : contacts.takeIdle(bodies)) {
+        const std::uint32_t a = bodies.rest[contact.key.bodyA].island;
+        islands_[a != kNone ? a : bodies.rest[contact.key.bodyB].island].contacts.push_back(
+            contact);
+    }
+    bodies.awakeStale = true;
+    contacts.activityChanged();
+}
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/bodies/bodies.hpp>
+#include <kodo/bodies/tolerances.hpp>
+#include <kodo/contacts/contact_set.hpp>
+#include <kodo/solve/settings.hpp>
+
+#include <vector>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// Puts bodies to rest that have come to lie still, and wakes them again [Thesis06, 5.2].
+///
+/// A body is calm in a step in which it has less kinetic energy than the forces on it would give it
+/// from a standstill, so there is no threshold in m/s:
+///
+///   m v^2 + I w^2 <= m (a dt)^2 + I (alpha dt)^2                    [after Thesis06, eq. 5]
+///
+/// and has not crept away from where it began to be calm, which keeps a slowly tipping body (fig.
+/// 5.3) awake. Bodies that touch form an island, and rest only together, once all of them have been
+/// calm for restSteps steps; then they and their contacts leave the lists that a step works on.
+class RestStage {
+public:
+    /// Wakes the islands that something active touches. To be called with fresh manifolds.
+    void wakeTouched(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances);
+    /// Counts calm steps and puts islands to rest.
+    void settle(Bodies& bodies, ContactSet& contacts, const StepSettings& settings,
+                const Tolerances& tolerances, Real dt);
+
+    /// Wakes the island of one body, if it rests.
+    void wake(Bodies& bodies, ContactSet& contacts, std::uint32_t body);
+    /// Wakes the island of one body and every island that touches it: it goes, jumps or changes.
+    void disturb(Bodies& bodies, ContactSet& contacts, std::uint32_t body);
+    void wakeAll(Bodies& bodies, ContactSet& contacts);
+    bool anyResting() const { return restingIslands_ > 0; }
+
+    /// The contacts of what rests, island by island.
+    template <typename Visit>
+    void forEachContact(Visit visit) const {
+        for (const Island& island : islands_) {
+            for (const Contact& contact : island.contacts) {
+                visit(contact);
+            }
+        }
+    }
+
+private:
+    struct Island {
+        std::vector<std::uint32_t> bodies; // empty: a free slot
+        std::vector<Contact> contacts;
+    };
+
+    void wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t island);
+    void putToRest(Bodies& bodies, std::span<const std::uint32_t> members);
+    std::uint32_t find(std::uint32_t body);
+    bool countCalm(Bodies& bodies, const StepSettings& settings, const Tolerances& tolerances,
+                   Real dt);
+    void joinTouching(const Bodies& bodies, const ContactSet& contacts);
+
+    std::vector<Island> islands_;
+    std::size_t restingIslands_ = 0;
+    std::vector<std::uint32_t> parent_;    // union-find over body indices
+    std::vector<std::uint32_t> leastCalm_; // by root
+};
+
+} // namespace kodo::inline KODO_PRECISION
