@@ -15,5 +15,6 @@
 ///             is built with -ffp-contract=off and without -ffast-math.
 ///   errors    bad values throw BadDefinition, dead ids BadBodyId; nothing has changed then.
 
+#include <kodo/bodies/fields.hpp>
 #include <kodo/math/affine.hpp>
 #include <kodo/world/world.hpp>

@@ -12,7 +12,7 @@ namespace kodo_sfml {
 
 namespace {
 
-constexpr unsigned kSmoothing = 4;      // samples a pixel
+constexpr unsigned kSmoothing = 0;      // samples a pixel
 constexpr unsigned kMostFrames = 144;   // a second, where the screen does not set the pace
 constexpr unsigned kFrameOfWindow = 80; // pixels that title bar and panels take, about
 

@@ -102,7 +102,9 @@ void refreshMass(Bodies& bodies, std::uint32_t index) {
     const Mass& mass = bodies.form(index).mass;
     const Flags flags = bodies.record[index].filter.flags;
     bodies.motion[index].invMass = (flags & kLockMove) != 0 ? 0 : 1 / mass.mass;
-    bodies.motion[index].invInertia = (flags & kLockRotate) != 0 ? 0 : 1 / mass.inertia;
+    // Nothing can turn a particle: it has no inertia, but no arm either.
+    const bool turns = (flags & kLockRotate) == 0 && mass.inertia > 0;
+    bodies.motion[index].invInertia = turns ? 1 / mass.inertia : 0;
 }
 
 } // namespace kodo::inline KODO_PRECISION

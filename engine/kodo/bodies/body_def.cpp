@@ -73,6 +73,10 @@ std::optional<Problem> check(const BodyDef& def) {
         problem->field = "shape." + problem->field;
         return problem;
     }
+    if (needsLock(def.shape) && (def.flags & kLocked) != kLocked) {
+        return Problem{"flags",
+                       "must have kLocked: a plane or a heightmap is only for locked bodies"};
+    }
     if (auto problem = checkPosition("position", def.position)) {
         return problem;
     }

@@ -35,7 +35,4 @@ std::vector<Part> partsOf(const BodyDef& def);
 /// Finds mass, centre and outlines. The parts' `convex` is overwritten.
 std::shared_ptr<const Form> makeForm(std::vector<Part> parts);
 
-/// A part of one body, moved into the frame of another's shape.
-Primitive moved(const Primitive& primitive, const Transform& transform);
-
 } // namespace kodo::inline KODO_PRECISION

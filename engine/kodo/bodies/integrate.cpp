@@ -5,23 +5,29 @@
 
 namespace kodo::inline KODO_PRECISION {
 
-void gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields) {
+void gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Real dt) {
     for (const std::uint32_t i : bodies.awake) {
         BodyRecord& record = bodies.record[i];
         const Motion& motion = bodies.motion[i];
-        Push push{std::exchange(record.force, {}), std::exchange(record.torque, Real(0))};
+        Push push;
+        push.force = std::exchange(record.force, {});
+        push.torque = std::exchange(record.torque, Real(0));
         if (bodies.locked(i)) {
             bodies.acceleration[i] = {};
             continue;
         }
         for (const FieldEntry& entry : fields) {
             if (accepts(entry.which, record.filter.flags)) {
-                const Push more = entry.field->at(bodies, i);
+                const Push more = entry.field->at(bodies, i, dt);
                 push.force += more.force;
                 push.torque += more.torque;
+                push.drag += more.drag;
+                push.spinDrag += more.spinDrag;
             }
         }
-        bodies.acceleration[i] = {motion.invMass * push.force, motion.invInertia * push.torque};
+        bodies.acceleration[i] = {
+            motion.invMass / (1 + dt * push.drag * motion.invMass) * push.force,
+            motion.invInertia / (1 + dt * push.spinDrag * motion.invInertia) * push.torque};
     }
 }
 

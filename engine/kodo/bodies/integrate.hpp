@@ -8,8 +8,9 @@
 namespace kodo::inline KODO_PRECISION {
 
 /// The accelerations of this step, from the fields and from the forces that were applied since the
-/// last one, which are then forgotten [Thesis06, 4.1.3].
-void gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields);
+/// last one, which are then forgotten [Thesis06, 4.1.3]. Forces that brake are taken implicitly
+/// over dt; see Push.
+void gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Real dt);
 
 /// Forgets the motion of the last step.
 void beginMotion(Bodies& bodies);

@@ -184,13 +184,19 @@ void ContactSet::coverMoves(const Bodies& bodies, const Tolerances& tolerances) 
     }
 }
 
+void ContactSet::setApart(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) {
+    apart_.assign(pairs.begin(), pairs.end());
+    pairsStale_ = true;
+}
+
 void ContactSet::findPairs(const Bodies& bodies) {
     const auto accept = [&](std::uint32_t i, std::uint32_t j) {
         const std::uint32_t a = proxies_[i].body;
         const std::uint32_t b = proxies_[j].body;
         return a != b && !(bodies.locked(a) && bodies.locked(b)) &&
                (bodies.active(a) || bodies.active(b)) &&
-               shouldCollide(bodies.record[a].filter, bodies.record[b].filter);
+               shouldCollide(bodies.record[a].filter, bodies.record[b].filter) &&
+               !std::binary_search(apart_.begin(), apart_.end(), std::pair(a, b));
     };
     pairs_.clear();
     if (grown_.size() <= kBruteForceLimit) {

@@ -8,6 +8,7 @@
 #include <kodo/contacts/contact.hpp>
 
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace kodo::inline KODO_PRECISION {
@@ -30,6 +31,8 @@ public:
 
     /// Brings the list up to date before a step of dt: the pairs that may meet within it, in order.
     void updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt);
+    /// Pairs of bodies, in order, that may not touch although their flags say so: jointed ones.
+    void setApart(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
     /// Finds where the pairs touch, now, and how fast they approach.
     void updateManifolds(const Bodies& bodies, const Tolerances& tolerances);
     /// Adds the pairs of bodies that the solver sent farther than updatePairs could foresee.
@@ -64,6 +67,7 @@ private:
     std::vector<Contact> contacts_;
     std::vector<Contact> previous_; // spare, so that merging allocates nothing
     std::vector<CollisionRecord> ended_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> apart_;
     bool stale_ = true;
     bool pairsStale_ = true;
 };

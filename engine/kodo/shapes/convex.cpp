@@ -2,66 +2,128 @@
 #include <kodo/shapes/convex.hpp>
 #include <kodo/shapes/mass.hpp>
 
+#include <cmath>
 #include <limits>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
-std::vector<Vec2> cornersOf(const Circle& circle) {
-    return {circle.center};
+void setVertices(Convex& convex, std::vector<Vec2> vertices, Vec2 origin) {
+    convex.vertices = std::move(vertices);
+    for (Vec2& vertex : convex.vertices) {
+        vertex -= origin;
+    }
+    const std::size_t n = convex.vertices.size();
+    for (std::size_t i = 0; n > 1 && i < n; ++i) {
+        const Vec2 edge = convex.vertices[(i + 1) % n] - convex.vertices[i];
+        convex.normals.push_back(normalize(Vec2{edge.y, -edge.x}));
+    }
 }
 
-std::vector<Vec2> cornersOf(const Box& box) {
+void build(Convex& convex, const Circle& circle, Vec2 origin) {
+    convex.kind = OutlineKind::Round;
+    convex.radius = circle.radius;
+    convex.inside = circle.radius;
+    setVertices(convex, {circle.center}, origin);
+    convex.middle = convex.vertices[0];
+}
+
+void build(Convex& convex, const Point& point, Vec2 origin) {
+    build(convex, Circle{0, point.position}, origin);
+}
+
+void build(Convex& convex, const Polygon& polygon, Vec2 origin) {
+    convex.kind = OutlineKind::Sided;
+    setVertices(convex, polygon.corners, origin);
+    convex.middle = massOf(std::span<const Vec2>(convex.vertices), Real(1)).center;
+    convex.inside = std::numeric_limits<Real>::max();
+    for (std::size_t i = 0; i < convex.normals.size(); ++i) {
+        const Real height = dot(convex.normals[i], convex.vertices[i] - convex.middle);
+        convex.inside = std::min(convex.inside, height);
+    }
+}
+
+void build(Convex& convex, const Box& box, Vec2 origin) {
     const Real x = box.width / 2;
     const Real y = box.height / 2;
     std::vector<Vec2> corners{{-x, -y}, {x, -y}, {x, y}, {-x, y}};
     for (Vec2& corner : corners) {
         corner = box.center + box.rotation * corner;
     }
-    return corners;
+    build(convex, Polygon{std::move(corners)}, origin);
 }
 
-std::vector<Vec2> cornersOf(const Polygon& polygon) {
-    return polygon.corners;
+/// The directions of the neighbours are found from the same points, in the same way, as the
+/// neighbours find their own: so both sides of a joint agree to the bit on who owns what.
+void build(Convex& convex, const Segment& segment, Vec2 origin) {
+    convex.kind = OutlineKind::Line;
+    convex.oneSided = segment.oneSided;
+    setVertices(convex, {segment.from, segment.to}, origin);
+    convex.middle = Real(0.5) * (convex.vertices[0] + convex.vertices[1]);
+    if (segment.before) {
+        convex.before = normalize(convex.vertices[0] - (*segment.before - origin));
+    }
+    if (segment.after) {
+        convex.after = normalize((*segment.after - origin) - convex.vertices[1]);
+    }
 }
 
-void finish(Convex& convex) {
-    const std::size_t n = convex.vertices.size();
-    for (const Vec2 vertex : convex.vertices) {
-        convex.reach = std::max(convex.reach, length(vertex) + convex.radius);
+void build(Convex& convex, const Plane& plane, Vec2 origin) {
+    convex.kind = OutlineKind::Half;
+    const Vec2 normal = normalize(plane.normal);
+    setVertices(convex, {plane.offset * normal}, origin);
+    convex.normals = {normal};
+    convex.middle = convex.vertices[0];
+    convex.inside = kEndless;
+}
+
+/// How far up a half-plane below a line reaches, with its normal upwards (across > 0), within
+/// kEndless of the origin to both sides.
+Real highest(Real along, Real across, Real offset) {
+    return std::min((offset + std::abs(along) * kEndless) / across, kEndless);
+}
+
+Aabb boundsOfPlane(Vec2 normal, Real offset) {
+    Aabb box{{-kEndless, -kEndless}, {kEndless, kEndless}};
+    if (normal.y > 0) {
+        box.upper.y = highest(normal.x, normal.y, offset);
+    } else if (normal.y < 0) {
+        box.lower.y = -highest(normal.x, -normal.y, offset);
     }
-    convex.inside = convex.radius;
-    if (n == 1) {
-        return;
+    if (normal.x > 0) {
+        box.upper.x = highest(normal.y, normal.x, offset);
+    } else if (normal.x < 0) {
+        box.lower.x = -highest(normal.y, -normal.x, offset);
     }
-    const Vec2 center = massOf(std::span<const Vec2>(convex.vertices), Real(1)).center;
-    Real nearest = std::numeric_limits<Real>::max();
-    for (std::size_t i = 0; i < n; ++i) {
-        const Vec2 edge = convex.vertices[(i + 1) % n] - convex.vertices[i];
-        const Vec2 normal = normalize(Vec2{edge.y, -edge.x});
-        convex.normals.push_back(normal);
-        nearest = std::min(nearest, dot(normal, convex.vertices[i] - center));
-    }
-    convex.inside += nearest;
+    return box;
+}
+
+bool containsOnLine(const Convex& line, Vec2 p) {
+    const Vec2 from = p - line.vertices[0];
+    const Vec2 to = p - line.vertices[1];
+    return cross(from, to) == 0 && dot(from, to) <= 0;
 }
 
 } // namespace
 
 Convex convexOf(const Primitive& primitive, Vec2 origin) {
     Convex convex;
-    convex.vertices = std::visit([](const auto& kind) { return cornersOf(kind); }, primitive);
-    for (Vec2& vertex : convex.vertices) {
-        vertex -= origin;
+    std::visit([&](const auto& kind) { build(convex, kind, origin); }, primitive);
+    for (const Vec2 vertex : convex.vertices) {
+        convex.reach = std::max(convex.reach, length(vertex) + convex.radius);
     }
-    if (const auto* circle = std::get_if<Circle>(&primitive)) {
-        convex.radius = circle->radius;
+    if (convex.isPlane()) {
+        convex.reach = kEndless;
     }
-    finish(convex);
     return convex;
 }
 
 Aabb boundsOf(const Convex& convex, const Transform& t) {
     const Vec2 first = t * convex.vertices[0];
+    if (convex.isPlane()) {
+        const Vec2 normal = t.rotation * convex.normals[0];
+        return boundsOfPlane(normal, dot(normal, first));
+    }
     Aabb box{first, first};
     for (std::size_t i = 1; i < convex.vertices.size(); ++i) {
         const Vec2 p = t * convex.vertices[i];
@@ -74,6 +136,9 @@ bool contains(const Convex& convex, const Transform& t, Vec2 point) {
     const Vec2 p = toLocal(t, point);
     if (convex.isRound()) {
         return lengthSquared(p - convex.vertices[0]) <= convex.radius * convex.radius;
+    }
+    if (convex.isLine()) {
+        return containsOnLine(convex, p);
     }
     for (std::size_t i = 0; i < convex.normals.size(); ++i) {
         if (dot(convex.normals[i], p - convex.vertices[i]) > convex.radius) {

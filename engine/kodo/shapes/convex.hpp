@@ -4,32 +4,50 @@
 #include <kodo/math/aabb.hpp>
 #include <kodo/shapes/shape.hpp>
 
+#include <cstdint>
 #include <vector>
 
 namespace kodo::inline KODO_PRECISION {
+
+enum class OutlineKind : std::uint8_t {
+    Round, // one vertex with a skin: circles, and points without one
+    Sided, // at least three vertices
+    Line,  // two vertices and nothing between them
+    Half,  // one vertex on the surface; everything behind it is solid
+};
 
 /// The one form in which the engine keeps every primitive: a convex outline with a skin of `radius`
 /// around it. A circle is one vertex with a skin; a box or polygon has none.
 ///
 /// Vertices run counter-clockwise; edge i goes from vertex i to vertex i + 1, and normals[i] is its
-/// outward unit normal.
+/// outward unit normal. A line has two edges, back and front: normals[1] is the left hand on the
+/// way from vertex 0 to vertex 1, the side that a one-sided line blocks.
 struct Convex {
     std::vector<Vec2> vertices;
-    std::vector<Vec2> normals; // empty for a single vertex
+    std::vector<Vec2> normals; // empty for a single vertex, except a plane's
     Real radius = 0;
     Real reach = 0;  // no point is farther than this from the frame's origin
     Real inside = 0; // radius of a disc around some inner point that fits: how thin the shape is
+    Vec2 middle;     // centroid of the outline
+    Vec2 before;     // of a one-sided line: unit direction of the line that ends at vertex 0
+    Vec2 after;      // and of the one that starts at vertex 1; zero where there is none
+    OutlineKind kind = OutlineKind::Round;
+    bool oneSided = false;
 
-    bool isRound() const { return vertices.size() == 1; }
+    bool isRound() const { return kind == OutlineKind::Round; }
+    bool isLine() const { return kind == OutlineKind::Line; }
+    bool isPlane() const { return kind == OutlineKind::Half; }
 };
 
 /// Outline of a valid primitive, moved by -origin (the body's centre of mass, as a rule).
 Convex convexOf(const Primitive& primitive, Vec2 origin);
 
-/// Bounds of the outline placed at t.
+/// Bounds of the outline placed at t. Those of a plane end on its surface where they can, and else
+/// at kEndless.
 Aabb boundsOf(const Convex& convex, const Transform& t);
+inline constexpr Real kEndless = sizeof(Real) == 4 ? Real(1e9) : Real(1e18); // m
 
-/// World point inside or on the outline placed at t?
+/// World point inside or on the outline placed at t? On a line only what lies exactly on it is.
 bool contains(const Convex& convex, const Transform& t, Vec2 point);
 
 } // namespace kodo::inline KODO_PRECISION

@@ -8,7 +8,8 @@
 
 namespace kodo::inline KODO_PRECISION {
 
-/// Mass, centre of mass and moment of inertia of something flat with a density of so many kg/m^2.
+/// Mass, centre of mass and moment of inertia of something flat with a density of so many kg/m^2;
+/// of a segment kg/m, and of a point kg.
 template <std::floating_point T>
 struct BasicMass {
     T mass{};              // kg
@@ -61,11 +62,31 @@ BasicMass<T> massOf(const BasicPolygon<T>& polygon, T density) {
     return massOf(std::span<const BasicVec2<T>>(polygon.corners), density);
 }
 
+///   m = d,   I = 0
+template <std::floating_point T>
+BasicMass<T> massOf(const BasicPoint<T>& point, T density) {
+    return {density, point.position, 0};
+}
+
+///   m = d L,   I = m L^2 / 12
+template <std::floating_point T>
+BasicMass<T> massOf(const BasicSegment<T>& segment, T density) {
+    const T squared = lengthSquared(segment.to - segment.from);
+    const T mass = density * std::sqrt(squared);
+    return {mass, (segment.from + segment.to) / T(2), mass * squared / 12};
+}
+
+/// None: a plane moves only as it is told to. Its centre is the point of it next to the origin.
+template <std::floating_point T>
+BasicMass<T> massOf(const BasicPlane<T>& plane, T) {
+    return {0, plane.offset * plane.normal, 0};
+}
+
 /// Both together, by the parallel axis theorem.
 template <std::floating_point T>
 BasicMass<T> combine(const BasicMass<T>& a, const BasicMass<T>& b) {
     const T mass = a.mass + b.mass;
-    const T share = b.mass / mass;
+    const T share = mass > 0 ? b.mass / mass : T(0.5); // two planes have no mass to weigh by
     const BasicVec2<T> d = b.center - a.center;
     return {mass, a.center + share * d, a.inertia + b.inertia + a.mass * share * dot(d, d)};
 }

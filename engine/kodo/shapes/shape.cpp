@@ -2,8 +2,10 @@
 #include <kodo/math/aabb.hpp>
 #include <kodo/shapes/shape.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <type_traits>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -94,6 +96,101 @@ std::optional<Problem> check(const Polygon& polygon) {
     return checkConvex(polygon.corners);
 }
 
+std::optional<Problem> check(const Point& point) {
+    return checkPoint("position", point.position);
+}
+
+/// One of the points that a segment names: finite, and not the point it leads to or from.
+std::optional<Problem> checkEnd(const char* field, Vec2 point, Vec2 neighbour) {
+    if (auto problem = checkPoint(field, point)) {
+        return problem;
+    }
+    const Real size = lengthSquared(point - neighbour);
+    if (!(size > 0) || !std::isfinite(size)) {
+        return Problem{field, "must lie apart from the point next to it, by a length whose square "
+                              "is a finite number greater than 0"};
+    }
+    return std::nullopt;
+}
+
+std::optional<Problem> check(const Segment& segment) {
+    if (auto problem = checkPoint("from", segment.from)) {
+        return problem;
+    }
+    if (auto problem = checkEnd("to", segment.to, segment.from)) {
+        return problem;
+    }
+    const auto checkNeighbour = [&](const char* field, const std::optional<Vec2>& point,
+                                    Vec2 end) -> std::optional<Problem> {
+        if (!point) {
+            return std::nullopt;
+        }
+        if (!segment.oneSided) {
+            return Problem{field, "is only for one-sided segments"};
+        }
+        return checkEnd(field, *point, end);
+    };
+    if (auto problem = checkNeighbour("before", segment.before, segment.from)) {
+        return problem;
+    }
+    return checkNeighbour("after", segment.after, segment.to);
+}
+
+std::optional<Problem> check(const Plane& plane) {
+    if (!(std::abs(lengthSquared(plane.normal) - 1) < Real(1e-3))) {
+        return Problem{"normal", "must be a unit vector"};
+    }
+    if (!std::isfinite(plane.offset)) {
+        return Problem{"offset", "must be finite"};
+    }
+    return std::nullopt;
+}
+
+Vec2 pointOf(const Heightmap& map, std::size_t i) {
+    return map.origin + Vec2{static_cast<Real>(i) * map.spacing, map.heights[i]};
+}
+
+std::optional<Problem> check(const Heightmap& map) {
+    if (auto problem = checkPoint("origin", map.origin)) {
+        return problem;
+    }
+    if (auto problem = checkLength("spacing", map.spacing)) {
+        return problem;
+    }
+    const std::size_t n = map.heights.size();
+    if (n < 2 || n > kMaxHeights) {
+        return Problem{"heights", "must be 2 to " + std::to_string(kMaxHeights) + ", but are " +
+                                      std::to_string(n)};
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::string field = "heights[" + std::to_string(i) + "]";
+        if (auto problem = checkPoint(field, pointOf(map, i))) {
+            return problem;
+        }
+        if (i > 0 && !(pointOf(map, i).x > pointOf(map, i - 1).x)) {
+            return Problem{"spacing", "is lost in rounding so far from the origin"};
+        }
+    }
+    return std::nullopt;
+}
+
+std::vector<Primitive> primitivesOf(const Heightmap& map) {
+    std::vector<Primitive> cells;
+    const std::size_t n = map.heights.size();
+    cells.reserve(n - 1);
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+        Segment cell{pointOf(map, i), pointOf(map, i + 1), true, {}, {}};
+        if (i > 0) {
+            cell.before = pointOf(map, i - 1);
+        }
+        if (i + 2 < n) {
+            cell.after = pointOf(map, i + 2);
+        }
+        cells.emplace_back(cell);
+    }
+    return cells;
+}
+
 std::optional<Problem> check(const Compound& compound) {
     if (compound.parts.empty()) {
         return Problem{"parts", "must be at least one"};
@@ -107,6 +204,42 @@ std::optional<Problem> check(const Compound& compound) {
     return std::nullopt;
 }
 
+Circle movedShape(const Circle& circle, const Transform& t) {
+    return {circle.radius, t * circle.center};
+}
+
+Box movedShape(const Box& box, const Transform& t) {
+    return {box.width, box.height, t * box.center, normalize(t.rotation * box.rotation)};
+}
+
+Polygon movedShape(const Polygon& polygon, const Transform& t) {
+    Polygon result = polygon;
+    for (Vec2& corner : result.corners) {
+        corner = t * corner;
+    }
+    return result;
+}
+
+Point movedShape(const Point& point, const Transform& t) {
+    return {t * point.position};
+}
+
+Segment movedShape(const Segment& segment, const Transform& t) {
+    Segment result{t * segment.from, t * segment.to, segment.oneSided, {}, {}};
+    if (segment.before) {
+        result.before = t * *segment.before;
+    }
+    if (segment.after) {
+        result.after = t * *segment.after;
+    }
+    return result;
+}
+
+Plane movedShape(const Plane& plane, const Transform& t) {
+    const Vec2 normal = t.rotation * plane.normal;
+    return {normal, plane.offset + dot(normal, t.position)};
+}
+
 } // namespace
 
 std::optional<Problem> check(const Primitive& primitive) {
@@ -115,6 +248,41 @@ std::optional<Problem> check(const Primitive& primitive) {
 
 std::optional<Problem> check(const Shape& shape) {
     return std::visit([](const auto& kind) { return check(kind); }, shape);
+}
+
+std::vector<Primitive> primitivesOf(const Shape& shape) {
+    if (const auto* compound = std::get_if<Compound>(&shape)) {
+        return compound->parts;
+    }
+    if (const auto* map = std::get_if<Heightmap>(&shape)) {
+        return primitivesOf(*map);
+    }
+    return std::visit(
+        [](const auto& kind) -> std::vector<Primitive> {
+            if constexpr (std::is_constructible_v<Primitive, decltype(kind)>) {
+                return {kind};
+            } else {
+                return {};
+            }
+        },
+        shape);
+}
+
+bool needsLock(const Primitive& primitive) {
+    return std::holds_alternative<Plane>(primitive);
+}
+
+bool needsLock(const Shape& shape) {
+    if (const auto* compound = std::get_if<Compound>(&shape)) {
+        return std::any_of(compound->parts.begin(), compound->parts.end(),
+                           [](const Primitive& part) { return needsLock(part); });
+    }
+    return std::holds_alternative<Plane>(shape) || std::holds_alternative<Heightmap>(shape);
+}
+
+Primitive moved(const Primitive& primitive, const Transform& transform) {
+    return std::visit([&](const auto& kind) { return Primitive(movedShape(kind, transform)); },
+                      primitive);
 }
 
 } // namespace kodo::inline KODO_PRECISION

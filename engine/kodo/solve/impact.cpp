@@ -148,6 +148,16 @@ Real restSpeedOf(const Bodies& bodies, const Contact& contact, Real dt) {
 
 } // namespace
 
+bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,
+                 const Tolerances& tolerances, Real dt) {
+    if (contact.manifold.count == 0 || contact.material.restitution == 0) {
+        return false;
+    }
+    const Impact hit{contact, bodies.motion[contact.key.bodyA], bodies.motion[contact.key.bodyB],
+                     !settings.has(Feature::Friction)};
+    return hitContact(hit, tolerances, restSpeedOf(bodies, contact, dt));
+}
+
 void solveImpacts(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
                   const Tolerances& tolerances, Real dt) {
     for (Contact& contact : contacts) {
@@ -158,17 +168,11 @@ void solveImpacts(Bodies& bodies, std::span<Contact> contacts, const StepSetting
     if (!settings.has(Feature::Restitution)) {
         return;
     }
-    const bool frictionless = !settings.has(Feature::Friction);
     bool any = true;
     for (int pass = 0; pass < settings.impactPasses && any; ++pass) {
         any = false;
         for (Contact& contact : contacts) {
-            if (contact.manifold.count == 0 || contact.material.restitution == 0) {
-                continue;
-            }
-            const Impact hit{contact, bodies.motion[contact.key.bodyA],
-                             bodies.motion[contact.key.bodyB], frictionless};
-            any = hitContact(hit, tolerances, restSpeedOf(bodies, contact, dt)) || any;
+            any = solveImpact(bodies, contact, settings, tolerances, dt) || any;
         }
     }
 }

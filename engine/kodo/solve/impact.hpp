@@ -24,4 +24,9 @@ namespace kodo::inline KODO_PRECISION {
 void solveImpacts(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
                   const Tolerances& tolerances, Real dt);
 
+/// Hits one contact once, if it bounces, touches and approaches. True if it did. Adds to what the
+/// contact counts as impact.
+bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,
+                 const Tolerances& tolerances, Real dt);
+
 } // namespace kodo::inline KODO_PRECISION

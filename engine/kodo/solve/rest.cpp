@@ -89,6 +89,21 @@ void RestStage::wakeTouched(Bodies& bodies, ContactSet& contacts, const Toleranc
     }
 }
 
+void RestStage::wakeJointed(Bodies& bodies, ContactSet& contacts, const JointSet& joints) {
+    if (!anyResting()) {
+        return;
+    }
+    joints.forEach([&](const JointSet::Joint& joint) {
+        const std::uint32_t a = firstBody(joint.def).index;
+        const std::uint32_t b = secondBody(joint.def).index;
+        if (bodies.active(a) && bodies.resting(b)) {
+            wake(bodies, contacts, b);
+        } else if (bodies.active(b) && bodies.resting(a)) {
+            wake(bodies, contacts, a);
+        }
+    });
+}
+
 std::uint32_t RestStage::find(std::uint32_t body) {
     while (parent_[body] != body) {
         parent_[body] = parent_[parent_[body]];
@@ -118,7 +133,8 @@ bool RestStage::countCalm(Bodies& bodies, const StepSettings& settings,
     return any;
 }
 
-void RestStage::joinTouching(const Bodies& bodies, const ContactSet& contacts) {
+void RestStage::joinTouching(const Bodies& bodies, const ContactSet& contacts,
+                             const JointSet& joints) {
     parent_.resize(bodies.size());
     leastCalm_.resize(bodies.size());
     for (const std::uint32_t body : bodies.awake) {
@@ -136,6 +152,13 @@ void RestStage::joinTouching(const Bodies& bodies, const ContactSet& contacts) {
             join(key.bodyA, key.bodyB);
         }
     }
+    joints.forEach([&](const JointSet::Joint& joint) {
+        const std::uint32_t a = firstBody(joint.def).index;
+        const std::uint32_t b = secondBody(joint.def).index;
+        if (bodies.active(a) && bodies.active(b)) {
+            join(a, b);
+        }
+    });
     for (const std::uint32_t body : bodies.awake) {
         leastCalm_[body] = bodies.locked(body) ? 0 : bodies.rest[body].calmSteps;
     }
@@ -164,12 +187,12 @@ void RestStage::putToRest(Bodies& bodies, std::span<const std::uint32_t> members
     islands_[island].bodies.assign(members.begin(), members.end());
 }
 
-void RestStage::settle(Bodies& bodies, ContactSet& contacts, const StepSettings& settings,
-                       const Tolerances& tolerances, Real dt) {
+void RestStage::settle(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
+                       const StepSettings& settings, const Tolerances& tolerances, Real dt) {
     if (!settings.has(Feature::Resting) || !countCalm(bodies, settings, tolerances, dt)) {
         return;
     }
-    joinTouching(bodies, contacts);
+    joinTouching(bodies, contacts, joints);
     const auto enough = static_cast<std::uint32_t>(settings.restSteps);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> resting; // root and body
     for (const std::uint32_t body : bodies.awake) {

@@ -4,6 +4,7 @@
 #include <kodo/bodies/bodies.hpp>
 #include <kodo/bodies/tolerances.hpp>
 #include <kodo/contacts/contact_set.hpp>
+#include <kodo/joints/joint_set.hpp>
 #include <kodo/solve/settings.hpp>
 
 #include <vector>
@@ -24,9 +25,11 @@ class RestStage {
 public:
     /// Wakes the islands that something active touches. To be called with fresh manifolds.
     void wakeTouched(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances);
+    /// Wakes the islands that a joint ties to something active.
+    void wakeJointed(Bodies& bodies, ContactSet& contacts, const JointSet& joints);
     /// Counts calm steps and puts islands to rest.
-    void settle(Bodies& bodies, ContactSet& contacts, const StepSettings& settings,
-                const Tolerances& tolerances, Real dt);
+    void settle(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
+                const StepSettings& settings, const Tolerances& tolerances, Real dt);
 
     /// Wakes the island of one body, if it rests.
     void wake(Bodies& bodies, ContactSet& contacts, std::uint32_t body);
@@ -56,7 +59,7 @@ private:
     std::uint32_t find(std::uint32_t body);
     bool countCalm(Bodies& bodies, const StepSettings& settings, const Tolerances& tolerances,
                    Real dt);
-    void joinTouching(const Bodies& bodies, const ContactSet& contacts);
+    void joinTouching(const Bodies& bodies, const ContactSet& contacts, const JointSet& joints);
 
     std::vector<Island> islands_;
     std::size_t restingIslands_ = 0;

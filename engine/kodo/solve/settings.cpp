@@ -25,10 +25,19 @@ std::optional<Problem> checkPositive(const char* field, Real value) {
 } // namespace
 
 std::optional<Problem> check(const StepSettings& settings) {
+    if (settings.strategy != Strategy::SoftStep && settings.strategy != Strategy::Propagation) {
+        return Problem{"settings.strategy", "must be one of the enumerators of Strategy"};
+    }
     if (auto problem = checkCount("settings.substeps", settings.substeps, 1, 64)) {
         return problem;
     }
     if (auto problem = checkCount("settings.impactPasses", settings.impactPasses, 0, 1000)) {
+        return problem;
+    }
+    if (auto problem = checkCount("settings.contactPasses", settings.contactPasses, 1, 1000)) {
+        return problem;
+    }
+    if (auto problem = checkCount("settings.shockPasses", settings.shockPasses, 0, 1000)) {
         return problem;
     }
     if (auto problem = checkCount("settings.restSteps", settings.restSteps, 1, 1000000)) {
@@ -38,6 +47,12 @@ std::optional<Problem> check(const StepSettings& settings) {
         return problem;
     }
     if (auto problem = checkPositive("settings.contactDamping", settings.contactDamping)) {
+        return problem;
+    }
+    if (auto problem = checkPositive("settings.jointHertz", settings.jointHertz)) {
+        return problem;
+    }
+    if (auto problem = checkPositive("settings.jointDamping", settings.jointDamping)) {
         return problem;
     }
     return checkPositive("settings.pushSpeed", settings.pushSpeed);

@@ -18,12 +18,23 @@ enum class Feature : std::uint8_t {
     Resting = 32,
 };
 
+/// The solver of a step: one file of solve/ each.
+enum class Strategy : std::uint8_t {
+    SoftStep,    // soft contacts in substeps, warm-started
+    Propagation, // the thesis's order of processing
+};
+
 /// How a World steps: the user's dial between speed and accuracy. Every number can be set alone.
 struct StepSettings {
+    Strategy strategy = Strategy::SoftStep;
     int substeps = 4;          // 1..64; more: stiffer contacts, smaller errors, more time
     int impactPasses = 16;     // 0..1000; rounds of restitution through bodies that touch
+    int contactPasses = 10;    // 1..1000; of Propagation, in each substep
+    int shockPasses = 0;       // 0..1000; of Propagation, in each level; 0: no shock propagation
     Real contactHertz = 60;    // stiffness of contacts; at most a quarter of the substep rate
     Real contactDamping = 10;  // damping ratio of contacts; 1 is critical
+    Real jointHertz = 120;     // stiffness of joints; at most half the substep rate
+    Real jointDamping = 2;     // damping ratio of joints
     Real pushSpeed = 3;        // length units/s at most, when overlapping bodies are parted
     int restSteps = 30;        // 1..1000000; calm steps in a row before an island is put to rest
     std::uint8_t leaveOut = 0; // a set of Feature
@@ -33,6 +44,16 @@ struct StepSettings {
 };
 
 std::optional<Problem> check(const StepSettings& settings);
+
+/// The solver of the thesis, with the passes that [Guendelman03] found enough.
+constexpr StepSettings thesis2006() {
+    StepSettings settings;
+    settings.strategy = Strategy::Propagation;
+    settings.substeps = 1;
+    settings.impactPasses = 5;
+    settings.contactPasses = 10;
+    return settings;
+}
 
 /// Shortest and longest step (s).
 inline constexpr Real kShortestStep = Real(1e-7);

@@ -174,21 +174,18 @@ void solvePass(std::vector<ContactRow>& rows, Bodies& bodies, const PassSettings
 
 } // namespace
 
-Softness Softness::from(Real hertz, Real damping, Real h) {
-    const Real omega = 2 * std::numbers::pi_v<Real> * hertz;
-    const Real a1 = 2 * damping + h * omega;
-    const Real a2 = h * omega * a1;
-    const Real a3 = 1 / (1 + a2);
-    return {omega / a1, a2 * a3, a3};
-}
-
 void SoftStep::makeRows(const Bodies& bodies, std::span<const Contact> contacts,
-                        const StepSettings& settings, const Tolerances& tolerances) {
+                        const JointSet& joints, const StepSettings& settings,
+                        const Tolerances& tolerances) {
     rows_.clear();
     held_.resize(bodies.size());
     for (const std::uint32_t body : bodies.awake) {
         held_[body] = 0;
     }
+    joints.forEach([&](const JointSet::Joint& joint) {
+        held_[firstBody(joint.def).index] = 1;
+        held_[secondBody(joint.def).index] = 1;
+    });
     // Contacts with the ground come last in each pass, so that they have the last word.
     for (const bool onLocked : {false, true}) {
         for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -210,22 +207,30 @@ void SoftStep::makeRows(const Bodies& bodies, std::span<const Contact> contacts,
     }
 }
 
-void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
-                     const Tolerances& tolerances, Real dt) {
-    makeRows(bodies, contacts, settings, tolerances);
+void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints,
+                     const StepSettings& settings, const Tolerances& tolerances, Real dt) {
+    makeRows(bodies, contacts, joints, settings, tolerances);
     const Real h = dt / static_cast<Real>(settings.substeps);
     const Real hertz = std::min(settings.contactHertz, Real(0.25) / h);
     const Real unit = tolerances.slop * 256;
     const PassSettings pass{Softness::from(hertz, settings.contactDamping, h),
                             Softness::from(2 * hertz, settings.contactDamping, h), 1 / h,
                             settings.pushSpeed * unit, settings.has(Feature::Friction)};
+    JointPass jointPass{
+        h, Softness::from(std::min(settings.jointHertz, Real(0.5) / h), settings.jointDamping, h)};
+    joints.beginStep();
     for (int substep = 0; substep < settings.substeps; ++substep) {
         integrateVelocities(bodies, h);
+        joints.warmStart(bodies, jointPass);
         for (const ContactRow& row : rows_) {
             warmStart(row, bodies.motion[row.a], bodies.motion[row.b]);
         }
+        jointPass.biased = true;
+        joints.solve(bodies, jointPass);
         solvePass<true>(rows_, bodies, pass);
         integrateMoves(bodies, held_, h);
+        jointPass.biased = false;
+        joints.solve(bodies, jointPass);
         solvePass<false>(rows_, bodies, pass);
         store(contacts);
     }

@@ -4,6 +4,7 @@
 #include <kodo/bodies/bodies.hpp>
 #include <kodo/bodies/tolerances.hpp>
 #include <kodo/contacts/contact.hpp>
+#include <kodo/joints/joint_set.hpp>
 #include <kodo/solve/settings.hpp>
 
 #include <span>
@@ -39,16 +40,6 @@ struct ContactRow {
     Real rolling;      // N m s so far
 };
 
-/// Soft constraint [Catto11]: a spring and a damper, as a rate that removes overlap (1/s) and as
-/// shares of a rigid impulse.
-struct Softness {
-    Real biasRate;
-    Real massScale;
-    Real impulseScale;
-
-    static Softness from(Real hertz, Real damping, Real h);
-};
-
 /// The contact half of the step, in substeps [Catto23]. Each moves velocities by the forces, starts
 /// from the impulses of the substep before, makes one pass that pushes overlaps apart like stiff
 /// springs, moves the bodies, and makes one pass without that push, which takes its speed out
@@ -60,11 +51,12 @@ struct Softness {
 /// overdid, and friction depends neither on restitution nor on the number of passes.
 class SoftStep {
 public:
-    void solve(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
-               const Tolerances& tolerances, Real dt);
+    void solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints,
+               const StepSettings& settings, const Tolerances& tolerances, Real dt);
+    std::size_t rowCount() const { return rows_.size(); }
 
 private:
-    void makeRows(const Bodies& bodies, std::span<const Contact> contacts,
+    void makeRows(const Bodies& bodies, std::span<const Contact> contacts, const JointSet& joints,
                   const StepSettings& settings, const Tolerances& tolerances);
     void store(std::span<Contact> contacts) const;
 

@@ -72,6 +72,8 @@ void World::remove(BodyId id) {
     requireAlive(id);
     rest_.disturb(bodies_, contacts_, id.index);
     contacts_.drop(id.index);
+    joints_.dropBody(id);
+    contacts_.setApart(joints_.apart());
     removeBody(bodies_, id.index);
     --count_;
 }
@@ -113,9 +115,69 @@ std::size_t World::weld(BodyId into, BodyId part) {
     }
     rest_.disturb(bodies_, contacts_, into.index);
     const std::size_t firstPart = bodies_.form(into.index).parts.size();
+    const Transform frame{bodies_.originOf(into.index), bodies_.pose[into.index].rotation};
+    const Transform other{bodies_.originOf(part.index), bodies_.pose[part.index].rotation};
+    joints_.transfer(part, into, between(frame, other));
     weldBodies(bodies_, into.index, part.index);
     remove(part);
     return firstPart;
+}
+
+void World::requireAlive(JointId id) const {
+    if (!joints_.contains(id)) {
+        throw BadDefinition({"joint", std::to_string(id.index) + " of generation " +
+                                          std::to_string(id.generation) +
+                                          " is not in this World: it was removed, broke, or was "
+                                          "never added"});
+    }
+}
+
+/// Its bodies wake, and whether they may touch is asked again.
+void World::jointsChanged(const JointDef& def) {
+    rest_.wake(bodies_, contacts_, firstBody(def).index);
+    rest_.wake(bodies_, contacts_, secondBody(def).index);
+    contacts_.setApart(joints_.apart());
+}
+
+JointId World::add(const JointDef& def) {
+    refuse(check(def));
+    requireAlive(firstBody(def));
+    requireAlive(secondBody(def));
+    const JointId id = joints_.add(def);
+    jointsChanged(def);
+    return id;
+}
+
+void World::remove(JointId id) {
+    const JointDef def = joint(id);
+    joints_.remove(id);
+    jointsChanged(def);
+}
+
+const JointDef& World::joint(JointId id) const {
+    requireAlive(id);
+    return joints_.def(id);
+}
+
+void World::setJoint(JointId id, const JointDef& def) {
+    const JointDef& old = joint(id);
+    refuse(check(def));
+    if (old.index() != def.index() || firstBody(old) != firstBody(def) ||
+        secondBody(old) != secondBody(def)) {
+        throw BadDefinition({"joint", "must stay of the same kind and between the same bodies"});
+    }
+    joints_.setDef(id, def);
+    jointsChanged(def);
+}
+
+Vec2 World::jointForce(JointId id) const {
+    requireAlive(id);
+    return joints_.force(id);
+}
+
+Real World::jointTorque(JointId id) const {
+    requireAlive(id);
+    return joints_.torque(id);
 }
 
 void World::addField(FieldEntry entry) {
@@ -158,18 +220,39 @@ void World::step(Real dt) {
     contacts_.updatePairs(bodies_, tolerances_, dt);
     contacts_.updateManifolds(bodies_, tolerances_);
     rest_.wakeTouched(bodies_, contacts_, tolerances_);
+    rest_.wakeJointed(bodies_, contacts_, joints_);
     refreshAwake(bodies_);
-    gatherAccelerations(bodies_, fields_);
-    solveImpacts(bodies_, contacts_.contacts(), settings_, tolerances_, dt);
-    softStep_.solve(bodies_, contacts_.contacts(), settings_, tolerances_, dt);
+    gatherAccelerations(bodies_, fields_, dt);
+    solve(dt);
     if (settings_.has(Feature::Sweep)) {
         contacts_.coverMoves(bodies_, tolerances_);
         sweep_.run(bodies_, contacts_.contacts(), settings_, tolerances_, dt);
     }
     movePoses(bodies_);
     recordCollisions();
-    rest_.settle(bodies_, contacts_, settings_, tolerances_, dt);
+    breakJoints(dt);
+    rest_.settle(bodies_, contacts_, joints_, settings_, tolerances_, dt);
     ++stepCount_;
+}
+
+void World::solve(Real dt) {
+    const std::span<Contact> contacts = contacts_.contacts();
+    if (settings_.strategy == Strategy::Propagation) {
+        propagation_.solve(bodies_, contacts, joints_, {settings_, tolerances_, dt, stepCount_});
+        contactVisits_ = propagation_.visits();
+        return;
+    }
+    solveImpacts(bodies_, contacts, settings_, tolerances_, dt);
+    softStep_.solve(bodies_, contacts, joints_, settings_, tolerances_, dt);
+    contactVisits_ = 2 * softStep_.rowCount() * static_cast<std::size_t>(settings_.substeps);
+}
+
+void World::breakJoints(Real dt) {
+    const std::span<const BrokenJoint> broken = joints_.endStep(dt);
+    broken_.assign(broken.begin(), broken.end());
+    if (!broken_.empty()) {
+        contacts_.setApart(joints_.apart());
+    }
 }
 
 void World::recordCollisions() {
@@ -242,6 +325,16 @@ std::uint64_t World::stateHash() const {
         addContact(contact);
     }
     rest_.forEachContact(addContact);
+    joints_.forEach([&](const JointSet::Joint& joint) {
+        hash.add(static_cast<std::uint32_t>(joint.def.index()));
+        hash.add(firstBody(joint.def).index);
+        hash.add(secondBody(joint.def).index);
+        hash.add(joint.point.x);
+        hash.add(joint.point.y);
+        for (const Real impulse : joint.axes) {
+            hash.add(impulse);
+        }
+    });
     return hash.value();
 }
 

@@ -4,6 +4,7 @@
 #include <kodo/bodies/force_field.hpp>
 #include <kodo/contacts/collision_record.hpp>
 #include <kodo/contacts/contact_set.hpp>
+#include <kodo/solve/propagation.hpp>
 #include <kodo/solve/rest.hpp>
 #include <kodo/solve/settings.hpp>
 #include <kodo/solve/soft_step.hpp>
@@ -47,6 +48,19 @@ public:
     /// `into` stays locked. Returns the index of the first part added.
     std::size_t weld(BodyId into, BodyId part);
 
+    /// Throws BadDefinition with what check(def) says, or if a body of it is not alive.
+    JointId add(const JointDef& def);
+    void remove(JointId id); // throws BadDefinition for an id that is not alive, as all of these do
+    bool contains(JointId id) const { return joints_.contains(id); }
+    const JointDef& joint(JointId id) const;
+    /// Changes the numbers of a joint: same kind, same bodies. What it has learned is kept.
+    void setJoint(JointId id, const JointDef& def);
+    Vec2 jointForce(JointId id) const;  // N, on the second body, the mean of the last step
+    Real jointTorque(JointId id) const; // N m
+    std::vector<JointId> joints() const { return joints_.ids(); }
+    /// Joints that broke in the last step, in order. Valid until the next step.
+    std::span<const BrokenJoint> brokenJoints() const { return broken_; }
+
     /// Fields act in the order of the list. A change wakes everything.
     void addField(FieldEntry entry);
     void setFields(std::vector<FieldEntry> fields);
@@ -66,6 +80,8 @@ public:
     void setSettings(const StepSettings& settings);
     const Tolerances& tolerances() const { return tolerances_; }
     std::uint64_t stepCount() const { return stepCount_; }
+    /// How often the solver looked at a contact in the last step: its cost, free of any clock.
+    std::size_t contactVisits() const { return contactVisits_; }
 
     /// Equal for worlds that will go on alike. The same on every machine.
     std::uint64_t stateHash() const;
@@ -75,9 +91,13 @@ private:
     friend class BodyRef;
 
     void requireAlive(BodyId id) const;
+    void requireAlive(JointId id) const;
+    void jointsChanged(const JointDef& def);
     std::shared_ptr<const Form> formFor(const BodyDef& def);
 
+    void solve(Real dt);
     void recordCollisions();
+    void breakJoints(Real dt);
 
     StepSettings settings_;
     Tolerances tolerances_;
@@ -87,8 +107,12 @@ private:
     std::vector<FieldEntry> fields_;
     ContactSet contacts_;
     SoftStep softStep_;
+    Propagation propagation_;
+    std::size_t contactVisits_ = 0;
     SweepStage sweep_;
     RestStage rest_;
+    JointSet joints_;
+    std::vector<BrokenJoint> broken_;
     std::vector<CollisionRecord> records_;
     std::shared_ptr<const Form> lastForm_; // equal bodies are usually added in a row
 };

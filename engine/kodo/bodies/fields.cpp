@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/bodies/fields.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+Submerged submergedCircle(const Convex& circle, const Transform& t, Vec2 surface, Vec2 up) {
+    const Vec2 center = t * circle.vertices[0];
+    const Real r = circle.radius;
+    const Real cosine = std::clamp(dot(up, center - surface) / r, Real(-1), Real(1));
+    const Real sine = std::sqrt(1 - cosine * cosine);
+    const Real area = r * r * (atan2(sine, cosine) - sine * cosine);
+    if (!(area > 0)) {
+        return {};
+    }
+    const Real chord = r * sine;
+    const Real depth = std::min(2 * chord * chord * chord / (3 * area), r);
+    return {area, center - depth * up};
+}
+
+/// Sums the triangles that a fan from its first corner cuts a polygon into, corner by corner.
+class FanSum {
+public:
+    void add(Vec2 corner) {
+        if (count_++ == 0) {
+            first_ = corner;
+        }
+        const Vec2 arm = corner - first_;
+        const Real twice = cross(last_, arm);
+        twiceArea_ += twice;
+        moment_ += twice * (last_ + arm);
+        last_ = arm;
+    }
+    Submerged result() const {
+        if (!(twiceArea_ > 0)) {
+            return {};
+        }
+        return {twiceArea_ / 2, first_ + moment_ / (3 * twiceArea_)};
+    }
+
+private:
+    Vec2 first_;
+    Vec2 last_;
+    Vec2 moment_;
+    Real twiceArea_ = 0;
+    int count_ = 0;
+};
+
+/// Clips while it sums [Ericson05, 8.3.4], so that no corner need be stored.
+Submerged submergedPolygon(const Convex& polygon, const Transform& t, Vec2 surface, Vec2 up) {
+    FanSum sum;
+    Vec2 from = t * polygon.vertices.back();
+    Real heightFrom = dot(up, from - surface);
+    for (const Vec2 vertex : polygon.vertices) {
+        const Vec2 to = t * vertex;
+        const Real heightTo = dot(up, to - surface);
+        if ((heightFrom < 0) != (heightTo < 0)) {
+            sum.add(from + (heightFrom / (heightFrom - heightTo)) * (to - from));
+        }
+        if (heightTo < 0) {
+            sum.add(to);
+        }
+        from = to;
+        heightFrom = heightTo;
+    }
+    return sum.result();
+}
+
+} // namespace
+
+Push Drag::at(const Bodies& bodies, std::uint32_t body, Real) const {
+    const Motion& motion = bodies.motion[body];
+    const Real width = 2 * std::sqrt(bodies.form(body).area / std::numbers::pi_v<Real>);
+    const Real radius = width / 2;
+    const Vec2 u = motion.velocity - air_;
+    const Real w = motion.angularVelocity;
+    Push push;
+    push.drag = (law_.linear + law_.quadratic * length(u)) * width;
+    push.spinDrag = (law_.linear + law_.quadratic * radius * std::abs(w)) * width * radius * radius;
+    push.force = -push.drag * u;
+    push.torque = -push.spinDrag * w;
+    return push;
+}
+
+Push Wind::at(const Bodies& bodies, std::uint32_t body, Real dt) const {
+    if (region_ && !region_->contains(bodies.pose[body].position)) {
+        return {};
+    }
+    return drag_.at(bodies, body, dt);
+}
+
+Push Attractor::at(const Bodies& bodies, std::uint32_t body, Real dt) const {
+    const Vec2 d = center_ - bodies.pose[body].position - dt / 2 * bodies.motion[body].velocity;
+    const Real mass = bodies.form(body).mass.mass;
+    if (law_ == Law::Linear) {
+        return {mass * strength_ * d};
+    }
+    const Real distance = std::sqrt(lengthSquared(d) + softening_ * softening_);
+    if (distance == 0) { // at the centre of a pull that is not softened
+        return {};
+    }
+    return {mass * strength_ / (distance * distance * distance) * d};
+}
+
+Submerged submerged(const Convex& convex, const Transform& t, Vec2 surface, Vec2 up) {
+    return convex.isRound() ? submergedCircle(convex, t, surface, up)
+                            : submergedPolygon(convex, t, surface, up);
+}
+
+Push Buoyancy::at(const Bodies& bodies, std::uint32_t body, Real dt) const {
+    const Motion& motion = bodies.motion[body];
+    const Transform pose = midStep(bodies, body, dt);
+    Push push;
+    for (const Part& part : bodies.form(body).parts) {
+        const Submerged wet = submerged(part.convex, pose, surface_, up_);
+        if (wet.area == 0) {
+            continue;
+        }
+        const Vec2 arm = wet.centroid - pose.position;
+        const Real drag = fluid_.drag * wet.area;
+        const Vec2 force = -(fluid_.density * wet.area) * gravity_ - drag * velocityAt(motion, arm);
+        // Its turning about the centroid is braked as that of a disc of the same area.
+        const Real spinDrag = drag * wet.area / (2 * std::numbers::pi_v<Real>);
+        push.force += force;
+        push.torque += cross(arm, force) - spinDrag * motion.angularVelocity;
+        push.drag += drag;
+        push.spinDrag += spinDrag + drag * lengthSquared(arm);
+    }
+    return push;
+}
+
+} // namespace kodo::inline KODO_PRECISION

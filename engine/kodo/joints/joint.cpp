@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/joints/joint.hpp>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+constexpr Real kMost = std::numeric_limits<Real>::max();
+
+std::optional<Problem> checkEnds(const JointEnds& ends) {
+    if (ends.a == ends.b) {
+        return Problem{"ends", "must be two different bodies"};
+    }
+    if (auto problem = checkPosition("ends.anchorA", ends.anchorA)) {
+        return problem;
+    }
+    if (auto problem = checkPosition("ends.anchorB", ends.anchorB)) {
+        return problem;
+    }
+    if (!(ends.breakForce > 0)) {
+        return Problem{"ends.breakForce", "must be greater than 0"};
+    }
+    if (!(ends.breakTorque > 0)) {
+        return Problem{"ends.breakTorque", "must be greater than 0"};
+    }
+    return std::nullopt;
+}
+
+std::optional<Problem> checkLimits(const std::optional<Range>& limits, Real low, Real high) {
+    if (!limits) {
+        return std::nullopt;
+    }
+    if (auto problem = checkRange("limits.lower", limits->lower, low, high)) {
+        return problem;
+    }
+    return checkRange("limits.upper", limits->upper, limits->lower, high);
+}
+
+/// The first problem of several fields that each lie in a range.
+struct Field {
+    const char* name;
+    Real value;
+    Real low;
+    Real high;
+};
+
+std::optional<Problem> checkFields(std::initializer_list<Field> fields) {
+    for (const Field& field : fields) {
+        if (auto problem = checkRange(field.name, field.value, field.low, field.high)) {
+            return problem;
+        }
+    }
+    return std::nullopt;
+}
+
+constexpr Real kAngle = Real(1e4);
+
+std::optional<Problem> checkKind(const Pin& pin) {
+    if (auto problem = checkFields({{"reference", pin.reference, -kAngle, kAngle},
+                                    {"motorSpeed", pin.motorSpeed, -kHighestSpeed, kHighestSpeed},
+                                    {"motorTorque", pin.motorTorque, 0, kMost}})) {
+        return problem;
+    }
+    return checkLimits(pin.limits, -3, 3);
+}
+
+std::optional<Problem> checkKind(const Weld& weld) {
+    return checkRange("reference", weld.reference, -kAngle, kAngle);
+}
+
+std::optional<Problem> checkKind(const Spring& spring) {
+    if (auto problem = checkFields({{"length", spring.length, 0, kFarthest},
+                                    {"hertz", spring.hertz, 0, Real(1e4)},
+                                    {"damping", spring.damping, 0, Real(1e4)}})) {
+        return problem;
+    }
+    return checkLimits(spring.limits, 0, kFarthest);
+}
+
+std::optional<Problem> checkKind(const Slider& slider) {
+    if (!(std::abs(lengthSquared(slider.axis) - 1) < Real(1e-3))) {
+        return Problem{"axis", "must be a unit vector"};
+    }
+    if (auto problem =
+            checkFields({{"reference", slider.reference, -kAngle, kAngle},
+                         {"motorSpeed", slider.motorSpeed, -kHighestSpeed, kHighestSpeed},
+                         {"motorForce", slider.motorForce, 0, kMost}})) {
+        return problem;
+    }
+    return checkLimits(slider.limits, -kFarthest, kFarthest);
+}
+
+std::optional<Problem> checkKind(const Motor& motor) {
+    return checkFields({{"reference", motor.reference, -kAngle, kAngle},
+                        {"force", motor.force, 0, kMost},
+                        {"torque", motor.torque, 0, kMost},
+                        {"hertz", motor.hertz, Real(1e-3), Real(1e4)},
+                        {"damping", motor.damping, 0, Real(1e4)}});
+}
+
+} // namespace
+
+std::optional<Problem> check(const JointDef& def) {
+    if (const auto* mouse = std::get_if<Mouse>(&def)) {
+        if (auto problem = checkPosition("anchor", mouse->anchor)) {
+            return problem;
+        }
+        if (auto problem = checkPosition("target", mouse->target)) {
+            return problem;
+        }
+        return checkFields({{"force", mouse->force, 0, kMost},
+                            {"hertz", mouse->hertz, Real(1e-3), Real(1e4)},
+                            {"damping", mouse->damping, 0, Real(1e4)}});
+    }
+    return std::visit(
+        [](const auto& kind) -> std::optional<Problem> {
+            if constexpr (requires { kind.ends; }) {
+                const auto problem = checkEnds(kind.ends);
+                return problem ? problem : checkKind(kind);
+            } else {
+                return std::nullopt;
+            }
+        },
+        def);
+}
+
+BodyId firstBody(const JointDef& def) {
+    return std::visit(
+        [](const auto& kind) {
+            if constexpr (requires { kind.ends; }) {
+                return kind.ends.a;
+            } else {
+                return kind.body;
+            }
+        },
+        def);
+}
+
+BodyId secondBody(const JointDef& def) {
+    return std::visit(
+        [](const auto& kind) {
+            if constexpr (requires { kind.ends; }) {
+                return kind.ends.b;
+            } else {
+                return kind.body;
+            }
+        },
+        def);
+}
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/joints/joint_rows.hpp>
+
+#include <algorithm>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// K maps an impulse at the points to the relative velocity it makes there:
+///
+///   K = (1/mA + 1/mB) 1 + perp(rA) perp(rA)^T / IA + perp(rB) perp(rB)^T / IB      [Catto09]
+void PointConstraint::solve(Motion& a, Motion& b, Vec2& impulse, bool biased) const {
+    const Real mass = a.invMass + b.invMass;
+    const Real xx = mass + a.invInertia * armA.y * armA.y + b.invInertia * armB.y * armB.y;
+    const Real xy = -a.invInertia * armA.x * armA.y - b.invInertia * armB.x * armB.y;
+    const Real yy = mass + a.invInertia * armA.x * armA.x + b.invInertia * armB.x * armB.x;
+    const Real determinant = xx * yy - xy * xy;
+    if (!(determinant > 0)) {
+        return; // neither body can be pushed
+    }
+    const Softness soft = biased ? softness : Softness{};
+    const Vec2 speed = velocityAt(b, armB) - velocityAt(a, armA) + soft.biasRate * error;
+    const Vec2 rigid = Vec2{yy * speed.x - xy * speed.y, xx * speed.y - xy * speed.x} / determinant;
+    Vec2 next = impulse - soft.massScale * rigid - soft.impulseScale * impulse;
+    const Real size = length(next);
+    if (size > maxImpulse) {
+        next = (maxImpulse / size) * next;
+    }
+    const Vec2 change = next - impulse;
+    impulse = next;
+    push(a, b, change);
+}
+
+void PointConstraint::push(Motion& a, Motion& b, Vec2 impulse) const {
+    applyImpulse(a, armA, -impulse);
+    applyImpulse(b, armB, impulse);
+}
+
+void PointConstraint::sumUp(Vec2 impulse, Vec2& pushes, Real&) const {
+    pushes += impulse;
+}
+
+void AxisConstraint::sumUp(Real impulse, Vec2& pushes, Real& turns) const {
+    if (axis == Vec2{}) {
+        turns += impulse;
+    } else {
+        pushes += impulse * axis;
+    }
+}
+
+void AxisConstraint::push(Motion& a, Motion& b, Real impulse) const {
+    a.velocity -= a.invMass * impulse * axis;
+    a.angularVelocity -= a.invInertia * leverA * impulse;
+    b.velocity += b.invMass * impulse * axis;
+    b.angularVelocity += b.invInertia * leverB * impulse;
+}
+
+void AxisConstraint::solve(Motion& a, Motion& b, Real& impulse, bool biased) const {
+    const Real k = (a.invMass + b.invMass) * dot(axis, axis) + a.invInertia * leverA * leverA +
+                   b.invInertia * leverB * leverB;
+    if (!(k > 0)) {
+        return;
+    }
+    const Softness soft = biased ? softness : Softness{};
+    const Real now = dot(axis, b.velocity - a.velocity) + leverB * b.angularVelocity -
+                     leverA * a.angularVelocity - speed + soft.biasRate * error;
+    const Real wanted = impulse - soft.massScale * now / k - soft.impulseScale * impulse;
+    const Real next = std::clamp(wanted, bounds.lower, bounds.upper);
+    push(a, b, next - impulse);
+    impulse = next;
+}
+
+} // namespace kodo::inline KODO_PRECISION

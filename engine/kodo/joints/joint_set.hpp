@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/base/id_pool.hpp>
+#include <kodo/joints/joint_rows.hpp>
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// A joint that its load broke in the last step. Its id is dead.
+struct BrokenJoint {
+    JointId id;
+    BodyId a;
+    BodyId b;
+    Real force = 0;  // N, averaged over the step
+    Real torque = 0; // N m
+};
+
+/// Times of one substep and how stiff joints are.
+struct JointPass {
+    Real h = 0; // s
+    Softness stiff;
+    bool biased = false;
+};
+
+/// All joints of a World.
+class JointSet {
+public:
+    JointId add(const JointDef& def);
+    void remove(JointId id);
+    bool contains(JointId id) const { return ids_.alive(id.index, id.generation); }
+    /// Removes the joints of one body.
+    void dropBody(BodyId body);
+    const JointDef& def(JointId id) const { return joints_[id.index].def; }
+    void setDef(JointId id, const JointDef& def) { joints_[id.index].def = def; }
+    Vec2 force(JointId id) const { return joints_[id.index].force; }   // N, on b
+    Real torque(JointId id) const { return joints_[id.index].torque; } // N m, on b
+    std::vector<JointId> ids() const;
+    std::size_t size() const { return live_.size(); }
+
+    /// `part` became a part of `into`: its joints hold `into` now, and those between them are gone.
+    /// `place` takes a point of the frame of `part`'s shape to that of `into`'s.
+    void transfer(BodyId part, BodyId into, const Transform& place);
+
+    /// Pairs of bodies that a joint forbids to touch, in order.
+    std::span<const std::pair<std::uint32_t, std::uint32_t>> apart() const { return apart_; }
+
+    void beginStep();
+    void warmStart(Bodies& bodies, const JointPass& pass);
+    void solve(Bodies& bodies, const JointPass& pass);
+    /// Finds the loads of a step of dt and breaks what is overloaded.
+    std::span<const BrokenJoint> endStep(Real dt);
+
+    /// Visits (def, impulses) of each joint in order.
+    template <typename Visit>
+    void forEach(Visit visit) const {
+        for (const std::uint32_t index : live_) {
+            visit(joints_[index]);
+        }
+    }
+
+    struct Joint {
+        JointDef def;
+        Vec2 point;                 // N s, of one substep
+        std::array<Real, 5> axes{}; // N s or N m s; what each stands for depends on the kind
+        Vec2 pushSum;               // N s, on b, over the step
+        Real turnSum = 0;           // N m s, on b, from angular constraints
+        Vec2 force;                 // N, on b, the mean of the last step
+        Real torque = 0;            // N m
+    };
+
+private:
+    IdPool ids_;
+    std::vector<Joint> joints_;
+    std::vector<std::uint32_t> live_;                            // in order
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> apart_; // bodies that must not touch
+    std::vector<BrokenJoint> broken_;
+
+    void refreshLists();
+};
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/bodies/integrate.hpp>
+#include <kodo/solve/impact.hpp>
+#include <kodo/solve/propagation.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+constexpr std::uint64_t kPassesPerStep = 1u << 20; // at most, so that each has a number of its own
+constexpr Real kSteep = Real(0.25); // a normal with less than this share along the pull carries not
+
+bool bounces(const Contact& contact, const StepSettings& settings) {
+    return contact.material.restitution > 0 && settings.has(Feature::Restitution);
+}
+
+/// A body that rests has been woken if it touched. What does not touch it yet leaves it alone.
+bool atRest(const Bodies& bodies, const Contact& contact) {
+    return bodies.resting(contact.key.bodyA) || bodies.resting(contact.key.bodyB);
+}
+
+RowMasses massesOf(const Bodies& bodies, const PropagationRow& row, bool frozenA, bool frozenB) {
+    const Motion& a = bodies.motion[row.a];
+    const Motion& b = bodies.motion[row.b];
+    return {frozenA ? 0 : a.invMass, frozenA ? 0 : a.invInertia, frozenB ? 0 : b.invMass,
+            frozenB ? 0 : b.invInertia};
+}
+
+} // namespace
+
+template <typename Visit>
+void Propagation::forEachRow(Visit visit) {
+    StrideOrder order(rows_.size(), ++pass_);
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+        visit(rows_[order.next()]);
+    }
+    visits_ += rows_.size();
+}
+
+/// Visits the rows of level 1 so many times, then those of level 2, and so on.
+template <typename Visit>
+void Propagation::forEachLevel(int passes, Visit visit) {
+    for (std::size_t level = 1; level + 1 < levelStart_.size(); ++level) {
+        const std::size_t first = levelStart_[level];
+        const std::size_t count = levelStart_[level + 1] - first;
+        for (int pass = 0; pass < passes; ++pass) {
+            StrideOrder order(count, ++pass_);
+            for (std::size_t k = 0; k < count; ++k) {
+                visit(rows_[byLevel_[first + order.next()]]);
+            }
+        }
+        visits_ += count * static_cast<std::size_t>(passes);
+    }
+}
+
+/// Where contacts will be at the end of this part, and how far apart they are at its start.
+void Propagation::predict(const Bodies& bodies, std::span<Contact> contacts,
+                          const Prediction& prediction) {
+    gaps_.resize(contacts.size());
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+        if (!atRest(bodies, contacts[k])) {
+            gaps_[k] = predictContact(contacts[k], bodies, prediction);
+        }
+    }
+}
+
+void Propagation::resolveCollisions(Bodies& bodies, std::span<Contact> contacts, const Step& step,
+                                    Real h) {
+    bouncing_.clear();
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+        if (contacts[k].manifold.count > 0 && bounces(contacts[k], step.settings) &&
+            !atRest(bodies, contacts[k])) {
+            bouncing_.push_back(static_cast<std::uint32_t>(k));
+        }
+    }
+    bool any = !bouncing_.empty();
+    for (int pass = 0; pass < step.settings.impactPasses && any; ++pass) {
+        any = false;
+        StrideOrder order(bouncing_.size(), ++pass_);
+        for (std::size_t k = 0; k < bouncing_.size(); ++k) {
+            Contact& contact = contacts[bouncing_[order.next()]];
+            any = solveImpact(bodies, contact, step.settings, step.tolerances, h) || any;
+        }
+        visits_ += bouncing_.size();
+    }
+}
+
+/// Only what could touch needs a row. A contact that bounces must not be braked before it touches,
+/// or it would lose the speed it bounces with.
+void Propagation::makeRows(const Bodies& bodies, std::span<Contact> contacts, const Step& step) {
+    rows_.clear();
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+        Contact& contact = contacts[k];
+        if (contact.manifold.count == 0 || atRest(bodies, contact)) {
+            continue;
+        }
+        const bool touches = contact.manifold.points[0].separation <= step.tolerances.slop;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+            contact.manifold.points[i].separation = gaps_[k][i];
+        }
+        if (!touches && bounces(contact, step.settings)) {
+            continue;
+        }
+        rows_.push_back(makeRow(contact, static_cast<std::uint32_t>(k)));
+        PropagationRow& row = rows_.back();
+        if (step.settings.has(Feature::Friction)) {
+            row.staticFriction = contact.material.staticFriction;
+            row.kineticFriction = contact.material.kineticFriction;
+        }
+        if (step.settings.has(Feature::RollingResistance)) {
+            row.rollingLever = rollingLever(contact, bodies.motion[row.a], bodies.motion[row.b]);
+        }
+    }
+}
+
+void Propagation::resolveContacts(Bodies& bodies, JointSet& joints, const JointPass& pass,
+                                  const StepSettings& settings) {
+    for (int k = 1; k <= settings.contactPasses; ++k) {
+        const Real share = static_cast<Real>(k) / static_cast<Real>(settings.contactPasses);
+        joints.solve(bodies, pass);
+        forEachRow([&](PropagationRow& row) {
+            solveRow(row, bodies, massesOf(bodies, row, false, false), share, 1 / pass.h);
+        });
+    }
+}
+
+/// The levels of all bodies that a row names, and the rows in the order of the higher of theirs.
+/// Rows between bodies that the ground does not carry are left out.
+void Propagation::findLevels(const Bodies& bodies) {
+    constexpr std::uint32_t kNoNode = ~std::uint32_t{};
+    node_.resize(bodies.size());
+    levelOf_.resize(bodies.size());
+    for (const PropagationRow& row : rows_) {
+        node_[row.a] = node_[row.b] = kNoNode;
+    }
+    std::uint32_t nodes = 0;
+    immovable_.clear();
+    supports_.clear();
+    for (const PropagationRow& row : rows_) {
+        for (const std::uint32_t body : {row.a, row.b}) {
+            if (node_[body] == kNoNode) {
+                node_[body] = nodes++;
+                if (bodies.motion[body].invMass == 0) {
+                    immovable_.push_back(node_[body]);
+                }
+            }
+        }
+        const Vec2 pull = bodies.acceleration[row.a].linear + bodies.acceleration[row.b].linear;
+        const Real along = dot(row.normal, pull);
+        if (std::abs(along) > kSteep * length(pull)) {
+            supports_.push_back(along < 0 ? SupportEdge{node_[row.a], node_[row.b]}
+                                          : SupportEdge{node_[row.b], node_[row.a]});
+        }
+    }
+    const std::span<const std::uint32_t> found = levels_.find(nodes, immovable_, supports_);
+    std::uint32_t highest = 0;
+    for (PropagationRow& row : rows_) {
+        levelOf_[row.a] = found[node_[row.a]];
+        levelOf_[row.b] = found[node_[row.b]];
+        row.level = std::max(levelOf_[row.a], levelOf_[row.b]);
+        highest = row.level != ShockLevels::kUnreached ? std::max(highest, row.level) : highest;
+    }
+    sortByLevel(highest);
+}
+
+/// Counting sort: levelStart_[level] ends up where the rows of that level begin.
+void Propagation::sortByLevel(std::uint32_t highest) {
+    levelStart_.assign(std::size_t{highest} + 3, 0);
+    for (const PropagationRow& row : rows_) {
+        if (row.level != ShockLevels::kUnreached) {
+            ++levelStart_[row.level + 2];
+        }
+    }
+    for (std::size_t level = 2; level < levelStart_.size(); ++level) {
+        levelStart_[level] += levelStart_[level - 1];
+    }
+    byLevel_.resize(levelStart_.back());
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        if (rows_[i].level != ShockLevels::kUnreached) {
+            byLevel_[levelStart_[rows_[i].level + 1]++] = static_cast<std::uint32_t>(i);
+        }
+    }
+    levelStart_.pop_back();
+}
+
+void Propagation::propagateShock(Bodies& bodies, const StepSettings& settings, Real invH) {
+    forEachLevel(settings.shockPasses, [&](PropagationRow& row) {
+        const bool frozenA = levelOf_[row.a] < row.level;
+        const bool frozenB = levelOf_[row.b] < row.level;
+        shockRow(row, bodies, massesOf(bodies, row, frozenA, frozenB), invH);
+    });
+}
+
+void Propagation::separate(Bodies& bodies, const Step& step, Real h) {
+    const Real unit = step.tolerances.slop * 256;
+    const PartingLimits limits{step.tolerances.slop / 4, step.settings.pushSpeed * unit * h};
+    const bool any = std::any_of(rows_.begin(), rows_.end(), [&](const PropagationRow& row) {
+        return std::min(row.points[0].gap, row.points[row.count - 1].gap) < -limits.allowed;
+    });
+    if (!any) {
+        return;
+    }
+    parting_.resize(bodies.size());
+    for (const PropagationRow& row : rows_) {
+        parting_[row.a] = parting_[row.b] = {};
+    }
+    for (int pass = 0; pass < step.settings.contactPasses; ++pass) {
+        forEachRow([&](PropagationRow& row) {
+            partRow(row, parting_, massesOf(bodies, row, false, false), limits, false);
+        });
+    }
+    if (step.settings.shockPasses > 0) {
+        forEachLevel(step.settings.shockPasses, [&](PropagationRow& row) {
+            const bool frozenA = levelOf_[row.a] < row.level;
+            const bool frozenB = levelOf_[row.b] < row.level;
+            partRow(row, parting_, massesOf(bodies, row, frozenA, frozenB), limits, true);
+        });
+    }
+    for (const PropagationRow& row : rows_) {
+        for (const std::uint32_t body : {row.a, row.b}) { // once each: taken, then forgotten
+            bodies.motion[body].move += parting_[body].move;
+            bodies.motion[body].turn += parting_[body].turn;
+            parting_[body] = {};
+        }
+    }
+}
+
+/// What a row has pushed moves as its velocity says; the rest flies.
+void Propagation::markHeld(const Bodies& bodies, const JointSet& joints) {
+    held_.resize(bodies.size());
+    for (const std::uint32_t body : bodies.awake) {
+        held_[body] = 0;
+    }
+    for (const PropagationRow& row : rows_) {
+        if (row.load() > 0) {
+            held_[row.a] = held_[row.b] = 1;
+        }
+    }
+    joints.forEach([&](const JointSet::Joint& joint) {
+        held_[firstBody(joint.def).index] = held_[secondBody(joint.def).index] = 1;
+    });
+}
+
+/// Sums up this part of the step in its contacts.
+void Propagation::store(std::span<Contact> contacts) {
+    for (Contact& contact : contacts) {
+        contact.friction = 0;
+        contact.rolling = 0;
+        for (PointImpulse& impulse : contact.impulse) {
+            impulse.largest = std::max(impulse.largest, impulse.impact);
+            contact.total += impulse.impact;
+            impulse.impact = 0;
+            impulse.normal = 0;
+        }
+    }
+    for (const PropagationRow& row : rows_) {
+        Contact& contact = contacts[row.contact];
+        contact.friction = row.friction;
+        contact.rolling = row.rolling;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+            PointImpulse& impulse = contact.impulse[i];
+            impulse.normal = row.points[i].impulse + row.points[i].shock;
+            impulse.largest = std::max(impulse.largest, impulse.normal);
+            contact.total += impulse.normal;
+        }
+    }
+}
+
+void Propagation::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints,
+                        const Step& step) {
+    const StepSettings& settings = step.settings;
+    const Real h = step.dt / static_cast<Real>(settings.substeps);
+    JointPass pass{h, Softness::from(settings.jointHertz, settings.jointDamping, h), true};
+    pass_ = step.count * kPassesPerStep;
+    visits_ = 0;
+    joints.beginStep();
+    for (int part = 0; part < settings.substeps; ++part) {
+        predict(bodies, contacts, {step.tolerances, h, settings.has(Feature::Sweep), part == 0});
+        resolveCollisions(bodies, contacts, step, h);
+        integrateVelocities(bodies, h);
+        pass.biased = true;
+        joints.warmStart(bodies, pass);
+        makeRows(bodies, contacts, step);
+        resolveContacts(bodies, joints, pass, settings);
+        if (settings.shockPasses > 0) {
+            findLevels(bodies);
+            propagateShock(bodies, settings, 1 / h);
+        }
+        separate(bodies, step, h);
+        markHeld(bodies, joints);
+        integrateMoves(bodies, held_, h);
+        pass.biased = false;
+        joints.solve(bodies, pass);
+        store(contacts);
+    }
+}
+
+} // namespace kodo::inline KODO_PRECISION
