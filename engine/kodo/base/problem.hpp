@@ -3,6 +3,7 @@
 
 #include <kodo/base/real.hpp>
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -27,6 +28,13 @@ public:
 private:
     Problem problem_;
 };
+
+/// Throws BadDefinition if there is a problem.
+inline void refuse(const std::optional<Problem>& problem) {
+    if (problem) {
+        throw BadDefinition(*problem);
+    }
+}
 
 /// A body id that names no body of this World: never given out, or its body was removed.
 class BadBodyId : public std::out_of_range {

@@ -41,6 +41,54 @@ void removeBody(Bodies& bodies, std::uint32_t index) {
     bodies.awakeStale = true;
 }
 
+BodyId unweldPart(Bodies& bodies, std::uint32_t body, std::size_t part, Flags flags) {
+    const Transform frame{bodies.originOf(body), bodies.pose[body].rotation};
+    const Motion before = bodies.motion[body];
+    const Vec2 center = bodies.pose[body].position;
+
+    std::vector<Part> rest = bodies.form(body).parts;
+    const std::vector<Part> taken{rest[part]};
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(part));
+    BodyDef def;
+    def.position = frame.position;
+    def.rotation = frame.rotation;
+    def.angularVelocity = before.angularVelocity;
+    def.flags = flags;
+    const BodyId freed = addBody(bodies, def, makeForm(taken));
+    setForm(bodies, body, makeForm(std::move(rest)));
+    for (const std::uint32_t index : {body, freed.index}) {
+        bodies.motion[index].velocity = velocityAt(before, bodies.pose[index].position - center);
+    }
+    return freed;
+}
+
+Aabb boundsOfBody(const Bodies& bodies, std::size_t body) {
+    const std::vector<Part>& parts = bodies.form(body).parts;
+    Aabb box = boundsOf(parts[0].convex, bodies.pose[body]);
+    for (const Part& part : parts) {
+        box = unite(box, boundsOf(part.convex, bodies.pose[body]));
+    }
+    return box;
+}
+
+void freeze(Bodies& bodies, std::uint32_t body) {
+    bodies.record[body].filter.flags |= kFrozen;
+    bodies.motion[body] = {};
+    bodies.acceleration[body] = {};
+    bodies.awakeStale = true;
+}
+
+bool isSound(const Motion& motion) {
+    constexpr Real kMost = kHighestSpeed;
+    return lengthSquared(motion.velocity) <= kMost * kMost && // false for NaN
+           std::abs(motion.angularVelocity) <= kMost && isFinite(motion.move) &&
+           std::isfinite(motion.turn);
+}
+
+bool isSound(const Acceleration& acceleration) {
+    return isFinite(acceleration.linear) && std::isfinite(acceleration.angular);
+}
+
 bool refreshAwake(Bodies& bodies) {
     for (const std::uint32_t body : bodies.awake) {
         bodies.awakeStale = bodies.awakeStale || !bodies.active(body);
@@ -101,7 +149,7 @@ void weldBodies(Bodies& bodies, std::uint32_t into, std::uint32_t part) {
 void refreshMass(Bodies& bodies, std::uint32_t index) {
     const Mass& mass = bodies.form(index).mass;
     const Flags flags = bodies.record[index].filter.flags;
-    bodies.motion[index].invMass = (flags & kLockMove) != 0 ? 0 : 1 / mass.mass;
+    bodies.motion[index].invMass = (flags & (kLockMove | kFrozen)) != 0 ? 0 : 1 / mass.mass;
     // Nothing can turn a particle: it has no inertia, but no arm either.
     const bool turns = (flags & kLockRotate) == 0 && mass.inertia > 0;
     bodies.motion[index].invInertia = turns ? 1 / mass.inertia : 0;

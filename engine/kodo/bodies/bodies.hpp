@@ -74,7 +74,9 @@ struct Bodies {
                m.move == Vec2{} && m.turn == 0;
     }
     /// Takes part in a step.
-    bool active(std::size_t index) const { return !resting(index) && !stands(index); }
+    bool active(std::size_t index) const {
+        return (record[index].filter.flags & (kResting | kOutside)) == 0 && !stands(index);
+    }
     /// Position of the shape's frame, whose origin need not be the centre of mass.
     Vec2 originOf(std::size_t index) const {
         return pose[index].position - pose[index].rotation * form(index).mass.center;
@@ -92,6 +94,16 @@ void setForm(Bodies& bodies, std::uint32_t index, std::shared_ptr<const Form> fo
 /// momentum of the two as far as `into` is not locked. `part` stays as it is, to be removed.
 void weldBodies(Bodies& bodies, std::uint32_t into, std::uint32_t part);
 
+/// Takes one part of a body away and makes a body of it, in its place, with flags of its own. Both
+/// move on as they moved together, so momentum and angular momentum are kept. A body keeps at least
+/// one part.
+BodyId unweldPart(Bodies& bodies, std::uint32_t body, std::size_t part, Flags flags);
+
+/// Stops a body for good that has become unsound: not finite, or faster than kHighestSpeed.
+void freeze(Bodies& bodies, std::uint32_t body);
+bool isSound(const Motion& motion);
+bool isSound(const Acceleration& acceleration);
+
 /// Brings `awake` up to date. True if it has changed.
 bool refreshAwake(Bodies& bodies);
 
@@ -103,6 +115,9 @@ void refreshMass(Bodies& bodies, std::uint32_t index);
 inline Vec2 velocityAt(const Motion& motion, Vec2 arm) {
     return motion.velocity + cross(motion.angularVelocity, arm);
 }
+
+/// Bounds of all parts, where they are.
+Aabb boundsOfBody(const Bodies& bodies, std::size_t body);
 
 /// Changes the velocities as an impulse (N s) at the end of an arm does.
 inline void applyImpulse(Motion& motion, Vec2 arm, Vec2 impulse) {

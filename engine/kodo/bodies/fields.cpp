@@ -11,6 +11,9 @@ namespace {
 Submerged submergedCircle(const Convex& circle, const Transform& t, Vec2 surface, Vec2 up) {
     const Vec2 center = t * circle.vertices[0];
     const Real r = circle.radius;
+    if (r == 0) {
+        return {};
+    }
     const Real cosine = std::clamp(dot(up, center - surface) / r, Real(-1), Real(1));
     const Real sine = std::sqrt(1 - cosine * cosine);
     const Real area = r * r * (atan2(sine, cosine) - sine * cosine);

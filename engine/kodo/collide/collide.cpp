@@ -1,29 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/base/assert.hpp>
 #include <kodo/collide/collide.hpp>
+#include <kodo/collide/faces.hpp>
+#include <kodo/collide/one_sided.hpp>
 #include <kodo/collide/round.hpp>
-#include <kodo/collide/sat.hpp>
 
+#include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
-
-/// Found in A's frame, around A's centre; the last step turns it to world axes. So nothing is lost
-/// far from the origin.
-struct LocalPoint {
-    Vec2 point;
-    Real separation;
-    std::uint32_t feature;
-};
-
-void add(Manifold& manifold, const LocalPoint& local, const Transform& a, const Transform& b) {
-    const Vec2 armA = a.rotation * local.point;
-    manifold.points[static_cast<std::size_t>(manifold.count)] = {
-        armA, armA + (a.position - b.position), local.separation, local.feature};
-    ++manifold.count;
-}
 
 Manifold collideRound(const Convex& shapeA, const Transform& a, const Convex& shapeB,
                       const Transform& b, Real margin) {
@@ -36,19 +21,19 @@ Manifold collideRound(const Convex& shapeA, const Transform& a, const Convex& sh
         return manifold;
     }
     // Two circles on one point have no direction of their own.
-    manifold.normal = distance > 0 ? d / distance : Vec2{0, 1};
+    manifold.normal = distance > 0 ? d / distance : a.rotation.yAxis();
     const Vec2 armA = centerA + (shapeA.radius + gap / 2) * manifold.normal;
     manifold.points[0] = {armA, armA + (a.position - b.position), gap, 0};
     manifold.count = 1;
     return manifold;
 }
 
-Manifold collidePolygonRound(const Convex& polygon, const Transform& a, const Convex& circle,
-                             const Transform& b, Real margin) {
+Manifold collideFacesRound(const Convex& sided, const Transform& a, const Convex& circle,
+                           const Transform& b, Real margin) {
     const Transform ab = between(a, b);
     const Vec2 center = ab * circle.vertices[0];
-    const RoundAxis axis = nearestToCenter(polygon, center);
-    const Real gap = axis.distance - circle.radius - polygon.radius;
+    const RoundAxis axis = nearestToCenter(sided, center);
+    const Real gap = axis.distance - circle.radius - sided.radius;
     Manifold manifold;
     if (gap > margin) {
         return manifold;
@@ -59,99 +44,105 @@ Manifold collidePolygonRound(const Convex& polygon, const Transform& a, const Co
     return manifold;
 }
 
-/// The other way round: swaps the arms and turns the normal.
-Manifold swapped(Manifold manifold) {
-    manifold.normal = -manifold.normal;
-    for (ManifoldPoint& point : manifold.points) {
-        std::swap(point.armA, point.armB);
-    }
-    return manifold;
+Real heightOver(const Convex& plane, Vec2 p) {
+    return dot(plane.normals[0], p - plane.vertices[0]);
 }
 
-/// A line segment with the place where it was cut, for features.
-struct Edge {
-    Vec2 start;
-    Vec2 end;
-};
-
-/// The edge at `vertex` of b that faces the normal most directly.
-std::size_t incidentEdge(const Convex& b, std::size_t vertex, Vec2 normalInB) {
-    const std::size_t n = b.vertices.size();
-    const std::size_t before = (vertex + n - 1) % n;
-    return dot(b.normals[before], normalInB) < dot(b.normals[vertex], normalInB) ? before : vertex;
-}
-
-/// Cuts away what lies beyond `limit` along `axis`. Nothing is left when both ends do.
-bool clip(Edge& edge, Vec2 axis, Real limit) {
-    const Real start = dot(axis, edge.start) - limit;
-    const Real end = dot(axis, edge.end) - limit;
-    if (start > 0 && end > 0) {
-        return false;
-    }
-    if (start > 0) {
-        edge.start += (start / (start - end)) * (edge.end - edge.start);
-    } else if (end > 0) {
-        edge.end += (end / (end - start)) * (edge.start - edge.end);
-    }
-    return true;
-}
-
-/// Face of a against the facing edge of b, both seen from a. Only what lies above the face counts:
-/// a corner that has come out on the far side is no second point [Thesis06, fig. 3.5].
-Manifold clipAgainstFace(const Convex& shapeA, const Transform& a, const Convex& shapeB,
-                         const Transform& b, const FaceAxis& axis, Real margin) {
-    const Transform ab = between(a, b);
-    const Vec2 normal = shapeA.normals[axis.face];
-    const std::size_t other = incidentEdge(shapeB, axis.support, unrotate(ab.rotation, normal));
-    const std::size_t n = shapeB.vertices.size();
-    // The facing edge runs against the reference edge, so its end lies at the reference's start.
-    Edge edge{ab * shapeB.vertices[(other + 1) % n], ab * shapeB.vertices[other]};
-
-    const Vec2 first = shapeA.vertices[axis.face];
-    const Vec2 second = shapeA.vertices[(axis.face + 1) % shapeA.vertices.size()];
-    const Vec2 along = perp(normal);
+/// The deepest vertex and the other end of the edge there that faces the plane. Two planes have no
+/// place where they meet.
+Manifold collidePlane(const Convex& plane, const Transform& a, const Convex& other,
+                      const Transform& b, Real margin) {
     Manifold manifold;
-    const bool left = clip(edge, -along, -dot(along, first));
-    if (!left || !clip(edge, along, dot(along, second))) {
-        // Beyond the ends of the face: the deepest corner alone tells how near they are.
-        edge = {ab * shapeB.vertices[axis.support], ab * shapeB.vertices[axis.support]};
-    }
-    manifold.normal = a.rotation * normal;
-    const std::uint32_t feature = static_cast<std::uint32_t>(axis.face << 12 | other << 1);
-    const Real height = dot(normal, first);
-    LocalPoint points[2] = {{edge.start, dot(normal, edge.start) - height, feature},
-                            {edge.end, dot(normal, edge.end) - height, feature + 1}};
-    if (points[1].separation < points[0].separation) {
-        std::swap(points[0], points[1]);
-    }
-    for (LocalPoint& p : points) {
-        const bool same = manifold.count > 0 && p.point == points[0].point;
-        if (p.separation <= margin && !same) {
-            p.point -= (p.separation / 2) * normal;
-            add(manifold, p, a, b);
-        }
-    }
-    return manifold;
-}
-
-Manifold collidePolygons(const Convex& shapeA, const Transform& a, const Convex& shapeB,
-                         const Transform& b, Real margin, Real preference) {
-    const FaceAxis faceA = leastPenetratingFace(shapeA, shapeB, between(a, b), margin);
-    if (faceA.separation > margin) {
-        return {};
-    }
-    const FaceAxis faceB = leastPenetratingFace(shapeB, shapeA, between(b, a), margin);
-    if (faceB.separation > margin) {
-        return {};
-    }
-    if (faceB.separation > faceA.separation + preference) {
-        Manifold manifold = swapped(clipAgainstFace(shapeB, b, shapeA, a, faceB, margin));
-        for (ManifoldPoint& point : manifold.points) {
-            point.feature |= 1u << 31;
-        }
+    if (other.isPlane()) {
         return manifold;
     }
-    return clipAgainstFace(shapeA, a, shapeB, b, faceA, margin);
+    const Transform ab = between(a, b);
+    const Vec2 normal = plane.normals[0];
+    const Vec2 down = unrotate(ab.rotation, -normal);
+    if (other.oneSided && dot(other.normals[1], down) < 0) {
+        manifold.fromBehind = true; // it turns its back on the plane
+        return manifold;
+    }
+    const std::size_t deepest = supportVertex(other, down, 0);
+    const std::size_t n = other.vertices.size();
+    std::size_t second = deepest;
+    if (n > 1) {
+        const std::size_t edge = incidentEdge(other, deepest, unrotate(ab.rotation, normal));
+        second = edge == deepest ? (edge + 1) % n : edge;
+    }
+    const std::size_t vertices[2] = {deepest, second};
+    for (std::size_t i = 0; i < (second == deepest ? 1u : 2u); ++i) {
+        const Vec2 p = ab * other.vertices[vertices[i]];
+        const Real gap = heightOver(plane, p) - other.radius;
+        if (gap <= margin) {
+            manifold.normal = a.rotation * normal;
+            const Vec2 point = p - (other.radius + gap / 2) * normal;
+            add(manifold, {point, gap, static_cast<std::uint32_t>(vertices[i])}, a, b);
+        }
+    }
+    return manifold;
+}
+
+/// Planes and one-sided lines.
+Manifold collideSpecial(const Convex& shapeA, const Transform& a, const Convex& shapeB,
+                        const Transform& b, Real margin, Real preference) {
+    if (shapeA.isPlane()) {
+        return collidePlane(shapeA, a, shapeB, b, margin);
+    }
+    if (shapeB.isPlane()) {
+        return swapped(collidePlane(shapeB, b, shapeA, a, margin));
+    }
+    if (shapeA.oneSided) {
+        return collideOneSided(shapeA, a, shapeB, b, margin, preference);
+    }
+    return swapped(collideOneSided(shapeB, b, shapeA, a, margin, preference));
+}
+
+bool isSpecial(const Convex& shape) {
+    return shape.isPlane() || shape.oneSided;
+}
+
+Separation reversed(Separation s) {
+    return {-s.axis, s.distance};
+}
+
+Separation fromPlane(const Convex& plane, const Transform& a, const Convex& other,
+                     const Transform& b) {
+    const Vec2 normal = plane.normals[0];
+    if (other.isPlane()) {
+        return {a.rotation * normal, std::numeric_limits<Real>::max()};
+    }
+    const Transform ab = between(a, b);
+    const std::size_t deepest = supportVertex(other, unrotate(ab.rotation, -normal), 0);
+    return {a.rotation * normal, heightOver(plane, ab * other.vertices[deepest]) - other.radius};
+}
+
+Separation fromFaces(const Convex& sided, const Transform& a, const Convex& circle,
+                     const Transform& b) {
+    const RoundAxis axis = nearestToCenter(sided, between(a, b) * circle.vertices[0]);
+    return {a.rotation * axis.normal, axis.distance - circle.radius - sided.radius};
+}
+
+Separation betweenFaces(const Convex& shapeA, const Transform& a, const Convex& shapeB,
+                        const Transform& b) {
+    constexpr Real kAny = std::numeric_limits<Real>::max();
+    const FaceAxis faceA = leastPenetratingFace(shapeA, shapeB, between(a, b), kAny);
+    const FaceAxis faceB = leastPenetratingFace(shapeB, shapeA, between(b, a), kAny);
+    Separation best{a.rotation * shapeA.normals[faceA.face], faceA.separation};
+    if (faceB.separation > faceA.separation) {
+        best = {-(b.rotation * shapeB.normals[faceB.face]), faceB.separation};
+    }
+    if (shapeA.isLine() && shapeB.isLine()) {
+        const EndAxis endA = beyondEnd(shapeA, shapeB, between(a, b));
+        const EndAxis endB = beyondEnd(shapeB, shapeA, between(b, a));
+        if (endA.separation > std::max(best.distance, Real(0))) {
+            best = {a.rotation * endA.axis, endA.separation};
+        }
+        if (endB.separation > std::max(best.distance, Real(0))) {
+            best = {-(b.rotation * endB.axis), endB.separation};
+        }
+    }
+    return best;
 }
 
 } // namespace
@@ -161,28 +152,38 @@ Manifold collide(const Convex& shapeA, const Transform& a, const Convex& shapeB,
     if (shapeA.isRound() && shapeB.isRound()) {
         return collideRound(shapeA, a, shapeB, b, margin);
     }
+    if (isSpecial(shapeA) || isSpecial(shapeB)) {
+        return collideSpecial(shapeA, a, shapeB, b, margin, preference);
+    }
     if (shapeB.isRound()) {
-        return collidePolygonRound(shapeA, a, shapeB, b, margin);
+        return collideFacesRound(shapeA, a, shapeB, b, margin);
     }
     if (shapeA.isRound()) {
-        return swapped(collidePolygonRound(shapeB, b, shapeA, a, margin));
+        return swapped(collideFacesRound(shapeB, b, shapeA, a, margin));
     }
-    return collidePolygons(shapeA, a, shapeB, b, margin, preference);
+    return collideFaces(shapeA, a, shapeB, b, margin, preference);
 }
 
 Separation separation(const Convex& shapeA, const Transform& a, const Convex& shapeB,
                       const Transform& b) {
-    constexpr Real kAny = std::numeric_limits<Real>::max();
-    if (shapeA.isRound() || shapeB.isRound()) {
-        const Manifold manifold = collide(shapeA, a, shapeB, b, kAny, 0);
+    if (shapeA.isPlane()) {
+        return fromPlane(shapeA, a, shapeB, b);
+    }
+    if (shapeB.isPlane()) {
+        return reversed(fromPlane(shapeB, b, shapeA, a));
+    }
+    if (shapeA.isRound() && shapeB.isRound()) {
+        const Manifold manifold =
+            collideRound(shapeA, a, shapeB, b, std::numeric_limits<Real>::max());
         return {manifold.normal, manifold.points[0].separation};
     }
-    const FaceAxis faceA = leastPenetratingFace(shapeA, shapeB, between(a, b), kAny);
-    const FaceAxis faceB = leastPenetratingFace(shapeB, shapeA, between(b, a), kAny);
-    if (faceB.separation > faceA.separation) {
-        return {-(b.rotation * shapeB.normals[faceB.face]), faceB.separation};
+    if (shapeB.isRound()) {
+        return fromFaces(shapeA, a, shapeB, b);
     }
-    return {a.rotation * shapeA.normals[faceA.face], faceA.separation};
+    if (shapeA.isRound()) {
+        return reversed(fromFaces(shapeB, b, shapeA, a));
+    }
+    return betweenFaces(shapeA, a, shapeB, b);
 }
 
 } // namespace kodo::inline KODO_PRECISION

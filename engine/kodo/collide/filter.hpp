@@ -19,8 +19,11 @@ inline constexpr Flags kDisabled = 1u << 18;  // collides with nothing; the thes
 inline constexpr Flags kResting = 1u << 19;   // set by the step: sleeps until something wakes it
 inline constexpr Flags kNeverRest = 1u << 20; // may not be put to rest
 inline constexpr Flags kColliding = 1u << 21; // set by the step: touched something in it
+inline constexpr Flags kSensor = 1u << 22;    // is noticed, but neither pushes nor is pushed
+inline constexpr Flags kFrozen = 1u << 23;    // set by the step: see World::frozenBodies
+inline constexpr Flags kOutside = 1u << 24;   // set by the step: see World::setRegion
 /// Those that only the engine sets.
-inline constexpr Flags kStatusFlags = kResting | kColliding;
+inline constexpr Flags kStatusFlags = kResting | kColliding | kFrozen | kOutside;
 
 /// How a body compares `required` with the user flags of what it meets. None of the three: it
 /// meets everything.

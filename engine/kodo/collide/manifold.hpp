@@ -20,7 +20,8 @@ struct ManifoldPoint {
 struct Manifold {
     Vec2 normal; // unit, world axes, from A towards B; the direction that parts them soonest
     std::array<ManifoldPoint, 2> points;
-    int count = 0; // 0: farther apart than asked for, and nothing else was written
+    int count = 0;           // 0: farther apart than asked for, and nothing else was written
+    bool fromBehind = false; // of a one-sided line; then count is 0. See letPass
 };
 
 } // namespace kodo::inline KODO_PRECISION

@@ -14,7 +14,7 @@ RoundAxis nearestToCenter(const Convex& polygon, Vec2 center) {
             axis = {polygon.normals[i], distance, i};
         }
     }
-    if (axis.distance <= 0) {
+    if (axis.distance <= 0 && !polygon.isLine()) {
         return axis;
     }
     const std::size_t first = axis.feature;

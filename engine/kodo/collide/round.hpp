@@ -5,7 +5,8 @@
 
 namespace kodo::inline KODO_PRECISION {
 
-/// The point of a polygon's outline nearest to the centre of a circle, seen from the polygon.
+/// The point of the outline of a polygon, or of a line from both sides, that is nearest to the
+/// centre of a circle, seen from the polygon.
 struct RoundAxis {
     Vec2 normal;             // unit, from the polygon towards the centre
     Real distance = 0;       // m, from the outline to the centre; < 0 with the centre inside

@@ -40,8 +40,12 @@ struct Contact {
     Real rolling = 0;         // N m s, of one substep
     Real approachSpeed = 0;   // m/s, before the solver
     Real total = 0;           // N s, normal, all points, over the step
+    bool sensor = false;      // is only noticed
     bool touching = false;    // in this step
     bool wasTouching = false; // in the last step; equal to touching between steps
+
+    /// Do the bodies push each other?
+    bool responds() const { return manifold.count > 0 && !sensor; }
 };
 
 } // namespace kodo::inline KODO_PRECISION

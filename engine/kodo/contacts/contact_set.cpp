@@ -80,6 +80,27 @@ void ContactSet::drop(std::uint32_t body) {
     stale_ = true;
 }
 
+void ContactSet::partRemoved(std::uint32_t body, std::size_t part) {
+    std::size_t kept = 0;
+    for (Contact contact : contacts_) {
+        bool gone = false;
+        for (const bool isA : {true, false}) {
+            std::uint16_t& own = isA ? contact.key.partA : contact.key.partB;
+            if ((isA ? contact.key.bodyA : contact.key.bodyB) == body && own >= part) {
+                gone = own == part;
+                own = static_cast<std::uint16_t>(gone ? own : own - 1);
+            }
+        }
+        if (gone) {
+            noteEnd(contact);
+        } else {
+            contacts_[kept++] = contact;
+        }
+    }
+    contacts_.resize(kept);
+    stale_ = true;
+}
+
 std::vector<Contact> ContactSet::takeIdle(const Bodies& bodies) {
     std::vector<Contact> idle;
     std::size_t kept = 0;
@@ -193,7 +214,11 @@ void ContactSet::findPairs(const Bodies& bodies) {
     const auto accept = [&](std::uint32_t i, std::uint32_t j) {
         const std::uint32_t a = proxies_[i].body;
         const std::uint32_t b = proxies_[j].body;
-        return a != b && !(bodies.locked(a) && bodies.locked(b)) &&
+        const Flags flagsA = bodies.record[a].filter.flags;
+        const Flags flagsB = bodies.record[b].filter.flags;
+        const bool sensor = ((flagsA ^ flagsB) & kSensor) != 0; // one of them, not both
+        return a != b && (sensor || !(bodies.locked(a) && bodies.locked(b))) &&
+               (sensor || ((flagsA & flagsB) & kSensor) == 0) &&
                (bodies.active(a) || bodies.active(b)) &&
                shouldCollide(bodies.record[a].filter, bodies.record[b].filter) &&
                !std::binary_search(apart_.begin(), apart_.end(), std::pair(a, b));
@@ -235,6 +260,9 @@ void ContactSet::mergePairs(const Bodies& bodies) {
         }
         contact.proxyA = pair.first;
         contact.proxyB = pair.second;
+        contact.sensor = ((bodies.record[contact.key.bodyA].filter.flags |
+                           bodies.record[contact.key.bodyB].filter.flags) &
+                          kSensor) != 0;
         contact.material = mix(bodies.form(contact.key.bodyA).parts[contact.key.partA].material,
                                bodies.form(contact.key.bodyB).parts[contact.key.partB].material);
         contacts_.push_back(contact);
@@ -271,6 +299,11 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
 }
 
 void finishContact(Contact& contact, const Tolerances& tolerances) {
+    if (contact.sensor) {
+        contact.touching = contact.touching || (contact.manifold.count > 0 &&
+                                                contact.manifold.points[0].separation <= 0);
+        return;
+    }
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
         PointImpulse& impulse = contact.impulse[i];
         impulse.largest = std::max(impulse.largest, impulse.impact);

@@ -21,6 +21,8 @@ public:
     /// Forgets the contacts of one body. Those that touched end in the next record.
     void drop(std::uint32_t body);
 
+    /// A part of a body is about to go; those behind it move up by one.
+    void partRemoved(std::uint32_t body, std::size_t part);
     /// Some body fell asleep, woke up, or a locked one began or ceased to move.
     void activityChanged() { pairsStale_ = true; }
 

@@ -150,7 +150,7 @@ Real restSpeedOf(const Bodies& bodies, const Contact& contact, Real dt) {
 
 bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,
                  const Tolerances& tolerances, Real dt) {
-    if (contact.manifold.count == 0 || contact.material.restitution == 0) {
+    if (!contact.responds() || contact.material.restitution == 0) {
         return false;
     }
     const Impact hit{contact, bodies.motion[contact.key.bodyA], bodies.motion[contact.key.bodyB],

@@ -16,9 +16,12 @@ bool bounces(const Contact& contact, const StepSettings& settings) {
     return contact.material.restitution > 0 && settings.has(Feature::Restitution);
 }
 
-/// A body that rests has been woken if it touched. What does not touch it yet leaves it alone.
-bool atRest(const Bodies& bodies, const Contact& contact) {
-    return bodies.resting(contact.key.bodyA) || bodies.resting(contact.key.bodyB);
+/// A body that takes no part in the step is left alone: had it been touched, it would have woken.
+bool leftAlone(const Bodies& bodies, const Contact& contact) {
+    const auto idle = [&](std::uint32_t body) {
+        return !bodies.active(body) && !bodies.locked(body);
+    };
+    return idle(contact.key.bodyA) || idle(contact.key.bodyB);
 }
 
 RowMasses massesOf(const Bodies& bodies, const PropagationRow& row, bool frozenA, bool frozenB) {
@@ -60,7 +63,7 @@ void Propagation::predict(const Bodies& bodies, std::span<Contact> contacts,
                           const Prediction& prediction) {
     gaps_.resize(contacts.size());
     for (std::size_t k = 0; k < contacts.size(); ++k) {
-        if (!atRest(bodies, contacts[k])) {
+        if (!leftAlone(bodies, contacts[k])) {
             gaps_[k] = predictContact(contacts[k], bodies, prediction);
         }
     }
@@ -70,8 +73,8 @@ void Propagation::resolveCollisions(Bodies& bodies, std::span<Contact> contacts,
                                     Real h) {
     bouncing_.clear();
     for (std::size_t k = 0; k < contacts.size(); ++k) {
-        if (contacts[k].manifold.count > 0 && bounces(contacts[k], step.settings) &&
-            !atRest(bodies, contacts[k])) {
+        if (contacts[k].responds() && bounces(contacts[k], step.settings) &&
+            !leftAlone(bodies, contacts[k])) {
             bouncing_.push_back(static_cast<std::uint32_t>(k));
         }
     }
@@ -93,7 +96,7 @@ void Propagation::makeRows(const Bodies& bodies, std::span<Contact> contacts, co
     rows_.clear();
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         Contact& contact = contacts[k];
-        if (contact.manifold.count == 0 || atRest(bodies, contact)) {
+        if (!contact.responds() || leftAlone(bodies, contact)) {
             continue;
         }
         const bool touches = contact.manifold.points[0].separation <= step.tolerances.slop;
@@ -259,9 +262,9 @@ void Propagation::store(std::span<Contact> contacts) {
         Contact& contact = contacts[row.contact];
         contact.friction = row.friction;
         contact.rolling = row.rolling;
-        for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+        for (std::size_t i = 0; i < row.count; ++i) {
             PointImpulse& impulse = contact.impulse[i];
-            impulse.normal = row.points[i].impulse + row.points[i].shock;
+            impulse.normal = row.impulse[i] + row.shock[i];
             impulse.largest = std::max(impulse.largest, impulse.normal);
             contact.total += impulse.normal;
         }

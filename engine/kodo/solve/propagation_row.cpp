@@ -26,17 +26,75 @@ struct Pair {
     }
 };
 
-void solveNormal(PropagationRow& row, const Pair& pair, PropagationRow::Point& p, Real& sum,
-                 Real share, Real invH) {
-    const Real k = pair.masses.response(p.leverA, p.leverB);
-    if (!(k > 0)) { // nothing can move here: a hinge is hit straight towards its pin
-        return;
+/// How two points of a contact answer to impulses at each other, and what of them is wanted: the
+/// impulses x >= 0 with k x + speed >= 0, where one of the two is 0 at each point. Solved at once,
+/// so that a box that lies flat is not tilted by which corner comes first [Catto06].
+struct TwoPoints {
+    Real k11;
+    Real k12;
+    Real k22;
+
+    std::array<Real, 2> solve(Real speed1, Real speed2) const {
+        constexpr Real kSingular = sizeof(Real) == 4 ? Real(1e-5) : Real(1e-12);
+        const Real determinant = k11 * k22 - k12 * k12;
+        if (determinant > kSingular * k11 * k22) {
+            const Real x1 = (k12 * speed2 - k22 * speed1) / determinant;
+            const Real x2 = (k12 * speed1 - k11 * speed2) / determinant;
+            if (x1 >= 0 && x2 >= 0) {
+                return {x1, x2};
+            }
+        } else if (speed1 < 0 && speed2 < 0) { // cannot turn: both points are as one
+            const Real half = std::max(-speed1, -speed2) / (k11 + k22);
+            return {half, half};
+        }
+        const Real alone1 = std::max(-speed1 / k11, Real(0));
+        if (speed2 + k12 * alone1 >= 0) {
+            return {alone1, 0};
+        }
+        return {0, std::max(-speed2 / k22, Real(0))};
     }
-    const Real speed = pair.speed(row.normal, p.leverA, p.leverB) + std::max(p.gap, Real(0)) * invH;
-    const Real next = std::max(sum - share * speed / k, Real(0));
-    const Real change = next - sum;
-    sum = next;
-    pair.push(change * row.normal, change * p.leverA, change * p.leverB);
+};
+
+TwoPoints twoPoints(const PropagationRow& row, const RowMasses& m) {
+    const PropagationRow::Point& p = row.points[0];
+    const PropagationRow::Point& q = row.points[1];
+    return {m.response(p.leverA, p.leverB),
+            m.invMassA + m.invMassB + m.invInertiaA * p.leverA * q.leverA +
+                m.invInertiaB * p.leverB * q.leverB,
+            m.response(q.leverA, q.leverB)};
+}
+
+/// The sums that no point approaches with, from the speeds that it has with the sums so far. Speeds
+/// may be shifts as well; then the sums are kg m.
+std::array<Real, 2> wantedSums(const PropagationRow& row, const RowMasses& masses,
+                               const std::array<Real, 2>& speeds, const std::array<Real, 2>& sums) {
+    if (row.count == 1) {
+        const Real k = masses.response(row.points[0].leverA, row.points[0].leverB);
+        // Nothing can move where a hinged body is hit straight towards its pin.
+        return {k > 0 ? std::max(sums[0] - speeds[0] / k, Real(0)) : sums[0], 0};
+    }
+    const TwoPoints k = twoPoints(row, masses);
+    if (!(k.k11 > 0 && k.k22 > 0)) {
+        return sums;
+    }
+    return k.solve(speeds[0] - k.k11 * sums[0] - k.k12 * sums[1],
+                   speeds[1] - k.k12 * sums[0] - k.k22 * sums[1]);
+}
+
+void solveNormals(PropagationRow& row, const Pair& pair, std::array<Real, 2>& sums, Real share,
+                  Real invH) {
+    std::array<Real, 2> speeds{};
+    for (std::size_t i = 0; i < row.count; ++i) {
+        const PropagationRow::Point& p = row.points[i];
+        speeds[i] = pair.speed(row.normal, p.leverA, p.leverB) + std::max(p.gap, Real(0)) * invH;
+    }
+    const std::array<Real, 2> wanted = wantedSums(row, pair.masses, speeds, sums);
+    for (std::size_t i = 0; i < row.count; ++i) {
+        const PropagationRow::Point& p = row.points[i];
+        const Real change = share * (wanted[i] - sums[i]);
+        sums[i] += change;
+        pair.push(change * row.normal, change * p.leverA, change * p.leverB);
+    }
 }
 
 void solveFriction(PropagationRow& row, const Pair& pair) {
@@ -80,11 +138,7 @@ void solveTangents(PropagationRow& row, const Pair& pair) {
 } // namespace
 
 Real PropagationRow::load() const {
-    Real sum = 0;
-    for (int i = 0; i < count; ++i) {
-        sum += points[i].impulse + points[i].shock;
-    }
-    return sum;
+    return impulse[0] + impulse[1] + shock[0] + shock[1];
 }
 
 PropagationRow makeRow(const Contact& contact, std::uint32_t place) {
@@ -93,11 +147,11 @@ PropagationRow makeRow(const Contact& contact, std::uint32_t place) {
     row.a = contact.key.bodyA;
     row.b = contact.key.bodyB;
     row.contact = place;
-    row.count = manifold.count;
+    row.count = static_cast<std::size_t>(manifold.count);
     row.normal = manifold.normal;
     Vec2 meanA;
     Vec2 meanB;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+    for (std::size_t i = 0; i < row.count; ++i) {
         const ManifoldPoint& p = manifold.points[i];
         row.points[i].leverA = cross(p.armA, row.normal);
         row.points[i].leverB = cross(p.armB, row.normal);
@@ -124,17 +178,13 @@ Real rollingLever(const Contact& contact, const Motion& a, const Motion& b) {
 
 void solveRow(PropagationRow& row, Bodies& bodies, const RowMasses& masses, Real share, Real invH) {
     const Pair pair{bodies.motion[row.a], bodies.motion[row.b], masses};
-    for (int i = 0; i < row.count; ++i) {
-        solveNormal(row, pair, row.points[i], row.points[i].impulse, share, invH);
-    }
+    solveNormals(row, pair, row.impulse, share, invH);
     solveTangents(row, pair);
 }
 
 void shockRow(PropagationRow& row, Bodies& bodies, const RowMasses& masses, Real invH) {
     const Pair pair{bodies.motion[row.a], bodies.motion[row.b], masses};
-    for (int i = 0; i < row.count; ++i) {
-        solveNormal(row, pair, row.points[i], row.points[i].shock, 1, invH);
-    }
+    solveNormals(row, pair, row.shock, 1, invH);
     solveTangents(row, pair);
 }
 
@@ -142,23 +192,24 @@ void partRow(PropagationRow& row, std::vector<Parting>& parting, const RowMasses
              const PartingLimits& limits, bool shock) {
     Parting& a = parting[row.a];
     Parting& b = parting[row.b];
-    for (int i = 0; i < row.count; ++i) {
-        PropagationRow::Point& p = row.points[i];
-        const Real k = masses.response(p.leverA, p.leverB);
-        if (!(k > 0)) {
-            continue;
-        }
+    std::array<Real, 2>& sums = shock ? row.shockParting : row.parting;
+    std::array<Real, 2> missing{};
+    for (std::size_t i = 0; i < row.count; ++i) {
+        const PropagationRow::Point& p = row.points[i];
         const Real wanted = std::min(-limits.allowed - std::min(p.gap, Real(0)), limits.most);
         const Real moved = dot(row.normal, b.move - a.move) + p.leverB * b.turn - p.leverA * a.turn;
-        Real& sum = shock ? p.shockParting : p.parting;
-        const Real next = std::max(sum + (wanted - moved) / k, Real(0));
-        const Real change = next - sum;
-        sum = next;
+        missing[i] = moved - wanted;
+    }
+    const std::array<Real, 2> next = wantedSums(row, masses, missing, sums);
+    for (std::size_t i = 0; i < row.count; ++i) {
+        const PropagationRow::Point& p = row.points[i];
+        const Real change = next[i] - sums[i];
         a.move -= change * masses.invMassA * row.normal;
         a.turn -= change * masses.invInertiaA * p.leverA;
         b.move += change * masses.invMassB * row.normal;
         b.turn += change * masses.invInertiaB * p.leverB;
     }
+    sums = next;
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -4,6 +4,7 @@
 #include <kodo/bodies/bodies.hpp>
 #include <kodo/contacts/contact.hpp>
 
+#include <array>
 #include <vector>
 
 namespace kodo::inline KODO_PRECISION {
@@ -13,19 +14,19 @@ struct PropagationRow {
     std::uint32_t a;
     std::uint32_t b;
     std::uint32_t contact; // place in the list it came from
-    int count;
+    std::size_t count;     // of points, 1 or 2
     Vec2 normal;
     struct Point {
-        Real leverA;       // cross(armA, normal)
-        Real leverB;       //
-        Real gap;          // m, at the start of the part; < 0 in overlap
-        Real impulse;      // N s, by contact passes, >= 0
-        Real shock;        // N s, by shock passes, >= 0
-        Real parting;      // kg m, by separation, >= 0
-        Real shockParting; // kg m, by separation level by level, >= 0
+        Real leverA; // cross(armA, normal)
+        Real leverB; // cross(armB, normal)
+        Real gap;    // m, at the start of the part; < 0 in overlap
     };
     Point points[2];
-    Real tangentLeverA; // of both points' mean, since they share one friction
+    std::array<Real, 2> impulse;      // N s, by point, of contact passes, >= 0
+    std::array<Real, 2> shock;        // N s, of shock passes, >= 0
+    std::array<Real, 2> parting;      // kg m, of separation, >= 0
+    std::array<Real, 2> shockParting; // kg m, of separation level by level, >= 0
+    Real tangentLeverA;               // of both points' mean, since they share one friction
     Real tangentLeverB;
     Real friction; // N s so far
     Real staticFriction;

@@ -75,8 +75,7 @@ void RestStage::disturb(Bodies& bodies, ContactSet& contacts, std::uint32_t body
 void RestStage::wakeTouched(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances) {
     for (std::size_t i = 0; i < contacts.contacts().size(); ++i) {
         const Contact& contact = contacts.contacts()[i];
-        if (contact.manifold.count == 0 ||
-            contact.manifold.points[0].separation > tolerances.slop) {
+        if (!contact.responds() || contact.manifold.points[0].separation > tolerances.slop) {
             continue;
         }
         for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
@@ -147,7 +146,8 @@ void RestStage::joinTouching(const Bodies& bodies, const ContactSet& contacts,
     };
     for (const Contact& contact : contacts.contacts()) {
         const ContactKey& key = contact.key;
-        if (contact.touching && bodies.active(key.bodyA) && bodies.active(key.bodyB)) {
+        if (contact.touching && !contact.sensor && bodies.active(key.bodyA) &&
+            bodies.active(key.bodyB)) {
             // A locked body that moves joins what it carries: none of it rests meanwhile.
             join(key.bodyA, key.bodyB);
         }

@@ -77,7 +77,7 @@ void addRolling(ContactRow& row, const Bodies& bodies, const Contact& contact) {
 /// A row is needed once the bodies are near enough to touch within the step. Those that bounce must
 /// not be braked before they touch, or they would lose the speed they bounce with.
 bool needsRow(const Contact& contact, const StepSettings& settings, const Tolerances& tolerances) {
-    if (contact.manifold.count == 0) {
+    if (!contact.responds()) {
         return false;
     }
     const bool bounces = contact.material.restitution > 0 && settings.has(Feature::Restitution);

@@ -31,7 +31,7 @@ bool worthSweeping(const Bodies& bodies, const Contact& contact, const StepSetti
         return false;
     }
     const bool bounces = contact.material.restitution > 0 && settings.has(Feature::Restitution);
-    return bounces || motion > std::min(shapeA.inside, shapeB.inside) / 2;
+    return bounces || contact.sensor || motion > std::min(shapeA.inside, shapeB.inside) / 2;
 }
 
 Sweep sweepOf(const Bodies& bodies, std::uint32_t body, Real stopAt) {
@@ -60,18 +60,37 @@ void stop(Bodies& bodies, std::uint32_t body, Real share, Real dt) {
 
 } // namespace
 
-void SweepStage::run(Bodies& bodies, std::span<const Contact> contacts,
-                     const StepSettings& settings, const Tolerances& tolerances, Real dt) {
+void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
+                     const Tolerances& tolerances, Real dt) {
     candidates_.clear();
+    bool sensors = false;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         if (worthSweeping(bodies, contacts[i], settings, tolerances)) {
-            candidates_.push_back({static_cast<std::uint32_t>(i), 0, false});
+            sensors = sensors || contacts[i].sensor;
+            if (!contacts[i].sensor) {
+                candidates_.push_back({static_cast<std::uint32_t>(i), 0, false});
+            }
         }
     }
-    if (candidates_.empty()) {
+    if (candidates_.empty() && !sensors) {
         return;
     }
     stopAt_.assign(bodies.size(), 1);
+    stopInOrder(bodies, contacts, tolerances);
+    if (sensors) {
+        noticeSensors(bodies, contacts, settings, tolerances);
+    }
+    for (const std::uint32_t body : bodies.awake) {
+        if (stopAt_[body] < 1) {
+            stop(bodies, body, stopAt_[body], dt);
+        }
+    }
+}
+
+/// Takes the impacts in the order of their time. Each changes the way of its two bodies, so the
+/// later impacts of these are found anew.
+void SweepStage::stopInOrder(const Bodies& bodies, std::span<const Contact> contacts,
+                             const Tolerances& tolerances) {
     for (Candidate& candidate : candidates_) {
         candidate.time = impactTime(bodies, contacts[candidate.contact], stopAt_, tolerances);
     }
@@ -84,7 +103,7 @@ void SweepStage::run(Bodies& bodies, std::span<const Contact> contacts,
             }
         }
         if (first == nullptr) {
-            break;
+            return;
         }
         first->done = true;
         const ContactKey& key = contacts[first->contact].key;
@@ -102,9 +121,13 @@ void SweepStage::run(Bodies& bodies, std::span<const Contact> contacts,
             }
         }
     }
-    for (const std::uint32_t body : bodies.awake) {
-        if (stopAt_[body] < 1) {
-            stop(bodies, body, stopAt_[body], dt);
+}
+
+void SweepStage::noticeSensors(const Bodies& bodies, std::span<Contact> contacts,
+                               const StepSettings& settings, const Tolerances& tolerances) {
+    for (Contact& contact : contacts) {
+        if (contact.sensor && worthSweeping(bodies, contact, settings, tolerances)) {
+            contact.touching = impactTime(bodies, contact, stopAt_, tolerances) < 1;
         }
     }
 }

@@ -15,11 +15,13 @@ namespace kodo::inline KODO_PRECISION {
 /// anything, however fast and thin. A pair is looked at when its motion could close its gap, and it
 /// bounces or moves by more than half of the thinner one's inner radius.
 ///
+/// Sensors stop nothing; one that was passed through within the step is marked as touched.
+///
 /// A body that is stopped keeps the velocity it had at that moment and gives up the rest of its
 /// step; the blow itself is dealt in the next one. Impacts are taken in the order of their time.
 class SweepStage {
 public:
-    void run(Bodies& bodies, std::span<const Contact> contacts, const StepSettings& settings,
+    void run(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
              const Tolerances& tolerances, Real dt);
 
 private:
@@ -28,6 +30,11 @@ private:
         Real time; // share of the step
         bool done;
     };
+
+    void stopInOrder(const Bodies& bodies, std::span<const Contact> contacts,
+                     const Tolerances& tolerances);
+    void noticeSensors(const Bodies& bodies, std::span<Contact> contacts,
+                       const StepSettings& settings, const Tolerances& tolerances);
 
     std::vector<Candidate> candidates_;
     std::vector<Real> stopAt_; // by body

@@ -3,16 +3,6 @@
 #include <kodo/world/world.hpp>
 
 namespace kodo::inline KODO_PRECISION {
-namespace {
-
-void refuse(const std::optional<Problem>& problem) {
-    if (problem) {
-        throw BadDefinition(*problem);
-    }
-}
-
-} // namespace
-
 BodyView::BodyView(const World& world, BodyId id) : world_(&world), id_(id) {
     world.requireAlive(id);
 }
@@ -68,11 +58,7 @@ const Transform& BodyView::placement() const {
 }
 
 Aabb BodyView::bounds() const {
-    Aabb box = boundsOf(part(0).convex, placement());
-    for (std::size_t i = 1; i < partCount(); ++i) {
-        box = unite(box, boundsOf(part(i).convex, placement()));
-    }
-    return box;
+    return boundsOfBody(bodies(), index());
 }
 
 bool BodyView::contains(Vec2 point) const {
@@ -94,6 +80,15 @@ void BodyRef::changed() {
     world_->rest_.disturb(world_->bodies_, world_->contacts_, index());
     world_->contacts_.bodiesChanged();
     world_->bodies_.awakeStale = true;
+}
+
+void BodyRef::thaw() {
+    Flags& flags = world_->bodies_.record[index()].filter.flags;
+    if ((flags & kFrozen) != 0) {
+        flags &= ~kFrozen;
+        refreshMass(world_->bodies_, index());
+        changed();
+    }
 }
 
 void BodyRef::pushed() {
@@ -119,6 +114,7 @@ void BodyRef::setRotation(Rot rotation) {
 
 void BodyRef::setVelocity(Vec2 velocity) {
     refuse(checkVelocity("velocity", velocity));
+    thaw();
     motion().velocity = velocity;
     pushed();
 }
@@ -184,6 +180,11 @@ void BodyRef::applyImpulse(Vec2 impulse, Vec2 point) {
 }
 
 void BodyRef::setFlags(Flags flags) {
+    for (std::size_t i = 0; i < partCount(); ++i) {
+        if (needsLock(part(i).primitive) && (flags & kLocked) != kLocked) {
+            throw BadDefinition({"flags", "must have kLocked for a plane or a heightmap"});
+        }
+    }
     changed();
     Flags& own = world_->bodies_.record[index()].filter.flags;
     own = (flags & ~kStatusFlags) | (own & kStatusFlags);

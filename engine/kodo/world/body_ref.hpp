@@ -75,7 +75,8 @@ public:
 private:
     Motion& motion();
     void changed(); // its place, build or filter: contacts and what leans on it must know
-    void pushed();  // its velocity or forces
+    void thaw();
+    void pushed(); // its velocity or forces
 
     World* world_;
 };

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/base/hash.hpp>
-#include <kodo/bodies/integrate.hpp>
-#include <kodo/solve/impact.hpp>
 #include <kodo/world/world.hpp>
 
 #include <algorithm>
 #include <string>
-#include <tuple>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -17,9 +13,9 @@ bool sameBuild(const std::vector<Part>& a, const std::vector<Part>& b) {
     });
 }
 
-void refuse(const std::optional<Problem>& problem) {
-    if (problem) {
-        throw BadDefinition(*problem);
+void refuseUnlocked(const Primitive& shape, Flags flags) {
+    if (needsLock(shape) && (flags & kLocked) != kLocked) {
+        throw BadDefinition({"flags", "must have kLocked for a plane or a heightmap"});
     }
 }
 
@@ -113,6 +109,9 @@ std::size_t World::weld(BodyId into, BodyId part) {
     if (into == part) {
         throw BadDefinition({"part", "is the body that it is to be welded to"});
     }
+    for (const Part& added : bodies_.form(part.index).parts) {
+        refuseUnlocked(added.primitive, bodies_.record[into.index].filter.flags);
+    }
     rest_.disturb(bodies_, contacts_, into.index);
     const std::size_t firstPart = bodies_.form(into.index).parts.size();
     const Transform frame{bodies_.originOf(into.index), bodies_.pose[into.index].rotation};
@@ -190,6 +189,41 @@ void World::setFields(std::vector<FieldEntry> fields) {
     rest_.wakeAll(bodies_, contacts_);
 }
 
+std::size_t World::weld(BodyId into, const Primitive& shape, const Material& material,
+                        Real density) {
+    requireAlive(into);
+    refuse(check(shape));
+    refuse(check(material));
+    refuse(checkRange("density", density, kLowestDensity, kHighestDensity));
+    refuseUnlocked(shape, bodies_.record[into.index].filter.flags);
+    rest_.disturb(bodies_, contacts_, into.index);
+    std::vector<Part> parts = bodies_.form(into.index).parts;
+    parts.push_back({shape, material, density});
+    const Vec2 center = bodies_.pose[into.index].position;
+    setForm(bodies_, into.index, makeForm(std::move(parts)));
+    Motion& motion = bodies_.motion[into.index];
+    motion.velocity = velocityAt(motion, bodies_.pose[into.index].position - center);
+    contacts_.bodiesChanged();
+    return bodies_.form(into.index).parts.size() - 1;
+}
+
+BodyId World::unweld(BodyId body, std::size_t part, Flags flags) {
+    requireAlive(body);
+    const std::vector<Part>& parts = bodies_.form(body.index).parts;
+    if (part >= parts.size() || parts.size() == 1) {
+        throw BadDefinition({"part", "is " + std::to_string(part) + ", but the body has " +
+                                         std::to_string(parts.size()) +
+                                         " parts, of which one must stay"});
+    }
+    refuseUnlocked(parts[part].primitive, flags);
+    rest_.disturb(bodies_, contacts_, body.index);
+    contacts_.partRemoved(body.index, part);
+    const BodyId freed = unweldPart(bodies_, body.index, part, flags & ~kStatusFlags);
+    contacts_.bodiesChanged();
+    ++count_;
+    return freed;
+}
+
 void World::applyForceToAll(Vec2 force, CollisionFilter which) {
     for (const BodyId id : bodies()) {
         if (accepts(which, bodies_.record[id.index].filter.flags)) {
@@ -211,131 +245,20 @@ void World::setSettings(const StepSettings& settings) {
     settings_ = settings;
 }
 
-void World::step(Real dt) {
-    refuse(checkRange("dt", dt, kShortestStep, kLongestStep));
-    if (refreshAwake(bodies_) && rest_.anyResting()) {
-        contacts_.activityChanged();
+void World::setRegion(std::optional<Aabb> region) {
+    if (region && !(region->lower.x <= region->upper.x && region->lower.y <= region->upper.y)) {
+        throw BadDefinition({"region", "must have its lower corner below and left of its upper"});
     }
-    beginMotion(bodies_);
-    contacts_.updatePairs(bodies_, tolerances_, dt);
-    contacts_.updateManifolds(bodies_, tolerances_);
-    rest_.wakeTouched(bodies_, contacts_, tolerances_);
-    rest_.wakeJointed(bodies_, contacts_, joints_);
-    refreshAwake(bodies_);
-    gatherAccelerations(bodies_, fields_, dt);
-    solve(dt);
-    if (settings_.has(Feature::Sweep)) {
-        contacts_.coverMoves(bodies_, tolerances_);
-        sweep_.run(bodies_, contacts_.contacts(), settings_, tolerances_, dt);
-    }
-    movePoses(bodies_);
-    recordCollisions();
-    breakJoints(dt);
-    rest_.settle(bodies_, contacts_, joints_, settings_, tolerances_, dt);
-    ++stepCount_;
-}
-
-void World::solve(Real dt) {
-    const std::span<Contact> contacts = contacts_.contacts();
-    if (settings_.strategy == Strategy::Propagation) {
-        propagation_.solve(bodies_, contacts, joints_, {settings_, tolerances_, dt, stepCount_});
-        contactVisits_ = propagation_.visits();
-        return;
-    }
-    solveImpacts(bodies_, contacts, settings_, tolerances_, dt);
-    softStep_.solve(bodies_, contacts, joints_, settings_, tolerances_, dt);
-    contactVisits_ = 2 * softStep_.rowCount() * static_cast<std::size_t>(settings_.substeps);
-}
-
-void World::breakJoints(Real dt) {
-    const std::span<const BrokenJoint> broken = joints_.endStep(dt);
-    broken_.assign(broken.begin(), broken.end());
-    if (!broken_.empty()) {
-        contacts_.setApart(joints_.apart());
-    }
-}
-
-void World::recordCollisions() {
-    records_.clear();
-    for (const std::uint32_t body : bodies_.awake) {
-        bodies_.record[body].filter.flags &= ~kColliding;
-    }
-    const bool wanted = settings_.has(Feature::Records);
-    for (Contact& contact : contacts_.contacts()) {
-        finishContact(contact, tolerances_);
-        if (wanted) {
-            recordContact(contact, records_);
-        }
-        contact.wasTouching = contact.touching;
-        if (contact.touching) {
-            bodies_.record[contact.key.bodyA].filter.flags |= kColliding;
-            bodies_.record[contact.key.bodyB].filter.flags |= kColliding;
+    region_ = region;
+    for (std::uint32_t body = 0; body < bodies_.size(); ++body) {
+        if (bodies_.ids.aliveAt(body)) {
+            Flags& flags = bodies_.record[body].filter.flags;
+            const bool inside = !region || overlap(*region, boundsOfBody(bodies_, body));
+            flags = inside ? flags & ~kOutside : flags | kOutside;
         }
     }
-    const std::span<const CollisionRecord> ended = contacts_.ended();
-    if (wanted && !ended.empty()) {
-        records_.insert(records_.end(), ended.begin(), ended.end());
-        const auto key = [](const CollisionRecord& r) {
-            return std::tie(r.a, r.partA, r.b, r.partB, r.phase);
-        };
-        std::sort(records_.begin(), records_.end(), // total order: a pair has one record, or an End
-                  [&](const CollisionRecord& r, const CollisionRecord& s) { // and a new Begin
-                      return key(r) < key(s);
-                  });
-    }
-    contacts_.clearEnded();
-}
-
-std::uint64_t World::stateHash() const {
-    StateHash hash;
-    hash.add(stepCount_);
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        hash.add(bodies_.ids.generationAt(i));
-        if (!bodies_.ids.aliveAt(i)) {
-            continue;
-        }
-        const Motion& motion = bodies_.motion[i];
-        const Transform& pose = bodies_.pose[i];
-        const BodyRecord& record = bodies_.record[i];
-        for (const Real value :
-             {pose.position.x, pose.position.y, pose.rotation.c, pose.rotation.s, motion.velocity.x,
-              motion.velocity.y, motion.angularVelocity, motion.invMass, motion.invInertia,
-              record.force.x, record.force.y, record.torque}) {
-            hash.add(value);
-        }
-        hash.add(bodies_.rest[i].calmSteps);
-        hash.add(record.filter.flags);
-        hash.add(record.filter.required);
-        hash.add(static_cast<std::uint32_t>(record.form->parts.size()));
-    }
-    const auto addContact = [&](const Contact& contact) {
-        if (!contact.wasTouching) {
-            return;
-        }
-        hash.add(contact.key.bodyA);
-        hash.add(contact.key.partA);
-        hash.add(contact.key.bodyB);
-        hash.add(contact.key.partB);
-        for (const Real value : {contact.impulse[0].normal, contact.impulse[1].normal,
-                                 contact.friction, contact.rolling}) {
-            hash.add(value);
-        }
-    };
-    for (const Contact& contact : contacts_.contacts()) {
-        addContact(contact);
-    }
-    rest_.forEachContact(addContact);
-    joints_.forEach([&](const JointSet::Joint& joint) {
-        hash.add(static_cast<std::uint32_t>(joint.def.index()));
-        hash.add(firstBody(joint.def).index);
-        hash.add(secondBody(joint.def).index);
-        hash.add(joint.point.x);
-        hash.add(joint.point.y);
-        for (const Real impulse : joint.axes) {
-            hash.add(impulse);
-        }
-    });
-    return hash.value();
+    bodies_.awakeStale = true;
+    contacts_.activityChanged();
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -11,6 +11,7 @@
 #include <kodo/solve/sweep.hpp>
 #include <kodo/world/body_ref.hpp>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -47,6 +48,11 @@ public:
     /// dies. Mass, centre, inertia, momentum and angular momentum of the pair are kept; a locked
     /// `into` stays locked. Returns the index of the first part added.
     std::size_t weld(BodyId into, BodyId part);
+    /// The same with a shape in the frame of `into`'s shape, at the speed of `into`.
+    std::size_t weld(BodyId into, const Primitive& shape, const Material& material, Real density);
+    /// Takes part `part` off again, as a body of its own with these flags; the parts behind it move
+    /// up by one. Momentum and angular momentum are kept.
+    BodyId unweld(BodyId body, std::size_t part, Flags flags = 0);
 
     /// Throws BadDefinition with what check(def) says, or if a body of it is not alive.
     JointId add(const JointDef& def);
@@ -76,6 +82,15 @@ public:
     /// whatever is added, removed or welded meanwhile.
     std::span<const CollisionRecord> collisions() const { return records_; }
 
+    /// Only bodies whose bounds meet the region take part in steps; the others wait where they are.
+    /// Nothing: all do.
+    void setRegion(std::optional<Aabb> region);
+    const std::optional<Aabb>& region() const { return region_; }
+
+    /// Bodies that the last step had to stop, since a force made them faster than kHighestSpeed or
+    /// not finite. They stand where they were, as if locked, until setVelocity frees them.
+    std::span<const BodyId> frozenBodies() const { return frozen_; }
+
     const StepSettings& settings() const { return settings_; }
     void setSettings(const StepSettings& settings);
     const Tolerances& tolerances() const { return tolerances_; }
@@ -98,6 +113,9 @@ private:
     void solve(Real dt);
     void recordCollisions();
     void breakJoints(Real dt);
+    void findAwake();
+    void freezeUnsoundForces();
+    void freezeUnsoundMotion();
 
     StepSettings settings_;
     Tolerances tolerances_;
@@ -113,6 +131,8 @@ private:
     RestStage rest_;
     JointSet joints_;
     std::vector<BrokenJoint> broken_;
+    std::vector<BodyId> frozen_;
+    std::optional<Aabb> region_;
     std::vector<CollisionRecord> records_;
     std::shared_ptr<const Form> lastForm_; // equal bodies are usually added in a row
 };

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/collide/faces.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+struct Edge {
+    Vec2 start;
+    Vec2 end;
+};
+
+/// Cuts away what lies beyond `limit` along `axis`. Nothing is left when both ends do.
+bool clip(Edge& edge, Vec2 axis, Real limit) {
+    const Real start = dot(axis, edge.start) - limit;
+    const Real end = dot(axis, edge.end) - limit;
+    if (start > 0 && end > 0) {
+        return false;
+    }
+    if (start > 0) {
+        edge.start += (start / (start - end)) * (edge.end - edge.start);
+    } else if (end > 0) {
+        edge.end += (end / (end - start)) * (edge.start - edge.end);
+    }
+    return true;
+}
+
+Manifold collideEnds(const Convex& shapeA, const Transform& a, const Transform& b,
+                     const EndAxis& axis) {
+    Manifold manifold;
+    manifold.normal = a.rotation * axis.axis;
+    const Vec2 point = shapeA.vertices[axis.end] + (axis.separation / 2) * axis.axis;
+    const auto feature = static_cast<std::uint32_t>(1u << 30 | axis.end);
+    add(manifold, {point, axis.separation, feature}, a, b);
+    return manifold;
+}
+
+/// Lines against lines, as far as their ends alone decide. True if they do.
+bool endsDecide(const Convex& shapeA, const Transform& a, const Convex& shapeB, const Transform& b,
+                Real margin, Real least, Manifold& manifold) {
+    const EndAxis endA = beyondEnd(shapeA, shapeB, between(a, b));
+    const EndAxis endB = beyondEnd(shapeB, shapeA, between(b, a));
+    if (std::max(endA.separation, endB.separation) <= std::max(least, Real(0))) {
+        return false;
+    }
+    if (endA.separation > margin || endB.separation > margin) {
+        return true;
+    }
+    manifold = endA.separation >= endB.separation ? collideEnds(shapeA, a, b, endA)
+                                                  : swapped(collideEnds(shapeB, b, a, endB));
+    return true;
+}
+
+} // namespace
+
+void add(Manifold& manifold, const LocalPoint& local, const Transform& a, const Transform& b) {
+    const Vec2 armA = a.rotation * local.point;
+    manifold.points[static_cast<std::size_t>(manifold.count)] = {
+        armA, armA + (a.position - b.position), local.separation, local.feature};
+    ++manifold.count;
+}
+
+Manifold swapped(Manifold manifold) {
+    manifold.normal = -manifold.normal;
+    for (ManifoldPoint& point : manifold.points) {
+        std::swap(point.armA, point.armB);
+    }
+    return manifold;
+}
+
+std::size_t incidentEdge(const Convex& b, std::size_t vertex, Vec2 normalInB) {
+    const std::size_t n = b.vertices.size();
+    const std::size_t before = (vertex + n - 1) % n;
+    return dot(b.normals[before], normalInB) < dot(b.normals[vertex], normalInB) ? before : vertex;
+}
+
+Manifold clipAgainstFace(const Convex& shapeA, const Transform& a, const Convex& shapeB,
+                         const Transform& b, const FaceAxis& axis, Real margin, BeyondEnds beyond) {
+    const Transform ab = between(a, b);
+    const Vec2 normal = shapeA.normals[axis.face];
+    const std::size_t other = incidentEdge(shapeB, axis.support, unrotate(ab.rotation, normal));
+    const std::size_t n = shapeB.vertices.size();
+    // The facing edge runs against the reference edge, so its end lies at the reference's start.
+    Edge edge{ab * shapeB.vertices[(other + 1) % n], ab * shapeB.vertices[other]};
+
+    const Vec2 first = shapeA.vertices[axis.face];
+    const Vec2 second = shapeA.vertices[(axis.face + 1) % shapeA.vertices.size()];
+    const Vec2 along = perp(normal);
+    Manifold manifold;
+    const bool left = clip(edge, -along, -dot(along, first));
+    if (!left || !clip(edge, along, dot(along, second))) {
+        if (beyond == BeyondEnds::Nothing) {
+            return manifold;
+        }
+        edge = {ab * shapeB.vertices[axis.support], ab * shapeB.vertices[axis.support]};
+    }
+    manifold.normal = a.rotation * normal;
+    const std::uint32_t feature = static_cast<std::uint32_t>(axis.face << 12 | other << 1);
+    const Real height = dot(normal, first);
+    LocalPoint points[2] = {{edge.start, dot(normal, edge.start) - height, feature},
+                            {edge.end, dot(normal, edge.end) - height, feature + 1}};
+    if (points[1].separation < points[0].separation) {
+        std::swap(points[0], points[1]);
+    }
+    for (LocalPoint& p : points) {
+        const bool same = manifold.count > 0 && p.point == points[0].point;
+        if (p.separation <= margin && !same) {
+            p.point -= (p.separation / 2) * normal;
+            add(manifold, p, a, b);
+        }
+    }
+    return manifold;
+}
+
+Manifold clipAgainstFaceOfB(const Convex& shapeA, const Transform& a, const Convex& shapeB,
+                            const Transform& b, const FaceAxis& axis, Real margin) {
+    Manifold manifold = swapped(clipAgainstFace(shapeB, b, shapeA, a, axis, margin));
+    for (ManifoldPoint& point : manifold.points) {
+        point.feature |= 1u << 31;
+    }
+    return manifold;
+}
+
+Manifold collideFaces(const Convex& shapeA, const Transform& a, const Convex& shapeB,
+                      const Transform& b, Real margin, Real preference) {
+    const FaceAxis faceA = leastPenetratingFace(shapeA, shapeB, between(a, b), margin);
+    if (faceA.separation > margin) {
+        return {};
+    }
+    const FaceAxis faceB = leastPenetratingFace(shapeB, shapeA, between(b, a), margin);
+    if (faceB.separation > margin) {
+        return {};
+    }
+    if (shapeA.isLine() && shapeB.isLine()) {
+        const Real least = std::max(faceA.separation, faceB.separation) + preference;
+        Manifold manifold;
+        if (endsDecide(shapeA, a, shapeB, b, margin, least, manifold)) {
+            return manifold;
+        }
+    }
+    if (faceB.separation > faceA.separation + preference) {
+        return clipAgainstFaceOfB(shapeA, a, shapeB, b, faceB, margin);
+    }
+    return clipAgainstFace(shapeA, a, shapeB, b, faceA, margin);
+}
+
+EndAxis beyondEnd(const Convex& a, const Convex& b, const Transform& ab) {
+    const Vec2 along = -perp(a.normals[1]);
+    Real low = dot(along, ab * b.vertices[0]);
+    Real high = low;
+    for (const Vec2 vertex : b.vertices) {
+        const Real at = dot(along, ab * vertex);
+        low = std::min(low, at);
+        high = std::max(high, at);
+    }
+    const Real beforeStart = dot(along, a.vertices[0]) - high;
+    const Real pastEnd = low - dot(along, a.vertices[1]);
+    return beforeStart >= pastEnd ? EndAxis{-along, beforeStart, 0} : EndAxis{along, pastEnd, 1};
+}
+
+} // namespace kodo::inline KODO_PRECISION

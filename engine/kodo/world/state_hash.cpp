@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/base/hash.hpp>
+#include <kodo/world/world.hpp>
+
+namespace kodo::inline KODO_PRECISION {
+
+std::uint64_t World::stateHash() const {
+    StateHash hash;
+    hash.add(stepCount_);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        hash.add(bodies_.ids.generationAt(i));
+        if (!bodies_.ids.aliveAt(i)) {
+            continue;
+        }
+        const Motion& motion = bodies_.motion[i];
+        const Transform& pose = bodies_.pose[i];
+        const BodyRecord& record = bodies_.record[i];
+        for (const Real value :
+             {pose.position.x, pose.position.y, pose.rotation.c, pose.rotation.s, motion.velocity.x,
+              motion.velocity.y, motion.angularVelocity, motion.invMass, motion.invInertia,
+              record.force.x, record.force.y, record.torque}) {
+            hash.add(value);
+        }
+        hash.add(bodies_.rest[i].calmSteps);
+        hash.add(record.filter.flags);
+        hash.add(record.filter.required);
+        hash.add(static_cast<std::uint32_t>(record.form->parts.size()));
+    }
+    const auto addContact = [&](const Contact& contact) {
+        if (!contact.wasTouching) {
+            return;
+        }
+        hash.add(contact.key.bodyA);
+        hash.add(contact.key.partA);
+        hash.add(contact.key.bodyB);
+        hash.add(contact.key.partB);
+        for (const Real value : {contact.impulse[0].normal, contact.impulse[1].normal,
+                                 contact.friction, contact.rolling}) {
+            hash.add(value);
+        }
+    };
+    for (const Contact& contact : contacts_.contacts()) {
+        addContact(contact);
+    }
+    rest_.forEachContact(addContact);
+    joints_.forEach([&](const JointSet::Joint& joint) {
+        hash.add(static_cast<std::uint32_t>(joint.def.index()));
+        hash.add(firstBody(joint.def).index);
+        hash.add(secondBody(joint.def).index);
+        hash.add(joint.point.x);
+        hash.add(joint.point.y);
+        for (const Real impulse : joint.axes) {
+            hash.add(impulse);
+        }
+    });
+    return hash.value();
+}
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/bodies/integrate.hpp>
+#include <kodo/solve/impact.hpp>
+#include <kodo/world/world.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace kodo::inline KODO_PRECISION {
+
+void World::step(Real dt) {
+    refuse(checkRange("dt", dt, kShortestStep, kLongestStep));
+    findAwake();
+    beginMotion(bodies_);
+    contacts_.updatePairs(bodies_, tolerances_, dt);
+    contacts_.updateManifolds(bodies_, tolerances_);
+    rest_.wakeTouched(bodies_, contacts_, tolerances_);
+    rest_.wakeJointed(bodies_, contacts_, joints_);
+    refreshAwake(bodies_);
+    gatherAccelerations(bodies_, fields_, dt);
+    freezeUnsoundForces();
+    solve(dt);
+    if (settings_.has(Feature::Sweep)) {
+        contacts_.coverMoves(bodies_, tolerances_);
+        sweep_.run(bodies_, contacts_.contacts(), settings_, tolerances_, dt);
+    }
+    freezeUnsoundMotion();
+    movePoses(bodies_);
+    recordCollisions();
+    breakJoints(dt);
+    rest_.settle(bodies_, contacts_, joints_, settings_, tolerances_, dt);
+    ++stepCount_;
+}
+
+void World::solve(Real dt) {
+    const std::span<Contact> contacts = contacts_.contacts();
+    if (settings_.strategy == Strategy::Propagation) {
+        propagation_.solve(bodies_, contacts, joints_, {settings_, tolerances_, dt, stepCount_});
+        contactVisits_ = propagation_.visits();
+        return;
+    }
+    solveImpacts(bodies_, contacts, settings_, tolerances_, dt);
+    softStep_.solve(bodies_, contacts, joints_, settings_, tolerances_, dt);
+    contactVisits_ = 2 * softStep_.rowCount() * static_cast<std::size_t>(settings_.substeps);
+}
+
+/// Bodies that have left the region wait, and those that it has reached go on.
+void World::findAwake() {
+    if (region_) {
+        for (const std::uint32_t body : bodies_.awake) {
+            if (bodies_.ids.aliveAt(body) && !overlap(*region_, boundsOfBody(bodies_, body))) {
+                bodies_.record[body].filter.flags |= kOutside;
+            }
+        }
+    }
+    if (refreshAwake(bodies_) && (rest_.anyResting() || region_)) {
+        contacts_.activityChanged();
+    }
+}
+
+void World::freezeUnsoundForces() {
+    frozen_.clear();
+    for (const std::uint32_t body : bodies_.awake) {
+        if (!isSound(bodies_.acceleration[body])) {
+            freeze(bodies_, body);
+            frozen_.push_back(bodies_.idAt(body));
+        }
+    }
+}
+
+/// What a body that became unsound did to its neighbours within the step cannot be told apart any
+/// more, so they stop with it, but are free to go on from there.
+void World::freezeUnsoundMotion() {
+    for (const std::uint32_t body : bodies_.awake) {
+        Motion& motion = bodies_.motion[body];
+        if (isSound(motion)) {
+            continue;
+        }
+        const bool tooFast =
+            std::isfinite(lengthSquared(motion.velocity)) && std::isfinite(motion.angularVelocity);
+        if (tooFast) {
+            freeze(bodies_, body);
+        }
+        motion.velocity = {};
+        motion.angularVelocity = 0;
+        motion.move = {};
+        motion.turn = 0;
+        frozen_.push_back(bodies_.idAt(body));
+    }
+}
+
+void World::breakJoints(Real dt) {
+    const std::span<const BrokenJoint> broken = joints_.endStep(dt);
+    broken_.assign(broken.begin(), broken.end());
+    if (!broken_.empty()) {
+        contacts_.setApart(joints_.apart());
+    }
+}
+
+void World::recordCollisions() {
+    records_.clear();
+    for (const std::uint32_t body : bodies_.awake) {
+        bodies_.record[body].filter.flags &= ~kColliding;
+    }
+    const bool wanted = settings_.has(Feature::Records);
+    for (Contact& contact : contacts_.contacts()) {
+        finishContact(contact, tolerances_);
+        if (wanted) {
+            recordContact(contact, records_);
+        }
+        contact.wasTouching = contact.touching;
+        if (contact.touching) {
+            bodies_.record[contact.key.bodyA].filter.flags |= kColliding;
+            bodies_.record[contact.key.bodyB].filter.flags |= kColliding;
+        }
+    }
+    const std::span<const CollisionRecord> ended = contacts_.ended();
+    if (wanted && !ended.empty()) {
+        records_.insert(records_.end(), ended.begin(), ended.end());
+        const auto key = [](const CollisionRecord& r) {
+            return std::tie(r.a, r.partA, r.b, r.partB, r.phase);
+        };
+        std::sort(records_.begin(), records_.end(), // total order: a pair has one record, or an End
+                  [&](const CollisionRecord& r, const CollisionRecord& s) { // and a new Begin
+                      return key(r) < key(s);
+                  });
+    }
+    contacts_.clearEnded();
+}
+
+} // namespace kodo::inline KODO_PRECISION
