@@ -27,29 +27,27 @@ bool clip(Edge& edge, Vec2 axis, Real limit) {
     return true;
 }
 
-Manifold collideEnds(const Convex& shapeA, const Transform& a, const Transform& b,
-                     const EndAxis& axis) {
+Manifold collideEnds(Placed a, Placed b, const EndAxis& axis) {
     Manifold manifold;
-    manifold.normal = a.rotation * axis.axis;
-    const Vec2 point = shapeA.vertices[axis.end] + (axis.separation / 2) * axis.axis;
+    manifold.normal = a.at.rotation * axis.axis;
+    const Vec2 point = a.shape.vertices[axis.end] + (axis.separation / 2) * axis.axis;
     const auto feature = static_cast<std::uint32_t>(1u << 30 | axis.end);
-    add(manifold, {point, axis.separation, feature}, a, b);
+    add(manifold, {point, axis.separation, feature}, a.at, b.at);
     return manifold;
 }
 
 /// Lines against lines, as far as their ends alone decide. True if they do.
-bool endsDecide(const Convex& shapeA, const Transform& a, const Convex& shapeB, const Transform& b,
-                Real margin, Real least, Manifold& manifold) {
-    const EndAxis endA = beyondEnd(shapeA, shapeB, between(a, b));
-    const EndAxis endB = beyondEnd(shapeB, shapeA, between(b, a));
+bool endsDecide(Placed a, Placed b, Real margin, Real least, Manifold& manifold) {
+    const EndAxis endA = beyondEnd(a.shape, b.shape, between(a.at, b.at));
+    const EndAxis endB = beyondEnd(b.shape, a.shape, between(b.at, a.at));
     if (std::max(endA.separation, endB.separation) <= std::max(least, Real(0))) {
         return false;
     }
     if (endA.separation > margin || endB.separation > margin) {
         return true;
     }
-    manifold = endA.separation >= endB.separation ? collideEnds(shapeA, a, b, endA)
-                                                  : swapped(collideEnds(shapeB, b, a, endB));
+    manifold = endA.separation >= endB.separation ? collideEnds(a, b, endA)
+                                                  : swapped(collideEnds(b, a, endB));
     return true;
 }
 
@@ -76,9 +74,10 @@ std::size_t incidentEdge(const Convex& b, std::size_t vertex, Vec2 normalInB) {
     return dot(b.normals[before], normalInB) < dot(b.normals[vertex], normalInB) ? before : vertex;
 }
 
-Manifold clipAgainstFace(const Convex& shapeA, const Transform& a, const Convex& shapeB,
-                         const Transform& b, const FaceAxis& axis, Real margin, BeyondEnds beyond) {
-    const Transform ab = between(a, b);
+Manifold clipAgainstFace(Placed a, Placed b, const Transform& ab, const FaceAxis& axis, Real margin,
+                         BeyondEnds beyond) {
+    const Convex& shapeA = a.shape;
+    const Convex& shapeB = b.shape;
     const Vec2 normal = shapeA.normals[axis.face];
     const std::size_t other = incidentEdge(shapeB, axis.support, unrotate(ab.rotation, normal));
     const std::size_t n = shapeB.vertices.size();
@@ -96,7 +95,7 @@ Manifold clipAgainstFace(const Convex& shapeA, const Transform& a, const Convex&
         }
         edge = {ab * shapeB.vertices[axis.support], ab * shapeB.vertices[axis.support]};
     }
-    manifold.normal = a.rotation * normal;
+    manifold.normal = a.at.rotation * normal;
     const std::uint32_t feature = static_cast<std::uint32_t>(axis.face << 12 | other << 1);
     const Real height = dot(normal, first);
     LocalPoint points[2] = {{edge.start, dot(normal, edge.start) - height, feature},
@@ -108,16 +107,18 @@ Manifold clipAgainstFace(const Convex& shapeA, const Transform& a, const Convex&
         const bool same = manifold.count > 0 && p.point == points[0].point;
         if (p.separation <= margin && !same) {
             p.point -= (p.separation / 2) * normal;
-            add(manifold, p, a, b);
+            add(manifold, p, a.at, b.at);
         }
     }
     return manifold;
 }
 
-Manifold clipAgainstFaceOfB(const Convex& shapeA, const Transform& a, const Convex& shapeB,
-                            const Transform& b, const FaceAxis& axis, Real margin) {
-    Manifold manifold = swapped(clipAgainstFace(shapeB, b, shapeA, a, axis, margin));
+Manifold clipAgainstFaceOfB(Placed a, Placed b, const Transform& ba, const FaceAxis& axis,
+                            Real margin) {
+    Manifold manifold = clipAgainstFace(b, a, ba, axis, margin);
+    manifold.normal = -manifold.normal;
     for (ManifoldPoint& point : manifold.points) {
+        std::swap(point.armA, point.armB);
         point.feature |= 1u << 31;
     }
     return manifold;
@@ -125,25 +126,27 @@ Manifold clipAgainstFaceOfB(const Convex& shapeA, const Transform& a, const Conv
 
 Manifold collideFaces(const Convex& shapeA, const Transform& a, const Convex& shapeB,
                       const Transform& b, Real margin, Real preference) {
-    const FaceAxis faceA = leastPenetratingFace(shapeA, shapeB, between(a, b), margin);
+    const Transform ab = between(a, b);
+    const FaceAxis faceA = leastPenetratingFace(shapeA, shapeB, ab, margin);
     if (faceA.separation > margin) {
         return {};
     }
-    const FaceAxis faceB = leastPenetratingFace(shapeB, shapeA, between(b, a), margin);
+    const Transform ba = between(b, a);
+    const FaceAxis faceB = leastPenetratingFace(shapeB, shapeA, ba, margin);
     if (faceB.separation > margin) {
         return {};
     }
     if (shapeA.isLine() && shapeB.isLine()) {
         const Real least = std::max(faceA.separation, faceB.separation) + preference;
         Manifold manifold;
-        if (endsDecide(shapeA, a, shapeB, b, margin, least, manifold)) {
+        if (endsDecide({shapeA, a}, {shapeB, b}, margin, least, manifold)) {
             return manifold;
         }
     }
     if (faceB.separation > faceA.separation + preference) {
-        return clipAgainstFaceOfB(shapeA, a, shapeB, b, faceB, margin);
+        return clipAgainstFaceOfB({shapeA, a}, {shapeB, b}, ba, faceB, margin);
     }
-    return clipAgainstFace(shapeA, a, shapeB, b, faceA, margin);
+    return clipAgainstFace({shapeA, a}, {shapeB, b}, ab, faceA, margin);
 }
 
 EndAxis beyondEnd(const Convex& a, const Convex& b, const Transform& ab) {

@@ -26,14 +26,19 @@ std::size_t incidentEdge(const Convex& b, std::size_t vertex, Vec2 normalInB);
 /// how near they are, or it leaves the contact to its neighbours.
 enum class BeyondEnds : std::uint8_t { DeepestCorner, Nothing };
 
-/// Face of a against the facing edge of b. Only what lies above the face counts: a corner that has
-/// come out on the far side is no second point [Thesis06, fig. 3.5].
-Manifold clipAgainstFace(const Convex& shapeA, const Transform& a, const Convex& shapeB,
-                         const Transform& b, const FaceAxis& axis, Real margin,
+struct Placed {
+    const Convex& shape;
+    const Transform& at;
+};
+
+/// Face of a against the facing edge of b; `ab` is b as seen from a. Only what lies above the face
+/// counts: a corner that has come out on the far side is no second point [Thesis06, fig. 3.5].
+Manifold clipAgainstFace(Placed a, Placed b, const Transform& ab, const FaceAxis& axis, Real margin,
                          BeyondEnds beyond = BeyondEnds::DeepestCorner);
-/// The same with the face on b; its features are told apart from those of a's faces.
-Manifold clipAgainstFaceOfB(const Convex& shapeA, const Transform& a, const Convex& shapeB,
-                            const Transform& b, const FaceAxis& axis, Real margin);
+/// The same with the face on b, whose features are told apart from those of a; `ba` is a as seen
+/// from b.
+Manifold clipAgainstFaceOfB(Placed a, Placed b, const Transform& ba, const FaceAxis& axis,
+                            Real margin);
 
 /// Outlines with faces: polygons, and lines from both sides.
 Manifold collideFaces(const Convex& shapeA, const Transform& a, const Convex& shapeB,

@@ -116,7 +116,8 @@ Manifold collideWithFaces(const Convex& line, const Transform& a, const Convex& 
 
     Manifold manifold;
     manifold.fromBehind = behind && ownsAlong(line, ab * other.middle);
-    const FaceAxis face = leastPenetratingFace(other, line, between(b, a), margin);
+    const Transform ba = between(b, a);
+    const FaceAxis face = leastPenetratingFace(other, line, ba, margin);
     if (front.separation > margin || face.separation > margin) {
         return manifold;
     }
@@ -125,7 +126,7 @@ Manifold collideWithFaces(const Convex& line, const Transform& a, const Convex& 
         const Verdict verdict = judge(line, direction);
         const bool outside = dot(direction, middle) >= 0;
         if (verdict == Verdict::Own && outside && !manifold.fromBehind) {
-            return clipAgainstFaceOfB(line, a, other, b, face, margin);
+            return clipAgainstFaceOfB({line, a}, {other, b}, ba, face, margin);
         }
         if (verdict == Verdict::Neighbour) {
             return manifold;
@@ -136,7 +137,7 @@ Manifold collideWithFaces(const Convex& line, const Transform& a, const Convex& 
         }
     }
     return behind ? manifold
-                  : clipAgainstFace(line, a, other, b, front, margin, BeyondEnds::Nothing);
+                  : clipAgainstFace({line, a}, {other, b}, ab, front, margin, BeyondEnds::Nothing);
 }
 
 } // namespace

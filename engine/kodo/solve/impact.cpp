@@ -54,7 +54,7 @@ void hitPoint(const Impact& hit, std::size_t i) {
     const Real wanted = -(1 + hit.contact.material.restitution) * dot(n, v);
     const Real sliding = dot(t, v);
     const Material& material = hit.contact.material;
-    if (hit.frictionless || material.staticFriction == 0 || sliding == 0) {
+    if (hit.frictionless || material.staticFriction == 0) {
         hit.push(i, (wanted / k.nn) * n);
         return;
     }
@@ -65,7 +65,9 @@ void hitPoint(const Impact& hit, std::size_t i) {
         hit.push(i, jn * n + jt * t);
         return;
     }
-    const Real slope = sliding > 0 ? -material.kineticFriction : material.kineticFriction;
+    // Where nothing slides yet, the blow itself begins to, against the impulse that would hold it.
+    const bool forward = sliding != 0 ? sliding > 0 : jt < 0;
+    const Real slope = forward ? -material.kineticFriction : material.kineticFriction;
     const Real along = k.nn + slope * k.nt;
     if (along > 0) {
         hit.push(i, (wanted / along) * (n + slope * t));
@@ -150,7 +152,7 @@ Real restSpeedOf(const Bodies& bodies, const Contact& contact, Real dt) {
 
 bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,
                  const Tolerances& tolerances, Real dt) {
-    if (!contact.responds() || contact.material.restitution == 0) {
+    if (!contact.responds()) {
         return false;
     }
     const Impact hit{contact, bodies.motion[contact.key.bodyA], bodies.motion[contact.key.bodyB],
@@ -172,6 +174,9 @@ void solveImpacts(Bodies& bodies, std::span<Contact> contacts, const StepSetting
     for (int pass = 0; pass < settings.impactPasses && any; ++pass) {
         any = false;
         for (Contact& contact : contacts) {
+            if (pass > 0 && contact.material.restitution == 0) {
+                continue; // the contact half goes on from here
+            }
             any = solveImpact(bodies, contact, settings, tolerances, dt) || any;
         }
     }

@@ -10,21 +10,22 @@
 
 namespace kodo::inline KODO_PRECISION {
 
-/// Lets bodies bounce: the collision half of the step, with the velocities from before any force
-/// acts in it [Guendelman03; Thesis06, 4.2.2.1]. What rests has no velocity then, so nothing needs
-/// a threshold in m/s to stop bouncing, and a slow hit bounces as exactly as a fast one.
+/// Lets bodies hit each other: the collision half of the step, with the velocities from before any
+/// force acts in it [Guendelman03; Thesis06, 4.2.2.1]. What rests has no velocity then, so nothing
+/// needs a threshold in m/s to stop bouncing, and a slow hit bounces as exactly as a fast one.
 ///
-/// Contacts with restitution that touch and approach are hit one after the other,
+/// Contacts that touch and approach are hit one after the other,
 ///
 ///   J = -(1 + e) v_n / (1/m_n),  only while v_n < 0               [Thesis06, eq. 4.9]
 ///
 /// again and again until none approaches, which passes a blow on through a row of bodies and
-/// neither makes nor loses energy for e = 1. Two points of one contact are hit at once. An approach
-/// that the forces alone cause within one step is left to the contact half, since it is rest.
+/// neither makes nor loses energy for e = 1. Those without restitution are hit once, so that the
+/// blow is not left to springs. Two points of one contact are hit at once. An approach that the
+/// forces alone cause within one step is left to the contact half, since it is rest.
 void solveImpacts(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
                   const Tolerances& tolerances, Real dt);
 
-/// Hits one contact once, if it bounces, touches and approaches. True if it did. Adds to what the
+/// Hits one contact once, if it touches and approaches. True if it did. Adds to what the
 /// contact counts as impact.
 bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,
                  const Tolerances& tolerances, Real dt);
