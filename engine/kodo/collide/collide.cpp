@@ -98,8 +98,8 @@ Manifold collideSpecial(const Convex& shapeA, const Transform& a, const Convex& 
     return swapped(collideOneSided(shapeB, b, shapeA, a, margin, preference));
 }
 
-bool isSpecial(const Convex& shape) {
-    return shape.isPlane() || shape.oneSided;
+bool isPlain(const Convex& shape) {
+    return shape.isRound() || (shape.isLine() && !shape.oneSided);
 }
 
 Separation reversed(Separation s) {
@@ -152,7 +152,9 @@ Manifold collide(const Convex& shapeA, const Transform& a, const Convex& shapeB,
     if (shapeA.isRound() && shapeB.isRound()) {
         return collideRound(shapeA, a, shapeB, b, margin);
     }
-    if (isSpecial(shapeA) || isSpecial(shapeB)) {
+    const bool sidedA = shapeA.kind == OutlineKind::Sided;
+    const bool sidedB = shapeB.kind == OutlineKind::Sided;
+    if (!(sidedA || isPlain(shapeA)) || !(sidedB || isPlain(shapeB))) {
         return collideSpecial(shapeA, a, shapeB, b, margin, preference);
     }
     if (shapeB.isRound()) {

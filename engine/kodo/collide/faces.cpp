@@ -27,6 +27,10 @@ bool clip(Edge& edge, Vec2 axis, Real limit) {
     return true;
 }
 
+std::size_t nextVertex(const Convex& shape, std::size_t vertex) {
+    return vertex + 1 == shape.vertices.size() ? 0 : vertex + 1;
+}
+
 Manifold collideEnds(Placed a, Placed b, const EndAxis& axis) {
     Manifold manifold;
     manifold.normal = a.at.rotation * axis.axis;
@@ -69,8 +73,7 @@ Manifold swapped(Manifold manifold) {
 }
 
 std::size_t incidentEdge(const Convex& b, std::size_t vertex, Vec2 normalInB) {
-    const std::size_t n = b.vertices.size();
-    const std::size_t before = (vertex + n - 1) % n;
+    const std::size_t before = vertex == 0 ? b.vertices.size() - 1 : vertex - 1;
     return dot(b.normals[before], normalInB) < dot(b.normals[vertex], normalInB) ? before : vertex;
 }
 
@@ -80,12 +83,11 @@ Manifold clipAgainstFace(Placed a, Placed b, const Transform& ab, const FaceAxis
     const Convex& shapeB = b.shape;
     const Vec2 normal = shapeA.normals[axis.face];
     const std::size_t other = incidentEdge(shapeB, axis.support, unrotate(ab.rotation, normal));
-    const std::size_t n = shapeB.vertices.size();
     // The facing edge runs against the reference edge, so its end lies at the reference's start.
-    Edge edge{ab * shapeB.vertices[(other + 1) % n], ab * shapeB.vertices[other]};
+    Edge edge{ab * shapeB.vertices[nextVertex(shapeB, other)], ab * shapeB.vertices[other]};
 
     const Vec2 first = shapeA.vertices[axis.face];
-    const Vec2 second = shapeA.vertices[(axis.face + 1) % shapeA.vertices.size()];
+    const Vec2 second = shapeA.vertices[nextVertex(shapeA, axis.face)];
     const Vec2 along = perp(normal);
     Manifold manifold;
     const bool left = clip(edge, -along, -dot(along, first));

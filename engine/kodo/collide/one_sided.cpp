@@ -142,12 +142,15 @@ Manifold collideWithFaces(const Convex& line, const Transform& a, const Convex& 
 
 } // namespace
 
+bool ownsVertex(const Convex& line, std::size_t end) {
+    return isFree(line, end) || (end == 0 && turnAt(line, 0) < -kFlush);
+}
+
 bool ownsDirection(const Convex& line, std::size_t end, Vec2 direction) {
     if (isFree(line, end)) {
         return dot(direction, line.normals[1]) > 0;
     }
-    // The line that starts at a joint owns it.
-    return end == 0 && turnAt(line, 0) < -kFlush && cross(line.normals[1], direction) >= 0 &&
+    return ownsVertex(line, end) && cross(line.normals[1], direction) >= 0 &&
            cross(direction, perp(line.before)) >= 0;
 }
 

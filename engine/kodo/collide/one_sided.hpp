@@ -16,6 +16,10 @@ namespace kodo::inline KODO_PRECISION {
 Manifold collideOneSided(const Convex& line, const Transform& a, const Convex& other,
                          const Transform& b, Real margin, Real preference);
 
+/// Does the line deal with what touches it at vertex `end`, 0 or 1? Not at a joint that is flush or
+/// bends inwards, where nothing but the faces can touch, nor at a hilltop that the next one owns.
+bool ownsVertex(const Convex& line, std::size_t end);
+
 /// May the line push what touches it at vertex `end` along a direction (unit, in the line's frame,
 /// away from the line)? At an end without neighbour: along all that lead to its front.
 bool ownsDirection(const Convex& line, std::size_t end, Vec2 direction);

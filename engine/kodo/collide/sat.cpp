@@ -5,27 +5,29 @@
 
 namespace kodo::inline KODO_PRECISION {
 
-std::size_t supportVertex(const Convex& convex, Vec2 direction, std::size_t start) {
-    const std::size_t n = convex.vertices.size();
-    std::size_t best = start;
-    Real height = dot(direction, convex.vertices[best]);
-    const auto climb = [&](std::size_t stride) {
-        bool moved = false;
-        for (std::size_t next = (best + stride) % n; next != start; next = (best + stride) % n) {
-            const Real h = dot(direction, convex.vertices[next]);
-            if (!(h > height)) {
-                break;
-            }
-            best = next;
-            height = h;
-            moved = true;
+Climb climbToSupport(const Convex& convex, Vec2 direction, std::size_t start) {
+    const Vec2* vertices = convex.vertices.data();
+    const std::size_t last = convex.vertices.size() - 1;
+    Climb climb{start, 0};
+    Real height = dot(direction, vertices[start]);
+    const auto rises = [&](std::size_t next) {
+        const Real h = dot(direction, vertices[next]);
+        ++climb.steps;
+        if (!(h > height)) {
+            return false;
         }
-        return moved;
+        height = h;
+        climb.vertex = next;
+        return true;
     };
-    if (!climb(1)) {
-        climb(n - 1);
+    // Whether it went up decides the way, so that no vertex is looked at twice.
+    while (rises(climb.vertex == last ? 0 : climb.vertex + 1)) {
     }
-    return best;
+    if (climb.vertex == start) {
+        while (rises(climb.vertex == 0 ? last : climb.vertex - 1)) {
+        }
+    }
+    return climb;
 }
 
 FaceAxis leastPenetratingFace(const Convex& a, const Convex& b, const Transform& ab, Real margin) {

@@ -12,10 +12,20 @@ struct FaceAxis {
     Real separation = 0;     // m; > 0: a gap along that normal, <= 0: minus the overlap
 };
 
+/// Where climbing ended, and how many vertices it compared on the way.
+struct Climb {
+    std::size_t vertex = 0;
+    int steps = 0;
+};
+
 /// The vertex farthest along a direction (in the polygon's frame). Climbs from `start` along the
 /// outline while it rises [Thesis06, 3.2.3]; a convex outline has no other summit. Ties keep the
 /// vertex reached first.
-std::size_t supportVertex(const Convex& convex, Vec2 direction, std::size_t start);
+Climb climbToSupport(const Convex& convex, Vec2 direction, std::size_t start);
+
+inline std::size_t supportVertex(const Convex& convex, Vec2 direction, std::size_t start) {
+    return climbToSupport(convex, direction, start).vertex;
+}
 
 /// Faces of `a` against the vertices of `b`; `ab` is b as seen from a.
 ///

@@ -23,7 +23,8 @@ struct Sweep {
 ///
 /// Conservative advancement [Mirtich96]: along the axis that separates them now, they cannot close
 /// faster than their motion along it plus what their turning adds, so that much of the step is
-/// free.
+/// free. A one-sided line is hit from its front alone, and a chain of them only where it really is,
+/// not on its joints.
 Real timeOfImpact(const Convex& shapeA, const Sweep& a, const Convex& shapeB, const Sweep& b,
                   Real target);
 

@@ -41,11 +41,13 @@ struct Contact {
     Real approachSpeed = 0;   // m/s, before the solver
     Real total = 0;           // N s, normal, all points, over the step
     bool sensor = false;      // is only noticed
+    bool passing = false;     // through a one-sided line from behind; see letPass
+    bool hidden = false;      // in this step, under the surface that carries the body; see Seams
     bool touching = false;    // in this step
     bool wasTouching = false; // in the last step; equal to touching between steps
 
     /// Do the bodies push each other?
-    bool responds() const { return manifold.count > 0 && !sensor; }
+    bool responds() const { return manifold.count > 0 && !sensor && !hidden; }
 };
 
 } // namespace kodo::inline KODO_PRECISION

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/broad/brute_force.hpp>
 #include <kodo/collide/collide.hpp>
+#include <kodo/collide/one_sided.hpp>
 #include <kodo/contacts/contact_set.hpp>
 
 #include <algorithm>
@@ -275,6 +276,7 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
     const Real preference = tolerances.slop / 8;
     for (Contact& contact : contacts_) {
         contact.touching = false;
+        contact.hidden = false;
         contact.total = 0;
         contact.approachSpeed = 0;
         const bool near =
@@ -284,6 +286,7 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
             contact.impulse = {};
             contact.friction = 0;
             contact.rolling = 0;
+            contact.passing = false;
             continue;
         }
         const Transform& a = bodies.pose[contact.key.bodyA];
@@ -292,16 +295,21 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
         contact.manifold =
             collide(outline(bodies, contact.proxyA), a, outline(bodies, contact.proxyB), b,
                     tolerances.margin, preference);
+        contact.passing = letPass(contact.passing, contact.manifold);
         contact.centerA = a.position;
         keepImpulses(old, contact);
         contact.approachSpeed = approachSpeedOf(contact, bodies);
     }
+    seams_.hide(bodies, contacts_, tolerances);
 }
 
 void finishContact(Contact& contact, const Tolerances& tolerances) {
     if (contact.sensor) {
         contact.touching = contact.touching || (contact.manifold.count > 0 &&
                                                 contact.manifold.points[0].separation <= 0);
+        return;
+    }
+    if (contact.hidden) {
         return;
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {

@@ -6,6 +6,7 @@
 #include <kodo/broad/sort_and_sweep.hpp>
 #include <kodo/contacts/collision_record.hpp>
 #include <kodo/contacts/contact.hpp>
+#include <kodo/contacts/seams.hpp>
 
 #include <span>
 #include <utility>
@@ -66,6 +67,7 @@ private:
     std::vector<Aabb> grown_;               // where it may be until its pairs are looked for again
     std::vector<BoundsPair> pairs_;
     SortAndSweep sortAndSweep_;
+    Seams seams_;
     std::vector<Contact> contacts_;
     std::vector<Contact> previous_; // spare, so that merging allocates nothing
     std::vector<CollisionRecord> ended_;

@@ -192,7 +192,7 @@ void Propagation::propagateShock(Bodies& bodies, const StepSettings& settings, R
     forEachLevel(settings.shockPasses, [&](PropagationRow& row) {
         const bool frozenA = levelOf_[row.a] < row.level;
         const bool frozenB = levelOf_[row.b] < row.level;
-        shockRow(row, bodies, massesOf(bodies, row, frozenA, frozenB), invH);
+        solveRow(row, bodies, massesOf(bodies, row, frozenA, frozenB), 1, invH);
     });
 }
 
@@ -211,14 +211,14 @@ void Propagation::separate(Bodies& bodies, const Step& step, Real h) {
     }
     for (int pass = 0; pass < step.settings.contactPasses; ++pass) {
         forEachRow([&](PropagationRow& row) {
-            partRow(row, parting_, massesOf(bodies, row, false, false), limits, false);
+            partRow(row, parting_, massesOf(bodies, row, false, false), limits);
         });
     }
     if (step.settings.shockPasses > 0) {
         forEachLevel(step.settings.shockPasses, [&](PropagationRow& row) {
             const bool frozenA = levelOf_[row.a] < row.level;
             const bool frozenB = levelOf_[row.b] < row.level;
-            partRow(row, parting_, massesOf(bodies, row, frozenA, frozenB), limits, true);
+            partRow(row, parting_, massesOf(bodies, row, frozenA, frozenB), limits);
         });
     }
     for (const PropagationRow& row : rows_) {
@@ -264,7 +264,7 @@ void Propagation::store(std::span<Contact> contacts) {
         contact.rolling = row.rolling;
         for (std::size_t i = 0; i < row.count; ++i) {
             PointImpulse& impulse = contact.impulse[i];
-            impulse.normal = row.impulse[i] + row.shock[i];
+            impulse.normal = row.impulse[i];
             impulse.largest = std::max(impulse.largest, impulse.normal);
             contact.total += impulse.normal;
         }

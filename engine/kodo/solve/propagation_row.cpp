@@ -81,8 +81,8 @@ std::array<Real, 2> wantedSums(const PropagationRow& row, const RowMasses& masse
                    speeds[1] - k.k12 * sums[0] - k.k22 * sums[1]);
 }
 
-void solveNormals(PropagationRow& row, const Pair& pair, std::array<Real, 2>& sums, Real share,
-                  Real invH) {
+void solveNormals(PropagationRow& row, const Pair& pair, Real share, Real invH) {
+    std::array<Real, 2>& sums = row.impulse;
     std::array<Real, 2> speeds{};
     for (std::size_t i = 0; i < row.count; ++i) {
         const PropagationRow::Point& p = row.points[i];
@@ -138,7 +138,7 @@ void solveTangents(PropagationRow& row, const Pair& pair) {
 } // namespace
 
 Real PropagationRow::load() const {
-    return impulse[0] + impulse[1] + shock[0] + shock[1];
+    return impulse[0] + impulse[1];
 }
 
 PropagationRow makeRow(const Contact& contact, std::uint32_t place) {
@@ -178,21 +178,14 @@ Real rollingLever(const Contact& contact, const Motion& a, const Motion& b) {
 
 void solveRow(PropagationRow& row, Bodies& bodies, const RowMasses& masses, Real share, Real invH) {
     const Pair pair{bodies.motion[row.a], bodies.motion[row.b], masses};
-    solveNormals(row, pair, row.impulse, share, invH);
-    solveTangents(row, pair);
-}
-
-void shockRow(PropagationRow& row, Bodies& bodies, const RowMasses& masses, Real invH) {
-    const Pair pair{bodies.motion[row.a], bodies.motion[row.b], masses};
-    solveNormals(row, pair, row.shock, 1, invH);
+    solveNormals(row, pair, share, invH);
     solveTangents(row, pair);
 }
 
 void partRow(PropagationRow& row, std::vector<Parting>& parting, const RowMasses& masses,
-             const PartingLimits& limits, bool shock) {
+             const PartingLimits& limits) {
     Parting& a = parting[row.a];
     Parting& b = parting[row.b];
-    std::array<Real, 2>& sums = shock ? row.shockParting : row.parting;
     std::array<Real, 2> missing{};
     for (std::size_t i = 0; i < row.count; ++i) {
         const PropagationRow::Point& p = row.points[i];
@@ -200,16 +193,16 @@ void partRow(PropagationRow& row, std::vector<Parting>& parting, const RowMasses
         const Real moved = dot(row.normal, b.move - a.move) + p.leverB * b.turn - p.leverA * a.turn;
         missing[i] = moved - wanted;
     }
-    const std::array<Real, 2> next = wantedSums(row, masses, missing, sums);
+    const std::array<Real, 2> next = wantedSums(row, masses, missing, row.parting);
     for (std::size_t i = 0; i < row.count; ++i) {
         const PropagationRow::Point& p = row.points[i];
-        const Real change = next[i] - sums[i];
+        const Real change = next[i] - row.parting[i];
         a.move -= change * masses.invMassA * row.normal;
         a.turn -= change * masses.invInertiaA * p.leverA;
         b.move += change * masses.invMassB * row.normal;
         b.turn += change * masses.invInertiaB * p.leverB;
     }
-    sums = next;
+    row.parting = next;
 }
 
 } // namespace kodo::inline KODO_PRECISION

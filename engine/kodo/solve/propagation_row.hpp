@@ -22,11 +22,9 @@ struct PropagationRow {
         Real gap;    // m, at the start of the part; < 0 in overlap
     };
     Point points[2];
-    std::array<Real, 2> impulse;      // N s, by point, of contact passes, >= 0
-    std::array<Real, 2> shock;        // N s, of shock passes, >= 0
-    std::array<Real, 2> parting;      // kg m, of separation, >= 0
-    std::array<Real, 2> shockParting; // kg m, of separation level by level, >= 0
-    Real tangentLeverA;               // of both points' mean, since they share one friction
+    std::array<Real, 2> impulse; // N s so far, by point, >= 0
+    std::array<Real, 2> parting; // kg m so far, of separation, >= 0
+    Real tangentLeverA;          // of both points' mean, since they share one friction
     Real tangentLeverB;
     Real friction; // N s so far
     Real staticFriction;
@@ -74,9 +72,6 @@ Real rollingLever(const Contact& contact, const Motion& a, const Motion& b);
 /// passes, as it does in the thesis (4.3.3). A gap may be closed within h, and no more.
 void solveRow(PropagationRow& row, Bodies& bodies, const RowMasses& masses, Real share, Real invH);
 
-/// The same visit with one body frozen, or none: its impulses are counted as shock.
-void shockRow(PropagationRow& row, Bodies& bodies, const RowMasses& masses, Real invH);
-
 /// Settings of a separation (m).
 struct PartingLimits {
     Real allowed; // overlap that stays
@@ -88,6 +83,6 @@ struct PartingLimits {
 ///
 ///   sum >= 0,  n . (move_b - move_a) >= min(-allowed - gap, most)   for gap < 0
 void partRow(PropagationRow& row, std::vector<Parting>& parting, const RowMasses& masses,
-             const PartingLimits& limits, bool shock);
+             const PartingLimits& limits);
 
 } // namespace kodo::inline KODO_PRECISION

@@ -40,7 +40,7 @@ struct ContactRow {
     Real rolling;      // N m s so far
 };
 
-/// The contact half of the step, in substeps [Catto23]. Each moves velocities by the forces, starts
+/// The contact half of the step, in substeps [Catto24]. Each moves velocities by the forces, starts
 /// from the impulses of the substep before, makes one pass that pushes overlaps apart like stiff
 /// springs, moves the bodies, and makes one pass without that push, which takes its speed out
 /// again.

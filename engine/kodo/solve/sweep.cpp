@@ -15,6 +15,9 @@ const Convex& outline(const Bodies& bodies, std::uint32_t body, std::uint16_t pa
 /// Could this pair touch within the step, and would it matter?
 bool worthSweeping(const Bodies& bodies, const Contact& contact, const StepSettings& settings,
                    const Tolerances& tolerances) {
+    if (contact.hidden || contact.passing) {
+        return false;
+    }
     const Motion& a = bodies.motion[contact.key.bodyA];
     const Motion& b = bodies.motion[contact.key.bodyB];
     const Convex& shapeA = outline(bodies, contact.key.bodyA, contact.key.partA);

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/collide/distance.hpp>
+#include <kodo/collide/round.hpp>
+#include <kodo/collide/sat.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+/// A vertex of the set of all b - a, with where it comes from. All in A's frame.
+struct Support {
+    std::size_t a = 0;
+    std::size_t b = 0;
+    Vec2 onA;
+    Vec2 onB;
+    Real share = 1; // of the point of the simplex that is nearest to the origin
+
+    Vec2 gap() const { return onB - onA; }
+};
+
+/// One to three of them; the shares add up to 1.
+struct Simplex {
+    Support corners[3];
+    std::size_t count = 0;
+
+    Vec2 mixed(Vec2 Support::*point) const {
+        Vec2 sum;
+        for (std::size_t i = 0; i < count; ++i) {
+            sum += corners[i].share * corners[i].*point;
+        }
+        return sum;
+    }
+    bool has(const Support& s) const {
+        for (std::size_t i = 0; i < count; ++i) {
+            if (corners[i].a == s.a && corners[i].b == s.b) {
+                return true;
+            }
+        }
+        return false;
+    }
+    void keep(const Support& s) {
+        corners[0] = s;
+        corners[0].share = 1;
+        count = 1;
+    }
+    void keep(Support s, Support t, Real shareOfT) {
+        s.share = 1 - shareOfT;
+        t.share = shareOfT;
+        corners[0] = s;
+        corners[1] = t;
+        count = 2;
+    }
+};
+
+/// Where the line from s to t comes nearest to the origin, as a share of the way.
+Real nearestShare(const Support& s, const Support& t) {
+    const Vec2 way = t.gap() - s.gap();
+    const Real size = lengthSquared(way);
+    return size > 0 ? -dot(s.gap(), way) / size : 0;
+}
+
+void reduceLine(Simplex& simplex, const Support& s, const Support& t) {
+    const Real share = nearestShare(s, t);
+    if (share <= 0) {
+        simplex.keep(s);
+    } else if (share >= 1) {
+        simplex.keep(t);
+    } else {
+        simplex.keep(s, t, share);
+    }
+}
+
+/// The newest corner is the last; the origin does not lie beyond the side of the other two.
+void reduceTriangle(Simplex& simplex) {
+    const Support s = simplex.corners[0];
+    const Support t = simplex.corners[1];
+    const Support top = simplex.corners[2];
+    const Real area = cross(t.gap() - s.gap(), top.gap() - s.gap());
+    // Twice the areas that the origin spans with the sides; negative beyond a side.
+    const Real sign = area < 0 ? Real(-1) : Real(1);
+    const Real beyondT = sign * cross(t.gap(), top.gap());
+    const Real beyondS = sign * cross(top.gap(), s.gap());
+    const Real beyondTop = sign * cross(s.gap(), t.gap());
+    if (area != 0 && beyondT >= 0 && beyondS >= 0 && beyondTop >= 0) {
+        const Real whole = beyondT + beyondS + beyondTop;
+        simplex.corners[0].share = whole > 0 ? beyondT / whole : 1;
+        simplex.corners[1].share = whole > 0 ? beyondS / whole : 0;
+        simplex.corners[2].share = whole > 0 ? beyondTop / whole : 0;
+        return;
+    }
+    Simplex other = simplex;
+    reduceLine(simplex, s, top);
+    reduceLine(other, t, top);
+    const auto farness = [](const Simplex& x) {
+        return lengthSquared(x.mixed(&Support::onB) - x.mixed(&Support::onA));
+    };
+    if (farness(other) < farness(simplex)) {
+        simplex = other;
+    }
+}
+
+Support supportAgainst(const Convex& shapeA, const Convex& shapeB, const Transform& ab,
+                       Vec2 direction, const Support& start) {
+    Support s;
+    s.a = supportVertex(shapeA, direction, start.a);
+    s.b = supportVertex(shapeB, unrotate(ab.rotation, -direction), start.b);
+    s.onA = shapeA.vertices[s.a];
+    s.onB = ab * shapeB.vertices[s.b];
+    return s;
+}
+
+/// Of the outlines without their skins, in A's frame.
+Simplex nearestSimplex(const Convex& shapeA, const Convex& shapeB, const Transform& ab) {
+    Simplex simplex;
+    Support start;
+    start.onA = shapeA.vertices[0];
+    start.onB = ab * shapeB.vertices[0];
+    simplex.keep(start);
+    const std::size_t most = 2 * (shapeA.vertices.size() + shapeB.vertices.size());
+    for (std::size_t round = 0; round < most; ++round) {
+        const Vec2 gap = simplex.mixed(&Support::onB) - simplex.mixed(&Support::onA);
+        const Support next =
+            supportAgainst(shapeA, shapeB, ab, gap, simplex.corners[simplex.count - 1]);
+        // Nothing lies nearer to the origin along the gap than what is there already.
+        if (simplex.has(next) || !(dot(gap, next.gap()) < dot(gap, gap))) {
+            break;
+        }
+        simplex.corners[simplex.count++] = next;
+        if (simplex.count == 2) {
+            reduceLine(simplex, simplex.corners[0], simplex.corners[1]);
+        } else {
+            reduceTriangle(simplex);
+        }
+        if (simplex.count == 3) {
+            break;
+        }
+    }
+    return simplex;
+}
+
+/// Which way an edge of either outline leads from one to the other, when the gap along it is too
+/// small to have a dependable direction of its own.
+Vec2 directionOf(const Simplex& simplex, Vec2 gap) {
+    if (simplex.count == 2) {
+        const Vec2 side = perp(normalize(simplex.corners[1].gap() - simplex.corners[0].gap()));
+        return dot(side, gap) < 0 ? -side : side;
+    }
+    return normalize(gap);
+}
+
+Nearness withSkins(const Convex& shapeA, const Transform& a, const Convex& shapeB,
+                   const Transform& b) {
+    const Simplex simplex = nearestSimplex(shapeA, shapeB, between(a, b));
+    const Vec2 onA = simplex.mixed(&Support::onA);
+    const Vec2 gap = simplex.mixed(&Support::onB) - onA;
+    const bool apart = simplex.count < 3 && gap != Vec2{};
+    const Vec2 normal = apart ? directionOf(simplex, gap) : Vec2{};
+    const Real core = apart ? dot(normal, gap) : 0;
+    const Real between = core - shapeA.radius - shapeB.radius;
+    if (between <= 0) {
+        const Real depth = std::min(std::max(shapeA.radius + between / 2, Real(0)), core);
+        const Vec2 common = a * (onA + depth * normal);
+        return {common, common, {}, 0};
+    }
+    const Vec2 start = onA + shapeA.radius * normal;
+    return {a * start, a * (start + between * normal), a.rotation * normal, between};
+}
+
+Nearness fromPlane(const Convex& plane, const Transform& a, const Convex& other,
+                   const Transform& b) {
+    if (other.isPlane()) {
+        const Vec2 common = a * plane.vertices[0];
+        return {common, common, {}, 0};
+    }
+    const Transform ab = between(a, b);
+    const Vec2 normal = plane.normals[0];
+    const std::size_t lowest = supportVertex(other, unrotate(ab.rotation, -normal), 0);
+    const Vec2 core = ab * other.vertices[lowest];
+    const Real height = dot(normal, core - plane.vertices[0]) - other.radius;
+    const Vec2 onOther = core - other.radius * normal;
+    if (height <= 0) {
+        return {a * onOther, a * onOther, {}, 0};
+    }
+    return {a * (onOther - height * normal), a * onOther, a.rotation * normal, height};
+}
+
+Nearness reversed(Nearness n) {
+    std::swap(n.onA, n.onB);
+    n.normal = -n.normal;
+    return n;
+}
+
+} // namespace
+
+Nearness distance(const Convex& shapeA, const Transform& a, const Convex& shapeB,
+                  const Transform& b) {
+    if (shapeA.isPlane()) {
+        return fromPlane(shapeA, a, shapeB, b);
+    }
+    if (shapeB.isPlane()) {
+        return reversed(fromPlane(shapeB, b, shapeA, a));
+    }
+    return withSkins(shapeA, a, shapeB, b);
+}
+
+Nearness distance(const Convex& shape, const Transform& t, Vec2 point) {
+    const Vec2 p = toLocal(t, point);
+    Vec2 normal;
+    Real gap = 0;
+    if (shape.isPlane()) {
+        normal = shape.normals[0];
+        gap = dot(normal, p - shape.vertices[0]);
+    } else if (shape.isRound()) {
+        const Vec2 arm = p - shape.vertices[0];
+        normal = normalize(arm);
+        gap = length(arm) - shape.radius;
+    } else {
+        const RoundAxis axis = nearestToCenter(shape, p);
+        normal = axis.normal;
+        gap = axis.distance - shape.radius;
+    }
+    if (gap <= 0) {
+        return {point, point, {}, 0};
+    }
+    return {t * (p - gap * normal), point, t.rotation * normal, gap};
+}
+
+} // namespace kodo::inline KODO_PRECISION

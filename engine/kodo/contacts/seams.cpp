@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/contacts/seams.hpp>
+
+#include <limits>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+/// A contact between a body that can be pushed and a locked one, seen from the first.
+struct Ground {
+    std::uint32_t body; // the locked one
+    std::uint16_t part;
+    Vec2 normal; // out of the ground
+    Vec2 arm;    // m, from the locked body's centre to the contact
+};
+
+Ground groundOf(const Bodies& bodies, const Contact& contact) {
+    const ManifoldPoint& p = contact.manifold.points[0];
+    if (bodies.locked(contact.key.bodyA)) {
+        return {contact.key.bodyA, contact.key.partA, contact.manifold.normal, p.armA};
+    }
+    return {contact.key.bodyB, contact.key.partB, -contact.manifold.normal, p.armB};
+}
+
+/// Does no point of the outline rise above the surface through `point` by more than `tolerance`?
+bool liesUnder(const Convex& outline, const Transform& pose, Vec2 normal, Vec2 point,
+               Real tolerance) {
+    if (outline.isPlane()) {
+        return false;
+    }
+    const Vec2 n = unrotate(pose.rotation, normal);
+    const Real height = dot(normal, point - pose.position) + tolerance - outline.radius;
+    for (const Vec2 vertex : outline.vertices) {
+        if (dot(n, vertex) > height) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+void Seams::linkByBody(const Bodies& bodies, std::span<const Contact> contacts) {
+    first_.resize(bodies.size(), kEnd);
+    next_.resize(contacts.size());
+    for (const std::uint32_t body : bodies.awake) {
+        first_[body] = kEnd;
+    }
+    for (std::size_t i = contacts.size(); i-- > 0;) {
+        const ContactKey& key = contacts[i].key;
+        next_[i] = kEnd;
+        if (contacts[i].sensor || bodies.locked(key.bodyA) == bodies.locked(key.bodyB)) {
+            continue;
+        }
+        const std::uint32_t body = bodies.locked(key.bodyA) ? key.bodyB : key.bodyA;
+        next_[i] = first_[body];
+        first_[body] = static_cast<std::uint32_t>(i);
+    }
+}
+
+void Seams::hide(const Bodies& bodies, std::span<Contact> contacts, const Tolerances& tolerances) {
+    linkByBody(bodies, contacts);
+    for (const std::uint32_t body : bodies.awake) {
+        if (bodies.locked(body) || first_[body] == kEnd || next_[first_[body]] == kEnd) {
+            continue; // fewer than two pieces of ground: no seam
+        }
+        for (std::uint32_t i = first_[body]; i != kEnd; i = next_[i]) {
+            const Contact& carrier = contacts[i];
+            if (carrier.hidden || !carrier.responds() ||
+                carrier.manifold.points[0].separation > tolerances.slop) {
+                continue;
+            }
+            const Ground carrying = groundOf(bodies, carrier);
+            const Vec2 point = bodies.pose[carrying.body].position + carrying.arm;
+            for (std::uint32_t k = first_[body]; k != kEnd; k = next_[k]) {
+                Contact& other = contacts[k];
+                const Ground ground = groundOf(bodies, other);
+                const bool sameWay =
+                    other.manifold.count > 0 && dot(ground.normal, carrying.normal) > Real(0.99999);
+                if (k != i && !sameWay &&
+                    liesUnder(bodies.form(ground.body).parts[ground.part].convex,
+                              bodies.pose[ground.body], carrying.normal, point, tolerances.slop)) {
+                    other.hidden = true;
+                }
+            }
+        }
+    }
+}
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/bodies/bodies.hpp>
+#include <kodo/bodies/tolerances.hpp>
+#include <kodo/contacts/contact.hpp>
+
+#include <span>
+#include <vector>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// Lets bodies slide over the seams of ground that is made of pieces.
+///
+/// Where two locked pieces lie flush, a body that slides on the first meets the side or corner of
+/// the second, and would bump into nothing. But if all of the second lies under the surface that
+/// carries the body, the body cannot be under that surface to hit it: that contact is hidden for
+/// the step. A real step or wall rises above the surface, and stays.
+class Seams {
+public:
+    void hide(const Bodies& bodies, std::span<Contact> contacts, const Tolerances& tolerances);
+
+private:
+    static constexpr std::uint32_t kEnd = ~std::uint32_t{};
+
+    void linkByBody(const Bodies& bodies, std::span<const Contact> contacts);
+
+    std::vector<std::uint32_t> first_; // by body: its first contact with something locked
+    std::vector<std::uint32_t> next_;  // by contact
+};
+
+} // namespace kodo::inline KODO_PRECISION
