@@ -4,7 +4,6 @@
 #include <SFML/System/String.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace kodo_sfml {
@@ -13,6 +12,7 @@ namespace {
 
 constexpr float kTwoPi = 6.2831853f;
 constexpr float kLongestMitre = 3; // half widths; sharper corners are cut there
+constexpr float kFade = 0.5f;      // pixels to both sides of an edge over which it fades
 
 /// Enough corners for a circle whose outline stays within a quarter of a pixel.
 int cornersFor(float radius) {
@@ -36,6 +36,29 @@ sf::Vector2f mitre(sf::Vector2f before, sf::Vector2f after) {
     const sf::Vector2f middle = unit(normalBefore + normalAfter);
     const float cosine = middle.x * normalAfter.x + middle.y * normalAfter.y;
     return middle * std::min(1 / std::max(cosine, 1e-3f), kLongestMitre);
+}
+
+/// At each corner of a polygon the way out, as long as moves both its edges out by 1.
+void outwards(std::span<const sf::Vector2f> corners, std::vector<sf::Vector2f>& sides) {
+    const std::size_t count = corners.size();
+    float twiceArea = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const sf::Vector2f a = corners[i];
+        const sf::Vector2f b = corners[(i + 1) % count];
+        twiceArea += a.x * b.y - a.y * b.x;
+    }
+    const float sign = twiceArea > 0 ? -1.0f : 1.0f;
+    sides.clear();
+    sf::Vector2f before = unit(corners[0] - corners[count - 1]);
+    for (std::size_t i = 0; i < count; ++i) {
+        const sf::Vector2f after = unit(corners[(i + 1) % count] - corners[i]);
+        sides.push_back(sign * mitre(before, after));
+        before = after;
+    }
+}
+
+sf::Color transparent(sf::Color color) {
+    return {color.r, color.g, color.b, 0};
 }
 
 /// Calls take(glyph, x of the pen) for each visible character and returns the pen's way.
@@ -87,58 +110,102 @@ void Painter::triangle(const sf::Vertex& a, const sf::Vertex& b, const sf::Verte
     vertices_.push_back(c);
 }
 
-void Painter::quad(std::span<const sf::Vertex, 4> corners) {
-    triangle(corners[0], corners[1], corners[2]);
-    triangle(corners[0], corners[2], corners[3]);
+void Painter::quad(const sf::Vertex& a, const sf::Vertex& b, const sf::Vertex& c,
+                   const sf::Vertex& d) {
+    triangle(a, b, c);
+    triangle(a, c, d);
+}
+
+void Painter::rectangle(sf::FloatRect where, std::span<const sf::Color, 4> colors) {
+    use(nullptr);
+    const float right = where.left + where.width;
+    const float bottom = where.top + where.height;
+    quad({{where.left, where.top}, colors[0]}, {{right, where.top}, colors[1]},
+         {{right, bottom}, colors[2]}, {{where.left, bottom}, colors[3]});
 }
 
 void Painter::polygon(std::span<const sf::Vector2f> corners, sf::Color color) {
-    use(nullptr);
-    for (std::size_t i = 2; i < corners.size(); ++i) {
-        triangle({corners[0], color}, {corners[i - 1], color}, {corners[i], color});
-    }
+    oneColor_.assign(corners.size(), color);
+    fan(corners, oneColor_);
 }
 
 void Painter::polygon(std::span<const sf::Vector2f> corners, std::span<const sf::Color> colors) {
-    use(nullptr);
-    for (std::size_t i = 2; i < std::min(corners.size(), colors.size()); ++i) {
-        triangle({corners[0], colors[0]}, {corners[i - 1], colors[i - 1]}, {corners[i], colors[i]});
+    fan(corners, colors);
+}
+
+void Painter::fan(std::span<const sf::Vector2f> corners, std::span<const sf::Color> colors) {
+    const std::size_t count = corners.size();
+    if (count < 3 || colors.size() < count) {
+        return;
     }
+    use(nullptr);
+    outwards(corners, sides_);
+    const auto inner = [&](std::size_t i) {
+        return sf::Vertex{corners[i] - kFade * sides_[i], colors[i]};
+    };
+    const auto outer = [&](std::size_t i) {
+        return sf::Vertex{corners[i] + kFade * sides_[i], transparent(colors[i])};
+    };
+    for (std::size_t i = 2; i < count; ++i) {
+        triangle(inner(0), inner(i - 1), inner(i));
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t next = (i + 1) % count;
+        quad(inner(i), inner(next), outer(next), outer(i));
+    }
+}
+
+void Painter::band(const Band& band, sf::Color color) {
+    if (band.halfWidth < kFade) { // thinner than a pixel: fainter instead
+        color.a = static_cast<sf::Uint8>(static_cast<float>(color.a) * band.halfWidth / kFade);
+    }
+    const float core = std::max(band.halfWidth - kFade, 0.0f);
+    const float rim = std::max(band.halfWidth, kFade) + kFade;
+    const sf::Color none = transparent(color);
+    const auto from = [&](float side, sf::Color c) {
+        return sf::Vertex{band.from + side * band.fromSide, c};
+    };
+    const auto to = [&](float side, sf::Color c) {
+        return sf::Vertex{band.to + side * band.toSide, c};
+    };
+    quad(from(-rim, none), to(-rim, none), to(-core, color), from(-core, color));
+    if (core > 0) {
+        quad(from(-core, color), to(-core, color), to(core, color), from(core, color));
+    }
+    quad(from(core, color), to(core, color), to(rim, none), from(rim, none));
 }
 
 void Painter::outline(std::span<const sf::Vector2f> corners, float width, sf::Color color) {
     use(nullptr);
-    const std::size_t count = corners.size();
-    const auto mitreAt = [&](std::size_t i) {
-        const sf::Vector2f before = unit(corners[i] - corners[(i + count - 1) % count]);
-        const sf::Vector2f after = unit(corners[(i + 1) % count] - corners[i]);
-        return mitre(before, after) * (0.5f * width);
-    };
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t next = (i + 1) % count;
-        const sf::Vector2f here = mitreAt(i);
-        const sf::Vector2f there = mitreAt(next);
-        quad(std::array<sf::Vertex, 4>{
-            sf::Vertex{corners[i] - here, color}, sf::Vertex{corners[next] - there, color},
-            sf::Vertex{corners[next] + there, color}, sf::Vertex{corners[i] + here, color}});
+    outwards(corners, sides_);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const std::size_t next = (i + 1) % corners.size();
+        band({corners[i], sides_[i], corners[next], sides_[next], 0.5f * width}, color);
     }
 }
 
 void Painter::line(sf::Vector2f from, sf::Vector2f to, float width, sf::Color color) {
     use(nullptr);
     const sf::Vector2f along = unit(to - from);
-    const sf::Vector2f side = sf::Vector2f{-along.y, along.x} * (0.5f * width);
-    quad(std::array<sf::Vertex, 4>{sf::Vertex{from - side, color}, sf::Vertex{to - side, color},
-                                   sf::Vertex{to + side, color}, sf::Vertex{from + side, color}});
+    const sf::Vector2f side{-along.y, along.x};
+    band({from, side, to, side, 0.5f * width}, color);
 }
 
 void Painter::disc(sf::Vector2f center, float radius, sf::Color middle, sf::Color rim) {
     use(nullptr);
     const int corners = cornersFor(radius);
-    sf::Vector2f before = onCircle(center, radius, 0, corners);
+    const bool hard = rim.a > 0;
+    const float inside = hard ? std::max(radius - kFade, 0.0f) : radius;
+    sf::Vector2f before = onCircle({}, 1, 0, corners);
     for (int i = 1; i <= corners; ++i) {
-        const sf::Vector2f here = onCircle(center, radius, i, corners);
-        triangle({center, middle}, {before, rim}, {here, rim});
+        const sf::Vector2f here = onCircle({}, 1, i, corners);
+        const sf::Vertex a{center + inside * before, rim};
+        const sf::Vertex b{center + inside * here, rim};
+        triangle({center, middle}, a, b);
+        if (hard) {
+            quad(a, b, {center + (radius + kFade) * here, transparent(rim)},
+                 {center + (radius + kFade) * before, transparent(rim)});
+        }
         before = here;
     }
 }
@@ -146,13 +213,11 @@ void Painter::disc(sf::Vector2f center, float radius, sf::Color middle, sf::Colo
 void Painter::ring(sf::Vector2f center, float radius, float width, sf::Color color) {
     use(nullptr);
     const int corners = cornersFor(radius);
-    const float inner = radius - 0.5f * width;
-    const float outer = radius + 0.5f * width;
-    for (int i = 0; i < corners; ++i) {
-        quad(std::array<sf::Vertex, 4>{sf::Vertex{onCircle(center, inner, i, corners), color},
-                                       sf::Vertex{onCircle(center, outer, i, corners), color},
-                                       sf::Vertex{onCircle(center, outer, i + 1, corners), color},
-                                       sf::Vertex{onCircle(center, inner, i + 1, corners), color}});
+    sf::Vector2f before = onCircle({}, 1, 0, corners);
+    for (int i = 1; i <= corners; ++i) {
+        const sf::Vector2f here = onCircle({}, 1, i, corners);
+        band({center + radius * before, before, center + radius * here, here, 0.5f * width}, color);
+        before = here;
     }
 }
 
@@ -164,7 +229,7 @@ void Painter::image(const sf::Texture& texture, sf::FloatRect part, sf::FloatRec
                           tint,
                           {part.left + u * part.width, part.top + v * part.height}};
     };
-    quad(std::array<sf::Vertex, 4>{corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
+    quad(corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1));
 }
 
 void Painter::text(const sf::Font& font, std::string_view utf8, unsigned heightPixels,

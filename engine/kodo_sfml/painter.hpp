@@ -19,6 +19,9 @@ enum class Blend { Over, Add };
 
 /// Collects one picture as triangles, in the order of painting, and draws them in as few calls as
 /// textures and blending allow. All positions and lengths are pixels, y down.
+///
+/// Edges are smooth: they fade over one pixel. That looks the same everywhere, and without a
+/// graphics card it costs far less than several samples a pixel.
 class Painter {
 public:
     void clear();
@@ -27,6 +30,8 @@ public:
     /// Of everything added from here on.
     void setBlend(Blend blend) { blend_ = blend; }
 
+    /// Sharp edges; colours of the upper left, upper right, lower right and lower left corner.
+    void rectangle(sf::FloatRect where, std::span<const sf::Color, 4> colors);
     /// Convex, in either direction; one colour, or one a corner.
     void polygon(std::span<const sf::Vector2f> corners, sf::Color color);
     void polygon(std::span<const sf::Vector2f> corners, std::span<const sf::Color> colors);
@@ -53,11 +58,24 @@ private:
         const sf::Texture* texture;
     };
 
+    /// A stroke from one point to another: at each end a step to its side, half of it being inside.
+    struct Band {
+        sf::Vector2f from;
+        sf::Vector2f fromSide; // as long as half the stroke is wide, times its mitre
+        sf::Vector2f to;
+        sf::Vector2f toSide;
+        float halfWidth;
+    };
+
     void use(const sf::Texture* texture);
     void triangle(const sf::Vertex& a, const sf::Vertex& b, const sf::Vertex& c);
-    void quad(std::span<const sf::Vertex, 4> corners);
+    void quad(const sf::Vertex& a, const sf::Vertex& b, const sf::Vertex& c, const sf::Vertex& d);
+    void band(const Band& band, sf::Color color);
+    void fan(std::span<const sf::Vector2f> corners, std::span<const sf::Color> colors);
 
     std::vector<sf::Vertex> vertices_;
+    std::vector<sf::Vector2f> sides_; // of the polygon in work
+    std::vector<sf::Color> oneColor_; // repeated for each of its corners
     std::vector<Run> runs_;
     Blend blend_ = Blend::Over;
 };

@@ -12,13 +12,8 @@ namespace kodo_sfml {
 
 namespace {
 
-constexpr unsigned kSmoothing = 0;      // samples a pixel
 constexpr unsigned kMostFrames = 144;   // a second, where the screen does not set the pace
 constexpr unsigned kFrameOfWindow = 80; // pixels that title bar and panels take, about
-
-sf::ContextSettings smooth() {
-    return sf::ContextSettings(0, 0, kSmoothing);
-}
 
 } // namespace
 
@@ -29,7 +24,7 @@ Window::Window(const std::string& title, sf::Vector2u wantedPixels) {
         return room > 2 * kFrameOfWindow ? std::min(wanted, room - kFrameOfWindow) : wanted;
     };
     const sf::Vector2u size{fit(wantedPixels.x, screen.width), fit(wantedPixels.y, screen.height)};
-    window_.create({size.x, size.y}, title, sf::Style::Default, smooth());
+    window_.create({size.x, size.y}, title);
     // SFML 2.5.1 centres by the screen's width in both directions.
     window_.setPosition({static_cast<int>((screen.width - std::min(size.x, screen.width)) / 2),
                          static_cast<int>((screen.height - std::min(size.y, screen.height)) / 2)});
@@ -60,7 +55,7 @@ void Window::show(const Painter& picture, sf::Color background) {
 bool savePicture(const Painter& picture, sf::Vector2u pixels, sf::Color background,
                  const std::string& path) {
     sf::RenderTexture target;
-    if (!target.create(pixels.x, pixels.y, smooth()) && !target.create(pixels.x, pixels.y)) {
+    if (!target.create(pixels.x, pixels.y)) {
         return false;
     }
     target.clear(background);

@@ -11,7 +11,7 @@
 
 namespace kodo_sfml {
 
-/// A resizable window with smooth edges, drawn in pixels from its upper left corner. Make one only
+/// A resizable window, drawn in pixels from its upper left corner. Make one only
 /// where displayAvailable() says yes.
 class Window {
 public:

@@ -11,8 +11,10 @@ struct Tolerances {
     Real margin; // contacts are kept ready up to this gap
     Real grown;  // bounds are grown by this, so that they need not follow every move
 
+    static constexpr Real kSlopsPerUnit = 256;
+
     static constexpr Tolerances forUnit(Real unit) {
-        return {Real(1) / 256 * unit, Real(1) / 64 * unit, Real(1) / 8 * unit};
+        return {1 / kSlopsPerUnit * unit, Real(1) / 64 * unit, Real(1) / 8 * unit};
     }
 };
 

@@ -17,7 +17,7 @@ struct Nearness {
 /// gap along one axis alone.
 ///
 /// The distance of the origin from the set of all b - a, by a simplex that walks towards it
-/// [Gilbert88; Ericson05, 9.5]. Lines have both sides; two planes are 0 apart.
+/// [Ericson05, 9.5]. Lines have both sides; two planes are 0 apart.
 Nearness distance(const Convex& shapeA, const Transform& a, const Convex& shapeB,
                   const Transform& b);
 

@@ -22,9 +22,12 @@ StrideOrder::StrideOrder(std::size_t count, std::uint64_t pass) : count_(count) 
     }
     const std::uint64_t bits = mixed(pass);
     at_ = static_cast<std::size_t>((bits >> 32) % count);
-    stride_ = 1 + static_cast<std::size_t>((bits & 0xffffffffu) % (count - 1));
+    stride_ = 1 + static_cast<std::size_t>((bits >> 1 & 0x7fffffff) % (count - 1));
     while (std::gcd(stride_, count) != 1) {
         stride_ = stride_ + 1 < count ? stride_ + 1 : 1; // ends at 1 at the latest
+    }
+    if ((bits & 1) != 0) { // the same way back, as often
+        stride_ = count - stride_;
     }
 }
 

@@ -76,7 +76,7 @@ std::optional<BasicRayHit<T>> rayCast(const BasicPlane<T>& plane, const BasicRay
     return BasicRayHit<T>{height / fall, plane.normal};
 }
 
-/// A convex outline, as what is left of the ray when each side has cut it [Ericson05, 5.3.3]. The
+/// A convex outline, as what is left of the ray when each side has cut it [Ericson05, 5.3.8]. The
 /// ray enters through the last side that it passes inwards.
 template <std::floating_point T>
 class BasicRayClip {

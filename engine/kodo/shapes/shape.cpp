@@ -10,10 +10,6 @@
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
-// A corner closer to the line through its neighbours than this share of their distance is taken for
-// a rounding error: its two edges would have no dependable order around the polygon.
-constexpr Real kFlatness = sizeof(Real) == 4 ? Real(1e-5) : Real(1e-10);
-
 std::string corner(std::size_t i) {
     return "corners[" + std::to_string(i) + "]";
 }

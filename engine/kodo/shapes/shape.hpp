@@ -37,6 +37,9 @@ struct BasicPolygon {
     friend bool operator==(const BasicPolygon&, const BasicPolygon&) = default;
 };
 inline constexpr std::size_t kMaxCorners = 1024;
+/// A corner closer to the line of an edge than this share of its distance is taken for a rounding
+/// error: it would have no dependable place in the order around the polygon.
+inline constexpr Real kFlatness = sizeof(Real) == 4 ? Real(1e-5) : Real(1e-10);
 
 /// A particle: no size, no moment of inertia, and a mass of `density` kg.
 template <std::floating_point T>

@@ -197,7 +197,7 @@ void Propagation::propagateShock(Bodies& bodies, const StepSettings& settings, R
 }
 
 void Propagation::separate(Bodies& bodies, const Step& step, Real h) {
-    const Real unit = step.tolerances.slop * 256;
+    const Real unit = step.tolerances.slop * Tolerances::kSlopsPerUnit;
     const PartingLimits limits{step.tolerances.slop / 4, step.settings.pushSpeed * unit * h};
     const bool any = std::any_of(rows_.begin(), rows_.end(), [&](const PropagationRow& row) {
         return std::min(row.points[0].gap, row.points[row.count - 1].gap) < -limits.allowed;

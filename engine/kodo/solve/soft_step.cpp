@@ -15,7 +15,6 @@ struct PassSettings {
     Softness soft;
     Softness onLocked;
     Real invH;
-    Real pushSpeed; // m/s
     bool friction;
 };
 
@@ -118,7 +117,7 @@ void solveNormals(ContactRow& row, Motion& a, Motion& b, const PassSettings& pas
         if (s > 0) {
             bias = s * pass.invH; // may close the gap within the substep, and no more
         } else if (Biased) {
-            bias = std::max(soft.biasRate * s, -pass.pushSpeed);
+            bias = std::max(soft.biasRate * s, -row.pushSpeed);
             massScale = soft.massScale;
             impulseScale = soft.impulseScale;
         }
@@ -186,6 +185,8 @@ void SoftStep::makeRows(const Bodies& bodies, std::span<const Contact> contacts,
         held_[firstBody(joint.def).index] = 1;
         held_[secondBody(joint.def).index] = 1;
     });
+    countCrowds(bodies, contacts, tolerances);
+    const Real pushSpeed = settings.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit;
     // Contacts with the ground come last in each pass, so that they have the last word.
     for (const bool onLocked : {false, true}) {
         for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -196,6 +197,9 @@ void SoftStep::makeRows(const Bodies& bodies, std::span<const Contact> contacts,
                 continue;
             }
             rows_.push_back(makeRow(bodies, contact, static_cast<std::uint32_t>(i)));
+            const auto crowd =
+                std::max({crowd_[contact.key.bodyA], crowd_[contact.key.bodyB], std::uint16_t{1}});
+            rows_.back().pushSpeed = pushSpeed / static_cast<Real>(crowd);
             if (settings.has(Feature::RollingResistance)) {
                 addRolling(rows_.back(), bodies, contact);
             }
@@ -207,15 +211,31 @@ void SoftStep::makeRows(const Bodies& bodies, std::span<const Contact> contacts,
     }
 }
 
+/// A body in the middle of a heap is pushed by all of it, and those behind push on; together they
+/// must not exceed the speed that one of them may push with, or the heap would burst.
+void SoftStep::countCrowds(const Bodies& bodies, std::span<const Contact> contacts,
+                           const Tolerances& tolerances) {
+    crowd_.resize(bodies.size());
+    for (const std::uint32_t body : bodies.awake) {
+        crowd_[body] = 0;
+    }
+    for (const Contact& contact : contacts) {
+        if (contact.responds() && contact.manifold.points[0].separation < -4 * tolerances.slop) {
+            for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
+                crowd_[body] = static_cast<std::uint16_t>(crowd_[body] + !bodies.locked(body));
+            }
+        }
+    }
+}
+
 void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints,
                      const StepSettings& settings, const Tolerances& tolerances, Real dt) {
     makeRows(bodies, contacts, joints, settings, tolerances);
     const Real h = dt / static_cast<Real>(settings.substeps);
     const Real hertz = std::min(settings.contactHertz, Real(0.25) / h);
-    const Real unit = tolerances.slop * 256;
     const PassSettings pass{Softness::from(hertz, settings.contactDamping, h),
                             Softness::from(2 * hertz, settings.contactDamping, h), 1 / h,
-                            settings.pushSpeed * unit, settings.has(Feature::Friction)};
+                            settings.has(Feature::Friction)};
     JointPass jointPass{
         h, Softness::from(std::min(settings.jointHertz, Real(0.5) / h), settings.jointDamping, h)};
     joints.beginStep();

@@ -35,6 +35,7 @@ struct ContactRow {
     Real friction; // N s so far
     Real staticFriction;
     Real kineticFriction;
+    Real pushSpeed;    // m/s at most, to part the two
     Real rollingLever; // m; 0 without rolling resistance
     Real rollingMass;  // kg m^2
     Real rolling;      // N m s so far
@@ -58,10 +59,13 @@ public:
 private:
     void makeRows(const Bodies& bodies, std::span<const Contact> contacts, const JointSet& joints,
                   const StepSettings& settings, const Tolerances& tolerances);
+    void countCrowds(const Bodies& bodies, std::span<const Contact> contacts,
+                     const Tolerances& tolerances);
     void store(std::span<Contact> contacts) const;
 
     std::vector<ContactRow> rows_;
-    std::vector<std::uint8_t> held_; // by body: something touches it
+    std::vector<std::uint8_t> held_;   // by body: something touches it
+    std::vector<std::uint16_t> crowd_; // by body: how many overlap it deeply
 };
 
 } // namespace kodo::inline KODO_PRECISION
