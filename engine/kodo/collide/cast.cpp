@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/collide/cast.hpp>
 #include <kodo/collide/distance.hpp>
-#include <kodo/collide/sat.hpp>
+#include <kodo/collide/faces.hpp>
+
+#include <limits>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -139,6 +141,25 @@ Hit castAgainst(const Convex& target, const Convex& moving, const Transform& at,
     return hit;
 }
 
+/// Where the two touch at the end of the cast: on the one that shows a corner or a round side.
+Vec2 touchingPoint(const Convex& moving, const Transform& at, const Convex& target,
+                   const Transform& t, Vec2 normal) {
+    if (normal == Vec2{}) {
+        return distance(target, t, moving, at).onA;
+    }
+    const bool ofMoving = moving.isRound() || target.isPlane();
+    if (!ofMoving && !target.isRound() && !moving.isPlane()) {
+        const Manifold touch =
+            collideFaces(target, t, moving, at, std::numeric_limits<Real>::max(), 0);
+        return t.position + touch.points[0].armA;
+    }
+    const Convex& shape = ofMoving ? moving : target;
+    const Transform& place = ofMoving ? at : t;
+    const Vec2 inwards = ofMoving ? -normal : normal;
+    const std::size_t vertex = supportVertex(shape, unrotate(place.rotation, inwards), 0);
+    return place * shape.vertices[vertex] + shape.radius * inwards;
+}
+
 } // namespace
 
 std::optional<RayHit> rayCast(const Convex& shape, const Transform& t, const Ray& ray) {
@@ -157,7 +178,8 @@ std::optional<CastHit> shapeCast(const Convex& moving, const Transform& from, Ve
         return std::nullopt;
     }
     const Transform at{from.position + hit->fraction * move, from.rotation};
-    return CastHit{hit->fraction, t.rotation * hit->normal, distance(target, t, moving, at).onA};
+    const Vec2 normal = t.rotation * hit->normal;
+    return CastHit{hit->fraction, normal, touchingPoint(moving, at, target, t, normal)};
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -4,6 +4,7 @@
 #include <kodo/collide/sat.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
@@ -32,6 +33,8 @@ struct Simplex {
         }
         return sum;
     }
+    /// From the origin to its nearest point.
+    Vec2 gap() const { return mixed(&Support::onB) - mixed(&Support::onA); }
     bool has(const Support& s) const {
         for (std::size_t i = 0; i < count; ++i) {
             if (corners[i].a == s.a && corners[i].b == s.b) {
@@ -61,6 +64,9 @@ Real nearestShare(const Support& s, const Support& t) {
     return size > 0 ? -dot(s.gap(), way) / size : 0;
 }
 
+// Sine of the angle at a corner of a triangle that counts as a line.
+constexpr Real kFlat = 64 * std::numeric_limits<Real>::epsilon();
+
 void reduceLine(Simplex& simplex, const Support& s, const Support& t) {
     const Real share = nearestShare(s, t);
     if (share <= 0) {
@@ -77,26 +83,35 @@ void reduceTriangle(Simplex& simplex) {
     const Support s = simplex.corners[0];
     const Support t = simplex.corners[1];
     const Support top = simplex.corners[2];
-    const Real area = cross(t.gap() - s.gap(), top.gap() - s.gap());
+    const Vec2 base = t.gap() - s.gap();
+    const Vec2 side = top.gap() - s.gap();
+    const Real area = cross(base, side);
+    // In a triangle so flat the shares below would be rounding by rounding.
+    const bool flat = area * area <= kFlat * kFlat * lengthSquared(base) * lengthSquared(side);
     // Twice the areas that the origin spans with the sides; negative beyond a side.
     const Real sign = area < 0 ? Real(-1) : Real(1);
     const Real beyondT = sign * cross(t.gap(), top.gap());
     const Real beyondS = sign * cross(top.gap(), s.gap());
     const Real beyondTop = sign * cross(s.gap(), t.gap());
-    if (area != 0 && beyondT >= 0 && beyondS >= 0 && beyondTop >= 0) {
-        const Real whole = beyondT + beyondS + beyondTop;
-        simplex.corners[0].share = whole > 0 ? beyondT / whole : 1;
-        simplex.corners[1].share = whole > 0 ? beyondS / whole : 0;
-        simplex.corners[2].share = whole > 0 ? beyondTop / whole : 0;
+    if (!flat && beyondT >= 0 && beyondS >= 0 && beyondTop >= 0) {
+        simplex.corners[0].share = 1;
+        simplex.corners[1].share = 0;
+        simplex.corners[2].share = 0;
+        // The first round finds the shares; in a thin triangle the others find what it rounded off.
+        for (int round = 0; round < 3; ++round) {
+            const Vec2 left = -simplex.gap();
+            const Real shareOfT = cross(left, side) / area;
+            const Real shareOfTop = cross(base, left) / area;
+            simplex.corners[0].share -= shareOfT + shareOfTop;
+            simplex.corners[1].share += shareOfT;
+            simplex.corners[2].share += shareOfTop;
+        }
         return;
     }
     Simplex other = simplex;
     reduceLine(simplex, s, top);
     reduceLine(other, t, top);
-    const auto farness = [](const Simplex& x) {
-        return lengthSquared(x.mixed(&Support::onB) - x.mixed(&Support::onA));
-    };
-    if (farness(other) < farness(simplex)) {
+    if (lengthSquared(other.gap()) < lengthSquared(simplex.gap())) {
         simplex = other;
     }
 }
@@ -120,13 +135,14 @@ Simplex nearestSimplex(const Convex& shapeA, const Convex& shapeB, const Transfo
     simplex.keep(start);
     const std::size_t most = 2 * (shapeA.vertices.size() + shapeB.vertices.size());
     for (std::size_t round = 0; round < most; ++round) {
-        const Vec2 gap = simplex.mixed(&Support::onB) - simplex.mixed(&Support::onA);
+        const Vec2 gap = simplex.gap();
         const Support next =
             supportAgainst(shapeA, shapeB, ab, gap, simplex.corners[simplex.count - 1]);
         // Nothing lies nearer to the origin along the gap than what is there already.
         if (simplex.has(next) || !(dot(gap, next.gap()) < dot(gap, gap))) {
             break;
         }
+        const Simplex before = simplex;
         simplex.corners[simplex.count++] = next;
         if (simplex.count == 2) {
             reduceLine(simplex, simplex.corners[0], simplex.corners[1]);
@@ -135,6 +151,10 @@ Simplex nearestSimplex(const Convex& shapeA, const Convex& shapeB, const Transfo
         }
         if (simplex.count == 3) {
             break;
+        }
+        // Rounding alone is left of the gap, and leads anywhere.
+        if (!(lengthSquared(simplex.gap()) < lengthSquared(gap))) {
+            return before;
         }
     }
     return simplex;
@@ -154,7 +174,7 @@ Nearness withSkins(const Convex& shapeA, const Transform& a, const Convex& shape
                    const Transform& b) {
     const Simplex simplex = nearestSimplex(shapeA, shapeB, between(a, b));
     const Vec2 onA = simplex.mixed(&Support::onA);
-    const Vec2 gap = simplex.mixed(&Support::onB) - onA;
+    const Vec2 gap = simplex.gap();
     const bool apart = simplex.count < 3 && gap != Vec2{};
     const Vec2 normal = apart ? directionOf(simplex, gap) : Vec2{};
     const Real core = apart ? dot(normal, gap) : 0;

@@ -94,8 +94,11 @@ enum class Verdict : std::uint8_t {
     Aside,     // it comes from beyond a free end
 };
 
-Verdict judge(const Convex& line, Vec2 direction) {
-    const std::size_t end = dot(direction, alongOf(line)) < 0 ? 0 : 1;
+std::size_t endTowards(const Convex& line, Vec2 direction) {
+    return dot(direction, alongOf(line)) < 0 ? 0 : 1;
+}
+
+Verdict judge(const Convex& line, std::size_t end, Vec2 direction) {
     if (isFree(line, end)) {
         return ownsDirection(line, end, direction) ? Verdict::Own : Verdict::Aside;
     }
@@ -111,11 +114,11 @@ Manifold collideWithFaces(const Convex& line, const Transform& a, const Convex& 
     const Vec2 normal = line.normals[1];
     const std::size_t support = supportVertex(other, unrotate(ab.rotation, -normal), 0);
     const FaceAxis front{1, support, dot(normal, ab * other.vertices[support] - line.vertices[1])};
-    const Vec2 middle = ab * other.middle - line.vertices[0];
-    const bool behind = dot(normal, middle) < 0;
+    const Vec2 middle = ab * other.middle;
+    const bool behind = dot(normal, middle - line.vertices[0]) < 0;
 
     Manifold manifold;
-    manifold.fromBehind = behind && ownsAlong(line, ab * other.middle);
+    manifold.fromBehind = behind && ownsAlong(line, middle);
     const Transform ba = between(b, a);
     const FaceAxis face = leastPenetratingFace(other, line, ba, margin);
     if (front.separation > margin || face.separation > margin) {
@@ -123,8 +126,9 @@ Manifold collideWithFaces(const Convex& line, const Transform& a, const Convex& 
     }
     if (face.separation > front.separation + preference) {
         const Vec2 direction = -(ab.rotation * other.normals[face.face]);
-        const Verdict verdict = judge(line, direction);
-        const bool outside = dot(direction, middle) >= 0;
+        const std::size_t end = endTowards(line, direction);
+        const Verdict verdict = judge(line, end, direction);
+        const bool outside = dot(direction, middle - line.vertices[end]) >= 0;
         if (verdict == Verdict::Own && outside && !manifold.fromBehind) {
             return clipAgainstFaceOfB({line, a}, {other, b}, ba, face, margin);
         }

@@ -157,7 +157,7 @@ std::optional<BasicRayHit<T>> rayCast(const BasicSegment<T>& segment, const Basi
     const BasicVec2<T> along = segment.to - segment.from;
     const BasicVec2<T> d = ray.way();
     const BasicVec2<T> gap = segment.from - ray.from;
-    const T turn = cross(d, along); // < 0: comes from the left, the front
+    const T turn = cross(d, along); // > 0: comes from the left, the front
     if (turn == 0) {
         if (segment.oneSided || cross(gap, along) != 0 || cross(gap, d) != 0) {
             return std::nullopt;
@@ -172,10 +172,10 @@ std::optional<BasicRayHit<T>> rayCast(const BasicSegment<T>& segment, const Basi
     const T fraction = cross(gap, along) / turn;
     const T place = cross(gap, d) / turn;
     if (!(fraction >= 0 && fraction <= 1 && place >= 0 && place <= 1) ||
-        (segment.oneSided && turn > 0)) {
+        (segment.oneSided && turn < 0)) {
         return std::nullopt;
     }
-    return BasicRayHit<T>{fraction, normalize(turn < 0 ? perp(along) : -perp(along))};
+    return BasicRayHit<T>{fraction, normalize(turn > 0 ? perp(along) : -perp(along))};
 }
 
 } // namespace kodo::inline KODO_PRECISION

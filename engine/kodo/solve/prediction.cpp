@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/collide/collide.hpp>
+#include <kodo/collide/one_sided.hpp>
 #include <kodo/solve/prediction.hpp>
 
 #include <algorithm>
@@ -68,6 +69,8 @@ public:
     }
     /// So fast that it could be past the other, or well inside, before it is noticed.
     bool outruns() const { return motion() > std::min(outlineA().inside, outlineB().inside) / 2; }
+    /// A line has no inside, so which side of it a body is on can be seen only where it is now.
+    bool ofLine() const { return outlineA().isLine() || outlineB().isLine(); }
 
     void findHere() { find(hereA_, hereB_); }
     void findThere() { find(thereA_, thereB_); }
@@ -90,11 +93,13 @@ private:
         const Real reach = outlineA().reach + outlineB().reach + tolerances_.margin;
         if (lengthSquared(b.position - a.position) > reach * reach) {
             contact_.manifold.count = 0;
+            contact_.passing = false;
             return;
         }
         contact_.centerA = a.position;
         contact_.manifold =
             collide(outlineA(), a, outlineB(), b, tolerances_.margin, tolerances_.slop / 8);
+        contact_.passing = letPass(contact_.passing, contact_.manifold);
     }
 
     const Bodies& bodies_;
@@ -112,14 +117,20 @@ std::array<Real, 2> predictContact(Contact& contact, const Bodies& bodies,
                                    const Prediction& prediction) {
     Way way(contact, bodies, prediction);
     const bool hardlyMoves = way.motion() <= prediction.tolerances.margin / 2;
-    const bool outruns = prediction.swept && way.outruns();
+    const bool outruns = way.ofLine() || (prediction.swept && way.outruns());
     if (!hardlyMoves && !outruns) {
         way.findThere();
     } else if (!prediction.fresh) {
         way.findHere();
     }
+    const Motion& motionA = bodies.motion[contact.key.bodyA];
+    const Motion& motionB = bodies.motion[contact.key.bodyB];
     std::array<Real, 2> gaps{};
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        const ManifoldPoint& p = contact.manifold.points[i];
+        const Vec2 velocity = velocityAt(motionB, p.armB) - velocityAt(motionA, p.armA);
+        contact.approachSpeed =
+            std::max(contact.approachSpeed, -dot(contact.manifold.normal, velocity));
         Real& separation = contact.manifold.points[i].separation;
         gaps[i] = separation;
         if (outruns) {
@@ -128,7 +139,8 @@ std::array<Real, 2> predictContact(Contact& contact, const Bodies& bodies,
         if (hardlyMoves) {
             separation -= way.closing(i);
         } else {
-            gaps[i] += way.closing(i);
+            // What moves apart may have come round a corner: backwards, this normal says nothing.
+            gaps[i] += std::max(way.closing(i), Real(0));
         }
     }
     return gaps;

@@ -20,7 +20,8 @@ struct Prediction {
 /// Finds a contact where its bodies would be after h if nothing stopped them [Thesis06, 4.2.2.1],
 /// and returns how far apart its points are now (m). What hardly moves keeps a fresh manifold,
 /// moved along to first order. What moves so fast that it could come out on the far side is found
-/// where it is now, if it is swept.
+/// where it is now, if it is swept, and so is what meets a line. The fastest approach goes into the
+/// contact's record.
 std::array<Real, 2> predictContact(Contact& contact, const Bodies& bodies,
                                    const Prediction& prediction);
 

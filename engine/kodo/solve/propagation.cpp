@@ -9,19 +9,20 @@
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
-constexpr std::uint64_t kPassesPerStep = 1u << 20; // at most, so that each has a number of its own
+constexpr std::uint64_t kPassesPerStep = 1u << 20; // more than a step makes, but for huge settings
 constexpr Real kSteep = Real(0.25); // a normal with less than this share along the pull carries not
 
 bool bounces(const Contact& contact, const StepSettings& settings) {
     return contact.material.restitution > 0 && settings.has(Feature::Restitution);
 }
 
-/// A body that takes no part in the step is left alone: had it been touched, it would have woken.
+/// Sensors and what is hidden push nothing. A body that takes no part in the step is left alone:
+/// had it been touched, it would have woken.
 bool leftAlone(const Bodies& bodies, const Contact& contact) {
     const auto idle = [&](std::uint32_t body) {
         return !bodies.active(body) && !bodies.locked(body);
     };
-    return idle(contact.key.bodyA) || idle(contact.key.bodyB);
+    return contact.sensor || contact.hidden || idle(contact.key.bodyA) || idle(contact.key.bodyB);
 }
 
 RowMasses massesOf(const Bodies& bodies, const PropagationRow& row, bool frozenA, bool frozenB) {
@@ -69,24 +70,30 @@ void Propagation::predict(const Bodies& bodies, std::span<Contact> contacts,
     }
 }
 
+/// What bounces is hit where it will touch. What does not is hit once it touches: before that, the
+/// contact passes let it close the gap.
 void Propagation::resolveCollisions(Bodies& bodies, std::span<Contact> contacts, const Step& step,
                                     Real h) {
-    bouncing_.clear();
+    struck_.clear();
+    if (!step.settings.has(Feature::Restitution)) {
+        return;
+    }
     for (std::size_t k = 0; k < contacts.size(); ++k) {
-        if (contacts[k].responds() && bounces(contacts[k], step.settings) &&
-            !leftAlone(bodies, contacts[k])) {
-            bouncing_.push_back(static_cast<std::uint32_t>(k));
+        const Contact& contact = contacts[k];
+        const bool now = bounces(contact, step.settings) || gaps_[k][0] <= step.tolerances.slop;
+        if (contact.manifold.count > 0 && now && !leftAlone(bodies, contact)) {
+            struck_.push_back(static_cast<std::uint32_t>(k));
         }
     }
-    bool any = !bouncing_.empty();
+    bool any = !struck_.empty();
     for (int pass = 0; pass < step.settings.impactPasses && any; ++pass) {
         any = false;
-        StrideOrder order(bouncing_.size(), ++pass_);
-        for (std::size_t k = 0; k < bouncing_.size(); ++k) {
-            Contact& contact = contacts[bouncing_[order.next()]];
+        StrideOrder order(struck_.size(), ++pass_);
+        for (std::size_t k = 0; k < struck_.size(); ++k) {
+            Contact& contact = contacts[struck_[order.next()]];
             any = solveImpact(bodies, contact, step.settings, step.tolerances, h) || any;
         }
-        visits_ += bouncing_.size();
+        visits_ += struck_.size();
     }
 }
 
@@ -96,7 +103,7 @@ void Propagation::makeRows(const Bodies& bodies, std::span<Contact> contacts, co
     rows_.clear();
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         Contact& contact = contacts[k];
-        if (!contact.responds() || leftAlone(bodies, contact)) {
+        if (contact.manifold.count == 0 || leftAlone(bodies, contact)) {
             continue;
         }
         const bool touches = contact.manifold.points[0].separation <= step.tolerances.slop;

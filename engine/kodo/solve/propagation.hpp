@@ -28,6 +28,8 @@ namespace kodo::inline KODO_PRECISION {
 /// With more than one substep, each part of the step is processed like that. Every pass visits each
 /// contact once, in a stride order of its own.
 ///
+/// The groups that a CollisionRecord speaks of are the impacts and the contacts of each part.
+///
 /// Where it departs from the thesis: friction is bounded by the normal impulses of all passes;
 /// separation works like impulses, so heavy bodies move less and locked ones not at all; a contact
 /// may close its gap before it stops its bodies; levels come from the graph of contacts and frozen
@@ -71,7 +73,7 @@ private:
 
     std::vector<PropagationRow> rows_;
     std::vector<std::array<Real, 2>> gaps_; // by contact: at the start of the part
-    std::vector<std::uint32_t> bouncing_;   // contacts with restitution
+    std::vector<std::uint32_t> struck_;     // contacts that collisions are looked for in
     std::vector<Parting> parting_;          // by body
     std::vector<std::uint8_t> held_;        // by body: something touches it
     std::vector<std::uint32_t> node_;       // by body: its place in the graph of contacts

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/assets.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+#include <utility>
+
+namespace apart {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kLongestName = 64;
+
+bool holdsLevels(const fs::path& folder) {
+    std::error_code error;
+    return fs::is_directory(folder / "levels", error);
+}
+
+fs::path programFolder() {
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    return error ? fs::path() : program.parent_path();
+}
+
+bool isName(const std::string& name) {
+    const auto allowed = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               c == '-' || c == '_';
+    };
+    return !name.empty() && name.size() <= kLongestName &&
+           std::all_of(name.begin(), name.end(), allowed);
+}
+
+} // namespace
+
+fs::path assetsFolder() {
+    if (const char* named = std::getenv("APART_ASSETS"); named != nullptr && *named != '\0') {
+        return named;
+    }
+    const fs::path program = programFolder();
+    for (fs::path folder = program; !folder.empty(); folder = folder.parent_path()) {
+        if (holdsLevels(folder / "assets")) {
+            return folder / "assets";
+        }
+        if (folder == folder.parent_path()) {
+            break;
+        }
+    }
+    const fs::path installed = program.parent_path() / "share" / "apart";
+    for (const fs::path& folder : {installed, fs::path(APART_SOURCE_ASSETS)}) {
+        if (holdsLevels(folder)) {
+            return folder;
+        }
+    }
+    return "assets";
+}
+
+std::vector<std::string> levelNames() {
+    std::vector<std::pair<std::int32_t, std::string>> found;
+    std::error_code error;
+    for (fs::directory_iterator entry(assetsFolder() / "levels", error), end; entry != end;
+         entry.increment(error)) {
+        const fs::path path = entry->path();
+        if (path.extension() == ".toml" && isName(path.stem().string())) {
+            const Read<Level> level = readLevelFile(path);
+            const auto* good = std::get_if<Level>(&level);
+            found.emplace_back(good != nullptr ? good->place : 9999, path.stem().string());
+        }
+    }
+    std::sort(found.begin(), found.end()); // total order: names differ
+    std::vector<std::string> names;
+    for (auto& [place, name] : found) {
+        names.push_back(std::move(name));
+    }
+    return names;
+}
+
+Read<Level> loadLevel(const std::string& name) {
+    if (!isName(name)) {
+        return FileProblem{name, 0,
+                           "is no name of a level: it has letters, digits, - and _ only, 1 to " +
+                               std::to_string(kLongestName)};
+    }
+    const fs::path path = assetsFolder() / "levels" / (name + ".toml");
+    std::error_code error;
+    if (!fs::exists(path, error)) {
+        return FileProblem{path.string(), 0, "there is no level " + name};
+    }
+    return readLevelFile(path);
+}
+
+} // namespace apart

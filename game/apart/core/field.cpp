@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/field.hpp>
+#include <apart/core/paddle.hpp>
+#include <apart/core/tuning.hpp>
+
+#include <utility>
+
+namespace apart {
+
+using kodo::Box;
+using kodo::Circle;
+using kodo::Real;
+using kodo::Vec2;
+
+namespace {
+
+// How much the part of a block is wider above than in its middle, as a share of its height.
+constexpr Real kWeldLean = Real(0.4);    // a keystone
+constexpr Real kLaunchLean = Real(-0.4); // an arrowhead
+
+kodo::BodyDef wallDef(Real width, Real height, Vec2 center) {
+    return {.shape = Box{width, height},
+            .position = center,
+            .material = kodo::withFriction(Real(0.3), 1),
+            .flags = kodo::kLocked | flagsOf(Role::Wall)};
+}
+
+Piece polygonPiece(kodo::Polygon polygon, Real density, Role role) {
+    const kodo::Mass mass = massOf(polygon, density);
+    return {std::move(polygon), density, role, mass};
+}
+
+Real densityOf(const BlockKind& kind) {
+    return kStuffDensity[static_cast<std::size_t>(kind.stuff)];
+}
+
+std::vector<Piece> ballPieces() {
+    std::vector<Piece> pieces;
+    for (int i = 0; i < kSplitBalls; ++i) {
+        const Real share = static_cast<Real>(2 * i + 1) / (2 * kSplitBalls) - Real(0.5);
+        const Vec2 center{share * kCellWidth, 0};
+        kodo::Mass mass = massOf(Circle{kBallRadius}, kBallDensity);
+        mass.center = center;
+        pieces.push_back({Circle{kBallRadius, center}, kBallDensity, Role::Ball, mass});
+    }
+    return pieces;
+}
+
+std::vector<Piece> partPieces(const BlockKind& kind) {
+    const Real lean = kind.power == Power::Weld ? kWeldLean : kLaunchLean;
+    std::vector<Piece> pieces;
+    for (kodo::Polygon& polygon : cutOutMiddle(kCellWidth, kCellHeight, lean)) {
+        const bool middle = pieces.empty();
+        pieces.push_back(polygonPiece(std::move(polygon), middle ? kPartDensity : densityOf(kind),
+                                      middle ? Role::Part : Role::Shard));
+    }
+    return pieces;
+}
+
+} // namespace
+
+std::array<kodo::BodyDef, 3> wallDefs() {
+    const Real height = kFieldHeight + kWallThickness + kWallBelow;
+    const Real middle = (kFieldHeight + kWallThickness - kWallBelow) / 2;
+    const Real x = (kFieldWidth + kWallThickness) / 2;
+    return {wallDef(kWallThickness, height, {-x, middle}),
+            wallDef(kWallThickness, height, {x, middle}),
+            wallDef(kFieldWidth, kWallThickness, {0, kFieldHeight + kWallThickness / 2})};
+}
+
+kodo::BodyDef paddleDef(Real x) {
+    return {.shape = paddleShape(),
+            .position = {x, kPaddleY},
+            .material = kPaddleMaterial,
+            .density = kPaddleDensity,
+            .flags = kodo::kLocked | flagsOf(Role::Paddle)};
+}
+
+kodo::BodyDef ballDef(Vec2 position) {
+    return {.shape = Circle{kBallRadius},
+            .position = position,
+            .material = kBallMaterial,
+            .density = kBallDensity,
+            .flags = flagsOf(Role::Ball)};
+}
+
+Vec2 centerOf(const Cell& cell) {
+    const Real columns = static_cast<Real>(2 * cell.column + 1) / 2;
+    const Real rows = static_cast<Real>(2 * cell.row + 1) / 2;
+    return {columns * kCellWidth - kFieldWidth / 2, kFieldHeight - rows * kCellHeight};
+}
+
+kodo::BodyDef blockDef(const BlockKind& kind, Vec2 center) {
+    Real mass = densityOf(kind) * kCellWidth * kCellHeight;
+    if (kind.power != Power::None) {
+        mass = 0;
+        for (const Piece& piece : piecesOf(kind, {}, 0)) {
+            mass += piece.mass.mass;
+        }
+    }
+    return {.shape = Box{kCellWidth, kCellHeight},
+            .position = center,
+            .material = kBlockMaterial,
+            .density = mass / (kCellWidth * kCellHeight),
+            .flags = kodo::kLocked | flagsOf(Role::Block)};
+}
+
+PieceLimits shardLimits() {
+    return {kLeastArea * kCellWidth * kCellHeight, kLeastWidth * kCellHeight};
+}
+
+std::vector<Piece> piecesOf(const BlockKind& kind, Vec2 hit, std::uint64_t key) {
+    if (kind.power == Power::Split) {
+        return ballPieces();
+    }
+    if (kind.power != Power::None) {
+        return partPieces(kind);
+    }
+    const kodo::Polygon whole = rectangle(kCellWidth, kCellHeight);
+    std::vector<Piece> pieces;
+    for (kodo::Polygon& polygon : fracture(whole, hit, kind.pattern, shardLimits(), key)) {
+        pieces.push_back(polygonPiece(std::move(polygon), densityOf(kind), Role::Shard));
+    }
+    return pieces;
+}
+
+kodo::BodyDef pieceDef(const Piece& piece, const PieceMotion& motion, Vec2 blockCenter) {
+    if (piece.role == Role::Ball) {
+        kodo::BodyDef ball = ballDef(blockCenter + piece.mass.center);
+        ball.velocity = motion.velocity;
+        return ball;
+    }
+    return {.shape = piece.shape,
+            .position = blockCenter,
+            .velocity = motion.velocity,
+            .angularVelocity = motion.spin,
+            .material = kShardMaterial,
+            .density = piece.density,
+            .flags = flagsOf(piece.role) | kFalls};
+}
+
+} // namespace apart

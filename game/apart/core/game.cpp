@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/field.hpp>
+#include <apart/core/game.hpp>
+#include <apart/core/paddle.hpp>
+#include <apart/core/tuning.hpp>
+#include <kodo/base/hash.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace apart {
+
+using kodo::BodyId;
+using kodo::Real;
+using kodo::Vec2;
+
+namespace {
+
+// A ball that rides keeps this far off the paddle (m), so that they do not touch.
+constexpr Real kRideGap = Real(0.05);
+
+Vec2 rideOffset() {
+    return {0, domeHeight(0) + kBallRadius + kRideGap};
+}
+
+} // namespace
+
+Game::Game(const Level& level, std::uint32_t seed)
+    : Game(std::make_shared<const Level>(level), seed) {}
+
+Game::Game(std::shared_ptr<const Level> level, std::uint32_t seed)
+    : level_(std::move(level)), seed_(seed), lives_(level_->lives) {
+    buildField();
+    buildBlocks();
+    newPaddle();
+    newServe();
+}
+
+void Game::buildField() {
+    world_.addField({std::make_shared<kodo::Gravity>(Vec2{0, -kGravity}),
+                     {.flags = kodo::kMatchAny, .required = kFalls}});
+    for (const kodo::BodyDef& def : wallDefs()) {
+        walls_.push_back(world_.add(def));
+    }
+}
+
+void Game::buildBlocks() {
+    for (const Cell& cell : level_->cells) {
+        const BlockKind& kind = level_->kinds[cell.kind];
+        const auto key = static_cast<std::uint32_t>(cell.row * kColumns + cell.column);
+        const BodyId body = world_.add(blockDef(kind, centerOf(cell)));
+        blocks_.push_back({body, kind, static_cast<Real>(kind.strength) / 1000, key});
+        blocksAtStart_ += kind.breakable() ? 1 : 0;
+    }
+    blocksLeft_ = blocksAtStart_;
+}
+
+void Game::newPaddle() {
+    Real x = 0;
+    if (world_.contains(paddle_)) {
+        x = world_[paddle_].position().x;
+        world_.remove(paddle_);
+    }
+    paddle_ = world_.add(paddleDef(x));
+    paddleSpeed_ = 0;
+    welds_.clear();
+}
+
+void Game::newServe() {
+    Generator chance(mixKeys(seed_, serves_, 1));
+    ++serves_;
+    const Real slope = chance.between(kServeSlope / 4, kServeSlope);
+    serveHeading_ = normalize(Vec2{chance.below(2) == 0 ? slope : -slope, 1});
+    kodo::BodyDef def = ballDef(world_[paddle_].position() + rideOffset());
+    def.flags |= kodo::kLocked;
+    balls_.push_back({world_.add(def), serveHeading_, true});
+}
+
+void Game::serve() {
+    for (Ball& ball : balls_) {
+        if (ball.riding) {
+            ball.riding = false;
+            ball.heading = serveHeading_;
+            kodo::BodyRef body = world_[ball.body];
+            body.setFlags(flagsOf(Role::Ball));
+            body.setVelocity(ballSpeed() * serveHeading_);
+            events_.emplace_back(Served{ball.body, body.position(), serveHeading_});
+        }
+    }
+}
+
+void Game::tick(const Input& input) {
+    events_.clear();
+    ++tick_;
+    if (input.launch && result_ == Result::Playing) {
+        serve();
+    }
+    steer(input);
+    fireParts();
+    world_.step(kTickSeconds);
+    judge();
+    govern();
+    sweepOut();
+    conclude();
+}
+
+void Game::steer(const Input& input) {
+    kodo::BodyRef paddle = world_[paddle_];
+    const Vec2 position = paddle.position();
+    paddleSpeed_ = drivenSpeed(input, position.x, paddleSpeed_, paddle.mass());
+
+    // Whatever is welded to it must stay inside the field too.
+    const kodo::Aabb bounds = paddle.bounds();
+    const Real roomLeft = std::min(-kFieldWidth / 2 - bounds.lower.x, Real(0));
+    const Real roomRight = std::max(kFieldWidth / 2 - bounds.upper.x, Real(0));
+    const Real way = std::clamp(paddleSpeed_ * kTickSeconds, roomLeft, roomRight);
+    paddleSpeed_ = way / kTickSeconds;
+
+    const Vec2 target{position.x + way, kPaddleY};
+    paddle.moveTo(target, kTickSeconds);
+    for (const Ball& ball : balls_) {
+        if (ball.riding) {
+            world_[ball.body].moveTo(target + rideOffset(), kTickSeconds);
+        }
+    }
+    for (const Part& part : parts_) {
+        if (part.state == PartState::Stuck) {
+            world_[part.body].moveTo(target + part.offset, kTickSeconds);
+        }
+    }
+}
+
+void Game::fireParts() {
+    for (Part& part : parts_) {
+        kodo::BodyRef body = world_[part.body];
+        if (part.state == PartState::Stuck && tick_ - part.sinceTick >= kStickTicks) {
+            part.state = PartState::Launched;
+            part.sinceTick = tick_;
+            // It meets blocks alone from now on: neither what it flies through nor the top wall.
+            body.setFlags(flagsOf(Role::Part) | kodo::kLockRotate | kodo::kMatchAny);
+            body.setRequired(static_cast<std::uint16_t>(flagsOf(Role::Block)));
+            body.setMaterial(kodo::withFriction(0, 0));
+            body.setAngularVelocity(0);
+            events_.emplace_back(Launched{part.body, body.position()});
+        }
+        if (part.state == PartState::Launched) {
+            body.setVelocity({0, kLaunchSpeed}); // its drive makes up for what blows take
+        }
+    }
+}
+
+void Game::conclude() {
+    if (result_ != Result::Playing) {
+        return;
+    }
+    if (blocksLeft_ == 0) {
+        result_ = Result::Won;
+        score_ += lives_ * kLifePoints;
+        events_.emplace_back(Cleared{score_});
+    } else if (balls_.empty()) {
+        --lives_;
+        events_.emplace_back(LifeLost{lives_});
+        if (lives_ == 0) {
+            result_ = Result::Lost;
+            events_.emplace_back(Lost{score_});
+            return;
+        }
+        letGoOfParts();
+        newPaddle();
+        newServe();
+    }
+}
+
+const Block* Game::findBlock(BodyId body) const {
+    const auto found = std::find_if(blocks_.begin(), blocks_.end(),
+                                    [&](const Block& block) { return block.body == body; });
+    return found == blocks_.end() ? nullptr : &*found;
+}
+
+bool Game::serving() const {
+    return std::any_of(balls_.begin(), balls_.end(), [](const Ball& ball) { return ball.riding; });
+}
+
+Real Game::ballSpeed() const {
+    const auto broken = static_cast<Real>(blocksAtStart_ - blocksLeft_);
+    const Real share = blocksAtStart_ > 0 ? broken / static_cast<Real>(blocksAtStart_) : Real(0);
+    return static_cast<Real>(level_->ballSpeed) / 1000 * (1 + kSpeedUp * share);
+}
+
+} // namespace apart

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <apart/core/event.hpp>
+#include <apart/core/input.hpp>
+#include <apart/core/level.hpp>
+#include <kodo/kodo.hpp>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace apart {
+
+enum class Result : std::uint8_t { Playing, Won, Lost };
+inline constexpr std::array<std::string_view, 3> kResultNames = {"playing", "won", "lost"};
+
+/// A block that stands. Locked; it never moves.
+struct Block {
+    kodo::BodyId body;
+    BlockKind kind;
+    kodo::Real strengthLeft = 0; // N s
+    std::uint32_t key = 0;       // of its fracture: place in the grid
+};
+
+struct Ball {
+    kodo::BodyId body;
+    kodo::Vec2 heading;  // unit; where it last flew
+    bool riding = false; // on the paddle, waiting for the serve
+};
+
+/// A piece of a broken block.
+struct Shard {
+    kodo::BodyId body;
+    Stuff stuff = Stuff::Brick;
+    std::uint32_t bornTick = 0;
+};
+
+enum class PartState : std::uint8_t { Loose, Stuck, Launched };
+
+/// A power-up: a body like any other until it meets the paddle. A welded one is no longer here, but
+/// is a part of the paddle's body.
+struct Part {
+    kodo::BodyId body;
+    Power power = Power::Weld;
+    PartState state = PartState::Loose;
+    std::uint32_t sinceTick = 0; // when its state began
+    kodo::Vec2 offset;           // m, from the paddle's frame; while stuck
+};
+
+/// What holds a part on the paddle. Like a block, it gives way when blows have used its strength
+/// up.
+struct Weld {
+    kodo::Real strengthLeft = 0; // N s
+    kodo::Vec2 lastPoint{};      // of the last blow; m, world
+    kodo::Real lastImpulse = 0;  // N s
+};
+
+/// The whole of aPart without a screen: a function of level, seed and inputs. A value: a copy is a
+/// snapshot, and both go on alike.
+///
+/// The field is kFieldWidth by kFieldHeight (tuning.hpp), x from -width/2 to width/2, y from 0 up;
+/// 4 to 3, so that a 16 to 10 window has room for the score beside it.
+class Game {
+public:
+    Game(std::shared_ptr<const Level> level, std::uint32_t seed);
+    Game(const Level& level, std::uint32_t seed);
+
+    /// One step of kTickSeconds. After the end of the game things still move, but nothing counts.
+    void tick(const Input& input);
+    /// What happened in the last tick.
+    std::span<const Event> events() const { return events_; }
+
+    Result result() const { return result_; }
+    std::uint32_t ticks() const { return tick_; }
+    std::int32_t score() const { return score_; }
+    std::int32_t lives() const { return lives_; } // the one in play included
+    std::int32_t combo() const { return combo_; } // blocks broken since the paddle was last met
+    std::int32_t blocksLeft() const { return blocksLeft_; } // breakable ones
+    std::int32_t blocksAtStart() const { return blocksAtStart_; }
+
+    const Level& level() const { return *level_; }
+    std::uint32_t seed() const { return seed_; }
+
+    // To be drawn. Shapes and places: world()[body].part(i).convex under world()[body].placement().
+    const kodo::World& world() const { return world_; }
+    std::span<const kodo::BodyId> walls() const { return walls_; }
+    /// Part 0 of its body is the paddle itself, the others are welded to it.
+    kodo::BodyId paddle() const { return paddle_; }
+    /// By part of the paddle's body, from part 1 on.
+    std::span<const Weld> welds() const { return welds_; }
+    int weldedParts() const { return static_cast<int>(welds_.size()); }
+    std::span<const Block> blocks() const { return blocks_; }
+    std::span<const Ball> balls() const { return balls_; }
+    std::span<const Shard> shards() const { return shards_; }
+    std::span<const Part> parts() const { return parts_; }
+    const Block* findBlock(kodo::BodyId body) const; // nullptr: none
+    /// Waiting for `launch`?
+    bool serving() const;
+    /// Unit; where the ball will go when it is served.
+    kodo::Vec2 serveHeading() const { return serveHeading_; }
+    kodo::Real ballSpeed() const; // m/s that balls are held at just now
+
+    /// Equal for games that will go on alike. The same on every machine.
+    std::uint64_t stateHash() const;
+
+private:
+    friend struct GameTestAccess; // tests set up situations with it
+
+    void buildField();
+    void buildBlocks();
+    void newPaddle();
+    void newServe();
+    void serve();
+    void steer(const Input& input);
+    void fireParts();
+    void judge();
+    void judgeBall(const kodo::CollisionRecord& hit, kodo::BodyId ball);
+    void judgeBlock(const kodo::CollisionRecord& hit, kodo::BodyId body);
+    void judgePart(const kodo::CollisionRecord& hit, kodo::BodyId body);
+    void judgePaddle(const kodo::CollisionRecord& hit);
+    void knockOffWorn();
+    void knockOff(std::size_t weld);
+    Stuff stuffOf(kodo::BodyId body) const;
+    void breakBlock(std::size_t index, kodo::Vec2 point, kodo::Vec2 blow);
+    int addPieces(const Block& block, kodo::Vec2 center, kodo::Vec2 point, kodo::Vec2 blow);
+    void govern();
+    bool isRubble(kodo::BodyId body) const;
+    void sweepOut();
+    void sweepBalls();
+    void sweepParts();
+    void sweepShards();
+    void letGoOfParts();
+    void conclude();
+
+    std::shared_ptr<const Level> level_;
+    std::uint32_t seed_ = 0;
+    std::uint32_t tick_ = 0;
+    Result result_ = Result::Playing;
+    std::int32_t score_ = 0;
+    std::int32_t lives_ = 0;
+    std::int32_t combo_ = 0;
+    std::int32_t blocksLeft_ = 0;
+    std::int32_t blocksAtStart_ = 0;
+    std::uint32_t serves_ = 0;
+
+    kodo::World world_;
+    std::vector<kodo::BodyId> walls_;
+    kodo::BodyId paddle_;
+    kodo::Real paddleSpeed_ = 0; // m/s
+    std::vector<Weld> welds_;
+    kodo::Vec2 serveHeading_{0, 1};
+    std::vector<Block> blocks_;
+    std::vector<Ball> balls_;
+    std::vector<Shard> shards_;
+    std::vector<Part> parts_;
+    std::vector<Event> events_;
+};
+
+} // namespace apart

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace apart {
+
+/// All that a player can say in one tick. Integers, so that a replay is text and the device that
+/// it came from no longer matters.
+struct Input {
+    std::int8_t paddle = 0;               // keys: -127..127 of the key speed, left to right
+    std::optional<std::int16_t> target{}; // mouse: 1/1000 m from the middle; beats `paddle`
+    bool launch = false;                  // serve the ball that rides on the paddle
+
+    friend bool operator==(const Input&, const Input&) = default;
+};
+
+} // namespace apart

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/replay.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+namespace apart {
+
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+Words wordsOf(std::string_view line) {
+    Words words;
+    line = line.substr(0, line.find('#'));
+    const std::string_view blanks = " \t\r";
+    for (std::size_t start = line.find_first_not_of(blanks); start != std::string_view::npos;) {
+        const std::size_t end = std::min(line.find_first_of(blanks, start), line.size());
+        words.push_back(line.substr(start, end - start));
+        start = line.find_first_not_of(blanks, end);
+    }
+    return words;
+}
+
+/// Index of the word among the names.
+std::optional<std::size_t> indexOf(std::string_view word, std::span<const std::string_view> names) {
+    const auto found = std::find(names.begin(), names.end(), word);
+    if (found == names.end()) {
+        return std::nullopt;
+    }
+    return static_cast<std::size_t>(found - names.begin());
+}
+
+std::string quoted(std::string_view word) {
+    std::string text = "'";
+    for (const char c : word.substr(0, 40)) {
+        text += c >= ' ' && c <= '~' ? c : '?';
+    }
+    return text + "'";
+}
+
+/// Reads a replay line by line and stops at the first problem. Each read...() gives the reason why
+/// its line is wrong, or "".
+class ReplayReader {
+public:
+    ReplayReader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+
+    Read<Replay> read() {
+        std::size_t start = 0;
+        for (line_ = 1; start < text_.size(); ++line_) {
+            const std::size_t end = text_.find('\n', start);
+            if (end == std::string_view::npos) {
+                return problem("the file is cut off: its last line has no end");
+            }
+            lineStart_ = start;
+            const Words words = wordsOf(text_.substr(start, end - start));
+            start = end + 1;
+            const std::string reason = words.empty() ? "" : readLine(words);
+            if (!reason.empty()) {
+                return problem(reason);
+            }
+        }
+        --line_;
+        const std::string reason = whatIsMissing();
+        return reason.empty() ? Read<Replay>(replay_) : Read<Replay>(problem(reason));
+    }
+
+private:
+    FileProblem problem(std::string reason) const { return {file_, line_, std::move(reason)}; }
+
+    std::string readLine(const Words& words) {
+        const std::string_view first = words[0];
+        if (!begun_) {
+            begun_ = words.size() == 2 && first == "apart-replay" && words[1] == "1";
+            return begun_ ? "" : "not a replay of this game: the first line must be apart-replay 1";
+        }
+        if (hasDigest_ || (ended_ && first != "digest")) {
+            return "nothing may follow the end of the replay";
+        }
+        if (first == "level") {
+            return readLevel(words);
+        }
+        if (first == "rules" || first == "seed") {
+            return readHead(words);
+        }
+        if (first == "handwritten" && words.size() == 1) {
+            replay_.handwritten = true;
+            return "";
+        }
+        if (first == "hash") {
+            return readHashes(words);
+        }
+        if (first == "expect") {
+            return readExpectation(words);
+        }
+        if (first == "end") {
+            return readEnd(words);
+        }
+        if (first == "digest") {
+            return readDigest(words);
+        }
+        return readInput(words);
+    }
+
+    std::string readLevel(const Words& words) {
+        if (words.size() < 2 || words.size() > 3 || !replay_.level.empty()) {
+            return "one line must say: level NAME DIGEST";
+        }
+        replay_.level = words[1];
+        if (words.size() == 3) {
+            replay_.levelDigest = fromHex(words[2]);
+            if (!replay_.levelDigest) {
+                return "the digest of the level must be 16 hexadecimal digits";
+            }
+        }
+        return "";
+    }
+
+    std::string readHead(const Words& words) {
+        const std::optional<std::int64_t> value =
+            words.size() == 2 ? toNumber(words[1]) : std::nullopt;
+        if (!value || *value < 0 || *value > std::numeric_limits<std::uint32_t>::max()) {
+            return std::string(words[0]) + " needs one whole number from 0 to 4294967295";
+        }
+        const auto number = static_cast<std::uint32_t>(*value);
+        if (words[0] == "rules") {
+            replay_.rules = number;
+        } else {
+            if (hasSeed_) {
+                return "a second seed";
+            }
+            hasSeed_ = true;
+            replay_.seed = number;
+        }
+        return "";
+    }
+
+    static std::optional<std::uint32_t> tickOf(std::string_view word) {
+        const std::optional<std::int64_t> value = toNumber(word);
+        if (!value || *value < 0 || *value > kLongestReplay) {
+            return std::nullopt;
+        }
+        return static_cast<std::uint32_t>(*value);
+    }
+
+    static std::string tickReason(std::string_view word) {
+        return quoted(word) + " is no tick: a whole number from 0 to " +
+               std::to_string(kLongestReplay);
+    }
+
+    std::string readInput(const Words& words) {
+        const std::optional<std::uint32_t> tick = tickOf(words[0]);
+        if (!tick) {
+            return quoted(words[0]) + " is neither a tick nor a word that a replay knows";
+        }
+        if (words.size() != 4) {
+            return "an input line has four columns: tick paddle target launch";
+        }
+        if (!replay_.inputs.empty() && *tick <= replay_.inputs.back().tick) {
+            return "the ticks of input lines must rise";
+        }
+        const std::optional<std::int64_t> paddle = toNumber(words[1]);
+        if (!paddle || *paddle < -127 || *paddle > 127) {
+            return "paddle must be a whole number from -127 to 127";
+        }
+        Input input;
+        input.paddle = static_cast<std::int8_t>(*paddle);
+        if (words[2] != "-") {
+            const std::optional<std::int64_t> target = toNumber(words[2]);
+            if (!target || *target < -32000 || *target > 32000) {
+                return "target must be - or a whole number from -32000 to 32000";
+            }
+            input.target = static_cast<std::int16_t>(*target);
+        }
+        if (words[3] != "0" && words[3] != "1") {
+            return "launch must be 0 or 1";
+        }
+        input.launch = words[3] == "1";
+        replay_.inputs.push_back({*tick, input});
+        return "";
+    }
+
+    std::string readHashes(const Words& words) {
+        if (words.size() < 3 || words.size() % 2 != 1) {
+            return "a hash line has pairs of a tick and a hash";
+        }
+        for (std::size_t i = 1; i < words.size(); i += 2) {
+            const std::optional<std::uint32_t> tick = tickOf(words[i]);
+            const std::optional<std::uint64_t> hash = fromHex(words[i + 1]);
+            if (!tick) {
+                return tickReason(words[i]);
+            }
+            if (!hash) {
+                return "a hash has 16 hexadecimal digits, unlike " + quoted(words[i + 1]);
+            }
+            if (!replay_.hashes.empty() && *tick <= replay_.hashes.back().tick) {
+                return "the ticks of hashes must rise";
+            }
+            replay_.hashes.push_back({*tick, *hash});
+        }
+        return "";
+    }
+
+    std::string readExpectation(const Words& words) {
+        if (words.size() != 5) {
+            return "an expectation reads: expect TICK FIELD OPERATOR VALUE";
+        }
+        const std::optional<std::uint32_t> tick = tickOf(words[1]);
+        const std::optional<std::size_t> field = indexOf(words[2], kFieldNames);
+        const std::optional<std::size_t> comparison = indexOf(words[3], kComparisonNames);
+        if (!tick) {
+            return tickReason(words[1]);
+        }
+        if (!field) {
+            return "there is no field " + quoted(words[2]);
+        }
+        if (!comparison) {
+            return "there is no operator " + quoted(words[3]);
+        }
+        std::optional<std::int64_t> value = toNumber(words[4]);
+        if (static_cast<Field>(*field) == Field::Result) {
+            const std::optional<std::size_t> result = indexOf(words[4], kResultNames);
+            value = result ? std::optional(static_cast<std::int64_t>(*result)) : std::nullopt;
+        }
+        if (!value) {
+            return quoted(words[4]) + " is no value of " + std::string(words[2]);
+        }
+        replay_.expectations.push_back({*tick, static_cast<Field>(*field),
+                                        static_cast<Comparison>(*comparison), *value, line_});
+        return "";
+    }
+
+    std::string readEnd(const Words& words) {
+        const std::optional<std::uint32_t> tick =
+            words.size() == 2 ? tickOf(words[1]) : std::nullopt;
+        if (!tick) {
+            return "end needs one tick, from 0 to " + std::to_string(kLongestReplay);
+        }
+        replay_.end = *tick;
+        ended_ = true;
+        return "";
+    }
+
+    std::string readDigest(const Words& words) {
+        const std::optional<std::uint64_t> digest =
+            words.size() == 2 ? fromHex(words[1]) : std::nullopt;
+        if (!ended_ || replay_.handwritten || !digest) {
+            return "a digest of 16 hexadecimal digits stands after the end of a recorded replay, "
+                   "and only there";
+        }
+        if (*digest != digestOf(text_.substr(0, lineStart_))) {
+            return "the file was changed after it was recorded: its digest does not fit. Who edits "
+                   "a replay puts a line handwritten in place of the digest";
+        }
+        hasDigest_ = true;
+        return "";
+    }
+
+    std::string whatIsMissing() const {
+        if (!begun_) {
+            return "the file is empty";
+        }
+        if (!ended_) {
+            return "the file is cut off: there is no line end TICK";
+        }
+        if (replay_.level.empty() || !hasSeed_) {
+            return replay_.level.empty() ? "there is no line level NAME"
+                                         : "there is no line seed N";
+        }
+        if (!replay_.handwritten && (!replay_.levelDigest || !replay_.rules || !hasDigest_)) {
+            return "the file is cut off: a recorded replay has rules, the digest of its level and "
+                   "its own digest at the end";
+        }
+        const auto late = [&](const auto& entry) { return entry.tick > replay_.end; };
+        if (std::any_of(replay_.hashes.begin(), replay_.hashes.end(), late) ||
+            std::any_of(replay_.expectations.begin(), replay_.expectations.end(), late)) {
+            return "a hash or an expectation comes after the end";
+        }
+        return "";
+    }
+
+    std::string_view text_;
+    std::string file_;
+    Replay replay_;
+    int line_ = 1;
+    std::size_t lineStart_ = 0;
+    bool begun_ = false;
+    bool hasSeed_ = false;
+    bool ended_ = false;
+    bool hasDigest_ = false;
+};
+
+} // namespace
+
+Read<Replay> parseReplay(std::string_view text, const std::string& file) {
+    if (text.size() > kLargestReplay) {
+        return FileProblem{file, 0, "is longer than " + std::to_string(kLargestReplay) + " bytes"};
+    }
+    return ReplayReader(text, file).read();
+}
+
+Read<Replay> readReplayFile(const std::filesystem::path& path) {
+    const Read<std::string> text = readTextFile(path, kLargestReplay);
+    if (const auto* problem = std::get_if<FileProblem>(&text)) {
+        return *problem;
+    }
+    return parseReplay(std::get<std::string>(text), path.string());
+}
+
+} // namespace apart

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// aPart without a screen: replays, checks and the bot. Exit code: 0 all went well, 1 an expectation
+// was not met or a replay went another way, 2 wrong use or a bad file.
+#include <apart/core/assets.hpp>
+#include <apart/core/bot.hpp>
+#include <apart/core/replay.hpp>
+#include <apart/core/tuning.hpp>
+#include <apart/headless/report.hpp>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <exception>
+#include <utility>
+
+namespace apart {
+namespace {
+
+/// A sentence for stderr, and exit code 2.
+struct Refusal {
+    std::string sentence;
+};
+
+template <typename T>
+T valueOrRefuse(Read<T> read) {
+    if (const auto* problem = std::get_if<FileProblem>(&read)) {
+        throw Refusal{problem->text()};
+    }
+    return std::get<T>(std::move(read));
+}
+
+void print(const Report& report, bool json) {
+    fmt::print("{}\n", json ? asJson(report) : asSentence(report));
+}
+
+struct BotOptions {
+    std::string level;
+    std::uint32_t seed = 1;
+    std::uint32_t ticks = 5 * 60 * kTicksPerSecond;
+    std::uint32_t hashEvery = kHashEvery;
+    std::string record;
+    bool json = false;
+};
+
+int playBot(const BotOptions& options) {
+    std::string name = options.level;
+    if (name.empty()) {
+        const std::vector<std::string> names = levelNames();
+        if (names.empty()) {
+            throw Refusal{assetsFolder().string() + ": there are no levels in it"};
+        }
+        name = names.front();
+    }
+    Game game(std::make_shared<const Level>(valueOrRefuse(loadLevel(name))), options.seed);
+    Recorder recorder(game, options.hashEvery);
+    {
+        Progress progress;
+        while (game.ticks() < options.ticks && game.result() == Result::Playing) {
+            const Input input = bot(game);
+            game.tick(input);
+            if (!options.record.empty()) {
+                recorder.record(input, game);
+            }
+            progress.show(game, options.ticks);
+        }
+    }
+    if (!options.record.empty()) {
+        if (const auto problem = writeTextFile(options.record, toText(recorder.finish(game)))) {
+            throw Refusal{problem->text()};
+        }
+    }
+    print(reportOf(game), options.json);
+    return 0;
+}
+
+Playback open(const std::string& file) {
+    Replay replay = valueOrRefuse(readReplayFile(file));
+    auto level = std::make_shared<const Level>(valueOrRefuse(loadLevel(replay.level)));
+    if (const std::optional<std::string> reason = refusal(replay, *level)) {
+        throw Refusal{file + ": " + *reason};
+    }
+    return Playback(std::move(replay), std::move(level));
+}
+
+void playToEnd(Playback& playback) {
+    Progress progress;
+    while (!playback.done()) {
+        playback.tick();
+        progress.show(playback.game(), playback.replay().end);
+    }
+}
+
+int playReplay(const std::string& file, bool json) {
+    Playback playback = open(file);
+    playToEnd(playback);
+    for (const Playback::Failure& failure : playback.failures()) {
+        fmt::print(stderr, "{}:{}: {}\n", file, failure.expectation.line, failure.text());
+    }
+    Report report = reportOf(playback.game());
+    report.expectationsFailed = playback.failures().size();
+    print(report, json);
+    if (!json && !playback.replay().expectations.empty()) {
+        fmt::print("{} of {} expectations met.\n",
+                   playback.replay().expectations.size() - playback.failures().size(),
+                   playback.replay().expectations.size());
+    }
+    return playback.failures().empty() ? 0 : 1;
+}
+
+int verify(const std::string& file, bool json) {
+    Playback playback = open(file);
+    const std::size_t hashes = playback.replay().hashes.size();
+    if (hashes == 0) {
+        throw Refusal{file + ": there is no hash line to verify"};
+    }
+    playToEnd(playback);
+    Report report = reportOf(playback.game());
+    report.hashesChecked = hashes;
+    if (playback.divergence()) {
+        report.firstDifference = playback.divergence()->tick;
+    }
+    print(report, json);
+    if (playback.divergence()) {
+        const auto& [tick, agreed] = *playback.divergence();
+        fmt::print(stderr, "{}: the game goes another way: tick {} is the first whose hash differs",
+                   file, tick);
+        fmt::print(stderr, "{}\n", agreed ? fmt::format("; tick {} still agreed", *agreed) : "");
+        return 1;
+    }
+    if (!json) {
+        fmt::print("All {} hashes agree.\n", hashes);
+    }
+    return 0;
+}
+
+int listLevels() {
+    for (const std::string& name : levelNames()) {
+        const Read<Level> level = loadLevel(name);
+        if (const auto* problem = std::get_if<FileProblem>(&level)) {
+            throw Refusal{problem->text()};
+        }
+        fmt::print("{:<16} {}: {}\n", name, std::get<Level>(level).title,
+                   std::get<Level>(level).idea);
+    }
+    return 0;
+}
+
+int run(int argc, char** argv) {
+    CLI::App app("aPart without a screen: plays replays, checks them, lets the bot play.");
+    app.name("apart-headless");
+    app.require_subcommand(1);
+    app.footer("Levels come from assets/levels, or from the folder that APART_ASSETS names.\n"
+               "Exit code: 0 all went well, 1 an expectation was not met or a replay went another "
+               "way,\n2 wrong use or a bad file.");
+    bool json = false;
+    std::string file;
+    BotOptions options;
+
+    CLI::App* replayCommand = app.add_subcommand("replay", "Play a replay; report expectations");
+    CLI::App* verifyCommand = app.add_subcommand("verify", "Play a replay; compare state hashes");
+    for (CLI::App* command : {replayCommand, verifyCommand}) {
+        command->add_option("FILE", file, "The replay")->required();
+        command->add_flag("--json", json, "Print one JSON object");
+    }
+    CLI::App* botCommand = app.add_subcommand("bot", "Let the bot play a level until it ends");
+    botCommand->add_option("--level", options.level, "Name of the level; the first unless given");
+    botCommand->add_option("--seed", options.seed, "0..4294967295, 1 unless given");
+    botCommand->add_option("--ticks", options.ticks, "Stop after so many ticks, 120 a second")
+        ->check(CLI::Range(std::uint32_t{0}, kLongestReplay));
+    botCommand->add_option("--record", options.record, "Write the game to this file, as a replay");
+    botCommand->add_option("--hash-every", options.hashEvery, "Ticks between recorded hashes")
+        ->check(CLI::Range(std::uint32_t{1}, kLongestReplay));
+    botCommand->add_flag("--json", options.json, "Print one JSON object");
+    CLI::App* levelsCommand = app.add_subcommand("levels", "List the levels");
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) {
+            return app.exit(error); // --help
+        }
+        fmt::print(stderr, "apart-headless: {}. Try apart-headless --help.\n", error.what());
+        return 2;
+    }
+    if (replayCommand->parsed()) {
+        return playReplay(file, json);
+    }
+    if (verifyCommand->parsed()) {
+        return verify(file, json);
+    }
+    return levelsCommand->parsed() ? listLevels() : playBot(options);
+}
+
+} // namespace
+} // namespace apart
+
+int main(int argc, char** argv) {
+    try {
+        return apart::run(argc, argv);
+    } catch (const apart::Refusal& refusal) {
+        fmt::print(stderr, "apart-headless: {}\n", refusal.sentence);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "apart-headless: {}\n", error.what());
+    }
+    return 2;
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/tuning.hpp>
+#include <apart/headless/report.hpp>
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <unistd.h>
+
+namespace apart {
+
+namespace {
+
+constexpr std::uint32_t kShowEvery = 600; // ticks
+
+std::string clockOf(std::uint32_t ticks) {
+    const std::uint32_t seconds = ticks / kTicksPerSecond;
+    return fmt::format("{}:{:02}", seconds / 60, seconds % 60);
+}
+
+} // namespace
+
+Report reportOf(const Game& game) {
+    return {.level = game.level().name,
+            .seed = game.seed(),
+            .ticks = game.ticks(),
+            .result = game.result(),
+            .score = game.score(),
+            .lives = game.lives(),
+            .blocksLeft = game.blocksLeft(),
+            .stateHash = game.stateHash()};
+}
+
+std::string asJson(const Report& report) {
+    // Names of levels and results hold no character that JSON would want escaped.
+    std::string text =
+        fmt::format(R"({{"level": "{}", "seed": {}, "ticks": {}, "result": "{}", "score": {}, )"
+                    R"("lives": {}, "blocksLeft": {}, "stateHash": "{}")",
+                    report.level, report.seed, report.ticks,
+                    kResultNames[static_cast<std::size_t>(report.result)], report.score,
+                    report.lives, report.blocksLeft, toHex(report.stateHash));
+    if (report.expectationsFailed) {
+        text += fmt::format(R"(, "expectationsFailed": {})", *report.expectationsFailed);
+    }
+    if (report.hashesChecked) {
+        text += fmt::format(
+            R"(, "hashesChecked": {}, "firstDifference": {})", *report.hashesChecked,
+            report.firstDifference ? std::to_string(*report.firstDifference) : std::string("null"));
+    }
+    return text + "}";
+}
+
+std::string asSentence(const Report& report) {
+    return fmt::format("{}, seed {}: {} after {} ({} ticks), score {}, lives {}, blocks left {}.\n"
+                       "State hash {}.",
+                       report.level, report.seed,
+                       kResultNames[static_cast<std::size_t>(report.result)], clockOf(report.ticks),
+                       report.ticks, report.score, report.lives, report.blocksLeft,
+                       toHex(report.stateHash));
+}
+
+Progress::Progress() : terminal_(isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+    if (shown_) {
+        fmt::print(stderr, "\r\x1b[K");
+    }
+}
+
+void Progress::show(const Game& game, std::uint32_t end) {
+    if (!terminal_ || game.ticks() % kShowEvery != 0) {
+        return;
+    }
+    shown_ = true;
+    fmt::print(stderr, "\r\x1b[K{}  {} of {}  score {}  lives {}  blocks left {}",
+               game.level().name, clockOf(game.ticks()), clockOf(end), game.score(), game.lives(),
+               game.blocksLeft());
+    std::fflush(stderr);
+}
+
+} // namespace apart

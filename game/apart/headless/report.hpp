@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <apart/core/replay.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace apart {
+
+/// What a run came to, for people or as one JSON object.
+struct Report {
+    std::string level;
+    std::uint32_t seed = 0;
+    std::uint32_t ticks = 0;
+    Result result = Result::Playing;
+    std::int32_t score = 0;
+    std::int32_t lives = 0;
+    std::int32_t blocksLeft = 0;
+    std::uint64_t stateHash = 0;
+    // Of a replay.
+    std::optional<std::size_t> expectationsFailed{};
+    std::optional<std::size_t> hashesChecked{};
+    std::optional<std::uint32_t> firstDifference{}; // tick
+};
+
+Report reportOf(const Game& game);
+
+std::string asJson(const Report& report);
+std::string asSentence(const Report& report);
+
+/// A line on stderr that is written over and over while something runs; silent unless stderr is a
+/// terminal.
+class Progress {
+public:
+    Progress();
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    void show(const Game& game, std::uint32_t end);
+
+private:
+    bool terminal_ = false;
+    bool shown_ = false;
+};
+
+} // namespace apart

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/assets.hpp>
+#include <apart/core/tuning.hpp>
+#include <apart/sfml/inspector.hpp>
+#include <apart/sfml/options.hpp>
+#include <apart/sfml/setup.hpp>
+#include <apart/sfml/sfml_canvas.hpp>
+#include <apart/sfml/sfml_controls.hpp>
+#include <apart/sfml/sfml_speaker.hpp>
+#include <apart/stage/layout.hpp>
+#include <apart/stage/stage.hpp>
+#include <kodo_sfml/display.hpp>
+#include <kodo_sfml/window.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <exception>
+
+namespace apart {
+namespace {
+
+const sf::Vector2u kPixels{layout::kWindowWidth, layout::kWindowHeight};
+
+void complain(const std::string& sentence) {
+    std::fprintf(stderr, "apart: %s\n", sentence.c_str());
+}
+
+int takePicture(StageDef def, const Options& options) {
+    Stage stage(std::move(def));
+    SilentSpeaker silence;
+    for (std::uint32_t tick = 0; tick < options.at; ++tick) {
+        stage.advance(1.0 / kTicksPerSecond, {}, silence);
+    }
+    SfmlCanvas canvas(assetsFolder() / "fonts", kPixels);
+    stage.draw(canvas);
+    if (!kodo_sfml::savePicture(canvas.picture(), kPixels, sf::Color::Black, options.screenshot)) {
+        complain("The picture cannot be written to " + options.screenshot + ".");
+        return kFailed;
+    }
+    return kDone;
+}
+
+double secondsBetween(std::chrono::steady_clock::time_point from,
+                      std::chrono::steady_clock::time_point to) {
+    return std::chrono::duration<double>(to - from).count();
+}
+
+int play(StageDef def, const Options& options) {
+    using Clock = std::chrono::steady_clock;
+    Stage stage(std::move(def));
+    kodo_sfml::Window window("aPart", kPixels);
+    SfmlCanvas canvas(assetsFolder() / "fonts", window.size());
+    SfmlControls controls(window, canvas);
+    const std::unique_ptr<Speaker> speaker = makeSpeaker(options.mute);
+    Inspector inspector;
+    auto last = Clock::now();
+    while (!stage.wantsToQuit()) {
+        const Signals signals = controls.poll();
+        const auto now = Clock::now();
+        const double frame = secondsBetween(last, now);
+        stage.advance(frame, signals, *speaker);
+        inspector.measure(frame, secondsBetween(now, Clock::now()));
+        last = now;
+        if (controls.takeInspect()) {
+            inspector.toggle();
+        }
+        canvas.setSize(window.size());
+        stage.draw(canvas);
+        inspector.draw(canvas, stage.game());
+        window.setPointerVisible(stage.wantsPointer());
+        window.show(canvas.picture(), sf::Color::Black);
+    }
+    window.close();
+    return kDone;
+}
+
+int run(const Options& options) {
+    const bool display = kodo_sfml::displayAvailable();
+    if (options.probeDisplay) {
+        return display ? kDone : kNoDisplay;
+    }
+    auto def = setUp(options);
+    if (const auto* problem = std::get_if<std::string>(&def)) {
+        complain(*problem);
+        return kFailed;
+    }
+    if (!display) {
+        complain("There is no display to open a window on. Set DISPLAY, or play without a window: "
+                 "apart-headless bot.");
+        return kNoDisplay;
+    }
+    return options.screenshot.empty() ? play(std::get<StageDef>(std::move(def)), options)
+                                      : takePicture(std::get<StageDef>(std::move(def)), options);
+}
+
+} // namespace
+} // namespace apart
+
+int main(int argc, char** argv) {
+    try {
+        const auto options = apart::parseOptions(argc, argv);
+        if (const int* code = std::get_if<int>(&options)) {
+            return *code;
+        }
+        return apart::run(std::get<apart::Options>(options));
+    } catch (const std::exception& error) {
+        apart::complain(error.what());
+        return apart::kFailed;
+    }
+}

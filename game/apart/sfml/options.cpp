@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include <apart/sfml/options.hpp>
+
+#include <CLI/CLI.hpp>
+
+namespace apart {
+
+std::variant<Options, int> parseOptions(int argc, char** argv) {
+    Options options;
+    CLI::App app("aPart: a Breakout whose blocks really come apart.", "apart");
+    app.footer("Keys: mouse or left/right or A/D move, space or click serves, P or escape pauses,\n"
+               "R restarts, M sound, F3 shows what the engine sees.\n"
+               "Exit code: 0 done, 1 a file cannot be used, 2 wrong use, 3 no display.");
+    app.add_option("--level", options.level, "Start with this level (a file of assets/levels)");
+    app.add_option("--seed", options.seed, "Seed of the first game: same seed, same game");
+    auto* replay = app.add_option("--replay", options.replay, "Show a recorded game");
+    app.add_flag("--mute", options.mute, "No sound");
+    auto* shot = app.add_option("--screenshot", options.screenshot,
+                                "Write a picture (png) of the bot's game or the replay, and leave");
+    app.add_option("--at", options.at, "Tick of the screenshot, 120 a second")
+        ->capture_default_str()
+        ->check(CLI::Range(0u, 1000000u))
+        ->needs(shot);
+    app.add_flag("--probe-display", options.probeDisplay,
+                 "Only tell by the exit code whether a window can be opened: 0 yes, 3 no");
+    app.get_option("--level")->excludes(replay);
+    app.get_option("--seed")->excludes(replay);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? kDone : kWrongUse;
+    }
+    return options;
+}
+
+} // namespace apart

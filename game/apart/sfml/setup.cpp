@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/assets.hpp>
+#include <apart/core/bot.hpp>
+#include <apart/core/replay.hpp>
+#include <apart/sfml/setup.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <random>
+
+namespace apart {
+
+namespace {
+
+/// Repeats the inputs of a replay, by the tick of the game it is asked about.
+Pilot pilotOf(const Replay& replay) {
+    return [replay](const Game& game) -> std::optional<Input> {
+        if (game.ticks() >= replay.end) {
+            return std::nullopt;
+        }
+        const auto later = std::upper_bound(
+            replay.inputs.begin(), replay.inputs.end(), game.ticks(),
+            [](std::uint32_t tick, const InputChange& change) { return tick < change.tick; });
+        return later == replay.inputs.begin() ? Input{} : std::prev(later)->input;
+    };
+}
+
+/// All levels, or the sentence about the first that cannot be used.
+std::variant<std::vector<std::shared_ptr<const Level>>, std::string> readLevels() {
+    std::vector<std::shared_ptr<const Level>> levels;
+    for (const std::string& name : levelNames()) {
+        Read<Level> level = loadLevel(name);
+        if (const auto* problem = std::get_if<FileProblem>(&level)) {
+            return problem->text();
+        }
+        levels.push_back(std::make_shared<const Level>(std::get<Level>(std::move(level))));
+    }
+    if (levels.empty()) {
+        return "There are no levels in " + (assetsFolder() / "levels").string() + ".";
+    }
+    return levels;
+}
+
+/// Puts the level of that name first in line. A sentence when there is none.
+std::string chooseLevel(StageDef& def, const std::string& name) {
+    std::string names;
+    for (std::size_t i = 0; i < def.levels.size(); ++i) {
+        if (def.levels[i]->name == name) {
+            def.firstLevel = i;
+            def.startAtOnce = true;
+            return {};
+        }
+        names += (i == 0 ? "" : ", ") + def.levels[i]->name;
+    }
+    return "There is no level '" + name + "'. The levels are: " + names + ".";
+}
+
+std::string takeReplay(StageDef& def, const std::string& file) {
+    const Read<Replay> read = readReplayFile(file);
+    if (const auto* problem = std::get_if<FileProblem>(&read)) {
+        return problem->text();
+    }
+    const Replay& replay = std::get<Replay>(read);
+    if (std::string problem = chooseLevel(def, replay.level); !problem.empty()) {
+        return problem;
+    }
+    if (const auto problem = refusal(replay, *def.levels[def.firstLevel])) {
+        return *problem;
+    }
+    def.seed = replay.seed;
+    def.pilot = pilotOf(replay);
+    def.pilotName = "REPLAY";
+    return {};
+}
+
+} // namespace
+
+std::variant<StageDef, std::string> setUp(const Options& options) {
+    auto levels = readLevels();
+    if (auto* problem = std::get_if<std::string>(&levels)) {
+        return std::move(*problem);
+    }
+    StageDef def;
+    def.levels = std::get<0>(std::move(levels));
+    def.bot = [](const Game& game) { return std::optional(bot(game)); };
+    const bool picture = !options.screenshot.empty();
+    def.seed = options.seed ? *options.seed : picture ? 1 : std::random_device{}() % 1000000;
+    std::string problem;
+    if (!options.replay.empty()) {
+        problem = takeReplay(def, options.replay);
+    } else if (!options.level.empty()) {
+        problem = chooseLevel(def, options.level);
+    }
+    if (!problem.empty()) {
+        return problem;
+    }
+    if (picture && !def.pilot) {
+        def.pilot = def.bot;
+        def.startAtOnce = true;
+    }
+    return def;
+}
+
+} // namespace apart

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <apart/stage/canvas.hpp>
+#include <kodo_sfml/camera.hpp>
+#include <kodo_sfml/painter.hpp>
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace apart {
+
+/// The canvas as triangles of one Painter, so that a whole picture is drawn in a few calls.
+class SfmlCanvas : public Canvas {
+public:
+    /// Throws std::runtime_error when a font of the folder cannot be read. Needs a display.
+    SfmlCanvas(const std::filesystem::path& fonts, sf::Vector2u pixels);
+
+    /// Of the picture; counts from the next begin().
+    void setSize(sf::Vector2u pixels) { pixels_ = pixels; }
+    const kodo_sfml::Painter& picture() const { return painter_; }
+    kodo_sfml::Painter& painter() { return painter_; }
+    /// Of the last picture, without its shake.
+    const kodo_sfml::Camera& camera() const { return steady_; }
+
+    void begin(const Aabb& shown, Vec2 shake) override;
+    Aabb visible() const override;
+    void setGlow(bool on) override;
+    void rectangle(const Aabb& box, Color below, Color above) override;
+    void polygon(std::span<const Vec2> corners, Color color) override;
+    void polygon(std::span<const Vec2> corners, std::span<const Color> colors) override;
+    void outline(std::span<const Vec2> corners, Real width, Color color) override;
+    void line(Vec2 from, Vec2 to, Real width, Color color) override;
+    void disc(Vec2 center, Real radius, Color middle, Color rim) override;
+    void ring(Vec2 center, Real radius, Real width, Color color) override;
+    void text(std::string_view utf8, Vec2 place, const TextStyle& style) override;
+
+private:
+    std::span<const sf::Vector2f> toPixels(std::span<const Vec2> corners);
+
+    sf::Vector2u pixels_;
+    kodo_sfml::Painter painter_;
+    kodo_sfml::Camera steady_;
+    kodo_sfml::Camera camera_;          // shaken
+    std::array<sf::Font, 2> fonts_;     // by Typeface
+    std::vector<sf::Vector2f> corners_; // kept, so that a frame allocates nothing
+    std::vector<sf::Color> colors_;
+};
+
+} // namespace apart

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include <apart/stage/backdrop.hpp>
+#include <apart/stage/layout.hpp>
+#include <apart/stage/palette.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace apart {
+
+namespace {
+
+constexpr Real kDot = Real(0.07); // m
+
+/// Night, with a glow around a point of the field: rows of rectangles whose colours join up.
+void paintSky(Canvas& canvas) {
+    constexpr int kRows = 24;
+    const Aabb all = canvas.visible().grown(1); // the picture may be shaken
+    const Real step = all.extent().y / kRows;
+    const auto colorAt = [](Real y) {
+        const Real distance = std::abs(y - Real(0.58) * kFieldHeight) / Real(11);
+        const Real near = std::max(1 - distance * distance, Real(0));
+        return mix(palette::kNight, palette::kDusk, near * near);
+    };
+    for (int i = 0; i < kRows; ++i) {
+        const Real y = all.lower.y + step * static_cast<Real>(i);
+        canvas.rectangle({{all.lower.x, y}, {all.upper.x, y + step}}, colorAt(y),
+                         colorAt(y + step));
+    }
+}
+
+void paintFrame(Canvas& canvas) {
+    using namespace layout;
+    const Real bottom = canvas.visible().lower.y - 1;
+    const Real top = kTop + kFrame;
+    const std::array<Aabb, 3> bars = {Aabb{{kLeft - kFrame, bottom}, {kLeft, top}},
+                                      Aabb{{kRight, bottom}, {kRight + kFrame, top}},
+                                      Aabb{{kLeft, kTop}, {kRight, top}}};
+    for (const Aabb& bar : bars) {
+        canvas.rectangle(bar, darker(palette::kFrame, 0.55f), palette::kFrame);
+    }
+    const Color edge = lighter(palette::kFrame, 0.35f);
+    canvas.line({kLeft, bottom}, {kLeft, kTop}, Real(0.06), edge);
+    canvas.line({kRight, bottom}, {kRight, kTop}, Real(0.06), edge);
+    canvas.line({kLeft, kTop}, {kRight, kTop}, Real(0.06), edge);
+}
+
+/// A breath of red where balls get lost.
+void paintAbyss(Canvas& canvas) {
+    using namespace layout;
+    const Aabb strip{{kLeft, canvas.visible().lower.y - 1}, {kRight, Real(0.75)}};
+    canvas.rectangle(strip, faded(palette::kDanger, 0.25f), faded(palette::kDanger, 0));
+}
+
+} // namespace
+
+void paintBackdrop(Canvas& canvas) {
+    using namespace layout;
+    paintSky(canvas);
+    const Color dot = faded(palette::kQuiet, 0.10f); // a grid of dots shows speed and distance
+    for (Real y = Real(1.5); y < kTop; y += Real(1.5)) {
+        for (Real x = kLeft + Real(1.5); x < kRight; x += Real(1.5)) {
+            canvas.rectangle({{x, y}, {x + kDot, y + kDot}}, dot, dot);
+        }
+    }
+    paintAbyss(canvas);
+    paintFrame(canvas);
+}
+
+void paintVeil(Canvas& canvas, Color color) {
+    canvas.rectangle(canvas.visible().grown(1), color, color);
+}
+
+} // namespace apart

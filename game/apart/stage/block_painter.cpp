@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include <apart/stage/block_painter.hpp>
+#include <apart/stage/dice.hpp>
+#include <apart/stage/marks.hpp>
+#include <apart/stage/palette.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace apart {
+
+namespace {
+
+constexpr int kRoundCorners = 24;
+constexpr Real kGap = Real(0.05);   // m of night between two blocks
+constexpr Real kBadge = Real(0.29); // m, radius of the disc under a mark
+
+/// A line in the frame of a block, by shares of its half width and half height.
+struct Grain {
+    const kodo::Transform& place;
+    Vec2 half;
+
+    Vec2 at(Real u, Real v) const { return place * Vec2{u * half.x, v * half.y}; }
+};
+
+void grainOfWood(Canvas& canvas, const Grain& grain, Dice& dice) {
+    const Color line = faded(darker(palette::of(Stuff::Wood), 0.55f), 0.55f);
+    for (const Real v : {Real(-0.5), Real(0), Real(0.5)}) {
+        const Real bow = dice.between(Real(-0.2), Real(0.2));
+        canvas.line(grain.at(Real(-0.94), v), grain.at(Real(-0.2), v + bow), Real(0.03), line);
+        canvas.line(grain.at(Real(-0.2), v + bow), grain.at(Real(0.94), v), Real(0.03), line);
+    }
+}
+
+void grainOfBrick(Canvas& canvas, const Grain& grain) {
+    const Color line = faded(lighter(palette::of(Stuff::Brick), 0.45f), 0.5f);
+    const Real width = Real(0.045);
+    canvas.line(grain.at(Real(-0.96), 0), grain.at(Real(0.96), 0), width, line);
+    canvas.line(grain.at(Real(-0.33), 0), grain.at(Real(-0.33), Real(0.92)), width, line);
+    canvas.line(grain.at(Real(0.45), 0), grain.at(Real(0.45), Real(0.92)), width, line);
+    canvas.line(grain.at(Real(0.05), 0), grain.at(Real(0.05), Real(-0.92)), width, line);
+}
+
+void grainOfGlass(Canvas& canvas, const Grain& grain) {
+    const Color gleam{255, 255, 255, 74};
+    const auto stripe = [&](Real from, Real to) {
+        const std::array<Vec2, 4> corners = {grain.at(from, Real(-0.85)), grain.at(to, Real(-0.85)),
+                                             grain.at(to + Real(0.35), Real(0.85)),
+                                             grain.at(from + Real(0.35), Real(0.85))};
+        canvas.polygon(corners, gleam);
+    };
+    stripe(Real(-0.8), Real(-0.55));
+    stripe(Real(-0.45), Real(-0.38));
+}
+
+void grainOfStone(Canvas& canvas, const Grain& grain, Dice& dice) {
+    for (int i = 0; i < 7; ++i) {
+        const Vec2 spot =
+            grain.at(dice.between(Real(-0.85), Real(0.85)), dice.between(Real(-0.7), Real(0.7)));
+        const Color color = i % 2 == 0 ? Color{255, 255, 255, 46} : Color{0, 0, 0, 60};
+        canvas.disc(spot, dice.between(Real(0.035), Real(0.1)), color, color);
+    }
+}
+
+void grainOfSteel(Canvas& canvas, const Grain& grain) {
+    const Color edge = faded(lighter(palette::of(Stuff::Steel), 0.55f), 0.8f);
+    const std::array<Vec2, 4> frame = {
+        grain.at(Real(-0.9), Real(-0.8)), grain.at(Real(0.9), Real(-0.8)),
+        grain.at(Real(0.9), Real(0.8)), grain.at(Real(-0.9), Real(0.8))};
+    canvas.outline(frame, Real(0.035), edge);
+    for (const Real u : {Real(-0.76), Real(0.76)}) {
+        for (const Real v : {Real(-0.5), Real(0.5)}) {
+            canvas.disc(grain.at(u, v), Real(0.06), lighter(edge, 0.4f), edge);
+        }
+    }
+    canvas.line(grain.at(Real(-0.55), Real(-0.5)), grain.at(Real(0.55), Real(0.5)), Real(0.05),
+                faded(edge, 0.45f));
+    canvas.line(grain.at(Real(-0.55), Real(0.5)), grain.at(Real(0.55), Real(-0.5)), Real(0.05),
+                faded(edge, 0.45f));
+}
+
+void paintGrain(Canvas& canvas, const Grain& grain, const BlockLook& look) {
+    Dice dice(look.key + 1);
+    switch (look.stuff) {
+    case Stuff::Glass:
+        return grainOfGlass(canvas, grain);
+    case Stuff::Wood:
+        return grainOfWood(canvas, grain, dice);
+    case Stuff::Brick:
+        return grainOfBrick(canvas, grain);
+    case Stuff::Stone:
+        return grainOfStone(canvas, grain, dice);
+    case Stuff::Steel:
+        return grainOfSteel(canvas, grain);
+    }
+}
+
+void paintBadge(Canvas& canvas, Power power, const kodo::Transform& place) {
+    const Color color = palette::of(power);
+    canvas.disc(place.position, kBadge, {12, 14, 26, 235}, {12, 14, 26, 235});
+    canvas.ring(place.position, kBadge, Real(0.05), color);
+    paintMark(canvas, power, place, Real(0.6) * kBadge, color);
+}
+
+void paintCracks(Canvas& canvas, const kodo::Transform& place, std::span<const CrackLine> cracks) {
+    const Vec2 offset{Real(0.018), Real(-0.018)};
+    for (const CrackLine& crack : cracks) {
+        canvas.line(place * crack.from + offset, place * crack.to + offset, crack.width,
+                    {255, 255, 255, 70});
+    }
+    for (const CrackLine& crack : cracks) {
+        canvas.line(place * crack.from, place * crack.to, crack.width, {6, 6, 12, 235});
+    }
+}
+
+} // namespace
+
+std::vector<Vec2> cornersOf(const kodo::Convex& outline, const kodo::Transform& place) {
+    std::vector<Vec2> corners;
+    if (outline.isRound()) {
+        const Vec2 center = place * outline.vertices[0];
+        for (int i = 0; i < kRoundCorners; ++i) {
+            const Real angle = Real(6.2831853) * static_cast<Real>(i) / kRoundCorners;
+            corners.push_back(center + outline.radius * Vec2{std::cos(angle), std::sin(angle)});
+        }
+        return corners;
+    }
+    for (const Vec2 vertex : outline.vertices) {
+        corners.push_back(place * vertex);
+    }
+    return corners;
+}
+
+std::vector<Vec2> shrunk(std::span<const Vec2> corners, Real distance) {
+    Vec2 middle;
+    for (const Vec2 corner : corners) {
+        middle += corner;
+    }
+    middle *= 1 / static_cast<Real>(corners.size());
+    std::vector<Vec2> result;
+    for (const Vec2 corner : corners) {
+        const Vec2 arm = corner - middle;
+        // Along both axes alike, so that the rim of a box is as wide on all sides.
+        const Vec2 step{std::clamp(arm.x, -distance, distance),
+                        std::clamp(arm.y, -distance, distance)};
+        result.push_back(corner - step);
+    }
+    return result;
+}
+
+void paintLit(Canvas& canvas, std::span<const Vec2> corners, Color color) {
+    const Aabb box = kodo::aabbOf(corners);
+    const Real height = std::max(box.extent().y, Real(1e-3));
+    std::vector<Color> colors;
+    for (const Vec2 corner : corners) {
+        const Real up = (corner.y - box.lower.y) / height;
+        colors.push_back(mix(darker(color, 0.28f), lighter(color, 0.2f), up));
+    }
+    canvas.polygon(corners, colors);
+}
+
+void paintBlock(Canvas& canvas, const kodo::Convex& outline, const kodo::Transform& place,
+                const BlockLook& look) {
+    const std::vector<Vec2> full = cornersOf(outline, place);
+    const Vec2 half = Real(0.5) * kodo::aabbOf(std::span<const Vec2>(outline.vertices)).extent();
+    std::vector<Vec2> corners = shrunk(full, kGap);
+    for (Vec2& corner : corners) {
+        corner = place.position + look.scale * (corner - place.position);
+    }
+    const Color color = lighter(palette::of(look.stuff), 0.75f * look.heat);
+    paintLit(canvas, corners, color);
+    if (look.scale < 1) {
+        return; // details come when it has its size
+    }
+    paintGrain(canvas, {place, half - Vec2{kGap, kGap}}, look);
+    canvas.outline(shrunk(corners, Real(0.03)), Real(0.05), faded(lighter(color, 0.5f), 0.45f));
+    if (look.power != Power::None) {
+        paintBadge(canvas, look.power, place);
+    }
+    paintCracks(canvas, place, look.cracks);
+}
+
+} // namespace apart

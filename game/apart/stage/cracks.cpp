@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include <apart/stage/cracks.hpp>
+#include <apart/stage/dice.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apart {
+
+namespace {
+
+constexpr Real kStep = Real(0.16);    // m between two bends of a crack
+constexpr Real kWidest = Real(0.055); // m, at the impact
+constexpr Real kBend = Real(0.55);    // rad, the most at one bend
+constexpr Real kTurn = Real(6.28319);
+
+/// The share of the way from a to b that stays inside a convex outline; a is inside.
+Real insideShare(const kodo::Convex& outline, Vec2 a, Vec2 b) {
+    Real share = 1;
+    for (std::size_t i = 0; i < outline.normals.size(); ++i) {
+        const Real here = dot(outline.normals[i], outline.vertices[i] - a);
+        const Real way = dot(outline.normals[i], b - a);
+        if (way > here && way > 0) {
+            share = std::min(share, std::max(here / way, Real(0)));
+        }
+    }
+    return share;
+}
+
+/// A record's point may lie a little outside; cracks start inside.
+Vec2 pulledInside(const kodo::Convex& outline, Vec2 point) {
+    for (std::size_t i = 0; i < outline.normals.size(); ++i) {
+        const Real out = dot(outline.normals[i], point - outline.vertices[i]);
+        if (out > 0) {
+            point += -out * outline.normals[i];
+        }
+    }
+    return point;
+}
+
+struct Branch {
+    Vec2 start;
+    Real angle = 0;
+    Real length = 0;
+    Real width = 0;
+};
+
+void growBranch(const kodo::Convex& outline, const Branch& branch, Dice& dice,
+                std::vector<CrackLine>& lines) {
+    Vec2 here = branch.start;
+    Real angle = branch.angle;
+    for (Real done = 0; done < branch.length; done += kStep) {
+        const Vec2 there = here + kStep * Vec2{std::cos(angle), std::sin(angle)};
+        const Real share = insideShare(outline, here, there);
+        const Vec2 end = here + share * (there - here);
+        const Real width = branch.width * (1 - Real(0.8) * done / branch.length);
+        lines.push_back({here, end, width});
+        if (share < 1) {
+            return; // reached the edge
+        }
+        here = end;
+        angle += dice.between(-kBend, kBend);
+    }
+}
+
+} // namespace
+
+std::vector<CrackLine> growCracks(const kodo::Convex& outline, Vec2 point, Real damage,
+                                  std::uint32_t seed) {
+    std::vector<CrackLine> lines;
+    if (outline.isRound() || outline.vertices.empty()) {
+        return lines;
+    }
+    Dice dice(seed);
+    const Real share = std::clamp(damage, Real(0.1), Real(1));
+    const Vec2 start = pulledInside(outline, point);
+    const Vec2 inwards = -start; // the frame's origin is the middle of the block
+    const Real middle = std::atan2(inwards.y, inwards.x);
+    const int branches = 3 + static_cast<int>(4 * share);
+    for (int i = 0; i < branches; ++i) {
+        const Real place = (static_cast<Real>(i) + Real(0.5)) / static_cast<Real>(branches);
+        const Real fan = (place - Real(0.5)) * Real(0.5) * kTurn;
+        growBranch(outline,
+                   {start, middle + fan + dice.between(Real(-0.25), Real(0.25)),
+                    outline.reach * share * dice.between(Real(0.5), Real(1.2)),
+                    kWidest * (Real(0.5) + Real(0.5) * share)},
+                   dice, lines);
+    }
+    return lines;
+}
+
+void Cracks::add(const kodo::BodyView& block, Vec2 worldPoint, Real damage) {
+    auto entry = std::find_if(entries_.begin(), entries_.end(),
+                              [&](const Entry& e) { return e.block == block.id(); });
+    if (entry == entries_.end()) {
+        entries_.push_back({block.id(), {}});
+        entry = entries_.end() - 1;
+    }
+    const Vec2 point = toLocal(block.placement(), worldPoint);
+    const auto seed = static_cast<std::uint32_t>(block.id().index * 97u + entry->lines.size());
+    const std::vector<CrackLine> grown = growCracks(block.part(0).convex, point, damage, seed);
+    entry->lines.insert(entry->lines.end(), grown.begin(), grown.end());
+}
+
+void Cracks::forget(kodo::BodyId block) {
+    std::erase_if(entries_, [&](const Entry& e) { return e.block == block; });
+}
+
+std::span<const CrackLine> Cracks::of(kodo::BodyId block) const {
+    for (const Entry& entry : entries_) {
+        if (entry.block == block) {
+            return entry.lines;
+        }
+    }
+    return {};
+}
+
+} // namespace apart

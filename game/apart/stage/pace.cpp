@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include <apart/stage/pace.hpp>
+
+#include <algorithm>
+
+namespace apart {
+
+namespace {
+
+constexpr kodo::Real kNear = 4; // m between ball and block
+constexpr double kSlow = 0.3;   // of real time
+constexpr double kBrake = 6;    // 1/s
+constexpr double kPatience = 4; // s in all, a level
+
+bool aboutToFinish(const Game& game) {
+    if (game.blocksLeft() != 1 || game.result() != Result::Playing) {
+        return false;
+    }
+    for (const Block& block : game.blocks()) {
+        if (!block.kind.breakable()) {
+            continue;
+        }
+        const kodo::Vec2 place = game.world()[block.body].center();
+        for (const Ball& ball : game.balls()) {
+            const kodo::BodyView body = game.world()[ball.body];
+            const kodo::Vec2 way = place - body.center();
+            if (!ball.riding && length(way) < kNear && dot(way, body.velocity()) > 0) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+} // namespace
+
+double Pace::next(const Game& game, double seconds) {
+    if (game.ticks() < 2) {
+        *this = {}; // another game
+    }
+    const bool slow = aboutToFinish(game) && slow_ < kPatience;
+    slow_ += slow ? seconds : 0;
+    const double goal = slow ? kSlow : 1;
+    pace_ += std::min(kBrake * seconds, 1.0) * (goal - pace_);
+    return pace_;
+}
+
+} // namespace apart

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <apart/core/level.hpp>
+#include <apart/stage/color.hpp>
+
+#include <array>
+#include <cstddef>
+
+/// The colours of the game. Nothing is told by colour alone: stuffs have a grain, powers a mark.
+namespace apart::palette {
+
+inline constexpr Color kNight{7, 8, 15};    // corners of the picture
+inline constexpr Color kDusk{36, 42, 84};   // behind the middle of the field
+inline constexpr Color kInk{8, 10, 20};     // outlines
+inline constexpr Color kFrame{74, 86, 124}; // walls
+inline constexpr Color kText{226, 232, 245};
+inline constexpr Color kQuiet{140, 150, 178}; // less important text
+inline constexpr Color kAccent{255, 204, 92}; // what to look at
+inline constexpr Color kDanger{255, 84, 92};
+inline constexpr Color kBall{255, 248, 232};
+inline constexpr Color kPaddle{84, 214, 206};
+
+inline constexpr std::array<Color, 5> kStuff = {
+    Color{120, 220, 248, 205}, // glass
+    Color{206, 150, 92},       // wood
+    Color{212, 94, 76},        // brick
+    Color{150, 158, 176},      // stone
+    Color{84, 96, 120},        // steel
+};
+inline constexpr std::array<Color, 4> kPower = {
+    Color{226, 232, 245}, // none
+    Color{118, 226, 130}, // weld
+    Color{255, 170, 62},  // launch
+    Color{198, 146, 255}, // split
+};
+
+constexpr Color of(Stuff stuff) {
+    return kStuff[static_cast<std::size_t>(stuff)];
+}
+constexpr Color of(Power power) {
+    return kPower[static_cast<std::size_t>(power)];
+}
+
+} // namespace apart::palette

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#include <apart/stage/play.hpp>
+
+namespace apart {
+
+void Play::tick(const Input& input, Speaker& speaker) {
+    poses_.remember(game_.world());
+    game_.tick(input);
+    juice_.tick(game_);
+    ear_.hear(game_.events(), game_.ticks(), share(juice_.effects().sound), speaker);
+}
+
+void Play::draw(Canvas& canvas, Real share) const {
+    paintField(canvas, {game_, juice_, poses_, share});
+}
+
+} // namespace apart

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include <apart/stage/recording.hpp>
+
+#include <algorithm>
+
+namespace apart {
+
+void RecordingCanvas::begin(const Aabb& shown, Vec2 shake) {
+    shown_ = shown;
+    shake_ = shake;
+    strokes_.clear();
+}
+
+void RecordingCanvas::rectangle(const Aabb& box, Color below, Color) {
+    strokes_.push_back({Stroke::Kind::Rectangle, box.lower, below});
+}
+
+void RecordingCanvas::polygon(std::span<const Vec2> corners, Color color) {
+    strokes_.push_back({Stroke::Kind::Polygon, corners[0], color});
+}
+
+void RecordingCanvas::polygon(std::span<const Vec2> corners, std::span<const Color> colors) {
+    strokes_.push_back({Stroke::Kind::Polygon, corners[0], colors[0]});
+}
+
+void RecordingCanvas::outline(std::span<const Vec2> corners, Real width, Color color) {
+    strokes_.push_back({Stroke::Kind::Outline, corners[0], color, width});
+}
+
+void RecordingCanvas::line(Vec2 from, Vec2, Real width, Color color) {
+    strokes_.push_back({Stroke::Kind::Line, from, color, width});
+}
+
+void RecordingCanvas::disc(Vec2 center, Real radius, Color middle, Color) {
+    strokes_.push_back({Stroke::Kind::Disc, center, middle, radius});
+}
+
+void RecordingCanvas::ring(Vec2 center, Real radius, Real, Color color) {
+    strokes_.push_back({Stroke::Kind::Ring, center, color, radius});
+}
+
+void RecordingCanvas::text(std::string_view utf8, Vec2 place, const TextStyle& style) {
+    strokes_.push_back({Stroke::Kind::Text, place, style.color, style.height, std::string(utf8)});
+}
+
+bool RecordingCanvas::says(std::string_view text) const {
+    return std::any_of(strokes_.begin(), strokes_.end(), [&](const Stroke& stroke) {
+        return stroke.text.find(text) != std::string::npos;
+    });
+}
+
+Signals ScriptedControls::poll() {
+    if (script.empty()) {
+        return {};
+    }
+    Signals next = script.front();
+    script.pop_front();
+    return next;
+}
+
+} // namespace apart

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <apart/stage/canvas.hpp>
+#include <apart/stage/controls.hpp>
+#include <apart/stage/speaker.hpp>
+
+#include <deque>
+#include <string>
+#include <vector>
+
+namespace apart {
+
+/// One thing that was drawn.
+struct Stroke {
+    enum class Kind : std::uint8_t { Rectangle, Polygon, Outline, Line, Disc, Ring, Text } kind;
+    Vec2 place;    // of the first corner, the middle or the base line
+    Color color;   // of the first corner or the middle
+    Real size = 0; // radius, width or height of letters
+    std::string text{};
+};
+
+/// A canvas without a screen, for tests: it keeps what was drawn in the last picture.
+class RecordingCanvas : public Canvas {
+public:
+    void begin(const Aabb& shown, Vec2 shake) override;
+    Aabb visible() const override { return shown_; }
+    void setGlow(bool) override {}
+    void rectangle(const Aabb& box, Color below, Color above) override;
+    void polygon(std::span<const Vec2> corners, Color color) override;
+    void polygon(std::span<const Vec2> corners, std::span<const Color> colors) override;
+    void outline(std::span<const Vec2> corners, Real width, Color color) override;
+    void line(Vec2 from, Vec2 to, Real width, Color color) override;
+    void disc(Vec2 center, Real radius, Color middle, Color rim) override;
+    void ring(Vec2 center, Real radius, Real width, Color color) override;
+    void text(std::string_view utf8, Vec2 place, const TextStyle& style) override;
+
+    const std::vector<Stroke>& strokes() const { return strokes_; }
+    Vec2 shake() const { return shake_; }
+    bool says(std::string_view text) const;
+
+private:
+    Aabb shown_{};
+    Vec2 shake_;
+    std::vector<Stroke> strokes_;
+};
+
+class RecordingSpeaker : public Speaker {
+public:
+    void play(const Note& note) override { notes.push_back(note); }
+    std::vector<Note> notes;
+};
+
+/// Tells what it was told to tell, one Signals a poll; then nothing.
+class ScriptedControls : public Controls {
+public:
+    Signals poll() override;
+    std::deque<Signals> script;
+};
+
+} // namespace apart

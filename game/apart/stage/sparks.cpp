@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include <apart/stage/sparks.hpp>
+
+#include <cmath>
+
+namespace apart {
+
+namespace {
+
+constexpr std::size_t kMost = 700;
+constexpr Real kFall = -9;            // m/s^2
+constexpr Real kDrag = Real(2.2);     // 1/s
+constexpr Real kStreak = Real(0.025); // s of flight that a spark shows at once
+constexpr Real kSpread = Real(1.1);   // rad to both sides of a heading
+constexpr Real kHalfTurn = Real(3.14159);
+
+} // namespace
+
+void Sparks::add(const Burst& burst) {
+    const bool around = burst.heading == Vec2{};
+    const Real middle = around ? 0 : std::atan2(burst.heading.y, burst.heading.x);
+    const Real spread = around ? kHalfTurn : kSpread;
+    for (int i = 0; i < burst.count && sparks_.size() < kMost; ++i) {
+        const Real angle = middle + dice_.between(-spread, spread);
+        const Real speed = burst.speed * dice_.between(Real(0.15), 1);
+        sparks_.push_back({burst.point, speed * Vec2{std::cos(angle), std::sin(angle)}, burst.color,
+                           burst.size * dice_.between(Real(0.5), 1), 0,
+                           burst.seconds * dice_.between(Real(0.4), 1)});
+    }
+}
+
+void Sparks::tick(Real seconds) {
+    for (Spark& spark : sparks_) {
+        spark.age += seconds;
+        spark.velocity += seconds * (Vec2{0, kFall} - kDrag * spark.velocity);
+        spark.point += seconds * spark.velocity;
+    }
+    std::erase_if(sparks_, [](const Spark& spark) { return spark.age >= spark.life; });
+}
+
+void Sparks::draw(Canvas& canvas) const {
+    canvas.setGlow(true);
+    for (const Spark& spark : sparks_) {
+        const Real left = 1 - spark.age / spark.life;
+        const Vec2 tail = spark.point - kStreak * spark.velocity - Vec2{0, Real(0.5) * spark.size};
+        canvas.line(tail, spark.point, spark.size * (Real(0.4) + Real(0.6) * left),
+                    faded(spark.color, left));
+    }
+    canvas.setGlow(false);
+}
+
+} // namespace apart

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include <apart/stage/dice.hpp>
+#include <apart/stage/synth.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace apart {
+
+namespace {
+
+/// One sine of a struck thing: it rings at its own ratio and dies away at its own pace.
+struct Partial {
+    float ratio;   // times the base frequency
+    float gain;    // 0..1
+    float seconds; // until 1/e is left
+};
+
+/// A sound: some partials, some noise, played once a step of a little tune.
+struct Recipe {
+    float hertz = 440;
+    float seconds = 0.3f;
+    std::vector<Partial> partials{};
+    float noise = 0;             // gain, 0..1
+    float noiseSeconds = 0.05f;  // until 1/e is left
+    float noiseBright = 1;       // 1 white .. 0.05 dull
+    float slide = 0;             // octaves over the whole length
+    std::vector<int> tune = {0}; // semitones, one after the other
+    float beat = 0.09f;          // s between them
+};
+
+Recipe recipeOf(Voice voice) {
+    switch (voice) {
+    case Voice::Glass:
+        return {1318,
+                0.6f,
+                {{1, 0.6f, 0.16f}, {2.76f, 0.4f, 0.09f}, {5.4f, 0.25f, 0.04f}},
+                0.1f,
+                0.01f};
+    case Voice::Wood:
+        return {392,   0.25f,  {{1, 0.9f, 0.05f}, {2.42f, 0.4f, 0.025f}, {4.1f, 0.2f, 0.01f}},
+                0.25f, 0.008f, 0.4f};
+    case Voice::Brick:
+        return {262, 0.3f, {{1, 0.8f, 0.07f}, {1.52f, 0.3f, 0.04f}}, 0.5f, 0.03f, 0.25f};
+    case Voice::Stone:
+        return {165,  0.4f,   {{1, 0.9f, 0.09f}, {1.61f, 0.4f, 0.05f}, {2.9f, 0.2f, 0.02f}},
+                0.5f, 0.025f, 0.15f};
+    case Voice::Steel:
+        return {523,
+                0.9f,
+                {{1, 0.5f, 0.3f}, {2.32f, 0.35f, 0.22f}, {3.91f, 0.3f, 0.14f}, {5.2f, 0.2f, 0.08f}},
+                0.1f,
+                0.006f};
+    case Voice::Wall:
+        return {220, 0.16f, {{1, 0.7f, 0.04f}, {2, 0.25f, 0.02f}}};
+    case Voice::Paddle:
+        return {330, 0.3f, {{1, 0.7f, 0.08f}, {2, 0.35f, 0.06f}, {3, 0.2f, 0.03f}}};
+    case Voice::Break:
+        return {110, 0.5f, {{1, 0.5f, 0.05f}}, 0.9f, 0.09f, 0.5f};
+    case Voice::Weld:
+        return {392,  0.9f,       {{1, 0.6f, 0.2f}, {2, 0.3f, 0.15f}, {3.01f, 0.15f, 0.1f}},
+                0.1f, 0.02f,      1,
+                0,    {0, 7, 12}, 0.08f};
+    case Voice::Stick:
+        return {587, 0.4f, {{1, 0.6f, 0.05f}, {2, 0.2f, 0.03f}}, 0, 0.01f, 1, 0, {0, 0, 0}, 0.11f};
+    case Voice::Fire:
+        return {180, 0.8f, {{1, 0.5f, 0.25f}, {1.5f, 0.3f, 0.2f}}, 0.7f, 0.22f, 0.3f, 1.6f};
+    case Voice::Split:
+        return {523,           0.8f, {{1, 0.5f, 0.14f}, {2, 0.3f, 0.1f}}, 0, 0.01f, 1, 0,
+                {0, 4, 7, 12}, 0.07f};
+    case Voice::Serve:
+        return {294, 0.35f, {{1, 0.6f, 0.1f}, {2, 0.3f, 0.06f}}, 0.1f, 0.02f, 0.5f, 0.6f};
+    case Voice::BallLost:
+        return {330, 0.8f, {{1, 0.7f, 0.3f}, {2, 0.2f, 0.2f}}, 0, 0.01f, 1, -1.2f};
+    case Voice::Cleared:
+        return {392,
+                1.6f,
+                {{1, 0.5f, 0.3f}, {2, 0.3f, 0.2f}, {3, 0.15f, 0.1f}},
+                0,
+                0.01f,
+                1,
+                0,
+                {0, 4, 7, 12, 16, 19},
+                0.1f};
+    case Voice::GameOver:
+        return {262,  1.8f, {{1, 0.6f, 0.4f}, {2, 0.2f, 0.25f}}, 0, 0.01f, 1, 0, {0, -2, -5, -9},
+                0.24f};
+    case Voice::Choose:
+        return {660, 0.12f, {{1, 0.5f, 0.03f}, {2, 0.2f, 0.02f}}};
+    }
+    return {};
+}
+
+/// Adds one strike, `start` samples into the sound.
+void strike(const Recipe& recipe, int semitones, std::size_t start, std::vector<float>& sound) {
+    constexpr float kTwoPi = 6.2831853f;
+    constexpr float kRate = static_cast<float>(kSampleRate);
+    const float base = recipe.hertz * std::exp2(static_cast<float>(semitones) / 12);
+    for (const Partial& partial : recipe.partials) {
+        float turn = 0; // of the sine
+        for (std::size_t i = start; i < sound.size(); ++i) {
+            const float time = static_cast<float>(i - start) / kRate;
+            const float bend = std::exp2(recipe.slide * time / recipe.seconds);
+            turn += base * partial.ratio * bend / kRate;
+            turn -= std::floor(turn);
+            sound[i] += partial.gain * std::exp(-time / partial.seconds) * std::sin(kTwoPi * turn);
+        }
+    }
+    Dice dice(static_cast<std::uint32_t>(recipe.hertz));
+    float dull = 0; // low-pass filter
+    for (std::size_t i = start; i < sound.size() && recipe.noise > 0; ++i) {
+        const float time = static_cast<float>(i - start) / kRate;
+        dull += recipe.noiseBright * (dice.between(-1, 1) - dull);
+        sound[i] += recipe.noise * std::exp(-time / recipe.noiseSeconds) * dull;
+    }
+}
+
+} // namespace
+
+std::vector<std::int16_t> synthesise(Voice voice) {
+    constexpr float kRate = static_cast<float>(kSampleRate);
+    constexpr float kEase = 0.003f * kRate; // samples; no click at either end
+    constexpr float kLoudest = 0.8f;
+    const Recipe recipe = recipeOf(voice);
+    std::vector<float> sound(static_cast<std::size_t>(recipe.seconds * kRate), 0.0f);
+    for (std::size_t i = 0; i < recipe.tune.size(); ++i) {
+        const auto start = static_cast<std::size_t>(recipe.beat * kRate * static_cast<float>(i));
+        strike(recipe, recipe.tune[i], start, sound);
+    }
+    float peak = 1e-6f;
+    for (std::size_t i = 0; i < sound.size(); ++i) {
+        const float in = static_cast<float>(i) / kEase;
+        const float out = static_cast<float>(sound.size() - 1 - i) / (8 * kEase);
+        sound[i] *= std::min({in, out, 1.0f});
+        peak = std::max(peak, std::abs(sound[i]));
+    }
+    std::vector<std::int16_t> samples;
+    samples.reserve(sound.size());
+    for (const float value : sound) {
+        samples.push_back(static_cast<std::int16_t>(32767 * kLoudest * value / peak));
+    }
+    return samples;
+}
+
+} // namespace apart

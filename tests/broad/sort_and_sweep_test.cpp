@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/broad/brute_force.hpp>
+#include <kodo/broad/sort_and_sweep.hpp>
+#include <support/random_numbers.hpp>
+
+#include <gtest/gtest.h>
+
+namespace kodo {
+namespace {
+
+bool acceptAll(std::uint32_t, std::uint32_t) {
+    return true;
+}
+
+std::vector<BoundsPair> byBruteForce(const std::vector<Aabb>& bounds) {
+    std::vector<BoundsPair> pairs;
+    bruteForce(bounds, acceptAll, pairs);
+    return pairs;
+}
+
+std::vector<BoundsPair> bySweep(SortAndSweep& sweep, const std::vector<Aabb>& bounds) {
+    std::vector<BoundsPair> pairs;
+    sweep.pairs(bounds, acceptAll, pairs);
+    return pairs;
+}
+
+Aabb boxAt(Real x, Real y, Real width = 1, Real height = 1) {
+    return {{x, y}, {x + width, y + height}};
+}
+
+std::vector<Aabb> randomScene(support::RandomNumbers& random, std::size_t count) {
+    const double wide = static_cast<double>(random.between(1, 40));
+    const double high = static_cast<double>(random.between(1, 40));
+    std::vector<Aabb> bounds;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Real x = random.between(-wide, wide);
+        const Real y = random.between(-high, high);
+        const Real width = random.between(0, 2);
+        bounds.push_back(boxAt(x, y, width, random.between(0, 2)));
+    }
+    return bounds;
+}
+
+// O1: the same pairs in the same order, with memory of the last call and with counts that change.
+TEST(SortAndSweep, FindsWhatBruteForceFinds) {
+    support::RandomNumbers random(51);
+    SortAndSweep sweep;
+    std::size_t found = 0;
+    for (int scene = 0; scene < 300; ++scene) {
+        SCOPED_TRACE(scene);
+        std::vector<Aabb> bounds = randomScene(random, random.below(120));
+        for (int frame = 0; frame < 4; ++frame) {
+            ASSERT_EQ(bySweep(sweep, bounds), byBruteForce(bounds));
+            found += byBruteForce(bounds).size();
+            for (Aabb& box : bounds) {
+                const Vec2 move = random.point(0.5);
+                box = {box.lower + move, box.upper + move};
+            }
+        }
+    }
+    EXPECT_GT(found, 10000u);
+}
+
+TEST(SortAndSweep, FindsTouchingAndEqualBounds) {
+    SortAndSweep sweep;
+    const std::vector<Aabb> bounds{boxAt(0, 0), boxAt(1, 1), boxAt(0, 0), boxAt(5, 5, 0, 0)};
+    EXPECT_EQ(bySweep(sweep, bounds), byBruteForce(bounds));
+    EXPECT_EQ(byBruteForce(bounds).size(), 3u);
+}
+
+TEST(SortAndSweep, FindsNothingAmongNone) {
+    SortAndSweep sweep;
+    EXPECT_TRUE(bySweep(sweep, {}).empty());
+    EXPECT_TRUE(bySweep(sweep, {boxAt(0, 0)}).empty());
+}
+
+TEST(SortAndSweep, AsksBeforeItReports) {
+    SortAndSweep sweep;
+    const std::vector<Aabb> bounds{boxAt(0, 0), boxAt(0, 0), boxAt(0, 0)};
+    std::vector<BoundsPair> pairs;
+    sweep.pairs(
+        bounds, [](std::uint32_t i, std::uint32_t j) { return i == 0 && j == 2; }, pairs);
+    EXPECT_EQ(pairs, (std::vector<BoundsPair>{{0, 2}}));
+}
+
+// O1: the thesis's flat row of ten boxes (5.1): brute force makes 45 tests, a sweep along the row
+// none, one across it all 45 again.
+TEST(SortAndSweep, NeedsNoTestForAFlatRow) {
+    std::vector<Aabb> along;
+    std::vector<Aabb> upright;
+    for (int i = 0; i < 10; ++i) {
+        along.push_back(boxAt(static_cast<Real>(2 * i), 0));
+        upright.push_back(boxAt(0, static_cast<Real>(2 * i)));
+    }
+    SortAndSweep sweep;
+    EXPECT_TRUE(bySweep(sweep, along).empty());
+    EXPECT_EQ(sweep.testCount(), 0u);
+    EXPECT_TRUE(sweep.alongX());
+    SortAndSweep other;
+    EXPECT_TRUE(bySweep(other, upright).empty());
+    EXPECT_EQ(other.testCount(), 0u) << "the axis was not swapped";
+    EXPECT_FALSE(other.alongX());
+}
+
+/// n boxes on the diagonal of a field of that width and height.
+std::vector<Aabb> spread(std::size_t n, Real width, Real height) {
+    std::vector<Aabb> bounds;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Real share = static_cast<Real>(i) / static_cast<Real>(n);
+        bounds.push_back(boxAt(width * share, height * share, Real(0.1), Real(0.1)));
+    }
+    return bounds;
+}
+
+// O1: a scene that turns from flat to tall swaps the axis, after some calls at most.
+TEST(SortAndSweep, SwapsTheAxisWhenTheOtherIsBetter) {
+    SortAndSweep sweep;
+    std::vector<Aabb> flat;
+    std::vector<Aabb> tall;
+    for (int i = 0; i < 40; ++i) {
+        const Real at = static_cast<Real>(i);
+        flat.push_back(boxAt(3 * at, 0));
+        tall.push_back(boxAt(0, 3 * at));
+    }
+    bySweep(sweep, flat);
+    ASSERT_TRUE(sweep.alongX());
+    for (int call = 0; call < 100; ++call) {
+        ASSERT_TRUE(bySweep(sweep, tall).empty());
+    }
+    EXPECT_FALSE(sweep.alongX());
+    EXPECT_EQ(sweep.testCount(), 0u);
+}
+
+// O1, hysteresis: two axes of equal worth never swap, whichever is in use.
+TEST(SortAndSweep, KeepsTheAxisWhileBothAreAlike) {
+    SortAndSweep sweep;
+    const std::vector<Aabb> diagonal = spread(40, 100, 100);
+    for (int call = 0; call < 200; ++call) {
+        bySweep(sweep, diagonal);
+        ASSERT_TRUE(sweep.alongX());
+    }
+    SortAndSweep tall;
+    std::vector<Aabb> column;
+    for (int i = 0; i < 40; ++i) {
+        column.push_back(boxAt(0, static_cast<Real>(3 * i)));
+    }
+    bySweep(tall, column);
+    ASSERT_FALSE(tall.alongX());
+    for (int call = 0; call < 200; ++call) {
+        bySweep(tall, diagonal);
+        ASSERT_FALSE(tall.alongX());
+    }
+}
+
+} // namespace
+} // namespace kodo

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/collide/cast.hpp>
+#include <kodo/collide/collide.hpp>
+#include <kodo/collide/distance.hpp>
+#include <support/every_shape.hpp>
+#include <support/near.hpp>
+
+#include <tuple>
+
+namespace kodo {
+namespace {
+
+using support::AnyKind;
+using support::byPrecision;
+using support::near;
+
+constexpr Real kMargin = Real(0.125);
+constexpr Real kTolerance = byPrecision(5e-6, 1e-14); // distances of up to 8 m, twenty roundings
+constexpr int kPoses = 10000;
+
+struct Pair {
+    Pair(const Primitive& first, const Primitive& second)
+        : primitiveA(first),
+          primitiveB(second),
+          shapeA(convexOf(first, {})),
+          shapeB(convexOf(second, {})) {}
+
+    Manifold manifold(Real margin = kMargin) const {
+        return collide(shapeA, a, shapeB, b, margin, 0);
+    }
+    Nearness nearness() const { return distance(shapeA, a, shapeB, b); }
+    std::optional<CastHit> cast() const { return shapeCast(shapeB, b, move, shapeA, a); }
+
+    Primitive primitiveA;
+    Primitive primitiveB;
+    Convex shapeA;
+    Convex shapeB;
+    Transform a{};
+    Transform b{};
+    Vec2 move{}; // of b
+};
+
+// C1: all eight kinds against each other, in both orders.
+class EveryPairSymmetry : public testing::TestWithParam<std::tuple<AnyKind, AnyKind>> {
+protected:
+    template <typename Body>
+    void forRandomPairs(Body body) {
+        support::RandomNumbers random(101);
+        for (int i = 0; i < kPoses && !HasFatalFailure(); ++i) {
+            SCOPED_TRACE(testing::Message() << "pose " << i);
+            const Primitive first = support::randomPrimitive(random, std::get<0>(GetParam()));
+            Pair p(first, support::randomPrimitive(random, std::get<1>(GetParam())));
+            p.a = random.pose(4);
+            p.b = {p.a.position + random.point(2), random.rotation()};
+            p.move = random.point(4);
+            body(p);
+        }
+    }
+};
+
+// No body is first by right. Two one-sided lines are the exception: the rules of the first decide.
+TEST_P(EveryPairSymmetry, SwappedArgumentsTurnTheNormal) {
+    forRandomPairs([](const Pair& p) {
+        if (p.shapeA.oneSided && p.shapeB.oneSided) {
+            return;
+        }
+        const Manifold forth = p.manifold();
+        const Manifold back = collide(p.shapeB, p.b, p.shapeA, p.a, kMargin, 0);
+        ASSERT_EQ(forth.count, back.count);
+        ASSERT_EQ(forth.fromBehind, back.fromBehind);
+        ASSERT_TRUE(near(forth.normal, -back.normal, kTolerance));
+        for (std::size_t k = 0; k < static_cast<std::size_t>(forth.count); ++k) {
+            ASSERT_TRUE(near(forth.points[k].armA, back.points[k].armB, kTolerance));
+            ASSERT_TRUE(near(forth.points[k].separation, back.points[k].separation, kTolerance));
+        }
+    });
+}
+
+// The corners come in the opposite order, so heights are taken from the other end of an edge: equal
+// up to rounding, not to the bit.
+TEST_P(EveryPairSymmetry, AMirroredPairHasTheMirroredContact) {
+    // The line that starts at a joint owns it. Mirrored, it is the one that ends there.
+    const bool cells =
+        std::get<0>(GetParam()) == AnyKind::Cell || std::get<1>(GetParam()) == AnyKind::Cell;
+    forRandomPairs([cells](const Pair& p) {
+        Pair q(support::mirrored(p.primitiveA), support::mirrored(p.primitiveB));
+        q.a = support::mirrored(p.a);
+        q.b = support::mirrored(p.b);
+        q.move = support::mirrored(p.move);
+        ASSERT_TRUE(near(p.nearness().distance, q.nearness().distance, kTolerance));
+        ASSERT_EQ(p.cast().has_value(), q.cast().has_value());
+        if (cells) {
+            return;
+        }
+        const Manifold here = p.manifold();
+        const Manifold there = q.manifold();
+        ASSERT_EQ(here.count, there.count);
+        ASSERT_EQ(here.fromBehind, there.fromBehind);
+        ASSERT_TRUE(near(support::mirrored(here.normal), there.normal, kTolerance));
+        for (std::size_t k = 0; k < static_cast<std::size_t>(here.count); ++k) {
+            ASSERT_TRUE(
+                near(support::mirrored(here.points[k].armA), there.points[k].armA, kTolerance));
+        }
+    });
+}
+
+Transform quarterTurned(const Transform& t) {
+    return {perp(t.position), Rot{0, 1} * t.rotation};
+}
+
+// A quarter turn only exchanges coordinates and signs: the same bits.
+TEST_P(EveryPairSymmetry, AQuarterTurnChangesNoBit) {
+    forRandomPairs([](const Pair& p) {
+        Pair q = p;
+        q.a = quarterTurned(p.a);
+        q.b = quarterTurned(p.b);
+        q.move = perp(p.move);
+        const Manifold here = p.manifold();
+        const Manifold there = q.manifold();
+        ASSERT_EQ(here.count, there.count);
+        ASSERT_EQ(here.fromBehind, there.fromBehind);
+        ASSERT_EQ(perp(here.normal), there.normal);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(here.count); ++k) {
+            ASSERT_EQ(perp(here.points[k].armA), there.points[k].armA);
+            ASSERT_EQ(perp(here.points[k].armB), there.points[k].armB);
+            ASSERT_EQ(here.points[k].separation, there.points[k].separation);
+            ASSERT_EQ(here.points[k].feature, there.points[k].feature);
+        }
+        ASSERT_EQ(perp(p.nearness().onA), q.nearness().onA);
+        ASSERT_EQ(p.nearness().distance, q.nearness().distance);
+        const std::optional<CastHit> hit = p.cast();
+        const std::optional<CastHit> other = q.cast();
+        ASSERT_EQ(hit.has_value(), other.has_value());
+        ASSERT_EQ(hit ? hit->fraction : 0, other ? other->fraction : 0);
+        ASSERT_EQ(hit ? perp(hit->point) : Vec2{}, other ? other->point : Vec2{});
+    });
+}
+
+// No hidden length: a power of two scales every length and changes no other bit.
+TEST_P(EveryPairSymmetry, APowerOfTwoScalesExactly) {
+    for (const Real s : {Real(1024), Real(1) / 4096}) {
+        forRandomPairs([s](const Pair& p) {
+            Pair q(support::scaled(p.primitiveA, s), support::scaled(p.primitiveB, s));
+            q.a = {s * p.a.position, p.a.rotation};
+            q.b = {s * p.b.position, p.b.rotation};
+            q.move = s * p.move;
+            const Manifold here = p.manifold();
+            const Manifold there = q.manifold(s * kMargin);
+            ASSERT_EQ(here.count, there.count);
+            ASSERT_EQ(here.fromBehind, there.fromBehind);
+            ASSERT_EQ(here.normal, there.normal);
+            for (std::size_t k = 0; k < static_cast<std::size_t>(here.count); ++k) {
+                ASSERT_EQ(s * here.points[k].armA, there.points[k].armA);
+                ASSERT_EQ(s * here.points[k].separation, there.points[k].separation);
+                ASSERT_EQ(here.points[k].feature, there.points[k].feature);
+            }
+            ASSERT_EQ(s * p.nearness().distance, q.nearness().distance);
+            const std::optional<CastHit> hit = p.cast();
+            const std::optional<CastHit> other = q.cast();
+            ASSERT_EQ(hit.has_value(), other.has_value());
+            ASSERT_EQ(hit ? hit->fraction : 0, other ? other->fraction : 0);
+        });
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(AllKinds, EveryPairSymmetry,
+                         testing::Combine(testing::ValuesIn(support::kEveryKind),
+                                          testing::ValuesIn(support::kEveryKind)),
+                         [](const testing::TestParamInfo<std::tuple<AnyKind, AnyKind>>& row) {
+                             return std::string(support::nameOf(std::get<0>(row.param))) + "_on_" +
+                                    support::nameOf(std::get<1>(row.param));
+                         });
+
+} // namespace
+} // namespace kodo

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/collide/collide.hpp>
+#include <kodo/collide/distance.hpp>
+#include <support/every_shape.hpp>
+#include <support/minkowski_oracle.hpp>
+#include <support/near.hpp>
+
+#include <tuple>
+
+namespace kodo {
+namespace {
+
+using support::AnyKind;
+using support::byPrecision;
+using support::near;
+
+// Distances of up to 8 m, some twenty roundings.
+constexpr Real kTolerance = byPrecision(5e-6, 1e-14);
+constexpr Real kMargin = Real(0.25);
+constexpr int kPoses = 10000;
+
+struct Pair {
+    Convex shapeA;
+    Convex shapeB;
+    Transform a;
+    Transform b;
+
+    long double expected() const { return support::signedDistance(shapeA, a, shapeB, b); }
+    Manifold manifold(Real margin) const { return collide(shapeA, a, shapeB, b, margin, 0); }
+    bool hasLine() const { return !hasRound() && (shapeA.isLine() || shapeB.isLine()); }
+    bool hasRound() const { return shapeA.isRound() || shapeB.isRound(); }
+    bool hasPlane() const { return shapeA.isPlane() || shapeB.isPlane(); }
+};
+
+// C1: every pair of {point, circle, box, polygon, segment, plane}, in both orders; a compound is
+// several of them.
+class EveryPair : public testing::TestWithParam<std::tuple<AnyKind, AnyKind>> {
+protected:
+    Pair next() {
+        Pair pair;
+        pair.shapeA = convexOf(support::randomPrimitive(random_, std::get<0>(GetParam())), {});
+        pair.shapeB = convexOf(support::randomPrimitive(random_, std::get<1>(GetParam())), {});
+        pair.a = random_.pose(4);
+        pair.b = {pair.a.position + random_.point(2.5), random_.rotation()};
+        return pair;
+    }
+    bool bothPlanes() const {
+        return std::get<0>(GetParam()) == AnyKind::Plane &&
+               std::get<1>(GetParam()) == AnyKind::Plane;
+    }
+    support::RandomNumbers random_{91};
+};
+
+TEST_P(EveryPair, TouchesExactlyWhenTheDifferencesHoldTheOrigin) {
+    for (int i = 0; i < kPoses && !bothPlanes(); ++i) {
+        const Pair p = next();
+        const long double expected = p.expected();
+        if (std::abs(expected) > static_cast<long double>(kTolerance)) {
+            ASSERT_EQ(p.manifold(0).count > 0, expected < 0) << "pose " << i << ": " << expected;
+        }
+    }
+}
+
+// A separation is the depth in overlap, and never more than the distance; with a circle, a point or
+// a plane it is the distance.
+TEST_P(EveryPair, SeparatesByTheDistanceOrTheDepth) {
+    for (int i = 0; i < kPoses && !bothPlanes(); ++i) {
+        const Pair p = next();
+        const long double expected = p.expected();
+        const Separation found = separation(p.shapeA, p.a, p.shapeB, p.b);
+        ASSERT_TRUE(near(length(found.axis), 1, 8 * support::kEpsilon)) << "pose " << i;
+        if (expected < 0 || p.hasRound() || p.hasPlane()) {
+            ASSERT_TRUE(near(found.distance, expected, kTolerance)) << "pose " << i;
+        } else {
+            ASSERT_LE(found.distance, expected + static_cast<long double>(kTolerance));
+            ASSERT_GT(found.distance, -kTolerance) << "pose " << i;
+        }
+    }
+}
+
+TEST_P(EveryPair, HasAContactWithinTheMargin) {
+    for (int i = 0; i < kPoses && !bothPlanes(); ++i) {
+        const Pair p = next();
+        const long double expected = p.expected();
+        const Manifold manifold = p.manifold(kMargin);
+        // Beyond the end of a face, the height there counts: half the margin is sure, and nothing
+        // of it against a line, which may stand as steeply on a face as it likes.
+        if (expected < static_cast<long double>(p.hasLine() ? 0 : kMargin / 2)) {
+            ASSERT_GT(manifold.count, 0) << "pose " << i << ": " << expected;
+        }
+        for (std::size_t k = 0; k < static_cast<std::size_t>(manifold.count); ++k) {
+            ASSERT_LE(manifold.points[k].separation, kMargin);
+            ASSERT_GE(manifold.points[k].separation, manifold.points[0].separation);
+        }
+    }
+}
+
+TEST_P(EveryPair, LeavesByTheNormalAndTheDepth) {
+    for (int i = 0; i < kPoses && !bothPlanes(); ++i) {
+        Pair p = next();
+        const Manifold manifold = p.manifold(0);
+        if (manifold.count > 0) {
+            p.b.position -= manifold.points[0].separation * manifold.normal;
+            ASSERT_TRUE(near(p.expected(), 0, 2 * kTolerance)) << "pose " << i;
+        }
+    }
+}
+
+// Each point lies halfway between two surfaces that are apart by its separation. (A corner beyond
+// the end of a face, not yet touching, has no surface opposite to it.)
+TEST_P(EveryPair, HasItsPointsHalfwayBetweenTheSurfaces) {
+    const Convex dot = convexOf(Point{}, {});
+    for (int i = 0; i < kPoses && !bothPlanes(); ++i) {
+        const Pair p = next();
+        const Manifold manifold = p.manifold(p.hasRound() || p.hasPlane() ? kMargin : 0);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(manifold.count); ++k) {
+            const ManifoldPoint& point = manifold.points[k];
+            const Transform at{p.a.position + point.armA, {}};
+            ASSERT_TRUE(near(at.position, p.b.position + point.armB, kTolerance));
+            const Real most = std::abs(point.separation) / 2 + kTolerance;
+            ASSERT_LT(support::signedDistance(p.shapeA, p.a, dot, at), most) << "pose " << i;
+            ASSERT_LT(support::signedDistance(p.shapeB, p.b, dot, at), most) << "pose " << i;
+        }
+    }
+}
+
+// The true distance, corner to corner, and the two points it lies between.
+TEST_P(EveryPair, IsAsFarApartAsItsNearestPoints) {
+    const Convex dot = convexOf(Point{}, {});
+    for (int i = 0; i < kPoses && !bothPlanes(); ++i) {
+        const Pair p = next();
+        const long double expected = std::max(p.expected(), 0.0L);
+        const Nearness found = distance(p.shapeA, p.a, p.shapeB, p.b);
+        ASSERT_TRUE(near(found.distance, expected, kTolerance)) << "pose " << i;
+        ASSERT_TRUE(near(length(found.onB - found.onA), expected, kTolerance)) << "pose " << i;
+        ASSERT_TRUE(near(found.onA + found.distance * found.normal, found.onB, kTolerance));
+        const long double fromA = support::signedDistance(p.shapeA, p.a, dot, {found.onA, {}});
+        const long double fromB = support::signedDistance(p.shapeB, p.b, dot, {found.onB, {}});
+        ASSERT_LT(fromA, kTolerance) << "pose " << i;
+        ASSERT_LT(fromB, kTolerance) << "pose " << i;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(AllKinds, EveryPair,
+                         testing::Combine(testing::ValuesIn(support::kTwoSidedKinds),
+                                          testing::ValuesIn(support::kTwoSidedKinds)),
+                         [](const testing::TestParamInfo<std::tuple<AnyKind, AnyKind>>& row) {
+                             return std::string(support::nameOf(std::get<0>(row.param))) + "_on_" +
+                                    support::nameOf(std::get<1>(row.param));
+                         });
+
+// Two half-planes are both locked bodies: they never meet.
+TEST(TwoPlanes, NeverTouch) {
+    const Convex plane = convexOf(Plane{}, {});
+    EXPECT_EQ(collide(plane, {}, plane, {}, 1, 0).count, 0);
+    EXPECT_GT(separation(plane, {}, plane, {}).distance, 0);
+}
+
+// Two lines on one straight line are kept apart by nothing but an end.
+TEST(TwoSegments, InARowTouchEndToEnd) {
+    const Convex line = convexOf(Segment{{-1, 0}, {1, 0}, false, {}, {}}, {});
+    const Transform far{{Real(2.125), 0}, {}};
+    EXPECT_EQ(collide(line, {}, line, far, Real(0.0625), 0).count, 0);
+    EXPECT_EQ(separation(line, {}, line, far).distance, Real(0.125));
+    const Manifold manifold = collide(line, {}, line, far, Real(0.25), 0);
+    ASSERT_EQ(manifold.count, 1);
+    EXPECT_EQ(manifold.normal, (Vec2{1, 0}));
+    EXPECT_EQ(manifold.points[0].separation, Real(0.125));
+    EXPECT_EQ(manifold.points[0].armA, (Vec2{Real(1.0625), 0}));
+}
+
+// A segment has two sides: a ball is pushed out by the one that its centre is on.
+TEST(Segment, PushesToTheSideTheCentreIsOn) {
+    const Convex line = convexOf(Segment{{-1, 0}, {1, 0}, false, {}, {}}, {});
+    const Convex ball = convexOf(Circle{1}, {});
+    for (const Real side : {Real(1), Real(-1)}) {
+        const Manifold manifold = collide(line, {}, ball, {{0, side / 4}, {}}, 0, 0);
+        ASSERT_EQ(manifold.count, 1);
+        EXPECT_EQ(manifold.normal, (Vec2{0, side}));
+        EXPECT_EQ(manifold.points[0].separation, Real(-0.75));
+    }
+}
+
+} // namespace
+} // namespace kodo

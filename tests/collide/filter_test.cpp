@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/collide/filter.hpp>
+#include <support/random_numbers.hpp>
+
+#include <gtest/gtest.h>
+
+namespace kodo {
+namespace {
+
+struct Row {
+    std::uint16_t required;
+    Flags present;
+    bool any;
+    bool all;
+    bool equal;
+};
+
+// R9: every way in which two sets of flags can lie to each other. "Any" and "all" of no flags fail.
+constexpr Row kTable[] = {
+    {0b0000, 0b0000, false, false, true},  // both empty
+    {0b0000, 0b0001, false, false, false}, // nothing required
+    {0b0001, 0b0000, false, false, false}, // nothing present
+    {0b0001, 0b0010, false, false, false}, // apart
+    {0b0011, 0b0110, true, false, false},  // overlapping
+    {0b0011, 0b0111, true, true, false},   // required within present
+    {0b0111, 0b0011, true, false, false},  // present within required
+    {0b0101, 0b0101, true, true, true},    // equal
+    {0xffff, 0xffff, true, true, true},    // equal, all of them
+};
+
+TEST(CollisionFilter, FollowsTheTruthTable) {
+    for (const Row& row : kTable) {
+        SCOPED_TRACE(testing::Message() << row.required << " against " << row.present);
+        EXPECT_TRUE(accepts({0, row.required}, row.present));
+        EXPECT_EQ(accepts({kMatchAny, row.required}, row.present), row.any);
+        EXPECT_EQ(accepts({kMatchAll, row.required}, row.present), row.all);
+        EXPECT_EQ(accepts({kMatchEqual, row.required}, row.present), row.equal);
+    }
+}
+
+TEST(CollisionFilter, LooksAtUserFlagsOnly) {
+    for (const Row& row : kTable) {
+        const Flags dressed = row.present | kLocked | kColliding | kMatchAny;
+        EXPECT_EQ(accepts({kMatchAny | kLocked, row.required}, dressed), row.any);
+        EXPECT_EQ(accepts({kMatchEqual | kColliding, row.required}, dressed), row.equal);
+    }
+}
+
+// R9, better than the thesis: both must agree, so the order of the bodies never decides.
+TEST(CollisionFilter, NeedsBothToAgree) {
+    const CollisionFilter ball{0b01 | kMatchAny, 0b10};
+    const CollisionFilter block{0b10, 0};
+    const CollisionFilter ghost{0b10 | kMatchAny, 0b100};
+    EXPECT_TRUE(shouldCollide(ball, block));
+    EXPECT_TRUE(shouldCollide(block, ball));
+    EXPECT_FALSE(shouldCollide(ball, ghost));
+    EXPECT_FALSE(shouldCollide(ghost, ball));
+}
+
+TEST(CollisionFilter, IsSymmetricForAllModesAndFlags) {
+    constexpr Flags kModes[] = {0, kMatchAny, kMatchAll, kMatchEqual};
+    for (const Flags modeA : kModes) {
+        for (const Flags modeB : kModes) {
+            for (unsigned bits = 0; bits < 4096; ++bits) {
+                const CollisionFilter a{modeA | (bits & 7), std::uint16_t(bits >> 3 & 7)};
+                const CollisionFilter b{modeB | (bits >> 6 & 7), std::uint16_t(bits >> 9)};
+                ASSERT_EQ(shouldCollide(a, b), shouldCollide(b, a));
+                ASSERT_EQ(shouldCollide(a, b), accepts(a, b.flags) && accepts(b, a.flags));
+            }
+        }
+    }
+}
+
+TEST(CollisionFilter, DisabledMeetsNothing) {
+    EXPECT_FALSE(shouldCollide({kDisabled, 0}, {}));
+    EXPECT_FALSE(shouldCollide({}, {kDisabled, 0}));
+    EXPECT_TRUE(shouldCollide({}, {}));
+}
+
+TEST(CollisionFilter, EngineFlagsLieAboveTheUsers) {
+    constexpr Flags kEngine = kLockMove | kLockRotate | kDisabled | kColliding | kMatchModes;
+    EXPECT_EQ(kEngine & kUserFlags, 0u);
+    EXPECT_EQ(kLocked, kLockMove | kLockRotate);
+}
+
+} // namespace
+} // namespace kodo

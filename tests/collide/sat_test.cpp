@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/collide/sat.hpp>
+#include <support/near.hpp>
+#include <support/random_shapes.hpp>
+
+namespace kodo {
+namespace {
+
+Real linearSupport(const Convex& convex, Vec2 direction) {
+    Real best = dot(direction, convex.vertices[0]);
+    for (const Vec2 vertex : convex.vertices) {
+        best = std::max(best, dot(direction, vertex));
+    }
+    return best;
+}
+
+// C3: climbing finds the same height as looking at all corners, from whatever corner it starts.
+TEST(SupportVertex, ClimbsToTheTopOfRandomPolygons) {
+    support::RandomNumbers random(61);
+    for (int i = 0; i < 3000; ++i) {
+        SCOPED_TRACE(i);
+        const std::size_t corners = 3 + random.below(62);
+        const Convex convex = convexOf(support::randomPolygon(random, corners), random.point(2));
+        for (int k = 0; k < 8; ++k) {
+            const Vec2 direction = random.rotation().xAxis();
+            const std::size_t found = supportVertex(convex, direction, random.below(corners));
+            ASSERT_LT(found, corners);
+            // Neighbours within a rounding of each other are as good.
+            ASSERT_TRUE(support::near(dot(direction, convex.vertices[found]),
+                                      linearSupport(convex, direction), 8 * support::kEpsilon));
+        }
+    }
+}
+
+// Climbing must not end on the first corner of a level edge when the edge rises later, nor circle.
+TEST(SupportVertex, EndsOnALevelEdge) {
+    const Convex box = convexOf(Box{2, 2}, {});
+    for (std::size_t start = 0; start < 4; ++start) {
+        for (const Vec2 normal : box.normals) {
+            const std::size_t found = supportVertex(box, normal, start);
+            EXPECT_EQ(dot(normal, box.vertices[found]), 1);
+        }
+    }
+}
+
+TEST(LeastPenetratingFace, IsTheFaceTowardsTheOther) {
+    const Convex box = convexOf(Box{2, 2}, {});
+    const FaceAxis axis = leastPenetratingFace(box, box, {{3, Real(0.5)}, {}}, 100);
+    EXPECT_EQ(axis.face, 1u); // the right one
+    EXPECT_EQ(axis.separation, 1);
+}
+
+TEST(LeastPenetratingFace, KeepsTheLowerFaceInATie) {
+    const Convex box = convexOf(Box{2, 2}, {});
+    EXPECT_EQ(leastPenetratingFace(box, box, {}, 100).face, 0u);
+    EXPECT_EQ(leastPenetratingFace(box, box, {}, 100).separation, -2);
+}
+
+// C2: once a face is farther than the margin, no more are looked at.
+TEST(LeastPenetratingFace, StopsAtTheFirstSeparatingFace) {
+    const Convex box = convexOf(Box{2, 2}, {});
+    const Transform diagonal{{10, -4}, {}}; // 2 m below the lower face, 8 m beyond the right one
+    EXPECT_EQ(leastPenetratingFace(box, box, diagonal, 0).face, 0u);
+    EXPECT_EQ(leastPenetratingFace(box, box, diagonal, 100).face, 1u);
+}
+
+} // namespace
+} // namespace kodo

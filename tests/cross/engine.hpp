@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <scenes/scene_def.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace crosscheck {
+
+/// One body as both engines tell it: the centre of mass, in SI units.
+struct State {
+    scenes::Vec2 position;
+    double angle = 0; // rad, -pi..pi
+    scenes::Vec2 velocity;
+    double spin = 0; // rad/s
+};
+
+/// A scene in some engine. Bodies are named by their place in the scene.
+class Engine {
+public:
+    Engine() = default;
+    Engine(const Engine&) = delete;
+    Engine& operator=(const Engine&) = delete;
+    virtual ~Engine() = default;
+
+    virtual void step(double dt) = 0;
+    virtual State state(std::size_t body) const = 0;
+    /// N s along the normal between two bodies in the last step, all points.
+    virtual double impulse(std::size_t a, std::size_t b) const = 0;
+};
+
+/// Kodo with its default settings, but nothing is put to rest.
+std::unique_ptr<Engine> makeKodo(const scenes::SceneDef& scene);
+
+/// Box2D 2.4.1 with its default 8 velocity and 3 position iterations, and these differences undone:
+///
+///   mixing     pairs get Kodo's friction (both take the geometric mean) and the smaller
+///              restitution, where Box2D takes the larger
+///   skin       polygons are inset by b2_polygonRadius, so that with its skin a box touches where
+///              its corners say (its corners stay rounded by 1 cm); the mass is the nominal one
+///   sleep      off
+///   bounce     the speed (m/s) below which it does not bounce is an argument, 1 by default
+///
+/// What stays: the slop of 5 mm that resting polygons sink in; semi-implicit Euler without the
+/// half-step term; dynamic bodies that overlap for up to a step before they bounce.
+std::unique_ptr<Engine> makeBox2d(const scenes::SceneDef& scene, double bounceThreshold = 1);
+
+/// Mass (kg), centre (m) and inertia (kg m^2) of a body, by closed forms and the parallel axis
+/// theorem: the oracle of the tests and the nominal mass in Box2D.
+struct Mass {
+    double mass = 0;
+    scenes::Vec2 center;
+    double inertia = 0; // about the centre
+};
+Mass massOf(const scenes::BodyDef& body);
+
+} // namespace crosscheck

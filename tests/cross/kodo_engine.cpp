@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include <scenes/in_kodo.hpp>
+
+#include "engine.hpp"
+
+namespace crosscheck {
+namespace {
+
+/// Without rest, since bodies at rest report no impulses.
+kodo::StepSettings settings() {
+    kodo::StepSettings result;
+    result.leaveOut = static_cast<std::uint8_t>(kodo::Feature::Resting);
+    return result;
+}
+
+class KodoEngine final : public Engine {
+public:
+    explicit KodoEngine(const scenes::SceneDef& scene)
+        : scene_(scenes::inKodo(scene, settings())) {}
+
+    void step(double dt) override { scene_.world.step(static_cast<kodo::Real>(dt)); }
+
+    State state(std::size_t body) const override {
+        const kodo::BodyView view = scene_.world[scene_.ids[body]];
+        return {{view.center().x, view.center().y},
+                view.rotation().angle(),
+                {view.velocity().x, view.velocity().y},
+                view.angularVelocity()};
+    }
+
+    double impulse(std::size_t a, std::size_t b) const override {
+        double sum = 0;
+        for (const kodo::CollisionRecord& record : scene_.world.collisions()) {
+            if (record.involves(scene_.ids[a]) && record.involves(scene_.ids[b])) {
+                sum += static_cast<double>(record.totalImpulse);
+            }
+        }
+        return sum;
+    }
+
+private:
+    scenes::KodoScene scene_;
+};
+
+} // namespace
+
+std::unique_ptr<Engine> makeKodo(const scenes::SceneDef& scene) {
+    return std::make_unique<KodoEngine>(scene);
+}
+
+} // namespace crosscheck

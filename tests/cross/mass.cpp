@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include <numbers>
+
+#include "engine.hpp"
+
+namespace crosscheck {
+namespace {
+
+Mass massOfPart(const scenes::Circle& circle) {
+    const double mass = std::numbers::pi * circle.radius * circle.radius;
+    return {mass, circle.center, mass * circle.radius * circle.radius / 2};
+}
+
+Mass massOfPart(const scenes::Box& box) {
+    const double mass = box.width * box.height;
+    return {mass, box.center, mass * (box.width * box.width + box.height * box.height) / 12};
+}
+
+/// By triangles (origin, p, q), inertia about the origin moved to the centre at the end.
+Mass massOfPart(const scenes::Polygon& polygon) {
+    Mass sum;
+    for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
+        const scenes::Vec2 p = polygon.corners[i];
+        const scenes::Vec2 q = polygon.corners[(i + 1) % polygon.corners.size()];
+        const double area = cross(p, q) / 2;
+        sum.mass += area;
+        sum.center = sum.center + (area / 3) * (p + q);
+        sum.inertia += area / 6 * (dot(p, p) + dot(p, q) + dot(q, q));
+    }
+    sum.center = (1 / sum.mass) * sum.center;
+    sum.inertia -= sum.mass * dot(sum.center, sum.center);
+    return sum;
+}
+
+} // namespace
+
+Mass massOf(const scenes::BodyDef& body) {
+    std::vector<Mass> parts;
+    Mass sum;
+    for (const scenes::Part& part : body.parts) {
+        Mass mass = std::visit([](const auto& shape) { return massOfPart(shape); }, part);
+        mass.mass *= body.density;
+        mass.inertia *= body.density;
+        parts.push_back(mass);
+        sum.mass += mass.mass;
+        sum.center = sum.center + mass.mass * mass.center;
+    }
+    sum.center = (1 / sum.mass) * sum.center;
+    for (const Mass& part : parts) {
+        const scenes::Vec2 arm = part.center - sum.center;
+        sum.inertia += part.inertia + part.mass * dot(arm, arm);
+    }
+    return sum;
+}
+
+} // namespace crosscheck

@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Starts the game on a virtual screen and plays it by keys and mouse:
+
+    smoke.py build/dev/bin/apart build/dev/report
+
+Pictures of each screen are left in the second folder. Exit code 0: all checks passed, 1: one
+failed, 77: a tool is missing."""
+import os
+import pathlib
+import subprocess
+import sys
+import time
+
+sys.dont_write_bytecode = True
+from virtual_screen import Program, Screen, brightest, difference, skip_without_tools, wait_until  # noqa: E402
+
+PADDLE = "1000x90+36+700"  # where the paddle moves, in a window of 1280x800
+MENU = "500x400+280+290"  # of the pause screen
+MANY = 1500  # pixels; the paddle alone has about 4000
+
+
+def check(what, true):
+    print(f"{'ok    ' if true else 'FAILED'} {what}", flush=True)
+    if not true:
+        raise AssertionError(what)
+
+
+def check_without_display(apart):
+    env = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    probe = subprocess.run([apart, "--probe-display"], env=env, capture_output=True, text=True, timeout=20)
+    check("without a display the probe says 3 and nothing else", probe.returncode == 3 and not probe.stderr)
+    plain = subprocess.run([apart], env=env, capture_output=True, text=True, timeout=20)
+    check("without a display the game says so and exits with 3",
+          plain.returncode == 3 and "no display" in plain.stderr)
+
+
+def changed(game, report, before, name, area=None, least=MANY):
+    """Waits until the picture differs from an older one; the new one."""
+    path = report / name
+
+    def look():
+        return difference(game.screen, before, game.picture(path), area) >= least
+    wait_until(f"the picture changes ({name})", look)
+    return path
+
+
+def play(screen, apart, report):
+    with Program(screen, "aPart", apart, "--mute", "--seed", "1") as game:
+        check("the window opens", game.window)
+        blank = report / "blank.png"
+        screen.run("convert", "-size", "x".join(map(str, game.size())), "xc:black", str(blank))
+        title = changed(game, report, blank, "1_title.png")
+        check("the title screen is drawn", True)
+
+        game.key("Return")
+        waiting = changed(game, report, title, "2_serve.png", least=20000)
+        check("enter starts a level", True)
+
+        time.sleep(1)  # until all blocks have grown
+        waiting = game.picture(waiting)
+        game.hold("Right", 0.4)
+        right = changed(game, report, waiting, "3_right.png", PADDLE)
+        game.hold("Left", 0.6)
+        changed(game, report, right, "4_left.png", PADDLE)
+        check("the arrow keys move the paddle", True)
+
+        screen.xdotool("mousemove", "--window", game.window, 900, 500)
+        changed(game, report, report / "4_left.png", "5_mouse.png", PADDLE)
+        check("the mouse moves the paddle", True)
+
+        game.key("space")
+        changed(game, report, report / "5_mouse.png", "6_flight.png", "900x560+60+60", least=300)
+        check("space serves the ball", True)
+
+        game.key("p")
+        changed(game, report, report / "6_flight.png", "7_paused.png", least=50000)
+        time.sleep(0.3)  # the menu must not move by itself
+        one = game.picture(report / "7_paused.png")
+        time.sleep(0.5)
+        two = game.picture(report / "still.png")
+        check("P pauses: nothing moves", difference(screen, one, two) == 0)
+        two.unlink()
+
+        game.key("p")  # on
+        changed(game, report, report / "7_paused.png", "on.png", least=50000)
+        (report / "on.png").unlink()
+        screen.xdotool("windowfocus", screen.root())
+        wait_until("losing the focus pauses",
+                   lambda: difference(screen, one, game.picture(report / "away.png"), MENU) < 6000)
+        (report / "away.png").unlink()
+        screen.xdotool("windowfocus", game.window)
+        check("losing the focus pauses", True)
+
+        screen.xdotool("windowsize", game.window, 800, 760)
+        wait_until("the window takes its new size", lambda: game.size() == (800, 760))
+        # The game keeps its shape: above and below it there is night.
+        wait_until("the picture fits the new size",
+                   lambda: brightest(screen, game.picture(report / "8_resized.png"), "800x90+0+0") < 0.15)
+        check("the game fits", brightest(screen, report / "8_resized.png", "800x400+0+150") > 0.5)
+        check("the window can be resized", True)
+
+        game.key("Escape", "Escape")  # on, and pause again
+        game.key("Up", "Return")      # to the levels
+        game.key("Escape")
+        code, output = game.wait_for_end()
+        check(f"escape leaves the title: exit code {code}", code == 0)
+        check("nothing was written to the terminal", output.strip() == "")
+        blank.unlink()
+
+
+def check_screenshot(screen, apart, report):
+    path = report / "screenshot.png"
+    result = screen.run(apart, "--level", "first_light", "--screenshot", str(path), "--at", "600")
+    check("--screenshot writes a picture", result.returncode == 0 and path.stat().st_size > 10000)
+    size = screen.run("identify", "-format", "%wx%h", str(path)).stdout
+    check(f"the picture has the size of the window: {size}", size == "1280x800")
+    again = report / "again.png"
+    screen.run(apart, "--level", "first_light", "--screenshot", str(again), "--at", "600")
+    check("the same seed and tick give the same picture", difference(screen, path, again) == 0)
+    again.unlink()
+    bad = screen.run(apart, "--screenshot", "/nowhere/x.png")
+    check("a picture that cannot be written is an error in a sentence",
+          bad.returncode == 1 and "/nowhere/x.png" in bad.stderr)
+    wrong = screen.run(apart, "--level", "no_such_level")
+    check("an unknown level is an error that names the levels",
+          wrong.returncode == 1 and "first_light" in wrong.stderr)
+
+
+def main():
+    apart, report = sys.argv[1], pathlib.Path(sys.argv[2])
+    report.mkdir(parents=True, exist_ok=True)
+    try:
+        check_without_display(apart)
+        skip_without_tools()
+        with Screen() as screen:
+            check_screenshot(screen, apart, report)
+            play(screen, apart, report)
+    except AssertionError as error:
+        print(f"FAILED {error}\nPictures: {report}")
+        return 1
+    print(f"Pictures: {report}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: MIT
+"""A virtual screen of our own, a program in a window on it, and keys, mouse and pictures."""
+import os
+import shutil
+import subprocess
+import sys
+import time
+
+SKIPPED = 77  # what ctest takes for "skipped"
+TOOLS = {"Xvfb": "xvfb", "xdotool": "xdotool", "import": "imagemagick", "compare": "imagemagick"}
+
+
+def skip_without_tools():
+    missing = sorted({package for tool, package in TOOLS.items() if shutil.which(tool) is None})
+    if missing:
+        print(f"Skipped: {', '.join(missing)} missing (Debian: apt-get install {' '.join(missing)}).")
+        sys.exit(SKIPPED)
+
+
+def wait_until(what, test, seconds=20.0):
+    """The first true value of test(); fails with a sentence after so many seconds."""
+    end = time.monotonic() + seconds
+    while True:
+        value = test()
+        if value:
+            return value
+        if time.monotonic() > end:
+            raise AssertionError(f"{what}: not within {seconds:.0f} s")
+        time.sleep(0.05)
+
+
+class Screen:
+    """An Xvfb that ends with the `with` block. Square: SFML 2.5.1 centres windows by the width.
+    Without -noreset it would be gone for a moment whenever its last client leaves."""
+
+    def __enter__(self):
+        read, write = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", "1600x1600x24", "-nolisten", "tcp",
+             "-noreset"],
+            pass_fds=[write], stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as pipe:
+            number = pipe.readline().strip()
+        if not number:
+            raise AssertionError("Xvfb did not start")
+        self.env = {**os.environ, "DISPLAY": f":{number}", "LIBGL_ALWAYS_SOFTWARE": "1"}
+        self.env.pop("WAYLAND_DISPLAY", None)
+        return self
+
+    def __exit__(self, *_):
+        self.server.terminate()
+        self.server.wait()
+
+    def run(self, *command):
+        return subprocess.run(command, env=self.env, capture_output=True, text=True, timeout=60)
+
+    def xdotool(self, *words):
+        result = self.run("xdotool", *map(str, words))
+        if result.returncode:
+            raise AssertionError(f"xdotool {' '.join(map(str, words))}: {result.stderr.strip()}")
+        return result.stdout.split()
+
+    def root(self):
+        return self.xdotool("search", "--maxdepth", "0", ".*")[0]
+
+
+class Program:
+    """A program whose window has that title; ended, if need be, with the `with` block."""
+
+    def __init__(self, screen, title, *command):
+        self.screen, self.title, self.command = screen, title, command
+
+    def __enter__(self):
+        self.process = subprocess.Popen(self.command, env=self.screen.env, stdout=subprocess.PIPE,
+                                        stderr=subprocess.STDOUT, text=True)
+        self.window = wait_until("the window opens", self._find)
+        self.screen.xdotool("windowfocus", self.window)  # there is no window manager
+        return self
+
+    def __exit__(self, *_):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.wait()
+
+    def _find(self):
+        if self.process.poll() is not None:
+            raise AssertionError(f"it ended with {self.process.returncode}: {self.process.stdout.read()}")
+        found = self.screen.run("xdotool", "search", "--onlyvisible", "--name", f"^{self.title}$").stdout.split()
+        return found[0] if found else None
+
+    def key(self, *names):
+        self.screen.xdotool("key", *names)
+
+    def hold(self, name, seconds):
+        self.screen.xdotool("keydown", name)
+        time.sleep(seconds)
+        self.screen.xdotool("keyup", name)
+
+    def size(self):
+        geometry = self.screen.xdotool("getwindowgeometry", "--shell", self.window)
+        values = dict(line.split("=") for line in geometry)
+        return int(values["WIDTH"]), int(values["HEIGHT"])
+
+    def picture(self, path):
+        result = self.screen.run("import", "-window", self.window, str(path))
+        if result.returncode:
+            raise AssertionError(f"no picture of the window: {result.stderr.strip()}")
+        return path
+
+    def wait_for_end(self, seconds=20):
+        try:
+            self.process.wait(seconds)
+        except subprocess.TimeoutExpired:
+            raise AssertionError(f"it did not end within {seconds} s") from None
+        return self.process.returncode, self.process.stdout.read()
+
+
+def difference(screen, one, other, area=None):
+    """Number of pixels that differ clearly; area is WxH+X+Y."""
+    crop = ["-extract", area] if area else []
+    result = screen.run("compare", *crop, "-metric", "AE", "-fuzz", "8%", str(one), str(other), "null:")
+    return int(float(result.stderr.split()[0]))
+
+
+def brightest(screen, picture, area):
+    """0..1, of all pixels in an area WxH+X+Y."""
+    result = screen.run("convert", str(picture), "-crop", area, "-format", "%[fx:maxima]", "info:")
+    return float(result.stdout)

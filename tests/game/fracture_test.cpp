@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/field.hpp>
+#include <apart/core/fracture.hpp>
+#include <apart/core/tuning.hpp>
+#include <support/near.hpp>
+#include <support/random_numbers.hpp>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace apart;
+using kodo::Polygon;
+using kodo::Real;
+using kodo::Vec2;
+using support::near;
+
+constexpr std::uint64_t kSeed = 2024;
+constexpr int kBreaks = 20000;
+constexpr Real kBlockArea = kCellWidth * kCellHeight;
+
+Vec2 onTheRim(support::RandomNumbers& random) {
+    const Real along = random.between(-0.5, 0.5);
+    const Real side = random.below(2) == 0 ? Real(-0.5) : Real(0.5);
+    return random.below(3) == 0 ? Vec2{side * kCellWidth, along * kCellHeight}
+                                : Vec2{along * kCellWidth, side * kCellHeight};
+}
+
+struct Break {
+    Vec2 hit;
+    Pattern pattern;
+    std::vector<Polygon> pieces;
+};
+
+/// Calls `look` with so many random breaks of a block, all patterns in turn.
+template <typename Look>
+void forRandomBreaks(int count, Look look) {
+    support::RandomNumbers random(kSeed);
+    const Polygon block = rectangle(kCellWidth, kCellHeight);
+    for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
+        SCOPED_TRACE("seed " + std::to_string(kSeed) + ", break " + std::to_string(i));
+        Break broken{onTheRim(random), static_cast<Pattern>(i % 4), {}};
+        broken.pieces = fracture(block, broken.hit, broken.pattern, shardLimits(), random.bits());
+        look(broken, random);
+    }
+}
+
+TEST(Fracture, MakesAtLeastTwoPiecesThatTheEngineAccepts) {
+    forRandomBreaks(kBreaks, [](const Break& broken, auto&) {
+        EXPECT_GE(broken.pieces.size(), 2u);
+        EXPECT_LE(broken.pieces.size(), 12u);
+        for (const Polygon& piece : broken.pieces) {
+            const auto problem = kodo::check(kodo::Shape(piece));
+            EXPECT_FALSE(problem) << problem->text();
+        }
+    });
+}
+
+TEST(Fracture, MakesNoSlivers) {
+    forRandomBreaks(kBreaks, [](const Break& broken, auto&) {
+        for (const Polygon& piece : broken.pieces) {
+            EXPECT_GE(areaOf(piece), shardLimits().area);
+            EXPECT_GE(widthOf(piece), shardLimits().width);
+        }
+    });
+}
+
+TEST(Fracture, KeepsTheArea) {
+    forRandomBreaks(kBreaks, [](const Break& broken, auto&) {
+        Real area = 0;
+        for (const Polygon& piece : broken.pieces) {
+            area += areaOf(piece);
+        }
+        // A dozen cells of some rounding errors each; one lost 1 mm corner would already show.
+        EXPECT_TRUE(near(area, kBlockArea, Real(1e-5) * kBlockArea));
+    });
+}
+
+/// Area that two convex polygons share.
+Real sharedArea(const Polygon& a, const Polygon& b) {
+    Polygon shared = a;
+    for (std::size_t i = 0; i < b.corners.size() && !shared.corners.empty(); ++i) {
+        const Vec2 corner = b.corners[i];
+        const Vec2 next = b.corners[(i + 1) % b.corners.size()];
+        shared = clipped(shared, Line::through(corner, next - corner)); // keeps what is inside b
+    }
+    return areaOf(shared);
+}
+
+TEST(Fracture, LeavesNoOverlapOfPieces) {
+    forRandomBreaks(kBreaks / 10, [](const Break& broken, auto&) {
+        for (std::size_t i = 0; i < broken.pieces.size(); ++i) {
+            for (std::size_t k = i + 1; k < broken.pieces.size(); ++k) {
+                // Neighbours share an edge up to rounding: 1e-6 m of some 1 m.
+                EXPECT_LE(sharedArea(broken.pieces[i], broken.pieces[k]), 1e-5);
+            }
+        }
+    });
+}
+
+TEST(Fracture, IsAFunctionOfItsKey) {
+    const Polygon block = rectangle(kCellWidth, kCellHeight);
+    for (const Pattern pattern :
+         {Pattern::Halves, Pattern::Slats, Pattern::Bricks, Pattern::Shatter}) {
+        const auto broken = [&](std::uint64_t key) {
+            return fracture(block, {0, -kCellHeight / 2}, pattern, shardLimits(), key);
+        };
+        EXPECT_EQ(broken(5), broken(5));
+        EXPECT_NE(broken(5), broken(6));
+    }
+}
+
+TEST(Fracture, GivesMorePiecesNearTheBlowWhenItShatters) {
+    double nearer = 0;
+    int count = 0;
+    forRandomBreaks(4000, [&](const Break& broken, auto&) {
+        if (broken.pattern != Pattern::Shatter) {
+            return;
+        }
+        for (const Polygon& piece : broken.pieces) {
+            const Vec2 center = massOf(piece, Real(1)).center;
+            nearer += length(center - broken.hit) < length(center + broken.hit) ? 1 : 0;
+            ++count;
+        }
+    });
+    EXPECT_GT(nearer / count, 0.6); // half of them if the blow did not matter
+}
+
+TEST(Fracture, GivesThePiecesTheMomentumOfTheBlowAndItsMoment) {
+    forRandomBreaks(kBreaks, [](const Break& broken, support::RandomNumbers& random) {
+        std::vector<kodo::Mass> masses;
+        for (const Polygon& piece : broken.pieces) {
+            masses.push_back(massOf(piece, Real(0.5)));
+        }
+        const Vec2 impulse = random.point(5);
+        const auto motions = motionOfPieces(masses, broken.hit, impulse, kBurstSpeed);
+        Vec2 momentum;
+        Real moment = 0; // about the block's centre
+        for (std::size_t i = 0; i < masses.size(); ++i) {
+            momentum += masses[i].mass * motions[i].velocity;
+            moment += masses[i].mass * cross(masses[i].center, motions[i].velocity) +
+                      masses[i].inertia * motions[i].spin;
+        }
+        // Sums of a dozen floats of up to 10 N s.
+        EXPECT_TRUE(near(momentum, impulse, 2e-5));
+        EXPECT_TRUE(near(moment, cross(broken.hit, impulse), 2e-5));
+    });
+}
+
+TEST(Fracture, LetsTheMountTakeItsStrengthOfABlow) {
+    EXPECT_EQ(impulseOnPieces({0, 10}, 12, 1), (Vec2{0, 0})); // the mount bears it all
+    EXPECT_EQ(impulseOnPieces({0, 14}, 12, 1), (Vec2{0, 2})); // 14 = 12 + 2
+    EXPECT_EQ(impulseOnPieces({0, 30}, 12, 1), (Vec2{0, kShardSpeed}));
+}
+
+TEST(Fracture, LeavesPiecesThatDoNotPushEachOther) {
+    forRandomBreaks(200, [](const Break& broken, auto&) {
+        kodo::World world;
+        for (const Polygon& piece : broken.pieces) {
+            world.add({.shape = piece});
+        }
+        world.step(kTickSeconds);
+        for (const kodo::BodyId body : world.bodies()) {
+            EXPECT_LT(length(world[body].velocity()), 0.001); // m/s
+        }
+    });
+}
+
+TEST(Pieces, OfEveryKindOfBlockWeighWhatTheBlockWeighs) {
+    for (const Power power : {Power::None, Power::Weld, Power::Launch, Power::Split}) {
+        const BlockKind kind{'x', Stuff::Brick, power, Pattern::Bricks, 1000};
+        kodo::World world;
+        const kodo::BodyId block = world.add(blockDef(kind, {}));
+        Real mass = 0;
+        for (const Piece& piece : piecesOf(kind, {0, -kCellHeight / 2}, 3)) {
+            mass += piece.mass.mass;
+        }
+        EXPECT_TRUE(near(world[block].mass(), mass, Real(1e-5) * mass));
+    }
+}
+
+} // namespace

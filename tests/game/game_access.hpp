@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <apart/core/field.hpp>
+#include <apart/core/game.hpp>
+#include <apart/core/level_file.hpp>
+#include <apart/core/tuning.hpp>
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace apart {
+
+/// Sets up situations that play would take long to reach.
+struct GameTestAccess {
+    static kodo::World& world(Game& game) { return game.world_; }
+    static std::vector<Weld>& welds(Game& game) { return game.welds_; }
+
+    /// The first ball flies from there; the others are gone.
+    static kodo::BodyId shoot(Game& game, kodo::Vec2 from, kodo::Vec2 velocity) {
+        while (game.balls_.size() > 1) {
+            game.world_.remove(game.balls_.back().body);
+            game.balls_.pop_back();
+        }
+        Ball& ball = game.balls_.front();
+        ball.riding = false;
+        ball.heading = normalize(velocity);
+        kodo::BodyRef body = game.world_[ball.body];
+        body.setFlags(flagsOf(Role::Ball));
+        body.setPosition(from);
+        body.setVelocity(velocity);
+        return ball.body;
+    }
+    /// As a blow would, from below; it shows in the events of no tick.
+    static void breakBlock(Game& game, std::size_t index, kodo::Vec2 blow) {
+        const kodo::Vec2 center = game.world_[game.blocks_[index].body].position();
+        game.breakBlock(index, center - kodo::Vec2{kCellWidth / 8, kCellHeight / 2}, blow);
+    }
+};
+
+/// A level from its grid, with one letter for each kind: g w b s X glass, wood, brick, stone,
+/// steel; W L S brick that welds, launches, splits.
+inline Level levelOf(const std::string& grid, int ballSpeed = 12000) {
+    std::string text =
+        "format = 1\ntitle = \"t\"\nidea = \"i\"\nball-speed = " + std::to_string(ballSpeed) +
+        "\ngrid = '''\n" + grid + "'''\n";
+    const std::vector<std::pair<std::string, std::string>> legend = {
+        {"g", "stuff = \"glass\""},
+        {"w", "stuff = \"wood\""},
+        {"b", "stuff = \"brick\""},
+        {"s", "stuff = \"stone\""},
+        {"X", "stuff = \"steel\""},
+        {"W", "stuff = \"brick\"\npower = \"weld\""},
+        {"L", "stuff = \"brick\"\npower = \"launch\""},
+        {"S", "stuff = \"brick\"\npower = \"split\""}};
+    for (const auto& [letter, lines] : legend) {
+        text += "[legend." + letter + "]\n" + lines + "\n";
+    }
+    const Read<Level> level = parseLevel(text, "test", "test.toml");
+    if (const auto* problem = std::get_if<FileProblem>(&level)) {
+        throw std::runtime_error(problem->text());
+    }
+    return std::get<Level>(level);
+}
+
+/// So many empty rows of a grid.
+inline std::string emptyRows(int count) {
+    std::string rows;
+    for (int i = 0; i < count; ++i) {
+        rows += "...............\n";
+    }
+    return rows;
+}
+
+/// The first event of this type in the last tick.
+template <typename T>
+const T* eventOf(const Game& game) {
+    for (const Event& event : game.events()) {
+        if (const T* found = std::get_if<T>(&event)) {
+            return found;
+        }
+    }
+    return nullptr;
+}
+
+/// Ticks until there is an event of this type, and gives it.
+template <typename T>
+std::optional<T> playUntil(Game& game, const Input& input, int mostTicks) {
+    for (int i = 0; i < mostTicks; ++i) {
+        game.tick(input);
+        if (const T* found = eventOf<T>(game)) {
+            return *found;
+        }
+    }
+    return std::nullopt;
+}
+
+inline Input towards(kodo::Real x) {
+    Input input;
+    input.target = static_cast<std::int16_t>(x * 1000);
+    return input;
+}
+
+} // namespace apart

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include <support/near.hpp>
+
+#include "game_access.hpp"
+
+namespace {
+
+using namespace apart;
+using kodo::Real;
+using kodo::Vec2;
+using support::near;
+
+// One block in the middle of row 5, x = 0, y from 13.2 to 14; glass far away keeps the game going.
+const std::string kBrick = "g..............\n" + emptyRows(4) + ".......b.......\n";
+constexpr Real kUnderside = Real(13.2);
+
+kodo::Real ballMass() {
+    return kodo::massOf(kodo::Circle{kBallRadius}, kBallDensity).mass;
+}
+
+/// A ball just below the block, x m from its middle, flying up.
+Game shotAtBlock(const std::string& grid, Real x, Real speed) {
+    Game game(levelOf(grid, static_cast<int>(speed * 1000)), 1);
+    GameTestAccess::shoot(game, {x, kUnderside - Real(0.6)}, {0, speed});
+    return game;
+}
+
+TEST(Blocks, BreakWhenTheBlowExceedsTheirStrengthAtThePointOfImpact) {
+    Game game = shotAtBlock(kBrick, Real(0.5), 12);
+    const auto broke = playUntil<Broke>(game, {}, 30);
+    ASSERT_TRUE(broke);
+    EXPECT_TRUE(near(broke->point, Vec2{Real(0.5), kUnderside}, 0.01)); // the engine's slop: 4 mm
+    EXPECT_TRUE(near(broke->impulse, 2 * ballMass() * 12, 0.01 * 24));  // head-on, e = 1: 2 m v
+    EXPECT_EQ(game.blocksLeft(), 1);
+    EXPECT_EQ(static_cast<std::size_t>(broke->shards), game.shards().size());
+    EXPECT_GE(broke->shards, 2);
+    EXPECT_EQ(game.score(), broke->points);
+}
+
+TEST(Blocks, CrackByTheImpulseOfASofterBlow) {
+    Game game = shotAtBlock(kBrick, 0, 4);
+    const auto cracked = playUntil<Cracked>(game, {}, 60);
+    ASSERT_TRUE(cracked);
+    const Real blow = 2 * ballMass() * 4;
+    EXPECT_TRUE(near(cracked->impulse, blow, Real(0.01) * blow));
+    EXPECT_TRUE(near(cracked->strengthLeft, (12 - blow) / 12, 0.02));
+    EXPECT_EQ(game.blocksLeft(), 2);
+    GameTestAccess::shoot(game, {0, kUnderside - Real(0.6)}, {0, 4});
+    EXPECT_TRUE(playUntil<Broke>(game, {}, 60)); // 4 N s are left, and 8 come
+}
+
+TEST(Blocks, OfSteelNeverBreak) {
+    Game game = shotAtBlock("g..............\n" + emptyRows(4) + ".......X.......\n", 0, 40);
+    EXPECT_FALSE(playUntil<Broke>(game, {}, 30));
+    EXPECT_EQ(game.blocksAtStart(), 1); // it does not count
+}
+
+TEST(Blocks, GiveTheirPiecesWhatTheMountDoesNotTake) {
+    Game game = shotAtBlock(kBrick, Real(0.5), 12);
+    const auto broke = playUntil<Broke>(game, {}, 30);
+    ASSERT_TRUE(broke);
+    Vec2 momentum;
+    Real mass = 0;
+    for (const Shard& shard : game.shards()) {
+        momentum += game.world()[shard.body].mass() * game.world()[shard.body].velocity();
+        mass += game.world()[shard.body].mass();
+    }
+    const Vec2 passed = impulseOnPieces({0, broke->impulse}, 12, mass);
+    EXPECT_TRUE(near(momentum, passed, 1e-4)); // a dozen floats around 1
+    EXPECT_GT(passed.y, 0);
+}
+
+TEST(Shards, FallOffTheScreenAndAreGone) {
+    Game game = shotAtBlock(kBrick, Real(0.5), 12);
+    ASSERT_TRUE(playUntil<Broke>(game, {}, 30));
+    for (int tick = 0; tick < 500; ++tick) {
+        GameTestAccess::shoot(game, {-9, 9}, {12, 0}); // out of their way
+        game.tick(towards(-9));
+    }
+    EXPECT_EQ(game.shards().size(), 0u);
+}
+
+TEST(Shards, AreNeverMoreThanTheCap) {
+    Game game(levelOf("ggggggggggggggg\nggggggggggggggg\nggggggggggggggg\n"), 1);
+    while (game.blocks().size() > 1) {
+        GameTestAccess::breakBlock(game, 0, {0, 24});
+    }
+    game.tick({});
+    EXPECT_LE(game.shards().size(), kMostShards);
+    EXPECT_GT(game.shards().size(), kMostShards / 2);
+}
+
+TEST(Serve, RidesOnThePaddleUntilItIsLaunchedAlongTheHeadingShown) {
+    Game game(levelOf(kBrick), 5);
+    EXPECT_TRUE(game.serving());
+    for (int tick = 0; tick < 60; ++tick) {
+        game.tick(towards(4));
+    }
+    EXPECT_TRUE(near(game.world()[game.balls()[0].body].position().x, 4, 0.01));
+    const Vec2 heading = game.serveHeading();
+    Input launch = towards(4);
+    launch.launch = true;
+    game.tick(launch);
+    EXPECT_FALSE(game.serving());
+    ASSERT_NE(eventOf<Served>(game), nullptr);
+    const Vec2 velocity = game.world()[game.balls()[0].body].velocity();
+    EXPECT_TRUE(near(normalize(velocity), heading, 1e-5));
+    EXPECT_TRUE(near(length(velocity), 12, 1e-4));
+}
+
+TEST(Serve, DependsOnTheSeedAndIsNeitherSteepNorFlat) {
+    const Level level = levelOf(kBrick);
+    EXPECT_EQ(Game(level, 5).serveHeading(), Game(level, 5).serveHeading());
+    EXPECT_NE(Game(level, 5).serveHeading(), Game(level, 6).serveHeading());
+    for (std::uint32_t seed = 0; seed < 200; ++seed) {
+        const Vec2 heading = Game(level, seed).serveHeading();
+        const Real slope = std::abs(heading.x / heading.y);
+        EXPECT_GT(heading.y, 0);
+        EXPECT_LE(slope, kServeSlope * Real(1.001));
+        EXPECT_GE(slope, kServeSlope / 4 * Real(0.999));
+    }
+}
+
+TEST(Lives, GoWithTheLastBallAndANewOneIsServed) {
+    Game game(levelOf(kBrick), 1);
+    GameTestAccess::shoot(game, {8, 1}, {0, -12});
+    ASSERT_TRUE(playUntil<LifeLost>(game, {}, 60));
+    EXPECT_EQ(game.lives(), 2);
+    EXPECT_TRUE(game.serving());
+    EXPECT_EQ(game.result(), Result::Playing);
+}
+
+TEST(Lives, LoseTheGameWhenNoneIsLeft) {
+    Game game(levelOf(kBrick), 1);
+    for (int life = 0; life < 3; ++life) {
+        GameTestAccess::shoot(game, {8, 1}, {0, -12});
+        ASSERT_TRUE(playUntil<LifeLost>(game, {}, 60));
+    }
+    EXPECT_NE(eventOf<Lost>(game), nullptr);
+    EXPECT_EQ(game.result(), Result::Lost);
+    EXPECT_EQ(game.lives(), 0);
+    Input launch;
+    launch.launch = true;
+    const std::int32_t score = game.score();
+    for (int tick = 0; tick < 100; ++tick) {
+        game.tick(launch); // still allowed, and nothing counts
+    }
+    EXPECT_EQ(game.score(), score);
+    EXPECT_EQ(game.balls().size(), 0u);
+}
+
+TEST(Lives, AreWorthPointsWhenTheLastBlockBreaks) {
+    Game game(levelOf(emptyRows(5) + ".......g.......\n" + emptyRows(2) + "X..............\n"), 1);
+    GameTestAccess::shoot(game, {0, kUnderside - Real(0.6)}, {0, 12});
+    const auto cleared = playUntil<Cleared>(game, {}, 30);
+    ASSERT_TRUE(cleared);
+    EXPECT_EQ(game.result(), Result::Won);
+    EXPECT_EQ(cleared->score, kPoints[0] + 3 * kLifePoints);
+}
+
+TEST(Combo, GrowsWithEachBlockUntilThePaddleIsMet) {
+    Game game(levelOf("g.............g\n" + emptyRows(4) + ".....b...b.....\n"), 1);
+    GameTestAccess::breakBlock(game, 2, {0, 24});
+    const std::int32_t first = game.score();
+    GameTestAccess::breakBlock(game, 2, {0, 24});
+    EXPECT_EQ(game.combo(), 2);
+    EXPECT_EQ(game.score(), 3 * first);
+    GameTestAccess::shoot(game, {0, 3}, {0, -12});
+    for (int tick = 0; tick < 20; ++tick) {
+        game.tick({});
+    }
+    EXPECT_EQ(game.combo(), 0);
+}
+
+TEST(Paddle, SendsTheBallWhereItsDomeFaces) {
+    for (const Real offset : {Real(-1.5), Real(-0.8), Real(0.8), Real(1.5)}) {
+        Game game(levelOf(kBrick), 1);
+        GameTestAccess::shoot(game, {offset, 3}, {0, -12});
+        ASSERT_TRUE(playUntil<Struck>(game, {}, 30));
+        // Normal of the dome at that place; facets are 1/6 m wide, so it is off by up to 1 degree
+        // or 0.018 rad, and the way out by twice that.
+        const Real sine = offset / (kDomeRadius + kBallRadius);
+        const Vec2 normal{sine, std::sqrt(1 - sine * sine)};
+        const Vec2 out = Vec2{0, -1} - 2 * dot(Vec2{0, -1}, normal) * normal;
+        EXPECT_TRUE(near(game.balls()[0].heading, out, 0.04)) << offset;
+    }
+}
+
+TEST(Paddle, StaysInsideTheField) {
+    Game game(levelOf(kBrick), 1);
+    for (const Real x : {Real(-30), Real(30)}) {
+        for (int tick = 0; tick < 200; ++tick) {
+            game.tick(towards(x));
+            const kodo::Aabb bounds = game.world()[game.paddle()].bounds();
+            ASSERT_GE(bounds.lower.x, -kFieldWidth / 2 - Real(1e-3));
+            ASSERT_LE(bounds.upper.x, kFieldWidth / 2 + Real(1e-3));
+        }
+    }
+}
+
+} // namespace

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/assets.hpp>
+#include <apart/core/level_file.hpp>
+#include <apart/core/tuning.hpp>
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace {
+
+using namespace apart;
+
+const std::string kGood = R"(format = 1
+place = 3
+title = "Test"
+idea = "An idea."
+grid = '''
+...............
+..b.........X..
+'''
+[legend.b]
+stuff = "brick"
+strength = 7000
+power = "weld"
+[legend.X]
+stuff = "steel"
+)";
+
+std::string with(const std::string& text, const std::string& before, const std::string& after) {
+    std::string changed = text;
+    const std::size_t place = changed.find(before);
+    EXPECT_NE(place, std::string::npos) << before;
+    return changed.replace(place, before.size(), after);
+}
+
+std::string problemOf(const std::string& text) {
+    const Read<Level> level = parseLevel(text, "test", "test.toml");
+    const auto* problem = std::get_if<FileProblem>(&level);
+    return problem != nullptr ? problem->text() : "none";
+}
+
+TEST(LevelFile, IsReadAsItIsWritten) {
+    const Read<Level> read = parseLevel(kGood, "test", "test.toml");
+    ASSERT_EQ(problemOf(kGood), "none");
+    const Level& level = std::get<Level>(read);
+    EXPECT_EQ(level.name, "test");
+    EXPECT_EQ(level.title, "Test");
+    EXPECT_EQ(level.place, 3);
+    EXPECT_EQ(level.lives, 3);
+    ASSERT_EQ(level.cells.size(), 2u);
+    EXPECT_EQ(level.cells[0].row, 1);
+    EXPECT_EQ(level.cells[0].column, 2);
+    const BlockKind& brick = level.kinds[level.cells[0].kind];
+    EXPECT_EQ(brick.strength, 7000);
+    EXPECT_EQ(brick.power, Power::Weld);
+    EXPECT_EQ(brick.pattern, Pattern::Bricks);
+    EXPECT_FALSE(level.kinds[level.cells[1].kind].breakable());
+}
+
+TEST(LevelFile, NamesTheLineOfWhatIsWrong) {
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {with(kGood, "format = 1", "format = 2"), "test.toml:1: format must be a whole number"},
+        {with(kGood, "place = 3", "plaice = 3"), "test.toml:2: unknown key plaice"},
+        {with(kGood, "place = 3", "place = 3.5"), "test.toml:2: place must be a whole number"},
+        {with(kGood, "title = \"Test\"", "title = 5"), "test.toml:3: title must be a text"},
+        {with(kGood, "title = \"Test\"", "title = \"Test"), "test.toml:3: "},
+        {with(kGood, "..b.........X..", "..b.........X."), "test.toml:7: a row of the grid has 15"},
+        {with(kGood, "..b.........X..", "..b.........Y.."), "test.toml:7: the letter Y is not"},
+        {with(kGood, "..b.........X..", "............X.."), "test.toml:5: the grid holds no block"},
+        {with(kGood, "\"brick\"", "\"brik\""), "test.toml:10: stuff must be one of glass, wood"},
+        {with(kGood, "7000", "0"), "test.toml:11: strength must be a whole number from 1"},
+        {with(kGood, "\"weld\"", "\"wield\""), "test.toml:12: power must be one of none, weld"},
+        {with(kGood, "legend.X", "legend.XX"), "test.toml:13: legend.XX: a letter of the grid"},
+        {kGood + "power = \"weld\"\n", "test.toml:13: legend.X.steel"},
+        {kGood + "title = \"again\"\n", "test.toml:15: unknown key legend.X.title"},
+        {with(kGood, "place = 3", "format = 1"), "test.toml:2: "},
+        {with(kGood, "place = 3", "lives = 0"), "test.toml:2: lives must be a whole number"},
+        {"", "test.toml"},
+    };
+    for (const auto& [text, start] : cases) {
+        const std::string problem = problemOf(text);
+        EXPECT_EQ(problem.substr(0, start.size()), start) << problem;
+    }
+}
+
+TEST(LevelFile, RefusesWhatIsTooLarge) {
+    EXPECT_NE(problemOf(kGood + std::string(kLargestLevel, '#')), "none");
+    std::string rows;
+    for (int row = 0; row <= kMostRows; ++row) {
+        rows += "...............\n";
+    }
+    const std::string tall = with(kGood, "...............\n", rows);
+    EXPECT_EQ(problemOf(tall), "test.toml:21: the grid has more than 15 rows");
+}
+
+TEST(LevelFile, ThatIsNotThereIsNamed) {
+    const Read<Level> level = loadLevel("no_such_level");
+    ASSERT_TRUE(std::holds_alternative<FileProblem>(level));
+    EXPECT_NE(std::get<FileProblem>(level).reason.find("there is no level"), std::string::npos);
+    EXPECT_TRUE(std::holds_alternative<FileProblem>(loadLevel("../secrets")));
+}
+
+TEST(Levels, AreAllValidAndEachHasATitleAndAnIdeaOfItsOwn) {
+    std::set<std::string> titles;
+    std::set<std::string> ideas;
+    for (const std::string& name : levelNames()) {
+        const Read<Level> level = loadLevel(name);
+        ASSERT_TRUE(std::holds_alternative<Level>(level)) << std::get<FileProblem>(level).text();
+        titles.insert(std::get<Level>(level).title);
+        ideas.insert(std::get<Level>(level).idea);
+    }
+    EXPECT_GE(titles.size(), 5u);
+    EXPECT_EQ(titles.size(), levelNames().size());
+    EXPECT_EQ(ideas.size(), titles.size());
+    EXPECT_EQ(levelNames().front(), "first_light");
+}
+
+TEST(LevelDigest, ChangesWithThePlayAndNotWithTheWords) {
+    const Level level = std::get<Level>(parseLevel(kGood, "test", "test.toml"));
+    Level other = level;
+    other.title = "Another";
+    EXPECT_EQ(digestOf(other), digestOf(level));
+    other.kinds[0].strength += 1;
+    EXPECT_NE(digestOf(other), digestOf(level));
+}
+
+} // namespace

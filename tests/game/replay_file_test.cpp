@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/assets.hpp>
+#include <apart/core/bot.hpp>
+#include <apart/core/replay.hpp>
+
+#include "game_access.hpp"
+
+namespace {
+
+using namespace apart;
+
+std::shared_ptr<const Level> firstLight() {
+    return std::make_shared<const Level>(std::get<Level>(loadLevel("first_light")));
+}
+
+/// A bot game of so many ticks.
+Replay recorded(std::uint32_t ticks) {
+    Game game(firstLight(), 7);
+    Recorder recorder(game);
+    while (game.ticks() < ticks) {
+        const Input input = bot(game);
+        game.tick(input);
+        recorder.record(input, game);
+    }
+    return recorder.finish(game);
+}
+
+std::string problemOf(const std::string& text) {
+    const Read<Replay> replay = parseReplay(text, "test.replay");
+    const auto* problem = std::get_if<FileProblem>(&replay);
+    return problem != nullptr ? problem->text() : "none";
+}
+
+Playback played(const Replay& replay) {
+    Playback playback(replay, firstLight());
+    while (!playback.done()) {
+        playback.tick();
+    }
+    return playback;
+}
+
+const std::string kByHand = R"(apart-replay 1
+level first_light
+seed 7
+handwritten
+# tick paddle target launch
+0 0 - 0
+30 0 - 1   # serve
+40 -127 - 0
+90 0 2500 0
+hash 60 0123456789abcdef
+expect 100 lives == 3
+expect 120 result == playing
+end 120
+)";
+
+TEST(ReplayFile, ReadsBackWhatItWrote) {
+    const Replay replay = recorded(500);
+    EXPECT_EQ(replay.hashes.size(), 9u); // 60, 120 .. 480, 500
+    const Read<Replay> back = parseReplay(toText(replay), "test.replay");
+    ASSERT_TRUE(std::holds_alternative<Replay>(back)) << problemOf(toText(replay));
+    EXPECT_EQ(std::get<Replay>(back), replay);
+}
+
+TEST(ReplayFile, CanBeWrittenByHand) {
+    ASSERT_EQ(problemOf(kByHand), "none");
+    const Replay replay = std::get<Replay>(parseReplay(kByHand, "test.replay"));
+    ASSERT_EQ(replay.inputs.size(), 4u);
+    EXPECT_TRUE(replay.inputs[1].input.launch);
+    EXPECT_EQ(replay.inputs[2].input.paddle, -127);
+    EXPECT_EQ(replay.inputs[3].input.target, 2500);
+    ASSERT_EQ(replay.expectations.size(), 2u);
+    EXPECT_EQ(replay.expectations[1].text(), "expect 120 result == playing");
+    EXPECT_EQ(std::get<Replay>(parseReplay(toText(replay), "again")).inputs, replay.inputs);
+}
+
+TEST(ReplayFile, IsRefusedWhereverItIsCutOff) {
+    const std::string text = toText(recorded(130));
+    for (std::size_t size = 0; size < text.size(); ++size) {
+        ASSERT_NE(problemOf(text.substr(0, size)), "none") << "cut to " << size << " bytes";
+    }
+    EXPECT_EQ(problemOf(text.substr(0, text.size() / 2)).substr(0, 12), "test.replay:");
+}
+
+TEST(ReplayFile, IsRefusedWhateverBitOfItIsFlipped) {
+    const std::string text = toText(recorded(70));
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        for (int bit = 0; bit < 8; ++bit) {
+            std::string changed = text;
+            changed[i] = static_cast<char>(changed[i] ^ (1 << bit));
+            ASSERT_NE(problemOf(changed), "none") << "byte " << i << ", bit " << bit;
+        }
+    }
+}
+
+TEST(ReplayFile, NamesTheLineOfWhatIsWrong) {
+    const auto with = [](const std::string& before, const std::string& after) {
+        std::string changed = kByHand;
+        return changed.replace(changed.find(before), before.size(), after);
+    };
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {with("apart-replay 1", "apart-replay 2"), ":1: not a replay"},
+        {with("seed 7", "seed -7"), ":3: seed needs one whole number"},
+        {with("seed 7\n", ""), ":12: there is no line seed N"},
+        {with("level first_light\n", ""), ":12: there is no line level NAME"},
+        {with("30 0 - 1", "30 0 1"), ":7: an input line has four columns"},
+        {with("30 0 - 1", "30 0 - 2"), ":7: launch must be 0 or 1"},
+        {with("40 -127", "40 -128"), ":8: paddle must be"},
+        {with("40 -127", "30 -127"), ":8: the ticks of input lines must rise"},
+        {with("2500", "99999"), ":9: target must be"},
+        {with("0123456789abcdef", "0123"), ":10: a hash has 16"},
+        {with("lives", "life"), ":11: there is no field 'life'"},
+        {with("==", "="), ":11: there is no operator '='"},
+        {with("== playing", "== 3"), ":12: '3' is no value of result"},
+        {with("expect 100", "expect 121"), ":13: a hash or an expectation comes after the end"},
+        {with("end 120", "end"), ":13: end needs one tick"},
+        {kByHand + "200 0 - 0\n", ":14: nothing may follow"},
+        {with("30 0", "launch 0"), ":7: 'launch' is neither a tick nor a word"},
+    };
+    for (const auto& [text, start] : cases) {
+        const std::string problem = problemOf(text);
+        EXPECT_EQ(problem.substr(0, 11 + start.size()), "test.replay" + start) << problem;
+    }
+}
+
+TEST(ReplayFile, IsRefusedWhenTheLevelOrTheRulesHaveChanged) {
+    Replay replay = recorded(60);
+    const Level level = *firstLight();
+    EXPECT_FALSE(refusal(replay, level));
+    Level changed = level;
+    changed.ballSpeed += 1;
+    ASSERT_TRUE(refusal(replay, changed));
+    EXPECT_NE(refusal(replay, changed)->find("which has changed since"), std::string::npos);
+    replay.rules = kRulesVersion + 1;
+    EXPECT_NE(refusal(replay, level)->find("of the rules"), std::string::npos);
+}
+
+TEST(Playback, GivesTheRecordedGameToTheBit) {
+    const Replay replay = recorded(2000);
+    const Playback playback = played(replay);
+    EXPECT_FALSE(playback.divergence());
+    EXPECT_EQ(playback.game().stateHash(), replay.hashes.back().hash);
+}
+
+TEST(Playback, NamesTheFirstTickThatDiffers) {
+    Replay replay = recorded(600);
+    // Another input at tick 200: the first hash after it is that of tick 240.
+    for (InputChange& change : replay.inputs) {
+        if (change.tick >= 200) {
+            change.input.target = 11000;
+        }
+    }
+    const Playback playback = played(replay);
+    ASSERT_TRUE(playback.divergence());
+    EXPECT_EQ(playback.divergence()->tick, 240u);
+    EXPECT_EQ(playback.divergence()->agreed, 180u);
+}
+
+TEST(Playback, ReportsExpectationsThatWereNotMet) {
+    Replay replay = std::get<Replay>(parseReplay(kByHand, "test.replay"));
+    replay.hashes.clear();
+    EXPECT_TRUE(played(replay).failures().empty());
+    replay.expectations[0].value = 2;
+    const Playback playback = played(replay);
+    ASSERT_EQ(playback.failures().size(), 1u);
+    EXPECT_EQ(playback.failures()[0].text(), "expect 100 lives == 2, but lives is 3");
+}
+
+} // namespace

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/assets.hpp>
+#include <apart/core/bot.hpp>
+
+#include "game_access.hpp"
+
+namespace {
+
+using namespace apart;
+
+TEST(Rewind, ACopyGoesOnLikeTheGameItWasTakenFrom) {
+    for (const std::string& name : levelNames()) {
+        SCOPED_TRACE(name);
+        Game game(std::get<Level>(loadLevel(name)), 3);
+        for (int part = 0; part < 8; ++part) {
+            for (int tick = 0; tick < 397; ++tick) {
+                game.tick(bot(game));
+            }
+            Game copy = game;
+            ASSERT_EQ(copy.stateHash(), game.stateHash());
+            Game ahead = game;
+            for (int tick = 0; tick < 200; ++tick) {
+                ahead.tick(bot(ahead));
+            }
+            for (int tick = 0; tick < 200; ++tick) {
+                copy.tick(bot(copy));
+            }
+            ASSERT_EQ(copy.stateHash(), ahead.stateHash());
+        }
+    }
+}
+
+TEST(Rewind, TheSameSeedAndInputsGiveTheSameGame) {
+    const Level level = std::get<Level>(loadLevel("mitosis"));
+    const auto played = [&](std::uint32_t seed) {
+        Game game(level, seed);
+        for (int tick = 0; tick < 2000; ++tick) {
+            game.tick(bot(game));
+        }
+        return game.stateHash();
+    };
+    EXPECT_EQ(played(4), played(4));
+    EXPECT_NE(played(4), played(5));
+}
+
+} // namespace

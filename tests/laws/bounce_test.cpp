@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include <support/scenes.hpp>
+
+namespace kodo {
+namespace {
+
+using support::ballDef;
+using support::nearShare;
+using support::slippery;
+
+/// Heights (m, of the ball's lowest point) of the peaks of a ball dropped from 5 m.
+std::vector<long double> peaksOf(Real restitution, Real rate, std::size_t count) {
+    World world({.gravity = support::kEarth});
+    support::addFloor(world, slippery(restitution));
+    const BodyId ball = world.add(ballDef({0, Real(5.5)}, Real(0.5), slippery(restitution)));
+    std::vector<long double> peaks;
+    bool rising = false;
+    for (int i = 0; i < static_cast<int>(20 * rate) && peaks.size() < count; ++i) {
+        world.step(1 / rate);
+        const auto v = static_cast<long double>(world[ball].velocity().y);
+        if (rising && v <= 0) { // between two steps: the energy tells how high the peak was
+            const auto height = static_cast<long double>(world[ball].position().y) - 0.5L;
+            peaks.push_back(height + v * v / 20);
+        }
+        rising = v > 0;
+    }
+    return peaks;
+}
+
+// A3: peak n is h0 e^(2 n). 5 % for the first three, while the rebound is faster than 10 g dt.
+TEST(Bounce, PeaksFallWithTheSquareOfRestitution) {
+    for (const Real rate : {Real(60), Real(240)}) {
+        for (const Real e : {Real(0.5), Real(0.8), Real(0.9)}) {
+            const std::vector<long double> peaks = peaksOf(e, rate, 3);
+            ASSERT_EQ(peaks.size(), 3u);
+            long double expected = 5;
+            for (std::size_t n = 0; n < 3; ++n) {
+                SCOPED_TRACE(testing::Message() << rate << " Hz, e " << e << ", peak " << n + 1);
+                expected *= static_cast<long double>(e) * static_cast<long double>(e);
+                const long double rebound = std::sqrt(20 * expected);
+                if (rebound > 100 / static_cast<long double>(rate)) {
+                    EXPECT_TRUE(nearShare(peaks[n], expected, 0.05L));
+                }
+            }
+        }
+    }
+}
+
+// A3b: without loss the energy stays, for a minute, within 3 %.
+TEST(Bounce, WithoutLossGoesOnForAMinute) {
+    World world({.gravity = support::kEarth});
+    support::addFloor(world, slippery(1));
+    const BodyId ball = world.add(ballDef({0, Real(5.5)}, Real(0.5), slippery(1)));
+    for (int i = 0; i < 3600; ++i) {
+        world.step(support::kDt);
+        const auto v = static_cast<long double>(world[ball].velocity().y);
+        const auto height = static_cast<long double>(world[ball].position().y) - 0.5L;
+        ASSERT_TRUE(nearShare(10 * height + v * v / 2, 50, 0.03L)) << "step " << i;
+    }
+}
+
+// S3, the thesis's rule: the smaller restitution of the two decides.
+TEST(Bounce, TheSmallerRestitutionDecides) {
+    for (const auto& [floor, ball] : {std::pair<Real, Real>{1, Real(0.5)}, {Real(0.5), 1}}) {
+        World world({.gravity = support::kEarth});
+        support::addFloor(world, slippery(floor));
+        BodyDef def = ballDef({0, Real(0.51)}, Real(0.5), slippery(ball));
+        def.velocity = {0, -8};
+        const BodyId id = world.add(def);
+        Real fastest = 0;
+        for (int i = 0; i < 30; ++i) {
+            world.step(support::kDt);
+            fastest = std::max(fastest, world[id].velocity().y);
+        }
+        EXPECT_TRUE(nearShare(fastest, 4, 0.05L)); // a step of gravity is 2 % of 8 m/s
+    }
+}
+
+// A box that lands flat with e = 1 rises flat: both corners are hit at once.
+TEST(Bounce, ABoxThatLandsFlatRisesFlat) {
+    World world({.gravity = support::kEarth});
+    support::addFloor(world, slippery(1));
+    const BodyId box = world.add(support::boxDef({0, 2}, 1, 1, slippery(1)));
+    for (int i = 0; i < 600; ++i) {
+        world.step(support::kDt);
+        ASSERT_EQ(world[box].angularVelocity(), 0);
+        ASSERT_EQ(world[box].velocity().x, 0);
+    }
+    EXPECT_LT(world[box].position().y, Real(2.1));
+}
+
+// An e = 0 ball does not bounce at all.
+TEST(Bounce, NoRestitutionNoBounce) {
+    World world({.gravity = support::kEarth});
+    support::addFloor(world, slippery(0));
+    const BodyId ball = world.add(ballDef({0, 3}, Real(0.5), slippery(0)));
+    Real fastest = 0;
+    for (int i = 0; i < 180; ++i) {
+        world.step(support::kDt);
+        fastest = std::max(fastest, world[ball].velocity().y);
+    }
+    EXPECT_LT(fastest, Real(0.01)); // of the 7 m/s with which it lands
+}
+
+} // namespace
+} // namespace kodo

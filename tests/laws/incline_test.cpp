@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include <support/scenes.hpp>
+
+namespace kodo {
+namespace {
+
+using support::byPrecision;
+using support::near;
+using support::nearShare;
+
+WorldDef wakeful() {
+    WorldDef def{.gravity = support::kEarth};
+    def.settings.leaveOut = static_cast<std::uint8_t>(Feature::Resting);
+    return def;
+}
+
+/// A flat box, which does not tip, on a slope through the origin that rises to the right.
+struct Slope {
+    World world{wakeful()};
+    BodyId box;
+    Vec2 start;
+    Vec2 downhill;
+
+    Slope(Real degrees, const Material& material) {
+        const Rot tilt = Rot::fromAngle(degrees * std::numbers::pi_v<Real> / 180);
+        downhill = -tilt.xAxis();
+        world.add({.shape = Box{400, 2},
+                   .position = -1 * tilt.yAxis(),
+                   .rotation = tilt,
+                   .material = material,
+                   .flags = kLocked});
+        start = Real(0.25) * tilt.yAxis();
+        box = world.add({.shape = Box{2, Real(0.5)},
+                         .position = start,
+                         .rotation = tilt,
+                         .material = material});
+    }
+    Real way() const { return dot(world[box].position() - start, downhill); }
+    Real speed() const { return dot(world[box].velocity(), downhill); }
+};
+
+// A7: it holds while tan(slope) < mu and slips beyond; found to a thousandth.
+TEST(Incline, HoldsUpToTheAngleOfFriction) {
+    for (const Real degrees : {Real(5), Real(15), Real(30), Real(45), Real(60)}) {
+        const Real critical =
+            static_cast<Real>(std::tan(static_cast<double>(degrees) * 3.14159265358979 / 180));
+        Slope holds(degrees, withFriction(critical * Real(1.001)));
+        Slope slips(degrees, withFriction(critical * Real(0.999)));
+        support::run(holds.world, 300);
+        support::run(slips.world, 300);
+        // Beyond the threshold it speeds up with 0.001 g sin: 5 s make at least 4 mm/s.
+        EXPECT_LT(holds.speed(), Real(5e-4)) << degrees;
+        EXPECT_GT(slips.speed(), Real(3e-3)) << degrees;
+    }
+}
+
+// A7b: a = g (sin - mu cos); v = a t within 1 %, s = a t^2 / 2 within 3 %, after 2 s.
+TEST(Incline, SlipsWithTheAccelerationLeft) {
+    for (const double mu : {0.0, 0.2, 0.4}) {
+        SCOPED_TRACE(mu);
+        Slope slope(30, withFriction(static_cast<Real>(mu)));
+        support::run(slope.world, 120);
+        const double a = 10 * (0.5 - mu * std::sqrt(0.75));
+        EXPECT_TRUE(nearShare(slope.speed(), a * 2, 0.01));
+        EXPECT_TRUE(nearShare(slope.way(), a * 2, 0.03));
+    }
+}
+
+// A7c: what holds does not creep: 20 s within 1e-6 m, once it has settled into its contact. In
+// float each of the 4800 substeps may round by some 4e-9 m.
+TEST(Incline, DoesNotCreep) {
+    Slope slope(20, withFriction(Real(0.6)));
+    support::run(slope.world, 60);
+    const Real before = slope.way();
+    support::run(slope.world, 1200);
+    EXPECT_TRUE(near(slope.way(), before, byPrecision(2e-5, 1e-6)));
+}
+
+// R7: with both frictions: between the two thresholds a resting box stays and a pushed one slides
+// on.
+TEST(Incline, StaysOrSlidesBetweenTheTwoFrictions) {
+    const Material material{Real(0.7), Real(0.4), 0, 0}; // tan 30 degrees = 0.577
+    Slope resting(30, material);
+    support::run(resting.world, 120);
+    EXPECT_TRUE(near(resting.speed(), 0, Real(1e-3)));
+    Slope pushed(30, material);
+    pushed.world[pushed.box].setVelocity(pushed.downhill);
+    support::run(pushed.world, 120);
+    const double a = 10 * (0.5 - 0.4 * std::sqrt(0.75));
+    EXPECT_TRUE(nearShare(pushed.speed(), 1 + a * 2, 0.01));
+}
+
+} // namespace
+} // namespace kodo

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include <support/scenes.hpp>
+
+namespace kodo {
+namespace {
+
+using support::nearShare;
+
+/// A flat box of 1 kg on the floor; flat, so that braking hardly shifts its load.
+struct Slide {
+    World world;
+    BodyId box;
+
+    Slide(const Material& material, Real speed, const WorldDef& def = {.gravity = support::kEarth})
+        : world(def) {
+        support::addFloor(world, material);
+        BodyDef body = support::boxDef({0, Real(0.1)}, 1, Real(0.2), material);
+        body.density = 5;
+        body.velocity = {speed, 0};
+        box = world.add(body);
+    }
+    Real way() const { return world[box].position().x; }
+    Real speed() const { return world[box].velocity().x; }
+};
+
+// A8: it stops after v^2 / (2 mu g), at v / (mu g); each within 1 %.
+TEST(Sliding, StopsWhereAndWhenFrictionSays) {
+    for (const double mu : {0.2, 0.5, 0.9}) {
+        SCOPED_TRACE(mu);
+        Slide slide(withFriction(static_cast<Real>(mu)), 5);
+        const double time = 5 / (mu * 10);
+        double stopped = 0;
+        for (int i = 1; i < 60 * 2 * time; ++i) {
+            slide.world.step(support::kDt);
+            if (stopped == 0 && slide.speed() < Real(1e-3)) {
+                stopped = i / 60.0;
+            }
+        }
+        EXPECT_TRUE(nearShare(slide.way(), 25 / (20 * mu), 0.01));
+        // The step in which it stops is seen as a whole: one step of slack.
+        EXPECT_TRUE(support::near(stopped, time, 0.01 * time + 1 / 60.0));
+    }
+}
+
+// A8: the distance does not depend on the rate: first order in the step at worst.
+TEST(Sliding, StopsAtTheSamePlaceAtAnyRate) {
+    for (const Real rate : {Real(120), Real(240), Real(480)}) {
+        SCOPED_TRACE(rate);
+        Slide slide(withFriction(Real(0.5)), 5);
+        support::run(slide.world, static_cast<int>(2 * rate), 1 / rate);
+        EXPECT_TRUE(nearShare(slide.way(), 2.5L, 0.6L / static_cast<long double>(rate)));
+    }
+}
+
+// A8b: at rest it takes mu_s m g to break loose; then it slides with mu_k. Each within 1 %.
+TEST(Sliding, BreaksLooseAtTheStaticFriction) {
+    const Material material{Real(0.6), Real(0.3), 0, 0};
+    const auto speedAfter = [&](Real share) { // one second of rising force, one of that share
+        Slide slide(material, 0);
+        for (int i = 0; i < 120; ++i) {
+            const Real risen = std::min(static_cast<Real>(i) / 60, Real(1));
+            slide.world[slide.box].applyForce({risen * share * 6, 0});
+            slide.world.step(support::kDt);
+        }
+        return slide.speed();
+    };
+    EXPECT_LT(speedAfter(Real(0.99)), Real(1e-3));
+    EXPECT_GT(speedAfter(Real(1.01)), 3); // a = F/m - mu_k g = 3.06 m/s^2
+}
+
+TEST(Sliding, SlidesOnWithTheKineticFriction) {
+    Slide slide({Real(0.9), Real(0.3), 0, 0}, 5);
+    support::run(slide.world, 60);
+    EXPECT_TRUE(nearShare(slide.speed(), 2, 0.01));
+}
+
+// S3: friction depends neither on restitution nor on the number of substeps: the thesis's did on
+// both. The same distance within 1 %.
+TEST(Sliding, DependsNeitherOnRestitutionNorOnSubsteps) {
+    for (const Real e : {Real(0), Real(0.5), Real(1)}) {
+        for (const int substeps : {4, 40}) {
+            SCOPED_TRACE(testing::Message() << "e " << e << ", " << substeps << " substeps");
+            WorldDef def{.gravity = support::kEarth};
+            def.settings.substeps = substeps;
+            Slide slide(withFriction(Real(0.5), e), 5, def);
+            support::run(slide.world, 120);
+            EXPECT_TRUE(nearShare(slide.way(), 2.5L, 0.01L));
+        }
+    }
+}
+
+// S3: two surfaces share the geometric mean, so ice makes everything slippery.
+TEST(Sliding, TwoSurfacesMakeTheGeometricMean) {
+    World world({.gravity = support::kEarth});
+    support::addFloor(world, withFriction(Real(0.9)));
+    BodyDef def = support::boxDef({0, Real(0.5)}, 1, 1, withFriction(Real(0.1)));
+    def.velocity = {3, 0};
+    const BodyId box = world.add(def);
+    support::run(world, 30);
+    EXPECT_TRUE(nearShare(world[box].velocity().x, 3 - 0.3 * 10 / 2, 0.01));
+}
+
+} // namespace
+} // namespace kodo

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/math/affine.hpp>
+#include <support/near.hpp>
+#include <support/random_numbers.hpp>
+
+namespace kodo {
+namespace {
+
+using support::kEpsilon;
+using support::near;
+
+TEST(Affine, StartsAsTheIdentity) {
+    EXPECT_EQ(Affine{} * Vec2(3, 4), (Vec2{3, 4}));
+    EXPECT_EQ(Affine{}.determinant(), 1);
+}
+
+TEST(Affine, ScalesAndMirrors) {
+    EXPECT_EQ(Affine::scale(2, -3) * Vec2(1, 1), (Vec2{2, -3}));
+    EXPECT_EQ(Affine::scale(2, -3).determinant(), -6);
+}
+
+// B2: compose.
+TEST(Affine, ProductAppliesTheRightOneFirst) {
+    const Affine turn = Affine::from(Transform{{1, 0}, {0, 1}});
+    const Affine stretch = Affine::scale(2, 1);
+    EXPECT_EQ((turn * stretch) * Vec2(3, 4), turn * (stretch * Vec2(3, 4)));
+    EXPECT_EQ((turn * stretch) * Vec2(3, 4), (Vec2{-3, 6}));
+    EXPECT_EQ((stretch * turn) * Vec2(3, 4), (Vec2{-6, 3}));
+}
+
+TEST(Affine, DoesWhatATransformDoes) {
+    support::RandomNumbers random(9);
+    for (int i = 0; i < 1000; ++i) {
+        const Transform t = random.pose(10);
+        const Vec2 p = random.point(10);
+        EXPECT_TRUE(near(Affine::from(t) * p, t * p, 40 * kEpsilon));
+    }
+}
+
+// B2: invert. The error grows with the stretch; columns of 1..3 with |determinant| > 0.5 keep it
+// below some hundred roundings of 10.
+TEST(Affine, InverseUndoesTheMap) {
+    support::RandomNumbers random(10);
+    int tried = 0;
+    for (int i = 0; i < 10000; ++i) {
+        const Affine map{random.point(3), random.point(3), random.point(10)};
+        if (std::abs(map.determinant()) < Real(0.5)) {
+            continue;
+        }
+        ++tried;
+        const Vec2 p = random.point(10);
+        const auto inverse = map.inverse();
+        ASSERT_TRUE(inverse.has_value());
+        EXPECT_TRUE(near(*inverse * (map * p), p, 4000 * kEpsilon));
+    }
+    EXPECT_GT(tried, 5000);
+}
+
+// B2: an error that can be seen, never a NaN.
+TEST(Affine, HasNoInverseWhenItFlattensThePlane) {
+    EXPECT_FALSE(Affine::scale(0, 1).inverse().has_value());
+    EXPECT_FALSE((Affine{{1, 2}, {2, 4}, {5, 6}}.inverse().has_value()));
+    EXPECT_FALSE((Affine{{0, 0}, {0, 0}, {}}.inverse().has_value()));
+    const Real nan = std::numeric_limits<Real>::quiet_NaN();
+    EXPECT_FALSE((Affine{{nan, 0}, {0, 1}, {}}.inverse().has_value()));
+}
+
+// Small is not singular.
+TEST(Affine, InvertsATinyScale) {
+    const auto inverse = Affine::scale(Real(1e-6), Real(1e-6)).inverse();
+    ASSERT_TRUE(inverse.has_value());
+    EXPECT_TRUE(support::nearShare(inverse->x.x, 1e6L, 4 * kEpsilon));
+}
+
+} // namespace
+} // namespace kodo

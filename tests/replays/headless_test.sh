@@ -1,0 +1,54 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# headless_test.sh APART_HEADLESS REPLAYS: what a user of apart-headless sees, from another folder.
+set -u
+program=$1 replays=$2
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failed=0
+
+# expect CODE PATTERN COMMAND...: exit code, and a line of the output (both streams).
+expect() {
+    code=$1 pattern=$2
+    shift 2
+    output=$("$@" 2>&1)
+    got=$?
+    if [ "$got" -ne "$code" ] || ! printf '%s\n' "$output" | grep -Eq -- "$pattern"; then
+        printf 'FAILED: %s\n  exit code %s, expected %s; no line like: %s\n%s\n' \
+            "$*" "$got" "$code" "$pattern" "$output"
+        failed=1
+    fi
+}
+
+json='^\{"level": "[a-z_]+", "seed": [0-9]+, "ticks": [0-9]+, "result": "[a-z]+", "score": [0-9]+, '
+json="$json"'"lives": [0-9]+, "blocksLeft": [0-9]+, "stateHash": "[0-9a-f]{16}"'
+
+expect 0 'Usage' "$program" --help
+expect 0 '^first_light ' "$program" levels
+expect 0 "$json\\}\$" "$program" bot --level mitosis --seed 7 --ticks 900 --record a.replay --json
+expect 0 'All 15 hashes agree' "$program" verify a.replay
+expect 0 "$json, \"hashesChecked\": 15, \"firstDifference\": null\\}\$" \
+    "$program" verify a.replay --json
+expect 0 "$json, \"expectationsFailed\": 0\\}\$" \
+    "$program" replay "$replays/keystone_caught.replay" --json
+
+# The same game twice, to the bit.
+"$program" bot --level mitosis --seed 7 --ticks 900 --record b.replay >/dev/null
+cmp -s a.replay b.replay || { echo 'FAILED: two recordings of one game differ'; failed=1; }
+
+# What is wrong is said in one sentence.
+expect 2 'there is no such file' "$program" replay nothing.replay
+head -c 1000 a.replay >cut.replay
+expect 2 '^apart-headless: cut.replay:[0-9]+: the file is cut off' "$program" verify cut.replay
+sed 's/^seed 7$/seed 8/' a.replay >changed.replay
+expect 2 'changed.replay:[0-9]+: the file was changed' "$program" verify changed.replay
+sed -e 's/^seed 7$/seed 8/' -e 's/^digest .*/x/' -e '/^x$/d' -e 's/^rules/handwritten\nrules/' \
+    a.replay >other.replay
+expect 1 'tick 60 is the first whose hash differs' "$program" verify other.replay
+sed 's/^expect 600   lives .*/expect 600 lives == 1/' "$replays/keystone_caught.replay" >unmet.replay
+expect 1 '^unmet.replay:[0-9]+: expect 600 lives == 1, but lives is 3$' "$program" replay unmet.replay
+expect 2 'there is no level nowhere' "$program" bot --level nowhere
+expect 2 'Try apart-headless --help' "$program" bot --ticks many
+expect 2 'Try apart-headless --help' "$program"
+exit "$failed"

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/shapes/convex.hpp>
+#include <support/convex_oracle.hpp>
+#include <support/near.hpp>
+#include <support/random_shapes.hpp>
+
+namespace kodo {
+namespace {
+
+using support::byPrecision;
+using support::near;
+
+// Coordinates up to 10 m, a dozen roundings.
+constexpr Real kTolerance = byPrecision(1e-5, 1e-14);
+
+TEST(Convex, OfACircleIsOneVertexWithASkin) {
+    const Convex convex = convexOf(Circle{2, {1, 1}}, {1, 0});
+    EXPECT_TRUE(convex.isRound());
+    EXPECT_EQ(convex.vertices[0], (Vec2{0, 1}));
+    EXPECT_TRUE(convex.normals.empty());
+    EXPECT_EQ(convex.reach, 3);
+    EXPECT_EQ(convex.inside, 2);
+}
+
+TEST(Convex, OfABoxHasItsFourCorners) {
+    const Convex convex = convexOf(Box{4, 2, {1, 0}}, {});
+    const std::vector<Vec2> corners{{-1, -1}, {3, -1}, {3, 1}, {-1, 1}};
+    EXPECT_EQ(convex.vertices, corners);
+    const std::vector<Vec2> normals{{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
+    EXPECT_EQ(convex.normals, normals);
+    EXPECT_EQ(convex.inside, 1);
+    EXPECT_TRUE(near(convex.reach, std::sqrt(10.0L), 4 * support::kEpsilon));
+}
+
+TEST(Convex, TurnsABox) {
+    const Convex convex = convexOf(Box{4, 2, {}, {0, 1}}, {});
+    EXPECT_EQ(convex.vertices[0], (Vec2{1, -2}));
+    EXPECT_EQ(convex.normals[0], (Vec2{1, 0}));
+}
+
+TEST(Convex, NormalsPointOutward) {
+    support::RandomNumbers random(31);
+    for (int i = 0; i < 1000; ++i) {
+        const Convex convex =
+            convexOf(support::randomPolygon(random, 3 + random.below(60)), random.point(5));
+        const std::size_t n = convex.vertices.size();
+        for (std::size_t k = 0; k < n; ++k) {
+            ASSERT_TRUE(near(length(convex.normals[k]), 1, 4 * support::kEpsilon));
+            for (const Vec2 vertex : convex.vertices) {
+                ASSERT_LE(dot(convex.normals[k], vertex - convex.vertices[k]), kTolerance);
+            }
+        }
+        for (const Vec2 vertex : convex.vertices) {
+            ASSERT_LE(length(vertex), convex.reach * (1 + 4 * support::kEpsilon));
+        }
+    }
+}
+
+// P1: contains, against the distance to the outline; 1e-4 m from the edge either answer will do.
+TEST(Convex, ContainsWhatIsInside) {
+    support::RandomNumbers random(32);
+    int inside = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const support::Kind kind = support::kAllKinds[random.below(3)];
+        const Convex convex = convexOf(support::randomPrimitive(random, kind), {});
+        const Transform pose = random.pose(5);
+        const Vec2 point = pose.position + random.point(2);
+        const support::Outline outline = support::outlineOf(convex, pose);
+        const long double distance =
+            convex.isRound() ? length(support::toLong(point) - outline.corners[0]) - outline.radius
+                             : support::signedDistance(outline, support::toLong(point));
+        if (std::abs(distance) > 1e-4L) {
+            ASSERT_EQ(contains(convex, pose, point), distance < 0)
+                << support::nameOf(kind) << " " << i << ", distance " << distance;
+            inside += distance < 0 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(inside, 2000);
+}
+
+TEST(Convex, ContainsItsEdge) {
+    const Convex box = convexOf(Box{2, 2}, {});
+    EXPECT_TRUE(contains(box, {}, {1, 1}));
+    EXPECT_TRUE(contains(box, {}, {0, -1}));
+    EXPECT_TRUE(contains(convexOf(Circle{2}, {}), {}, {0, 2}));
+}
+
+// P1: bounds are the smallest that hold the outline.
+TEST(Convex, BoundsFitTightly) {
+    support::RandomNumbers random(33);
+    for (int i = 0; i < 5000; ++i) {
+        const support::Kind kind = support::kAllKinds[random.below(3)];
+        const Convex convex = convexOf(support::randomPrimitive(random, kind), {});
+        const Transform pose = random.pose(5);
+        const support::Outline outline = support::outlineOf(convex, pose);
+        support::LongVec lower = outline.corners[0];
+        support::LongVec upper = lower;
+        for (const support::LongVec corner : outline.corners) {
+            lower = {std::min(lower.x, corner.x), std::min(lower.y, corner.y)};
+            upper = {std::max(upper.x, corner.x), std::max(upper.y, corner.y)};
+        }
+        const support::LongVec skin{outline.radius, outline.radius};
+        const Aabb bounds = boundsOf(convex, pose);
+        ASSERT_TRUE(near(support::toLong(bounds.lower), lower - skin, kTolerance));
+        ASSERT_TRUE(near(support::toLong(bounds.upper), upper + skin, kTolerance));
+    }
+}
+
+} // namespace
+} // namespace kodo

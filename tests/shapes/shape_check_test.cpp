@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/shapes/shape.hpp>
+#include <support/random_shapes.hpp>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+namespace kodo {
+namespace {
+
+const Real kInf = std::numeric_limits<Real>::infinity();
+const Real kNan = std::numeric_limits<Real>::quiet_NaN();
+
+struct BadShape {
+    const char* name;
+    Shape shape;
+    const char* field;
+    const char* says; // part of the reason
+};
+
+std::ostream& operator<<(std::ostream& out, const BadShape& bad) {
+    return out << bad.name;
+}
+
+class RefusedShape : public testing::TestWithParam<BadShape> {};
+
+// P3: a named error for every outline that is not strictly convex and counter-clockwise.
+TEST_P(RefusedShape, NamesTheFieldAndTheReason) {
+    const auto problem = check(GetParam().shape);
+    ASSERT_TRUE(problem.has_value());
+    EXPECT_EQ(problem->field, GetParam().field);
+    EXPECT_NE(problem->reason.find(GetParam().says), std::string::npos) << problem->reason;
+}
+
+Polygon withManyCorners(std::size_t n) {
+    support::RandomNumbers random(1);
+    return support::randomPolygon(random, n);
+}
+
+const BadShape kBadShapes[] = {
+    {"ZeroRadius", Circle{0}, "radius", "greater than 0"},
+    {"NegativeRadius", Circle{-1}, "radius", "-1"},
+    {"NanRadius", Circle{kNan}, "radius", "finite"},
+    {"InfiniteRadius", Circle{kInf}, "radius", "finite"},
+    {"NanCircleCenter", Circle{1, {kNan, 0}}, "center", "finite"},
+    {"ZeroWidth", Box{0, 1}, "width", "greater than 0"},
+    {"NegativeWidth", Box{-2, 1}, "width", "-2"},
+    {"NanHeight", Box{1, kNan}, "height", "finite"},
+    {"InfiniteHeight", Box{1, kInf}, "height", "finite"},
+    {"NanBoxCenter", Box{1, 1, {0, kNan}}, "center", "finite"},
+    {"BoxRotationNotUnit", Box{1, 1, {}, {1, 1}}, "rotation", "unit"},
+    {"BoxRotationNan", Box{1, 1, {}, {kNan, 0}}, "rotation", "unit"},
+    {"NoCorners", Polygon{}, "corners", "3 to 1024, but are 0"},
+    {"TwoCorners", Polygon{{{0, 0}, {1, 0}}}, "corners", "but are 2"},
+    {"TooManyCorners", withManyCorners(1025), "corners", "but are 1025"},
+    {"NanCorner", Polygon{{{0, 0}, {1, 0}, {0, kNan}}}, "corners[2]", "finite"},
+    {"Clockwise", Polygon{{{0, 0}, {0, 1}, {1, 0}}}, "corners[2]", "counter-clockwise"},
+    {"Duplicate", Polygon{{{0, 0}, {1, 0}, {1, 0}, {0, 1}}}, "corners[2]", ""},
+    {"DuplicateOfTheFirst", Polygon{{{0, 0}, {1, 0}, {0, 1}, {0, 0}}}, "corners[3]", ""},
+    {"Collinear", Polygon{{{0, 0}, {1, 0}, {2, 0}}}, "corners[2]", "convex"},
+    {"OneCornerOnAnEdge", Polygon{{{0, 0}, {1, 0}, {2, 0}, {2, 2}}}, "corners[2]", "convex"},
+    {"Concave", Polygon{{{0, 0}, {4, 0}, {1, 1}, {0, 4}}}, "corners[3]", "convex"},
+    {"Crossing", Polygon{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}}, "corners[2]", "convex"},
+    {"TwiceAround",
+     Polygon{{{1, 0},
+              {Real(-0.8), Real(0.6)},
+              {Real(0.3), -1},
+              {Real(0.3), 1},
+              {Real(-0.8), Real(-0.6)}}},
+     "corners[3]", "convex"},
+    {"EmptyCompound", Compound{}, "parts", "at least one"},
+    {"BadPart", Compound{{Circle{1}, Box{1, 0}}}, "parts[1].height", "greater than 0"},
+    {"BadCornerOfAPart", Compound{{Polygon{{{0, 0}, {1, 0}, {kInf, 1}}}}}, "parts[0].corners[2]",
+     "finite"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Shapes, RefusedShape, testing::ValuesIn(kBadShapes),
+                         [](const testing::TestParamInfo<BadShape>& row) {
+                             return std::string(row.param.name);
+                         });
+
+TEST(CheckShape, LetsGoodOnesThrough) {
+    EXPECT_FALSE(check(Shape(Circle{1})).has_value());
+    EXPECT_FALSE(check(Shape(Box{1, 2, {3, 4}, {0, 1}})).has_value());
+    EXPECT_FALSE(check(Shape(Polygon{{{0, 0}, {1, 0}, {0, 1}}})).has_value());
+    EXPECT_FALSE(check(Shape(Compound{{Circle{1}, Box{1, 1}}})).has_value());
+}
+
+TEST(CheckShape, LetsRandomConvexPolygonsThrough) {
+    support::RandomNumbers random(41);
+    for (int i = 0; i < 500; ++i) {
+        const Shape shape = support::randomPolygon(random, 3 + random.below(62));
+        const auto problem = check(shape);
+        ASSERT_FALSE(problem.has_value()) << problem->text();
+    }
+}
+
+// P3: whichever corner comes first, the answer is the same.
+TEST(CheckShape, DoesNotDependOnWhichCornerIsFirst) {
+    const std::vector<Vec2> concave{{0, 0}, {4, 0}, {1, 1}, {0, 4}};
+    const std::vector<Vec2> convex{{0, 0}, {4, 0}, {3, 3}, {0, 4}};
+    for (std::size_t first = 0; first < 4; ++first) {
+        Polygon bad;
+        Polygon good;
+        for (std::size_t i = 0; i < 4; ++i) {
+            bad.corners.push_back(concave[(first + i) % 4]);
+            good.corners.push_back(convex[(first + i) % 4]);
+        }
+        EXPECT_TRUE(check(Shape(bad)).has_value());
+        EXPECT_FALSE(check(Shape(good)).has_value());
+    }
+}
+
+} // namespace
+} // namespace kodo

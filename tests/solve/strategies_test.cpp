@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <solve/strategy_scenes.hpp>
+
+namespace {
+
+using namespace kodo;
+using strategies::kStep;
+using strategies::Outcome;
+using strategies::propagation;
+using strategies::standing;
+
+/// Resting would hide what a solver cannot hold.
+StepSettings awake(StepSettings settings) {
+    settings.leaveOut |= static_cast<std::uint8_t>(Feature::Resting);
+    return settings;
+}
+
+// W5, A2: what the thesis built shock propagation for.
+TEST(Strategies, ShockPropagationHoldsATallStackWith4PassesThatFallsWithout) {
+    const strategies::Trial trial = standing(scenes::stack(20), 10, 0.05);
+    const Outcome with = run(trial, awake(propagation(4, 4)));
+    const Outcome without = run(trial, awake(propagation(4, 0)));
+    EXPECT_TRUE(with.yes);
+    EXPECT_LT(with.moved, Real(0.005));
+    EXPECT_LT(with.depth, Real(0.002));
+    EXPECT_FALSE(without.yes);
+    EXPECT_GT(without.moved, 1); // boxes have come down
+}
+
+TEST(Strategies, ShockPropagationHoldsAThousandTimesHeavierBoxOnALightOne) {
+    const strategies::Trial trial = standing(scenes::heavyOnLight(1000), 10, 0.05);
+    const Outcome with = run(trial, awake(propagation(4, 4)));
+    EXPECT_TRUE(with.yes);
+    EXPECT_LT(with.depth, Real(0.002));
+    EXPECT_FALSE(run(trial, awake(propagation(4, 0))).yes);
+    EXPECT_FALSE(run(trial, awake(propagation(40, 0))).yes);
+}
+
+// With as many visits to contacts, and less overlap: 10 + 10 passes against 20.
+TEST(Strategies, ShockPropagationIsWorthMoreThanAsManyPlainPasses) {
+    const strategies::Trial trial = standing(scenes::pyramid(12), 5, 0.1);
+    const Outcome with = run(trial, awake(propagation(10, 10)));
+    const Outcome without = run(trial, awake(propagation(20, 0)));
+    EXPECT_TRUE(with.yes);
+    EXPECT_LT(with.visitsPerStep, without.visitsPerStep);
+    EXPECT_LT(with.depth, without.depth / 5);
+    EXPECT_LT(with.moved, without.moved / 5);
+}
+
+// O3 under this strategy: what stands comes to rest, and is then free.
+TEST(Strategies, AStackUnderShockPropagationComesToRest) {
+    const strategies::Trial trial = standing(scenes::stack(20), 3, 0.05);
+    scenes::KodoScene scene = inKodo(trial.scene, propagation(4, 4));
+    for (int i = 0; i < 180; ++i) {
+        scene.world.step(kStep);
+    }
+    EXPECT_NE(scene.world[scene.ids[20]].flags() & kResting, 0u);
+    EXPECT_EQ(scene.world.contactVisits(), 0u);
+}
+
+// The thesis sorts all contacts by height, so many stacks cost more than their sum (4.2.2.1).
+TEST(Strategies, SeparateStacksCostShockPropagationNothingExtra) {
+    const auto visits = [](int stacks) {
+        scenes::SceneDef scene = scenes::stack(0);
+        scene.bodies[0] = scenes::ground(400);
+        for (int k = 0; k < stacks; ++k) {
+            for (int i = 0; i < 10; ++i) {
+                scene.bodies.push_back(scenes::box(1, 1, {3.0 * k - 40, 0.5 + i}));
+            }
+        }
+        scenes::KodoScene world = inKodo(scene, awake(propagation(4, 4)));
+        world.world.step(kStep);
+        return world.world.contactVisits();
+    };
+    EXPECT_GT(visits(1), 0u);
+    EXPECT_EQ(visits(20), 20 * visits(1));
+}
+
+/// The mean way to the right of all boxes of a symmetric pyramid (m), and the mean way to any side.
+struct Drift {
+    double toTheRight = 0;
+    double toAnySide = 0;
+};
+
+Drift driftOf(const StepSettings& settings) {
+    const scenes::SceneDef def = scenes::pyramid(10);
+    scenes::KodoScene scene = inKodo(def, awake(settings));
+    for (int i = 0; i < 300; ++i) {
+        scene.world.step(kStep);
+    }
+    Drift drift;
+    for (std::size_t i = 1; i < scene.ids.size(); ++i) {
+        const double way =
+            static_cast<double>(scene.world[scene.ids[i]].position().x) - def.bodies[i].position.x;
+        drift.toTheRight += way / 55;
+        drift.toAnySide += std::abs(way) / 55;
+    }
+    return drift;
+}
+
+// W6: stride order leaves no bias to one side. A third of the mean way is far more than 55 boxes
+// that wander at random would share.
+TEST(Strategies, ASymmetricPyramidDriftsToNoSide) {
+    for (const StepSettings& settings : {propagation(4, 4), propagation(10, 10)}) {
+        const Drift drift = driftOf(settings);
+        EXPECT_LT(drift.toAnySide, 0.05);
+        EXPECT_LT(std::abs(drift.toTheRight), 0.33 * drift.toAnySide + 0.0005);
+    }
+}
+
+// The rest of the table, as far as it is a promise. tests/solve/strategy_table prints all of it.
+TEST(Strategies, SoftStepStands) {
+    for (const strategies::Trial& trial : strategies::trials()) {
+        if (trial.scene.name.find("1:1000") == std::string::npos &&
+            trial.scene.name != "overlap recovery") {
+            EXPECT_TRUE(run(trial, awake({})).yes) << trial.scene.name;
+        }
+    }
+}
+
+TEST(Strategies, PropagationWithShockPropagationStands) {
+    for (const strategies::Trial& trial : strategies::trials()) {
+        // What leans on each other needs the weight from above, which frozen bodies do not feel.
+        if (trial.scene.name != "card house" && trial.scene.name != "arch" &&
+            trial.scene.name != "circle pile") {
+            const Outcome outcome = run(trial, awake(propagation(10, 10)));
+            EXPECT_TRUE(outcome.yes) << trial.scene.name;
+            EXPECT_LT(outcome.depth, Real(0.005)) << trial.scene.name;
+        }
+    }
+}
+
+} // namespace

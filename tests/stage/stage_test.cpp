@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "stage_rig.hpp"
+
+namespace apart {
+namespace {
+
+TEST(Stage, TheFrameRateDoesNotChangeTheGame) {
+    StageRig slow(StageRig::played());
+    StageRig fast(StageRig::played());
+    while (slow.stage.game().ticks() < 300) {
+        slow.frame({}, 1.0 / 30);
+    }
+    while (fast.stage.game().ticks() < slow.stage.game().ticks()) {
+        fast.frame({}, 1.0 / 240);
+    }
+    EXPECT_EQ(slow.stage.game().stateHash(), fast.stage.game().stateHash());
+}
+
+TEST(Stage, AfterAStallTheGameSlowsDownInsteadOfHurrying) {
+    StageRig rig(StageRig::playing());
+    rig.frame({}, 60.0);
+    EXPECT_LE(rig.stage.game().ticks(), 12u); // a tenth of a second
+}
+
+TEST(Stage, EffectsNeverTouchTheSimulation) {
+    StageDef none = StageRig::played();
+    none.effects = {0, 0, 0, 0, 0};
+    StageDef all = StageRig::played();
+    all.effects = {100, 100, 100, 100, 100};
+    StageRig plain(std::move(none));
+    StageRig rich(std::move(all));
+    for (int i = 0; i < 600; ++i) {
+        plain.frame();
+        rich.frame();
+        plain.picture();
+        rich.picture();
+        ASSERT_EQ(plain.canvas.shake(), Vec2{});
+    }
+    EXPECT_EQ(plain.stage.game().ticks(), rich.stage.game().ticks());
+    EXPECT_EQ(plain.stage.game().stateHash(), rich.stage.game().stateHash());
+    EXPECT_TRUE(plain.speaker.notes.empty());
+    EXPECT_FALSE(rich.speaker.notes.empty());
+}
+
+TEST(Stage, NothingInTheFieldIsDrawnOverABall) {
+    StageRig rig(StageRig::played());
+    for (int i = 0; i < 200; ++i) {
+        rig.frame();
+        const Game& game = rig.stage.game();
+        if (game.balls().size() != 1 || game.serving()) {
+            continue;
+        }
+        const std::vector<Stroke>& strokes = rig.picture().strokes();
+        const auto ball = std::find_if(strokes.rbegin(), strokes.rend(), [](const Stroke& stroke) {
+            return stroke.kind == Stroke::Kind::Disc && stroke.size == kBallRadius;
+        });
+        ASSERT_NE(ball, strokes.rend());
+        for (auto after = strokes.rbegin(); after != ball; ++after) {
+            if (after->place.x > kFieldWidth / 2) {
+                continue; // the panel
+            }
+            // The gleam on the ball is all that follows it.
+            EXPECT_EQ(after->kind, Stroke::Kind::Disc);
+            EXPECT_LT(length(after->place - ball->place), kBallRadius);
+        }
+    }
+}
+
+TEST(Stage, EventsAreHeard) {
+    StageRig rig(StageRig::played());
+    rig.frames(60 * 5);
+    const auto heard = [&](Voice voice) {
+        return std::any_of(rig.speaker.notes.begin(), rig.speaker.notes.end(),
+                           [&](const Note& note) { return note.voice == voice; });
+    };
+    EXPECT_TRUE(heard(Voice::Serve));
+    for (const Note& note : rig.speaker.notes) {
+        EXPECT_GT(note.volume, 0);
+        EXPECT_LE(note.volume, 1);
+        EXPECT_GT(note.pitch, 0);
+    }
+}
+
+TEST(Stage, SpaceServesAndTheHeldKeyMovesThePaddle) {
+    StageRig rig(StageRig::playing());
+    rig.frames(5);
+    EXPECT_TRUE(rig.stage.game().serving());
+    EXPECT_TRUE(rig.picture().says("space or click to serve"));
+    rig.press(Command::Launch);
+    rig.frames(2);
+    EXPECT_FALSE(rig.stage.game().serving());
+
+    const auto paddleX = [&] {
+        const Game& game = rig.stage.game();
+        return game.world()[game.paddle()].position().x;
+    };
+    const Real before = paddleX();
+    Signals held;
+    held.rightHeld = true;
+    for (int i = 0; i < 12; ++i) {
+        rig.frame(held);
+    }
+    EXPECT_GT(paddleX(), before + 1);
+}
+
+TEST(Stage, ThePaddleFollowsTheMouse) {
+    StageRig rig(StageRig::playing());
+    Signals moved;
+    moved.pointer = Vec2{-6, 3};
+    rig.frame(moved);
+    rig.frames(60);
+    const Game& game = rig.stage.game();
+    EXPECT_NEAR(game.world()[game.paddle()].position().x, -6, 0.1f);
+}
+
+TEST(Stage, APilotThatIsDoneEndsTheGame) {
+    StageDef def = StageRig::playing();
+    def.pilot = [](const Game& game) {
+        return game.ticks() < 100 ? std::optional(Input{}) : std::nullopt;
+    };
+    StageRig rig(std::move(def));
+    rig.frames(60 * 3);
+    EXPECT_EQ(rig.stage.screen(), Screen::Over);
+    EXPECT_TRUE(rig.picture().says("The replay ends"));
+}
+
+TEST(Stage, ScriptedControlsDriveIt) {
+    StageRig rig(StageRig::twoLevels());
+    ScriptedControls controls;
+    controls.script.resize(3);
+    controls.script[0].commands = {Command::Confirm};
+    controls.script[2].commands = {Command::Pause};
+    for (int i = 0; i < 5; ++i) {
+        rig.frame(controls.poll());
+    }
+    EXPECT_EQ(rig.stage.screen(), Screen::Paused);
+}
+
+} // namespace
+} // namespace apart

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/shapes/convex.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+/// A slow second opinion on any two outlines, in long double: all differences of their corners, the
+/// hull of these, and where the origin lies in it. It knows no faces, no axes, no frames.
+namespace support {
+
+using LongPoint = kodo::BasicVec2<long double>;
+
+inline LongPoint widened(kodo::Vec2 v) {
+    return {static_cast<long double>(v.x), static_cast<long double>(v.y)};
+}
+
+inline LongPoint placed(const kodo::Transform& t, kodo::Vec2 v) {
+    const kodo::BasicRot<long double> turn{static_cast<long double>(t.rotation.c),
+                                           static_cast<long double>(t.rotation.s)};
+    return turn * widened(v) + widened(t.position);
+}
+
+inline std::vector<LongPoint> placedCorners(const kodo::Convex& convex, const kodo::Transform& t) {
+    std::vector<LongPoint> corners;
+    for (const kodo::Vec2 vertex : convex.vertices) {
+        corners.push_back(placed(t, vertex));
+    }
+    return corners;
+}
+
+/// Gift wrapping: from each corner to the one that has all others on its left.
+inline std::vector<LongPoint> wrapped(const std::vector<LongPoint>& points) {
+    std::size_t start = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const LongPoint p = points[i];
+        const LongPoint q = points[start];
+        start = p.x < q.x || (p.x == q.x && p.y < q.y) ? i : start;
+    }
+    std::vector<LongPoint> hull{points[start]};
+    while (hull.size() <= points.size()) {
+        LongPoint next = hull.back();
+        for (const LongPoint p : points) {
+            const LongPoint way = next - hull.back();
+            const LongPoint other = p - hull.back();
+            const long double turn = cross(way, other);
+            if (way == LongPoint{} || turn < 0 ||
+                (turn == 0 && dot(other, other) > dot(way, way))) {
+                next = p;
+            }
+        }
+        if (next == points[start] || next == hull.back()) {
+            break;
+        }
+        hull.push_back(next);
+    }
+    return hull;
+}
+
+inline long double toSegment(LongPoint p, LongPoint from, LongPoint to) {
+    const LongPoint edge = to - from;
+    const long double size = dot(edge, edge);
+    const long double share = size > 0 ? std::clamp(dot(p - from, edge) / size, 0.0L, 1.0L) : 0;
+    return length(p - (from + share * edge));
+}
+
+/// From a convex hull to p; negative inside.
+inline long double signedDistance(const std::vector<LongPoint>& hull, LongPoint p) {
+    long double nearest = std::numeric_limits<long double>::infinity();
+    bool inside = hull.size() >= 3;
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        const LongPoint from = hull[i];
+        const LongPoint to = hull[(i + 1) % hull.size()];
+        nearest = std::min(nearest, toSegment(p, from, to));
+        inside = inside && cross(to - from, p - from) > 0;
+    }
+    return inside ? -nearest : nearest;
+}
+
+inline long double fromPlane(const kodo::Convex& plane, const kodo::Transform& a,
+                             const kodo::Convex& other, const kodo::Transform& b) {
+    const LongPoint normal = placed({{}, a.rotation}, plane.normals[0]);
+    long double lowest = std::numeric_limits<long double>::infinity();
+    for (const LongPoint corner : placedCorners(other, b)) {
+        lowest = std::min(lowest, dot(normal, corner - placed(a, plane.vertices[0])));
+    }
+    return lowest - static_cast<long double>(other.radius);
+}
+
+/// The hull of all differences b - a.
+inline std::vector<LongPoint> differencesOf(const kodo::Convex& shapeA, const kodo::Transform& a,
+                                            const kodo::Convex& shapeB, const kodo::Transform& b) {
+    std::vector<LongPoint> differences;
+    for (const LongPoint p : placedCorners(shapeA, a)) {
+        for (const LongPoint q : placedCorners(shapeB, b)) {
+            differences.push_back(q - p);
+        }
+    }
+    return wrapped(differences);
+}
+
+/// The true distance of two outlines or, negative, how far one must be moved at least until they
+/// only touch. Lines have both sides.
+inline long double signedDistance(const kodo::Convex& shapeA, const kodo::Transform& a,
+                                  const kodo::Convex& shapeB, const kodo::Transform& b) {
+    if (shapeA.isPlane()) {
+        return fromPlane(shapeA, a, shapeB, b);
+    }
+    if (shapeB.isPlane()) {
+        return fromPlane(shapeB, b, shapeA, a);
+    }
+    return signedDistance(differencesOf(shapeA, a, shapeB, b), {}) -
+           static_cast<long double>(shapeA.radius) - static_cast<long double>(shapeB.radius);
+}
+
+/// What becomes of an outline that moves straight on past another.
+struct Passage {
+    enum class End { Hits, Misses, Grazes } end = End::Grazes; // grazes: too near to call
+    long double fraction = 0;                                  // of the move, where it hits
+};
+
+/// The nearest point of a hull to p.
+inline LongPoint nearestOn(const std::vector<LongPoint>& hull, LongPoint p) {
+    LongPoint nearest = hull[0];
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        const LongPoint from = hull[i];
+        const LongPoint edge = hull[(i + 1) % hull.size()] - from;
+        const long double size = dot(edge, edge);
+        const long double share = size > 0 ? std::clamp(dot(p - from, edge) / size, 0.0L, 1.0L) : 0;
+        const LongPoint q = from + share * edge;
+        nearest = length(p - q) < length(p - nearest) ? q : nearest;
+    }
+    return nearest;
+}
+
+/// b moves. Along the direction to the nearest point the gap closes no faster than the move leads
+/// along it, so that much of the way is free, again and again.
+inline Passage passageOf(const std::vector<LongPoint>& differences, long double radius,
+                         LongPoint move) {
+    const long double speed = length(move);
+    if (signedDistance(differences, {}) <= radius) {
+        return {Passage::End::Hits, 0};
+    }
+    long double t = 0;
+    for (int round = 0; round < 1000 && t <= 1; ++round) {
+        const LongPoint p = -t * move;
+        const LongPoint arm = p - nearestOn(differences, p);
+        const long double gap = length(arm) - radius;
+        const long double closing = dot(arm, move) / length(arm);
+        if (gap < 1e-17L) {
+            const bool steep = closing > 1e-3L * speed;
+            return {steep ? Passage::End::Hits : Passage::End::Grazes, t};
+        }
+        if (closing <= 0) {
+            return {gap > 1e-4L ? Passage::End::Misses : Passage::End::Grazes, 0};
+        }
+        t += gap / closing;
+    }
+    return {t > 1.0001L ? Passage::End::Misses : Passage::End::Grazes, 0};
+}
+
+inline Passage passageOf(const kodo::Convex& moving, const kodo::Transform& from, kodo::Vec2 move,
+                         const kodo::Convex& target, const kodo::Transform& t) {
+    if (!target.isPlane() && !moving.isPlane()) {
+        const long double radius =
+            static_cast<long double>(target.radius) + static_cast<long double>(moving.radius);
+        return passageOf(differencesOf(target, t, moving, from), radius, widened(move));
+    }
+    const kodo::Convex& plane = target.isPlane() ? target : moving;
+    const kodo::Transform& at = target.isPlane() ? t : from;
+    const long double side = target.isPlane() ? 1 : -1; // the plane comes to the target instead
+    const long double gap = signedDistance(moving, from, target, t);
+    const long double fall =
+        -side * dot(placed({{}, at.rotation}, plane.normals[0]), widened(move));
+    if (gap <= 0) {
+        return {Passage::End::Hits, 0};
+    }
+    return {fall >= gap ? Passage::End::Hits : Passage::End::Misses, fall > 0 ? gap / fall : 0};
+}
+
+} // namespace support

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/math/vec2.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+/// What the tests of the engine share. Comparisons are made in long double, so that a float and a
+/// double build of one test read alike.
+namespace support {
+
+/// A tolerance for the precision that is being tested.
+constexpr kodo::Real byPrecision(double inFloat, double inDouble) {
+    return static_cast<kodo::Real>(sizeof(kodo::Real) == 4 ? inFloat : inDouble);
+}
+
+/// Distance from 1 to the next Real.
+inline constexpr kodo::Real kEpsilon = std::numeric_limits<kodo::Real>::epsilon();
+
+/// Use: EXPECT_TRUE(near(actual, expected, tolerance)). False for NaN.
+template <typename A, typename B, typename C>
+testing::AssertionResult near(A actual, B expected, C tolerance) {
+    const auto a = static_cast<long double>(actual);
+    const auto b = static_cast<long double>(expected);
+    const auto most = static_cast<long double>(tolerance);
+    if (std::abs(a - b) <= most) {
+        return testing::AssertionSuccess();
+    }
+    return testing::AssertionFailure()
+           << a << " should be " << b << " but is off by " << a - b << ", more than " << most;
+}
+
+template <typename T, typename C>
+testing::AssertionResult near(kodo::BasicVec2<T> actual, kodo::BasicVec2<T> expected, C tolerance) {
+    const testing::AssertionResult x = near(actual.x, expected.x, tolerance);
+    const testing::AssertionResult y = near(actual.y, expected.y, tolerance);
+    return !x   ? testing::AssertionFailure() << "x: " << x.message()
+           : !y ? testing::AssertionFailure() << "y: " << y.message()
+                : testing::AssertionSuccess();
+}
+
+/// Within a share of the expected value.
+template <typename A, typename B, typename C>
+testing::AssertionResult nearShare(A actual, B expected, C share) {
+    return near(actual, expected,
+                static_cast<long double>(share) * std::abs(static_cast<long double>(expected)));
+}
+
+} // namespace support

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+#include <support/scenes.hpp>
+
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace kodo {
+namespace {
+
+using support::ballDef;
+using support::boxDef;
+using support::byPrecision;
+using support::kDt;
+using support::near;
+using support::nearShare;
+using support::recordOf;
+using support::slippery;
+
+/// A ball of 2 kg flies at a wall with 3 m/s; steps until the two are recorded.
+struct Shot {
+    World world;
+    BodyId wall;
+    BodyId ball;
+    CollisionRecord hit;
+
+    explicit Shot(Real restitution) {
+        wall = support::addWall(world, 2, 1, slippery(restitution));
+        BodyDef def = ballDef({0, 0}, Real(0.5), slippery(restitution));
+        def.density = 2 / (std::numbers::pi_v<Real> / 4);
+        def.velocity = {3, 0};
+        ball = world.add(def);
+        for (int i = 0; i < 60; ++i) {
+            world.step(kDt);
+            if (const CollisionRecord* record = recordOf(world, wall, ball)) {
+                hit = *record;
+                return;
+            }
+        }
+    }
+};
+
+// S2: J = m v (1 + e), a textbook bounce.
+TEST(CollisionRecord, ImpulseOfABounceIsMassTimesSpeedTimesOnePlusE) {
+    for (const Real e : {Real(1), Real(0.5), Real(0.25)}) {
+        SCOPED_TRACE(e);
+        const Shot shot(e);
+        const Real exact = byPrecision(2e-6, 1e-13);
+        EXPECT_EQ(shot.hit.phase, TouchPhase::Begin);
+        EXPECT_EQ(shot.hit.pointCount, 1);
+        EXPECT_TRUE(nearShare(shot.hit.approachSpeed, 3, exact));
+        EXPECT_TRUE(nearShare(shot.hit.maxImpulse, 6 * (1 + static_cast<long double>(e)), exact));
+        EXPECT_TRUE(nearShare(shot.hit.totalImpulse, 6 * (1 + static_cast<long double>(e)), exact));
+    }
+}
+
+// S2: point and normal. The normal leads from a, the body with the lower index, to b.
+TEST(CollisionRecord, PointsFromTheFirstToTheSecond) {
+    const Shot shot(1);
+    EXPECT_EQ(shot.hit.a, shot.wall);
+    EXPECT_EQ(shot.hit.b, shot.ball);
+    EXPECT_TRUE(near(shot.hit.normal, Vec2{-1, 0}, 4 * support::kEpsilon));
+    EXPECT_TRUE(near(shot.hit.point, Vec2{2, 0}, shot.world.tolerances().slop));
+    EXPECT_TRUE(shot.hit.involves(shot.ball));
+    EXPECT_EQ(shot.hit.other(shot.ball), shot.wall);
+}
+
+// Without restitution the whole blow is m v; a step in which it only comes nearer may take a part
+// of it, so the sum over the steps is compared.
+TEST(CollisionRecord, APlasticBlowSumsUpToTheMomentum) {
+    World world;
+    const BodyId wall = support::addWall(world, 2, 1, slippery());
+    BodyDef def = ballDef({0, 0}, Real(0.5), slippery());
+    def.velocity = {3, 0};
+    const BodyId ball = world.add(def);
+    long double sum = 0;
+    for (int i = 0; i < 60; ++i) {
+        world.step(kDt);
+        if (const CollisionRecord* hit = recordOf(world, wall, ball)) {
+            sum += static_cast<long double>(hit->totalImpulse);
+        }
+    }
+    EXPECT_TRUE(nearShare(sum, 3 * static_cast<long double>(world[ball].mass()), 1e-3L));
+}
+
+// S2, at rest: the records carry the weight, m g dt a step, shared by two corners.
+TEST(CollisionRecord, OfARestingBoxCarriesItsWeight) {
+    World world({.gravity = support::kEarth});
+    const BodyId floor = support::addFloor(world);
+    BodyDef def = boxDef({0, Real(0.5)}, 1, 1);
+    def.flags = kNeverRest; // what rests is not solved any more, and so has no new impulse
+    const BodyId box = world.add(def);
+    support::run(world, 120);
+    const CollisionRecord* hit = recordOf(world, floor, box);
+    ASSERT_NE(hit, nullptr);
+    EXPECT_EQ(hit->phase, TouchPhase::Persist);
+    EXPECT_EQ(hit->pointCount, 2);
+    // The contact converges from step to step; after 2 s a thousandth is left at most.
+    EXPECT_TRUE(nearShare(hit->totalImpulse, 10.0L / 60, 1e-3L));
+    EXPECT_TRUE(nearShare(hit->maxImpulse, 10.0L / 60 / 4 / 2, 2e-3L)); // one substep, one corner
+    EXPECT_TRUE(near(hit->normal, Vec2{0, 1}, byPrecision(1e-5, 1e-9)));
+    EXPECT_LT(hit->approachSpeed, Real(1e-3));
+}
+
+using PairKey = std::tuple<BodyId, std::uint16_t, BodyId, std::uint16_t>;
+
+/// Follows the phases of every pair of parts and fails at the first that is out of turn.
+class PhaseBook {
+public:
+    void read(const World& world) {
+        for (const CollisionRecord& r : world.collisions()) {
+            const PairKey key{r.a, r.partA, r.b, r.partB};
+            const bool open = open_.count(key) > 0;
+            EXPECT_EQ(open, r.phase != TouchPhase::Begin) << "out of turn";
+            if (r.phase == TouchPhase::End) {
+                EXPECT_EQ(r.pointCount, 0);
+                open_.erase(key);
+                ++ended;
+            } else {
+                EXPECT_GE(r.pointCount, 1);
+                open_.insert(key);
+                seen_.insert(key);
+            }
+        }
+        for (const PairKey& key : open_) {
+            const bool silent = still(world, std::get<0>(key)) && still(world, std::get<2>(key));
+            EXPECT_TRUE(silent || seen_.count(key) == 1)
+                << "touched, and then silent for no reason";
+        }
+        seen_.clear();
+    }
+    std::size_t openCount() const { return open_.size(); }
+    int ended = 0;
+
+private:
+    /// What rests, or is locked, has no record of its own accord.
+    static bool still(const World& world, BodyId id) {
+        return world.contains(id) && (world[id].flags() & (kResting | kLocked)) != 0;
+    }
+
+    std::set<PairKey> open_;
+    std::set<PairKey> seen_;
+};
+
+// S2: begin, persist, end, always paired, in a heap in which bodies come, go and are welded.
+TEST(CollisionRecord, PhasesAreAlwaysPaired) {
+    constexpr std::uint64_t kSeed = 141;
+    support::RandomNumbers random(kSeed);
+    SCOPED_TRACE(testing::Message() << "seed " << kSeed);
+    World world({.gravity = support::kEarth});
+    support::addHeap(world, kSeed, 40);
+    PhaseBook book;
+    for (int step = 0; step < 600; ++step) {
+        world.step(kDt);
+        book.read(world);
+        const std::vector<BodyId> bodies = world.bodies();
+        if (step % 20 == 10) {
+            const BodyId victim = bodies[3 + random.below(bodies.size() - 3)];
+            if (step % 40 == 10) {
+                world.remove(victim);
+                world.add(ballDef({random.between(-4, 4), 8}, Real(0.3)));
+            } else if (victim != bodies[3]) {
+                world.weld(bodies[3], victim);
+            }
+        }
+        ASSERT_FALSE(HasFailure()) << "step " << step;
+    }
+    EXPECT_GT(book.ended, 100);
+    for (const BodyId id : world.bodies()) {
+        world.remove(id);
+    }
+    world.step(kDt);
+    book.read(world);
+    EXPECT_EQ(book.openCount(), 0u);
+}
+
+TEST(CollisionRecord, EndsWhenABodyIsRemoved) {
+    World world({.gravity = support::kEarth});
+    const BodyId floor = support::addFloor(world);
+    const BodyId box = world.add(boxDef({0, Real(0.5)}, 1, 1));
+    support::run(world, 5);
+    world.remove(box);
+    EXPECT_NE(recordOf(world, floor, box), nullptr); // those of the last step stay
+    world.step(kDt);
+    const CollisionRecord* end = recordOf(world, floor, box);
+    ASSERT_NE(end, nullptr);
+    EXPECT_EQ(end->phase, TouchPhase::End);
+    EXPECT_EQ(end->b, box);
+    world.step(kDt);
+    EXPECT_TRUE(world.collisions().empty());
+}
+
+// S2: nothing that happens between two steps changes the records of the last.
+TEST(CollisionRecord, StayValidWhateverHappensMeanwhile) {
+    World world({.gravity = support::kEarth});
+    support::addHeap(world, 7, 30);
+    support::run(world, 120);
+    const std::span<const CollisionRecord> records = world.collisions();
+    const std::vector<CollisionRecord> copy(records.begin(), records.end());
+    ASSERT_GT(copy.size(), 20u);
+    const std::vector<BodyId> bodies = world.bodies();
+    for (int i = 0; i < 100; ++i) {
+        world.add(ballDef({100, static_cast<Real>(i)}, Real(0.3)));
+    }
+    world.weld(bodies[5], bodies[6]);
+    for (std::size_t i = 7; i < bodies.size(); ++i) {
+        world.remove(bodies[i]);
+    }
+    ASSERT_EQ(records.size(), copy.size());
+    for (std::size_t i = 0; i < copy.size(); ++i) {
+        EXPECT_EQ(records[i].a, copy[i].a);
+        EXPECT_EQ(records[i].point, copy[i].point);
+        EXPECT_EQ(records[i].totalImpulse, copy[i].totalImpulse);
+    }
+}
+
+TEST(CollisionRecord, ComeInTheOrderOfBodiesAndParts) {
+    World world({.gravity = support::kEarth});
+    support::addHeap(world, 8, 60);
+    for (int step = 0; step < 200; ++step) {
+        world.step(kDt);
+        const CollisionRecord* last = nullptr;
+        for (const CollisionRecord& r : world.collisions()) {
+            ASSERT_LT(r.a.index, r.b.index);
+            if (last != nullptr) {
+                ASSERT_LT(std::tie(last->a, last->partA, last->b, last->partB),
+                          std::tie(r.a, r.partA, r.b, r.partB));
+            }
+            last = &r;
+        }
+    }
+}
+
+// R6: a record names the parts of a compound, and each pair of parts has its own.
+TEST(CollisionRecord, NamesThePartsOfACompound) {
+    World world({.gravity = support::kEarth});
+    const BodyId floor = support::addFloor(world);
+    const Compound table{{Box{4, Real(0.2), {0, 1}}, Box{Real(0.2), 1, {-1, Real(0.5)}},
+                          Box{Real(0.2), 1, {1, Real(0.5)}}}};
+    const BodyId id = world.add({.shape = table});
+    support::run(world, 5);
+    std::set<int> parts;
+    for (const CollisionRecord& record : world.collisions()) {
+        EXPECT_EQ(record.a, floor);
+        EXPECT_EQ(record.b, id);
+        EXPECT_EQ(record.partA, 0);
+        parts.insert(record.partB);
+    }
+    EXPECT_EQ(parts, (std::set<int>{1, 2})); // the legs; the top touches nothing
+}
+
+// R8: IS_COLLIDING is set by the step and taken back by it.
+TEST(CollisionRecord, SetsTheCollidingFlag) {
+    World world({.gravity = support::kEarth});
+    const BodyId floor = support::addFloor(world);
+    const BodyId box = world.add(boxDef({0, Real(0.5)}, 1, 1));
+    const BodyId ball = world.add(ballDef({0, 100}, 1));
+    support::run(world, 3);
+    EXPECT_NE(world[box].flags() & kColliding, 0u);
+    EXPECT_NE(world[floor].flags() & kColliding, 0u);
+    EXPECT_EQ(world[ball].flags() & kColliding, 0u);
+    world[box].setPosition({0, 50});
+    world.step(kDt);
+    EXPECT_EQ(world[box].flags() & kColliding, 0u);
+}
+
+// W3: left out, there are none, and nothing else changes.
+TEST(CollisionRecord, CanBeLeftOut) {
+    WorldDef def{.gravity = support::kEarth};
+    World with(def);
+    def.settings.leaveOut = static_cast<std::uint8_t>(Feature::Records);
+    World without(def);
+    support::addHeap(with, 9, 30);
+    support::addHeap(without, 9, 30);
+    support::run(with, 200);
+    support::run(without, 200);
+    EXPECT_FALSE(with.collisions().empty());
+    EXPECT_TRUE(without.collisions().empty());
+    EXPECT_EQ(with.stateHash(), without.stateHash());
+}
+
+} // namespace
+} // namespace kodo

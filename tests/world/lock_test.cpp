@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include <support/scenes.hpp>
+
+namespace kodo {
+namespace {
+
+using support::ballDef;
+using support::boxDef;
+using support::near;
+using support::slippery;
+
+// R8: LOCK_MOVE: infinite mass. Neither gravity nor a blow moves it, but a blow may turn it.
+TEST(Lock, LockMoveTurnsButDoesNotMove) {
+    World world({.gravity = support::kEarth});
+    BodyDef def = boxDef({0, 0}, 4, 1);
+    def.flags = kLockMove;
+    const BodyId beam = world.add(def);
+    world[beam].applyImpulse({0, 10}, {2, 0});
+    support::run(world, 60);
+    EXPECT_EQ(world[beam].center(), (Vec2{0, 0}));
+    EXPECT_EQ(world[beam].velocity(), (Vec2{0, 0}));
+    EXPECT_GT(world[beam].angularVelocity(), 1);
+}
+
+// R8: LOCK_ROTATE: infinite inertia. An off-centre blow moves it straight.
+TEST(Lock, LockRotateMovesButDoesNotTurn) {
+    World world;
+    BodyDef def = boxDef({0, 0}, 4, 1);
+    def.flags = kLockRotate;
+    const BodyId beam = world.add(def);
+    world[beam].applyImpulse({0, 8}, {2, 0});
+    world[beam].applyTorque(1000);
+    support::run(world, 60);
+    EXPECT_EQ(world[beam].rotation(), Rot{});
+    EXPECT_EQ(world[beam].angularVelocity(), 0);
+    EXPECT_EQ(world[beam].velocity(), (Vec2{0, 2}));
+}
+
+TEST(Lock, LockedMovesOnlyAsItIsTold) {
+    World world({.gravity = support::kEarth});
+    BodyDef def = boxDef({0, 0}, 1, 1);
+    def.flags = kLocked;
+    def.velocity = {1, 0};
+    def.angularVelocity = 1;
+    const BodyId body = world.add(def);
+    world[body].applyForce({0, 1000});
+    world[body].applyImpulse({0, 1000}, {3, 0});
+    support::run(world, 60);
+    EXPECT_EQ(world[body].velocity(), (Vec2{1, 0}));
+    EXPECT_EQ(world[body].angularVelocity(), 1);
+    // 60 steps of 1/60 s, each rounded.
+    EXPECT_TRUE(near(world[body].position(), Vec2{1, 0}, support::byPrecision(1e-5, 1e-13)));
+}
+
+// A locked body is hit without a trace, and the other one bounces off as from a wall.
+TEST(Lock, ABlowDoesNotMoveALockedBody) {
+    World world;
+    BodyDef def = boxDef({0, 0}, 1, 1, slippery(1));
+    def.flags = kLocked;
+    const BodyId wall = world.add(def);
+    BodyDef ball = ballDef({-2, 0}, Real(0.5), slippery(1));
+    ball.velocity = {4, 0};
+    const BodyId id = world.add(ball);
+    support::run(world, 60);
+    EXPECT_EQ(world[wall].position(), (Vec2{0, 0}));
+    EXPECT_EQ(world[wall].velocity(), (Vec2{0, 0}));
+    EXPECT_TRUE(near(world[id].velocity(), Vec2{-4, 0}, 8 * support::kEpsilon));
+}
+
+TEST(Lock, TwoLockedBodiesPassThroughEachOtherUnrecorded) {
+    World world;
+    BodyDef def = boxDef({0, 0}, 1, 1);
+    def.flags = kLocked;
+    world.add(def);
+    def.position = {Real(0.5), 0};
+    def.velocity = {-1, 0};
+    world.add(def);
+    support::run(world, 10);
+    EXPECT_TRUE(world.collisions().empty());
+}
+
+TEST(Lock, CanBeSetAndTakenOff) {
+    World world({.gravity = support::kEarth});
+    const BodyId ball = world.add(ballDef({0, 10}, 1));
+    world[ball].setFlags(kLocked);
+    support::run(world, 10);
+    EXPECT_EQ(world[ball].position(), (Vec2{0, 10}));
+    world[ball].setFlags(0);
+    support::run(world, 10);
+    EXPECT_LT(world[ball].position().y, 10);
+    EXPECT_TRUE(near(world[ball].mass(), std::numbers::pi_v<long double>, 4 * support::kEpsilon));
+}
+
+// R8, R9: what is disabled, or filtered, falls through the floor; the other one does not.
+TEST(Lock, FlagsDecideWhatMeets) {
+    World world({.gravity = support::kEarth});
+    BodyDef floor = boxDef({0, Real(-0.5)}, 100, 1);
+    floor.flags = kLocked | 0b01;
+    world.add(floor);
+    BodyDef def = ballDef({0, 1}, Real(0.5));
+    const BodyId normal = world.add(def);
+    def.position.x = 10;
+    def.flags = kDisabled;
+    const BodyId disabled = world.add(def);
+    def.position.x = 20;
+    def.flags = kMatchAny;
+    def.required = 0b10;
+    const BodyId picky = world.add(def);
+    def.position.x = 30;
+    def.required = 0b11;
+    const BodyId pleased = world.add(def);
+    support::run(world, 120);
+    EXPECT_GT(world[normal].position().y, 0);
+    EXPECT_LT(world[disabled].position().y, -5);
+    EXPECT_LT(world[picky].position().y, -5);
+    EXPECT_GT(world[pleased].position().y, 0);
+    // A change of flags acts at once.
+    world[normal].setFlags(kDisabled);
+    world[pleased].setRequired(0b10);
+    support::run(world, 120);
+    EXPECT_LT(world[normal].position().y, -5);
+    EXPECT_LT(world[pleased].position().y, -5);
+}
+
+} // namespace
+} // namespace kodo

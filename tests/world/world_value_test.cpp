@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include <support/scenes.hpp>
+
+namespace kodo {
+namespace {
+
+using support::kDt;
+using support::run;
+
+// R2: a World is a value: a copy is a snapshot, and both go on alike, bit for bit.
+TEST(WorldValue, ACopyOfAFreshWorldGoesOnAlike) {
+    World world({.gravity = support::kEarth});
+    support::addHeap(world, 1, 60);
+    World copy = world;
+    EXPECT_EQ(copy.stateHash(), world.stateHash());
+    run(world, 300);
+    run(copy, 300);
+    EXPECT_EQ(copy.stateHash(), world.stateHash());
+}
+
+// In the middle of a heap the solver's memory matters: it is part of the value.
+TEST(WorldValue, ACopyMidHeapGoesOnAlike) {
+    for (const int moment : {1, 45, 100, 250}) {
+        SCOPED_TRACE(moment);
+        World world({.gravity = support::kEarth});
+        support::addHeap(world, 2, 60);
+        run(world, moment);
+        World copy = world;
+        for (int i = 0; i < 300; ++i) {
+            world.step(kDt);
+            copy.step(kDt);
+            ASSERT_EQ(copy.stateHash(), world.stateHash()) << "step " << i << " after the copy";
+        }
+    }
+}
+
+TEST(WorldValue, TheOriginalDoesNotNoticeItsCopy) {
+    World world({.gravity = support::kEarth});
+    support::addHeap(world, 3, 30);
+    World alone = world;
+    run(alone, 100);
+    for (int i = 0; i < 100; ++i) {
+        World copy = world;
+        copy.remove(copy.bodies().back());
+        run(copy, 3);
+        world.step(kDt);
+    }
+    EXPECT_EQ(world.stateHash(), alone.stateHash());
+}
+
+TEST(WorldValue, CanBeAssignedAndMoved) {
+    World world({.gravity = support::kEarth});
+    support::addHeap(world, 4, 30);
+    run(world, 60);
+    const World saved = world;
+    run(world, 60);
+    const std::uint64_t later = world.stateHash();
+    world = saved; // rewind
+    EXPECT_EQ(world.stateHash(), saved.stateHash());
+    run(world, 60);
+    EXPECT_EQ(world.stateHash(), later);
+    const World moved = std::move(world);
+    EXPECT_EQ(moved.stateHash(), later);
+}
+
+TEST(WorldValue, TheSameCallsGiveTheSameBits) {
+    std::uint64_t first = 0;
+    for (int repeat = 0; repeat < 3; ++repeat) {
+        World world({.gravity = support::kEarth});
+        support::addHeap(world, 5, 60);
+        run(world, 200);
+        world.remove(world.bodies()[10]);
+        run(world, 100);
+        first = repeat == 0 ? world.stateHash() : first;
+        EXPECT_EQ(world.stateHash(), first);
+    }
+}
+
+// The hash sees what matters: a nudge, a flag, a step, a force that waits for its step.
+TEST(WorldValue, TheHashTellsStatesApart) {
+    World world({.gravity = support::kEarth});
+    const BodyId ball = world.add(support::ballDef({}, 1));
+    const std::uint64_t before = world.stateHash();
+    const auto changed = [&](auto change) {
+        World copy = world;
+        change(copy);
+        return copy.stateHash() != before;
+    };
+    EXPECT_TRUE(changed([&](World& w) { w.step(kDt); }));
+    EXPECT_TRUE(changed([&](World& w) { w[ball].setPosition({support::kEpsilon, 0}); }));
+    EXPECT_TRUE(changed([&](World& w) { w[ball].setVelocity({0, support::kEpsilon}); }));
+    EXPECT_TRUE(changed([&](World& w) { w[ball].applyForce({1, 0}); }));
+    EXPECT_TRUE(changed([&](World& w) { w[ball].setFlags(1); }));
+    EXPECT_TRUE(changed([&](World& w) { w.remove(ball); }));
+    EXPECT_FALSE(changed([](World&) {}));
+}
+
+// An id of a copy names the same body in the original.
+TEST(WorldValue, IdsHoldInACopy) {
+    World world;
+    const BodyId ball = world.add(support::ballDef({1, 2}, 1));
+    World copy = world;
+    EXPECT_EQ(copy[ball].position(), (Vec2{1, 2}));
+    EXPECT_EQ(copy.add(support::ballDef({}, 1)), world.add(support::ballDef({}, 1)));
+}
+
+} // namespace
+} // namespace kodo
