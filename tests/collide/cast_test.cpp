@@ -20,11 +20,10 @@ constexpr int kPoses = 10000;
 
 class EveryCast : public testing::TestWithParam<std::tuple<AnyKind, AnyKind>> {
 protected:
-    void SetUp() override {
-        if (std::get<0>(GetParam()) == AnyKind::Plane &&
-            std::get<1>(GetParam()) == AnyKind::Plane) {
-            GTEST_SKIP() << "two planes always overlap";
-        }
+    /// They overlap wherever they are: there is nothing to cast.
+    bool bothPlanes() const {
+        return std::get<0>(GetParam()) == AnyKind::Plane &&
+               std::get<1>(GetParam()) == AnyKind::Plane;
     }
     support::RandomNumbers random_{111};
 };
@@ -55,7 +54,7 @@ void expectSame(const Passage& expected, const std::optional<CastHit>& hit, Vec2
 // C1, Q: every kind moving at every other, against the slow advance in long double.
 TEST_P(EveryCast, MeetsTheOtherWhereTheSlowAdvanceDoes) {
     int hits = 0;
-    for (int i = 0; i < kPoses && !HasFatalFailure(); ++i) {
+    for (int i = 0; i < kPoses && !bothPlanes() && !HasFatalFailure(); ++i) {
         SCOPED_TRACE(testing::Message() << "pose " << i);
         const Convex moving =
             convexOf(support::randomPrimitive(random_, std::get<0>(GetParam())), {});
@@ -84,7 +83,7 @@ TEST_P(EveryCast, MeetsTheOtherWhereTheSlowAdvanceDoes) {
 // Q: a ray is the way of a point.
 TEST_P(EveryCast, OfAPointIsARay) {
     const Convex point = convexOf(Point{}, {});
-    for (int i = 0; i < kPoses && !HasFatalFailure(); ++i) {
+    for (int i = 0; i < kPoses && !bothPlanes() && !HasFatalFailure(); ++i) {
         SCOPED_TRACE(testing::Message() << "pose " << i);
         const Convex target =
             convexOf(support::randomPrimitive(random_, std::get<1>(GetParam())), {});

@@ -94,7 +94,8 @@ TEST_P(CollidePair, TouchesWhenEdgesCross) {
         const Outline a = support::outlineOf(p.shapeA, p.a);
         const Outline b = support::outlineOf(p.shapeB, p.b);
         const bool flat = a.corners.size() > 1 && b.corners.size() > 1;
-        if (flat && std::abs(support::separationOf(a, b)) > 10 * kTolerance) {
+        if (flat &&
+            std::abs(support::separationOf(a, b)) > static_cast<long double>(10 * kTolerance)) {
             const Manifold touching = collide(p.shapeA, p.a, p.shapeB, p.b, 0, 0);
             ASSERT_EQ(touching.count > 0, support::polygonsMeet(a, b)) << "pose " << i;
         }

@@ -10,12 +10,12 @@ using support::kEpsilon;
 using support::near;
 
 TEST(Affine, StartsAsTheIdentity) {
-    EXPECT_EQ(Affine{} * Vec2(3, 4), (Vec2{3, 4}));
+    EXPECT_EQ(Affine{} * (Vec2{3, 4}), (Vec2{3, 4}));
     EXPECT_EQ(Affine{}.determinant(), 1);
 }
 
 TEST(Affine, ScalesAndMirrors) {
-    EXPECT_EQ(Affine::scale(2, -3) * Vec2(1, 1), (Vec2{2, -3}));
+    EXPECT_EQ(Affine::scale(2, -3) * (Vec2{1, 1}), (Vec2{2, -3}));
     EXPECT_EQ(Affine::scale(2, -3).determinant(), -6);
 }
 
@@ -23,9 +23,9 @@ TEST(Affine, ScalesAndMirrors) {
 TEST(Affine, ProductAppliesTheRightOneFirst) {
     const Affine turn = Affine::from(Transform{{1, 0}, {0, 1}});
     const Affine stretch = Affine::scale(2, 1);
-    EXPECT_EQ((turn * stretch) * Vec2(3, 4), turn * (stretch * Vec2(3, 4)));
-    EXPECT_EQ((turn * stretch) * Vec2(3, 4), (Vec2{-3, 6}));
-    EXPECT_EQ((stretch * turn) * Vec2(3, 4), (Vec2{-6, 3}));
+    EXPECT_EQ((turn * stretch) * (Vec2{3, 4}), turn * (stretch * (Vec2{3, 4})));
+    EXPECT_EQ((turn * stretch) * (Vec2{3, 4}), (Vec2{-3, 6}));
+    EXPECT_EQ((stretch * turn) * (Vec2{3, 4}), (Vec2{-6, 3}));
 }
 
 TEST(Affine, DoesWhatATransformDoes) {

@@ -15,17 +15,17 @@ Real norm(Rot q) {
 }
 
 TEST(Rot, StartsUnturned) {
-    EXPECT_EQ(Rot{} * Vec2(3, 4), (Vec2{3, 4}));
+    EXPECT_EQ(Rot{} * (Vec2{3, 4}), (Vec2{3, 4}));
     EXPECT_EQ(Rot{}.angle(), 0);
 }
 
 TEST(Rot, TurnsCounterClockwise) {
     const Rot quarter{0, 1};
-    EXPECT_EQ(quarter * Vec2(1, 0), (Vec2{0, 1}));
+    EXPECT_EQ(quarter * (Vec2{1, 0}), (Vec2{0, 1}));
     EXPECT_EQ(quarter.xAxis(), (Vec2{0, 1}));
     EXPECT_EQ(quarter.yAxis(), (Vec2{-1, 0}));
-    EXPECT_TRUE(
-        near(Rot::fromAngle(std::numbers::pi_v<Real> / 2) * Vec2(1, 0), Vec2{0, 1}, 2 * kEpsilon));
+    EXPECT_TRUE(near(Rot::fromAngle(std::numbers::pi_v<Real> / 2) * (Vec2{1, 0}), Vec2{0, 1},
+                     2 * kEpsilon));
 }
 
 // B1: into and out of an orientation. Two products and a sum each way, of numbers up to 100.

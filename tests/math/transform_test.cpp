@@ -11,7 +11,7 @@ using support::near;
 
 TEST(Transform, TurnsFirstThenMoves) {
     const Transform t{{10, 20}, {0, 1}};
-    EXPECT_EQ(t * Vec2(3, 0), (Vec2{10, 23}));
+    EXPECT_EQ(t * (Vec2{3, 0}), (Vec2{10, 23}));
     EXPECT_EQ(toLocal(t, Vec2{10, 23}), (Vec2{3, 0}));
 }
 

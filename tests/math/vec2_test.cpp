@@ -22,7 +22,7 @@ TYPED_TEST(Vec2Of, AddsSubtractsAndScales) {
     using V = BasicVec2<TypeParam>;
     V v = V{1, 2} + V{3, -5};
     EXPECT_EQ(v, (V{4, -3}));
-    EXPECT_EQ(v - V(1, 1), (V{3, -4}));
+    EXPECT_EQ(v - (V{1, 1}), (V{3, -4}));
     EXPECT_EQ(-v, (V{-4, 3}));
     EXPECT_EQ(TypeParam{2} * v, (V{8, -6}));
     EXPECT_EQ(v * TypeParam{2}, (V{8, -6}));

@@ -65,9 +65,10 @@ TEST(WorldBodies, ACompoundTurnsAboutItsCentreOfMass) {
     // The origin has gone round the centre by 1 rad; 60 turns, each rounded at 20 m.
     const Vec2 arm = Rot::fromAngle(1) * Vec2{Real(-5) / 6, Real(-5) / 6};
     EXPECT_TRUE(near(world[id].position(), center + arm, support::byPrecision(2e-5, 1e-5)));
-    EXPECT_TRUE(world[id].contains(world[id].position() + Rot::fromAngle(1) * Vec2(1, Real(0.5))));
-    EXPECT_FALSE(
-        world[id].contains(world[id].position() + Rot::fromAngle(1) * Vec2(Real(1.5), Real(1.5))));
+    EXPECT_TRUE(
+        world[id].contains(world[id].position() + Rot::fromAngle(1) * (Vec2{1, Real(0.5)})));
+    EXPECT_FALSE(world[id].contains(world[id].position() +
+                                    Rot::fromAngle(1) * (Vec2{Real(1.5), Real(1.5)})));
 }
 
 TEST(WorldBodies, BodiesComeInTheOrderOfTheirIds) {

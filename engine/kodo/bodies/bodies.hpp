@@ -23,6 +23,7 @@ struct Motion {
 struct Acceleration {
     Vec2 linear;      // m/s^2
     Real angular = 0; // rad/s^2
+    Real effort = 0;  // m/s^2, the sum of the sizes of all forces, also of those that cancel out
 };
 
 /// The rest of a body: read once or twice a step.

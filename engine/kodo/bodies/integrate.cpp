@@ -12,6 +12,7 @@ void gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Rea
         Push push;
         push.force = std::exchange(record.force, {});
         push.torque = std::exchange(record.torque, Real(0));
+        Real effort = length(push.force);
         if (bodies.locked(i)) {
             bodies.acceleration[i] = {};
             continue;
@@ -20,6 +21,7 @@ void gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Rea
             if (accepts(entry.which, record.filter.flags)) {
                 const Push more = entry.field->at(bodies, i, dt);
                 push.force += more.force;
+                effort += length(more.force);
                 push.torque += more.torque;
                 push.drag += more.drag;
                 push.spinDrag += more.spinDrag;
@@ -27,7 +29,8 @@ void gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Rea
         }
         bodies.acceleration[i] = {
             motion.invMass / (1 + dt * push.drag * motion.invMass) * push.force,
-            motion.invInertia / (1 + dt * push.spinDrag * motion.invInertia) * push.torque};
+            motion.invInertia / (1 + dt * push.spinDrag * motion.invInertia) * push.torque,
+            motion.invMass * effort};
     }
 }
 

@@ -128,8 +128,10 @@ Manifold collideWithFaces(const Convex& line, const Transform& a, const Convex& 
         const Vec2 direction = -(ab.rotation * other.normals[face.face]);
         const std::size_t end = endTowards(line, direction);
         const Verdict verdict = judge(line, end, direction);
-        const bool outside = dot(direction, middle - line.vertices[end]) >= 0;
-        if (verdict == Verdict::Own && outside && !manifold.fromBehind) {
+        // What sits astride a steep hilltop may have its middle behind this side of it.
+        const bool astride =
+            !manifold.fromBehind && dot(direction, middle - line.vertices[end]) >= 0;
+        if (verdict == Verdict::Own && (!behind || astride)) {
             return clipAgainstFaceOfB({line, a}, {other, b}, ba, face, margin);
         }
         if (verdict == Verdict::Neighbour) {

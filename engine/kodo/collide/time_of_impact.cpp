@@ -47,7 +47,7 @@ Real advance(Mover a, Mover b, Real target, Measure separationAt) {
     for (int round = 0; round < kMostRounds; ++round) {
         const Separation now = separationAt(a.sweep.at(t), b.sweep.at(t));
         const Real gap = now.distance - target;
-        if (gap <= target / 2) {
+        if (gap <= std::abs(target) / 2) {
             return t;
         }
         const Vec2 moveA = t < a.sweep.stopAt ? a.sweep.move : Vec2{};

@@ -25,6 +25,9 @@ struct Sweep {
 /// faster than their motion along it plus what their turning adds, so that much of the step is
 /// free. A one-sided line is hit from its front alone, and a chain of them only where it really is,
 /// not on its joints.
+///
+/// The answer is found to half of `target`. A target below zero asks when two outlines that touch
+/// come as deep as that.
 Real timeOfImpact(const Convex& shapeA, const Sweep& a, const Convex& shapeB, const Sweep& b,
                   Real target);
 

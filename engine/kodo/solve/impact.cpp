@@ -51,6 +51,9 @@ void hitPoint(const Impact& hit, std::size_t i) {
     const Vec2 v = hit.relativeVelocity(i);
     const Response k{response(hit, i, n, i, n), response(hit, i, n, i, t),
                      response(hit, i, t, i, t)};
+    if (!(k.nn > 0)) {
+        return; // neither can give way along the normal
+    }
     const Real wanted = -(1 + hit.contact.material.restitution) * dot(n, v);
     const Real sliding = dot(t, v);
     const Material& material = hit.contact.material;

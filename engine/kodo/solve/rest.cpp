@@ -14,7 +14,8 @@ bool isQuiet(const Motion& motion, const Acceleration& acceleration, const Mass&
     const Real w = motion.angularVelocity;
     const Real gained = dt * acceleration.angular;
     return mass.mass * lengthSquared(motion.velocity) + mass.inertia * w * w <=
-           mass.mass * lengthSquared(dt * acceleration.linear) + mass.inertia * gained * gained;
+           mass.mass * dt * acceleration.effort * dt * acceleration.effort +
+               mass.inertia * gained * gained;
 }
 
 /// Has any point of the body moved farther than that since `since`?

@@ -14,9 +14,10 @@ namespace kodo::inline KODO_PRECISION {
 /// Puts bodies to rest that have come to lie still, and wakes them again [Thesis06, 5.2].
 ///
 /// A body is calm in a step in which it has less kinetic energy than the forces on it would give it
-/// from a standstill, so there is no threshold in m/s:
+/// from a standstill, so there is no threshold in m/s. Forces that cancel out count too, or nothing
+/// could come to rest afloat:
 ///
-///   m v^2 + I w^2 <= m (a dt)^2 + I (alpha dt)^2                    [after Thesis06, eq. 5]
+///   m v^2 + I w^2 <= m (sum |F| / m dt)^2 + I (alpha dt)^2          [after Thesis06, eq. 5]
 ///
 /// and has not crept away from where it began to be calm, which keeps a slowly tipping body (fig.
 /// 5.3) awake. Bodies that touch form an island, and rest only together, once all of them have been

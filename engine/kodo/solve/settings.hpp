@@ -33,8 +33,8 @@ struct StepSettings {
     int shockPasses = 0;       // 0..1000; of Propagation, in each level; 0: no shock propagation
     Real contactHertz = 60;    // stiffness of contacts; at most a quarter of the substep rate
     Real contactDamping = 10;  // damping ratio of contacts; 1 is critical
-    Real jointHertz = 120;     // stiffness of joints; at most half the substep rate
-    Real jointDamping = 2;     // damping ratio of joints
+    Real jointHertz = 60;      // stiffness of joints; at most a quarter of the substep rate
+    Real jointDamping = 1;     // damping ratio of joints
     Real pushSpeed = 3;        // length units/s at most, when overlapping bodies are parted
     int restSteps = 30;        // 1..1000000; calm steps in a row before an island is put to rest
     std::uint8_t leaveOut = 0; // a set of Feature

@@ -10,6 +10,9 @@
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
+// So many bodies may overlap one deeply before their pushes are shared out: no more fit around it.
+constexpr int kNeighbours = 7;
+
 /// What all rows of a substep share.
 struct PassSettings {
     Softness soft;
@@ -19,8 +22,9 @@ struct PassSettings {
 };
 
 Real effectiveMass(const Motion& a, const Motion& b, Real leverA, Real leverB) {
-    return 1 / (a.invMass + b.invMass + a.invInertia * leverA * leverA +
-                b.invInertia * leverB * leverB);
+    const Real k =
+        a.invMass + b.invMass + a.invInertia * leverA * leverA + b.invInertia * leverB * leverB;
+    return k > 0 ? 1 / k : 0; // 0: neither can give way
 }
 
 ContactRow makeRow(const Bodies& bodies, const Contact& contact, std::uint32_t place) {
@@ -75,8 +79,11 @@ void addRolling(ContactRow& row, const Bodies& bodies, const Contact& contact) {
 
 /// A row is needed once the bodies are near enough to touch within the step. Those that bounce must
 /// not be braked before they touch, or they would lose the speed they bounce with.
-bool needsRow(const Contact& contact, const StepSettings& settings, const Tolerances& tolerances) {
-    if (!contact.responds()) {
+bool needsRow(const Bodies& bodies, const Contact& contact, const StepSettings& settings,
+              const Tolerances& tolerances) {
+    // What rests is woken by a touch, not by what comes near.
+    if (!contact.responds() || bodies.resting(contact.key.bodyA) ||
+        bodies.resting(contact.key.bodyB)) {
         return false;
     }
     const bool bounces = contact.material.restitution > 0 && settings.has(Feature::Restitution);
@@ -193,13 +200,13 @@ void SoftStep::makeRows(const Bodies& bodies, std::span<const Contact> contacts,
             const Contact& contact = contacts[i];
             const bool locked = bodies.motion[contact.key.bodyA].invMass == 0 ||
                                 bodies.motion[contact.key.bodyB].invMass == 0;
-            if (locked != onLocked || !needsRow(contact, settings, tolerances)) {
+            if (locked != onLocked || !needsRow(bodies, contact, settings, tolerances)) {
                 continue;
             }
             rows_.push_back(makeRow(bodies, contact, static_cast<std::uint32_t>(i)));
-            const auto crowd =
-                std::max({crowd_[contact.key.bodyA], crowd_[contact.key.bodyB], std::uint16_t{1}});
-            rows_.back().pushSpeed = pushSpeed / static_cast<Real>(crowd);
+            const int crowd = std::max(crowd_[contact.key.bodyA], crowd_[contact.key.bodyB]);
+            rows_.back().pushSpeed =
+                pushSpeed / static_cast<Real>(std::max(1, crowd - kNeighbours));
             if (settings.has(Feature::RollingResistance)) {
                 addRolling(rows_.back(), bodies, contact);
             }
@@ -237,7 +244,7 @@ void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& join
                             Softness::from(2 * hertz, settings.contactDamping, h), 1 / h,
                             settings.has(Feature::Friction)};
     JointPass jointPass{
-        h, Softness::from(std::min(settings.jointHertz, Real(0.5) / h), settings.jointDamping, h)};
+        h, Softness::from(std::min(settings.jointHertz, Real(0.25) / h), settings.jointDamping, h)};
     joints.beginStep();
     for (int substep = 0; substep < settings.substeps; ++substep) {
         integrateVelocities(bodies, h);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -12,11 +13,15 @@ const Convex& outline(const Bodies& bodies, std::uint32_t body, std::uint16_t pa
     return bodies.form(body).parts[part].convex;
 }
 
-/// Could this pair touch within the step, and would it matter?
-bool worthSweeping(const Bodies& bodies, const Contact& contact, const StepSettings& settings,
-                   const Tolerances& tolerances) {
+/// The gap at which a pair is to be stopped, or nothing if it needs no sweep: it cannot come so
+/// close within the step, or it would not matter.
+///
+/// A pair that is apart is stopped just before it touches. One that touches already, and moves so
+/// far that its contact points cannot hold all of it, is stopped before it is through.
+std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact,
+                                const StepSettings& settings, const Tolerances& tolerances) {
     if (contact.hidden || contact.passing) {
-        return false;
+        return std::nullopt;
     }
     const Motion& a = bodies.motion[contact.key.bodyA];
     const Motion& b = bodies.motion[contact.key.bodyB];
@@ -24,17 +29,22 @@ bool worthSweeping(const Bodies& bodies, const Contact& contact, const StepSetti
     const Convex& shapeB = outline(bodies, contact.key.bodyB, contact.key.partB);
     const bool near = contact.manifold.count > 0;
     const Real gap = near ? contact.manifold.points[0].separation : tolerances.margin;
-    if (gap <= tolerances.slop) {
-        return false; // touching already: the rows hold it
-    }
     // Not their relative motion: one of them may be stopped by something else.
     const Real motion = length(a.move) + length(b.move) + std::abs(a.turn) * shapeA.reach +
                         std::abs(b.turn) * shapeB.reach;
     if (motion < gap) {
-        return false;
+        return std::nullopt;
     }
-    const bool bounces = contact.material.restitution > 0 && settings.has(Feature::Restitution);
-    return bounces || contact.sensor || motion > std::min(shapeA.inside, shapeB.inside) / 2;
+    const Real thinner = std::min(shapeA.inside, shapeB.inside);
+    const bool far = motion > thinner / 2;
+    if (gap > tolerances.slop) {
+        const bool bounces = contact.material.restitution > 0 && settings.has(Feature::Restitution);
+        return bounces || contact.sensor || far ? std::optional(tolerances.slop / 64)
+                                                : std::nullopt;
+    }
+    const Real deepest = std::min(4 * tolerances.slop, thinner);
+    const bool holds = !far || shapeA.oneSided || shapeB.oneSided || contact.sensor;
+    return holds || gap < -deepest / 4 ? std::nullopt : std::optional(-deepest);
 }
 
 Sweep sweepOf(const Bodies& bodies, std::uint32_t body, Real stopAt) {
@@ -43,12 +53,11 @@ Sweep sweepOf(const Bodies& bodies, std::uint32_t body, Real stopAt) {
 }
 
 Real impactTime(const Bodies& bodies, const Contact& contact, std::span<const Real> stopAt,
-                const Tolerances& tolerances) {
+                Real gap) {
     const ContactKey& key = contact.key;
-    return timeOfImpact(outline(bodies, key.bodyA, key.partA),
-                        sweepOf(bodies, key.bodyA, stopAt[key.bodyA]),
-                        outline(bodies, key.bodyB, key.partB),
-                        sweepOf(bodies, key.bodyB, stopAt[key.bodyB]), tolerances.slop / 4);
+    return timeOfImpact(
+        outline(bodies, key.bodyA, key.partA), sweepOf(bodies, key.bodyA, stopAt[key.bodyA]),
+        outline(bodies, key.bodyB, key.partB), sweepOf(bodies, key.bodyB, stopAt[key.bodyB]), gap);
 }
 
 /// Cuts a body's motion off. The velocity loses what the forces gave it after that moment.
@@ -68,10 +77,10 @@ void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSett
     candidates_.clear();
     bool sensors = false;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-        if (worthSweeping(bodies, contacts[i], settings, tolerances)) {
+        if (const auto gap = stoppingGap(bodies, contacts[i], settings, tolerances)) {
             sensors = sensors || contacts[i].sensor;
             if (!contacts[i].sensor) {
-                candidates_.push_back({static_cast<std::uint32_t>(i), 0, false});
+                candidates_.push_back({static_cast<std::uint32_t>(i), *gap, 0, false});
             }
         }
     }
@@ -79,7 +88,7 @@ void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSett
         return;
     }
     stopAt_.assign(bodies.size(), 1);
-    stopInOrder(bodies, contacts, tolerances);
+    stopInOrder(bodies, contacts);
     if (sensors) {
         noticeSensors(bodies, contacts, settings, tolerances);
     }
@@ -92,10 +101,9 @@ void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSett
 
 /// Takes the impacts in the order of their time. Each changes the way of its two bodies, so the
 /// later impacts of these are found anew.
-void SweepStage::stopInOrder(const Bodies& bodies, std::span<const Contact> contacts,
-                             const Tolerances& tolerances) {
+void SweepStage::stopInOrder(const Bodies& bodies, std::span<const Contact> contacts) {
     for (Candidate& candidate : candidates_) {
-        candidate.time = impactTime(bodies, contacts[candidate.contact], stopAt_, tolerances);
+        candidate.time = impactTime(bodies, contacts[candidate.contact], stopAt_, candidate.gap);
     }
     while (true) {
         Candidate* first = nullptr;
@@ -120,7 +128,7 @@ void SweepStage::stopInOrder(const Bodies& bodies, std::span<const Contact> cont
             const bool shares = k.bodyA == key.bodyA || k.bodyA == key.bodyB ||
                                 k.bodyB == key.bodyA || k.bodyB == key.bodyB;
             if (!other.done && other.time < 1 && shares) {
-                other.time = impactTime(bodies, contacts[other.contact], stopAt_, tolerances);
+                other.time = impactTime(bodies, contacts[other.contact], stopAt_, other.gap);
             }
         }
     }
@@ -129,8 +137,10 @@ void SweepStage::stopInOrder(const Bodies& bodies, std::span<const Contact> cont
 void SweepStage::noticeSensors(const Bodies& bodies, std::span<Contact> contacts,
                                const StepSettings& settings, const Tolerances& tolerances) {
     for (Contact& contact : contacts) {
-        if (contact.sensor && worthSweeping(bodies, contact, settings, tolerances)) {
-            contact.touching = impactTime(bodies, contact, stopAt_, tolerances) < 1;
+        const auto gap =
+            contact.sensor ? stoppingGap(bodies, contact, settings, tolerances) : std::nullopt;
+        if (gap) {
+            contact.touching = impactTime(bodies, contact, stopAt_, *gap) < 1;
         }
     }
 }

@@ -27,12 +27,12 @@ public:
 private:
     struct Candidate {
         std::uint32_t contact;
+        Real gap;  // m, at which it is to be stopped
         Real time; // share of the step
         bool done;
     };
 
-    void stopInOrder(const Bodies& bodies, std::span<const Contact> contacts,
-                     const Tolerances& tolerances);
+    void stopInOrder(const Bodies& bodies, std::span<const Contact> contacts);
     void noticeSensors(const Bodies& bodies, std::span<Contact> contacts,
                        const StepSettings& settings, const Tolerances& tolerances);
 

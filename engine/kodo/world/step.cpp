@@ -100,9 +100,10 @@ void World::breakJoints(Real dt) {
 
 void World::recordCollisions() {
     records_.clear();
-    for (const std::uint32_t body : bodies_.awake) {
+    for (const std::uint32_t body : colliding_) {
         bodies_.record[body].filter.flags &= ~kColliding;
     }
+    colliding_.clear();
     const bool wanted = settings_.has(Feature::Records);
     for (Contact& contact : contacts_.contacts()) {
         finishContact(contact, tolerances_);
@@ -111,17 +112,22 @@ void World::recordCollisions() {
         }
         contact.wasTouching = contact.touching;
         if (contact.touching) {
-            bodies_.record[contact.key.bodyA].filter.flags |= kColliding;
-            bodies_.record[contact.key.bodyB].filter.flags |= kColliding;
+            for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
+                Flags& flags = bodies_.record[body].filter.flags;
+                if ((flags & kColliding) == 0) {
+                    flags |= kColliding;
+                    colliding_.push_back(body);
+                }
+            }
         }
     }
     const std::span<const CollisionRecord> ended = contacts_.ended();
     if (wanted && !ended.empty()) {
         records_.insert(records_.end(), ended.begin(), ended.end());
         const auto key = [](const CollisionRecord& r) {
-            return std::tie(r.a, r.partA, r.b, r.partB, r.phase);
+            return std::make_tuple(r.a, r.partA, r.b, r.partB, r.phase != TouchPhase::End);
         };
-        std::sort(records_.begin(), records_.end(), // total order: a pair has one record, or an End
+        std::sort(records_.begin(), records_.end(), // total order: one record a pair, or an End
                   [&](const CollisionRecord& r, const CollisionRecord& s) { // and a new Begin
                       return key(r) < key(s);
                   });

@@ -79,7 +79,8 @@ public:
     /// any other dt.
     void step(Real dt);
     /// What touched in the last step, ordered by bodies and parts. Valid until the next step,
-    /// whatever is added, removed or welded meanwhile.
+    /// whatever is added, removed or welded meanwhile. Pairs that rest have no records until they
+    /// wake; they have not ended.
     std::span<const CollisionRecord> collisions() const { return records_; }
 
     /// Only bodies whose bounds meet the region take part in steps; the others wait where they are.
@@ -134,6 +135,7 @@ private:
     std::vector<BodyId> frozen_;
     std::optional<Aabb> region_;
     std::vector<CollisionRecord> records_;
+    std::vector<std::uint32_t> colliding_; // bodies with kColliding
     std::shared_ptr<const Form> lastForm_; // equal bodies are usually added in a row
 };
 

@@ -135,9 +135,14 @@ void Game::govern() {
             continue;
         }
         normals.clear();
+        bool touching = false; // also where it leaves an overlap, faster than what pushed it
         bool rubble = false;
         for (const kodo::CollisionRecord& hit : world_.collisions()) {
-            if (hit.maxImpulse > 0 && hit.involves(ball.body)) {
+            if (!hit.involves(ball.body)) {
+                continue;
+            }
+            touching = touching || hit.maxImpulse > 0 || hit.separation < 0;
+            if (hit.maxImpulse > 0) {
                 normals.push_back(hit.b == ball.body ? hit.normal : -hit.normal);
                 rubble = rubble || isRubble(hit.other(ball.body));
             }
@@ -145,9 +150,9 @@ void Game::govern() {
         kodo::BodyRef body = world_[ball.body];
         const Vec2 velocity = body.velocity();
         Vec2 next = velocity;
-        if (normals.empty()) {
+        if (!touching) {
             next = held(velocity, ball.heading, ballSpeed());
-        } else {
+        } else if (!normals.empty()) {
             next = rubble ? throwOff(velocity, ball.heading, normals, ballSpeed()) : velocity;
             next = turnedFromFlat(next, normals);
         }
