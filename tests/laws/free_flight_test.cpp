@@ -26,9 +26,7 @@ TEST(FreeFlight, AProjectileFollowsTheParabolaFor4s) {
             world.step(dt);
             const long double t = static_cast<long double>(i) * static_cast<long double>(dt);
             const BasicVec2<long double> expected{1 + 7 * t, 2 + 19 * t - 5 * t * t};
-            const Vec2 found = world[ball].position();
-            ASSERT_TRUE(near(BasicVec2<long double>{found.x, found.y}, expected,
-                             byPrecision(1e-5, 1e-11) * rate))
+            ASSERT_TRUE(near(world[ball].position(), expected, byPrecision(1e-5, 1e-11) * rate))
                 << "step " << i;
         }
     }

@@ -33,8 +33,8 @@ testing::AssertionResult near(A actual, B expected, C tolerance) {
            << a << " should be " << b << " but is off by " << a - b << ", more than " << most;
 }
 
-template <typename T, typename C>
-testing::AssertionResult near(kodo::BasicVec2<T> actual, kodo::BasicVec2<T> expected, C tolerance) {
+template <typename T, typename U, typename C>
+testing::AssertionResult near(kodo::BasicVec2<T> actual, kodo::BasicVec2<U> expected, C tolerance) {
     const testing::AssertionResult x = near(actual.x, expected.x, tolerance);
     const testing::AssertionResult y = near(actual.y, expected.y, tolerance);
     return !x   ? testing::AssertionFailure() << "x: " << x.message()

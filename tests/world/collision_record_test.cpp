@@ -142,7 +142,8 @@ private:
     std::set<PairKey> seen_;
 };
 
-// S2: begin, persist, end, always paired, in a heap in which bodies come, go and are welded.
+// S2: begin, persist, end, always paired, in a heap in which bodies come, go, are welded and
+// taken apart.
 TEST(CollisionRecord, PhasesAreAlwaysPaired) {
     constexpr std::uint64_t kSeed = 141;
     support::RandomNumbers random(kSeed);
@@ -159,6 +160,8 @@ TEST(CollisionRecord, PhasesAreAlwaysPaired) {
             if (step % 40 == 10) {
                 world.remove(victim);
                 world.add(ballDef({random.between(-4, 4), 8}, Real(0.3)));
+            } else if (step % 80 == 30 && world[bodies[3]].partCount() > 1) {
+                world.unweld(bodies[3], world[bodies[3]].partCount() - 1);
             } else if (victim != bodies[3]) {
                 world.weld(bodies[3], victim);
             }
@@ -262,6 +265,7 @@ TEST(CollisionRecord, SetsTheCollidingFlag) {
     world[box].setPosition({0, 50});
     world.step(kDt);
     EXPECT_EQ(world[box].flags() & kColliding, 0u);
+    EXPECT_EQ(world[floor].flags() & kColliding, 0u);
 }
 
 // W3: left out, there are none, and nothing else changes.

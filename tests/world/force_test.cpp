@@ -68,7 +68,8 @@ TEST(Force, RandomImpulsesAddUp) {
         const Vec2 impulse = random.point(1);
         const Vec2 point = random.point(3);
         world[box].applyImpulse(impulse, point);
-        momentum += BasicVec2<long double>{impulse.x, impulse.y};
+        momentum += BasicVec2<long double>{static_cast<long double>(impulse.x),
+                                           static_cast<long double>(impulse.y)};
         spin += static_cast<long double>(cross(point, impulse));
     }
     const support::Totals totals = support::totalsOf(world);

@@ -116,8 +116,8 @@ Manifold clipAgainstFace(Placed a, Placed b, const Transform& ab, const FaceAxis
 }
 
 Manifold clipAgainstFaceOfB(Placed a, Placed b, const Transform& ba, const FaceAxis& axis,
-                            Real margin) {
-    Manifold manifold = clipAgainstFace(b, a, ba, axis, margin);
+                            Real margin, BeyondEnds beyond) {
+    Manifold manifold = clipAgainstFace(b, a, ba, axis, margin, beyond);
     manifold.normal = -manifold.normal;
     for (ManifoldPoint& point : manifold.points) {
         std::swap(point.armA, point.armB);

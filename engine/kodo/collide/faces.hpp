@@ -38,7 +38,7 @@ Manifold clipAgainstFace(Placed a, Placed b, const Transform& ab, const FaceAxis
 /// The same with the face on b, whose features are told apart from those of a; `ba` is a as seen
 /// from b.
 Manifold clipAgainstFaceOfB(Placed a, Placed b, const Transform& ba, const FaceAxis& axis,
-                            Real margin);
+                            Real margin, BeyondEnds beyond = BeyondEnds::DeepestCorner);
 
 /// Outlines with faces: polygons, and lines from both sides.
 Manifold collideFaces(const Convex& shapeA, const Transform& a, const Convex& shapeB,

@@ -108,6 +108,27 @@ Verdict judge(const Convex& line, std::size_t end, Vec2 direction) {
     return ownsDirection(line, end, direction) ? Verdict::Own : Verdict::Neighbour;
 }
 
+/// The face over the hilltop at the line's start that is the nearest of those whose directions the
+/// line owns.
+Manifold overHilltop(Placed line, Placed other, const Transform& ba, Real margin) {
+    const Vec2 top = ba * line.shape.vertices[0];
+    FaceAxis best{0, 0, -std::numeric_limits<Real>::infinity()};
+    for (std::size_t i = 0; i < other.shape.normals.size(); ++i) {
+        const Vec2 normal = other.shape.normals[i];
+        const Real height = dot(normal, top - other.shape.vertices[i]);
+        if (height > best.separation &&
+            ownsDirection(line.shape, 0, -unrotate(ba.rotation, normal))) {
+            best = {i, 0, height};
+        }
+    }
+    const Vec2 middle = top - other.shape.middle;
+    if (isFree(line.shape, 0) || dot(other.shape.normals[best.face], middle) < 0 ||
+        !(best.separation > -std::numeric_limits<Real>::infinity())) {
+        return {};
+    }
+    return clipAgainstFaceOfB(line, other, ba, best, margin, BeyondEnds::Nothing);
+}
+
 Manifold collideWithFaces(const Convex& line, const Transform& a, const Convex& other,
                           const Transform& b, Real margin, Real preference) {
     const Transform ab = between(a, b);
@@ -135,7 +156,12 @@ Manifold collideWithFaces(const Convex& line, const Transform& a, const Convex& 
             return clipAgainstFaceOfB({line, a}, {other, b}, ba, face, margin);
         }
         if (verdict == Verdict::Neighbour) {
-            return manifold;
+            // A corner that has only just passed a hilltop would leave soonest by its side. But the
+            // hilltop is under a face of it, or the corner over this line now.
+            manifold = overHilltop({line, a}, {other, b}, ba, margin);
+            if (manifold.count > 0 || !ownsAlong(line, ab * other.vertices[support])) {
+                return manifold;
+            }
         }
         if (verdict == Verdict::Aside && front.separation < -margin / 2) {
             manifold.fromBehind = true;

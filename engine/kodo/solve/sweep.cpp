@@ -42,8 +42,11 @@ std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact,
         return bounces || contact.sensor || far ? std::optional(tolerances.slop / 64)
                                                 : std::nullopt;
     }
-    const Real deepest = std::min(4 * tolerances.slop, thinner);
-    const bool holds = !far || shapeA.oneSided || shapeB.oneSided || contact.sensor;
+    // Beyond the middles of both they would leave each other on the wrong side.
+    const Real thickness = shapeA.inside + shapeB.inside;
+    const Real deepest = std::min(4 * tolerances.slop, thickness);
+    const bool holds =
+        !far || motion < thickness / 2 || shapeA.oneSided || shapeB.oneSided || contact.sensor;
     return holds || gap < -deepest / 4 ? std::nullopt : std::optional(-deepest);
 }
 

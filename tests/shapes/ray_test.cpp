@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/shapes/ray.hpp>
+#include <support/every_shape.hpp>
+#include <support/near.hpp>
+
+namespace kodo {
+namespace {
+
+using support::near;
+
+using Wide = long double;
+using WideRay = BasicRay<Wide>;
+using WideVec = BasicVec2<Wide>;
+constexpr Wide kTolerance = 1e-17L; // a dozen roundings of values near 1
+
+template <typename Shape>
+void expectHit(const Shape& shape, const WideRay& ray, Wide fraction, WideVec normal) {
+    const auto hit = rayCast(shape, ray);
+    ASSERT_TRUE(hit);
+    EXPECT_TRUE(near(hit->fraction, fraction, kTolerance));
+    EXPECT_TRUE(near(hit->normal, normal, kTolerance));
+}
+
+BasicPolygon<Wide> square() {
+    return {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+}
+
+// P1: closed forms, in long double.
+TEST(RayCast, MeetsEachPrimitiveWhereItShould) {
+    const WideRay down{{0.6L, 5}, {0.6L, -5}};
+    expectHit(BasicCircle<Wide>{1, {0, 0}}, down, 0.42L, {0.6L, 0.8L});
+    expectHit(square(), down, 0.4L, {0, 1});
+    expectHit(BasicBox<Wide>{2, 2, {0, 0}, {}}, down, 0.4L, {0, 1});
+    expectHit(BasicAabb<Wide>{{-1, -1}, {1, 1}}, down, 0.4L, {0, 1});
+    expectHit(BasicPlane<Wide>{{0, 1}, 1}, down, 0.4L, {0, 1});
+    expectHit(BasicSegment<Wide>{{-1, 0}, {1, 0}, false, {}, {}}, down, 0.5L, {0, 1});
+    expectHit(BasicPoint<Wide>{{0.6L, 0}}, down, 0.5L, {0, 1});
+    expectHit(BasicBox<Wide>{2, 2, {0, 0}, {0.6L, 0.8L}}, {{0, 5}, {0, -5}}, 0.375L, {0.6L, 0.8L});
+}
+
+TEST(RayCast, MissesWhatLiesBesideBehindOrBeyondIt) {
+    const WideRay right{{2, 0}, {5, 0}};
+    EXPECT_FALSE(rayCast(BasicCircle<Wide>{1, {0, 0}}, right)) << "behind";
+    EXPECT_FALSE(rayCast(square(), right));
+    EXPECT_FALSE(rayCast(BasicCircle<Wide>{1, {7, 0}}, right)) << "beyond";
+    EXPECT_FALSE(rayCast(BasicBox<Wide>{2, 2, {7, 0}, {}}, right));
+    EXPECT_FALSE(rayCast(BasicCircle<Wide>{1, {3, 2}}, right)) << "beside";
+    EXPECT_FALSE(rayCast(BasicBox<Wide>{2, 2, {3, 2}, {}}, right));
+    EXPECT_FALSE(rayCast(BasicPlane<Wide>{{0, 1}, -1}, right)) << "along the surface";
+    EXPECT_FALSE(rayCast(BasicSegment<Wide>{{3, 1}, {3, 2}, false, {}, {}}, right));
+    EXPECT_FALSE(rayCast(BasicPoint<Wide>{{3, 1e-15L}}, right));
+}
+
+// Touching counts: tangent to a circle, along a side, through a corner, up to the surface.
+TEST(RayCast, CountsATouchAsAHit) {
+    expectHit(BasicCircle<Wide>{1, {0, 0}}, {{-2, 1}, {2, 1}}, 0.5L, {0, 1});
+    expectHit(square(), {{-2, 1}, {2, 1}}, 0.25L, {-1, 0});
+    expectHit(BasicBox<Wide>{2, 2, {0, 0}, {}}, {{-2, 1}, {2, 1}}, 0.25L, {-1, 0});
+    EXPECT_TRUE(rayCast(square(), WideRay{{-2, 0}, {0, 2}})) << "the corner at (-1, 1)";
+    expectHit(BasicPlane<Wide>{{0, 1}, 0}, {{0, 1}, {0, 0}}, 1, {0, 1});
+    expectHit(BasicCircle<Wide>{1, {0, 0}}, {{-3, 0}, {-1, 0}}, 1, {-1, 0});
+    const WideRay atEnd{{1, 1}, {1, -1}};
+    expectHit(BasicSegment<Wide>{{-1, 0}, {1, 0}, false, {}, {}}, atEnd, 0.5L, {0, 1});
+}
+
+TEST(RayCast, IsThereAlreadyWhenItStartsInside) {
+    const WideRay out{{0, 0}, {5, 0}};
+    expectHit(BasicCircle<Wide>{1, {0, 0}}, out, 0, {});
+    expectHit(square(), out, 0, {});
+    expectHit(BasicBox<Wide>{2, 2, {0, 0}, {}}, out, 0, {});
+    expectHit(BasicPlane<Wide>{{1, 0}, 1}, out, 0, {});
+    expectHit(BasicSegment<Wide>{{-1, 0}, {1, 0}, false, {}, {}}, out, 0, {});
+}
+
+TEST(RayCast, AlongASegmentMeetsItsNearerEnd) {
+    const BasicSegment<Wide> segment{{-1, 0}, {1, 0}, false, {}, {}};
+    expectHit(segment, {{-5, 0}, {5, 0}}, 0.4L, {-1, 0});
+    expectHit(segment, {{5, 0}, {-5, 0}}, 0.4L, {1, 0});
+    EXPECT_FALSE(rayCast(segment, WideRay{{-5, 1}, {5, 1}})) << "parallel, beside it";
+    EXPECT_FALSE(rayCast(segment, WideRay{{-5, 0}, {-2, 0}})) << "too short";
+}
+
+TEST(RayCast, MeetsAOneSidedSegmentFromItsFrontAlone) {
+    const BasicSegment<Wide> segment{{-1, 0}, {1, 0}, true, {}, {}};
+    expectHit(segment, {{0, 1}, {0, -1}}, 0.5L, {0, 1});
+    EXPECT_FALSE(rayCast(segment, WideRay{{0, -1}, {0, 1}}));
+    EXPECT_FALSE(rayCast(segment, WideRay{{-5, 0}, {5, 0}}));
+}
+
+TEST(RayCast, WithoutLengthHitsOnlyWhatItIsIn) {
+    const WideRay here{{0, 0}, {0, 0}};
+    EXPECT_TRUE(rayCast(square(), here));
+    EXPECT_FALSE(rayCast(BasicCircle<Wide>{1, {3, 0}}, here));
+    EXPECT_FALSE(rayCast(BasicBox<Wide>{1, 1, {3, 0}, {}}, here));
+    EXPECT_FALSE(rayCast(BasicSegment<Wide>{{1, -1}, {1, 1}, false, {}, {}}, here));
+}
+
+// The point that is found lies on the outline, and nothing of the ray before it is inside: by
+// taking 200 samples. 10,000 rays at each.
+TEST(RayCast, EntersWhereFineSamplingDoes) {
+    support::RandomNumbers random(151);
+    const Real tolerance = support::byPrecision(1e-5, 1e-13);
+    const auto tryOne = [&](const auto& shape, const Ray& ray) {
+        const auto hit = rayCast(shape, ray);
+        Real first = 2;
+        for (int i = 200; i >= 0; --i) {
+            const Real at = static_cast<Real>(i) / 200;
+            first = contains(shape, ray.at(at)) ? at : first;
+        }
+        if (!hit) {
+            ASSERT_EQ(first, 2) << "the ray passes through";
+            return;
+        }
+        ASSERT_LE(hit->fraction, first + tolerance);
+        if (hit->normal != Vec2{}) {
+            ASSERT_FALSE(contains(shape, ray.at(hit->fraction) + tolerance * hit->normal));
+            ASSERT_LT(dot(hit->normal, ray.way()), tolerance);
+        }
+        if (first < 2 && first > 0) { // between two samples
+            ASSERT_GT(hit->fraction, first - Real(1) / 200 - tolerance);
+        }
+    };
+    for (int i = 0; i < 10000 && !testing::Test::HasFatalFailure(); ++i) {
+        const Ray ray{random.point(3), random.point(3)};
+        tryOne(support::randomPolygon(random, 3 + random.below(14)), ray);
+        tryOne(Circle{random.between(0.2, 1.5), random.point(0.5)}, ray);
+        tryOne(Box{random.between(0.2, 3), random.between(0.2, 3), random.point(0.5),
+                   random.rotation()},
+               ray);
+        tryOne(Plane{random.rotation().xAxis(), random.between(-1, 1)}, ray);
+    }
+}
+
+} // namespace
+} // namespace kodo

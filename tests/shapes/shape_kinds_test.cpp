@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/shapes/convex.hpp>
+#include <kodo/shapes/mass.hpp>
+#include <support/every_shape.hpp>
+#include <support/near.hpp>
+
+#include <limits>
+
+namespace kodo {
+namespace {
+
+using support::near;
+
+constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+
+std::string fieldOf(const Shape& shape) {
+    const std::optional<Problem> problem = check(shape);
+    return problem ? problem->field : "";
+}
+
+Segment segment(Vec2 from, Vec2 to) {
+    return {from, to, false, {}, {}};
+}
+
+// P1: what cannot be used is named by its field.
+TEST(ShapeKinds, NameTheFieldThatIsWrong) {
+    EXPECT_EQ(fieldOf(Point{{0, kInfinity}}), "position");
+    EXPECT_EQ(fieldOf(segment({kInfinity, 0}, {1, 0})), "from");
+    EXPECT_EQ(fieldOf(segment({1, 0}, {1, 0})), "to");
+    EXPECT_EQ(fieldOf(segment({1, 0}, {1, kInfinity})), "to");
+    EXPECT_EQ(fieldOf(Segment{{0, 0}, {1, 0}, true, Vec2{0, 0}, {}}), "before");
+    EXPECT_EQ(fieldOf(Segment{{0, 0}, {1, 0}, true, {}, Vec2{1, 0}}), "after");
+    EXPECT_EQ(fieldOf(Segment{{0, 0}, {1, 0}, false, {}, Vec2{2, 0}}), "after");
+    EXPECT_EQ(fieldOf(Plane{{0, 2}, 0}), "normal");
+    EXPECT_EQ(fieldOf(Plane{{0, 1}, kInfinity}), "offset");
+    EXPECT_EQ(fieldOf(Heightmap{{kInfinity, 0}, 1, {0, 1}}), "origin");
+    EXPECT_EQ(fieldOf(Heightmap{{0, 0}, 0, {0, 1}}), "spacing");
+    EXPECT_EQ(fieldOf(Heightmap{{Real(1e20), 0}, 1, {0, 1}}), "spacing");
+    EXPECT_EQ(fieldOf(Heightmap{{0, 0}, 1, {0}}), "heights");
+    EXPECT_EQ(fieldOf(Heightmap{{0, 0}, 1, {0, 1, kInfinity}}), "heights[2]");
+    EXPECT_EQ(fieldOf(Heightmap{{0, 0}, 1, std::vector<Real>(kMaxHeights + 1, 0)}), "heights");
+    EXPECT_EQ(fieldOf(Compound{{Point{}, segment({0, 0}, {0, 0})}}), "parts[1].to");
+}
+
+TEST(ShapeKinds, LetGoodOnesThrough) {
+    support::RandomNumbers random(161);
+    for (int i = 0; i < 1000; ++i) {
+        for (const support::AnyKind kind : support::kEveryKind) {
+            EXPECT_FALSE(check(support::randomPrimitive(random, kind))) << support::nameOf(kind);
+        }
+    }
+    EXPECT_FALSE(check(Shape(Heightmap{{-5, 2}, Real(0.5), {0, 1, -1}})));
+}
+
+// R4: a point is `density` kg, a segment so many kg for each metre.
+TEST(ShapeKinds, WeighWhatTheyShould) {
+    const Mass point = massOf(Point{{1, 2}}, Real(3));
+    EXPECT_EQ(point.mass, 3);
+    EXPECT_EQ(point.inertia, 0);
+    EXPECT_EQ(point.center, (Vec2{1, 2}));
+    const Mass rod = massOf(segment({0, 0}, {3, 4}), Real(2));
+    EXPECT_EQ(rod.mass, 10);
+    EXPECT_TRUE(near(rod.inertia, 250 / 12.0L, 8 * support::kEpsilon * 20));
+    EXPECT_EQ(rod.center, (Vec2{Real(1.5), 2}));
+    const Mass both = combine(massOf(Plane{{0, 1}, 2}, Real(1)), massOf(Plane{{0, 1}, 4}, Real(1)));
+    EXPECT_EQ(both.mass, 0);
+    EXPECT_EQ(both.center, (Vec2{0, 3})) << "nothing to weigh by, but no NaN";
+}
+
+// F2: cells from left to right, each with the corners beside it.
+TEST(ShapeKinds, AHeightmapIsARowOfOneSidedSegments) {
+    const std::vector<Primitive> cells = primitivesOf(Shape(Heightmap{{1, 10}, 2, {0, 1, 3}}));
+    ASSERT_EQ(cells.size(), 2u);
+    EXPECT_EQ(std::get<Segment>(cells[0]), (Segment{{1, 10}, {3, 11}, true, {}, Vec2{5, 13}}));
+    EXPECT_EQ(std::get<Segment>(cells[1]), (Segment{{3, 11}, {5, 13}, true, Vec2{1, 10}, {}}));
+    const Convex first = convexOf(cells[0], {});
+    const Convex second = convexOf(cells[1], {});
+    EXPECT_EQ(first.after, -perp(second.normals[1])) << "to the bit";
+    EXPECT_EQ(second.before, -perp(first.normals[1]));
+}
+
+TEST(ShapeKinds, OnlyWhatHasNoEndOrIsGroundNeedsALock) {
+    EXPECT_TRUE(needsLock(Shape(Plane{})));
+    EXPECT_TRUE(needsLock(Shape(Heightmap{{0, 0}, 1, {0, 0}})));
+    EXPECT_TRUE(needsLock(Shape(Compound{{Circle{1}, Plane{}}})));
+    EXPECT_FALSE(needsLock(Shape(Compound{{Circle{1}, Point{}}})));
+    EXPECT_FALSE(needsLock(Shape(segment({0, 0}, {1, 0}))));
+}
+
+// The half-plane is solid below its surface, and so are its bounds, as far as they can be.
+TEST(ShapeKinds, APlaneHasFiniteBoundsOnItsSurface) {
+    const Convex plane = convexOf(Plane{{0, 1}, 2}, {});
+    const Aabb up = boundsOf(plane, {{5, 1}, {}});
+    EXPECT_EQ(up.upper, (Vec2{kEndless, 3}));
+    EXPECT_EQ(up.lower, (Vec2{-kEndless, -kEndless}));
+    const Aabb left = boundsOf(plane, {{5, 1}, {0, 1}}); // turned: its normal is (-1, 0)
+    EXPECT_EQ(left.lower, (Vec2{3, -kEndless}));
+    EXPECT_EQ(left.upper, (Vec2{kEndless, kEndless}));
+    support::RandomNumbers random(162);
+    for (int i = 0; i < 10000; ++i) {
+        const Convex any = convexOf(support::randomPrimitive(random, support::AnyKind::Plane), {});
+        const Transform t = random.pose(10);
+        const Vec2 p = random.point(20);
+        if (contains(any, t, p)) {
+            ASSERT_TRUE(boundsOf(any, t).contains(p));
+        }
+    }
+}
+
+// Moving a shape and placing it are the same.
+TEST(ShapeKinds, MovedIsTheSameAsPlaced) {
+    support::RandomNumbers random(163);
+    const Real tolerance = support::byPrecision(4e-6, 1e-14); // up to 6 m, a few roundings
+    for (int i = 0; i < 2000; ++i) {
+        for (const support::AnyKind kind : support::kEveryKind) {
+            const Primitive primitive = support::randomPrimitive(random, kind);
+            const Transform t = random.pose(4);
+            const Convex placed = convexOf(primitive, {});
+            const Convex movedOne = convexOf(moved(primitive, t), {});
+            ASSERT_EQ(placed.vertices.size(), movedOne.vertices.size());
+            ASSERT_EQ(placed.oneSided, movedOne.oneSided);
+            ASSERT_TRUE(near(t.rotation * placed.before, movedOne.before, tolerance));
+            ASSERT_TRUE(near(t.rotation * placed.after, movedOne.after, tolerance));
+            for (std::size_t k = 0; k < placed.normals.size(); ++k) {
+                ASSERT_TRUE(
+                    near(t.rotation * placed.normals[k], movedOne.normals[k], 16 * tolerance));
+                const Vec2 gap = t * placed.vertices[k] - movedOne.vertices[k];
+                ASSERT_TRUE(near(dot(movedOne.normals[k], gap), 0, tolerance));
+            }
+        }
+    }
+}
+
+// A line has nothing inside but itself.
+TEST(ShapeKinds, ALineContainsOnlyItself) {
+    const Convex line = convexOf(segment({-1, 0}, {1, 0}), {});
+    EXPECT_TRUE(contains(line, {}, {Real(0.5), 0}));
+    EXPECT_FALSE(contains(line, {}, {Real(0.5), Real(1e-6)}));
+    EXPECT_FALSE(contains(line, {}, {Real(1.5), 0}));
+}
+
+} // namespace
+} // namespace kodo

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/collide/cast.hpp>
+#include <kodo/collide/distance.hpp>
+#include <kodo/world/queries.hpp>
+#include <support/every_shape.hpp>
+#include <support/near.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+namespace kodo {
+namespace {
+
+using support::near;
+
+constexpr Flags kRed = 1;
+constexpr Flags kBlue = 2;
+constexpr CollisionFilter kRedOnly{kMatchAny, kRed};
+
+/// 60 bodies of every kind, some of them compounds, some disabled.
+World crowd(std::uint64_t seed) {
+    support::RandomNumbers random(seed);
+    World world;
+    for (int i = 0; i < 60; ++i) {
+        BodyDef def;
+        const support::AnyKind kind = support::kEveryKind[random.below(8)];
+        const Primitive primitive = support::randomPrimitive(random, kind);
+        if (i % 5 == 0) {
+            def.shape = Compound{{primitive, support::randomPrimitive(random, support::Kind::Box)}};
+        } else {
+            def.shape = Compound{{primitive}};
+        }
+        def.position = random.point(12);
+        def.rotation = random.rotation();
+        def.flags = (i % 2 == 0 ? kRed : kBlue) | kLocked | (i % 7 == 0 ? kDisabled : 0);
+        if (kind != support::AnyKind::Plane || i % 9 == 0) { // a few planes only: they are big
+            world.add(def);
+        }
+    }
+    return world;
+}
+
+/// Every part of every body that a query may answer with.
+template <typename Visit>
+void forAsked(const World& world, CollisionFilter which, Visit visit) {
+    for (const BodyId id : world.bodies()) {
+        const BodyView body = world[id];
+        if ((body.flags() & kDisabled) == 0 && accepts(which, body.flags())) {
+            for (std::size_t i = 0; i < body.partCount(); ++i) {
+                visit(body, i);
+            }
+        }
+    }
+}
+
+// Against all parts of all bodies, without bounds.
+TEST(Queries, RayCastAllFindsWhatBruteForceFinds) {
+    support::RandomNumbers random(181);
+    std::size_t hits = 0;
+    for (int k = 0; k < 20; ++k) {
+        const World world = crowd(static_cast<std::uint64_t>(k));
+        for (int i = 0; i < 50; ++i) {
+            const Vec2 from = random.point(15);
+            const Vec2 to = random.point(15);
+            const CollisionFilter which = i % 2 == 0 ? CollisionFilter{} : kRedOnly;
+            std::vector<QueryHit> expected;
+            forAsked(world, which, [&](const BodyView& body, std::size_t part) {
+                const auto hit = rayCast(body.part(part).convex, body.placement(), Ray{from, to});
+                if (hit) {
+                    expected.push_back(
+                        {body.id(), static_cast<std::uint16_t>(part), hit->fraction, {}, {}});
+                }
+            });
+            std::sort(expected.begin(), expected.end(), [](const auto& a, const auto& b) {
+                return std::tie(a.fraction, a.body, a.part) < std::tie(b.fraction, b.body, b.part);
+            });
+            const std::vector<QueryHit> found = rayCastAll(world, from, to, which);
+            ASSERT_EQ(found.size(), expected.size());
+            for (std::size_t n = 0; n < found.size(); ++n) {
+                ASSERT_EQ(found[n].body, expected[n].body);
+                ASSERT_EQ(found[n].part, expected[n].part);
+                ASSERT_EQ(found[n].fraction, expected[n].fraction);
+            }
+            const auto first = rayCast(world, from, to, which);
+            ASSERT_EQ(first.has_value(), !found.empty());
+            ASSERT_TRUE(!first || (first->body == found[0].body && first->part == found[0].part));
+            hits += found.size();
+        }
+    }
+    EXPECT_GT(hits, 1000u);
+}
+
+TEST(Queries, ShapeCastFindsWhatBruteForceFinds) {
+    support::RandomNumbers random(182);
+    int hits = 0;
+    for (int k = 0; k < 20; ++k) {
+        const World world = crowd(static_cast<std::uint64_t>(k));
+        for (int i = 0; i < 50; ++i) {
+            const Primitive primitive =
+                support::randomPrimitive(random, support::kTwoSidedKinds[random.below(5)]);
+            const Transform start = random.pose(15);
+            const Vec2 move = random.point(20);
+            const Convex moving = convexOf(primitive, {});
+            std::optional<std::tuple<Real, BodyId, std::uint16_t>> best;
+            forAsked(world, {}, [&](const BodyView& body, std::size_t part) {
+                const auto hit =
+                    shapeCast(moving, start, move, body.part(part).convex, body.placement());
+                if (hit) {
+                    const std::tuple now(hit->fraction, body.id(),
+                                         static_cast<std::uint16_t>(part));
+                    best = best ? std::min(*best, now) : now;
+                }
+            });
+            const auto found = shapeCast(world, Shape(Compound{{primitive}}), start, move);
+            ASSERT_EQ(found.has_value(), best.has_value());
+            if (found) {
+                ASSERT_EQ(std::tuple(found->fraction, found->body, found->part), *best);
+                ++hits;
+            }
+        }
+    }
+    EXPECT_GT(hits, 300);
+}
+
+TEST(Queries, OverlapFindsWhatBruteForceFinds) {
+    support::RandomNumbers random(183);
+    std::size_t count = 0;
+    for (int k = 0; k < 20; ++k) {
+        const World world = crowd(static_cast<std::uint64_t>(k));
+        for (int i = 0; i < 50; ++i) {
+            const Transform at = random.pose(12);
+            const Compound shape{{support::randomPrimitive(random, support::kEveryKind[i % 8]),
+                                  support::randomPrimitive(random, support::Kind::Polygon)}};
+            std::vector<BodyId> expected;
+            forAsked(world, kRedOnly, [&](const BodyView& body, std::size_t part) {
+                for (const Primitive& primitive : shape.parts) {
+                    const Convex convex = convexOf(primitive, {});
+                    if (distance(body.part(part).convex, body.placement(), convex, at).distance <=
+                            0 &&
+                        (expected.empty() || expected.back() != body.id())) {
+                        expected.push_back(body.id());
+                    }
+                }
+            });
+            ASSERT_EQ(overlap(world, Shape(shape), at, kRedOnly), expected);
+            count += expected.size();
+        }
+    }
+    EXPECT_GT(count, 500u);
+}
+
+TEST(Queries, OverlapWithABoxLooksAtShapesNotAtBounds) {
+    World world;
+    const BodyId ball = world.add({.shape = Circle{1}});
+    const BodyId box = world.add({.shape = Box{2, 2}, .position = {4, 0}});
+    EXPECT_EQ(overlap(world, Aabb{{Real(0.9), Real(0.9)}, {3, 3}}), (std::vector<BodyId>{box}))
+        << "the corner of the ball's bounds is empty; touching the box counts";
+    EXPECT_EQ(overlap(world, Aabb{{-5, -5}, {5, 5}}), (std::vector<BodyId>{ball, box}));
+    EXPECT_EQ(overlap(world, Aabb{{0, 0}, {0, 0}}), (std::vector<BodyId>{ball})) << "a point";
+    EXPECT_EQ(overlap(world, Aabb{{0, 0}, {9, 0}}), (std::vector<BodyId>{ball, box})) << "a line";
+    EXPECT_TRUE(overlap(world, Aabb{{1, 1}, {-1, -1}}).empty()) << "upside down";
+}
+
+TEST(Queries, ClosestPointFindsWhatBruteForceFinds) {
+    support::RandomNumbers random(184);
+    int found = 0;
+    for (int k = 0; k < 20; ++k) {
+        const World world = crowd(static_cast<std::uint64_t>(k));
+        for (int i = 0; i < 50; ++i) {
+            const Vec2 point = random.point(15);
+            const Real most = random.between(0, 4);
+            std::optional<QueryPoint> best;
+            forAsked(world, {}, [&](const BodyView& body, std::size_t part) {
+                const Nearness near = distance(body.part(part).convex, body.placement(), point);
+                if (near.distance <= most && (!best || near.distance < best->distance)) {
+                    best = {body.id(), static_cast<std::uint16_t>(part), near.onA, near.normal,
+                            near.distance};
+                }
+            });
+            const auto answer = closestPoint(world, point, most);
+            ASSERT_EQ(answer.has_value(), best.has_value());
+            if (answer) {
+                ASSERT_EQ(answer->body, best->body);
+                ASSERT_EQ(answer->part, best->part);
+                ASSERT_EQ(answer->distance, best->distance);
+                ASSERT_TRUE(near(answer->point + answer->distance * answer->normal, point,
+                                 support::byPrecision(1e-5, 1e-14)));
+                ++found;
+            }
+        }
+    }
+    EXPECT_GT(found, 500);
+}
+
+// Two equal bodies on one place: the lower id answers first.
+TEST(Queries, TiesGoToTheLowerId) {
+    World world;
+    const BodyId first = world.add({.shape = Box{2, 2}});
+    const BodyId second = world.add({.shape = Box{2, 2}});
+    EXPECT_EQ(rayCast(world, {-5, 0}, {5, 0})->body, first);
+    const std::vector<QueryHit> all = rayCastAll(world, {-5, 0}, {5, 0});
+    ASSERT_EQ(all.size(), 2u);
+    EXPECT_EQ(all[1].body, second);
+    EXPECT_EQ(shapeCast(world, Circle{1}, {{-5, 0}, {}}, {9, 0})->body, first);
+    EXPECT_EQ(closestPoint(world, {3, 0}, 5)->body, first);
+}
+
+// A copy answers the same, and the question changes nothing.
+TEST(Queries, WorkOnACopyAndChangeNothing) {
+    const World world = crowd(7);
+    const World copy = world;
+    const std::uint64_t before = world.stateHash();
+    const auto here = rayCastAll(world, {-15, -3}, {15, 4});
+    const auto there = rayCastAll(copy, {-15, -3}, {15, 4});
+    ASSERT_EQ(here.size(), there.size());
+    for (std::size_t i = 0; i < here.size(); ++i) {
+        EXPECT_EQ(here[i].body, there[i].body);
+        EXPECT_EQ(here[i].fraction, there[i].fraction);
+    }
+    EXPECT_EQ(world.stateHash(), before);
+}
+
+TEST(Queries, RefuseBadShapesAndIgnorePlacesThatAreNone) {
+    const World world = crowd(8);
+    const Real nan = std::numeric_limits<Real>::quiet_NaN();
+    EXPECT_THROW(shapeCast(world, Circle{-1}, {}, {1, 0}), BadDefinition);
+    EXPECT_THROW(overlap(world, Shape(Polygon{}), {}), BadDefinition);
+    EXPECT_FALSE(rayCast(world, {nan, 0}, {1, 0}));
+    EXPECT_TRUE(rayCastAll(world, {0, 0}, {1, nan}).empty());
+    EXPECT_FALSE(shapeCast(world, Circle{1}, {{nan, 0}, {}}, {1, 0}));
+    EXPECT_TRUE(overlap(world, Aabb{{nan, 0}, {1, 1}}).empty());
+    EXPECT_FALSE(closestPoint(world, {0, nan}, 100));
+    EXPECT_FALSE(closestPoint(world, {0, 0}, nan));
+    EXPECT_TRUE(closestPoint(world, {0, 0}, std::numeric_limits<Real>::infinity()));
+}
+
+// Heightmaps, planes and one-sided platforms are asked like anything else.
+TEST(Queries, SeeGroundFromAbove) {
+    World world;
+    const BodyId ground =
+        world.add({.shape = Heightmap{{-2, 0}, 1, {0, 0, 1, 0, 0}}, .flags = kLocked});
+    const auto down = rayCast(world, {Real(0.5), 3}, {Real(0.5), -3});
+    ASSERT_TRUE(down);
+    EXPECT_EQ(down->body, ground);
+    EXPECT_EQ(down->part, 2);
+    EXPECT_TRUE(near(down->point, Vec2{Real(0.5), Real(0.5)}, 8 * support::kEpsilon));
+    EXPECT_FALSE(rayCast(world, {Real(0.5), -3}, {Real(0.5), 3})) << "from behind";
+    EXPECT_EQ(shapeCast(world, Circle{Real(0.5)}, {{0, 4}, {}}, {0, -5})->fraction, Real(0.5));
+}
+
+} // namespace
+} // namespace kodo
