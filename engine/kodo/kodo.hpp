@@ -17,4 +17,7 @@
 
 #include <kodo/bodies/fields.hpp>
 #include <kodo/math/affine.hpp>
+#include <kodo/shapes/box_fit.hpp>
+#include <kodo/shapes/hull.hpp>
+#include <kodo/world/queries.hpp>
 #include <kodo/world/world.hpp>
