@@ -22,10 +22,11 @@ public:
 
     State state(std::size_t body) const override {
         const kodo::BodyView view = scene_.world[scene_.ids[body]];
-        return {{view.center().x, view.center().y},
-                view.rotation().angle(),
-                {view.velocity().x, view.velocity().y},
-                view.angularVelocity()};
+        const auto number = [](kodo::Real value) { return static_cast<double>(value); };
+        return {{number(view.center().x), number(view.center().y)},
+                number(view.rotation().angle()),
+                {number(view.velocity().x), number(view.velocity().y)},
+                number(view.angularVelocity())};
     }
 
     double impulse(std::size_t a, std::size_t b) const override {

@@ -67,6 +67,19 @@ void ContactSet::noteEnd(const Contact& contact) {
     }
 }
 
+void ContactSet::forgetUnsoundImpulses() {
+    for (Contact& contact : contacts_) {
+        const Real sum = contact.impulse[0].normal + contact.impulse[1].normal + contact.friction +
+                         contact.rolling + contact.total;
+        if (!std::isfinite(sum)) {
+            contact.impulse = {};
+            contact.friction = 0;
+            contact.rolling = 0;
+            contact.total = 0;
+        }
+    }
+}
+
 void ContactSet::drop(std::uint32_t body) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {

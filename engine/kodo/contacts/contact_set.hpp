@@ -41,6 +41,9 @@ public:
     /// Adds the pairs of bodies that the solver sent farther than updatePairs could foresee.
     void coverMoves(const Bodies& bodies, const Tolerances& tolerances);
 
+    /// Contacts whose impulses are not finite start anew.
+    void forgetUnsoundImpulses();
+
     std::span<Contact> contacts() { return contacts_; }
     std::span<const Contact> contacts() const { return contacts_; }
 

@@ -96,6 +96,9 @@ bool hitBoth(const Impact& hit) {
     const Real k11 = response(hit, 0, n, 0, n);
     const Real k22 = response(hit, 1, n, 1, n);
     const Real k12 = response(hit, 0, n, 1, n);
+    if (!(k11 > 0 && k22 > 0)) {
+        return false; // one of them cannot give way along the normal
+    }
     const Real gain = -(1 + hit.contact.material.restitution);
     const Real w1 = gain * dot(n, hit.relativeVelocity(0));
     const Real w2 = gain * dot(n, hit.relativeVelocity(1));

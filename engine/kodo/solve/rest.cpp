@@ -74,8 +74,9 @@ void RestStage::disturb(Bodies& bodies, ContactSet& contacts, std::uint32_t body
 }
 
 void RestStage::wakeTouched(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances) {
-    for (std::size_t i = 0; i < contacts.contacts().size(); ++i) {
-        const Contact& contact = contacts.contacts()[i];
+    std::size_t i = 0;
+    while (i < contacts.contacts().size()) {
+        const Contact& contact = contacts.contacts()[i++];
         if (!contact.responds() || contact.manifold.points[0].separation > tolerances.slop) {
             continue;
         }
@@ -183,6 +184,8 @@ void RestStage::putToRest(Bodies& bodies, std::span<const std::uint32_t> members
         bodies.rest[body].island = island;
         bodies.motion[body].velocity = {};
         bodies.motion[body].angularVelocity = 0;
+        bodies.motion[body].move = {};
+        bodies.motion[body].turn = 0;
     }
     ++restingIslands_;
     islands_[island].bodies.assign(members.begin(), members.end());

@@ -108,6 +108,7 @@ void BodyRef::setPosition(Vec2 position) {
 void BodyRef::setRotation(Rot rotation) {
     refuse(checkRotation("rotation", rotation));
     const Vec2 origin = position();
+    refuse(checkPosition("position", origin)); // before anything is changed
     world_->bodies_.pose[index()].rotation = normalize(rotation);
     setPosition(origin);
 }
@@ -121,6 +122,7 @@ void BodyRef::setVelocity(Vec2 velocity) {
 
 void BodyRef::setAngularVelocity(Real radiansPerSecond) {
     refuse(checkRange("angularVelocity", radiansPerSecond, -kHighestSpeed, kHighestSpeed));
+    thaw();
     motion().angularVelocity = radiansPerSecond;
     pushed();
 }
@@ -138,6 +140,7 @@ void BodyRef::moveTo(Vec2 position, Rot rotation, Real dt) {
     const Real spin = (rotation * this->rotation().inverse()).angle() / dt;
     refuse(checkVelocity("velocity", velocity));
     refuse(checkRange("angularVelocity", spin, -kHighestSpeed, kHighestSpeed));
+    thaw();
     motion().velocity = velocity;
     motion().angularVelocity = spin;
     pushed();

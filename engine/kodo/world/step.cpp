@@ -72,21 +72,26 @@ void World::freezeUnsoundForces() {
 /// What a body that became unsound did to its neighbours within the step cannot be told apart any
 /// more, so they stop with it, but are free to go on from there.
 void World::freezeUnsoundMotion() {
+    const std::size_t before = frozen_.size();
     for (const std::uint32_t body : bodies_.awake) {
         Motion& motion = bodies_.motion[body];
         if (isSound(motion)) {
             continue;
         }
-        const bool tooFast =
-            std::isfinite(lengthSquared(motion.velocity)) && std::isfinite(motion.angularVelocity);
-        if (tooFast) {
-            freeze(bodies_, body);
+        if (isFinite(motion.velocity) && std::isfinite(motion.angularVelocity)) {
+            freeze(bodies_, body); // too fast by itself
         }
         motion.velocity = {};
         motion.angularVelocity = 0;
         motion.move = {};
         motion.turn = 0;
-        frozen_.push_back(bodies_.idAt(body));
+        const BodyId id = bodies_.idAt(body);
+        if (std::find(frozen_.begin(), frozen_.end(), id) == frozen_.end()) {
+            frozen_.push_back(id);
+        }
+    }
+    if (frozen_.size() > before) {
+        contacts_.forgetUnsoundImpulses();
     }
 }
 

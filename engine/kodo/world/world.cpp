@@ -180,11 +180,15 @@ Real World::jointTorque(JointId id) const {
 }
 
 void World::addField(FieldEntry entry) {
+    refuse(entry.field ? std::nullopt : std::optional(Problem{"field", "must not be null"}));
     fields_.push_back(std::move(entry));
     rest_.wakeAll(bodies_, contacts_);
 }
 
 void World::setFields(std::vector<FieldEntry> fields) {
+    for (const FieldEntry& entry : fields) {
+        refuse(entry.field ? std::nullopt : std::optional(Problem{"field", "must not be null"}));
+    }
     fields_ = std::move(fields);
     rest_.wakeAll(bodies_, contacts_);
 }

@@ -89,7 +89,7 @@ public:
     const std::optional<Aabb>& region() const { return region_; }
 
     /// Bodies that the last step had to stop, since a force made them faster than kHighestSpeed or
-    /// not finite. They stand where they were, as if locked, until setVelocity frees them.
+    /// not finite. They stand where they were, as if locked, until a velocity is set.
     std::span<const BodyId> frozenBodies() const { return frozen_; }
 
     const StepSettings& settings() const { return settings_; }

@@ -106,7 +106,7 @@ Real placeFor(const Game& game, const Ball& ball, const Arrival& arrival) {
         mirroredHeading(ball.heading, body.position().x, body.velocity().x * arrival.seconds);
     const Real offset = offsetFor(*goal, {arrival.x, meetingHeight(0)}, heading);
     const std::optional<Arrival> refined = arrivalAt(game, ball, meetingHeight(offset));
-    return refined->x - offset;
+    return (refined ? refined->x : arrival.x) - offset;
 }
 
 /// Where to be for a part that can be caught before the ball comes.

@@ -9,7 +9,13 @@
 namespace apart {
 
 std::string FileProblem::text() const {
-    return file + (line > 0 ? ":" + std::to_string(line) : std::string()) + ": " + reason;
+    std::string text = file;
+    if (line > 0) {
+        text += ':';
+        text += std::to_string(line);
+    }
+    text += ": ";
+    return text += reason;
 }
 
 Read<std::string> readTextFile(const std::filesystem::path& path, std::size_t limit) {

@@ -32,7 +32,7 @@ inline constexpr Real kBallDensity = Real(3.5); // about 1 kg: a blow at 12 m/s 
 inline constexpr kodo::Material kBallMaterial = kodo::withFriction(0, 1);
 inline constexpr std::size_t kMostBalls = 8;   // what splits off beyond is rubble
 inline constexpr Real kSpeedUp = Real(0.35);   // share of speed gained until the last block
-inline constexpr Real kServeSlope = Real(0.6); // |x/y| of the steepest serve
+inline constexpr Real kServeSlope = Real(0.6); // |x/y| of the flattest serve
 
 // The governor. The servo holds the speed along the heading; the smallest turn at a contact keeps
 // a ball out of a cone around the horizontal, where it would bounce from wall to wall for minutes.
@@ -52,8 +52,8 @@ inline constexpr Real kPaddleDepth = Real(0.3); // of the part below the widest 
 inline constexpr Real kDomeRadius = Real(4.7);  // 25 degrees at the rim
 inline constexpr int kDomeFacets = 24;
 inline constexpr Real kPaddleDensity = 3;
-inline constexpr Real kPaddleForce = 8000;  // N; about 100 g for the bare paddle
-inline constexpr Real kPaddleEnergy = 5000; // J; about 36 m/s for the bare paddle
+inline constexpr Real kPaddleForce = 8000;  // N; about 117 g for the bare paddle
+inline constexpr Real kPaddleEnergy = 5000; // J; about 38 m/s for the bare paddle
 inline constexpr Real kKeySpeed = 22;       // m/s, by keys
 inline constexpr kodo::Material kPaddleMaterial = kodo::withFriction(Real(0.6), 1);
 inline constexpr int kMostWelded = 8;      // further parts bounce off
