@@ -83,7 +83,7 @@ private:
     double seconds_ = 0;             // since the start, for what only moves on the screen
     int endTicks_ = 0;               // since the game ended
     int mutedSound_ = 0;             // the volume that comes back
-    std::vector<std::int32_t> best_; // score of each level in this session
+    std::vector<std::int32_t> best_; // score of each level since the start
     bool newBest_ = false;
 };
 
