@@ -8,6 +8,7 @@
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 cd "$root" || exit 2
 export LC_ALL=C.UTF-8
+export CCACHE_SLOPPINESS=pch_defines,time_macros # what ccache needs for precompiled headers
 
 # Debian packages; `package:command` is also satisfied by the command from anywhere else.
 # shellcheck disable=SC2034 # used by the commands that source this file
