@@ -111,6 +111,10 @@ std::string asJson(const Summary& summary, bool stages) {
     json.add("errorName", result.errorName);
     json.add("errorUnit", result.errorUnit);
     json.add("error", result.error);
+    json.add("bytesPerBody", result.bytesPerBody);
+    json.add("allocationsPerStep", result.options.engine == "box2d"
+                                       ? std::nullopt // it does not go by operator new
+                                       : std::optional(result.allocationsPerStep));
     json.add("stateHash", fmt::format("{:016x}", result.stateHash));
     if (stages) {
         json.raw("stagesMsPerStep", stagesAsJson(withStages(result)));

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <ctime>
 
+#include "heap.hpp"
+
 namespace bench {
 namespace {
 
@@ -44,9 +46,14 @@ public:
     }
 
     void measure(int steps) {
+        steps_ = steps;
         for (int done = 0; done < steps;) {
+            const std::uint64_t allocations = allocationCount();
             start();
-            const int taken = stretch(steps - done);
+            const int taken = stretch(done < steps / 2 ? steps / 2 - done : steps - done);
+            if (done >= steps / 2) {
+                allocations_ += allocationCount() - allocations;
+            }
             if (scene_.actIsTimed) {
                 act();
             }
@@ -64,9 +71,8 @@ public:
     Result result() const {
         const std::vector<Placed> bodies = stage_.bodies();
         Result result;
-        result.locked = static_cast<std::size_t>(
-            std::count_if(bodies.begin(), bodies.end(),
-                          [](const Placed& body) { return body.def->locked; }));
+        result.locked = static_cast<std::size_t>(std::count_if(
+            bodies.begin(), bodies.end(), [](const Placed& body) { return body.def->locked; }));
         result.bodies = stage_.engine().bodyCount() - result.locked;
         result.cpuSeconds = cpu_.seconds();
         result.wallSeconds = wall_.seconds();
@@ -87,6 +93,8 @@ public:
             result.error = scene_.error->measure(stage_, result.depths);
         }
         result.stages = stage_.engine().stages();
+        const int late = steps_ - steps_ / 2;
+        result.allocationsPerStep = static_cast<double>(allocations_) / late;
         return result;
     }
 
@@ -126,6 +134,8 @@ private:
     Apart apart_;
     bool peak_;
     int taken_ = 0; // steps, warm-up and all
+    int steps_ = 0; // steps measured
+    std::uint64_t allocations_ = 0;
     double deepest_ = 0;
     StopWatch cpu_{CLOCK_THREAD_CPUTIME_ID};
     StopWatch wall_{CLOCK_MONOTONIC};
@@ -140,11 +150,17 @@ Result run(const RunOptions& options) {
     const Scene scene = recipe.make(size, options.seed);
     StepOptions step = options.step;
     step.rest = scene.rest;
+    const std::size_t before = heapBytes();
     const std::unique_ptr<Engine> engine = makeEngine(options.engine, scene.def, step);
+    const std::size_t made = heapBytes() - before;
     Run run(scene, *engine, options.peak);
+    const std::size_t ready = heapBytes();
     run.warmUp();
     run.measure(steps);
+    const double bytes = static_cast<double>(made + heapBytes() - ready);
     Result result = run.result();
+    const std::size_t all = result.bodies + result.locked;
+    result.bytesPerBody = all == 0 ? 0 : bytes / static_cast<double>(all);
     result.options = options;
     result.size = size;
     result.steps = steps;

@@ -26,7 +26,7 @@ struct Result {
     int steps = 0;
     std::size_t bodies = 0; // at the end, without the locked ones
     std::size_t locked = 0;
-    double cpuSeconds = 0;  // of the thread, in the steps alone
+    double cpuSeconds = 0; // of the thread, in the steps alone
     double wallSeconds = 0;
     Depths depths;                      // at the end
     std::optional<double> deepest;      // m, of every 20th step
@@ -39,6 +39,8 @@ struct Result {
     std::string errorUnit;
     std::optional<double> error;
     std::vector<StageTime> stages;
+    double allocationsPerStep = 0; // of the later half of the steps
+    double bytesPerBody = 0;       // of the heap, for all that the engine holds, locked bodies too
 
     double cpuMsPerStep() const { return 1e3 * cpuSeconds / steps; }
     double nsPerBodyStep() const {

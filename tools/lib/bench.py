@@ -106,7 +106,7 @@ def draw_ratios(scenes, results, path):
     ways = [way_of(result) for result in results[0][1:]]
     bar, gap, top = 13, 14, 76
     height = top + len(scenes) * (bar * len(ways) + gap) + 60
-    page = chart.Page(860, height, "CPU time of a step, as a ratio to Box2D 2.4.1 (shorter is better)")
+    page = chart.Page(860, height, "CPU time of a step, as a ratio to Box2D 2.4.1 (short is fast)")
     for i, way in enumerate(ways):
         page.legend(20 + 150 * i, 52, [(way, chart.COLOURS[i])])
     ratios = [result["ratio"] for group in results for result in group]
@@ -154,7 +154,8 @@ def draw_growth(groups, path):
                     first["nsPerBodyStep"] * math.log(one["bodies"]) / math.log(first["bodies"])
                     for one in mine
                 ]
-                page.line([(across(o["bodies"]), up(g)) for o, g in zip(mine, grown)], colour, 1, "7 4")
+                line = [(across(one["bodies"]), up(time)) for one, time in zip(mine, grown)]
+                page.line(line, colour, 1, "7 4")
         names.append((group[0]["scene"], colour))
     page.legend(616, 70, names)
     page.text(610, 140, "full: kodo", size=11)

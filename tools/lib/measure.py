@@ -21,8 +21,9 @@ class Progress:
     def show(self, words):
         if sys.stderr.isatty():
             spent = time.monotonic() - self.started
-            left = f", {spent / self.done * (self.total - self.done):.0f} s left" if self.done else ""
-            print(f"\r\033[K{self.done}/{self.total}{left}  {words}", end="", file=sys.stderr)
+            left = spent / max(self.done, 1) * (self.total - self.done)
+            count = f"{self.done}/{self.total}" + (f", {left:.0f} s left" if self.done else "")
+            print(f"\r\033[K{count}  {words}", end="", file=sys.stderr)
             sys.stderr.flush()
 
     def step(self):
@@ -49,9 +50,9 @@ def run_once(arguments):
 
 
 def run_in_turn(jobs, repeat):
-    """jobs: a list of lists of arguments. Jobs of one list are run in turn, `repeat` times, since a
-    machine is not as fast at one moment as at another. Returns a result for each job: its last run
-    with the median, the fastest and the slowest time in it."""
+    """jobs: groups of lists of arguments. Those of one group are run in turn, `repeat` times, since
+    a machine is not as fast at one moment as at another. Returns groups of what summary_of makes
+    of the runs of each."""
     progress = Progress(repeat * sum(map(len, jobs)))
     results = []
     for group in jobs:
@@ -67,7 +68,8 @@ def run_in_turn(jobs, repeat):
 
 
 def summary_of(runs):
-    """Only times may differ between runs of one thing; anything else is a bug worth stopping for."""
+    """The last run, with the median, the least and the greatest time of all in it. Nothing but
+    times may differ between runs of one thing."""
     if len({run["stateHash"] for run in runs}) > 1:
         sys.exit(f"{runs[0]['scene']} in {runs[0]['engine']}: two runs end in different states")
     times = [run["cpuMsPerStep"] for run in runs]
