@@ -47,7 +47,7 @@ TEST_P(EveryScene, EndsInTheSameStateWhenRunAgain) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(recipes().begin(), recipes().end()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& scene) { return std::string(scene.param.name); });
 
 BodyState at(double x, double y, scenes::Rot rotation = {}) {
     return {{x, y}, rotation, {}, 0};
