@@ -121,7 +121,7 @@ Scene tumbler(int size, std::uint64_t) {
     drum.parts = {scenes::Box{width + 2, 1, {0, -side}}, scenes::Box{width + 2, 1, {0, side}},
                   scenes::Box{1, width, {-side, 0}}, scenes::Box{1, width, {side, 0}}};
     scene.def.bodies.push_back(drum);
-    const int columns = static_cast<int>((width - 2) / 0.4);
+    const int columns = static_cast<int>(0.9 * width / 0.4);
     const int rows = (size + columns - 1) / columns;
     for (int i = 0; i < size; ++i) {
         const Vec2 place{0.4 * (i % columns - 0.5 * (columns - 1)),

@@ -134,8 +134,9 @@ TEST(Ruler, AddsUpKineticEnergy) {
     EXPECT_NEAR(kineticEnergy(placed(scene)), 3 * std::numbers::pi, 1e-12);
 }
 
-// Box2D leaves a slop of 5 mm in each contact and holds polygons a skin of 10 mm apart. With the
-// skin taken off its shapes, a stack in it is sunk by the slop, not lifted by the skin.
+// Box2D lets each contact overlap by a slop of up to 5 mm and holds polygons two skins of 10 mm
+// apart. With the skin taken off its shapes, a stack of three stays within three slops of its
+// place; with it, the top would be lifted by 45 mm or more.
 TEST(Box2dInTheBench, HasItsSurfacesWhereTheNominalShapesAre) {
     RunOptions options;
     options.scene = "stack";
@@ -143,11 +144,10 @@ TEST(Box2dInTheBench, HasItsSurfacesWhereTheNominalShapesAre) {
     options.size = 3;
     options.steps = 300;
     const Result result = run(options);
-    EXPECT_EQ(result.depths.pairs, 3u);
-    EXPECT_GT(result.depths.mean, 0.003);
-    EXPECT_LT(result.depths.max, 0.007);
-    EXPECT_GT(result.drift.down, 0.009);
-    EXPECT_LT(result.drift.down, 0.021);
+    EXPECT_GT(result.depths.pairs, 0u); // it touches at the nominal surfaces
+    EXPECT_LT(result.depths.max, 0.006);
+    ASSERT_EQ(result.errorName, "top sinks"); // or is lifted, mm
+    EXPECT_LT(result.error, 15);
 }
 
 TEST(Options, RefuseWhatAnEngineDoesNotKnow) {
