@@ -1,44 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/broad/brute_force.hpp>
 #include <kodo/broad/sort_and_sweep.hpp>
-#include <support/random_numbers.hpp>
 
+#include <broad/bounds_scenes.hpp>
 #include <gtest/gtest.h>
 
 namespace kodo {
 namespace {
 
-bool acceptAll(std::uint32_t, std::uint32_t) {
-    return true;
-}
-
-std::vector<BoundsPair> byBruteForce(const std::vector<Aabb>& bounds) {
-    std::vector<BoundsPair> pairs;
-    bruteForce(bounds, acceptAll, pairs);
-    return pairs;
-}
+using namespace bounds_scenes;
 
 std::vector<BoundsPair> bySweep(SortAndSweep& sweep, const std::vector<Aabb>& bounds) {
     std::vector<BoundsPair> pairs;
-    sweep.pairs(bounds, acceptAll, pairs);
+    sweep.pairs(bounds, AllMoved(bounds.size()), acceptAll, pairs);
     return pairs;
-}
-
-Aabb boxAt(Real x, Real y, Real width = 1, Real height = 1) {
-    return {{x, y}, {x + width, y + height}};
-}
-
-std::vector<Aabb> randomScene(support::RandomNumbers& random, std::size_t count) {
-    const double wide = static_cast<double>(random.between(1, 40));
-    const double high = static_cast<double>(random.between(1, 40));
-    std::vector<Aabb> bounds;
-    for (std::size_t i = 0; i < count; ++i) {
-        const Real x = random.between(-wide, wide);
-        const Real y = random.between(-high, high);
-        const Real width = random.between(0, 2);
-        bounds.push_back(boxAt(x, y, width, random.between(0, 2)));
-    }
-    return bounds;
 }
 
 // O1: the same pairs in the same order, with memory of the last call and with counts that change.
@@ -79,7 +53,8 @@ TEST(SortAndSweep, AsksBeforeItReports) {
     const std::vector<Aabb> bounds{boxAt(0, 0), boxAt(0, 0), boxAt(0, 0)};
     std::vector<BoundsPair> pairs;
     sweep.pairs(
-        bounds, [](std::uint32_t i, std::uint32_t j) { return i == 0 && j == 2; }, pairs);
+        bounds, AllMoved(bounds.size()),
+        [](std::uint32_t i, std::uint32_t j) { return i == 0 && j == 2; }, pairs);
     EXPECT_EQ(pairs, (std::vector<BoundsPair>{{0, 2}}));
 }
 

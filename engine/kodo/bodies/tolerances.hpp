@@ -9,12 +9,12 @@ namespace kodo::inline KODO_PRECISION {
 struct Tolerances {
     Real slop;   // closer than this counts as touching
     Real margin; // contacts are kept ready up to this gap
-    Real grown;  // bounds are grown by this, so that they need not follow every move
+    Real grown;  // bounds are grown by this at most, so that they need not follow every move
 
     static constexpr Real kSlopsPerUnit = 256;
 
     static constexpr Tolerances forUnit(Real unit) {
-        return {1 / kSlopsPerUnit * unit, Real(1) / 64 * unit, Real(1) / 8 * unit};
+        return {1 / kSlopsPerUnit * unit, Real(1) / 64 * unit, Real(1) / 16 * unit};
     }
 };
 

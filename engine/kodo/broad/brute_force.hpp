@@ -3,20 +3,27 @@
 
 #include <kodo/broad/broad_phase.hpp>
 
+#include <algorithm>
+
 namespace kodo::inline KODO_PRECISION {
 
-/// Every pair of overlapping bounds that `accept(first, second)` lets through, in order. Tests
-/// n (n - 1) / 2 pairs, and is the fastest way while that is a small number.
+/// Every pair of overlapping bounds, of which at least one has moved, that `accept(first, second)`
+/// lets through, in order. Tests them all, and is the fastest way while they are few.
 template <typename Accept>
-void bruteForce(std::span<const Aabb> bounds, Accept accept, std::vector<BoundsPair>& out) {
-    const auto n = static_cast<std::uint32_t>(bounds.size());
-    for (std::uint32_t i = 0; i < n; ++i) {
-        for (std::uint32_t j = i + 1; j < n; ++j) {
-            if (overlap(bounds[i], bounds[j]) && accept(i, j)) {
-                out.push_back({i, j});
+void bruteForce(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
+                std::vector<BoundsPair>& out) {
+    for (const std::uint32_t m : moved.list) {
+        for (std::uint32_t i = 0; i < bounds.size(); ++i) {
+            if (i == m || (moved.has(i) && i < m) || !overlap(bounds[i], bounds[m])) {
+                continue; // itself, met already, or apart
+            }
+            const BoundsPair pair = i < m ? BoundsPair{i, m} : BoundsPair{m, i};
+            if (accept(pair.first, pair.second)) {
+                out.push_back(pair);
             }
         }
     }
+    std::sort(out.begin(), out.end()); // total order: no two are equal
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -82,8 +82,4 @@ void SortAndSweep::sort(std::span<const Aabb> bounds) {
     }
 }
 
-void SortAndSweep::sortPairs(std::vector<BoundsPair>& pairs) {
-    std::sort(pairs.begin(), pairs.end()); // total order: no two are equal
-}
-
 } // namespace kodo::inline KODO_PRECISION

@@ -14,9 +14,11 @@ namespace kodo::inline KODO_PRECISION {
 /// little moves. Neither changes the pairs found, only the time it takes.
 class SortAndSweep {
 public:
-    /// Every pair of overlapping bounds that `accept(first, second)` lets through, in order.
+    /// Every pair of overlapping bounds, of which at least one has moved, that
+    /// `accept(first, second)` lets through, in order.
     template <typename Accept>
-    void pairs(std::span<const Aabb> bounds, Accept accept, std::vector<BoundsPair>& out) {
+    void pairs(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
+               std::vector<BoundsPair>& out) {
         sort(bounds);
         tests_ = 0;
         for (std::size_t i = 0; i < entries_.size(); ++i) {
@@ -26,13 +28,14 @@ public:
                 const BoundsPair pair = e.index < entries_[j].index
                                             ? BoundsPair{e.index, entries_[j].index}
                                             : BoundsPair{entries_[j].index, e.index};
-                if (overlap(bounds[pair.first], bounds[pair.second]) &&
+                if ((moved.has(pair.first) || moved.has(pair.second)) &&
+                    overlap(bounds[pair.first], bounds[pair.second]) &&
                     accept(pair.first, pair.second)) {
                     out.push_back(pair);
                 }
             }
         }
-        sortPairs(out);
+        sorter_.sort(out, bounds.size());
     }
 
     /// Pairs whose projections overlapped in the last call: what it had to test.
@@ -48,10 +51,10 @@ private:
 
     void sort(std::span<const Aabb> bounds);
     bool chooseAxis(std::span<const Aabb> bounds);
-    static void sortPairs(std::vector<BoundsPair>& pairs);
 
     std::vector<Entry> entries_;
     std::vector<bool> cells_;
+    PairSorter sorter_;
     std::size_t tests_ = 0;
     std::uint32_t calls_ = 0;
     bool alongX_ = true;

@@ -31,8 +31,9 @@ inline std::size_t supportVertex(const Convex& convex, Vec2 direction, std::size
 ///
 ///   s_i = min_j dot(n_i, b_j - a_i),   result = max_i s_i          [Ericson05, 5.2.1]
 ///
-/// s_i > margin for any i proves the polygons farther apart than that, so the scan stops there.
-/// Ties keep the lower index: a box at rest must not swap its face from one step to the next.
+/// s_i > margin for any i proves the polygons farther apart than that, so the scan stops there; it
+/// begins with the face that looks at b, which is the likeliest to prove it. Ties keep the lower
+/// index: a box at rest must not swap its face from one step to the next.
 FaceAxis leastPenetratingFace(const Convex& a, const Convex& b, const Transform& ab, Real margin);
 
 } // namespace kodo::inline KODO_PRECISION

@@ -42,7 +42,8 @@ struct Contact {
     Real rolling = 0;         // N m s, of one substep
     Real approachSpeed = 0;   // m/s, before the solver
     Real total = 0;           // N s, normal, all points, over the step
-    bool carried = false;     // its separations hold for the start of the last step; see carry
+    bool near = false;        // the bounds of the parts, grown by the margin, meet
+    bool carried = false;     // the solver had it in the last step, so that carry may keep it
     bool sensor = false;      // is only noticed
     bool passing = false;     // through a one-sided line from behind; see letPass
     bool hidden = false;      // in this step, under the surface that carries the body; see Seams

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/broad/brute_force.hpp>
 #include <kodo/collide/collide.hpp>
 #include <kodo/collide/one_sided.hpp>
 #include <kodo/contacts/contact_set.hpp>
@@ -10,9 +9,6 @@
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
-
-// Up to here the brute force beats sorting; both find the same pairs.
-constexpr std::size_t kBruteForceLimit = 32;
 
 /// Bounds of a part moved by the motion of its body within this step.
 Aabb boundsAfter(const Convex& convex, const Transform& pose, const Motion& motion) {
@@ -31,20 +27,33 @@ Real approachSpeedOf(const Contact& contact, const Bodies& bodies) {
     return fastest;
 }
 
-/// Hands the impulses of the old points on to the new ones that are made by the same features.
-void keepImpulses(const Contact& old, Contact& now) {
-    now.impulse = {};
-    for (std::size_t i = 0; i < static_cast<std::size_t>(now.manifold.count); ++i) {
-        for (std::size_t k = 0; k < static_cast<std::size_t>(old.manifold.count); ++k) {
-            if (now.manifold.points[i].feature == old.manifold.points[k].feature) {
-                now.impulse[i].normal = old.impulse[k].normal;
+/// Takes a new manifold, and hands the impulses of the old points on to the new ones that are made
+/// by the same features.
+void replaceManifold(Contact& contact, const Manifold& manifold) {
+    const Manifold& old = contact.manifold;
+    std::array<PointImpulse, 2> impulse{};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
+        for (std::size_t k = 0; k < static_cast<std::size_t>(old.count); ++k) {
+            if (manifold.points[i].feature == old.points[k].feature) {
+                impulse[i].normal = contact.impulse[k].normal;
             }
         }
     }
-    if (now.manifold.count == 0) {
-        now.friction = 0;
-        now.rolling = 0;
+    contact.impulse = impulse;
+    contact.manifold = manifold;
+    if (manifold.count == 0) {
+        contact.friction = 0;
+        contact.rolling = 0;
     }
+}
+
+/// Not near: nothing is left of what was.
+void clearManifold(Contact& contact) {
+    contact.manifold.count = 0;
+    contact.impulse = {};
+    contact.friction = 0;
+    contact.rolling = 0;
+    contact.passing = false;
 }
 
 // A manifold is kept until its bodies have gone so far, in slops.
@@ -107,23 +116,62 @@ void ContactSet::forgetUnsoundImpulses() {
     }
 }
 
-void ContactSet::drop(std::uint32_t body) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        const Contact& contact = contacts_[i];
-        if (contact.key.bodyA != body && contact.key.bodyB != body) {
-            contacts_[kept++] = contact;
-        } else {
-            noteEnd(contact);
+/// Takes out the contacts that gone(contact) names, in the order of keys.
+template <typename Gone>
+void ContactSet::eraseIf(Gone gone) {
+    holes_.clear();
+    std::erase_if(order_, [&](const Place& place) {
+        const bool erased = gone(contacts_[place.slot]);
+        if (erased) {
+            holes_.push_back(place.slot);
+        }
+        return erased;
+    });
+    fillHoles();
+}
+
+/// Moves the last contacts into the slots that are free.
+void ContactSet::fillHoles() {
+    if (holes_.empty()) {
+        return;
+    }
+    const std::size_t kept = contacts_.size() - holes_.size();
+    std::sort(holes_.begin(), holes_.end()); // total order: slots are unique
+    // Of the slots beyond the new end, those that are no holes move down, the lowest first.
+    std::vector<std::uint32_t>& movedTo = slots_;
+    movedTo.assign(holes_.size(), 0);
+    std::size_t hole = 0;
+    std::size_t beyond = static_cast<std::size_t>(
+        std::lower_bound(holes_.begin(), holes_.end(), kept) - holes_.begin());
+    for (std::size_t slot = kept; slot < contacts_.size(); ++slot) {
+        if (beyond < holes_.size() && holes_[beyond] == slot) {
+            ++beyond;
+            continue;
+        }
+        movedTo[slot - kept] = holes_[hole];
+        contacts_[holes_[hole++]] = contacts_[slot];
+    }
+    for (Place& place : order_) {
+        if (place.slot >= kept) {
+            place.slot = movedTo[place.slot - kept];
         }
     }
     contacts_.resize(kept);
+}
+
+void ContactSet::drop(std::uint32_t body) {
+    eraseIf([&](const Contact& contact) {
+        const bool gone = contact.key.bodyA == body || contact.key.bodyB == body;
+        if (gone) {
+            noteEnd(contact);
+        }
+        return gone;
+    });
     stale_ = true;
 }
 
 void ContactSet::partRemoved(std::uint32_t body, std::size_t part) {
-    std::size_t kept = 0;
-    for (Contact contact : contacts_) {
+    eraseIf([&](Contact& contact) {
         bool gone = false;
         for (const bool isA : {true, false}) {
             std::uint16_t& own = isA ? contact.key.partA : contact.key.partB;
@@ -134,42 +182,50 @@ void ContactSet::partRemoved(std::uint32_t body, std::size_t part) {
         }
         if (gone) {
             noteEnd(contact);
-        } else {
-            contacts_[kept++] = contact;
         }
-    }
-    contacts_.resize(kept);
+        return gone;
+    });
     stale_ = true;
 }
 
 std::vector<Contact> ContactSet::takeIdle(const Bodies& bodies) {
     std::vector<Contact> idle;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        const ContactKey& key = contacts_[i].key;
-        if (bodies.active(key.bodyA) || bodies.active(key.bodyB)) {
-            contacts_[kept++] = contacts_[i];
-        } else {
-            idle.push_back(contacts_[i]);
+    eraseIf([&](const Contact& contact) {
+        const bool gone = !bodies.active(contact.key.bodyA) && !bodies.active(contact.key.bodyB);
+        if (gone) {
+            idle.push_back(contact);
         }
-    }
-    contacts_.resize(kept);
+        return gone;
+    });
     return idle;
 }
 
 void ContactSet::putBack(std::span<const Contact> contacts) {
-    const auto before = [](const Contact& a, const Contact& b) { return a.key < b.key; };
-    const std::size_t old = contacts_.size();
+    const auto keyOf = [&](const Place& place) { return contacts_[place.slot].key; };
+    const std::size_t old = order_.size();
     for (const Contact& contact : contacts) {
-        const auto end = contacts_.begin() + static_cast<std::ptrdiff_t>(old);
-        const auto place = std::lower_bound(contacts_.begin(), end, contact, before);
-        if (place == end || place->key != contact.key) {
+        const auto end = order_.begin() + static_cast<std::ptrdiff_t>(old);
+        const auto place = std::lower_bound(
+            order_.begin(), end, contact.key,
+            [&](const Place& at, const ContactKey& key) { return keyOf(at) < key; });
+        if (place == end || keyOf(*place) != contact.key) {
+            order_.push_back({{}, static_cast<std::uint32_t>(contacts_.size())});
             contacts_.push_back(contact);
-            contacts_.back().proxyA = firstProxy_[contact.key.bodyA] + contact.key.partA;
-            contacts_.back().proxyB = firstProxy_[contact.key.bodyB] + contact.key.partB;
         }
     }
-    std::sort(contacts_.begin(), contacts_.end(), before); // total order: keys are unique
+    std::sort(order_.begin(), order_.end(), // total order: keys are unique
+              [&](const Place& a, const Place& b) { return keyOf(a) < keyOf(b); });
+    renewPlaces();
+}
+
+/// Finds the bounds of all contacts again.
+void ContactSet::renewPlaces() {
+    for (Place& place : order_) {
+        Contact& contact = contacts_[place.slot];
+        contact.proxyA = firstProxy_[contact.key.bodyA] + contact.key.partA;
+        contact.proxyB = firstProxy_[contact.key.bodyB] + contact.key.partB;
+        place.pair = {contact.proxyA, contact.proxyB};
+    }
 }
 
 const Convex& ContactSet::outline(const Bodies& bodies, std::size_t proxy) const {
@@ -190,44 +246,64 @@ void ContactSet::rebuildProxies(const Bodies& bodies) {
                 {static_cast<std::uint32_t>(body), static_cast<std::uint16_t>(part)});
         }
     }
-    tight_.assign(proxies_.size(), {});
-    grown_.assign(proxies_.size(), {});
+    tight_.resize(proxies_.size());
+    grown_.resize(proxies_.size());
+    isMoved_.assign(proxies_.size(), 0);
+    moved_.clear();
+}
+
+/// Gives a part new bounds to move in.
+void ContactSet::outgrow(std::size_t proxy, const Aabb& bounds) {
+    grown_[proxy] = bounds;
+    if (isMoved_[proxy] == 0) {
+        isMoved_[proxy] = 1;
+        moved_.push_back(static_cast<std::uint32_t>(proxy));
+    }
+}
+
+/// After bodies came, went or changed: all bounds anew.
+void ContactSet::renew(const Bodies& bodies, const Tolerances& tolerances) {
+    rebuildProxies(bodies);
+    for (std::size_t i = 0; i < proxies_.size(); ++i) {
+        tight_[i] = boundsOf(outline(bodies, i), bodies.pose[proxies_[i].body]);
+        outgrow(i, tight_[i].grown(tolerances.margin));
+    }
+    renewPlaces();
+    for (Contact& contact : contacts_) {
+        describe(bodies, contact);
+    }
 }
 
 void ContactSet::updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt) {
-    const bool anew = std::exchange(stale_, false);
-    bool outgrown = std::exchange(pairsStale_, false) || anew;
-    if (anew) {
-        rebuildProxies(bodies);
+    if (std::exchange(stale_, false)) {
+        renew(bodies, tolerances);
+        pairsStale_ = false;
+    }
+    if (std::exchange(pairsStale_, false)) {
         for (std::size_t i = 0; i < proxies_.size(); ++i) {
-            tight_[i] = boundsOf(outline(bodies, i), bodies.pose[proxies_[i].body]);
-            grown_[i] = tight_[i].grown(tolerances.margin);
+            outgrow(i, grown_[i]);
         }
     }
     for (const std::uint32_t body : bodies.awake) {
         const Motion& motion = bodies.motion[body];
         const Form& form = bodies.form(body);
-        // A bounce may send it in any direction, so it is grown by its motion on all sides.
-        const Real reachable =
-            dt * (length(motion.velocity) + form.reach * std::abs(motion.angularVelocity));
+        const Vec2 ahead = dt * motion.velocity;
+        const Real swing = dt * std::abs(motion.angularVelocity) * form.reach;
+        const Real slack = std::min(tolerances.grown, form.inside / 4);
         for (std::size_t part = 0; part < form.parts.size(); ++part) {
             const std::size_t i = firstProxy_[body] + part;
             tight_[i] = boundsOf(form.parts[part].convex, bodies.pose[body]);
-            const Aabb needed = tight_[i].grown(tolerances.margin + reachable);
+            const Aabb needed =
+                unite(tight_[i], moved(tight_[i], ahead)).grown(tolerances.margin + swing);
             if (!grown_[i].contains(needed)) {
-                grown_[i] = needed.grown(tolerances.grown + reachable);
-                outgrown = true;
+                outgrow(i, unite(needed, moved(needed, ahead)).grown(slack));
             }
         }
     }
-    if (outgrown) {
-        findPairs(bodies);
-        mergePairs(bodies);
-    }
+    refreshPairs(bodies);
 }
 
 void ContactSet::coverMoves(const Bodies& bodies, const Tolerances& tolerances) {
-    bool outgrown = false;
     for (const std::uint32_t body : bodies.awake) {
         const Form& form = bodies.form(body);
         const Motion& motion = bodies.motion[body];
@@ -239,15 +315,24 @@ void ContactSet::coverMoves(const Bodies& bodies, const Tolerances& tolerances) 
             }
             const Aabb after = boundsAfter(form.parts[part].convex, bodies.pose[body], motion);
             if (!grown_[i].contains(after)) {
-                grown_[i] = unite(tight_[i], after).grown(tolerances.margin + tolerances.grown);
-                outgrown = true;
+                outgrow(i, unite(tight_[i], after).grown(tolerances.margin));
             }
         }
     }
-    if (outgrown) {
-        findPairs(bodies);
-        mergePairs(bodies);
+    refreshPairs(bodies);
+}
+
+/// Looks for the pairs of those whose bounds are new.
+void ContactSet::refreshPairs(const Bodies& bodies) {
+    if (moved_.empty()) {
+        return;
     }
+    findPairs(bodies);
+    mergePairs(bodies);
+    for (const std::uint32_t proxy : moved_) {
+        isMoved_[proxy] = 0;
+    }
+    moved_.clear();
 }
 
 void ContactSet::setApart(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) {
@@ -269,11 +354,7 @@ void ContactSet::findPairs(const Bodies& bodies) {
                !std::binary_search(apart_.begin(), apart_.end(), std::pair(a, b));
     };
     pairs_.clear();
-    if (grown_.size() <= kBruteForceLimit) {
-        bruteForce(grown_, accept, pairs_);
-    } else {
-        sortAndSweep_.pairs(grown_, accept, pairs_);
-    }
+    finder_.pairs(grown_, {moved_, isMoved_}, accept, pairs_);
 }
 
 Contact ContactSet::makeContact(const Bodies& bodies, BoundsPair pair) const {
@@ -283,72 +364,90 @@ Contact ContactSet::makeContact(const Bodies& bodies, BoundsPair pair) const {
     contact.key = {a.body, a.part, b.body, b.part};
     contact.a = bodies.idAt(a.body);
     contact.b = bodies.idAt(b.body);
+    contact.proxyA = pair.first;
+    contact.proxyB = pair.second;
+    describe(bodies, contact);
     return contact;
 }
 
+/// What follows from the definitions of its bodies.
+void ContactSet::describe(const Bodies& bodies, Contact& contact) const {
+    const ContactKey& key = contact.key;
+    contact.sensor =
+        ((bodies.record[key.bodyA].filter.flags | bodies.record[key.bodyB].filter.flags) &
+         kSensor) != 0;
+    contact.material = mix(bodies.form(key.bodyA).parts[key.partA].material,
+                           bodies.form(key.bodyB).parts[key.partB].material);
+}
+
 /// Both lists are in the order of the keys, so one walk over both keeps what stays, drops what is
-/// gone and adds what is new.
+/// gone and adds what is new. Only pairs with one whose bounds are new can be either.
 void ContactSet::mergePairs(const Bodies& bodies) {
-    std::swap(contacts_, previous_);
-    contacts_.clear();
-    std::size_t old = 0;
-    const auto skipOld = [&](const ContactKey* upTo) {
-        for (; old < previous_.size() && (upTo == nullptr || previous_[old].key < *upTo); ++old) {
-            noteEnd(previous_[old]);
+    newOrder_.clear();
+    holes_.clear();
+    added_.clear();
+    auto pair = pairs_.begin();
+    const auto addUpTo = [&](const BoundsPair* end) {
+        for (; pair != pairs_.end() && (end == nullptr || *pair < *end); ++pair) {
+            added_.push_back(static_cast<std::uint32_t>(newOrder_.size()));
+            newOrder_.push_back({*pair, 0});
         }
     };
-    for (const BoundsPair pair : pairs_) {
-        Contact contact = makeContact(bodies, pair);
-        skipOld(&contact.key);
-        if (old < previous_.size() && previous_[old].key == contact.key) {
-            contact = previous_[old++];
+    for (const Place& place : order_) {
+        addUpTo(&place.pair);
+        const bool found = pair != pairs_.end() && *pair == place.pair;
+        pair += found ? 1 : 0;
+        if (found || (isMoved_[place.pair.first] == 0 && isMoved_[place.pair.second] == 0)) {
+            newOrder_.push_back(place);
+        } else {
+            noteEnd(contacts_[place.slot]);
+            holes_.push_back(place.slot);
         }
-        contact.proxyA = pair.first;
-        contact.proxyB = pair.second;
-        contact.sensor = ((bodies.record[contact.key.bodyA].filter.flags |
-                           bodies.record[contact.key.bodyB].filter.flags) &
-                          kSensor) != 0;
-        contact.material = mix(bodies.form(contact.key.bodyA).parts[contact.key.partA].material,
-                               bodies.form(contact.key.bodyB).parts[contact.key.partB].material);
-        contacts_.push_back(contact);
     }
-    skipOld(nullptr);
+    addUpTo(nullptr);
+    std::swap(order_, newOrder_);
+    for (const std::uint32_t at : added_) {
+        if (holes_.empty()) {
+            order_[at].slot = static_cast<std::uint32_t>(contacts_.size());
+            contacts_.emplace_back();
+        } else {
+            order_[at].slot = holes_.back();
+            holes_.pop_back();
+        }
+        contacts_[order_[at].slot] = makeContact(bodies, order_[at].pair);
+    }
+    fillHoles();
 }
 
 void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances) {
     // Which face carries a contact of parallel faces must not flicker with rounding.
     const Real preference = tolerances.slop / 8;
     for (Contact& contact : contacts_) {
+        const bool near =
+            overlap(tight_[contact.proxyA].grown(tolerances.margin), tight_[contact.proxyB]);
+        if (!near && !contact.near) {
+            continue; // as it was
+        }
+        contact.near = near;
         contact.touching = false;
         contact.hidden = false;
         contact.total = 0;
         contact.approachSpeed = 0;
-        if (carry(bodies, contact)) {
-            contact.centerA = bodies.pose[contact.key.bodyA].position;
-            contact.approachSpeed = approachSpeedOf(contact, bodies);
-            continue;
-        }
-        const bool near =
-            overlap(tight_[contact.proxyA].grown(tolerances.margin), tight_[contact.proxyB]);
         if (!near) {
-            contact.manifold.count = 0;
-            contact.impulse = {};
-            contact.friction = 0;
-            contact.rolling = 0;
-            contact.passing = false;
+            clearManifold(contact);
             continue;
         }
         const Transform& a = bodies.pose[contact.key.bodyA];
-        const Transform& b = bodies.pose[contact.key.bodyB];
-        const Contact old = contact;
-        contact.travelA = bodies.travel[contact.key.bodyA];
-        contact.travelB = bodies.travel[contact.key.bodyB];
-        contact.manifold =
-            collide(outline(bodies, contact.proxyA), a, outline(bodies, contact.proxyB), b,
-                    tolerances.margin, preference);
-        contact.passing = letPass(contact.passing, contact.manifold);
         contact.centerA = a.position;
-        keepImpulses(old, contact);
+        if (!carry(bodies, contact)) {
+            contact.travelA = bodies.travel[contact.key.bodyA];
+            contact.travelB = bodies.travel[contact.key.bodyB];
+            replaceManifold(contact,
+                            collide(outline(bodies, contact.proxyA), a,
+                                    outline(bodies, contact.proxyB), bodies.pose[contact.key.bodyB],
+                                    tolerances.margin, preference));
+            contact.passing = letPass(contact.passing, contact.manifold);
+        }
         contact.approachSpeed = approachSpeedOf(contact, bodies);
     }
     seams_.hide(bodies, contacts_, tolerances);

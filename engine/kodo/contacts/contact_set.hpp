@@ -3,7 +3,7 @@
 
 #include <kodo/bodies/bodies.hpp>
 #include <kodo/bodies/tolerances.hpp>
-#include <kodo/broad/sort_and_sweep.hpp>
+#include <kodo/broad/pair_finder.hpp>
 #include <kodo/contacts/collision_record.hpp>
 #include <kodo/contacts/contact.hpp>
 #include <kodo/contacts/seams.hpp>
@@ -14,7 +14,7 @@
 
 namespace kodo::inline KODO_PRECISION {
 
-/// All contacts of a World, ordered by key, with the bounds they are found by.
+/// All contacts of a World, with the bounds they are found by.
 class ContactSet {
 public:
     /// A body came, went, jumped, or changed its form or filter: look at all of them again.
@@ -44,8 +44,16 @@ public:
     /// Contacts whose impulses are not finite start anew.
     void forgetUnsoundImpulses();
 
+    /// In an order of their own, which does not change while no pair comes or goes.
     std::span<Contact> contacts() { return contacts_; }
     std::span<const Contact> contacts() const { return contacts_; }
+    /// Calls visit(contact) for each, in the order of keys.
+    template <typename Visit>
+    void inOrder(Visit visit) {
+        for (const Place& place : order_) {
+            visit(contacts_[place.slot]);
+        }
+    }
 
     /// The records of contacts that ended because they lost a body, until clearEnded().
     std::span<const CollisionRecord> ended() const { return ended_; }
@@ -58,21 +66,41 @@ private:
         std::uint16_t part;
     };
 
+    /// Where a contact is, by the bounds of its parts, which are in the order of keys.
+    struct Place {
+        BoundsPair pair;
+        std::uint32_t slot;
+    };
+
     void rebuildProxies(const Bodies& bodies);
+    void renew(const Bodies& bodies, const Tolerances& tolerances);
+    void renewPlaces();
+    void outgrow(std::size_t proxy, const Aabb& bounds);
     const Convex& outline(const Bodies& bodies, std::size_t proxy) const;
+    void refreshPairs(const Bodies& bodies);
     void findPairs(const Bodies& bodies);
     void mergePairs(const Bodies& bodies);
     Contact makeContact(const Bodies& bodies, BoundsPair pair) const;
+    void describe(const Bodies& bodies, Contact& contact) const;
+    template <typename Gone>
+    void eraseIf(Gone gone);
+    void fillHoles();
 
     std::vector<Proxy> proxies_;            // one for each part of each body, in order
     std::vector<std::uint32_t> firstProxy_; // by body
     std::vector<Aabb> tight_;               // where it is
     std::vector<Aabb> grown_;               // where it may be until its pairs are looked for again
+    std::vector<std::uint32_t> moved_;      // whose grown bounds are new
+    std::vector<std::uint8_t> isMoved_;
     std::vector<BoundsPair> pairs_;
-    SortAndSweep sortAndSweep_;
+    PairFinder finder_;
     Seams seams_;
     std::vector<Contact> contacts_;
-    std::vector<Contact> previous_; // spare, so that merging allocates nothing
+    std::vector<Place> order_;         // of the contacts, by key
+    std::vector<Place> newOrder_;      // spare, so that merging allocates nothing
+    std::vector<std::uint32_t> holes_; // slots whose contact is gone, while merging
+    std::vector<std::uint32_t> added_; // places in the order whose contact is new, while merging
+    std::vector<std::uint32_t> slots_; // where the contacts of the last slots went
     std::vector<CollisionRecord> ended_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> apart_;
     bool stale_ = true;

@@ -104,6 +104,14 @@ void World::breakJoints(Real dt) {
     }
 }
 
+void World::noteColliding(std::uint32_t body) {
+    Flags& flags = bodies_.record[body].filter.flags;
+    if ((flags & kColliding) == 0) {
+        flags |= kColliding;
+        colliding_.push_back(body);
+    }
+}
+
 void World::recordCollisions() {
     records_.clear();
     for (const std::uint32_t body : colliding_) {
@@ -111,22 +119,17 @@ void World::recordCollisions() {
     }
     colliding_.clear();
     const bool wanted = settings_.has(Feature::Records);
-    for (Contact& contact : contacts_.contacts()) {
+    contacts_.inOrder([&](Contact& contact) {
         finishContact(contact, tolerances_);
         if (wanted) {
             recordContact(contact, records_);
         }
         contact.wasTouching = contact.touching;
         if (contact.touching) {
-            for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
-                Flags& flags = bodies_.record[body].filter.flags;
-                if ((flags & kColliding) == 0) {
-                    flags |= kColliding;
-                    colliding_.push_back(body);
-                }
-            }
+            noteColliding(contact.key.bodyA);
+            noteColliding(contact.key.bodyB);
         }
-    }
+    });
     const std::span<const CollisionRecord> ended = contacts_.ended();
     if (wanted && !ended.empty()) {
         records_.insert(records_.end(), ended.begin(), ended.end());

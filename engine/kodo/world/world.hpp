@@ -113,6 +113,7 @@ private:
 
     void solve(Real dt);
     void recordCollisions();
+    void noteColliding(std::uint32_t body);
     void breakJoints(Real dt);
     void findAwake();
     void freezeUnsoundForces();

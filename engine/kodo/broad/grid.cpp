@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/broad/grid.hpp>
+
+#include <cmath>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+constexpr std::uint32_t kCellInterval = 64; // calls between two looks at the sizes
+constexpr Real kLevelStep = 4;              // each level's cells are so many times wider
+constexpr std::size_t kLevels = 16;         // at most; the last takes all that is left
+constexpr Real kCellsPerBounds = 4;         // at most, so that clearing them costs little
+
+Real sizeOf(const Aabb& box) {
+    return std::max(box.extent().x, box.extent().y);
+}
+
+} // namespace
+
+/// The lowest level takes three quarters of the bounds.
+void Grid::chooseCell(std::span<const Aabb> bounds) {
+    sizes_.clear();
+    for (const Aabb& box : bounds) {
+        sizes_.push_back(sizeOf(box));
+    }
+    const auto place = sizes_.begin() + static_cast<std::ptrdiff_t>(sizes_.size() * 3 / 4);
+    std::nth_element(sizes_.begin(), place, sizes_.end()); // total order: equal sizes are the same
+    cell_ = std::max(*place, Real(1e-30));
+}
+
+void Grid::assignLevels(std::span<const Aabb> bounds) {
+    Real largest = 0;
+    for (const Aabb& box : bounds) {
+        largest = std::max(largest, sizeOf(box));
+    }
+    levels_.clear();
+    for (Real cell = cell_; levels_.empty() || levels_.back().cell < largest; cell *= kLevelStep) {
+        const bool last = levels_.size() + 1 == kLevels;
+        levels_.push_back({last ? std::max(cell, largest) : cell});
+    }
+    levelOf_.resize(bounds.size());
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        std::uint8_t at = 0;
+        while (sizeOf(bounds[i]) > levels_[at].cell) {
+            ++at;
+        }
+        Level& level = levels_[at];
+        const Vec2 center = bounds[i].center();
+        const Aabb all = level.count == 0 ? Aabb{center, center} : level.centers;
+        level.centers = unite(all, {center, center});
+        ++level.count;
+        levelOf_[i] = at;
+    }
+}
+
+/// All of the level where there are cells enough for that, else about the middle of what is in it.
+void Grid::chooseWindow(Level& level, std::span<const Aabb> bounds) {
+    level.perCell = 1 / level.cell;
+    const Vec2 wanted = level.perCell * level.centers.extent() + Vec2{1, 1};
+    const Real most = kCellsPerBounds * static_cast<Real>(level.count);
+    Vec2 cells = wanted;
+    if (wanted.x * wanted.y > most) {
+        cells.x = std::min(wanted.x, std::sqrt(most));
+        cells.y = std::min(wanted.y, most / cells.x);
+        cells.x = std::min(wanted.x, most / cells.y);
+    }
+    level.columns = static_cast<std::int32_t>(std::max(cells.x, Real(1)));
+    level.rows = static_cast<std::int32_t>(std::max(cells.y, Real(1)));
+    level.origin = level.centers.lower;
+    if (cells.x < wanted.x) {
+        level.origin.x = middle(level, bounds, &Vec2::x) - cells.x / 2 * level.cell;
+    }
+    if (cells.y < wanted.y) {
+        level.origin.y = middle(level, bounds, &Vec2::y) - cells.y / 2 * level.cell;
+    }
+}
+
+/// The median of the centres of a level, along one axis.
+Real Grid::middle(const Level& level, std::span<const Aabb> bounds, Real Vec2::*axis) {
+    sizes_.clear();
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        if (&levels_[levelOf_[i]] == &level) {
+            sizes_.push_back(bounds[i].center().*axis);
+        }
+    }
+    const auto place = sizes_.begin() + static_cast<std::ptrdiff_t>(sizes_.size() / 2);
+    std::nth_element(sizes_.begin(), place,
+                     sizes_.end()); // total order: equal numbers are the same
+    return *place;
+}
+
+void Grid::build(std::span<const Aabb> bounds) {
+    if (levelOf_.size() != bounds.size() || calls_ % kCellInterval == 0) {
+        chooseCell(bounds);
+    }
+    ++calls_;
+    assignLevels(bounds);
+    std::size_t cells = 0;
+    for (Level& level : levels_) {
+        if (level.count > 0) {
+            chooseWindow(level, bounds);
+            level.begin = static_cast<std::uint32_t>(cells);
+            cells += static_cast<std::size_t>(level.columns) * static_cast<std::size_t>(level.rows);
+        }
+    }
+    starts_.assign(cells + 1, 0);
+    cellOf_.resize(bounds.size());
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        const Level& level = levels_[levelOf_[i]];
+        const Vec2 center = bounds[i].center();
+        const std::int32_t cell =
+            rowOf(level, center.y) * level.columns + columnOf(level, center.x);
+        cellOf_[i] = level.begin + static_cast<std::uint32_t>(cell);
+        ++starts_[cellOf_[i]];
+    }
+    std::uint32_t sum = 0;
+    for (std::uint32_t& start : starts_) {
+        sum += start;
+        start = sum; // the end of the cell, until its entries are in
+    }
+    entries_.resize(bounds.size());
+    for (std::size_t i = bounds.size(); i-- > 0;) {
+        entries_[--starts_[cellOf_[i]]] = {bounds[i], static_cast<std::uint32_t>(i)};
+    }
+    std::erase_if(levels_, [](const Level& level) { return level.count == 0; });
+}
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/broad/broad_phase.hpp>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// Sorts bounds into square cells by their centres. A level of cells holds bounds up to the size of
+/// a cell; larger ones go to a level of larger cells. Whoever looks for what overlaps a box looks
+/// into the cells that it reaches, grown by half a cell, row by row, where they lie side by side in
+/// memory.
+///
+/// The cells cover where most of the bounds are. What lies outside counts to the cells at the edge,
+/// so an escaped body costs nothing but the time of that cell.
+class Grid {
+public:
+    /// Every pair of overlapping bounds, of which at least one has moved, that
+    /// `accept(first, second)` lets through, in order.
+    template <typename Accept>
+    void pairs(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
+               std::vector<BoundsPair>& out) {
+        build(bounds);
+        tests_ = 0;
+        for (const std::uint32_t m : moved.list) {
+            const Aabb box = bounds[m];
+            const auto meet = [&](std::uint32_t i) {
+                if (i == m || (moved.has(i) && i < m)) {
+                    return; // itself, or met already
+                }
+                const BoundsPair pair = i < m ? BoundsPair{i, m} : BoundsPair{m, i};
+                if (accept(pair.first, pair.second)) {
+                    out.push_back(pair);
+                }
+            };
+            for (const Level& level : levels_) {
+                forEachNear(level, box, meet);
+            }
+        }
+        sorter_.sort(out, bounds.size());
+    }
+
+    /// Bounds that were compared in the last call: what it had to test.
+    std::size_t testCount() const { return tests_; }
+
+private:
+    struct Entry {
+        Aabb box;
+        std::uint32_t index;
+    };
+    struct Level {
+        Real cell = 0; // m; no bounds in it are larger
+        Real perCell = 0;
+        std::uint32_t count = 0; // of its bounds
+        Aabb centers{};          // all of them are in here
+        Vec2 origin{};           // m, lower left corner of the cells
+        std::int32_t columns = 0;
+        std::int32_t rows = 0;
+        std::uint32_t begin = 0; // of its cells in starts_
+    };
+
+    std::int32_t columnOf(const Level& level, Real x) const {
+        return cellOf((x - level.origin.x) * level.perCell, level.columns);
+    }
+    std::int32_t rowOf(const Level& level, Real y) const {
+        return cellOf((y - level.origin.y) * level.perCell, level.rows);
+    }
+    static std::int32_t cellOf(Real cells, std::int32_t count) {
+        const Real last = static_cast<Real>(count - 1);
+        return static_cast<std::int32_t>(std::clamp(cells, Real(0), last));
+    }
+
+    template <typename Meet>
+    void forEachNear(const Level& level, const Aabb& box, Meet meet) {
+        const Real half = level.cell / 2;
+        const std::int32_t left = columnOf(level, box.lower.x - half);
+        const std::int32_t right = columnOf(level, box.upper.x + half);
+        const std::int32_t top = rowOf(level, box.upper.y + half);
+        for (std::int32_t row = rowOf(level, box.lower.y - half); row <= top; ++row) {
+            const std::uint32_t* const starts =
+                starts_.data() + level.begin + static_cast<std::ptrdiff_t>(row) * level.columns;
+            const std::uint32_t end = starts[right + 1];
+            tests_ += end - starts[left];
+            for (std::uint32_t k = starts[left]; k < end; ++k) {
+                if (overlap(entries_[k].box, box)) {
+                    meet(entries_[k].index);
+                }
+            }
+        }
+    }
+
+    void build(std::span<const Aabb> bounds);
+    void chooseCell(std::span<const Aabb> bounds);
+    void assignLevels(std::span<const Aabb> bounds);
+    void chooseWindow(Level& level, std::span<const Aabb> bounds);
+    Real middle(const Level& level, std::span<const Aabb> bounds, Real Vec2::*axis);
+
+    Real cell_ = 0; // m, of the lowest level
+    std::uint32_t calls_ = 0;
+    std::vector<Level> levels_;
+    std::vector<std::uint8_t> levelOf_;
+    std::vector<std::uint32_t> cellOf_;
+    std::vector<std::uint32_t> starts_; // by cell: its first entry; one more at the end of a level
+    std::vector<Entry> entries_;
+    std::vector<Real> sizes_; // or centres, to find the middle one
+    PairSorter sorter_;
+    std::size_t tests_ = 0;
+};
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/broad/brute_force.hpp>
+#include <support/random_numbers.hpp>
+
+#include <numeric>
+
+namespace kodo::bounds_scenes {
+
+inline bool acceptAll(std::uint32_t, std::uint32_t) {
+    return true;
+}
+
+/// As if all bounds had moved.
+class AllMoved {
+public:
+    explicit AllMoved(std::size_t count) : list_(count), flags_(count, 1) {
+        std::iota(list_.begin(), list_.end(), 0u);
+    }
+    operator Moved() const { return {list_, flags_}; }
+
+private:
+    std::vector<std::uint32_t> list_;
+    std::vector<std::uint8_t> flags_;
+};
+
+inline std::vector<BoundsPair> byBruteForce(const std::vector<Aabb>& bounds) {
+    std::vector<BoundsPair> pairs;
+    for (std::uint32_t i = 0; i < bounds.size(); ++i) {
+        for (std::uint32_t k = i + 1; k < bounds.size(); ++k) {
+            if (overlap(bounds[i], bounds[k])) {
+                pairs.push_back({i, k});
+            }
+        }
+    }
+    return pairs;
+}
+
+inline Aabb boxAt(Real x, Real y, Real width = 1, Real height = 1) {
+    return {{x, y}, {x + width, y + height}};
+}
+
+inline std::vector<Aabb> randomScene(support::RandomNumbers& random, std::size_t count) {
+    const double wide = static_cast<double>(random.between(1, 40));
+    const double high = static_cast<double>(random.between(1, 40));
+    std::vector<Aabb> bounds;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Real x = random.between(-wide, wide);
+        const Real y = random.between(-high, high);
+        const Real width = random.between(0, 2);
+        bounds.push_back(boxAt(x, y, width, random.between(0, 2)));
+    }
+    return bounds;
+}
+
+} // namespace kodo::bounds_scenes
