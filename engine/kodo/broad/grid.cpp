@@ -84,8 +84,8 @@ Real Grid::middle(const Level& level, std::span<const Aabb> bounds, Real Vec2::*
         }
     }
     const auto place = sizes_.begin() + static_cast<std::ptrdiff_t>(sizes_.size() / 2);
-    std::nth_element(sizes_.begin(), place,
-                     sizes_.end()); // total order: equal numbers are the same
+    // total order: equal numbers are the same
+    std::nth_element(sizes_.begin(), place, sizes_.end());
     return *place;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/collide/collide.hpp>
-#include <kodo/collide/one_sided.hpp>
+#include <kodo/contacts/contact_report.hpp>
 #include <kodo/contacts/contact_set.hpp>
+#include <kodo/contacts/contact_update.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,86 +13,6 @@ namespace {
 /// Bounds of a part moved by the motion of its body within this step.
 Aabb boundsAfter(const Convex& convex, const Transform& pose, const Motion& motion) {
     return boundsOf(convex, {pose.position + motion.move, turned(pose.rotation, motion.turn)});
-}
-
-Real approachSpeedOf(const Contact& contact, const Bodies& bodies) {
-    const Motion& a = bodies.motion[contact.key.bodyA];
-    const Motion& b = bodies.motion[contact.key.bodyB];
-    Real fastest = 0;
-    for (int i = 0; i < contact.manifold.count; ++i) {
-        const ManifoldPoint& p = contact.manifold.points[static_cast<std::size_t>(i)];
-        const Vec2 relative = velocityAt(b, p.armB) - velocityAt(a, p.armA);
-        fastest = std::max(fastest, -dot(contact.manifold.normal, relative));
-    }
-    return fastest;
-}
-
-/// Takes a new manifold, and hands the impulses of the old points on to the new ones that are made
-/// by the same features.
-void replaceManifold(Contact& contact, const Manifold& manifold) {
-    const Manifold& old = contact.manifold;
-    std::array<PointImpulse, 2> impulse{};
-    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
-        for (std::size_t k = 0; k < static_cast<std::size_t>(old.count); ++k) {
-            if (manifold.points[i].feature == old.points[k].feature) {
-                impulse[i].normal = contact.impulse[k].normal;
-            }
-        }
-    }
-    contact.impulse = impulse;
-    contact.manifold = manifold;
-    if (manifold.count == 0) {
-        contact.friction = 0;
-        contact.rolling = 0;
-    }
-}
-
-/// Not near: nothing is left of what was.
-void clearManifold(Contact& contact) {
-    contact.manifold.count = 0;
-    contact.impulse = {};
-    contact.friction = 0;
-    contact.rolling = 0;
-    contact.passing = false;
-}
-
-// A manifold is kept until its bodies have gone so far, in slops.
-constexpr std::uint32_t kKept = 8;
-
-/// Keeps a manifold while its bodies have not gone far since it was found: only the separations
-/// follow the last step, to first order in the turn. This saves most of the work in a
-/// pile, and a point of contact that stays where it is steadies it. False if it must be found anew.
-bool carry(const Bodies& bodies, Contact& contact) {
-    const std::uint32_t a = contact.key.bodyA;
-    const std::uint32_t b = contact.key.bodyB;
-    const std::uint32_t way =
-        (bodies.travel[a] - contact.travelA) + (bodies.travel[b] - contact.travelB);
-    if (!std::exchange(contact.carried, false) || way > kKept * Bodies::kTravelPerSlop) {
-        return false;
-    }
-    const Motion& motionA = bodies.motion[a];
-    const Motion& motionB = bodies.motion[b];
-    const Vec2 n = contact.manifold.normal;
-    const Real moved = dot(n, motionB.move - motionA.move);
-    for (ManifoldPoint& p : contact.manifold.points) {
-        p.separation += moved + (cross(p.armB, n) * motionB.turn - cross(p.armA, n) * motionA.turn);
-    }
-    for (PointImpulse& impulse : contact.impulse) {
-        impulse.largest = 0;
-    }
-    return true;
-}
-
-CollisionRecord endOf(const Contact& contact) {
-    CollisionRecord record;
-    record.a = contact.a;
-    record.b = contact.b;
-    record.partA = contact.key.partA;
-    record.partB = contact.key.partB;
-    record.phase = TouchPhase::End;
-    record.normal = contact.manifold.normal;
-    record.point = contact.centerA + contact.manifold.points[0].armA;
-    return record;
 }
 
 } // namespace
@@ -420,76 +340,16 @@ void ContactSet::mergePairs(const Bodies& bodies) {
 }
 
 void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances) {
-    // Which face carries a contact of parallel faces must not flicker with rounding.
-    const Real preference = tolerances.slop / 8;
     for (Contact& contact : contacts_) {
         const bool near =
             overlap(tight_[contact.proxyA].grown(tolerances.margin), tight_[contact.proxyB]);
-        if (!near && !contact.near) {
-            continue; // as it was
+        if (near) {
+            refreshContact(contact, bodies, tolerances);
+        } else if (contact.near) {
+            clearContact(contact);
         }
-        contact.near = near;
-        contact.touching = false;
-        contact.hidden = false;
-        contact.total = 0;
-        contact.approachSpeed = 0;
-        if (!near) {
-            clearManifold(contact);
-            continue;
-        }
-        const Transform& a = bodies.pose[contact.key.bodyA];
-        contact.centerA = a.position;
-        if (!carry(bodies, contact)) {
-            contact.travelA = bodies.travel[contact.key.bodyA];
-            contact.travelB = bodies.travel[contact.key.bodyB];
-            replaceManifold(contact,
-                            collide(outline(bodies, contact.proxyA), a,
-                                    outline(bodies, contact.proxyB), bodies.pose[contact.key.bodyB],
-                                    tolerances.margin, preference));
-            contact.passing = letPass(contact.passing, contact.manifold);
-        }
-        contact.approachSpeed = approachSpeedOf(contact, bodies);
     }
     seams_.hide(bodies, contacts_, tolerances);
-}
-
-void finishContact(Contact& contact, const Tolerances& tolerances) {
-    if (contact.sensor) {
-        contact.touching = contact.touching || (contact.manifold.count > 0 &&
-                                                contact.manifold.points[0].separation <= 0);
-        return;
-    }
-    if (contact.hidden) {
-        return;
-    }
-    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
-        PointImpulse& impulse = contact.impulse[i];
-        impulse.largest = std::max(impulse.largest, impulse.impact);
-        contact.total += impulse.impact;
-        contact.touching = contact.touching || impulse.largest > 0 ||
-                           contact.manifold.points[i].separation <= tolerances.slop;
-    }
-}
-
-void recordContact(const Contact& contact, std::vector<CollisionRecord>& out) {
-    if (!contact.touching) {
-        if (contact.wasTouching) {
-            out.push_back(endOf(contact));
-        }
-        return;
-    }
-    CollisionRecord& record = out.emplace_back(endOf(contact));
-    record.phase = contact.wasTouching ? TouchPhase::Persist : TouchPhase::Begin;
-    record.pointCount = static_cast<std::uint8_t>(contact.manifold.count);
-    record.separation = contact.manifold.points[0].separation;
-    record.approachSpeed = contact.approachSpeed;
-    record.totalImpulse = contact.total;
-    for (std::size_t i = 0; i < record.pointCount; ++i) {
-        if (contact.impulse[i].largest > record.maxImpulse) {
-            record.maxImpulse = contact.impulse[i].largest;
-            record.point = contact.centerA + contact.manifold.points[i].armA;
-        }
-    }
 }
 
 } // namespace kodo::inline KODO_PRECISION

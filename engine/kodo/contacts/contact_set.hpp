@@ -107,10 +107,4 @@ private:
     bool pairsStale_ = true;
 };
 
-/// Sums up a step for one contact: did it touch, and how hard.
-void finishContact(Contact& contact, const Tolerances& tolerances);
-
-/// Appends what one contact did in this step, if it did anything.
-void recordContact(const Contact& contact, std::vector<CollisionRecord>& out);
-
 } // namespace kodo::inline KODO_PRECISION

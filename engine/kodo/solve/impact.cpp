@@ -168,11 +168,6 @@ bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,
 
 void solveImpacts(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
                   const Tolerances& tolerances, Real dt) {
-    for (Contact& contact : contacts) {
-        for (PointImpulse& impulse : contact.impulse) {
-            impulse.impact = 0;
-        }
-    }
     if (!settings.has(Feature::Restitution)) {
         return;
     }

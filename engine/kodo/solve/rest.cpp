@@ -74,6 +74,9 @@ void RestStage::disturb(Bodies& bodies, ContactSet& contacts, std::uint32_t body
 }
 
 void RestStage::wakeTouched(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances) {
+    if (!anyResting()) {
+        return;
+    }
     std::size_t i = 0;
     while (i < contacts.contacts().size()) {
         const Contact& contact = contacts.contacts()[i++];

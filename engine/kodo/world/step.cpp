@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/bodies/integrate.hpp>
+#include <kodo/contacts/contact_report.hpp>
 #include <kodo/solve/impact.hpp>
 #include <kodo/world/world.hpp>
 

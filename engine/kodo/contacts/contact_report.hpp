@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/bodies/tolerances.hpp>
+#include <kodo/contacts/collision_record.hpp>
+#include <kodo/contacts/contact.hpp>
+
+#include <vector>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// Sums up a step for one contact: did it touch, and how hard.
+void finishContact(Contact& contact, const Tolerances& tolerances);
+
+/// Appends what one contact did in this step, if it did anything.
+void recordContact(const Contact& contact, std::vector<CollisionRecord>& out);
+
+/// The last record of a contact that touched and does so no more.
+CollisionRecord endOf(const Contact& contact);
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/collide/collide.hpp>
+#include <kodo/collide/one_sided.hpp>
+#include <kodo/contacts/contact_update.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+const Convex& outline(const Bodies& bodies, std::uint32_t body, std::uint16_t part) {
+    return bodies.form(body).parts[part].convex;
+}
+
+Real approachSpeedOf(const Contact& contact, const Bodies& bodies) {
+    const Motion& a = bodies.motion[contact.key.bodyA];
+    const Motion& b = bodies.motion[contact.key.bodyB];
+    Real fastest = 0;
+    for (int i = 0; i < contact.manifold.count; ++i) {
+        const ManifoldPoint& p = contact.manifold.points[static_cast<std::size_t>(i)];
+        const Vec2 relative = velocityAt(b, p.armB) - velocityAt(a, p.armA);
+        fastest = std::max(fastest, -dot(contact.manifold.normal, relative));
+    }
+    return fastest;
+}
+
+/// Takes a new manifold, and hands the impulses of the old points on to the new ones that are made
+/// by the same features.
+void replaceManifold(Contact& contact, const Manifold& manifold) {
+    const Manifold& old = contact.manifold;
+    std::array<PointImpulse, 2> impulse{};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
+        for (std::size_t k = 0; k < static_cast<std::size_t>(old.count); ++k) {
+            if (manifold.points[i].feature == old.points[k].feature) {
+                impulse[i].normal = contact.impulse[k].normal;
+            }
+        }
+    }
+    contact.impulse = impulse;
+    contact.manifold = manifold;
+    if (manifold.count == 0) {
+        contact.friction = 0;
+        contact.rolling = 0;
+    }
+}
+
+// A manifold is kept until its bodies have gone so far, in slops.
+constexpr std::uint32_t kKept = 8;
+
+/// Keeps a manifold while its bodies have not gone far since it was found: only the separations
+/// follow the last step, to first order in the turn. This saves most of the work in a
+/// pile, and a point of contact that stays where it is steadies it. False if it must be found anew.
+bool carry(const Bodies& bodies, Contact& contact) {
+    const std::uint32_t a = contact.key.bodyA;
+    const std::uint32_t b = contact.key.bodyB;
+    const std::uint32_t way =
+        (bodies.travel[a] - contact.travelA) + (bodies.travel[b] - contact.travelB);
+    if (!std::exchange(contact.carried, false) || way > kKept * Bodies::kTravelPerSlop) {
+        return false;
+    }
+    const Motion& motionA = bodies.motion[a];
+    const Motion& motionB = bodies.motion[b];
+    const Vec2 n = contact.manifold.normal;
+    const Real moved = dot(n, motionB.move - motionA.move);
+    for (ManifoldPoint& p : contact.manifold.points) {
+        p.separation += moved + (cross(p.armB, n) * motionB.turn - cross(p.armA, n) * motionA.turn);
+    }
+    return true;
+}
+
+/// Finds the manifold anew.
+void find(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) {
+    const ContactKey& key = contact.key;
+    // Which face carries a contact of parallel faces must not flicker with rounding.
+    const Real preference = tolerances.slop / 8;
+    Manifold manifold = collide(outline(bodies, key.bodyA, key.partA), bodies.pose[key.bodyA],
+                                outline(bodies, key.bodyB, key.partB), bodies.pose[key.bodyB],
+                                tolerances.margin, preference);
+    contact.passing = letPass(contact.passing, manifold);
+    replaceManifold(contact, manifold);
+    contact.travelA = bodies.travel[key.bodyA];
+    contact.travelB = bodies.travel[key.bodyB];
+}
+
+/// What belongs to one step begins anew.
+void beginStep(Contact& contact) {
+    contact.touching = false;
+    contact.hidden = false;
+    contact.total = 0;
+    contact.approachSpeed = 0;
+    for (PointImpulse& impulse : contact.impulse) {
+        impulse.impact = 0;
+        impulse.largest = 0;
+    }
+}
+
+} // namespace
+
+void refreshContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) {
+    beginStep(contact);
+    contact.near = true;
+    contact.centerA = bodies.pose[contact.key.bodyA].position;
+    if (!carry(bodies, contact)) {
+        find(contact, bodies, tolerances);
+    }
+    contact.approachSpeed = approachSpeedOf(contact, bodies);
+}
+
+void clearContact(Contact& contact) {
+    beginStep(contact);
+    contact.near = false;
+    contact.manifold.count = 0;
+    contact.impulse = {};
+    contact.friction = 0;
+    contact.rolling = 0;
+    contact.carried = false;
+    contact.passing = false;
+}
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/bodies/bodies.hpp>
+#include <kodo/bodies/tolerances.hpp>
+#include <kodo/contacts/contact.hpp>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// Finds where two parts that are near each other touch, at the start of a step, and how fast they
+/// approach. Motion still holds the moves of the last step.
+void refreshContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances);
+
+/// The parts are not near any more: nothing is left of what was.
+void clearContact(Contact& contact);
+
+} // namespace kodo::inline KODO_PRECISION
