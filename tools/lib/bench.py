@@ -164,14 +164,15 @@ def draw_growth(groups, path):
     page.write(path)
 
 
-def growth(chosen, repeat):
+def growth(chosen):
+    """One run each: the large ones are long enough to be steady."""
     wanted = [name for name in GROWTH if not chosen.scenes or name in chosen.scenes]
     jobs = []
     for name in wanted:
         for size in GROWTH[name]:
             common = ["--scene", name, "--size", size]
             jobs.append([common + ["--engine", "box2d"], common + ["--engine", "kodo"]])
-    results = measure.run_in_turn(jobs, repeat)
+    results = measure.run_in_turn(jobs, 1)
     flat = [result for group in results for result in group]
     groups = [[result for result in flat if result["scene"] == name] for name in wanted]
     if groups:
@@ -191,7 +192,7 @@ def main():
     draw_ratios(scenes, results, OUT / "bench.svg")
     print(text)
     if chosen.growth:
-        growth(chosen, min(chosen.repeat, 3))
+        growth(chosen)
     print(f"Written: {', '.join(sorted(str(path) for path in OUT.iterdir()))}")
     return 0
 
