@@ -160,6 +160,14 @@ TEST(Options, RefuseWhatAnEngineDoesNotKnow) {
     options.step.leaveOut = {"gravity"};
     EXPECT_THROW(run(options), WrongUse);
     options.step.leaveOut = {};
+    for (const char* wrong : {"contactHertz", "contactHertz=", "contactHertz=12x", "mass=3",
+                              "contactPasses=1e300", "contactHertz=-1"}) {
+        options.step.set = {wrong};
+        EXPECT_THROW(run(options), WrongUse) << wrong;
+    }
+    options.step.set = {"contactHertz=120", "impactPasses=4"};
+    EXPECT_NO_THROW(run(options));
+    options.step.set = {};
     options.step.substeps = 0;
     EXPECT_THROW(run(options), WrongUse);
     options.engine = "box2d"; // has no substeps at all

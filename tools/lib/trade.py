@@ -59,15 +59,20 @@ def settings():
     """(family, label, arguments) of every way of stepping."""
     ways = [("substeps", f"{n}", ["--substeps", n]) for n in (1, 2, 3, 4, 6, 8, 12, 16, 32)]
     ways += [
-        ("stiffness", f"{n} at {hertz} Hz", ["--substeps", n, "--contact-hertz", hertz])
+        ("stiffness", f"{n} at {hertz} Hz", ["--substeps", n, "--set", f"contactHertz={hertz}"])
         for n, hertz in ((4, 30), (8, 30), (8, 120), (16, 120), (16, 240), (32, 480))
     ]
     ways += [("profile", name, ["--profile", name]) for name in ("default", "quick", "accurate")]
     double = ["--engine", "kodo64", "--substeps"]
     ways += [("double", f"{n}, double", [*double, n]) for n in (1, 2, 4, 8, 16)]
     ways += [("left out", f"no {name}", ["--leave-out", name]) for name in FEATURES]
+    thesis = ["--profile", "thesis", "--set"]
     ways += [
-        ("thesis", f"thesis {n}", ["--profile", "thesis", "--passes", n]) for n in (4, 10, 20, 40)
+        ("thesis", f"thesis {n}", [*thesis, f"contactPasses={n}"]) for n in (4, 10, 20, 40)
+    ]
+    ways += [
+        ("thesis", f"thesis {n} + shock", [*thesis, f"contactPasses={n},shockPasses={n}"])
+        for n in (4, 10)
     ]
     box2d = ["--engine", "box2d", "--passes"]
     ways += [("box2d", f"{n} / 3", [*box2d, n]) for n in (1, 2, 4, 8, 16, 32, 64)]
