@@ -25,6 +25,7 @@ def result(time, error, **more):
         "errorUnit": "mm",
         "cpuMsPerStep": time,
         "error": error,
+        "lost": error >= 1e4,
         **more,
     }
 
@@ -36,7 +37,13 @@ class Fronts(unittest.TestCase):
         self.assertEqual(trade.front_of([true, *beaten, fast, good]), [fast, good, true])
 
     def test_no_error_at_all_is_as_good_as_rounding(self):
-        self.assertEqual(len(trade.front_of([result(1, 0), result(2, trade.LEAST_ERROR)])), 1)
+        self.assertEqual(len(trade.front_of([result(1, 1e-4), result(2, 0)])), 1)
+
+    def test_what_has_lost_the_scene_is_on_no_front(self):
+        held = result(5, 10)
+        self.assertEqual(trade.front_of([result(1, 2e4), held]), [held])
+        self.assertEqual(trade.front_of([result(1, 2e4)]), [])
+        self.assertIsNone(trade.knee_of([]))
 
     # On the line between its ends the point at (2, 2) would stand at (2, 31.6): half way in time
     # is half way in error, both by powers.

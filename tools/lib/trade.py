@@ -19,28 +19,30 @@ class Question(typing.NamedTuple):
     name: str
     scene: str
     size: int
+    lost: float  # an error like that or greater is none: the scene has come down
     key: str = "error"  # of the results; the scene's own error unless another is named
     says: str = ""  # what that other is
     unit: str = ""
 
 
 QUESTIONS = [
-    Question("pyramid", "pyramid", 30),
-    Question("pyramid-drift", "pyramid", 30, "driftSidewaysM", "drift sideways, farthest", "m"),
-    Question("circles", "circles", 1000),
-    Question("debris", "debris", 500),
-    Question("tumbler", "tumbler", 500),
-    Question("breakout", "breakout", 200),
-    Question("stack", "stack", 20),
-    Question("massratio", "massratio", 1000),
-    Question("joints", "joints", 20),
-    Question("spinner", "spinner", 300),
-    Question("forces", "forces", 10),
-    Question("slide", "slide", 1),
-    Question("bounce", "bounce", 1),
-    Question("pendulum", "pendulum", 1),
+    Question("pyramid", "pyramid", 30, 100),
+    Question("pyramid-drift", "pyramid", 30, 0.5, "driftSidewaysM", "drift sideways", "m"),
+    Question("circles", "circles", 1000, 100),
+    Question("debris", "debris", 500, 100),
+    Question("tumbler", "tumbler", 500, 100),
+    Question("breakout", "breakout", 200, 0.5),
+    Question("stack", "stack", 20, 1000),
+    Question("massratio", "massratio", 1000, 50),
+    Question("joints", "joints", 20, 500),
+    Question("spinner", "spinner", 300, 100),
+    Question("forces", "forces", 10, 0.5),
+    Question("slide", "slide", 1, 0.5),
+    Question("bounce", "bounce", 1, 0.5),
+    Question("pendulum", "pendulum", 1, 0.5),
 ]
-LEAST_ERROR = 1e-7  # a share, mm or %: below that, rounding is all that is left
+# By unit: below that, rounding or nothing is left, and a figure need not show how much.
+LEAST_ERROR = {"": 1e-7, "mm": 1e-3, "%": 1e-3, "m": 1e-6}
 FEATURES = ("friction", "rolling", "restitution", "sweep", "records")
 
 # Family: (colour, hollow?). A family is what one question sweeps over.
@@ -102,19 +104,21 @@ def ask(question, ways, results):
             result["errorName"], result["errorUnit"] = question.says, question.unit
             result["error"] = result[question.key]
         if result["error"] is not None:
+            result["lost"] = result["error"] >= question.lost
             answered.append(result)
     return answered
 
 
 def error_of(result):
-    return max(result["error"], LEAST_ERROR)
+    return max(result["error"], LEAST_ERROR[result["errorUnit"]])
 
 
 def front_of(results):
     """What no other setting beats in both time and error, from fast to true; a gain in error of
-    less than 1 % counts for nothing."""
+    less than 1 % counts for nothing. Empty when all have lost the scene."""
     front = []
-    for result in sorted(results, key=lambda one: (one["cpuMsPerStep"], error_of(one))):
+    holding = [result for result in results if not result["lost"]]
+    for result in sorted(holding, key=lambda one: (one["cpuMsPerStep"], error_of(one))):
         if not front or error_of(result) < 0.99 * error_of(front[-1]):
             front.append(result)
     return front
@@ -122,7 +126,7 @@ def front_of(results):
 
 def is_beaten(result, others):
     """Is there one that is both faster and truer, by more than the noise of a measurement?"""
-    return any(
+    return result["lost"] or any(
         1.05 * one["cpuMsPerStep"] < result["cpuMsPerStep"]
         and 1.02 * error_of(one) < error_of(result)
         for one in others
@@ -132,11 +136,11 @@ def is_beaten(result, others):
 def knee_of(front):
     """Where more time begins to buy less: the point of the front that lies farthest below the line
     between its ends, both axes in powers of ten and as wide as the front is."""
+    if len(front) < 3:
+        return front[-1] if front else None
     times = [math.log(one["cpuMsPerStep"]) for one in front]
     errors = [math.log(error_of(one)) for one in front]
     width, height = times[-1] - times[0], errors[0] - errors[-1]
-    if len(front) < 3:
-        return front[-1]
     gains = [
         1 - (time - times[0]) / width - (error - errors[-1]) / height
         for time, error in zip(times, errors)
@@ -158,12 +162,13 @@ def draw(results, front, knee, path):
         return across(1e3 * result["cpuMsPerStep"]), up(error_of(result))
 
     page.line([place(result) for result in front], chart.INK, 1.5, "5 3")
-    page.dot(*place(knee), 10, "#cf222e", True)
+    if knee:
+        page.dot(*place(knee), 10, "#cf222e", True)
     for result in results:
         colour, hollow = FAMILIES[result["family"]]
         hint = f"{result['label']}: {result['cpuMsPerStep'] * 1e3:.3g} us, {result['error']:.3g}"
         page.dot(*place(result), 5, colour, hollow, hint)
-    for label in dict.fromkeys(one["label"] for one in [knee, *front, *results]):
+    for label in dict.fromkeys(one["label"] for one in [*front, *results]):
         result = next(one for one in results if one["label"] == label)
         page.label(*place(result), label, FAMILIES[result["family"]][0])
     for i, (name, (colour, hollow)) in enumerate(FAMILIES.items()):
@@ -186,7 +191,7 @@ def row_of(result, remark):
 def front_table(front, knee, ours):
     """What a user reads: the front of Kodo's settings from fast to true, and the default."""
     lines = [
-        f"\n**{knee['scene']}**: {knee['errorName']}\n",
+        f"\n**{ours[0]['scene']}**: {ours[0]['errorName']}\n",
         "| setting | us a step | error | |",
         "|---|--:|--:|---|",
     ]
@@ -194,7 +199,8 @@ def front_table(front, knee, ours):
     default = next(one for one in ours if one["label"] == "default")
     if default not in front:
         beaten = is_beaten(default, ours)
-        lines.append(row_of(default, "**not on the front**" if beaten else "as good as the front"))
+        remark = "**lost**" if default["lost"] else "**not on the front**"
+        lines.append(row_of(default, remark if beaten else "as good as the front"))
     return "\n".join(lines) + "\n"
 
 
