@@ -24,10 +24,10 @@ struct BodyState {
 struct StepOptions {
     std::string profile = "default"; // see profileNames()
     std::optional<int> substeps{};
-    std::optional<int> passes{};         // Box2D: velocity iterations; Kodo: contactPasses
-    std::optional<int> positionPasses{}; // Box2D: position iterations
-    std::optional<double> contactHertz{};
+    std::vector<std::string> set{};      // numbers of Kodo's StepSettings, as "contactHertz=120"
     std::vector<std::string> leaveOut{}; // features of Kodo, see featureNames()
+    std::optional<int> passes{};         // velocity iterations of Box2D
+    std::optional<int> positionPasses{}; // position iterations of Box2D
     int threads = 1;
     bool rest = false; // may calm bodies be put to rest? The scene says so, not the user
 };

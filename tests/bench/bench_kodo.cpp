@@ -3,6 +3,8 @@
 #include <scenes/in_kodo.hpp>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 
 #include "bench_engine.hpp"
 
@@ -46,18 +48,58 @@ static_assert(static_cast<int>(kodo::Feature::Friction) == 1 << 0 &&
               static_cast<int>(kodo::Feature::Records) == 1 << 4 &&
               static_cast<int>(kodo::Feature::Resting) == 1 << 5); // the order of featureNames()
 
+/// A number of the settings that can be set alone.
+struct Number {
+    const char* name;
+    void (*set)(kodo::StepSettings&, double);
+};
+
+template <auto member>
+void setMember(kodo::StepSettings& settings, double value) {
+    using Type = std::remove_reference_t<decltype(settings.*member)>;
+    settings.*member = static_cast<Type>(value);
+}
+
+constexpr Number kNumbers[] = {
+    {"impactPasses", setMember<&kodo::StepSettings::impactPasses>},
+    {"contactPasses", setMember<&kodo::StepSettings::contactPasses>},
+    {"shockPasses", setMember<&kodo::StepSettings::shockPasses>},
+    {"contactHertz", setMember<&kodo::StepSettings::contactHertz>},
+    {"contactDamping", setMember<&kodo::StepSettings::contactDamping>},
+    {"jointHertz", setMember<&kodo::StepSettings::jointHertz>},
+    {"jointDamping", setMember<&kodo::StepSettings::jointDamping>},
+    {"pushSpeed", setMember<&kodo::StepSettings::pushSpeed>},
+};
+
+/// "contactHertz=120".
+void setNumber(kodo::StepSettings& settings, const std::string& text) {
+    const std::size_t sign = text.find('=');
+    const auto* number =
+        std::find_if(std::begin(kNumbers), std::end(kNumbers), [&](const Number& candidate) {
+            return text.substr(0, sign) == candidate.name;
+        });
+    double value = 0;
+    const char* end = text.data() + text.size();
+    const char* start = sign == std::string::npos ? end : text.data() + sign + 1;
+    const auto read = std::from_chars(start, end, value);
+    if (number == std::end(kNumbers) || read.ec != std::errc() || read.ptr != end ||
+        std::abs(value) > 1e9) {
+        throw WrongUse("'" + text + "' sets no number of Kodo's settings");
+    }
+    number->set(settings, value);
+}
+
 kodo::StepSettings settingsOf(const StepOptions& options) {
-    if (options.positionPasses) {
-        throw WrongUse("Kodo has no position passes");
+    if (options.passes || options.positionPasses) {
+        throw WrongUse("passes and position passes are Box2D's; for Kodo, set contactPasses");
     }
     if (options.threads != 1) {
         throw WrongUse("Kodo steps on one thread");
     }
     kodo::StepSettings settings = profileOf(options.profile);
     settings.substeps = options.substeps.value_or(settings.substeps);
-    settings.contactPasses = options.passes.value_or(settings.contactPasses);
-    if (options.contactHertz) {
-        settings.contactHertz = static_cast<kodo::Real>(*options.contactHertz);
+    for (const std::string& text : options.set) {
+        setNumber(settings, text);
     }
     for (const std::string& name : options.leaveOut) {
         settings.leaveOut |= featureOf(name);

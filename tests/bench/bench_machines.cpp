@@ -128,7 +128,7 @@ Scene tumbler(int size, std::uint64_t) {
                          0.4 * (i / columns - 0.5 * (rows - 1))};
         scene.def.bodies.push_back(scenes::box(0.25, 0.25, place));
     }
-    scene.region = Region{{-width, -width}, {width, width}};
+    scene.region = Region{{-width / 2, -width / 2}, {width / 2, width / 2}, 0};
     scene.error = meanDepth();
     return scene;
 }

@@ -2,6 +2,7 @@
 // What stands, falls into a heap, or rests.
 #include <scenes/piles.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bench_scenes.hpp"
@@ -47,9 +48,11 @@ std::vector<scenes::Part> angle(double radius) {
             scenes::Box{0.45 * r, 0.95 * r, {-0.475 * r, 0.225 * r}}};
 }
 
-/// The top of a column of unit boxes that stood in its place: how far it is below that (m).
-double sunk(const Stage& stage, std::size_t boxes) {
-    return static_cast<double>(boxes) - 0.5 - stage.engine().state(boxes).position.y;
+/// The top of a column of unit boxes: how far it is from its place, up or down, as a share of the
+/// height. A column that has come down is all lost.
+double sunk(const Stage& stage, std::size_t boxes, double height) {
+    const double top = static_cast<double>(boxes) - 0.5;
+    return std::min(std::abs(top - stage.engine().state(boxes).position.y) / height, 1.0);
 }
 
 } // namespace
@@ -94,7 +97,7 @@ Scene stack(int size, std::uint64_t) {
     scene.def = scenes::stack(size);
     scene.region = Region{{-10, 0}, {10, 2.0 * size}};
     scene.error = {"top sinks", "mm", [=](const Stage& stage, const Depths&) {
-                       return 1000 * std::abs(sunk(stage, static_cast<std::size_t>(size)));
+                       return 1000 * size * sunk(stage, static_cast<std::size_t>(size), size);
                    }};
     return scene;
 }
@@ -105,9 +108,8 @@ Scene massRatio(int size, std::uint64_t) {
     scene.def.name = "massratio";
     scene.def.bodies[11].density = size;
     scene.region = Region{{-10, 0}, {10, 20}};
-    scene.error = {"light boxes crushed", "%", [](const Stage& stage, const Depths&) {
-                       return 100 * std::abs(sunk(stage, 11)) / 10;
-                   }};
+    scene.error = {"light boxes crushed", "%",
+                   [](const Stage& stage, const Depths&) { return 100 * sunk(stage, 11, 10); }};
     return scene;
 }
 

@@ -42,7 +42,7 @@ void addSettings(JsonObject& json, const Result& result) {
     json.add("substeps", step.substeps);
     json.add("passes", step.passes);
     json.add("positionPasses", step.positionPasses);
-    json.add("contactHertz", step.contactHertz);
+    json.add("set", fmt::format("{}", fmt::join(step.set, ",")));
     json.add("leaveOut", fmt::format("{}", fmt::join(step.leaveOut, ",")));
     json.add("bodies", result.bodies);
     json.add("locked", result.locked);

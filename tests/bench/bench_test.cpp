@@ -122,6 +122,11 @@ TEST(Ruler, CountsWhatStandsAndWhatIsGone) {
     EXPECT_NEAR(drift.down, 1.5, 1e-12);
     bodies[1].state.position.y = std::nan("");
     EXPECT_EQ(escapedFrom({{-5, 0}, {5, 5}}, bodies), 2u);
+    // Seen from the second, which has turned by a quarter, the third is 1.7 m to the right and 1.5
+    // m up, and the first nowhere.
+    bodies[2].state.rotation = {0, -1};
+    EXPECT_EQ(escapedFrom({{-1, -1}, {1.6, 1.8}, 2}, bodies), 1u);
+    EXPECT_EQ(escapedFrom({{-1, -1}, {1.4, 1.8}, 2}, bodies), 2u);
 }
 
 // m v^2 / 2 + I w^2 / 2 with m = pi r^2, I = m r^2 / 2: 2 pi + pi for r = 1, v = 2, w = 2.
@@ -160,6 +165,14 @@ TEST(Options, RefuseWhatAnEngineDoesNotKnow) {
     options.step.leaveOut = {"gravity"};
     EXPECT_THROW(run(options), WrongUse);
     options.step.leaveOut = {};
+    for (const char* wrong : {"contactHertz", "contactHertz=", "contactHertz=12x", "mass=3",
+                              "contactPasses=1e300", "contactHertz=-1"}) {
+        options.step.set = {wrong};
+        EXPECT_THROW(run(options), WrongUse) << wrong;
+    }
+    options.step.set = {"contactHertz=120", "impactPasses=4"};
+    EXPECT_NO_THROW(run(options));
+    options.step.set = {};
     options.step.substeps = 0;
     EXPECT_THROW(run(options), WrongUse);
     options.engine = "box2d"; // has no substeps at all

@@ -13,8 +13,18 @@ namespace {
 
 std::atomic<std::uint64_t> allocations{0};
 
-void* counted(void* memory) {
+void* allocate(std::size_t size) {
     allocations.fetch_add(1, std::memory_order_relaxed);
+    return std::malloc(size == 0 ? 1 : size);
+}
+
+void* allocate(std::size_t size, std::align_val_t alignment) {
+    allocations.fetch_add(1, std::memory_order_relaxed);
+    const auto unit = static_cast<std::size_t>(alignment); // aligned_alloc wants whole units
+    return std::aligned_alloc(unit, (size + unit - 1) / unit * unit);
+}
+
+void* orThrow(void* memory) {
     return memory != nullptr ? memory : throw std::bad_alloc();
 }
 
@@ -22,11 +32,16 @@ void* counted(void* memory) {
 
 // The array forms call these.
 void* operator new(std::size_t size) {
-    return counted(std::malloc(size == 0 ? 1 : size));
+    return orThrow(allocate(size));
 }
 void* operator new(std::size_t size, std::align_val_t alignment) {
-    const auto unit = static_cast<std::size_t>(alignment); // aligned_alloc wants whole units
-    return counted(std::aligned_alloc(unit, (size + unit - 1) / unit * unit));
+    return orThrow(allocate(size, alignment));
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    return allocate(size);
+}
+void* operator new(std::size_t size, std::align_val_t alignment, const std::nothrow_t&) noexcept {
+    return allocate(size, alignment);
 }
 void operator delete(void* memory) noexcept {
     std::free(memory);

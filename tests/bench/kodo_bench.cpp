@@ -29,11 +29,12 @@ void addOptions(CLI::App& app, Options& options) {
     app.add_option("--profile", step.profile, "How Kodo steps")
         ->check(CLI::IsMember(profileNames()));
     app.add_option("--substeps", step.substeps, "Instead of the profile's");
-    app.add_option("--passes", step.passes,
-                   "Velocity iterations of Box2D (8); contact passes of Kodo's thesis profile");
+    app.add_option("--passes", step.passes, "Velocity iterations of Box2D (8)")
+        ->check(CLI::Range(1, 1000));
     app.add_option("--position-passes", step.positionPasses, "Position iterations of Box2D (3)")
         ->check(CLI::Range(0, 1000));
-    app.add_option("--contact-hertz", step.contactHertz, "Instead of the profile's");
+    app.add_option("--set", step.set, "Other numbers of Kodo's settings: contactHertz=120,...")
+        ->delimiter(',');
     app.add_option("--leave-out", step.leaveOut, "Features of Kodo, by commas")
         ->delimiter(',')
         ->check(CLI::IsMember(featureNames()));

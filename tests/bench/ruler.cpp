@@ -152,8 +152,15 @@ Drift driftOf(const std::vector<Placed>& bodies) {
 }
 
 std::size_t escapedFrom(const Region& region, const std::vector<Placed>& bodies) {
+    BodyState frame;
+    for (const Placed& body : bodies) {
+        if (region.frame == body.body) {
+            frame = body.state;
+        }
+    }
+    const scenes::Rot back{frame.rotation.c, -frame.rotation.s};
     const auto outside = [&](const Placed& body) {
-        const Vec2 p = body.state.position;
+        const Vec2 p = back * (body.state.position - frame.position);
         const bool in = p.x >= region.lower.x && p.x <= region.upper.x && // false for NaN
                         p.y >= region.lower.y && p.y <= region.upper.y;
         return !body.def->locked && !in;

@@ -4,6 +4,7 @@
 #include <scenes/scene_def.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -50,10 +51,11 @@ struct Drift {
 };
 Drift driftOf(const std::vector<Placed>& bodies);
 
-/// A rectangle that nothing should leave.
+/// A rectangle that no body's origin should leave.
 struct Region {
     scenes::Vec2 lower;
     scenes::Vec2 upper;
+    std::optional<std::size_t> frame{}; // the body that it moves with
 };
 /// Bodies that are not locked and are outside, or nowhere: not finite.
 std::size_t escapedFrom(const Region& region, const std::vector<Placed>& bodies);

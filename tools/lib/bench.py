@@ -139,43 +139,29 @@ def draw_growth(groups, path):
     across = chart.LogScale(min(bodies) / 1.2, max(bodies) * 1.2, 80, 600)
     up = chart.LogScale(min(times) / 1.5, max(times) * 1.5, 400, 50)
     chart.axes(page, across, up, "bodies", "ns a body and step")
-    names = []
-    for i, group in enumerate(groups):
-        colour = chart.COLOURS[i % len(chart.COLOURS)]
-        for engine in dict.fromkeys(result["engine"] for result in group):
-            mine = [result for result in group if result["engine"] == engine]
-            points = [(across(one["bodies"]), up(one["nsPerBodyStep"])) for one in mine]
-            page.line(points, colour, 2, "" if engine == "kodo" else "2 4")
-            for point in points:
-                page.dot(*point, 4, colour, hollow=engine != "kodo")
-            if engine == "kodo":
-                first = mine[0]
-                grown = [
-                    first["nsPerBodyStep"] * math.log(one["bodies"]) / math.log(first["bodies"])
-                    for one in mine
-                ]
-                line = [(across(one["bodies"]), up(time)) for one, time in zip(mine, grown)]
-                page.line(line, colour, 1, "7 4")
-        names.append((group[0]["scene"], colour))
-    page.legend(616, 70, names)
-    page.text(610, 140, "full: kodo", size=11)
-    page.text(610, 156, "dotted, hollow: Box2D", size=11)
-    page.text(610, 172, "dashed: n log n", size=11)
+    for group, colour in zip(groups, chart.COLOURS):
+        places = [across(one["bodies"]) for one in group]
+        start = group[0]["nsPerBodyStep"] / math.log(group[0]["bodies"])
+        allowed = [up(start * math.log(one["bodies"])) for one in group]
+        page.line(list(zip(places, allowed)), colour, 1, "7 4")
+        points = list(zip(places, [up(one["nsPerBodyStep"]) for one in group]))
+        page.line(points, colour, 2)
+        for point, one in zip(points, group):
+            page.dot(*point, 4, colour)
+            page.label(*point, f"{one['nsPerBodyStep']:.0f}", colour)
+    names = [group[0]["scene"] for group in groups]
+    page.legend(616, 70, list(zip(names, chart.COLOURS)))
+    page.text(610, 140, "dashed: n log n", size=11)
     page.write(path)
 
 
-def growth(chosen, repeat):
+def growth(chosen):
+    """Kodo's default, one run each: the large ones are long enough to be steady."""
     wanted = [name for name in GROWTH if not chosen.scenes or name in chosen.scenes]
-    jobs = []
-    for name in wanted:
-        for size in GROWTH[name]:
-            common = ["--scene", name, "--size", size]
-            jobs.append([common + ["--engine", "box2d"], common + ["--engine", "kodo"]])
-    results = measure.run_in_turn(jobs, repeat)
-    flat = [result for group in results for result in group]
-    groups = [[result for result in flat if result["scene"] == name] for name in wanted]
+    jobs = [[["--scene", name, "--size", size] for size in GROWTH[name]] for name in wanted]
+    groups = measure.run_in_turn(jobs, 1)
     if groups:
-        measure.write_csv(OUT / "growth.csv", flat)
+        measure.write_csv(OUT / "growth.csv", [result for group in groups for result in group])
         draw_growth(groups, OUT / "growth.svg")
 
 
@@ -191,7 +177,7 @@ def main():
     draw_ratios(scenes, results, OUT / "bench.svg")
     print(text)
     if chosen.growth:
-        growth(chosen, min(chosen.repeat, 3))
+        growth(chosen)
     print(f"Written: {', '.join(sorted(str(path) for path in OUT.iterdir()))}")
     return 0
 

@@ -13,14 +13,35 @@ class Page:
     def __init__(self, width, height, title):
         self.width, self.height = width, height
         self.shapes = [f'<rect width="{width}" height="{height}" fill="white"/>']
+        self.labels = []  # left, upper, right, lower of those placed
         self.text(16, 26, title, size=16, weight="bold")
 
     def text(self, x, y, words, anchor="start", size=12, colour=INK, weight="normal", turn=0):
         turned = f' transform="rotate({turn} {x:.1f} {y:.1f})"' if turn else ""
         self.shapes.append(
             f'<text x="{x:.1f}" y="{y:.1f}" font-size="{size}" fill="{colour}"'
-            f' font-weight="{weight}" text-anchor="{anchor}"{turned}>{html.escape(words)}</text>'
+            f' font-weight="{weight}" text-anchor="{anchor}"{turned} paint-order="stroke"'
+            f' stroke="white" stroke-width="3">{html.escape(words)}</text>'
         )
+
+    def label(self, x, y, words, colour=INK):
+        """Beside a dot, on the side where no other label is; nowhere when all sides are taken, and
+        then the dot's hint has to do."""
+        width, height = 5.6 * len(words), 12
+        for left, lower in (
+            (x + 7, y - 4),
+            (x + 7, y + 14),
+            (x - 7 - width, y - 4),
+            (x - 7 - width, y + 14),
+        ):
+            box = (left, lower - height, left + width, lower)
+            if all(
+                box[2] < other[0] or other[2] < box[0] or box[3] < other[1] or other[3] < box[1]
+                for other in self.labels
+            ):
+                self.labels.append(box)
+                self.text(left, lower - 2, words, size=10, colour=colour)
+                return
 
     def line(self, points, colour=INK, width=1.0, dash=""):
         path = " ".join(f"{x:.1f},{y:.1f}" for x, y in points)

@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""What tools/trade and tools/bench make of measurements: figures_test.py PATH-OF-TOOLS/lib"""
+import pathlib
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+sys.dont_write_bytecode = True  # leave no __pycache__ beside the tools
+sys.path.insert(0, sys.argv.pop())
+import bench  # noqa: E402
+import chart  # noqa: E402
+import measure  # noqa: E402
+import trade  # noqa: E402
+
+
+def result(time, error, **more):
+    return {
+        "label": f"{time} {error}",
+        "family": "substeps",
+        "scene": "stack",
+        "engine": "kodo",
+        "errorName": "top sinks",
+        "errorUnit": "mm",
+        "cpuMsPerStep": time,
+        "error": error,
+        "lost": error >= 1e4,
+        **more,
+    }
+
+
+class Fronts(unittest.TestCase):
+    def test_the_front_is_what_nothing_beats(self):
+        fast, good, true = result(1, 100), result(2, 10), result(8, 1)
+        beaten = [result(1.5, 200), result(2.1, 10), result(9, 1), result(4, 9.95)]
+        self.assertEqual(trade.front_of([true, *beaten, fast, good]), [fast, good, true])
+
+    def test_no_error_at_all_is_as_good_as_rounding(self):
+        self.assertEqual(len(trade.front_of([result(1, 1e-4), result(2, 0)])), 1)
+
+    def test_what_has_lost_the_scene_is_on_no_front(self):
+        held = result(5, 10)
+        self.assertEqual(trade.front_of([result(1, 2e4), held]), [held])
+        self.assertEqual(trade.front_of([result(1, 2e4)]), [])
+        self.assertIsNone(trade.knee_of([]))
+
+    # On the line between its ends the point at (2, 2) would stand at (2, 31.6): half way in time
+    # is half way in error, both by powers.
+    def test_the_knee_lies_farthest_below_the_line_between_the_ends(self):
+        front = [result(1, 1000), result(1.5, 100), result(2, 2), result(4, 1)]
+        self.assertIs(trade.knee_of(front), front[2])
+
+    def test_a_setting_within_the_noise_of_the_front_is_not_beaten(self):
+        self.assertFalse(trade.is_beaten(result(1.02, 1), [result(1, 0.5)]))
+        self.assertFalse(trade.is_beaten(result(2, 1), [result(1, 0.99)]))
+        self.assertTrue(trade.is_beaten(result(2, 1), [result(1, 0.5)]))
+
+
+class Summaries(unittest.TestCase):
+    def test_they_take_the_median_time(self):
+        runs = [result(time, 1, stateHash="a", bodies=2) for time in (3, 1, 2)]
+        summary = measure.summary_of(runs)
+        self.assertEqual(summary["cpuMsPerStep"], 2)
+        self.assertEqual(summary["spread"], 1)
+        self.assertEqual(summary["nsPerBodyStep"], 1e6)
+
+    def test_another_state_stops_everything(self):
+        with self.assertRaises(SystemExit):
+            measure.summary_of([result(1, 1, stateHash=name) for name in "ab"])
+
+
+class Figures(unittest.TestCase):
+    def test_numbers_keep_three_digits_that_count(self):
+        texts = [bench.number(value) for value in (12345.6, 1.0, 0.0123456, 0, None)]
+        self.assertEqual(texts, ["12,346", "1.00", "0.0123", "0", ""])
+
+    def test_a_scale_has_its_ends_and_its_middle_where_they_belong(self):
+        scale = chart.LogScale(1, 100, 0, 200)
+        self.assertEqual([round(scale(value), 9) for value in (1, 10, 100)], [0, 100, 200])
+        self.assertEqual(scale.ticks(), [1, 2, 5, 10, 20, 50, 100])
+
+    def test_a_page_is_well_formed_whatever_its_words_are(self):
+        front = [result(1, 1000), result(2, 2), result(4, 1, label="<&>")]
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "figure.svg"
+            trade.draw(front, front, front[1], path)
+            texts = [node.text for node in xml.etree.ElementTree.parse(path).iter()]
+        self.assertIn("<&>", texts)
+        self.assertIn("top sinks (mm)", texts)
+
+
+if __name__ == "__main__":
+    unittest.main()
