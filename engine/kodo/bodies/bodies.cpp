@@ -26,6 +26,7 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const Form> f
     record.filter.flags &= ~kStatusFlags;
     bodies.record[slot.index] = std::move(record);
     bodies.rest[slot.index] = {};
+    bodies.rest[slot.index].since = bodies.pose[slot.index];
     bodies.awakeStale = true;
     refreshMass(bodies, slot.index);
     return {slot.index, slot.generation};

@@ -77,7 +77,8 @@ Motion& BodyRef::motion() {
 }
 
 void BodyRef::changed() {
-    world_->rest_.disturb(world_->bodies_, world_->contacts_, index());
+    world_->disturb(index());
+    world_->placeInRegion(index());
     world_->contacts_.bodiesChanged();
     world_->bodies_.awakeStale = true;
 }
