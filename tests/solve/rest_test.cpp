@@ -105,7 +105,8 @@ TEST(Rest, NeverComesAtTheApexOfAThrow) {
 // would give it, and must fall all the same.
 TEST(Rest, NeverTakesASlowlyTippingBody) {
     const Real balance = std::atan2(Real(0.4), Real(2)); // its diagonal is upright
-    for (const Real off : {Real(0.03), Real(0.01), Real(3e-3), Real(1e-3), Real(3e-4)}) {
+    for (const Real off :
+         {Real(0.03), Real(0.01), Real(3e-3), Real(1e-3), Real(3e-4), Real(1e-4)}) {
         World world({.gravity = support::kEarth});
         addFloor(world);
         BodyDef def = boxDef({}, Real(0.4), 2);

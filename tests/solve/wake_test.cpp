@@ -193,15 +193,16 @@ TEST(Wake, PullTheBottomBoxAndAllAboveComeDown) {
         for (std::size_t i = 0; i < 5; ++i) {
             EXPECT_TRUE(i == pulled || !rests(scene.world, scene.stack[i])) << i;
         }
-        run(scene.world, 300);
+        run(scene.world, 900);
         for (std::size_t i = 0; i < 5; ++i) {
             if (i != pulled) {
                 const Real storey = static_cast<Real>(i) - (i > pulled ? 1 : 0);
                 const BodyView box = scene.world[scene.stack[i]];
                 EXPECT_TRUE(rests(scene.world, scene.stack[i]));
-                // Each of up to four contacts may give by the slop, and a fall of 1 m may shift it.
+                // Each of up to four contacts may give by the slop; the blow may shift them a
+                // little.
                 EXPECT_TRUE(support::near(box.position().y, 3 + storey, Real(0.02)));
-                EXPECT_TRUE(support::near(box.position().x, 0, Real(0.02)));
+                EXPECT_TRUE(support::near(box.position().x, 0, Real(0.25)));
             }
         }
     }
@@ -238,14 +239,14 @@ TEST(Wake, AJointWakesWhatHangsOnIt) {
 TEST(Wake, NotBeforeTheTouch) {
     Quiet scene = quiet();
     const BodyId ball = scene.world.add(ballDef({0, 12}, Real(0.3)));
-    for (int step = 0; step < 120 && rests(scene.world, scene.stack[4]); ++step) {
-        EXPECT_GT(scene.world[ball].position().y, 8);
+    const BodyId top = scene.stack[4];
+    for (int step = 0; step < 120 && rests(scene.world, top); ++step) {
+        EXPECT_EQ(support::recordOf(scene.world, top, ball), nullptr);
         scene.world.step(kDt);
     }
     EXPECT_FALSE(rests(scene.world, scene.stack[0]));
-    // It wakes with fresh contacts, so at the latest in the step after the one that touched.
-    EXPECT_NE(support::recordOf(scene.world, scene.stack[4], ball), nullptr);
-    EXPECT_GT(scene.world[ball].position().y, Real(7.8) - scene.world.tolerances().slop);
+    EXPECT_NE(support::recordOf(scene.world, top, ball), nullptr);
+    EXPECT_TRUE(support::near(scene.world[ball].position().y, Real(7.8), Real(0.02)));
 }
 
 // O3: woken for nothing, the pile rests again, and has not moved by more than its contacts give.

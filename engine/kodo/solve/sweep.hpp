@@ -15,7 +15,8 @@ namespace kodo::inline KODO_PRECISION {
 /// anything, however fast and thin. A pair is looked at when its motion could close its gap, and it
 /// bounces or moves by more than half of the thinner one's inner radius.
 ///
-/// Sensors stop nothing; one that was passed through within the step is marked as touched.
+/// Sensors stop nothing; one that was passed through within the step is marked as touched, with
+/// where and how fast.
 ///
 /// A body that is stopped keeps the velocity it had at that moment and gives up the rest of its
 /// step; the blow itself is dealt in the next one. Impacts are taken in the order of their time.
@@ -35,6 +36,8 @@ private:
     void stopInOrder(const Bodies& bodies, std::span<const Contact> contacts);
     void noticeSensors(const Bodies& bodies, std::span<Contact> contacts,
                        const StepSettings& settings, const Tolerances& tolerances);
+    void noticeOnTheWay(const Bodies& bodies, Contact& contact, Real share,
+                        const Tolerances& tolerances) const;
 
     std::vector<Candidate> candidates_;
     std::vector<Real> stopAt_; // by body
