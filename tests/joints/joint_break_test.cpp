@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <support/rest.hpp>
 
+#include <memory>
+
 #include <joints/rig.hpp>
 
 namespace kodo {
@@ -69,7 +71,7 @@ bool hingeSurvives(Real speed) {
     const BodyId door = rig.world.add(boxDef({0, -1}, Real(0.2), 2));
     const JointId hinge = rig.world.add(
         Pin{.ends = {.a = rig.post, .b = door, .anchorB = {0, 1}, .breakForce = 100}});
-    BodyDef ball = ballDef({-1, Real(-0.3)}, Real(0.2));
+    BodyDef ball = ballDef({Real(-0.4), Real(-0.3)}, Real(0.2));
     ball.density = 8;
     ball.velocity = {speed, 0};
     rig.world.add(ball);
@@ -108,22 +110,26 @@ TEST(JointBreak, SetsItsBodiesFree) {
 // F1: a chain breaks where it is weakest, and only there.
 TEST(JointBreak, AChainAtItsWeakestLink) {
     Rig rig;
+    rig.world.addField({std::make_shared<Drag>(DragLaw{2, 0})}); // so that it hangs still soon
     std::vector<JointId> pins;
     BodyId last = rig.post;
     for (int i = 0; i < 10; ++i) {
         const BodyId link = rig.addBob({0, Real(-0.5) * static_cast<Real>(i + 1)});
-        // Link i carries 10 - i balls. Each pin holds a tenth more than that but the fifth.
-        const double load = (10 - i) * rig.weightOf(link);
-        pins.push_back(rig.world.add(
-            Pin{.ends = {.a = last,
-                         .b = link,
-                         .anchorB = {0, Real(0.5)},
-                         .breakForce = static_cast<Real>((i == 4 ? 0.9 : 1.1) * load)}}));
+        pins.push_back(
+            rig.world.add(Pin{.ends = {.a = last, .b = link, .anchorB = {0, Real(0.5)}}}));
         last = link;
     }
+    run(rig.world, 600);
+    for (std::size_t i = 0; i < 10; ++i) {
+        // Link i carries 10 - i balls. Each pin holds a tenth more than that but the fifth.
+        const double load = static_cast<double>(10 - i) * rig.weightOf(last);
+        Pin pin = std::get<Pin>(rig.world.joint(pins[i]));
+        pin.ends.breakForce = static_cast<Real>((i == 4 ? 0.98 : 1.1) * load);
+        rig.world.setJoint(pins[i], pin);
+    }
     run(rig.world, 120);
-    for (int i = 0; i < 10; ++i) {
-        EXPECT_EQ(rig.world.contains(pins[static_cast<std::size_t>(i)]), i != 4) << i;
+    for (std::size_t i = 0; i < 10; ++i) {
+        EXPECT_EQ(rig.world.contains(pins[i]), i != 4) << i;
     }
 }
 
