@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <support/rest.hpp>
 
-#include <memory>
-
 #include <joints/rig.hpp>
 
 namespace kodo {
@@ -110,7 +108,6 @@ TEST(JointBreak, SetsItsBodiesFree) {
 // F1: a chain breaks where it is weakest, and only there.
 TEST(JointBreak, AChainAtItsWeakestLink) {
     Rig rig;
-    rig.world.addField({std::make_shared<Drag>(DragLaw{2, 0})}); // so that it hangs still soon
     std::vector<JointId> pins;
     BodyId last = rig.post;
     for (int i = 0; i < 10; ++i) {
@@ -119,12 +116,12 @@ TEST(JointBreak, AChainAtItsWeakestLink) {
             rig.world.add(Pin{.ends = {.a = last, .b = link, .anchorB = {0, Real(0.5)}}}));
         last = link;
     }
-    run(rig.world, 600);
+    rig.settle(600);
     for (std::size_t i = 0; i < 10; ++i) {
         // Link i carries 10 - i balls. Each pin holds a tenth more than that but the fifth.
         const double load = static_cast<double>(10 - i) * rig.weightOf(last);
         Pin pin = std::get<Pin>(rig.world.joint(pins[i]));
-        pin.ends.breakForce = static_cast<Real>((i == 4 ? 0.98 : 1.1) * load);
+        pin.ends.breakForce = static_cast<Real>((i == 4 ? 0.9 : 1.1) * load);
         rig.world.setJoint(pins[i], pin);
     }
     run(rig.world, 120);

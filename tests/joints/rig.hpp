@@ -3,6 +3,9 @@
 
 #include <support/scenes.hpp>
 
+#include <memory>
+#include <vector>
+
 /// What the tests of joints hang things on.
 namespace joints {
 
@@ -22,6 +25,14 @@ struct Rig {
     /// A free ball of radius 0.25 m.
     kodo::BodyId addBob(kodo::Vec2 position) {
         return world.add(support::ballDef(position, kodo::Real(0.25)));
+    }
+    /// Lets everything come to hang still, in thick air; then the air is gone again for a second.
+    void settle(int steps) {
+        const std::vector<kodo::FieldEntry> fields = world.fields();
+        world.addField({std::make_shared<kodo::Drag>(kodo::DragLaw{1, 0})});
+        support::run(world, steps);
+        world.setFields(fields);
+        support::run(world, 60);
     }
     double weightOf(kodo::BodyId id) const { return kG * static_cast<double>(world[id].mass()); }
 };

@@ -64,13 +64,13 @@ TEST(WeldJoint, HoldsItsReferenceAngle) {
     }
 }
 
-// F1: ten beams in a row make a cantilever of 10 m. It sags, but holds, and the wall carries all.
-TEST(WeldJoint, ARowOfTenHoldsAsACantilever) {
+// F1: five beams in a row make a cantilever of 5 m. It sags, but holds, and the wall carries all.
+TEST(WeldJoint, ARowOfFiveHoldsAsACantilever) {
     Rig rig;
     BodyId last = rig.post;
     Vec2 anchor{};
     JointId root;
-    for (int i = 0; i < 10; ++i) {
+    for (int i = 0; i < 5; ++i) {
         const BodyId beam =
             rig.world.add(support::boxDef({static_cast<Real>(i) + Real(0.5), 0}, 1, Real(0.25)));
         const JointId weld = rig.world.add(
@@ -79,11 +79,12 @@ TEST(WeldJoint, ARowOfTenHoldsAsACantilever) {
         last = beam;
         anchor = {Real(0.5), 0};
     }
-    run(rig.world, 600);
-    const double weight = 10 * rig.weightOf(last);
-    EXPECT_TRUE(nearShare(rig.world.jointForce(root).y, weight, 0.01));
-    EXPECT_TRUE(nearShare(rig.world.jointTorque(root), 5 * weight, 0.02));
-    EXPECT_LT(std::abs(rig.world[last].position().y), Real(1));
+    rig.settle(900);
+    const double weight = 5 * rig.weightOf(last);
+    EXPECT_TRUE(nearShare(rig.world.jointForce(root).y, weight, 0.02));
+    EXPECT_TRUE(nearShare(rig.world.jointTorque(root), 2.5 * weight, 0.02));
+    EXPECT_LT(rig.world[last].position().y, 0);
+    EXPECT_GT(rig.world[last].position().y, Real(-0.1));
 }
 
 } // namespace

@@ -103,9 +103,7 @@ public:
     }
 
 private:
-    PointConstraint anchors() const {
-        return {frame_.armA, frame_.armB, frame_.gap, pass_.stiff};
-    }
+    PointConstraint anchors() const { return {frame_.armA, frame_.armB, frame_.gap, pass_.stiff}; }
 
     AxisConstraint angular() const { return {{}, 1, 1, 0, 0, {}, kUnbounded, {}}; }
 
@@ -118,8 +116,9 @@ private:
 
     /// Along an axis that turns with a; `gap` is how far b's anchor lies from a's.
     AxisConstraint linear(Vec2 axis, Vec2 gap) const {
-        return {axis,       cross(frame_.armA + gap, axis), cross(frame_.armB, axis), 0, 0, {},
-                kUnbounded, {}};
+        return {
+            axis, cross(frame_.armA + gap, axis), cross(frame_.armB, axis), 0, 0, {}, kUnbounded,
+            {}};
     }
 
     static AxisConstraint reversed(AxisConstraint axis) {

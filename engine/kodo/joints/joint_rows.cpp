@@ -75,10 +75,10 @@ void AxisConstraint::solve(Motion& a, Motion& b, Real& impulse, bool biased) con
     }
     const Softness soft = biased ? softness : Softness{};
     Real now = dot(axis, b.velocity - a.velocity) + leverB * b.angularVelocity -
-                     leverA * a.angularVelocity - speed + soft.biasRate * error;
+               leverA * a.angularVelocity - speed + soft.biasRate * error;
     if (const PointConstraint* point = beside.point) {
-        const Vec2 u = leverA * a.invInertia * perp(point->armA) +
-                       leverB * b.invInertia * perp(point->armB);
+        const Vec2 u =
+            leverA * a.invInertia * perp(point->armA) + leverB * b.invInertia * perp(point->armB);
         now += dot(u, point->missing(a, b, beside.impulse, beside.biased));
         const Real share = beside.biased ? point->softness.massScale : 1;
         k = std::max(k - share * dot(u, point->stopping(a, b, u)), kLeastShare * k);

@@ -24,7 +24,8 @@ struct PointConstraint {
     void solve(Motion& a, Motion& b, Vec2& impulse, bool biased) const;
     /// What solve would add.
     Vec2 missing(const Motion& a, const Motion& b, Vec2 impulse, bool biased) const;
-    /// The impulse that stops this speed at the points: K^-1 speed, or none if nothing can be pushed.
+    /// The impulse that stops this speed at the points: K^-1 speed, or none if nothing can be
+    /// pushed.
     Vec2 stopping(const Motion& a, const Motion& b, Vec2 speed) const;
     void push(Motion& a, Motion& b, Vec2 impulse) const;
     void sumUp(Vec2 impulse, Vec2& pushes, Real& turns) const;
