@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <support/rest.hpp>
 
+#include <scenes/in_kodo.hpp>
+#include <scenes/piles.hpp>
+
 #include <memory>
 
 namespace kodo {
@@ -209,26 +212,17 @@ Real farthestApart(const World& one, const World& other) {
 // O3: resting changes where things end no more than it must: a body may be stopped up to a quarter
 // of the slop from where it began to be calm, and what leans on it follows by as much again.
 TEST(Rest, OnAndOffEndInTheSamePoses) {
-    const auto build = [](bool resting, int scene) {
-        WorldDef def{.gravity = support::kEarth};
-        def.settings.leaveOut = resting ? 0 : static_cast<std::uint8_t>(Feature::Resting);
-        World world(def);
-        if (scene == 0) {
-            addFloor(world);
-            addStack(world, 10);
-        } else {
-            support::addHeap(world, static_cast<std::uint64_t>(scene), 40);
-        }
-        return world;
-    };
-    for (int scene = 0; scene < 5; ++scene) {
-        World with = build(true, scene);
-        World without = build(false, scene);
+    for (const scenes::SceneDef& scene :
+         {scenes::stack(10), scenes::pyramid(8), scenes::pile(30), scenes::pile(60)}) {
+        World with = scenes::inKodo(scene).world;
+        StepSettings settings;
+        settings.leaveOut = static_cast<std::uint8_t>(Feature::Resting);
+        World without = scenes::inKodo(scene, settings).world;
         run(with, 1200);
         run(without, 1200);
-        EXPECT_GT(support::countResting(with), 9u) << scene;
-        EXPECT_EQ(support::countResting(without), 0u) << scene;
-        EXPECT_LT(farthestApart(with, without), with.tolerances().slop) << "scene " << scene;
+        EXPECT_GT(support::countResting(with), 9u) << scene.name;
+        EXPECT_EQ(support::countResting(without), 0u) << scene.name;
+        EXPECT_LT(farthestApart(with, without), with.tolerances().slop) << scene.name;
     }
 }
 
