@@ -80,6 +80,7 @@ void BodyRef::changed() {
     world_->disturb(index());
     world_->placeInRegion(index());
     world_->contacts_.bodiesChanged();
+    world_->bodies_.jumped(index());
     world_->bodies_.awakeStale = true;
 }
 

@@ -22,6 +22,7 @@ void World::placeInRegion(std::uint32_t body) {
     Flags& flags = bodies_.record[body].filter.flags;
     const bool inside = !region_ || overlap(*region_, boundsOfBody(bodies_, body));
     flags = inside ? flags & ~kOutside : flags | kOutside;
+    bodies_.jumped(body);
 }
 
 } // namespace kodo::inline KODO_PRECISION
