@@ -2,6 +2,7 @@
 #include <kodo/solve/rest.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
@@ -172,7 +173,7 @@ void RestStage::countSupports(const Bodies& bodies, const ContactSet& contacts,
     });
 }
 
-/// What balances on one corner, and has become twice as fast as it was at its slowest, is falling.
+/// What balances on one corner, and is faster than it was at its slowest, is falling.
 void RestStage::restartTipping(Bodies& bodies, Real dt) {
     for (const std::uint32_t body : bodies.awake) {
         RestState& rest = bodies.rest[body];
@@ -180,9 +181,9 @@ void RestStage::restartTipping(Bodies& bodies, Real dt) {
             continue;
         }
         const Mass& mass = bodies.form(body).mass;
-        const Real energy = kineticEnergy(bodies.motion[body], mass);
-        const Real noise = kNoise * kNoise * energyOfForces(bodies.acceleration[body], mass, dt);
-        if (energy > noise && energy > 4 * rest.leastEnergy) {
+        const Real now = std::sqrt(kineticEnergy(bodies.motion[body], mass));
+        const Real noise = kNoise * std::sqrt(energyOfForces(bodies.acceleration[body], mass, dt));
+        if (now - std::sqrt(rest.leastEnergy) > noise) {
             startCounting(rest, bodies.pose[body]);
         }
     }
