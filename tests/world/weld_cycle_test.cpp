@@ -171,38 +171,40 @@ TEST(Unweld, KeepsAllSumsAndPlaces) {
 }
 
 // R5: a thousand random parts taken off and welded on again, and the body is what it was: mass,
-// inertia, centre, corners, momentum and angular momentum to 1e-5 of their size.
+// inertia, centre and corners to 1e-5 of their size. Each cycle rounds places of up to 8 m, which
+// the spin of up to 5 rad/s turns into speeds, so momenta are compared with those of a point that
+// moves at 5 + 5 * 3 = 20 m/s.
 TEST(WeldCycles, AThousandComeBackToTheStart) {
-    constexpr std::uint64_t kSeed = 182;
-    support::RandomNumbers random(kSeed);
-    SCOPED_TRACE(testing::Message() << "seed " << kSeed);
-    World world;
-    const BodyId id = world.add(randomCompound(random, 6));
-    const Totals before = totalsOf(world);
-    const Real mass = world[id].mass();
-    const Real inertia = world[id].inertia();
-    const Vec2 center = world[id].center();
-    std::vector<Vec2> corners = cornersOf(world, id);
-    for (int cycle = 0; cycle < 1000; ++cycle) {
-        const BodyId freed = world.unweld(id, random.below(6));
-        world.weld(id, freed);
-        ASSERT_EQ(world.bodyCount(), 1u);
-    }
-    const Real share = byPrecision(1e-5, 1e-13);
-    EXPECT_TRUE(nearShare(world[id].mass(), mass, share));
-    EXPECT_TRUE(nearShare(world[id].inertia(), inertia, share));
-    EXPECT_TRUE(near(world[id].center(), center, 5 * share)); // 5 m from the origin
-    const Totals after = totalsOf(world);
-    const long double speed = 5 * static_cast<long double>(mass);
-    EXPECT_TRUE(near(after.momentum, before.momentum, share * speed));
-    EXPECT_TRUE(near(after.spin, before.spin, 5 * share * speed));
-    // The parts have changed places in the list: compare each corner with the nearest.
-    for (const Vec2 corner : cornersOf(world, id)) {
-        Real nearest = 100;
-        for (const Vec2 original : corners) {
-            nearest = std::min(nearest, length(corner - original));
+    for (std::uint64_t seed = 182; seed < 188; ++seed) {
+        support::RandomNumbers random(seed);
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        World world;
+        const BodyId id = world.add(randomCompound(random, 6));
+        const Totals before = totalsOf(world);
+        const Real mass = world[id].mass();
+        const Real inertia = world[id].inertia();
+        const Vec2 center = world[id].center();
+        const std::vector<Vec2> corners = cornersOf(world, id);
+        for (int cycle = 0; cycle < 1000; ++cycle) {
+            const BodyId freed = world.unweld(id, random.below(6));
+            world.weld(id, freed);
+            ASSERT_EQ(world.bodyCount(), 1u);
         }
-        EXPECT_LT(nearest, 5 * share);
+        const Real share = byPrecision(1e-5, 1e-13);
+        EXPECT_TRUE(nearShare(world[id].mass(), mass, share));
+        EXPECT_TRUE(nearShare(world[id].inertia(), inertia, share));
+        EXPECT_TRUE(near(world[id].center(), center, 8 * share));
+        const Totals after = totalsOf(world);
+        EXPECT_TRUE(near(after.momentum, before.momentum, 20 * share * mass));
+        EXPECT_TRUE(near(after.spin, before.spin, 8 * 20 * share * mass));
+        // The parts have changed places in the list: compare each corner with the nearest.
+        for (const Vec2 corner : cornersOf(world, id)) {
+            Real nearest = 100;
+            for (const Vec2 original : corners) {
+                nearest = std::min(nearest, length(corner - original));
+            }
+            EXPECT_LT(nearest, 8 * share);
+        }
     }
 }
 
