@@ -230,25 +230,6 @@ TEST(Sensor, DoesNotWakeWhatItSweepsOver) {
     EXPECT_EQ(s.told.ends, 1);
 }
 
-// One that comes to a stand over what rests goes on holding it: nothing has ended.
-TEST(Sensor, ThatStopsOverWhatRestsKeepsIt) {
-    Sleeper s;
-    s.world[s.zone].setPosition({-5, 1});
-    s.step(120);
-    ASSERT_TRUE(rests(s.world, s.box));
-    s.told = {};
-    s.world[s.zone].setVelocity({2, 0});
-    s.step(240); // 8 m
-    s.world[s.zone].setVelocity({});
-    s.step(60);
-    EXPECT_EQ(s.told.begins, 1);
-    EXPECT_EQ(s.told.ends, 0);
-    s.world[s.zone].setVelocity({2, 0});
-    s.step(240);
-    EXPECT_EQ(s.told.begins, 1);
-    EXPECT_EQ(s.told.ends, 1);
-}
-
 // R9: its filter counts, as that of any body; and sensors do not notice each other, but they do
 // notice what is locked.
 TEST(Sensor, NoticesWhatItsFilterAccepts) {
