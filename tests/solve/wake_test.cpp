@@ -277,5 +277,15 @@ TEST(Wake, ContactsGoOnWhereTheyStopped) {
     EXPECT_EQ(seen, 5);
 }
 
+// So do those with a table that begins to move: they have not begun anew.
+TEST(Wake, ContactsWithATableThatBeginsToMovePersist) {
+    Quiet scene = quiet();
+    scene.world[scene.table].setVelocity({Real(0.1), 0});
+    scene.world.step(kDt);
+    const CollisionRecord* record = support::recordOf(scene.world, scene.table, scene.stack[0]);
+    ASSERT_NE(record, nullptr);
+    EXPECT_EQ(record->phase, TouchPhase::Persist);
+}
+
 } // namespace
 } // namespace kodo

@@ -39,9 +39,10 @@ public:
     int ended = 0;
 
 private:
-    /// What rests, or is locked, has no record of its own accord.
+    /// What rests, waits or is locked has no record of its own accord.
     static bool still(const kodo::World& world, kodo::BodyId id) {
-        return world.contains(id) && (world[id].flags() & (kodo::kResting | kodo::kLocked)) != 0;
+        return world.contains(id) &&
+               (world[id].flags() & (kodo::kResting | kodo::kLocked | kodo::kOutside)) != 0;
     }
 
     std::set<PairKey> open_;
