@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <support/scenes.hpp>
+#include <support/phase_book.hpp>
 
-#include <map>
 #include <set>
 #include <tuple>
 
@@ -14,6 +13,7 @@ using support::byPrecision;
 using support::kDt;
 using support::near;
 using support::nearShare;
+using support::PhaseBook;
 using support::recordOf;
 using support::slippery;
 
@@ -101,46 +101,6 @@ TEST(CollisionRecord, OfARestingBoxCarriesItsWeight) {
     EXPECT_TRUE(near(hit->normal, Vec2{0, 1}, byPrecision(1e-5, 1e-9)));
     EXPECT_LT(hit->approachSpeed, Real(1e-3));
 }
-
-using PairKey = std::tuple<BodyId, std::uint16_t, BodyId, std::uint16_t>;
-
-/// Follows the phases of every pair of parts and fails at the first that is out of turn.
-class PhaseBook {
-public:
-    void read(const World& world) {
-        for (const CollisionRecord& r : world.collisions()) {
-            const PairKey key{r.a, r.partA, r.b, r.partB};
-            const bool open = open_.count(key) > 0;
-            EXPECT_EQ(open, r.phase != TouchPhase::Begin) << "out of turn";
-            if (r.phase == TouchPhase::End) {
-                EXPECT_EQ(r.pointCount, 0);
-                open_.erase(key);
-                ++ended;
-            } else {
-                EXPECT_GE(r.pointCount, 1);
-                open_.insert(key);
-                seen_.insert(key);
-            }
-        }
-        for (const PairKey& key : open_) {
-            const bool silent = still(world, std::get<0>(key)) && still(world, std::get<2>(key));
-            EXPECT_TRUE(silent || seen_.count(key) == 1)
-                << "touched, and then silent for no reason";
-        }
-        seen_.clear();
-    }
-    std::size_t openCount() const { return open_.size(); }
-    int ended = 0;
-
-private:
-    /// What rests, or is locked, has no record of its own accord.
-    static bool still(const World& world, BodyId id) {
-        return world.contains(id) && (world[id].flags() & (kResting | kLocked)) != 0;
-    }
-
-    std::set<PairKey> open_;
-    std::set<PairKey> seen_;
-};
 
 // S2: begin, persist, end, always paired, in a heap in which bodies come, go, are welded and
 // taken apart.

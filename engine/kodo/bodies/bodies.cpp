@@ -29,6 +29,7 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const Form> f
     record.filter.flags &= ~kStatusFlags;
     bodies.record[slot.index] = std::move(record);
     bodies.rest[slot.index] = {};
+    bodies.rest[slot.index].since = bodies.pose[slot.index];
     bodies.awakeStale = true;
     refreshMass(bodies, slot.index);
     return {slot.index, slot.generation};
@@ -122,10 +123,11 @@ void setForm(Bodies& bodies, std::uint32_t index, std::shared_ptr<const Form> fo
 void weldBodies(Bodies& bodies, std::uint32_t into, std::uint32_t part) {
     const Transform frame{bodies.originOf(into), bodies.pose[into].rotation};
     const Transform other{bodies.originOf(part), bodies.pose[part].rotation};
+    Transform place = between(frame, other);
+    place.rotation = normalize(place.rotation); // a part may come and go a thousand times
     std::vector<Part> parts = bodies.form(into).parts;
     for (const Part& added : bodies.form(part).parts) {
-        parts.push_back(
-            {moved(added.primitive, between(frame, other)), added.material, added.density});
+        parts.push_back({moved(added.primitive, place), added.material, added.density});
     }
     const std::shared_ptr<const Form> form = makeForm(std::move(parts));
 

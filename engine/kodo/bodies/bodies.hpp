@@ -4,6 +4,7 @@
 #include <kodo/base/id_pool.hpp>
 #include <kodo/bodies/form.hpp>
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct RestState {
     std::uint32_t calmSteps = 0;
     std::uint32_t island = kNoIsland;
     Transform since; // where it was when it became calm
+    /// J, its least kinetic energy since then.
+    Real leastEnergy = std::numeric_limits<Real>::max();
 };
 
 /// Of the form of a body, at hand for loops over many.

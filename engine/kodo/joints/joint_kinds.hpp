@@ -36,18 +36,20 @@ public:
         : joint_(joint), frame_(frame), pass_(pass), visit_(visit) {}
 
     void operator()(const Pin& pin) {
-        hold();
-        motor(angular(), 0, pin.motorSpeed, pin.motorTorque);
+        const PointConstraint point = anchors();
+        motor(angularBeside(point), 0, pin.motorSpeed, pin.motorTorque);
         if (pin.limits) {
             const Real angle = frame_.angle(pin.reference);
-            limit(angular(), 1, angle - pin.limits->lower);
-            limit(reversed(angular()), 2, pin.limits->upper - angle);
+            limit(angularBeside(point), 1, angle - pin.limits->lower);
+            limit(reversed(angularBeside(point)), 2, pin.limits->upper - angle);
         }
+        visit_(point, joint_.point, Relax::Rigid);
     }
 
     void operator()(const Weld& weld) {
-        hold();
-        fix(angular(), 0, frame_.angle(weld.reference));
+        const PointConstraint point = anchors();
+        fix(angularBeside(point), 0, frame_.angle(weld.reference));
+        visit_(point, joint_.point, Relax::Rigid);
     }
 
     void operator()(const Spring& spring) {
@@ -101,17 +103,22 @@ public:
     }
 
 private:
-    void hold() {
-        visit_(PointConstraint{frame_.armA, frame_.armB, frame_.gap, pass_.stiff}, joint_.point,
-               Relax::Rigid);
-    }
+    PointConstraint anchors() const { return {frame_.armA, frame_.armB, frame_.gap, pass_.stiff}; }
 
-    AxisConstraint angular() const { return {{}, 1, 1, 0, 0, {}, kUnbounded}; }
+    AxisConstraint angular() const { return {{}, 1, 1, 0, 0, {}, kUnbounded, {}}; }
+
+    /// With the point solved right after it.
+    AxisConstraint angularBeside(const PointConstraint& point) const {
+        AxisConstraint axis = angular();
+        axis.beside = {&point, joint_.point, pass_.biased};
+        return axis;
+    }
 
     /// Along an axis that turns with a; `gap` is how far b's anchor lies from a's.
     AxisConstraint linear(Vec2 axis, Vec2 gap) const {
-        return {axis,      cross(frame_.armA + gap, axis), cross(frame_.armB, axis), 0, 0, {},
-                kUnbounded};
+        return {
+            axis, cross(frame_.armA + gap, axis), cross(frame_.armB, axis), 0, 0, {}, kUnbounded,
+            {}};
     }
 
     static AxisConstraint reversed(AxisConstraint axis) {

@@ -4,29 +4,42 @@
 #include <algorithm>
 
 namespace kodo::inline KODO_PRECISION {
+namespace {
+
+// Of 1 / inertia about the centre, at a hinge: a difference of large numbers must stay one.
+constexpr Real kLeastShare = sizeof(Real) == 4 ? Real(1e-4) : Real(1e-9);
+
+} // namespace
 
 /// K maps an impulse at the points to the relative velocity it makes there:
 ///
 ///   K = (1/mA + 1/mB) 1 + perp(rA) perp(rA)^T / IA + perp(rB) perp(rB)^T / IB      [Catto09]
-void PointConstraint::solve(Motion& a, Motion& b, Vec2& impulse, bool biased) const {
+Vec2 PointConstraint::stopping(const Motion& a, const Motion& b, Vec2 speed) const {
     const Real mass = a.invMass + b.invMass;
     const Real xx = mass + a.invInertia * armA.y * armA.y + b.invInertia * armB.y * armB.y;
     const Real xy = -a.invInertia * armA.x * armA.y - b.invInertia * armB.x * armB.y;
     const Real yy = mass + a.invInertia * armA.x * armA.x + b.invInertia * armB.x * armB.x;
     const Real determinant = xx * yy - xy * xy;
     if (!(determinant > 0)) {
-        return; // neither body can be pushed
+        return {}; // neither body can be pushed
     }
+    return Vec2{yy * speed.x - xy * speed.y, xx * speed.y - xy * speed.x} / determinant;
+}
+
+Vec2 PointConstraint::missing(const Motion& a, const Motion& b, Vec2 impulse, bool biased) const {
     const Softness soft = biased ? softness : Softness{};
     const Vec2 speed = velocityAt(b, armB) - velocityAt(a, armA) + soft.biasRate * error;
-    const Vec2 rigid = Vec2{yy * speed.x - xy * speed.y, xx * speed.y - xy * speed.x} / determinant;
-    Vec2 next = impulse - soft.massScale * rigid - soft.impulseScale * impulse;
+    Vec2 next = impulse - soft.massScale * stopping(a, b, speed) - soft.impulseScale * impulse;
     const Real size = length(next);
     if (size > maxImpulse) {
         next = (maxImpulse / size) * next;
     }
-    const Vec2 change = next - impulse;
-    impulse = next;
+    return next - impulse;
+}
+
+void PointConstraint::solve(Motion& a, Motion& b, Vec2& impulse, bool biased) const {
+    const Vec2 change = missing(a, b, impulse, biased);
+    impulse += change;
     push(a, b, change);
 }
 
@@ -41,7 +54,7 @@ void PointConstraint::sumUp(Vec2 impulse, Vec2& pushes, Real&) const {
 
 void AxisConstraint::sumUp(Real impulse, Vec2& pushes, Real& turns) const {
     if (axis == Vec2{}) {
-        turns += impulse;
+        turns += leverB * impulse;
     } else {
         pushes += impulse * axis;
     }
@@ -55,14 +68,21 @@ void AxisConstraint::push(Motion& a, Motion& b, Real impulse) const {
 }
 
 void AxisConstraint::solve(Motion& a, Motion& b, Real& impulse, bool biased) const {
-    const Real k = (a.invMass + b.invMass) * dot(axis, axis) + a.invInertia * leverA * leverA +
-                   b.invInertia * leverB * leverB;
+    Real k = (a.invMass + b.invMass) * dot(axis, axis) + a.invInertia * leverA * leverA +
+             b.invInertia * leverB * leverB;
     if (!(k > 0)) {
         return;
     }
     const Softness soft = biased ? softness : Softness{};
-    const Real now = dot(axis, b.velocity - a.velocity) + leverB * b.angularVelocity -
-                     leverA * a.angularVelocity - speed + soft.biasRate * error;
+    Real now = dot(axis, b.velocity - a.velocity) + leverB * b.angularVelocity -
+               leverA * a.angularVelocity - speed + soft.biasRate * error;
+    if (const PointConstraint* point = beside.point) {
+        const Vec2 u =
+            leverA * a.invInertia * perp(point->armA) + leverB * b.invInertia * perp(point->armB);
+        now += dot(u, point->missing(a, b, beside.impulse, beside.biased));
+        const Real share = beside.biased ? point->softness.massScale : 1;
+        k = std::max(k - share * dot(u, point->stopping(a, b, u)), kLeastShare * k);
+    }
     const Real wanted = impulse - soft.massScale * now / k - soft.impulseScale * impulse;
     const Real next = std::clamp(wanted, bounds.lower, bounds.upper);
     push(a, b, next - impulse);

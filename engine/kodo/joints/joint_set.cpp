@@ -175,6 +175,7 @@ void JointSet::beginStep() {
         Joint& joint = joints_[index];
         joint.pushSum = {};
         joint.turnSum = 0;
+        joint.solved = false;
     }
 }
 
@@ -213,6 +214,7 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
         if (idle(bodies, joint.def)) {
             continue;
         }
+        joint.solved = true;
         forConstraints(
             joint, bodies, pass,
             [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
@@ -228,6 +230,9 @@ std::span<const BrokenJoint> JointSet::endStep(Real dt) {
     broken_.clear();
     for (const std::uint32_t index : live_) {
         Joint& joint = joints_[index];
+        if (!joint.solved) {
+            continue; // it goes on holding what it held
+        }
         joint.force = joint.pushSum / dt;
         joint.torque = joint.turnSum / dt;
         const Overload most = limitsOf(joint.def);

@@ -70,8 +70,9 @@ public:
         std::array<Real, 5> axes{}; // N s or N m s; what each stands for depends on the kind
         Vec2 pushSum;               // N s, on b, over the step
         Real turnSum = 0;           // N m s, on b, from angular constraints
-        Vec2 force;                 // N, on b, the mean of the last step
+        Vec2 force;                 // N, on b, the mean of the last step that solved it
         Real torque = 0;            // N m
+        bool solved = false;        // in this step; not if both bodies rest, stand or wait
     };
 
 private:

@@ -2,6 +2,7 @@
 #include <kodo/solve/rest.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
@@ -9,13 +10,20 @@ namespace {
 
 constexpr std::uint32_t kNone = RestState::kNoIsland;
 
-/// Twice the kinetic energy now, against twice what the forces give within dt.
-bool isQuiet(const Motion& motion, const Acceleration& acceleration, const Mass& mass, Real dt) {
+// What contacts and rounding do to a body that stands still: speeds of up to this share of what its
+// forces would give it in a step.
+constexpr Real kNoise = Real(1) / 2048;
+
+Real kineticEnergy(const Motion& motion, const Mass& mass) {
     const Real w = motion.angularVelocity;
-    const Real gained = dt * acceleration.angular;
-    return mass.mass * lengthSquared(motion.velocity) + mass.inertia * w * w <=
-           mass.mass * dt * acceleration.effort * dt * acceleration.effort +
-               mass.inertia * gained * gained;
+    return (mass.mass * lengthSquared(motion.velocity) + mass.inertia * w * w) / 2;
+}
+
+/// What the forces give a body within dt from a standstill.
+Real energyOfForces(const Acceleration& acceleration, const Mass& mass, Real dt) {
+    const Real v = dt * acceleration.effort;
+    const Real w = dt * acceleration.angular;
+    return (mass.mass * v * v + mass.inertia * w * w) / 2;
 }
 
 /// Has any point of the body moved farther than that since `since`?
@@ -24,6 +32,13 @@ bool crept(const Transform& pose, const Transform& since, Real reach, Real dista
     const Real moved = lengthSquared(pose.position - since.position);
     const Real turned = reach * reach * turn.s * turn.s;
     return moved + turned > distance * distance || turn.c < 0;
+}
+
+void startCounting(RestState& rest, const Transform& pose) {
+    const std::uint32_t island = rest.island;
+    rest = {};
+    rest.island = island;
+    rest.since = pose;
 }
 
 } // namespace
@@ -45,8 +60,7 @@ void RestStage::wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t i
 }
 
 void RestStage::wake(Bodies& bodies, ContactSet& contacts, std::uint32_t body) {
-    bodies.rest[body].calmSteps = 0;
-    bodies.rest[body].since = bodies.pose[body];
+    startCounting(bodies.rest[body], bodies.pose[body]);
     if (bodies.rest[body].island != kNone) {
         wakeIsland(bodies, contacts, bodies.rest[body].island);
     }
@@ -123,18 +137,59 @@ bool RestStage::countCalm(Bodies& bodies, const StepSettings& settings,
     for (const std::uint32_t body : bodies.awake) {
         RestState& rest = bodies.rest[body];
         const Form& form = bodies.form(body);
+        const Real energy = kineticEnergy(bodies.motion[body], form.mass);
         const bool calm = (bodies.record[body].filter.flags & kNeverRest) == 0 &&
-                          isQuiet(bodies.motion[body], bodies.acceleration[body], form.mass, dt) &&
+                          energy <= energyOfForces(bodies.acceleration[body], form.mass, dt) &&
                           !crept(bodies.pose[body], rest.since, form.reach, tolerances.slop / 4);
         if (calm) {
             ++rest.calmSteps;
+            rest.leastEnergy = std::min(rest.leastEnergy, energy);
         } else {
-            rest.calmSteps = 0;
-            rest.since = bodies.pose[body];
+            startCounting(rest, bodies.pose[body]);
         }
         any = any || rest.calmSteps >= static_cast<std::uint32_t>(settings.restSteps);
     }
     return any;
+}
+
+/// A face or a round outline holds a body by two points or more, and so does a joint; one corner
+/// alone can only balance it.
+void RestStage::countSupports(const Bodies& bodies, const ContactSet& contacts,
+                              const JointSet& joints) {
+    supports_.resize(bodies.size());
+    for (const std::uint32_t body : bodies.awake) {
+        supports_[body] = 0;
+    }
+    for (const Contact& contact : contacts.contacts()) {
+        const ContactKey& key = contact.key;
+        if (contact.touching && !contact.sensor) {
+            const bool round = bodies.form(key.bodyA).parts[key.partA].convex.isRound() ||
+                               bodies.form(key.bodyB).parts[key.partB].convex.isRound();
+            const auto points = static_cast<std::uint32_t>(round ? 2 : contact.manifold.count);
+            supports_[key.bodyA] += points;
+            supports_[key.bodyB] += points;
+        }
+    }
+    joints.forEach([&](const JointSet::Joint& joint) {
+        supports_[firstBody(joint.def).index] += 2;
+        supports_[secondBody(joint.def).index] += 2;
+    });
+}
+
+/// What balances on one corner, and is faster than it was at its slowest, is falling.
+void RestStage::restartTipping(Bodies& bodies, Real dt) {
+    for (const std::uint32_t body : bodies.awake) {
+        RestState& rest = bodies.rest[body];
+        if (supports_[body] != 1 || rest.calmSteps == 0) {
+            continue;
+        }
+        const Mass& mass = bodies.form(body).mass;
+        const Real now = std::sqrt(kineticEnergy(bodies.motion[body], mass));
+        const Real noise = kNoise * std::sqrt(energyOfForces(bodies.acceleration[body], mass, dt));
+        if (now - std::sqrt(rest.leastEnergy) > noise) {
+            startCounting(rest, bodies.pose[body]);
+        }
+    }
 }
 
 void RestStage::joinTouching(const Bodies& bodies, const ContactSet& contacts,
@@ -199,6 +254,8 @@ void RestStage::settle(Bodies& bodies, ContactSet& contacts, const JointSet& joi
     if (!settings.has(Feature::Resting) || !countCalm(bodies, settings, tolerances, dt)) {
         return;
     }
+    countSupports(bodies, contacts, joints);
+    restartTipping(bodies, dt);
     joinTouching(bodies, contacts, joints);
     const auto enough = static_cast<std::uint32_t>(settings.restSteps);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> resting; // root and body

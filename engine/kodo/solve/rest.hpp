@@ -19,9 +19,10 @@ namespace kodo::inline KODO_PRECISION {
 ///
 ///   m v^2 + I w^2 <= m (sum |F| / m dt)^2 + I (alpha dt)^2          [after Thesis06, eq. 5]
 ///
-/// and has not crept away from where it began to be calm, which keeps a slowly tipping body (fig.
-/// 5.3) awake. Bodies that touch form an island, and rest only together, once all of them have been
-/// calm for restSteps steps; then they and their contacts leave the lists that a step works on.
+/// and has not crept away from where it began to be calm. A slowly tipping body (fig. 5.3) is told
+/// by the one corner that it stands on while it gains speed, however little. Bodies that touch form
+/// an island, and rest only together, once all of them have been calm for restSteps steps; then
+/// they and their contacts leave the lists that a step works on.
 class RestStage {
 public:
     /// Wakes the islands that something active touches. To be called with fresh manifolds.
@@ -61,11 +62,14 @@ private:
     bool countCalm(Bodies& bodies, const StepSettings& settings, const Tolerances& tolerances,
                    Real dt);
     void joinTouching(const Bodies& bodies, const ContactSet& contacts, const JointSet& joints);
+    void countSupports(const Bodies& bodies, const ContactSet& contacts, const JointSet& joints);
+    void restartTipping(Bodies& bodies, Real dt);
 
     std::vector<Island> islands_;
     std::size_t restingIslands_ = 0;
     std::vector<std::uint32_t> parent_;    // union-find over body indices
     std::vector<std::uint32_t> leastCalm_; // by root
+    std::vector<std::uint32_t> supports_;  // points that each body touches something with
 };
 
 } // namespace kodo::inline KODO_PRECISION

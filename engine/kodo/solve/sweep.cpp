@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/collide/collide.hpp>
 #include <kodo/collide/time_of_impact.hpp>
 #include <kodo/solve/sweep.hpp>
 
@@ -104,6 +105,10 @@ void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSett
     candidates_.clear();
     bool sensors = false;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
+        if (contacts[i].sensor) {
+            sensors = true;
+            continue;
+        }
         const ContactKey& key = contacts[i].key;
         const Real way = ways_[key.bodyA] + ways_[key.bodyB];
         const Real thin =
@@ -112,10 +117,7 @@ void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSett
             continue; // as in most of a pile
         }
         if (const auto gap = stoppingGap(bodies, contacts[i], settings, tolerances)) {
-            sensors = sensors || contacts[i].sensor;
-            if (!contacts[i].sensor) {
-                addCandidate(contacts[i], static_cast<std::uint32_t>(i), *gap);
-            }
+            addCandidate(contacts[i], static_cast<std::uint32_t>(i), *gap);
         }
     }
     if (candidates_.empty() && !sensors) {
@@ -194,12 +196,39 @@ void SweepStage::stopAt(const Bodies& bodies, std::span<const Contact> contacts,
 void SweepStage::noticeSensors(const Bodies& bodies, std::span<Contact> contacts,
                                const StepSettings& settings, const Tolerances& tolerances) {
     for (Contact& contact : contacts) {
-        const auto gap =
-            contact.sensor ? stoppingGap(bodies, contact, settings, tolerances) : std::nullopt;
-        if (gap) {
-            contact.touching = impactTime(bodies, contact, stopAt_, *gap) < 1;
+        if (!contact.sensor) {
+            continue;
+        }
+        // What the way of a step brought just short of touching has begun to touch, and goes on.
+        contact.touching = contact.wasTouching && contact.manifold.count > 0 &&
+                           contact.manifold.points[0].separation <= tolerances.slop / 32;
+        const auto gap = stoppingGap(bodies, contact, settings, tolerances);
+        const Real share = gap ? impactTime(bodies, contact, stopAt_, *gap) : 1;
+        if (share < 1) {
+            noticeOnTheWay(bodies, contact, share, tolerances);
         }
     }
+}
+
+/// Puts where and how fast a sensor was met into its contact, for the record.
+void SweepStage::noticeOnTheWay(const Bodies& bodies, Contact& contact, Real share,
+                                const Tolerances& tolerances) const {
+    const ContactKey& key = contact.key;
+    const Transform a = sweepOf(bodies, key.bodyA, stopAt_[key.bodyA]).at(share);
+    const Transform b = sweepOf(bodies, key.bodyB, stopAt_[key.bodyB]).at(share);
+    const Manifold met = collide(outline(bodies, key.bodyA, key.partA), a,
+                                 outline(bodies, key.bodyB, key.partB), b, tolerances.margin, 0);
+    if (met.count == 0) {
+        return;
+    }
+    contact.touching = true;
+    contact.manifold = met;
+    contact.carried = false;
+    contact.centerA = a.position;
+    const ManifoldPoint& point = met.points[0];
+    const Vec2 relative = velocityAt(bodies.motion[key.bodyB], point.armB) -
+                          velocityAt(bodies.motion[key.bodyA], point.armA);
+    contact.approachSpeed = std::max(-dot(met.normal, relative), Real(0));
 }
 
 } // namespace kodo::inline KODO_PRECISION

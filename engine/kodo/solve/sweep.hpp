@@ -16,7 +16,8 @@ namespace kodo::inline KODO_PRECISION {
 /// anything, however fast and thin. A pair is looked at when its motion could close its gap, and it
 /// bounces or moves by more than half of the thinner one's inner radius.
 ///
-/// Sensors stop nothing; one that was passed through within the step is marked as touched.
+/// Sensors stop nothing; one that was passed through within the step is marked as touched, with
+/// where and how fast.
 ///
 /// A body that is stopped keeps the velocity it had at that moment and gives up the rest of its
 /// step; the blow itself is dealt in the next one. Impacts are taken in the order of their time.
@@ -47,6 +48,8 @@ private:
                 Real time);
     void noticeSensors(const Bodies& bodies, std::span<Contact> contacts,
                        const StepSettings& settings, const Tolerances& tolerances);
+    void noticeOnTheWay(const Bodies& bodies, Contact& contact, Real share,
+                        const Tolerances& tolerances) const;
 
     std::vector<Real> ways_;           // m, by body: how far its outermost point goes at most
     std::vector<Real> stopAt_;         // share of the step, by body

@@ -77,7 +77,8 @@ Motion& BodyRef::motion() {
 }
 
 void BodyRef::changed() {
-    world_->rest_.disturb(world_->bodies_, world_->contacts_, index());
+    world_->disturb(index());
+    world_->placeInRegion(index());
     world_->contacts_.bodiesChanged();
     world_->bodies_.jumped(index());
     world_->bodies_.awakeStale = true;
@@ -94,9 +95,14 @@ void BodyRef::thaw() {
 
 void BodyRef::pushed() {
     world_->rest_.wake(world_->bodies_, world_->contacts_, index());
-    if (bodies().locked(index())) { // it may begin to move
-        world_->bodies_.awakeStale = true;
+    if (!bodies().locked(index())) {
+        return;
     }
+    const Motion& own = bodies().motion[index()];
+    if (own.move == Vec2{} && own.turn == 0) { // it stood, and may begin to move what lies on it
+        world_->disturb(index());
+    }
+    world_->bodies_.awakeStale = true;
 }
 
 void BodyRef::setPosition(Vec2 position) {

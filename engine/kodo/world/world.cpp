@@ -59,14 +59,28 @@ std::shared_ptr<const Form> World::formFor(const BodyDef& def) {
 BodyId World::add(const BodyDef& def) {
     refuse(check(def));
     const BodyId id = addBody(bodies_, def, formFor(def));
+    placeInRegion(id.index);
     contacts_.bodiesChanged();
     ++count_;
     return id;
 }
 
+/// It goes, jumps or changes: what leans on it, or hangs on it by a joint, wakes.
+void World::disturb(std::uint32_t body) {
+    rest_.disturb(bodies_, contacts_, body);
+    joints_.forEach([&](const JointSet::Joint& joint) {
+        const std::uint32_t a = firstBody(joint.def).index;
+        const std::uint32_t b = secondBody(joint.def).index;
+        if (a == body || b == body) {
+            rest_.wake(bodies_, contacts_, a);
+            rest_.wake(bodies_, contacts_, b);
+        }
+    });
+}
+
 void World::remove(BodyId id) {
     requireAlive(id);
-    rest_.disturb(bodies_, contacts_, id.index);
+    disturb(id.index);
     contacts_.drop(id.index);
     joints_.dropBody(id);
     contacts_.setApart(joints_.apart());
@@ -87,6 +101,7 @@ BodyId World::clone(BodyId id, Vec2 position) {
     def.required = source.required();
     def.userData = source.userData();
     const BodyId copy = addBody(bodies_, def, bodies_.record[id.index].form);
+    placeInRegion(copy.index);
     contacts_.bodiesChanged();
     ++count_;
     return copy;
@@ -112,12 +127,13 @@ std::size_t World::weld(BodyId into, BodyId part) {
     for (const Part& added : bodies_.form(part.index).parts) {
         refuseUnlocked(added.primitive, bodies_.record[into.index].filter.flags);
     }
-    rest_.disturb(bodies_, contacts_, into.index);
+    disturb(into.index);
     const std::size_t firstPart = bodies_.form(into.index).parts.size();
     const Transform frame{bodies_.originOf(into.index), bodies_.pose[into.index].rotation};
     const Transform other{bodies_.originOf(part.index), bodies_.pose[part.index].rotation};
     joints_.transfer(part, into, between(frame, other));
     weldBodies(bodies_, into.index, part.index);
+    placeInRegion(into.index);
     remove(part);
     return firstPart;
 }
@@ -200,13 +216,14 @@ std::size_t World::weld(BodyId into, const Primitive& shape, const Material& mat
     refuse(check(material));
     refuse(checkRange("density", density, kLowestDensity, kHighestDensity));
     refuseUnlocked(shape, bodies_.record[into.index].filter.flags);
-    rest_.disturb(bodies_, contacts_, into.index);
+    disturb(into.index);
     std::vector<Part> parts = bodies_.form(into.index).parts;
     parts.push_back({shape, material, density});
     const Vec2 center = bodies_.pose[into.index].position;
     setForm(bodies_, into.index, makeForm(std::move(parts)));
     Motion& motion = bodies_.motion[into.index];
     motion.velocity = velocityAt(motion, bodies_.pose[into.index].position - center);
+    placeInRegion(into.index);
     contacts_.bodiesChanged();
     return bodies_.form(into.index).parts.size() - 1;
 }
@@ -220,9 +237,11 @@ BodyId World::unweld(BodyId body, std::size_t part, Flags flags) {
                                          " parts, of which one must stay"});
     }
     refuseUnlocked(parts[part].primitive, flags);
-    rest_.disturb(bodies_, contacts_, body.index);
+    disturb(body.index);
     contacts_.partRemoved(body.index, part);
     const BodyId freed = unweldPart(bodies_, body.index, part, flags & ~kStatusFlags);
+    placeInRegion(body.index);
+    placeInRegion(freed.index);
     contacts_.bodiesChanged();
     ++count_;
     return freed;
@@ -247,23 +266,9 @@ void World::applyTorqueToAll(Real torque, CollisionFilter which) {
 void World::setSettings(const StepSettings& settings) {
     refuse(check(settings));
     settings_ = settings;
-}
-
-void World::setRegion(std::optional<Aabb> region) {
-    if (region && !(region->lower.x <= region->upper.x && region->lower.y <= region->upper.y)) {
-        throw BadDefinition({"region", "must have its lower corner below and left of its upper"});
+    if (!settings_.has(Feature::Resting)) {
+        rest_.wakeAll(bodies_, contacts_);
     }
-    region_ = region;
-    for (std::uint32_t body = 0; body < bodies_.size(); ++body) {
-        if (bodies_.ids.aliveAt(body)) {
-            Flags& flags = bodies_.record[body].filter.flags;
-            const bool inside = !region || overlap(*region, boundsOfBody(bodies_, body));
-            flags = inside ? flags & ~kOutside : flags | kOutside;
-            bodies_.jumped(body);
-        }
-    }
-    bodies_.awakeStale = true;
-    contacts_.activityChanged();
 }
 
 } // namespace kodo::inline KODO_PRECISION

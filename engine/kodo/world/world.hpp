@@ -61,7 +61,8 @@ public:
     const JointDef& joint(JointId id) const;
     /// Changes the numbers of a joint: same kind, same bodies. What it has learned is kept.
     void setJoint(JointId id, const JointDef& def);
-    Vec2 jointForce(JointId id) const;  // N, on the second body, the mean of the last step
+    /// The mean of the last step, or of the one before it came to rest.
+    Vec2 jointForce(JointId id) const;  // N, on the second body
     Real jointTorque(JointId id) const; // N m
     std::vector<JointId> joints() const { return joints_.ids(); }
     /// Joints that broke in the last step, in order. Valid until the next step.
@@ -98,6 +99,9 @@ public:
     std::uint64_t stepCount() const { return stepCount_; }
     /// How often the solver looked at a contact in the last step: its cost, free of any clock.
     std::size_t contactVisits() const { return contactVisits_; }
+    /// How many bodies the last step worked on: what rests, stands locked or waits is not among
+    /// them.
+    std::size_t bodyVisits() const { return bodies_.awake.size(); }
 
     /// Equal for worlds that will go on alike. The same on every machine.
     std::uint64_t stateHash() const;
@@ -109,6 +113,8 @@ private:
     void requireAlive(BodyId id) const;
     void requireAlive(JointId id) const;
     void jointsChanged(const JointDef& def);
+    void disturb(std::uint32_t body);
+    void placeInRegion(std::uint32_t body);
     std::shared_ptr<const Form> formFor(const BodyDef& def);
 
     void solve(Real dt);

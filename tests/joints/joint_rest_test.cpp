@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include <support/rest.hpp>
+
+#include <joints/rig.hpp>
+
+namespace kodo {
+namespace {
+
+using joints::Rig;
+using support::ballDef;
+using support::boxDef;
+using support::kDt;
+using support::near;
+using support::nearShare;
+using support::rests;
+using support::run;
+
+/// A man of six boxes on five hinges with limits, lying down after a fall.
+std::vector<BodyId> addMan(World& world, Vec2 place) {
+    const auto limb = [&](Vec2 at, Real width, Real height) {
+        return world.add(boxDef(place + at, width, height));
+    };
+    const BodyId trunk = limb({0, 0}, Real(0.4), 1);
+    const BodyId head = limb({0, Real(0.7)}, Real(0.3), Real(0.3));
+    const auto hinge = [&](BodyId b, Vec2 onTrunk, Vec2 onLimb) {
+        world.add(Pin{.ends = {.a = trunk, .b = b, .anchorA = onTrunk, .anchorB = onLimb},
+                      .limits = Range{Real(-0.8), Real(0.8)}});
+    };
+    std::vector<BodyId> man{trunk, head};
+    hinge(head, {0, Real(0.5)}, {0, Real(-0.2)});
+    for (const Real side : {Real(-1), Real(1)}) {
+        const BodyId arm = limb({side * Real(0.5), Real(0.4)}, Real(0.6), Real(0.2));
+        hinge(arm, {side * Real(0.2), Real(0.4)}, {side * Real(-0.3), 0});
+        const BodyId leg = limb({side * Real(0.12), Real(-0.95)}, Real(0.2), Real(0.9));
+        hinge(leg, {side * Real(0.12), Real(-0.5)}, {0, Real(0.45)});
+        man.push_back(arm);
+        man.push_back(leg);
+    }
+    return man;
+}
+
+// F1, O3: jointed bodies rest, all of them in one step, and wake together when one is pushed.
+TEST(JointRest, JointedBodiesRestAndWakeTogether) {
+    World world({.gravity = support::kEarth});
+    support::addFloor(world);
+    const std::vector<BodyId> man = addMan(world, {3, 4});
+    ASSERT_LE(support::stepsUntilRest(world, man[0], 3600), 3600);
+    for (const BodyId id : man) {
+        EXPECT_TRUE(rests(world, id));
+    }
+    world.step(kDt);
+    EXPECT_EQ(world.bodyVisits(), 0u);
+    world[man[5]].applyImpulse({0, Real(0.2)});
+    world.step(kDt);
+    for (const BodyId id : man) {
+        EXPECT_FALSE(rests(world, id));
+    }
+}
+
+// F1, O3: what swings is never put to rest at its turning points, however small the swing.
+TEST(JointRest, NeverComesAtTheTurningPointOfASwing) {
+    for (const Real angle : {Real(1.5), Real(0.3), Real(0.05), Real(0.01)}) {
+        Rig rig;
+        BodyDef def = ballDef({}, Real(0.25));
+        def.rotation = Rot::fromAngle(angle);
+        def.position = def.rotation * Vec2{0, -2};
+        const BodyId bob = rig.world.add(def);
+        rig.world.add(Pin{.ends = {.a = rig.post, .b = bob, .anchorB = {0, 2}}});
+        for (int step = 0; step < 600; ++step) {
+            rig.world.step(kDt);
+            ASSERT_FALSE(rests(rig.world, bob)) << angle << ", step " << step;
+        }
+    }
+}
+
+// F1: a joint that rests still says what it holds.
+TEST(JointRest, KeepsItsForce) {
+    Rig rig;
+    const BodyId bob = rig.addBob({0, -2});
+    const JointId pin = rig.world.add(Pin{.ends = {.a = rig.post, .b = bob, .anchorB = {0, 2}}});
+    ASSERT_LE(support::stepsUntilRest(rig.world, bob, 120), 120);
+    run(rig.world, 60);
+    EXPECT_TRUE(nearShare(rig.world.jointForce(pin).y, rig.weightOf(bob), 1e-3));
+}
+
+// F1: a driven body does not rest while it moves, nor what stands on it.
+TEST(JointRest, AMotorKeepsItsBodyAwake) {
+    Rig rig;
+    const BodyId wheel = rig.addBob({});
+    rig.world.add(
+        Pin{.ends = {.a = rig.post, .b = wheel}, .motorSpeed = Real(0.05), .motorTorque = 10});
+    run(rig.world, 600);
+    EXPECT_FALSE(rests(rig.world, wheel));
+    EXPECT_TRUE(nearShare(rig.world[wheel].rotation().angle(), 0.5, 0.01));
+}
+
+} // namespace
+} // namespace kodo

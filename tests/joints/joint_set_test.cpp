@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include <joints/rig.hpp>
+
+#include <functional>
+#include <limits>
+
+namespace kodo {
+namespace {
+
+using joints::Rig;
+using support::ballDef;
+using support::boxDef;
+using support::kDt;
+using support::near;
+using support::run;
+
+/// One joint of every kind, in motion.
+struct Everything : Rig {
+    std::vector<BodyId> bodies;
+
+    Everything() {
+        BodyId last = post;
+        for (int i = 0; i < 6; ++i) {
+            bodies.push_back(
+                world.add(boxDef({static_cast<Real>(i + 1), 0}, Real(0.8), Real(0.4))));
+            const JointEnds ends{.a = last,
+                                 .b = bodies.back(),
+                                 .anchorA = {Real(0.5), 0},
+                                 .anchorB = {Real(-0.5), 0}};
+            switch (i) {
+            case 0:
+                world.add(Pin{.ends = ends, .limits = Range{-2, 2}});
+                break;
+            case 1:
+                world.add(Weld{.ends = ends});
+                break;
+            case 2:
+                world.add(
+                    Spring{.ends = ends, .length = Real(0.2), .hertz = 3, .limits = Range{0, 1}});
+                break;
+            case 3:
+                world.add(Slider{.ends = ends, .limits = Range{-1, 1}});
+                break;
+            case 4:
+                world.add(Motor{.ends = ends, .force = 30, .torque = 3});
+                break;
+            default:
+                world.add(Mouse{.body = bodies.back(), .target = {4, 3}, .force = 20});
+            }
+            last = bodies.back();
+        }
+    }
+};
+
+// R2, F1: a copy goes on alike, joints and all, and so does one of it that is rewound.
+TEST(JointSet, ACopyGoesOnAlike) {
+    Everything scene;
+    run(scene.world, 45);
+    World copy = scene.world;
+    const World saved = scene.world;
+    for (int step = 0; step < 300; ++step) {
+        scene.world.step(kDt);
+        copy.step(kDt);
+        ASSERT_EQ(copy.stateHash(), scene.world.stateHash()) << step;
+    }
+    copy = saved;
+    run(copy, 300);
+    EXPECT_EQ(copy.stateHash(), scene.world.stateHash());
+}
+
+// The copy has joints of its own: one that goes there stays here.
+TEST(JointSet, ACopySharesNoJoint) {
+    Everything scene;
+    World copy = scene.world;
+    for (const JointId id : copy.joints()) {
+        copy.remove(id);
+    }
+    EXPECT_EQ(scene.world.joints().size(), 6u);
+    run(copy, 60);
+    run(scene.world, 60);
+    EXPECT_LT(copy[scene.bodies[0]].position().y, -4);
+    EXPECT_GT(scene.world[scene.bodies[0]].position().y, -2);
+}
+
+// Ids come in order, are never given out twice, and die with one of their bodies.
+TEST(JointSet, JointsDieWithTheirBodies) {
+    Everything scene;
+    const std::vector<JointId> before = scene.world.joints();
+    ASSERT_EQ(before.size(), 6u);
+    scene.world.remove(scene.bodies[2]);
+    EXPECT_EQ(scene.world.joints(),
+              (std::vector<JointId>{before[0], before[1], before[4], before[5]}));
+    EXPECT_THROW(scene.world.joint(before[2]), BadDefinition);
+    const JointId fresh =
+        scene.world.add(Spring{.ends = {.a = scene.bodies[0], .b = scene.bodies[1]}});
+    for (const JointId id : before) {
+        EXPECT_NE(id, fresh);
+    }
+    run(scene.world, 60);
+    scene.world.remove(scene.post);
+    EXPECT_FALSE(scene.world.contains(before[0]));
+}
+
+// R5, F1: the joints of a welded body hold the whole; where it was turned against it, reference
+// and anchor follow. Those between the two are gone.
+TEST(JointSet, JointsFollowAWeld) {
+    Rig rig;
+    const BodyId rope = rig.world.add(boxDef({0, -1}, Real(0.25), 2));
+    const BodyId body = rig.world.add(boxDef({1, -2}, 1, 1));
+    BodyDef def = boxDef({0, -2}, 1, 1);
+    def.rotation = Rot{0, 1};
+    const BodyId part = rig.world.add(def);
+    const JointId hung = rig.world.add(Weld{.ends = {.a = rope, .b = part, .anchorA = {0, -1}},
+                                            .reference = std::numbers::pi_v<Real> / 2});
+    const JointId top = rig.world.add(Pin{.ends = {.a = rig.post, .b = rope, .anchorB = {0, 1}}});
+    const JointId between = rig.world.add(Pin{.ends = {.a = body, .b = part}});
+    rig.world.weld(body, part);
+    EXPECT_FALSE(rig.world.contains(between));
+    ASSERT_TRUE(rig.world.contains(hung));
+    EXPECT_EQ(secondBody(rig.world.joint(hung)), body);
+    const Weld weld = std::get<Weld>(rig.world.joint(hung));
+    EXPECT_TRUE(near(weld.ends.anchorB, Vec2{-1, 0}, 4 * support::kEpsilon));
+    EXPECT_TRUE(near(weld.reference, 0, 4 * support::kEpsilon));
+    EXPECT_TRUE(near(joints::gapOf(rig.world, weld.ends), Vec2{}, 8 * support::kEpsilon));
+    run(rig.world, 10);
+    EXPECT_TRUE(near(joints::gapOf(rig.world, weld.ends), Vec2{}, Real(1e-3)));
+    EXPECT_TRUE(rig.world.contains(top));
+}
+
+struct BadJoint {
+    const char* field;
+    std::function<JointDef(JointEnds)> make;
+};
+
+// Bad numbers are refused by name, and nothing has changed; check() says the same beforehand.
+TEST(JointSet, RefusesBadNumbers) {
+    const Real nan = std::numeric_limits<Real>::quiet_NaN();
+    const auto with = [](JointEnds ends, void (*change)(JointEnds&)) {
+        change(ends);
+        return Pin{.ends = ends};
+    };
+    const BadJoint cases[] = {
+        {"ends", [&](JointEnds e) { return with(e, [](JointEnds& x) { x.b = x.a; }); }},
+        {"ends.anchorA",
+         [&](JointEnds e) {
+             return with(e,
+                         [](JointEnds& x) { x.anchorA.x = std::numeric_limits<Real>::infinity(); });
+         }},
+        {"ends.breakForce",
+         [&](JointEnds e) { return with(e, [](JointEnds& x) { x.breakForce = 0; }); }},
+        {"ends.breakTorque",
+         [&](JointEnds e) { return with(e, [](JointEnds& x) { x.breakTorque = -1; }); }},
+        {"reference", [=](JointEnds e) { return Weld{.ends = e, .reference = nan}; }},
+        {"motorTorque", [](JointEnds e) { return Pin{.ends = e, .motorTorque = -1}; }},
+        {"limits.upper",
+         [](JointEnds e) {
+             return Pin{.ends = e, .limits = Range{1, 0}};
+         }},
+        {"limits.lower",
+         [](JointEnds e) {
+             return Spring{.ends = e, .limits = Range{-1, 0}};
+         }},
+        {"hertz", [=](JointEnds e) { return Spring{.ends = e, .hertz = nan}; }},
+        {"axis",
+         [](JointEnds e) {
+             return Slider{.ends = e, .axis = {1, 1}};
+         }},
+        {"motorSpeed", [=](JointEnds e) { return Slider{.ends = e, .motorSpeed = nan}; }},
+        {"force", [](JointEnds e) { return Motor{.ends = e, .force = -1}; }},
+        {"hertz", [](JointEnds e) { return Motor{.ends = e, .hertz = 0}; }},
+        {"target",
+         [=](JointEnds e) {
+             return Mouse{.body = e.a, .target = {nan, 0}};
+         }},
+    };
+    Everything scene;
+    const std::uint64_t before = scene.world.stateHash();
+    for (const BadJoint& bad : cases) {
+        SCOPED_TRACE(bad.field);
+        const JointDef def =
+            bad.make({.a = scene.bodies[0], .b = scene.bodies[1], .anchorA = {1, 1}});
+        ASSERT_TRUE(check(def));
+        EXPECT_EQ(check(def)->field, bad.field);
+        EXPECT_THROW(scene.world.add(def), BadDefinition);
+    }
+    EXPECT_EQ(scene.world.stateHash(), before);
+    EXPECT_EQ(scene.world.joints().size(), 6u);
+}
+
+TEST(JointSet, RefusesDeadBodiesAndOtherKinds) {
+    Everything scene;
+    const BodyId dead = scene.bodies[5];
+    scene.world.remove(dead);
+    EXPECT_THROW(scene.world.add(Pin{.ends = {.a = scene.post, .b = dead}}), BadBodyId);
+    EXPECT_THROW(scene.world.add(Mouse{.body = dead, .force = 1}), BadBodyId);
+    const JointId pin = scene.world.joints()[0];
+    const JointEnds ends = std::get<Pin>(scene.world.joint(pin)).ends;
+    EXPECT_THROW(scene.world.setJoint(pin, Weld{.ends = ends}), BadDefinition);
+    EXPECT_THROW(scene.world.setJoint(pin, Pin{.ends = {.a = ends.a, .b = scene.bodies[3]}}),
+                 BadDefinition);
+}
+
+} // namespace
+} // namespace kodo

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include <joints/rig.hpp>
+
+#include <algorithm>
+
+namespace kodo {
+namespace {
+
+using joints::kG;
+using joints::kPi;
+using joints::Rig;
+using support::byPrecision;
+using support::kDt;
+using support::near;
+using support::nearShare;
+using support::run;
+
+Vec2 axisAt(double angle) {
+    return Rot::fromAngle(static_cast<Real>(angle)).xAxis();
+}
+
+// F1: on a rail that slopes by an angle a load slides with g sin, as on ice, and does not turn,
+// also when the rail holds it off its centre. What the rail holds is m g cos.
+TEST(Slider, SlidesDownItsRailAndDoesNotTurn) {
+    for (const double angle : {0.0, -0.5, -kPi / 2, 2.5}) {
+        Rig rig;
+        const BodyId load = rig.world.add(support::boxDef({1, 0}, 1, Real(0.5)));
+        const JointId slider = rig.world.add(
+            Slider{.ends = {.a = rig.post, .b = load, .anchorB = {-1, 0}}, .axis = axisAt(angle)});
+        run(rig.world, 120);
+        const double along = -kG * std::sin(angle) * 4 / 2; // a t^2 / 2 after 2 s
+        const double moved =
+            static_cast<double>(dot(axisAt(angle), rig.world[load].position() - Vec2{1, 0}));
+        // A substep moves by the speed at its end: h / t of the way more.
+        EXPECT_TRUE(near(moved, along, 0.003 * std::abs(along) + 1e-3)) << angle;
+        // Its lever of 1 m lets the rail give, by 1.4 mm.
+        EXPECT_TRUE(
+            near(dot(perp(axisAt(angle)), rig.world[load].position() - Vec2{1, 0}), 0, Real(2e-3)));
+        EXPECT_TRUE(near(rig.world[load].rotation().s, 0, Real(1e-3)));
+        EXPECT_TRUE(near(length(rig.world.jointForce(slider)),
+                         rig.weightOf(load) * std::abs(std::cos(angle)),
+                         rig.weightOf(load) * 1e-3));
+    }
+}
+
+// F1: limits stop it and hold its weight.
+TEST(Slider, StopsAtItsLimits) {
+    Rig rig;
+    const BodyId load = rig.world.add(support::boxDef({0, 0}, 1, 1));
+    const JointId slider = rig.world.add(
+        Slider{.ends = {.a = rig.post, .b = load}, .axis = {0, 1}, .limits = Range{-2, 1}});
+    Real lowest = 0;
+    Real highest = 0;
+    const auto follow = [&](int steps) {
+        for (int step = 0; step < steps; ++step) {
+            rig.world.step(kDt);
+            lowest = std::min(lowest, rig.world[load].position().y);
+            highest = std::max(highest, rig.world[load].position().y);
+        }
+    };
+    follow(300);
+    EXPECT_TRUE(near(rig.world[load].position().y, -2, Real(1e-3)));
+    EXPECT_TRUE(near(rig.world.jointForce(slider), Vec2{0, 10}, Real(0.01)));
+    rig.world[load].applyImpulse({0, 12}); // to 7.2 m above, if nothing stopped it
+    follow(60);
+    EXPECT_GT(lowest, Real(-2.005));
+    EXPECT_LT(highest, Real(1.005));
+    EXPECT_GT(highest, Real(0.995));
+}
+
+// F1: a motor strong enough lifts at its speed, and one too weak does not hold: it slows the fall
+// to g - F / m.
+TEST(Slider, AMotorLiftsWhatItIsStrongEnoughFor) {
+    for (const double share : {0.5, 1.5}) {
+        Rig rig;
+        const BodyId load = rig.world.add(support::boxDef({0, 0}, 1, 1));
+        const JointId slider = rig.world.add(Slider{.ends = {.a = rig.post, .b = load},
+                                                    .axis = {0, 1},
+                                                    .motorSpeed = 2,
+                                                    .motorForce = static_cast<Real>(10 * share)});
+        run(rig.world, 60);
+        if (share > 1) { // (F - m g) / m = 5 m/s^2 until it has its speed
+            EXPECT_TRUE(near(rig.world[load].velocity().y, 2, byPrecision(1e-4, 1e-9)));
+            EXPECT_TRUE(near(rig.world.jointForce(slider).y, 10, 0.01));
+        } else {
+            EXPECT_TRUE(nearShare(rig.world[load].velocity().y, -5, byPrecision(1e-4, 1e-9)));
+            EXPECT_TRUE(nearShare(rig.world.jointForce(slider).y, 5, byPrecision(1e-4, 1e-9)));
+        }
+    }
+}
+
+// F1: the rail belongs to the first body and turns with it; pair momenta are kept to rounding.
+TEST(Slider, TurnsWithTheBodyOfItsRail) {
+    World world;
+    BodyDef def = support::boxDef({}, 4, Real(0.25));
+    def.angularVelocity = 2;
+    def.density = 10;
+    const BodyId rail = world.add(def);
+    BodyDef bead = support::boxDef({Real(0.5), 0}, Real(0.25), Real(0.25));
+    bead.angularVelocity = 2;
+    bead.velocity = {0, 1};
+    const BodyId id = world.add(bead);
+    world.add(Slider{.ends = {.a = rail, .b = id}, .limits = Range{-2, 2}});
+    const support::Totals before = support::totalsOf(world);
+    for (int step = 0; step < 300; ++step) {
+        world.step(kDt);
+        const Vec2 place =
+            unrotate(world[rail].rotation(), world[id].position() - world[rail].position());
+        ASSERT_TRUE(near(place.y, 0, Real(3e-3))) << step;
+        ASSERT_LT(place.x, Real(2.01));
+    }
+    EXPECT_TRUE(near((world[id].rotation() * world[rail].rotation().inverse()).s, 0, Real(3e-3)));
+    const support::Totals after = support::totalsOf(world);
+    EXPECT_TRUE(near(after.momentum, before.momentum, byPrecision(1e-3, 1e-11)));
+    // The bead has gone out to the end of the rail by its own inertia, as on a slide rule.
+    EXPECT_TRUE(nearShare(after.spin, before.spin, 0.01));
+}
+
+} // namespace
+} // namespace kodo

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: MIT
+#include <support/rest.hpp>
+
+#include <memory>
+#include <ostream>
+
+namespace kodo {
+namespace {
+
+using support::addFloor;
+using support::addStack;
+using support::ballDef;
+using support::boxDef;
+using support::kDt;
+using support::rests;
+using support::run;
+using support::slippery;
+
+/// Five boxes on a locked table and five more far away on the floor, all at rest. Nearby, at rest
+/// in the air and touching nothing, hangs a weight on a pin.
+struct Quiet {
+    World world{{.gravity = support::kEarth}};
+    BodyId floor;
+    BodyId table;
+    std::vector<BodyId> stack; // on the table
+    std::vector<BodyId> other; // on the floor
+    BodyId weight;
+    JointId pin;
+
+    Quiet() {
+        floor = addFloor(world);
+        BodyDef top = boxDef({0, 2}, 6, 1);
+        top.flags = kLocked;
+        table = world.add(top);
+        for (int i = 0; i < 5; ++i) {
+            stack.push_back(world.add(boxDef({0, 3 + static_cast<Real>(i)}, 1, 1)));
+        }
+        other = addStack(world, 5, 20);
+        weight = world.add(ballDef({0, 20}, Real(0.25)));
+        pin = world.add(
+            Pin{.ends = {.a = table, .b = weight, .anchorA = {0, 19}, .anchorB = {0, 1}}});
+        run(world, 600);
+    }
+};
+
+const Quiet& quiet() {
+    static const Quiet scene;
+    return scene;
+}
+
+TEST(Wake, TheSceneIsAtRest) {
+    EXPECT_EQ(support::countResting(quiet().world), 11u);
+}
+
+struct Cause {
+    const char* name;
+    void (*act)(Quiet&);
+};
+
+void PrintTo(const Cause& cause, std::ostream* out) {
+    *out << cause.name;
+}
+
+const Cause kCauses[] = {
+    {"Force",
+     [](Quiet& q) {
+         q.world[q.stack[0]].applyForce({1, 0});
+     }},
+    {"ForceAtAPoint",
+     [](Quiet& q) {
+         q.world[q.stack[4]].applyForce({1, 0}, {0, 7});
+     }},
+    {"Torque", [](Quiet& q) { q.world[q.stack[2]].applyTorque(Real(0.1)); }},
+    {"Impulse",
+     [](Quiet& q) {
+         q.world[q.stack[2]].applyImpulse({Real(0.1), 0});
+     }},
+    {"ForceOnAll",
+     [](Quiet& q) {
+         q.world.applyForceToAll({0, 1});
+     }},
+    {"TorqueOnAll", [](Quiet& q) { q.world.applyTorqueToAll(1); }},
+    {"Velocity",
+     [](Quiet& q) {
+         q.world[q.stack[1]].setVelocity({0, 0});
+     }},
+    {"Spin", [](Quiet& q) { q.world[q.stack[1]].setAngularVelocity(0); }},
+    {"MoveTo",
+     [](Quiet& q) {
+         q.world[q.stack[1]].moveTo({0, 4}, kDt);
+     }},
+    {"Position",
+     [](Quiet& q) {
+         q.world[q.stack[4]].setPosition({0, 9});
+     }},
+    {"Rotation",
+     [](Quiet& q) {
+         q.world[q.stack[4]].setRotation({0, 1});
+     }},
+    {"Flags", [](Quiet& q) { q.world[q.stack[4]].setFlags(1); }},
+    {"Required", [](Quiet& q) { q.world[q.stack[4]].setRequired(1); }},
+    {"Material", [](Quiet& q) { q.world[q.stack[4]].setMaterial(slippery()); }},
+    {"WeldOfAPart",
+     [](Quiet& q) {
+         q.world.weld(q.stack[3], Box{1, 1, {1, 0}}, Material{}, Real(1));
+     }},
+    {"WeldOfABody", [](Quiet& q) { q.world.weld(q.stack[3], q.stack[4]); }},
+    {"WeldOfAFreeBody",
+     [](Quiet& q) {
+         q.world.weld(q.stack[3], q.world.add(ballDef({1, 6}, Real(0.2))));
+     }},
+    {"WeldIntoTheTable", [](Quiet& q) { q.world.weld(q.table, q.stack[0]); }},
+    {"Removal", [](Quiet& q) { q.world.remove(q.stack[0]); }},
+    {"TableRemoved", [](Quiet& q) { q.world.remove(q.table); }},
+    {"TableJumps",
+     [](Quiet& q) {
+         q.world[q.table].setPosition({100, 2});
+     }},
+    {"TableMoves",
+     [](Quiet& q) {
+         q.world[q.table].setVelocity({1, 0});
+     }},
+    {"TableTurns", [](Quiet& q) { q.world[q.table].setAngularVelocity(1); }},
+    {"TableSinks",
+     [](Quiet& q) {
+         q.world[q.table].moveTo({0, 1}, kDt);
+     }},
+    {"TableSlippery", [](Quiet& q) { q.world[q.table].setMaterial(slippery()); }},
+    {"TableDisabled", [](Quiet& q) { q.world[q.table].setFlags(kLocked | kDisabled); }},
+    {"TableUnlocked", [](Quiet& q) { q.world[q.table].setFlags(0); }},
+    {"TableGetsAPart",
+     [](Quiet& q) {
+         q.world.weld(q.table, Circle{1, {5, 0}}, Material{}, Real(1));
+     }},
+    {"FieldAdded",
+     [](Quiet& q) {
+         q.world.addField({std::make_shared<Gravity>(Vec2{1, 0})});
+     }},
+    {"FieldsTaken", [](Quiet& q) { q.world.setFields({}); }},
+    {"JointAdded", [](Quiet& q) { q.world.add(Spring{.ends = {.a = q.stack[4], .b = q.weight}}); }},
+    {"RestingLeftOut",
+     [](Quiet& q) {
+         StepSettings settings = q.world.settings();
+         settings.leaveOut = static_cast<std::uint8_t>(Feature::Resting);
+         q.world.setSettings(settings);
+     }},
+    {"Touch",
+     [](Quiet& q) {
+         BodyDef ball = ballDef({0, Real(7.8)}, Real(0.3));
+         ball.velocity = {0, -1};
+         q.world.add(ball);
+         q.world.step(kDt);
+     }},
+};
+
+class WakesBy : public testing::TestWithParam<Cause> {};
+
+std::string nameOf(const testing::TestParamInfo<Cause>& info) {
+    return info.param.name;
+}
+
+// O3, O4: whatever is done to one box, or to what carries it, all of its pile is awake in the very
+// next step.
+TEST_P(WakesBy, AllOfThePile) {
+    Quiet scene = quiet();
+    GetParam().act(scene);
+    scene.world.step(kDt);
+    for (const BodyId id : scene.stack) {
+        EXPECT_TRUE(!scene.world.contains(id) || !rests(scene.world, id)) << id.index;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Wake, WakesBy, testing::ValuesIn(kCauses), nameOf);
+
+// O4: and nothing else wakes: the pile far away does not notice.
+TEST(Wake, DoesNotSpreadToWhatDoesNotTouch) {
+    Quiet scene = quiet();
+    scene.world.remove(scene.stack[0]);
+    scene.world[scene.weight].applyImpulse({1, 0});
+    run(scene.world, 10);
+    for (const BodyId id : scene.other) {
+        EXPECT_TRUE(rests(scene.world, id));
+    }
+    EXPECT_EQ(scene.world.bodyVisits(), 5u); // four boxes and the weight
+}
+
+// O4: pull the bottom box of a rested stack: all above wake, and come down by one box.
+TEST(Wake, PullTheBottomBoxAndAllAboveComeDown) {
+    for (std::size_t pulled = 0; pulled < 5; ++pulled) {
+        Quiet scene = quiet();
+        scene.world.remove(scene.stack[pulled]);
+        scene.world.step(kDt);
+        for (std::size_t i = 0; i < 5; ++i) {
+            EXPECT_TRUE(i == pulled || !rests(scene.world, scene.stack[i])) << i;
+        }
+        run(scene.world, 900);
+        for (std::size_t i = 0; i < 5; ++i) {
+            if (i != pulled) {
+                const Real storey = static_cast<Real>(i) - (i > pulled ? 1 : 0);
+                const BodyView box = scene.world[scene.stack[i]];
+                EXPECT_TRUE(rests(scene.world, scene.stack[i]));
+                // Each of up to four contacts may give by the slop; the blow may shift them a
+                // little.
+                EXPECT_TRUE(support::near(box.position().y, 3 + storey, Real(0.02)));
+                EXPECT_TRUE(support::near(box.position().x, 0, Real(0.25)));
+            }
+        }
+    }
+}
+
+// O4: a joint is a touch: what hangs wakes when its support moves, goes, or is changed.
+TEST(Wake, AJointWakesWhatHangsOnIt) {
+    const Cause causes[] = {
+        {"the joint goes", [](Quiet& q) { q.world.remove(q.pin); }},
+        {"it is changed", [](Quiet& q) { q.world.setJoint(q.pin, q.world.joint(q.pin)); }},
+        {"the table moves",
+         [](Quiet& q) {
+             q.world[q.table].setVelocity({1, 0});
+         }},
+        {"the table goes", [](Quiet& q) { q.world.remove(q.table); }},
+        {"the table jumps",
+         [](Quiet& q) {
+             q.world[q.table].setPosition({1, 2});
+         }},
+        {"the table turns",
+         [](Quiet& q) {
+             q.world[q.table].setRotation(Rot{0, 1});
+         }},
+    };
+    for (const Cause& cause : causes) {
+        Quiet scene = quiet();
+        cause.act(scene);
+        scene.world.step(kDt);
+        EXPECT_FALSE(rests(scene.world, scene.weight)) << cause.name;
+    }
+}
+
+// O3: a resting body wakes in the step in which it is touched, not before.
+TEST(Wake, NotBeforeTheTouch) {
+    Quiet scene = quiet();
+    const BodyId ball = scene.world.add(ballDef({0, 12}, Real(0.3)));
+    const BodyId top = scene.stack[4];
+    for (int step = 0; step < 120 && rests(scene.world, top); ++step) {
+        EXPECT_EQ(support::recordOf(scene.world, top, ball), nullptr);
+        scene.world.step(kDt);
+    }
+    EXPECT_FALSE(rests(scene.world, scene.stack[0]));
+    EXPECT_NE(support::recordOf(scene.world, top, ball), nullptr);
+    EXPECT_TRUE(support::near(scene.world[ball].position().y, Real(7.8), Real(0.02)));
+}
+
+// O3: woken for nothing, the pile rests again, and has not moved by more than its contacts give.
+TEST(Wake, ForNothingEndsWhereItWas) {
+    Quiet scene = quiet();
+    for (int again = 0; again < 10; ++again) {
+        scene.world[scene.stack[2]].setVelocity({});
+        run(scene.world, 60);
+        ASSERT_EQ(support::countResting(scene.world), 11u);
+    }
+    for (const BodyId id : scene.stack) {
+        const Vec2 moved = scene.world[id].position() - quiet().world[id].position();
+        EXPECT_LT(length(moved), scene.world.tolerances().slop / 4);
+    }
+}
+
+// A resting island has kept the contacts it woke with: their records go on with Persist.
+TEST(Wake, ContactsGoOnWhereTheyStopped) {
+    Quiet scene = quiet();
+    EXPECT_TRUE(scene.world.collisions().empty());
+    scene.world[scene.stack[2]].setVelocity({});
+    scene.world.step(kDt);
+    int seen = 0;
+    for (const CollisionRecord& record : scene.world.collisions()) {
+        EXPECT_EQ(record.phase, TouchPhase::Persist);
+        ++seen;
+    }
+    EXPECT_EQ(seen, 5);
+}
+
+// So do those with a table that begins to move: they have not begun anew.
+TEST(Wake, ContactsWithATableThatBeginsToMovePersist) {
+    Quiet scene = quiet();
+    scene.world[scene.table].setVelocity({Real(0.1), 0});
+    scene.world.step(kDt);
+    const CollisionRecord* record = support::recordOf(scene.world, scene.table, scene.stack[0]);
+    ASSERT_NE(record, nullptr);
+    EXPECT_EQ(record->phase, TouchPhase::Persist);
+}
+
+} // namespace
+} // namespace kodo

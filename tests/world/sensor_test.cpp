@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+#include <support/phase_book.hpp>
+#include <support/rest.hpp>
+
+#include <algorithm>
+
+namespace kodo {
+namespace {
+
+using support::ballDef;
+using support::boxDef;
+using support::kDt;
+using support::near;
+using support::recordOf;
+using support::rests;
+using support::run;
+
+BodyDef sensorDef(Vec2 position, Real width, Real height) {
+    BodyDef def = boxDef(position, width, height);
+    def.flags = kLocked | kSensor;
+    return def;
+}
+
+/// How often each phase was told of a pair.
+struct Told {
+    int begins = 0;
+    int ends = 0;
+    void read(const World& world, BodyId one, BodyId other) {
+        for (const CollisionRecord& record : world.collisions()) {
+            if (record.involves(one) && record.involves(other)) {
+                begins += record.phase == TouchPhase::Begin ? 1 : 0;
+                ends += record.phase == TouchPhase::End ? 1 : 0;
+            }
+        }
+    }
+};
+
+// S2: a ball that falls through a sensor begins and ends once, where the geometry says.
+TEST(Sensor, NoticesWhatPassesThrough) {
+    World world({.gravity = support::kEarth});
+    const BodyId zone = world.add(sensorDef({0, 0}, 4, 2));
+    const BodyId ball = world.add(ballDef({0, 4}, Real(0.5)));
+    Told told;
+    for (int step = 0; step < 120; ++step) {
+        const Real before = world[ball].position().y;
+        world.step(kDt);
+        told.read(world, zone, ball);
+        const bool inside = told.begins > told.ends;
+        // What is noticed is the place before the step, or the way within it.
+        const Real after = world[ball].position().y;
+        EXPECT_TRUE(!inside || (after < Real(1.51) && before > Real(-1.51))) << step;
+        EXPECT_TRUE(inside || after > Real(1.49) || before < Real(-1.49)) << step;
+    }
+    EXPECT_EQ(told.begins, 1);
+    EXPECT_EQ(told.ends, 1);
+}
+
+// It does not push: what flies through goes on bit by bit as if there were no sensor.
+TEST(Sensor, DoesNotPush) {
+    World with({.gravity = support::kEarth});
+    World without({.gravity = support::kEarth});
+    BodyDef def = boxDef({0, 3}, 1, Real(0.5));
+    def.angularVelocity = 3;
+    def.velocity = {1, 0};
+    def.material.restitution = 1;
+    const BodyId box = with.add(def);
+    EXPECT_EQ(without.add(def), box);
+    with.add(sensorDef({0, 0}, 10, 1));
+    BodyDef loose = ballDef({2, 1}, 1);
+    loose.flags = kSensor;
+    const BodyId free = with.add(loose);
+    for (int step = 0; step < 120; ++step) {
+        with.step(kDt);
+        without.step(kDt);
+        ASSERT_EQ(with[box].center(), without[box].center()) << step;
+        ASSERT_EQ(with[box].rotation(), without[box].rotation()) << step;
+    }
+    EXPECT_LT(with[free].position().y, -10); // falls freely itself
+}
+
+// However fast the body and thin the sensor: it is noticed, once.
+TEST(Sensor, NoticesAFastBodyThroughAThinOne) {
+    for (const Real speed : {Real(10), Real(100), Real(1000), Real(10000)}) {
+        for (const bool line : {false, true}) {
+            World world;
+            BodyDef zone = sensorDef({Real(30.3), 0}, Real(0.01), 10);
+            if (line) {
+                zone.shape = Segment{{0, -5}, {0, 5}, false, {}, {}};
+            }
+            const BodyId sensor = world.add(zone);
+            BodyDef def = ballDef({0, 0}, Real(0.1));
+            def.velocity = {speed, 0};
+            const BodyId ball = world.add(def);
+            Told told;
+            for (int step = 0; step < 240; ++step) {
+                world.step(kDt);
+                told.read(world, sensor, ball);
+                if (const CollisionRecord* record = recordOf(world, sensor, ball);
+                    record != nullptr && record->phase == TouchPhase::Begin) {
+                    EXPECT_GE(record->pointCount, 1) << speed;
+                    EXPECT_TRUE(near(record->point, Vec2{Real(30.3), 0}, Real(0.11))) << speed;
+                    EXPECT_TRUE(near(record->approachSpeed, speed, speed * Real(1e-5))) << speed;
+                }
+            }
+            EXPECT_EQ(told.begins, 1) << speed;
+            EXPECT_EQ(told.ends, 1) << speed;
+            EXPECT_EQ(world[ball].velocity(), (Vec2{speed, 0}));
+        }
+    }
+}
+
+// What is stopped before it, is not noticed behind.
+TEST(Sensor, DoesNotNoticeWhatIsStoppedBefore) {
+    World world;
+    support::addWall(world, 5, Real(0.1), support::slippery(1));
+    const BodyId sensor = world.add(sensorDef({Real(5.5), 0}, Real(0.1), 10));
+    BodyDef def = ballDef({0, 0}, Real(0.1), support::slippery(1));
+    def.velocity = {1000, 0};
+    const BodyId ball = world.add(def);
+    Told told;
+    for (int step = 0; step < 10; ++step) {
+        world.step(kDt);
+        told.read(world, sensor, ball);
+    }
+    EXPECT_EQ(told.begins, 0);
+    EXPECT_LT(world[ball].velocity().x, 0);
+}
+
+/// Removes, moves, pushes or switches one of the sensors, or a body.
+void meddle(World& world, std::vector<BodyId>& zones, support::RandomNumbers& random) {
+    const std::size_t i = random.below(zones.size());
+    const std::vector<BodyId> bodies = world.bodies();
+    const BodyId body = bodies[3 + random.below(20)];
+    switch (random.below(5)) {
+    case 0:
+        world.remove(zones[i]);
+        zones[i] = world.add(sensorDef(random.point(4), 2, 2));
+        break;
+    case 1:
+        world[zones[i]].setPosition(random.point(4));
+        break;
+    case 2:
+        world[zones[i]].setVelocity(random.point(3));
+        break;
+    case 3:
+        world[zones[i]].setFlags(kLocked | kSensor | (random.below(2) == 0 ? kDisabled : 0));
+        break;
+    default:
+        if (std::find(zones.begin(), zones.end(), body) == zones.end()) {
+            world.remove(body);
+            world.add(ballDef({random.between(-4, 4), 6}, Real(0.3)));
+        }
+    }
+}
+
+// S2: begin and end are paired, whatever comes, goes, jumps, stops and changes, asleep and awake.
+TEST(Sensor, BeginAndEndAreAlwaysPaired) {
+    for (std::uint64_t seed = 161; seed < 166; ++seed) {
+        support::RandomNumbers random(seed);
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        World world({.gravity = support::kEarth});
+        support::addHeap(world, seed, 30);
+        std::vector<BodyId> zones;
+        for (int i = 0; i < 6; ++i) {
+            zones.push_back(world.add(sensorDef(random.point(4), 2, 2)));
+        }
+        support::PhaseBook book;
+        for (int step = 0; step < 900; ++step) {
+            world.step(kDt);
+            book.read(world);
+            ASSERT_FALSE(HasFailure()) << "step " << step;
+            if (step % 15 == 7 && step % 300 < 150) {
+                meddle(world, zones, random);
+            }
+        }
+        EXPECT_GT(book.ended, 50);
+        for (const BodyId id : world.bodies()) {
+            world.remove(id);
+        }
+        world.step(kDt);
+        book.read(world);
+        EXPECT_EQ(book.openCount(), 0u);
+    }
+}
+
+/// A box at rest on the floor, within a sensor.
+struct Sleeper {
+    World world{{.gravity = support::kEarth}};
+    BodyId box;
+    BodyId zone;
+    Told told;
+
+    Sleeper() {
+        support::addFloor(world);
+        box = world.add(boxDef({3, Real(0.5)}, 1, 1));
+        zone = world.add(sensorDef({3, 1}, 4, 1));
+        step(120);
+    }
+    void step(int steps) {
+        for (int i = 0; i < steps; ++i) {
+            world.step(kDt);
+            told.read(world, box, zone);
+        }
+    }
+};
+
+// S2: what rests within a sensor has not left it; it ends when one of the two goes.
+TEST(Sensor, KeepsWhatRestsInIt) {
+    for (const bool removeZone : {false, true}) {
+        Sleeper s;
+        ASSERT_TRUE(rests(s.world, s.box));
+        EXPECT_EQ(s.told.begins, 1);
+        EXPECT_EQ(s.told.ends, 0);
+        s.world[s.box].applyImpulse({0, Real(0.01)}); // wakes: goes on, no second begin
+        s.step(120);
+        ASSERT_TRUE(rests(s.world, s.box));
+        EXPECT_EQ(s.told.begins, 1);
+        EXPECT_EQ(s.told.ends, 0);
+        s.world.remove(removeZone ? s.zone : s.box);
+        s.step(1);
+        EXPECT_EQ(s.told.ends, 1);
+        s.step(60);
+        EXPECT_EQ(s.told.ends, 1);
+    }
+}
+
+// A sensor that sweeps over what rests notices it and lets it rest.
+TEST(Sensor, DoesNotWakeWhatItSweepsOver) {
+    Sleeper s;
+    s.world[s.zone].setPosition({-5, 1});
+    s.step(120);
+    ASSERT_TRUE(rests(s.world, s.box));
+    s.told = {};
+    s.world[s.zone].setVelocity({2, 0});
+    s.step(600);
+    EXPECT_TRUE(rests(s.world, s.box));
+    EXPECT_EQ(s.told.begins, 1);
+    EXPECT_EQ(s.told.ends, 1);
+}
+
+// R9: its filter counts, as that of any body; and sensors do not notice each other, but they do
+// notice what is locked.
+TEST(Sensor, NoticesWhatItsFilterAccepts) {
+    World world;
+    BodyDef zone = sensorDef({0, 0}, 10, 10);
+    zone.flags |= kMatchAny;
+    zone.required = 0b10;
+    const BodyId sensor = world.add(zone);
+    const auto add = [&](Vec2 place, Flags flags) {
+        BodyDef def = ballDef(place, Real(0.5));
+        def.flags = flags;
+        return world.add(def);
+    };
+    const BodyId wanted = add({-3, 0}, 0b10);
+    const BodyId other = add({0, 0}, 0b01);
+    const BodyId locked = add({3, 0}, 0b10 | kLocked);
+    const BodyId blind = add({0, 3}, 0b10 | kSensor);
+    run(world, 3);
+    EXPECT_NE(recordOf(world, sensor, wanted), nullptr);
+    EXPECT_EQ(recordOf(world, sensor, other), nullptr);
+    EXPECT_EQ(recordOf(world, sensor, blind), nullptr);
+    world[locked].setVelocity({Real(0.1), 0});
+    world.step(kDt);
+    EXPECT_NE(recordOf(world, sensor, locked), nullptr);
+}
+
+// A wall that becomes a sensor lets pass, and a sensor that becomes a wall stops.
+TEST(Sensor, CanBeTurnedOnAndOff) {
+    World world;
+    BodyDef def = boxDef({5, 0}, 1, 10);
+    def.flags = kLocked;
+    const BodyId gate = world.add(def);
+    const auto shoot = [&] {
+        BodyDef shot = ballDef({0, 0}, Real(0.25));
+        shot.velocity = {10, 0};
+        const BodyId ball = world.add(shot);
+        run(world, 60);
+        const Real reached = world[ball].position().x;
+        world.remove(ball);
+        return reached;
+    };
+    EXPECT_LT(shoot(), 5);
+    world[gate].setFlags(kLocked | kSensor);
+    EXPECT_GT(shoot(), 9);
+    world[gate].setFlags(kLocked);
+    EXPECT_LT(shoot(), 5);
+}
+
+} // namespace
+} // namespace kodo
