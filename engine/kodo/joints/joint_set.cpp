@@ -175,6 +175,7 @@ void JointSet::beginStep() {
         Joint& joint = joints_[index];
         joint.pushSum = {};
         joint.turnSum = 0;
+        joint.worked = false;
     }
 }
 
@@ -196,6 +197,7 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
         if (idle(bodies, joint.def)) {
             continue;
         }
+        joint.worked = true;
         forConstraints(
             joint, bodies, pass,
             [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
@@ -211,6 +213,9 @@ std::span<const BrokenJoint> JointSet::endStep(Real dt) {
     broken_.clear();
     for (const std::uint32_t index : live_) {
         Joint& joint = joints_[index];
+        if (!joint.worked) {
+            continue;
+        }
         joint.force = joint.pushSum / dt;
         joint.torque = joint.turnSum / dt;
         const Overload most = limitsOf(joint.def);

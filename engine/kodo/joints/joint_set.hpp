@@ -70,6 +70,7 @@ public:
         Real turnSum = 0;           // N m s, on b, from angular constraints
         Vec2 force;                 // N, on b, the mean of the last step
         Real torque = 0;            // N m
+        bool worked = false;        // in this step; what rests keeps its last force
     };
 
 private:

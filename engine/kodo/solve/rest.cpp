@@ -2,7 +2,6 @@
 #include <kodo/solve/rest.hpp>
 
 #include <algorithm>
-#include <utility>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -29,7 +28,7 @@ bool crept(const Transform& pose, const Transform& since, Real reach, Real dista
 } // namespace
 
 void RestStage::wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t island) {
-    const Island woken = std::exchange(islands_[island], {});
+    Island& woken = islands_[island];
     --restingIslands_;
     for (const std::uint32_t body : woken.bodies) {
         bodies.record[body].filter.flags &= ~kResting;
@@ -40,6 +39,8 @@ void RestStage::wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t i
         bodies.acceleration[body] = {};
     }
     contacts.putBack(woken.contacts);
+    woken.bodies.clear(); // keeps its memory for the next island
+    woken.contacts.clear();
     contacts.activityChanged();
     bodies.awakeStale = true;
 }
@@ -60,8 +61,16 @@ void RestStage::wakeAll(Bodies& bodies, ContactSet& contacts) {
     }
 }
 
-void RestStage::disturb(Bodies& bodies, ContactSet& contacts, std::uint32_t body) {
+void RestStage::disturb(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
+                        std::uint32_t body) {
     wake(bodies, contacts, body);
+    joints.forEach([&](const JointSet::Joint& joint) {
+        const std::uint32_t a = firstBody(joint.def).index;
+        const std::uint32_t b = secondBody(joint.def).index;
+        if (a == body || b == body) {
+            wake(bodies, contacts, a == body ? b : a);
+        }
+    });
     for (std::uint32_t island = 0; island < islands_.size(); ++island) {
         const std::vector<Contact>& held = islands_[island].contacts;
         const bool leans = std::any_of(held.begin(), held.end(), [&](const Contact& contact) {
@@ -198,23 +207,23 @@ void RestStage::settle(Bodies& bodies, ContactSet& contacts, const JointSet& joi
     }
     joinTouching(bodies, contacts, joints);
     const auto enough = static_cast<std::uint32_t>(settings.restSteps);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> resting; // root and body
+    resting_.clear();
     for (const std::uint32_t body : bodies.awake) {
         const std::uint32_t root = find(body);
         if (leastCalm_[root] >= enough) {
-            resting.emplace_back(root, body);
+            resting_.emplace_back(root, body);
         }
     }
-    if (resting.empty()) {
+    if (resting_.empty()) {
         return;
     }
-    std::sort(resting.begin(), resting.end()); // total order: bodies are unique
-    std::vector<std::uint32_t> members;
-    for (std::size_t i = 0; i < resting.size(); ++i) {
-        members.push_back(resting[i].second);
-        if (i + 1 == resting.size() || resting[i + 1].first != resting[i].first) {
-            putToRest(bodies, members);
-            members.clear();
+    std::sort(resting_.begin(), resting_.end()); // total order: bodies are unique
+    members_.clear();
+    for (std::size_t i = 0; i < resting_.size(); ++i) {
+        members_.push_back(resting_[i].second);
+        if (i + 1 == resting_.size() || resting_[i + 1].first != resting_[i].first) {
+            putToRest(bodies, members_);
+            members_.clear();
         }
     }
     for (const Contact& contact : contacts.takeIdle(bodies)) {

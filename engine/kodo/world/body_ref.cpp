@@ -72,12 +72,16 @@ bool BodyView::contains(Vec2 point) const {
 
 BodyRef::BodyRef(World& world, BodyId id) : BodyView(world, id), world_(&world) {}
 
+Real BodyRef::unit() const {
+    return world_->tolerances_.unit();
+}
+
 Motion& BodyRef::motion() {
     return world_->bodies_.motion[index()];
 }
 
 void BodyRef::changed() {
-    world_->rest_.disturb(world_->bodies_, world_->contacts_, index());
+    world_->rest_.disturb(world_->bodies_, world_->contacts_, world_->joints_, index());
     world_->contacts_.bodiesChanged();
     world_->bodies_.awakeStale = true;
 }
@@ -99,7 +103,7 @@ void BodyRef::pushed() {
 }
 
 void BodyRef::setPosition(Vec2 position) {
-    refuse(checkPosition("position", position));
+    refuse(checkPosition("position", position, unit()));
     Transform& pose = world_->bodies_.pose[index()];
     pose.position = position + pose.rotation * bodies().form(index()).mass.center;
     changed();
@@ -108,7 +112,7 @@ void BodyRef::setPosition(Vec2 position) {
 void BodyRef::setRotation(Rot rotation) {
     refuse(checkRotation("rotation", rotation));
     const Vec2 origin = position();
-    refuse(checkPosition("position", origin)); // before anything is changed
+    refuse(checkPosition("position", origin, unit())); // before anything is changed
     world_->bodies_.pose[index()].rotation = normalize(rotation);
     setPosition(origin);
 }
@@ -132,7 +136,7 @@ void BodyRef::moveTo(Vec2 position, Real dt) {
 }
 
 void BodyRef::moveTo(Vec2 position, Rot rotation, Real dt) {
-    refuse(checkPosition("position", position));
+    refuse(checkPosition("position", position, unit()));
     refuse(checkRotation("rotation", rotation));
     refuse(checkRange("dt", dt, kShortestStep, kLongestStep));
     const Vec2 target = position + rotation * bodies().form(index()).mass.center;
@@ -152,7 +156,7 @@ void BodyRef::applyForce(Vec2 force) {
 
 void BodyRef::applyForce(Vec2 force, Vec2 point) {
     refuse(isFinite(force) ? std::nullopt : std::optional(Problem{"force", "must be finite"}));
-    refuse(checkPosition("point", point));
+    refuse(checkPosition("point", point, unit()));
     BodyRecord& record = world_->bodies_.record[index()];
     record.force += force;
     record.torque += cross(point - center(), force);
@@ -172,7 +176,7 @@ void BodyRef::applyImpulse(Vec2 impulse) {
 
 void BodyRef::applyImpulse(Vec2 impulse, Vec2 point) {
     refuse(isFinite(impulse) ? std::nullopt : std::optional(Problem{"impulse", "must be finite"}));
-    refuse(checkPosition("point", point));
+    refuse(checkPosition("point", point, unit()));
     Motion after = bodies().motion[index()];
     kodo::applyImpulse(after, point - center(), impulse);
     refuse(checkVelocity("velocity after the impulse", after.velocity));
@@ -188,6 +192,7 @@ void BodyRef::setFlags(Flags flags) {
             throw BadDefinition({"flags", "must have kLocked for a plane or a heightmap"});
         }
     }
+    refuse(checkFlags("flags", flags));
     changed();
     Flags& own = world_->bodies_.record[index()].filter.flags;
     own = (flags & ~kStatusFlags) | (own & kStatusFlags);
