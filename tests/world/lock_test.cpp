@@ -79,6 +79,30 @@ TEST(Lock, TwoLockedBodiesPassThroughEachOtherUnrecorded) {
     EXPECT_TRUE(world.collisions().empty());
 }
 
+// A fixed bug: what can only turn, and is struck straight towards its hinge by what cannot give way
+// either, was spun with 1e5 rad/s, for it has hardly a lever.
+TEST(Lock, ABlowTowardsTheHingeDoesNotSpinABodyThatCannotMove) {
+    for (const Strategy strategy : {Strategy::SoftStep, Strategy::Propagation}) {
+        WorldDef world{};
+        world.settings = strategy == Strategy::Propagation ? thesis2006() : StepSettings{};
+        for (const Real offset : {Real(0), Real(1e-5), Real(1e-3)}) {
+            SCOPED_TRACE(offset);
+            World scene(world);
+            BodyDef def = ballDef({0, offset}, Real(0.5), withFriction(Real(0.5), Real(0.5)));
+            def.flags = kLockMove;
+            const BodyId wheel = scene.add(def);
+            def = ballDef({-2, 0}, Real(0.5), withFriction(Real(0.5), Real(0.5)));
+            def.shape = Compound{{Circle{Real(0.5)}, Circle{Real(0.1), {0, Real(0.4)}}}};
+            def.flags = kLocked;
+            def.velocity = {2, 0};
+            scene.add(def);
+            support::run(scene, 60);
+            // Friction may turn it as fast as its rim is passed.
+            EXPECT_LT(std::abs(scene[wheel].angularVelocity()), 20);
+        }
+    }
+}
+
 TEST(Lock, CanBeSetAndTakenOff) {
     World world({.gravity = support::kEarth});
     const BodyId ball = world.add(ballDef({0, 10}, 1));
