@@ -102,6 +102,32 @@ TEST(Speed, BeyondItsLimitIsRefusedOrReported) {
     EXPECT_TRUE(near(world[other].position().x, 1.0L / 60, support::kEpsilon));
 }
 
+// A fixed bug: a body that froze on the ground in the very step in which another came to rest left
+// a contact that belonged to neither, and the engine wrote it to nowhere.
+TEST(Speed, ABodyMayFreezeInTheStepInWhichAnotherComesToRest) {
+    World world({.gravity = support::kEarth});
+    world.setSettings({.restSteps = 5});
+    support::addFloor(world);
+    world.add(support::boxDef({0, Real(0.5)}, 1, 1));
+    BodyDef def = support::boxDef({5, Real(0.5)}, 1, 1);
+    def.flags = kNeverRest;
+    const BodyId other = world.add(def);
+    bool rested = false;
+    for (int step = 0; step < 60 && !rested; ++step) {
+        World copy = world;
+        copy[other].applyForce({std::numeric_limits<Real>::max(), 0});
+        copy[other].applyForce({std::numeric_limits<Real>::max(), 0});
+        copy.step(support::kDt);
+        ASSERT_EQ(copy.frozenBodies().size(), 1u);
+        copy.step(support::kDt);
+        const CollisionRecord* end = support::recordOf(copy, copy.bodies()[0], other);
+        ASSERT_TRUE(step == 0 || (end != nullptr && end->phase == TouchPhase::End)) << step;
+        world.step(support::kDt);
+        rested = (world[world.bodies()[1]].flags() & kResting) != 0;
+    }
+    EXPECT_TRUE(rested);
+}
+
 // A fixed bug: a change of flags must not let a body turn that was frozen.
 TEST(Speed, AFrozenBodyStaysFrozenWhenItsFlagsChange) {
     World world;

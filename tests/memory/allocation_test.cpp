@@ -142,7 +142,7 @@ TEST(Allocation, AStepOfARestingPileAllocatesNothing) {
         Scene scene(settingsOf(strategy, true));
         scene.stir(300, 1);
         scene.world[scene.platform].setVelocity({});
-        support::run(scene.world, 900);
+        support::run(scene.world, 2400);
         const std::size_t before = allocations;
         support::run(scene.world, 300);
         EXPECT_EQ(allocations, before);

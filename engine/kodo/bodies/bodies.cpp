@@ -81,8 +81,9 @@ void freeze(Bodies& bodies, std::uint32_t body) {
 bool isSound(const Motion& motion) {
     constexpr Real kMost = kHighestSpeed;
     return lengthSquared(motion.velocity) <= kMost * kMost && // false for NaN
-           std::abs(motion.angularVelocity) <= kMost && isFinite(motion.move) &&
-           std::isfinite(motion.turn);
+           std::abs(motion.angularVelocity) <= kMost &&
+           lengthSquared(motion.move) <= kMost * kMost && // in a second at the most
+           std::abs(motion.turn) <= kMost;
 }
 
 bool isSound(const Acceleration& acceleration) {

@@ -226,11 +226,17 @@ void RestStage::settle(Bodies& bodies, ContactSet& contacts, const JointSet& joi
             members_.clear();
         }
     }
+    standing_.clear();
     for (const Contact& contact : contacts.takeIdle(bodies)) {
         const std::uint32_t a = bodies.rest[contact.key.bodyA].island;
-        islands_[a != kNone ? a : bodies.rest[contact.key.bodyB].island].contacts.push_back(
-            contact);
+        const std::uint32_t island = a != kNone ? a : bodies.rest[contact.key.bodyB].island;
+        if (island != kNone) {
+            islands_[island].contacts.push_back(contact);
+        } else {
+            standing_.push_back(contact); // of what froze in this step; its end is yet to be told
+        }
     }
+    contacts.putBack(standing_);
     bodies.awakeStale = true;
     contacts.activityChanged();
 }

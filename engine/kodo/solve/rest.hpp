@@ -70,6 +70,7 @@ private:
     std::vector<std::uint32_t> leastCalm_;                         // by root
     std::vector<std::pair<std::uint32_t, std::uint32_t>> resting_; // root and body
     std::vector<std::uint32_t> members_;                           // of one island
+    std::vector<Contact> standing_; // of bodies that neither rest nor take part
 };
 
 } // namespace kodo::inline KODO_PRECISION
