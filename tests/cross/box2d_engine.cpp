@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <box2d/box2d.h>
+#include <scenes/in_box2d.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -11,49 +10,8 @@
 namespace crosscheck {
 namespace {
 
-b2Vec2 toBox2d(scenes::Vec2 v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y)};
-}
-
-/// The outline whose skin of b2_polygonRadius reaches as far as `corners` do: each corner moves
-/// inwards to where the two edges beside it meet after theirs.
-b2PolygonShape inset(const std::vector<scenes::Vec2>& corners) {
-    const double skin = static_cast<double>(b2_polygonRadius);
-    const auto outward = [&](std::size_t i) {
-        const scenes::Vec2 edge = corners[(i + 1) % corners.size()] - corners[i];
-        const double size = std::sqrt(dot(edge, edge));
-        return scenes::Vec2{edge.y / size, -edge.x / size};
-    };
-    std::vector<b2Vec2> moved;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const scenes::Vec2 n = outward((i + corners.size() - 1) % corners.size());
-        const scenes::Vec2 m = outward(i);
-        moved.push_back(toBox2d(corners[i] - (skin / (1 + dot(n, m))) * (n + m)));
-    }
-    b2PolygonShape shape;
-    shape.Set(moved.data(), static_cast<int32>(moved.size()));
-    return shape;
-}
-
-b2PolygonShape shapeOf(const scenes::Polygon& polygon) {
-    return inset(polygon.corners);
-}
-
-b2PolygonShape shapeOf(const scenes::Box& box) {
-    const scenes::Vec2 x{box.width / 2, 0};
-    const scenes::Vec2 y{0, box.height / 2};
-    return inset({box.center - x - y, box.center + x - y, box.center + x + y, box.center - x + y});
-}
-
-b2CircleShape shapeOf(const scenes::Circle& circle) {
-    b2CircleShape shape;
-    shape.m_radius = static_cast<float>(circle.radius);
-    shape.m_p = toBox2d(circle.center);
-    return shape;
-}
-
-/// Kodo's rule for restitution, and what was pushed in the last step.
-class Listener final : public b2ContactListener {
+/// Also keeps what was pushed in the last step.
+class Listener final : public scenes::SmallerRestitution {
 public:
     struct Push {
         const b2Body* a;
@@ -62,10 +20,6 @@ public:
     };
     std::vector<Push> pushes;
 
-    void PreSolve(b2Contact* contact, const b2Manifold*) override {
-        contact->SetRestitution(std::min(contact->GetFixtureA()->GetRestitution(),
-                                         contact->GetFixtureB()->GetRestitution()));
-    }
     void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override {
         double sum = 0;
         for (int32 i = 0; i < impulse->count; ++i) {
@@ -79,11 +33,12 @@ public:
 class Box2dEngine final : public Engine {
 public:
     Box2dEngine(const scenes::SceneDef& scene, double bounceThreshold)
-        : world_(toBox2d(scene.gravity)), bounceThreshold_(static_cast<float>(bounceThreshold)) {
+        : world_(scenes::toBox2d(scene.gravity)) {
         world_.SetAllowSleeping(false);
         world_.SetContactListener(&listener_);
         for (const scenes::BodyDef& body : scene.bodies) {
-            add(body);
+            bodies_.push_back(
+                scenes::addToBox2d(world_, body, static_cast<float>(bounceThreshold)));
         }
     }
 
@@ -141,42 +96,8 @@ public:
     }
 
 private:
-    void add(const scenes::BodyDef& source) {
-        b2BodyDef def;
-        def.type = source.locked ? b2_staticBody : b2_dynamicBody;
-        def.position = toBox2d(source.position);
-        def.angle = static_cast<float>(std::atan2(source.rotation.s, source.rotation.c));
-        b2Body* body = world_.CreateBody(&def);
-        bodies_.push_back(body);
-        for (const scenes::Part& part : source.parts) {
-            std::visit([&](const auto& shape) { addFixture(*body, source, shapeOf(shape)); }, part);
-        }
-        if (source.locked) {
-            return;
-        }
-        const Mass mass = massOf(source);
-        b2MassData data;
-        data.mass = static_cast<float>(mass.mass);
-        data.center = toBox2d(mass.center);
-        data.I = static_cast<float>(mass.inertia + mass.mass * dot(mass.center, mass.center));
-        body->SetMassData(&data);
-        body->SetLinearVelocity(toBox2d(source.velocity));
-        body->SetAngularVelocity(static_cast<float>(source.spin));
-    }
-
-    void addFixture(b2Body& body, const scenes::BodyDef& source, const b2Shape& shape) const {
-        b2FixtureDef def;
-        def.shape = &shape;
-        def.density = static_cast<float>(source.density);
-        def.friction = static_cast<float>(source.material.friction);
-        def.restitution = static_cast<float>(source.material.restitution);
-        def.restitutionThreshold = bounceThreshold_;
-        body.CreateFixture(&def);
-    }
-
     Listener listener_;
     b2World world_;
-    float bounceThreshold_;
     std::vector<b2Body*> bodies_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <scenes/mass.hpp>
 #include <scenes/scene_def.hpp>
 
 #include <cstddef>
@@ -8,6 +9,8 @@
 #include <vector>
 
 namespace crosscheck {
+
+using scenes::Mass;
 
 /// One body as both engines tell it: the centre of mass, in SI units.
 struct State {
@@ -63,14 +66,5 @@ std::unique_ptr<Engine> makeKodo(const scenes::SceneDef& scene);
 /// What stays: the slop of 5 mm that resting polygons sink in; semi-implicit Euler without the
 /// half-step term; dynamic bodies that overlap for up to a step before they bounce.
 std::unique_ptr<Engine> makeBox2d(const scenes::SceneDef& scene, double bounceThreshold = 1);
-
-/// Mass (kg), centre (m) and inertia (kg m^2) of a body, by closed forms and the parallel axis
-/// theorem: the oracle of the tests and the nominal mass in Box2D.
-struct Mass {
-    double mass = 0;
-    scenes::Vec2 center;
-    double inertia = 0; // about the centre
-};
-Mass massOf(const scenes::BodyDef& body);
 
 } // namespace crosscheck

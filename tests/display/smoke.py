@@ -121,10 +121,10 @@ def check_screenshot(screen, apart, report):
     again.unlink()
     bad = screen.run(apart, "--screenshot", "/nowhere/x.png")
     check("a picture that cannot be written is an error in a sentence",
-          bad.returncode == 1 and "/nowhere/x.png" in bad.stderr)
+          bad.returncode == 2 and "/nowhere/x.png" in bad.stderr)
     wrong = screen.run(apart, "--level", "no_such_level")
     check("an unknown level is an error that names the levels",
-          wrong.returncode == 1 and "first_light" in wrong.stderr)
+          wrong.returncode == 2 and "first_light" in wrong.stderr)
 
 
 def main():

@@ -5,6 +5,7 @@
 
 #include <scenes/scene_def.hpp>
 
+#include <algorithm>
 #include <vector>
 
 // In the engine's inline namespace, so that one program may build scenes in both precisions.
@@ -56,7 +57,30 @@ inline kodo::BodyDef toKodo(const BodyDef& body) {
     def.material = kodo::withFriction(static_cast<kodo::Real>(body.material.friction),
                                       static_cast<kodo::Real>(body.material.restitution));
     def.density = static_cast<kodo::Real>(body.density);
-    def.flags = body.locked ? kodo::kLocked : 0;
+    def.flags = (body.locked ? kodo::kLocked : 0) | body.kind;
+    if (body.meets != 0) {
+        def.flags |= kodo::kMatchAny;
+        def.required = body.meets;
+    }
+    return def;
+}
+
+/// The user flag of what gravity pulls, in a scene with bodies that it does not.
+inline constexpr kodo::Flags kHeavy = 0x8000;
+
+inline kodo::Pin toKodo(const PinDef& pin, const SceneDef& scene,
+                        const std::vector<kodo::BodyId>& ids) {
+    const auto anchor = [&](const BodyDef& body) {
+        const Rot back{body.rotation.c, -body.rotation.s};
+        return toKodo(back * (pin.point - body.position));
+    };
+    kodo::Pin def;
+    def.ends.a = ids[pin.a];
+    def.ends.b = ids[pin.b];
+    def.ends.anchorA = anchor(scene.bodies[pin.a]);
+    def.ends.anchorB = anchor(scene.bodies[pin.b]);
+    def.motorSpeed = static_cast<kodo::Real>(pin.motorSpeed);
+    def.motorTorque = static_cast<kodo::Real>(pin.motorTorque);
     return def;
 }
 
@@ -67,12 +91,23 @@ struct KodoScene {
 };
 
 inline KodoScene inKodo(const SceneDef& scene, const kodo::StepSettings& settings = {}) {
+    const bool allHeavy = std::none_of(scene.bodies.begin(), scene.bodies.end(),
+                                       [](const BodyDef& body) { return body.weightless; });
     kodo::WorldDef def;
-    def.gravity = toKodo(scene.gravity);
+    def.gravity = allHeavy ? toKodo(scene.gravity) : kodo::Vec2{};
     def.settings = settings;
     KodoScene result{kodo::World(def), {}};
+    if (!allHeavy) {
+        result.world.addField({std::make_shared<kodo::Gravity>(toKodo(scene.gravity)),
+                               {kodo::kMatchAny | kHeavy, std::uint16_t{kHeavy}}});
+    }
     for (const BodyDef& body : scene.bodies) {
-        result.ids.push_back(result.world.add(toKodo(body)));
+        kodo::BodyDef one = toKodo(body);
+        one.flags |= allHeavy || body.weightless ? 0 : kHeavy;
+        result.ids.push_back(result.world.add(one));
+    }
+    for (const PinDef& pin : scene.pins) {
+        result.world.add(kodo::JointDef(toKodo(pin, scene, result.ids)));
     }
     return result;
 }

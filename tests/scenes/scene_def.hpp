@@ -57,6 +57,12 @@ struct Box {
     double height = 0;
     Vec2 center{};
 };
+inline std::vector<Vec2> cornersOf(const Box& box) {
+    const Vec2 x{box.width / 2, 0};
+    const Vec2 y{0, box.height / 2};
+    return {box.center - x - y, box.center + x - y, box.center + x + y, box.center - x + y};
+}
+
 struct Polygon {
     std::vector<Vec2> corners; // counter-clockwise, at most 8, so that every engine takes them
 };
@@ -75,13 +81,27 @@ struct BodyDef {
     double spin = 0;    // rad/s, counter-clockwise
     double density = 1; // kg/m^2
     Material material{};
-    bool locked = false; // nothing moves or turns it
+    bool locked = false;     // nothing moves or turns it but its own velocity and spin
+    bool weightless = false; // gravity does not pull it
+    // Bits, for scenes in which not everything meets. There every body needs a kind.
+    std::uint16_t kind = 0;  // what it is
+    std::uint16_t meets = 0; // the kinds that it touches, if they touch its own; 0: everything
+};
+
+/// Two bodies that stay together at a point and turn about it, perhaps driven. They do not touch.
+struct PinDef {
+    std::size_t a = 0; // places in the list of bodies
+    std::size_t b = 0;
+    Vec2 point{};           // m, world, where the bodies start
+    double motorSpeed = 0;  // rad/s, of b relative to a
+    double motorTorque = 0; // N m at most; 0: no motor
 };
 
 struct SceneDef {
     std::string name;
     Vec2 gravity{}; // m/s^2
     std::vector<BodyDef> bodies;
+    std::vector<PinDef> pins{};
 };
 
 inline constexpr Vec2 kDown{0, -10}; // m/s^2; round, so that closed forms are easy to follow
@@ -134,19 +154,25 @@ private:
     std::uint64_t state_;
 };
 
+/// The direction at a share (0..1) of the way around, from the x axis counter-clockwise. Not even
+/// in the angle: tan(45 degrees) is 1, so this fills each quarter without a sine.
+inline Vec2 direction(double share) {
+    double quarters = 4 * share;
+    Vec2 quarter{1, 0};
+    for (; quarters >= 1; quarters -= 1) {
+        quarter = {-quarter.y, quarter.x};
+    }
+    const Rot turn = turnedBy(quarters);
+    return Rot{quarter.x, quarter.y} * Vec2{turn.c, turn.s};
+}
+
 /// Convex, `corners` of them on an ellipse around the origin. Corner k lies at the share
 /// (k + jitter) / corners of the way around, so that no two of them meet.
 inline Polygon randomPolygon(Dice& dice, std::size_t corners, double width, double height) {
     Polygon polygon;
     for (std::size_t k = 0; k < corners; ++k) {
         const double share = static_cast<double>(k) + dice.between(0, 0.6);
-        double quarters = 4 * share / static_cast<double>(corners);
-        Vec2 quarter{1, 0};
-        for (; quarters >= 1; quarters -= 1) {
-            quarter = {-quarter.y, quarter.x};
-        }
-        const Rot turn = turnedBy(quarters); // tan(45 degrees) is 1, so this fills the quarter
-        const Vec2 corner = Rot{quarter.x, quarter.y} * Vec2{turn.c, turn.s};
+        const Vec2 corner = direction(share / static_cast<double>(corners));
         polygon.corners.push_back({corner.x * width / 2, corner.y * height / 2});
     }
     return polygon;

@@ -8,6 +8,7 @@
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 cd "$root" || exit 2
 export LC_ALL=C.UTF-8
+export CCACHE_SLOPPINESS=pch_defines,time_macros # what ccache needs for precompiled headers
 
 # Debian packages; `package:command` is also satisfied by the command from anywhere else.
 # shellcheck disable=SC2034 # used by the commands that source this file
@@ -136,13 +137,12 @@ show_failure() {
 # configure_into DIR ARGUMENT...: runs cmake only when its arguments or the presets changed;
 # changes of the CMake lists are noticed by ninja itself.
 configure_into() {
-    local dir=$1 stamp=$1/.configured log=$1/build.log
+    local dir=$1 stamp=$1/.configured log=$1/configure.log
     shift
     mkdir -p "$dir"
     rm -f "$dir/test.log" # so that an old result is never taken for this one
     if [[ -f $dir/build.ninja && -f $stamp && ! CMakePresets.json -nt $stamp &&
         $(<"$stamp") == "$*" ]]; then
-        : >"$log"
         return 0
     fi
     progress "Configuring $dir"
@@ -159,6 +159,8 @@ configure_into() {
 build_in() {
     local dir=$1 log=$1/build.log line
     shift
+    [[ ! -f $log ]] || mv "$log" "$log.last"
+    : >"$log"
     local started=$SECONDS
     local command=(cmake --build "$dir" -j "$(jobs_wanted)")
     (($#)) && command+=(--target "$@")
@@ -174,7 +176,9 @@ build_in() {
         return 1
     fi
     progress ""
-    if grep -q 'warning:' "$log"; then
+    if ! grep -q '^\[' "$log" && [[ -f $log.last ]]; then
+        mv "$log.last" "$log" # nothing was built: the log of the build still tells how it went
+    elif grep -q 'warning:' "$log"; then
         say "The build gave warnings: $log"
     fi
     say "Built $dir in $((SECONDS - started)) s."
@@ -185,7 +189,7 @@ configure_and_build() {
     local preset=$1
     shift
     configure_into "build/$preset" --preset "$preset" || return 1
-    sed -n '/is missing:/s/^-- //p' "build/$preset/build.log" # what is left out, and why
+    sed -n '/is missing:/s/^-- //p' "build/$preset/configure.log" # what is left out, and why
     build_in "build/$preset" "$@"
 }
 

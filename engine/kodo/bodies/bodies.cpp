@@ -9,6 +9,8 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const Form> f
         bodies.motion.emplace_back();
         bodies.pose.emplace_back();
         bodies.acceleration.emplace_back();
+        bodies.extent.emplace_back();
+        bodies.travel.emplace_back();
         bodies.record.emplace_back();
         bodies.rest.emplace_back();
     }
@@ -19,6 +21,7 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const Form> f
     const Rot rotation = normalize(def.rotation);
     bodies.pose[slot.index] = {def.position + rotation * form->mass.center, rotation};
     bodies.acceleration[slot.index] = {};
+    bodies.extent[slot.index] = {form->reach, form->inside};
     BodyRecord record;
     record.form = std::move(form);
     record.filter = {def.flags, def.required};
@@ -111,7 +114,9 @@ void setForm(Bodies& bodies, std::uint32_t index, std::shared_ptr<const Form> fo
     const Vec2 origin = bodies.originOf(index);
     Transform& pose = bodies.pose[index];
     pose.position = origin + pose.rotation * form->mass.center;
+    bodies.extent[index] = {form->reach, form->inside};
     bodies.record[index].form = std::move(form);
+    bodies.jumped(index);
     refreshMass(bodies, index);
 }
 

@@ -44,13 +44,25 @@ struct RestState {
     Transform since; // where it was when it became calm
 };
 
+/// Of the form of a body, at hand for loops over many.
+struct Extent {
+    Real reach = 0;  // m; no point of the body is farther from the centre of mass
+    Real inside = 0; // m; the inner radius of the thinnest part
+};
+
 /// All bodies of a World as parallel arrays, indexed by BodyId::index. A dead slot keeps its place
 /// with zero velocity and infinite mass.
 struct Bodies {
+    static constexpr std::uint32_t kTravelPerSlop = 1024;
+    static constexpr std::uint32_t kJump = std::uint32_t{1} << 30;
+
     IdPool ids;
-    std::vector<Motion> motion;
-    std::vector<Transform> pose; // of the centre of mass
+    std::vector<Motion> motion = std::vector<Motion>(1); // and a spare one at the end
+    std::vector<Transform> pose;                         // of the centre of mass
     std::vector<Acceleration> acceleration;
+    std::vector<Extent> extent;
+    /// How far the outermost point of each has gone, in shares of Tolerances::slop, modulo 2^32.
+    std::vector<std::uint32_t> travel;
     std::vector<BodyRecord> record;
     std::vector<RestState> rest;
     /// What a step works on, in order: all that can be pushed and does not rest, and of the locked
@@ -63,6 +75,8 @@ struct Bodies {
         return {static_cast<std::uint32_t>(index), ids.generationAt(index)};
     }
     std::size_t size() const { return record.size(); }
+    /// Place of a Motion that belongs to no body and never changes: lanes without work use it.
+    std::uint32_t spare() const { return static_cast<std::uint32_t>(record.size()); }
 
     const Form& form(std::size_t index) const { return *record[index].form; }
     bool locked(std::size_t index) const {
@@ -75,6 +89,9 @@ struct Bodies {
         return locked(index) && m.velocity == Vec2{} && m.angularVelocity == 0 &&
                m.move == Vec2{} && m.turn == 0;
     }
+    /// What was known of where it touches others is out of date.
+    void jumped(std::size_t index) { travel[index] += kJump; }
+
     /// Takes part in a step.
     bool active(std::size_t index) const {
         return (record[index].filter.flags & (kResting | kOutside)) == 0 && !stands(index);

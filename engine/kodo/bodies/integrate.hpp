@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kodo/bodies/force_field.hpp>
+#include <kodo/bodies/tolerances.hpp>
 
 #include <span>
 
@@ -26,6 +27,6 @@ void integrateVelocities(Bodies& bodies, Real h);
 void integrateMoves(Bodies& bodies, std::span<const std::uint8_t> held, Real h);
 
 /// Puts every body where its motion has taken it.
-void movePoses(Bodies& bodies);
+void movePoses(Bodies& bodies, const Tolerances& tolerances);
 
 } // namespace kodo::inline KODO_PRECISION

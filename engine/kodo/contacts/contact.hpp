@@ -35,11 +35,14 @@ struct Contact {
     Material material; // of the pair
     Vec2 centerA;      // m, world: where armA of the manifold starts
     Manifold manifold;
+    std::uint32_t travelA = 0; // of the bodies, when the manifold was found
+    std::uint32_t travelB = 0;
     std::array<PointImpulse, 2> impulse;
     Real friction = 0;        // N s, along perp(normal), of both points, of one substep
     Real rolling = 0;         // N m s, of one substep
     Real approachSpeed = 0;   // m/s, before the solver
     Real total = 0;           // N s, normal, all points, over the step
+    bool carried = false;     // its separations hold for the start of the last step; see carry
     bool sensor = false;      // is only noticed
     bool passing = false;     // through a one-sided line from behind; see letPass
     bool hidden = false;      // in this step, under the surface that carries the body; see Seams

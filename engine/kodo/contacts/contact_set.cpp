@@ -47,6 +47,33 @@ void keepImpulses(const Contact& old, Contact& now) {
     }
 }
 
+// A manifold is kept until its bodies have gone so far, in slops.
+constexpr std::uint32_t kKept = 8;
+
+/// Keeps a manifold while its bodies have not gone far since it was found: only the separations
+/// follow the last step, to first order in the turn. This saves most of the work in a
+/// pile, and a point of contact that stays where it is steadies it. False if it must be found anew.
+bool carry(const Bodies& bodies, Contact& contact) {
+    const std::uint32_t a = contact.key.bodyA;
+    const std::uint32_t b = contact.key.bodyB;
+    const std::uint32_t way =
+        (bodies.travel[a] - contact.travelA) + (bodies.travel[b] - contact.travelB);
+    if (!std::exchange(contact.carried, false) || way > kKept * Bodies::kTravelPerSlop) {
+        return false;
+    }
+    const Motion& motionA = bodies.motion[a];
+    const Motion& motionB = bodies.motion[b];
+    const Vec2 n = contact.manifold.normal;
+    const Real moved = dot(n, motionB.move - motionA.move);
+    for (ManifoldPoint& p : contact.manifold.points) {
+        p.separation += moved + (cross(p.armB, n) * motionB.turn - cross(p.armA, n) * motionA.turn);
+    }
+    for (PointImpulse& impulse : contact.impulse) {
+        impulse.largest = 0;
+    }
+    return true;
+}
+
 CollisionRecord endOf(const Contact& contact) {
     CollisionRecord record;
     record.a = contact.a;
@@ -203,10 +230,14 @@ void ContactSet::coverMoves(const Bodies& bodies, const Tolerances& tolerances) 
     bool outgrown = false;
     for (const std::uint32_t body : bodies.awake) {
         const Form& form = bodies.form(body);
+        const Motion& motion = bodies.motion[body];
+        const Real way = length(motion.move) + std::abs(motion.turn) * bodies.extent[body].reach;
         for (std::size_t part = 0; part < form.parts.size(); ++part) {
             const std::size_t i = firstProxy_[body] + part;
-            const Aabb after =
-                boundsAfter(form.parts[part].convex, bodies.pose[body], bodies.motion[body]);
+            if (grown_[i].contains(tight_[i].grown(way))) {
+                continue;
+            }
+            const Aabb after = boundsAfter(form.parts[part].convex, bodies.pose[body], motion);
             if (!grown_[i].contains(after)) {
                 grown_[i] = unite(tight_[i], after).grown(tolerances.margin + tolerances.grown);
                 outgrown = true;
@@ -292,6 +323,11 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
         contact.hidden = false;
         contact.total = 0;
         contact.approachSpeed = 0;
+        if (carry(bodies, contact)) {
+            contact.centerA = bodies.pose[contact.key.bodyA].position;
+            contact.approachSpeed = approachSpeedOf(contact, bodies);
+            continue;
+        }
         const bool near =
             overlap(tight_[contact.proxyA].grown(tolerances.margin), tight_[contact.proxyB]);
         if (!near) {
@@ -305,6 +341,8 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
         const Transform& a = bodies.pose[contact.key.bodyA];
         const Transform& b = bodies.pose[contact.key.bodyB];
         const Contact old = contact;
+        contact.travelA = bodies.travel[contact.key.bodyA];
+        contact.travelB = bodies.travel[contact.key.bodyB];
         contact.manifold =
             collide(outline(bodies, contact.proxyA), a, outline(bodies, contact.proxyB), b,
                     tolerances.margin, preference);
@@ -341,7 +379,7 @@ void recordContact(const Contact& contact, std::vector<CollisionRecord>& out) {
         }
         return;
     }
-    CollisionRecord record = endOf(contact);
+    CollisionRecord& record = out.emplace_back(endOf(contact));
     record.phase = contact.wasTouching ? TouchPhase::Persist : TouchPhase::Begin;
     record.pointCount = static_cast<std::uint8_t>(contact.manifold.count);
     record.separation = contact.manifold.points[0].separation;
@@ -353,7 +391,6 @@ void recordContact(const Contact& contact, std::vector<CollisionRecord>& out) {
             record.point = contact.centerA + contact.manifold.points[i].armA;
         }
     }
-    out.push_back(record);
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -20,7 +20,7 @@ struct SinCos {
 /// for |angle| < 100, losing one bit of it for each doubling beyond.
 ///
 /// The angle is brought to |r| <= pi/4 by quarter turns; there the Taylor series ends below the
-/// rounding of a double after x^16.
+/// rounding of a float after x^10, of a double after x^16.
 template <std::floating_point T>
 SinCos<T> sinCos(T angle) {
     // pi/2 in two parts; the first has so few bits that multiplying it by k is exact.
@@ -30,20 +30,15 @@ SinCos<T> sinCos(T angle) {
     const T turns = std::floor(angle * (2 / std::numbers::pi_v<T>)+T(0.5));
     const T r = (angle - turns * kQuarterHigh) - turns * kQuarterLow;
     const T q = r * r;
-    const T s =
-        r *
-        (1 -
-         q / 6 *
-             (1 - q / 20 *
-                      (1 - q / 42 * (1 - q / 72 * (1 - q / 110 * (1 - q / 156 * (1 - q / 210)))))));
+    T tailS = T(1) / 362880; // the series from r^9 and q^5 on, divided by what stands before it
+    T tailC = T(-1) / 3628800;
+    if constexpr (sizeof(T) > 4) {
+        tailS += q * (T(-1) / 39916800 + q * (T(1) / 6227020800 + q * (T(-1) / 1307674368000)));
+        tailC += q * (T(1) / 479001600 + q * (T(-1) / 87178291200 + q * (T(1) / 20922789888000)));
+    }
+    const T s = r + r * q * (T(-1) / 6 + q * (T(1) / 120 + q * (T(-1) / 5040 + q * tailS)));
     const T c =
-        1 -
-        q / 2 *
-            (1 -
-             q / 12 *
-                 (1 -
-                  q / 30 *
-                      (1 - q / 56 * (1 - q / 90 * (1 - q / 132 * (1 - q / 182 * (1 - q / 240)))))));
+        1 + q * (T(-1) / 2 + q * (T(1) / 24 + q * (T(-1) / 720 + q * (T(1) / 40320 + q * tailC))));
     const T quadrant = turns - 4 * std::floor(turns / 4);
     if (quadrant == 0) {
         return {s, c};

@@ -155,7 +155,7 @@ bool hitContact(const Impact& hit, const Tolerances& tolerances, Real restSpeed)
 Real restSpeedOf(const Bodies& bodies, const Contact& contact, Real dt) {
     const Vec2 a = bodies.acceleration[contact.key.bodyA].linear;
     const Vec2 b = bodies.acceleration[contact.key.bodyB].linear;
-    return dt * std::max(length(a), length(b));
+    return dt * std::sqrt(std::max(lengthSquared(a), lengthSquared(b)));
 }
 
 } // namespace
@@ -186,6 +186,9 @@ void solveImpacts(Bodies& bodies, std::span<Contact> contacts, const StepSetting
         for (Contact& contact : contacts) {
             if (pass > 0 && contact.material.restitution == 0) {
                 continue; // the contact half goes on from here
+            }
+            if (pass == 0 && !any && contact.approachSpeed == 0) {
+                continue; // nothing has changed yet since the approach was measured
             }
             any = solveImpact(bodies, contact, settings, tolerances, dt) || any;
         }

@@ -5,41 +5,13 @@
 #include <kodo/bodies/tolerances.hpp>
 #include <kodo/contacts/contact.hpp>
 #include <kodo/joints/joint_set.hpp>
+#include <kodo/solve/contact_blocks.hpp>
 #include <kodo/solve/settings.hpp>
 
 #include <span>
 #include <vector>
 
 namespace kodo::inline KODO_PRECISION {
-
-/// A contact as the passes see it. Everything is found once a step; the passes only multiply and
-/// add. Arms are fixed for the step: a separation follows the motion to first order in the turn.
-struct ContactRow {
-    std::uint32_t a;
-    std::uint32_t b;
-    std::uint32_t contact; // place in the list it came from
-    int count;
-    bool onLocked; // one side cannot be pushed: the contact is made twice as stiff
-    Vec2 normal;
-    struct Point {
-        Real leverA; // cross(armA, normal)
-        Real leverB;
-        Real mass; // kg, effective, along the normal
-        Real separation;
-        Real impulse;
-    };
-    Point points[2];
-    Real tangentLeverA; // of both points' mean, since they share one friction
-    Real tangentLeverB;
-    Real tangentMass;
-    Real friction; // N s so far
-    Real staticFriction;
-    Real kineticFriction;
-    Real pushSpeed;    // m/s at most, to part the two
-    Real rollingLever; // m; 0 without rolling resistance
-    Real rollingMass;  // kg m^2
-    Real rolling;      // N m s so far
-};
 
 /// The contact half of the step, in substeps [Catto24]. Each moves velocities by the forces, starts
 /// from the impulses of the substep before, makes one pass that pushes overlaps apart like stiff
@@ -50,22 +22,32 @@ struct ContactRow {
 ///
 /// The sums are clamped, not the increments, so a later pass may take back what an earlier one
 /// overdid, and friction depends neither on restitution nor on the number of passes.
+///
+/// Arms are fixed for the step, so the contact impulses of a substep change the velocity of a body
+/// by as much as they would in the next: it starts from that change, body by body, and only the
+/// first substep has to add it up from the contacts.
 class SoftStep {
 public:
     void solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints,
                const StepSettings& settings, const Tolerances& tolerances, Real dt);
-    std::size_t rowCount() const { return rows_.size(); }
+    std::size_t contactCount() const { return blocks_.size(); }
 
 private:
-    void makeRows(const Bodies& bodies, std::span<const Contact> contacts, const JointSet& joints,
-                  const StepSettings& settings, const Tolerances& tolerances);
-    void countCrowds(const Bodies& bodies, std::span<const Contact> contacts,
-                     const Tolerances& tolerances);
-    void store(std::span<Contact> contacts) const;
+    struct Velocity {
+        Vec2 linear;
+        Real angular = 0;
+    };
 
-    std::vector<ContactRow> rows_;
+    void collect(const Bodies& bodies, std::span<const Contact> contacts, const JointSet& joints,
+                 const StepSettings& settings, const Tolerances& tolerances);
+    void beginSubstep(Bodies& bodies, Real h);
+    void endSubstep(Bodies& bodies, JointSet& joints, const JointPass& pass);
+
+    ContactBlocks blocks_;
     std::vector<std::uint8_t> held_;   // by body: something touches it
     std::vector<std::uint16_t> crowd_; // by body: how many overlap it deeply
+    std::vector<Velocity> before_;     // by body: with the forces of the substep, without contacts
+    std::vector<Motion> gained_;       // by body: velocities from contacts, of the last substep
 };
 
 } // namespace kodo::inline KODO_PRECISION

@@ -5,9 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
+
+constexpr std::uint32_t kNone = ~std::uint32_t{};
+
+/// Apart by now, so that even a slow approach may end in a blow of its own: see stoppingGap.
+bool mayBounce(const Contact& contact, const Tolerances& tolerances) {
+    return contact.manifold.count == 0 || contact.manifold.points[0].separation > tolerances.slop;
+}
 
 const Convex& outline(const Bodies& bodies, std::uint32_t body, std::uint16_t part) {
     return bodies.form(body).parts[part].convex;
@@ -63,6 +71,12 @@ Real impactTime(const Bodies& bodies, const Contact& contact, std::span<const Re
         outline(bodies, key.bodyB, key.partB), sweepOf(bodies, key.bodyB, stopAt[key.bodyB]), gap);
 }
 
+/// The heap's order: the earliest on top, of equal ones the first in the list.
+template <typename Event>
+bool later(const Event& e, const Event& f) {
+    return e.time > f.time || (e.time == f.time && e.candidate > f.candidate);
+}
+
 /// Cuts a body's motion off. The velocity loses what the forces gave it after that moment.
 void stop(Bodies& bodies, std::uint32_t body, Real share, Real dt) {
     Motion& motion = bodies.motion[body];
@@ -75,15 +89,32 @@ void stop(Bodies& bodies, std::uint32_t body, Real share, Real dt) {
 
 } // namespace
 
+/// For each body, more than any point of it moves.
+void SweepStage::measureWays(const Bodies& bodies) {
+    ways_.assign(bodies.size(), 0);
+    for (const std::uint32_t body : bodies.awake) {
+        const Motion& motion = bodies.motion[body];
+        ways_[body] = length(motion.move) + std::abs(motion.turn) * bodies.extent[body].reach;
+    }
+}
+
 void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
                      const Tolerances& tolerances, Real dt) {
+    measureWays(bodies);
     candidates_.clear();
     bool sensors = false;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const ContactKey& key = contacts[i].key;
+        const Real way = ways_[key.bodyA] + ways_[key.bodyB];
+        const Real thin =
+            std::min(bodies.extent[key.bodyA].inside, bodies.extent[key.bodyB].inside);
+        if (way == 0 || (way <= thin / 2 && !mayBounce(contacts[i], tolerances))) {
+            continue; // as in most of a pile
+        }
         if (const auto gap = stoppingGap(bodies, contacts[i], settings, tolerances)) {
             sensors = sensors || contacts[i].sensor;
             if (!contacts[i].sensor) {
-                candidates_.push_back({static_cast<std::uint32_t>(i), *gap, 0, false});
+                addCandidate(contacts[i], static_cast<std::uint32_t>(i), *gap);
             }
         }
     }
@@ -102,38 +133,61 @@ void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSett
     }
 }
 
+void SweepStage::addCandidate(const Contact& contact, std::uint32_t place, Real gap) {
+    if (candidates_.empty()) {
+        first_.assign(ways_.size(), kNone);
+    }
+    Candidate candidate{place, gap};
+    const auto own = static_cast<std::uint32_t>(candidates_.size());
+    candidate.next[0] = std::exchange(first_[contact.key.bodyA], own);
+    candidate.next[1] = std::exchange(first_[contact.key.bodyB], own);
+    candidates_.push_back(candidate);
+}
+
+void SweepStage::findTime(const Bodies& bodies, std::span<const Contact> contacts,
+                          std::uint32_t candidate) {
+    Candidate& own = candidates_[candidate];
+    own.time = impactTime(bodies, contacts[own.contact], stopAt_, own.gap);
+    if (own.time < 1) {
+        events_.push_back({own.time, candidate});
+        std::push_heap(events_.begin(), events_.end(), later<Event>);
+    }
+}
+
 /// Takes the impacts in the order of their time. Each changes the way of its two bodies, so the
 /// later impacts of these are found anew.
 void SweepStage::stopInOrder(const Bodies& bodies, std::span<const Contact> contacts) {
-    for (Candidate& candidate : candidates_) {
-        candidate.time = impactTime(bodies, contacts[candidate.contact], stopAt_, candidate.gap);
+    events_.clear();
+    for (std::uint32_t i = 0; i < candidates_.size(); ++i) {
+        findTime(bodies, contacts, i);
     }
-    while (true) {
-        Candidate* first = nullptr;
-        for (Candidate& candidate : candidates_) {
-            if (!candidate.done && candidate.time < 1 &&
-                (first == nullptr || candidate.time < first->time)) {
-                first = &candidate;
-            }
+    while (!events_.empty()) {
+        std::pop_heap(events_.begin(), events_.end(), later<Event>);
+        const Event event = events_.back();
+        events_.pop_back();
+        Candidate& first = candidates_[event.candidate];
+        if (first.done || first.time != event.time) {
+            continue; // it was found anew since
         }
-        if (first == nullptr) {
-            return;
+        first.done = true;
+        const ContactKey& key = contacts[first.contact].key;
+        stopAt(bodies, contacts, key.bodyA, event.time);
+        stopAt(bodies, contacts, key.bodyB, event.time);
+    }
+}
+
+void SweepStage::stopAt(const Bodies& bodies, std::span<const Contact> contacts, std::uint32_t body,
+                        Real time) {
+    if (bodies.locked(body) || stopAt_[body] <= time) {
+        return;
+    }
+    stopAt_[body] = time;
+    for (std::uint32_t i = first_[body]; i != kNone;) {
+        const bool isA = contacts[candidates_[i].contact].key.bodyA == body;
+        if (!candidates_[i].done && candidates_[i].time < 1) {
+            findTime(bodies, contacts, i);
         }
-        first->done = true;
-        const ContactKey& key = contacts[first->contact].key;
-        for (const std::uint32_t body : {key.bodyA, key.bodyB}) {
-            if (!bodies.locked(body)) {
-                stopAt_[body] = std::min(stopAt_[body], first->time);
-            }
-        }
-        for (Candidate& other : candidates_) {
-            const ContactKey& k = contacts[other.contact].key;
-            const bool shares = k.bodyA == key.bodyA || k.bodyA == key.bodyB ||
-                                k.bodyB == key.bodyA || k.bodyB == key.bodyB;
-            if (!other.done && other.time < 1 && shares) {
-                other.time = impactTime(bodies, contacts[other.contact], stopAt_, other.gap);
-            }
-        }
+        i = candidates_[i].next[isA ? 0 : 1];
     }
 }
 

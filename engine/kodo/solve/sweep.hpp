@@ -6,6 +6,7 @@
 #include <kodo/contacts/contact.hpp>
 #include <kodo/solve/settings.hpp>
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -27,17 +28,31 @@ public:
 private:
     struct Candidate {
         std::uint32_t contact;
-        Real gap;  // m, at which it is to be stopped
-        Real time; // share of the step
-        bool done;
+        Real gap;                            // m, at which it is to be stopped
+        std::array<std::uint32_t, 2> next{}; // candidate of the same first, of the same second body
+        Real time = 0;                       // share of the step
+        bool done = false;
+    };
+    /// An impact as it was found once; out of date if the candidate has another time by now.
+    struct Event {
+        Real time;
+        std::uint32_t candidate;
     };
 
+    void measureWays(const Bodies& bodies);
+    void addCandidate(const Contact& contact, std::uint32_t place, Real gap);
+    void findTime(const Bodies& bodies, std::span<const Contact> contacts, std::uint32_t candidate);
     void stopInOrder(const Bodies& bodies, std::span<const Contact> contacts);
+    void stopAt(const Bodies& bodies, std::span<const Contact> contacts, std::uint32_t body,
+                Real time);
     void noticeSensors(const Bodies& bodies, std::span<Contact> contacts,
                        const StepSettings& settings, const Tolerances& tolerances);
 
+    std::vector<Real> ways_;           // m, by body: how far its outermost point goes at most
+    std::vector<Real> stopAt_;         // share of the step, by body
+    std::vector<std::uint32_t> first_; // by body: one of its candidates
     std::vector<Candidate> candidates_;
-    std::vector<Real> stopAt_; // by body
+    std::vector<Event> events_; // a heap, the earliest on top
 };
 
 } // namespace kodo::inline KODO_PRECISION

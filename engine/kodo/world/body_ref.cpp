@@ -83,6 +83,7 @@ Motion& BodyRef::motion() {
 void BodyRef::changed() {
     world_->rest_.disturb(world_->bodies_, world_->contacts_, world_->joints_, index());
     world_->contacts_.bodiesChanged();
+    world_->bodies_.jumped(index());
     world_->bodies_.awakeStale = true;
 }
 

@@ -12,9 +12,9 @@ namespace kodo::inline KODO_PRECISION {
 void World::step(Real dt) {
     refuse(checkRange("dt", dt, kShortestStep, kLongestStep));
     findAwake();
-    beginMotion(bodies_);
     contacts_.updatePairs(bodies_, tolerances_, dt);
     contacts_.updateManifolds(bodies_, tolerances_);
+    beginMotion(bodies_);
     rest_.wakeTouched(bodies_, contacts_, tolerances_);
     rest_.wakeJointed(bodies_, contacts_, joints_);
     refreshAwake(bodies_);
@@ -26,7 +26,7 @@ void World::step(Real dt) {
         sweep_.run(bodies_, contacts_.contacts(), settings_, tolerances_, dt);
     }
     freezeUnsoundMotion();
-    movePoses(bodies_);
+    movePoses(bodies_, tolerances_);
     recordCollisions();
     breakJoints(dt);
     rest_.settle(bodies_, contacts_, joints_, settings_, tolerances_, dt);
@@ -42,7 +42,7 @@ void World::solve(Real dt) {
     }
     solveImpacts(bodies_, contacts, settings_, tolerances_, dt);
     softStep_.solve(bodies_, contacts, joints_, settings_, tolerances_, dt);
-    contactVisits_ = 2 * softStep_.rowCount() * static_cast<std::size_t>(settings_.substeps);
+    contactVisits_ = 2 * softStep_.contactCount() * static_cast<std::size_t>(settings_.substeps);
 }
 
 /// Bodies that have left the region wait, and those that it has reached go on.
@@ -51,6 +51,7 @@ void World::findAwake() {
         for (const std::uint32_t body : bodies_.awake) {
             if (bodies_.ids.aliveAt(body) && !overlap(*region_, boundsOfBody(bodies_, body))) {
                 bodies_.record[body].filter.flags |= kOutside;
+                bodies_.jumped(body);
             }
         }
     }

@@ -294,6 +294,7 @@ void World::setRegion(std::optional<Aabb> region) {
             Flags& flags = bodies_.record[body].filter.flags;
             const bool inside = !region || overlap(*region, boundsOfBody(bodies_, body));
             flags = inside ? flags & ~kOutside : flags | kOutside;
+            bodies_.jumped(body);
         }
     }
     bodies_.awakeStale = true;

@@ -78,6 +78,14 @@ std::vector<std::string> levelNames() {
     return names;
 }
 
+std::string noSuchLevel(const std::string& name) {
+    std::string sentence = "there is no level " + name + "; the levels are";
+    for (const std::string& other : levelNames()) {
+        sentence += (sentence.ends_with("are") ? " " : ", ") + other;
+    }
+    return sentence;
+}
+
 Read<Level> loadLevel(const std::string& name) {
     if (!isName(name)) {
         return FileProblem{name, 0,
@@ -87,7 +95,7 @@ Read<Level> loadLevel(const std::string& name) {
     const fs::path path = assetsFolder() / "levels" / (name + ".toml");
     std::error_code error;
     if (!fs::exists(path, error)) {
-        return FileProblem{path.string(), 0, "there is no level " + name};
+        return FileProblem{path.string(), 0, noSuchLevel(name)};
     }
     return readLevelFile(path);
 }

@@ -20,4 +20,7 @@ std::vector<std::string> levelNames();
 /// assets/levels/NAME.toml. A name is made of letters, digits, - and _.
 Read<Level> loadLevel(const std::string& name);
 
+/// "there is no level NAME; the levels are ..."
+std::string noSuchLevel(const std::string& name);
+
 } // namespace apart

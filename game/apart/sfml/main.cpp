@@ -35,7 +35,7 @@ int takePicture(StageDef def, const Options& options) {
     stage.draw(canvas);
     if (!kodo_sfml::savePicture(canvas.picture(), kPixels, sf::Color::Black, options.screenshot)) {
         complain("The picture cannot be written to " + options.screenshot + ".");
-        return kFailed;
+        return kRefused;
     }
     return kDone;
 }
@@ -82,7 +82,7 @@ int run(const Options& options) {
     auto def = setUp(options);
     if (const auto* problem = std::get_if<std::string>(&def)) {
         complain(*problem);
-        return kFailed;
+        return kRefused;
     }
     if (!display) {
         complain("There is no display to open a window on. Set DISPLAY, or play without a window: "
@@ -105,6 +105,6 @@ int main(int argc, char** argv) {
         return apart::run(std::get<apart::Options>(options));
     } catch (const std::exception& error) {
         apart::complain(error.what());
-        return apart::kFailed;
+        return apart::kRefused;
     }
 }

@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdio>
+
 namespace apart {
 
 std::variant<Options, int> parseOptions(int argc, char** argv) {
@@ -10,9 +12,10 @@ std::variant<Options, int> parseOptions(int argc, char** argv) {
     CLI::App app("aPart: a Breakout whose blocks really come apart.", "apart");
     app.footer("Keys: mouse or left/right or A/D move, space or click serves, P or escape pauses,\n"
                "R restarts, M sound, F3 shows what the engine sees.\n"
-               "Exit code: 0 done, 1 a file cannot be used, 2 wrong use, 3 no display.");
+               "Exit code: 0 done, 2 wrong use or a bad file, 3 no display.");
     app.add_option("--level", options.level, "Start with this level (a file of assets/levels)");
-    app.add_option("--seed", options.seed, "Seed of the first game: same seed, same game");
+    app.add_option("--seed", options.seed,
+                   "0..4294967295; the same seed and input give the same game");
     auto* replay = app.add_option("--replay", options.replay, "Show a recorded game");
     app.add_flag("--mute", options.mute, "No sound");
     auto* shot = app.add_option("--screenshot", options.screenshot,
@@ -28,7 +31,11 @@ std::variant<Options, int> parseOptions(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? kDone : kWrongUse;
+        if (error.get_exit_code() == 0) {
+            return app.exit(error); // --help
+        }
+        std::fprintf(stderr, "apart: %s. Try apart --help.\n", error.what());
+        return kRefused;
     }
     return options;
 }

@@ -21,8 +21,7 @@ struct Options {
 
 // The exit codes of the program.
 inline constexpr int kDone = 0;
-inline constexpr int kFailed = 1;   // a file could not be read or written
-inline constexpr int kWrongUse = 2; // of the command line
+inline constexpr int kRefused = 2; // wrong use, or a file that cannot be read or written
 inline constexpr int kNoDisplay = 3;
 
 /// The options, or the exit code when everything has been said already (help, or an error).

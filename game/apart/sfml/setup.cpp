@@ -43,16 +43,14 @@ std::variant<std::vector<std::shared_ptr<const Level>>, std::string> readLevels(
 
 /// Puts the level of that name first in line. A sentence when there is none.
 std::string chooseLevel(StageDef& def, const std::string& name) {
-    std::string names;
     for (std::size_t i = 0; i < def.levels.size(); ++i) {
         if (def.levels[i]->name == name) {
             def.firstLevel = i;
             def.startAtOnce = true;
             return {};
         }
-        names += (i == 0 ? "" : ", ") + def.levels[i]->name;
     }
-    return "There is no level '" + name + "'. The levels are: " + names + ".";
+    return noSuchLevel(name);
 }
 
 std::string takeReplay(StageDef& def, const std::string& file) {

@@ -1,27 +1,37 @@
 // SPDX-License-Identifier: MIT
+#pragma once
+
+#include <scenes/scene_def.hpp>
+
 #include <numbers>
 
-#include "engine.hpp"
+namespace scenes {
 
-namespace crosscheck {
-namespace {
+/// Mass (kg), centre (m) and inertia (kg m^2), by closed forms and the parallel axis theorem: the
+/// oracle of the tests, and the mass that bodies get in Box2D.
+struct Mass {
+    double mass = 0;
+    Vec2 center;
+    double inertia = 0; // about the centre
+};
 
-Mass massOfPart(const scenes::Circle& circle) {
+// Of a part with density 1.
+inline Mass massOfPart(const Circle& circle) {
     const double mass = std::numbers::pi * circle.radius * circle.radius;
     return {mass, circle.center, mass * circle.radius * circle.radius / 2};
 }
 
-Mass massOfPart(const scenes::Box& box) {
+inline Mass massOfPart(const Box& box) {
     const double mass = box.width * box.height;
     return {mass, box.center, mass * (box.width * box.width + box.height * box.height) / 12};
 }
 
 /// By triangles (origin, p, q), inertia about the origin moved to the centre at the end.
-Mass massOfPart(const scenes::Polygon& polygon) {
+inline Mass massOfPart(const Polygon& polygon) {
     Mass sum;
     for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
-        const scenes::Vec2 p = polygon.corners[i];
-        const scenes::Vec2 q = polygon.corners[(i + 1) % polygon.corners.size()];
+        const Vec2 p = polygon.corners[i];
+        const Vec2 q = polygon.corners[(i + 1) % polygon.corners.size()];
         const double area = cross(p, q) / 2;
         sum.mass += area;
         sum.center = sum.center + (area / 3) * (p + q);
@@ -32,12 +42,10 @@ Mass massOfPart(const scenes::Polygon& polygon) {
     return sum;
 }
 
-} // namespace
-
-Mass massOf(const scenes::BodyDef& body) {
+inline Mass massOf(const BodyDef& body) {
     std::vector<Mass> parts;
     Mass sum;
-    for (const scenes::Part& part : body.parts) {
+    for (const Part& part : body.parts) {
         Mass mass = std::visit([](const auto& shape) { return massOfPart(shape); }, part);
         mass.mass *= body.density;
         mass.inertia *= body.density;
@@ -47,10 +55,10 @@ Mass massOf(const scenes::BodyDef& body) {
     }
     sum.center = (1 / sum.mass) * sum.center;
     for (const Mass& part : parts) {
-        const scenes::Vec2 arm = part.center - sum.center;
+        const Vec2 arm = part.center - sum.center;
         sum.inertia += part.inertia + part.mass * dot(arm, arm);
     }
     return sum;
 }
 
-} // namespace crosscheck
+} // namespace scenes

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/base/real.hpp>
+
+#include <cstdint>
+#include <cstring>
+
+/// Numbers side by side, for loops over things that do not touch each other. Each lane computes
+/// what a single Real would, to the bit: there are only +, -, *, /, comparisons and choices, and
+/// none of them is fused. How many lanes there are is a matter of the machine, so a file that
+/// includes this one is compiled once for each kind of machine, and everything in it has internal
+/// linkage: a function made for the one must never be called on the other.
+namespace kodo::inline KODO_PRECISION {
+namespace { // NOLINT: see above
+
+#ifdef __AVX2__
+constexpr std::size_t kLaneBytes = 32;
+#else
+constexpr std::size_t kLaneBytes = 16;
+#endif
+constexpr int kLanes = static_cast<int>(kLaneBytes / sizeof(Real));
+
+using Lanes = Real __attribute__((vector_size(kLaneBytes)));
+
+#define KODO_LANES_INLINE [[gnu::always_inline]] inline
+
+KODO_LANES_INLINE Lanes load(const Real* from) {
+    Lanes lanes;
+    std::memcpy(&lanes, from, sizeof lanes);
+    return lanes;
+}
+KODO_LANES_INLINE void store(Real* to, Lanes lanes) {
+    std::memcpy(to, &lanes, sizeof lanes);
+}
+KODO_LANES_INLINE Lanes all(Real value) {
+    return value - Lanes{};
+}
+KODO_LANES_INLINE Lanes larger(Lanes a, Lanes b) {
+    return a > b ? a : b;
+}
+KODO_LANES_INLINE Lanes smaller(Lanes a, Lanes b) {
+    return a < b ? a : b;
+}
+
+/// Four numbers of each of kLanes structures.
+struct Quad {
+    Lanes x;
+    Lanes y;
+    Lanes z;
+    Lanes w;
+};
+
+#if defined(__AVX2__) && !defined(KODO_DOUBLE) // 8 floats
+using Half = Real __attribute__((vector_size(16)));
+
+KODO_LANES_INLINE Half loadHalf(const Real* from) {
+    Half half;
+    std::memcpy(&half, from, sizeof half);
+    return half;
+}
+KODO_LANES_INLINE Lanes loadPair(const Real* low, const Real* high) {
+    return __builtin_shufflevector(loadHalf(low), loadHalf(high), 0, 1, 2, 3, 4, 5, 6, 7);
+}
+KODO_LANES_INLINE void storePair(Real* low, Real* high, Lanes lanes) {
+    const Half first = __builtin_shufflevector(lanes, lanes, 0, 1, 2, 3);
+    const Half second = __builtin_shufflevector(lanes, lanes, 4, 5, 6, 7);
+    std::memcpy(low, &first, sizeof first);
+    std::memcpy(high, &second, sizeof second);
+}
+/// Turns rows of four into columns, in both halves.
+KODO_LANES_INLINE Quad transpose(Lanes r0, Lanes r1, Lanes r2, Lanes r3) {
+    const Lanes a = __builtin_shufflevector(r0, r1, 0, 8, 1, 9, 4, 12, 5, 13);
+    const Lanes b = __builtin_shufflevector(r2, r3, 0, 8, 1, 9, 4, 12, 5, 13);
+    const Lanes c = __builtin_shufflevector(r0, r1, 2, 10, 3, 11, 6, 14, 7, 15);
+    const Lanes d = __builtin_shufflevector(r2, r3, 2, 10, 3, 11, 6, 14, 7, 15);
+    return {__builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13),
+            __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15),
+            __builtin_shufflevector(c, d, 0, 1, 8, 9, 4, 5, 12, 13),
+            __builtin_shufflevector(c, d, 2, 3, 10, 11, 6, 7, 14, 15)};
+}
+/// Reads four numbers from each base + stride * index.
+KODO_LANES_INLINE Quad gather(const Real* base, std::size_t stride, const std::uint32_t* index) {
+    const auto at = [&](int i) { return base + stride * index[i]; };
+    return transpose(loadPair(at(0), at(4)), loadPair(at(1), at(5)), loadPair(at(2), at(6)),
+                     loadPair(at(3), at(7)));
+}
+KODO_LANES_INLINE void scatter(Real* base, std::size_t stride, const std::uint32_t* index,
+                               const Quad& quad) {
+    const auto at = [&](int i) { return base + stride * index[i]; };
+    const Quad rows = transpose(quad.x, quad.y, quad.z, quad.w);
+    storePair(at(0), at(4), rows.x);
+    storePair(at(1), at(5), rows.y);
+    storePair(at(2), at(6), rows.z);
+    storePair(at(3), at(7), rows.w);
+}
+#elif defined(__AVX2__) || !defined(KODO_DOUBLE) // 4 of either kind: a structure is a row
+KODO_LANES_INLINE Quad transpose(Lanes r0, Lanes r1, Lanes r2, Lanes r3) {
+    const Lanes a = __builtin_shufflevector(r0, r1, 0, 4, 1, 5);
+    const Lanes b = __builtin_shufflevector(r2, r3, 0, 4, 1, 5);
+    const Lanes c = __builtin_shufflevector(r0, r1, 2, 6, 3, 7);
+    const Lanes d = __builtin_shufflevector(r2, r3, 2, 6, 3, 7);
+    return {__builtin_shufflevector(a, b, 0, 1, 4, 5), __builtin_shufflevector(a, b, 2, 3, 6, 7),
+            __builtin_shufflevector(c, d, 0, 1, 4, 5), __builtin_shufflevector(c, d, 2, 3, 6, 7)};
+}
+KODO_LANES_INLINE Quad gather(const Real* base, std::size_t stride, const std::uint32_t* index) {
+    const auto at = [&](int i) { return load(base + stride * index[i]); };
+    return transpose(at(0), at(1), at(2), at(3));
+}
+KODO_LANES_INLINE void scatter(Real* base, std::size_t stride, const std::uint32_t* index,
+                               const Quad& quad) {
+    const auto at = [&](int i) { return base + stride * index[i]; };
+    const Quad rows = transpose(quad.x, quad.y, quad.z, quad.w);
+    store(at(0), rows.x);
+    store(at(1), rows.y);
+    store(at(2), rows.z);
+    store(at(3), rows.w);
+}
+#else                                            // 2 doubles: a structure is two rows
+KODO_LANES_INLINE Quad gather(const Real* base, std::size_t stride, const std::uint32_t* index) {
+    const Real* const p = base + stride * index[0];
+    const Real* const q = base + stride * index[1];
+    return {Lanes{p[0], q[0]}, Lanes{p[1], q[1]}, Lanes{p[2], q[2]}, Lanes{p[3], q[3]}};
+}
+KODO_LANES_INLINE void scatter(Real* base, std::size_t stride, const std::uint32_t* index,
+                               const Quad& quad) {
+    for (int i = 0; i < kLanes; ++i) {
+        Real* const to = base + stride * index[i];
+        to[0] = quad.x[i];
+        to[1] = quad.y[i];
+        to[2] = quad.z[i];
+        to[3] = quad.w[i];
+    }
+}
+#endif
+
+} // namespace
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/bodies/bodies.hpp>
+#include <kodo/math/softness.hpp>
+
+#include <cstdint>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// Eight contacts as the passes of the solver see them, side by side. No two of them push the same
+/// body, so they are solved at once. Everything is found once a step; the passes only multiply and
+/// add. Arms are fixed for the step: a separation follows the motion to first order in the turn.
+/// A lane without a contact is all zeros, between Bodies::spare() and itself.
+struct ContactBlock {
+    static constexpr int kContacts = 8;
+    using Each = Real[kContacts];
+
+    std::uint32_t a[kContacts];
+    std::uint32_t b[kContacts];
+    Each normalX;
+    Each normalY;
+    struct Point {
+        Each leverA; // m, cross(armA, normal)
+        Each leverB;
+        Each mass;       // kg, effective, along the normal
+        Each separation; // m, at the start of the step
+        Each impulse;    // N s, of the substep
+        Each largest;    // N s, in one substep
+    };
+    Point points[2];
+    Each tangentLeverA; // m, of both points' mean, since they share one friction
+    Each tangentLeverB;
+    Each tangentMass; // kg
+    Each friction;    // N s
+    Each staticFriction;
+    Each kineticFriction;
+    Each pushSpeed; // m/s at most, to part the two
+    Each total;     // N s, normal, over the step
+};
+static_assert(sizeof(ContactBlock) == 8 * (2 * 4 + 22 * sizeof(Real)));
+
+/// The part of a block that only contacts with rolling resistance need.
+struct RollingBlock {
+    ContactBlock::Each lever;   // m; 0 without
+    ContactBlock::Each mass;    // kg m^2
+    ContactBlock::Each impulse; // N m s
+};
+
+/// Which parts of a block are in use.
+struct BlockUse {
+    std::int32_t rolling = -1; // place of its RollingBlock, if there is one
+    std::uint8_t contacts = 0;
+    bool twoPoints = false; // some contact has two
+    bool onLocked = false;  // all contacts have a side that cannot be pushed: twice as stiff
+};
+
+/// What all contacts of a substep share.
+struct PassSettings {
+    Softness soft;
+    Softness onLocked;
+    Real invH;
+    bool friction;
+};
+
+/// One pass over blocks in order. `motion` is that of the bodies.
+struct ContactPassArguments {
+    ContactBlock* blocks;
+    RollingBlock* rolling;
+    const BlockUse* use;
+    std::size_t count;
+    Motion* motion;
+    PassSettings settings;
+};
+
+/// The passes, as made for one kind of machine. All kinds give the same bits.
+struct ContactPasses {
+    using Pass = void (*)(const ContactPassArguments&);
+
+    const char* name;
+    Pass warmStart; // pushes with the impulses so far
+    Pass solve;     // pushes overlaps apart like stiff springs
+    Pass relax;     // without that push, which takes its speed out again; with friction, if wanted
+
+    static const ContactPasses& baseline();
+    /// Nothing where neither the build nor the machine has it.
+    static const ContactPasses* avx2();
+    /// The fastest that runs here.
+    static const ContactPasses& best();
+};
+
+} // namespace kodo::inline KODO_PRECISION

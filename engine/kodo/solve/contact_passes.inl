@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// Included by contact_passes_*.cpp, one for each kind of machine. Internal linkage throughout and
+// no call to an inline function of elsewhere, for the reason that lanes.hpp gives.
+#include <kodo/math/lanes.hpp>
+#include <kodo/solve/contact_block.hpp>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+constexpr std::size_t kStride = sizeof(Motion) / sizeof(Real);
+
+/// The first half of Motion: velocity x, y, angular velocity, 1/mass.
+KODO_LANES_INLINE Real* speeds(Motion* motion) {
+    return &motion->velocity.x;
+}
+/// The second half: move x, y, turn, 1/inertia.
+KODO_LANES_INLINE const Real* moves(const Motion* motion) {
+    return &motion->move.x;
+}
+
+/// kLanes contacts of a block with their two bodies each.
+struct Pair {
+    Quad a; // x, y: velocity, z: angular velocity, w: 1/mass
+    Quad b;
+    Lanes inertiaA; // 1/inertia
+    Lanes inertiaB;
+    Lanes normalX;
+    Lanes normalY;
+};
+
+/// Adds an impulse p and the moments spinA, spinB of it.
+KODO_LANES_INLINE void push(Pair& pair, Lanes px, Lanes py, Lanes spinA, Lanes spinB) {
+    pair.a.x -= pair.a.w * px;
+    pair.a.y -= pair.a.w * py;
+    pair.a.z -= pair.inertiaA * spinA;
+    pair.b.x += pair.b.w * px;
+    pair.b.y += pair.b.w * py;
+    pair.b.z += pair.inertiaB * spinB;
+}
+
+KODO_LANES_INLINE void spin(Pair& pair, Lanes spinA, Lanes spinB) {
+    pair.a.z -= pair.inertiaA * spinA;
+    pair.b.z += pair.inertiaB * spinB;
+}
+
+/// The softness of overlap in one pass.
+struct Push {
+    Real biasRate;
+    Real massScale;
+    Real impulseScale;
+    Real invH;
+};
+
+/// lambda = -m (s v_n + s bias) - c lambda_sum, lambda_sum >= 0, for one point of each contact.
+/// `along` is the relative speed of the centres along the normal, `moved` their relative move.
+template <bool biased>
+KODO_LANES_INLINE Lanes solvePoint(ContactBlock::Point& point, int at, Pair& pair, Lanes& along,
+                                   Lanes moved, const Quad& moveA, const Quad& moveB,
+                                   Lanes pushSpeed, const Push& soft) {
+    const Lanes leverA = load(point.leverA + at);
+    const Lanes leverB = load(point.leverB + at);
+    const Lanes impulse = load(point.impulse + at);
+    const Lanes s = load(point.separation + at) + moved + (leverB * moveB.z - leverA * moveA.z);
+    const Lanes speed = along + (leverB * pair.b.z - leverA * pair.a.z);
+    const auto apart = s > Lanes{};
+    const Lanes close = s * all(soft.invH); // may close the gap within the substep, and no more
+    Lanes wanted;
+    if constexpr (biased) {
+        const Lanes bias = apart ? close : larger(all(soft.biasRate) * s, -pushSpeed);
+        const Lanes scale = apart ? all(1) : all(soft.massScale);
+        const Lanes back = apart ? Lanes{} : all(soft.impulseScale) * impulse;
+        wanted = impulse - load(point.mass + at) * (scale * (speed + bias)) - back;
+    } else {
+        wanted = impulse - load(point.mass + at) * (speed + (apart ? close : Lanes{}));
+    }
+    const Lanes next = larger(wanted, Lanes{});
+    const Lanes change = next - impulse;
+    store(point.impulse + at, next);
+    if constexpr (!biased) {
+        store(point.largest + at, larger(load(point.largest + at), next));
+    }
+    along += (pair.a.w + pair.b.w) * change;
+    spin(pair, leverA * change, leverB * change);
+    return change;
+}
+
+/// Both points share one friction: |friction| <= mu (sum of normal impulses), static while that
+/// holds it, kinetic from there on.
+KODO_LANES_INLINE void solveFriction(ContactBlock& block, int at, Pair& pair, Lanes load2) {
+    const Lanes tx = -pair.normalY;
+    const Lanes ty = pair.normalX;
+    const Lanes leverA = load(block.tangentLeverA + at);
+    const Lanes leverB = load(block.tangentLeverB + at);
+    const Lanes friction = load(block.friction + at);
+    const Lanes speed = tx * (pair.b.x - pair.a.x) + ty * (pair.b.y - pair.a.y) +
+                        (leverB * pair.b.z - leverA * pair.a.z);
+    const Lanes stick = friction - load(block.tangentMass + at) * speed;
+    const Lanes hold = load(block.staticFriction + at) * load2;
+    const Lanes slip = load(block.kineticFriction + at) * load2;
+    const auto slides = (larger(stick, -stick) > hold);
+    const Lanes next = slides ? larger(smaller(stick, slip), -slip) : stick;
+    const Lanes change = next - friction;
+    store(block.friction + at, next);
+    push(pair, change * tx, change * ty, leverA * change, leverB * change);
+}
+
+KODO_LANES_INLINE void solveRolling(RollingBlock& block, int at, Pair& pair, Lanes load2) {
+    const Lanes impulse = load(block.impulse + at);
+    const Lanes limit = load(block.lever + at) * load2;
+    const Lanes wanted = impulse - load(block.mass + at) * (pair.b.z - pair.a.z);
+    const Lanes next = larger(smaller(wanted, limit), -limit);
+    store(block.impulse + at, next);
+    spin(pair, next - impulse, next - impulse);
+}
+
+template <bool biased, int points>
+KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, int at,
+                                  Motion* motion, const Push& soft, bool friction) {
+    const Quad moveA = gather(moves(motion), kStride, block.a + at);
+    const Quad moveB = gather(moves(motion), kStride, block.b + at);
+    Pair pair{gather(speeds(motion), kStride, block.a + at),
+              gather(speeds(motion), kStride, block.b + at),
+              moveA.w,
+              moveB.w,
+              load(block.normalX + at),
+              load(block.normalY + at)};
+    const Lanes nx = pair.normalX;
+    const Lanes ny = pair.normalY;
+    const Lanes moved = nx * (moveB.x - moveA.x) + ny * (moveB.y - moveA.y);
+    Lanes along = nx * (pair.b.x - pair.a.x) + ny * (pair.b.y - pair.a.y);
+    const Lanes pushSpeed = load(block.pushSpeed + at);
+    Lanes change = solvePoint<biased>(block.points[0], at, pair, along, moved, moveA, moveB,
+                                      pushSpeed, soft);
+    Lanes sum = load(block.points[0].impulse + at);
+    if constexpr (points == 2) {
+        change += solvePoint<biased>(block.points[1], at, pair, along, moved, moveA, moveB,
+                                     pushSpeed, soft);
+        sum += load(block.points[1].impulse + at);
+    }
+    push(pair, change * nx, change * ny, Lanes{}, Lanes{});
+    if (!biased && friction) {
+        solveFriction(block, at, pair, sum);
+    }
+    if (rolling != nullptr) {
+        solveRolling(*rolling, at, pair, sum);
+    }
+    if constexpr (!biased) {
+        store(block.total + at, load(block.total + at) + sum);
+    }
+    scatter(speeds(motion), kStride, block.a + at, pair.a);
+    scatter(speeds(motion), kStride, block.b + at, pair.b);
+}
+
+template <bool biased>
+void solveBlocks(const ContactPassArguments& pass) {
+    const PassSettings& settings = pass.settings;
+    for (std::size_t i = 0; i < pass.count; ++i) {
+        const BlockUse use = pass.use[i];
+        const Softness& soft = use.onLocked ? settings.onLocked : settings.soft;
+        const Push push{soft.biasRate, soft.massScale, soft.impulseScale, settings.invH};
+        RollingBlock* const rolling = use.rolling < 0 ? nullptr : pass.rolling + use.rolling;
+        for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
+            if (use.twoPoints) {
+                solveLanes<biased, 2>(pass.blocks[i], rolling, at, pass.motion, push,
+                                      settings.friction);
+            } else {
+                solveLanes<biased, 1>(pass.blocks[i], rolling, at, pass.motion, push,
+                                      settings.friction);
+            }
+        }
+    }
+}
+
+void warmStartBlocks(const ContactPassArguments& pass) {
+    for (std::size_t i = 0; i < pass.count; ++i) {
+        ContactBlock& block = pass.blocks[i];
+        const RollingBlock* const rolling =
+            pass.use[i].rolling < 0 ? nullptr : pass.rolling + pass.use[i].rolling;
+        for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
+            Pair pair{gather(speeds(pass.motion), kStride, block.a + at),
+                      gather(speeds(pass.motion), kStride, block.b + at),
+                      gather(moves(pass.motion), kStride, block.a + at).w,
+                      gather(moves(pass.motion), kStride, block.b + at).w,
+                      load(block.normalX + at),
+                      load(block.normalY + at)};
+            const Lanes friction = load(block.friction + at);
+            const Lanes first = load(block.points[0].impulse + at);
+            const Lanes second = load(block.points[1].impulse + at);
+            const Lanes roll = rolling == nullptr ? Lanes{} : load(rolling->impulse + at);
+            const Lanes sum = first + second;
+            const auto moment = [&](const auto& lever1, const auto& lever2, const auto& tangent) {
+                return load(lever1 + at) * first + load(lever2 + at) * second +
+                       load(tangent + at) * friction + roll;
+            };
+            push(pair, sum * pair.normalX - friction * pair.normalY,
+                 sum * pair.normalY + friction * pair.normalX,
+                 moment(block.points[0].leverA, block.points[1].leverA, block.tangentLeverA),
+                 moment(block.points[0].leverB, block.points[1].leverB, block.tangentLeverB));
+            scatter(speeds(pass.motion), kStride, block.a + at, pair.a);
+            scatter(speeds(pass.motion), kStride, block.b + at, pair.b);
+        }
+    }
+}
+
+} // namespace
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Compiled with -mavx2 where the compiler aims at x86-64, and for nothing in particular elsewhere.
+#include <kodo/solve/contact_passes.inl>
+
+namespace kodo::inline KODO_PRECISION {
+
+const ContactPasses* ContactPasses::avx2() {
+#ifdef __AVX2__
+    static constexpr ContactPasses kPasses{"AVX2", warmStartBlocks, solveBlocks<true>,
+                                           solveBlocks<false>};
+    return __builtin_cpu_supports("avx2") ? &kPasses : nullptr;
+#else
+    return nullptr;
+#endif
+}
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/base/hash.hpp>
+
+#include <scenes/in_box2d.hpp>
+
+#include "bench_engine.hpp"
+
+namespace bench {
+namespace {
+
+class Box2dEngine final : public Engine {
+public:
+    Box2dEngine(const scenes::SceneDef& scene, const StepOptions& options)
+        : world_(scenes::toBox2d(scene.gravity)),
+          passes_(options.passes.value_or(8)),
+          positionPasses_(options.positionPasses.value_or(3)) {
+        refuse(options);
+        world_.SetAllowSleeping(options.rest);
+        world_.SetContactListener(&mixing_);
+        for (const scenes::BodyDef& body : scene.bodies) {
+            bodies_.push_back(scenes::addToBox2d(world_, body));
+        }
+        for (const scenes::PinDef& pin : scene.pins) {
+            scenes::addToBox2d(world_, pin, bodies_);
+        }
+    }
+
+    void step(double dt) override { world_.Step(static_cast<float>(dt), passes_, positionPasses_); }
+
+    BodyState state(std::size_t body) const override {
+        const b2Transform& frame = bodies_[body]->GetTransform();
+        return {wide(frame.p),
+                {static_cast<double>(frame.q.c), static_cast<double>(frame.q.s)},
+                wide(bodies_[body]->GetLinearVelocity()),
+                static_cast<double>(bodies_[body]->GetAngularVelocity())};
+    }
+
+    void add(const scenes::BodyDef& body) override {
+        bodies_.push_back(scenes::addToBox2d(world_, body));
+    }
+    void remove(std::size_t body) override {
+        world_.DestroyBody(bodies_[body]);
+        bodies_[body] = nullptr;
+    }
+
+    void place(std::size_t body, scenes::Vec2 position) override {
+        bodies_[body]->SetTransform(scenes::toBox2d(position), bodies_[body]->GetAngle());
+        bodies_[body]->SetLinearVelocity({0, 0});
+    }
+
+    double impulse(std::size_t a, std::size_t b) const override {
+        double sum = 0;
+        for (const b2ContactEdge* edge = bodies_[a]->GetContactList(); edge != nullptr;
+             edge = edge->next) {
+            const b2Manifold& manifold = *edge->contact->GetManifold();
+            for (int i = 0; edge->other == bodies_[b] && i < manifold.pointCount; ++i) {
+                sum += static_cast<double>(manifold.points[i].normalImpulse);
+            }
+        }
+        return sum;
+    }
+
+    std::size_t bodyCount() const override {
+        return static_cast<std::size_t>(world_.GetBodyCount());
+    }
+
+    double mass() const override {
+        double sum = 0;
+        for (const b2Body* body = world_.GetBodyList(); body != nullptr; body = body->GetNext()) {
+            sum += static_cast<double>(body->GetMass()); // 0 for what is locked
+        }
+        return sum;
+    }
+
+    std::uint64_t stateHash() const override {
+        kodo::StateHash hash;
+        for (const b2Body* body : bodies_) {
+            if (body == nullptr) {
+                continue;
+            }
+            const b2Vec2 velocity = body->GetLinearVelocity();
+            for (const float value :
+                 {body->GetWorldCenter().x, body->GetWorldCenter().y, body->GetAngle(), velocity.x,
+                  velocity.y, body->GetAngularVelocity()}) {
+                hash.add(value);
+            }
+        }
+        return hash.value();
+    }
+
+private:
+    static scenes::Vec2 wide(b2Vec2 v) {
+        return {static_cast<double>(v.x), static_cast<double>(v.y)};
+    }
+
+    static void refuse(const StepOptions& options) {
+        if (options.profile != "default" || options.substeps || options.contactHertz ||
+            !options.leaveOut.empty() || options.threads != 1) {
+            throw WrongUse("Box2D 2.4.1 takes passes and position passes, and nothing else");
+        }
+    }
+
+    scenes::SmallerRestitution mixing_;
+    b2World world_;
+    int passes_;
+    int positionPasses_;
+    std::vector<b2Body*> bodies_;
+};
+
+} // namespace
+
+std::unique_ptr<Engine> makeBox2d(const scenes::SceneDef& scene, const StepOptions& options) {
+    return std::make_unique<Box2dEngine>(scene, options);
+}
+
+} // namespace bench

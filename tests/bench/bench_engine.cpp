@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "bench_engine.hpp"
+
+namespace bench {
+
+const std::vector<std::string>& engineNames() {
+    static const std::vector<std::string> kNames{"kodo", "kodo64", "box2d"};
+    return kNames;
+}
+
+const std::vector<std::string>& profileNames() {
+    static const std::vector<std::string> kNames{"default", "quick", "accurate", "thesis"};
+    return kNames;
+}
+
+const std::vector<std::string>& featureNames() {
+    static const std::vector<std::string> kNames{"friction", "rolling", "restitution",
+                                                 "sweep",    "records", "resting"};
+    return kNames;
+}
+
+std::unique_ptr<Engine> makeEngine(const std::string& name, const scenes::SceneDef& scene,
+                                   const StepOptions& options) {
+    if (name == "kodo") {
+        return f32::makeKodo(scene, options);
+    }
+    if (name == "kodo64") {
+        return f64::makeKodo(scene, options);
+    }
+    if (name == "box2d") {
+        return makeBox2d(scene, options);
+    }
+    throw WrongUse("there is no engine '" + name + "': it is kodo, kodo64 or box2d");
+}
+
+} // namespace bench

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// Compiled twice: for kodo::kodo into bench::f32, for kodo::kodo64 into bench::f64.
+#include <scenes/in_kodo.hpp>
+
+#include <algorithm>
+
+#include "bench_engine.hpp"
+
+namespace bench::KODO_PRECISION {
+namespace {
+
+kodo::StepSettings profileOf(const std::string& name) {
+    kodo::StepSettings settings;
+    if (name == "default") {
+        return settings;
+    }
+    if (name == "quick") {
+        settings.substeps = 2;
+        settings.impactPasses = 4;
+        return settings;
+    }
+    if (name == "accurate") {
+        settings.substeps = 16;
+        settings.contactHertz = 240;
+        settings.impactPasses = 64;
+        return settings;
+    }
+    if (name == "thesis") {
+        return kodo::thesis2006();
+    }
+    throw WrongUse("Kodo has no profile '" + name + "'");
+}
+
+std::uint8_t featureOf(const std::string& name) {
+    const std::vector<std::string>& names = featureNames();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) {
+        throw WrongUse("Kodo has no feature '" + name + "' to leave out");
+    }
+    return static_cast<std::uint8_t>(1u << (found - names.begin()));
+}
+static_assert(static_cast<int>(kodo::Feature::Friction) == 1 << 0 &&
+              static_cast<int>(kodo::Feature::RollingResistance) == 1 << 1 &&
+              static_cast<int>(kodo::Feature::Restitution) == 1 << 2 &&
+              static_cast<int>(kodo::Feature::Sweep) == 1 << 3 &&
+              static_cast<int>(kodo::Feature::Records) == 1 << 4 &&
+              static_cast<int>(kodo::Feature::Resting) == 1 << 5); // the order of featureNames()
+
+kodo::StepSettings settingsOf(const StepOptions& options) {
+    if (options.positionPasses) {
+        throw WrongUse("Kodo has no position passes");
+    }
+    if (options.threads != 1) {
+        throw WrongUse("Kodo steps on one thread");
+    }
+    kodo::StepSettings settings = profileOf(options.profile);
+    settings.substeps = options.substeps.value_or(settings.substeps);
+    settings.contactPasses = options.passes.value_or(settings.contactPasses);
+    if (options.contactHertz) {
+        settings.contactHertz = static_cast<kodo::Real>(*options.contactHertz);
+    }
+    for (const std::string& name : options.leaveOut) {
+        settings.leaveOut |= featureOf(name);
+    }
+    if (!options.rest) {
+        settings.leaveOut |= static_cast<std::uint8_t>(kodo::Feature::Resting);
+    }
+    if (const auto problem = check(settings)) {
+        throw WrongUse(problem->field + " " + problem->reason);
+    }
+    return settings;
+}
+
+class KodoEngine final : public Engine {
+public:
+    KodoEngine(const scenes::SceneDef& scene, const StepOptions& options)
+        : scene_(scenes::inKodo(scene, settingsOf(options))) {}
+
+    void step(double dt) override { scene_.world.step(static_cast<kodo::Real>(dt)); }
+
+    BodyState state(std::size_t body) const override {
+        const kodo::BodyView view = std::as_const(scene_.world)[scene_.ids[body]];
+        return {wide(view.position()),
+                {wide(view.rotation().c), wide(view.rotation().s)},
+                wide(view.velocity()),
+                wide(view.angularVelocity())};
+    }
+
+    void add(const scenes::BodyDef& body) override {
+        scene_.ids.push_back(scene_.world.add(scenes::toKodo(body)));
+    }
+    void remove(std::size_t body) override { scene_.world.remove(scene_.ids[body]); }
+
+    void place(std::size_t body, scenes::Vec2 position) override {
+        kodo::BodyRef ref = scene_.world[scene_.ids[body]];
+        ref.setPosition(scenes::toKodo(position));
+        ref.setVelocity({});
+    }
+
+    double impulse(std::size_t a, std::size_t b) const override {
+        double sum = 0;
+        for (const kodo::CollisionRecord& record : scene_.world.collisions()) {
+            if (record.involves(scene_.ids[a]) && record.involves(scene_.ids[b])) {
+                sum += wide(record.totalImpulse);
+            }
+        }
+        return sum;
+    }
+
+    std::size_t bodyCount() const override { return scene_.world.bodyCount(); }
+
+    double mass() const override {
+        double sum = 0;
+        for (const kodo::BodyId id : scene_.world.bodies()) {
+            const kodo::BodyView view = std::as_const(scene_.world)[id];
+            sum += (view.flags() & kodo::kLocked) == kodo::kLocked ? 0 : wide(view.mass());
+        }
+        return sum;
+    }
+
+    std::uint64_t stateHash() const override { return scene_.world.stateHash(); }
+
+private:
+    static double wide(kodo::Real value) { return static_cast<double>(value); }
+    static scenes::Vec2 wide(kodo::Vec2 v) { return {wide(v.x), wide(v.y)}; }
+
+    scenes::KodoScene scene_;
+};
+
+} // namespace
+
+std::unique_ptr<Engine> makeKodo(const scenes::SceneDef& scene, const StepOptions& options) {
+    return std::make_unique<KodoEngine>(scene, options);
+}
+
+} // namespace bench::KODO_PRECISION

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+// What is driven, or never comes to rest; and the two smallest worlds.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "bench_scenes.hpp"
+
+namespace bench {
+namespace {
+
+using scenes::BodyDef;
+using scenes::Dice;
+using scenes::Material;
+using scenes::SceneDef;
+using scenes::Vec2;
+
+constexpr std::uint16_t kWall = 1;
+constexpr std::uint16_t kBall = 2;
+constexpr std::uint16_t kShard = 4;
+
+/// Locked boxes of 1 m thickness around a disc.
+std::vector<BodyDef> ring(double radius) {
+    constexpr int kSides = 48;
+    std::vector<BodyDef> walls;
+    for (int i = 0; i < kSides; ++i) {
+        const Vec2 from = radius * scenes::direction(static_cast<double>(i) / kSides);
+        const Vec2 to = radius * scenes::direction(static_cast<double>(i + 1) / kSides);
+        const Vec2 middle = 0.5 * (from + to);
+        const double reach = std::sqrt(dot(middle, middle));
+        BodyDef side =
+            wall(std::sqrt(dot(to - from, to - from)) + 0.5, 1, ((reach + 0.5) / reach) * middle);
+        side.rotation = scenes::slope(to.y - from.y, to.x - from.x);
+        walls.push_back(side);
+    }
+    return walls;
+}
+
+/// A ball, a box or a polygon, all of about one size.
+BodyDef drop(Dice& dice, std::size_t kind, double radius) {
+    BodyDef body;
+    if (kind % 3 == 0) {
+        body.parts = {scenes::Circle{radius}};
+    } else if (kind % 3 == 1) {
+        body.parts = {scenes::Box{1.6 * radius, 1.6 * radius}};
+    } else {
+        body.parts = {shard(dice, radius)};
+    }
+    body.rotation = scenes::turnedBy(dice.between(-1, 1));
+    return body;
+}
+
+/// Rows of slanting roofs, 10 m apart.
+std::vector<BodyDef> roofs(double width) {
+    std::vector<BodyDef> list;
+    for (int row = 0; row < 3; ++row) {
+        for (double x = -width / 2 + 5; x < width / 2; x += 10) {
+            BodyDef roof = wall(7, 0.4, {x, 10.0 * row});
+            roof.rotation = scenes::turnedBy(row % 2 == 0 ? 0.15 : -0.15);
+            list.push_back(roof);
+        }
+    }
+    return list;
+}
+
+/// Ten boxes around a room of 12 by 9 m.
+std::vector<BodyDef> tenWalls(Material material) {
+    std::vector<BodyDef> walls;
+    for (const double y : {-0.5, 9.5}) {
+        for (const double x : {2.0, 6.0, 10.0}) {
+            walls.push_back(wall(4, 1, {x, y}, material));
+        }
+    }
+    for (const double x : {-0.5, 12.5}) {
+        for (const double y : {2.0, 6.5}) {
+            walls.push_back(wall(1, y == 2.0 ? 4 : 5, {x, y}, material));
+        }
+    }
+    return walls;
+}
+
+/// 20 columns and 15 rows of blocks in a room of 41 by 42 m.
+std::vector<BodyDef> breakoutRoom(Material material) {
+    std::vector<BodyDef> room{wall(43, 1, {20.5, -0.5}, material),
+                              wall(43, 1, {20.5, 42.5}, material),
+                              wall(1, 42, {-0.5, 21}, material), wall(1, 42, {41.5, 21}, material)};
+    for (int i = 0; i < 300; ++i) {
+        room.push_back(wall(1.6, 0.8, {1.5 + 2 * (i % 20), 20 + 1.2 * (i / 20)}, material));
+    }
+    for (BodyDef& body : room) {
+        body.kind = kWall;
+    }
+    return room;
+}
+
+/// The farthest that the two points of a pin have come apart (m).
+double widestPin(const SceneDef& scene, const Engine& engine) {
+    const auto now = [&](std::size_t body, Vec2 point) {
+        const BodyDef& def = scene.bodies[body]; // its frame starts unturned
+        const BodyState state = engine.state(body);
+        return state.position + state.rotation * (point - def.position);
+    };
+    double widest = 0;
+    for (const scenes::PinDef& pin : scene.pins) {
+        const Vec2 gap = now(pin.a, pin.point) - now(pin.b, pin.point);
+        widest = std::max(widest, std::sqrt(dot(gap, gap)));
+    }
+    return widest;
+}
+
+} // namespace
+
+Scene tumbler(int size, std::uint64_t) {
+    const double width = 20 * stretch(size, 2000);
+    Scene scene;
+    scene.def = {"tumbler", scenes::kDown, {}};
+    BodyDef drum;
+    drum.locked = true;
+    drum.spin = 0.43633231299858238; // 25 degrees a second
+    const double side = width / 2 + 0.5;
+    drum.parts = {scenes::Box{width + 2, 1, {0, -side}}, scenes::Box{width + 2, 1, {0, side}},
+                  scenes::Box{1, width, {-side, 0}}, scenes::Box{1, width, {side, 0}}};
+    scene.def.bodies.push_back(drum);
+    const int columns = static_cast<int>(0.9 * width / 0.4);
+    const int rows = (size + columns - 1) / columns;
+    for (int i = 0; i < size; ++i) {
+        const Vec2 place{0.4 * (i % columns - 0.5 * (columns - 1)),
+                         0.4 * (i / columns - 0.5 * (rows - 1))};
+        scene.def.bodies.push_back(scenes::box(0.25, 0.25, place));
+    }
+    scene.region = Region{{-width, -width}, {width, width}};
+    scene.error = meanDepth();
+    return scene;
+}
+
+Scene breakout(int size, std::uint64_t seed) {
+    Dice dice(seed);
+    Scene scene;
+    scene.def = {"breakout", scenes::kDown, breakoutRoom({0.6, 1})};
+    std::vector<std::size_t> balls;
+    for (int i = 0; i < 8; ++i) {
+        BodyDef ball = scenes::ball(0.3, {3.0 + 5 * i, 5}, {0, 1});
+        ball.weightless = true;
+        ball.velocity = 25.0 * (scenes::turnedBy(dice.between(-0.4, 0.4)) * Vec2{0, 1});
+        ball.kind = kBall;
+        ball.meets = kWall | kBall;
+        balls.push_back(scene.def.bodies.size());
+        scene.def.bodies.push_back(ball);
+    }
+    const std::size_t firstShard = scene.def.bodies.size();
+    for (int i = 0; i < size; ++i) {
+        BodyDef body;
+        body.parts = {shard(dice, dice.between(0.10, 0.18))};
+        body.position = {0.5 + dice.between(0, 40), 1 + 40.0 * i / size};
+        body.kind = kShard;
+        body.meets = kWall | kShard;
+        scene.def.bodies.push_back(body);
+    }
+    scene.every = 10;
+    scene.act = [=](Stage& stage, int) { // shards come back at the top
+        for (int i = 0; i < size; ++i) {
+            const std::size_t body = firstShard + static_cast<std::size_t>(i);
+            const Vec2 at = stage.engine().state(body).position;
+            if (at.y < 1) {
+                stage.engine().place(body, {at.x, 41.5});
+            }
+        }
+    };
+    scene.region = Region{{0, 0}, {41, 42}};
+    scene.error = speedLost(balls, 25);
+    return scene;
+}
+
+Scene rain(int size, std::uint64_t seed) {
+    constexpr int kEvery = 4;  // steps between two rows of drops
+    constexpr int kLife = 200; // steps
+    const int row = std::max(1, size * kEvery / kLife);
+    const double width = 2.0 * row;
+    Scene scene;
+    scene.def = {"rain", scenes::kDown, roofs(width)};
+    scene.every = kEvery;
+    scene.warmUp = kLife;
+    scene.actIsTimed = true;
+    const auto oldest = std::make_shared<std::size_t>(scene.def.bodies.size());
+    const auto dice = std::make_shared<Dice>(seed);
+    scene.act = [=](Stage& stage, int) {
+        for (int i = 0; i < row; ++i) {
+            BodyDef body = drop(*dice, dice->below(3), 0.25);
+            body.position = {1 + 2.0 * i - width / 2 + dice->between(-0.5, 0.5), 35};
+            body.velocity = {0, -5};
+            stage.add(body);
+        }
+        while (stage.placeOfNext() - *oldest > static_cast<std::size_t>(row * (kLife / kEvery))) {
+            stage.remove((*oldest)++);
+        }
+    };
+    scene.error = meanDepth();
+    return scene;
+}
+
+Scene joints(int size, std::uint64_t) {
+    Scene scene;
+    scene.def = {"joints", scenes::kDown, {}};
+    for (int i = 0; i < size * size; ++i) {
+        const int column = i % size;
+        const int row = i / size;
+        BodyDef ball = scenes::ball(0.4, {static_cast<double>(column), -static_cast<double>(row)});
+        ball.locked = row == 0 && column >= size / 2 - 3 && column <= size / 2 + 3;
+        ball.kind = kBall;
+        ball.meets = kWall; // of which there is none
+        scene.def.bodies.push_back(ball);
+        const auto body = static_cast<std::size_t>(i);
+        if (column > 0) {
+            scene.def.pins.push_back({body - 1, body, ball.position + Vec2{-0.5, 0}});
+        }
+        if (row > 0) {
+            const std::size_t above = body - static_cast<std::size_t>(size);
+            scene.def.pins.push_back({above, body, ball.position + Vec2{0, 0.5}});
+        }
+    }
+    scene.error = {"pins apart, most", "mm", [def = scene.def](const Stage& stage, const Depths&) {
+                       return 1000 * widestPin(def, stage.engine());
+                   }};
+    return scene;
+}
+
+Scene spinner(int size, std::uint64_t seed) {
+    Dice dice(seed);
+    const double radius = 20 * stretch(size, 1000);
+    Scene scene;
+    scene.def = {"spinner", scenes::kDown, ring(radius)};
+    const std::size_t bar = scene.def.bodies.size();
+    scene.def.bodies.push_back(scenes::box(1.5 * radius, 0.5, {}));
+    scene.def.pins = {{0, bar, {}, 2, 1e6}};
+    const double pitch = 0.85;
+    const int columns = static_cast<int>(1.3 * radius / pitch);
+    for (int i = 0; i < size; ++i) { // half of them above the bar, half below
+        const int row = i / (2 * columns);
+        const double side = i / columns % 2 == 0 ? 1 : -1;
+        BodyDef body = drop(dice, static_cast<std::size_t>(i), 0.35);
+        body.position = {pitch * (i % columns - 0.5 * (columns - 1)), side * (0.8 + pitch * row)};
+        scene.def.bodies.push_back(body);
+    }
+    scene.region = Region{{-radius - 1, -radius - 1}, {radius + 1, radius + 1}};
+    scene.error = meanDepth();
+    return scene;
+}
+
+Scene empty(int, std::uint64_t) {
+    Scene scene;
+    scene.def = {"empty", scenes::kDown, {}};
+    scene.warmUp = 10;
+    return scene;
+}
+
+Scene smallRoom(int, std::uint64_t) {
+    const Material material{0, 1};
+    Scene scene;
+    scene.def = {"smallroom", {}, tenWalls(material)};
+    BodyDef ball = scenes::ball(0.3, {4, 3}, material);
+    ball.velocity = 10.0 * (scenes::turnedBy(0.3) * Vec2{1, 0});
+    scene.def.bodies.push_back(ball);
+    scene.warmUp = 10;
+    scene.region = Region{{0, 0}, {12, 9}};
+    scene.error = speedLost({10}, 10);
+    return scene;
+}
+
+} // namespace bench

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// What stands, falls into a heap, or rests.
+#include <scenes/piles.hpp>
+
+#include <cmath>
+
+#include "bench_scenes.hpp"
+
+namespace bench {
+namespace {
+
+using scenes::BodyDef;
+using scenes::Dice;
+using scenes::SceneDef;
+
+/// A floor and two walls of 1 m around x = -width / 2 .. width / 2, y = 0 .. height.
+SceneDef container(const char* name, double width, double height) {
+    SceneDef scene{name, scenes::kDown, {}};
+    scene.bodies = {wall(width + 2, 1, {0, -0.5}), wall(1, height, {-(width + 1) / 2, height / 2}),
+                    wall(1, height, {(width + 1) / 2, height / 2})};
+    return scene;
+}
+
+/// Fills a container with bodies in rows, `pitch` (m) apart, a little out of line.
+template <typename Make>
+Scene dropped(const char* name, double width, double pitch, int count, Dice& dice, Make make) {
+    const int columns = static_cast<int>((width - 0.2) / pitch);
+    const int rows = (count + columns - 1) / columns;
+    const double height = 2 + pitch * rows;
+    Scene scene{container(name, width, height)};
+    const double left = -(columns - 1) * pitch / 2;
+    for (int i = 0; i < count; ++i) {
+        BodyDef body = make(i);
+        body.position = {left + pitch * (i % columns) + dice.between(-0.02, 0.02),
+                         pitch / 2 + pitch * (i / columns)};
+        scene.def.bodies.push_back(body);
+    }
+    scene.region = Region{{-width / 2, 0}, {width / 2, 2 * height}};
+    scene.error = meanDepth();
+    return scene;
+}
+
+/// Two boxes in the form of an L; no corner is farther than `radius` from the middle.
+std::vector<scenes::Part> angle(double radius) {
+    const double r = radius;
+    return {scenes::Box{1.4 * r, 0.45 * r, {0, -0.475 * r}},
+            scenes::Box{0.45 * r, 0.95 * r, {-0.475 * r, 0.225 * r}}};
+}
+
+/// The top of a column of unit boxes that stood in its place: how far it is below that (m).
+double sunk(const Stage& stage, std::size_t boxes) {
+    return static_cast<double>(boxes) - 0.5 - stage.engine().state(boxes).position.y;
+}
+
+} // namespace
+
+Scene pyramid(int size, std::uint64_t) {
+    Scene scene;
+    scene.def = {"pyramid", scenes::kDown, {scenes::ground(3.0 * size + 20)}};
+    for (int row = 0; row < size; ++row) {
+        for (int i = row; i < size; ++i) {
+            const double x = i - 0.5 * (row + size - 1);
+            scene.def.bodies.push_back(scenes::box(1, 1, {x, 0.5 + row}));
+        }
+    }
+    scene.region = Region{{-1.5 * size - 10, 0}, {1.5 * size + 10, 2.0 * size}};
+    scene.error = meanDepth();
+    return scene;
+}
+
+Scene circles(int size, std::uint64_t seed) {
+    Dice dice(seed);
+    return dropped("circles", 60 * stretch(size, 5000), 0.58, size, dice,
+                   [](int) { return scenes::ball(0.25, {}); });
+}
+
+Scene debris(int size, std::uint64_t seed) {
+    Dice dice(seed);
+    return dropped("debris", 50 * stretch(size, 2000), 1.26, size, dice, [&](int i) {
+        BodyDef body;
+        const double radius = dice.between(0.3, 0.6);
+        if (i % 5 == 4) {
+            body.parts = angle(radius);
+        } else {
+            body.parts = {shard(dice, radius)};
+        }
+        body.rotation = scenes::turnedBy(dice.between(-1, 1));
+        return body;
+    });
+}
+
+Scene stack(int size, std::uint64_t) {
+    Scene scene;
+    scene.def = scenes::stack(size);
+    scene.region = Region{{-10, 0}, {10, 2.0 * size}};
+    scene.error = {"top sinks", "mm", [=](const Stage& stage, const Depths&) {
+                       return 1000 * std::abs(sunk(stage, static_cast<std::size_t>(size)));
+                   }};
+    return scene;
+}
+
+Scene massRatio(int size, std::uint64_t) {
+    Scene scene;
+    scene.def = scenes::stack(11);
+    scene.def.name = "massratio";
+    scene.def.bodies[11].density = size;
+    scene.region = Region{{-10, 0}, {10, 20}};
+    scene.error = {"light boxes crushed", "%", [](const Stage& stage, const Depths&) {
+                       return 100 * std::abs(sunk(stage, 11)) / 10;
+                   }};
+    return scene;
+}
+
+Scene resting(int size, std::uint64_t) {
+    Scene scene;
+    scene.def = {"resting", scenes::kDown, {}};
+    const int shelves = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(size))));
+    for (int shelf = 0; shelf < shelves; ++shelf) {
+        const double width = 1.5 * shelves + 2;
+        scene.def.bodies.push_back(wall(width, 0.5, {0, 3.0 * shelf - 0.25}));
+    }
+    for (int i = 0; i < size; ++i) {
+        const double x = 1.5 * (i % shelves - 0.5 * (shelves - 1));
+        scene.def.bodies.push_back(scenes::box(1, 1, {x, 3.0 * (i / shelves) + 0.5}));
+    }
+    scene.rest = true;
+    scene.warmUp = 120;
+    return scene;
+}
+
+} // namespace bench

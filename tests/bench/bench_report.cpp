@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "bench_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bench {
+namespace {
+
+/// Writes one JSON object. Names and texts hold no character that JSON would want escaped.
+class JsonObject {
+public:
+    void add(const char* name, double value) {
+        raw(name, std::isfinite(value) ? fmt::format("{}", value) : "null");
+    }
+    void add(const char* name, std::size_t value) { raw(name, std::to_string(value)); }
+    void add(const char* name, int value) { raw(name, std::to_string(value)); }
+    void add(const char* name, const std::string& text) { raw(name, '"' + text + '"'); }
+    template <typename T>
+    void add(const char* name, const std::optional<T>& value) {
+        value ? add(name, *value) : raw(name, "null");
+    }
+    void raw(const char* name, const std::string& value) {
+        text_ += fmt::format(R"({}"{}": {})", text_.empty() ? "" : ", ", name, value);
+    }
+    std::string text() const { return '{' + text_ + '}'; }
+
+private:
+    std::string text_;
+};
+
+void addSettings(JsonObject& json, const Result& result) {
+    const StepOptions& step = result.options.step;
+    json.add("scene", result.options.scene);
+    json.add("engine", result.options.engine);
+    json.add("profile", step.profile);
+    json.add("size", result.size);
+    json.add("seed", static_cast<std::size_t>(result.options.seed));
+    json.add("threads", step.threads);
+    json.add("substeps", step.substeps);
+    json.add("passes", step.passes);
+    json.add("positionPasses", step.positionPasses);
+    json.add("contactHertz", step.contactHertz);
+    json.add("leaveOut", fmt::format("{}", fmt::join(step.leaveOut, ",")));
+    json.add("bodies", result.bodies);
+    json.add("locked", result.locked);
+    json.add("steps", result.steps);
+}
+
+std::string stagesAsJson(const Result& result) {
+    JsonObject json;
+    for (const StageTime& stage : result.stages) {
+        json.add(stage.name.c_str(), 1e3 * stage.seconds / result.steps);
+    }
+    return json.text();
+}
+
+/// What the engine does not tell stage by stage is the step as a whole.
+Result withStages(Result result) {
+    if (result.stages.empty()) {
+        result.stages.push_back({"step", result.cpuSeconds});
+    }
+    return result;
+}
+
+} // namespace
+
+Summary summaryOf(std::vector<Result> results) {
+    std::sort(results.begin(), results.end(), [](const Result& one, const Result& other) {
+        return one.cpuSeconds < other.cpuSeconds;
+    });
+    for (const Result& result : results) {
+        if (result.stateHash != results.front().stateHash) {
+            throw NotRepeatable(fmt::format("{} in {}: two runs end in different states",
+                                            result.options.scene, result.options.engine));
+        }
+    }
+    Summary summary;
+    summary.result = results[results.size() / 2];
+    summary.runs = static_cast<int>(results.size());
+    const double median = summary.result.cpuSeconds;
+    summary.spread = (results.back().cpuSeconds - results.front().cpuSeconds) / median;
+    return summary;
+}
+
+std::string asJson(const Summary& summary, bool stages) {
+    const Result& result = summary.result;
+    JsonObject json;
+    addSettings(json, result);
+    json.add("cpuMsPerStep", result.cpuMsPerStep());
+    json.add("nsPerBodyStep", result.nsPerBodyStep());
+    json.add("wallMsPerStep", 1e3 * result.wallSeconds / result.steps);
+    json.add("runs", summary.runs);
+    json.add("spread", summary.spread);
+    if (!summary.against.empty()) {
+        json.add("against", summary.against);
+        json.add("ratio", summary.ratio);
+    }
+    json.add("overlaps", result.depths.pairs);
+    json.add("depthMaxMm", 1e3 * result.depths.max);
+    json.add("depthMeanMm", 1e3 * result.depths.mean);
+    json.add("depthPeakMm", result.deepest ? std::optional(1e3 * *result.deepest) : std::nullopt);
+    json.add("escaped", result.escaped);
+    json.add("stood", result.drift.stood);
+    json.add("driftSidewaysM", result.drift.sideways);
+    json.add("driftDownM", result.drift.down);
+    json.add("kineticEnergyJ", result.kineticEnergy);
+    json.add("massKg", result.mass);
+    json.add("errorName", result.errorName);
+    json.add("errorUnit", result.errorUnit);
+    json.add("error", result.error);
+    json.add("bytesPerBody", result.bytesPerBody);
+    json.add("allocationsPerStep", result.options.engine == "box2d"
+                                       ? std::nullopt // it does not go by operator new
+                                       : std::optional(result.allocationsPerStep));
+    json.add("stateHash", fmt::format("{:016x}", result.stateHash));
+    if (stages) {
+        json.raw("stagesMsPerStep", stagesAsJson(withStages(result)));
+    }
+    return json.text();
+}
+
+std::string asText(const Summary& summary, bool stages) {
+    const Result& result = summary.result;
+    const RunOptions& options = result.options;
+    std::string text = fmt::format("{} {}, {} {}: {:.4g} ms a step, {:.4g} ns a body and step",
+                                   options.scene, result.size, options.engine, options.step.profile,
+                                   result.cpuMsPerStep(), result.nsPerBodyStep());
+    if (summary.runs > 1) {
+        text += fmt::format(" (median of {}, spread {:.1f} %)", summary.runs, 100 * summary.spread);
+    }
+    if (!summary.against.empty()) {
+        text += fmt::format(", {:.3f} of {}", summary.ratio, summary.against);
+    }
+    text += fmt::format("\n  depth {:.1f} / {:.1f} mm, max / mean of {} overlaps; drift {:.3f} m "
+                        "sideways, {:.3f} m down; stood {} of {}; escaped {}; {:.2g} J",
+                        1e3 * result.depths.max, 1e3 * result.depths.mean, result.depths.pairs,
+                        result.drift.sideways, result.drift.down, result.drift.stood, result.bodies,
+                        result.escaped.value_or(0), result.kineticEnergy);
+    if (result.error) {
+        text += fmt::format("\n  {}: {:.4g} {}", result.errorName, *result.error, result.errorUnit);
+    }
+    if (stages) {
+        for (const StageTime& stage : withStages(result).stages) {
+            text +=
+                fmt::format("\n  {:<12} {:.4g} ms", stage.name, 1e3 * stage.seconds / result.steps);
+        }
+    }
+    return text;
+}
+
+} // namespace bench

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "bench_run.hpp"
+
+#include <algorithm>
+#include <ctime>
+
+#include "heap.hpp"
+
+namespace bench {
+namespace {
+
+constexpr int kPeakEvery = 20; // steps
+
+double secondsOf(clockid_t clock) {
+    timespec now{};
+    clock_gettime(clock, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Adds up the time between start() and stop().
+class StopWatch {
+public:
+    explicit StopWatch(clockid_t clock) : clock_(clock) {}
+    void start() { started_ = secondsOf(clock_); }
+    void stop() { sum_ += secondsOf(clock_) - started_; }
+    double seconds() const { return sum_; }
+
+private:
+    clockid_t clock_;
+    double started_ = 0;
+    double sum_ = 0;
+};
+
+/// One run from its first step to its last. Steps are taken in stretches, so that a look at the
+/// clock costs nothing: it takes as long as a hundred steps of an empty world.
+class Run {
+public:
+    Run(const Scene& scene, Engine& engine, bool peak)
+        : scene_(scene), stage_(engine, scene.def), apart_(pinnedPairs(scene.def)), peak_(peak) {}
+
+    void warmUp() {
+        for (int done = 0; done < scene_.warmUp;) {
+            done += stretch(scene_.warmUp - done);
+            act();
+        }
+    }
+
+    void measure(int steps) {
+        steps_ = steps;
+        for (int done = 0; done < steps;) {
+            const std::uint64_t allocations = allocationCount();
+            start();
+            const int taken = stretch(done < steps / 2 ? steps / 2 - done : steps - done);
+            if (done >= steps / 2) {
+                allocations_ += allocationCount() - allocations;
+            }
+            if (scene_.actIsTimed) {
+                act();
+            }
+            stop();
+            if (!scene_.actIsTimed) {
+                act();
+            }
+            done += taken;
+            if (peak_ && done / kPeakEvery > (done - taken) / kPeakEvery) {
+                deepest_ = std::max(deepest_, depthsOf(stage_.bodies(), apart_).max);
+            }
+        }
+    }
+
+    Result result() const {
+        const std::vector<Placed> bodies = stage_.bodies();
+        Result result;
+        result.locked = static_cast<std::size_t>(std::count_if(
+            bodies.begin(), bodies.end(), [](const Placed& body) { return body.def->locked; }));
+        result.bodies = stage_.engine().bodyCount() - result.locked;
+        result.cpuSeconds = cpu_.seconds();
+        result.wallSeconds = wall_.seconds();
+        result.depths = depthsOf(bodies, apart_);
+        if (peak_) {
+            result.deepest = std::max(deepest_, result.depths.max);
+        }
+        if (scene_.region) {
+            result.escaped = escapedFrom(*scene_.region, bodies);
+        }
+        result.drift = driftOf(bodies);
+        result.kineticEnergy = kineticEnergy(bodies);
+        result.mass = stage_.engine().mass();
+        result.stateHash = stage_.engine().stateHash();
+        if (scene_.error) {
+            result.errorName = scene_.error->name;
+            result.errorUnit = scene_.error->unit;
+            result.error = scene_.error->measure(stage_, result.depths);
+        }
+        result.stages = stage_.engine().stages();
+        const int late = steps_ - steps_ / 2;
+        result.allocationsPerStep = static_cast<double>(allocations_) / late;
+        return result;
+    }
+
+private:
+    /// Takes at most `left` steps, up to where something is to be done. Returns how many.
+    int stretch(int left) {
+        int count = left;
+        for (const int every : {scene_.every, peak_ ? kPeakEvery : 0}) {
+            if (every > 0) {
+                count = std::min(count, every - taken_ % every);
+            }
+        }
+        for (int i = 0; i < count; ++i) {
+            stage_.engine().step(kDt);
+        }
+        taken_ += count;
+        return count;
+    }
+
+    void act() {
+        if (scene_.act && taken_ % scene_.every == 0) {
+            scene_.act(stage_, taken_);
+        }
+    }
+
+    void start() {
+        wall_.start();
+        cpu_.start();
+    }
+    void stop() {
+        cpu_.stop();
+        wall_.stop();
+    }
+
+    const Scene& scene_;
+    Stage stage_;
+    Apart apart_;
+    bool peak_;
+    int taken_ = 0; // steps, warm-up and all
+    int steps_ = 0; // steps measured
+    std::uint64_t allocations_ = 0;
+    double deepest_ = 0;
+    StopWatch cpu_{CLOCK_THREAD_CPUTIME_ID};
+    StopWatch wall_{CLOCK_MONOTONIC};
+};
+
+} // namespace
+
+Result run(const RunOptions& options) {
+    const Recipe& recipe = recipeOf(options.scene);
+    const int size = options.size.value_or(recipe.size);
+    const int steps = options.steps.value_or(recipe.steps);
+    const Scene scene = recipe.make(size, options.seed);
+    StepOptions step = options.step;
+    step.rest = scene.rest;
+    const std::size_t before = heapBytes();
+    const std::unique_ptr<Engine> engine = makeEngine(options.engine, scene.def, step);
+    const std::size_t made = heapBytes() - before;
+    Run run(scene, *engine, options.peak);
+    const std::size_t ready = heapBytes();
+    run.warmUp();
+    run.measure(steps);
+    const double bytes = static_cast<double>(made + heapBytes() - ready);
+    Result result = run.result();
+    const std::size_t all = result.bodies + result.locked;
+    result.bytesPerBody = all == 0 ? 0 : bytes / static_cast<double>(all);
+    result.options = options;
+    result.size = size;
+    result.steps = steps;
+    return result;
+}
+
+} // namespace bench

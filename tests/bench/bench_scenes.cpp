@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "bench_scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bench {
+
+Stage::Stage(Engine& engine, const scenes::SceneDef& scene) : engine_(engine) {
+    for (const scenes::BodyDef& body : scene.bodies) {
+        defs_.push_back(std::make_shared<const scenes::BodyDef>(body));
+    }
+}
+
+void Stage::add(const scenes::BodyDef& body) {
+    engine_.add(body);
+    defs_.push_back(std::make_shared<const scenes::BodyDef>(body));
+}
+
+void Stage::remove(std::size_t body) {
+    engine_.remove(body);
+    defs_[body].reset();
+}
+
+std::vector<Placed> Stage::bodies() const {
+    std::vector<Placed> list;
+    for (std::size_t i = 0; i < defs_.size(); ++i) {
+        if (defs_[i]) {
+            list.push_back({i, defs_[i].get(), engine_.state(i)});
+        }
+    }
+    return list;
+}
+
+std::span<const Recipe> recipes() {
+    static constexpr Recipe kRecipes[] = {
+        {"pyramid", "1 m boxes, each row one shorter", "boxes in the lowest row", 60, 300, pyramid},
+        {"circles", "balls of radius 0.25 m fall into a container", "balls", 5000, 600, circles},
+        {"debris", "polygons of 3 to 7 corners and Ls fall into a container", "bodies", 2000, 600,
+         debris},
+        {"tumbler", "0.25 m boxes in a drum that turns", "boxes", 2000, 600, tumbler},
+        {"breakout", "fast balls among locked blocks, and falling shards", "shards", 200, 1200,
+         breakout},
+        {"stack", "1 m boxes, one on the other", "boxes", 20, 600, stack},
+        {"massratio", "a heavy box on ten light ones", "times the density of the light", 1000, 600,
+         massRatio},
+        {"rain", "drops come, fall on roofs and are gone", "drops in the air", 1000, 600, rain},
+        {"joints", "a sheet of pinned balls hangs and swings", "balls along a side", 40, 300,
+         joints},
+        {"spinner", "a driven bar stirs balls, boxes and polygons", "bodies", 1000, 600, spinner},
+        {"resting", "boxes on shelves, at rest before the clock starts", "boxes", 10000, 600,
+         resting},
+        {"empty", "nothing", "", 1, 100000, empty},
+        {"smallroom", "a ball bounces between ten walls", "", 1, 60000, smallRoom},
+        {"forces", "ten boxes, the top one heavy: what each contact carries", "times the density",
+         10, 300, forces},
+        {"slide", "a box slides until friction has stopped it", "", 1, 180, slide},
+        {"bounce", "a ball bounces three times", "", 1, 300, bounce},
+        {"pendulum", "a bar swings from 90 degrees for a minute", "", 1, 3600, pendulum},
+    };
+    return kRecipes;
+}
+
+const Recipe& recipeOf(const std::string& name) {
+    for (const Recipe& recipe : recipes()) {
+        if (name == recipe.name) {
+            return recipe;
+        }
+    }
+    throw WrongUse("there is no scene '" + name + "'; --list names them all");
+}
+
+scenes::BodyDef wall(double width, double height, scenes::Vec2 center, scenes::Material material) {
+    scenes::BodyDef def = scenes::box(width, height, center, material);
+    def.locked = true;
+    return def;
+}
+
+scenes::Polygon shard(scenes::Dice& dice, double radius) {
+    return randomPolygon(dice, 3 + dice.below(5), 2 * radius, 2 * radius);
+}
+
+double stretch(int size, int usual) {
+    return std::sqrt(static_cast<double>(size) / usual);
+}
+
+Error meanDepth() {
+    return {"depth, mean", "mm",
+            [](const Stage&, const Depths& depths) { return 1000 * depths.mean; }};
+}
+
+Error speedLost(std::vector<std::size_t> bodies, double speed) {
+    return {"speed lost or won", "", [=](const Stage& stage, const Depths&) {
+                double sum = 0;
+                for (const std::size_t body : bodies) {
+                    const scenes::Vec2 v = stage.engine().state(body).velocity;
+                    sum += dot(v, v) / static_cast<double>(bodies.size());
+                }
+                return std::abs(std::sqrt(sum) / speed - 1);
+            }};
+}
+
+} // namespace bench

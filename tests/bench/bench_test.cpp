@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "bench_report.hpp"
+
+namespace bench {
+
+/// How a failing test names it.
+void PrintTo(const Recipe& recipe, std::ostream* out) {
+    *out << recipe.name;
+}
+
+namespace {
+
+RunOptions shortRun(const Recipe& recipe, const std::string& engine) {
+    RunOptions options;
+    options.scene = recipe.name;
+    options.engine = engine;
+    options.size = std::min(recipe.size, 12);
+    options.steps = 3;
+    return options;
+}
+
+class EveryScene : public testing::TestWithParam<Recipe> {};
+
+// Box2D keeps masses in float, as Kodo does there: 1e-5 is a hundred roundings.
+TEST_P(EveryScene, HasTheSameBodiesAndMassInEveryEngine) {
+    const Result box2d = run(shortRun(GetParam(), "box2d"));
+    for (const char* engine : {"kodo", "kodo64"}) {
+        const Result kodo = run(shortRun(GetParam(), engine));
+        EXPECT_EQ(kodo.bodies, box2d.bodies);
+        EXPECT_EQ(kodo.locked, box2d.locked);
+        EXPECT_NEAR(kodo.mass, box2d.mass, 1e-5 * box2d.mass);
+        EXPECT_EQ(kodo.escaped, box2d.escaped);
+    }
+}
+
+TEST_P(EveryScene, EndsInTheSameStateWhenRunAgain) {
+    for (const std::string& engine : engineNames()) {
+        const RunOptions options = shortRun(GetParam(), engine);
+        EXPECT_EQ(run(options).stateHash, run(options).stateHash) << engine;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(recipes().begin(), recipes().end()),
+                         [](const auto& scene) { return std::string(scene.param.name); });
+
+BodyState at(double x, double y, scenes::Rot rotation = {}) {
+    return {{x, y}, rotation, {}, 0};
+}
+
+// What the ruler reads is plain geometry; it computes in long double and returns double, so 1e-12
+// is far above its rounding.
+TEST(Ruler, MeasuresKnownOverlaps) {
+    const scenes::Part unit = scenes::Box{1, 1};
+    const scenes::Part disc = scenes::Circle{0.5};
+    const scenes::Part triangle = scenes::Polygon{{{-1, -1}, {1, -1}, {0, 1}}};
+    EXPECT_NEAR(overlapOf(unit, at(0, 0), unit, at(0.9, 0.3)), 0.1, 1e-12);
+    EXPECT_NEAR(overlapOf(unit, at(0, 0), unit, at(1.5, 0)), -0.5, 1e-12);
+    EXPECT_NEAR(overlapOf(disc, at(0, 0), disc, at(0.6, 0.6)), 1 - 0.6 * std::numbers::sqrt2,
+                1e-12);
+    EXPECT_NEAR(overlapOf(unit, at(0, 0), disc, at(0, 0.75)), 0.25, 1e-12);
+    EXPECT_NEAR(overlapOf(disc, at(0.8, 0.8), unit, at(0, 0)), 0.5 - 0.3 * std::numbers::sqrt2,
+                1e-12);
+    EXPECT_NEAR(overlapOf(unit, at(0, 0), disc, at(0, 0.25)), 0.75, 1e-12); // its centre inside
+    EXPECT_NEAR(overlapOf(triangle, at(0, 0), unit, at(0, 1.25)), 0.25, 1e-12);
+    // A quarter turn and a half: the corner of the turned box reaches sqrt(2) / 2 down.
+    const scenes::Rot turned = scenes::slope(1, 1);
+    EXPECT_NEAR(overlapOf(unit, at(0, 0), unit, at(0, 1.1, turned)), std::numbers::sqrt2 / 2 - 0.6,
+                1e-12);
+}
+
+/// Bodies where they are defined.
+std::vector<Placed> placed(const scenes::SceneDef& scene) {
+    std::vector<Placed> list;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const scenes::BodyDef& body = scene.bodies[i];
+        list.push_back({i, &body, {body.position, body.rotation, body.velocity, body.spin}});
+    }
+    return list;
+}
+
+TEST(Ruler, TakesTheMeanOverThePairsThatOverlap) {
+    scenes::SceneDef scene;
+    scene.bodies = {scenes::ground(20), scenes::box(1, 1, {0, 0.49}), scenes::box(1, 1, {0, 1.46}),
+                    scenes::box(1, 1, {5, 3})};
+    const Depths depths = depthsOf(placed(scene), {});
+    EXPECT_EQ(depths.pairs, 2u);
+    EXPECT_NEAR(depths.max, 0.03, 1e-12);
+    EXPECT_NEAR(depths.mean, 0.02, 1e-12);
+}
+
+TEST(Ruler, LeavesOutWhatDoesNotTouchByDefinition) {
+    scenes::SceneDef scene;
+    scene.bodies = {scenes::box(1, 1, {0, 0}),  scenes::box(1, 1, {0.5, 0}),
+                    scenes::box(1, 1, {10, 0}), scenes::box(1, 1, {10.5, 0}),
+                    scenes::box(1, 1, {20, 0}), scenes::box(1, 1, {20.5, 0})};
+    EXPECT_EQ(depthsOf(placed(scene), {}).pairs, 3u);
+    scene.bodies[0].locked = scene.bodies[1].locked = true;
+    scene.bodies[2].kind = 1;
+    scene.bodies[3].kind = 2;
+    scene.bodies[3].meets = 2;
+    scene.pins = {{5, 4, {20.25, 0}}};
+    EXPECT_EQ(depthsOf(placed(scene), pinnedPairs(scene)).pairs, 0u);
+}
+
+TEST(Ruler, CountsWhatStandsAndWhatIsGone) {
+    scenes::SceneDef scene;
+    scene.bodies = {scenes::ground(20), scenes::ball(0.5, {0, 1}), scenes::ball(0.5, {2, 1}),
+                    scenes::ball(0.5, {4, 1})};
+    std::vector<Placed> bodies = placed(scene);
+    bodies[1].state.position = {0.2, 0.1};
+    bodies[2].state.position = {2.3, 1};
+    bodies[3].state.position = {4, -0.5};
+    const Drift drift = driftOf(bodies);
+    EXPECT_EQ(drift.stood, 1u);
+    EXPECT_NEAR(drift.sideways, 0.3, 1e-12);
+    EXPECT_NEAR(drift.down, 1.5, 1e-12);
+    bodies[1].state.position.y = std::nan("");
+    EXPECT_EQ(escapedFrom({{-5, 0}, {5, 5}}, bodies), 2u);
+}
+
+// m v^2 / 2 + I w^2 / 2 with m = pi r^2, I = m r^2 / 2: 2 pi + pi for r = 1, v = 2, w = 2.
+TEST(Ruler, AddsUpKineticEnergy) {
+    scenes::SceneDef scene;
+    scene.bodies = {scenes::ball(1, {0, 0}), scenes::ground(10)};
+    scene.bodies[0].velocity = {2, 0};
+    scene.bodies[0].spin = 2;
+    scene.bodies[1].velocity = {5, 0}; // locked: a drive, not an energy
+    EXPECT_NEAR(kineticEnergy(placed(scene)), 3 * std::numbers::pi, 1e-12);
+}
+
+// Box2D lets each contact overlap by a slop of up to 5 mm and holds polygons two skins of 10 mm
+// apart. With the skin taken off its shapes, a stack of three stays within three slops of its
+// place; with it, the top would be lifted by 45 mm or more.
+TEST(Box2dInTheBench, HasItsSurfacesWhereTheNominalShapesAre) {
+    RunOptions options;
+    options.scene = "stack";
+    options.engine = "box2d";
+    options.size = 3;
+    options.steps = 300;
+    const Result result = run(options);
+    EXPECT_GT(result.depths.pairs, 0u); // it touches at the nominal surfaces
+    EXPECT_LT(result.depths.max, 0.006);
+    ASSERT_EQ(result.errorName, "top sinks"); // or is lifted, mm
+    EXPECT_LT(result.error, 15);
+}
+
+TEST(Options, RefuseWhatAnEngineDoesNotKnow) {
+    RunOptions options;
+    options.scene = "stack";
+    options.steps = 1;
+    options.step.profile = "nonesuch";
+    EXPECT_THROW(run(options), WrongUse);
+    options.step.profile = "default";
+    options.step.leaveOut = {"gravity"};
+    EXPECT_THROW(run(options), WrongUse);
+    options.step.leaveOut = {};
+    options.step.substeps = 0;
+    EXPECT_THROW(run(options), WrongUse);
+    options.engine = "box2d"; // has no substeps at all
+    options.step.substeps = 4;
+    EXPECT_THROW(run(options), WrongUse);
+    options.step.substeps = {};
+    options.engine = "unity";
+    EXPECT_THROW(run(options), WrongUse);
+    options.engine = "kodo";
+    options.scene = "nowhere";
+    EXPECT_THROW(run(options), WrongUse);
+}
+
+TEST(Summaries, TakeTheMedianAndTheSpread) {
+    std::vector<Result> results(5);
+    const double seconds[] = {5, 1, 4, 2, 3};
+    std::transform(std::begin(seconds), std::end(seconds), results.begin(), [](double time) {
+        Result result;
+        result.cpuSeconds = time;
+        result.steps = 1;
+        return result;
+    });
+    const Summary summary = summaryOf(results);
+    EXPECT_EQ(summary.result.cpuSeconds, 3);
+    EXPECT_NEAR(summary.spread, 4.0 / 3, 1e-12);
+    EXPECT_EQ(summary.runs, 5);
+    results[3].stateHash = 7;
+    EXPECT_THROW(summaryOf(results), NotRepeatable);
+}
+
+} // namespace
+} // namespace bench

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace bench {
+
+/// How often operator new has been called so far. A program that links this has it counted. What
+/// calls malloc itself, as Box2D does, is not seen.
+std::uint64_t allocationCount();
+
+/// Bytes that malloc has given out and not got back; 0 where the C library does not tell.
+std::size_t heapBytes();
+
+} // namespace bench

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// Scenes in Kodo and in Box2D 2.4.1: what a step costs, and how true it is. Exit code: 0 done, 1 an
+// engine was not repeatable, 2 wrong use.
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "bench_report.hpp"
+
+namespace bench {
+namespace {
+
+struct Options {
+    RunOptions run;
+    int repeat = 1;
+    std::string against;
+    std::string againstProfile = "default";
+    bool json = false;
+    bool stages = false;
+    bool list = false;
+};
+
+void addOptions(CLI::App& app, Options& options) {
+    RunOptions& run = options.run;
+    StepOptions& step = run.step;
+    app.add_flag("--list", options.list, "List the scenes and what they are judged by");
+    app.add_option("--scene", run.scene, "The scene; pyramid unless given");
+    app.add_option("--engine", run.engine, "kodo, kodo64 or box2d; kodo unless given")
+        ->check(CLI::IsMember(engineNames()));
+    app.add_option("--profile", step.profile, "How Kodo steps")
+        ->check(CLI::IsMember(profileNames()));
+    app.add_option("--substeps", step.substeps, "Instead of the profile's");
+    app.add_option("--passes", step.passes,
+                   "Velocity iterations of Box2D (8); contact passes of Kodo's thesis profile");
+    app.add_option("--position-passes", step.positionPasses, "Position iterations of Box2D (3)")
+        ->check(CLI::Range(0, 1000));
+    app.add_option("--contact-hertz", step.contactHertz, "Instead of the profile's");
+    app.add_option("--leave-out", step.leaveOut, "Features of Kodo, by commas")
+        ->delimiter(',')
+        ->check(CLI::IsMember(featureNames()));
+    app.add_option("--threads", step.threads, "1 unless given")->check(CLI::Range(1, 64));
+    app.add_option("--steps", run.steps, "Steps of 1/60 s, instead of the scene's")
+        ->check(CLI::Range(1, 100000000));
+    app.add_option("--size", run.size, "Instead of the scene's")->check(CLI::Range(1, 10000000));
+    app.add_option("--seed", run.seed, "For what is random in a scene");
+    app.add_flag("--peak", run.peak, "Measure depth in every 20th step (disturbs the caches)");
+    app.add_option("--repeat", options.repeat, "Runs; the median of their times counts")
+        ->check(CLI::Range(1, 1000));
+    app.add_option("--against", options.against, "Another engine, run in turn, for the ratio")
+        ->check(CLI::IsMember(engineNames()));
+    app.add_option("--against-profile", options.againstProfile, "How the other engine steps")
+        ->check(CLI::IsMember(profileNames()));
+    app.add_flag("--stages", options.stages, "Also the time of each stage of a step");
+    app.add_flag("--json", options.json, "Print one JSON object for each engine");
+}
+
+void list() {
+    for (const Recipe& recipe : recipes()) {
+        const Scene scene = recipe.make(recipe.size, 1);
+        fmt::print("{:<10} {}\n{:<10} {} steps", recipe.name, recipe.about, "", recipe.steps);
+        if (*recipe.sizeMeans != '\0') {
+            fmt::print("; size {}: {}", recipe.size, recipe.sizeMeans);
+        }
+        if (scene.error) {
+            fmt::print("; judged by: {}", scene.error->name);
+        }
+        fmt::print("\n");
+    }
+}
+
+/// The other engine steps as it does by itself: only scene, size, steps and seed are shared.
+RunOptions opponentOf(const Options& options) {
+    RunOptions other = options.run;
+    other.engine = options.against;
+    other.step = {};
+    other.step.profile = options.againstProfile;
+    return other;
+}
+
+void runAll(const Options& options) {
+    std::vector<Result> ours;
+    std::vector<Result> theirs;
+    for (int i = 0; i < options.repeat; ++i) {
+        ours.push_back(run(options.run));
+        if (!options.against.empty()) {
+            theirs.push_back(run(opponentOf(options)));
+        }
+    }
+    std::vector<Summary> summaries{summaryOf(std::move(ours))};
+    if (!theirs.empty()) {
+        summaries.push_back(summaryOf(std::move(theirs)));
+        summaries[0].against = options.against;
+        summaries[0].ratio = summaries[0].result.cpuSeconds / summaries[1].result.cpuSeconds;
+    }
+    for (const Summary& summary : summaries) {
+        fmt::print("{}\n", options.json ? asJson(summary, options.stages)
+                                        : asText(summary, options.stages));
+    }
+}
+
+int main(int argc, char** argv) {
+    CLI::App app("Scenes in Kodo and in Box2D 2.4.1: what a step costs, and how true it is.");
+    app.name("kodo-bench");
+    app.footer("Times are CPU times of the thread, of the steps alone. Exit code: 0 done, 1 an "
+               "engine was not\nrepeatable, 2 wrong use.");
+    Options options;
+    addOptions(app, options);
+    try {
+        app.parse(argc, argv);
+        options.list ? list() : runAll(options);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) {
+            return app.exit(error); // --help
+        }
+        fmt::print(stderr, "kodo-bench: {}. Try kodo-bench --help.\n", error.what());
+        return 2;
+    } catch (const NotRepeatable& error) {
+        fmt::print(stderr, "kodo-bench: {}.\n", error.what());
+        return 1;
+    } catch (const std::exception& error) { // WrongUse, or a size that an engine refuses
+        fmt::print(stderr, "kodo-bench: {}.\n", error.what());
+        return 2;
+    }
+    return 0;
+}
+
+} // namespace
+} // namespace bench
+
+int main(int argc, char** argv) {
+    return bench::main(argc, argv);
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <box2d/box2d.h>
+#include <scenes/mass.hpp>
+#include <scenes/scene_def.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace scenes {
+
+inline b2Vec2 toBox2d(Vec2 v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y)};
+}
+
+/// The outline whose skin of b2_polygonRadius reaches as far as `corners` do: each corner moves
+/// inwards to where the two edges beside it meet after theirs.
+inline b2PolygonShape inset(const std::vector<Vec2>& corners) {
+    const double skin = static_cast<double>(b2_polygonRadius);
+    const auto outward = [&](std::size_t i) {
+        const Vec2 edge = corners[(i + 1) % corners.size()] - corners[i];
+        const double size = std::sqrt(dot(edge, edge));
+        return Vec2{edge.y / size, -edge.x / size};
+    };
+    std::vector<b2Vec2> moved;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec2 n = outward((i + corners.size() - 1) % corners.size());
+        const Vec2 m = outward(i);
+        moved.push_back(toBox2d(corners[i] - (skin / (1 + dot(n, m))) * (n + m)));
+    }
+    b2PolygonShape shape;
+    shape.Set(moved.data(), static_cast<int32>(moved.size()));
+    return shape;
+}
+
+inline b2PolygonShape box2dShape(const Polygon& polygon) {
+    return inset(polygon.corners);
+}
+
+inline b2PolygonShape box2dShape(const Box& box) {
+    return inset(cornersOf(box));
+}
+
+inline b2CircleShape box2dShape(const Circle& circle) {
+    b2CircleShape shape;
+    shape.m_radius = static_cast<float>(circle.radius);
+    shape.m_p = toBox2d(circle.center);
+    return shape;
+}
+
+/// Pairs get Kodo's rule for restitution, the smaller one, where Box2D takes the larger.
+class SmallerRestitution : public b2ContactListener {
+public:
+    void BeginContact(b2Contact* contact) override {
+        contact->SetRestitution(std::min(contact->GetFixtureA()->GetRestitution(),
+                                         contact->GetFixtureB()->GetRestitution()));
+    }
+};
+
+/// What locked bodies become: those that turn or fly, kinematic ones.
+inline b2BodyType box2dType(const BodyDef& body) {
+    const bool moves = body.spin != 0 || dot(body.velocity, body.velocity) > 0;
+    return !body.locked ? b2_dynamicBody : moves ? b2_kinematicBody : b2_staticBody;
+}
+
+inline void giveNominalMass(b2Body& body, const BodyDef& source) {
+    const Mass mass = massOf(source);
+    b2MassData data;
+    data.mass = static_cast<float>(mass.mass);
+    data.center = toBox2d(mass.center);
+    data.I = static_cast<float>(mass.inertia + mass.mass * dot(mass.center, mass.center));
+    body.SetMassData(&data);
+}
+
+/// `bounceThreshold`: the speed (m/s) below which nothing bounces.
+inline b2Body* addToBox2d(b2World& world, const BodyDef& source, float bounceThreshold = 1) {
+    b2BodyDef def;
+    def.type = box2dType(source);
+    def.position = toBox2d(source.position);
+    def.angle = static_cast<float>(std::atan2(source.rotation.s, source.rotation.c));
+    def.gravityScale = source.weightless ? 0.0f : 1.0f;
+    b2Body* body = world.CreateBody(&def);
+    for (const Part& part : source.parts) {
+        b2FixtureDef fixture;
+        fixture.density = static_cast<float>(source.density);
+        fixture.friction = static_cast<float>(source.material.friction);
+        fixture.restitution = static_cast<float>(source.material.restitution);
+        fixture.restitutionThreshold = bounceThreshold;
+        if (source.kind != 0) {
+            fixture.filter.categoryBits = source.kind;
+        }
+        if (source.meets != 0) {
+            fixture.filter.maskBits = source.meets;
+        }
+        const auto add = [&](const auto& shape) {
+            fixture.shape = &shape;
+            body->CreateFixture(&fixture);
+        };
+        std::visit([&](const auto& primitive) { add(box2dShape(primitive)); }, part);
+    }
+    if (!source.locked) {
+        giveNominalMass(*body, source);
+    }
+    if (def.type != b2_staticBody) {
+        body->SetLinearVelocity(toBox2d(source.velocity));
+        body->SetAngularVelocity(static_cast<float>(source.spin));
+    }
+    return body;
+}
+
+inline void addToBox2d(b2World& world, const PinDef& pin, const std::vector<b2Body*>& bodies) {
+    b2RevoluteJointDef def;
+    def.Initialize(bodies[pin.a], bodies[pin.b], toBox2d(pin.point));
+    def.enableMotor = pin.motorTorque > 0;
+    def.motorSpeed = static_cast<float>(pin.motorSpeed);
+    def.maxMotorTorque = static_cast<float>(pin.motorTorque);
+    world.CreateJoint(&def);
+}
+
+} // namespace scenes
