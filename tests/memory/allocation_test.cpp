@@ -127,9 +127,9 @@ TEST(Allocation, AStepOfAStirredPileAllocatesNothing) {
     for (const Strategy strategy : kStrategies) {
         SCOPED_TRACE(static_cast<int>(strategy));
         Scene scene(settingsOf(strategy, false));
-        scene.stir(900, 3);
+        scene.stir(1500, 3);
         const std::size_t before = allocations;
-        scene.stir(300, 1);
+        scene.stir(300, Real(0.5));
         EXPECT_EQ(allocations, before);
         EXPECT_GT(scene.world.collisions().size(), 50u);
     }
