@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/base/refill.hpp>
 #include <kodo/bodies/integrate.hpp>
 #include <kodo/solve/impact.hpp>
 #include <kodo/solve/propagation.hpp>
@@ -183,7 +184,7 @@ void Propagation::findLevels(const Bodies& bodies) {
 
 /// Counting sort: levelStart_[level] ends up where the rows of that level begin.
 void Propagation::sortByLevel(std::uint32_t highest) {
-    levelStart_.assign(std::size_t{highest} + 3, 0);
+    refill(levelStart_, std::size_t{highest} + 3, 0u);
     for (const PropagationRow& row : rows_) {
         if (row.level != ShockLevels::kUnreached) {
             ++levelStart_[row.level + 2];
