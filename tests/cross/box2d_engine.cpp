@@ -2,6 +2,7 @@
 #include <scenes/in_box2d.hpp>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "engine.hpp"
@@ -44,6 +45,33 @@ public:
     void step(double dt) override {
         listener_.pushes.clear();
         world_.Step(static_cast<float>(dt), 8, 3);
+    }
+
+    void join(const Link& link) override {
+        b2Body* a = bodies_[link.a];
+        b2Body* b = bodies_[link.b];
+        const b2Vec2 point(static_cast<float>(link.point.x), static_cast<float>(link.point.y));
+        if (link.kind == Link::Kind::Weld) {
+            b2WeldJointDef def;
+            def.Initialize(a, b, point);
+            world_.CreateJoint(&def);
+        } else if (link.kind == Link::Kind::Pin) {
+            b2RevoluteJointDef def;
+            def.Initialize(a, b, point);
+            def.enableMotor = link.motorTorque > 0;
+            def.motorSpeed = static_cast<float>(link.motorSpeed);
+            def.maxMotorTorque = static_cast<float>(link.motorTorque);
+            world_.CreateJoint(&def);
+        } else {
+            b2DistanceJointDef def;
+            def.Initialize(a, b, point,
+                           {static_cast<float>(link.pointB.x), static_cast<float>(link.pointB.y)});
+            def.minLength = 0;
+            def.maxLength = std::numeric_limits<float>::max();
+            b2LinearStiffness(def.stiffness, def.damping, static_cast<float>(link.hertz),
+                              static_cast<float>(link.damping), a, b);
+            world_.CreateJoint(&def);
+        }
     }
 
     State state(std::size_t index) const override {

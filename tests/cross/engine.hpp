@@ -21,6 +21,21 @@ struct State {
 };
 
 /// A scene in some engine. Bodies are named by their place in the scene.
+/// What holds two bodies of a scene together. Points are in the world (m), where the bodies start.
+struct Link {
+    enum class Kind { Pin, Weld, Spring };
+
+    Kind kind = Kind::Pin;
+    std::size_t a = 0;
+    std::size_t b = 0;
+    scenes::Vec2 point{};   // of both; of a Spring: on a
+    scenes::Vec2 pointB{};  // of a Spring: on b. Its length at rest is their distance
+    double motorSpeed = 0;  // rad/s, of a Pin: of b relative to a
+    double motorTorque = 0; // N m at most
+    double hertz = 0;       // of a Spring, with the masses of both
+    double damping = 0;     // its damping ratio; 1 is critical
+};
+
 class Engine {
 public:
     Engine() = default;
@@ -29,6 +44,8 @@ public:
     virtual ~Engine() = default;
 
     virtual void step(double dt) = 0;
+    /// To be called before the first step. The two bodies do not touch each other any more.
+    virtual void join(const Link& link) = 0;
     virtual State state(std::size_t body) const = 0;
     /// N s along the normal between two bodies in the last step, all points.
     virtual double impulse(std::size_t a, std::size_t b) const = 0;

@@ -20,6 +20,25 @@ public:
 
     void step(double dt) override { scene_.world.step(static_cast<kodo::Real>(dt)); }
 
+    void join(const Link& link) override {
+        const kodo::JointEnds ends{scene_.ids[link.a], scene_.ids[link.b],
+                                   anchor(link.a, link.point), anchor(link.b, link.point)};
+        if (link.kind == Link::Kind::Weld) {
+            scene_.world.add(kodo::Weld{.ends = ends});
+        } else if (link.kind == Link::Kind::Pin) {
+            scene_.world.add(kodo::Pin{.ends = ends,
+                                       .motorSpeed = static_cast<kodo::Real>(link.motorSpeed),
+                                       .motorTorque = static_cast<kodo::Real>(link.motorTorque)});
+        } else {
+            kodo::Spring spring{.ends = ends};
+            spring.ends.anchorB = anchor(link.b, link.pointB);
+            spring.length = length(scenes::toKodo(link.pointB - link.point));
+            spring.hertz = static_cast<kodo::Real>(link.hertz);
+            spring.damping = static_cast<kodo::Real>(link.damping);
+            scene_.world.add(spring);
+        }
+    }
+
     State state(std::size_t body) const override {
         const kodo::BodyView view = scene_.world[scene_.ids[body]];
         const auto number = [](kodo::Real value) { return static_cast<double>(value); };
@@ -40,6 +59,11 @@ public:
     }
 
 private:
+    kodo::Vec2 anchor(std::size_t body, scenes::Vec2 point) const {
+        const kodo::BodyView view = scene_.world[scene_.ids[body]];
+        return unrotate(view.rotation(), scenes::toKodo(point) - view.position());
+    }
+
     scenes::KodoScene scene_;
 };
 

@@ -82,5 +82,18 @@ TEST(FreeFlight, AConstantThrustGivesAParabola) {
     EXPECT_TRUE(near(world[box].velocity(), Vec2{4, 0}, byPrecision(1e-4, 1e-12)));
 }
 
+// R3, A1: so does a constant torque: angle = T t^2 / (2 I). In float 120 turns are rounded to 6e-8
+// each.
+TEST(FreeFlight, AConstantTorqueGivesAParabolaOfTheAngle) {
+    World world;
+    const BodyId box = world.add(boxDef({}, 2, 2)); // I = 8/3 kg m^2
+    for (int i = 0; i < 120; ++i) {
+        world[box].applyTorque(Real(8) / 3);
+        world.step(support::kDt);
+    }
+    EXPECT_TRUE(near(world[box].angularVelocity(), 2, byPrecision(6e-5, 1e-12)));
+    EXPECT_TRUE(near(world[box].rotation().angle(), 2, byPrecision(6e-5, 1e-12)));
+}
+
 } // namespace
 } // namespace kodo

@@ -65,6 +65,39 @@ TEST(OffCentreHit, TheRecordHoldsTheImpulse) {
     EXPECT_TRUE(near(record->point.x, 1.25L, kTolerance));
 }
 
+// A6b: two equal discs that meet aslant. Each turns with 2 r^2 / I per m of what they share, so a
+// tangent impulse of m v_t / 6 would stop all sliding; friction gives that, or mu times the normal
+// impulse, whichever is less. Both spin the same way then, and the momentum stays. The discs are
+// stopped a 64th of the slop before they touch, so the normal is off by 4e-5, and twice that of 3
+// m/s is lost aside.
+TEST(OffCentreHit, TwoDiscsAslantObeyTheFrictionCone) {
+    constexpr Real kAslant = Real(2e-4);
+    for (const Real e : {Real(0.5), Real(1)}) {
+        for (const Real mu : {Real(0), Real(0.1), Real(0.3), Real(1)}) {
+            SCOPED_TRACE(testing::Message() << "mu " << mu << ", e " << e);
+            World world;
+            BodyDef def = support::ballDef({-2, -1}, Real(0.5), withFriction(mu, e));
+            def.density = 4 / std::numbers::pi_v<Real>; // 1 kg
+            def.velocity = {3,
+                            2}; // meets the other straight to its left, where both tangents are y
+            const BodyId one = world.add(def);
+            def.position = {Real(0.5), 0};
+            def.velocity = {};
+            const BodyId other = world.add(def);
+            support::run(world, 60);
+            const long double normal = (1 + static_cast<long double>(e)) * 3 / 2;
+            const long double rub = std::min(static_cast<long double>(mu) * normal, 2.0L / 6);
+            EXPECT_TRUE(near(world[other].velocity().x, normal, kAslant));
+            EXPECT_TRUE(near(world[other].velocity().y, rub, kAslant));
+            EXPECT_TRUE(near(world[one].velocity().x, 3 - normal, kAslant));
+            EXPECT_TRUE(near(world[one].velocity().y, 2 - rub, kAslant));
+            // w = r J / I = J / (r m / 2)
+            EXPECT_TRUE(near(world[one].angularVelocity(), -4 * rub, 4 * kAslant));
+            EXPECT_TRUE(near(world[other].angularVelocity(), -4 * rub, 4 * kAslant));
+        }
+    }
+}
+
 // A6b: while it slides, the friction impulse is mu times the normal one, whatever the restitution:
 // vx' = vx - mu (1 + e) vy.
 TEST(OffCentreHit, FrictionIsMuTimesTheNormalImpulseWhileItSlides) {

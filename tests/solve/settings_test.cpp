@@ -41,9 +41,9 @@ TEST(StepSettings, EachNumberIsChecked) {
     }
 }
 
-constexpr Feature kFeatures[] = {Feature::Friction,    Feature::RollingResistance,
-                                 Feature::Restitution, Feature::Sweep,
-                                 Feature::Records,     Feature::Resting};
+constexpr Feature kFeatures[] = {
+    Feature::Friction, Feature::RollingResistance, Feature::Restitution, Feature::Sweep,
+    Feature::Records,  Feature::Resting,           Feature::Rotation};
 
 TEST(StepSettings, FeaturesAreLeftOutOneByOne) {
     for (const Feature out : kFeatures) {

@@ -144,6 +144,26 @@ TEST(Ground, APlaneCarriesEverything) {
     }
 }
 
+// A fixed bug: what has no thickness sank in by a hair, was behind the line, and fell through.
+TEST(Ground, OneSidedGroundCarriesWhatHasNoThickness) {
+    const Shape grounds[] = {Shape(flatMap(10)), Shape(Segment{{-5, 0}, {5, 0}, true, {}, {}})};
+    const Shape thin[] = {Shape(Point{}),
+                          Shape(Segment{{Real(-0.2), 0}, {Real(0.2), 0}, false, {}, {}})};
+    for (const Shape& ground : grounds) {
+        for (const Shape& shape : thin) {
+            World world({.gravity = kEarth});
+            world.add({.shape = ground, .material = support::slippery(), .flags = kLocked});
+            const BodyId body = world.add({.shape = shape,
+                                           .position = {Real(0.3), Real(0.1)},
+                                           .velocity = {1, 0},
+                                           .material = support::slippery()});
+            support::run(world, 240);
+            EXPECT_TRUE(near(world[body].position().y, 0, world.tolerances().slop));
+            EXPECT_TRUE(near(world[body].velocity(), Vec2{1, 0}, Real(0.01)));
+        }
+    }
+}
+
 // R1: a particle has mass and no inertia. It flies, bounces and is pushed like anything else.
 TEST(Ground, AParticleBouncesOnAPlane) {
     World world({.gravity = kEarth});

@@ -85,8 +85,9 @@ void freeze(Bodies& bodies, std::uint32_t body) {
 bool isSound(const Motion& motion) {
     constexpr Real kMost = kHighestSpeed;
     return lengthSquared(motion.velocity) <= kMost * kMost && // false for NaN
-           std::abs(motion.angularVelocity) <= kMost && isFinite(motion.move) &&
-           std::isfinite(motion.turn);
+           std::abs(motion.angularVelocity) <= kMost &&
+           lengthSquared(motion.move) <= kMost * kMost && // in a second at the most
+           std::abs(motion.turn) <= kMost;
 }
 
 bool isSound(const Acceleration& acceleration) {
@@ -158,8 +159,23 @@ void refreshMass(Bodies& bodies, std::uint32_t index) {
     const Flags flags = bodies.record[index].filter.flags;
     bodies.motion[index].invMass = (flags & (kLockMove | kFrozen)) != 0 ? 0 : 1 / mass.mass;
     // Nothing can turn a particle: it has no inertia, but no arm either.
-    const bool turns = (flags & kLockRotate) == 0 && mass.inertia > 0;
+    const bool free = bodies.turns && (flags & (kLockRotate | kFrozen)) == 0;
+    const bool turns = free && mass.inertia > 0;
     bodies.motion[index].invInertia = turns ? 1 / mass.inertia : 0;
+}
+
+void setTurns(Bodies& bodies, bool turns) {
+    bodies.turns = turns;
+    for (std::uint32_t index = 0; index < bodies.size(); ++index) {
+        if (!bodies.ids.aliveAt(index)) {
+            continue;
+        }
+        refreshMass(bodies, index);
+        if (!turns && (bodies.record[index].filter.flags & kLockRotate) == 0) {
+            bodies.motion[index].angularVelocity = 0;
+        }
+    }
+    bodies.awakeStale = true;
 }
 
 } // namespace kodo::inline KODO_PRECISION

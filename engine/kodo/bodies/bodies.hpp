@@ -72,6 +72,7 @@ struct Bodies {
     /// bodies those that move. Everything else costs nothing.
     std::vector<std::uint32_t> awake;
     bool awakeStale = true;
+    bool turns = true; // false: nothing can be turned; see Feature::Rotation
 
     BodyId idAt(std::size_t index) const {
         return {static_cast<std::uint32_t>(index), ids.generationAt(index)};
@@ -131,10 +132,27 @@ bool refreshAwake(Bodies& bodies);
 /// Reciprocals of mass and inertia after a change of form or lock flags.
 void refreshMass(Bodies& bodies, std::uint32_t index);
 
+/// Lets bodies turn, or makes all act as if they had kLockRotate and forget their spin.
+void setTurns(Bodies& bodies, bool turns);
+
 /// World velocity of the point that an arm (m, from the centre of mass) reaches
 /// [Thesis06, eq. 4.5].
 inline Vec2 velocityAt(const Motion& motion, Vec2 arm) {
     return motion.velocity + cross(motion.angularVelocity, arm);
+}
+
+/// Two bodies of which neither can be moved, but one turned, give way at a contact only where its
+/// arm lies aslant to the normal. Hit (almost, within 2 degrees) straight towards its hinge it
+/// would have to spin without bound.
+inline bool isBlocked(const Motion& a, Vec2 armA, const Motion& b, Vec2 armB, Vec2 normal) {
+    if (a.invMass > 0 || b.invMass > 0) {
+        return false;
+    }
+    const Real leverA = cross(armA, normal);
+    const Real leverB = cross(armB, normal);
+    const Real along = a.invInertia * leverA * leverA + b.invInertia * leverB * leverB;
+    const Real most = a.invInertia * lengthSquared(armA) + b.invInertia * lengthSquared(armB);
+    return along <= most / 1024;
 }
 
 /// Bounds of all parts, where they are.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/bodies/body_def.hpp>
+#include <kodo/bodies/form.hpp>
 
 #include <cmath>
 #include <sstream>
@@ -23,11 +23,12 @@ std::optional<Problem> checkRange(const char* field, Real value, Real low, Real 
     return std::nullopt;
 }
 
-std::optional<Problem> checkPosition(const char* field, Vec2 value) {
-    if (auto problem = checkRange(field, value.x, -kFarthest, kFarthest)) {
+std::optional<Problem> checkPosition(const char* field, Vec2 value, Real lengthUnit) {
+    const Real most = kFarthest * lengthUnit;
+    if (auto problem = checkRange(field, value.x, -most, most)) {
         return problem;
     }
-    return checkRange(field, value.y, -kFarthest, kFarthest);
+    return checkRange(field, value.y, -most, most);
 }
 
 std::optional<Problem> checkVelocity(const char* field, Vec2 value) {
@@ -35,6 +36,14 @@ std::optional<Problem> checkVelocity(const char* field, Vec2 value) {
         return problem;
     }
     return checkRange(field, value.y, -kHighestSpeed, kHighestSpeed);
+}
+
+std::optional<Problem> checkFlags(const char* field, Flags value) {
+    const Flags mode = value & kMatchModes;
+    if ((mode & (mode - 1)) != 0) {
+        return Problem{field, "must have one of kMatchAny, kMatchAll and kMatchEqual at most"};
+    }
+    return std::nullopt;
 }
 
 std::optional<Problem> checkRotation(const char* field, Rot value) {
@@ -68,7 +77,7 @@ Material mix(const Material& a, const Material& b) {
             std::max(a.rollingResistance, b.rollingResistance)};
 }
 
-std::optional<Problem> check(const BodyDef& def) {
+std::optional<Problem> check(const BodyDef& def, Real lengthUnit) {
     if (auto problem = check(def.shape)) {
         problem->field = "shape." + problem->field;
         return problem;
@@ -77,7 +86,10 @@ std::optional<Problem> check(const BodyDef& def) {
         return Problem{"flags",
                        "must have kLocked: a plane or a heightmap is only for locked bodies"};
     }
-    if (auto problem = checkPosition("position", def.position)) {
+    if (auto problem = checkFlags("flags", def.flags)) {
+        return problem;
+    }
+    if (auto problem = checkPosition("position", def.position, lengthUnit)) {
         return problem;
     }
     if (auto problem = checkRotation("rotation", def.rotation)) {
@@ -93,7 +105,10 @@ std::optional<Problem> check(const BodyDef& def) {
     if (auto problem = check(def.material)) {
         return problem;
     }
-    return checkRange("density", def.density, kLowestDensity, kHighestDensity);
+    if (auto problem = checkRange("density", def.density, kLowestDensity, kHighestDensity)) {
+        return problem;
+    }
+    return checkBuild(partsOf(def), lengthUnit);
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -38,14 +38,18 @@ inline constexpr Real kFarthest = sizeof(Real) == 4 ? Real(1e5) : Real(1e13);
 inline constexpr Real kHighestSpeed = Real(1e7); // m/s or rad/s
 inline constexpr Real kLowestDensity = Real(1e-9);
 inline constexpr Real kHighestDensity = Real(1e9);
+/// The mass (kg) of a body and of each of its parts lies between 1 / kHeaviest and kHeaviest, its
+/// moment of inertia (kg m^2) between the squares of these, so that no product of two overflows.
+inline constexpr Real kHeaviest = sizeof(Real) == 4 ? Real(1e18) : Real(1e100);
 
-/// What World::add would refuse the definition for, or nothing.
-std::optional<Problem> check(const BodyDef& def);
+/// What World::add would refuse the definition for, in a World of that length unit, or nothing.
+std::optional<Problem> check(const BodyDef& def, Real lengthUnit = 1);
 
 // The checks behind it, for the setters. Each names the field it was given.
-std::optional<Problem> checkPosition(const char* field, Vec2 value);
+std::optional<Problem> checkPosition(const char* field, Vec2 value, Real lengthUnit = 1);
 std::optional<Problem> checkRotation(const char* field, Rot value);
 std::optional<Problem> checkVelocity(const char* field, Vec2 value);
+std::optional<Problem> checkFlags(const char* field, Flags value);
 std::optional<Problem> checkRange(const char* field, Real value, Real low, Real high);
 
 } // namespace kodo::inline KODO_PRECISION

@@ -13,6 +13,7 @@ struct Tolerances {
 
     static constexpr Real kSlopsPerUnit = 256;
 
+    constexpr Real unit() const { return kSlopsPerUnit * slop; } // m, exactly as it was given
     static constexpr Tolerances forUnit(Real unit) {
         return {1 / kSlopsPerUnit * unit, Real(1) / 64 * unit, Real(1) / 16 * unit};
     }

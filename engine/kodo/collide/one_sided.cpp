@@ -3,6 +3,7 @@
 #include <kodo/collide/one_sided.hpp>
 #include <kodo/collide/sat.hpp>
 
+#include <algorithm>
 #include <limits>
 
 namespace kodo::inline KODO_PRECISION {
@@ -29,6 +30,12 @@ bool ownsAlong(const Convex& line, Vec2 p) {
     const Vec2 along = alongOf(line);
     return (isFree(line, 0) || dot(along, p - line.vertices[0]) >= 0) &&
            (isFree(line, 1) || dot(along, p - line.vertices[1]) < 0);
+}
+
+/// How far behind a line the middle of something thin may be that lies on it (m). Contacts give way
+/// a little, and what has no thickness would be behind at once.
+Real sinkOf(const Convex& other, Real margin) {
+    return std::max(margin / 4 - other.inside, Real(0));
 }
 
 /// What is nearest to the centre of a circle: the face, a vertex, or nothing of this line's.
@@ -65,7 +72,7 @@ Manifold collideWithRound(const Convex& line, const Transform& a, const Convex& 
     Vec2 normal = line.normals[1];
     Real distance = dot(normal, center - line.vertices[0]);
     const std::size_t end = nearest == Nearest::End ? 1 : 0;
-    if (distance < 0 && (nearest == Nearest::Face || isFree(line, end))) {
+    if (distance < -sinkOf(circle, margin) && (nearest == Nearest::Face || isFree(line, end))) {
         manifold.fromBehind = true;
         return manifold;
     }
@@ -136,7 +143,7 @@ Manifold collideWithFaces(const Convex& line, const Transform& a, const Convex& 
     const std::size_t support = supportVertex(other, unrotate(ab.rotation, -normal), 0);
     const FaceAxis front{1, support, dot(normal, ab * other.vertices[support] - line.vertices[1])};
     const Vec2 middle = ab * other.middle;
-    const bool behind = dot(normal, middle - line.vertices[0]) < 0;
+    const bool behind = dot(normal, middle - line.vertices[0]) < -sinkOf(other, margin);
 
     Manifold manifold;
     manifold.fromBehind = behind && ownsAlong(line, middle);

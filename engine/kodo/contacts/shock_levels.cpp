@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/base/refill.hpp>
 #include <kodo/contacts/shock_levels.hpp>
 
 #include <algorithm>
@@ -13,14 +14,15 @@ constexpr std::uint32_t kDone = ~std::uint32_t{};               // waits for not
 
 /// Counting sort.
 void ShockLevels::groupByLower(std::uint32_t bodyCount, std::span<const SupportEdge> edges) {
-    first_.assign(std::size_t{bodyCount} + 1, 0);
+    refill(first_, std::size_t{bodyCount} + 1, 0u);
     for (const SupportEdge& edge : edges) {
         ++first_[edge.lower + 1];
     }
     for (std::size_t body = 0; body < bodyCount; ++body) {
         first_[body + 1] += first_[body];
     }
-    waiting_.assign(first_.begin(), first_.end() - 1); // here: where the next upper goes
+    waiting_.resize(bodyCount); // here: where the next upper goes
+    std::copy(first_.begin(), first_.end() - 1, waiting_.begin());
     uppers_.resize(edges.size());
     for (const SupportEdge& edge : edges) {
         uppers_[waiting_[edge.lower]++] = edge.upper;
@@ -29,8 +31,8 @@ void ShockLevels::groupByLower(std::uint32_t bodyCount, std::span<const SupportE
 
 /// Breadth first over all that the ground carries, counting for each body who carries it.
 void ShockLevels::reach(std::span<const std::uint32_t> immovable) {
-    levels_.assign(waiting_.size(), kUnreached);
-    waiting_.assign(waiting_.size(), 0);
+    refill(levels_, waiting_.size(), kUnreached);
+    refill(waiting_, waiting_.size(), 0u);
     order_.clear();
     for (const std::uint32_t body : immovable) {
         levels_[body] = 0;

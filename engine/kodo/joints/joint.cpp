@@ -6,14 +6,14 @@ namespace {
 
 constexpr Real kMost = std::numeric_limits<Real>::max();
 
-std::optional<Problem> checkEnds(const JointEnds& ends) {
+std::optional<Problem> checkEnds(const JointEnds& ends, Real unit) {
     if (ends.a == ends.b) {
         return Problem{"ends", "must be two different bodies"};
     }
-    if (auto problem = checkPosition("ends.anchorA", ends.anchorA)) {
+    if (auto problem = checkPosition("ends.anchorA", ends.anchorA, unit)) {
         return problem;
     }
-    if (auto problem = checkPosition("ends.anchorB", ends.anchorB)) {
+    if (auto problem = checkPosition("ends.anchorB", ends.anchorB, unit)) {
         return problem;
     }
     if (!(ends.breakForce > 0)) {
@@ -54,7 +54,7 @@ std::optional<Problem> checkFields(std::initializer_list<Field> fields) {
 
 constexpr Real kAngle = Real(1e4);
 
-std::optional<Problem> checkKind(const Pin& pin) {
+std::optional<Problem> checkKind(const Pin& pin, Real) {
     if (auto problem = checkFields({{"reference", pin.reference, -kAngle, kAngle},
                                     {"motorSpeed", pin.motorSpeed, -kHighestSpeed, kHighestSpeed},
                                     {"motorTorque", pin.motorTorque, 0, kMost}})) {
@@ -63,20 +63,20 @@ std::optional<Problem> checkKind(const Pin& pin) {
     return checkLimits(pin.limits, -3, 3);
 }
 
-std::optional<Problem> checkKind(const Weld& weld) {
+std::optional<Problem> checkKind(const Weld& weld, Real) {
     return checkRange("reference", weld.reference, -kAngle, kAngle);
 }
 
-std::optional<Problem> checkKind(const Spring& spring) {
-    if (auto problem = checkFields({{"length", spring.length, 0, kFarthest},
+std::optional<Problem> checkKind(const Spring& spring, Real unit) {
+    if (auto problem = checkFields({{"length", spring.length, 0, kFarthest * unit},
                                     {"hertz", spring.hertz, 0, Real(1e4)},
                                     {"damping", spring.damping, 0, Real(1e4)}})) {
         return problem;
     }
-    return checkLimits(spring.limits, 0, kFarthest);
+    return checkLimits(spring.limits, 0, kFarthest * unit);
 }
 
-std::optional<Problem> checkKind(const Slider& slider) {
+std::optional<Problem> checkKind(const Slider& slider, Real unit) {
     if (!(std::abs(lengthSquared(slider.axis) - 1) < Real(1e-3))) {
         return Problem{"axis", "must be a unit vector"};
     }
@@ -86,10 +86,10 @@ std::optional<Problem> checkKind(const Slider& slider) {
                          {"motorForce", slider.motorForce, 0, kMost}})) {
         return problem;
     }
-    return checkLimits(slider.limits, -kFarthest, kFarthest);
+    return checkLimits(slider.limits, -kFarthest * unit, kFarthest * unit);
 }
 
-std::optional<Problem> checkKind(const Motor& motor) {
+std::optional<Problem> checkKind(const Motor& motor, Real) {
     return checkFields({{"reference", motor.reference, -kAngle, kAngle},
                         {"force", motor.force, 0, kMost},
                         {"torque", motor.torque, 0, kMost},
@@ -99,12 +99,12 @@ std::optional<Problem> checkKind(const Motor& motor) {
 
 } // namespace
 
-std::optional<Problem> check(const JointDef& def) {
+std::optional<Problem> check(const JointDef& def, Real lengthUnit) {
     if (const auto* mouse = std::get_if<Mouse>(&def)) {
-        if (auto problem = checkPosition("anchor", mouse->anchor)) {
+        if (auto problem = checkPosition("anchor", mouse->anchor, lengthUnit)) {
             return problem;
         }
-        if (auto problem = checkPosition("target", mouse->target)) {
+        if (auto problem = checkPosition("target", mouse->target, lengthUnit)) {
             return problem;
         }
         return checkFields({{"force", mouse->force, 0, kMost},
@@ -112,10 +112,10 @@ std::optional<Problem> check(const JointDef& def) {
                             {"damping", mouse->damping, 0, Real(1e4)}});
     }
     return std::visit(
-        [](const auto& kind) -> std::optional<Problem> {
+        [=](const auto& kind) -> std::optional<Problem> {
             if constexpr (requires { kind.ends; }) {
-                const auto problem = checkEnds(kind.ends);
-                return problem ? problem : checkKind(kind);
+                const auto problem = checkEnds(kind.ends, lengthUnit);
+                return problem ? problem : checkKind(kind, lengthUnit);
             } else {
                 return std::nullopt;
             }

@@ -92,9 +92,9 @@ struct Mouse {
 
 using JointDef = std::variant<Pin, Weld, Spring, Slider, Motor, Mouse>;
 
-/// What is wrong with a joint's numbers, or nothing. Whether its bodies are alive only their World
-/// can tell.
-std::optional<Problem> check(const JointDef& def);
+/// What is wrong with a joint's numbers in a World of that length unit, or nothing. Whether its
+/// bodies are alive only their World can tell.
+std::optional<Problem> check(const JointDef& def, Real lengthUnit = 1);
 
 /// The bodies of a joint; a Mouse has the same one twice.
 BodyId firstBody(const JointDef& def);

@@ -45,7 +45,7 @@ Convex convexOf(const Primitive& primitive, Vec2 origin);
 /// Bounds of the outline placed at t. Those of a plane end on its surface where they can, and else
 /// at kEndless.
 Aabb boundsOf(const Convex& convex, const Transform& t);
-inline constexpr Real kEndless = sizeof(Real) == 4 ? Real(1e9) : Real(1e18); // m
+inline constexpr Real kEndless = sizeof(Real) == 4 ? Real(1e12) : Real(1e20); // m
 
 /// World point inside or on the outline placed at t? On a line only what lies exactly on it is.
 bool contains(const Convex& convex, const Transform& t, Vec2 point);

@@ -191,6 +191,10 @@ std::optional<Problem> check(const Compound& compound) {
     if (compound.parts.empty()) {
         return Problem{"parts", "must be at least one"};
     }
+    if (compound.parts.size() > kMaxParts) {
+        return Problem{"parts", "must be at most " + std::to_string(kMaxParts) + ", but are " +
+                                    std::to_string(compound.parts.size())};
+    }
     for (std::size_t i = 0; i < compound.parts.size(); ++i) {
         if (auto problem = check(compound.parts[i])) {
             problem->field = "parts[" + std::to_string(i) + "]." + problem->field;

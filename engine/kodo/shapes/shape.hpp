@@ -97,9 +97,10 @@ using Primitive = std::variant<Circle, Box, Polygon, Point, Segment, Plane>;
 /// Several primitives that move as one, to make what is not convex. Parts may overlap; where they
 /// do, their masses add.
 struct Compound {
-    std::vector<Primitive> parts;
+    std::vector<Primitive> parts; // at most kMaxParts
     friend bool operator==(const Compound&, const Compound&) = default;
 };
+inline constexpr std::size_t kMaxParts = 65535; // of one body, also when it is welded together
 
 using Shape = std::variant<Circle, Box, Polygon, Compound, Point, Segment, Plane, Heightmap>;
 

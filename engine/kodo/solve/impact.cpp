@@ -27,6 +27,10 @@ struct Impact {
     Vec2 relativeVelocity(std::size_t i) const {
         return velocityAt(b, point(i).armB) - velocityAt(a, point(i).armA);
     }
+    /// Neither can give way along the normal.
+    bool blocked(std::size_t i) const {
+        return isBlocked(a, point(i).armA, b, point(i).armB, normal());
+    }
     void push(std::size_t i, Vec2 impulse) const {
         applyImpulse(a, point(i).armA, -impulse);
         applyImpulse(b, point(i).armB, impulse);
@@ -51,8 +55,8 @@ void hitPoint(const Impact& hit, std::size_t i) {
     const Vec2 v = hit.relativeVelocity(i);
     const Response k{response(hit, i, n, i, n), response(hit, i, n, i, t),
                      response(hit, i, t, i, t)};
-    if (!(k.nn > 0)) {
-        return; // neither can give way along the normal
+    if (hit.blocked(i)) {
+        return;
     }
     const Real wanted = -(1 + hit.contact.material.restitution) * dot(n, v);
     const Real sliding = dot(t, v);
@@ -96,8 +100,8 @@ bool hitBoth(const Impact& hit) {
     const Real k11 = response(hit, 0, n, 0, n);
     const Real k22 = response(hit, 1, n, 1, n);
     const Real k12 = response(hit, 0, n, 1, n);
-    if (!(k11 > 0 && k22 > 0)) {
-        return false; // one of them cannot give way along the normal
+    if (hit.blocked(0) || hit.blocked(1)) {
+        return false;
     }
     const Real gain = -(1 + hit.contact.material.restitution);
     const Real w1 = gain * dot(n, hit.relativeVelocity(0));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/base/refill.hpp>
 #include <kodo/bodies/integrate.hpp>
 #include <kodo/solve/impact.hpp>
 #include <kodo/solve/propagation.hpp>
@@ -115,6 +116,12 @@ void Propagation::makeRows(const Bodies& bodies, std::span<Contact> contacts, co
         }
         rows_.push_back(makeRow(contact, static_cast<std::uint32_t>(k)));
         PropagationRow& row = rows_.back();
+        for (std::size_t i = 0; i < row.count; ++i) {
+            const ManifoldPoint& p = contact.manifold.points[i];
+            if (isBlocked(bodies.motion[row.a], p.armA, bodies.motion[row.b], p.armB, row.normal)) {
+                row.points[i].leverA = row.points[i].leverB = 0;
+            }
+        }
         if (step.settings.has(Feature::Friction)) {
             row.staticFriction = contact.material.staticFriction;
             row.kineticFriction = contact.material.kineticFriction;
@@ -177,7 +184,7 @@ void Propagation::findLevels(const Bodies& bodies) {
 
 /// Counting sort: levelStart_[level] ends up where the rows of that level begin.
 void Propagation::sortByLevel(std::uint32_t highest) {
-    levelStart_.assign(std::size_t{highest} + 3, 0);
+    refill(levelStart_, std::size_t{highest} + 3, 0u);
     for (const PropagationRow& row : rows_) {
         if (row.level != ShockLevels::kUnreached) {
             ++levelStart_[row.level + 2];

@@ -44,7 +44,7 @@ void startCounting(RestState& rest, const Transform& pose) {
 } // namespace
 
 void RestStage::wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t island) {
-    const Island woken = std::exchange(islands_[island], {});
+    Island& woken = islands_[island];
     --restingIslands_;
     for (const std::uint32_t body : woken.bodies) {
         bodies.record[body].filter.flags &= ~kResting;
@@ -55,6 +55,8 @@ void RestStage::wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t i
         bodies.acceleration[body] = {};
     }
     contacts.putBack(woken.contacts);
+    woken.bodies.clear(); // keeps its memory for the next island
+    woken.contacts.clear();
     contacts.activityChanged();
     bodies.awakeStale = true;
 }
@@ -74,8 +76,16 @@ void RestStage::wakeAll(Bodies& bodies, ContactSet& contacts) {
     }
 }
 
-void RestStage::disturb(Bodies& bodies, ContactSet& contacts, std::uint32_t body) {
+void RestStage::disturb(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
+                        std::uint32_t body) {
     wake(bodies, contacts, body);
+    joints.forEach([&](const JointSet::Joint& joint) {
+        const std::uint32_t a = firstBody(joint.def).index;
+        const std::uint32_t b = secondBody(joint.def).index;
+        if (a == body || b == body) {
+            wake(bodies, contacts, a == body ? b : a);
+        }
+    });
     for (std::uint32_t island = 0; island < islands_.size(); ++island) {
         const std::vector<Contact>& held = islands_[island].contacts;
         const bool leans = std::any_of(held.begin(), held.end(), [&](const Contact& contact) {
@@ -258,30 +268,36 @@ void RestStage::settle(Bodies& bodies, ContactSet& contacts, const JointSet& joi
     restartTipping(bodies, dt);
     joinTouching(bodies, contacts, joints);
     const auto enough = static_cast<std::uint32_t>(settings.restSteps);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> resting; // root and body
+    resting_.clear();
     for (const std::uint32_t body : bodies.awake) {
         const std::uint32_t root = find(body);
         if (leastCalm_[root] >= enough) {
-            resting.emplace_back(root, body);
+            resting_.emplace_back(root, body);
         }
     }
-    if (resting.empty()) {
+    if (resting_.empty()) {
         return;
     }
-    std::sort(resting.begin(), resting.end()); // total order: bodies are unique
-    std::vector<std::uint32_t> members;
-    for (std::size_t i = 0; i < resting.size(); ++i) {
-        members.push_back(resting[i].second);
-        if (i + 1 == resting.size() || resting[i + 1].first != resting[i].first) {
-            putToRest(bodies, members);
-            members.clear();
+    std::sort(resting_.begin(), resting_.end()); // total order: bodies are unique
+    members_.clear();
+    for (std::size_t i = 0; i < resting_.size(); ++i) {
+        members_.push_back(resting_[i].second);
+        if (i + 1 == resting_.size() || resting_[i + 1].first != resting_[i].first) {
+            putToRest(bodies, members_);
+            members_.clear();
         }
     }
+    standing_.clear();
     for (const Contact& contact : contacts.takeIdle(bodies)) {
         const std::uint32_t a = bodies.rest[contact.key.bodyA].island;
-        islands_[a != kNone ? a : bodies.rest[contact.key.bodyB].island].contacts.push_back(
-            contact);
+        const std::uint32_t island = a != kNone ? a : bodies.rest[contact.key.bodyB].island;
+        if (island != kNone) {
+            islands_[island].contacts.push_back(contact);
+        } else {
+            standing_.push_back(contact); // of what froze in this step; its end is yet to be told
+        }
     }
+    contacts.putBack(standing_);
     bodies.awakeStale = true;
     contacts.activityChanged();
 }

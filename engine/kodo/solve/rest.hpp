@@ -7,6 +7,7 @@
 #include <kodo/joints/joint_set.hpp>
 #include <kodo/solve/settings.hpp>
 
+#include <utility>
 #include <vector>
 
 namespace kodo::inline KODO_PRECISION {
@@ -35,8 +36,9 @@ public:
 
     /// Wakes the island of one body, if it rests.
     void wake(Bodies& bodies, ContactSet& contacts, std::uint32_t body);
-    /// Wakes the island of one body and every island that touches it: it goes, jumps or changes.
-    void disturb(Bodies& bodies, ContactSet& contacts, std::uint32_t body);
+    /// Wakes the island of one body and every island that touches it or is tied to it: it goes,
+    /// jumps or changes.
+    void disturb(Bodies& bodies, ContactSet& contacts, const JointSet& joints, std::uint32_t body);
     void wakeAll(Bodies& bodies, ContactSet& contacts);
     bool anyResting() const { return restingIslands_ > 0; }
 
@@ -67,9 +69,12 @@ private:
 
     std::vector<Island> islands_;
     std::size_t restingIslands_ = 0;
-    std::vector<std::uint32_t> parent_;    // union-find over body indices
-    std::vector<std::uint32_t> leastCalm_; // by root
-    std::vector<std::uint32_t> supports_;  // points that each body touches something with
+    std::vector<std::uint32_t> parent_;                            // union-find over body indices
+    std::vector<std::uint32_t> leastCalm_;                         // by root
+    std::vector<std::uint32_t> supports_; // points that each body touches something with
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> resting_; // root and body
+    std::vector<std::uint32_t> members_;                           // of one island
+    std::vector<Contact> standing_; // of bodies that neither rest nor take part
 };
 
 } // namespace kodo::inline KODO_PRECISION

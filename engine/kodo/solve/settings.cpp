@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/solve/settings.hpp>
 
-#include <cmath>
 #include <string>
 
 namespace kodo::inline KODO_PRECISION {
@@ -15,12 +14,19 @@ std::optional<Problem> checkCount(const char* field, int value, int low, int hig
     return std::nullopt;
 }
 
-std::optional<Problem> checkPositive(const char* field, Real value) {
-    if (!(std::isfinite(value) && value > 0)) {
-        return Problem{field, "must be finite and greater than 0, but is " + std::to_string(value)};
+std::optional<Problem> checkPositive(const char* field, Real value, Real most) {
+    if (!(value > 0 && value <= most)) { // false for NaN
+        return Problem{field, "must be greater than 0 and at most " + std::to_string(most) +
+                                  ", but is " + std::to_string(value)};
     }
     return std::nullopt;
 }
+
+// Far beyond any use, and far from where their products overflow.
+constexpr Real kMostHertz = Real(1e9);
+constexpr Real kMostDamping = Real(1e6);
+constexpr Real kMostPush = Real(1e7);
+constexpr unsigned kAllFeatures = 127;
 
 } // namespace
 
@@ -43,19 +49,24 @@ std::optional<Problem> check(const StepSettings& settings) {
     if (auto problem = checkCount("settings.restSteps", settings.restSteps, 1, 1000000)) {
         return problem;
     }
-    if (auto problem = checkPositive("settings.contactHertz", settings.contactHertz)) {
+    if (auto problem = checkPositive("settings.contactHertz", settings.contactHertz, kMostHertz)) {
         return problem;
     }
-    if (auto problem = checkPositive("settings.contactDamping", settings.contactDamping)) {
+    if (auto problem =
+            checkPositive("settings.contactDamping", settings.contactDamping, kMostDamping)) {
         return problem;
     }
-    if (auto problem = checkPositive("settings.jointHertz", settings.jointHertz)) {
+    if (auto problem = checkPositive("settings.jointHertz", settings.jointHertz, kMostHertz)) {
         return problem;
     }
-    if (auto problem = checkPositive("settings.jointDamping", settings.jointDamping)) {
+    if (auto problem =
+            checkPositive("settings.jointDamping", settings.jointDamping, kMostDamping)) {
         return problem;
     }
-    return checkPositive("settings.pushSpeed", settings.pushSpeed);
+    if ((settings.leaveOut & ~kAllFeatures) != 0) {
+        return Problem{"settings.leaveOut", "must be a set of Feature"};
+    }
+    return checkPositive("settings.pushSpeed", settings.pushSpeed, kMostPush);
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -9,6 +9,9 @@
 namespace kodo::inline KODO_PRECISION {
 
 /// Features that a step can do without. What is left out costs nothing and changes nothing else.
+///
+/// Without Rotation every body acts as if it had kLockRotate: no blow, force or joint turns it, and
+/// only a spin that is set from then on goes on, unhindered. The spins of before are forgotten.
 enum class Feature : std::uint8_t {
     Friction = 1,
     RollingResistance = 2,
@@ -16,6 +19,7 @@ enum class Feature : std::uint8_t {
     Sweep = 8,
     Records = 16,
     Resting = 32,
+    Rotation = 64,
 };
 
 /// The solver of a step: one file of solve/ each.
@@ -32,9 +36,9 @@ struct StepSettings {
     int contactPasses = 10;    // 1..1000; of Propagation, in each substep
     int shockPasses = 0;       // 0..1000; of Propagation, in each level; 0: no shock propagation
     Real contactHertz = 60;    // stiffness of contacts; at most a quarter of the substep rate
-    Real contactDamping = 10;  // damping ratio of contacts; 1 is critical
+    Real contactDamping = 10;  // damping ratio of contacts; 1 is critical; up to 1e6
     Real jointHertz = 60;      // stiffness of joints; at most a quarter of the substep rate
-    Real jointDamping = 1;     // damping ratio of joints
+    Real jointDamping = 1;     // damping ratio of joints; up to 1e6
     Real pushSpeed = 3;        // length units/s at most, when overlapping bodies are parted
     int restSteps = 30;        // 1..1000000; calm steps in a row before an island is put to rest
     std::uint8_t leaveOut = 0; // a set of Feature

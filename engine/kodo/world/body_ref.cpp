@@ -72,6 +72,10 @@ bool BodyView::contains(Vec2 point) const {
 
 BodyRef::BodyRef(World& world, BodyId id) : BodyView(world, id), world_(&world) {}
 
+Real BodyRef::unit() const {
+    return world_->tolerances_.unit();
+}
+
 Motion& BodyRef::motion() {
     return world_->bodies_.motion[index()];
 }
@@ -106,7 +110,7 @@ void BodyRef::pushed() {
 }
 
 void BodyRef::setPosition(Vec2 position) {
-    refuse(checkPosition("position", position));
+    refuse(checkPosition("position", position, unit()));
     Transform& pose = world_->bodies_.pose[index()];
     pose.position = position + pose.rotation * bodies().form(index()).mass.center;
     changed();
@@ -115,7 +119,7 @@ void BodyRef::setPosition(Vec2 position) {
 void BodyRef::setRotation(Rot rotation) {
     refuse(checkRotation("rotation", rotation));
     const Vec2 origin = position();
-    refuse(checkPosition("position", origin)); // before anything is changed
+    refuse(checkPosition("position", origin, unit())); // before anything is changed
     world_->bodies_.pose[index()].rotation = normalize(rotation);
     setPosition(origin);
 }
@@ -139,7 +143,7 @@ void BodyRef::moveTo(Vec2 position, Real dt) {
 }
 
 void BodyRef::moveTo(Vec2 position, Rot rotation, Real dt) {
-    refuse(checkPosition("position", position));
+    refuse(checkPosition("position", position, unit()));
     refuse(checkRotation("rotation", rotation));
     refuse(checkRange("dt", dt, kShortestStep, kLongestStep));
     const Vec2 target = position + rotation * bodies().form(index()).mass.center;
@@ -159,7 +163,7 @@ void BodyRef::applyForce(Vec2 force) {
 
 void BodyRef::applyForce(Vec2 force, Vec2 point) {
     refuse(isFinite(force) ? std::nullopt : std::optional(Problem{"force", "must be finite"}));
-    refuse(checkPosition("point", point));
+    refuse(checkPosition("point", point, unit()));
     BodyRecord& record = world_->bodies_.record[index()];
     record.force += force;
     record.torque += cross(point - center(), force);
@@ -179,7 +183,7 @@ void BodyRef::applyImpulse(Vec2 impulse) {
 
 void BodyRef::applyImpulse(Vec2 impulse, Vec2 point) {
     refuse(isFinite(impulse) ? std::nullopt : std::optional(Problem{"impulse", "must be finite"}));
-    refuse(checkPosition("point", point));
+    refuse(checkPosition("point", point, unit()));
     Motion after = bodies().motion[index()];
     kodo::applyImpulse(after, point - center(), impulse);
     refuse(checkVelocity("velocity after the impulse", after.velocity));
@@ -195,6 +199,7 @@ void BodyRef::setFlags(Flags flags) {
             throw BadDefinition({"flags", "must have kLocked for a plane or a heightmap"});
         }
     }
+    refuse(checkFlags("flags", flags));
     changed();
     Flags& own = world_->bodies_.record[index()].filter.flags;
     own = (flags & ~kStatusFlags) | (own & kStatusFlags);

@@ -74,7 +74,8 @@ public:
 
 private:
     Motion& motion();
-    void changed(); // its place, build or filter: contacts and what leans on it must know
+    Real unit() const; // m, of length
+    void changed();    // its place, build or filter: contacts and what leans on it must know
     void thaw();
     void pushed(); // its velocity or forces
 

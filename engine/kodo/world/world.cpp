@@ -19,6 +19,22 @@ void refuseUnlocked(const Primitive& shape, Flags flags) {
     }
 }
 
+/// May the parts of both be one body?
+std::optional<Problem> checkTogether(const Form& into, const Form& part) {
+    if (into.parts.size() + part.parts.size() > kMaxParts) {
+        return Problem{"part", "must not give the body more than " + std::to_string(kMaxParts) +
+                                   " parts, but they would be " +
+                                   std::to_string(into.parts.size() + part.parts.size())};
+    }
+    return checkRange("part.mass", part.mass.mass, 0, kHeaviest - into.mass.mass);
+}
+
+// What rests may do so because of these.
+constexpr auto kHoldsAtRest = static_cast<std::uint8_t>(Feature::Friction) |
+                              static_cast<std::uint8_t>(Feature::RollingResistance) |
+                              static_cast<std::uint8_t>(Feature::Resting) |
+                              static_cast<std::uint8_t>(Feature::Rotation);
+
 } // namespace
 
 std::optional<Problem> check(const WorldDef& def) {
@@ -34,6 +50,7 @@ std::optional<Problem> check(const WorldDef& def) {
 World::World(const WorldDef& def) : tolerances_() {
     refuse(check(def));
     settings_ = def.settings;
+    bodies_.turns = settings_.has(Feature::Rotation);
     tolerances_ = Tolerances::forUnit(def.lengthUnit);
     if (def.gravity != Vec2{}) {
         addField({std::make_shared<Gravity>(def.gravity)});
@@ -57,7 +74,7 @@ std::shared_ptr<const Form> World::formFor(const BodyDef& def) {
 }
 
 BodyId World::add(const BodyDef& def) {
-    refuse(check(def));
+    refuse(check(def, tolerances_.unit()));
     const BodyId id = addBody(bodies_, def, formFor(def));
     placeInRegion(id.index);
     contacts_.bodiesChanged();
@@ -67,15 +84,7 @@ BodyId World::add(const BodyDef& def) {
 
 /// It goes, jumps or changes: what leans on it, or hangs on it by a joint, wakes.
 void World::disturb(std::uint32_t body) {
-    rest_.disturb(bodies_, contacts_, body);
-    joints_.forEach([&](const JointSet::Joint& joint) {
-        const std::uint32_t a = firstBody(joint.def).index;
-        const std::uint32_t b = secondBody(joint.def).index;
-        if (a == body || b == body) {
-            rest_.wake(bodies_, contacts_, a);
-            rest_.wake(bodies_, contacts_, b);
-        }
-    });
+    rest_.disturb(bodies_, contacts_, joints_, body);
 }
 
 void World::remove(BodyId id) {
@@ -90,7 +99,7 @@ void World::remove(BodyId id) {
 
 BodyId World::clone(BodyId id, Vec2 position) {
     requireAlive(id);
-    refuse(checkPosition("position", position));
+    refuse(checkPosition("position", position, tolerances_.unit()));
     const BodyView source(*this, id);
     BodyDef def;
     def.position = position;
@@ -127,6 +136,7 @@ std::size_t World::weld(BodyId into, BodyId part) {
     for (const Part& added : bodies_.form(part.index).parts) {
         refuseUnlocked(added.primitive, bodies_.record[into.index].filter.flags);
     }
+    refuse(checkTogether(bodies_.form(into.index), bodies_.form(part.index)));
     disturb(into.index);
     const std::size_t firstPart = bodies_.form(into.index).parts.size();
     const Transform frame{bodies_.originOf(into.index), bodies_.pose[into.index].rotation};
@@ -155,7 +165,7 @@ void World::jointsChanged(const JointDef& def) {
 }
 
 JointId World::add(const JointDef& def) {
-    refuse(check(def));
+    refuse(check(def, tolerances_.unit()));
     requireAlive(firstBody(def));
     requireAlive(secondBody(def));
     const JointId id = joints_.add(def);
@@ -176,7 +186,7 @@ const JointDef& World::joint(JointId id) const {
 
 void World::setJoint(JointId id, const JointDef& def) {
     const JointDef& old = joint(id);
-    refuse(check(def));
+    refuse(check(def, tolerances_.unit()));
     if (old.index() != def.index() || firstBody(old) != firstBody(def) ||
         secondBody(old) != secondBody(def)) {
         throw BadDefinition({"joint", "must stay of the same kind and between the same bodies"});
@@ -216,9 +226,12 @@ std::size_t World::weld(BodyId into, const Primitive& shape, const Material& mat
     refuse(check(material));
     refuse(checkRange("density", density, kLowestDensity, kHighestDensity));
     refuseUnlocked(shape, bodies_.record[into.index].filter.flags);
+    const Part part{shape, material, density};
+    refuse(checkBuild({&part, 1}, tolerances_.unit()));
+    refuse(checkTogether(bodies_.form(into.index), *makeForm({part})));
     disturb(into.index);
     std::vector<Part> parts = bodies_.form(into.index).parts;
-    parts.push_back({shape, material, density});
+    parts.push_back(part);
     const Vec2 center = bodies_.pose[into.index].position;
     setForm(bodies_, into.index, makeForm(std::move(parts)));
     Motion& motion = bodies_.motion[into.index];
@@ -237,6 +250,7 @@ BodyId World::unweld(BodyId body, std::size_t part, Flags flags) {
                                          " parts, of which one must stay"});
     }
     refuseUnlocked(parts[part].primitive, flags);
+    refuse(checkFlags("flags", flags));
     disturb(body.index);
     contacts_.partRemoved(body.index, part);
     const BodyId freed = unweldPart(bodies_, body.index, part, flags & ~kStatusFlags);
@@ -265,9 +279,19 @@ void World::applyTorqueToAll(Real torque, CollisionFilter which) {
 
 void World::setSettings(const StepSettings& settings) {
     refuse(check(settings));
-    settings_ = settings;
-    if (!settings_.has(Feature::Resting)) {
+    const auto held = static_cast<std::uint8_t>(settings_.leaveOut ^ settings.leaveOut);
+    if ((held & kHoldsAtRest) != 0) {
         rest_.wakeAll(bodies_, contacts_);
+    }
+    settings_ = settings;
+    if (!settings.has(Feature::Friction)) {
+        for (Contact& contact : contacts_.contacts()) {
+            contact.friction = 0; // or it would go on from step to step
+        }
+    }
+    if (settings.has(Feature::Rotation) != bodies_.turns) {
+        setTurns(bodies_, settings.has(Feature::Rotation));
+        contacts_.bodiesChanged(); // what can only turn is locked now, or was
     }
 }
 

@@ -61,8 +61,8 @@ public:
     const JointDef& joint(JointId id) const;
     /// Changes the numbers of a joint: same kind, same bodies. What it has learned is kept.
     void setJoint(JointId id, const JointDef& def);
-    /// The mean of the last step, or of the one before it came to rest.
-    Vec2 jointForce(JointId id) const;  // N, on the second body
+    /// N, on the second body: the mean of the last step in which the joint did not rest.
+    Vec2 jointForce(JointId id) const;
     Real jointTorque(JointId id) const; // N m
     std::vector<JointId> joints() const { return joints_.ids(); }
     /// Joints that broke in the last step, in order. Valid until the next step.

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: MIT
+#include <support/scenes.hpp>
+
+#include <functional>
+#include <limits>
+
+namespace kodo {
+namespace {
+
+const Real kInf = std::numeric_limits<Real>::infinity();
+const Real kNan = std::numeric_limits<Real>::quiet_NaN();
+
+/// A world in which things move, touch and hang together.
+struct Scene {
+    World world{{.gravity = support::kEarth}};
+    BodyId floor;
+    BodyId box;
+    BodyId ball;
+    JointId pin;
+
+    Scene() {
+        floor = support::addFloor(world);
+        box = world.add(support::boxDef({0, Real(0.5)}, 1, 1));
+        ball = world.add(support::ballDef({0, 3}, Real(0.5)));
+        pin = world.add(Pin{.ends = {box, ball, {0, 3}, {0, Real(0.5)}}});
+        support::run(world, 20);
+    }
+};
+
+struct Bad {
+    const char* field;
+    std::function<void(Scene&)> call;
+};
+
+/// Each call is refused with a sentence that names the field, and nothing has changed.
+void expectRefused(const std::vector<Bad>& rows) {
+    int number = 0;
+    for (const Bad& bad : rows) {
+        SCOPED_TRACE(testing::Message() << "row " << number++ << ", " << bad.field);
+        Scene scene;
+        const std::uint64_t before = scene.world.stateHash();
+        try {
+            bad.call(scene);
+            ADD_FAILURE() << "not refused";
+        } catch (const BadDefinition& error) {
+            EXPECT_EQ(error.problem().field, bad.field) << error.what();
+            EXPECT_FALSE(error.problem().reason.empty());
+        }
+        EXPECT_EQ(scene.world.stateHash(), before);
+        World untouched = Scene().world;
+        untouched.step(support::kDt);
+        scene.world.step(support::kDt);
+        EXPECT_EQ(scene.world.stateHash(), untouched.stateHash());
+    }
+}
+
+template <typename Change>
+Bad body(const char* field, Change change) {
+    return {field, [=](Scene& scene) {
+                BodyDef def;
+                change(def);
+                scene.world.add(def);
+            }};
+}
+
+// What bodies cannot be made of, beyond what tests/world shows of each primitive's own numbers:
+// other shapes, sizes, masses and flags that no engine could compute with.
+TEST(BadInput, OfABody) {
+    const auto shape = [](const char* field, const Shape& bad) {
+        return body(field, [=](BodyDef& d) { d.shape = bad; });
+    };
+    const auto ground = [](const char* field, const Shape& bad) {
+        return body(field, [=](BodyDef& d) {
+            d.shape = bad;
+            d.flags = kLocked;
+        });
+    };
+    expectRefused({
+        shape("shape.position", Point{{kNan, 0}}),
+        shape("shape.from", Segment{{kInf, 0}, {1, 0}, false, {}, {}}),
+        shape("shape.to", Segment{{0, 0}, {0, kNan}, false, {}, {}}),
+        shape("shape.to", Segment{{1, 1}, {1, 1}, false, {}, {}}),
+        shape("shape.before", Segment{{0, 0}, {1, 0}, false, Vec2{-1, 0}, {}}),
+        shape("shape.before", Segment{{0, 0}, {1, 0}, true, Vec2{kNan, 0}, {}}),
+        shape("shape.after", Segment{{0, 0}, {1, 0}, true, {}, Vec2{1, 0}}),
+        ground("shape.normal", Plane{{0, 2}, 0}),
+        ground("shape.normal", Plane{{kNan, 0}, 0}),
+        ground("shape.offset", Plane{{0, 1}, kInf}),
+        ground("shape.origin", Heightmap{{kNan, 0}, 1, {0, 0}}),
+        ground("shape.spacing", Heightmap{{0, 0}, 0, {0, 0}}),
+        ground("shape.heights", Heightmap{{0, 0}, 1, {0}}),
+        ground("shape.heights[1]", Heightmap{{0, 0}, 1, {0, kNan, 0}}),
+        shape("flags", Plane{{0, 1}, 0}),
+        shape("flags", Heightmap{{0, 0}, 1, {0, 0}}),
+        shape("shape", Circle{2 * kFarthest}),
+        shape("shape", Circle{1, {0, 2 * kFarthest}}),
+        shape("shape", Box{1, 1, {-2 * kFarthest, 0}}),
+        shape("shape", Segment{{0, 0}, {2 * kFarthest, 0}, false, {}, {}}),
+        ground("shape", Plane{{0, 1}, 2 * kFarthest}),
+        shape("shape", Circle{std::numeric_limits<Real>::max()}),
+        shape("shape", Circle{std::numeric_limits<Real>::min()}),
+        shape("shape", Box{1, std::numeric_limits<Real>::denorm_min()}),
+        shape("shape", Compound{{Circle{1}, Circle{std::numeric_limits<Real>::min()}}}),
+        body("flags", [](BodyDef& d) { d.flags = kMatchAny | kMatchAll; }),
+        body("flags", [](BodyDef& d) { d.flags = kMatchModes; }),
+    });
+}
+
+template <typename Joint, typename Change>
+Bad joint(const char* field, Change change) {
+    return {field, [=](Scene& scene) {
+                Joint def;
+                if constexpr (requires { def.ends; }) {
+                    def.ends = {scene.box, scene.ball};
+                } else {
+                    def.body = scene.ball;
+                }
+                change(def);
+                const auto problem = check(JointDef(def));
+                ASSERT_TRUE(problem.has_value());
+                EXPECT_EQ(problem->field, field);
+                scene.world.add(def);
+            }};
+}
+
+TEST(BadInput, OfTheEndsOfAJoint) {
+    const auto ends = [](const char* field, auto change) {
+        return joint<Weld>(field, [=](Weld& d) { change(d.ends); });
+    };
+    expectRefused({
+        ends("ends", [](JointEnds& e) { e.b = e.a; }),
+        ends("ends.anchorA", [](JointEnds& e) { e.anchorA.x = kNan; }),
+        ends("ends.anchorB", [](JointEnds& e) { e.anchorB.y = -kInf; }),
+        ends("ends.anchorB", [](JointEnds& e) { e.anchorB.y = 2 * kFarthest; }),
+        ends("ends.breakForce", [](JointEnds& e) { e.breakForce = 0; }),
+        ends("ends.breakForce", [](JointEnds& e) { e.breakForce = kNan; }),
+        ends("ends.breakTorque", [](JointEnds& e) { e.breakTorque = -1; }),
+    });
+}
+
+TEST(BadInput, OfAPinOrAWeld) {
+    expectRefused({
+        joint<Weld>("reference", [](Weld& d) { d.reference = kNan; }),
+        joint<Pin>("reference", [](Pin& d) { d.reference = kInf; }),
+        joint<Pin>("limits.lower",
+                   [](Pin& d) {
+                       d.limits = Range{kNan, 0};
+                   }),
+        joint<Pin>("limits.lower",
+                   [](Pin& d) {
+                       d.limits = Range{-4, 0};
+                   }),
+        joint<Pin>("limits.upper",
+                   [](Pin& d) {
+                       d.limits = Range{1, 0};
+                   }),
+        joint<Pin>("limits.upper",
+                   [](Pin& d) {
+                       d.limits = Range{0, kInf};
+                   }),
+        joint<Pin>("motorSpeed", [](Pin& d) { d.motorSpeed = kNan; }),
+        joint<Pin>("motorSpeed", [](Pin& d) { d.motorSpeed = 2 * kHighestSpeed; }),
+        joint<Pin>("motorTorque", [](Pin& d) { d.motorTorque = -1; }),
+        joint<Pin>("motorTorque", [](Pin& d) { d.motorTorque = kInf; }),
+    });
+}
+
+TEST(BadInput, OfASpringOrASlider) {
+    expectRefused({
+        joint<Spring>("length", [](Spring& d) { d.length = -1; }),
+        joint<Spring>("length", [](Spring& d) { d.length = kNan; }),
+        joint<Spring>("hertz", [](Spring& d) { d.hertz = -1; }),
+        joint<Spring>("hertz", [](Spring& d) { d.hertz = kInf; }),
+        joint<Spring>("damping", [](Spring& d) { d.damping = kNan; }),
+        joint<Spring>("limits.lower",
+                      [](Spring& d) {
+                          d.limits = Range{-1, 1};
+                      }),
+        joint<Spring>("limits.upper",
+                      [](Spring& d) {
+                          d.limits = Range{2, 1};
+                      }),
+        joint<Slider>("axis",
+                      [](Slider& d) {
+                          d.axis = {1, 1};
+                      }),
+        joint<Slider>("axis",
+                      [](Slider& d) {
+                          d.axis = {kNan, 0};
+                      }),
+        joint<Slider>("reference", [](Slider& d) { d.reference = kNan; }),
+        joint<Slider>("limits.lower",
+                      [](Slider& d) {
+                          d.limits = Range{-kInf, 1};
+                      }),
+        joint<Slider>("limits.upper",
+                      [](Slider& d) {
+                          d.limits = Range{0, kNan};
+                      }),
+        joint<Slider>("motorSpeed", [](Slider& d) { d.motorSpeed = kInf; }),
+        joint<Slider>("motorForce", [](Slider& d) { d.motorForce = -1; }),
+    });
+}
+
+TEST(BadInput, OfAMotorOrAMouse) {
+    expectRefused({
+        joint<Motor>("reference", [](Motor& d) { d.reference = kNan; }),
+        joint<Motor>("force", [](Motor& d) { d.force = -1; }),
+        joint<Motor>("torque", [](Motor& d) { d.torque = kInf; }),
+        joint<Motor>("hertz", [](Motor& d) { d.hertz = 0; }),
+        joint<Motor>("damping", [](Motor& d) { d.damping = -1; }),
+        joint<Mouse>("anchor", [](Mouse& d) { d.anchor.x = kNan; }),
+        joint<Mouse>("target", [](Mouse& d) { d.target.y = kInf; }),
+        joint<Mouse>("force", [](Mouse& d) { d.force = kNan; }),
+        joint<Mouse>("hertz", [](Mouse& d) { d.hertz = 0; }),
+        joint<Mouse>("damping", [](Mouse& d) { d.damping = kNan; }),
+    });
+}
+
+template <typename Change>
+Bad settings(const char* field, Change change) {
+    return {field, [=](Scene& scene) {
+                StepSettings bad;
+                change(bad);
+                EXPECT_TRUE(check(WorldDef{.settings = bad}).has_value());
+                EXPECT_THROW(World({.settings = bad}), BadDefinition);
+                scene.world.setSettings(bad);
+            }};
+}
+
+TEST(BadInput, OfTheSettings) {
+    const auto number = [](const char* field, Real StepSettings::*member, Real value) {
+        return settings(field, [=](StepSettings& s) { s.*member = value; });
+    };
+    std::vector<Bad> rows{
+        settings("settings.strategy", [](StepSettings& s) { s.strategy = Strategy(7); }),
+        settings("settings.substeps", [](StepSettings& s) { s.substeps = -1; }),
+        settings("settings.contactPasses", [](StepSettings& s) { s.contactPasses = 0; }),
+        settings("settings.contactPasses", [](StepSettings& s) { s.contactPasses = 1001; }),
+        settings("settings.shockPasses", [](StepSettings& s) { s.shockPasses = -1; }),
+        settings("settings.shockPasses", [](StepSettings& s) { s.shockPasses = 1001; }),
+        settings("settings.restSteps", [](StepSettings& s) { s.restSteps = 0; }),
+        settings("settings.restSteps", [](StepSettings& s) { s.restSteps = 1000001; }),
+        settings("settings.leaveOut", [](StepSettings& s) { s.leaveOut = 128; }),
+    };
+    // The largest would overflow in the products of a spring.
+    for (const Real value : {Real(0), Real(-1), kNan, kInf, std::numeric_limits<Real>::max()}) {
+        rows.push_back(number("settings.contactHertz", &StepSettings::contactHertz, value));
+        rows.push_back(number("settings.contactDamping", &StepSettings::contactDamping, value));
+        rows.push_back(number("settings.jointHertz", &StepSettings::jointHertz, value));
+        rows.push_back(number("settings.jointDamping", &StepSettings::jointDamping, value));
+        rows.push_back(number("settings.pushSpeed", &StepSettings::pushSpeed, value));
+    }
+    expectRefused(rows);
+}
+
+TEST(BadInput, OfTheWorldsOtherVerbs) {
+    expectRefused({
+        {"region",
+         [](Scene& s) {
+             s.world.setRegion(Aabb{{1, 0}, {0, 1}});
+         }},
+        {"region",
+         [](Scene& s) {
+             s.world.setRegion(Aabb{{kNan, 0}, {1, 1}});
+         }},
+        {"field", [](Scene& s) { s.world.addField({}); }},
+        {"field",
+         [](Scene& s) {
+             s.world.setFields({s.world.fields()[0], {}});
+         }},
+        {"force",
+         [](Scene& s) {
+             s.world.applyForceToAll({kNan, 0});
+         }},
+        {"torque", [](Scene& s) { s.world.applyTorqueToAll(kInf); }},
+        {"position",
+         [](Scene& s) {
+             s.world.clone(s.box, {0, kInf});
+         }},
+        {"part", [](Scene& s) { s.world.weld(s.ball, s.ball); }},
+        {"radius", [](Scene& s) { s.world.weld(s.box, Circle{-1}, {}, 1); }},
+        {"shape", [](Scene& s) { s.world.weld(s.box, Circle{2 * kFarthest}, {}, 1); }},
+        {"material.restitution",
+         [](Scene& s) { s.world.weld(s.box, Circle{1}, withFriction(1, 2), 1); }},
+        {"density", [](Scene& s) { s.world.weld(s.box, Circle{1}, {}, 0); }},
+        {"flags", [](Scene& s) { s.world.weld(s.box, Plane{}, {}, 1); }},
+        {"part", [](Scene& s) { s.world.unweld(s.box, 0); }},
+        {"part", [](Scene& s) { s.world.unweld(s.box, 5); }},
+        {"flags", [](Scene& s) { s.world[s.box].setFlags(kMatchAll | kMatchEqual); }},
+        {"joint",
+         [](Scene& s) {
+             s.world.remove(JointId{7, 1});
+         }},
+        {"joint",
+         [](Scene& s) {
+             s.world.setJoint({}, Weld{.ends = {s.box, s.ball}});
+         }},
+        {"joint",
+         [](Scene& s) {
+             s.world.setJoint(s.pin, Weld{.ends = {s.box, s.ball}});
+         }},
+        {"joint",
+         [](Scene& s) {
+             s.world.setJoint(s.pin, Pin{.ends = {s.ball, s.box}});
+         }},
+        {"motorSpeed",
+         [](Scene& s) {
+             s.world.setJoint(s.pin, Pin{.ends = {s.box, s.ball}, .motorSpeed = kNan});
+         }},
+    });
+}
+
+// A joint between bodies that are not there is a matter of their ids.
+TEST(BadInput, AJointOfADeadBody) {
+    Scene scene;
+    const BodyId gone = scene.world.add(support::ballDef({20, 5}, 1));
+    scene.world.remove(gone);
+    const std::uint64_t before = scene.world.stateHash();
+    EXPECT_THROW(scene.world.add(Weld{.ends = {scene.box, gone}}), BadBodyId);
+    EXPECT_THROW(scene.world.add(Weld{.ends = {gone, scene.box}}), BadBodyId);
+    EXPECT_THROW(scene.world.add(Mouse{.body = gone}), BadBodyId);
+    EXPECT_EQ(scene.world.stateHash(), before);
+}
+
+// The largest and the smallest of everything that is allowed gives numbers, not NaN, in one world.
+TEST(BadInput, WhatIsAllowedIsFinite) {
+    World world({.gravity = support::kEarth});
+    support::addFloor(world);
+    Real x = -40;
+    for (const Real size : {Real(1e-4), Real(0.01), Real(1), Real(10)}) {
+        for (const Real density : {kLowestDensity, Real(1), kHighestDensity}) {
+            BodyDef def = support::boxDef({x, size}, size, size);
+            def.density = density;
+            if (check(def)) {
+                continue; // too light
+            }
+            world.add(def);
+            def.shape = Circle{size / 2};
+            def.position.y = 3 * size;
+            world.add(def);
+            x += 15;
+        }
+    }
+    support::run(world, 300);
+    for (const BodyId id : world.bodies()) {
+        EXPECT_TRUE(isFinite(world[id].position()));
+        EXPECT_LT(length(world[id].velocity()), 20);
+    }
+    EXPECT_GE(world.bodyCount(), 19u);
+}
+
+} // namespace
+} // namespace kodo

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include <support/scenes.hpp>
+
+namespace kodo {
+namespace {
+
+/// A stack of three on a floor, with a ball that rolls, around a place.
+struct Scene {
+    World world{{.gravity = support::kEarth}};
+    std::vector<BodyId> bodies;
+    Vec2 place;
+
+    explicit Scene(Vec2 at) : place(at) {
+        world.add({.shape = Box{40, 1}, .position = at + Vec2{0, Real(-0.5)}, .flags = kLocked});
+        for (int i = 0; i < 3; ++i) {
+            bodies.push_back(
+                world.add(support::boxDef(at + Vec2{0, Real(0.5) + static_cast<Real>(i)}, 1, 1)));
+        }
+        BodyDef ball = support::ballDef(at + Vec2{4, Real(0.5)}, Real(0.5));
+        ball.velocity = {2, 0};
+        bodies.push_back(world.add(ball));
+    }
+    Vec2 position(std::size_t i) const { return world[bodies[i]].position() - place; }
+};
+
+/// The distance (m) of two numbers next to each other, so far away.
+Real gridAt(Real distance) {
+    return distance * support::kEpsilon;
+}
+
+// In double everything happens 1e7 m away as it does here, to 1e-6 m: a roll of 5 s has a few
+// hundred steps, each of which may round by 1e-9. In float, where a number at 1000 m is 6e-5 m from
+// the next, to a few tenths of a millimetre a second.
+TEST(FarAway, HappensWhatHappensHere) {
+    for (const Real far : {support::byPrecision(100, 1e5), support::byPrecision(1000, 1e7)}) {
+        SCOPED_TRACE(far);
+        Scene here({0, 0});
+        Scene there({far, -far});
+        support::run(here.world, 300);
+        support::run(there.world, 300);
+        const Real tolerance = support::byPrecision(100 * static_cast<double>(gridAt(far)), 1e-6);
+        for (std::size_t i = 0; i < here.bodies.size(); ++i) {
+            EXPECT_TRUE(support::near(there.position(i), here.position(i), tolerance)) << i;
+        }
+    }
+}
+
+// At the limit nothing falls through, nothing bursts; a place is not known better than the grid.
+TEST(FarAway, AtTheLimitAStackStands) {
+    const Real far = kFarthest - 100;
+    Scene scene({far, far});
+    support::run(scene.world, 300);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec2 expected{0, Real(0.5) + static_cast<Real>(i)};
+        EXPECT_TRUE(support::near(scene.position(i), expected, 8 * gridAt(far) + Real(0.05))) << i;
+    }
+}
+
+// The limit is one of the World's length units, for everything that is given as a place.
+TEST(FarAway, TheLimitGoesWithTheLengthUnit) {
+    for (const Real unit : {Real(0.001), Real(1), Real(1000)}) {
+        SCOPED_TRACE(unit);
+        World world({.lengthUnit = unit});
+        const Real most = kFarthest * unit;
+        BodyDef def;
+        def.position = {most, -most};
+        const BodyId body = world.add(def);
+        EXPECT_FALSE(check(def, unit).has_value());
+        EXPECT_NO_THROW(world[body].setPosition({-most, 0}));
+        const Vec2 beyond{0, most * Real(1.01)};
+        def.position = beyond;
+        EXPECT_TRUE(check(def, unit).has_value());
+        EXPECT_THROW(world.add(def), BadDefinition);
+        EXPECT_THROW(world.clone(body, beyond), BadDefinition);
+        EXPECT_THROW(world[body].setPosition(beyond), BadDefinition);
+        EXPECT_THROW(world[body].applyForce({1, 0}, beyond), BadDefinition);
+        EXPECT_THROW(world.add(Mouse{.body = body, .target = beyond, .force = 1}), BadDefinition);
+    }
+}
+
+} // namespace
+} // namespace kodo

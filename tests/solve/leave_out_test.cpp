@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include <support/scenes.hpp>
+
+namespace kodo {
+namespace {
+
+struct Named {
+    const char* name;
+    Feature feature;
+};
+constexpr Named kFeatures[] = {
+    {"Friction", Feature::Friction},       {"RollingResistance", Feature::RollingResistance},
+    {"Restitution", Feature::Restitution}, {"Sweep", Feature::Sweep},
+    {"Records", Feature::Records},         {"Resting", Feature::Resting},
+    {"Rotation", Feature::Rotation},
+};
+
+std::ostream& operator<<(std::ostream& out, const Named& row) {
+    return out << row.name;
+}
+
+StepSettings without(StepSettings settings, Feature feature) {
+    settings.leaveOut |= static_cast<std::uint8_t>(feature);
+    return settings;
+}
+
+/// Place and motion of a body, to be compared bit by bit.
+struct Bits {
+    Vec2 position;
+    Rot rotation;
+    Vec2 velocity;
+    Real spin;
+    friend bool operator==(const Bits&, const Bits&) = default;
+};
+
+std::vector<Bits> bitsOf(const World& world) {
+    std::vector<Bits> all;
+    for (const BodyId id : world.bodies()) {
+        const BodyView body = world[id];
+        all.push_back({body.position(), body.rotation(), body.velocity(), body.angularVelocity()});
+    }
+    return all;
+}
+
+/// Columns of balls: where all normals are upright, nothing that does not rub can turn.
+void addColumns(World& world, const Material& material) {
+    for (int i = 0; i < 12; ++i) {
+        const Vec2 place{static_cast<Real>(i % 4) * 2,
+                         Real(0.6) + static_cast<Real>(i / 4) * Real(1.1)};
+        world.add(support::ballDef(place, Real(0.5), material));
+    }
+}
+
+/// Boxes and balls that slide and roll along the floor, none against another.
+void addRow(World& world, const Material& material) {
+    for (int i = 0; i < 10; ++i) {
+        const Real x = static_cast<Real>(2 * i);
+        BodyDef def = i % 2 == 0 ? support::ballDef({x, Real(0.4)}, Real(0.4), material)
+                                 : support::boxDef({x, Real(0.25)}, Real(0.8), Real(0.5), material);
+        def.velocity = {Real(0.1) * static_cast<Real>(i), 0};
+        world.add(def);
+    }
+}
+
+void addHeap(World& world, const Material& material) {
+    support::RandomNumbers random(33);
+    for (int i = 0; i < 15; ++i) {
+        BodyDef def = i % 2 == 0 ? support::ballDef({}, Real(0.4), material)
+                                 : support::boxDef({}, Real(0.8), Real(0.5), material);
+        def.position = {static_cast<Real>(i % 5) - 2,
+                        Real(0.6) + Real(0.9) * static_cast<Real>(i / 5)};
+        def.rotation = random.rotation();
+        def.velocity = {random.between(-1, 1), random.between(-1, 0)};
+        world.add(def);
+    }
+}
+
+/// What a feature has nothing to do in. Restitution also deals the blow of what does not bounce,
+/// so without it nothing may strike; the sweep also finds the moment of a bounce.
+World withoutUse(Feature feature, const StepSettings& settings) {
+    World world({.gravity = {0, -1}, .settings = settings});
+    const bool smooth = feature == Feature::Friction || feature == Feature::Rotation;
+    const bool dull = feature == Feature::Restitution || feature == Feature::Sweep;
+    Material material = withFriction(smooth ? Real(0) : Real(0.5), dull ? Real(0) : Real(0.4));
+    const bool rolls = feature == Feature::RollingResistance || smooth;
+    material.rollingResistance = rolls ? Real(0) : Real(0.05);
+    support::addFloor(world, material);
+    if (feature == Feature::Rotation) {
+        addColumns(world, material);
+    } else if (feature == Feature::Restitution) {
+        addRow(world, material);
+    } else {
+        addHeap(world, material);
+    }
+    return world;
+}
+
+class LeaveOutOf : public testing::TestWithParam<Named> {};
+
+// W3: leaving a feature out changes nothing where it has nothing to do, not one bit: frictionless
+// bodies without friction, slow ones without the sweep, a hundred steps without resting (restSteps
+// is larger), and any at all without records. Under both strategies.
+TEST_P(LeaveOutOf, ChangesNothingElse) {
+    for (StepSettings settings : {StepSettings{}, thesis2006()}) {
+        settings.restSteps = 1000;
+        const Feature feature = GetParam().feature;
+        World with = withoutUse(feature, settings);
+        World out = withoutUse(feature, without(settings, feature));
+        std::size_t touches = 0;
+        for (int step = 0; step < 100; ++step) {
+            with.step(support::kDt);
+            out.step(support::kDt);
+            ASSERT_EQ(bitsOf(out), bitsOf(with)) << "step " << step;
+            touches += with.collisions().size();
+            if (feature != Feature::Rotation && feature != Feature::Resting) {
+                // The hash sees inertias and how long bodies are calm, too.
+                ASSERT_EQ(out.stateHash(), with.stateHash()) << "step " << step;
+            }
+        }
+        EXPECT_GT(touches, 200u); // there was something to change
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Features, LeaveOutOf, testing::ValuesIn(kFeatures),
+                         [](const testing::TestParamInfo<Named>& row) {
+                             return std::string(row.param.name);
+                         });
+
+TEST(LeaveOut, WithoutRecordsThereAreNone) {
+    World world({.gravity = support::kEarth, .settings = without({}, Feature::Records)});
+    support::addFloor(world);
+    const BodyId box = world.add(support::boxDef({0, Real(0.5)}, 1, 1));
+    support::run(world, 10);
+    EXPECT_TRUE(world.collisions().empty());
+    EXPECT_NE(world[box].flags() & kColliding, 0u);
+}
+
+WorldDef unturning(Vec2 gravity = support::kEarth) {
+    return {.gravity = gravity, .settings = without({}, Feature::Rotation)};
+}
+
+// Without rotation a heap falls, slides and piles up, but nothing turns, and no spin arises.
+TEST(LeaveOut, WithoutRotationNothingTurns) {
+    for (const Strategy strategy : {Strategy::SoftStep, Strategy::Propagation}) {
+        WorldDef def = unturning();
+        def.settings.strategy = strategy;
+        World world(def);
+        support::addHeap(world, 7, 30);
+        const BodyId a = world.bodies()[5];
+        const BodyId b = world.bodies()[6];
+        world.add(Spring{.ends = {a, b, {Real(0.1), 0}, {}}, .length = 1, .hertz = 3});
+        world[a].applyTorque(100);
+        const std::vector<Bits> before = bitsOf(world);
+        support::run(world, 200);
+        const std::vector<Bits> after = bitsOf(world);
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            EXPECT_EQ(after[i].rotation, before[i].rotation) << i;
+            EXPECT_EQ(after[i].spin, 0) << i;
+        }
+        EXPECT_LT(world[a].position().y, before[5].position.y);
+    }
+}
+
+// A blow beside the centre moves a bar as if it were a point: v = J / m.
+TEST(LeaveOut, WithoutRotationAnOffCentreBlowMovesStraight) {
+    World world(unturning({}));
+    const BodyId bar = world.add(support::boxDef({}, 4, 1, support::slippery(1)));
+    BodyDef ball = support::ballDef({Real(1.5), -3}, Real(0.5), support::slippery(1));
+    ball.density = 4 / (std::numbers::pi_v<Real> / 4); // 4 kg, as the bar
+    ball.velocity = {0, 4};
+    const BodyId striker = world.add(ball);
+    support::run(world, 60);
+    const Real rounding = support::byPrecision(1e-5, 1e-12);
+    EXPECT_TRUE(support::near(world[bar].velocity(), Vec2{0, 4}, rounding));
+    EXPECT_TRUE(support::near(world[striker].velocity(), Vec2{0, 0}, rounding));
+    EXPECT_EQ(world[bar].angularVelocity(), 0);
+}
+
+// It is as kLockRotate is: what is told to turn turns, and nothing brakes it.
+TEST(LeaveOut, WithoutRotationASpinThatIsSetGoesOn) {
+    World world(unturning());
+    support::addFloor(world, withFriction(1));
+    const BodyId locked = world.add({.shape = Box{1, 1}, .position = {5, 5}, .flags = kLocked});
+    world[locked].setAngularVelocity(1);
+    const BodyId ball = world.add(support::ballDef({0, Real(0.5)}, Real(0.5), withFriction(1)));
+    world[ball].setAngularVelocity(-2);
+    support::run(world, 60);
+    EXPECT_EQ(world[locked].angularVelocity(), 1);
+    EXPECT_EQ(world[ball].angularVelocity(), -2);
+    EXPECT_TRUE(support::near(world[locked].rotation().angle(), 1.0L, Real(1e-4)));
+}
+
+// It may change between steps: spins end when it is left out; what stood on a corner wakes and
+// falls over when it is back.
+TEST(LeaveOut, RotationMayComeAndGo) {
+    World world(unturning());
+    support::addFloor(world);
+    BodyDef def = support::boxDef({0, Real(0.75)}, 1, 1);
+    def.rotation = Rot::fromAngle(Real(0.7)); // a little less than an eighth of a turn
+    const BodyId box = world.add(def);
+    support::run(world, 200);
+    ASSERT_NE(world[box].flags() & kResting, 0u);
+    EXPECT_EQ(world[box].rotation(), normalize(Rot::fromAngle(Real(0.7))));
+    world.setSettings({});
+    EXPECT_EQ(world[box].flags() & kResting, 0u);
+    support::run(world, 30);
+    EXPECT_NE(world[box].angularVelocity(), 0);
+    world.setSettings(without({}, Feature::Rotation));
+    EXPECT_EQ(world[box].angularVelocity(), 0);
+    const Rot now = world[box].rotation();
+    support::run(world, 30);
+    EXPECT_EQ(world[box].rotation(), now);
+}
+
+// What rests only by the grace of a feature wakes when that is left out.
+TEST(LeaveOut, ABoxAtRestOnASlopeSlidesOnceThereIsNoFriction) {
+    World world({.gravity = support::kEarth});
+    const Rot tilt = Rot::fromAngle(Real(-0.3));
+    world.add({.shape = Box{40, 1},
+               .position = Real(-0.5) * tilt.yAxis(),
+               .rotation = tilt,
+               .flags = kLocked});
+    BodyDef def = support::boxDef(Real(0.5) * tilt.yAxis(), 1, 1);
+    def.rotation = tilt;
+    const BodyId box = world.add(def);
+    support::run(world, 120);
+    ASSERT_NE(world[box].flags() & kResting, 0u);
+    world.setSettings(without({}, Feature::Friction));
+    support::run(world, 60);
+    EXPECT_GT(world[box].velocity().x, 2); // g sin 0.3 = 2.96 m/s^2
+}
+
+} // namespace
+} // namespace kodo
