@@ -20,4 +20,5 @@
 #include <kodo/shapes/box_fit.hpp>
 #include <kodo/shapes/hull.hpp>
 #include <kodo/world/queries.hpp>
+#include <kodo/world/snapshot.hpp>
 #include <kodo/world/world.hpp>

@@ -156,7 +156,7 @@ void refreshMass(Bodies& bodies, std::uint32_t index) {
     const Flags flags = bodies.record[index].filter.flags;
     bodies.motion[index].invMass = (flags & (kLockMove | kFrozen)) != 0 ? 0 : 1 / mass.mass;
     // Nothing can turn a particle: it has no inertia, but no arm either.
-    const bool turns = (flags & kLockRotate) == 0 && mass.inertia > 0;
+    const bool turns = (flags & (kLockRotate | kFrozen)) == 0 && mass.inertia > 0;
     bodies.motion[index].invInertia = turns ? 1 / mass.inertia : 0;
 }
 

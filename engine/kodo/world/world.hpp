@@ -105,6 +105,7 @@ public:
 private:
     friend class BodyView;
     friend class BodyRef;
+    friend class SnapshotFields;
 
     void requireAlive(BodyId id) const;
     void requireAlive(JointId id) const;
