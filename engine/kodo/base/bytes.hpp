@@ -5,7 +5,10 @@
 #include <kodo/base/problem.hpp>
 
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 

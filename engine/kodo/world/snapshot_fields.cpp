@@ -181,7 +181,7 @@ void SnapshotFields::field(std::shared_ptr<const ForceField>& field,
         const auto& own = static_cast<const Field&>(*field);
         values = {(own.*get)()...};
     }
-    std::apply([this](auto&... value) { all(value...); }, values);
+    std::apply([this](auto&... value) { this->all(value...); }, values);
     if (reads()) {
         field = std::apply(
             [](const auto&... value) { return std::make_shared<const Field>(value...); }, values);

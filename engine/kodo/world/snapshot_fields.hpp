@@ -93,7 +93,7 @@ private:
             const bool known = ((i++ == kind && (value = Kinds{}, true)) || ...);
             require(known, "there is no such kind of shape or joint");
         }
-        std::visit([this](auto& alternative) { one(alternative); }, value);
+        std::visit([this](auto& alternative) { this->one(alternative); }, value);
     }
 
     template <typename T>
