@@ -217,11 +217,13 @@ void RestStage::settle(Bodies& bodies, ContactSet& contacts, const JointSet& joi
             members.clear();
         }
     }
+    std::vector<Contact> ending; // idle, but neither body rests: one froze or stands now
     for (const Contact& contact : contacts.takeIdle(bodies)) {
         const std::uint32_t a = bodies.rest[contact.key.bodyA].island;
-        islands_[a != kNone ? a : bodies.rest[contact.key.bodyB].island].contacts.push_back(
-            contact);
+        const std::uint32_t island = a != kNone ? a : bodies.rest[contact.key.bodyB].island;
+        (island != kNone ? islands_[island].contacts : ending).push_back(contact);
     }
+    contacts.putBack(ending);
     bodies.awakeStale = true;
     contacts.activityChanged();
 }
