@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <typeinfo>
+#include <utility>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -232,7 +233,7 @@ void SnapshotFields::completeContact(Contact& contact, const Bodies& bodies) {
         return body < bodies.size() && bodies.ids.aliveAt(body) &&
                part < bodies.form(body).parts.size();
     };
-    require(contact.key.bodyA < contact.key.bodyB && there(bodyA, partA) && there(bodyB, partB),
+    require(bodyA < bodyB && there(bodyA, partA) && there(bodyB, partB),
             "a contact is between bodies that are not there");
     contact.a = bodies.idAt(bodyA);
     contact.b = bodies.idAt(bodyB);
@@ -260,11 +261,11 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
                 std::all_of(tight.begin(), tight.end(), good) &&
                 std::all_of(grown.begin(), grown.end(), good),
             "the bounds do not fit the bodies");
-    const std::vector<Aabb> tightAsRead = tight;
-    const std::vector<Aabb> grownAsRead = grown;
+    std::vector<Aabb> tightAsRead = std::move(tight);
+    std::vector<Aabb> grownAsRead = std::move(grown);
     set.rebuildProxies(bodies);
-    tight = tightAsRead;
-    grown = grownAsRead;
+    tight = std::move(tightAsRead);
+    grown = std::move(grownAsRead);
     for (Contact& contact : contacts) {
         completeContact(contact, bodies);
         contact.proxyA = firstProxy[contact.key.bodyA] + contact.key.partA;
