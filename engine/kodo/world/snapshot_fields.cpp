@@ -88,7 +88,9 @@ void SnapshotFields::forms(World& world) {
             require(checkRange("density", part.density, kLowestDensity, kHighestDensity));
         }
         form = makeForm(std::move(parts));
-        require(form->mass.mass >= 0 && form->mass.inertia >= 0, "a mass is negative");
+        require(form->mass.mass >= 0 && form->mass.inertia >= 0 && bounded(form->mass.center) &&
+                    bounded(form->reach),
+                "a shape is out of all bounds");
     }
 }
 
