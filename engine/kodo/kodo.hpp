@@ -13,11 +13,13 @@
 ///   order     whatever comes as a list comes in the order of ids.
 ///   bits      the same calls give the same bits with every compiler, CPU and day, as long as it
 ///             is built with -ffp-contract=off and without -ffast-math.
-///   errors    bad values throw BadDefinition, dead ids BadBodyId; nothing has changed then.
+///   errors    bad values throw BadDefinition, dead ids BadBodyId, bytes that are no snapshot
+///             BadSnapshot; nothing has changed then.
 
 #include <kodo/bodies/fields.hpp>
 #include <kodo/math/affine.hpp>
 #include <kodo/shapes/box_fit.hpp>
 #include <kodo/shapes/hull.hpp>
 #include <kodo/world/queries.hpp>
+#include <kodo/world/snapshot.hpp>
 #include <kodo/world/world.hpp>

@@ -57,6 +57,18 @@ TEST_P(Repeat, ACopyGoesOnAsTheOriginalDoes) {
     }
 }
 
+// The heaviest mode: before every tick the World is taken to bytes and back.
+TEST_P(Repeat, AWorldThatGoesThroughBytesComesToTheSameEnd) {
+    Player player(GetParam());
+    Player moved = player;
+    while (player.ticks() < kTicks) {
+        moved.world() = kodo::fromBytes(kodo::toBytes(moved.world()));
+        player.tick();
+        moved.tick();
+        ASSERT_EQ(moved.hash(), player.hash()) << "after tick " << player.ticks();
+    }
+}
+
 TEST_P(Repeat, ARewoundWorldComesToTheSameEnd) {
     Player player(GetParam());
     while (player.ticks() < kTicks / 2) {

@@ -52,6 +52,8 @@ public:
     std::size_t capacity() const { return generations_.size(); }
 
 private:
+    friend class SnapshotFields;
+
     std::vector<std::uint32_t> generations_;
     std::vector<std::uint32_t> free_;
 };

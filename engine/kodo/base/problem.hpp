@@ -42,4 +42,11 @@ public:
     using std::out_of_range::out_of_range;
 };
 
+/// Bytes that are no snapshot of a World, or none that this build can go on from. The sentence says
+/// why.
+class BadSnapshot : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
 } // namespace kodo::inline KODO_PRECISION

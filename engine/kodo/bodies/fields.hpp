@@ -22,6 +22,8 @@ class Drag : public ForceField {
 public:
     explicit Drag(DragLaw law, Vec2 air = {}) : law_(law), air_(air) {} // air: m/s
     Push at(const Bodies& bodies, std::uint32_t body, Real dt) const override;
+    DragLaw law() const { return law_; }
+    Vec2 air() const { return air_; }
 
 private:
     DragLaw law_;
@@ -34,6 +36,9 @@ public:
     Wind(DragLaw law, Vec2 velocity, std::optional<Aabb> region = {})
         : drag_(law, velocity), region_(region) {}
     Push at(const Bodies& bodies, std::uint32_t body, Real dt) const override;
+    DragLaw law() const { return drag_.law(); }
+    Vec2 velocity() const { return drag_.air(); }
+    std::optional<Aabb> region() const { return region_; }
 
 private:
     Drag drag_;
@@ -50,11 +55,15 @@ private:
 /// pull makes everything swing with one period, 2 pi / sqrt(strength).
 class Attractor final : public ForceField {
 public:
-    enum class Law { InverseSquare, Linear };
+    enum class Law : std::uint8_t { InverseSquare, Linear };
 
     Attractor(Law law, Vec2 center, Real strength, Real softening = 0)
         : law_(law), center_(center), strength_(strength), softening_(softening) {}
     Push at(const Bodies& bodies, std::uint32_t body, Real dt) const override;
+    Law law() const { return law_; }
+    Vec2 center() const { return center_; }
+    Real strength() const { return strength_; }
+    Real softening() const { return softening_; }
 
 private:
     Law law_;
@@ -89,6 +98,9 @@ public:
     Buoyancy(Fluid fluid, Vec2 surface, Vec2 gravity)
         : fluid_(fluid), surface_(surface), gravity_(gravity), up_(-normalize(gravity)) {}
     Push at(const Bodies& bodies, std::uint32_t body, Real dt) const override;
+    Fluid fluid() const { return fluid_; }
+    Vec2 surface() const { return surface_; }
+    Vec2 gravity() const { return gravity_; }
 
 private:
     Fluid fluid_;

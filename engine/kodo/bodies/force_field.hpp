@@ -45,6 +45,7 @@ class Gravity final : public ForceField {
 public:
     explicit Gravity(Vec2 acceleration) : acceleration_(acceleration) {} // m/s^2
     Push at(const Bodies& bodies, std::uint32_t body, Real dt) const override;
+    Vec2 acceleration() const { return acceleration_; }
 
 private:
     Vec2 acceleration_;

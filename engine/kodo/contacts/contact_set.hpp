@@ -61,6 +61,8 @@ public:
     void noteEnd(const Contact& contact);
 
 private:
+    friend class SnapshotFields;
+
     struct Proxy {
         std::uint32_t body;
         std::uint16_t part;

@@ -76,6 +76,8 @@ public:
     };
 
 private:
+    friend class SnapshotFields;
+
     IdPool ids_;
     std::vector<Joint> joints_;
     std::vector<std::uint32_t> live_;                            // in order

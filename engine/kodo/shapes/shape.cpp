@@ -51,7 +51,7 @@ std::optional<Problem> check(const Box& box) {
 }
 
 /// The first corner that makes the outline not strictly convex and counter-clockwise.
-std::optional<Problem> checkConvex(const std::vector<Vec2>& corners) {
+std::optional<Problem> checkConvex(const std::vector<Vec2>& corners, Real flatness) {
     const std::size_t n = corners.size();
     for (std::size_t i = 0; i < n; ++i) {
         const std::size_t j = (i + 1) % n;
@@ -66,7 +66,7 @@ std::optional<Problem> checkConvex(const std::vector<Vec2>& corners) {
             }
             const Vec2 arm = corners[k] - corners[i];
             const Real height = cross(edge, arm) / size;
-            if (!(height > kFlatness * std::max(size, length(arm)))) {
+            if (!(height > flatness * std::max(size, length(arm)))) {
                 return Problem{corner(k), "lies on or outside the line from corner " +
                                               std::to_string(i) + " to corner " +
                                               std::to_string(j) +
@@ -78,7 +78,7 @@ std::optional<Problem> checkConvex(const std::vector<Vec2>& corners) {
     return std::nullopt;
 }
 
-std::optional<Problem> check(const Polygon& polygon) {
+std::optional<Problem> check(const Polygon& polygon, Real flatness = kFlatness) {
     const std::size_t n = polygon.corners.size();
     if (n < 3 || n > kMaxCorners) {
         return Problem{"corners", "must be 3 to " + std::to_string(kMaxCorners) + ", but are " +
@@ -89,7 +89,7 @@ std::optional<Problem> check(const Polygon& polygon) {
             return problem;
         }
     }
-    return checkConvex(polygon.corners);
+    return checkConvex(polygon.corners, flatness);
 }
 
 std::optional<Problem> check(const Point& point) {
@@ -244,6 +244,11 @@ Plane movedShape(const Plane& plane, const Transform& t) {
 
 std::optional<Problem> check(const Primitive& primitive) {
     return std::visit([](const auto& shape) { return check(shape); }, primitive);
+}
+
+std::optional<Problem> checkMoved(const Primitive& primitive) {
+    const auto* polygon = std::get_if<Polygon>(&primitive);
+    return polygon != nullptr ? check(*polygon, Real(-1e-3)) : check(primitive);
 }
 
 std::optional<Problem> check(const Shape& shape) {

@@ -107,6 +107,8 @@ using Shape = std::variant<Circle, Box, Polygon, Compound, Point, Segment, Plane
 /// What is wrong with a shape, or nothing. Fields read "radius", "corners[3]", "parts[1].width".
 std::optional<Problem> check(const Primitive& primitive);
 std::optional<Problem> check(const Shape& shape);
+/// The same for one that was moved: its corners may have been rounded onto a line.
+std::optional<Problem> checkMoved(const Primitive& primitive);
 
 /// The primitives that a valid shape consists of: itself, the parts of a compound, or one
 /// one-sided segment for each cell of a heightmap, from left to right.

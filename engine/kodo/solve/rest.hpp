@@ -53,6 +53,8 @@ public:
     }
 
 private:
+    friend class SnapshotFields;
+
     struct Island {
         std::vector<std::uint32_t> bodies; // empty: a free slot
         std::vector<Contact> contacts;

@@ -109,6 +109,7 @@ public:
 private:
     friend class BodyView;
     friend class BodyRef;
+    friend class SnapshotFields;
 
     void requireAlive(BodyId id) const;
     void requireAlive(JointId id) const;

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/base/bytes.hpp>
+#include <support/scenes.hpp>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+
+namespace kodo {
+namespace {
+
+using support::kDt;
+using support::run;
+
+using Bytes = std::vector<std::byte>;
+
+/// As a user would write one: it is no Drag any more.
+class Halved final : public Drag {
+public:
+    Halved() : Drag(DragLaw{1, 0}) {}
+    Push at(const Bodies& bodies, std::uint32_t body, Real dt) const override {
+        Push push = Drag::at(bodies, body, dt);
+        push.force = Real(0.5) * push.force;
+        return push;
+    }
+};
+
+/// A few bodies that touch, one of them at rest, a joint and a field: all lists, and few bytes.
+World smallWorld() {
+    World world({.gravity = {0, -10}});
+    world.addField({std::make_shared<Drag>(DragLaw{Real(0.25), 0}), {kMatchAny, 1}});
+    world.add({.shape = Plane{}, .flags = kLocked});
+    const BodyId a = world.add(support::boxDef({0, Real(0.5)}, 1, 1));
+    const BodyId b = world.add({.shape = Polygon{{{0, 0}, {1, 0}, {0, 1}}}, .position = {1, 0}});
+    world.add(Pin{{a, b, {Real(0.5), 0}, {Real(-0.5), 0}}, 0, Range{-1, 1}});
+    world.add(support::boxDef({5, Real(0.5)}, 1, 1));
+    run(world, 40); // the box that stands alone rests by now
+    world.remove(world.add({.shape = Compound{{Circle{1}, Point{}}}, .position = {0, 50}}));
+    world.add({.shape = Segment{{-1, 0}, {1, 0}, true, {}, {}}, .position = {0, 9}});
+    world[a].applyImpulse({0, 1});
+    run(world, 2);
+    return world;
+}
+
+/// Why the bytes are refused; empty if they are not.
+std::string refusalOf(const Bytes& bytes) {
+    try {
+        fromBytes(bytes);
+        return {};
+    } catch (const BadSnapshot& bad) {
+        return bad.what();
+    }
+}
+
+/// Makes the checksum right again, so that what lies behind it is put to the test.
+void seal(Bytes& bytes) {
+    const std::size_t size = bytes.size() - 8;
+    const std::uint64_t checksum = checksumOf(std::span(bytes).first(size));
+    for (std::size_t i = 0; i < 8; ++i) {
+        bytes[size + i] = static_cast<std::byte>(checksum >> 8 * i);
+    }
+}
+
+Bytes changed(Bytes bytes, std::size_t place, int value) {
+    bytes[place] = static_cast<std::byte>(value);
+    seal(bytes);
+    return bytes;
+}
+
+// Places of the header: 4 bytes "Kodo", 4 of the format, 1 that tells float and double apart.
+constexpr std::size_t kFormatAt = 4;
+constexpr std::size_t kPrecisionAt = 8;
+
+TEST(SnapshotRefused, SaysWhy) {
+    const Bytes good = toBytes(smallWorld());
+    EXPECT_EQ(refusalOf(good), "");
+    EXPECT_EQ(refusalOf({}), "the bytes end too soon");
+    EXPECT_EQ(refusalOf(changed(good, 0, 'k')), "these bytes are no snapshot of a Kodo World");
+    EXPECT_EQ(refusalOf(changed(good, kFormatAt, 200)),
+              "the snapshot has format 200, but this Kodo knows format 1");
+    const int mine = sizeof(Real);
+    const int other = 12 - mine;
+    EXPECT_EQ(refusalOf(changed(good, kPrecisionAt, other)),
+              "the snapshot has numbers of " + std::to_string(other) +
+                  " bytes, but this Kodo computes with " + std::to_string(mine));
+    Bytes damaged = good;
+    damaged[20] ^= std::byte{1};
+    EXPECT_EQ(refusalOf(damaged), "the snapshot is damaged: its checksum is wrong");
+    Bytes longer = good;
+    longer.resize(good.size() + 5);
+    seal(longer);
+    EXPECT_EQ(refusalOf(longer), "something follows the end of the snapshot");
+}
+
+TEST(SnapshotRefused, EveryLengthThatIsTooShort) {
+    const Bytes good = toBytes(smallWorld());
+    for (std::size_t length = 0; length < good.size(); ++length) {
+        Bytes cut(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(length));
+        ASSERT_NE(refusalOf(cut), "") << length;
+        if (length >= 8) { // cut within the fields, with a checksum that is right
+            seal(cut);
+            ASSERT_NE(refusalOf(cut), "") << length << ", sealed";
+        }
+    }
+}
+
+TEST(SnapshotRefused, EveryFlippedBit) {
+    Bytes bytes = toBytes(smallWorld());
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        for (int bit = 0; bit < 8; ++bit) {
+            const std::byte mask = std::byte{1} << bit;
+            bytes[i] ^= mask;
+            ASSERT_NE(refusalOf(bytes), "") << "bit " << bit << " of byte " << i;
+            bytes[i] ^= mask;
+        }
+    }
+}
+
+/// Bytes with a right checksum are either refused, or give a World that steps soundly: bodies stay
+/// where numbers are finite. True if they were taken.
+bool refusedOrSound(const Bytes& bytes) {
+    if (!refusalOf(bytes).empty()) {
+        return false;
+    }
+    World world = fromBytes(bytes);
+    for (int step = 0; step < 8; ++step) {
+        world.step(kDt);
+        for (const BodyId id : world.bodies()) {
+            const Transform& place = world[id].placement();
+            EXPECT_TRUE(isFinite(place.position));
+            EXPECT_TRUE(std::isfinite(place.rotation.c) && std::isfinite(place.rotation.s));
+        }
+    }
+    for (const BodyId id : world.bodies()) {
+        world.remove(id); // which walks through all that refers to it
+    }
+    world.step(kDt);
+    EXPECT_EQ(world.bodyCount(), 0u);
+    return true;
+}
+
+// 0xff in every byte of a length asks for lists that no memory holds: sanitizers would tell.
+TEST(SnapshotRefused, EveryByteChangedAndSealedIsRefusedOrSound) {
+    const Bytes good = toBytes(smallWorld());
+    int taken = 0;
+    int refused = 0;
+    for (std::size_t i = 0; i + 8 < good.size(); ++i) {
+        for (const int value : {0x00, 0x01, 0x7f, 0xff}) {
+            SCOPED_TRACE(testing::Message() << "byte " << i << " set to " << value);
+            ++(refusedOrSound(changed(good, i, value)) ? taken : refused);
+            ASSERT_FALSE(HasFailure());
+        }
+    }
+    EXPECT_GT(taken, 0);
+    EXPECT_GT(refused, 0);
+}
+
+TEST(SnapshotRefused, RandomChangesSealedAreRefusedOrSound) {
+    constexpr std::uint64_t kSeed = 17;
+    support::RandomNumbers random(kSeed);
+    const Bytes good = toBytes(smallWorld());
+    for (int trial = 0; trial < 3000; ++trial) {
+        SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", trial " << trial);
+        Bytes bytes = good;
+        for (std::size_t changes = 1 + random.below(4); changes > 0; --changes) {
+            bytes[random.below(good.size() - 8)] = static_cast<std::byte>(random.below(256));
+        }
+        const std::size_t size = random.below(4) == 0 ? 8 + random.below(good.size()) : good.size();
+        bytes.resize(size); // some are cut off or go on with zeros
+        seal(bytes);
+        refusedOrSound(bytes);
+        ASSERT_FALSE(HasFailure());
+    }
+}
+
+/// What finds the bytes of a number within those of a World that holds it once.
+std::size_t placeOf(const Bytes& bytes, Real number) {
+    ByteStream stream;
+    stream.number(number);
+    const Bytes wanted = stream.takeWritten();
+    const auto found = std::search(bytes.begin(), bytes.end(), wanted.begin(), wanted.end());
+    EXPECT_NE(found, bytes.end()) << number;
+    return static_cast<std::size_t>(found - bytes.begin());
+}
+
+/// The refusal after one number became another.
+std::string refusalWith(const World& world, Real number, Real instead) {
+    Bytes bytes = toBytes(world);
+    const std::size_t place = placeOf(bytes, number);
+    ByteStream stream;
+    stream.number(instead);
+    const Bytes other = stream.takeWritten();
+    std::copy(other.begin(), other.end(), bytes.begin() + static_cast<std::ptrdiff_t>(place));
+    seal(bytes);
+    return refusalOf(bytes);
+}
+
+TEST(SnapshotRefused, ValuesThatADefinitionMayNotHave) {
+    World world({.lengthUnit = Real(1.75)});
+    const BodyId ball = world.add({.shape = Circle{Real(1.125)},
+                                   .material = {Real(0.875), Real(0.375), Real(0.625), 0},
+                                   .density = Real(2.125)});
+    const BodyId other = world.add(support::ballDef({5, 0}, 1));
+    world.add(Spring{{ball, other}, Real(3.875)});
+    const Real nan = std::numeric_limits<Real>::quiet_NaN();
+    const auto startsWith = [&](Real number, Real instead, const std::string& start) {
+        const std::string refusal = refusalWith(world, number, instead);
+        EXPECT_EQ(refusal.substr(0, start.size()), start);
+    };
+    startsWith(Real(1.75), -1, "lengthUnit: must be");
+    startsWith(world.settings().pushSpeed, -1, "settings.pushSpeed: must be");
+    startsWith(Real(1.125), -1, "radius: must be");
+    startsWith(Real(1.125), nan, "radius: must be");
+    startsWith(Real(0.625), 2, "material.restitution: must be");
+    startsWith(Real(2.125), 0, "density: must be");
+    startsWith(Real(3.875), nan, "length: must be");
+}
+
+// The fields of the engine come back by themselves, all others from the caller: as many as it had.
+TEST(SnapshotRefused, AWrongNumberOfOwnFields) {
+    World world;
+    const auto own = std::make_shared<Halved>();
+    world.addField({own, {kMatchAny, 4}});
+    world.addField({std::make_shared<Gravity>(Vec2{0, -1})});
+    world.addField({own});
+    const Bytes bytes = toBytes(world);
+    using Given = std::vector<std::shared_ptr<const ForceField>>;
+    for (const Given& given : {Given{}, Given{own}, Given{own, own, own}, Given{own, nullptr}}) {
+        EXPECT_THROW(fromBytes(bytes, given), BadSnapshot) << given.size();
+    }
+    const World loaded = fromBytes(bytes, Given{own, own});
+    ASSERT_EQ(loaded.fields().size(), 3u);
+    EXPECT_EQ(loaded.fields()[0].field, own);
+    EXPECT_EQ(loaded.fields()[0].which.required, 4);
+    EXPECT_NE(dynamic_cast<const Gravity*>(loaded.fields()[1].field.get()), nullptr);
+    EXPECT_EQ(loaded.fields()[2].field, own);
+}
+
+} // namespace
+} // namespace kodo

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/kodo.hpp>
+#include <support/random_numbers.hpp>
+
+#include <memory>
+#include <vector>
+
+/// What the tests of snapshots save, and the program that goes on from a saved file.
+namespace support::inline KODO_PRECISION {
+
+/// A field as users write them: pushes everything around the origin.
+class Swirl final : public kodo::ForceField {
+public:
+    explicit Swirl(kodo::Real strength) : strength_(strength) {} // 1/s^2
+    kodo::Push at(const kodo::Bodies& bodies, std::uint32_t body, kodo::Real) const override {
+        return {strength_ * bodies.form(body).mass.mass * perp(bodies.pose[body].position)};
+    }
+
+private:
+    kodo::Real strength_;
+};
+
+using OwnFields = std::vector<std::shared_ptr<const kodo::ForceField>>;
+
+/// The fields of busyWorld() that a snapshot does not hold.
+inline OwnFields ownFields() {
+    return {std::make_shared<Swirl>(kodo::Real(0.01)), std::make_shared<Swirl>(kodo::Real(-0.02))};
+}
+
+inline void addFields(kodo::World& world) {
+    const OwnFields own = ownFields();
+    const kodo::DragLaw law{kodo::Real(0.05), kodo::Real(0.01)};
+    const kodo::CollisionFilter marked{kodo::kMatchAny, 2};
+    world.addField({own[0]});
+    world.addField({std::make_shared<kodo::Drag>(law)});
+    world.addField(
+        {std::make_shared<kodo::Wind>(law, kodo::Vec2{1, 0}, kodo::Aabb{{-3, 2}, {3, 8}}), marked});
+    world.addField({own[1], marked});
+    world.addField({std::make_shared<kodo::Attractor>(
+        kodo::Attractor::Law::InverseSquare, kodo::Vec2{0, 3}, kodo::Real(0.5), kodo::Real(0.25))});
+    world.addField(
+        {std::make_shared<kodo::Buoyancy>(kodo::Buoyancy::Fluid{kodo::Real(0.5), kodo::Real(0.2)},
+                                          kodo::Vec2{0, kodo::Real(0.5)}, kodo::Vec2{0, -10})});
+}
+
+/// Uneven ground between two walls, a conveyor, a sensor, a platform, and pieces of ground that
+/// wait outside of the region.
+inline void addGround(kodo::World& world) {
+    kodo::Heightmap ground{{-6, 0}, kodo::Real(0.75), {}};
+    for (int i = 0; i <= 16; ++i) {
+        ground.heights.push_back(i % 3 == 0 ? kodo::Real(0.2) : kodo::Real(0));
+    }
+    world.add({.shape = ground, .flags = kodo::kLocked});
+    for (const kodo::Real x : {kodo::Real(-6), kodo::Real(6)}) {
+        world.add({.shape = kodo::Box{1, 40}, .position = {x, 0}, .flags = kodo::kLocked});
+    }
+    world.add({.shape = kodo::Plane{{0, 1}, -2}, .flags = kodo::kLocked});
+    world.add({.shape = kodo::Box{2, kodo::Real(0.2)},
+               .position = {-2, 1},
+               .velocity = {kodo::Real(0.125), 0},
+               .flags = kodo::kLocked});
+    world.add(
+        {.shape = kodo::Circle{1}, .position = {2, 2}, .flags = kodo::kLocked | kodo::kSensor});
+    world.add({.shape = kodo::Segment{{-1, 3}, {1, 3}, true, {}, {}}, .flags = kodo::kLocked});
+    world.add({.shape = kodo::Circle{1}, .position = {0, 500}, .userData = 0x123456789abcdef0});
+}
+
+/// One piece of many kinds, some of them alike.
+inline kodo::BodyDef pieceDef(RandomNumbers& random, int i) {
+    kodo::BodyDef def;
+    const kodo::Real size = kodo::Real(0.2) + kodo::Real(0.05) * static_cast<kodo::Real>(i % 4);
+    if (i % 4 == 0) {
+        def.shape = kodo::Circle{size};
+    } else if (i % 4 == 1) {
+        def.shape = kodo::Box{2 * size, size};
+    } else if (i % 4 == 2) {
+        def.shape = kodo::Polygon{{{-size, -size}, {size, -size}, {0, size}}};
+    } else {
+        def.shape = kodo::Compound{{kodo::Box{2 * size, size / 2},
+                                    kodo::Circle{size / 2, {size, 0}}, kodo::Point{{-size, 0}}}};
+    }
+    def.position = {random.between(-4, 4), 1 + static_cast<kodo::Real>(i) / 6};
+    def.rotation = random.rotation();
+    def.material = kodo::withFriction(random.between(0, 1), i % 5 == 0 ? kodo::Real(0.5) : 0);
+    def.material.rollingResistance = kodo::Real(0.01);
+    def.flags = static_cast<kodo::Flags>(i % 4);
+    def.userData = static_cast<std::uint64_t>(i);
+    return def;
+}
+
+/// One of each kind between neighbours; the last breaks soon.
+inline void addJoints(kodo::World& world, const std::vector<kodo::BodyId>& pieces) {
+    const auto ends = [&](std::size_t i) {
+        return kodo::JointEnds{pieces[i], pieces[i + 1], {0, kodo::Real(0.25)}, {}};
+    };
+    world.add(kodo::Pin{ends(0), 0, kodo::Range{-1, 1}, 2, 1});
+    world.add(kodo::Weld{ends(2)});
+    world.add(kodo::Spring{ends(4), kodo::Real(0.75), 3, kodo::Real(0.5), kodo::Range{0, 2}});
+    world.add(kodo::Slider{ends(6), {1, 0}, 0, kodo::Range{-1, 1}, 1, 2});
+    world.add(kodo::Motor{ends(8), 0, 1, 1});
+    world.add(kodo::Mouse{pieces[10], {}, {1, 4}, 3});
+    kodo::JointEnds weak = ends(11);
+    weak.breakForce = kodo::Real(0.5);
+    world.add(kodo::Pin{weak});
+}
+
+/// Everything a World can hold at once: heap, compounds, joints, fields, sensor, region.
+inline kodo::World busyWorld(const kodo::StepSettings& settings = {}) {
+    kodo::World world({.gravity = {0, -10}, .lengthUnit = kodo::Real(0.5), .settings = settings});
+    addFields(world);
+    addGround(world);
+    RandomNumbers random(11);
+    std::vector<kodo::BodyId> pieces;
+    for (int i = 0; i < 40; ++i) {
+        pieces.push_back(world.add(pieceDef(random, i)));
+    }
+    addJoints(world, pieces);
+    for (const int gone : {13, 17, 29}) {
+        world.remove(pieces[static_cast<std::size_t>(gone)]);
+    }
+    // What lies still comes to rest early; what is wanted of the region lies in it.
+    for (int i = 0; i < 3; ++i) {
+        world.add({.shape = kodo::Box{kodo::Real(0.5), kodo::Real(0.5)},
+                   .position = {20, kodo::Real(-1.75) + kodo::Real(0.5) * kodo::Real(i)}});
+    }
+    world.setRegion(kodo::Aabb{{-30, -30}, {30, 30}});
+    return world;
+}
+
+} // namespace support::inline KODO_PRECISION

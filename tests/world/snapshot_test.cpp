@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/base/bytes.hpp>
+#include <support/scenes.hpp>
+
+#include <world/snapshot_scenes.hpp>
+
+#include <cinttypes>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <tuple>
+
+namespace kodo {
+namespace {
+
+using support::busyWorld;
+using support::kDt;
+using support::ownFields;
+using support::run;
+
+using Bytes = std::vector<std::byte>;
+
+/// Of a world with these fields of the user's own.
+World reloaded(const World& world, const support::OwnFields& own = {}) {
+    return fromBytes(toBytes(world), own);
+}
+
+bool sameRecords(const World& a, const World& b) {
+    const auto same = [](const CollisionRecord& r, const CollisionRecord& s) {
+        const auto all = [](const CollisionRecord& x) {
+            return std::tuple(x.a, x.b, x.partA, x.partB, x.phase, x.pointCount, x.point.x,
+                              x.point.y, x.normal.x, x.normal.y, x.separation, x.approachSpeed,
+                              x.maxImpulse, x.totalImpulse);
+        };
+        return all(r) == all(s);
+    };
+    return std::equal(a.collisions().begin(), a.collisions().end(), b.collisions().begin(),
+                      b.collisions().end(), same);
+}
+
+/// Steps both and compares: what the engine calls the state, what it reports, and now and then
+/// every stored field of it.
+void expectToGoOnAlike(World& world, World& other, int steps) {
+    for (int i = 0; i <= steps; ++i) {
+        ASSERT_EQ(other.stateHash(), world.stateHash()) << "after " << i << " steps";
+        ASSERT_TRUE(sameRecords(other, world)) << "after " << i << " steps";
+        ASSERT_TRUE(i % 20 != 0 || toBytes(other) == toBytes(world)) << "after " << i << " steps";
+        world.step(kDt);
+        other.step(kDt);
+    }
+}
+
+StepSettings withShock() {
+    StepSettings settings = thesis2006();
+    settings.shockPasses = 3;
+    return settings;
+}
+
+// R2: snapshot and restore are bit-exact, in the air, in the thick of a heap and at rest.
+TEST(Snapshot, GoesOnAlikeFromAnyMoment) {
+    for (const StepSettings& settings : {StepSettings{}, thesis2006(), withShock()}) {
+        World world = busyWorld(settings);
+        int steps = 0;
+        for (const int moment : {0, 1, 70, 150, 400}) {
+            run(world, moment - steps);
+            steps = moment;
+            SCOPED_TRACE(testing::Message() << "strategy " << static_cast<int>(settings.strategy)
+                                            << ", saved after " << moment << " steps");
+            World original = world;
+            World loaded = reloaded(world, ownFields());
+            expectToGoOnAlike(original, loaded, 300);
+        }
+    }
+}
+
+// The scene is worth its name: a snapshot of it holds something of everything.
+TEST(Snapshot, TheBusyWorldHasEverything) {
+    World world = busyWorld();
+    std::size_t broken = 0;
+    for (int i = 0; i < 150; ++i) {
+        world.step(kDt);
+        broken += world.brokenJoints().size();
+    }
+    Flags met = 0;
+    std::size_t resting = 0;
+    for (const BodyId id : world.bodies()) {
+        met |= world[id].flags();
+        resting += (world[id].flags() & kResting) != 0 ? 1 : 0;
+    }
+    EXPECT_EQ(met & (kResting | kColliding | kOutside), kResting | kColliding | kOutside);
+    EXPECT_GE(resting, 3u);
+    EXPECT_GT(world.collisions().size(), 20u);
+    EXPECT_EQ(world.joints().size() + broken, 7u);
+    EXPECT_EQ(broken, 1u);
+}
+
+// Between two steps everything may be changed; what has been is part of the snapshot.
+TEST(Snapshot, HoldsWhatWasChangedSinceTheLastStep) {
+    support::RandomNumbers random(5); // fixed: a failure is repeatable
+    World world = busyWorld();
+    for (int round = 0; round < 60; ++round) {
+        SCOPED_TRACE(round);
+        run(world, 5);
+        for (int change = 0; change < 3; ++change) {
+            const std::vector<BodyId> bodies = world.bodies();
+            const BodyId id = bodies[8 + random.below(bodies.size() - 8)];
+            switch (random.below(7)) {
+            case 0:
+                world.remove(id);
+                break;
+            case 1:
+                world.add(support::pieceDef(random, static_cast<int>(random.below(40))));
+                break;
+            case 2:
+                world[id].applyForce(random.point(50));
+                break;
+            case 3:
+                world[id].setMaterial(support::slippery());
+                break;
+            case 4:
+                world.weld(bodies[8], Circle{Real(0.25), random.point(0.5)}, {}, 1);
+                break;
+            case 5:
+                world[id].setPosition(random.point(5));
+                break;
+            default:
+                world.clone(id, random.point(5));
+            }
+        }
+        World original = world;
+        World loaded = reloaded(world, ownFields());
+        ASSERT_TRUE(toBytes(loaded) == toBytes(world));
+        expectToGoOnAlike(original, loaded, 3);
+    }
+}
+
+// W1: names given out after loading are those that the original gives out.
+TEST(Snapshot, IdsAreReusedAlike) {
+    support::RandomNumbers random(3); // fixed: a failure is repeatable
+    World world = busyWorld();
+    for (int i = 0; i < 12; ++i) {
+        world.remove(world.bodies()[10 + random.below(20)]);
+        world.remove(world.joints().empty() ? world.add(Mouse{world.bodies()[12]})
+                                            : world.joints().front());
+    }
+    World loaded = reloaded(world, ownFields());
+    for (int i = 0; i < 30; ++i) {
+        const BodyDef def = support::pieceDef(random, i);
+        const BodyId id = world.add(def);
+        ASSERT_EQ(loaded.add(def), id);
+        const JointDef hand = Mouse{id};
+        ASSERT_EQ(loaded.add(hand), world.add(hand));
+        if (i % 3 == 0) {
+            world.remove(id);
+            loaded.remove(id);
+        }
+    }
+    EXPECT_EQ(loaded.stateHash(), world.stateHash());
+}
+
+TEST(Snapshot, FormsThatAreSharedStayShared) {
+    World world;
+    Compound many;
+    for (int i = 0; i < 100; ++i) {
+        many.parts.emplace_back(Circle{1, {static_cast<Real>(i), 0}});
+    }
+    const BodyId first = world.add({.shape = many});
+    const std::size_t one = toBytes(world).size();
+    const BodyId second = world.clone(first, {0, 10});
+    // Two bounds for each part, and no second list of parts, each of which takes 8 numbers.
+    EXPECT_LT(toBytes(world).size() - one, std::size_t{100} * (8 + 2) * sizeof(Real));
+    const World loaded = reloaded(world);
+    EXPECT_EQ(&loaded[first].part(7), &loaded[second].part(7));
+    EXPECT_EQ(loaded[second].mass(), world[second].mass());
+}
+
+TEST(Snapshot, HoldsSettingsRegionAndTheResultsOfTheLastStep) {
+    World world = busyWorld();
+    while (world.brokenJoints().empty()) {
+        world.step(kDt);
+    }
+    StepSettings settings = world.settings();
+    settings.substeps = 7;
+    world.setSettings(settings);
+    const World loaded = reloaded(world, ownFields());
+    EXPECT_EQ(loaded.settings(), settings);
+    EXPECT_EQ(loaded.tolerances().slop, world.tolerances().slop);
+    EXPECT_EQ(loaded.tolerances().grown, world.tolerances().grown);
+    EXPECT_EQ(loaded.region(), world.region());
+    EXPECT_EQ(loaded.stepCount(), world.stepCount());
+    EXPECT_EQ(loaded.bodies(), world.bodies());
+    EXPECT_EQ(loaded.bodyCount(), world.bodyCount());
+    EXPECT_EQ(loaded.joints(), world.joints());
+    EXPECT_EQ(loaded.contactVisits(), world.contactVisits());
+    ASSERT_EQ(loaded.brokenJoints().size(), 1u);
+    EXPECT_EQ(loaded.brokenJoints()[0].id, world.brokenJoints()[0].id);
+    EXPECT_EQ(loaded.brokenJoints()[0].force, world.brokenJoints()[0].force);
+    for (const JointId id : world.joints()) {
+        EXPECT_EQ(loaded.jointForce(id), world.jointForce(id));
+        EXPECT_EQ(loaded.jointTorque(id), world.jointTorque(id));
+    }
+    for (const BodyId id : world.bodies()) {
+        EXPECT_EQ(loaded[id].userData(), world[id].userData());
+        EXPECT_EQ(loaded[id].flags(), world[id].flags());
+    }
+}
+
+// Zeros keep their sign, and what is not a number stays that.
+TEST(Snapshot, KeepsEveryBitOfANumber) {
+    const Real nan = std::numeric_limits<Real>::quiet_NaN();
+    World world;
+    const BodyId ball = world.add(support::ballDef({}, 1));
+    world[ball].setVelocity({-Real(0), 0});
+    world.addField({std::make_shared<Gravity>(Vec2{nan, -Real(0)})});
+    World loaded = reloaded(world);
+    EXPECT_TRUE(std::signbit(loaded[ball].velocity().x));
+    EXPECT_FALSE(std::signbit(loaded[ball].velocity().y));
+    const auto* gravity = dynamic_cast<const Gravity*>(loaded.fields()[0].field.get());
+    ASSERT_NE(gravity, nullptr);
+    EXPECT_TRUE(std::isnan(gravity->acceleration().x));
+    EXPECT_TRUE(std::signbit(gravity->acceleration().y));
+    loaded.step(kDt); // and that freezes the ball
+    world.step(kDt);
+    ASSERT_EQ(world.frozenBodies().size(), 1u);
+    World again = reloaded(world);
+    EXPECT_EQ(std::vector(again.frozenBodies().begin(), again.frozenBodies().end()),
+              std::vector<BodyId>{ball});
+    expectToGoOnAlike(world, again, 3);
+}
+
+// Another process goes on as this one does.
+TEST(Snapshot, AnotherProcessGoesOnAlike) {
+    World world = busyWorld();
+    run(world, 100);
+    const Bytes bytes = toBytes(world);
+    const std::string path = testing::TempDir() + "kodo_snapshot_" + std::to_string(sizeof(Real));
+    std::ofstream file(path, std::ios::binary);
+    for (const std::byte byte : bytes) {
+        file.put(static_cast<char>(byte));
+    }
+    file.close();
+    run(world, 200);
+    char expected[18];
+    std::snprintf(expected, sizeof expected, "%016" PRIx64 "\n", world.stateHash());
+
+    std::FILE* other = popen(("'" KODO_CONTINUE_SNAPSHOT "' '" + path + "' 200").c_str(), "r");
+    ASSERT_NE(other, nullptr);
+    char printed[64] = "";
+    EXPECT_NE(std::fgets(printed, sizeof printed, other), nullptr);
+    EXPECT_EQ(pclose(other), 0);
+    EXPECT_STREQ(printed, expected);
+    std::remove(path.c_str());
+}
+
+/// Few bodies, and something in each list, but nothing that a solver has to compute: a body flies
+/// through a sensor, two rest side by side, two hang together.
+World fixedWorld() {
+    World world({.settings = {.substeps = 2, .restSteps = 3}});
+    world.addField({std::make_shared<Drag>(DragLaw{Real(0.25), Real(0.5)}), {kMatchAny, 1}});
+    world.add({.shape = Circle{1}, .flags = kLocked | kSensor});
+    world.add({.shape = Compound{{Box{1, 1}, Point{{Real(0.5), 0}}}},
+               .velocity = {Real(0.5), 0},
+               .userData = 7});
+    world.add(support::boxDef({0, 10}, 1, 1));
+    world.add(support::boxDef({1, 10}, 1, 1));
+    const BodyId left = world.add(support::ballDef({5, 0}, Real(0.5)));
+    const BodyId right = world.add(support::ballDef({7, 0}, Real(0.5)));
+    world.add(Spring{{left, right}, 2, 2});
+    world.remove(world.add({.shape = Polygon{{{0, 0}, {1, 0}, {0, 1}}}, .position = {5, 5}}));
+    world.setRegion(Aabb{{-16, -16}, {16, 16}});
+    run(world, 6, Real(1) / 64);
+    return world;
+}
+
+// The bytes are the same on every machine, and no change of the format goes unnoticed: whoever
+// makes one raises kFormat in world/snapshot.cpp.
+TEST(Snapshot, TheBytesOfAFixedWorldAreThoseOfThisFormat) {
+    const World world = fixedWorld();
+    ASSERT_EQ(world.collisions().size(), 2u); // of the two parts with the sensor
+    ASSERT_NE(world[world.bodies()[3]].flags() & kResting, 0u);
+    const Bytes bytes = toBytes(world);
+    const bool isFloat = sizeof(Real) == 4;
+    EXPECT_EQ(bytes.size(), isFloat ? 1996u : 3432u);
+    EXPECT_EQ(checksumOf(bytes), isFloat ? 0x256815e9352c9839u : 0x0039bb14be37a473u)
+        << std::hex << checksumOf(bytes);
+}
+
+} // namespace
+} // namespace kodo
