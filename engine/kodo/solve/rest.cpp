@@ -18,6 +18,19 @@ bool isQuiet(const Motion& motion, const Acceleration& acceleration, const Mass&
                mass.inertia * gained * gained;
 }
 
+/// Adds a contact to those of an island, in the order of keys. One that is there already is from
+/// before a neighbour woke.
+void keep(std::vector<Contact>& held, const Contact& contact) {
+    const auto place =
+        std::lower_bound(held.begin(), held.end(), contact,
+                         [](const Contact& a, const Contact& b) { return a.key < b.key; });
+    if (place != held.end() && place->key == contact.key) {
+        *place = contact;
+    } else {
+        held.insert(place, contact);
+    }
+}
+
 /// Has any point of the body moved farther than that since `since`?
 bool crept(const Transform& pose, const Transform& since, Real reach, Real distance) {
     const Rot turn = pose.rotation * since.rotation.inverse();
@@ -221,7 +234,7 @@ void RestStage::settle(Bodies& bodies, ContactSet& contacts, const JointSet& joi
     for (const Contact& contact : contacts.takeIdle(bodies)) {
         const std::uint32_t a = bodies.rest[contact.key.bodyA].island;
         const std::uint32_t island = a != kNone ? a : bodies.rest[contact.key.bodyB].island;
-        (island != kNone ? islands_[island].contacts : ending).push_back(contact);
+        keep(island != kNone ? islands_[island].contacts : ending, contact);
     }
     contacts.putBack(ending);
     bodies.awakeStale = true;
