@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/contacts/contact_set.hpp>
+#include <kodo/contacts/contact_report.hpp>
 
 #include <gtest/gtest.h>
 

@@ -88,7 +88,7 @@ TEST(Overlap, AThousandBodiesOnOnePointDoNotBurst) {
         SCOPED_TRACE(kind.name);
         World world = crowd(1000, kind.shape, Strategy::SoftStep);
         Real most = 0;
-        for (int i = 0; i < 6; ++i) {
+        for (int i = 0; i < 12; ++i) {
             world.step(support::kDt);
             most = std::max(most, fastest(world));
         }

@@ -60,6 +60,26 @@ TEST(IdleContact, ABodyMayFreezeOnTheFloorWhileAnotherComesToRest) {
     EXPECT_NO_THROW(support::run(world, 10));
 }
 
+// Two boxes whose gap is wider than what touches (1/256 m), but narrower than what contacts are
+// kept ready for (1/64 m). Whenever one woke and came to rest again, the other's island kept their
+// contact once more, and gave all of them back when it woke.
+TEST(IdleContact, IsKeptOnceHoweverOftenANeighbourWakes) {
+    World world({.gravity = support::kEarth});
+    support::addFloor(world);
+    const BodyId still = world.add(boxDef({0, Real(0.5)}, 1, 1));
+    const BodyId woken = world.add(boxDef({Real(1.01), Real(0.5)}, 1, 1));
+    std::vector<std::size_t> sizes;
+    for (int cycle = 0; cycle < 4; ++cycle) {
+        world[woken].applyForce({0, -1});
+        support::run(world, 100);
+        for (const BodyId id : {still, woken}) {
+            ASSERT_NE(world[id].flags() & kResting, 0u) << cycle;
+        }
+        sizes.push_back(toBytes(world).size());
+    }
+    EXPECT_EQ(sizes, std::vector<std::size_t>(sizes.size(), sizes[0]));
+}
+
 // Another form or material is no way out: it stands as if locked until a velocity is set.
 TEST(Frozen, StaysAsIfLockedWhenItsMaterialChanges) {
     World world;

@@ -108,33 +108,41 @@ void ContactSet::partRemoved(std::uint32_t body, std::size_t part) {
     stale_ = true;
 }
 
-std::vector<Contact> ContactSet::takeIdle(const Bodies& bodies) {
-    std::vector<Contact> idle;
+std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies) {
+    idle_.clear();
     eraseIf([&](const Contact& contact) {
         const bool gone = !bodies.active(contact.key.bodyA) && !bodies.active(contact.key.bodyB);
         if (gone) {
-            idle.push_back(contact);
+            idle_.push_back(contact);
         }
         return gone;
     });
-    return idle;
+    return idle_;
 }
 
 void ContactSet::putBack(std::span<const Contact> contacts) {
     const auto keyOf = [&](const Place& place) { return contacts_[place.slot].key; };
-    const std::size_t old = order_.size();
     for (const Contact& contact : contacts) {
-        const auto end = order_.begin() + static_cast<std::ptrdiff_t>(old);
         const auto place = std::lower_bound(
-            order_.begin(), end, contact.key,
+            order_.begin(), order_.end(), contact.key,
             [&](const Place& at, const ContactKey& key) { return keyOf(at) < key; });
-        if (place == end || keyOf(*place) != contact.key) {
-            order_.push_back({{}, static_cast<std::uint32_t>(contacts_.size())});
+        if (place == order_.end() || keyOf(*place) != contact.key) {
             contacts_.push_back(contact);
         }
     }
+    orderContacts();
+}
+
+/// Makes the order anew from the contacts.
+void ContactSet::orderContacts() {
+    order_.resize(contacts_.size());
+    for (std::uint32_t slot = 0; slot < order_.size(); ++slot) {
+        order_[slot].slot = slot;
+    }
     std::sort(order_.begin(), order_.end(), // total order: keys are unique
-              [&](const Place& a, const Place& b) { return keyOf(a) < keyOf(b); });
+              [&](const Place& a, const Place& b) {
+                  return contacts_[a.slot].key < contacts_[b.slot].key;
+              });
     renewPlaces();
 }
 

@@ -27,8 +27,9 @@ public:
     /// Some body fell asleep, woke up, or a locked one began or ceased to move.
     void activityChanged() { pairsStale_ = true; }
 
-    /// Takes out the contacts between bodies that take no part in a step, in order.
-    std::vector<Contact> takeIdle(const Bodies& bodies);
+    /// Takes out the contacts between bodies that take no part in a step, in order. Valid until the
+    /// next call.
+    std::span<const Contact> takeIdle(const Bodies& bodies);
     /// Puts contacts back that takeIdle once gave. One that is in the list by now stays as it is.
     void putBack(std::span<const Contact> contacts);
 
@@ -76,6 +77,7 @@ private:
 
     void rebuildProxies(const Bodies& bodies);
     void renew(const Bodies& bodies, const Tolerances& tolerances);
+    void orderContacts();
     void renewPlaces();
     void outgrow(std::size_t proxy, const Aabb& bounds);
     const Convex& outline(const Bodies& bodies, std::size_t proxy) const;
@@ -103,6 +105,7 @@ private:
     std::vector<std::uint32_t> holes_; // slots whose contact is gone, while merging
     std::vector<std::uint32_t> added_; // places in the order whose contact is new, while merging
     std::vector<std::uint32_t> slots_; // where the contacts of the last slots went
+    std::vector<Contact> idle_;        // that takeIdle gave
     std::vector<CollisionRecord> ended_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> apart_;
     bool stale_ = true;

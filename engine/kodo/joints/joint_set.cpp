@@ -191,23 +191,6 @@ void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
     }
 }
 
-void JointSet::takeOut(Bodies& bodies, const JointPass& pass, std::span<Motion> from) {
-    for (const std::uint32_t index : live_) {
-        Joint& joint = joints_[index];
-        if (idle(bodies, joint.def)) {
-            continue;
-        }
-        Motion hand; // of a mouse, which has one body only
-        const std::uint32_t first = firstBody(joint.def).index;
-        Motion& b = from[secondBody(joint.def).index];
-        Motion& a = &from[first] == &b ? hand : from[first];
-        forConstraints(joint, bodies, pass,
-                       [&](const JointFrame&, const auto& constraint, auto& impulse, Relax) {
-                           constraint.push(a, b, -impulse);
-                       });
-    }
-}
-
 void JointSet::solve(Bodies& bodies, const JointPass& pass) {
     for (const std::uint32_t index : live_) {
         Joint& joint = joints_[index];

@@ -51,8 +51,6 @@ public:
     void beginStep();
     void warmStart(Bodies& bodies, const JointPass& pass);
     void solve(Bodies& bodies, const JointPass& pass);
-    /// Subtracts from these velocities, by body, what the impulses so far have given them.
-    void takeOut(Bodies& bodies, const JointPass& pass, std::span<Motion> from);
     /// Finds the loads of a step of dt and breaks what is overloaded.
     std::span<const BrokenJoint> endStep(Real dt);
 

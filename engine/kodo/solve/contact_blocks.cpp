@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/base/refill.hpp>
 #include <kodo/solve/contact_blocks.hpp>
 
 #include <algorithm>
@@ -87,7 +88,7 @@ void ContactBlocks::placeRows(std::span<const Contact> contacts) {
     }
     const std::size_t blocks = slot / ContactBlock::kContacts;
     blocks_.resize(blocks);
-    use_.assign(blocks, {});
+    refill(use_, blocks, BlockUse{});
     for (Row& row : rows_) {
         const std::uint32_t group = row.slot / 2;
         const bool single = group == kFreeColours || group == kGroups - 1;
@@ -137,6 +138,10 @@ void ContactBlocks::fill(const Bodies& bodies, const Contact& contact, std::uint
     block.normalY[lane] = n.y;
     const auto setPoint = [&](std::size_t i) {
         const ManifoldPoint& p = manifold.points[i];
+        if (isBlocked(a, p.armA, b, p.armB, n)) {
+            writePoint(block.points[i], lane, {.separation = p.separation});
+            return;
+        }
         const Real leverA = cross(p.armA, n);
         const Real leverB = cross(p.armB, n);
         writePoint(block.points[i], lane,

@@ -26,6 +26,19 @@ Real energyOfForces(const Acceleration& acceleration, const Mass& mass, Real dt)
     return (mass.mass * v * v + mass.inertia * w * w) / 2;
 }
 
+/// Adds a contact to those of an island, in the order of keys. One that is there already is from
+/// before a neighbour woke.
+void keep(std::vector<Contact>& held, const Contact& contact) {
+    const auto place =
+        std::lower_bound(held.begin(), held.end(), contact,
+                         [](const Contact& a, const Contact& b) { return a.key < b.key; });
+    if (place != held.end() && place->key == contact.key) {
+        *place = contact;
+    } else {
+        held.insert(place, contact);
+    }
+}
+
 /// Has any point of the body moved farther than that since `since`?
 bool crept(const Transform& pose, const Transform& since, Real reach, Real distance) {
     const Rot turn = pose.rotation * since.rotation.inverse();
@@ -291,11 +304,8 @@ void RestStage::settle(Bodies& bodies, ContactSet& contacts, const JointSet& joi
     for (const Contact& contact : contacts.takeIdle(bodies)) {
         const std::uint32_t a = bodies.rest[contact.key.bodyA].island;
         const std::uint32_t island = a != kNone ? a : bodies.rest[contact.key.bodyB].island;
-        if (island != kNone) {
-            islands_[island].contacts.push_back(contact);
-        } else {
-            standing_.push_back(contact); // of what froze in this step; its end is yet to be told
-        }
+        // What froze in this step neither rests nor takes part; its end is yet to be told.
+        keep(island != kNone ? islands_[island].contacts : standing_, contact);
     }
     contacts.putBack(standing_);
     bodies.awakeStale = true;

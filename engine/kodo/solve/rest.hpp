@@ -71,9 +71,9 @@ private:
 
     std::vector<Island> islands_;
     std::size_t restingIslands_ = 0;
-    std::vector<std::uint32_t> parent_;                            // union-find over body indices
-    std::vector<std::uint32_t> leastCalm_;                         // by root
-    std::vector<std::uint32_t> supports_; // points that each body touches something with
+    std::vector<std::uint32_t> parent_;    // union-find over body indices
+    std::vector<std::uint32_t> leastCalm_; // by root
+    std::vector<std::uint32_t> supports_;  // points that each body touches something with
     std::vector<std::pair<std::uint32_t, std::uint32_t>> resting_; // root and body
     std::vector<std::uint32_t> members_;                           // of one island
     std::vector<Contact> standing_; // of bodies that neither rest nor take part

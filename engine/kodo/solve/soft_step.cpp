@@ -55,25 +55,55 @@ void SoftStep::collect(const Bodies& bodies, std::span<const Contact> contacts,
     }
 }
 
-void SoftStep::beginSubstep(Bodies& bodies, Real h) {
-    integrateVelocities(bodies, h);
-    for (const std::uint32_t i : bodies.awake) {
-        Motion& motion = bodies.motion[i];
-        before_[i] = {motion.velocity, motion.angularVelocity};
-        motion.velocity += gained_[i].velocity;
-        motion.angularVelocity += gained_[i].angularVelocity;
+/// Lists the bodies of joints, each once.
+void SoftStep::findJointed(const JointSet& joints) {
+    jointed_.clear();
+    joints.forEach([&](const JointSet::Joint& joint) {
+        jointed_.push_back(firstBody(joint.def).index);
+        jointed_.push_back(secondBody(joint.def).index);
+    });
+    std::sort(jointed_.begin(), jointed_.end()); // total order: equal numbers are the same
+    jointed_.erase(std::unique(jointed_.begin(), jointed_.end()), jointed_.end());
+    fromJoints_.resize(jointed_.size());
+    beforeJoints_.resize(jointed_.size());
+}
+
+/// Runs a pass over the joints and adds up what it gives to their bodies.
+template <typename Pass>
+void SoftStep::passJoints(const Bodies& bodies, Pass pass) {
+    for (std::size_t k = 0; k < jointed_.size(); ++k) {
+        beforeJoints_[k] = velocityOf(bodies.motion[jointed_[k]]);
+    }
+    pass();
+    for (std::size_t k = 0; k < jointed_.size(); ++k) {
+        const Velocity after = velocityOf(bodies.motion[jointed_[k]]);
+        fromJoints_[k].linear += after.linear - beforeJoints_[k].linear;
+        fromJoints_[k].angular += after.angular - beforeJoints_[k].angular;
     }
 }
 
-/// The arms of joints do turn within a step, so their share is taken out again, and put back by
-/// their own warm start.
-void SoftStep::endSubstep(Bodies& bodies, JointSet& joints, const JointPass& pass) {
+void SoftStep::beginSubstep(Bodies& bodies, Real h) {
+    std::fill(fromJoints_.begin(), fromJoints_.end(), Velocity{});
+    integrateVelocities(bodies, h);
     for (const std::uint32_t i : bodies.awake) {
-        const Motion& motion = bodies.motion[i];
-        gained_[i].velocity = motion.velocity - before_[i].linear;
-        gained_[i].angularVelocity = motion.angularVelocity - before_[i].angular;
+        Motion& motion = bodies.motion[i];
+        before_[i] = velocityOf(motion);
+        motion.velocity += gained_[i].linear;
+        motion.angularVelocity += gained_[i].angular;
     }
-    joints.takeOut(bodies, pass, gained_);
+}
+
+/// What the contacts gave is what the joints did not: the arms of these do turn within a step, so
+/// they start from their own impulses.
+void SoftStep::endSubstep(const Bodies& bodies) {
+    for (const std::uint32_t i : bodies.awake) {
+        const Velocity now = velocityOf(bodies.motion[i]);
+        gained_[i] = {now.linear - before_[i].linear, now.angular - before_[i].angular};
+    }
+    for (std::size_t k = 0; k < jointed_.size(); ++k) {
+        gained_[jointed_[k]].linear -= fromJoints_[k].linear;
+        gained_[jointed_[k]].angular -= fromJoints_[k].angular;
+    }
 }
 
 void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints,
@@ -86,8 +116,6 @@ void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& join
     gained_.resize(bodies.size());
     for (const std::uint32_t i : bodies.awake) {
         gained_[i] = {};
-        gained_[i].invMass = bodies.motion[i].invMass;
-        gained_[i].invInertia = bodies.motion[i].invInertia;
     }
     const Real h = dt / static_cast<Real>(settings.substeps);
     const Real hertz = std::min(settings.contactHertz, Real(0.25) / h);
@@ -99,20 +127,21 @@ void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& join
     JointPass jointPass{
         h, Softness::from(std::min(settings.jointHertz, Real(0.25) / h), settings.jointDamping, h)};
     joints.beginStep();
+    findJointed(joints);
     for (int substep = 0; substep < settings.substeps; ++substep) {
         beginSubstep(bodies, h);
-        joints.warmStart(bodies, jointPass);
+        passJoints(bodies, [&] { joints.warmStart(bodies, jointPass); });
         if (substep == 0) {
             passes.warmStart(pass);
         }
         jointPass.biased = true;
-        joints.solve(bodies, jointPass);
+        passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
         passes.solve(pass);
         integrateMoves(bodies, held_, h);
         jointPass.biased = false;
-        joints.solve(bodies, jointPass);
+        passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
         passes.relax(pass);
-        endSubstep(bodies, joints, jointPass);
+        endSubstep(bodies);
     }
     blocks_.store(contacts);
 }

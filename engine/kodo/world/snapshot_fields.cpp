@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <typeinfo>
 #include <utility>
 
@@ -116,8 +117,8 @@ void SnapshotFields::one(IdPool& pool) {
 }
 
 void SnapshotFields::one(Bodies& bodies) {
-    auto& [ids, motion, pose, acceleration, extent, travel, record, rest, awake, awakeStale] =
-        bodies;
+    auto& [ids, motion, pose, acceleration, extent, travel, record, rest, awake, awakeStale,
+           turns] = bodies;
     one(ids);
     if (reads()) {
         const std::size_t count = ids.capacity();
@@ -249,8 +250,9 @@ void SnapshotFields::completeContact(Contact& contact, const Bodies& bodies) {
 /// bodies. Those that are to be found anew are written too, as zeros: the bytes then say how many
 /// there must be.
 void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
-    auto& [proxies, firstProxy, tight, grown, pairs, sortAndSweep, seams, contacts, previous, ended,
-           apart, stale, pairsStale] = set;
+    // The way pairs are found changes what that costs and not what is found, so it begins anew.
+    auto& [proxies, firstProxy, tight, grown, moved, isMoved, pairs, finder, seams, contacts, order,
+           newOrder, holes, added, slots, idle, ended, apart, stale, pairsStale] = set;
     if (!reads() && stale) {
         set.rebuildProxies(bodies);
     }
@@ -270,15 +272,18 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
     grown = std::move(grownAsRead);
     for (Contact& contact : contacts) {
         completeContact(contact, bodies);
-        contact.proxyA = firstProxy[contact.key.bodyA] + contact.key.partA;
-        contact.proxyB = firstProxy[contact.key.bodyB] + contact.key.partB;
     }
-    const auto before = [](const Contact& a, const Contact& b) { return a.key < b.key; };
-    require(std::is_sorted(contacts.begin(), contacts.end(), before), "contacts are out of order");
+    set.orderContacts();
+    const auto before = [&](const auto& a, const auto& b) {
+        return contacts[a.slot].key < contacts[b.slot].key;
+    };
+    require(std::adjacent_find(order.begin(), order.end(), std::not_fn(before)) == order.end(),
+            "a contact is there twice");
 }
 
 void SnapshotFields::rest(RestStage& stage, Bodies& bodies) {
-    auto& [islands, restingIslands, parent, leastCalm] = stage;
+    auto& [islands, restingIslands, parent, leastCalm, supports, resting, members, standing] =
+        stage;
     all(islands);
     if (!reads()) {
         return;
@@ -328,6 +333,7 @@ void SnapshotFields::world(World& world) {
            contactVisits, sweep, rest, joints, broken, frozen, region, records, colliding,
            lastForm] = world;
     all(settings, tolerances, stepCount);
+    bodies.turns = settings.has(Feature::Rotation);
     forms(world);
     all(bodies, lastForm, fields);
     require(ownFields_.empty(), "more force fields were given than it holds of your own");

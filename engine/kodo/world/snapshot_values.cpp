@@ -65,8 +65,8 @@ void SnapshotFields::one(BodyRecord& record) {
 }
 
 void SnapshotFields::one(RestState& rest) {
-    auto& [calmSteps, island, since] = rest;
-    all(calmSteps, since);
+    auto& [calmSteps, island, since, leastEnergy] = rest;
+    all(calmSteps, since, leastEnergy);
 }
 
 void SnapshotFields::one(DragLaw& law) {
@@ -108,10 +108,10 @@ void SnapshotFields::one(PointImpulse& impulse) {
 
 void SnapshotFields::one(Contact& contact) {
     auto& [key, a, b, proxyA, proxyB, material, centerA, manifold, travelA, travelB, impulse,
-           friction, rolling, approachSpeed, total, carried, sensor, passing, hidden, touching,
-           wasTouching] = contact;
+           friction, rolling, approachSpeed, total, near, carried, sensor, passing, hidden,
+           touching, wasTouching] = contact;
     all(key, centerA, manifold, travelA, travelB, impulse, friction, rolling, approachSpeed, total);
-    all(carried, passing, hidden, touching, wasTouching);
+    all(near, carried, passing, hidden, touching, wasTouching);
 }
 
 void SnapshotFields::one(CollisionRecord& record) {
@@ -170,7 +170,7 @@ void SnapshotFields::one(Mouse& mouse) {
 
 /// The sums of a step begin anew in the next.
 void SnapshotFields::one(JointSet::Joint& joint) {
-    auto& [def, point, axes, pushSum, turnSum, force, torque] = joint;
+    auto& [def, point, axes, pushSum, turnSum, force, torque, solved] = joint;
     all(def, point, axes, force, torque);
 }
 

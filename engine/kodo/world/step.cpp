@@ -93,6 +93,14 @@ void World::freezeUnsoundMotion() {
         }
     }
     if (frozen_.size() > before) {
+        for (Motion& motion : bodies_.motion) { // of what stands too: 0 times infinity is no number
+            if (!isSound(motion)) {
+                motion.velocity = {};
+                motion.angularVelocity = 0;
+                motion.move = {};
+                motion.turn = 0;
+            }
+        }
         contacts_.forgetUnsoundImpulses();
     }
 }
