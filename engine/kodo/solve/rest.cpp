@@ -274,10 +274,17 @@ void RestStage::settle(Bodies& bodies, ContactSet& contacts, const JointSet& joi
             members.clear();
         }
     }
+    std::vector<Contact> others; // of a sensor that has just stopped, with something locked
     for (const Contact& contact : contacts.takeIdle(bodies)) {
         const std::uint32_t a = bodies.rest[contact.key.bodyA].island;
-        islands_[a != kNone ? a : bodies.rest[contact.key.bodyB].island].contacts.push_back(
-            contact);
+        const std::uint32_t b = bodies.rest[contact.key.bodyB].island;
+        std::vector<Contact>& home = a != kNone   ? islands_[a].contacts
+                                     : b != kNone ? islands_[b].contacts
+                                                  : others;
+        home.push_back(contact);
+    }
+    if (!others.empty()) {
+        contacts.putBack(others);
     }
     bodies.awakeStale = true;
     contacts.activityChanged();
