@@ -59,9 +59,11 @@ TEST(LeastPenetratingFace, KeepsTheLowerFaceInATie) {
 // C2: once a face is farther than the margin, no more are looked at.
 TEST(LeastPenetratingFace, StopsAtTheFirstSeparatingFace) {
     const Convex box = convexOf(Box{2, 2}, {});
-    const Transform diagonal{{10, -4}, {}}; // 2 m below the lower face, 8 m beyond the right one
-    EXPECT_EQ(leastPenetratingFace(box, box, diagonal, 0).face, 0u);
-    EXPECT_EQ(leastPenetratingFace(box, box, diagonal, 100).face, 1u);
+    const Convex tower = convexOf(Box{2, 18}, {});
+    // 0.5 m below the lower face, which looks at its middle, and 3 m beyond the right one.
+    const Transform place{{5, Real(-10.5)}, {}};
+    EXPECT_EQ(leastPenetratingFace(box, tower, place, 0).face, 0u);
+    EXPECT_EQ(leastPenetratingFace(box, tower, place, 100).face, 1u);
 }
 
 } // namespace

@@ -238,6 +238,24 @@ TEST(Sensor, DoesNotWakeWhatItSweepsOver) {
     EXPECT_EQ(s.told.ends, 1);
 }
 
+// A sensor that stops over something locked in the very step in which a body comes to rest: their
+// contact belongs to no island, and wrote out of bounds.
+TEST(Sensor, MayStopOverALockedBodyWhileAnotherComesToRest) {
+    World world({.gravity = support::kEarth});
+    support::addFloor(world);
+    const BodyId box = world.add(boxDef({20, Real(0.5)}, 1, 1));
+    BodyDef def = sensorDef({3, 0}, 4, 1);
+    def.velocity = {Real(0.1), 0};
+    const BodyId zone = world.add(def);
+    run(world, world.settings().restSteps - 1);
+    ASSERT_FALSE(rests(world, box));
+    world[zone].setVelocity({});
+    world.step(kDt);
+    EXPECT_TRUE(rests(world, box));
+    run(world, 10);
+    EXPECT_EQ(world.bodyVisits(), 0u);
+}
+
 // R9: its filter counts, as that of any body; and sensors do not notice each other, but they do
 // notice what is locked.
 TEST(Sensor, NoticesWhatItsFilterAccepts) {

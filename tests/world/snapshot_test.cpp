@@ -282,7 +282,7 @@ TEST(Snapshot, TheBytesOfAFixedWorldAreThoseOfThisFormat) {
     ASSERT_NE(world[world.bodies()[3]].flags() & kResting, 0u);
     const Bytes bytes = toBytes(world);
     const bool isFloat = sizeof(Real) == 4;
-    EXPECT_EQ(bytes.size(), isFloat ? 1996u : 3432u);
+    EXPECT_EQ(bytes.size(), isFloat ? 2023u : 3463u);
     EXPECT_EQ(checksumOf(bytes), isFloat ? 0x256815e9352c9839u : 0x0039bb14be37a473u)
         << std::hex << checksumOf(bytes);
 }

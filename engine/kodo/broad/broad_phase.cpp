@@ -28,7 +28,7 @@ void PairSorter::sort(std::vector<BoundsPair>& pairs, std::size_t count) {
             std::sort(spare_.begin() + begin, spare_.begin() + starts_[i]);
         }
     }
-    std::swap(pairs, spare_);
+    std::copy(spare_.begin(), spare_.end(), pairs.begin());
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -312,6 +312,7 @@ void ContactSet::describe(const Bodies& bodies, Contact& contact) const {
 /// gone and adds what is new. Only pairs with one whose bounds are new can be either.
 void ContactSet::mergePairs(const Bodies& bodies) {
     newOrder_.clear();
+    newOrder_.reserve(order_.capacity()); // the two take turns
     holes_.clear();
     added_.clear();
     auto pair = pairs_.begin();

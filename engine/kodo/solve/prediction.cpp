@@ -96,6 +96,7 @@ private:
             contact_.passing = false;
             return;
         }
+        contact_.near = true;
         contact_.centerA = a.position;
         contact_.manifold =
             collide(outlineA(), a, outlineB(), b, tolerances_.margin, tolerances_.slop / 8);
