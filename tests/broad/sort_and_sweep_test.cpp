@@ -12,6 +12,7 @@ using namespace bounds_scenes;
 std::vector<BoundsPair> bySweep(SortAndSweep& sweep, const std::vector<Aabb>& bounds) {
     std::vector<BoundsPair> pairs;
     sweep.pairs(bounds, AllMoved(bounds.size()), acceptAll, pairs);
+    PairSorter().sort(pairs, bounds.size());
     return pairs;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/base/refill.hpp>
 #include <kodo/broad/broad_phase.hpp>
 
 #include <algorithm>
@@ -11,7 +12,7 @@ void PairSorter::sort(std::vector<BoundsPair>& pairs, std::size_t count) {
         std::sort(pairs.begin(), pairs.end()); // total order: no two are equal
         return;
     }
-    starts_.assign(count + 1, 0);
+    refill(starts_, count + 1, 0u);
     for (const BoundsPair& pair : pairs) {
         ++starts_[pair.first + 1];
     }

@@ -3,12 +3,11 @@
 
 #include <kodo/broad/broad_phase.hpp>
 
-#include <algorithm>
-
 namespace kodo::inline KODO_PRECISION {
 
 /// Every pair of overlapping bounds, of which at least one has moved, that `accept(first, second)`
-/// lets through, in order. Tests them all, and is the fastest way while they are few.
+/// lets through, each once, in any order. Tests them all, and is the fastest way while they are
+/// few.
 template <typename Accept>
 void bruteForce(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
                 std::vector<BoundsPair>& out) {
@@ -23,7 +22,6 @@ void bruteForce(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
             }
         }
     }
-    std::sort(out.begin(), out.end()); // total order: no two are equal
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/base/refill.hpp>
 #include <kodo/broad/grid.hpp>
 
 #include <cmath>
@@ -103,7 +104,7 @@ void Grid::build(std::span<const Aabb> bounds) {
             cells += static_cast<std::size_t>(level.columns) * static_cast<std::size_t>(level.rows);
         }
     }
-    starts_.assign(cells + 1, 0);
+    refill(starts_, cells + 1, 0u);
     cellOf_.resize(bounds.size());
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         const Level& level = levels_[levelOf_[i]];

@@ -18,7 +18,7 @@ namespace kodo::inline KODO_PRECISION {
 class Grid {
 public:
     /// Every pair of overlapping bounds, of which at least one has moved, that
-    /// `accept(first, second)` lets through, in order.
+    /// `accept(first, second)` lets through, each once, in any order.
     template <typename Accept>
     void pairs(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
                std::vector<BoundsPair>& out) {
@@ -39,7 +39,6 @@ public:
                 forEachNear(level, box, meet);
             }
         }
-        sorter_.sort(out, bounds.size());
     }
 
     /// Bounds that were compared in the last call: what it had to test.
@@ -105,7 +104,6 @@ private:
     std::vector<std::uint32_t> starts_; // by cell: its first entry; one more at the end of a level
     std::vector<Entry> entries_;
     std::vector<Real> sizes_; // or centres, to find the middle one
-    PairSorter sorter_;
     std::size_t tests_ = 0;
 };
 

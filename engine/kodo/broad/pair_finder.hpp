@@ -9,7 +9,7 @@ namespace kodo::inline KODO_PRECISION {
 
 /// Finds pairs in the way that is the cheapest here: brute force while there are few bounds, else
 /// a grid or sort and sweep. From time to time the one of these that is not in use has a turn, and
-/// takes over if it needed clearly fewer tests. All of them find the same pairs, in the same order.
+/// takes over if it needed clearly fewer tests. All of them find the same pairs.
 class PairFinder {
 public:
     enum class Way : std::uint8_t { BruteForce, Grid, SortAndSweep };
@@ -17,13 +17,31 @@ public:
     // Up to here the brute force beats sorting.
     static constexpr std::size_t kBruteForceLimit = 32;
 
+    /// Every pair of overlapping bounds, of which at least one has moved, that
+    /// `accept(first, second)` lets through, in order.
     template <typename Accept>
     void pairs(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
                std::vector<BoundsPair>& out) {
         if (bounds.size() <= kBruteForceLimit) {
             bruteForce(bounds, moved, accept, out);
-            return;
+        } else {
+            search(bounds, moved, accept, out);
         }
+        sorter_.sort(out, bounds.size());
+    }
+
+    /// Of the last call with that many bounds.
+    Way way(std::size_t count) const { return count <= kBruteForceLimit ? Way::BruteForce : way_; }
+
+private:
+    static constexpr std::uint32_t kTrialInterval = 64;
+    // What sorting one of the bounds in costs, in tests.
+    static constexpr std::size_t kGridCost = 8;
+    static constexpr std::size_t kSweepCost = 4;
+
+    template <typename Accept>
+    void search(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
+                std::vector<BoundsPair>& out) {
         const bool trial = ++calls_ % kTrialInterval == 0;
         if ((way_ == Way::Grid) != trial) {
             grid_.pairs(bounds, moved, accept, out);
@@ -37,15 +55,6 @@ public:
         }
     }
 
-    /// Of the last call with that many bounds.
-    Way way(std::size_t count) const { return count <= kBruteForceLimit ? Way::BruteForce : way_; }
-
-private:
-    static constexpr std::uint32_t kTrialInterval = 64;
-    // What sorting one of the bounds in costs, in tests.
-    static constexpr std::size_t kGridCost = 8;
-    static constexpr std::size_t kSweepCost = 4;
-
     void compareCosts() {
         const bool swap =
             way_ == Way::Grid ? sweepCost_ * 5 < gridCost_ * 4 : gridCost_ * 5 < sweepCost_ * 4;
@@ -56,6 +65,7 @@ private:
 
     Grid grid_;
     SortAndSweep sweep_;
+    PairSorter sorter_;
     Way way_ = Way::Grid;
     std::uint32_t calls_ = 0;
     std::size_t gridCost_ = 0;

@@ -15,7 +15,7 @@ namespace kodo::inline KODO_PRECISION {
 class SortAndSweep {
 public:
     /// Every pair of overlapping bounds, of which at least one has moved, that
-    /// `accept(first, second)` lets through, in order.
+    /// `accept(first, second)` lets through, each once, in any order.
     template <typename Accept>
     void pairs(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
                std::vector<BoundsPair>& out) {
@@ -35,7 +35,6 @@ public:
                 }
             }
         }
-        sorter_.sort(out, bounds.size());
     }
 
     /// Pairs whose projections overlapped in the last call: what it had to test.
@@ -54,7 +53,6 @@ private:
 
     std::vector<Entry> entries_;
     std::vector<bool> cells_;
-    PairSorter sorter_;
     std::size_t tests_ = 0;
     std::uint32_t calls_ = 0;
     bool alongX_ = true;

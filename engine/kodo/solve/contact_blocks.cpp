@@ -87,6 +87,10 @@ void ContactBlocks::placeRows(std::span<const Contact> contacts) {
                ContactBlock::kContacts;
     }
     const std::size_t blocks = slot / ContactBlock::kContacts;
+    // For as many as the rows there is room for may need, in the colours of a pile.
+    constexpr std::size_t kColoursOfPile = 16;
+    blocks_.reserve(rows_.capacity() / ContactBlock::kContacts + kColoursOfPile);
+    use_.reserve(blocks_.capacity());
     blocks_.resize(blocks);
     refill(use_, blocks, BlockUse{});
     for (Row& row : rows_) {
