@@ -42,8 +42,10 @@ bool immovable(const Motion& motion) {
 } // namespace
 
 void ContactBlocks::clear(const Bodies& bodies) {
+    if (!rows_.empty()) {
+        counts_.fill(0);
+    }
     rows_.clear();
-    counts_.fill(0);
     colours_.resize(bodies.size());
     for (const std::uint32_t body : bodies.awake) {
         colours_[body] = 0;
@@ -108,8 +110,12 @@ void ContactBlocks::placeRows(std::span<const Contact> contacts) {
 
 void ContactBlocks::arrange(const Bodies& bodies, std::span<const Contact> contacts,
                             std::span<const std::uint16_t> crowd, Real pushSpeed, bool rolling) {
-    placeRows(contacts);
     rolling_.clear();
+    if (rows_.empty()) {
+        blocks_.clear();
+        return;
+    }
+    placeRows(contacts);
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
         if (use_[i].contacts < ContactBlock::kContacts) {
             blocks_[i] = {};

@@ -22,6 +22,34 @@ const Convex& outline(const Bodies& bodies, std::uint32_t body, std::uint16_t pa
     return bodies.form(body).parts[part].convex;
 }
 
+/// How far a body goes at most as seen from a locked one, which nothing stops: what lies still on a
+/// turning floor goes nowhere.
+Real motionSeenFrom(const Bodies& bodies, std::uint32_t locked, std::uint32_t other, Real reach) {
+    const Motion& floor = bodies.motion[locked];
+    const Motion& motion = bodies.motion[other];
+    const Vec2 arm = bodies.pose[other].position - bodies.pose[locked].position;
+    const Vec2 carried = floor.move + cross(floor.turn, arm);
+    const Real bend = floor.turn * floor.turn / 2 * length(arm); // what a chord leaves of an arc
+    return length(motion.move - carried) + bend + std::abs(motion.turn - floor.turn) * reach;
+}
+
+/// How far the outlines of a pair go at most towards each other within the step. Of two that can be
+/// pushed it is not their relative motion, since one of them may be stopped by something else.
+Real motionOf(const Bodies& bodies, const Contact& contact) {
+    const auto [bodyA, partA, bodyB, partB] = contact.key;
+    const Real reachA = outline(bodies, bodyA, partA).reach;
+    const Real reachB = outline(bodies, bodyB, partB).reach;
+    if (bodies.locked(bodyA)) {
+        return motionSeenFrom(bodies, bodyA, bodyB, reachB);
+    }
+    if (bodies.locked(bodyB)) {
+        return motionSeenFrom(bodies, bodyB, bodyA, reachA);
+    }
+    const Motion& a = bodies.motion[bodyA];
+    const Motion& b = bodies.motion[bodyB];
+    return length(a.move) + length(b.move) + std::abs(a.turn) * reachA + std::abs(b.turn) * reachB;
+}
+
 /// The gap at which a pair is to be stopped, or nothing if it needs no sweep: it cannot come so
 /// close within the step, or it would not matter.
 ///
@@ -32,15 +60,11 @@ std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact,
     if (contact.hidden || contact.passing) {
         return std::nullopt;
     }
-    const Motion& a = bodies.motion[contact.key.bodyA];
-    const Motion& b = bodies.motion[contact.key.bodyB];
     const Convex& shapeA = outline(bodies, contact.key.bodyA, contact.key.partA);
     const Convex& shapeB = outline(bodies, contact.key.bodyB, contact.key.partB);
     const bool near = contact.manifold.count > 0;
     const Real gap = near ? contact.manifold.points[0].separation : tolerances.margin;
-    // Not their relative motion: one of them may be stopped by something else.
-    const Real motion = length(a.move) + length(b.move) + std::abs(a.turn) * shapeA.reach +
-                        std::abs(b.turn) * shapeB.reach;
+    const Real motion = motionOf(bodies, contact);
     if (motion < gap) {
         return std::nullopt;
     }
@@ -92,7 +116,7 @@ void stop(Bodies& bodies, std::uint32_t body, Real share, Real dt) {
 
 /// For each body, more than any point of it moves.
 void SweepStage::measureWays(const Bodies& bodies) {
-    ways_.assign(bodies.size(), 0);
+    ways_.resize(bodies.size(), 0); // of the others it is 0 from step to step
     for (const std::uint32_t body : bodies.awake) {
         const Motion& motion = bodies.motion[body];
         ways_[body] = length(motion.move) + std::abs(motion.turn) * bodies.extent[body].reach;
@@ -101,7 +125,32 @@ void SweepStage::measureWays(const Bodies& bodies) {
 
 void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
                      const Tolerances& tolerances, Real dt) {
+    if (contacts.empty()) {
+        return;
+    }
     measureWays(bodies);
+    const bool sensors = findCandidates(bodies, contacts, settings, tolerances);
+    for (const std::uint32_t body : bodies.awake) {
+        ways_[body] = 0;
+    }
+    if (candidates_.empty() && !sensors) {
+        return;
+    }
+    stopAt_.resize(bodies.size(), 1); // of the others it is 1 from step to step
+    stopInOrder(bodies, contacts);
+    if (sensors) {
+        noticeSensors(bodies, contacts, settings, tolerances);
+    }
+    for (const std::uint32_t body : bodies.awake) {
+        if (stopAt_[body] < 1) {
+            stop(bodies, body, std::exchange(stopAt_[body], Real(1)), dt);
+        }
+    }
+}
+
+/// Lists the pairs that need a sweep. True if there are sensors among them.
+bool SweepStage::findCandidates(const Bodies& bodies, std::span<const Contact> contacts,
+                                const StepSettings& settings, const Tolerances& tolerances) {
     candidates_.clear();
     bool sensors = false;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -120,19 +169,7 @@ void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSett
             addCandidate(contacts[i], static_cast<std::uint32_t>(i), *gap);
         }
     }
-    if (candidates_.empty() && !sensors) {
-        return;
-    }
-    stopAt_.assign(bodies.size(), 1);
-    stopInOrder(bodies, contacts);
-    if (sensors) {
-        noticeSensors(bodies, contacts, settings, tolerances);
-    }
-    for (const std::uint32_t body : bodies.awake) {
-        if (stopAt_[body] < 1) {
-            stop(bodies, body, stopAt_[body], dt);
-        }
-    }
+    return sensors;
 }
 
 void SweepStage::addCandidate(const Contact& contact, std::uint32_t place, Real gap) {

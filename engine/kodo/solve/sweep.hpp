@@ -41,6 +41,8 @@ private:
     };
 
     void measureWays(const Bodies& bodies);
+    bool findCandidates(const Bodies& bodies, std::span<const Contact> contacts,
+                        const StepSettings& settings, const Tolerances& tolerances);
     void addCandidate(const Contact& contact, std::uint32_t place, Real gap);
     void findTime(const Bodies& bodies, std::span<const Contact> contacts, std::uint32_t candidate);
     void stopInOrder(const Bodies& bodies, std::span<const Contact> contacts);

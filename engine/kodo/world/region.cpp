@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/world/world.hpp>
 
+#include <utility>
+
 namespace kodo::inline KODO_PRECISION {
 
 void World::setRegion(std::optional<Aabb> region) {
@@ -22,7 +24,39 @@ void World::placeInRegion(std::uint32_t body) {
     Flags& flags = bodies_.record[body].filter.flags;
     const bool inside = !region_ || overlap(*region_, boundsOfBody(bodies_, body));
     flags = inside ? flags & ~kOutside : flags | kOutside;
+    if (!inside) { // it has come to a stand, although it keeps its velocity
+        bodies_.motion[body].move = {};
+        bodies_.motion[body].turn = 0;
+    }
     bodies_.jumped(body);
+}
+
+/// For the time of the solver, what waits is a wall to what touches it or is tied to it: it stands
+/// and cannot be pushed.
+void World::holdWhatWaits() {
+    const auto hold = [&](std::uint32_t body) {
+        Motion& motion = bodies_.motion[body];
+        const bool still =
+            bodies_.locked(body) && motion.velocity == Vec2{} && motion.angularVelocity == 0;
+        if ((bodies_.record[body].filter.flags & kOutside) != 0 && !still) {
+            held_.emplace_back(body, std::exchange(motion, {}));
+        }
+    };
+    for (const Contact& contact : contacts_.contacts()) {
+        hold(contact.key.bodyA);
+        hold(contact.key.bodyB);
+    }
+    joints_.forEach([&](const JointSet::Joint& joint) {
+        hold(firstBody(joint.def).index);
+        hold(secondBody(joint.def).index);
+    });
+}
+
+void World::releaseWhatWaits() {
+    for (const auto& [body, motion] : held_) {
+        bodies_.motion[body] = motion;
+    }
+    held_.clear();
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -330,7 +330,7 @@ void SnapshotFields::joints(JointSet& set, const Bodies& bodies) {
 
 void SnapshotFields::world(World& world) {
     auto& [settings, tolerances, stepCount, count, bodies, fields, contacts, softStep, propagation,
-           contactVisits, sweep, rest, joints, broken, frozen, region, records, colliding,
+           contactVisits, sweep, rest, joints, broken, frozen, region, held, records, colliding,
            lastForm] = world;
     all(settings, tolerances, stepCount);
     bodies.turns = settings.has(Feature::Rotation);

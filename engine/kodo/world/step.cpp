@@ -21,11 +21,15 @@ void World::step(Real dt) {
     refreshAwake(bodies_);
     gatherAccelerations(bodies_, fields_, dt);
     freezeUnsoundForces();
+    if (region_) {
+        holdWhatWaits();
+    }
     solve(dt);
     if (settings_.has(Feature::Sweep)) {
         contacts_.coverMoves(bodies_, tolerances_);
         sweep_.run(bodies_, contacts_.contacts(), settings_, tolerances_, dt);
     }
+    releaseWhatWaits();
     freezeUnsoundMotion();
     movePoses(bodies_, tolerances_);
     recordCollisions();
@@ -51,8 +55,7 @@ void World::findAwake() {
     if (region_) {
         for (const std::uint32_t body : bodies_.awake) {
             if (bodies_.ids.aliveAt(body) && !overlap(*region_, boundsOfBody(bodies_, body))) {
-                bodies_.record[body].filter.flags |= kOutside;
-                bodies_.jumped(body);
+                placeInRegion(body);
             }
         }
     }

@@ -116,6 +116,8 @@ private:
     void jointsChanged(const JointDef& def);
     void disturb(std::uint32_t body);
     void placeInRegion(std::uint32_t body);
+    void holdWhatWaits();
+    void releaseWhatWaits();
     std::shared_ptr<const Form> formFor(const BodyDef& def);
 
     void solve(Real dt);
@@ -142,6 +144,7 @@ private:
     std::vector<BrokenJoint> broken_;
     std::vector<BodyId> frozen_;
     std::optional<Aabb> region_;
+    std::vector<std::pair<std::uint32_t, Motion>> held_; // what waits, while the solver runs
     std::vector<CollisionRecord> records_;
     std::vector<std::uint32_t> colliding_; // bodies with kColliding
     std::shared_ptr<const Form> lastForm_; // equal bodies are usually added in a row

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/solve/contact_block.hpp>
+#include <support/random_numbers.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <vector>
+
+namespace kodo {
+namespace {
+
+constexpr int kContacts = ContactBlock::kContacts;
+constexpr std::size_t kBlocks = 40;
+
+/// Blocks of contacts between bodies of their own, some without rolling, some with one point only,
+/// some apart, some deep, some between a body and one that cannot be pushed.
+struct Blocks {
+    std::vector<Motion> motion;
+    std::vector<ContactBlock> blocks = std::vector<ContactBlock>(kBlocks);
+    std::vector<RollingBlock> rolling;
+    std::vector<BlockUse> use = std::vector<BlockUse>(kBlocks);
+
+    explicit Blocks(std::uint64_t seed) {
+        support::RandomNumbers random(seed);
+        for (std::size_t i = 0; i < kBlocks; ++i) {
+            use[i].twoPoints = random.below(2) == 0;
+            use[i].onLocked = random.below(4) == 0;
+            if (random.below(3) == 0) {
+                use[i].rolling = static_cast<std::int32_t>(rolling.size());
+                rolling.emplace_back();
+            }
+            for (std::size_t lane = 0; lane < kContacts; ++lane) {
+                fill(random, i, lane);
+            }
+        }
+    }
+
+    std::uint32_t addBody(support::RandomNumbers& random, bool locked) {
+        Motion body;
+        body.velocity = random.point(5);
+        body.angularVelocity = random.between(-3, 3);
+        body.invMass = locked ? 0 : random.between(0.1, 4);
+        body.move = random.point(0.01);
+        body.turn = random.between(-0.01, 0.01);
+        body.invInertia = locked ? 0 : random.between(0.1, 9);
+        motion.push_back(body);
+        return static_cast<std::uint32_t>(motion.size() - 1);
+    }
+
+    void fill(support::RandomNumbers& random, std::size_t i, std::size_t lane) {
+        ContactBlock& block = blocks[i];
+        block.a[lane] = addBody(random, use[i].onLocked);
+        block.b[lane] = addBody(random, false);
+        const Rot normal = random.rotation();
+        block.normalX[lane] = normal.c;
+        block.normalY[lane] = normal.s;
+        for (std::size_t k = 0; k < (use[i].twoPoints ? 2u : 1u); ++k) {
+            ContactBlock::Point& point = block.points[k];
+            point.leverA[lane] = random.between(-0.5, 0.5);
+            point.leverB[lane] = random.between(-0.5, 0.5);
+            point.mass[lane] = random.between(0.1, 2);
+            point.separation[lane] = random.between(-0.03, 0.02);
+            point.impulse[lane] = random.below(3) == 0 ? 0 : random.between(0, 2);
+        }
+        block.tangentLeverA[lane] = random.between(-0.5, 0.5);
+        block.tangentLeverB[lane] = random.between(-0.5, 0.5);
+        block.tangentMass[lane] = random.between(0.1, 2);
+        block.friction[lane] = random.between(-1, 1);
+        block.staticFriction[lane] = random.between(0, 1);
+        block.kineticFriction[lane] = Real(0.8) * block.staticFriction[lane];
+        block.pushSpeed[lane] = 3;
+        if (use[i].rolling >= 0) {
+            RollingBlock& own = rolling[static_cast<std::size_t>(use[i].rolling)];
+            own.lever[lane] = random.between(0, 0.1);
+            own.mass[lane] = random.between(0.1, 2);
+            own.impulse[lane] = random.between(-0.1, 0.1);
+        }
+    }
+
+    /// A whole substep, and another.
+    void run(const ContactPasses& passes) {
+        const Real h = Real(1) / 240;
+        const ContactPassArguments pass{
+            blocks.data(), rolling.data(),
+            use.data(),    kBlocks,
+            motion.data(), {Softness::from(60, 10, h), Softness::from(120, 10, h), 1 / h, true}};
+        for (int substep = 0; substep < 2; ++substep) {
+            passes.warmStart(pass);
+            passes.solve(pass);
+            passes.relax(pass);
+        }
+    }
+};
+
+template <typename T>
+bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+TEST(ContactPasses, ForAllMachinesAndForAvx2GiveTheSameBits) {
+    const ContactPasses* const avx2 = ContactPasses::avx2();
+    if (avx2 == nullptr) {
+        GTEST_SKIP() << "this machine, or this build, has no AVX2";
+    }
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        SCOPED_TRACE(seed);
+        Blocks wide(seed);
+        Blocks narrow(seed);
+        wide.run(*avx2);
+        narrow.run(ContactPasses::baseline());
+        EXPECT_TRUE(sameBits(wide.motion, narrow.motion));
+        EXPECT_TRUE(sameBits(wide.blocks, narrow.blocks));
+        EXPECT_TRUE(sameBits(wide.rolling, narrow.rolling));
+    }
+}
+
+// Impulses act between two bodies, so whatever the passes do, no momentum is made: to the rounding
+// of some hundred operations on numbers of size 10.
+TEST(ContactPasses, KeepMomentum) {
+    Blocks blocks(7);
+    const std::vector<Motion> before = blocks.motion;
+    blocks.run(ContactPasses::best());
+    constexpr double kRounding = sizeof(Real) == 4 ? 1e-4 : 1e-12;
+    for (std::size_t i = 0; i < kBlocks; ++i) {
+        for (std::size_t lane = 0; lane < kContacts && !blocks.use[i].onLocked; ++lane) {
+            const std::uint32_t a = blocks.blocks[i].a[lane];
+            const std::uint32_t b = blocks.blocks[i].b[lane];
+            const auto momentum = [&](const std::vector<Motion>& motion) {
+                return motion[a].velocity / motion[a].invMass +
+                       motion[b].velocity / motion[b].invMass;
+            };
+            EXPECT_LE(length(momentum(blocks.motion) - momentum(before)), kRounding)
+                << "block " << i << ", lane " << lane;
+        }
+    }
+}
+
+// After the passes contacts only push, and friction stays within the static cone.
+TEST(ContactPasses, PushAndNeverPull) {
+    Blocks blocks(9);
+    blocks.run(ContactPasses::best());
+    for (const ContactBlock& block : blocks.blocks) {
+        for (std::size_t lane = 0; lane < kContacts; ++lane) {
+            const Real first = block.points[0].impulse[lane];
+            const Real second = block.points[1].impulse[lane];
+            EXPECT_GE(first, 0);
+            EXPECT_GE(second, 0);
+            EXPECT_LE(std::abs(block.friction[lane]),
+                      block.staticFriction[lane] * (first + second));
+        }
+    }
+}
+
+} // namespace
+} // namespace kodo
