@@ -71,6 +71,7 @@ TEST(CollisionFilter, IsSymmetricForAllModesAndFlags) {
     }
 }
 
+// R8: ENABLED of the thesis, turned round.
 TEST(CollisionFilter, DisabledMeetsNothing) {
     EXPECT_FALSE(shouldCollide({kDisabled, 0}, {}));
     EXPECT_FALSE(shouldCollide({}, {kDisabled, 0}));

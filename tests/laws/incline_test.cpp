@@ -39,7 +39,7 @@ struct Slope {
     Real speed() const { return dot(world[box].velocity(), downhill); }
 };
 
-// A7: it holds while tan(slope) < mu and slips beyond; found to a thousandth.
+// R7, A7: it holds while tan(slope) < mu and slips beyond; found to a thousandth.
 TEST(Incline, HoldsUpToTheAngleOfFriction) {
     for (const Real degrees : {Real(5), Real(15), Real(30), Real(45), Real(60)}) {
         const Real critical =

@@ -52,7 +52,7 @@ TEST(Sliding, StopsAtTheSamePlaceAtAnyRate) {
     }
 }
 
-// A8b: at rest it takes mu_s m g to break loose; then it slides with mu_k. Each within 1 %.
+// R7, A8b: at rest it takes mu_s m g to break loose; then it slides with mu_k. Each within 1 %.
 TEST(Sliding, BreaksLooseAtTheStaticFriction) {
     const Material material{Real(0.6), Real(0.3), 0, 0};
     const auto speedAfter = [&](Real share) { // one second of rising force, one of that share
@@ -68,6 +68,7 @@ TEST(Sliding, BreaksLooseAtTheStaticFriction) {
     EXPECT_GT(speedAfter(Real(1.01)), 3); // a = F/m - mu_k g = 3.06 m/s^2
 }
 
+// R7: v - mu_k g t = 2 m/s after a second.
 TEST(Sliding, SlidesOnWithTheKineticFriction) {
     Slide slide({Real(0.9), Real(0.3), 0, 0}, 5);
     support::run(slide.world, 60);

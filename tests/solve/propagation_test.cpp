@@ -32,8 +32,8 @@ TEST(Propagation, LeavesALosslessBlockLyingOnARampThatHoldsIt) {
     EXPECT_LT(strategies::fastest(end), Real(0.05));
 }
 
-// a = g (sin - mu cos) = 2 m/s^2. Held bodies move by their new velocity, so after n steps they
-// have come a t (t + h) / 2, not a t^2 / 2 [Thesis06, eq. 4.8].
+// W4: a = g (sin - mu cos) = 2 m/s^2. Held bodies move by their new velocity, so after n steps
+// they have come a t (t + h) / 2, not a t^2 / 2 [Thesis06, eq. 4.8].
 TEST(Propagation, LetsALosslessBlockSlideDownASteepRampAsCoulombSays) {
     const scenes::SceneDef scene = strategies::lossless(scenes::boxOnSlope(0.5));
     const scenes::KodoScene end = after(scene, thesis2006(), 2);
@@ -85,8 +85,8 @@ TEST(Propagation, ComesToRestWithoutAThresholdInMetresPerSecond) {
     EXPECT_NE(end.world[end.ids[1]].flags() & kResting, 0u);
 }
 
-// S4: separation moves bodies and gives them no velocity; heavy ones less, so that their common
-// centre stays; locked ones not at all.
+// S4, F4: separation moves bodies and gives them no velocity; heavy ones less, so that their
+// common centre stays; locked ones not at all.
 TEST(Propagation, SeparatesWithoutGivingEnergy) {
     World world{{.settings = thesis2006()}};
     BodyDef def;

@@ -59,7 +59,7 @@ TEST(Strategies, AStackUnderShockPropagationComesToRest) {
     EXPECT_EQ(scene.world.contactVisits(), 0u);
 }
 
-// The thesis sorts all contacts by height, so many stacks cost more than their sum (4.2.2.1).
+// W5: the thesis sorts all contacts by height, so many stacks cost more than their sum (4.2.2.2).
 TEST(Strategies, SeparateStacksCostShockPropagationNothingExtra) {
     const auto visits = [](int stacks) {
         scenes::SceneDef scene = scenes::stack(0);
