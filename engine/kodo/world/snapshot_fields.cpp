@@ -274,8 +274,8 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
         completeContact(contact, bodies);
     }
     set.orderContacts();
-    const auto before = [&](const auto& a, const auto& b) {
-        return contacts[a.slot].key < contacts[b.slot].key;
+    const auto before = [&all = contacts](const auto& a, const auto& b) {
+        return all[a.slot].key < all[b.slot].key;
     };
     require(std::adjacent_find(order.begin(), order.end(), std::not_fn(before)) == order.end(),
             "a contact is there twice");
