@@ -76,7 +76,7 @@ TEST(Order, OfTheSpeedThatRollingLeaves) {
             support::run(world, static_cast<int>(2 * rate), 1 / rate);
             return static_cast<double>(world[ball].velocity().x) - 4;
         },
-        support::byPrecision(3e-4, 1e-4));
+        static_cast<double>(support::byPrecision(3e-4, 1e-4)));
 }
 
 // A3: the second peak of a ball dropped from 5 m with e = 0.8: 5 * 0.8^4.
