@@ -101,7 +101,7 @@ private:
     std::vector<Level> levels_;
     std::vector<std::uint8_t> levelOf_;
     std::vector<std::uint32_t> cellOf_;
-    std::vector<std::uint32_t> starts_; // by cell: its first entry; one more at the end of a level
+    std::vector<std::uint32_t> starts_; // by cell: its first entry; one more at the end
     std::vector<Entry> entries_;
     std::vector<Real> sizes_; // or centres, to find the middle one
     std::size_t tests_ = 0;

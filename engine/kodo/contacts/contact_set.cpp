@@ -354,7 +354,7 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
             overlap(tight_[contact.proxyA].grown(tolerances.margin), tight_[contact.proxyB]);
         if (near) {
             refreshContact(contact, bodies, tolerances);
-        } else if (contact.near || contact.hidden) {
+        } else if (contact.near || contact.hidden || contact.manifold.count > 0) {
             clearContact(contact);
         }
     }

@@ -52,7 +52,7 @@ struct BlockUse {
     std::int32_t rolling = -1; // place of its RollingBlock, if there is one
     std::uint8_t contacts = 0;
     bool twoPoints = false; // some contact has two
-    bool onLocked = false;  // all contacts have a side that cannot be pushed: twice as stiff
+    bool onLocked = false;  // all contacts have a side that cannot be pushed: twice the frequency
 };
 
 /// What all contacts of a substep share.

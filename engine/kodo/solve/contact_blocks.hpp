@@ -36,11 +36,10 @@ private:
 
     struct Row {
         std::uint32_t contact;
-        std::uint32_t slot; // while rows are added: the group; then block * 8 + lane
+        std::uint32_t slot; // while rows are added: place in counts_; then block * 8 + lane
     };
 
     void placeRows(std::span<const Contact> contacts);
-    void emptyLanes(std::uint32_t from, std::uint32_t spare);
     void fill(const Bodies& bodies, const Contact& contact, std::uint32_t slot, Real pushSpeed);
     void addRolling(const Bodies& bodies, const Contact& contact, std::uint32_t slot);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Included by contact_passes_*.cpp, one for each kind of machine. Internal linkage throughout and
+// Included by contact_passes*.cpp, one for each kind of machine. Internal linkage throughout and
 // no call to an inline function of elsewhere, for the reason that lanes.hpp gives.
 #include <kodo/math/lanes.hpp>
 #include <kodo/solve/contact_block.hpp>

@@ -13,7 +13,7 @@
 
 namespace kodo::inline KODO_PRECISION {
 
-/// The contact half of the step, in substeps [Catto24]. Each moves velocities by the forces, starts
+/// Contacts and joints, in substeps [Catto24]. Each moves velocities by the forces, starts
 /// from the impulses of the substep before, makes one pass that pushes overlaps apart like stiff
 /// springs, moves the bodies, and makes one pass without that push, which takes its speed out
 /// again.
@@ -50,7 +50,7 @@ private:
     void endSubstep(const Bodies& bodies);
 
     ContactBlocks blocks_;
-    std::vector<std::uint8_t> held_;   // by body: something touches it
+    std::vector<std::uint8_t> held_;   // by body: something touches it, or a joint holds it
     std::vector<std::uint16_t> crowd_; // by body: how many overlap it deeply
     std::vector<Velocity> before_;     // by body: with the forces of the substep, without contacts
     std::vector<Velocity> gained_;     // by body: from contacts, in the last substep

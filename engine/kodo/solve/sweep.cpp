@@ -143,8 +143,13 @@ void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSett
     }
     for (const std::uint32_t body : bodies.awake) {
         if (stopAt_[body] < 1) {
-            stop(bodies, body, std::exchange(stopAt_[body], Real(1)), dt);
+            stop(bodies, body, stopAt_[body], dt);
         }
+    }
+    for (const Candidate& candidate : candidates_) {
+        const ContactKey& key = contacts[candidate.contact].key;
+        stopAt_[key.bodyA] = 1;
+        stopAt_[key.bodyB] = 1;
     }
 }
 
