@@ -21,6 +21,8 @@ packages_test=(libgtest-dev libbox2d-dev python3:python3)
 # shellcheck disable=SC2034
 packages_display=(xvfb:Xvfb xauth:xauth xdotool:xdotool imagemagick:import libgl1-mesa-dri)
 # shellcheck disable=SC2034
+packages_sanitize=(clang:clang++ libclang-rt-14-dev)
+# shellcheck disable=SC2034
 packages_matrix=(g++:g++ clang:clang++)
 
 say() { printf '%s\n' "$*"; }

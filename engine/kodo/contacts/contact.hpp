@@ -3,9 +3,11 @@
 
 #include <kodo/bodies/body_def.hpp>
 #include <kodo/collide/manifold.hpp>
+#include <kodo/contacts/collision_record.hpp>
 
 #include <array>
 #include <compare>
+#include <optional>
 
 namespace kodo::inline KODO_PRECISION {
 
@@ -49,6 +51,7 @@ struct Contact {
     bool hidden = false;      // in this step, under the surface that carries the body; see Seams
     bool touching = false;    // in this step
     bool wasTouching = false; // in the last step; equal to touching between steps
+    std::optional<TouchPhase> phase; // of the last step; nothing: it did not touch
 
     /// Do the bodies push each other?
     bool responds() const { return manifold.count > 0 && !sensor && !hidden; }

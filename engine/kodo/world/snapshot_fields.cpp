@@ -252,11 +252,13 @@ void SnapshotFields::completeContact(Contact& contact, const Bodies& bodies) {
 void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
     // The way pairs are found changes what that costs and not what is found, so it begins anew.
     auto& [proxies, firstProxy, tight, grown, moved, isMoved, pairs, finder, seams, contacts, order,
-           newOrder, holes, added, slots, idle, ended, apart, stale, pairsStale] = set;
+           newOrder, holes, added, slots, idle, ended, endedInStep, records, recordsDue, apart,
+           stale, pairsStale] = set;
+    set.writeRecords();
     if (!reads() && stale) {
         set.rebuildProxies(bodies);
     }
-    all(contacts, ended, stale, pairsStale, tight, grown);
+    all(contacts, ended, records, stale, pairsStale, tight, grown);
     if (!reads()) {
         return;
     }
@@ -330,8 +332,8 @@ void SnapshotFields::joints(JointSet& set, const Bodies& bodies) {
 
 void SnapshotFields::world(World& world) {
     auto& [settings, tolerances, stepCount, count, bodies, fields, contacts, softStep, propagation,
-           contactVisits, sweep, rest, joints, broken, frozen, region, held, records, colliding,
-           lastForm] = world;
+           contactVisits, sweep, rest, joints, broken, frozen, region, held, colliding, lastForm] =
+        world;
     all(settings, tolerances, stepCount);
     bodies.turns = settings.has(Feature::Rotation);
     forms(world);
@@ -344,7 +346,7 @@ void SnapshotFields::world(World& world) {
     this->contacts(contacts, bodies);
     this->rest(rest, bodies);
     as<std::uint64_t>(contactVisits);
-    all(broken, frozen, region, records);
+    all(broken, frozen, region);
     if (region) {
         require(region->lower.x <= region->upper.x && region->lower.y <= region->upper.y,
                 "the region is inside out");

@@ -109,7 +109,7 @@ void SnapshotFields::one(PointImpulse& impulse) {
 void SnapshotFields::one(Contact& contact) {
     auto& [key, a, b, proxyA, proxyB, material, centerA, manifold, travelA, travelB, impulse,
            friction, rolling, approachSpeed, total, near, carried, sensor, passing, hidden,
-           touching, wasTouching] = contact;
+           touching, wasTouching, phase] = contact; // the phase is in the records
     all(key, centerA, manifold, travelA, travelB, impulse, friction, rolling, approachSpeed, total);
     all(near, carried, passing, hidden, touching, wasTouching);
 }
