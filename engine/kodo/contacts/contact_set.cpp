@@ -57,6 +57,7 @@ void ContactSet::forgetUnsoundImpulses() {
             contact.friction = 0;
             contact.rolling = 0;
             contact.total = 0;
+            contact.carried = false;
         }
     }
 }
@@ -142,6 +143,7 @@ std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies) {
         const bool gone = !bodies.active(contact.key.bodyA) && !bodies.active(contact.key.bodyB);
         if (gone) {
             idle_.push_back(contact);
+            idle_.back().seat = {};
         }
         return gone;
     });
