@@ -123,7 +123,6 @@ private:
 
     void solve(Real dt);
     void recordCollisions();
-    void noteColliding(std::uint32_t body);
     void breakJoints(Real dt);
     void findAwake();
     void freezeUnsoundForces();
@@ -147,6 +146,8 @@ private:
     std::optional<Aabb> region_;
     std::vector<std::pair<std::uint32_t, Motion>> held_; // what waits, while the solver runs
     std::vector<std::uint32_t> colliding_;               // bodies with kColliding
+    std::vector<std::uint32_t> collidedBefore_;          // the same, a step ago
+    std::vector<std::uint8_t> isColliding_;              // by body: 0 between steps
     std::shared_ptr<const Form> lastForm_;               // equal bodies are usually added in a row
 };
 
