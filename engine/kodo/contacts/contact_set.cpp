@@ -385,12 +385,14 @@ void ContactSet::mergePairs(const Bodies& bodies) {
 }
 
 void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances) {
+    fastestApproach_ = 0;
     for (Contact& contact : contacts_) {
         const auto near = [&] {
             return overlap(tight_[contact.proxyA].grown(tolerances.margin), tight_[contact.proxyB]);
         };
         if (contact.carried || near()) {
             refreshContact(contact, bodies, tolerances);
+            fastestApproach_ = std::max(fastestApproach_, contact.approachSpeed);
         } else if (contact.near || contact.hidden || contact.manifold.count > 0) {
             clearContact(contact);
         }

@@ -40,6 +40,8 @@ public:
     void setApart(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
     /// Finds where the pairs touch, now, and how fast they approach.
     void updateManifolds(const Bodies& bodies, const Tolerances& tolerances);
+    /// m/s, of those that updateManifolds looked at.
+    Real fastestApproach() const { return fastestApproach_; }
     /// Adds the pairs of bodies that the solver sent farther than updatePairs could foresee.
     void coverMoves(const Bodies& bodies, const Tolerances& tolerances);
 
@@ -122,6 +124,7 @@ private:
     mutable std::vector<CollisionRecord> records_;
     mutable bool recordsDue_ = false;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> apart_;
+    Real fastestApproach_ = 0;
     bool stale_ = true;
     bool pairsStale_ = true;
     bool contactsChanged_ = true; // in number, in place, or in what is locked

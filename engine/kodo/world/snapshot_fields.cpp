@@ -254,7 +254,7 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
     // The way pairs are found changes what that costs and not what is found, so it begins anew.
     auto& [proxies, firstProxy, tight, grown, moved, isMoved, pairs, finder, seams, contacts, order,
            newOrder, holes, added, slots, idle, ended, endedInStep, records, recordsDue, apart,
-           stale, pairsStale, contactsChanged] = set;
+           fastestApproach, stale, pairsStale, contactsChanged] = set;
     set.writeRecords();
     if (!reads() && stale) {
         set.rebuildProxies(bodies);

@@ -43,7 +43,9 @@ void World::solve(Real dt) {
         contactVisits_ = propagation_.visits();
         return;
     }
-    solveImpacts(bodies_, contacts, settings_, tolerances_, dt);
+    if (contacts_.fastestApproach() > leastRestSpeed(bodies_, dt)) {
+        solveImpacts(bodies_, contacts, settings_, tolerances_, dt);
+    }
     softStep_.solve(bodies_, contacts, joints_, settings_, tolerances_, dt);
     contactVisits_ = 2 * softStep_.contactCount() * static_cast<std::size_t>(settings_.substeps);
 }
