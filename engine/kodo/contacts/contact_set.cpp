@@ -32,6 +32,7 @@ void ContactSet::writeRecords() const {
     if (!std::exchange(recordsDue_, false)) {
         return;
     }
+    records_.reserve(contacts_.capacity() + endedInStep_.size());
     for (const Place& place : order_) {
         recordContact(contacts_[place.slot], records_);
     }

@@ -65,6 +65,7 @@ public:
         records_.clear();
         endedInStep_.clear();
         std::swap(ended_, endedInStep_);
+        ended_.reserve(endedInStep_.capacity()); // the two take turns
         recordsDue_ = wantRecords;
     }
     /// Of the last step, in order. They are written when they are first asked for, or before a

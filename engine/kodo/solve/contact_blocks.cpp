@@ -83,6 +83,9 @@ void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, boo
         std::fill_n(block.total, ContactBlock::kContacts, Real(0));
     }
     newcomers_.clear();
+    if (newcomers_.capacity() < contacts.size()) {
+        newcomers_.reserve(2 * contacts.size());
+    }
 }
 
 /// Gives lanes to all contacts that have a colour: they were read from a snapshot, or the lanes

@@ -129,6 +129,7 @@ void World::recordCollisions() {
     }
     std::swap(colliding_, collidedBefore_);
     colliding_.clear();
+    colliding_.reserve(collidedBefore_.capacity()); // the two take turns
     const auto note = [&](std::uint32_t body) {
         if ((isColliding_[body] & kNow) == 0) {
             isColliding_[body] |= kNow;
