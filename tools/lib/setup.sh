@@ -22,6 +22,10 @@ packages_test=(libgtest-dev libbox2d-dev python3:python3)
 packages_display=(xvfb:Xvfb xauth:xauth xdotool:xdotool imagemagick:import libgl1-mesa-dri)
 # shellcheck disable=SC2034
 packages_matrix=(g++:g++ clang:clang++)
+# shellcheck disable=SC2034
+packages_aarch64=(g++-aarch64-linux-gnu:aarch64-linux-gnu-g++ qemu-user:qemu-aarch64)
+# shellcheck disable=SC2034
+packages_wasm=(emscripten:em++ node-acorn nodejs:node)
 
 say() { printf '%s\n' "$*"; }
 

@@ -13,6 +13,14 @@ std::string number(Real value) {
     return text.str();
 }
 
+std::optional<Problem> checkLock(bool needed, Flags flags) {
+    if (needed && (flags & kLocked) != kLocked) {
+        return Problem{"flags",
+                       "must have kLocked: a plane or a heightmap is only for locked bodies"};
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 std::optional<Problem> checkRange(const char* field, Real value, Real low, Real high) {
@@ -44,6 +52,14 @@ std::optional<Problem> checkFlags(const char* field, Flags value) {
         return Problem{field, "must have one of kMatchAny, kMatchAll and kMatchEqual at most"};
     }
     return std::nullopt;
+}
+
+std::optional<Problem> checkLock(const Shape& shape, Flags flags) {
+    return checkLock(needsLock(shape), flags);
+}
+
+std::optional<Problem> checkLock(const Primitive& part, Flags flags) {
+    return checkLock(needsLock(part), flags);
 }
 
 std::optional<Problem> checkRotation(const char* field, Rot value) {
@@ -82,9 +98,8 @@ std::optional<Problem> check(const BodyDef& def, Real lengthUnit) {
         problem->field = "shape." + problem->field;
         return problem;
     }
-    if (needsLock(def.shape) && (def.flags & kLocked) != kLocked) {
-        return Problem{"flags",
-                       "must have kLocked: a plane or a heightmap is only for locked bodies"};
+    if (auto problem = checkLock(def.shape, def.flags)) {
+        return problem;
     }
     if (auto problem = checkFlags("flags", def.flags)) {
         return problem;

@@ -50,6 +50,9 @@ std::optional<Problem> checkPosition(const char* field, Vec2 value, Real lengthU
 std::optional<Problem> checkRotation(const char* field, Rot value);
 std::optional<Problem> checkVelocity(const char* field, Vec2 value);
 std::optional<Problem> checkFlags(const char* field, Flags value);
+/// Of a body with something in it that may need to be locked.
+std::optional<Problem> checkLock(const Shape& shape, Flags flags);
+std::optional<Problem> checkLock(const Primitive& part, Flags flags);
 std::optional<Problem> checkRange(const char* field, Real value, Real low, Real high);
 
 } // namespace kodo::inline KODO_PRECISION

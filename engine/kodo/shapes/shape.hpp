@@ -13,6 +13,11 @@ namespace kodo::inline KODO_PRECISION {
 /// The shapes that a body can be made of, as plain descriptions in the body's own frame (m).
 /// Nothing checks them until they reach a World; `check(shape)` says beforehand what it will say.
 
+/// No length and no coordinate of a shape may be larger (m), whatever the length unit of the World:
+/// the products of what follows from them must not overflow. A World takes none larger than its
+/// kFarthest either.
+inline constexpr Real kLargest = sizeof(Real) == 4 ? Real(1e11) : Real(1e19);
+
 template <std::floating_point T>
 struct BasicCircle {
     T radius{};

@@ -80,8 +80,8 @@ public:
     /// any other dt.
     void step(Real dt);
     /// What touched in the last step, ordered by bodies and parts. Valid until the next step,
-    /// whatever is added, removed or welded meanwhile. Pairs that rest have no records until they
-    /// wake; they have not ended.
+    /// whatever is added, removed or welded meanwhile. Pairs that rest, or wait outside the region,
+    /// have no records until they go on; they have not ended.
     std::span<const CollisionRecord> collisions() const { return records_; }
 
     /// Only bodies whose bounds meet the region take part in steps; the others wait where they are.
@@ -115,7 +115,12 @@ private:
     void requireAlive(JointId id) const;
     void jointsChanged(const JointDef& def);
     void disturb(std::uint32_t body);
+    bool askRegion(std::uint32_t body);
     void placeInRegion(std::uint32_t body);
+    void putContactsAside();
+    template <typename Which>
+    void takeBack(Which which);
+    void takeBackContactsOf(std::uint32_t body);
     void holdWhatWaits();
     void releaseWhatWaits();
     std::shared_ptr<const Form> formFor(const BodyDef& def);
@@ -145,6 +150,8 @@ private:
     std::vector<BodyId> frozen_;
     std::optional<Aabb> region_;
     std::vector<std::pair<std::uint32_t, Motion>> held_; // what waits, while the solver runs
+    std::vector<Contact> aside_;                         // of what waits; see putContactsAside
+    std::vector<Contact> returning_;                     // spare, so that a step allocates nothing
     std::vector<CollisionRecord> records_;
     std::vector<std::uint32_t> colliding_; // bodies with kColliding
     std::shared_ptr<const Form> lastForm_; // equal bodies are usually added in a row
