@@ -3,6 +3,8 @@
 #include <support/near.hpp>
 #include <support/random_shapes.hpp>
 
+#include <numbers>
+
 namespace kodo {
 namespace {
 
@@ -56,14 +58,23 @@ TEST(LeastPenetratingFace, KeepsTheLowerFaceInATie) {
     EXPECT_EQ(leastPenetratingFace(box, box, {}, 100).separation, -2);
 }
 
-// C2: once a face is farther than the margin, no more are looked at.
-TEST(LeastPenetratingFace, StopsAtTheFirstSeparatingFace) {
+// C2: any face that is farther than the margin proves it, and the rest need not be looked at.
+TEST(LeastPenetratingFace, StopsAtASeparatingFace) {
+    std::vector<Vec2> corners;
+    for (int i = 0; i < 16; ++i) {
+        corners.push_back(
+            Rot::fromAngle((static_cast<Real>(i) + Real(0.5)) * std::numbers::pi_v<Real> / 8) *
+            Vec2{1, 0});
+    }
+    const Convex round = convexOf(Polygon{corners}, {});
     const Convex box = convexOf(Box{2, 2}, {});
-    const Convex tower = convexOf(Box{2, 18}, {});
-    // 0.5 m below the lower face, which looks at its middle, and 3 m beyond the right one.
-    const Transform place{{5, Real(-10.5)}, {}};
-    EXPECT_EQ(leastPenetratingFace(box, tower, place, 0).face, 0u);
-    EXPECT_EQ(leastPenetratingFace(box, tower, place, 100).face, 1u);
+    const Transform place{{5, 0}, {}};
+    const FaceAxis any = leastPenetratingFace(round, box, place, 0);
+    const FaceAxis most = leastPenetratingFace(round, box, place, 100);
+    EXPECT_GT(any.separation, 0);
+    EXPECT_LT(any.separation, most.separation);
+    EXPECT_NEAR(most.separation, 4 - Rot::fromAngle(std::numbers::pi_v<Real> / 16).c,
+                4 * support::kEpsilon);
 }
 
 } // namespace

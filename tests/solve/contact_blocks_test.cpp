@@ -39,20 +39,21 @@ struct Crowd {
     }
 
     ContactPassArguments arrange(ContactBlocks& blocks) {
-        blocks.clear(bodies);
+        blocks.begin(bodies, contacts, true);
         for (std::uint32_t i = 0; i < contacts.size(); ++i) {
-            blocks.add(bodies, contacts[i], i);
+            blocks.take(bodies, contacts[i], i);
         }
-        blocks.arrange(bodies, contacts, std::vector<std::uint16_t>(bodies.size()), 3, true);
+        blocks.arrange(bodies, contacts, {}, 3);
         return blocks.pass(bodies, {});
     }
 };
 
 void expectNoBodyTwice(const Crowd& crowd, const ContactPassArguments& pass) {
     for (std::size_t i = 0; i < pass.count; ++i) {
+        const ContactBlock& block = pass.blocks[pass.order[i]];
         std::set<std::uint32_t> pushed;
         for (std::size_t lane = 0; lane < ContactBlock::kContacts; ++lane) {
-            for (const std::uint32_t body : {pass.blocks[i].a[lane], pass.blocks[i].b[lane]}) {
+            for (const std::uint32_t body : {block.a[lane], block.b[lane]}) {
                 if (body != crowd.bodies.spare() && !crowd.bodies.locked(body)) {
                     EXPECT_TRUE(pushed.insert(body).second) << "block " << i;
                 }
@@ -95,10 +96,47 @@ TEST(ContactBlocks, WhatIsLockedComesLast) {
     const ContactPassArguments pass = crowd.arrange(blocks);
     bool locked = false;
     for (std::size_t i = 0; i < pass.count; ++i) {
-        EXPECT_GE(pass.use[i].onLocked, locked);
-        locked = pass.use[i].onLocked;
+        EXPECT_GE(pass.use[pass.order[i]].onLocked, locked);
+        locked = pass.use[pass.order[i]].onLocked;
     }
     EXPECT_TRUE(locked);
+}
+
+// Contacts come and go, bodies get locked and loose, lanes are dealt out anew: the blocks stay
+// sound, and what is carried on keeps its colour.
+TEST(ContactBlocks, StaySoundAsContactsComeAndGo) {
+    Crowd all(17, 120, 900);
+    support::RandomNumbers random(18);
+    Crowd some = all;
+    ContactBlocks blocks;
+    for (int step = 0; step < 200; ++step) {
+        SCOPED_TRACE(step);
+        const std::uint64_t chance = step % 50 < 40 ? 10 : 1; // of ten; few are left at times
+        std::erase_if(some.contacts,
+                      [&](const Contact&) { return random.below(10) >= chance && chance == 1; });
+        for (int i = 0; i < 20; ++i) {
+            Contact contact = all.contacts[random.below(all.contacts.size())];
+            contact.manifold.count = 1 + static_cast<int>(random.below(2));
+            some.contacts.push_back(contact);
+        }
+        const auto body = static_cast<std::uint32_t>(random.below(some.bodies.size()));
+        some.bodies.record[body].filter.flags ^= kLocked;
+        refreshMass(some.bodies, body);
+        std::vector<std::uint8_t> colours;
+        for (Contact& contact : some.contacts) {
+            colours.push_back(contact.seat.colour);
+            const bool same = contact.key.bodyA != body && contact.key.bodyB != body;
+            contact.carried = contact.carried && same;
+        }
+        expectNoBodyTwice(some, some.arrange(blocks));
+        EXPECT_EQ(blocks.size(), some.contacts.size());
+        for (std::size_t i = 0; i < some.contacts.size(); ++i) {
+            if (some.contacts[i].carried && colours[i] != ContactSeat::kNoColour) {
+                EXPECT_EQ(some.contacts[i].seat.colour, colours[i]);
+            }
+        }
+        blocks.store(some.contacts);
+    }
 }
 
 } // namespace

@@ -20,10 +20,12 @@ struct Blocks {
     std::vector<ContactBlock> blocks = std::vector<ContactBlock>(kBlocks);
     std::vector<RollingBlock> rolling;
     std::vector<BlockUse> use = std::vector<BlockUse>(kBlocks);
+    std::vector<std::uint32_t> order;
 
     explicit Blocks(std::uint64_t seed) {
         support::RandomNumbers random(seed);
         for (std::size_t i = 0; i < kBlocks; ++i) {
+            order.push_back(static_cast<std::uint32_t>(i));
             use[i].twoPoints = random.below(2) == 0;
             use[i].onLocked = random.below(4) == 0;
             if (random.below(3) == 0) {
@@ -82,9 +84,13 @@ struct Blocks {
     void run(const ContactPasses& passes) {
         const Real h = Real(1) / 240;
         const ContactPassArguments pass{
-            blocks.data(), rolling.data(),
-            use.data(),    kBlocks,
-            motion.data(), {Softness::from(60, 10, h), Softness::from(120, 10, h), 1 / h, true}};
+            blocks.data(),
+            rolling.data(),
+            use.data(),
+            order.data(),
+            kBlocks,
+            motion.data(),
+            {Softness::from(60, 10, h), Softness::from(120, 10, h), 1 / h, true}};
         for (int substep = 0; substep < 2; ++substep) {
             passes.warmStart(pass);
             passes.solve(pass);

@@ -79,6 +79,7 @@ void freeze(Bodies& bodies, std::uint32_t body) {
     bodies.record[body].filter.flags |= kFrozen;
     bodies.motion[body] = {};
     bodies.acceleration[body] = {};
+    bodies.jumped(body);
     bodies.awakeStale = true;
 }
 
@@ -171,6 +172,7 @@ void setTurns(Bodies& bodies, bool turns) {
             continue;
         }
         refreshMass(bodies, index);
+        bodies.jumped(index);
         if (!turns && (bodies.record[index].filter.flags & kLockRotate) == 0) {
             bodies.motion[index].angularVelocity = 0;
         }

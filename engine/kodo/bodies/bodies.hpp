@@ -62,16 +62,16 @@ struct Extent {
 /// All bodies of a World as parallel arrays, indexed by BodyId::index. A dead slot keeps its place
 /// with zero velocity and infinite mass.
 struct Bodies {
-    static constexpr std::uint32_t kTravelPerSlop = 1024;
-    static constexpr std::uint32_t kJump = std::uint32_t{1} << 30;
+    static constexpr std::uint64_t kTravelPerSlop = 1024;
+    static constexpr std::uint64_t kJump = std::uint64_t{1} << 40;
 
     IdPool ids;
     std::vector<Motion> motion = std::vector<Motion>(1); // and a spare one at the end
     std::vector<Transform> pose;                         // of the centre of mass
     std::vector<Acceleration> acceleration;
     std::vector<Extent> extent;
-    /// How far the outermost point of each has gone, in shares of Tolerances::slop, modulo 2^32.
-    std::vector<std::uint32_t> travel;
+    /// How far the outermost point of each has gone, in shares of Tolerances::slop, modulo 2^64.
+    std::vector<std::uint64_t> travel;
     std::vector<BodyRecord> record;
     std::vector<RestState> rest;
     /// What a step works on, in order: all that can be pushed and does not rest, and of the locked

@@ -72,7 +72,7 @@ void movePoses(Bodies& bodies, const Tolerances& tolerances) {
         if (way == 0) {
             continue;
         }
-        bodies.travel[i] += 1 + static_cast<std::uint32_t>(std::min(way * perUnit, kMost));
+        bodies.travel[i] += 1 + static_cast<std::uint64_t>(std::min(way * perUnit, kMost));
         bodies.pose[i].position += motion.move;
         if (motion.turn != 0) {
             bodies.pose[i].rotation = turned(bodies.pose[i].rotation, motion.turn);

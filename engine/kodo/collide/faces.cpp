@@ -82,7 +82,9 @@ Manifold clipAgainstFace(Placed a, Placed b, const Transform& ab, const FaceAxis
     const Convex& shapeA = a.shape;
     const Convex& shapeB = b.shape;
     const Vec2 normal = shapeA.normals[axis.face];
-    const std::size_t other = incidentEdge(shapeB, axis.support, unrotate(ab.rotation, normal));
+    const Vec2 normalInB = unrotate(ab.rotation, normal);
+    const std::size_t deepest = supportVertex(shapeB, -normalInB, 0);
+    const std::size_t other = incidentEdge(shapeB, deepest, normalInB);
     // The facing edge runs against the reference edge, so its end lies at the reference's start.
     Edge edge{ab * shapeB.vertices[nextVertex(shapeB, other)], ab * shapeB.vertices[other]};
 
@@ -95,7 +97,7 @@ Manifold clipAgainstFace(Placed a, Placed b, const Transform& ab, const FaceAxis
         if (beyond == BeyondEnds::Nothing) {
             return manifold;
         }
-        edge = {ab * shapeB.vertices[axis.support], ab * shapeB.vertices[axis.support]};
+        edge = {ab * shapeB.vertices[deepest], ab * shapeB.vertices[deepest]};
     }
     manifold.normal = a.at.rotation * normal;
     const std::uint32_t feature = static_cast<std::uint32_t>(axis.face << 12 | other << 1);

@@ -119,13 +119,13 @@ Verdict judge(const Convex& line, std::size_t end, Vec2 direction) {
 /// line owns.
 Manifold overHilltop(Placed line, Placed other, const Transform& ba, Real margin) {
     const Vec2 top = ba * line.shape.vertices[0];
-    FaceAxis best{0, 0, -std::numeric_limits<Real>::infinity()};
+    FaceAxis best{0, -std::numeric_limits<Real>::infinity()};
     for (std::size_t i = 0; i < other.shape.normals.size(); ++i) {
         const Vec2 normal = other.shape.normals[i];
         const Real height = dot(normal, top - other.shape.vertices[i]);
         if (height > best.separation &&
             ownsDirection(line.shape, 0, -unrotate(ba.rotation, normal))) {
-            best = {i, 0, height};
+            best = {i, height};
         }
     }
     const Vec2 middle = top - other.shape.middle;
@@ -141,7 +141,7 @@ Manifold collideWithFaces(const Convex& line, const Transform& a, const Convex& 
     const Transform ab = between(a, b);
     const Vec2 normal = line.normals[1];
     const std::size_t support = supportVertex(other, unrotate(ab.rotation, -normal), 0);
-    const FaceAxis front{1, support, dot(normal, ab * other.vertices[support] - line.vertices[1])};
+    const FaceAxis front{1, dot(normal, ab * other.vertices[support] - line.vertices[1])};
     const Vec2 middle = ab * other.middle;
     const bool behind = dot(normal, middle - line.vertices[0]) < -sinkOf(other, margin);
 

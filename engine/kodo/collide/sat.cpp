@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/collide/sat.hpp>
+#include <kodo/math/lanes.hpp>
 
-#include <array>
+#include <limits>
 
 namespace kodo::inline KODO_PRECISION {
 
@@ -32,53 +33,23 @@ Climb climbToSupport(const Convex& convex, Vec2 direction, std::size_t start) {
 
 namespace {
 
-/// The vertices of b as seen from a, for as many as fit; more are climbed over instead.
-class SeenVertices {
-public:
-    static constexpr std::size_t kMost = 8;
-
-    SeenVertices(const Convex& b, const Transform& ab) : count_(b.vertices.size()) {
-        for (std::size_t i = 0; i < count_; ++i) {
-            seen_[i] = ab * b.vertices[i];
+/// How far the vertices of b lie above each face of a, at the lowest: kLanes faces at a time.
+FaceAxis scanFew(const Convex& a, const Convex& b, const Transform& ab, Real margin) {
+    FaceAxis best{0, -std::numeric_limits<Real>::infinity()};
+    const std::size_t faces = a.normals.size();
+    for (std::size_t first = 0; first < faces && !(best.separation > margin); first += kLanes) {
+        const Couple normal = loadPairs(&a.normals[first].x);
+        const Couple on = loadPairs(&a.vertices[first].x);
+        Lanes lowest = all(std::numeric_limits<Real>::infinity());
+        for (const Vec2 vertex : b.vertices) {
+            const Vec2 seen = ab * vertex;
+            lowest = smaller(normal.x * all(seen.x) + normal.y * all(seen.y), lowest);
         }
-    }
-    FaceAxis below(const Convex& a, std::size_t face) const {
-        const Vec2 normal = a.normals[face];
-        std::size_t support = 0;
-        Real lowest = dot(normal, seen_[0]);
-        for (std::size_t i = 1; i < count_; ++i) {
-            const Real height = dot(normal, seen_[i]);
-            support = height < lowest ? i : support;
-            lowest = height < lowest ? height : lowest;
-        }
-        return {face, support, lowest - dot(normal, a.vertices[face])};
-    }
-
-private:
-    std::array<Vec2, kMost> seen_;
-    std::size_t count_;
-};
-
-/// Calls below(face) for the face that looks most directly at b first, which settles it for most
-/// pairs that are apart, then for all.
-template <typename Below>
-FaceAxis scanFaces(const Convex& a, Vec2 towardsB, Real margin, Below below) {
-    std::size_t facing = 0;
-    Real most = dot(a.normals[0], towardsB);
-    for (std::size_t i = 1; i < a.normals.size(); ++i) {
-        const Real along = dot(a.normals[i], towardsB);
-        facing = along > most ? i : facing;
-        most = along > most ? along : most;
-    }
-    FaceAxis best = below(facing);
-    if (best.separation > margin) {
-        return best;
-    }
-    best = below(0);
-    for (std::size_t i = 1; i < a.normals.size() && !(best.separation > margin); ++i) {
-        const FaceAxis axis = below(i);
-        if (axis.separation > best.separation) {
-            best = axis;
+        const Lanes above = lowest - (normal.x * on.x + normal.y * on.y);
+        for (std::size_t i = 0; i < kLanes && first + i < faces; ++i) {
+            if (above[i] > best.separation) {
+                best = {first + i, above[i]};
+            }
         }
     }
     return best;
@@ -87,18 +58,20 @@ FaceAxis scanFaces(const Convex& a, Vec2 towardsB, Real margin, Below below) {
 } // namespace
 
 FaceAxis leastPenetratingFace(const Convex& a, const Convex& b, const Transform& ab, Real margin) {
-    const Vec2 towardsB = ab * b.middle - a.middle;
-    if (b.vertices.size() <= SeenVertices::kMost) {
-        const SeenVertices vertices(b, ab);
-        return scanFaces(a, towardsB, margin,
-                         [&](std::size_t face) { return vertices.below(a, face); });
+    if (a.normals.size() <= Convex::kFew) {
+        return scanFew(a, b, ab, margin);
     }
+    FaceAxis best{0, -std::numeric_limits<Real>::infinity()};
     std::size_t support = 0;
-    return scanFaces(a, towardsB, margin, [&](std::size_t face) -> FaceAxis {
-        support = supportVertex(b, unrotate(ab.rotation, -a.normals[face]), support);
+    for (std::size_t i = 0; i < a.normals.size() && !(best.separation > margin); ++i) {
+        support = supportVertex(b, unrotate(ab.rotation, -a.normals[i]), support);
         const Vec2 deepest = ab * b.vertices[support];
-        return {face, support, dot(a.normals[face], deepest - a.vertices[face])};
-    });
+        const Real above = dot(a.normals[i], deepest - a.vertices[i]);
+        if (above > best.separation) {
+            best = {i, above};
+        }
+    }
+    return best;
 }
 
 } // namespace kodo::inline KODO_PRECISION

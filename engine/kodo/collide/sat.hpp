@@ -8,8 +8,7 @@ namespace kodo::inline KODO_PRECISION {
 /// The face of one polygon that comes nearest to separating it from another.
 struct FaceAxis {
     std::size_t face = 0;
-    std::size_t support = 0; // vertex of the other polygon that lies deepest below the face
-    Real separation = 0;     // m; > 0: a gap along that normal, <= 0: minus the overlap
+    Real separation = 0; // m; > 0: a gap along that normal, <= 0: minus the overlap
 };
 
 /// Where climbing ended, and how many vertices it compared on the way.
@@ -31,9 +30,9 @@ inline std::size_t supportVertex(const Convex& convex, Vec2 direction, std::size
 ///
 ///   s_i = min_j dot(n_i, b_j - a_i),   result = max_i s_i          [Ericson05, 5.2.1]
 ///
-/// s_i > margin for any i proves the polygons farther apart than that, so the scan stops there; it
-/// begins with the face that looks at b, which is the likeliest to prove it. Ties keep the lower
-/// index: a box at rest must not swap its face from one step to the next.
+/// s_i > margin for any i proves the polygons farther apart than that; of faces that are not looked
+/// at together with that one, no more are then. Ties keep the lower index: a box at rest must not
+/// swap its face from one step to the next.
 FaceAxis leastPenetratingFace(const Convex& a, const Convex& b, const Transform& ab, Real margin);
 
 } // namespace kodo::inline KODO_PRECISION

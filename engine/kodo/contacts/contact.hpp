@@ -3,9 +3,11 @@
 
 #include <kodo/bodies/body_def.hpp>
 #include <kodo/collide/manifold.hpp>
+#include <kodo/contacts/collision_record.hpp>
 
 #include <array>
 #include <compare>
+#include <optional>
 
 namespace kodo::inline KODO_PRECISION {
 
@@ -25,6 +27,17 @@ struct PointImpulse {
     Real largest = 0; // N s, in one group of this step
 };
 
+/// Where the solver keeps a contact from step to step; see ContactBlocks.
+struct ContactSeat {
+    static constexpr std::uint32_t kNone = ~std::uint32_t{};
+    static constexpr std::uint8_t kNoColour = 255;
+
+    std::uint32_t row = kNone;       // block * 8 + lane
+    std::uint8_t colour = kNoColour; // no other contact of it pushes the same body
+    bool fixedA = false;             // a could not be pushed when it got the colour
+    bool fixedB = false;
+};
+
 /// Two parts that touch or are near each other, from when their grown bounds meet until they part.
 struct Contact {
     ContactKey key;
@@ -35,20 +48,22 @@ struct Contact {
     Material material; // of the pair
     Vec2 centerA;      // m, world: where armA of the manifold starts
     Manifold manifold;
-    std::uint32_t travelA = 0; // of the bodies, when the manifold was found
-    std::uint32_t travelB = 0;
+    std::uint64_t travelA = 0; // of the bodies, when the manifold was found
+    std::uint64_t travelB = 0;
     std::array<PointImpulse, 2> impulse;
+    ContactSeat seat;
     Real friction = 0;        // N s, along perp(normal), of both points, of one substep
     Real rolling = 0;         // N m s, of one substep
     Real approachSpeed = 0;   // m/s, before the solver
     Real total = 0;           // N s, normal, all points, over the step
     bool near = false;        // the bounds of the parts, grown by the margin, meet
-    bool carried = false;     // the solver had it in the last step, so that carry may keep it
+    bool carried = false;     // the solver has it, and its manifold is that of the last step
     bool sensor = false;      // is only noticed
     bool passing = false;     // through a one-sided line from behind; see letPass
     bool hidden = false;      // in this step, under the surface that carries the body; see Seams
     bool touching = false;    // in this step
     bool wasTouching = false; // in the last step; equal to touching between steps
+    std::optional<TouchPhase> phase; // of the last step; nothing: it did not touch
 
     /// Do the bodies push each other?
     bool responds() const { return manifold.count > 0 && !sensor && !hidden; }

@@ -17,7 +17,9 @@ CollisionRecord endOf(const Contact& contact) {
     return record;
 }
 
-void finishContact(Contact& contact, const Tolerances& tolerances) {
+namespace {
+
+void sumUp(Contact& contact, const Tolerances& tolerances) {
     if (contact.sensor) {
         contact.touching = contact.touching || (contact.manifold.count > 0 &&
                                                 contact.manifold.points[0].separation <= 0);
@@ -35,15 +37,28 @@ void finishContact(Contact& contact, const Tolerances& tolerances) {
     }
 }
 
+} // namespace
+
+void finishContact(Contact& contact, const Tolerances& tolerances) {
+    sumUp(contact, tolerances);
+    contact.phase.reset();
+    if (contact.touching) {
+        contact.phase = contact.wasTouching ? TouchPhase::Persist : TouchPhase::Begin;
+    } else if (contact.wasTouching) {
+        contact.phase = TouchPhase::End;
+    }
+    contact.wasTouching = contact.touching;
+}
+
 void recordContact(const Contact& contact, std::vector<CollisionRecord>& out) {
-    if (!contact.touching) {
-        if (contact.wasTouching) {
-            out.push_back(endOf(contact));
-        }
+    if (!contact.phase) {
         return;
     }
     CollisionRecord& record = out.emplace_back(endOf(contact));
-    record.phase = contact.wasTouching ? TouchPhase::Persist : TouchPhase::Begin;
+    if (contact.phase == TouchPhase::End) {
+        return;
+    }
+    record.phase = *contact.phase;
     record.pointCount = static_cast<std::uint8_t>(contact.manifold.count);
     record.separation = contact.manifold.points[0].separation;
     record.approachSpeed = contact.approachSpeed;

@@ -9,10 +9,10 @@
 
 namespace kodo::inline KODO_PRECISION {
 
-/// Sums up a step for one contact: did it touch, and how hard.
+/// Sums up a step for one contact: did it touch, in which phase, and how hard.
 void finishContact(Contact& contact, const Tolerances& tolerances);
 
-/// Appends what one contact did in this step, if it did anything.
+/// Appends what a finished contact did in its step, if it did anything.
 void recordContact(const Contact& contact, std::vector<CollisionRecord>& out);
 
 /// The last record of a contact that touched and does so no more.

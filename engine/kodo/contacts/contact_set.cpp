@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/contacts/contact_report.hpp>
 #include <kodo/contacts/contact_set.hpp>
 #include <kodo/contacts/contact_update.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
@@ -23,6 +23,31 @@ void ContactSet::noteEnd(const Contact& contact) {
     }
 }
 
+std::span<const CollisionRecord> ContactSet::records() const {
+    writeRecords();
+    return records_;
+}
+
+void ContactSet::writeRecords() const {
+    if (!std::exchange(recordsDue_, false)) {
+        return;
+    }
+    for (const Place& place : order_) {
+        recordContact(contacts_[place.slot], records_);
+    }
+    if (endedInStep_.empty()) {
+        return;
+    }
+    records_.insert(records_.end(), endedInStep_.begin(), endedInStep_.end());
+    const auto key = [](const CollisionRecord& r) {
+        return std::make_tuple(r.a, r.partA, r.b, r.partB, r.phase != TouchPhase::End);
+    };
+    std::sort(records_.begin(), records_.end(), // total order: one record a pair, or an End
+              [&](const CollisionRecord& r, const CollisionRecord& s) { // and a new Begin
+                  return key(r) < key(s);
+              });
+}
+
 void ContactSet::forgetUnsoundImpulses() {
     for (Contact& contact : contacts_) {
         const Real sum = contact.impulse[0].normal + contact.impulse[1].normal + contact.friction +
@@ -32,6 +57,7 @@ void ContactSet::forgetUnsoundImpulses() {
             contact.friction = 0;
             contact.rolling = 0;
             contact.total = 0;
+            contact.carried = false;
         }
     }
 }
@@ -80,6 +106,7 @@ void ContactSet::fillHoles() {
 }
 
 void ContactSet::drop(std::uint32_t body) {
+    writeRecords();
     eraseIf([&](const Contact& contact) {
         const bool gone = contact.key.bodyA == body || contact.key.bodyB == body;
         if (gone) {
@@ -91,6 +118,7 @@ void ContactSet::drop(std::uint32_t body) {
 }
 
 void ContactSet::partRemoved(std::uint32_t body, std::size_t part) {
+    writeRecords();
     eraseIf([&](Contact& contact) {
         bool gone = false;
         for (const bool isA : {true, false}) {
@@ -109,11 +137,13 @@ void ContactSet::partRemoved(std::uint32_t body, std::size_t part) {
 }
 
 std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies) {
+    writeRecords();
     idle_.clear();
     eraseIf([&](const Contact& contact) {
         const bool gone = !bodies.active(contact.key.bodyA) && !bodies.active(contact.key.bodyB);
         if (gone) {
             idle_.push_back(contact);
+            idle_.back().seat = {};
         }
         return gone;
     });
@@ -121,6 +151,7 @@ std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies) {
 }
 
 void ContactSet::putBack(std::span<const Contact> contacts) {
+    writeRecords();
     const auto keyOf = [&](const Place& place) { return contacts_[place.slot].key; };
     for (const Contact& contact : contacts) {
         const auto place = std::lower_bound(
@@ -203,6 +234,7 @@ void ContactSet::renew(const Bodies& bodies, const Tolerances& tolerances) {
 }
 
 void ContactSet::updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt) {
+    recordsDue_ = false; // nobody asked
     if (std::exchange(stale_, false)) {
         renew(bodies, tolerances);
         pairsStale_ = false;

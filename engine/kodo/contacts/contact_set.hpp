@@ -6,6 +6,7 @@
 #include <kodo/broad/pair_finder.hpp>
 #include <kodo/contacts/collision_record.hpp>
 #include <kodo/contacts/contact.hpp>
+#include <kodo/contacts/contact_report.hpp>
 #include <kodo/contacts/seams.hpp>
 
 #include <span>
@@ -48,18 +49,23 @@ public:
     /// In an order of their own, which does not change while no pair comes or goes.
     std::span<Contact> contacts() { return contacts_; }
     std::span<const Contact> contacts() const { return contacts_; }
-    /// Calls visit(contact) for each, in the order of keys.
+    /// Sums up a step. visit(contact) is called for each that touched.
     template <typename Visit>
-    void inOrder(Visit visit) {
-        for (const Place& place : order_) {
-            visit(contacts_[place.slot]);
+    void finishStep(const Tolerances& tolerances, bool wantRecords, Visit visit) {
+        for (Contact& contact : contacts_) {
+            finishContact(contact, tolerances);
+            if (contact.touching) {
+                visit(contact);
+            }
         }
+        records_.clear();
+        endedInStep_.clear();
+        std::swap(ended_, endedInStep_);
+        recordsDue_ = wantRecords;
     }
-
-    /// The records of contacts that ended because they lost a body, until clearEnded().
-    std::span<const CollisionRecord> ended() const { return ended_; }
-    void clearEnded() { ended_.clear(); }
-    void noteEnd(const Contact& contact);
+    /// Of the last step, in order. They are written when they are first asked for, or before a
+    /// contact goes, so that those who ask for none pay for none.
+    std::span<const CollisionRecord> records() const;
 
 private:
     friend class SnapshotFields;
@@ -75,6 +81,8 @@ private:
         std::uint32_t slot;
     };
 
+    void writeRecords() const;
+    void noteEnd(const Contact& contact);
     void rebuildProxies(const Bodies& bodies);
     void renew(const Bodies& bodies, const Tolerances& tolerances);
     void orderContacts();
@@ -106,7 +114,11 @@ private:
     std::vector<std::uint32_t> added_; // places in the order whose contact is new, while merging
     std::vector<std::uint32_t> slots_; // where the contacts of the last slots went
     std::vector<Contact> idle_;        // that takeIdle gave
-    std::vector<CollisionRecord> ended_;
+    // Of contacts that ended because they lost a body or the nearness of their parts.
+    std::vector<CollisionRecord> ended_;       // since the last step
+    std::vector<CollisionRecord> endedInStep_; // before it
+    mutable std::vector<CollisionRecord> records_;
+    mutable bool recordsDue_ = false;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> apart_;
     bool stale_ = true;
     bool pairsStale_ = true;

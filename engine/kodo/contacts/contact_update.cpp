@@ -4,7 +4,6 @@
 #include <kodo/contacts/contact_update.hpp>
 
 #include <algorithm>
-#include <utility>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -46,7 +45,7 @@ void replaceManifold(Contact& contact, const Manifold& manifold) {
 }
 
 // A manifold is kept until its bodies have gone so far, in slops.
-constexpr std::uint32_t kKept = 8;
+constexpr std::uint64_t kKept = 8;
 
 /// Keeps a manifold while its bodies have not gone far since it was found: only the separations
 /// follow the last step, to first order in the turn. This saves most of the work in a
@@ -54,9 +53,10 @@ constexpr std::uint32_t kKept = 8;
 bool carry(const Bodies& bodies, Contact& contact) {
     const std::uint32_t a = contact.key.bodyA;
     const std::uint32_t b = contact.key.bodyB;
-    const std::uint32_t way =
+    const std::uint64_t way =
         (bodies.travel[a] - contact.travelA) + (bodies.travel[b] - contact.travelB);
-    if (!std::exchange(contact.carried, false) || way > kKept * Bodies::kTravelPerSlop) {
+    contact.carried = contact.carried && way <= kKept * Bodies::kTravelPerSlop;
+    if (!contact.carried) {
         return false;
     }
     const Motion& motionA = bodies.motion[a];

@@ -3,6 +3,7 @@
 
 #include <kodo/base/real.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
@@ -43,6 +44,12 @@ KODO_LANES_INLINE Lanes smaller(Lanes a, Lanes b) {
     return a < b ? a : b;
 }
 
+/// Two numbers of each of kLanes structures.
+struct Couple {
+    Lanes x;
+    Lanes y;
+};
+
 /// Four numbers of each of kLanes structures.
 struct Quad {
     Lanes x;
@@ -79,6 +86,13 @@ KODO_LANES_INLINE Quad transpose(Lanes r0, Lanes r1, Lanes r2, Lanes r3) {
             __builtin_shufflevector(c, d, 0, 1, 8, 9, 4, 5, 12, 13),
             __builtin_shufflevector(c, d, 2, 3, 10, 11, 6, 7, 14, 15)};
 }
+/// Reads kLanes pairs that lie one behind the other.
+KODO_LANES_INLINE Couple loadPairs(const Real* from) {
+    const Lanes low = load(from);
+    const Lanes high = load(from + kLanes);
+    return {__builtin_shufflevector(low, high, 0, 2, 4, 6, 8, 10, 12, 14),
+            __builtin_shufflevector(low, high, 1, 3, 5, 7, 9, 11, 13, 15)};
+}
 /// Reads four numbers from each base + stride * index.
 KODO_LANES_INLINE Quad gather(const Real* base, std::size_t stride, const std::uint32_t* index) {
     const auto at = [&](int i) { return base + stride * index[i]; };
@@ -103,6 +117,12 @@ KODO_LANES_INLINE Quad transpose(Lanes r0, Lanes r1, Lanes r2, Lanes r3) {
     return {__builtin_shufflevector(a, b, 0, 1, 4, 5), __builtin_shufflevector(a, b, 2, 3, 6, 7),
             __builtin_shufflevector(c, d, 0, 1, 4, 5), __builtin_shufflevector(c, d, 2, 3, 6, 7)};
 }
+KODO_LANES_INLINE Couple loadPairs(const Real* from) {
+    const Lanes low = load(from);
+    const Lanes high = load(from + kLanes);
+    return {__builtin_shufflevector(low, high, 0, 2, 4, 6),
+            __builtin_shufflevector(low, high, 1, 3, 5, 7)};
+}
 KODO_LANES_INLINE Quad gather(const Real* base, std::size_t stride, const std::uint32_t* index) {
     const auto at = [&](int i) { return load(base + stride * index[i]); };
     return transpose(at(0), at(1), at(2), at(3));
@@ -117,6 +137,11 @@ KODO_LANES_INLINE void scatter(Real* base, std::size_t stride, const std::uint32
     store(at(3), rows.w);
 }
 #else                                            // 2 doubles: a structure is two rows
+KODO_LANES_INLINE Couple loadPairs(const Real* from) {
+    const Lanes low = load(from);
+    const Lanes high = load(from + kLanes);
+    return {__builtin_shufflevector(low, high, 0, 2), __builtin_shufflevector(low, high, 1, 3)};
+}
 KODO_LANES_INLINE Quad gather(const Real* base, std::size_t stride, const std::uint32_t* index) {
     const Real* const p = base + stride * index[0];
     const Real* const q = base + stride * index[1];

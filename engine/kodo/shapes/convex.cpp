@@ -8,8 +8,8 @@
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
-void setVertices(Convex& convex, std::vector<Vec2> vertices, Vec2 origin) {
-    convex.vertices = std::move(vertices);
+void setVertices(Convex& convex, const std::vector<Vec2>& vertices, Vec2 origin) {
+    convex.vertices = Convex::Points(vertices);
     for (Vec2& vertex : convex.vertices) {
         vertex -= origin;
     }
@@ -72,7 +72,7 @@ void build(Convex& convex, const Plane& plane, Vec2 origin) {
     convex.kind = OutlineKind::Half;
     const Vec2 normal = normalize(plane.normal);
     setVertices(convex, {plane.offset * normal}, origin);
-    convex.normals = {normal};
+    convex.normals.push_back(normal);
     convex.middle = convex.vertices[0];
     convex.inside = kEndless;
 }

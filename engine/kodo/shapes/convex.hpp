@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/base/short_list.hpp>
 #include <kodo/math/aabb.hpp>
 #include <kodo/shapes/shape.hpp>
 
 #include <cstdint>
-#include <vector>
 
 namespace kodo::inline KODO_PRECISION {
 
@@ -23,8 +23,11 @@ enum class OutlineKind : std::uint8_t {
 /// outward unit normal. A line has two edges, back and front: normals[1] is the left hand on the
 /// way from vertex 0 to vertex 1, the side that a one-sided line blocks.
 struct Convex {
-    std::vector<Vec2> vertices;
-    std::vector<Vec2> normals; // empty for a single vertex, except a plane's
+    static constexpr std::size_t kFew = 8; // as many as outlines of games have, as a rule
+    using Points = ShortList<Vec2, kFew>;
+
+    Points vertices;
+    Points normals; // empty for a single vertex, except a plane's
     Real radius = 0;
     Real reach = 0;  // no point is farther than this from the frame's origin
     Real inside = 0; // radius of a disc around some inner point that fits: how thin the shape is

@@ -50,9 +50,8 @@ struct RollingBlock {
 /// Which parts of a block are in use.
 struct BlockUse {
     std::int32_t rolling = -1; // place of its RollingBlock, if there is one
-    std::uint8_t contacts = 0;
-    bool twoPoints = false; // some contact has two
-    bool onLocked = false;  // all contacts have a side that cannot be pushed: twice the frequency
+    bool twoPoints = false;    // or else each contact has one
+    bool onLocked = false; // all contacts have a side that cannot be pushed: twice the frequency
 };
 
 /// What all contacts of a substep share.
@@ -63,11 +62,12 @@ struct PassSettings {
     bool friction;
 };
 
-/// One pass over blocks in order. `motion` is that of the bodies.
+/// One pass over `count` blocks, in an order. `motion` is that of the bodies.
 struct ContactPassArguments {
     ContactBlock* blocks;
     RollingBlock* rolling;
     const BlockUse* use;
+    const std::uint32_t* order;
     std::size_t count;
     Motion* motion;
     PassSettings settings;

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/base/refill.hpp>
 #include <kodo/solve/contact_blocks.hpp>
 
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <utility>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
-
-// So many bodies may overlap one deeply before their pushes are shared out: no more fit around it.
-constexpr int kNeighbours = 7;
 
 Real effectiveMass(const Motion& a, const Motion& b, Real leverA, Real leverB) {
     const Real k =
@@ -39,111 +36,298 @@ bool immovable(const Motion& motion) {
     return motion.invMass == 0 && motion.invInertia == 0;
 }
 
+constexpr std::size_t blockOf(std::uint32_t row) {
+    return row / ContactBlock::kContacts;
+}
+constexpr std::size_t laneOf(std::uint32_t row) {
+    return row % ContactBlock::kContacts;
+}
+constexpr std::uint8_t maskOf(std::uint32_t row) {
+    return static_cast<std::uint8_t>(1u << laneOf(row));
+}
+
 } // namespace
 
-void ContactBlocks::clear(const Bodies& bodies) {
-    if (!rows_.empty()) {
-        counts_.fill(0);
-    }
-    rows_.clear();
+/// What found no colour: its blocks hold one contact each.
+bool ContactBlocks::isSingle(std::uint32_t bin) {
+    return bin / 2 == kFreeColours || bin / 2 == kGroups - 1;
+}
+
+std::uint32_t ContactBlocks::binOf(std::uint32_t colour, const Contact& contact) {
+    const std::uint32_t group = colour < kFreeColours ? colour : colour + 1;
+    return 2 * group + (contact.manifold.count == 2 ? 1 : 0);
+}
+
+void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, bool rolling) {
     colours_.resize(bodies.size());
-    for (const std::uint32_t body : bodies.awake) {
-        colours_[body] = 0;
+    if (order_.size() > singles_ + kBins + rows_ / 4) { // most lanes are empty
+        forgetLanes();
+    }
+    singles_ = 0;
+    if (!seated_) {
+        seatAll(contacts);
+    }
+    if (std::exchange(rollingOn_, rolling) != rolling) {
+        rolling_.clear();
+        for (BlockUse& use : use_) {
+            use.rolling = -1;
+        }
+        anew_ = true;
+    }
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        ContactBlock& block = blocks_[i];
+        shelves_[i].taken = 0;
+        for (ContactBlock::Point& point : block.points) {
+            std::fill_n(point.largest, ContactBlock::kContacts, Real(0));
+        }
+        std::fill_n(block.total, ContactBlock::kContacts, Real(0));
+    }
+    newcomers_.clear();
+}
+
+/// Gives lanes to all contacts that have a colour: they were read from a snapshot, or the lanes
+/// are dealt out anew.
+void ContactBlocks::seatAll(std::span<Contact> contacts) {
+    open_.fill(kNone);
+    for (Contact& contact : contacts) {
+        ContactSeat& seat = contact.seat;
+        seat.row = kNone;
+        if (seat.colour == ContactSeat::kNoColour) {
+            continue;
+        }
+        const std::uint64_t colour = std::uint64_t{1} << seat.colour;
+        const std::uint64_t colourA = seat.fixedA ? 0 : colour;
+        const std::uint64_t colourB = seat.fixedB ? 0 : colour;
+        std::uint64_t& ofA = colours_[contact.key.bodyA];
+        std::uint64_t& ofB = colours_[contact.key.bodyB];
+        if (((ofA & colourA) | (ofB & colourB)) != 0) {
+            seat = {}; // only where a snapshot was forged
+            continue;
+        }
+        ofA |= colourA;
+        ofB |= colourB;
+        sit(contact, binOf(seat.colour, contact));
+    }
+    seated_ = true;
+    anew_ = true;
+}
+
+void ContactBlocks::forgetLanes() {
+    colours_.assign(colours_.size(), 0);
+    blocks_.clear();
+    use_.clear();
+    shelves_.clear();
+    rolling_.clear();
+    rows_ = 0;
+    orderStale_ = true;
+    seated_ = false;
+}
+
+void ContactBlocks::take(const Bodies& bodies, Contact& contact, std::uint32_t place) {
+    ContactSeat& seat = contact.seat;
+    if (seat.colour != ContactSeat::kNoColour && contact.carried && !anew_) {
+        ContactBlock& block = blocks_[blockOf(seat.row)];
+        shelves_[blockOf(seat.row)].taken |= maskOf(seat.row);
+        block.points[0].separation[laneOf(seat.row)] = contact.manifold.points[0].separation;
+        block.points[1].separation[laneOf(seat.row)] = contact.manifold.points[1].separation;
+        return;
+    }
+    const Motion& a = bodies.motion[contact.key.bodyA];
+    const Motion& b = bodies.motion[contact.key.bodyB];
+    const bool onLocked = a.invMass == 0 || b.invMass == 0;
+    if (seat.colour == ContactSeat::kNoColour || (seat.colour >= kFreeColours) != onLocked ||
+        seat.fixedA != immovable(a) || seat.fixedB != immovable(b)) {
+        newcomers_.push_back(place);
+        return;
+    }
+    if (const std::uint32_t bin = binOf(seat.colour, contact);
+        shelves_[blockOf(seat.row)].bin != bin) {
+        empty(seat.row);
+        sit(contact, bin);
+    }
+    shelves_[blockOf(seat.row)].taken |= maskOf(seat.row);
+    fill(bodies, contact);
+}
+
+/// Lanes that were not taken: their contacts are gone, push nobody any more, or have to find
+/// another colour.
+void ContactBlocks::freeLanes(const Bodies& bodies) {
+    const bool spareMoved = std::exchange(spare_, bodies.spare()) != bodies.spare();
+    for (std::uint32_t i = 0; i < blocks_.size(); ++i) {
+        const std::uint32_t gone = shelves_[i].used & ~shelves_[i].taken;
+        for (std::uint32_t rest = gone; rest != 0; rest &= rest - 1) {
+            release(i * ContactBlock::kContacts +
+                    static_cast<std::uint32_t>(std::countr_zero(rest)));
+        }
+        for (std::size_t lane = 0; spareMoved && lane < ContactBlock::kContacts; ++lane) {
+            if ((shelves_[i].used >> lane & 1) == 0) {
+                blocks_[i].a[lane] = blocks_[i].b[lane] = spare_;
+            }
+        }
     }
 }
 
-void ContactBlocks::add(const Bodies& bodies, const Contact& contact, std::uint32_t place) {
+/// Gives up a lane and the colour of its contact.
+void ContactBlocks::release(std::uint32_t row) {
+    const ContactBlock& block = blocks_[blockOf(row)];
+    const Shelf& shelf = shelves_[blockOf(row)];
+    const std::uint32_t group = shelf.bin / 2;
+    if (!isSingle(shelf.bin)) {
+        const std::uint64_t colour = std::uint64_t{1} << (group - (group > kFreeColours ? 1 : 0));
+        colours_[block.a[laneOf(row)]] &= ~((shelf.fixedA & maskOf(row)) != 0 ? 0 : colour);
+        colours_[block.b[laneOf(row)]] &= ~((shelf.fixedB & maskOf(row)) != 0 ? 0 : colour);
+    }
+    empty(row);
+}
+
+/// Makes a lane a free one.
+void ContactBlocks::empty(std::uint32_t row) {
+    Shelf& shelf = shelves_[blockOf(row)];
+    if (shelf.used == 0xff || isSingle(shelf.bin)) {
+        shelf.nextOpen = std::exchange(open_[shelf.bin], static_cast<std::uint32_t>(blockOf(row)));
+    }
+    shelf.used &= static_cast<std::uint8_t>(~maskOf(row));
+    orderStale_ = orderStale_ || shelf.used == 0;
+    --rows_;
+    ContactBlock& block = blocks_[blockOf(row)];
+    const std::size_t lane = laneOf(row);
+    block.a[lane] = block.b[lane] = spare_;
+    for (ContactBlock::Point& point : block.points) {
+        writePoint(point, lane, {});
+    }
+    for (ContactBlock::Each* each : {&block.normalX, &block.normalY, &block.tangentLeverA,
+                                     &block.tangentLeverB, &block.tangentMass, &block.friction}) {
+        (*each)[lane] = 0;
+    }
+    if (const std::int32_t rolling = use_[blockOf(row)].rolling; rolling >= 0) {
+        RollingBlock& own = rolling_[static_cast<std::size_t>(rolling)];
+        own.lever[lane] = own.mass[lane] = own.impulse[lane] = 0;
+    }
+}
+
+void ContactBlocks::colourNewcomer(const Bodies& bodies, Contact& contact) {
     const std::uint32_t a = contact.key.bodyA;
     const std::uint32_t b = contact.key.bodyB;
     const Motion& motionA = bodies.motion[a];
     const Motion& motionB = bodies.motion[b];
     const bool onLocked = motionA.invMass == 0 || motionB.invMass == 0;
+    ContactSeat& seat = contact.seat;
+    seat = {};
+    seat.fixedA = immovable(motionA);
+    seat.fixedB = immovable(motionB);
     constexpr std::uint64_t kFree = (std::uint64_t{1} << kFreeColours) - 1;
-    const std::uint64_t taken = (immovable(motionA) ? 0 : colours_[a]) |
-                                (immovable(motionB) ? 0 : colours_[b]) |
+    const std::uint64_t taken = (seat.fixedA ? 0 : colours_[a]) | (seat.fixedB ? 0 : colours_[b]) |
                                 (onLocked ? kFree : ~kFree);
-    std::uint32_t group = static_cast<std::uint32_t>(std::countr_one(taken));
-    if (group < kColours) {
-        colours_[a] |= std::uint64_t{1} << group;
-        colours_[b] |= std::uint64_t{1} << group;
-        group += onLocked ? 1 : 0;
+    const auto colour = static_cast<std::uint32_t>(std::countr_one(taken));
+    if (colour == kColours || (colour >= kFreeColours && !onLocked)) {
+        const std::uint32_t group = onLocked ? kGroups - 1 : kFreeColours;
+        ++singles_;
+        sit(contact, 2 * group + (contact.manifold.count == 2 ? 1 : 0));
     } else {
-        group = onLocked ? kGroups - 1 : kFreeColours;
+        seat.colour = static_cast<std::uint8_t>(colour);
+        colours_[a] |= seat.fixedA ? 0 : std::uint64_t{1} << colour;
+        colours_[b] |= seat.fixedB ? 0 : std::uint64_t{1} << colour;
+        sit(contact, binOf(colour, contact));
     }
-    rows_.push_back({place, 2 * group + (contact.manifold.count == 2 ? 1u : 0u)});
-    ++counts_[rows_.back().slot];
 }
 
-/// Turns groups into slots. A colour starts a new block; those without one get a block each.
-void ContactBlocks::placeRows(std::span<const Contact> contacts) {
-    std::array<std::uint32_t, 2 * kGroups> next;
-    std::uint32_t slot = 0;
-    for (std::size_t group = 0; group < kGroups; ++group) {
-        const bool single = group == kFreeColours || group == kGroups - 1;
-        const std::uint32_t each = single ? ContactBlock::kContacts : 1;
-        for (const std::size_t points : {2 * group, 2 * group + 1}) {
-            next[points] = slot;
-            slot += each * counts_[points];
-        }
-        slot = (slot + ContactBlock::kContacts - 1) / ContactBlock::kContacts *
-               ContactBlock::kContacts;
+/// A block of a bin that has a free lane.
+std::uint32_t ContactBlocks::openBlock(std::uint32_t bin) {
+    if (open_[bin] != kNone) {
+        return open_[bin];
     }
-    const std::size_t blocks = slot / ContactBlock::kContacts;
-    // For as many as the rows there is room for may need, in the colours of a pile.
-    constexpr std::size_t kColoursOfPile = 16;
-    blocks_.reserve(rows_.capacity() / ContactBlock::kContacts + kColoursOfPile);
+    const auto block = static_cast<std::uint32_t>(blocks_.size());
+    ContactBlock& lanes = blocks_.emplace_back();
+    shelves_.reserve(blocks_.capacity());
     use_.reserve(blocks_.capacity());
-    blocks_.resize(blocks);
-    refill(use_, blocks, BlockUse{});
-    for (Row& row : rows_) {
-        const std::uint32_t group = row.slot / 2;
-        const bool single = group == kFreeColours || group == kGroups - 1;
-        std::uint32_t& place = next[row.slot];
-        row.slot = place;
-        place += single ? ContactBlock::kContacts : 1;
-        BlockUse& use = use_[row.slot / ContactBlock::kContacts];
-        use.twoPoints = use.twoPoints || contacts[row.contact].manifold.count == 2;
-        use.onLocked = group > kFreeColours;
-        ++use.contacts;
-    }
+    order_.reserve(blocks_.capacity());
+    std::fill_n(lanes.a, ContactBlock::kContacts, spare_);
+    std::fill_n(lanes.b, ContactBlock::kContacts, spare_);
+    shelves_.push_back({bin, kNone, 0, 0, 0, 0});
+    use_.push_back({-1, bin % 2 == 1, bin / 2 > kFreeColours});
+    open_[bin] = block;
+    return block;
 }
 
-void ContactBlocks::arrange(const Bodies& bodies, std::span<const Contact> contacts,
-                            std::span<const std::uint16_t> crowd, Real pushSpeed, bool rolling) {
-    rolling_.clear();
-    if (rows_.empty()) {
-        blocks_.clear();
+/// Gives the contact a lane.
+void ContactBlocks::sit(Contact& contact, std::uint32_t bin) {
+    const std::uint32_t block = openBlock(bin);
+    Shelf& shelf = shelves_[block];
+    const auto lane = static_cast<std::uint32_t>(std::countr_one(shelf.used));
+    orderStale_ = orderStale_ || shelf.used == 0;
+    const auto mask = static_cast<std::uint8_t>(1u << lane);
+    shelf.used |= mask;
+    shelf.taken |= mask;
+    const auto put = [&](std::uint8_t& lanes, bool value) {
+        lanes = static_cast<std::uint8_t>(value ? lanes | mask : lanes & ~mask);
+    };
+    put(shelf.fixedA, contact.seat.fixedA);
+    put(shelf.fixedB, contact.seat.fixedB);
+    if (shelf.used == 0xff || isSingle(bin)) {
+        open_[bin] = shelf.nextOpen;
+    }
+    ++rows_;
+    contact.seat.row = block * ContactBlock::kContacts + lane;
+    blocks_[block].a[lane] = contact.key.bodyA;
+    blocks_[block].b[lane] = contact.key.bodyB;
+}
+
+/// Lists the blocks in use by bin.
+void ContactBlocks::orderBlocks() {
+    std::array<std::uint32_t, kBins + 1> next{};
+    for (const Shelf& shelf : shelves_) {
+        next[shelf.bin + 1] += shelf.used != 0 ? 1 : 0;
+    }
+    for (std::size_t bin = 1; bin <= kBins; ++bin) {
+        next[bin] += next[bin - 1];
+    }
+    order_.resize(next[kBins]);
+    for (std::uint32_t i = 0; i < shelves_.size(); ++i) {
+        if (shelves_[i].used != 0) {
+            order_[next[shelves_[i].bin]++] = i;
+        }
+    }
+    orderStale_ = false;
+}
+
+void ContactBlocks::arrange(const Bodies& bodies, std::span<Contact> contacts,
+                            std::span<const std::uint16_t> crowd, Real pushSpeed) {
+    freeLanes(bodies);
+    for (const std::uint32_t place : newcomers_) {
+        colourNewcomer(bodies, contacts[place]);
+        fill(bodies, contacts[place]);
+    }
+    if (orderStale_) {
+        orderBlocks();
+    }
+    setPushSpeeds(crowd, pushSpeed);
+    anew_ = false;
+}
+
+void ContactBlocks::setPushSpeeds(std::span<const std::uint16_t> crowd, Real pushSpeed) {
+    if (crowd.empty() && !shared_ && pushSpeed == pushSpeed_) {
         return;
     }
-    placeRows(contacts);
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-        if (use_[i].contacts < ContactBlock::kContacts) {
-            blocks_[i] = {};
-            std::fill_n(blocks_[i].a, ContactBlock::kContacts, bodies.spare());
-            std::fill_n(blocks_[i].b, ContactBlock::kContacts, bodies.spare());
-        }
-    }
-    for (const Row& row : rows_) {
-        const Contact& contact = contacts[row.contact];
-        const int crowded = std::max(crowd[contact.key.bodyA], crowd[contact.key.bodyB]);
-        fill(bodies, contact, row.slot,
-             pushSpeed / static_cast<Real>(std::max(1, crowded - kNeighbours)));
-        if (rolling) {
-            addRolling(bodies, contact, row.slot);
+    pushSpeed_ = pushSpeed;
+    shared_ = !crowd.empty();
+    for (const std::uint32_t i : order_) {
+        ContactBlock& block = blocks_[i];
+        for (std::uint32_t used = shelves_[i].used; used != 0; used &= used - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(used));
+            const int crowded = shared_ ? std::max(crowd[block.a[lane]], crowd[block.b[lane]]) : 0;
+            block.pushSpeed[lane] =
+                pushSpeed / static_cast<Real>(std::max(1, crowded + 1 - kNeighbours));
         }
     }
 }
 
-void ContactBlocks::fill(const Bodies& bodies, const Contact& contact, std::uint32_t slot,
-                         Real pushSpeed) {
-    ContactBlock& block = blocks_[slot / ContactBlock::kContacts];
-    const std::size_t lane = slot % ContactBlock::kContacts;
+void ContactBlocks::fill(const Bodies& bodies, const Contact& contact) {
+    ContactBlock& block = blocks_[blockOf(contact.seat.row)];
+    const std::size_t lane = laneOf(contact.seat.row);
     const Motion& a = bodies.motion[contact.key.bodyA];
     const Motion& b = bodies.motion[contact.key.bodyB];
     const Manifold& manifold = contact.manifold;
     const Vec2 n = manifold.normal;
-    block.a[lane] = contact.key.bodyA;
-    block.b[lane] = contact.key.bodyB;
     block.normalX[lane] = n.x;
     block.normalY[lane] = n.y;
     const auto setPoint = [&](std::size_t i) {
@@ -175,44 +359,51 @@ void ContactBlocks::fill(const Bodies& bodies, const Contact& contact, std::uint
     block.friction[lane] = contact.friction;
     block.staticFriction[lane] = contact.material.staticFriction;
     block.kineticFriction[lane] = contact.material.kineticFriction;
-    block.pushSpeed[lane] = pushSpeed;
+    block.pushSpeed[lane] = pushSpeed_;
     block.total[lane] = 0;
+    if (rollingOn_) {
+        fillRolling(bodies, contact);
+    }
 }
 
 /// A rolling body is braked with a torque of at most resistance * radius * normal force, where the
 /// radius is the distance from its centre to the contact [Thesis06, 4.3.3].
-void ContactBlocks::addRolling(const Bodies& bodies, const Contact& contact, std::uint32_t slot) {
+void ContactBlocks::fillRolling(const Bodies& bodies, const Contact& contact) {
     const Motion& a = bodies.motion[contact.key.bodyA];
     const Motion& b = bodies.motion[contact.key.bodyB];
     const Real freedom = a.invInertia + b.invInertia;
-    if (contact.material.rollingResistance == 0 || freedom == 0) {
-        return;
-    }
-    std::int32_t& place = use_[slot / ContactBlock::kContacts].rolling;
+    const bool rolls = contact.material.rollingResistance > 0 && freedom > 0;
+    std::int32_t& place = use_[blockOf(contact.seat.row)].rolling;
     if (place < 0) {
+        if (!rolls) {
+            return;
+        }
         place = static_cast<std::int32_t>(rolling_.size());
         rolling_.emplace_back();
     }
     RollingBlock& block = rolling_[static_cast<std::size_t>(place)];
-    const std::size_t lane = slot % ContactBlock::kContacts;
+    const std::size_t lane = laneOf(contact.seat.row);
     const ManifoldPoint& p = contact.manifold.points[0];
     const Real radiusA = a.invInertia > 0 ? length(p.armA) : std::numeric_limits<Real>::max();
     const Real radiusB = b.invInertia > 0 ? length(p.armB) : std::numeric_limits<Real>::max();
-    block.lever[lane] = contact.material.rollingResistance * std::min(radiusA, radiusB);
-    block.mass[lane] = 1 / freedom;
-    block.impulse[lane] = contact.rolling;
+    block.lever[lane] =
+        rolls ? contact.material.rollingResistance * std::min(radiusA, radiusB) : Real(0);
+    block.mass[lane] = rolls ? 1 / freedom : Real(0);
+    block.impulse[lane] = rolls ? contact.rolling : Real(0);
 }
 
 ContactPassArguments ContactBlocks::pass(Bodies& bodies, const PassSettings& settings) {
-    return {blocks_.data(), rolling_.data(),      use_.data(),
-            blocks_.size(), bodies.motion.data(), settings};
+    return {blocks_.data(), rolling_.data(),      use_.data(), order_.data(),
+            order_.size(),  bodies.motion.data(), settings};
 }
 
 void ContactBlocks::store(std::span<Contact> contacts) const {
-    for (const Row& row : rows_) {
-        Contact& contact = contacts[row.contact];
-        const ContactBlock& block = blocks_[row.slot / ContactBlock::kContacts];
-        const std::size_t lane = row.slot % ContactBlock::kContacts;
+    for (Contact& contact : contacts) {
+        if (contact.seat.row == kNone) {
+            continue;
+        }
+        const ContactBlock& block = blocks_[blockOf(contact.seat.row)];
+        const std::size_t lane = laneOf(contact.seat.row);
         for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
             contact.impulse[i].normal = block.points[i].impulse[lane];
             contact.impulse[i].largest = block.points[i].largest[lane];
@@ -220,7 +411,7 @@ void ContactBlocks::store(std::span<Contact> contacts) const {
         contact.carried = true;
         contact.friction = block.friction[lane];
         contact.total = block.total[lane];
-        const std::int32_t rolling = use_[row.slot / ContactBlock::kContacts].rolling;
+        const std::int32_t rolling = use_[blockOf(contact.seat.row)].rolling;
         contact.rolling =
             rolling < 0 ? Real(0) : rolling_[static_cast<std::size_t>(rolling)].impulse[lane];
     }

@@ -10,45 +10,85 @@
 
 namespace kodo::inline KODO_PRECISION {
 
-/// Arranges contacts into blocks for one step. Contacts that push the same body get different
-/// colours, the lowest that is free, in the order in which they are added; the passes go through
-/// colour by colour. Contacts with what cannot be pushed come last, so that they have the last
-/// word.
+/// Arranges contacts into blocks. Contacts that push the same body get different colours, the
+/// lowest that is free, as they come; the passes go through colour by colour. Contacts with what
+/// cannot be pushed come last, so that they have the last word.
+///
+/// A contact keeps its colour and its lane from step to step; what is kept there as well, as long
+/// as its manifold is, saves most of the work. Only colours decide the outcome, not lanes: so a
+/// snapshot holds those alone.
 class ContactBlocks {
 public:
-    void clear(const Bodies& bodies);
-    /// Takes a contact that responds. `place` is that in the list that store() will be given.
-    void add(const Bodies& bodies, const Contact& contact, std::uint32_t place);
-    /// Lays out what was added. `pushSpeed` (m/s) is shared out among those who crowd a body.
-    void arrange(const Bodies& bodies, std::span<const Contact> contacts,
-                 std::span<const std::uint16_t> crowd, Real pushSpeed, bool rolling);
+    /// So many bodies may overlap one deeply before their pushes are shared out: no more fit around
+    /// it, and a few may stand in for them.
+    static constexpr int kNeighbours = 8;
+
+    /// Before the contacts of a step are taken, of which some may be gone. `rolling`: with rolling
+    /// resistance.
+    void begin(const Bodies& bodies, std::span<Contact> contacts, bool rolling);
+    /// Takes a contact that responds. `place` is that in the list of contacts.
+    void take(const Bodies& bodies, Contact& contact, std::uint32_t place);
+    /// After the last one. `pushSpeed` (m/s) is shared out among those who crowd a body, if there
+    /// are more than kNeighbours of them; `crowd` is by body, and empty when nobody is crowded.
+    void arrange(const Bodies& bodies, std::span<Contact> contacts,
+                 std::span<const std::uint16_t> crowd, Real pushSpeed);
 
     ContactPassArguments pass(Bodies& bodies, const PassSettings& settings);
-    std::size_t size() const { return rows_.size(); }
+    std::size_t size() const { return rows_; }
 
     /// Hands the impulses of the step to the contacts they belong to.
     void store(std::span<Contact> contacts) const;
 
 private:
-    static constexpr std::size_t kFreeColours = 48;
-    static constexpr std::size_t kColours = 64;          // the others are for what cannot be pushed
-    static constexpr std::size_t kGroups = kColours + 2; // and two for those that found no colour
+    static constexpr std::uint32_t kFreeColours = 48;
+    static constexpr std::uint32_t kColours = 64; // the others are for what cannot be pushed
+    // What finds no colour has a block to itself; those come behind the colours of their kind.
+    static constexpr std::uint32_t kGroups = kColours + 2;
+    static constexpr std::uint32_t kBins = 2 * kGroups; // with one point, with two
+    static constexpr std::uint32_t kNone = ContactSeat::kNone;
 
-    struct Row {
-        std::uint32_t contact;
-        std::uint32_t slot; // while rows are added: place in counts_; then block * 8 + lane
+    /// Where a block belongs, and what its lanes hold.
+    struct Shelf {
+        std::uint32_t bin = 0;
+        std::uint32_t nextOpen = kNone; // of those of the bin that have a free lane
+        std::uint8_t used = 0;          // by lane
+        std::uint8_t taken = 0;         // of those, in this step
+        std::uint8_t fixedA = 0;        // at the time it was taken, a could not be pushed
+        std::uint8_t fixedB = 0;
     };
 
-    void placeRows(std::span<const Contact> contacts);
-    void fill(const Bodies& bodies, const Contact& contact, std::uint32_t slot, Real pushSpeed);
-    void addRolling(const Bodies& bodies, const Contact& contact, std::uint32_t slot);
+    static bool isSingle(std::uint32_t bin);
+    static std::uint32_t binOf(std::uint32_t colour, const Contact& contact);
+    void seatAll(std::span<Contact> contacts);
+    void forgetLanes();
+    void freeLanes(const Bodies& bodies);
+    void colourNewcomer(const Bodies& bodies, Contact& contact);
+    std::uint32_t openBlock(std::uint32_t bin);
+    void sit(Contact& contact, std::uint32_t bin);
+    void release(std::uint32_t row);
+    void empty(std::uint32_t row);
+    void orderBlocks();
+    void setPushSpeeds(std::span<const std::uint16_t> crowd, Real pushSpeed);
+    void fill(const Bodies& bodies, const Contact& contact);
+    void fillRolling(const Bodies& bodies, const Contact& contact);
 
     std::vector<std::uint64_t> colours_; // by body: those that it has
-    std::vector<Row> rows_;
-    std::array<std::uint32_t, 2 * kGroups> counts_{}; // by group: with one point, with two
     std::vector<ContactBlock> blocks_;
     std::vector<BlockUse> use_;
+    std::vector<Shelf> shelves_;       // of the blocks
+    std::vector<std::uint32_t> order_; // of the blocks, by bin
     std::vector<RollingBlock> rolling_;
+    std::vector<std::uint32_t> newcomers_; // places of contacts that have no colour yet
+    std::array<std::uint32_t, kBins> open_{};
+    std::size_t rows_ = 0;    // lanes in use
+    std::size_t singles_ = 0; // of those, without a colour
+    std::uint32_t spare_ = 0;
+    Real pushSpeed_ = 0;
+    bool shared_ = false; // some lanes have less than pushSpeed_
+    bool rollingOn_ = false;
+    bool anew_ = true;    // what the lanes hold is of no use in this step
+    bool seated_ = false; // contacts that have a colour have a lane
+    bool orderStale_ = true;
 };
 
 } // namespace kodo::inline KODO_PRECISION

@@ -86,7 +86,7 @@ KODO_LANES_INLINE Lanes solvePoint(ContactBlock::Point& point, int at, Pair& pai
 
 /// Both points share one friction: |friction| <= mu (sum of normal impulses), static while that
 /// holds it, kinetic from there on.
-KODO_LANES_INLINE void solveFriction(ContactBlock& block, int at, Pair& pair, Lanes load2) {
+KODO_LANES_INLINE void solveFriction(ContactBlock& block, int at, Pair& pair, Lanes pressed) {
     const Lanes tx = -pair.normalY;
     const Lanes ty = pair.normalX;
     const Lanes leverA = load(block.tangentLeverA + at);
@@ -95,8 +95,8 @@ KODO_LANES_INLINE void solveFriction(ContactBlock& block, int at, Pair& pair, La
     const Lanes speed = tx * (pair.b.x - pair.a.x) + ty * (pair.b.y - pair.a.y) +
                         (leverB * pair.b.z - leverA * pair.a.z);
     const Lanes stick = friction - load(block.tangentMass + at) * speed;
-    const Lanes hold = load(block.staticFriction + at) * load2;
-    const Lanes slip = load(block.kineticFriction + at) * load2;
+    const Lanes hold = load(block.staticFriction + at) * pressed;
+    const Lanes slip = load(block.kineticFriction + at) * pressed;
     const auto slides = (larger(stick, -stick) > hold);
     const Lanes next = slides ? larger(smaller(stick, slip), -slip) : stick;
     const Lanes change = next - friction;
@@ -104,9 +104,9 @@ KODO_LANES_INLINE void solveFriction(ContactBlock& block, int at, Pair& pair, La
     push(pair, change * tx, change * ty, leverA * change, leverB * change);
 }
 
-KODO_LANES_INLINE void solveRolling(RollingBlock& block, int at, Pair& pair, Lanes load2) {
+KODO_LANES_INLINE void solveRolling(RollingBlock& block, int at, Pair& pair, Lanes pressed) {
     const Lanes impulse = load(block.impulse + at);
-    const Lanes limit = load(block.lever + at) * load2;
+    const Lanes limit = load(block.lever + at) * pressed;
     const Lanes wanted = impulse - load(block.mass + at) * (pair.b.z - pair.a.z);
     const Lanes next = larger(smaller(wanted, limit), -limit);
     store(block.impulse + at, next);
@@ -154,7 +154,8 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
 template <bool biased>
 void solveBlocks(const ContactPassArguments& pass) {
     const PassSettings& settings = pass.settings;
-    for (std::size_t i = 0; i < pass.count; ++i) {
+    for (std::size_t k = 0; k < pass.count; ++k) {
+        const std::size_t i = pass.order[k];
         const BlockUse use = pass.use[i];
         const Softness& soft = use.onLocked ? settings.onLocked : settings.soft;
         const Push push{soft.biasRate, soft.massScale, soft.impulseScale, settings.invH};
@@ -172,7 +173,8 @@ void solveBlocks(const ContactPassArguments& pass) {
 }
 
 void warmStartBlocks(const ContactPassArguments& pass) {
-    for (std::size_t i = 0; i < pass.count; ++i) {
+    for (std::size_t k = 0; k < pass.count; ++k) {
+        const std::size_t i = pass.order[k];
         ContactBlock& block = pass.blocks[i];
         const RollingBlock* const rolling =
             pass.use[i].rolling < 0 ? nullptr : pass.rolling + pass.use[i].rolling;

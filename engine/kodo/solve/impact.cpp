@@ -151,11 +151,21 @@ bool hitContact(const Impact& hit, const Tolerances& tolerances, Real restSpeed)
     return true;
 }
 
+Real accelerationSquared(const Bodies& bodies, const Contact& contact) {
+    return std::max(lengthSquared(bodies.acceleration[contact.key.bodyA].linear),
+                    lengthSquared(bodies.acceleration[contact.key.bodyB].linear));
+}
+
 /// The speed that forces alone give within the step.
 Real restSpeedOf(const Bodies& bodies, const Contact& contact, Real dt) {
-    const Vec2 a = bodies.acceleration[contact.key.bodyA].linear;
-    const Vec2 b = bodies.acceleration[contact.key.bodyB].linear;
-    return dt * std::sqrt(std::max(lengthSquared(a), lengthSquared(b)));
+    return dt * std::sqrt(accelerationSquared(bodies, contact));
+}
+
+/// Was it measured to approach faster than that? Rounding aside, which solveImpact judges.
+bool isFast(const Bodies& bodies, const Contact& contact, Real dt) {
+    constexpr Real kNearly = Real(0.999);
+    const Real speed = contact.approachSpeed;
+    return speed > 0 && speed * speed > kNearly * (dt * dt) * accelerationSquared(bodies, contact);
 }
 
 } // namespace
@@ -182,7 +192,7 @@ void solveImpacts(Bodies& bodies, std::span<Contact> contacts, const StepSetting
             if (pass > 0 && contact.material.restitution == 0) {
                 continue; // the contact half goes on from here
             }
-            if (pass == 0 && !any && contact.approachSpeed == 0) {
+            if (pass == 0 && !any && !isFast(bodies, contact, dt)) {
                 continue; // nothing has changed yet since the approach was measured
             }
             any = solveImpact(bodies, contact, settings, tolerances, dt) || any;

@@ -263,6 +263,7 @@ void Propagation::markHeld(const Bodies& bodies, const JointSet& joints) {
 /// Sums up this part of the step in its contacts.
 void Propagation::store(std::span<Contact> contacts) {
     for (Contact& contact : contacts) {
+        contact.carried = false;
         contact.friction = 0;
         contact.rolling = 0;
         for (PointImpulse& impulse : contact.impulse) {

@@ -25,10 +25,10 @@ bool needsRow(const Bodies& bodies, const Contact& contact, const StepSettings& 
 /// Besides the blocks: which bodies are held by something, and which are crowded. A body in the
 /// middle of a heap is pushed by all of it, and those behind push on; together they must not exceed
 /// the speed that one of them may push with, or the heap would burst.
-void SoftStep::collect(const Bodies& bodies, std::span<const Contact> contacts,
-                       const JointSet& joints, const StepSettings& settings,
-                       const Tolerances& tolerances) {
-    blocks_.clear(bodies);
+void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const JointSet& joints,
+                       const StepSettings& settings, const Tolerances& tolerances) {
+    blocks_.begin(bodies, contacts, settings.has(Feature::RollingResistance));
+    crowded_ = false;
     held_.resize(bodies.size());
     crowd_.resize(bodies.size());
     for (const std::uint32_t body : bodies.awake) {
@@ -40,16 +40,18 @@ void SoftStep::collect(const Bodies& bodies, std::span<const Contact> contacts,
         held_[secondBody(joint.def).index] = 1;
     });
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-        const Contact& contact = contacts[i];
+        Contact& contact = contacts[i];
         if (!needsRow(bodies, contact, settings, tolerances)) {
+            contact.seat = {};
+            contact.carried = false;
             continue;
         }
-        blocks_.add(bodies, contact, static_cast<std::uint32_t>(i));
+        blocks_.take(bodies, contact, static_cast<std::uint32_t>(i));
         const Real separation = contact.manifold.points[0].separation;
         for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
             held_[body] |= separation <= tolerances.slop ? 1 : 0;
             if (separation < -4 * tolerances.slop && !bodies.locked(body)) {
-                ++crowd_[body];
+                crowded_ = ++crowd_[body] > ContactBlocks::kNeighbours || crowded_;
             }
         }
     }
@@ -82,41 +84,46 @@ void SoftStep::passJoints(const Bodies& bodies, Pass pass) {
     }
 }
 
-void SoftStep::beginSubstep(Bodies& bodies, Real h) {
+/// Forces begin to act.
+void SoftStep::beginSubsteps(Bodies& bodies, Real h) {
+    before_.resize(bodies.size());
     std::fill(fromJoints_.begin(), fromJoints_.end(), Velocity{});
     integrateVelocities(bodies, h);
     for (const std::uint32_t i : bodies.awake) {
-        Motion& motion = bodies.motion[i];
-        before_[i] = velocityOf(motion);
-        motion.velocity += gained_[i].linear;
-        motion.angularVelocity += gained_[i].angular;
+        before_[i] = velocityOf(bodies.motion[i]);
     }
 }
 
-/// What the contacts gave is what the joints did not: the arms of these do turn within a step, so
-/// they start from their own impulses.
-void SoftStep::endSubstep(const Bodies& bodies) {
-    for (const std::uint32_t i : bodies.awake) {
-        const Velocity now = velocityOf(bodies.motion[i]);
-        gained_[i] = {now.linear - before_[i].linear, now.angular - before_[i].angular};
-    }
+/// From one substep to the next, which begins with the forces and with what the contacts gave. That
+/// is what the joints did not: the arms of these do turn within a step, so they start from their
+/// own impulses.
+void SoftStep::nextSubstep(Bodies& bodies, Real h) {
     for (std::size_t k = 0; k < jointed_.size(); ++k) {
-        gained_[jointed_[k]].linear -= fromJoints_[k].linear;
-        gained_[jointed_[k]].angular -= fromJoints_[k].angular;
+        Velocity& before = before_[jointed_[k]];
+        before.linear += fromJoints_[k].linear;
+        before.angular += fromJoints_[k].angular;
+        fromJoints_[k] = {};
+    }
+    for (const std::uint32_t i : bodies.awake) {
+        Motion& motion = bodies.motion[i];
+        const Acceleration& acceleration = bodies.acceleration[i];
+        Velocity& before = before_[i];
+        const Vec2 gained = motion.velocity - before.linear;
+        const Real gainedSpin = motion.angularVelocity - before.angular;
+        before.linear = motion.velocity + h * acceleration.linear;
+        before.angular = motion.angularVelocity + h * acceleration.angular;
+        motion.velocity = before.linear + gained;
+        motion.angularVelocity = before.angular + gainedSpin;
     }
 }
 
 void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints,
                      const StepSettings& settings, const Tolerances& tolerances, Real dt) {
     collect(bodies, contacts, joints, settings, tolerances);
-    blocks_.arrange(bodies, contacts, crowd_,
-                    settings.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit,
-                    settings.has(Feature::RollingResistance));
-    before_.resize(bodies.size());
-    gained_.resize(bodies.size());
-    for (const std::uint32_t i : bodies.awake) {
-        gained_[i] = {};
-    }
+    blocks_.arrange(bodies, contacts,
+                    crowded_ ? std::span<const std::uint16_t>(crowd_)
+                             : std::span<const std::uint16_t>(),
+                    settings.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit);
     const Real h = dt / static_cast<Real>(settings.substeps);
     const Real hertz = std::min(settings.contactHertz, Real(0.25) / h);
     const ContactPasses& passes = ContactPasses::best();
@@ -129,7 +136,11 @@ void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& join
     joints.beginStep();
     findJointed(joints);
     for (int substep = 0; substep < settings.substeps; ++substep) {
-        beginSubstep(bodies, h);
+        if (substep == 0) {
+            beginSubsteps(bodies, h);
+        } else {
+            nextSubstep(bodies, h);
+        }
         passJoints(bodies, [&] { joints.warmStart(bodies, jointPass); });
         if (substep == 0) {
             passes.warmStart(pass);
@@ -141,7 +152,6 @@ void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& join
         jointPass.biased = false;
         passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
         passes.relax(pass);
-        endSubstep(bodies);
     }
     blocks_.store(contacts);
 }

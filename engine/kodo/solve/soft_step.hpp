@@ -38,7 +38,7 @@ private:
         Real angular = 0;
     };
 
-    void collect(const Bodies& bodies, std::span<const Contact> contacts, const JointSet& joints,
+    void collect(const Bodies& bodies, std::span<Contact> contacts, const JointSet& joints,
                  const StepSettings& settings, const Tolerances& tolerances);
     static Velocity velocityOf(const Motion& motion) {
         return {motion.velocity, motion.angularVelocity};
@@ -46,14 +46,14 @@ private:
     void findJointed(const JointSet& joints);
     template <typename Pass>
     void passJoints(const Bodies& bodies, Pass pass);
-    void beginSubstep(Bodies& bodies, Real h);
-    void endSubstep(const Bodies& bodies);
+    void beginSubsteps(Bodies& bodies, Real h);
+    void nextSubstep(Bodies& bodies, Real h);
 
     ContactBlocks blocks_;
     std::vector<std::uint8_t> held_;   // by body: something touches it, or a joint holds it
     std::vector<std::uint16_t> crowd_; // by body: how many overlap it deeply
+    bool crowded_ = false;             // too many overlap some body
     std::vector<Velocity> before_;     // by body: with the forces of the substep, without contacts
-    std::vector<Velocity> gained_;     // by body: from contacts, in the last substep
     std::vector<std::uint32_t> jointed_; // bodies, in order; the next two are in the same order
     std::vector<Velocity> fromJoints_;   // in this substep
     std::vector<Velocity> beforeJoints_; // before a pass over the joints

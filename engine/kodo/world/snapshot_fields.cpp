@@ -250,11 +250,13 @@ void SnapshotFields::completeContact(Contact& contact, const Bodies& bodies) {
 void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
     // The way pairs are found changes what that costs and not what is found, so it begins anew.
     auto& [proxies, firstProxy, tight, grown, moved, isMoved, pairs, finder, seams, contacts, order,
-           newOrder, holes, added, slots, idle, ended, apart, stale, pairsStale] = set;
+           newOrder, holes, added, slots, idle, ended, endedInStep, records, recordsDue, apart,
+           stale, pairsStale] = set;
+    set.writeRecords();
     if (!reads() && stale) {
         set.rebuildProxies(bodies);
     }
-    all(contacts, ended, stale, pairsStale, tight, grown);
+    all(contacts, ended, records, stale, pairsStale, tight, grown);
     if (!reads()) {
         return;
     }
@@ -329,7 +331,7 @@ void SnapshotFields::joints(JointSet& set, const Bodies& bodies) {
 void SnapshotFields::world(World& world) {
     auto& [settings, tolerances, stepCount, count, bodies, fields, contacts, softStep, propagation,
            contactVisits, sweep, rest, joints, broken, frozen, region, held, aside, returning,
-           records, colliding, lastForm] = world;
+           colliding, lastForm] = world;
     all(settings, tolerances, stepCount);
     bodies.turns = settings.has(Feature::Rotation);
     forms(world);
@@ -342,7 +344,7 @@ void SnapshotFields::world(World& world) {
     this->contacts(contacts, bodies);
     this->rest(rest, bodies);
     as<std::uint64_t>(contactVisits);
-    all(broken, frozen, region, records, aside);
+    all(broken, frozen, region, aside);
     if (reads()) {
         for (Contact& contact : aside) {
             completeContact(contact, bodies);

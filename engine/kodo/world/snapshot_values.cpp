@@ -106,11 +106,19 @@ void SnapshotFields::one(PointImpulse& impulse) {
     all(normal, impact, largest);
 }
 
+/// Where a contact has its lane decides nothing.
+void SnapshotFields::one(ContactSeat& seat) {
+    auto& [row, colour, fixedA, fixedB] = seat;
+    all(colour, fixedA, fixedB);
+    require(colour < 64 || colour == ContactSeat::kNoColour, "there is no such colour");
+}
+
 void SnapshotFields::one(Contact& contact) {
-    auto& [key, a, b, proxyA, proxyB, material, centerA, manifold, travelA, travelB, impulse,
+    auto& [key, a, b, proxyA, proxyB, material, centerA, manifold, travelA, travelB, impulse, seat,
            friction, rolling, approachSpeed, total, near, carried, sensor, passing, hidden,
-           touching, wasTouching] = contact;
-    all(key, centerA, manifold, travelA, travelB, impulse, friction, rolling, approachSpeed, total);
+           touching, wasTouching, phase] = contact; // the phase is in the records
+    all(key, centerA, manifold, travelA, travelB, impulse, seat, friction, rolling, approachSpeed,
+        total);
     all(near, carried, passing, hidden, touching, wasTouching);
 }
 

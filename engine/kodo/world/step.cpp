@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/bodies/integrate.hpp>
-#include <kodo/contacts/contact_report.hpp>
 #include <kodo/solve/impact.hpp>
 #include <kodo/world/world.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace kodo::inline KODO_PRECISION {
 
@@ -125,35 +123,14 @@ void World::noteColliding(std::uint32_t body) {
 }
 
 void World::recordCollisions() {
-    records_.clear();
     for (const std::uint32_t body : colliding_) {
         bodies_.record[body].filter.flags &= ~kColliding;
     }
     colliding_.clear();
-    const bool wanted = settings_.has(Feature::Records);
-    contacts_.inOrder([&](Contact& contact) {
-        finishContact(contact, tolerances_);
-        if (wanted) {
-            recordContact(contact, records_);
-        }
-        contact.wasTouching = contact.touching;
-        if (contact.touching) {
-            noteColliding(contact.key.bodyA);
-            noteColliding(contact.key.bodyB);
-        }
+    contacts_.finishStep(tolerances_, settings_.has(Feature::Records), [&](const Contact& contact) {
+        noteColliding(contact.key.bodyA);
+        noteColliding(contact.key.bodyB);
     });
-    const std::span<const CollisionRecord> ended = contacts_.ended();
-    if (wanted && !ended.empty()) {
-        records_.insert(records_.end(), ended.begin(), ended.end());
-        const auto key = [](const CollisionRecord& r) {
-            return std::make_tuple(r.a, r.partA, r.b, r.partB, r.phase != TouchPhase::End);
-        };
-        std::sort(records_.begin(), records_.end(), // total order: one record a pair, or an End
-                  [&](const CollisionRecord& r, const CollisionRecord& s) { // and a new Begin
-                      return key(r) < key(s);
-                  });
-    }
-    contacts_.clearEnded();
 }
 
 } // namespace kodo::inline KODO_PRECISION

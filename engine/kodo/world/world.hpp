@@ -81,8 +81,9 @@ public:
     void step(Real dt);
     /// What touched in the last step, ordered by bodies and parts. Valid until the next step,
     /// whatever is added, removed or welded meanwhile. Pairs that rest, or wait outside the region,
-    /// have no records until they go on; they have not ended.
-    std::span<const CollisionRecord> collisions() const { return records_; }
+    /// have no records until they go on; they have not ended. The first call after a step writes the
+    /// list, so that one must not come from two threads at once.
+    std::span<const CollisionRecord> collisions() const { return contacts_.records(); }
 
     /// Only bodies whose bounds meet the region take part in steps; the others wait where they are.
     /// Nothing: all do.
@@ -150,9 +151,8 @@ private:
     std::vector<BodyId> frozen_;
     std::optional<Aabb> region_;
     std::vector<std::pair<std::uint32_t, Motion>> held_; // what waits, while the solver runs
-    std::vector<Contact> aside_;                         // of what waits; see putContactsAside
-    std::vector<Contact> returning_;                     // spare, so that a step allocates nothing
-    std::vector<CollisionRecord> records_;
+    std::vector<Contact> aside_;           // of what waits; see putContactsAside
+    std::vector<Contact> returning_;       // spare, so that a step allocates nothing
     std::vector<std::uint32_t> colliding_; // bodies with kColliding
     std::shared_ptr<const Form> lastForm_; // equal bodies are usually added in a row
 };
