@@ -55,6 +55,7 @@ public:
         }
     }
 
+    /// A joint as it is held, with what it has learned.
     struct Joint {
         JointDef def;
         Vec2 point;                 // N s, of one substep

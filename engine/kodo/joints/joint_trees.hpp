@@ -55,6 +55,7 @@ struct HeldRows {
 /// loops through the ground; they are springs, as all joints of a loop are.
 class JointTrees {
 public:
+    /// A joint that may belong to a tree, and its bodies.
     struct Edge {
         std::uint32_t joint;
         std::uint32_t a;
