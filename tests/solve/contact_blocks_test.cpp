@@ -83,7 +83,9 @@ TEST(ContactBlocks, GiveEachContactItsOwnImpulseBack) {
     for (Contact& contact : after) {
         contact.impulse = {};
     }
-    blocks.store(after);
+    for (Contact& contact : after) {
+        blocks.fetch(contact);
+    }
     for (std::size_t i = 0; i < after.size(); ++i) {
         EXPECT_EQ(after[i].impulse[0].normal, static_cast<Real>(i));
     }
@@ -135,7 +137,9 @@ TEST(ContactBlocks, StaySoundAsContactsComeAndGo) {
                 EXPECT_EQ(some.contacts[i].seat.colour, colours[i]);
             }
         }
-        blocks.store(some.contacts);
+        for (Contact& contact : some.contacts) {
+            blocks.fetch(contact);
+        }
     }
 }
 

@@ -39,31 +39,36 @@ struct ContactSeat {
 };
 
 /// Two parts that touch or are near each other, from when their grown bounds meet until they part.
-struct Contact {
+/// In each step all are gone through several times, so what every one of these passes needs comes
+/// first, within the first 64 bytes (float), and the manifold in the next.
+struct alignas(64) Contact {
     ContactKey key;
-    BodyId a;
-    BodyId b;
     std::uint32_t proxyA = 0; // place of the parts' bounds in the ContactSet
     std::uint32_t proxyB = 0;
-    Material material; // of the pair
-    Vec2 centerA;      // m, world: where armA of the manifold starts
-    Manifold manifold;
     std::uint64_t travelA = 0; // of the bodies, when the manifold was found
     std::uint64_t travelB = 0;
-    std::array<PointImpulse, 2> impulse;
     ContactSeat seat;
-    Real friction = 0;        // N s, along perp(normal), of both points, of one substep
-    Real rolling = 0;         // N m s, of one substep
     Real approachSpeed = 0;   // m/s, before the solver
-    Real total = 0;           // N s, normal, all points, over the step
     bool near = false;        // the bounds of the parts, grown by the margin, meet
     bool carried = false;     // the solver has it, and its manifold is that of the last step
+    bool bounces = false;     // has restitution
     bool sensor = false;      // is only noticed
     bool passing = false;     // through a one-sided line from behind; see letPass
     bool hidden = false;      // in this step, under the surface that carries the body; see Seams
     bool touching = false;    // in this step
     bool wasTouching = false; // in the last step; equal to touching between steps
     std::optional<TouchPhase> phase; // of the last step; nothing: it did not touch
+
+    Manifold manifold;
+
+    Vec2 centerA; // m, world: where armA of the manifold starts
+    std::array<PointImpulse, 2> impulse;
+    Real friction = 0; // N s, along perp(normal), of both points, of one substep
+    Real rolling = 0;  // N m s, of one substep
+    Real total = 0;    // N s, normal, all points, over the step
+    BodyId a;
+    BodyId b;
+    Material material; // of the pair
 
     /// Do the bodies push each other?
     bool responds() const { return manifold.count > 0 && !sensor && !hidden; }

@@ -40,7 +40,9 @@ void sumUp(Contact& contact, const Tolerances& tolerances) {
 } // namespace
 
 void finishContact(Contact& contact, const Tolerances& tolerances) {
-    sumUp(contact, tolerances);
+    if (contact.near || contact.sensor) {
+        sumUp(contact, tolerances);
+    }
     contact.phase.reset();
     if (contact.touching) {
         contact.phase = contact.wasTouching ? TouchPhase::Persist : TouchPhase::Begin;

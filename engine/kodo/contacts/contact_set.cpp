@@ -78,6 +78,7 @@ void ContactSet::eraseIf(Gone gone) {
 
 /// Moves the last contacts into the slots that are free.
 void ContactSet::fillHoles() {
+    contactsChanged_ = true;
     if (holes_.empty()) {
         return;
     }
@@ -166,6 +167,7 @@ void ContactSet::putBack(std::span<const Contact> contacts) {
 
 /// Makes the order anew from the contacts.
 void ContactSet::orderContacts() {
+    contactsChanged_ = true;
     order_.resize(contacts_.size());
     for (std::uint32_t slot = 0; slot < order_.size(); ++slot) {
         order_[slot].slot = slot;
@@ -222,6 +224,7 @@ void ContactSet::outgrow(std::size_t proxy, const Aabb& bounds) {
 
 /// After bodies came, went or changed: all bounds anew.
 void ContactSet::renew(const Bodies& bodies, const Tolerances& tolerances) {
+    contactsChanged_ = true;
     rebuildProxies(bodies);
     for (std::size_t i = 0; i < proxies_.size(); ++i) {
         tight_[i] = boundsOf(outline(bodies, i), bodies.pose[proxies_[i].body]);
@@ -338,6 +341,7 @@ void ContactSet::describe(const Bodies& bodies, Contact& contact) const {
          kSensor) != 0;
     contact.material = mix(bodies.form(key.bodyA).parts[key.partA].material,
                            bodies.form(key.bodyB).parts[key.partB].material);
+    contact.bounces = contact.material.restitution > 0;
 }
 
 /// Both lists are in the order of the keys, so one walk over both keeps what stays, drops what is
@@ -382,13 +386,17 @@ void ContactSet::mergePairs(const Bodies& bodies) {
 
 void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances) {
     for (Contact& contact : contacts_) {
-        const bool near =
-            overlap(tight_[contact.proxyA].grown(tolerances.margin), tight_[contact.proxyB]);
-        if (near) {
+        const auto near = [&] {
+            return overlap(tight_[contact.proxyA].grown(tolerances.margin), tight_[contact.proxyB]);
+        };
+        if (contact.carried || near()) {
             refreshContact(contact, bodies, tolerances);
         } else if (contact.near || contact.hidden || contact.manifold.count > 0) {
             clearContact(contact);
         }
+    }
+    if (std::exchange(contactsChanged_, false)) {
+        seams_.link(bodies, contacts_);
     }
     seams_.hide(bodies, contacts_, tolerances);
 }

@@ -49,10 +49,12 @@ public:
     /// In an order of their own, which does not change while no pair comes or goes.
     std::span<Contact> contacts() { return contacts_; }
     std::span<const Contact> contacts() const { return contacts_; }
-    /// Sums up a step. visit(contact) is called for each that touched.
-    template <typename Visit>
-    void finishStep(const Tolerances& tolerances, bool wantRecords, Visit visit) {
+    /// Sums up a step. fetch(contact) is called for each, to hand its impulses out, and then
+    /// visit(contact) for each that touched.
+    template <typename Fetch, typename Visit>
+    void finishStep(const Tolerances& tolerances, bool wantRecords, Fetch fetch, Visit visit) {
         for (Contact& contact : contacts_) {
+            fetch(contact);
             finishContact(contact, tolerances);
             if (contact.touching) {
                 visit(contact);
@@ -122,6 +124,7 @@ private:
     std::vector<std::pair<std::uint32_t, std::uint32_t>> apart_;
     bool stale_ = true;
     bool pairsStale_ = true;
+    bool contactsChanged_ = true; // in number, in place, or in what is locked
 };
 
 } // namespace kodo::inline KODO_PRECISION

@@ -40,12 +40,10 @@ bool liesUnder(const Convex& outline, const Transform& pose, Vec2 normal, Vec2 p
 
 } // namespace
 
-void Seams::linkByBody(const Bodies& bodies, std::span<const Contact> contacts) {
-    first_.resize(bodies.size(), kEnd);
+void Seams::link(const Bodies& bodies, std::span<const Contact> contacts) {
+    first_.assign(bodies.size(), kEnd);
     next_.resize(contacts.size());
-    for (const std::uint32_t body : bodies.awake) {
-        first_[body] = kEnd;
-    }
+    onPieces_.clear();
     for (std::size_t i = contacts.size(); i-- > 0;) {
         const ContactKey& key = contacts[i].key;
         next_[i] = kEnd;
@@ -53,17 +51,17 @@ void Seams::linkByBody(const Bodies& bodies, std::span<const Contact> contacts) 
             continue;
         }
         const std::uint32_t body = bodies.locked(key.bodyA) ? key.bodyB : key.bodyA;
+        if (first_[body] != kEnd && next_[first_[body]] == kEnd) {
+            onPieces_.push_back(body);
+        }
         next_[i] = first_[body];
         first_[body] = static_cast<std::uint32_t>(i);
     }
 }
 
-void Seams::hide(const Bodies& bodies, std::span<Contact> contacts, const Tolerances& tolerances) {
-    linkByBody(bodies, contacts);
-    for (const std::uint32_t body : bodies.awake) {
-        if (bodies.locked(body) || first_[body] == kEnd || next_[first_[body]] == kEnd) {
-            continue; // fewer than two pieces of ground: no seam
-        }
+void Seams::hide(const Bodies& bodies, std::span<Contact> contacts,
+                 const Tolerances& tolerances) const {
+    for (const std::uint32_t body : onPieces_) {
         for (std::uint32_t i = first_[body]; i != kEnd; i = next_[i]) {
             const Contact& carrier = contacts[i];
             if (carrier.hidden || !carrier.responds() ||

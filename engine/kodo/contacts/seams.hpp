@@ -18,15 +18,17 @@ namespace kodo::inline KODO_PRECISION {
 /// the step. A real step or wall rises above the surface, and stays.
 class Seams {
 public:
-    void hide(const Bodies& bodies, std::span<Contact> contacts, const Tolerances& tolerances);
+    /// After contacts came, went or changed places, or something was locked or set free.
+    void link(const Bodies& bodies, std::span<const Contact> contacts);
+    void hide(const Bodies& bodies, std::span<Contact> contacts,
+              const Tolerances& tolerances) const;
 
 private:
     static constexpr std::uint32_t kEnd = ~std::uint32_t{};
 
-    void linkByBody(const Bodies& bodies, std::span<const Contact> contacts);
-
-    std::vector<std::uint32_t> first_; // by body: its first contact with something locked
-    std::vector<std::uint32_t> next_;  // by contact
+    std::vector<std::uint32_t> first_;    // by body: its first contact with something locked
+    std::vector<std::uint32_t> next_;     // by contact
+    std::vector<std::uint32_t> onPieces_; // bodies with two of these or more
 };
 
 } // namespace kodo::inline KODO_PRECISION

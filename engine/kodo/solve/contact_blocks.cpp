@@ -397,24 +397,22 @@ ContactPassArguments ContactBlocks::pass(Bodies& bodies, const PassSettings& set
             order_.size(),  bodies.motion.data(), settings};
 }
 
-void ContactBlocks::store(std::span<Contact> contacts) const {
-    for (Contact& contact : contacts) {
-        if (contact.seat.row == kNone) {
-            continue;
-        }
-        const ContactBlock& block = blocks_[blockOf(contact.seat.row)];
-        const std::size_t lane = laneOf(contact.seat.row);
-        for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
-            contact.impulse[i].normal = block.points[i].impulse[lane];
-            contact.impulse[i].largest = block.points[i].largest[lane];
-        }
-        contact.carried = true;
-        contact.friction = block.friction[lane];
-        contact.total = block.total[lane];
-        const std::int32_t rolling = use_[blockOf(contact.seat.row)].rolling;
-        contact.rolling =
-            rolling < 0 ? Real(0) : rolling_[static_cast<std::size_t>(rolling)].impulse[lane];
+void ContactBlocks::fetch(Contact& contact) const {
+    if (contact.seat.row == kNone) {
+        return;
     }
+    const ContactBlock& block = blocks_[blockOf(contact.seat.row)];
+    const std::size_t lane = laneOf(contact.seat.row);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        contact.impulse[i].normal = block.points[i].impulse[lane];
+        contact.impulse[i].largest = block.points[i].largest[lane];
+    }
+    contact.carried = true;
+    contact.friction = block.friction[lane];
+    contact.total = block.total[lane];
+    const std::int32_t rolling = use_[blockOf(contact.seat.row)].rolling;
+    contact.rolling =
+        rolling < 0 ? Real(0) : rolling_[static_cast<std::size_t>(rolling)].impulse[lane];
 }
 
 } // namespace kodo::inline KODO_PRECISION

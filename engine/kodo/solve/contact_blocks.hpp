@@ -36,8 +36,8 @@ public:
     ContactPassArguments pass(Bodies& bodies, const PassSettings& settings);
     std::size_t size() const { return rows_; }
 
-    /// Hands the impulses of the step to the contacts they belong to.
-    void store(std::span<Contact> contacts) const;
+    /// Hands the impulses of the step to a contact, if it was taken.
+    void fetch(Contact& contact) const;
 
 private:
     static constexpr std::uint32_t kFreeColours = 48;

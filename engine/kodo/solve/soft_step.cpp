@@ -16,7 +16,7 @@ bool needsRow(const Bodies& bodies, const Contact& contact, const StepSettings& 
         bodies.resting(contact.key.bodyB)) {
         return false;
     }
-    const bool bounces = contact.material.restitution > 0 && settings.has(Feature::Restitution);
+    const bool bounces = contact.bounces && settings.has(Feature::Restitution);
     return !bounces || contact.manifold.points[0].separation <= tolerances.slop;
 }
 
@@ -153,7 +153,6 @@ void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& join
         passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
         passes.relax(pass);
     }
-    blocks_.store(contacts);
 }
 
 } // namespace kodo::inline KODO_PRECISION

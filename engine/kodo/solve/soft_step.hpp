@@ -31,6 +31,8 @@ public:
     void solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints,
                const StepSettings& settings, const Tolerances& tolerances, Real dt);
     std::size_t contactCount() const { return blocks_.size(); }
+    /// Hands the impulses of the last step to a contact, if the solver had it.
+    void fetch(Contact& contact) const { blocks_.fetch(contact); }
 
 private:
     struct Velocity {

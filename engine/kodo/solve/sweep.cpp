@@ -15,7 +15,8 @@ constexpr std::uint32_t kNone = ~std::uint32_t{};
 
 /// Apart by now, so that even a slow approach may end in a blow of its own: see stoppingGap.
 bool mayBounce(const Contact& contact, const Tolerances& tolerances) {
-    return contact.manifold.count == 0 || contact.manifold.points[0].separation > tolerances.slop;
+    return contact.bounces &&
+           (contact.manifold.count == 0 || contact.manifold.points[0].separation > tolerances.slop);
 }
 
 const Convex& outline(const Bodies& bodies, std::uint32_t body, std::uint16_t part) {

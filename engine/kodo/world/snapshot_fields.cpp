@@ -242,6 +242,7 @@ void SnapshotFields::completeContact(Contact& contact, const Bodies& bodies) {
         ((bodies.record[bodyA].filter.flags | bodies.record[bodyB].filter.flags) & kSensor) != 0;
     contact.material =
         mix(bodies.form(bodyA).parts[partA].material, bodies.form(bodyB).parts[partB].material);
+    contact.bounces = contact.material.restitution > 0;
 }
 
 /// The bounds of what does not move are from when it last did, so they do not follow from the
@@ -251,7 +252,7 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
     // The way pairs are found changes what that costs and not what is found, so it begins anew.
     auto& [proxies, firstProxy, tight, grown, moved, isMoved, pairs, finder, seams, contacts, order,
            newOrder, holes, added, slots, idle, ended, endedInStep, records, recordsDue, apart,
-           stale, pairsStale] = set;
+           stale, pairsStale, contactsChanged] = set;
     set.writeRecords();
     if (!reads() && stale) {
         set.rebuildProxies(bodies);
@@ -331,7 +332,7 @@ void SnapshotFields::joints(JointSet& set, const Bodies& bodies) {
 void SnapshotFields::world(World& world) {
     auto& [settings, tolerances, stepCount, count, bodies, fields, contacts, softStep, propagation,
            contactVisits, sweep, rest, joints, broken, frozen, region, held, aside, returning,
-           colliding, lastForm] = world;
+           colliding, collidedBefore, isColliding, lastForm] = world;
     all(settings, tolerances, stepCount);
     bodies.turns = settings.has(Feature::Rotation);
     forms(world);

@@ -114,9 +114,9 @@ void SnapshotFields::one(ContactSeat& seat) {
 }
 
 void SnapshotFields::one(Contact& contact) {
-    auto& [key, a, b, proxyA, proxyB, material, centerA, manifold, travelA, travelB, impulse, seat,
-           friction, rolling, approachSpeed, total, near, carried, sensor, passing, hidden,
-           touching, wasTouching, phase] = contact; // the phase is in the records
+    auto& [key, proxyA, proxyB, travelA, travelB, seat, approachSpeed, near, carried, bounces,
+           sensor, passing, hidden, touching, wasTouching, phase, manifold, centerA, impulse,
+           friction, rolling, total, a, b, material] = contact; // the phase is in the records
     all(key, centerA, manifold, travelA, travelB, impulse, seat, friction, rolling, approachSpeed,
         total);
     all(near, carried, passing, hidden, touching, wasTouching);

@@ -102,6 +102,9 @@ void World::freezeUnsoundMotion() {
                 motion.turn = 0;
             }
         }
+        for (Contact& contact : contacts_.contacts()) {
+            softStep_.fetch(contact);
+        }
         contacts_.forgetUnsoundImpulses();
     }
 }
@@ -114,23 +117,43 @@ void World::breakJoints(Real dt) {
     }
 }
 
-void World::noteColliding(std::uint32_t body) {
-    Flags& flags = bodies_.record[body].filter.flags;
-    if ((flags & kColliding) == 0) {
-        flags |= kColliding;
-        colliding_.push_back(body);
-    }
-}
-
+/// Brings kColliding up to date, and touches only those for which it changes.
 void World::recordCollisions() {
+    constexpr std::uint8_t kBefore = 1;
+    constexpr std::uint8_t kNow = 2;
+    isColliding_.resize(bodies_.size());
     for (const std::uint32_t body : colliding_) {
-        bodies_.record[body].filter.flags &= ~kColliding;
+        isColliding_[body] = kBefore;
     }
+    std::swap(colliding_, collidedBefore_);
     colliding_.clear();
-    contacts_.finishStep(tolerances_, settings_.has(Feature::Records), [&](const Contact& contact) {
-        noteColliding(contact.key.bodyA);
-        noteColliding(contact.key.bodyB);
-    });
+    const auto note = [&](std::uint32_t body) {
+        if ((isColliding_[body] & kNow) == 0) {
+            isColliding_[body] |= kNow;
+            colliding_.push_back(body);
+        }
+    };
+    contacts_.finishStep(
+        tolerances_, settings_.has(Feature::Records),
+        [&](Contact& contact) { softStep_.fetch(contact); },
+        [&](const Contact& contact) {
+            note(contact.key.bodyA);
+            note(contact.key.bodyB);
+        });
+    for (const std::uint32_t body : collidedBefore_) {
+        if (isColliding_[body] == kBefore) {
+            bodies_.record[body].filter.flags &= ~kColliding;
+        }
+    }
+    for (const std::uint32_t body : colliding_) {
+        if (isColliding_[body] == kNow) {
+            bodies_.record[body].filter.flags |= kColliding;
+        }
+        isColliding_[body] = 0;
+    }
+    for (const std::uint32_t body : collidedBefore_) {
+        isColliding_[body] = 0;
+    }
 }
 
 } // namespace kodo::inline KODO_PRECISION

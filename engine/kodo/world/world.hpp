@@ -132,7 +132,6 @@ private:
 
     void solve(Real dt);
     void recordCollisions();
-    void noteColliding(std::uint32_t body);
     void breakJoints(Real dt);
     void findAwake();
     void freezeUnsoundForces();
@@ -158,6 +157,8 @@ private:
     std::vector<Contact> aside_;                         // of what waits; see putContactsAside
     std::vector<Contact> returning_;                     // spare, so that a step allocates nothing
     std::vector<std::uint32_t> colliding_;               // bodies with kColliding
+    std::vector<std::uint32_t> collidedBefore_;          // the same, a step ago
+    std::vector<std::uint8_t> isColliding_;              // by body: 0 between steps
     std::shared_ptr<const Form> lastForm_;               // equal bodies are usually added in a row
 };
 
