@@ -16,6 +16,17 @@ void World::setRegion(std::optional<Aabb> region) {
         }
     }
     putContactsAside();
+    // What rests and is touched by what takes part again wakes with the contact that it has kept.
+    std::vector<std::uint32_t> touched;
+    rest_.forEachContact([&](const Contact& contact) {
+        const ContactKey& key = contact.key;
+        if (contact.wasTouching && (bodies_.active(key.bodyA) || bodies_.active(key.bodyB))) {
+            touched.push_back(bodies_.resting(key.bodyA) ? key.bodyA : key.bodyB);
+        }
+    });
+    for (const std::uint32_t body : touched) {
+        rest_.wake(bodies_, contacts_, body);
+    }
     bodies_.awakeStale = true;
     contacts_.activityChanged();
 }
