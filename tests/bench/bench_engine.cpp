@@ -14,8 +14,8 @@ const std::vector<std::string>& profileNames() {
 }
 
 const std::vector<std::string>& featureNames() {
-    static const std::vector<std::string> kNames{"friction", "rolling", "restitution",
-                                                 "sweep",    "records", "resting"};
+    static const std::vector<std::string> kNames{"friction", "rolling", "restitution", "sweep",
+                                                 "records",  "resting", "rotation"};
     return kNames;
 }
 

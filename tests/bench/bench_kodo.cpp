@@ -46,7 +46,8 @@ static_assert(static_cast<int>(kodo::Feature::Friction) == 1 << 0 &&
               static_cast<int>(kodo::Feature::Restitution) == 1 << 2 &&
               static_cast<int>(kodo::Feature::Sweep) == 1 << 3 &&
               static_cast<int>(kodo::Feature::Records) == 1 << 4 &&
-              static_cast<int>(kodo::Feature::Resting) == 1 << 5); // the order of featureNames()
+              static_cast<int>(kodo::Feature::Resting) == 1 << 5 &&
+              static_cast<int>(kodo::Feature::Rotation) == 1 << 6); // the order of featureNames()
 
 /// A number of the settings that can be set alone.
 struct Number {

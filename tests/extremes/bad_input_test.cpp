@@ -97,7 +97,7 @@ TEST(BadInput, OfABody) {
         shape("shape", Box{1, 1, {-2 * kFarthest, 0}}),
         shape("shape", Segment{{0, 0}, {2 * kFarthest, 0}, false, {}, {}}),
         ground("shape", Plane{{0, 1}, 2 * kFarthest}),
-        shape("shape", Circle{std::numeric_limits<Real>::max()}),
+        shape("shape.radius", Circle{std::numeric_limits<Real>::max()}),
         shape("shape", Circle{std::numeric_limits<Real>::min()}),
         shape("shape", Box{1, std::numeric_limits<Real>::denorm_min()}),
         shape("shape", Compound{{Circle{1}, Circle{std::numeric_limits<Real>::min()}}}),

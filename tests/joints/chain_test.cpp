@@ -45,9 +45,8 @@ struct Row : Rig {
     }
 };
 
-// F1: a chain of 100 hangs. A pin gives by its load over its stiffness, and the topmost carries a
-// hundred planks: all in all the 50 m become longer by 1.5 %. It goes on bobbing on that, and what
-// holds it is its weight in the mean, since it gains no speed.
+// F1: a chain of 100 hangs, and is no longer than its links: not by a millimetre in 50 m. The
+// topmost pin carries them all.
 TEST(Chain, OfAHundredHangsStraight) {
     Row chain(100, {0, -1});
     run(chain.world, 600);
@@ -61,12 +60,11 @@ TEST(Chain, OfAHundredHangsStraight) {
         end += static_cast<double>(tip.y) / 600;
     }
     EXPECT_TRUE(nearShare(force, 100 * chain.weightOf(chain.planks[0]), 0.02));
-    EXPECT_LT(end, -50);
-    EXPECT_GT(end, -51);
+    EXPECT_TRUE(near(end, -50, 1e-3));
 }
 
 // F1: let go from 45 degrees, a chain of 100 swings down. It gains no energy, and no joint gives by
-// more than twice of what it does under the chain at rest.
+// a millimetre.
 TEST(Chain, OfAHundredSwings) {
     const Real half = std::sqrt(Real(0.5));
     Row chain(100, {half, -half});
@@ -86,7 +84,7 @@ TEST(Chain, OfAHundredSwings) {
         widest = std::max(widest, chain.widestGap());
         ASSERT_LT(energy(), before + 0.01 * drop) << "step " << step;
     }
-    EXPECT_LT(widest, Real(0.04));
+    EXPECT_LT(widest, Real(1e-3));
 }
 
 /// A bridge of 20 planks between two posts 10 m apart, with a load on its middle.

@@ -22,10 +22,9 @@ TEST(WeldJoint, HoldsABeamByItsEnd) {
     EXPECT_TRUE(
         near(rig.world.jointForce(weld), Vec2{0, static_cast<Real>(weight)}, weight * 2e-4));
     EXPECT_TRUE(nearShare(rig.world.jointTorque(weld), weight, 2e-4)); // 1 m
-    // A joint of 60 Hz gives by g / (2 pi 60)^2 = 0.07 mm under a weight, and here by its lever
-    // too.
-    EXPECT_TRUE(near(rig.world[beam].position(), Vec2{1, 0}, Real(1e-3)));
-    EXPECT_TRUE(near(rig.world[beam].rotation().s, 0, Real(1e-3)));
+    // It does not give at all: a wall and a beam close no loop.
+    EXPECT_TRUE(near(rig.world[beam].position(), Vec2{1, 0}, Real(1e-5)));
+    EXPECT_TRUE(near(rig.world[beam].rotation().s, 0, Real(1e-5)));
 }
 
 // F1: two bodies as one: struck off-centre in free space, they fly as the body would that a weld of
@@ -64,7 +63,7 @@ TEST(WeldJoint, HoldsItsReferenceAngle) {
     }
 }
 
-// F1: five beams in a row make a cantilever of 5 m. It sags, but holds, and the wall carries all.
+// F1: five beams in a row make a cantilever of 5 m. It does not sag, and the wall carries all.
 TEST(WeldJoint, ARowOfFiveHoldsAsACantilever) {
     Rig rig;
     BodyId last = rig.post;
@@ -83,8 +82,7 @@ TEST(WeldJoint, ARowOfFiveHoldsAsACantilever) {
     const double weight = 5 * rig.weightOf(last);
     EXPECT_TRUE(nearShare(rig.world.jointForce(root).y, weight, 0.02));
     EXPECT_TRUE(nearShare(rig.world.jointTorque(root), 2.5 * weight, 0.02));
-    EXPECT_LT(rig.world[last].position().y, 0);
-    EXPECT_GT(rig.world[last].position().y, Real(-0.1));
+    EXPECT_TRUE(near(rig.world[last].position().y, 0, 1e-4));
 }
 
 } // namespace

@@ -68,11 +68,11 @@ long double periodOf(Pendulum& pendulum, Real rate, int count) {
     return (last - first) / (passes - 1);
 }
 
-// A11: the period is that of the elliptic integral, to 0.1 %. Of a swing that almost stands on its
-// head, dT / T = 17 dE / E, so the 0.2 % that the energy is off by there make 4 %.
+// A11: the period is that of the elliptic integral, to 0.1 %, and to 1 % of a swing that almost
+// stands on its head, where dT / T = 17 dE / E.
 TEST(Pendulum, SwingsWithThePeriodOfTheFormula) {
     for (const auto& [degrees, share] :
-         {std::pair(10.0, 1e-3), std::pair(90.0, 1e-3), std::pair(170.0, 0.04)}) {
+         {std::pair(10.0, 1e-3), std::pair(90.0, 1e-3), std::pair(170.0, 0.01)}) {
         SCOPED_TRACE(degrees);
         Pendulum pendulum(degrees);
         EXPECT_TRUE(nearShare(periodOf(pendulum, 60, 3), exactPeriod(degrees), share));
@@ -80,7 +80,8 @@ TEST(Pendulum, SwingsWithThePeriodOfTheFormula) {
 }
 
 // A11: in a minute at 60 Hz it loses 1 % of its energy at most from 10 degrees and 1.5 % from 90,
-// and never gains, but for what the pin, a stiff spring, holds for a while: below 1 % of it.
+// and never gains, but for what comes and goes within a swing: half a substep's share of it, since
+// forces act at the end of one.
 TEST(Pendulum, KeepsItsEnergyForAMinute) {
     for (const auto& [degrees, share] : {std::pair(10.0, 0.01), std::pair(90.0, 0.015)}) {
         SCOPED_TRACE(degrees);
@@ -94,12 +95,13 @@ TEST(Pendulum, KeepsItsEnergyForAMinute) {
     }
 }
 
-// A11: the arm keeps its length, to a millimetre.
+// A11: the arm keeps its length: what a substep leaves of it is of third order in the angle that it
+// turns by, (w h)^3 l / 6 = 1 um, of the 0.02 rad at the lowest point.
 TEST(Pendulum, TheArmKeepsItsLength) {
     Pendulum pendulum(90);
     for (int i = 0; i < 600; ++i) {
         pendulum.world.step(support::kDt);
-        ASSERT_TRUE(near(length(pendulum.world[pendulum.rod].center()), 0.5L, Real(1e-3)));
+        ASSERT_TRUE(near(length(pendulum.world[pendulum.rod].center()), 0.5L, Real(1e-5)));
     }
 }
 
@@ -152,9 +154,8 @@ struct Chain {
     }
 };
 
-// A11b: ten seconds of a double pendulum, chaotic as it is: its pins hold to 6 mm where the lower
-// rod whips round (springs of 60 Hz give by a / (2 pi 60)^2, 1 mm for 14 g), and its energy stays
-// within 3 %.
+// A11b: ten seconds of a double pendulum, chaotic as it is: its pins hold to half a millimetre
+// where the lower rod whips round, and its energy stays within 3 %.
 TEST(Pendulum, ADoublePendulumHoldsTogetherAndKeepsItsEnergy) {
     Chain chain(2, {120, 120});
     const auto energy = [&] {
@@ -168,18 +169,17 @@ TEST(Pendulum, ADoublePendulumHoldsTogetherAndKeepsItsEnergy) {
     const long double before = energy();
     for (int i = 0; i < 600; ++i) {
         chain.world.step(support::kDt);
-        ASSERT_LT(chain.widest(), Real(6e-3)) << "step " << i;
+        ASSERT_LT(chain.widest(), Real(5e-4)) << "step " << i;
         ASSERT_TRUE(nearShare(energy(), before, 0.03L)) << "step " << i;
     }
 }
 
-// A11b: a chain of ten, at rest or not: no pin gives by 1.5 mm, and pin k carries the rods below
-// it.
+// A11b: a chain of ten, at rest or not: no pin gives, and pin k carries the rods below it.
 TEST(Pendulum, AHangingChainCarriesItself) {
     Chain chain(10, {});
     support::run(chain.world, 300);
     EXPECT_NE(chain.world[chain.rods[0]].flags() & kResting, 0u);
-    EXPECT_LT(chain.widest(), Real(1.5e-3));
+    EXPECT_LT(chain.widest(), Real(1e-5));
     for (std::size_t k = 0; k < chain.pins.size(); ++k) {
         const double below = static_cast<double>(chain.pins.size() - k); // of 0.1 kg each
         const Vec2 force = chain.world.jointForce(chain.pins[k]);

@@ -25,7 +25,7 @@ TEST(Convex, OfACircleIsOneVertexWithASkin) {
 TEST(Convex, OfABoxHasItsFourCorners) {
     const Convex convex = convexOf(Box{4, 2, {1, 0}}, {});
     const std::vector<Vec2> corners{{-1, -1}, {3, -1}, {3, 1}, {-1, 1}};
-    EXPECT_EQ(convex.vertices, corners);
+    EXPECT_EQ(std::vector<Vec2>(convex.vertices.begin(), convex.vertices.end()), corners);
     const std::vector<Vec2> normals{{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
     EXPECT_EQ(convex.normals, normals);
     EXPECT_EQ(convex.inside, 1);

@@ -13,6 +13,8 @@ namespace {
 const Real kInf = std::numeric_limits<Real>::infinity();
 const Real kNan = std::numeric_limits<Real>::quiet_NaN();
 
+const Real kTooLarge = std::numeric_limits<Real>::max() / 2;
+
 struct BadShape {
     const char* name;
     Shape shape;
@@ -50,6 +52,15 @@ const BadShape kBadShapes[] = {
     {"NanHeight", Box{1, kNan}, "height", "finite"},
     {"InfiniteHeight", Box{1, kInf}, "height", "finite"},
     {"NanBoxCenter", Box{1, 1, {0, kNan}}, "center", "finite"},
+    // A fixed bug: these passed, and what was computed from them overflowed.
+    {"RadiusBeyondSquares", Circle{kTooLarge}, "radius", "at most 1e"},
+    {"WidthBeyondSquares", Box{kTooLarge, 1}, "width", "at most 1e"},
+    {"CircleTooFarOff", Circle{1, {0, -kTooLarge}}, "center", "beyond 1e"},
+    {"CornerTooFarOff", Polygon{{{0, 0}, {kTooLarge, 0}, {0, 1}}}, "corners[1]", "beyond 1e"},
+    {"PointTooFarOff", Point{{kTooLarge, 0}}, "position", "beyond 1e"},
+    {"EndTooFarOff", Segment{{0, 0}, {kTooLarge, 0}, false, {}, {}}, "to", "beyond 1e"},
+    {"PlaneTooFarOff", Plane{{0, 1}, kTooLarge}, "offset", "beyond 1e"},
+    {"HeightTooFarOff", Heightmap{{}, 1, {0, kTooLarge}}, "heights[1]", "beyond 1e"},
     {"BoxRotationNotUnit", Box{1, 1, {}, {1, 1}}, "rotation", "unit"},
     {"BoxRotationNan", Box{1, 1, {}, {kNan, 0}}, "rotation", "unit"},
     {"NoCorners", Polygon{}, "corners", "3 to 1024, but are 0"},
@@ -86,6 +97,7 @@ TEST(CheckShape, LetsGoodOnesThrough) {
     EXPECT_FALSE(check(Shape(Box{1, 2, {3, 4}, {0, 1}})).has_value());
     EXPECT_FALSE(check(Shape(Polygon{{{0, 0}, {1, 0}, {0, 1}}})).has_value());
     EXPECT_FALSE(check(Shape(Compound{{Circle{1}, Box{1, 1}}})).has_value());
+    EXPECT_FALSE(check(Shape(Circle{kLargest, {kLargest, -kLargest}})).has_value());
 }
 
 TEST(CheckShape, LetsRandomConvexPolygonsThrough) {

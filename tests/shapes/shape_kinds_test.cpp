@@ -35,7 +35,7 @@ TEST(ShapeKinds, NameTheFieldThatIsWrong) {
     EXPECT_EQ(fieldOf(Plane{{0, 1}, kInfinity}), "offset");
     EXPECT_EQ(fieldOf(Heightmap{{kInfinity, 0}, 1, {0, 1}}), "origin");
     EXPECT_EQ(fieldOf(Heightmap{{0, 0}, 0, {0, 1}}), "spacing");
-    EXPECT_EQ(fieldOf(Heightmap{{Real(1e20), 0}, 1, {0, 1}}), "spacing");
+    EXPECT_EQ(fieldOf(Heightmap{{-kLargest, 0}, 1, {0, 1}}), "spacing");
     EXPECT_EQ(fieldOf(Heightmap{{0, 0}, 1, {0}}), "heights");
     EXPECT_EQ(fieldOf(Heightmap{{0, 0}, 1, {0, 1, kInfinity}}), "heights[2]");
     EXPECT_EQ(fieldOf(Heightmap{{0, 0}, 1, std::vector<Real>(kMaxHeights + 1, 0)}), "heights");

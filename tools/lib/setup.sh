@@ -24,6 +24,10 @@ packages_display=(xvfb:Xvfb xauth:xauth xdotool:xdotool imagemagick:import libgl
 packages_sanitize=(clang:clang++ libclang-rt-14-dev)
 # shellcheck disable=SC2034
 packages_matrix=(g++:g++ clang:clang++)
+# shellcheck disable=SC2034
+packages_aarch64=(g++-aarch64-linux-gnu:aarch64-linux-gnu-g++ qemu-user:qemu-aarch64)
+# shellcheck disable=SC2034
+packages_wasm=(emscripten:em++ node-acorn nodejs:node)
 
 say() { printf '%s\n' "$*"; }
 

@@ -16,6 +16,7 @@ namespace kodo::inline KODO_PRECISION {
 /// in a replay.
 class IdPool {
 public:
+    /// A place and its generation.
     struct Slot {
         std::uint32_t index = 0;
         std::uint32_t generation = 0; // 0 is never alive

@@ -18,6 +18,12 @@ struct Motion {
     Vec2 move;                // m, since the start of the step
     Real turn = 0;            // rad, since the start of the step
     Real invInertia = 0;      // 1/(kg m^2); 0 for what nothing can turn
+
+    /// Forgets where it went in this step, but not its speed.
+    void halt() {
+        move = {};
+        turn = 0;
+    }
 };
 
 /// Constant over a step, from forces and fields.

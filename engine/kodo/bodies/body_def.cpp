@@ -13,6 +13,14 @@ std::string number(Real value) {
     return text.str();
 }
 
+std::optional<Problem> checkLock(bool needed, Flags flags) {
+    if (needed && (flags & kLocked) != kLocked) {
+        return Problem{"flags",
+                       "must have kLocked: a plane or a heightmap is only for locked bodies"};
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 std::optional<Problem> checkRange(const char* field, Real value, Real low, Real high) {
@@ -46,6 +54,14 @@ std::optional<Problem> checkFlags(const char* field, Flags value) {
     return std::nullopt;
 }
 
+std::optional<Problem> checkLock(const Shape& shape, Flags flags) {
+    return checkLock(needsLock(shape), flags);
+}
+
+std::optional<Problem> checkLock(const Primitive& part, Flags flags) {
+    return checkLock(needsLock(part), flags);
+}
+
 std::optional<Problem> checkRotation(const char* field, Rot value) {
     const Real norm = value.c * value.c + value.s * value.s;
     if (!(std::abs(norm - 1) < Real(1e-3))) {
@@ -55,36 +71,13 @@ std::optional<Problem> checkRotation(const char* field, Rot value) {
     return std::nullopt;
 }
 
-std::optional<Problem> check(const Material& material) {
-    constexpr Real kMost = Real(1e6);
-    if (auto problem = checkRange("material.kineticFriction", material.kineticFriction, 0, kMost)) {
-        return problem;
-    }
-    if (auto problem = checkRange("material.staticFriction", material.staticFriction,
-                                  material.kineticFriction, kMost)) {
-        return problem;
-    }
-    if (auto problem = checkRange("material.restitution", material.restitution, 0, 1)) {
-        return problem;
-    }
-    return checkRange("material.rollingResistance", material.rollingResistance, 0, kMost);
-}
-
-Material mix(const Material& a, const Material& b) {
-    return {std::sqrt(a.staticFriction * b.staticFriction),
-            std::sqrt(a.kineticFriction * b.kineticFriction),
-            std::min(a.restitution, b.restitution),
-            std::max(a.rollingResistance, b.rollingResistance)};
-}
-
 std::optional<Problem> check(const BodyDef& def, Real lengthUnit) {
     if (auto problem = check(def.shape)) {
         problem->field = "shape." + problem->field;
         return problem;
     }
-    if (needsLock(def.shape) && (def.flags & kLocked) != kLocked) {
-        return Problem{"flags",
-                       "must have kLocked: a plane or a heightmap is only for locked bodies"};
+    if (auto problem = checkLock(def.shape, def.flags)) {
+        return problem;
     }
     if (auto problem = checkFlags("flags", def.flags)) {
         return problem;

@@ -35,9 +35,9 @@ struct BodyDef {
 /// No body may lie farther than this from the origin, or be larger (m, times the length unit of the
 /// World): beyond it a Real resolves less than 1 % of the unit.
 inline constexpr Real kFarthest = sizeof(Real) == 4 ? Real(1e5) : Real(1e13);
-inline constexpr Real kHighestSpeed = Real(1e7); // m/s or rad/s
-inline constexpr Real kLowestDensity = Real(1e-9);
-inline constexpr Real kHighestDensity = Real(1e9);
+inline constexpr Real kHighestSpeed = Real(1e7);   // m/s or rad/s
+inline constexpr Real kLowestDensity = Real(1e-9); // kg/m^2
+inline constexpr Real kHighestDensity = Real(1e9); // kg/m^2
 /// The mass (kg) of a body and of each of its parts lies between 1 / kHeaviest and kHeaviest, its
 /// moment of inertia (kg m^2) between the squares of these, so that no product of two overflows.
 inline constexpr Real kHeaviest = sizeof(Real) == 4 ? Real(1e18) : Real(1e100);
@@ -50,6 +50,9 @@ std::optional<Problem> checkPosition(const char* field, Vec2 value, Real lengthU
 std::optional<Problem> checkRotation(const char* field, Rot value);
 std::optional<Problem> checkVelocity(const char* field, Vec2 value);
 std::optional<Problem> checkFlags(const char* field, Flags value);
+/// Of a body with something in it that may need to be locked.
+std::optional<Problem> checkLock(const Shape& shape, Flags flags);
+std::optional<Problem> checkLock(const Primitive& part, Flags flags);
 std::optional<Problem> checkRange(const char* field, Real value, Real low, Real high);
 
 } // namespace kodo::inline KODO_PRECISION

@@ -33,6 +33,7 @@ private:
 /// Air that moves within `region` and is not felt outside of it. A body is in or out by its centre.
 class Wind final : public ForceField {
 public:
+    /// velocity: m/s; region: m, world, or everywhere.
     Wind(DragLaw law, Vec2 velocity, std::optional<Aabb> region = {})
         : drag_(law, velocity), region_(region) {}
     Push at(const Bodies& bodies, std::uint32_t body, Real dt) const override;
@@ -57,6 +58,7 @@ class Attractor final : public ForceField {
 public:
     enum class Law : std::uint8_t { InverseSquare, Linear };
 
+    /// center: m, world.
     Attractor(Law law, Vec2 center, Real strength, Real softening = 0)
         : law_(law), center_(center), strength_(strength), softening_(softening) {}
     Push at(const Bodies& bodies, std::uint32_t body, Real dt) const override;
@@ -90,11 +92,12 @@ Submerged submerged(const Convex& convex, const Transform& t, Vec2 surface, Vec2
 ///   F = -density A g - drag A v,  at the centroid of the part below the surface, whose area is A
 class Buoyancy final : public ForceField {
 public:
+    /// What it is a surface of.
     struct Fluid {
         Real density = 1; // kg/m^2
         Real drag = 0;    // kg/(m^2 s): N per m/s and m^2
     };
-    /// The surface lies across `gravity` (m/s^2), through `surface`.
+    /// The surface lies across `gravity` (m/s^2), through `surface` (m, world).
     Buoyancy(Fluid fluid, Vec2 surface, Vec2 gravity)
         : fluid_(fluid), surface_(surface), gravity_(gravity), up_(-normalize(gravity)) {}
     Push at(const Bodies& bodies, std::uint32_t body, Real dt) const override;

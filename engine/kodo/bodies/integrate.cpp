@@ -38,9 +38,7 @@ void gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Rea
 
 void beginMotion(Bodies& bodies) {
     for (const std::uint32_t i : bodies.awake) {
-        Motion& motion = bodies.motion[i];
-        motion.move = {};
-        motion.turn = 0;
+        bodies.motion[i].halt();
     }
 }
 

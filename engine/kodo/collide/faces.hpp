@@ -26,6 +26,7 @@ std::size_t incidentEdge(const Convex& b, std::size_t vertex, Vec2 normalInB);
 /// how near they are, or it leaves the contact to its neighbours.
 enum class BeyondEnds : std::uint8_t { DeepestCorner, Nothing };
 
+/// An outline and where it is.
 struct Placed {
     const Convex& shape;
     const Transform& at;

@@ -20,7 +20,7 @@ struct SupportEdge {
 ///
 /// Shock propagation solves level by level and freezes the levels done, so that a tall stack stands
 /// after few passes [Guendelman03, section 7]. The thesis sorts all contacts by height instead,
-/// which grows dear with many stacks (4.2.2.1); this takes time linear in bodies and edges, however
+/// which grows dear with many stacks (4.2.2.2); this takes time linear in bodies and edges, however
 /// many stacks they form.
 ///
 /// Bodies that rest on each other in a circle are levelled in the order in which a breadth-first

@@ -17,6 +17,7 @@ struct JointId {
     friend constexpr auto operator<=>(JointId, JointId) = default;
 };
 
+/// From lower to upper, both included.
 struct Range {
     Real lower = 0;
     Real upper = 0;
@@ -25,7 +26,8 @@ struct Range {
 
 inline constexpr Real kUnbreakable = std::numeric_limits<Real>::infinity();
 
-/// The two bodies of a joint, and where on them it holds.
+/// The two bodies of a joint, and where on them it holds. All of a joint's forces and torques are
+/// those on b; a feels the opposite.
 struct JointEnds {
     BodyId a;
     BodyId b;
@@ -76,20 +78,21 @@ struct Motor {
     Real reference = 0; // rad; the angle of b relative to a that is wanted
     Real force = 0;     // N at most
     Real torque = 0;    // N m at most
-    Real hertz = 30;    // how eagerly
-    Real damping = 1;
+    Real hertz = 30;    // how eagerly: stiffness, with the bodies' masses
+    Real damping = 1;   // damping ratio; 1 is critical
 };
 
 /// Draws one body by a point on it towards a target, as a hand does.
 struct Mouse {
     BodyId body;
-    Vec2 anchor{};  // m, in the frame of the body's shape
-    Vec2 target{};  // m, world
-    Real force = 0; // N at most
-    Real hertz = 5;
-    Real damping = Real(0.7);
+    Vec2 anchor{};            // m, in the frame of the body's shape
+    Vec2 target{};            // m, world
+    Real force = 0;           // N at most
+    Real hertz = 5;           // stiffness, with the body's mass
+    Real damping = Real(0.7); // damping ratio; 1 is critical
 };
 
+/// Any joint, as World::add takes it.
 using JointDef = std::variant<Pin, Weld, Spring, Slider, Motor, Mouse>;
 
 /// What is wrong with a joint's numbers in a World of that length unit, or nothing. Whether its

@@ -3,6 +3,9 @@
 
 #include <kodo/joints/joint_set.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace kodo::inline KODO_PRECISION {
 
 /// The two ends of a joint at this moment within the step, in world axes.
@@ -103,7 +106,19 @@ public:
     }
 
 private:
-    PointConstraint anchors() const { return {frame_.armA, frame_.armB, frame_.gap, pass_.stiff}; }
+    /// The anchors go round their bodies in circles, and not along the tangents that a velocity
+    /// knows of: at the end of the substep they will be apart by the difference, too.
+    PointConstraint anchors() const {
+        const Vec2 gap = frame_.gap + bend(frame_.b, frame_.armB) - bend(frame_.a, frame_.armA);
+        const Softness soft = pass_.exact ? Softness::rigid(pass_.h) : pass_.stiff;
+        return {frame_.armA, frame_.armB, gap, soft};
+    }
+
+    /// From the end of the tangent to that of the arc, for up to a radian.
+    Vec2 bend(const Motion& motion, Vec2 arm) const {
+        const Real turn = std::min(std::abs(pass_.h * motion.angularVelocity), Real(1));
+        return (-turn * turn / 2) * arm;
+    }
 
     AxisConstraint angular() const { return {{}, 1, 1, 0, 0, {}, kUnbounded, {}}; }
 

@@ -8,20 +8,29 @@ namespace {
 
 // Of 1 / inertia about the centre, at a hinge: a difference of large numbers must stay one.
 constexpr Real kLeastShare = sizeof(Real) == 4 ? Real(1e-4) : Real(1e-9);
+// A determinant this small beside the squares it is the difference of is a rounding.
+constexpr Real kSingular = 16 * std::numeric_limits<Real>::epsilon();
 
 } // namespace
 
 /// K maps an impulse at the points to the relative velocity it makes there:
 ///
 ///   K = (1/mA + 1/mB) 1 + perp(rA) perp(rA)^T / IA + perp(rB) perp(rB)^T / IB      [Catto09]
+///
+/// Of a body that can turn, but not move, it is k u u^T: the point gives way along u only, and the
+/// impulse that counts is u (u . speed) / k = K speed / k^2.
 Vec2 PointConstraint::stopping(const Motion& a, const Motion& b, Vec2 speed) const {
     const Real mass = a.invMass + b.invMass;
     const Real xx = mass + a.invInertia * armA.y * armA.y + b.invInertia * armB.y * armB.y;
     const Real xy = -a.invInertia * armA.x * armA.y - b.invInertia * armB.x * armB.y;
     const Real yy = mass + a.invInertia * armA.x * armA.x + b.invInertia * armB.x * armB.x;
-    const Real determinant = xx * yy - xy * xy;
-    if (!(determinant > 0)) {
+    const Real k = xx + yy;
+    if (!(k > 0)) {
         return {}; // neither body can be pushed
+    }
+    const Real determinant = xx * yy - xy * xy;
+    if (!(determinant > kSingular * xx * yy)) {
+        return Vec2{xx * speed.x + xy * speed.y, xy * speed.x + yy * speed.y} / (k * k);
     }
     return Vec2{yy * speed.x - xy * speed.y, xx * speed.y - xy * speed.x} / determinant;
 }

@@ -81,6 +81,28 @@ void transferEnd(Kind& kind, bool isFirst, BodyId into, const Transform& place) 
     }
 }
 
+/// Is it something that a joint simply holds, not a spring, a limit or a motor?
+bool isHeld(const PointConstraint& point) {
+    return point.maxImpulse == std::numeric_limits<Real>::infinity();
+}
+bool isHeld(const AxisConstraint& axis) {
+    return axis.bounds == kUnbounded;
+}
+
+/// May the joint belong to a tree? Not if it holds what can turn, but not move: that gives way in
+/// no direction along its arm.
+bool mayBeHeld(const Bodies& bodies, const JointDef& def) {
+    const Motion& a = bodies.motion[firstBody(def).index];
+    const Motion& b = bodies.motion[secondBody(def).index];
+    const auto half = [](const Motion& m) { return (m.invMass == 0) != (m.invInertia == 0); };
+    const bool pin = std::holds_alternative<Pin>(def);
+    const bool rigid =
+        pin || std::holds_alternative<Weld>(def) || std::holds_alternative<Slider>(def);
+    const auto turnsOnly = [](const Motion& m) { return m.invMass == 0 && m.invInertia > 0; };
+    return rigid && (a.invMass > 0 || b.invMass > 0) && !turnsOnly(a) && !turnsOnly(b) &&
+           (pin || (!half(a) && !half(b)));
+}
+
 struct Overload {
     Real force;
     Real torque;
@@ -171,6 +193,7 @@ void JointSet::refreshLists() {
 }
 
 void JointSet::beginStep() {
+    treesStale_ = true;
     for (const std::uint32_t index : live_) {
         Joint& joint = joints_[index];
         joint.pushSum = {};
@@ -180,15 +203,36 @@ void JointSet::beginStep() {
 }
 
 void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
+    if (treesStale_) {
+        findTrees(bodies);
+    }
     for (const std::uint32_t index : live_) {
         if (idle(bodies, joints_[index].def)) {
             continue;
         }
-        forConstraints(joints_[index], bodies, pass,
-                       [](const JointFrame& frame, const auto& constraint, auto& impulse, Relax) {
-                           constraint.push(frame.a, frame.b, impulse);
-                       });
+        const bool inTree = trees_.rowsOf(index) != nullptr;
+        forConstraints(
+            joints_[index], bodies, {pass.h, pass.stiff, pass.biased, inTree},
+            [=](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
+                if (inTree && relax == Relax::Rigid && isHeld(constraint)) {
+                    impulse = {}; // found anew, all of it
+                } else {
+                    constraint.push(frame.a, frame.b, impulse);
+                }
+            });
     }
+}
+
+void JointSet::findTrees(const Bodies& bodies) {
+    treesStale_ = false;
+    held_.clear();
+    for (const std::uint32_t index : live_) {
+        const JointDef& def = joints_[index].def;
+        if (!idle(bodies, def) && mayBeHeld(bodies, def)) {
+            held_.push_back({index, firstBody(def).index, secondBody(def).index});
+        }
+    }
+    trees_.find(bodies, held_);
 }
 
 void JointSet::solve(Bodies& bodies, const JointPass& pass) {
@@ -198,14 +242,45 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
             continue;
         }
         joint.solved = true;
+        HeldRows* const rows = trees_.rowsOf(index);
+        if (rows != nullptr) {
+            *rows = {.pull = joint.force};
+        }
         forConstraints(
-            joint, bodies, pass,
+            joint, bodies, {pass.h, pass.stiff, pass.biased, rows != nullptr},
             [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
+                if (rows != nullptr && relax == Relax::Rigid && isHeld(constraint)) {
+                    rows->add(constraint, impulse, joint.slotOf(impulse));
+                    return;
+                }
                 constraint.solve(frame.a, frame.b, impulse, pass.biased || relax == Relax::Same);
                 if (!pass.biased) { // the last pass of the substep
                     constraint.sumUp(impulse, joint.pushSum, joint.turnSum);
                 }
             });
+    }
+    solveTrees(bodies, pass);
+}
+
+/// Solves what the trees hold, and writes the impulses down where they were read.
+void JointSet::solveTrees(Bodies& bodies, const JointPass& pass) {
+    trees_.solve(bodies, pass);
+    for (const JointTrees::Edge& edge : held_) {
+        const HeldRows* const rows = trees_.rowsOf(edge.joint);
+        if (rows == nullptr) {
+            continue;
+        }
+        Joint& joint = joints_[edge.joint];
+        for (std::size_t r = 0; r < rows->count; ++r) {
+            const Real impulse = rows->impulse[r];
+            const Vec2 along{rows->b[r][0], rows->b[r][1]};
+            joint.impulseAt(rows->slot[r]) = impulse;
+            if (!pass.biased && along == Vec2{}) {
+                joint.turnSum += impulse * rows->b[r][2];
+            } else if (!pass.biased) {
+                joint.pushSum += impulse * along;
+            }
+        }
     }
 }
 

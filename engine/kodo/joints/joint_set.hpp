@@ -2,7 +2,7 @@
 #pragma once
 
 #include <kodo/base/id_pool.hpp>
-#include <kodo/joints/joint_rows.hpp>
+#include <kodo/joints/joint_trees.hpp>
 
 #include <array>
 #include <span>
@@ -17,13 +17,6 @@ struct BrokenJoint {
     BodyId b;
     Real force = 0;  // N, averaged over the step
     Real torque = 0; // N m
-};
-
-/// Times of one substep and how stiff joints are.
-struct JointPass {
-    Real h = 0; // s
-    Softness stiff;
-    bool biased = false;
 };
 
 /// All joints of a World.
@@ -62,6 +55,7 @@ public:
         }
     }
 
+    /// A joint as it is held, with what it has learned.
     struct Joint {
         JointDef def;
         Vec2 point;                 // N s, of one substep
@@ -71,6 +65,15 @@ public:
         Vec2 force;                 // N, on b, the mean of the last step that solved it
         Real torque = 0;            // N m
         bool solved = false;        // in this step; not if both bodies rest, stand or wait
+
+        /// Impulses by number: 0 and 1 are those of the point, then come the axes.
+        std::size_t slotOf(const Vec2&) const { return 0; }
+        std::size_t slotOf(const Real& axis) const {
+            return 2 + static_cast<std::size_t>(&axis - axes.data());
+        }
+        Real& impulseAt(std::size_t slot) {
+            return slot == 0 ? point.x : slot == 1 ? point.y : axes[slot - 2];
+        }
     };
 
 private:
@@ -81,8 +84,13 @@ private:
     std::vector<std::uint32_t> live_;                            // in order
     std::vector<std::pair<std::uint32_t, std::uint32_t>> apart_; // bodies that must not touch
     std::vector<BrokenJoint> broken_;
+    JointTrees trees_;                   // of this step
+    std::vector<JointTrees::Edge> held_; // joints that may belong to one
+    bool treesStale_ = true;
 
     void refreshLists();
+    void findTrees(const Bodies& bodies);
+    void solveTrees(Bodies& bodies, const JointPass& pass);
 };
 
 } // namespace kodo::inline KODO_PRECISION

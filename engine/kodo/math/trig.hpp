@@ -9,6 +9,7 @@
 
 namespace kodo::inline KODO_PRECISION {
 
+/// The sine and the cosine of one angle.
 template <std::floating_point T>
 struct SinCos {
     T sin;

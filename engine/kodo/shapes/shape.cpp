@@ -14,17 +14,25 @@ std::string corner(std::size_t i) {
     return "corners[" + std::to_string(i) + "]";
 }
 
+constexpr const char* kLargestInWords = sizeof(Real) == 4 ? "1e11 m" : "1e19 m";
+
+bool isSmallEnough(Real value) {
+    return std::abs(value) <= kLargest; // false for NaN
+}
+
 std::optional<Problem> checkLength(const char* field, Real value) {
-    if (!std::isfinite(value) || value <= 0) {
-        return Problem{field,
-                       "must be a finite length greater than 0 m, but is " + std::to_string(value)};
+    if (!(value > 0) || !isSmallEnough(value)) {
+        return Problem{field, std::string("must be a finite length greater than 0 m and at most ") +
+                                  kLargestInWords + ", but is " + std::to_string(value)};
     }
     return std::nullopt;
 }
 
 std::optional<Problem> checkPoint(const std::string& field, Vec2 point) {
-    if (!isFinite(point)) {
-        return Problem{field, "must be finite"};
+    if (!isSmallEnough(point.x) || !isSmallEnough(point.y)) {
+        return Problem{field,
+                       std::string("must be finite, and neither of its coordinates beyond ") +
+                           kLargestInWords};
     }
     return std::nullopt;
 }
@@ -101,10 +109,9 @@ std::optional<Problem> checkEnd(const char* field, Vec2 point, Vec2 neighbour) {
     if (auto problem = checkPoint(field, point)) {
         return problem;
     }
-    const Real size = lengthSquared(point - neighbour);
-    if (!(size > 0) || !std::isfinite(size)) {
+    if (!(lengthSquared(point - neighbour) > 0)) {
         return Problem{field, "must lie apart from the point next to it, by a length whose square "
-                              "is a finite number greater than 0"};
+                              "is greater than 0"};
     }
     return std::nullopt;
 }
@@ -136,8 +143,8 @@ std::optional<Problem> check(const Plane& plane) {
     if (!(std::abs(lengthSquared(plane.normal) - 1) < Real(1e-3))) {
         return Problem{"normal", "must be a unit vector"};
     }
-    if (!std::isfinite(plane.offset)) {
-        return Problem{"offset", "must be finite"};
+    if (!isSmallEnough(plane.offset)) {
+        return Problem{"offset", std::string("must be finite and not beyond ") + kLargestInWords};
     }
     return std::nullopt;
 }

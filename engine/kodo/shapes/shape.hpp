@@ -13,27 +13,33 @@ namespace kodo::inline KODO_PRECISION {
 /// The shapes that a body can be made of, as plain descriptions in the body's own frame (m).
 /// Nothing checks them until they reach a World; `check(shape)` says beforehand what it will say.
 
+/// No length and no coordinate of a shape may be larger (m), whatever the length unit of the World:
+/// the products of what follows from them must not overflow. A World takes none larger than its
+/// kFarthest either.
+inline constexpr Real kLargest = sizeof(Real) == 4 ? Real(1e11) : Real(1e19);
+
+/// A disc.
 template <std::floating_point T>
 struct BasicCircle {
-    T radius{};
-    BasicVec2<T> center{};
+    T radius{};            // m, > 0
+    BasicVec2<T> center{}; // m
     friend bool operator==(const BasicCircle&, const BasicCircle&) = default;
 };
 
 /// A rectangle by its full width and height; the Obb of the thesis (3.1.3).
 template <std::floating_point T>
 struct BasicBox {
-    T width{};
-    T height{};
-    BasicVec2<T> center{};
-    BasicRot<T> rotation{};
+    T width{};              // m, > 0
+    T height{};             // m, > 0
+    BasicVec2<T> center{};  // m
+    BasicRot<T> rotation{}; // of its width against the x axis
     friend bool operator==(const BasicBox&, const BasicBox&) = default;
 };
 
 /// Convex, corners counter-clockwise, at most kMaxCorners of them.
 template <std::floating_point T>
 struct BasicPolygon {
-    std::vector<BasicVec2<T>> corners;
+    std::vector<BasicVec2<T>> corners; // m
     friend bool operator==(const BasicPolygon&, const BasicPolygon&) = default;
 };
 inline constexpr std::size_t kMaxCorners = 1024;
@@ -44,7 +50,7 @@ inline constexpr Real kFlatness = sizeof(Real) == 4 ? Real(1e-5) : Real(1e-10);
 /// A particle: no size, no moment of inertia, and a mass of `density` kg.
 template <std::floating_point T>
 struct BasicPoint {
-    BasicVec2<T> position{};
+    BasicVec2<T> position{}; // m
     friend bool operator==(const BasicPoint&, const BasicPoint&) = default;
 };
 
@@ -57,10 +63,10 @@ struct BasicPoint {
 /// joints between them.
 template <std::floating_point T>
 struct BasicSegment {
-    BasicVec2<T> from{};
+    BasicVec2<T> from{}; // m, as all of them
     BasicVec2<T> to{};
     bool oneSided = false;
-    std::optional<BasicVec2<T>> before{};
+    std::optional<BasicVec2<T>> before{}; // of a one-sided one only
     std::optional<BasicVec2<T>> after{};
     friend bool operator==(const BasicSegment&, const BasicSegment&) = default;
 };
@@ -77,7 +83,7 @@ struct BasicPlane {
 /// Each of its cells becomes a part of the body. Only for locked bodies.
 template <std::floating_point T>
 struct BasicHeightmap {
-    BasicVec2<T> origin{};
+    BasicVec2<T> origin{};  // m; the first height is measured from here
     T spacing{};            // m, between two heights
     std::vector<T> heights; // m, at least two
     friend bool operator==(const BasicHeightmap&, const BasicHeightmap&) = default;

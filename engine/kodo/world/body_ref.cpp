@@ -195,9 +195,7 @@ void BodyRef::applyImpulse(Vec2 impulse, Vec2 point) {
 
 void BodyRef::setFlags(Flags flags) {
     for (std::size_t i = 0; i < partCount(); ++i) {
-        if (needsLock(part(i).primitive) && (flags & kLocked) != kLocked) {
-            throw BadDefinition({"flags", "must have kLocked for a plane or a heightmap"});
-        }
+        refuse(checkLock(part(i).primitive, flags));
     }
     refuse(checkFlags("flags", flags));
     changed();

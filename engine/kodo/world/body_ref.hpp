@@ -13,12 +13,12 @@ public:
     BodyView(const World& world, BodyId id);
 
     BodyId id() const { return id_; }
-    Vec2 position() const;        // m, world: origin of the shape's frame
-    Rot rotation() const;         // of the shape's frame
-    Vec2 center() const;          // m, world: centre of mass
-    Vec2 velocity() const;        // m/s, of the centre of mass
-    Real angularVelocity() const; // rad/s, counter-clockwise
-    Vec2 velocityAt(Vec2 point) const;
+    Vec2 position() const;             // m, world: origin of the shape's frame
+    Rot rotation() const;              // of the shape's frame
+    Vec2 center() const;               // m, world: centre of mass
+    Vec2 velocity() const;             // m/s, of the centre of mass
+    Real angularVelocity() const;      // rad/s, counter-clockwise
+    Vec2 velocityAt(Vec2 point) const; // m/s, of the body's point that is there (m, world)
 
     Real mass() const;    // kg, whether locked or not
     Real inertia() const; // kg m^2, about the centre of mass
@@ -28,11 +28,11 @@ public:
     std::uint64_t userData() const;
 
     std::size_t partCount() const;
-    const Part& part(std::size_t index) const;
+    const Part& part(std::size_t index) const; // throws std::out_of_range
     /// Takes a point of part(i).convex to the world: the frame of the centre of mass.
     const Transform& placement() const;
 
-    Aabb bounds() const;
+    Aabb bounds() const;             // m, world
     bool contains(Vec2 point) const; // world point, inside or on the edge
 
 protected:
@@ -50,10 +50,10 @@ class BodyRef : public BodyView {
 public:
     BodyRef(World& world, BodyId id);
 
-    void setPosition(Vec2 position); // of the shape's frame; a jump, not a motion
-    void setRotation(Rot rotation);
-    void setVelocity(Vec2 velocity);
-    void setAngularVelocity(Real radiansPerSecond);
+    void setPosition(Vec2 position); // m, world: of the shape's frame; a jump, not a motion
+    void setRotation(Rot rotation);  // of the shape's frame, about its origin; a jump as well
+    void setVelocity(Vec2 velocity); // m/s, of the centre of mass
+    void setAngularVelocity(Real radiansPerSecond); // counter-clockwise
     /// Sets the velocities that bring the shape's frame there in one step of dt (s). A locked body
     /// arrives to rounding, whatever is in its way, and hits it with its true speed. The velocity
     /// stays set: call again, or set it to zero.
@@ -63,8 +63,8 @@ public:
     // Forces act during the next step and are then forgotten; impulses act at once.
     void applyForce(Vec2 force);             // N, at the centre of mass
     void applyForce(Vec2 force, Vec2 point); // at a world point: adds torque
-    void applyTorque(Real torque);           // N m
-    void applyImpulse(Vec2 impulse);         // N s
+    void applyTorque(Real torque);           // N m, counter-clockwise
+    void applyImpulse(Vec2 impulse);         // N s, at the centre of mass
     void applyImpulse(Vec2 impulse, Vec2 point);
 
     void setFlags(Flags flags); // those that only the engine sets stay as they are

@@ -12,23 +12,83 @@ void World::setRegion(std::optional<Aabb> region) {
     region_ = region;
     for (std::uint32_t body = 0; body < bodies_.size(); ++body) {
         if (bodies_.ids.aliveAt(body)) {
-            placeInRegion(body);
+            askRegion(body);
         }
+    }
+    putContactsAside();
+    // What rests and is touched by what takes part again wakes with the contact that it has kept.
+    std::vector<std::uint32_t> touched;
+    rest_.forEachContact([&](const Contact& contact) {
+        const ContactKey& key = contact.key;
+        if (contact.wasTouching && (bodies_.active(key.bodyA) || bodies_.active(key.bodyB))) {
+            touched.push_back(bodies_.resting(key.bodyA) ? key.bodyA : key.bodyB);
+        }
+    });
+    for (const std::uint32_t body : touched) {
+        rest_.wake(bodies_, contacts_, body);
     }
     bodies_.awakeStale = true;
     contacts_.activityChanged();
 }
 
-/// Asks anew whether a body takes part in steps or waits, since it or the region has changed.
-void World::placeInRegion(std::uint32_t body) {
+/// Asks anew whether a body takes part in steps or waits, since it or the region has changed. True
+/// if it has just left.
+bool World::askRegion(std::uint32_t body) {
     Flags& flags = bodies_.record[body].filter.flags;
+    const bool waited = (flags & kOutside) != 0;
     const bool inside = !region_ || overlap(*region_, boundsOfBody(bodies_, body));
     flags = inside ? flags & ~kOutside : flags | kOutside;
     if (!inside) { // it has come to a stand, although it keeps its velocity
-        bodies_.motion[body].move = {};
-        bodies_.motion[body].turn = 0;
+        bodies_.motion[body].halt();
     }
     bodies_.jumped(body);
+    return !inside && !waited;
+}
+
+/// The same for one that may have contacts.
+void World::placeInRegion(std::uint32_t body) {
+    if (askRegion(body)) {
+        putContactsAside();
+    }
+}
+
+/// Contacts of which no body takes part since one waits are put aside, and come back when one does
+/// again: meanwhile they neither end nor begin.
+void World::putContactsAside() {
+    const auto waits = [&](std::uint32_t body) {
+        return (bodies_.record[body].filter.flags & kOutside) != 0;
+    };
+    takeBack([&](const Contact& contact) {
+        return bodies_.active(contact.key.bodyA) || bodies_.active(contact.key.bodyB);
+    });
+    returning_.clear(); // of what froze: their end is yet to be told
+    for (const Contact& contact : contacts_.takeIdle(bodies_)) {
+        const bool aside = waits(contact.key.bodyA) || waits(contact.key.bodyB);
+        (aside ? aside_ : returning_).push_back(contact);
+    }
+    contacts_.putBack(returning_);
+}
+
+/// Puts back the contacts that which(contact) names.
+template <typename Which>
+void World::takeBack(Which which) {
+    returning_.clear();
+    std::erase_if(aside_, [&](const Contact& contact) {
+        const bool back = which(contact);
+        if (back) {
+            returning_.push_back(contact);
+        }
+        return back;
+    });
+    contacts_.putBack(returning_);
+}
+
+void World::takeBackContactsOf(std::uint32_t body) {
+    if (!aside_.empty()) {
+        takeBack([=](const Contact& contact) {
+            return contact.key.bodyA == body || contact.key.bodyB == body;
+        });
+    }
 }
 
 /// For the time of the solver, what waits is a wall to what touches it or is tied to it: it stands

@@ -150,11 +150,9 @@ void SnapshotFields::completeBody(Bodies& bodies, std::uint32_t body) {
     const BodyRecord& record = bodies.record[body];
     require(record.form != nullptr, "a body has no form");
     const Form& form = *record.form;
-    const bool needsLocking =
-        std::any_of(form.parts.begin(), form.parts.end(),
-                    [](const Part& part) { return needsLock(part.primitive); });
-    require(!needsLocking || (record.filter.flags & kLocked) == kLocked,
-            "a plane belongs to a body that is not locked");
+    for (const Part& part : form.parts) {
+        require(checkLock(part.primitive, record.filter.flags));
+    }
     const Transform& pose = bodies.pose[body];
     const Motion& motion = bodies.motion[body];
     require(bounded(pose.position) && bounded(motion.velocity) && bounded(motion.angularVelocity) &&
@@ -311,7 +309,7 @@ void SnapshotFields::rest(RestStage& stage, Bodies& bodies) {
 }
 
 void SnapshotFields::joints(JointSet& set, const Bodies& bodies) {
-    auto& [ids, joints, live, apart, broken] = set;
+    auto& [ids, joints, live, apart, broken, trees, held, treesStale] = set;
     one(ids);
     joints.resize(ids.capacity());
     for (std::size_t i = 0; i < joints.size(); ++i) {
@@ -333,8 +331,8 @@ void SnapshotFields::joints(JointSet& set, const Bodies& bodies) {
 
 void SnapshotFields::world(World& world) {
     auto& [settings, tolerances, stepCount, count, bodies, fields, contacts, softStep, propagation,
-           contactVisits, sweep, rest, joints, broken, frozen, region, held, colliding,
-           collidedBefore, isColliding, lastForm] = world;
+           contactVisits, sweep, rest, joints, broken, frozen, region, held, aside, returning,
+           colliding, collidedBefore, isColliding, lastForm] = world;
     all(settings, tolerances, stepCount);
     bodies.turns = settings.has(Feature::Rotation);
     forms(world);
@@ -347,7 +345,12 @@ void SnapshotFields::world(World& world) {
     this->contacts(contacts, bodies);
     this->rest(rest, bodies);
     as<std::uint64_t>(contactVisits);
-    all(broken, frozen, region);
+    all(broken, frozen, region, aside);
+    if (reads()) {
+        for (Contact& contact : aside) {
+            completeContact(contact, bodies);
+        }
+    }
     if (region) {
         require(region->lower.x <= region->upper.x && region->lower.y <= region->upper.y,
                 "the region is inside out");

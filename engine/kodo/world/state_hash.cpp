@@ -2,6 +2,8 @@
 #include <kodo/base/hash.hpp>
 #include <kodo/world/world.hpp>
 
+#include <algorithm>
+
 namespace kodo::inline KODO_PRECISION {
 
 std::uint64_t World::stateHash() const {
@@ -43,6 +45,7 @@ std::uint64_t World::stateHash() const {
         addContact(contact);
     }
     rest_.forEachContact(addContact);
+    std::for_each(aside_.begin(), aside_.end(), addContact);
     joints_.forEach([&](const JointSet::Joint& joint) {
         hash.add(static_cast<std::uint32_t>(joint.def.index()));
         hash.add(firstBody(joint.def).index);

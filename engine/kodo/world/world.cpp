@@ -13,12 +13,6 @@ bool sameBuild(const std::vector<Part>& a, const std::vector<Part>& b) {
     });
 }
 
-void refuseUnlocked(const Primitive& shape, Flags flags) {
-    if (needsLock(shape) && (flags & kLocked) != kLocked) {
-        throw BadDefinition({"flags", "must have kLocked for a plane or a heightmap"});
-    }
-}
-
 /// May the parts of both be one body?
 std::optional<Problem> checkTogether(const Form& into, const Form& part) {
     if (into.parts.size() + part.parts.size() > kMaxParts) {
@@ -76,7 +70,7 @@ std::shared_ptr<const Form> World::formFor(const BodyDef& def) {
 BodyId World::add(const BodyDef& def) {
     refuse(check(def, tolerances_.unit()));
     const BodyId id = addBody(bodies_, def, formFor(def));
-    placeInRegion(id.index);
+    askRegion(id.index);
     contacts_.bodiesChanged();
     ++count_;
     return id;
@@ -84,6 +78,7 @@ BodyId World::add(const BodyDef& def) {
 
 /// It goes, jumps or changes: what leans on it, or hangs on it by a joint, wakes.
 void World::disturb(std::uint32_t body) {
+    takeBackContactsOf(body);
     rest_.disturb(bodies_, contacts_, joints_, body);
 }
 
@@ -111,7 +106,7 @@ BodyId World::clone(BodyId id, Vec2 position) {
     def.required = source.required();
     def.userData = source.userData();
     const BodyId copy = addBody(bodies_, def, bodies_.record[id.index].form);
-    placeInRegion(copy.index);
+    askRegion(copy.index);
     contacts_.bodiesChanged();
     ++count_;
     return copy;
@@ -135,7 +130,7 @@ std::size_t World::weld(BodyId into, BodyId part) {
         throw BadDefinition({"part", "is the body that it is to be welded to"});
     }
     for (const Part& added : bodies_.form(part.index).parts) {
-        refuseUnlocked(added.primitive, bodies_.record[into.index].filter.flags);
+        refuse(checkLock(added.primitive, bodies_.record[into.index].filter.flags));
     }
     refuse(checkTogether(bodies_.form(into.index), bodies_.form(part.index)));
     disturb(into.index);
@@ -226,7 +221,7 @@ std::size_t World::weld(BodyId into, const Primitive& shape, const Material& mat
     refuse(check(shape));
     refuse(check(material));
     refuse(checkRange("density", density, kLowestDensity, kHighestDensity));
-    refuseUnlocked(shape, bodies_.record[into.index].filter.flags);
+    refuse(checkLock(shape, bodies_.record[into.index].filter.flags));
     const Part part{shape, material, density};
     refuse(checkBuild({&part, 1}, tolerances_.unit()));
     refuse(checkTogether(bodies_.form(into.index), *makeForm({part})));
@@ -250,13 +245,13 @@ BodyId World::unweld(BodyId body, std::size_t part, Flags flags) {
                                          std::to_string(parts.size()) +
                                          " parts, of which one must stay"});
     }
-    refuseUnlocked(parts[part].primitive, flags);
+    refuse(checkLock(parts[part].primitive, flags));
     refuse(checkFlags("flags", flags));
     disturb(body.index);
     contacts_.partRemoved(body.index, part);
     const BodyId freed = unweldPart(bodies_, body.index, part, flags & ~kStatusFlags);
     placeInRegion(body.index);
-    placeInRegion(freed.index);
+    askRegion(freed.index);
     contacts_.bodiesChanged();
     ++count_;
     return freed;

@@ -17,25 +17,28 @@
 
 namespace kodo::inline KODO_PRECISION {
 
+/// What a World starts with.
 struct WorldDef {
     Vec2 gravity{};      // m/s^2; becomes the first force field unless it is zero
     Real lengthUnit = 1; // m; the size of a typical body. Every tolerance is a share of it
     StepSettings settings{};
 };
 
+/// What the World of it would be refused for, or nothing.
 std::optional<Problem> check(const WorldDef& def);
 
 /// Bodies, and the laws that move them [Thesis06, 4.2]. A value: a copy is a snapshot, and both
 /// go on alike. Worlds share nothing that changes, so each may run on a thread of its own.
 class World {
 public:
+    /// Throws BadDefinition with what check(def) says.
     explicit World(const WorldDef& def = {});
 
     /// Throws BadDefinition with what check(def) says.
     BodyId add(const BodyDef& def);
     /// Throws BadBodyId for an id that is not alive, as everything here does.
     void remove(BodyId id);
-    /// A body like this one in all but its id and its place.
+    /// A body like this one in all but its id and its place (m, world: of the shape's frame).
     BodyId clone(BodyId id, Vec2 position);
     bool contains(BodyId id) const { return bodies_.ids.alive(id.index, id.generation); }
     std::size_t bodyCount() const { return count_; }
@@ -72,7 +75,7 @@ public:
     void addField(FieldEntry entry);
     void setFields(std::vector<FieldEntry> fields);
     const std::vector<FieldEntry>& fields() const { return fields_; }
-    /// Until the next step; on the bodies that `which` accepts.
+    /// Until the next step; on the bodies that `which` accepts. N at the centre of mass, and N m.
     void applyForceToAll(Vec2 force, CollisionFilter which = {});
     void applyTorqueToAll(Real torque, CollisionFilter which = {});
 
@@ -80,9 +83,9 @@ public:
     /// any other dt.
     void step(Real dt);
     /// What touched in the last step, ordered by bodies and parts. Valid until the next step,
-    /// whatever is added, removed or welded meanwhile. Pairs that rest have no records until they
-    /// wake; they have not ended. The first call after a step writes the list, so that one must not
-    /// come from two threads at once.
+    /// whatever is added, removed or welded meanwhile. Pairs that rest, or wait outside the region,
+    /// have no records until they go on; they have not ended. The first call after a step writes
+    /// the list, so that one must not come from two threads at once.
     std::span<const CollisionRecord> collisions() const { return contacts_.records(); }
 
     /// Only bodies whose bounds meet the region take part in steps; the others wait where they are.
@@ -95,6 +98,7 @@ public:
     std::span<const BodyId> frozenBodies() const { return frozen_; }
 
     const StepSettings& settings() const { return settings_; }
+    /// Throws BadDefinition with what check(settings) says.
     void setSettings(const StepSettings& settings);
     const Tolerances& tolerances() const { return tolerances_; }
     std::uint64_t stepCount() const { return stepCount_; }
@@ -116,7 +120,12 @@ private:
     void requireAlive(JointId id) const;
     void jointsChanged(const JointDef& def);
     void disturb(std::uint32_t body);
+    bool askRegion(std::uint32_t body);
     void placeInRegion(std::uint32_t body);
+    void putContactsAside();
+    template <typename Which>
+    void takeBack(Which which);
+    void takeBackContactsOf(std::uint32_t body);
     void holdWhatWaits();
     void releaseWhatWaits();
     std::shared_ptr<const Form> formFor(const BodyDef& def);
@@ -145,6 +154,8 @@ private:
     std::vector<BodyId> frozen_;
     std::optional<Aabb> region_;
     std::vector<std::pair<std::uint32_t, Motion>> held_; // what waits, while the solver runs
+    std::vector<Contact> aside_;                         // of what waits; see putContactsAside
+    std::vector<Contact> returning_;                     // spare, so that a step allocates nothing
     std::vector<std::uint32_t> colliding_;               // bodies with kColliding
     std::vector<std::uint32_t> collidedBefore_;          // the same, a step ago
     std::vector<std::uint8_t> isColliding_;              // by body: 0 between steps

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/base/real.hpp>
+
+#include <array>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// Three numbers of a body: along x, along y, about its centre of mass.
+using Triple = std::array<Real, 3>;
+
+constexpr Real dot(const Triple& a, const Triple& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// A symmetric 3x3 matrix that is positive definite, by its lower half, and what solves with it.
+struct Symmetric3 {
+    Real xx = 1;
+    Real yx = 0;
+    Real yy = 1;
+    Real zx = 0;
+    Real zy = 0;
+    Real zz = 1;
+
+    /// Its factors L D L^T, with ones on the diagonal of L.
+    class Factors {
+    public:
+        explicit Factors(const Symmetric3& m) : dx_(m.xx), yx_(m.yx / m.xx), zx_(m.zx / m.xx) {
+            dy_ = m.yy - yx_ * m.yx;
+            const Real zy = m.zy - yx_ * m.zx;
+            zy_ = zy / dy_;
+            dz_ = m.zz - zx_ * m.zx - zy_ * zy;
+        }
+        /// x with m x = v.
+        Triple solve(const Triple& v) const {
+            const Real y = v[1] - yx_ * v[0];
+            const Real z = v[2] - zx_ * v[0] - zy_ * y;
+            Triple x;
+            x[2] = z / dz_;
+            x[1] = y / dy_ - zy_ * x[2];
+            x[0] = v[0] / dx_ - yx_ * x[1] - zx_ * x[2];
+            return x;
+        }
+
+    private:
+        Real dx_;
+        Real yx_;
+        Real zx_;
+        Real dy_ = 1;
+        Real zy_ = 0;
+        Real dz_ = 1;
+    };
+};
+
+} // namespace kodo::inline KODO_PRECISION

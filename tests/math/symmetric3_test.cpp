@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/math/symmetric3.hpp>
+#include <support/near.hpp>
+#include <support/random_numbers.hpp>
+
+namespace kodo {
+namespace {
+
+Triple times(const Symmetric3& m, const Triple& v) {
+    return {m.xx * v[0] + m.yx * v[1] + m.zx * v[2], m.yx * v[0] + m.yy * v[1] + m.zy * v[2],
+            m.zx * v[0] + m.zy * v[1] + m.zz * v[2]};
+}
+
+TEST(Symmetric3, TheIdentityChangesNothing) {
+    EXPECT_EQ(Symmetric3::Factors(Symmetric3{}).solve({1, 2, 3}), (Triple{1, 2, 3}));
+}
+
+// A sum of three squares of random vectors is positive definite; what it makes of a random vector
+// is turned back into that. The squares are 1 to 100 in size and not nearly parallel, so a few
+// hundred roundings are all that may be lost.
+TEST(Symmetric3, SolvesWhatItMultiplied) {
+    support::RandomNumbers random(11);
+    for (int i = 0; i < 1000; ++i) {
+        Symmetric3 m{1, 0, 1, 0, 0, 1};
+        for (int k = 0; k < 3; ++k) {
+            const Triple v{random.between(-5, 5), random.between(-5, 5), random.between(-5, 5)};
+            m.xx += v[0] * v[0];
+            m.yx += v[1] * v[0];
+            m.yy += v[1] * v[1];
+            m.zx += v[2] * v[0];
+            m.zy += v[2] * v[1];
+            m.zz += v[2] * v[2];
+        }
+        const Triple wanted{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+        const Triple found = Symmetric3::Factors(m).solve(times(m, wanted));
+        for (std::size_t k = 0; k < 3; ++k) {
+            ASSERT_TRUE(support::near(found[k], wanted[k], 1000 * support::kEpsilon))
+                << "seed 11, " << i;
+        }
+    }
+}
+
+// A mass a billion times another beside it loses nothing: each axis is solved by itself.
+TEST(Symmetric3, SolvesAxesOfVeryDifferentSize) {
+    const Triple found = Symmetric3::Factors({Real(1e9), 0, 1, 0, 0, Real(1e-9)}).solve({1, 1, 1});
+    EXPECT_EQ(found, (Triple{1 / Real(1e9), 1, 1 / Real(1e-9)}));
+}
+
+} // namespace
+} // namespace kodo
