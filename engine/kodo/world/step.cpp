@@ -29,7 +29,7 @@ void World::step(Real dt) {
     }
     releaseWhatWaits();
     freezeUnsoundMotion();
-    movePoses(bodies_, tolerances_);
+    movePoses(bodies_);
     recordCollisions();
     breakJoints(dt);
     rest_.settle(bodies_, contacts_, joints_, settings_, tolerances_, dt);
