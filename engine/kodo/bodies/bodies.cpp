@@ -10,7 +10,7 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const Form> f
         bodies.pose.emplace_back();
         bodies.acceleration.emplace_back();
         bodies.extent.emplace_back();
-        bodies.travel.emplace_back();
+        bodies.jumps.emplace_back();
         bodies.record.emplace_back();
         bodies.rest.emplace_back();
     }

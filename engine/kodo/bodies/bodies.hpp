@@ -62,16 +62,14 @@ struct Extent {
 /// All bodies of a World as parallel arrays, indexed by BodyId::index. A dead slot keeps its place
 /// with zero velocity and infinite mass.
 struct Bodies {
-    static constexpr std::uint64_t kTravelPerSlop = 1024;
-    static constexpr std::uint64_t kJump = std::uint64_t{1} << 40;
 
     IdPool ids;
     std::vector<Motion> motion = std::vector<Motion>(1); // and a spare one at the end
     std::vector<Transform> pose;                         // of the centre of mass
     std::vector<Acceleration> acceleration;
     std::vector<Extent> extent;
-    /// How far the outermost point of each has gone, in shares of Tolerances::slop, modulo 2^64.
-    std::vector<std::uint64_t> travel;
+    /// How often each was put elsewhere or built anew: see jumped().
+    std::vector<std::uint32_t> jumps;
     std::vector<BodyRecord> record;
     std::vector<RestState> rest;
     /// What a step works on, in order: all that can be pushed and does not rest, and of the locked
@@ -99,7 +97,7 @@ struct Bodies {
                m.move == Vec2{} && m.turn == 0;
     }
     /// What was known of where it touches others is out of date.
-    void jumped(std::size_t index) { travel[index] += kJump; }
+    void jumped(std::size_t index) { ++jumps[index]; }
 
     /// Takes part in a step.
     bool active(std::size_t index) const {

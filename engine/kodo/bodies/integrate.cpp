@@ -63,16 +63,9 @@ void integrateMoves(Bodies& bodies, std::span<const std::uint8_t> held, Real h) 
     }
 }
 
-void movePoses(Bodies& bodies, const Tolerances& tolerances) {
-    const Real perUnit = static_cast<Real>(Bodies::kTravelPerSlop) / tolerances.slop;
-    constexpr Real kMost = static_cast<Real>(Bodies::kJump);
+void movePoses(Bodies& bodies) {
     for (const std::uint32_t i : bodies.awake) {
         const Motion& motion = bodies.motion[i];
-        const Real way = length(motion.move) + std::abs(motion.turn) * bodies.extent[i].reach;
-        if (way == 0) {
-            continue;
-        }
-        bodies.travel[i] += 1 + static_cast<std::uint64_t>(std::min(way * perUnit, kMost));
         bodies.pose[i].position += motion.move;
         if (motion.turn != 0) {
             bodies.pose[i].rotation = turned(bodies.pose[i].rotation, motion.turn);

@@ -27,6 +27,6 @@ void integrateVelocities(Bodies& bodies, Real h);
 void integrateMoves(Bodies& bodies, std::span<const std::uint8_t> held, Real h);
 
 /// Puts every body where its motion has taken it.
-void movePoses(Bodies& bodies, const Tolerances& tolerances);
+void movePoses(Bodies& bodies);
 
 } // namespace kodo::inline KODO_PRECISION

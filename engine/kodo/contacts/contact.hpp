@@ -45,8 +45,9 @@ struct alignas(64) Contact {
     ContactKey key;
     std::uint32_t proxyA = 0; // place of the parts' bounds in the ContactSet
     std::uint32_t proxyB = 0;
-    std::uint64_t travelA = 0; // of the bodies, when the manifold was found
-    std::uint64_t travelB = 0;
+    std::uint32_t jumpsA = 0; // of the bodies, when the manifold was found
+    std::uint32_t jumpsB = 0;
+    Real drift = 0; // m, that they went against each other since then, at most
     ContactSeat seat;
     Real approachSpeed = 0;   // m/s, before the solver
     bool near = false;        // the bounds of the parts, grown by the margin, meet

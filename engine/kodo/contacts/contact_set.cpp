@@ -32,6 +32,7 @@ void ContactSet::writeRecords() const {
     if (!std::exchange(recordsDue_, false)) {
         return;
     }
+    records_.reserve(contacts_.capacity() + endedInStep_.size());
     for (const Place& place : order_) {
         recordContact(contacts_[place.slot], records_);
     }
@@ -385,12 +386,14 @@ void ContactSet::mergePairs(const Bodies& bodies) {
 }
 
 void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances) {
+    fastestApproach_ = 0;
     for (Contact& contact : contacts_) {
         const auto near = [&] {
             return overlap(tight_[contact.proxyA].grown(tolerances.margin), tight_[contact.proxyB]);
         };
         if (contact.carried || near()) {
             refreshContact(contact, bodies, tolerances);
+            fastestApproach_ = std::max(fastestApproach_, contact.approachSpeed);
         } else if (contact.near || contact.hidden || contact.manifold.count > 0) {
             clearContact(contact);
         }

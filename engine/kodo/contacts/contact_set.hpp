@@ -40,6 +40,8 @@ public:
     void setApart(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
     /// Finds where the pairs touch, now, and how fast they approach.
     void updateManifolds(const Bodies& bodies, const Tolerances& tolerances);
+    /// m/s, of those that updateManifolds looked at.
+    Real fastestApproach() const { return fastestApproach_; }
     /// Adds the pairs of bodies that the solver sent farther than updatePairs could foresee.
     void coverMoves(const Bodies& bodies, const Tolerances& tolerances);
 
@@ -63,6 +65,7 @@ public:
         records_.clear();
         endedInStep_.clear();
         std::swap(ended_, endedInStep_);
+        ended_.reserve(endedInStep_.capacity()); // the two take turns
         recordsDue_ = wantRecords;
     }
     /// Of the last step, in order. They are written when they are first asked for, or before a
@@ -122,6 +125,7 @@ private:
     mutable std::vector<CollisionRecord> records_;
     mutable bool recordsDue_ = false;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> apart_;
+    Real fastestApproach_ = 0;
     bool stale_ = true;
     bool pairsStale_ = true;
     bool contactsChanged_ = true; // in number, in place, or in what is locked

@@ -4,6 +4,7 @@
 #include <kodo/contacts/contact_update.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -44,25 +45,29 @@ void replaceManifold(Contact& contact, const Manifold& manifold) {
     }
 }
 
-// A manifold is kept until its bodies have gone so far, in slops.
-constexpr std::uint64_t kKept = 8;
+// A manifold is kept until its bodies have gone so far against each other, in slops.
+constexpr Real kKept = 8;
 
-/// Keeps a manifold while its bodies have not gone far since it was found: only the separations
-/// follow the last step, to first order in the turn. This saves most of the work in a
-/// pile, and a point of contact that stays where it is steadies it. False if it must be found anew.
-bool carry(const Bodies& bodies, Contact& contact) {
+/// Keeps a manifold while its bodies have not gone far against each other since it was found: only
+/// the separations follow the last step, to first order in the turn. This saves most of the work in
+/// a pile, also in one that moves as a whole, and a point of contact that stays where it is
+/// steadies it. False if it must be found anew.
+bool carry(const Bodies& bodies, Contact& contact, const Tolerances& tolerances) {
     const std::uint32_t a = contact.key.bodyA;
     const std::uint32_t b = contact.key.bodyB;
-    const std::uint64_t way =
-        (bodies.travel[a] - contact.travelA) + (bodies.travel[b] - contact.travelB);
-    contact.carried = contact.carried && way <= kKept * Bodies::kTravelPerSlop;
+    const Motion& motionA = bodies.motion[a];
+    const Motion& motionB = bodies.motion[b];
+    const Vec2 between = motionB.move - motionA.move;
+    contact.drift += std::abs(between.x) + std::abs(between.y) +
+                     std::abs(motionA.turn) * bodies.extent[a].reach +
+                     std::abs(motionB.turn) * bodies.extent[b].reach;
+    contact.carried = contact.carried && contact.jumpsA == bodies.jumps[a] &&
+                      contact.jumpsB == bodies.jumps[b] && contact.drift <= kKept * tolerances.slop;
     if (!contact.carried) {
         return false;
     }
-    const Motion& motionA = bodies.motion[a];
-    const Motion& motionB = bodies.motion[b];
     const Vec2 n = contact.manifold.normal;
-    const Real moved = dot(n, motionB.move - motionA.move);
+    const Real moved = dot(n, between);
     for (ManifoldPoint& p : contact.manifold.points) {
         p.separation += moved + (cross(p.armB, n) * motionB.turn - cross(p.armA, n) * motionA.turn);
     }
@@ -79,8 +84,9 @@ void find(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) 
                                 tolerances.margin, preference);
     contact.passing = letPass(contact.passing, manifold);
     replaceManifold(contact, manifold);
-    contact.travelA = bodies.travel[key.bodyA];
-    contact.travelB = bodies.travel[key.bodyB];
+    contact.drift = 0;
+    contact.jumpsA = bodies.jumps[key.bodyA];
+    contact.jumpsB = bodies.jumps[key.bodyB];
 }
 
 /// What belongs to one step begins anew.
@@ -101,7 +107,7 @@ void refreshContact(Contact& contact, const Bodies& bodies, const Tolerances& to
     beginStep(contact);
     contact.near = true;
     contact.centerA = bodies.pose[contact.key.bodyA].position;
-    if (!carry(bodies, contact)) {
+    if (!carry(bodies, contact, tolerances)) {
         find(contact, bodies, tolerances);
     }
     contact.approachSpeed = approachSpeedOf(contact, bodies);

@@ -261,7 +261,7 @@ void JointTrees::takeIn(const Bodies& bodies, Node& node, const JointPass& pass)
     Member& parent = members_[node.parent];
     const HeldRows& rows = node.rows;
     const std::array<Triple, 3>& j = node.childIsB ? rows.a : rows.b;
-    Triple columns[3]; // of S^-1 J_p
+    Triple columns[3] = {}; // of S^-1 J_p
     for (std::size_t k = 0; k < 3; ++k) {
         Triple column{};
         for (std::size_t r = 0; r < rows.count; ++r) {

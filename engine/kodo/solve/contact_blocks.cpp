@@ -74,7 +74,10 @@ void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, boo
         }
         anew_ = true;
     }
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    if (orderStale_) {
+        orderBlocks();
+    }
+    for (const std::uint32_t i : order_) {
         ContactBlock& block = blocks_[i];
         shelves_[i].taken = 0;
         for (ContactBlock::Point& point : block.points) {
@@ -83,6 +86,9 @@ void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, boo
         std::fill_n(block.total, ContactBlock::kContacts, Real(0));
     }
     newcomers_.clear();
+    if (newcomers_.capacity() < contacts.size()) {
+        newcomers_.reserve(2 * contacts.size());
+    }
 }
 
 /// Gives lanes to all contacts that have a colour: they were read from a snapshot, or the lanes
@@ -118,6 +124,7 @@ void ContactBlocks::forgetLanes() {
     use_.clear();
     shelves_.clear();
     rolling_.clear();
+    order_.clear();
     rows_ = 0;
     orderStale_ = true;
     seated_ = false;
@@ -152,17 +159,20 @@ void ContactBlocks::take(const Bodies& bodies, Contact& contact, std::uint32_t p
 /// Lanes that were not taken: their contacts are gone, push nobody any more, or have to find
 /// another colour.
 void ContactBlocks::freeLanes(const Bodies& bodies) {
-    const bool spareMoved = std::exchange(spare_, bodies.spare()) != bodies.spare();
-    for (std::uint32_t i = 0; i < blocks_.size(); ++i) {
+    if (std::exchange(spare_, bodies.spare()) != bodies.spare()) {
+        for (std::size_t i = 0; i < blocks_.size(); ++i) {
+            for (std::size_t lane = 0; lane < ContactBlock::kContacts; ++lane) {
+                if ((shelves_[i].used >> lane & 1) == 0) {
+                    blocks_[i].a[lane] = blocks_[i].b[lane] = spare_;
+                }
+            }
+        }
+    }
+    for (const std::uint32_t i : order_) {
         const std::uint32_t gone = shelves_[i].used & ~shelves_[i].taken;
         for (std::uint32_t rest = gone; rest != 0; rest &= rest - 1) {
             release(i * ContactBlock::kContacts +
                     static_cast<std::uint32_t>(std::countr_zero(rest)));
-        }
-        for (std::size_t lane = 0; spareMoved && lane < ContactBlock::kContacts; ++lane) {
-            if ((shelves_[i].used >> lane & 1) == 0) {
-                blocks_[i].a[lane] = blocks_[i].b[lane] = spare_;
-            }
         }
     }
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -151,6 +152,8 @@ bool hitContact(const Impact& hit, const Tolerances& tolerances, Real restSpeed)
     return true;
 }
 
+constexpr Real kNearly = Real(0.999); // makes up for rounding
+
 Real accelerationSquared(const Bodies& bodies, const Contact& contact) {
     return std::max(lengthSquared(bodies.acceleration[contact.key.bodyA].linear),
                     lengthSquared(bodies.acceleration[contact.key.bodyB].linear));
@@ -163,12 +166,21 @@ Real restSpeedOf(const Bodies& bodies, const Contact& contact, Real dt) {
 
 /// Was it measured to approach faster than that? Rounding aside, which solveImpact judges.
 bool isFast(const Bodies& bodies, const Contact& contact, Real dt) {
-    constexpr Real kNearly = Real(0.999);
     const Real speed = contact.approachSpeed;
     return speed > 0 && speed * speed > kNearly * (dt * dt) * accelerationSquared(bodies, contact);
 }
 
 } // namespace
+
+Real leastRestSpeed(const Bodies& bodies, Real dt) {
+    Real least = std::numeric_limits<Real>::max();
+    for (const std::uint32_t body : bodies.awake) {
+        if (!bodies.locked(body)) {
+            least = std::min(least, lengthSquared(bodies.acceleration[body].linear));
+        }
+    }
+    return kNearly * dt * std::sqrt(least);
+}
 
 bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,
                  const Tolerances& tolerances, Real dt) {

@@ -25,6 +25,10 @@ namespace kodo::inline KODO_PRECISION {
 void solveImpacts(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
                   const Tolerances& tolerances, Real dt);
 
+/// No contact that approaches more slowly than that is hit (m/s): forces alone do as much to every
+/// body within the step. Rounding aside, which solveImpacts judges.
+Real leastRestSpeed(const Bodies& bodies, Real dt);
+
 /// Hits one contact once, if it touches and approaches. True if it did. Adds to what the
 /// contact counts as impact.
 bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,

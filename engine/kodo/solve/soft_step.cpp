@@ -73,6 +73,9 @@ void SoftStep::findJointed(const JointSet& joints) {
 /// Runs a pass over the joints and adds up what it gives to their bodies.
 template <typename Pass>
 void SoftStep::passJoints(const Bodies& bodies, Pass pass) {
+    if (jointed_.empty()) {
+        return;
+    }
     for (std::size_t k = 0; k < jointed_.size(); ++k) {
         beforeJoints_[k] = velocityOf(bodies.motion[jointed_[k]]);
     }
@@ -119,6 +122,9 @@ void SoftStep::nextSubstep(Bodies& bodies, Real h) {
 
 void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints,
                      const StepSettings& settings, const Tolerances& tolerances, Real dt) {
+    if (bodies.awake.empty() && blocks_.size() == 0) {
+        return;
+    }
     collect(bodies, contacts, joints, settings, tolerances);
     blocks_.arrange(bodies, contacts,
                     crowded_ ? std::span<const std::uint16_t>(crowd_)
@@ -142,16 +148,20 @@ void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& join
             nextSubstep(bodies, h);
         }
         passJoints(bodies, [&] { joints.warmStart(bodies, jointPass); });
-        if (substep == 0) {
+        if (substep == 0 && pass.count > 0) {
             passes.warmStart(pass);
         }
         jointPass.biased = true;
         passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
-        passes.solve(pass);
+        if (pass.count > 0) {
+            passes.solve(pass);
+        }
         integrateMoves(bodies, held_, h);
         jointPass.biased = false;
         passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
-        passes.relax(pass);
+        if (pass.count > 0) {
+            passes.relax(pass);
+        }
     }
 }
 

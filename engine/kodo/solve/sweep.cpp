@@ -34,9 +34,9 @@ Real motionSeenFrom(const Bodies& bodies, std::uint32_t locked, std::uint32_t ot
     return length(motion.move - carried) + bend + std::abs(motion.turn - floor.turn) * reach;
 }
 
-/// How far the outlines of a pair go at most towards each other within the step. Of two that can be
-/// pushed it is not their relative motion, since one of them may be stopped by something else.
-Real motionOf(const Bodies& bodies, const Contact& contact) {
+/// How far the outlines of a pair go at most towards each other within the step, if the two stop
+/// after these shares of it. What moves along with the other goes hardly anywhere.
+Real motionOf(const Bodies& bodies, const Contact& contact, Real stopA, Real stopB) {
     const auto [bodyA, partA, bodyB, partB] = contact.key;
     const Real reachA = outline(bodies, bodyA, partA).reach;
     const Real reachB = outline(bodies, bodyB, partB).reach;
@@ -48,24 +48,28 @@ Real motionOf(const Bodies& bodies, const Contact& contact) {
     }
     const Motion& a = bodies.motion[bodyA];
     const Motion& b = bodies.motion[bodyB];
-    return length(a.move) + length(b.move) + std::abs(a.turn) * reachA + std::abs(b.turn) * reachB;
+    const Real alone = std::abs(stopA - stopB) * length(stopA > stopB ? a.move : b.move);
+    return std::min(stopA, stopB) * length(b.move - a.move) + alone +
+           stopA * std::abs(a.turn) * reachA + stopB * std::abs(b.turn) * reachB;
 }
 
-/// The gap at which a pair is to be stopped, or nothing if it needs no sweep: it cannot come so
-/// close within the step, or it would not matter.
+Real gapOf(const Contact& contact, const Tolerances& tolerances) {
+    return contact.manifold.count > 0 ? contact.manifold.points[0].separation : tolerances.margin;
+}
+
+/// The gap at which a pair is to be stopped that goes so far towards each other, or nothing if it
+/// needs no sweep: it cannot come so close within the step, or it would not matter.
 ///
 /// A pair that is apart is stopped just before it touches. One that touches already, and moves so
 /// far that its contact points cannot hold all of it, is stopped before it is through.
-std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact,
+std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Real motion,
                                 const StepSettings& settings, const Tolerances& tolerances) {
     if (contact.hidden || contact.passing) {
         return std::nullopt;
     }
     const Convex& shapeA = outline(bodies, contact.key.bodyA, contact.key.partA);
     const Convex& shapeB = outline(bodies, contact.key.bodyB, contact.key.partB);
-    const bool near = contact.manifold.count > 0;
-    const Real gap = near ? contact.manifold.points[0].separation : tolerances.margin;
-    const Real motion = motionOf(bodies, contact);
+    const Real gap = gapOf(contact, tolerances);
     if (motion < gap) {
         return std::nullopt;
     }
@@ -138,7 +142,7 @@ void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSett
         return;
     }
     stopAt_.resize(bodies.size(), 1); // of the others it is 1 from step to step
-    stopInOrder(bodies, contacts);
+    stopInOrder({bodies, contacts, settings, tolerances});
     if (sensors) {
         noticeSensors(bodies, contacts, settings, tolerances);
     }
@@ -171,40 +175,45 @@ bool SweepStage::findCandidates(const Bodies& bodies, std::span<const Contact> c
         if (way == 0 || (way <= thin / 2 && !mayBounce(contacts[i], tolerances))) {
             continue; // as in most of a pile
         }
-        if (const auto gap = stoppingGap(bodies, contacts[i], settings, tolerances)) {
-            addCandidate(contacts[i], static_cast<std::uint32_t>(i), *gap);
+        // One of them may be stopped by something else, and the other go all its way.
+        if (stoppingGap(bodies, contacts[i], way, settings, tolerances)) {
+            addCandidate(contacts[i], static_cast<std::uint32_t>(i));
         }
     }
     return sensors;
 }
 
-void SweepStage::addCandidate(const Contact& contact, std::uint32_t place, Real gap) {
+void SweepStage::addCandidate(const Contact& contact, std::uint32_t place) {
     if (candidates_.empty()) {
         first_.assign(ways_.size(), kNone);
     }
-    Candidate candidate{place, gap};
+    Candidate candidate{place};
     const auto own = static_cast<std::uint32_t>(candidates_.size());
     candidate.next[0] = std::exchange(first_[contact.key.bodyA], own);
     candidate.next[1] = std::exchange(first_[contact.key.bodyB], own);
     candidates_.push_back(candidate);
 }
 
-void SweepStage::findTime(const Bodies& bodies, std::span<const Contact> contacts,
-                          std::uint32_t candidate) {
+/// When a pair meets, as far as it is known by now which bodies are stopped.
+void SweepStage::findTime(const Step& step, std::uint32_t candidate) {
     Candidate& own = candidates_[candidate];
-    own.time = impactTime(bodies, contacts[own.contact], stopAt_, own.gap);
+    const Contact& contact = step.contacts[own.contact];
+    const ContactKey& key = contact.key;
+    const Real motion = motionOf(step.bodies, contact, stopAt_[key.bodyA], stopAt_[key.bodyB]);
+    const auto gap = stoppingGap(step.bodies, contact, motion, step.settings, step.tolerances);
+    own.time = gap ? impactTime(step.bodies, contact, stopAt_, *gap) : 1;
     if (own.time < 1) {
         events_.push_back({own.time, candidate});
         std::push_heap(events_.begin(), events_.end(), later<Event>);
     }
 }
 
-/// Takes the impacts in the order of their time. Each changes the way of its two bodies, so the
+/// Takes the impacts in the order of their time. Each changes the ways of its two bodies, so the
 /// later impacts of these are found anew.
-void SweepStage::stopInOrder(const Bodies& bodies, std::span<const Contact> contacts) {
+void SweepStage::stopInOrder(const Step& step) {
     events_.clear();
     for (std::uint32_t i = 0; i < candidates_.size(); ++i) {
-        findTime(bodies, contacts, i);
+        findTime(step, i);
     }
     while (!events_.empty()) {
         std::pop_heap(events_.begin(), events_.end(), later<Event>);
@@ -215,22 +224,23 @@ void SweepStage::stopInOrder(const Bodies& bodies, std::span<const Contact> cont
             continue; // it was found anew since
         }
         first.done = true;
-        const ContactKey& key = contacts[first.contact].key;
-        stopAt(bodies, contacts, key.bodyA, event.time);
-        stopAt(bodies, contacts, key.bodyB, event.time);
+        const ContactKey& key = step.contacts[first.contact].key;
+        cutShort(step, key.bodyA, event.time);
+        cutShort(step, key.bodyB, event.time);
     }
 }
 
-void SweepStage::stopAt(const Bodies& bodies, std::span<const Contact> contacts, std::uint32_t body,
-                        Real time) {
-    if (bodies.locked(body) || stopAt_[body] <= time) {
+/// Ends the way of a body, and looks anew at whom it meets: what moved along with it may now run
+/// into it.
+void SweepStage::cutShort(const Step& step, std::uint32_t body, Real time) {
+    if (step.bodies.locked(body) || stopAt_[body] <= time) {
         return;
     }
     stopAt_[body] = time;
     for (std::uint32_t i = first_[body]; i != kNone;) {
-        const bool isA = contacts[candidates_[i].contact].key.bodyA == body;
-        if (!candidates_[i].done && candidates_[i].time < 1) {
-            findTime(bodies, contacts, i);
+        const bool isA = step.contacts[candidates_[i].contact].key.bodyA == body;
+        if (!candidates_[i].done) {
+            findTime(step, i);
         }
         i = candidates_[i].next[isA ? 0 : 1];
     }
@@ -245,7 +255,9 @@ void SweepStage::noticeSensors(const Bodies& bodies, std::span<Contact> contacts
         // What the way of a step brought just short of touching has begun to touch, and goes on.
         contact.touching = contact.wasTouching && contact.manifold.count > 0 &&
                            contact.manifold.points[0].separation <= tolerances.slop / 32;
-        const auto gap = stoppingGap(bodies, contact, settings, tolerances);
+        const Real motion =
+            motionOf(bodies, contact, stopAt_[contact.key.bodyA], stopAt_[contact.key.bodyB]);
+        const auto gap = stoppingGap(bodies, contact, motion, settings, tolerances);
         const Real share = gap ? impactTime(bodies, contact, stopAt_, *gap) : 1;
         if (share < 1) {
             noticeOnTheWay(bodies, contact, share, tolerances);

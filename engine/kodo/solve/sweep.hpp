@@ -29,9 +29,8 @@ public:
 private:
     struct Candidate {
         std::uint32_t contact;
-        Real gap;                            // m, at which it is to be stopped
         std::array<std::uint32_t, 2> next{}; // candidate of the same first, of the same second body
-        Real time = 0;                       // share of the step
+        Real time = 1;                       // share of the step; 1: they do not meet in it
         bool done = false;
     };
     /// An impact as it was found once; out of date if the candidate has another time by now.
@@ -39,15 +38,21 @@ private:
         Real time;
         std::uint32_t candidate;
     };
+    /// What all of it is about.
+    struct Step {
+        const Bodies& bodies;
+        std::span<const Contact> contacts;
+        const StepSettings& settings;
+        const Tolerances& tolerances;
+    };
 
     void measureWays(const Bodies& bodies);
     bool findCandidates(const Bodies& bodies, std::span<const Contact> contacts,
                         const StepSettings& settings, const Tolerances& tolerances);
-    void addCandidate(const Contact& contact, std::uint32_t place, Real gap);
-    void findTime(const Bodies& bodies, std::span<const Contact> contacts, std::uint32_t candidate);
-    void stopInOrder(const Bodies& bodies, std::span<const Contact> contacts);
-    void stopAt(const Bodies& bodies, std::span<const Contact> contacts, std::uint32_t body,
-                Real time);
+    void addCandidate(const Contact& contact, std::uint32_t place);
+    void findTime(const Step& step, std::uint32_t candidate);
+    void stopInOrder(const Step& step);
+    void cutShort(const Step& step, std::uint32_t body, Real time);
     void noticeSensors(const Bodies& bodies, std::span<Contact> contacts,
                        const StepSettings& settings, const Tolerances& tolerances);
     void noticeOnTheWay(const Bodies& bodies, Contact& contact, Real share,

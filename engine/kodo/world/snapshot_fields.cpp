@@ -117,8 +117,8 @@ void SnapshotFields::one(IdPool& pool) {
 }
 
 void SnapshotFields::one(Bodies& bodies) {
-    auto& [ids, motion, pose, acceleration, extent, travel, record, rest, awake, awakeStale,
-           turns] = bodies;
+    auto& [ids, motion, pose, acceleration, extent, jumps, record, rest, awake, awakeStale, turns] =
+        bodies;
     one(ids);
     if (reads()) {
         const std::size_t count = ids.capacity();
@@ -126,12 +126,12 @@ void SnapshotFields::one(Bodies& bodies) {
         pose.resize(count);
         acceleration.resize(count);
         extent.resize(count);
-        travel.resize(count);
+        jumps.resize(count);
         record.resize(count);
         rest.resize(count);
     }
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-        one(travel[i]); // goes on where it was when the slot is used again
+        one(jumps[i]); // goes on where it was when the slot is used again
         if (ids.aliveAt(i)) {
             all(record[i], pose[i], motion[i], acceleration[i], rest[i]);
             if (reads()) {
@@ -252,7 +252,7 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
     // The way pairs are found changes what that costs and not what is found, so it begins anew.
     auto& [proxies, firstProxy, tight, grown, moved, isMoved, pairs, finder, seams, contacts, order,
            newOrder, holes, added, slots, idle, ended, endedInStep, records, recordsDue, apart,
-           stale, pairsStale, contactsChanged] = set;
+           fastestApproach, stale, pairsStale, contactsChanged] = set;
     set.writeRecords();
     if (!reads() && stale) {
         set.rebuildProxies(bodies);

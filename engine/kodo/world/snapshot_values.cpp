@@ -114,11 +114,11 @@ void SnapshotFields::one(ContactSeat& seat) {
 }
 
 void SnapshotFields::one(Contact& contact) {
-    auto& [key, proxyA, proxyB, travelA, travelB, seat, approachSpeed, near, carried, bounces,
+    auto& [key, proxyA, proxyB, jumpsA, jumpsB, drift, seat, approachSpeed, near, carried, bounces,
            sensor, passing, hidden, touching, wasTouching, phase, manifold, centerA, impulse,
            friction, rolling, total, a, b, material] = contact; // the phase is in the records
-    all(key, centerA, manifold, travelA, travelB, impulse, seat, friction, rolling, approachSpeed,
-        total);
+    all(key, centerA, manifold, jumpsA, jumpsB, drift, impulse, seat, friction, rolling,
+        approachSpeed, total);
     all(near, carried, passing, hidden, touching, wasTouching);
 }
 

@@ -29,7 +29,7 @@ void World::step(Real dt) {
     }
     releaseWhatWaits();
     freezeUnsoundMotion();
-    movePoses(bodies_, tolerances_);
+    movePoses(bodies_);
     recordCollisions();
     breakJoints(dt);
     rest_.settle(bodies_, contacts_, joints_, settings_, tolerances_, dt);
@@ -43,7 +43,9 @@ void World::solve(Real dt) {
         contactVisits_ = propagation_.visits();
         return;
     }
-    solveImpacts(bodies_, contacts, settings_, tolerances_, dt);
+    if (contacts_.fastestApproach() > leastRestSpeed(bodies_, dt)) {
+        solveImpacts(bodies_, contacts, settings_, tolerances_, dt);
+    }
     softStep_.solve(bodies_, contacts, joints_, settings_, tolerances_, dt);
     contactVisits_ = 2 * softStep_.contactCount() * static_cast<std::size_t>(settings_.substeps);
 }
@@ -127,6 +129,7 @@ void World::recordCollisions() {
     }
     std::swap(colliding_, collidedBefore_);
     colliding_.clear();
+    colliding_.reserve(collidedBefore_.capacity()); // the two take turns
     const auto note = [&](std::uint32_t body) {
         if ((isColliding_[body] & kNow) == 0) {
             isColliding_[body] |= kNow;
