@@ -27,7 +27,7 @@ TEST(Convex, OfABoxHasItsFourCorners) {
     const std::vector<Vec2> corners{{-1, -1}, {3, -1}, {3, 1}, {-1, 1}};
     EXPECT_EQ(std::vector<Vec2>(convex.vertices.begin(), convex.vertices.end()), corners);
     const std::vector<Vec2> normals{{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
-    EXPECT_EQ(convex.normals, normals);
+    EXPECT_EQ(std::vector<Vec2>(convex.normals.begin(), convex.normals.end()), normals);
     EXPECT_EQ(convex.inside, 1);
     EXPECT_TRUE(near(convex.reach, std::sqrt(10.0L), 4 * support::kEpsilon));
 }

@@ -107,11 +107,13 @@ public:
 
 private:
     /// The anchors go round their bodies in circles, and not along the tangents that a velocity
-    /// knows of: at the end of the substep they will be apart by the difference, too.
+    /// knows of: at the end of the substep they will be apart by the difference, too. All of it is
+    /// wanted away, and of the gap that is there now the share that the stiffness says.
     PointConstraint anchors() const {
-        const Vec2 gap = frame_.gap + bend(frame_.b, frame_.armB) - bend(frame_.a, frame_.armA);
-        const Softness soft = pass_.exact ? Softness::rigid(pass_.h) : pass_.stiff;
-        return {frame_.armA, frame_.armB, gap, soft};
+        const Vec2 bent = bend(frame_.b, frame_.armB) - bend(frame_.a, frame_.armA);
+        const Vec2 error = frame_.gap + bent / (pass_.stiff.biasRate * pass_.h);
+        const Softness rigid{pass_.stiff.biasRate, 1, 0};
+        return {frame_.armA, frame_.armB, error, pass_.exact ? rigid : pass_.stiff};
     }
 
     /// From the end of the tangent to that of the arc, for up to a radian.

@@ -106,23 +106,28 @@ void JointTrees::find(const Bodies& bodies, std::span<const Edge> edges) {
     }
 }
 
-/// The tree that an edge belongs to, or nothing if there is a loop in it.
+/// The tree that an edge belongs to; nothing if there is a loop in it, or if it lies about loose
+/// and touches something: contacts take turns with its joints, and only joints that give a little
+/// let the two come to rest.
 void JointTrees::grow(const Bodies& bodies, std::span<const Edge> edges, std::uint32_t root) {
     const std::size_t nodes = nodes_.size();
     const std::size_t members = members_.size();
     const Edge& edge = edges[root];
     const bool fromA = immovable(bodies.motion[edge.a]);
-    if (fromA || immovable(bodies.motion[edge.b])) {
+    const bool anchored = fromA || immovable(bodies.motion[edge.b]);
+    if (anchored) {
         used_[root] = 1;
         nodes_.push_back({edge.joint, edge.a, edge.b, join(fromA ? edge.b : edge.a), kNone, fromA});
     } else {
         roots_.push_back(join(edge.a));
     }
-    bool isTree = true;
+    bool fit = true;
     for (std::size_t i = members; i < members_.size(); ++i) {
-        isTree = growFrom(bodies, edges, static_cast<std::uint32_t>(i)) && isTree;
+        const Flags flags = bodies.record[members_[i].body].filter.flags;
+        const bool isTree = growFrom(bodies, edges, static_cast<std::uint32_t>(i));
+        fit = fit && isTree && (anchored || (flags & kColliding) == 0);
     }
-    if (!isTree) {
+    if (!fit) {
         nodes_.resize(nodes, Node{});
         members_.resize(members, Member{});
         while (!roots_.empty() && roots_.back() >= members) {
@@ -194,11 +199,10 @@ void JointTrees::measure(const Bodies& bodies, const JointPass& pass) {
         HeldRows& rows = node.rows;
         const Motion& a = bodies.motion[node.a];
         const Motion& b = bodies.motion[node.b];
-        const Real rate = node.child == kNone ? pass.stiff.biasRate : 1 / pass.h;
         for (std::size_t r = 0; r < rows.count; ++r) {
             node.wanted[r] = -dot(rows.a[r], velocityOf(a)) - dot(rows.b[r], velocityOf(b));
             if (pass.biased) {
-                node.wanted[r] -= rate * rows.error[r];
+                node.wanted[r] -= pass.stiff.biasRate * rows.error[r];
             }
             if (a.invMass > 0 && a.invInertia == 0) {
                 rows.a[r][2] = 0; // it is moved, but not turned

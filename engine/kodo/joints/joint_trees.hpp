@@ -52,7 +52,8 @@ struct HeldRows {
 /// sums of positive things in A, so masses a million times apart lose no digits.
 ///
 /// A tree hangs from one immovable body at most. Where it is tied to more, the further joints close
-/// loops through the ground; they are springs, as all joints of a loop are.
+/// loops through the ground; they are springs, as all joints of a loop are, and those of a tree
+/// that lies about loose and touches something.
 class JointTrees {
 public:
     /// A joint that may belong to a tree, and its bodies.

@@ -26,30 +26,32 @@ struct Symmetric3 {
     /// Its factors L D L^T, with ones on the diagonal of L.
     class Factors {
     public:
-        explicit Factors(const Symmetric3& m) : dx_(m.xx), yx_(m.yx / m.xx), zx_(m.zx / m.xx) {
-            dy_ = m.yy - yx_ * m.yx;
+        explicit Factors(const Symmetric3& m) : perX_(1 / m.xx) {
+            yx_ = perX_ * m.yx;
+            zx_ = perX_ * m.zx;
+            perY_ = 1 / (m.yy - yx_ * m.yx);
             const Real zy = m.zy - yx_ * m.zx;
-            zy_ = zy / dy_;
-            dz_ = m.zz - zx_ * m.zx - zy_ * zy;
+            zy_ = perY_ * zy;
+            perZ_ = 1 / (m.zz - zx_ * m.zx - zy_ * zy);
         }
         /// x with m x = v.
         Triple solve(const Triple& v) const {
             const Real y = v[1] - yx_ * v[0];
             const Real z = v[2] - zx_ * v[0] - zy_ * y;
             Triple x;
-            x[2] = z / dz_;
-            x[1] = y / dy_ - zy_ * x[2];
-            x[0] = v[0] / dx_ - yx_ * x[1] - zx_ * x[2];
+            x[2] = perZ_ * z;
+            x[1] = perY_ * y - zy_ * x[2];
+            x[0] = perX_ * v[0] - yx_ * x[1] - zx_ * x[2];
             return x;
         }
 
     private:
-        Real dx_;
-        Real yx_;
-        Real zx_;
-        Real dy_ = 1;
+        Real perX_; // 1 / D
+        Real perY_ = 1;
+        Real perZ_ = 1;
+        Real yx_ = 0; // L
+        Real zx_ = 0;
         Real zy_ = 0;
-        Real dz_ = 1;
     };
 };
 
