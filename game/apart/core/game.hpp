@@ -4,11 +4,13 @@
 #include <apart/core/event.hpp>
 #include <apart/core/input.hpp>
 #include <apart/core/level.hpp>
+#include <apart/core/progress.hpp>
 #include <kodo/kodo.hpp>
 
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -18,12 +20,29 @@ namespace apart {
 enum class Result : std::uint8_t { Playing, Won, Lost };
 inline constexpr std::array<std::string_view, 3> kResultNames = {"playing", "won", "lost"};
 
-/// A block that stands. Locked; it never moves.
+/// Without the smallest turn at contacts no path is ever bent by a rule.
+enum class Mode : std::uint8_t { Standard, Pure };
+inline constexpr std::array<std::string_view, 2> kModeNames = {"standard", "pure"};
+
+/// A block that has not come apart. Its shape is part `part` of its body, which it shares with
+/// others only when it belongs to a boss.
 struct Block {
     kodo::BodyId body;
     BlockKind kind;
     kodo::Real strengthLeft = 0; // N s
-    std::uint32_t key = 0;       // of its fracture: place in the grid
+    std::uint32_t key = 0;       // its name for life: row times kColumns plus column
+    std::size_t part = 0;
+    Hold hold = Hold::Mounted;
+    kodo::BodyId pin;            // what it hangs on
+    std::uint32_t looseTick = 0; // when it was let go
+};
+
+struct Obstruction {
+    ObstructionKind kind = ObstructionKind::Bumper;
+    kodo::BodyId body;
+    kodo::BodyId pivot;         // of a motor's bar
+    kodo::Real kick = 0;        // m/s, of a bumper
+    std::uint32_t hitTick = 0;  // of the last kick; 0: never
 };
 
 struct Ball {
@@ -37,6 +56,7 @@ struct Shard {
     kodo::BodyId body;
     Stuff stuff = Stuff::Brick;
     std::uint32_t bornTick = 0;
+    kodo::Real strengthLeft = 0; // N s
 };
 
 enum class PartState : std::uint8_t { Loose, Stuck, Launched };
@@ -49,6 +69,34 @@ struct Part {
     PartState state = PartState::Loose;
     std::uint32_t sinceTick = 0; // when its state began
     kodo::Vec2 offset;           // m, from the paddle's frame; while stuck
+    kodo::Vec2 origin;           // m, world; middle of the block that it comes from
+};
+
+/// A caught power at work.
+struct Effect {
+    Power power = Power::None;
+    std::uint32_t untilTick = 0;
+    kodo::Vec2 place; // m, world; of a well
+    int side = 1;     // of a wind: to the right or to the left
+};
+
+/// How far an unruly paddle is off its place on the carriage.
+struct Sway {
+    kodo::Real tilt = 0;      // rad, counter-clockwise
+    kodo::Real tiltSpeed = 0; // rad/s
+    kodo::Real lift = 0;      // m, upwards; mostly negative: blows push it down
+    kodo::Real liftSpeed = 0; // m/s
+};
+
+/// What rules, not contacts, have given and taken so far. What is booked here and what is seen in
+/// the world add up.
+struct Ledger {
+    double servoWork = 0;     // J, given to balls by the speed servo
+    double fieldImpulseX = 0; // N s, given to bodies by the paddle's field; the paddle got as much back
+    double fieldImpulseY = 0;
+    double removedMass = 0;      // kg, of shards and parts that crumbled, fell out or were caught
+    std::uint32_t bounces = 0;   // of balls, off anything
+    std::uint32_t bentBounces = 0; // those that a rule turned; none in Mode::Pure
 };
 
 /// What holds a part on the paddle. Like a block, it gives way when blows have used its strength
@@ -66,8 +114,8 @@ struct Weld {
 /// 4 to 3, so that a 16 to 10 window has room for the score beside it.
 class Game {
 public:
-    Game(std::shared_ptr<const Level> level, std::uint32_t seed);
-    Game(const Level& level, std::uint32_t seed);
+    Game(std::shared_ptr<const Level> level, std::uint32_t seed, Mode mode = Mode::Standard);
+    Game(const Level& level, std::uint32_t seed, Mode mode = Mode::Standard);
 
     /// One step of kTickSeconds. After the end of the game things still move, but nothing counts.
     void tick(const Input& input);
@@ -79,11 +127,30 @@ public:
     std::int32_t score() const { return score_; }
     std::int32_t lives() const { return lives_; } // the one in play included
     std::int32_t combo() const { return combo_; } // blocks broken since the paddle was last met
-    std::int32_t blocksLeft() const { return blocksLeft_; } // breakable ones
+    std::int32_t blocksLeft() const { return blocksLeft_; } // breakable ones, loose ones included
     std::int32_t blocksAtStart() const { return blocksAtStart_; }
 
     const Level& level() const { return *level_; }
     std::uint32_t seed() const { return seed_; }
+    Mode mode() const { return mode_; }
+
+    // The paddle's field of force.
+    kodo::Real meter() const { return meter_; } // 0..1
+    Force force() const { return force_; }      // that acts; None when the meter is empty
+
+    // Powers that were caught and last for a while.
+    std::span<const Effect> effects() const { return effects_; }
+    kodo::Real secondsLeft(Power power) const; // 0: it does not work
+    BallKind ballKind() const;                 // of all balls in play
+    PaddleKind paddleKind() const;
+    const Sway& sway() const { return sway_; }
+    kodo::Real windSpeed() const; // m/s, to the right; of level and effect together
+
+    // How long nothing has been damaged.
+    Patience patience() const { return clock_.patience(); }
+    kodo::Real idleSeconds() const;
+    const Block* nextToFall() const; // the one whose mount gives way next; nullptr: none
+    const Ledger& ledger() const { return ledger_; }
 
     // To be drawn. Shapes and places: world()[body].part(i).convex under world()[body].placement().
     const kodo::World& world() const { return world_; }
@@ -97,7 +164,9 @@ public:
     std::span<const Ball> balls() const { return balls_; }
     std::span<const Shard> shards() const { return shards_; }
     std::span<const Part> parts() const { return parts_; }
-    const Block* findBlock(kodo::BodyId body) const; // nullptr: none
+    std::span<const Obstruction> obstructions() const { return obstructions_; }
+    std::optional<kodo::BodyId> boss() const; // nothing: none, or it is down
+    const Block* findBlock(kodo::BodyId body, std::size_t part = 0) const; // nullptr: none
     /// Waiting for `launch`?
     bool serving() const;
     /// Unit; where the ball will go when it is served.
