@@ -205,9 +205,10 @@ struct LoopSeen {
     kodo::BodyId ball;
 };
 
-using Event = std::variant<Struck, Cracked, Broke, Released, Caught, Welded, Stuck, Launched, Spent,
-                           BallSplit, Served, BallLost, LifeLost, Cleared, Lost, KnockedOff,
-                           ShardBroke, LetGo, Fell, BossDown, Bumped, PowerBegan, PowerEnded,
-                           BallChanged, Leapt, ForceChanged, ShardCaught, PatienceChanged, LoopSeen>;
+using Event =
+    std::variant<Struck, Cracked, Broke, Released, Caught, Welded, Stuck, Launched, Spent,
+                 BallSplit, Served, BallLost, LifeLost, Cleared, Lost, KnockedOff, ShardBroke,
+                 LetGo, Fell, BossDown, Bumped, PowerBegan, PowerEnded, BallChanged, Leapt,
+                 ForceChanged, ShardCaught, PatienceChanged, LoopSeen>;
 
 } // namespace apart

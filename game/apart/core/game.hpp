@@ -2,8 +2,10 @@
 #pragma once
 
 #include <apart/core/event.hpp>
+#include <apart/core/fracture.hpp>
 #include <apart/core/input.hpp>
 #include <apart/core/level.hpp>
+#include <apart/core/paddle.hpp>
 #include <apart/core/progress.hpp>
 #include <kodo/kodo.hpp>
 
@@ -33,6 +35,7 @@ struct Block {
     std::uint32_t key = 0;       // its name for life: row times kColumns plus column
     std::size_t part = 0;
     Hold hold = Hold::Mounted;
+    kodo::Vec2 local;            // m, its middle in the frame of the body's shape
     kodo::BodyId pin;            // what it hangs on
     std::uint32_t looseTick = 0; // when it was let go
 };
@@ -40,15 +43,16 @@ struct Block {
 struct Obstruction {
     ObstructionKind kind = ObstructionKind::Bumper;
     kodo::BodyId body;
-    kodo::BodyId pivot;         // of a motor's bar
-    kodo::Real kick = 0;        // m/s, of a bumper
-    std::uint32_t hitTick = 0;  // of the last kick; 0: never
+    kodo::BodyId pivot;        // of a motor's bar
+    kodo::Real kick = 0;       // m/s, of a bumper
+    std::uint32_t hitTick = 0; // of the last kick; 0: never
 };
 
 struct Ball {
     kodo::BodyId body;
     kodo::Vec2 heading;  // unit; where it last flew
     bool riding = false; // on the paddle, waiting for the serve
+    BallKind kind = BallKind::Round;
 };
 
 /// A piece of a broken block.
@@ -80,22 +84,15 @@ struct Effect {
     int side = 1;     // of a wind: to the right or to the left
 };
 
-/// How far an unruly paddle is off its place on the carriage.
-struct Sway {
-    kodo::Real tilt = 0;      // rad, counter-clockwise
-    kodo::Real tiltSpeed = 0; // rad/s
-    kodo::Real lift = 0;      // m, upwards; mostly negative: blows push it down
-    kodo::Real liftSpeed = 0; // m/s
-};
-
 /// What rules, not contacts, have given and taken so far. What is booked here and what is seen in
 /// the world add up.
 struct Ledger {
-    double servoWork = 0;     // J, given to balls by the speed servo
-    double fieldImpulseX = 0; // N s, given to bodies by the paddle's field; the paddle got as much back
+    double servoWork = 0; // J, given to balls by the speed servo
+    double fieldImpulseX =
+        0; // N s, given to bodies by the paddle's field; the paddle got as much back
     double fieldImpulseY = 0;
-    double removedMass = 0;      // kg, of shards and parts that crumbled, fell out or were caught
-    std::uint32_t bounces = 0;   // of balls, off anything
+    double removedMass = 0;        // kg, of shards and parts that crumbled, fell out or were caught
+    std::uint32_t bounces = 0;     // of balls, off anything
     std::uint32_t bentBounces = 0; // those that a rule turned; none in Mode::Pure
 };
 
@@ -105,6 +102,7 @@ struct Weld {
     kodo::Real strengthLeft = 0; // N s
     kodo::Vec2 lastPoint{};      // of the last blow; m, world
     kodo::Real lastImpulse = 0;  // N s
+    bool wing = false;           // a plate of Power::Wings
 };
 
 /// The whole of aPart without a screen: a function of level, seed and inputs. A value: a copy is a
@@ -179,27 +177,73 @@ public:
 private:
     friend struct GameTestAccess; // tests set up situations with it
 
+    // How it begins.
     void buildField();
     void buildBlocks();
+    void buildBoss();
+    void buildObstructions();
+    void hang(Block& block);
     void newPaddle();
     void newServe();
+
+    // Before the step.
     void serve();
+    void leap();
+    void useForce(const Input& input);
+    void applyForces();
+    kodo::Vec2 draw(kodo::BodyId body, kodo::Vec2 center, kodo::Real acceleration,
+                    kodo::Real reach);
+    void pushPaddleBack(kodo::Vec2 impulse);
     void steer(const Input& input);
+    void driveBoss();
     void fireParts();
+
+    // After it.
+    struct BossBlow {
+        std::uint32_t key = 0;
+        kodo::Vec2 point;
+        kodo::Vec2 impulse;
+    };
     void judge();
+    void judgeAlive(const kodo::CollisionRecord& hit, kodo::BodyId body);
+    void judgeBreakable(const kodo::CollisionRecord& hit, kodo::BodyId body);
     void judgeBall(const kodo::CollisionRecord& hit, kodo::BodyId ball);
     void judgeBlock(const kodo::CollisionRecord& hit, kodo::BodyId body);
+    void judgeShard(const kodo::CollisionRecord& hit, kodo::BodyId body);
     void judgePart(const kodo::CollisionRecord& hit, kodo::BodyId body);
     void judgePaddle(const kodo::CollisionRecord& hit);
+    void judgeObstruction(const kodo::CollisionRecord& hit, kodo::BodyId body);
+    void judgeBoss();
+    void catchPart(std::size_t index, const kodo::CollisionRecord& hit);
+    void catchShard(std::size_t index, kodo::Vec2 point);
     void knockOffWorn();
     void knockOff(std::size_t weld);
-    Stuff stuffOf(kodo::BodyId body) const;
+    Stuff stuffOf(kodo::BodyId body, std::size_t part) const;
+
+    kodo::Transform frameOf(const Block& block) const; // in the middle of the block
+    kodo::BodyId detach(std::size_t index);
+    void letGo(std::size_t index, LetGo::Why why);
+    void dropUnsupported();
     void breakBlock(std::size_t index, kodo::Vec2 point, kodo::Vec2 blow);
-    int addPieces(const Block& block, kodo::Vec2 center, kodo::Vec2 point, kodo::Vec2 blow);
+    int addPieces(const Block& block, const kodo::Transform& frame, const PieceMotion& carried,
+                  kodo::Vec2 hit, kodo::Vec2 impulse);
+    void breakShard(std::size_t index, kodo::Vec2 point, kodo::Real impulse);
+
+    void beginPower(Power power, kodo::Vec2 point, kodo::Vec2 origin);
+    void endPower(std::size_t effect);
+    void endOldPowers();
+    void refreshPowers();
+    void reshapeBalls();
+    void renewFields();
+    bool weldWings();
+
     void govern();
+    void governBall(Ball& ball);
     bool isRubble(kodo::BodyId body) const;
+    void watchProgress();
     void sweepOut();
     void sweepBalls();
+    void sweepBlocks();
     void sweepParts();
     void sweepShards();
     void letGoOfParts();
@@ -207,6 +251,7 @@ private:
 
     std::shared_ptr<const Level> level_;
     std::uint32_t seed_ = 0;
+    Mode mode_ = Mode::Standard;
     std::uint32_t tick_ = 0;
     Result result_ = Result::Playing;
     std::int32_t score_ = 0;
@@ -226,7 +271,21 @@ private:
     std::vector<Ball> balls_;
     std::vector<Shard> shards_;
     std::vector<Part> parts_;
+    std::vector<Obstruction> obstructions_;
+    Sway sway_;
+    Force force_ = Force::None;
+    kodo::Real meter_ = 1;
+    std::vector<Effect> effects_;
+    ProgressClock clock_;
+    Patience shownPatience_ = Patience::Calm; // of the last PatienceChanged
+    Ledger ledger_;
+    kodo::BodyId boss_;
+    kodo::Real bossHome_ = 0; // m, x that it drifts about
+    int bossWay_ = 1;         // 1: to the right
     std::vector<Event> events_;
+    // Of this tick alone; empty after it.
+    std::vector<BossBlow> bossBlows_;
+    bool fieldsStale_ = false;
 };
 
 } // namespace apart

@@ -17,7 +17,7 @@ inline constexpr std::array<std::string_view, 3> kForceNames = {"0", "pull", "pu
 struct Input {
     std::int8_t paddle = 0;               // keys: -127..127 of the key speed, left to right
     std::optional<std::int16_t> target{}; // mouse: 1/1000 m from the middle; beats `paddle`
-    bool launch = false; // serve the ball that rides on the paddle; leap, with Power::Spring
+    bool launch = false;       // serve the ball that rides on the paddle; leap, with Power::Spring
     Force force = Force::None; // while the button is held
 
     friend bool operator==(const Input&, const Input&) = default;

@@ -159,9 +159,9 @@ struct Level {
     std::int32_t lives = 3;
     BallKind ball = BallKind::Round;
     PaddleKind paddle = PaddleKind::Steady;
-    std::int32_t wind = 0;       // 1/1000 m/s, to the right
-    std::int32_t bossDrift = 0;  // 1/1000 m, how far the boss goes to each side
-    std::int32_t bossSpeed = 0;  // 1/1000 m/s
+    std::int32_t wind = 0;      // 1/1000 m/s, to the right
+    std::int32_t bossDrift = 0; // 1/1000 m, how far the boss goes to each side
+    std::int32_t bossSpeed = 0; // 1/1000 m/s
     std::vector<BlockKind> kinds;
     std::vector<Cell> cells; // row by row, left to right
     std::vector<ObstructionDef> obstructions;

@@ -39,7 +39,8 @@ namespace apart {
 ///   core = true             # of a block of the boss: all fall with the last core
 ///   [legend.o]              # or an obstruction, in the middle of its cell
 ///   obstruction = "bumper"  # bumper pin motor gate
-///   size = 500              # 1/1000 m: radius of a bumper (500) or pin (200), length of the bar of
+///   size = 500              # 1/1000 m: radius of a bumper (500) or pin (200), length of the bar
+///   of
 ///                           # a motor (3000) or of a gate (that of the cell)
 ///   speed = 6000            # 1/1000: m/s of a bumper's kick (6000), rad/s of a motor (2000)
 ///   facing = "up"           # of a gate: up down left right; what comes from there bounces

@@ -37,7 +37,7 @@ public:
     /// A block was damaged.
     void progress();
     /// A ball met the paddle: at this place, along this heading (unit), with the paddle at this x.
-    /// True if it had done so kLoopTimes before since the last progress; the clock is moved on then.
+    /// True when it has done so kLoopTimes since the last progress; the clock is moved on then.
     bool metPaddle(kodo::Vec2 place, kodo::Vec2 heading, kodo::Real paddleX);
 
     std::uint64_t stateHash() const;
