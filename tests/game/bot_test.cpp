@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
 #include <apart/core/bot.hpp>
+#include <apart/core/soak.hpp>
 
 #include "game_access.hpp"
 
@@ -10,27 +11,6 @@ using namespace apart;
 using kodo::Real;
 
 constexpr std::uint32_t kFiveMinutes = 5 * 60 * kTicksPerSecond;
-
-/// What a ball may never do, looked for after each tick.
-struct Watch {
-    std::uint32_t slowTicks = 0; // in a row
-    std::uint32_t longestSlow = 0;
-
-    void look(const Game& game) {
-        Real slowest = game.ballSpeed();
-        for (const Ball& ball : game.balls()) {
-            if (!ball.riding) {
-                slowest = std::min(slowest, length(game.world()[ball.body].velocity()));
-            }
-        }
-        slowTicks = slowest < game.ballSpeed() / 2 ? slowTicks + 1 : 0;
-        longestSlow = std::max(longestSlow, slowTicks);
-        if (const BallLost* lost = eventOf<BallLost>(game)) {
-            EXPECT_LT(lost->point.y, 0) << "it left the field other than below";
-            EXPECT_LT(std::abs(lost->point.x), kFieldWidth / 2);
-        }
-    }
-};
 
 TEST(Bot, ClearsEveryLevelInFiveMinutesAndNoBallHaltsOrEscapes) {
     std::uint32_t ticks = 0;
@@ -44,6 +24,7 @@ TEST(Bot, ClearsEveryLevelInFiveMinutesAndNoBallHaltsOrEscapes) {
                 watch.look(game);
             }
             EXPECT_EQ(game.result(), Result::Won) << game.blocksLeft() << " blocks left";
+            EXPECT_EQ(watch.escapes, 0u);
             EXPECT_LT(watch.longestSlow, 60u); // half a second between rubble and paddle
             ticks += game.ticks();
         }
@@ -58,6 +39,20 @@ TEST(Bot, IsAFunctionOfTheGame) {
         ASSERT_EQ(bot(game), bot(copy));
         game.tick(bot(game));
     }
+}
+
+// A8: a slice of `apart-headless soak`, which plays ten million ticks.
+TEST(Soak, FindsNoHaltNoEscapeNoBendAndNoEndlessWait) {
+    std::vector<std::shared_ptr<const Level>> levels;
+    for (const std::string& name : levelNames()) {
+        levels.push_back(std::make_shared<const Level>(std::get<Level>(loadLevel(name))));
+    }
+    const SoakReport report = soak(levels, 300000, 11);
+    for (const std::string& failure : report.failures) {
+        ADD_FAILURE() << failure;
+    }
+    EXPECT_GE(report.games, 10u);
+    EXPECT_GT(report.bounces, 1000u);
 }
 
 TEST(Game, IsLostByAPlayerWhoIsAbsent) {

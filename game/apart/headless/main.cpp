@@ -4,6 +4,7 @@
 #include <apart/core/assets.hpp>
 #include <apart/core/bot.hpp>
 #include <apart/core/replay.hpp>
+#include <apart/core/soak.hpp>
 #include <apart/core/tuning.hpp>
 #include <apart/headless/report.hpp>
 
@@ -145,6 +146,36 @@ int listLevels() {
     return 0;
 }
 
+struct SoakOptions {
+    std::string level;
+    std::uint32_t seed = 1;
+    std::uint64_t ticks = 10000000;
+};
+
+int soakGames(const SoakOptions& options) {
+    const std::vector<std::string> names =
+        options.level.empty() ? levelNames() : std::vector<std::string>{options.level};
+    std::vector<std::shared_ptr<const Level>> levels;
+    for (const std::string& name : names) {
+        levels.push_back(std::make_shared<const Level>(valueOrRefuse(loadLevel(name))));
+    }
+    const SoakReport report = soak(levels, options.ticks, options.seed);
+    for (const std::string& failure : report.failures) {
+        fmt::print(stderr, "{}\n", failure);
+    }
+    const auto seconds = [](std::uint32_t ticks) {
+        return static_cast<double>(ticks) / kTicksPerSecond;
+    };
+    fmt::print(
+        "{} ticks in {} games, {} won. Escapes: {}. Longest at less than half speed: {:.2f} s."
+        "\nLongest wait for damage: {:.1f} s. Worst bend in free flight: {:.1e}. Bounces that "
+        "a rule turned: {} of {}; in pure games {}.\n",
+        report.ticks, report.games, report.won, report.escapes, seconds(report.longestSlow),
+        seconds(report.longestWait), static_cast<double>(report.worstBend), report.bent,
+        report.bounces, report.bentPure);
+    return report.failures.empty() ? 0 : 1;
+}
+
 int run(int argc, char** argv) {
     CLI::App app("aPart without a screen: plays replays, checks them, lets the bot play.");
     app.name("apart-headless");
@@ -171,6 +202,12 @@ int run(int argc, char** argv) {
     botCommand->add_option("--hash-every", options.hashEvery, "Ticks between recorded hashes")
         ->check(CLI::Range(std::uint32_t{1}, kLongestReplay));
     botCommand->add_flag("--json", options.json, "Print one JSON object");
+    SoakOptions soakOptions;
+    CLI::App* soakCommand =
+        app.add_subcommand("soak", "Many games, watched for balls that halt, escape or loop");
+    soakCommand->add_option("--level", soakOptions.level, "Name of the level; all unless given");
+    soakCommand->add_option("--seed", soakOptions.seed, "The first; 1 unless given");
+    soakCommand->add_option("--ticks", soakOptions.ticks, "In all; ten million unless given");
     CLI::App* levelsCommand = app.add_subcommand("levels", "List the levels");
 
     try {
@@ -187,6 +224,9 @@ int run(int argc, char** argv) {
     }
     if (verifyCommand->parsed()) {
         return verify(file, json);
+    }
+    if (soakCommand->parsed()) {
+        return soakGames(soakOptions);
     }
     return levelsCommand->parsed() ? listLevels() : playBot(options);
 }
