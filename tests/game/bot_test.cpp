@@ -55,6 +55,36 @@ TEST(Soak, FindsNoHaltNoEscapeNoBendAndNoEndlessWait) {
     EXPECT_GT(report.bounces, 1000u);
 }
 
+TEST(Watch, SeesWhatItLooksFor) {
+    const Game fresh(levelOf("g..............\n"), 1);
+    const auto watched = [&](kodo::Vec2 from, kodo::Vec2 velocity, auto disturb) {
+        Game game = fresh;
+        Watch watch;
+        GameTestAccess::shoot(game, from, velocity);
+        for (int tick = 0; tick < 30; ++tick) {
+            disturb(GameTestAccess::world(game)[game.balls()[0].body]);
+            game.tick({});
+            watch.look(game);
+        }
+        return watch;
+    };
+    const auto none = [](kodo::BodyRef) {};
+    const Watch good = watched({0, 9}, {0, 12}, none);
+    EXPECT_EQ(good.escapes, 0u);
+    EXPECT_EQ(good.longestSlow, 0u);
+    EXPECT_LT(good.worstBend, kMostBend);
+    EXPECT_EQ(good.longestWait, 30u);
+    EXPECT_GT(watched({Real(12.5), 9}, {0, 12}, none).escapes, 0u);
+    const Watch halted = watched({0, 9}, {0, 12}, [](kodo::BodyRef ball) {
+        ball.setVelocity({0, 1});
+    });
+    EXPECT_GT(halted.longestSlow, 20u);
+    const Watch bent = watched({0, 9}, {0, 12}, [](kodo::BodyRef ball) {
+        ball.applyForce({Real(0.1), 0});
+    });
+    EXPECT_GT(bent.worstBend, kMostBend); // 1 % of the gravity of shards
+}
+
 TEST(Game, IsLostByAPlayerWhoIsAbsent) {
     Game game(std::get<Level>(loadLevel("first_light")), 1);
     Input launch = towards(-10);

@@ -130,11 +130,18 @@ SoakReport soak(std::span<const std::shared_ptr<const Level>> levels, std::uint6
         report.longestSlow = std::max(report.longestSlow, watch.longestSlow);
         report.longestWait = std::max(report.longestWait, watch.longestWait);
         report.worstBend = std::max(report.worstBend, watch.worstBend);
-        report.bounces += mode == Mode::Standard ? game.ledger().bounces : 0;
-        (mode == Mode::Standard ? report.bent : report.bentPure) += game.ledger().bentBounces;
+        const Ledger& ledger = game.ledger();
+        const std::uint32_t altered = ledger.bentBounces + ledger.thrownBounces;
+        if (mode == Mode::Standard) {
+            report.bounces += ledger.bounces;
+            report.bent += ledger.bentBounces;
+            report.thrown += ledger.thrownBounces;
+        } else {
+            report.alteredPure += altered;
+        }
         if (watch.escapes > 0 || watch.longestSlow > kLongestSlow ||
             watch.longestWait > kFailTicks + 1 || watch.worstBend > kMostBend ||
-            (mode == Mode::Pure && game.ledger().bentBounces > 0)) {
+            (mode == Mode::Pure && altered > 0)) {
             report.failures.push_back(
                 level->name + ", seed " + std::to_string(game.seed()) + ", " +
                 std::string(kPlayerNames[static_cast<std::size_t>(player)]) + " player, " +

@@ -56,8 +56,9 @@ struct SoakReport {
     std::uint32_t longestWait = 0; // ticks
     kodo::Real worstBend = 0;
     std::uint64_t bounces = 0; // in the standard mode
-    std::uint64_t bent = 0;
-    std::uint64_t bentPure = 0; // in the pure mode; none
+    std::uint64_t bent = 0;    // see Ledger
+    std::uint64_t thrown = 0;
+    std::uint64_t alteredPure = 0; // both, in the pure mode; none
     std::vector<std::string> failures;
 };
 

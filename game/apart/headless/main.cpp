@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -166,13 +167,17 @@ int soakGames(const SoakOptions& options) {
     const auto seconds = [](std::uint32_t ticks) {
         return static_cast<double>(ticks) / kTicksPerSecond;
     };
-    fmt::print(
-        "{} ticks in {} games, {} won. Escapes: {}. Longest at less than half speed: {:.2f} s."
-        "\nLongest wait for damage: {:.1f} s. Worst bend in free flight: {:.1e}. Bounces that "
-        "a rule turned: {} of {}; in pure games {}.\n",
-        report.ticks, report.games, report.won, report.escapes, seconds(report.longestSlow),
-        seconds(report.longestWait), static_cast<double>(report.worstBend), report.bent,
-        report.bounces, report.bentPure);
+    const auto share = [&](std::uint64_t count) {
+        return 100.0 * static_cast<double>(count) /
+               static_cast<double>(std::max(report.bounces, std::uint64_t{1}));
+    };
+    fmt::print("{} ticks in {} games, {} won. Escapes: {}. Longest at less than half speed: "
+               "{:.2f} s.\nLongest wait for damage: {:.1f} s. Worst bend in free flight: {:.1e}.\n",
+               report.ticks, report.games, report.won, report.escapes, seconds(report.longestSlow),
+               seconds(report.longestWait), static_cast<double>(report.worstBend));
+    fmt::print("Of {} bounces {:.1f} % were turned from flat and {:.1f} % thrown off rubble; in "
+               "pure games {}.\n",
+               report.bounces, share(report.bent), share(report.thrown), report.alteredPure);
     return report.failures.empty() ? 0 : 1;
 }
 
