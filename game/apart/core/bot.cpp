@@ -95,7 +95,13 @@ Real offsetFor(Vec2 goal, Vec2 meeting, Vec2 heading) {
     return std::clamp((kDomeRadius + kBallRadius) * normal.x, -most, most);
 }
 
-/// Where the paddle's middle should be when the ball comes.
+/// Anywhere on the dome, the same for a while.
+Real someOffset(const Game& game) {
+    Generator chance(mixKeys(game.seed(), game.ticks() / kAimTicks, 7));
+    return chance.between(kRimMargin - kPaddleHalfWidth, kPaddleHalfWidth - kRimMargin);
+}
+
+/// Where the paddle's middle should be when the ball comes, to aim.
 Real placeFor(const Game& game, const Ball& ball, const Arrival& arrival) {
     const std::optional<Vec2> goal = aim(game);
     if (!goal) {
@@ -135,7 +141,7 @@ std::optional<Arrival> arrivalOf(const Game& game, const Ball& ball) {
     return arrivalAt(game, ball, meetingHeight(0));
 }
 
-Input bot(const Game& game) {
+Input bot(const Game& game, BotKind kind) {
     const Ball* next = nullptr;
     Arrival first{0, 2}; // nothing comes within two seconds
     Real place = 0;
@@ -147,12 +153,14 @@ Input bot(const Game& game) {
         }
     }
     if (next != nullptr) {
-        place = placeFor(game, *next, first);
+        place = kind == BotKind::Good     ? placeFor(game, *next, first)
+                : kind == BotKind::Random ? first.x - someOffset(game)
+                                          : first.x;
     } else if (!game.balls().empty() && !game.serving()) {
         place = game.world()[game.balls()[0].body].position().x / 2; // half way, to be near
     }
-    if (const std::optional<Real> catching = partToCatch(game, first.seconds)) {
-        place = *catching;
+    if (kind == BotKind::Good) {
+        place = partToCatch(game, first.seconds).value_or(place);
     }
     const Real most = kFieldWidth / 2;
     Input input;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <apart/core/theme.hpp>
+
 #include <array>
 #include <cstdint>
 #include <string>
@@ -22,6 +24,10 @@ inline constexpr std::array<std::string_view, 4> kPowerNames = {"none", "weld", 
 enum class Pattern : std::uint8_t { Halves, Slats, Bricks, Shatter };
 inline constexpr std::array<std::string_view, 4> kPatternNames = {"halves", "slats", "bricks",
                                                                   "shatter"};
+
+/// By Stuff; of a block whose kind says nothing else.
+inline constexpr std::array<Pattern, 5> kUsualPattern = {
+    Pattern::Shatter, Pattern::Slats, Pattern::Bricks, Pattern::Halves, Pattern::Halves};
 
 /// One kind of block, as the legend of a level describes it. Steel never breaks.
 struct BlockKind {
@@ -52,6 +58,7 @@ struct Level {
     std::string name;               // of the file, without .toml
     std::string title;              // shown to the player
     std::string idea;               // one sentence: what is special about its physics
+    Theme theme = Theme::Daybreak;
     std::int32_t place = 9999;      // in the order of levels
     std::int32_t ballSpeed = 12000; // 1/1000 m/s, when all blocks stand
     std::int32_t lives = 3;

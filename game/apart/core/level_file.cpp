@@ -15,10 +15,6 @@ namespace {
 
 constexpr std::size_t kLongestText = 160; // bytes of title or idea
 
-/// By Stuff.
-constexpr std::array<Pattern, 5> kUsualPattern = {Pattern::Shatter, Pattern::Slats, Pattern::Bricks,
-                                                  Pattern::Halves, Pattern::Halves};
-
 /// Reads one level and keeps the first problem that it meets.
 class LevelReader {
 public:
@@ -28,11 +24,12 @@ public:
 
     Read<Level> read(const toml::table& root) {
         onlyKeys(root,
-                 {"format", "place", "title", "idea", "ball-speed", "lives", "grid", "legend"}, "");
+                 {"format", "place", "title", "idea", "theme", "ball-speed", "lives", "grid", "legend"}, "");
         if (number(root, "format", {1, 1, std::nullopt}) == 1) {
             level_.place = number(root, "place", {1, 9999, 9999});
             level_.title = text(root, "title");
             level_.idea = text(root, "idea");
+            level_.theme = static_cast<Theme>(choice(root, "theme", kThemeNames).value_or(0));
             level_.ballSpeed = number(root, "ball-speed", {2000, 40000, level_.ballSpeed});
             level_.lives = number(root, "lives", {1, 9, level_.lives});
             readLegend(root);
