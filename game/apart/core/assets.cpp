@@ -105,4 +105,10 @@ Read<Level> loadLevel(const std::string& name) {
     return readLevelFile(path);
 }
 
+Read<Level> loadLevelOf(const fs::path& replay, const std::string& name) {
+    const fs::path beside = replay.parent_path() / "levels" / (name + ".toml");
+    std::error_code error;
+    return isName(name) && fs::exists(beside, error) ? readLevelFile(beside) : loadLevel(name);
+}
+
 } // namespace apart

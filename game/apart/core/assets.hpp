@@ -21,6 +21,9 @@ std::vector<std::string> levelNames();
 /// takes is made, not read.
 Read<Level> loadLevel(const std::string& name);
 
+/// The level of a replay: one beside it, in levels/NAME.toml, goes before those of the game.
+Read<Level> loadLevelOf(const std::filesystem::path& replay, const std::string& name);
+
 /// "there is no level NAME; the levels are ..."
 std::string noSuchLevel(const std::string& name);
 

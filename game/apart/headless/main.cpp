@@ -68,7 +68,7 @@ int playBot(const BotOptions& options) {
 
 Playback open(const std::string& file) {
     Replay replay = valueOrRefuse(readReplayFile(file));
-    auto level = std::make_shared<const Level>(valueOrRefuse(loadLevel(replay.level)));
+    auto level = std::make_shared<const Level>(valueOrRefuse(loadLevelOf(file, replay.level)));
     if (const std::optional<std::string> reason = refusal(replay, *level)) {
         throw Refusal{file + ": " + *reason};
     }
