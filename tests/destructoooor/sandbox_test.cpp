@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <sandbox.hpp>
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sandbox.hpp>
 #include <utility>
 
 namespace {

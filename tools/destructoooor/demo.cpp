@@ -14,7 +14,7 @@ using kodo::Vec2;
 
 namespace {
 
-constexpr int kMostSteps = 4; // in one frame; a slow machine shows it slower
+constexpr int kMostSteps = 4;      // in one frame; a slow machine shows it slower
 constexpr unsigned kHelpText = 14; // pixels
 const sf::Color kHelpColor(140, 148, 160);
 
@@ -136,8 +136,7 @@ void Demo::stepOnce() {
 
 void Demo::advance(double seconds) {
     owed_ = std::min(owed_ + seconds, kMostSteps * static_cast<double>(kStepSeconds));
-    for (; owed_ >= static_cast<double>(kStepSeconds);
-         owed_ -= static_cast<double>(kStepSeconds)) {
+    for (; owed_ >= static_cast<double>(kStepSeconds); owed_ -= static_cast<double>(kStepSeconds)) {
         if (!paused_) {
             stepOnce();
         }
@@ -157,7 +156,8 @@ void Demo::draw(kodo_sfml::Painter& painter, sf::Vector2u pixels) {
     const std::array<std::string, 7> lines = {
         line("%s%s", kSceneNames[static_cast<std::size_t>(sandbox_.scene())].data(),
              paused_ ? ", paused" : ""),
-        line("a click drops: %s of %.1f m", kPrimitiveNames[static_cast<std::size_t>(primitive_)].data(),
+        line("a click drops: %s of %.1f m",
+             kPrimitiveNames[static_cast<std::size_t>(primitive_)].data(),
              static_cast<double>(size_)),
         line("deepest overlap  %.1f mm", 1000 * static_cast<double>(now.deepest)),
         line("top at %.3f m, fastest %.2f m/s", static_cast<double>(now.highest),

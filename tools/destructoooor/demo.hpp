@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "panel.hpp"
-
 #include <kodo_sfml/window.hpp>
 #include <kodo_sfml/world_painter.hpp>
 
 #include <string>
+
+#include "panel.hpp"
 
 namespace destructoooor {
 
@@ -36,7 +36,7 @@ private:
     Primitive primitive_ = Primitive::Box;
     kodo::Real size_ = 1; // m
     sf::Vector2u pixels_{1280, 800};
-    double owed_ = 0; // s
+    double owed_ = 0;             // s
     double stepMilliseconds_ = 0; // smoothed
     bool paused_ = false;
     bool quit_ = false;

@@ -16,19 +16,19 @@ namespace {
 template <typename T>
 Knob settingsKnob(std::string label, T StepSettings::*number, double low, double high,
                   double stride) {
-    return {.label = std::move(label),
-            .low = low,
-            .high = high,
-            .stride = stride,
-            .value = [number](const Sandbox& box) {
-                return static_cast<double>(box.settings().*number);
-            },
-            .set =
-                [number](Sandbox& box, double value) {
-                    StepSettings settings = box.settings();
-                    settings.*number = static_cast<T>(value);
-                    box.setSettings(settings);
-                }};
+    return {
+        .label = std::move(label),
+        .low = low,
+        .high = high,
+        .stride = stride,
+        .value =
+            [number](const Sandbox& box) { return static_cast<double>(box.settings().*number); },
+        .set =
+            [number](Sandbox& box, double value) {
+                StepSettings settings = box.settings();
+                settings.*number = static_cast<T>(value);
+                box.setSettings(settings);
+            }};
 }
 
 Knob featureKnob(std::string label, kodo::Feature feature) {
@@ -39,7 +39,8 @@ Knob featureKnob(std::string label, kodo::Feature feature) {
                     StepSettings settings = box.settings();
                     const auto bit = static_cast<unsigned>(feature);
                     const unsigned others = settings.leaveOut & ~bit;
-                    settings.leaveOut = static_cast<std::uint8_t>(value > 0 ? others : others | bit);
+                    settings.leaveOut =
+                        static_cast<std::uint8_t>(value > 0 ? others : others | bit);
                     box.setSettings(settings);
                 },
             .words = {"off", "on"}};
@@ -85,19 +86,15 @@ std::vector<Knob> makeKnobs() {
          .high = 1,
          .stride = 0.05,
          .value = [](const Sandbox& box) { return static_cast<double>(box.friction()); },
-         .set =
-             [](Sandbox& box, double value) {
-                 box.setMaterial(static_cast<Real>(value), box.restitution());
-             }},
+         .set = [](Sandbox& box,
+                   double value) { box.setMaterial(static_cast<Real>(value), box.restitution()); }},
         {.label = "restitution",
          .low = 0,
          .high = 1,
          .stride = 0.05,
          .value = [](const Sandbox& box) { return static_cast<double>(box.restitution()); },
-         .set =
-             [](Sandbox& box, double value) {
-                 box.setMaterial(box.friction(), static_cast<Real>(value));
-             }},
+         .set = [](Sandbox& box,
+                   double value) { box.setMaterial(box.friction(), static_cast<Real>(value)); }},
         featureKnob("resting", kodo::Feature::Resting),
         featureKnob("rotation", kodo::Feature::Rotation),
         featureKnob("sweep", kodo::Feature::Sweep),

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "sandbox.hpp"
-
 #include <functional>
 #include <string>
 #include <vector>
+
+#include "sandbox.hpp"
 
 namespace destructoooor {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Destructoooor!: drop things into one of four scenes, and see what the numbers of the integration
 // do [Thesis06, Appendix A].
-#include "demo.hpp"
-
 #include <kodo_sfml/display.hpp>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +8,8 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+
+#include "demo.hpp"
 
 namespace destructoooor {
 namespace {
@@ -106,7 +106,8 @@ int run(int argc, char** argv) {
         return kRefused;
     }
     if (!kodo_sfml::displayAvailable()) {
-        std::fprintf(stderr, "destructoooor: There is no display to open a window on. Set DISPLAY.\n");
+        std::fprintf(stderr,
+                     "destructoooor: There is no display to open a window on. Set DISPLAY.\n");
         return kNoDisplay;
     }
     Demo demo(DESTRUCTOOOOR_FONT);

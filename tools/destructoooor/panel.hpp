@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "knobs.hpp"
-
 #include <kodo_sfml/painter.hpp>
 
 #include <optional>
 #include <span>
 #include <vector>
+
+#include "knobs.hpp"
 
 namespace destructoooor {
 

@@ -14,9 +14,9 @@ using kodo::Vec2;
 
 namespace {
 
-constexpr Real kGone = 40;        // m from the middle; what is farther is taken out
-constexpr Real kBurstRadius = 4;  // m
-constexpr Real kBurstSpeed = 12;  // m/s, given to what is next to it
+constexpr Real kGone = 40;       // m from the middle; what is farther is taken out
+constexpr Real kBurstRadius = 4; // m
+constexpr Real kBurstSpeed = 12; // m/s, given to what is next to it
 constexpr std::size_t kMostBodies = 400;
 
 scenes::SceneDef definitionOf(Scene scene) {

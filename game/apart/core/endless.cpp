@@ -12,8 +12,8 @@ namespace apart {
 
 namespace {
 
-constexpr int kHalf = kColumns / 2; // levels mirror left and right: columns 0..7 from the middle
-constexpr int kFewest = 24;         // blocks that can break, not to be over at once
+constexpr int kHalf = kColumns / 2;    // levels mirror left and right: columns 0..7 from the middle
+constexpr int kFewest = 24;            // blocks that can break, not to be over at once
 constexpr std::uint32_t kHardest = 24; // from this number on it gets no harder
 
 /// What the generator builds in: one value for each cell, `kEmpty` or an index into the kinds.
@@ -78,8 +78,8 @@ public:
         for (int row = 0; row < kMostRows; ++row) {
             for (int column = 0; column < kColumns; ++column) {
                 if (const std::uint8_t kind = grid_[indexOf(row, column)]; kind != kEmpty) {
-                    level_.cells.push_back({static_cast<std::uint8_t>(row),
-                                            static_cast<std::uint8_t>(column), kind});
+                    level_.cells.push_back(
+                        {static_cast<std::uint8_t>(row), static_cast<std::uint8_t>(column), kind});
                 }
             }
         }
@@ -94,8 +94,10 @@ private:
     }
 
     void addKinds() {
-        for (const auto& [letter, stuff] : {std::pair('g', Stuff::Glass), {'o', Stuff::Wood},
-                                            {'b', Stuff::Brick}, {'s', Stuff::Stone},
+        for (const auto& [letter, stuff] : {std::pair('g', Stuff::Glass),
+                                            {'o', Stuff::Wood},
+                                            {'b', Stuff::Brick},
+                                            {'s', Stuff::Stone},
                                             {'X', Stuff::Steel}}) {
             addKind(letter, stuff, Power::None);
         }
@@ -175,7 +177,7 @@ private:
     /// A ball is smaller than a cell, so it comes wherever a way leads from cell to cell through
     /// what is not steel. Where none does, the steel becomes stone.
     void openWhatIsShut() {
-        std::array<bool, static_cast<std::size_t>(kColumns* kMostRows)> reached{};
+        std::array<bool, static_cast<std::size_t>(kColumns * kMostRows)> reached{};
         std::vector<std::pair<int, int>> open;
         const auto visit = [&](int row, int column) {
             if (row < 0 || row >= kMostRows || column < 0 || column >= kColumns) {

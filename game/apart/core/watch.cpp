@@ -24,6 +24,16 @@ bool touches(const Game& game, kodo::BodyId ball) {
     });
 }
 
+/// Does anything pull at balls by right? Then their paths may bend.
+bool isPulled(const Game& game) {
+    const auto effects = game.effects();
+    return game.force() != Force::None || game.windSpeed() != 0 || !game.level().wells.empty() ||
+           std::any_of(effects.begin(), effects.end(), [](const Effect& effect) {
+               return effect.power == Power::Magnet || effect.power == Power::Well ||
+                      effect.power == Power::Wind;
+           });
+}
+
 bool isOutside(Vec2 place) {
     return std::abs(place.x) > kFieldWidth / 2 || place.y > kFieldHeight;
 }
@@ -35,9 +45,8 @@ void Watch::look(const Game& game) {
     next_.clear();
     for (const Ball& ball : game.balls()) {
         if (!ball.riding) {
-            const auto before = std::find_if(tracks_.begin(), tracks_.end(), [&](const Track& t) {
-                return t.body == ball.body;
-            });
+            const auto before = std::find_if(tracks_.begin(), tracks_.end(),
+                                             [&](const Track& t) { return t.body == ball.body; });
             follow(game, ball, before == tracks_.end() ? nullptr : &*before);
         }
     }
@@ -56,7 +65,7 @@ void Watch::follow(const Game& game, const Ball& ball, const Track* before) {
     if (isOutside(body.position())) {
         ++escapes_;
     }
-    if (before != nullptr && !touches(game, ball.body)) {
+    if (before != nullptr && !touches(game, ball.body) && !isPulled(game)) {
         ++freeTicks_;
         const Real turn = std::abs(cross(before->velocity, now.velocity));
         const bool back = dot(before->velocity, now.velocity) < 0;
@@ -71,7 +80,7 @@ void Watch::count(const Game& game) {
     bool progress = tracks_.empty();
     for (const Event& event : game.events()) {
         progress = progress || std::holds_alternative<Cracked>(event) ||
-                   std::holds_alternative<Broke>(event);
+                   std::holds_alternative<Broke>(event) || std::holds_alternative<LetGo>(event);
     }
     wait_ = progress || game.result() != Result::Playing ? 0 : wait_ + 1;
     longestWait_ = std::max(longestWait_, wait_);

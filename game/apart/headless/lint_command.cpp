@@ -45,8 +45,8 @@ double meanSeconds(const Summary& sum, const LintReport& report) {
 
 void printHead() {
     fmt::print("{:<20} {:>6} {:>7} {:>12} {:>13} {:>9} {:>10} {:>6} {:>10} {:>7} {:>10}\n", "level",
-               "blocks", "reached", "waits s, <=", "clears s, <=", "bot wins", "in s, mean",
-               "lost", "waited s", "bodies", "work/tick");
+               "blocks", "reached", "waits s, <=", "clears s, <=", "bot wins", "in s, mean", "lost",
+               "waited s", "bodies", "work/tick");
 }
 
 void printRow(const LintReport& report) {

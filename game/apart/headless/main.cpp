@@ -163,7 +163,8 @@ CLI::App* addSoak(CLI::App& app, SoakCommand& soak) {
     command->add_option("--first-seed", soak.firstSeed, "1 unless given; then 2, 3, ...");
     command->add_option("--endless", soak.endless, "Endless levels for each seed, 0 unless given")
         ->check(CLI::Range(0u, kMostEndless));
-    command->add_option("--longest", soak.longestGame, "Ticks of a game at most, 72000 unless given")
+    command
+        ->add_option("--longest", soak.longestGame, "Ticks of a game at most, 72000 unless given")
         ->check(CLI::Range(1u, kLongestReplay));
     command->add_flag("--json", soak.json, "Print one JSON object");
     return command;

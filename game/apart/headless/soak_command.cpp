@@ -164,9 +164,9 @@ int runSoak(const SoakCommand& command) {
                 break;
             }
             const auto number = static_cast<std::uint32_t>(i - levels.size() + 1);
-            const auto level = i < levels.size() ? levels[i]
-                                                 : std::make_shared<const Level>(
-                                                       endlessLevel({seed, number}));
+            const auto level = i < levels.size()
+                                   ? levels[i]
+                                   : std::make_shared<const Level>(endlessLevel({seed, number}));
             const std::uint64_t left =
                 std::min<std::uint64_t>(command.longestGame, command.ticks - total.ticks);
             Tally game = soak(level, seed, left, [&](std::uint32_t ticks) {
