@@ -14,6 +14,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -30,8 +31,23 @@ struct BotOptions {
     std::uint32_t ticks = 5 * 60 * kTicksPerSecond;
     std::uint32_t hashEvery = kHashEvery;
     std::string record;
+    BotKind player = BotKind::Good;
     bool json = false;
 };
+
+/// An option --player that names one of the bots.
+void addPlayer(CLI::App& command, BotKind& player) {
+    const std::vector<std::string> names(kBotNames.begin(), kBotNames.end());
+    command
+        .add_option_function<std::string>(
+            "--player",
+            [&player](const std::string& name) {
+                const auto found = std::find(kBotNames.begin(), kBotNames.end(), name);
+                player = static_cast<BotKind>(found - kBotNames.begin());
+            },
+            "How the bot plays: good unless given")
+        ->check(CLI::IsMember(names));
+}
 
 int playBot(const BotOptions& options) {
     std::string name = options.level;
@@ -49,7 +65,7 @@ int playBot(const BotOptions& options) {
     {
         Progress progress;
         while (game.ticks() < options.ticks && game.result() == Result::Playing) {
-            const Input input = bot(game);
+            const Input input = bot(game, options.player);
             game.tick(input);
             if (!options.record.empty()) {
                 recorder.record(input, game);
@@ -166,6 +182,7 @@ CLI::App* addSoak(CLI::App& app, SoakCommand& soak) {
     command
         ->add_option("--longest", soak.longestGame, "Ticks of a game at most, 72000 unless given")
         ->check(CLI::Range(1u, kLongestReplay));
+    addPlayer(*command, soak.player);
     command->add_flag("--json", soak.json, "Print one JSON object");
     return command;
 }
@@ -196,6 +213,7 @@ int run(int argc, char** argv) {
     botCommand->add_option("--record", options.record, "Write the game to this file, as a replay");
     botCommand->add_option("--hash-every", options.hashEvery, "Ticks between recorded hashes")
         ->check(CLI::Range(std::uint32_t{1}, kLongestReplay));
+    addPlayer(*botCommand, options.player);
     botCommand->add_flag("--json", options.json, "Print one JSON object");
     Checks checks;
     const CLI::App* lintCommand = addLint(app, checks.lint);

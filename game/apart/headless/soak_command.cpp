@@ -70,12 +70,12 @@ double cpuSeconds() {
 
 /// One game, until it ends or the ticks are over.
 Tally soak(const std::shared_ptr<const Level>& level, std::uint32_t seed, std::uint64_t mostTicks,
-           const std::function<void(std::uint32_t)>& show) {
+           BotKind player, const std::function<void(std::uint32_t)>& show) {
     Game game(level, seed);
     Watch watch;
     Tally tally{.level = level->name, .games = 1};
     while (game.result() == Result::Playing && game.ticks() < mostTicks) {
-        const Input input = bot(game);
+        const Input input = bot(game, player);
         const double start = cpuSeconds();
         game.tick(input);
         tally.gameSeconds += cpuSeconds() - start;
@@ -169,7 +169,7 @@ int runSoak(const SoakCommand& command) {
                                    : std::make_shared<const Level>(endlessLevel({seed, number}));
             const std::uint64_t left =
                 std::min<std::uint64_t>(command.longestGame, command.ticks - total.ticks);
-            Tally game = soak(level, seed, left, [&](std::uint32_t ticks) {
+            Tally game = soak(level, seed, left, command.player, [&](std::uint32_t ticks) {
                 progress.show(fmt::format("{}, seed {}: {} of {} ticks, {} games", level->name,
                                           seed, total.ticks + ticks, command.ticks, total.games));
             });

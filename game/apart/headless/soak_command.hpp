@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <apart/core/bot.hpp>
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -13,6 +15,7 @@ struct SoakCommand {
     std::uint32_t firstSeed = 1;
     std::uint32_t endless = 0;                 // endless levels for each seed, besides
     std::uint32_t longestGame = 10 * 60 * 120; // ticks
+    BotKind player = BotKind::Good;
     bool json = false;
 };
 
