@@ -25,6 +25,7 @@ constexpr std::uint32_t kAimTicks = 600;    // then it aims at another block, wh
 constexpr Real kBentSeconds = Real(1) / 60; // of a step of the look ahead where paths are bent
 constexpr int kBentSteps = 90;
 constexpr Real kPullHeight = 8;           // m; lower balls are not drawn to the paddle
+constexpr std::uint32_t kWhimTicks = 30;  // before the erratic one thinks better of it
 constexpr int kAttempts = 3;              // to find a block in sight
 constexpr Real kLateHeight = 6;           // m; where the clumsy one first sees a ball
 constexpr Real kFarSight = 40;            // m, along the way of a ball
@@ -246,6 +247,26 @@ Input clumsyBot(const Game& game) {
     return input;
 }
 
+Input erraticBot(const Game& game) {
+    Generator chance(mixKeys(game.seed(), game.ticks() / kWhimTicks, 9));
+    Input input = bot(game);
+    switch (chance.below(4)) {
+    case 0:
+        input.target =
+            static_cast<std::int16_t>(chance.between(-kFieldWidth / 2, kFieldWidth / 2) * 1000);
+        break;
+    case 1:
+        input.target.reset();
+        input.paddle = static_cast<std::int8_t>(static_cast<int>(chance.below(255)) - 127);
+        break;
+    default:
+        break;
+    }
+    input.launch = chance.below(3) == 0;
+    input.force = static_cast<Force>(chance.below(kForceNames.size()));
+    return input;
+}
+
 } // namespace
 
 std::optional<Arrival> arrivalOf(const Game& game, const Ball& ball) {
@@ -255,6 +276,9 @@ std::optional<Arrival> arrivalOf(const Game& game, const Ball& ball) {
 Input bot(const Game& game, BotKind kind) {
     if (kind == BotKind::Clumsy) {
         return clumsyBot(game);
+    }
+    if (kind == BotKind::Erratic) {
+        return erraticBot(game);
     }
     const Ball* next = nullptr;
     Arrival first{0, 2}; // nothing comes within two seconds

@@ -15,7 +15,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <exception>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 namespace apart {
@@ -31,22 +34,22 @@ struct BotOptions {
     std::uint32_t ticks = 5 * 60 * kTicksPerSecond;
     std::uint32_t hashEvery = kHashEvery;
     std::string record;
-    BotKind player = BotKind::Good;
+    std::optional<BotKind> player{}; // good unless given
     bool json = false;
 };
 
-/// An option --player that names one of the bots.
-void addPlayer(CLI::App& command, BotKind& player) {
-    const std::vector<std::string> names(kBotNames.begin(), kBotNames.end());
-    command
-        .add_option_function<std::string>(
-            "--player",
-            [&player](const std::string& name) {
-                const auto found = std::find(kBotNames.begin(), kBotNames.end(), name);
-                player = static_cast<BotKind>(found - kBotNames.begin());
-            },
-            "How the bot plays: good unless given")
-        ->check(CLI::IsMember(names));
+/// An option that names an enumerator.
+template <typename T, std::size_t kCount>
+CLI::Option* addChoice(CLI::App& command, const std::string& option, std::optional<T>& choice,
+                       const std::array<std::string_view, kCount>& names) {
+    return command
+        .add_option_function<std::string>(option,
+                                          [&choice, &names](const std::string& name) {
+                                              const auto found =
+                                                  std::find(names.begin(), names.end(), name);
+                                              choice = static_cast<T>(found - names.begin());
+                                          })
+        ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
 }
 
 int playBot(const BotOptions& options) {
@@ -65,7 +68,7 @@ int playBot(const BotOptions& options) {
     {
         Progress progress;
         while (game.ticks() < options.ticks && game.result() == Result::Playing) {
-            const Input input = bot(game, options.player);
+            const Input input = bot(game, options.player.value_or(BotKind::Good));
             game.tick(input);
             if (!options.record.empty()) {
                 recorder.record(input, game);
@@ -182,7 +185,10 @@ CLI::App* addSoak(CLI::App& app, SoakCommand& soak) {
     command
         ->add_option("--longest", soak.longestGame, "Ticks of a game at most, 72000 unless given")
         ->check(CLI::Range(1u, kLongestReplay));
-    addPlayer(*command, soak.player);
+    addChoice(*command, "--player", soak.player, kBotNames)
+        ->description("How the bot plays: in each way, seed by seed, unless given");
+    addChoice(*command, "--mode", soak.mode, kModeNames)
+        ->description("Rules of the game: each in turn unless given");
     command->add_flag("--json", soak.json, "Print one JSON object");
     return command;
 }
@@ -213,7 +219,8 @@ int run(int argc, char** argv) {
     botCommand->add_option("--record", options.record, "Write the game to this file, as a replay");
     botCommand->add_option("--hash-every", options.hashEvery, "Ticks between recorded hashes")
         ->check(CLI::Range(std::uint32_t{1}, kLongestReplay));
-    addPlayer(*botCommand, options.player);
+    addChoice(*botCommand, "--player", options.player, kBotNames)
+        ->description("How it plays: good unless given");
     botCommand->add_flag("--json", options.json, "Print one JSON object");
     Checks checks;
     const CLI::App* lintCommand = addLint(app, checks.lint);
