@@ -1,35 +1,28 @@
 // SPDX-License-Identifier: MIT
 // aPart without a screen: replays, checks and the bot. Exit code: 0 all went well, 1 an expectation
-// was not met or a replay went another way, 2 wrong use or a bad file.
+// was not met, a replay went another way or a level failed its check, 2 wrong use or a bad file.
 #include <apart/core/assets.hpp>
 #include <apart/core/bot.hpp>
+#include <apart/core/endless.hpp>
 #include <apart/core/replay.hpp>
-#include <apart/core/soak.hpp>
 #include <apart/core/tuning.hpp>
+#include <apart/headless/lint_command.hpp>
+#include <apart/headless/refusal.hpp>
 #include <apart/headless/report.hpp>
+#include <apart/headless/soak_command.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <exception>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 namespace apart {
 namespace {
-
-/// A sentence for stderr, and exit code 2.
-struct Refusal {
-    std::string sentence;
-};
-
-template <typename T>
-T valueOrRefuse(Read<T> read) {
-    if (const auto* problem = std::get_if<FileProblem>(&read)) {
-        throw Refusal{problem->text()};
-    }
-    return std::get<T>(std::move(read));
-}
 
 void print(const Report& report, bool json) {
     fmt::print("{}\n", json ? asJson(report) : asSentence(report));
@@ -41,8 +34,23 @@ struct BotOptions {
     std::uint32_t ticks = 5 * 60 * kTicksPerSecond;
     std::uint32_t hashEvery = kHashEvery;
     std::string record;
+    std::optional<BotKind> player{}; // good unless given
     bool json = false;
 };
+
+/// An option that names an enumerator.
+template <typename T, std::size_t kCount>
+CLI::Option* addChoice(CLI::App& command, const std::string& option, std::optional<T>& choice,
+                       const std::array<std::string_view, kCount>& names) {
+    return command
+        .add_option_function<std::string>(option,
+                                          [&choice, &names](const std::string& name) {
+                                              const auto found =
+                                                  std::find(names.begin(), names.end(), name);
+                                              choice = static_cast<T>(found - names.begin());
+                                          })
+        ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
+}
 
 int playBot(const BotOptions& options) {
     std::string name = options.level;
@@ -52,13 +60,15 @@ int playBot(const BotOptions& options) {
             throw Refusal{assetsFolder().string() + ": there are no levels in it"};
         }
         name = names.front();
+    } else if (name == "endless") {
+        name = EndlessName{options.seed}.text(); // one seed for the levels and the game
     }
     Game game(std::make_shared<const Level>(valueOrRefuse(loadLevel(name))), options.seed);
     Recorder recorder(game, options.hashEvery);
     {
         Progress progress;
         while (game.ticks() < options.ticks && game.result() == Result::Playing) {
-            const Input input = bot(game);
+            const Input input = bot(game, options.player.value_or(BotKind::Good));
             game.tick(input);
             if (!options.record.empty()) {
                 recorder.record(input, game);
@@ -147,38 +157,40 @@ int listLevels() {
     return 0;
 }
 
-struct SoakOptions {
-    std::string level;
-    std::uint32_t seed = 1;
-    std::uint64_t ticks = 10000000;
+/// Options of `lint` and `soak`.
+struct Checks {
+    LintCommand lint;
+    SoakCommand soak;
 };
 
-int soakGames(const SoakOptions& options) {
-    const std::vector<std::string> names =
-        options.level.empty() ? levelNames() : std::vector<std::string>{options.level};
-    std::vector<std::shared_ptr<const Level>> levels;
-    for (const std::string& name : names) {
-        levels.push_back(std::make_shared<const Level>(valueOrRefuse(loadLevel(name))));
-    }
-    const SoakReport report = soak(levels, options.ticks, options.seed);
-    for (const std::string& failure : report.failures) {
-        fmt::print(stderr, "{}\n", failure);
-    }
-    const auto seconds = [](std::uint32_t ticks) {
-        return static_cast<double>(ticks) / kTicksPerSecond;
-    };
-    const auto share = [&](std::uint64_t count) {
-        return 100.0 * static_cast<double>(count) /
-               static_cast<double>(std::max(report.bounces, std::uint64_t{1}));
-    };
-    fmt::print("{} ticks in {} games, {} won. Escapes: {}. Longest at less than half speed: "
-               "{:.2f} s.\nLongest wait for damage: {:.1f} s. Worst bend in free flight: {:.1e}.\n",
-               report.ticks, report.games, report.won, report.escapes, seconds(report.longestSlow),
-               seconds(report.longestWait), static_cast<double>(report.worstBend));
-    fmt::print("Of {} bounces {:.1f} % were turned from flat and {:.1f} % thrown off rubble; in "
-               "pure games {}.\n",
-               report.bounces, share(report.bent), share(report.thrown), report.alteredPure);
-    return report.failures.empty() ? 0 : 1;
+CLI::App* addLint(CLI::App& app, LintCommand& lint) {
+    CLI::App* command = app.add_subcommand("lint", "Check levels: can each be played, and won?");
+    command->add_option("LEVEL", lint.levels, "Names of levels; all unless given");
+    command->add_option("--seeds", lint.options.seeds, "Games of the bot on each, 1 unless given")
+        ->check(CLI::Range(1u, 1000000u));
+    command->add_option("--ticks", lint.options.mostTicks, "Longest game, 36000 unless given")
+        ->check(CLI::Range(1u, kLongestReplay));
+    command->add_flag("--json", lint.json, "Print one JSON object");
+    return command;
+}
+
+CLI::App* addSoak(CLI::App& app, SoakCommand& soak) {
+    CLI::App* command = app.add_subcommand(
+        "soak", "Let the bot play on and on; look for halts, escapes and bent flights");
+    command->add_option("LEVEL", soak.levels, "Names of levels; all unless given");
+    command->add_option("--ticks", soak.ticks, "To be played in all, 1000000 unless given");
+    command->add_option("--first-seed", soak.firstSeed, "1 unless given; then 2, 3, ...");
+    command->add_option("--endless", soak.endless, "Endless levels for each seed, 0 unless given")
+        ->check(CLI::Range(0u, kMostEndless));
+    command
+        ->add_option("--longest", soak.longestGame, "Ticks of a game at most, 72000 unless given")
+        ->check(CLI::Range(1u, kLongestReplay));
+    addChoice(*command, "--player", soak.player, kBotNames)
+        ->description("How the bot plays: in each way, seed by seed, unless given");
+    addChoice(*command, "--mode", soak.mode, kModeNames)
+        ->description("Rules of the game: each in turn unless given");
+    command->add_flag("--json", soak.json, "Print one JSON object");
+    return command;
 }
 
 int run(int argc, char** argv) {
@@ -186,8 +198,9 @@ int run(int argc, char** argv) {
     app.name("apart-headless");
     app.require_subcommand(1);
     app.footer("Levels come from assets/levels, or from the folder that APART_ASSETS names.\n"
-               "Exit code: 0 all went well, 1 an expectation was not met or a replay went another "
-               "way,\n2 wrong use or a bad file.");
+               "endless, endless:SEED and endless:SEED:NUMBER are levels too: they are made, not "
+               "read.\nExit code: 0 all went well, 1 an expectation was not met, a replay went "
+               "another way\nor a level failed its check, 2 wrong use or a bad file.");
     bool json = false;
     std::string file;
     BotOptions options;
@@ -206,13 +219,12 @@ int run(int argc, char** argv) {
     botCommand->add_option("--record", options.record, "Write the game to this file, as a replay");
     botCommand->add_option("--hash-every", options.hashEvery, "Ticks between recorded hashes")
         ->check(CLI::Range(std::uint32_t{1}, kLongestReplay));
+    addChoice(*botCommand, "--player", options.player, kBotNames)
+        ->description("How it plays: good unless given");
     botCommand->add_flag("--json", options.json, "Print one JSON object");
-    SoakOptions soakOptions;
-    CLI::App* soakCommand =
-        app.add_subcommand("soak", "Many games, watched for balls that halt, escape or loop");
-    soakCommand->add_option("--level", soakOptions.level, "Name of the level; all unless given");
-    soakCommand->add_option("--seed", soakOptions.seed, "The first; 1 unless given");
-    soakCommand->add_option("--ticks", soakOptions.ticks, "In all; ten million unless given");
+    Checks checks;
+    const CLI::App* lintCommand = addLint(app, checks.lint);
+    const CLI::App* soakCommand = addSoak(app, checks.soak);
     CLI::App* levelsCommand = app.add_subcommand("levels", "List the levels");
 
     try {
@@ -230,8 +242,11 @@ int run(int argc, char** argv) {
     if (verifyCommand->parsed()) {
         return verify(file, json);
     }
+    if (lintCommand->parsed()) {
+        return runLint(checks.lint);
+    }
     if (soakCommand->parsed()) {
-        return soakGames(soakOptions);
+        return runSoak(checks.soak);
     }
     return levelsCommand->parsed() ? listLevels() : playBot(options);
 }
