@@ -37,8 +37,9 @@ void Game::governBall(Ball& ball) {
             carried = carried || isBar(hit.other(ball.body));
         }
     }
-    ball.carriedTicks = carried ? ball.carriedTicks + 1 : 0;
-    rubble = rubble || ball.carriedTicks > kCarriedTicks;
+    const bool slow = length(world_[ball.body].velocity()) < kSwallowed * ballSpeed();
+    ball.carriedTicks = !slow ? 0 : carried ? ball.carriedTicks + 1 : ball.carriedTicks;
+    rubble = rubble || (carried && ball.carriedTicks > kCarriedTicks);
     kodo::BodyRef body = world_[ball.body];
     const Vec2 velocity = body.velocity();
     Vec2 next = velocity;
