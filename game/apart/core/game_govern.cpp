@@ -54,9 +54,11 @@ void Game::governBall(Ball& ball) {
     } else if (!normals.empty()) {
         ++ledger_.bounces;
         if (mode_ == Mode::Standard) {
-            next = rubble ? throwOff(velocity, ball.heading, normals, ballSpeed()) : velocity;
-            next = turnedFromFlat(next, normals);
-            ledger_.bentBounces += next == velocity ? 0 : 1;
+            const Vec2 thrown =
+                rubble ? throwOff(velocity, ball.heading, normals, ballSpeed()) : velocity;
+            next = turnedFromFlat(thrown, normals);
+            ledger_.thrownBounces += thrown == velocity ? 0 : 1;
+            ledger_.bentBounces += next == thrown ? 0 : 1;
         } else if (rubble && length(velocity) < kSwallowed * ballSpeed()) {
             next = held(velocity, ball.heading, ballSpeed()); // faster, but where it flies
         }

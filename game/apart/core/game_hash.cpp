@@ -74,6 +74,7 @@ void add(kodo::StateHash& hash, const Ledger& ledger) {
     }
     hash.add(ledger.bounces);
     hash.add(ledger.bentBounces);
+    hash.add(ledger.thrownBounces);
 }
 
 template <typename T>
