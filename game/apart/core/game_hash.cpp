@@ -32,6 +32,7 @@ void add(kodo::StateHash& hash, const Ball& ball) {
     add(hash, ball.heading);
     hash.add(static_cast<std::uint8_t>(ball.riding));
     hash.add(static_cast<std::uint8_t>(ball.kind));
+    hash.add(ball.carriedTicks);
 }
 
 void add(kodo::StateHash& hash, const Shard& shard) {
