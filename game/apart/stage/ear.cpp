@@ -28,6 +28,7 @@ Note noteFor(const Struck& hit) {
     const float volume = weightOf(hit.impulse);
     switch (hit.what) {
     case Role::Wall:
+    case Role::Obstruction:
         return {Voice::Wall, 1, 0.55f * volume, panOf(hit.point)};
     case Role::Paddle:
         return {Voice::Paddle, 1, 0.8f * volume, panOf(hit.point)};

@@ -48,6 +48,8 @@ void paintMark(Canvas& canvas, Power power, const kodo::Transform& place, Real s
         return arrow(canvas, place, size, color);
     case Power::Split:
         return threeBalls(canvas, place, size, color);
+    default:
+        return;
     }
 }
 

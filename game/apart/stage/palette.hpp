@@ -28,11 +28,20 @@ inline constexpr std::array<Color, 5> kStuff = {
     Color{150, 158, 176},      // stone
     Color{84, 96, 120},        // steel
 };
-inline constexpr std::array<Color, 4> kPower = {
+inline constexpr std::array<Color, 13> kPower = {
     Color{226, 232, 245}, // none
     Color{118, 226, 130}, // weld
     Color{255, 170, 62},  // launch
     Color{198, 146, 255}, // split
+    Color{156, 168, 190}, // heavy
+    Color{240, 120, 140}, // lopsided
+    Color{245, 225, 190}, // egg
+    Color{214, 150, 90},  // rough
+    Color{250, 92, 92},   // magnet
+    Color{130, 220, 255}, // spring
+    Color{90, 230, 200},  // wings
+    Color{140, 120, 230}, // well
+    Color{190, 220, 230}, // wind
 };
 
 constexpr Color of(Stuff stuff) {
