@@ -35,6 +35,7 @@ struct BotOptions {
     std::uint32_t hashEvery = kHashEvery;
     std::string record;
     std::optional<BotKind> player{}; // good unless given
+    std::optional<Mode> mode{};      // standard unless given
     bool json = false;
 };
 
@@ -63,7 +64,8 @@ int playBot(const BotOptions& options) {
     } else if (name == "endless") {
         name = EndlessName{options.seed}.text(); // one seed for the levels and the game
     }
-    Game game(std::make_shared<const Level>(valueOrRefuse(loadLevel(name))), options.seed);
+    Game game(std::make_shared<const Level>(valueOrRefuse(loadLevel(name))), options.seed,
+              options.mode.value_or(Mode::Standard));
     Recorder recorder(game, options.hashEvery);
     {
         Progress progress;
@@ -219,6 +221,8 @@ int run(int argc, char** argv) {
     botCommand->add_option("--record", options.record, "Write the game to this file, as a replay");
     botCommand->add_option("--hash-every", options.hashEvery, "Ticks between recorded hashes")
         ->check(CLI::Range(std::uint32_t{1}, kLongestReplay));
+    addChoice(*botCommand, "--mode", options.mode, kModeNames)
+        ->description("Rules of the game: standard unless given");
     addChoice(*botCommand, "--player", options.player, kBotNames)
         ->description("How it plays: good unless given");
     botCommand->add_flag("--json", options.json, "Print one JSON object");
