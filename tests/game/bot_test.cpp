@@ -70,8 +70,8 @@ TEST(Bot, DrawsWithTheFieldOnceNothingHasBeenStruckForLong) {
 
 // A well bends the way of the ball; the bot is there all the same.
 TEST(Bot, ForeseesWhereABentFlightComesDown) {
-    const Level level =
-        levelOf("b.............b\n", 12000, "", "[[well]]\nx = 6000\ny = 9000\nstrength = 200000\n");
+    const Level level = levelOf("b.............b\n", 12000, "",
+                                "[[well]]\nx = 6000\ny = 9000\nstrength = 200000\n");
     Game game(level, 1);
     const kodo::BodyId ball = GameTestAccess::shoot(game, {0, 12}, {0, -12});
     const std::optional<Arrival> arrival = arrivalOf(game, game.balls()[0]);
