@@ -153,8 +153,9 @@ int listLevels() {
         if (const auto* problem = std::get_if<FileProblem>(&level)) {
             throw Refusal{problem->text()};
         }
-        fmt::print("{:<16} {}: {}\n", name, std::get<Level>(level).title,
-                   std::get<Level>(level).idea);
+        const Level& found = std::get<Level>(level);
+        fmt::print("{:<16} {:<12} {}: {}\n", name,
+                   kThemeNames[static_cast<std::size_t>(found.theme)], found.title, found.idea);
     }
     return 0;
 }
