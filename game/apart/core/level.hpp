@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <apart/core/theme.hpp>
+
 #include <array>
 #include <cstdint>
 #include <string>
@@ -154,6 +156,7 @@ struct Level {
     std::string name;               // of the file, without .toml
     std::string title;              // shown to the player
     std::string idea;               // one sentence: what is special about its physics
+    Theme theme = Theme::Daybreak;
     std::int32_t place = 9999;      // in the order of levels
     std::int32_t ballSpeed = 12000; // 1/1000 m/s, when all blocks stand
     std::int32_t lives = 3;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
 #include <apart/core/tuning.hpp>
+#include <apart/sfml/frame_times.hpp>
 #include <apart/sfml/inspector.hpp>
 #include <apart/sfml/options.hpp>
 #include <apart/sfml/setup.hpp>
@@ -67,10 +68,32 @@ int play(StageDef def, const Options& options) {
         canvas.setSize(window.size());
         stage.draw(canvas);
         inspector.draw(canvas, stage.game());
-        window.setPointerVisible(stage.wantsPointer());
+        controls.capture(!stage.wantsPointer());
         window.show(canvas.picture(), sf::Color::Black);
     }
     window.close();
+    return kDone;
+}
+
+/// What a player with a 60 Hz screen would see, but without waiting for the screen.
+int timeFrames(StageDef def, std::uint32_t frames) {
+    using Clock = std::chrono::steady_clock;
+    Stage stage(std::move(def));
+    kodo_sfml::Window window("aPart", kPixels);
+    window.setPaced(false);
+    SfmlCanvas canvas(assetsFolder() / "fonts", window.size());
+    SilentSpeaker silence;
+    FrameTimes times;
+    for (std::uint32_t i = 0; i < frames; ++i) {
+        while (window.nextEvent()) {
+        }
+        const auto start = Clock::now();
+        stage.advance(1.0 / 60, {}, silence);
+        stage.draw(canvas);
+        window.show(canvas.picture(), sf::Color::Black);
+        times.add(secondsBetween(start, Clock::now()), stage.game().world().bodyCount());
+    }
+    std::printf("%s\n", times.text().c_str());
     return kDone;
 }
 
@@ -89,8 +112,15 @@ int run(const Options& options) {
                  "apart-headless bot.");
         return kNoDisplay;
     }
-    return options.screenshot.empty() ? play(std::get<StageDef>(std::move(def)), options)
-                                      : takePicture(std::get<StageDef>(std::move(def)), options);
+    StageDef stage = std::get<StageDef>(std::move(def));
+    if (!stage.notice.empty()) {
+        complain(stage.notice);
+    }
+    if (options.frames > 0) {
+        return timeFrames(std::move(stage), options.frames);
+    }
+    return options.screenshot.empty() ? play(std::move(stage), options)
+                                      : takePicture(std::move(stage), options);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include <apart/core/bot.hpp>
 #include <apart/core/replay.hpp>
 #include <apart/sfml/setup.hpp>
+#include <apart/stage/profile_file.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -71,6 +72,22 @@ std::string takeReplay(StageDef& def, const std::string& file) {
     return {};
 }
 
+/// What is kept between two runs, and where.
+void takeProfile(StageDef& def) {
+    const std::optional<std::filesystem::path> file = profileFile();
+    if (!file) {
+        def.notice = "Settings and scores are not kept: neither XDG_CONFIG_HOME nor HOME is set.";
+        return;
+    }
+    LoadedProfile loaded = loadProfile(*file);
+    def.profile = std::move(loaded.profile);
+    def.notice = std::move(loaded.notice);
+    def.save = [path = *file](const Profile& profile) -> std::string {
+        const std::optional<FileProblem> problem = saveProfile(path, profile);
+        return problem ? "Settings and scores are not kept: " + problem->text() + "." : "";
+    };
+}
+
 } // namespace
 
 std::variant<StageDef, std::string> setUp(const Options& options) {
@@ -81,7 +98,10 @@ std::variant<StageDef, std::string> setUp(const Options& options) {
     StageDef def;
     def.levels = std::get<0>(std::move(levels));
     def.bot = [](const Game& game) { return std::optional(bot(game)); };
-    const bool picture = !options.screenshot.empty();
+    const bool picture = !options.screenshot.empty() || options.frames > 0;
+    if (!picture) { // a picture is the same for everybody
+        takeProfile(def);
+    }
     def.seed = options.seed ? *options.seed : picture ? 1 : std::random_device{}() % 1000000;
     std::string problem;
     if (!options.replay.empty()) {
