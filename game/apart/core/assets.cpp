@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
+#include <apart/core/endless.hpp>
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -83,10 +85,13 @@ std::string noSuchLevel(const std::string& name) {
     for (const std::string& other : levelNames()) {
         sentence += (sentence.ends_with("are") ? " " : ", ") + other;
     }
-    return sentence;
+    return sentence + ", and endless:SEED:NUMBER";
 }
 
 Read<Level> loadLevel(const std::string& name) {
+    if (const std::optional<EndlessName> endless = parseEndless(name)) {
+        return endlessLevel(*endless);
+    }
     if (!isName(name)) {
         return FileProblem{name, 0,
                            "is no name of a level: it has letters, digits, - and _ only, 1 to " +

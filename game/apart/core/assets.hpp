@@ -17,7 +17,8 @@ std::filesystem::path assetsFolder();
 /// Names of all levels, in the order in which they are played.
 std::vector<std::string> levelNames();
 
-/// assets/levels/NAME.toml. A name is made of letters, digits, - and _.
+/// assets/levels/NAME.toml. A name is made of letters, digits, - and _. A name that parseEndless()
+/// takes is made, not read.
 Read<Level> loadLevel(const std::string& name);
 
 /// The level of a replay: one beside it, in levels/NAME.toml, goes before those of the game.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the collisions of a tick mean to the game.
+#include <apart/core/field.hpp>
 #include <apart/core/game.hpp>
 #include <apart/core/tuning.hpp>
 

@@ -102,6 +102,10 @@ inline constexpr std::array<std::string_view, 5> kObstructionNames = {"bumper", 
 enum class Facing : std::uint8_t { Up, Down, Left, Right };
 inline constexpr std::array<std::string_view, 4> kFacingNames = {"up", "down", "left", "right"};
 
+/// By Stuff; of a block whose kind says nothing else.
+inline constexpr std::array<Pattern, 5> kUsualPattern = {
+    Pattern::Radial, Pattern::Slats, Pattern::Bricks, Pattern::Shatter, Pattern::Halves};
+
 /// One kind of block, as the legend of a level describes it. Steel never breaks.
 struct BlockKind {
     char letter = '?';
@@ -153,9 +157,9 @@ inline constexpr int kMostRows = 15;
 
 /// A level as the rules need it: numbers are whole, so that every machine reads the same.
 struct Level {
-    std::string name;               // of the file, without .toml
-    std::string title;              // shown to the player
-    std::string idea;               // one sentence: what is special about its physics
+    std::string name;  // of the file, without .toml
+    std::string title; // shown to the player
+    std::string idea;  // one sentence: what is special about its physics
     Theme theme = Theme::Daybreak;
     std::int32_t place = 9999;      // in the order of levels
     std::int32_t ballSpeed = 12000; // 1/1000 m/s, when all blocks stand

@@ -11,9 +11,6 @@ namespace apart {
 
 namespace {
 
-/// By Stuff.
-constexpr std::array<Pattern, 5> kUsualPattern = {Pattern::Radial, Pattern::Slats, Pattern::Bricks,
-                                                  Pattern::Shatter, Pattern::Halves};
 // Of obstructions; by ObstructionKind, a gate's length is that of its cell. 1/1000.
 constexpr std::array<std::int32_t, 4> kUsualSize = {500, 200, 3000, 0};
 constexpr std::array<std::int32_t, 4> kUsualSpeed = {6000, 0, 2000, 0};
@@ -36,13 +33,14 @@ public:
 
     Read<Level> read(const toml::table& root) {
         keys_.onlyKeys(root,
-                       {"format", "place", "title", "idea", "ball-speed", "lives", "ball", "paddle",
-                        "wind", "boss", "grid", "legend", "ground", "well"},
+                       {"format", "place", "title", "idea", "theme", "ball-speed", "lives", "ball",
+                        "paddle", "wind", "boss", "grid", "legend", "ground", "well"},
                        "");
         if (keys_.number(root, "format", {1, 1, std::nullopt}) == 1) {
             level_.place = keys_.number(root, "place", {1, 9999, 9999});
             level_.title = keys_.text(root, "title");
             level_.idea = keys_.text(root, "idea");
+            level_.theme = keys_.choice(root, "theme", kThemeNames, level_.theme);
             level_.ballSpeed = keys_.number(root, "ball-speed", {2000, 40000, level_.ballSpeed});
             level_.lives = keys_.number(root, "lives", {1, 9, level_.lives});
             level_.ball = keys_.choice(root, "ball", kBallKindNames, level_.ball);

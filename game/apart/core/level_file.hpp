@@ -17,6 +17,8 @@ namespace apart {
 ///   place = 1               # in the order of levels
 ///   title = "First light"
 ///   idea = "One sentence."
+///   theme = "daybreak"      # daybreak quarry fairground harbour clockwork observatory fortress;
+///                           # daybreak unless given
 ///   ball-speed = 11000      # 1/1000 m/s, when all blocks stand; 12000 unless given
 ///   lives = 3               # 3 unless given
 ///   ball = "round"          # round heavy lopsided egg rough; round unless given

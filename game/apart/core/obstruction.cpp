@@ -37,7 +37,7 @@ kodo::Segment gate(Real length, Facing facing) {
 }
 
 kodo::Heightmap ground(const ObstructionDef& def) {
-    kodo::Heightmap hills{.spacing = metres(def.spacing)};
+    kodo::Heightmap hills{{}, metres(def.spacing), {}};
     for (const std::int32_t height : def.heights) {
         hills.heights.push_back(metres(height));
     }

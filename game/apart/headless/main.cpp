@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 // aPart without a screen: replays, checks and the bot. Exit code: 0 all went well, 1 an expectation
-// was not met or a replay went another way, 2 wrong use or a bad file.
+// was not met, a replay went another way or a level failed its check, 2 wrong use or a bad file.
 #include <apart/core/assets.hpp>
 #include <apart/core/bot.hpp>
+#include <apart/core/endless.hpp>
 #include <apart/core/replay.hpp>
 #include <apart/core/tuning.hpp>
+#include <apart/headless/lint_command.hpp>
+#include <apart/headless/refusal.hpp>
 #include <apart/headless/report.hpp>
+#include <apart/headless/soak_command.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -15,19 +19,6 @@
 
 namespace apart {
 namespace {
-
-/// A sentence for stderr, and exit code 2.
-struct Refusal {
-    std::string sentence;
-};
-
-template <typename T>
-T valueOrRefuse(Read<T> read) {
-    if (const auto* problem = std::get_if<FileProblem>(&read)) {
-        throw Refusal{problem->text()};
-    }
-    return std::get<T>(std::move(read));
-}
 
 void print(const Report& report, bool json) {
     fmt::print("{}\n", json ? asJson(report) : asSentence(report));
@@ -50,6 +41,8 @@ int playBot(const BotOptions& options) {
             throw Refusal{assetsFolder().string() + ": there are no levels in it"};
         }
         name = names.front();
+    } else if (name == "endless") {
+        name = EndlessName{options.seed}.text(); // one seed for the levels and the game
     }
     Game game(std::make_shared<const Level>(valueOrRefuse(loadLevel(name))), options.seed);
     Recorder recorder(game, options.hashEvery);
@@ -145,13 +138,46 @@ int listLevels() {
     return 0;
 }
 
+/// Options of `lint` and `soak`.
+struct Checks {
+    LintCommand lint;
+    SoakCommand soak;
+};
+
+CLI::App* addLint(CLI::App& app, LintCommand& lint) {
+    CLI::App* command = app.add_subcommand("lint", "Check levels: can each be played, and won?");
+    command->add_option("LEVEL", lint.levels, "Names of levels; all unless given");
+    command->add_option("--seeds", lint.options.seeds, "Games of the bot on each, 1 unless given")
+        ->check(CLI::Range(1u, 1000000u));
+    command->add_option("--ticks", lint.options.mostTicks, "Longest game, 36000 unless given")
+        ->check(CLI::Range(1u, kLongestReplay));
+    command->add_flag("--json", lint.json, "Print one JSON object");
+    return command;
+}
+
+CLI::App* addSoak(CLI::App& app, SoakCommand& soak) {
+    CLI::App* command = app.add_subcommand(
+        "soak", "Let the bot play on and on; look for halts, escapes and bent flights");
+    command->add_option("LEVEL", soak.levels, "Names of levels; all unless given");
+    command->add_option("--ticks", soak.ticks, "To be played in all, 1000000 unless given");
+    command->add_option("--first-seed", soak.firstSeed, "1 unless given; then 2, 3, ...");
+    command->add_option("--endless", soak.endless, "Endless levels for each seed, 0 unless given")
+        ->check(CLI::Range(0u, kMostEndless));
+    command
+        ->add_option("--longest", soak.longestGame, "Ticks of a game at most, 72000 unless given")
+        ->check(CLI::Range(1u, kLongestReplay));
+    command->add_flag("--json", soak.json, "Print one JSON object");
+    return command;
+}
+
 int run(int argc, char** argv) {
     CLI::App app("aPart without a screen: plays replays, checks them, lets the bot play.");
     app.name("apart-headless");
     app.require_subcommand(1);
     app.footer("Levels come from assets/levels, or from the folder that APART_ASSETS names.\n"
-               "Exit code: 0 all went well, 1 an expectation was not met or a replay went another "
-               "way,\n2 wrong use or a bad file.");
+               "endless, endless:SEED and endless:SEED:NUMBER are levels too: they are made, not "
+               "read.\nExit code: 0 all went well, 1 an expectation was not met, a replay went "
+               "another way\nor a level failed its check, 2 wrong use or a bad file.");
     bool json = false;
     std::string file;
     BotOptions options;
@@ -173,6 +199,9 @@ int run(int argc, char** argv) {
     botCommand->add_option("--hash-every", options.hashEvery, "Ticks between recorded hashes")
         ->check(CLI::Range(std::uint32_t{1}, kLongestReplay));
     botCommand->add_flag("--json", options.json, "Print one JSON object");
+    Checks checks;
+    const CLI::App* lintCommand = addLint(app, checks.lint);
+    const CLI::App* soakCommand = addSoak(app, checks.soak);
     CLI::App* levelsCommand = app.add_subcommand("levels", "List the levels");
 
     try {
@@ -189,6 +218,12 @@ int run(int argc, char** argv) {
     }
     if (verifyCommand->parsed()) {
         return verify(file, json);
+    }
+    if (lintCommand->parsed()) {
+        return runLint(checks.lint);
+    }
+    if (soakCommand->parsed()) {
+        return runSoak(checks.soak);
     }
     return levelsCommand->parsed() ? listLevels() : playBot(options);
 }
