@@ -36,7 +36,7 @@ TEST(Cracks, BeginAtThePointOfTheImpact) {
     const Vec2 point{0.3f, -0.4f};
     const std::vector<CrackLine> lines = growCracks(blockOutline(), point, 0.5f, 1);
     ASSERT_FALSE(lines.empty());
-    EXPECT_EQ(lines[0].from, point);
+    EXPECT_LT(length(lines[0].from - point), 1e-6f); // the middle of the outline is rounded
 }
 
 TEST(Cracks, GrowWithTheDamage) {
