@@ -63,27 +63,22 @@ TEST(Field, ActsOnShardsPartsAndLooseBlocks) {
 }
 
 TEST(Field, TakesFromThePaddleWhatItGives) {
-    Game game = fresh();
+    Game game = fresh(); // the ball rides: nobody governs what is given to shards
     GameTestAccess::breakBlock(game, 1, {0, 0});
-    Game still = game;
-    GameTestAccess::shoot(game, {-6, 9}, {0, 12});
-    GameTestAccess::shoot(still, {-6, 9}, {0, 12});
-    std::vector<Vec2> before;
-    for (const Shard& shard : game.shards()) {
-        before.push_back(game.world()[shard.body].velocity());
+    for (int tick = 0; tick < 30; ++tick) {
+        game.tick({});
     }
+    Game still = game;
     game.tick(holding(Force::Pull));
     still.tick({});
-    Vec2 given; // to shards and ball, as the world shows it
+    Vec2 given; // as the world shows it
     for (const Shard& shard : game.shards()) {
         const kodo::BodyView body = game.world()[shard.body];
         given += body.mass() * (body.velocity() - still.world()[shard.body].velocity());
     }
-    const kodo::BodyView ball = game.world()[game.balls()[0].body];
-    given += ball.mass() * (ball.velocity() - still.world()[ball.id()].velocity());
-    EXPECT_TRUE(near(given.x, static_cast<Real>(game.ledger().fieldImpulseX), 1e-4));
-    // The servo may hold the ball's speed, so its share along its way is not seen.
-    EXPECT_LT(game.ledger().fieldImpulseY, 0);
+    EXPECT_LT(given.y, Real(-0.1));
+    EXPECT_TRUE(near(given.x, static_cast<Real>(game.ledger().fieldImpulseX), 1e-5));
+    EXPECT_TRUE(near(given.y, static_cast<Real>(game.ledger().fieldImpulseY), 1e-5));
 }
 
 TEST(Field, SlowsAPaddleByItsReaction) {
@@ -101,15 +96,12 @@ TEST(Field, SlowsAPaddleByItsReaction) {
 TEST(Meter, DrainsInUseAndRefillsWithTime) {
     Game game = fresh();
     EXPECT_EQ(game.meter(), 1);
-    const int lasts = static_cast<int>(kMeterSeconds * kTicksPerSecond);
-    for (int tick = 0; tick < lasts - 2; ++tick) {
+    int lasts = 0;
+    do {
         game.tick(holding(Force::Push));
-        ASSERT_EQ(game.force(), Force::Push);
-    }
-    game.tick(holding(Force::Push));
-    game.tick(holding(Force::Push));
-    game.tick(holding(Force::Push));
-    EXPECT_EQ(game.force(), Force::None); // empty
+        ++lasts;
+    } while (game.force() == Force::Push && lasts < 1000);
+    EXPECT_NEAR(lasts, kMeterSeconds * kTicksPerSecond, 2); // a tick of rounding, and the last
     for (int tick = 0; tick < 120; ++tick) {
         game.tick({});
     }
@@ -132,12 +124,16 @@ TEST(Meter, IsFedByShardsThatAreDrawnIn) {
     Game game(levelOf("g..............\n" + emptyRows(10) + ".......b.......\n"), 1);
     GameTestAccess::breakBlock(game, 1, {0, 0});
     GameTestAccess::setMeter(game, Real(0.6));
-    const Real mass = game.world()[game.shards()[0].body].mass();
-    const auto caught = playUntil<ShardCaught>(game, holding(Force::Pull), 200);
-    ASSERT_TRUE(caught);
-    EXPECT_GT(game.ledger().removedMass, 0);
-    EXPECT_GT(caught->meter, game.meter() - Real(0.001));
-    EXPECT_GT(mass, 0);
+    Real before = game.meter();
+    for (int tick = 0; tick < 200 && eventOf<ShardCaught>(game) == nullptr; ++tick) {
+        before = game.meter();
+        game.tick(holding(Force::Pull));
+    }
+    const ShardCaught* caught = eventOf<ShardCaught>(game);
+    ASSERT_NE(caught, nullptr);
+    const Real mass = (caught->meter - before + kTickSeconds / kMeterSeconds) / kMeterPerKilogram;
+    EXPECT_GT(mass, Real(0.03)); // the lightest shards of brick weigh so much
+    EXPECT_GE(static_cast<Real>(game.ledger().removedMass), mass * Real(0.999));
     Game pushing = fresh(); // who does not pull catches none
     GameTestAccess::breakBlock(pushing, 1, {0, 0});
     EXPECT_FALSE(playUntil<ShardCaught>(pushing, {}, 200));

@@ -16,7 +16,7 @@ using kodo::Vec2;
 using support::near;
 
 constexpr std::uint64_t kSeed = 2024;
-constexpr int kBreaks = 20000;
+constexpr int kBreaks = 100000;
 constexpr Real kBlockArea = kCellWidth * kCellHeight;
 
 Vec2 onTheRim(support::RandomNumbers& random) {
@@ -39,7 +39,8 @@ void forRandomBreaks(int count, Look look) {
     const Polygon block = rectangle(kCellWidth, kCellHeight);
     for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
         SCOPED_TRACE("seed " + std::to_string(kSeed) + ", break " + std::to_string(i));
-        Break broken{onTheRim(random), static_cast<Pattern>(i % 4), {}};
+        Break broken{
+            onTheRim(random), static_cast<Pattern>(i % static_cast<int>(kPatternNames.size())), {}};
         broken.pieces = fracture(block, broken.hit, broken.pattern, shardLimits(), random.bits());
         look(broken, random);
     }
@@ -48,7 +49,7 @@ void forRandomBreaks(int count, Look look) {
 TEST(Fracture, MakesAtLeastTwoPiecesThatTheEngineAccepts) {
     forRandomBreaks(kBreaks, [](const Break& broken, auto&) {
         EXPECT_GE(broken.pieces.size(), 2u);
-        EXPECT_LE(broken.pieces.size(), 12u);
+        EXPECT_LE(broken.pieces.size(), 17u); // glass: a hub, 8 wedges, 8 behind the ring
         for (const Polygon& piece : broken.pieces) {
             const auto problem = kodo::check(kodo::Shape(piece));
             EXPECT_FALSE(problem) << problem->text();
@@ -71,8 +72,9 @@ TEST(Fracture, KeepsTheArea) {
         for (const Polygon& piece : broken.pieces) {
             area += areaOf(piece);
         }
-        // A dozen cells of some rounding errors each; one lost 1 mm corner would already show.
-        EXPECT_TRUE(near(area, kBlockArea, Real(1e-5) * kBlockArea));
+        // Corners within 2e-5 m become one, which costs a triangle of that base and at most the
+        // length of the block, 1.6e-5 m^2; two of them in one break are the most that was seen.
+        EXPECT_TRUE(near(area, kBlockArea, Real(3.2e-5)));
     });
 }
 
@@ -101,7 +103,7 @@ TEST(Fracture, LeavesNoOverlapOfPieces) {
 TEST(Fracture, IsAFunctionOfItsKey) {
     const Polygon block = rectangle(kCellWidth, kCellHeight);
     for (const Pattern pattern :
-         {Pattern::Halves, Pattern::Slats, Pattern::Bricks, Pattern::Shatter}) {
+         {Pattern::Halves, Pattern::Slats, Pattern::Bricks, Pattern::Radial, Pattern::Shatter}) {
         const auto broken = [&](std::uint64_t key) {
             return fracture(block, {0, -kCellHeight / 2}, pattern, shardLimits(), key);
         };

@@ -28,6 +28,9 @@ struct GameTestAccess {
         game.beginPower(power, {}, origin);
         game.refreshPowers();
     }
+    static void breakShard(Game& game, std::size_t index, kodo::Vec2 point) {
+        game.breakShard(index, point, 0);
+    }
     static void weldWings(Game& game) { game.weldWings(); }
 
     /// The first ball flies from there; the others are gone.

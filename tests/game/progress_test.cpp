@@ -160,7 +160,7 @@ TEST(PureMode, TurnsNoBounce) {
         for (int tick = 0; tick < 4000; ++tick) {
             game.tick(bot(game));
         }
-        EXPECT_GT(game.ledger().bounces, 50u);
+        EXPECT_GT(game.ledger().bounces, 30u);
         if (mode == Mode::Pure) {
             EXPECT_EQ(game.ledger().bentBounces, 0u);
         }

@@ -57,6 +57,17 @@ constexpr std::array<Family, 8> kFamilies = {{
 constexpr std::array<std::string_view, 8> kAdjectives = {
     "Quiet", "Crooked", "Brittle", "Drowned", "Winter", "Hollow", "Sunken", "Forgotten"};
 
+// The first three are there from the beginning, the next six soon, and then those that do harm.
+constexpr std::array<Power, 12> kPowers = {
+    Power::Weld,  Power::Launch, Power::Split, Power::Heavy,    Power::Magnet, Power::Spring,
+    Power::Wings, Power::Rough,  Power::Well,  Power::Lopsided, Power::Egg,    Power::Wind};
+
+constexpr std::int32_t kHangingArm = 800; // 1/1000 m
+constexpr std::int32_t kBreeze = 4000;    // 1/1000 m/s
+constexpr std::int32_t kCellThousandthsWide = 1600;
+constexpr std::int32_t kCellThousandthsHigh = 800;
+constexpr std::int32_t kFieldThousandthsHigh = 18000;
+
 class Builder {
 public:
     explicit Builder(const EndlessName& name)
@@ -74,6 +85,7 @@ public:
         placeSteel();
         openWhatIsShut();
         placePowers();
+        placeAnnex();
         name(family);
         for (int row = 0; row < kMostRows; ++row) {
             for (int column = 0; column < kColumns; ++column) {
@@ -89,7 +101,11 @@ public:
 private:
     std::uint8_t addKind(char letter, Stuff stuff, Power power) {
         const auto index = static_cast<std::size_t>(stuff);
-        level_.kinds.push_back({letter, stuff, power, kUsualPattern[index], kStrength[index]});
+        level_.kinds.push_back({.letter = letter,
+                                .stuff = stuff,
+                                .power = power,
+                                .pattern = kUsualPattern[index],
+                                .strength = kStrength[index]});
         return static_cast<std::uint8_t>(level_.kinds.size() - 1);
     }
 
@@ -211,19 +227,72 @@ private:
     }
 
     void placePowers() {
-        constexpr std::array<Power, 3> kPowers = {Power::Weld, Power::Launch, Power::Split};
+        const std::size_t known = hardness_ < 2 ? 3 : hardness_ < 5 ? 9 : kPowers.size();
         const std::uint32_t pairs = 2 + chance_.below(3);
-        std::array<std::uint8_t, kPowers.size()> kinds{};
-        constexpr std::array<char, kPowers.size()> kLetters = {'w', 'l', 't'};
-        for (std::size_t i = 0; i < kPowers.size(); ++i) {
-            kinds[i] = addKind(kLetters[i], i == 2 ? Stuff::Glass : Stuff::Brick, kPowers[i]);
-        }
         for (std::uint32_t i = 0; i < pairs; ++i) {
+            const std::size_t which = chance_.below(static_cast<std::uint32_t>(known));
             int row = 0;
             int from = 0;
             if (someCell(row, from) != nullptr) {
-                set(row, from, kinds[chance_.below(kPowers.size())]);
+                const Power power = kPowers[which];
+                set(row, from,
+                    addKind(static_cast<char>('A' + i),
+                            power == Power::Split ? Stuff::Glass : Stuff::Brick, power));
             }
+        }
+    }
+
+    /// Something of another kind below it all, with an empty row above it.
+    void placeAnnex() {
+        const int row = top_ + rows_ + 1;
+        const std::uint32_t choices = hardness_ < 3 ? 1 : hardness_ < 7 ? 4 : 6;
+        switch (chance_.below(choices)) {
+        case 1: {
+            BlockKind& kind = level_.kinds[addKind('h', someStuff(), Power::None)];
+            kind.hold = Hold::Hanging;
+            kind.arm = kHangingArm;
+            set(row, 2, static_cast<std::uint8_t>(level_.kinds.size() - 1));
+            set(row, 5, static_cast<std::uint8_t>(level_.kinds.size() - 1));
+            level_.theme = Theme::Harbour;
+            break;
+        }
+        case 2:
+            addObstructions(ObstructionKind::Bumper, row, {500, 6000});
+            level_.theme = Theme::Fairground;
+            break;
+        case 3:
+            addObstructions(ObstructionKind::Pin, row, {250, 0});
+            level_.theme = Theme::Fairground;
+            break;
+        case 4:
+            addObstructions(ObstructionKind::Motor, row, {2400, 2000});
+            level_.theme = Theme::Clockwork;
+            break;
+        case 5:
+            level_.wind = chance_.below(2) == 0 ? kBreeze : -kBreeze;
+            level_.theme = Theme::Harbour;
+            break;
+        default:
+            level_.theme = hardness_ < 4 ? Theme::Daybreak : Theme::Quarry;
+            break;
+        }
+    }
+
+    struct Make {
+        std::int32_t size = 0;
+        std::int32_t speed = 0;
+    };
+    void addObstructions(ObstructionKind kind, int row, Make make) {
+        for (const int from : {-4, 0, 4}) {
+            level_.obstructions.push_back(
+                {.kind = kind,
+                 .x = from * kCellThousandthsWide,
+                 .y = kFieldThousandthsHigh - (2 * row + 1) * kCellThousandthsHigh / 2,
+                 .size = make.size,
+                 .speed = from < 0 ? -make.speed : make.speed,
+                 .facing = Facing::Up,
+                 .spacing = 0,
+                 .heights = {}});
         }
     }
 

@@ -70,8 +70,11 @@ bool Game::isRubble(BodyId body) const {
     if (!world_.contains(body)) {
         return false;
     }
-    const Role role = roleOf(world_[body].flags());
-    return role == Role::Shard || role == Role::Part;
+    const kodo::Flags flags = world_[body].flags();
+    const Role role = roleOf(flags);
+    // The bar of a motor can carry a ball along, as rubble can.
+    const bool bar = role == Role::Obstruction && (flags & kodo::kLocked) != kodo::kLocked;
+    return role == Role::Shard || role == Role::Part || bar;
 }
 
 } // namespace apart

@@ -235,7 +235,8 @@ void Game::judgePaddle(const CollisionRecord& hit) {
         return;
     }
     Weld& weld = welds_[part - 1];
-    weld.strengthLeft -= hit.maxImpulse < kKnockOffBlow ? hit.maxImpulse : kWeldStrength;
+    weld.strengthLeft =
+        hit.maxImpulse < kKnockOffBlow ? weld.strengthLeft - hit.maxImpulse : Real(-1);
     weld.lastPoint = hit.point;
     weld.lastImpulse = hit.maxImpulse;
 }

@@ -15,9 +15,11 @@ using kodo::Vec2;
 
 namespace {
 
+/// Within the limits, and the engine takes it: a crack that runs almost along an edge may leave
+/// corners that rounding puts onto one line.
 bool fits(const Polygon& piece, const PieceLimits& limits) {
     return piece.corners.size() >= 3 && areaOf(piece) >= limits.area &&
-           widthOf(piece) >= limits.width;
+           widthOf(piece) >= limits.width && !check(kodo::Shape(piece));
 }
 
 /// Cuts every piece along the line, but for those where a side would be too small.

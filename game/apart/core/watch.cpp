@@ -42,6 +42,9 @@ bool isOutside(Vec2 place) {
 
 void Watch::look(const Game& game) {
     ++ticks_;
+    const bool pulled = isPulled(game);
+    free_ = !pulled && !pulled_; // what ended in this tick may still have pulled in it
+    pulled_ = pulled;
     next_.clear();
     for (const Ball& ball : game.balls()) {
         if (!ball.riding) {
@@ -65,7 +68,7 @@ void Watch::follow(const Game& game, const Ball& ball, const Track* before) {
     if (isOutside(body.position())) {
         ++escapes_;
     }
-    if (before != nullptr && !touches(game, ball.body) && !isPulled(game)) {
+    if (before != nullptr && free_ && !touches(game, ball.body)) {
         ++freeTicks_;
         const Real turn = std::abs(cross(before->velocity, now.velocity));
         const bool back = dot(before->velocity, now.velocity) < 0;

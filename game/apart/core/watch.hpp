@@ -16,13 +16,13 @@ public:
     void look(const Game& game);
 
     std::uint64_t ticks() const { return ticks_; }
-    /// Ticks that balls flew without touching anything, all balls added up.
+    /// Ticks that balls flew without touching anything, or being pulled at, all balls added up.
     std::uint64_t freeTicks() const { return freeTicks_; }
     /// How often a ball was slower than half its speed for half a second.
     std::uint32_t halts() const { return halts_; }
     /// How often a ball was outside the field other than below.
     std::uint32_t escapes() const { return escapes_; }
-    /// How often a ball turned although it touched nothing.
+    /// How often a ball turned although it touched nothing and no field of force was at work.
     std::uint32_t bends() const { return bends_; }
     /// Ticks in play, in a row, in which no block took harm.
     std::uint32_t longestWait() const { return longestWait_; }
@@ -40,6 +40,8 @@ private:
 
     std::vector<Track> tracks_; // of the balls that fly
     std::vector<Track> next_;
+    bool pulled_ = false; // by a field of force, in the last tick
+    bool free_ = true;    // of any, in this tick
     std::uint64_t ticks_ = 0;
     std::uint64_t freeTicks_ = 0;
     std::uint32_t halts_ = 0;
