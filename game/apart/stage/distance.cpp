@@ -141,14 +141,17 @@ void paintStars(const Far& far) {
 }
 
 void paintBattlements(const Far& far) {
+    constexpr Real kStep = Real(0.5);
     for (int layer = 2; layer >= 1; --layer) {
         const auto depth = static_cast<Real>(layer);
-        paintSkyline(far, far.faint(0.28f), Real(0.5), [&](Real x) {
+        const Color color = far.faint(0.28f);
+        for (Real x = kLeft; x < kRight; x += kStep) {
             const Real along = std::abs(std::fmod(x + 40 + 3 * depth, Real(8)) - 4);
             const Real tower = along < Real(1.25) ? Real(2.3) : 0;
-            const Real merlon = std::fmod(x + 40, Real(1)) < Real(0.45) ? Real(0.5) : 0;
-            return Real(2.4) * depth + tower + merlon;
-        });
+            const Real merlon = std::fmod(x + 40, 2 * kStep) < kStep ? Real(0.4) : 0;
+            far.canvas.rectangle({{x, 0}, {x + kStep, Real(2.4) * depth + tower + merlon}},
+                                 faded(color, 0), color);
+        }
     }
 }
 

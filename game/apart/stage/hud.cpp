@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <apart/core/tuning.hpp>
 #include <apart/stage/hud.hpp>
 #include <apart/stage/layout.hpp>
 #include <apart/stage/marks.hpp>
@@ -24,12 +25,6 @@ TextStyle strong(Real height, Color color = palette::kText) {
     return {height, color, Typeface::Bold, Align::Left};
 }
 
-bool holds(const Level& level, Power power) {
-    return std::any_of(level.cells.begin(), level.cells.end(), [&](const Cell& cell) {
-        return level.kinds[cell.kind].power == power;
-    });
-}
-
 void paintBar(Canvas& canvas, const Aabb& where, Real share, Color color) {
     const Real right = where.lower.x + std::clamp(share, Real(0), Real(1)) * where.extent().x;
     canvas.rectangle(where, {255, 255, 255, 26}, {255, 255, 255, 26});
@@ -51,7 +46,7 @@ void paintLevel(Canvas& canvas, const Game& game, const HudLook& look) {
                     {Real(0.42), palette::kAccent, Typeface::Bold, Align::Right});
     }
     Real y = Real(15.3);
-    for (const std::string& line : wrapped(game.level().title, 15)) {
+    for (const std::string& line : wrapped(game.level().title, 13)) {
         canvas.text(line, {kPanelLeft, y}, strong(Real(0.62)));
         y -= Real(0.72);
     }
@@ -106,20 +101,17 @@ void paintCombo(Canvas& canvas, const Game& game) {
     if (game.combo() < 2) {
         return;
     }
-    const Real size = Real(0.6) + Real(0.04) * static_cast<Real>(std::min(game.combo(), 10));
+    const Real size = Real(0.56) + Real(0.022) * static_cast<Real>(std::min(game.combo(), 10));
     canvas.text(fmt::format("combo x{}", game.combo()), {kPanelLeft, Real(7.1)},
                 strong(size, palette::kAccent));
 }
 
 /// The powers of this level, and how long those at work will last.
 void paintPowers(Canvas& canvas, const Game& game) {
+    constexpr Real kLongest = static_cast<Real>(kEffectTicks) / kTicksPerSecond; // s
     Real y = Real(6.0);
-    for (std::size_t i = 1; i < kPowerNames.size(); ++i) {
-        const auto power = static_cast<Power>(i);
+    for (const Power power : powersOf(game.level())) {
         const Real left = game.secondsLeft(power);
-        if (left <= 0 && !holds(game.level(), power)) {
-            continue;
-        }
         const Color color = palette::of(power);
         const Vec2 middle{kPanelLeft + Real(0.3), y + Real(0.13)};
         paintMood(canvas, moodOf(power), middle,
@@ -130,7 +122,7 @@ void paintPowers(Canvas& canvas, const Game& game) {
         if (left > 0) {
             const Real top = y - Real(0.1);
             paintBar(canvas, {{kPanelLeft + Real(0.85), top - Real(0.08)}, {kPanelRight, top}},
-                     left / Real(15), color);
+                     left / kLongest, color);
         }
         y -= Real(0.72);
     }

@@ -32,19 +32,6 @@ std::array<Vec2, 4> cornersOf(const Aabb& box) {
     return {box.lower, Vec2{box.upper.x, box.lower.y}, box.upper, Vec2{box.lower.x, box.upper.y}};
 }
 
-/// The powers that a level holds, each once.
-std::vector<Power> powersOf(const Level& level) {
-    std::vector<Power> powers;
-    for (const Cell& cell : level.cells) {
-        const Power power = level.kinds[cell.kind].power;
-        if (power != Power::None &&
-            std::find(powers.begin(), powers.end(), power) == powers.end()) {
-            powers.push_back(power);
-        }
-    }
-    return powers;
-}
-
 } // namespace
 
 void paintPreview(Canvas& canvas, const Level& level, const Aabb& box) {

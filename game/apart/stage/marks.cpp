@@ -201,4 +201,18 @@ std::string_view wordsOf(Power power) {
     return kWords[static_cast<std::size_t>(power)];
 }
 
+std::vector<Power> powersOf(const Level& level) {
+    std::array<bool, kPowerNames.size()> held{};
+    for (const Cell& cell : level.cells) {
+        held[static_cast<std::size_t>(level.kinds[cell.kind].power)] = true;
+    }
+    std::vector<Power> powers;
+    for (std::size_t i = 1; i < held.size(); ++i) {
+        if (held[i]) {
+            powers.push_back(static_cast<Power>(i));
+        }
+    }
+    return powers;
+}
+
 } // namespace apart

@@ -6,6 +6,7 @@
 #include <kodo/math/transform.hpp>
 
 #include <string_view>
+#include <vector>
 
 namespace apart {
 
@@ -25,5 +26,8 @@ void paintMood(Canvas& canvas, Mood mood, Vec2 middle, const MoodStyle& style);
 
 /// What a power does, in a few words.
 std::string_view wordsOf(Power power);
+
+/// The powers that a level holds, each once, in their order.
+std::vector<Power> powersOf(const Level& level);
 
 } // namespace apart
