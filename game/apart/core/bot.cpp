@@ -25,6 +25,9 @@ constexpr std::uint32_t kAimTicks = 600;    // then it aims at another block, wh
 constexpr Real kBentSeconds = Real(1) / 60; // of a step of the look ahead where paths are bent
 constexpr int kBentSteps = 90;
 constexpr Real kPullHeight = 8;           // m; lower balls are not drawn to the paddle
+constexpr std::uint32_t kWhimTicks = 30;  // before the erratic one thinks better of it
+constexpr int kAttempts = 3;              // to find a block in sight
+constexpr Real kLateHeight = 6;           // m; where the clumsy one first sees a ball
 constexpr Real kFarSight = 40;            // m, along the way of a ball
 constexpr Real kLeapSeconds = Real(0.05); // before the ball comes
 
@@ -98,9 +101,23 @@ std::optional<Arrival> arrivalAt(const Game& game, const Ball& ball, Real height
     return Arrival{mirrored(place.x + velocity.x * seconds), seconds};
 }
 
+/// What a ball meets first that flies this way.
+std::optional<kodo::QueryHit> firstMet(const Game& game, Vec2 from, Vec2 way) {
+    const auto what = static_cast<std::uint16_t>(flagsOf(Role::Wall) | flagsOf(Role::Block) |
+                                                 flagsOf(Role::Obstruction));
+    return shapeCast(game.world(), kodo::Circle{kBallRadius}, {from, {}}, way,
+                     {kodo::kMatchAny, what});
+}
+
+bool isInSight(const Game& game, Vec2 from, kodo::BodyId body) {
+    const Vec2 way = game.world()[body].position() - from;
+    const std::optional<kodo::QueryHit> hit = firstMet(game, from, way);
+    return hit && hit->body == body;
+}
+
 /// Where to send the ball, the same for a while: straight to a breakable block or to its image in a
 /// side wall, and now and then somewhere at the top, since what is behind steel wants luck.
-std::optional<Vec2> aim(const Game& game) {
+std::optional<Vec2> aim(const Game& game, Vec2 meeting) {
     std::vector<kodo::BodyId> wanted;
     for (const Block& block : game.blocks()) {
         if (block.kind.breakable()) {
@@ -113,7 +130,14 @@ std::optional<Vec2> aim(const Game& game) {
     const std::uint64_t moment =
         mixKeys(static_cast<std::uint64_t>(game.blocksLeft()), game.ticks() / kAimTicks);
     Generator chance(mixKeys(game.seed(), moment));
-    const kodo::BodyId chosen = wanted[chance.below(static_cast<std::uint32_t>(wanted.size()))];
+    const bool hidden = wanted.size() < game.blocks().size(); // steel may be in the way
+    kodo::BodyId chosen;
+    for (int attempt = 0; attempt < (hidden ? kAttempts : 1); ++attempt) {
+        chosen = wanted[chance.below(static_cast<std::uint32_t>(wanted.size()))];
+        if (!hidden || isInSight(game, meeting, chosen)) {
+            break;
+        }
+    }
     const Vec2 goal = game.world()[chosen].position();
     const Real between = kFieldWidth - 2 * kBallRadius;
     switch (chance.below(8)) {
@@ -135,15 +159,15 @@ Real offsetFor(Vec2 goal, Vec2 meeting, Vec2 heading) {
     return std::clamp((kDomeRadius + kBallRadius) * normal.x, -most, most);
 }
 
-/// Anywhere on the dome, the same for a while.
-Real someOffset(const Game& game) {
+/// As far as that to either side, the same for a while.
+Real someOffset(const Game& game, Real most) {
     Generator chance(mixKeys(game.seed(), game.ticks() / kAimTicks, 7));
-    return chance.between(kRimMargin - kPaddleHalfWidth, kPaddleHalfWidth - kRimMargin);
+    return chance.between(-most, most);
 }
 
 /// Where the paddle's middle should be when the ball comes, to aim.
 Real placeFor(const Game& game, const Ball& ball, const Arrival& arrival) {
-    const std::optional<Vec2> goal = aim(game);
+    const std::optional<Vec2> goal = aim(game, {arrival.x, meetingHeight(0)});
     if (!goal) {
         return arrival.x;
     }
@@ -183,12 +207,8 @@ std::optional<Real> partToCatch(const Game& game, Real secondsLeft) {
 
 /// Will the ball strike a block that can break, if nothing bends its way?
 bool goesToBlock(const Game& game, const Ball& ball) {
-    const kodo::Transform start{game.world()[ball.body].position(), {}};
-    const auto what = static_cast<std::uint16_t>(flagsOf(Role::Wall) | flagsOf(Role::Block) |
-                                                 flagsOf(Role::Obstruction));
-    const std::optional<kodo::QueryHit> hit =
-        shapeCast(game.world(), kodo::Circle{kBallRadius}, start, kFarSight * ball.heading,
-                  {kodo::kMatchAny, what});
+    const Vec2 place = game.world()[ball.body].position();
+    const std::optional<kodo::QueryHit> hit = firstMet(game, place, kFarSight * ball.heading);
     const Block* block = hit ? game.findBlock(hit->body, hit->part) : nullptr;
     return block != nullptr && block->kind.breakable();
 }
@@ -207,6 +227,46 @@ Force forceFor(const Game& game) {
     return Force::None;
 }
 
+Input clumsyBot(const Game& game) {
+    Input input;
+    input.launch = game.serving();
+    std::optional<Arrival> first;
+    for (const Ball& ball : game.balls()) {
+        const std::optional<Arrival> arrival = arrivalAt(game, ball, meetingHeight(0));
+        const bool seen = game.world()[ball.body].position().y < kLateHeight;
+        if (seen && arrival && (!first || arrival->seconds < first->seconds)) {
+            first = arrival;
+        }
+    }
+    if (first) {
+        const Real goal = first->x + someOffset(game, kPaddleHalfWidth + kRimMargin / 2);
+        const Real way = goal - game.world()[game.paddle()].position().x;
+        const Real share = std::clamp(way / (kKeySpeed * kTickSeconds), Real(-1), Real(1));
+        input.paddle = static_cast<std::int8_t>(share * 127);
+    }
+    return input;
+}
+
+Input erraticBot(const Game& game) {
+    Generator chance(mixKeys(game.seed(), game.ticks() / kWhimTicks, 9));
+    Input input = bot(game);
+    switch (chance.below(4)) {
+    case 0:
+        input.target =
+            static_cast<std::int16_t>(chance.between(-kFieldWidth / 2, kFieldWidth / 2) * 1000);
+        break;
+    case 1:
+        input.target.reset();
+        input.paddle = static_cast<std::int8_t>(static_cast<int>(chance.below(255)) - 127);
+        break;
+    default:
+        break;
+    }
+    input.launch = chance.below(3) == 0;
+    input.force = static_cast<Force>(chance.below(kForceNames.size()));
+    return input;
+}
+
 } // namespace
 
 std::optional<Arrival> arrivalOf(const Game& game, const Ball& ball) {
@@ -214,6 +274,12 @@ std::optional<Arrival> arrivalOf(const Game& game, const Ball& ball) {
 }
 
 Input bot(const Game& game, BotKind kind) {
+    if (kind == BotKind::Clumsy) {
+        return clumsyBot(game);
+    }
+    if (kind == BotKind::Erratic) {
+        return erraticBot(game);
+    }
     const Ball* next = nullptr;
     Arrival first{0, 2}; // nothing comes within two seconds
     Real place = 0;
@@ -225,9 +291,10 @@ Input bot(const Game& game, BotKind kind) {
         }
     }
     if (next != nullptr) {
-        place = kind == BotKind::Good     ? placeFor(game, *next, first)
-                : kind == BotKind::Random ? first.x - someOffset(game)
-                                          : first.x;
+        place = kind == BotKind::Good ? placeFor(game, *next, first)
+                : kind == BotKind::Random
+                    ? first.x - someOffset(game, kPaddleHalfWidth - kRimMargin)
+                    : first.x;
     } else if (!game.balls().empty() && !game.serving()) {
         place = game.world()[game.balls()[0].body].position().x / 2; // half way, to be near
     }

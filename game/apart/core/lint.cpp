@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <apart/core/bot.hpp>
 #include <apart/core/field.hpp>
 #include <apart/core/lint.hpp>
 #include <apart/core/tuning.hpp>
@@ -175,12 +174,12 @@ void judgeRun(const BotRun& run, LintReport& report) {
 
 } // namespace
 
-BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks) {
+BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks, BotKind kind) {
     Game game(level, seed);
     Watch watch;
     BotRun run{.seed = seed};
     while (game.result() == Result::Playing && game.ticks() < mostTicks) {
-        game.tick(bot(game));
+        game.tick(bot(game, kind));
         watch.look(game);
         run.mostBodies = std::max(run.mostBodies, game.world().bodyCount());
         run.work += game.world().bodyVisits() + game.world().contactVisits();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <apart/core/bot.hpp>
 #include <apart/core/game.hpp>
 #include <apart/core/tuning.hpp>
 
@@ -22,7 +23,8 @@ struct BotRun {
     std::uint64_t work = 0; // visits of bodies and contacts, all ticks added up
 };
 /// Plays until the game ends, or that many ticks are over.
-BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks);
+BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks,
+              BotKind kind = BotKind::Good);
 
 struct LintOptions {
     std::uint32_t seeds = 1;                            // games of the bot, seeds 1, 2, ...

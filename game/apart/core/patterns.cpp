@@ -221,7 +221,7 @@ Wedges wedgesOf(const Polygon& whole, const Star& star, Real radius, const Piece
 std::vector<Polygon> radial(const Polygon& whole, Vec2 hit, const PieceLimits& limits,
                             Generator& chance) {
     const Vec2 middle = massOf(whole, Real(1)).center;
-    Star star{hit + chance.between(Real(0.25), Real(0.5)) * (middle - hit), {}};
+    Star star{hit + chance.between(Real(0.45), Real(0.75)) * (middle - hit), {}};
     const std::uint32_t count = 6 + chance.below(3);
     const Real turn = chance.unit();
     for (std::uint32_t i = 0; i < count; ++i) {

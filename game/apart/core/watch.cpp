@@ -46,6 +46,7 @@ void Watch::look(const Game& game) {
     free_ = !pulled && !pulled_; // what ended in this tick may still have pulled in it
     pulled_ = pulled;
     next_.clear();
+    escapes_ += static_cast<std::uint32_t>(game.world().frozenBodies().size());
     for (const Ball& ball : game.balls()) {
         if (!ball.riding) {
             const auto before = std::find_if(tracks_.begin(), tracks_.end(),
@@ -68,7 +69,9 @@ void Watch::follow(const Game& game, const Ball& ball, const Track* before) {
     if (isOutside(body.position())) {
         ++escapes_;
     }
-    if (before != nullptr && free_ && !touches(game, ball.body)) {
+    // What hardly moves sets off anew, along its last heading.
+    const bool flew = before != nullptr && length(before->velocity) >= kHaltSpeed;
+    if (flew && free_ && !touches(game, ball.body)) {
         ++freeTicks_;
         const Real turn = std::abs(cross(before->velocity, now.velocity));
         const bool back = dot(before->velocity, now.velocity) < 0;

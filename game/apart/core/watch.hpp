@@ -20,7 +20,7 @@ public:
     std::uint64_t freeTicks() const { return freeTicks_; }
     /// How often a ball was slower than half its speed for half a second.
     std::uint32_t halts() const { return halts_; }
-    /// How often a ball was outside the field other than below.
+    /// How often a ball was outside the field other than below, or a body no longer sound.
     std::uint32_t escapes() const { return escapes_; }
     /// How often a ball turned although it touched nothing and no field of force was at work.
     std::uint32_t bends() const { return bends_; }

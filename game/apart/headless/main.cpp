@@ -14,7 +14,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <exception>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 namespace apart {
@@ -30,8 +34,23 @@ struct BotOptions {
     std::uint32_t ticks = 5 * 60 * kTicksPerSecond;
     std::uint32_t hashEvery = kHashEvery;
     std::string record;
+    std::optional<BotKind> player{}; // good unless given
     bool json = false;
 };
+
+/// An option that names an enumerator.
+template <typename T, std::size_t kCount>
+CLI::Option* addChoice(CLI::App& command, const std::string& option, std::optional<T>& choice,
+                       const std::array<std::string_view, kCount>& names) {
+    return command
+        .add_option_function<std::string>(option,
+                                          [&choice, &names](const std::string& name) {
+                                              const auto found =
+                                                  std::find(names.begin(), names.end(), name);
+                                              choice = static_cast<T>(found - names.begin());
+                                          })
+        ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
+}
 
 int playBot(const BotOptions& options) {
     std::string name = options.level;
@@ -49,7 +68,7 @@ int playBot(const BotOptions& options) {
     {
         Progress progress;
         while (game.ticks() < options.ticks && game.result() == Result::Playing) {
-            const Input input = bot(game);
+            const Input input = bot(game, options.player.value_or(BotKind::Good));
             game.tick(input);
             if (!options.record.empty()) {
                 recorder.record(input, game);
@@ -166,6 +185,10 @@ CLI::App* addSoak(CLI::App& app, SoakCommand& soak) {
     command
         ->add_option("--longest", soak.longestGame, "Ticks of a game at most, 72000 unless given")
         ->check(CLI::Range(1u, kLongestReplay));
+    addChoice(*command, "--player", soak.player, kBotNames)
+        ->description("How the bot plays: in each way, seed by seed, unless given");
+    addChoice(*command, "--mode", soak.mode, kModeNames)
+        ->description("Rules of the game: each in turn unless given");
     command->add_flag("--json", soak.json, "Print one JSON object");
     return command;
 }
@@ -198,6 +221,8 @@ int run(int argc, char** argv) {
     botCommand->add_option("--record", options.record, "Write the game to this file, as a replay");
     botCommand->add_option("--hash-every", options.hashEvery, "Ticks between recorded hashes")
         ->check(CLI::Range(std::uint32_t{1}, kLongestReplay));
+    addChoice(*botCommand, "--player", options.player, kBotNames)
+        ->description("How it plays: good unless given");
     botCommand->add_flag("--json", options.json, "Print one JSON object");
     Checks checks;
     const CLI::App* lintCommand = addLint(app, checks.lint);

@@ -36,7 +36,10 @@ struct Tally {
     std::uint32_t escapes = 0;
     std::uint32_t bends = 0;
     std::uint32_t longestWait = 0;
-    double gameSeconds = 0; // of one core, in Game::tick alone
+    std::uint64_t bounces = 0;     // of balls, in Mode::Standard
+    std::uint64_t bentBounces = 0; // of these: turned by a rule
+    std::uint64_t bentInPure = 0;  // in Mode::Pure: there must be none
+    double gameSeconds = 0;        // of one core, in Game::tick alone
 
     void add(const Tally& other) {
         games += other.games;
@@ -51,9 +54,15 @@ struct Tally {
         escapes += other.escapes;
         bends += other.bends;
         longestWait = std::max(longestWait, other.longestWait);
+        bounces += other.bounces;
+        bentBounces += other.bentBounces;
+        bentInPure += other.bentInPure;
         gameSeconds += other.gameSeconds;
     }
-    bool clean() const { return halts == 0 && escapes == 0 && bends == 0; }
+    bool clean() const {
+        return halts == 0 && escapes == 0 && bends == 0 && bentInPure == 0 &&
+               longestWait <= kFailTicks + 1;
+    }
     double microsecondsPerTick() const {
         return ticks > 0 ? 1e6 * gameSeconds / static_cast<double>(ticks) : 0;
     }
@@ -68,14 +77,21 @@ double cpuSeconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+struct Match {
+    std::shared_ptr<const Level> level;
+    std::uint32_t seed = 1;
+    BotKind player = BotKind::Good;
+    Mode mode = Mode::Standard;
+};
+
 /// One game, until it ends or the ticks are over.
-Tally soak(const std::shared_ptr<const Level>& level, std::uint32_t seed, std::uint64_t mostTicks,
+Tally soak(const Match& match, std::uint64_t mostTicks,
            const std::function<void(std::uint32_t)>& show) {
-    Game game(level, seed);
+    Game game(match.level, match.seed, match.mode);
     Watch watch;
-    Tally tally{.level = level->name, .games = 1};
+    Tally tally{.level = match.level->name, .games = 1};
     while (game.result() == Result::Playing && game.ticks() < mostTicks) {
-        const Input input = bot(game);
+        const Input input = bot(game, match.player);
         const double start = cpuSeconds();
         game.tick(input);
         tally.gameSeconds += cpuSeconds() - start;
@@ -89,14 +105,20 @@ Tally soak(const std::shared_ptr<const Level>& level, std::uint32_t seed, std::u
     tally.lost = game.result() == Result::Lost ? 1 : 0;
     tally.wonTicks = tally.won * tally.ticks;
     tally.freeTicks = watch.freeTicks();
-    tally.livesLost = level->lives - game.lives();
+    tally.livesLost = match.level->lives - game.lives();
     tally.halts = watch.halts();
     tally.escapes = watch.escapes();
     tally.bends = watch.bends();
     tally.longestWait = watch.longestWait();
-    if (!watch.clean()) {
-        fmt::print(stderr, "\r\x1b[K{}, seed {}: {} halts, {} escapes, {} bent flights.\n",
-                   level->name, seed, tally.halts, tally.escapes, tally.bends);
+    (match.mode == Mode::Pure ? tally.bentInPure : tally.bentBounces) = game.ledger().bentBounces;
+    tally.bounces = match.mode == Mode::Pure ? 0 : game.ledger().bounces;
+    if (!tally.clean()) {
+        fmt::print(stderr,
+                   "{}, seed {}, {} player, {}: {} halts, {} escapes, {} bent flights, {} bent "
+                   "bounces in pure mode, {} ticks without damage.\n",
+                   match.level->name, match.seed, kBotNames[static_cast<std::size_t>(match.player)],
+                   kModeNames[static_cast<std::size_t>(match.mode)], tally.halts, tally.escapes,
+                   tally.bends, tally.bentInPure, tally.longestWait);
     }
     return tally;
 }
@@ -105,10 +127,12 @@ std::string asJson(const Tally& tally) {
     return fmt::format(
         R"({{"level": "{}", "games": {}, "won": {}, "lost": {}, "unfinished": {}, "ticks": {}, )"
         R"("freeFlightTicks": {}, "meanWinSeconds": {:.1f}, "livesLost": {}, "halts": {}, )"
-        R"("escapes": {}, "bends": {}, "longestWaitTicks": {}, "microsecondsPerTick": {:.1f}}})",
+        R"("escapes": {}, "bends": {}, "longestWaitTicks": {}, "bounces": {}, "bentBounces": {}, )"
+        R"("bentBouncesInPure": {}, "microsecondsPerTick": {:.1f}}})",
         tally.level, tally.games, tally.won, tally.lost, tally.unfinished, tally.ticks,
         tally.freeTicks, tally.meanWin(), tally.livesLost, tally.halts, tally.escapes, tally.bends,
-        tally.longestWait, tally.microsecondsPerTick());
+        tally.longestWait, tally.bounces, tally.bentBounces, tally.bentInPure,
+        tally.microsecondsPerTick());
 }
 
 void printRow(const Tally& tally) {
@@ -137,6 +161,12 @@ void printAll(const std::vector<Tally>& tallies, const Tally& total, bool json) 
         printRow(tally);
     }
     printRow(total);
+    fmt::print("A rule turned {} of {} bounces, {:.2f} %; in pure games {}.\n", total.bentBounces,
+               total.bounces,
+               total.bounces > 0 ? 100 * static_cast<double>(total.bentBounces) /
+                                       static_cast<double>(total.bounces)
+                                 : 0,
+               total.bentInPure);
 }
 
 } // namespace
@@ -169,7 +199,11 @@ int runSoak(const SoakCommand& command) {
                                    : std::make_shared<const Level>(endlessLevel({seed, number}));
             const std::uint64_t left =
                 std::min<std::uint64_t>(command.longestGame, command.ticks - total.ticks);
-            Tally game = soak(level, seed, left, [&](std::uint32_t ticks) {
+            const std::uint32_t turn = seed - command.firstSeed;
+            const Match match{
+                level, seed, command.player.value_or(static_cast<BotKind>(turn % kBotNames.size())),
+                command.mode.value_or(static_cast<Mode>(turn % kModeNames.size()))};
+            Tally game = soak(match, left, [&](std::uint32_t ticks) {
                 progress.show(fmt::format("{}, seed {}: {} of {} ticks, {} games", level->name,
                                           seed, total.ticks + ticks, command.ticks, total.games));
             });

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <apart/core/bot.hpp>
+
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +16,8 @@ struct SoakCommand {
     std::uint32_t firstSeed = 1;
     std::uint32_t endless = 0;                 // endless levels for each seed, besides
     std::uint32_t longestGame = 10 * 60 * 120; // ticks
+    std::optional<BotKind> player;             // each in turn unless given
+    std::optional<Mode> mode;                  // the same
     bool json = false;
 };
 
