@@ -56,8 +56,8 @@ class Screen:
         self.server.wait()
         self.config.cleanup()
 
-    def run(self, *command):
-        return subprocess.run(command, env=self.env, capture_output=True, text=True, timeout=60)
+    def run(self, *command, seconds=60):
+        return subprocess.run(command, env=self.env, capture_output=True, text=True, timeout=seconds)
 
     def xdotool(self, *words):
         result = self.run("xdotool", *map(str, words))

@@ -15,6 +15,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <exception>
 
 namespace apart {
@@ -76,7 +77,7 @@ int play(StageDef def, const Options& options) {
 }
 
 /// What a player with a 60 Hz screen would see, but without waiting for the screen.
-int timeFrames(StageDef def, std::uint32_t frames) {
+int timeFrames(StageDef def, const Options& options) {
     using Clock = std::chrono::steady_clock;
     Stage stage(std::move(def));
     kodo_sfml::Window window("aPart", kPixels);
@@ -84,14 +85,22 @@ int timeFrames(StageDef def, std::uint32_t frames) {
     SfmlCanvas canvas(assetsFolder() / "fonts", window.size());
     SilentSpeaker silence;
     FrameTimes times;
-    for (std::uint32_t i = 0; i < frames; ++i) {
+    for (std::uint32_t i = 0; i < options.frames; ++i) {
         while (window.nextEvent()) {
         }
+        const std::clock_t busy = std::clock();
         const auto start = Clock::now();
         stage.advance(1.0 / 60, {}, silence);
+        const auto played = Clock::now();
         stage.draw(canvas);
+        const auto drawn = Clock::now();
         window.show(canvas.picture(), sf::Color::Black);
-        times.add(secondsBetween(start, Clock::now()), stage.game().world().bodyCount());
+        if (const std::size_t bodies = stage.game().world().bodyCount(); bodies >= options.crowd) {
+            times.add({secondsBetween(start, played), secondsBetween(played, drawn),
+                       secondsBetween(drawn, Clock::now()),
+                       static_cast<double>(std::clock() - busy) / CLOCKS_PER_SEC},
+                      bodies);
+        }
     }
     std::printf("%s\n", times.text().c_str());
     return kDone;
@@ -117,7 +126,7 @@ int run(const Options& options) {
         complain(stage.notice);
     }
     if (options.frames > 0) {
-        return timeFrames(std::move(stage), options.frames);
+        return timeFrames(std::move(stage), options);
     }
     return options.screenshot.empty() ? play(std::move(stage), options)
                                       : takePicture(std::move(stage), options);

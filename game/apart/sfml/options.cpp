@@ -30,11 +30,12 @@ std::variant<Options, int> parseOptions(int argc, char** argv) {
         ->capture_default_str()
         ->check(CLI::Range(0u, 1000000u))
         ->needs(shot);
-    app.add_option("--frames", options.frames,
-                   "Draw so many frames of the bot's game as fast as it goes, tell what they took, "
-                   "and leave")
-        ->check(CLI::Range(1u, 1000000u))
-        ->excludes(shot);
+    auto* frames = app.add_option("--frames", options.frames,
+                                  "Draw so many frames of the bot's game as fast as it goes, tell "
+                                  "what they took, and leave");
+    frames->check(CLI::Range(1u, 1000000u))->excludes(shot);
+    app.add_option("--crowd", options.crowd, "Tell it only of frames with so many bodies or more")
+        ->needs(frames);
     app.add_flag("--probe-display", options.probeDisplay,
                  "Only tell by the exit code whether a window can be opened: 0 yes, 3 no");
     app.get_option("--level")->excludes(replay);

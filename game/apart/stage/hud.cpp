@@ -176,7 +176,7 @@ void paintServeHint(Canvas& canvas, const Game& game) {
                     {height, palette::kInk, Typeface::Bold, Align::Middle});
         canvas.text(text, {0, y}, {height, color, Typeface::Bold, Align::Middle});
     };
-    Real y = Real(6.2);
+    Real y = Real(7.3);
     if (game.score() == 0) {
         line(game.level().title, y, Real(1.1), palette::kAccent);
         for (const std::string& part : wrapped(game.level().idea, 48)) {

@@ -13,7 +13,7 @@ namespace apart {
 namespace {
 
 constexpr Real kRow = Real(0.98);      // m, from item to item
-constexpr Real kHalfWidth = Real(5.4); // m
+constexpr Real kHalfWidth = Real(5.7); // m
 constexpr Real kBarLeft = Real(0.5);   // m, from the middle
 constexpr Real kBarRight = Real(3.0);
 constexpr int kNotch = 10; // percent

@@ -42,8 +42,8 @@ void paintMotor(Canvas& canvas, const Moment& moment, const Obstruction& motor) 
         canvas.outline(corners, Real(0.06), lighter(palette::kMachine, 0.4f));
     }
     const Vec2 hub = place.position;
-    canvas.disc(hub, Real(0.34), palette::kInk, palette::kInk);
-    canvas.ring(hub, Real(0.3), Real(0.07), palette::kAccent);
+    canvas.disc(hub, Real(0.34), palette::kAccent, palette::kAccent);
+    canvas.disc(hub, Real(0.26), palette::kInk, palette::kInk);
     const Vec2 along = place.rotation * Vec2{Real(0.22), 0}; // shows that it turns
     canvas.line(hub - along, hub + along, Real(0.07), palette::kAccent);
 }
