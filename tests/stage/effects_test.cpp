@@ -73,7 +73,8 @@ TEST(Effects, NeverMoreThanThreeFlashesInASecond) {
     for (int i = 0; i < 60 * kTicksPerSecond; ++i) {
         Input input;
         input.launch = true;
-        input.target = std::int16_t(game.balls().empty() || game.balls()[0].heading.x > 0 ? -9000 : 9000);
+        input.target =
+            std::int16_t(game.balls().empty() || game.balls()[0].heading.x > 0 ? -9000 : 9000);
         game.tick(input);
         juice.tick(game);
         if (juice.flash() > before) {

@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "stage_rig.hpp"
-
 #include <set>
+
+#include "stage_rig.hpp"
 
 namespace apart {
 namespace {

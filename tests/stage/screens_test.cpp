@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "stage_rig.hpp"
-
 #include <algorithm>
+
+#include "stage_rig.hpp"
 
 namespace apart {
 namespace {

@@ -28,12 +28,12 @@ std::string FrameTimes::text() const {
         return 1000 * sorted[static_cast<std::size_t>(share * (count - 1))];
     };
     const double mean = 1000 * sum_.total() / count;
-    return fmt::format("{} frames, {} to {} bodies: mean {:.2f} ms (game {:.2f}, picture {:.2f}, "
-                       "screen {:.2f}), median {:.2f} ms, 99 % within {:.2f} ms, longest {:.2f} ms; "
-                       "{:.2f} ms of processor time",
-                       sorted.size(), fewest_, most_, mean, 1000 * sum_.game / count,
-                       1000 * sum_.picture / count, 1000 * sum_.screen / count, at(0.5), at(0.99),
-                       at(1), 1000 * sum_.processors / count);
+    return fmt::format(
+        "{} frames, {} to {} bodies: mean {:.2f} ms (game {:.2f}, picture {:.2f}, "
+        "screen {:.2f}), median {:.2f} ms, 99 % within {:.2f} ms, longest {:.2f} ms; "
+        "{:.2f} ms of processor time",
+        sorted.size(), fewest_, most_, mean, 1000 * sum_.game / count, 1000 * sum_.picture / count,
+        1000 * sum_.screen / count, at(0.5), at(0.99), at(1), 1000 * sum_.processors / count);
 }
 
 } // namespace apart

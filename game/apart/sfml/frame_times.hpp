@@ -7,8 +7,8 @@
 
 namespace apart {
 
-/// How long one frame took (s): the game's ticks, making triangles of it, showing them; and the time
-/// of all processors together.
+/// How long one frame took (s): the game's ticks, making triangles of it, showing them; and the
+/// time of all processors together.
 struct FrameTime {
     double game = 0;
     double picture = 0;

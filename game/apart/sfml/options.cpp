@@ -12,11 +12,12 @@ namespace apart {
 std::variant<Options, int> parseOptions(int argc, char** argv) {
     Options options;
     CLI::App app("aPart: a Breakout whose blocks really come apart.", "apart");
-    app.footer("Keys: mouse, left/right or A/D move the paddle; space or click serves; left button,\n"
-               "down or S pulls, right button, up or W pushes; P or escape pauses, R restarts,\n"
-               "M sound, F3 shows what the engine sees. In menus: arrows, enter, escape, or the mouse.\n"
-               "Settings and best scores: apart/profile.toml in XDG_CONFIG_HOME or ~/.config.\n"
-               "Exit code: 0 done, 2 wrong use or a bad file, 3 no display.");
+    app.footer(
+        "Keys: mouse, left/right or A/D move the paddle; space or click serves; left button,\n"
+        "down or S pulls, right button, up or W pushes; P or escape pauses, R restarts,\n"
+        "M sound, F3 shows what the engine sees. In menus: arrows, enter, escape, or the mouse.\n"
+        "Settings and best scores: apart/profile.toml in XDG_CONFIG_HOME or ~/.config.\n"
+        "Exit code: 0 done, 2 wrong use or a bad file, 3 no display.");
     app.add_option("--level", options.level, "Start with this level (a file of assets/levels)")
         ->check(wrongName, "");
     app.add_option("--seed", options.seed,

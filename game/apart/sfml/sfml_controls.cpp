@@ -81,8 +81,8 @@ void SfmlControls::move(sf::Vector2i place, Signals& signals) {
 void SfmlControls::recentre() {
     const sf::Vector2u size = window_.size();
     const sf::Vector2i middle(static_cast<int>(size.x / 2), static_cast<int>(size.y / 2));
-    const bool far = std::abs(last_.x - middle.x) > middle.x / 2 ||
-                     std::abs(last_.y - middle.y) > middle.y / 2;
+    const bool far =
+        std::abs(last_.x - middle.x) > middle.x / 2 || std::abs(last_.y - middle.y) > middle.y / 2;
     if (captured_ && window_.hasFocus() && far && !recentred_) {
         recentred_ = middle;
         window_.putPointer(middle);

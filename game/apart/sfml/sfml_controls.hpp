@@ -39,7 +39,7 @@ private:
     Vec2 pointer_;                  // m
     bool focused_ = false;          // has been, at some time
     bool captured_ = false;
-    sf::Vector2i last_;                    // pixels; where the mouse was
+    sf::Vector2i last_;                     // pixels; where the mouse was
     std::optional<sf::Vector2i> recentred_; // pixels; where it was put and has not been seen yet
     bool inspect_ = false;
 };

@@ -98,8 +98,7 @@ void paintBall(Canvas& canvas, const Moment& moment, const Ball& ball) {
     canvas.setGlow(true);
     canvas.disc(center, Real(3.2) * kBallRadius, {255, 214, 150, 80}, {255, 214, 150, 0});
     canvas.setGlow(false);
-    std::vector<Vec2> body =
-        cornersOf(moment.game.world()[ball.body].part(0).convex, place);
+    std::vector<Vec2> body = cornersOf(moment.game.world()[ball.body].part(0).convex, place);
     for (Vec2& corner : body) {
         corner = squash(corner);
     }

@@ -192,8 +192,7 @@ void paintBlock(Canvas& canvas, const kodo::Convex& outline, const kodo::Transfo
         paintCore(canvas, place);
     }
     const Real hair = Real(0.03); // half the width of a crack
-    paintCracks(canvas, place, look.cracks,
-                {(inner.x - hair) / half.x, (inner.y - hair) / half.y});
+    paintCracks(canvas, place, look.cracks, {(inner.x - hair) / half.x, (inner.y - hair) / half.y});
 }
 
 } // namespace apart

@@ -28,9 +28,9 @@ enum class Command : std::uint8_t {
 struct Signals {
     bool leftHeld = false;
     bool rightHeld = false;
-    bool pullHeld = false; // a key, or the left button of a captured mouse
-    bool pushHeld = false; // a key, or the right button
-    kodo::Real moved = 0;  // m to the right, by a captured mouse
+    bool pullHeld = false;               // a key, or the left button of a captured mouse
+    bool pushHeld = false;               // a key, or the right button
+    kodo::Real moved = 0;                // m to the right, by a captured mouse
     std::optional<kodo::Vec2> pointer{}; // m; where the free mouse has moved to, if it has
     bool clicked = false;                // at `pointerNow`; a captured mouse clicks too
     kodo::Vec2 pointerNow{};             // m

@@ -43,7 +43,8 @@ void paintSkyline(const Far& far, Color color, Real step, Height height) {
 void paintRays(const Far& far) {
     const Vec2 sun{0, Real(0.8)};
     const auto reach = [&](Real angle) { // as far as the wall
-        const Real way = std::min(Real(16), kRight / std::max(std::abs(std::cos(angle)), Real(0.1)));
+        const Real way =
+            std::min(Real(16), kRight / std::max(std::abs(std::cos(angle)), Real(0.1)));
         return sun + way * Vec2{std::cos(angle), std::sin(angle)};
     };
     far.canvas.setGlow(true);
@@ -124,8 +125,8 @@ void paintStars(const Far& far) {
     Dice dice(11);
     for (int i = 0; i < 90; ++i) {
         const Vec2 place{dice.between(kLeft, kRight), dice.between(Real(0.5), kTop)};
-        const float twinkle = 0.55f + 0.45f * std::sin(far.time * dice.between(0.4f, 1.2f) +
-                                                       dice.between(0, kTurn));
+        const float twinkle =
+            0.55f + 0.45f * std::sin(far.time * dice.between(0.4f, 1.2f) + dice.between(0, kTurn));
         const Color color = faded(lighter(far.color, 0.5f), 0.7f * twinkle);
         const Real size = dice.between(Real(0.025), Real(0.06));
         far.canvas.rectangle({place, place + Vec2{size, size}}, color, color);

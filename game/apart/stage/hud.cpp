@@ -132,8 +132,8 @@ void paintFoot(Canvas& canvas, const HudLook& look) {
     if (*look.pilot != '\0') {
         canvas.text(look.pilot, {kPanelLeft, Real(0.9)}, strong(Real(0.5), palette::kAccent));
     }
-    canvas.text(look.muted ? "sound off (M)" : "P: pause, and all keys",
-                {kPanelLeft, Real(0.2)}, quiet(Real(0.36)));
+    canvas.text(look.muted ? "sound off (M)" : "P: pause, and all keys", {kPanelLeft, Real(0.2)},
+                quiet(Real(0.36)));
 }
 
 } // namespace

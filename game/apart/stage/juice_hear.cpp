@@ -43,8 +43,8 @@ void Juice::hear(const Game&, const Struck& hit) {
     if (weight < Real(0.12)) {
         return; // rolling and resting
     }
-    burst({hit.point, hit.normal, lighter(colorOf(hit), 0.3f), countFor(weight, 10),
-           3 + 6 * weight});
+    burst(
+        {hit.point, hit.normal, lighter(colorOf(hit), 0.3f), countFor(weight, 10), 3 + 6 * weight});
     heat(nameOf(hit.other), -weight * hit.normal);
     heat(nameOf(hit.ball), weight * hit.normal);
 }
@@ -55,8 +55,8 @@ void Juice::hear(const Game& game, const Cracked& hit) {
     for (const Block& block : game.blocks()) {
         if (block.key == hit.key) {
             const kodo::BodyView body = game.world()[block.body];
-            cracks_.add(hit.key, body.part(block.part).convex,
-                        toLocal(body.placement(), hit.point), 1 - hit.strengthLeft);
+            cracks_.add(hit.key, body.part(block.part).convex, toLocal(body.placement(), hit.point),
+                        1 - hit.strengthLeft);
         }
     }
 }

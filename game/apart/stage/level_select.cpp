@@ -45,16 +45,15 @@ void paintPreview(Canvas& canvas, const Level& level, const Aabb& box) {
                                          -cellSize.y * static_cast<Real>(cell.row)};
         const Color color = kind.power == Power::None ? palette::of(kind.stuff)
                                                       : lighter(palette::of(kind.power), 0.2f);
-        canvas.rectangle({upper + Vec2{0, Real(-0.86) * cellSize.y},
-                          upper + Vec2{Real(0.92) * cellSize.x, 0}},
-                         darker(color, 0.2f), color);
+        canvas.rectangle(
+            {upper + Vec2{0, Real(-0.86) * cellSize.y}, upper + Vec2{Real(0.92) * cellSize.x, 0}},
+            darker(color, 0.2f), color);
     }
 }
 
 LevelSelect::LevelSelect(LevelList levels) : levels_(std::move(levels)) {
     for (std::size_t i = 0; i < levels_.size(); ++i) {
-        const bool newTheme =
-            i == 0 || levels_[i]->theme != levels_[i - 1]->theme;
+        const bool newTheme = i == 0 || levels_[i]->theme != levels_[i - 1]->theme;
         if (newTheme || rows_.back().count == kInRow) {
             rows_.push_back({i, 0, newTheme});
         }
@@ -168,7 +167,8 @@ void LevelSelect::drawChosen(Canvas& canvas, const Profile& profile, double seco
     y = box.lower.y - Real(0.65);
     Real x = kPanelLeft + Real(0.3);
     for (const Power power : powersOf(level)) {
-        const Real rise = Real(0.05) * std::sin(Real(3) * static_cast<Real>(std::fmod(seconds, 628)) + x);
+        const Real rise =
+            Real(0.05) * std::sin(Real(3) * static_cast<Real>(std::fmod(seconds, 628)) + x);
         paintMark(canvas, power, {{x, y + rise}, {}}, Real(0.26), palette::of(power));
         x += Real(0.8);
     }

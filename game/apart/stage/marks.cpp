@@ -106,10 +106,9 @@ void coil(Canvas& canvas, const kodo::Transform& place, Real size, Color color) 
 
 void wings(Canvas& canvas, const kodo::Transform& place, Real size, Color color) {
     for (const Real side : {Real(-1), Real(1)}) {
-        const std::array<Vec2, 3> wing = {
-            place * (size * Vec2{side * Real(0.2), Real(-0.5)}),
-            place * (size * Vec2{side * Real(1.1), Real(0.7)}),
-            place * (size * Vec2{side * Real(0.2), Real(0.35)})};
+        const std::array<Vec2, 3> wing = {place * (size * Vec2{side * Real(0.2), Real(-0.5)}),
+                                          place * (size * Vec2{side * Real(1.1), Real(0.7)}),
+                                          place * (size * Vec2{side * Real(0.2), Real(0.35)})};
         canvas.polygon(wing, color);
     }
 }
@@ -174,8 +173,9 @@ void paintMood(Canvas& canvas, Mood mood, Vec2 middle, const MoodStyle& style) {
                    middle + Vec2{0, Real(1.25) * size}, middle - Vec2{Real(1.25) * size, 0}};
         break;
     case Mood::Bad: // on its point
-        corners = {middle + size * Vec2{0, Real(-1.5)}, middle + size * Vec2{Real(1.45), Real(0.95)},
-                   middle + size * Vec2{0, Real(0.95)}, middle + size * Vec2{Real(-1.45), Real(0.95)}};
+        corners = {
+            middle + size * Vec2{0, Real(-1.5)}, middle + size * Vec2{Real(1.45), Real(0.95)},
+            middle + size * Vec2{0, Real(0.95)}, middle + size * Vec2{Real(-1.45), Real(0.95)}};
         break;
     }
     canvas.polygon(corners, style.fill);

@@ -62,10 +62,10 @@ std::optional<MenuOutcome> Menu::take(Command command) {
     case Command::Left:
     case Command::Right:
         if (item.gauge) {
-            return turned(item, item.gauge->percent + (command == Command::Left ? -kNotch : kNotch));
+            return turned(item,
+                          item.gauge->percent + (command == Command::Left ? -kNotch : kNotch));
         }
-        return item.action == Action::Mode ? std::optional(MenuOutcome{item.action})
-                                            : std::nullopt;
+        return item.action == Action::Mode ? std::optional(MenuOutcome{item.action}) : std::nullopt;
     case Command::Launch:
     case Command::Confirm:
         return item.gauge ? std::nullopt : std::optional(MenuOutcome{item.action});

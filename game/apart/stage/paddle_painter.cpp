@@ -63,7 +63,8 @@ void paintWorking(Canvas& canvas, const Moment& moment, const kodo::Transform& p
     if (moment.game.secondsLeft(Power::Magnet) > 0) {
         const Real beat = Real(0.5) + Real(0.5) * std::sin(Real(0.1) * moment.time());
         canvas.setGlow(true);
-        canvas.disc(place.position, Real(3.2), faded(palette::of(Power::Magnet), 0.2f + 0.2f * beat),
+        canvas.disc(place.position, Real(3.2),
+                    faded(palette::of(Power::Magnet), 0.2f + 0.2f * beat),
                     faded(palette::of(Power::Magnet), 0));
         canvas.setGlow(false);
     }

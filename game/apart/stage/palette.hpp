@@ -10,8 +10,8 @@
 /// The colours of the game. Nothing is told by colour alone: stuffs have a grain, powers a mark.
 namespace apart::palette {
 
-inline constexpr Color kNight{7, 8, 15};    // corners of the picture
-inline constexpr Color kInk{8, 10, 20};     // outlines
+inline constexpr Color kNight{7, 8, 15}; // corners of the picture
+inline constexpr Color kInk{8, 10, 20};  // outlines
 inline constexpr Color kText{226, 232, 245};
 inline constexpr Color kQuiet{140, 150, 178}; // less important text
 inline constexpr Color kAccent{255, 204, 92}; // what to look at

@@ -143,9 +143,9 @@ std::string toText(const Profile& profile) {
     text += fmt::format("pure = {}\n", profile.mode == Mode::Pure);
     for (std::size_t i = 0; i < kTables.size(); ++i) {
         for (const auto& [level, best] : profile.best[i]) {
-            text += fmt::format("\n[{}.{}]\nscore = {}\ncleared = {}\nunhurt = {}\nchain = {}\n",
-                                kTables[i], level, best.score, best.cleared, best.unhurt,
-                                best.chain);
+            text +=
+                fmt::format("\n[{}.{}]\nscore = {}\ncleared = {}\nunhurt = {}\nchain = {}\n",
+                            kTables[i], level, best.score, best.cleared, best.unhurt, best.chain);
         }
     }
     return text;

@@ -82,8 +82,8 @@ void paintResults(Canvas& canvas, const ResultsLook& look) {
     paintHonours(canvas, Vec2{0, Real(7.75)} - step, step, Real(0.42), best);
     for (std::size_t i = 0; i < kHonours.size(); ++i) {
         const Vec2 place = Vec2{0, Real(6.85)} + (static_cast<Real>(i) - 1) * step;
-        canvas.text(kHonours[i], place, {Real(0.4), palette::kQuiet, Typeface::Plain,
-                                         Align::Middle});
+        canvas.text(kHonours[i], place,
+                    {Real(0.4), palette::kQuiet, Typeface::Plain, Align::Middle});
     }
 }
 

@@ -9,11 +9,11 @@ namespace apart {
 namespace {
 
 constexpr double kTick = 1.0 / kTicksPerSecond;
-constexpr double kLongestFrame = 0.1;                   // s; what a stall takes longer is lost
-constexpr int kEndTicks = kTicksPerSecond * 5 / 4;      // from the last event to the result
-constexpr double kAttractSeconds = 20;                  // without a touch
+constexpr double kLongestFrame = 0.1;                      // s; what a stall takes longer is lost
+constexpr int kEndTicks = kTicksPerSecond * 5 / 4;         // from the last event to the result
+constexpr double kAttractSeconds = 20;                     // without a touch
 constexpr std::uint32_t kDemoTicks = 60 * kTicksPerSecond; // then the bot shows the next level
-constexpr const char* kEndlessName = "endless";         // of its row in the table of scores
+constexpr const char* kEndlessName = "endless";            // of its row in the table of scores
 
 } // namespace
 
@@ -43,8 +43,8 @@ Settings Stage::audible() const {
 }
 
 void Stage::beginGame(std::shared_ptr<const Level> level) {
-    play_ = std::make_unique<Play>(std::move(level), def_.seed + games_, def_.profile.mode,
-                                   audible());
+    play_ =
+        std::make_unique<Play>(std::move(level), def_.seed + games_, def_.profile.mode, audible());
     ++games_;
     screen_ = Screen::Playing;
     tally_ = {};

@@ -106,9 +106,9 @@ private:
     Screen behindOptions_ = Screen::Title;
     bool quit_ = false;
     std::size_t level_ = 0;
-    std::uint32_t endless_ = 0;      // number of the endless level in play; 0: another level
+    std::uint32_t endless_ = 0;     // number of the endless level in play; 0: another level
     std::int32_t endlessScore_ = 0; // of the endless levels before it
-    std::uint32_t games_ = 0;        // begun so far
+    std::uint32_t games_ = 0;       // begun so far
     std::unique_ptr<Play> play_;
     Tally tally_;
     Hands hands_;

@@ -62,7 +62,8 @@ void Stage::draw(Canvas& canvas) const {
 
 void Stage::drawTitle(Canvas& canvas) const {
     if (attracting()) {
-        const float pulse = 0.6f + 0.4f * std::sin(2 * static_cast<float>(std::fmod(seconds_, 628)));
+        const float pulse =
+            0.6f + 0.4f * std::sin(2 * static_cast<float>(std::fmod(seconds_, 628)));
         canvas.text("press any key", {0, Real(3.4)},
                     {Real(0.7), faded(palette::kText, pulse), Typeface::Bold, Align::Middle});
         return;

@@ -28,8 +28,7 @@ void Stage::toTitle() {
     screen_ = Screen::Title;
     level_ = nextToPlay();
     demo(level_);
-    std::vector<MenuItem> items = {{Action::Play, playLabel()},
-                                   {Action::Levels, "Choose a level"}};
+    std::vector<MenuItem> items = {{Action::Play, playLabel()}, {Action::Levels, "Choose a level"}};
     if (def_.endless) {
         items.push_back({Action::Endless, "Endless"});
     }

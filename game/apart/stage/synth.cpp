@@ -91,8 +91,8 @@ Recipe recipeOf(Voice voice) {
     case Voice::Good:
         return {523, 0.7f, {{1, 0.5f, 0.12f}, {2, 0.3f, 0.1f}}, 0, 0.01f, 1, 0, {0, 7, 12}, 0.07f};
     case Voice::Bad:
-        return {233, 0.7f, {{1, 0.5f, 0.14f}, {1.06f, 0.4f, 0.14f}}, 0, 0.01f, 1, 0, {0, -1, -6},
-                0.1f};
+        return {233,         0.7f, {{1, 0.5f, 0.14f}, {1.06f, 0.4f, 0.14f}}, 0, 0.01f, 1, 0,
+                {0, -1, -6}, 0.1f};
     case Voice::Over:
         return {392, 0.5f, {{1, 0.5f, 0.1f}, {2, 0.2f, 0.06f}}, 0, 0.01f, 1, 0, {0, -5}, 0.09f};
     case Voice::Pull:
@@ -104,15 +104,9 @@ Recipe recipeOf(Voice voice) {
     case Voice::Rumble:
         return {62, 0.9f, {{1, 0.6f, 0.25f}, {1.48f, 0.4f, 0.2f}}, 0.8f, 0.25f, 0.06f};
     case Voice::Boss:
-        return {98,
-                1.9f,
-                {{1, 0.7f, 0.6f}, {1.5f, 0.4f, 0.5f}, {2.02f, 0.3f, 0.3f}},
-                0.9f,
-                0.3f,
-                0.2f,
-                -0.5f,
-                {0, 0, 7, 12},
-                0.16f};
+        return {98,    1.9f,          {{1, 0.7f, 0.6f}, {1.5f, 0.4f, 0.5f}, {2.02f, 0.3f, 0.3f}},
+                0.9f,  0.3f,          0.2f,
+                -0.5f, {0, 0, 7, 12}, 0.16f};
     }
     return {};
 }
