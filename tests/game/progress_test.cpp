@@ -163,6 +163,7 @@ TEST(PureMode, TurnsNoBounce) {
         EXPECT_GT(game.ledger().bounces, 30u);
         if (mode == Mode::Pure) {
             EXPECT_EQ(game.ledger().bentBounces, 0u);
+            EXPECT_EQ(game.ledger().thrownBounces, 0u);
         }
     }
 }

@@ -158,6 +158,7 @@ private:
     void govern();
     void governBall(Ball& ball);
     bool isRubble(kodo::BodyId body) const;
+    bool isBar(kodo::BodyId body) const; // of a motor
     void watchProgress();
     void sweepOut();
     void sweepBalls();

@@ -25,6 +25,7 @@ void Game::governBall(Ball& ball) {
     std::vector<Vec2> normals; // towards the ball
     bool touching = false;     // also where it leaves an overlap, faster than what pushed it
     bool rubble = false;
+    bool carried = false;
     for (const kodo::CollisionRecord& hit : world_.collisions()) {
         if (!hit.involves(ball.body)) {
             continue;
@@ -33,8 +34,12 @@ void Game::governBall(Ball& ball) {
         if (hit.maxImpulse > 0) {
             normals.push_back(hit.b == ball.body ? hit.normal : -hit.normal);
             rubble = rubble || isRubble(hit.other(ball.body));
+            carried = carried || isBar(hit.other(ball.body));
         }
     }
+    const bool slow = length(world_[ball.body].velocity()) < kSwallowed * ballSpeed();
+    ball.carriedTicks = !slow ? 0 : carried ? ball.carriedTicks + 1 : ball.carriedTicks;
+    rubble = rubble || (carried && ball.carriedTicks > kCarriedTicks);
     kodo::BodyRef body = world_[ball.body];
     const Vec2 velocity = body.velocity();
     Vec2 next = velocity;
@@ -49,9 +54,11 @@ void Game::governBall(Ball& ball) {
     } else if (!normals.empty()) {
         ++ledger_.bounces;
         if (mode_ == Mode::Standard) {
-            next = rubble ? throwOff(velocity, ball.heading, normals, ballSpeed()) : velocity;
-            next = turnedFromFlat(next, normals);
-            ledger_.bentBounces += next == velocity ? 0 : 1;
+            const Vec2 thrown =
+                rubble ? throwOff(velocity, ball.heading, normals, ballSpeed()) : velocity;
+            next = turnedFromFlat(thrown, normals);
+            ledger_.thrownBounces += thrown == velocity ? 0 : 1;
+            ledger_.bentBounces += next == thrown ? 0 : 1;
         } else if (rubble && length(velocity) < kSwallowed * ballSpeed()) {
             next = held(velocity, ball.heading, ballSpeed()); // faster, but where it flies
         }
@@ -66,15 +73,20 @@ void Game::governBall(Ball& ball) {
     }
 }
 
-bool Game::isRubble(BodyId body) const {
+bool Game::isBar(BodyId body) const {
     if (!world_.contains(body)) {
         return false;
     }
     const kodo::Flags flags = world_[body].flags();
-    const Role role = roleOf(flags);
-    // The bar of a motor can carry a ball along, as rubble can.
-    const bool bar = role == Role::Obstruction && (flags & kodo::kLocked) != kodo::kLocked;
-    return role == Role::Shard || role == Role::Part || bar;
+    return roleOf(flags) == Role::Obstruction && (flags & kodo::kLocked) != kodo::kLocked;
+}
+
+bool Game::isRubble(BodyId body) const {
+    if (!world_.contains(body)) {
+        return false;
+    }
+    const Role role = roleOf(world_[body].flags());
+    return role == Role::Shard || role == Role::Part;
 }
 
 } // namespace apart

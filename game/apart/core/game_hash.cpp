@@ -32,6 +32,7 @@ void add(kodo::StateHash& hash, const Ball& ball) {
     add(hash, ball.heading);
     hash.add(static_cast<std::uint8_t>(ball.riding));
     hash.add(static_cast<std::uint8_t>(ball.kind));
+    hash.add(ball.carriedTicks);
 }
 
 void add(kodo::StateHash& hash, const Shard& shard) {
@@ -73,6 +74,7 @@ void add(kodo::StateHash& hash, const Ledger& ledger) {
     }
     hash.add(ledger.bounces);
     hash.add(ledger.bentBounces);
+    hash.add(ledger.thrownBounces);
 }
 
 template <typename T>

@@ -43,6 +43,7 @@ struct Ball {
     kodo::Vec2 heading;  // unit; where it last flew
     bool riding = false; // on the paddle, waiting for the serve
     BallKind kind = BallKind::Round;
+    std::uint32_t carriedTicks = 0; // on the bar of a motor, since it flew fast
 };
 
 /// A piece of a broken block.
@@ -77,13 +78,14 @@ struct Effect {
 /// What rules, not contacts, have given and taken so far. What is booked here and what is seen in
 /// the world add up.
 struct Ledger {
-    double servoWork = 0; // J, given to balls by the speed servo
-    double fieldImpulseX =
-        0; // N s, given to bodies by the paddle's field; the paddle got as much back
+    double servoWork = 0;     // J, given to balls by the speed servo
+    double fieldImpulseX = 0; // N s, given to bodies by the paddle's field; it got as much back
     double fieldImpulseY = 0;
-    double removedMass = 0;        // kg, of shards and parts that crumbled, fell out or were caught
-    std::uint32_t bounces = 0;     // of balls, off anything
-    std::uint32_t bentBounces = 0; // those that a rule turned; none in Mode::Pure
+    double removedMass = 0;    // kg, of shards and parts that crumbled, fell out or were caught
+    std::uint32_t bounces = 0; // of balls, off anything
+    // Of these, none in Mode::Pure:
+    std::uint32_t bentBounces = 0;   // turned out of the cone around the horizontal
+    std::uint32_t thrownBounces = 0; // thrown off rubble that would have swallowed the ball
 };
 
 /// What holds a part on the paddle. Like a block, it gives way when blows have used its strength
