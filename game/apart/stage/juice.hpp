@@ -83,6 +83,7 @@ private:
     void hear(const Game& game, const ShardBroke& hit);
     void hear(const Game& game, const LetGo& let);
     void hear(const Game& game, const Fell& fell);
+    void hear(const Game& game, const PatienceChanged& change);
     void hear(const Game& game, const BossDown& down);
     void hear(const Game& game, const Bumped& bump);
     void hear(const Game& game, const PowerBegan& power);

@@ -27,6 +27,22 @@ Color colorOf(const Struck& hit) {
     }
 }
 
+/// A word for a long chain of blocks, at its milestones.
+std::string_view praiseOf(int combo) {
+    switch (combo) {
+    case 5:
+        return "chain of five";
+    case 8:
+        return "chain of eight!";
+    case 12:
+        return "a dozen!";
+    case 20:
+        return "twenty in a row!";
+    default:
+        return {};
+    }
+}
+
 } // namespace
 
 void Juice::blast(Vec2 point, Color color, int count, Real speed) {
@@ -34,8 +50,8 @@ void Juice::blast(Vec2 point, Color color, int count, Real speed) {
 }
 
 void Juice::firework(Vec2 place, Color color) {
-    burst({place, {}, color, 46, 11, Real(1.3), Real(0.1)});
-    burst({place, {}, lighter(color, 0.6f), 16, 6, Real(0.9), Real(0.08)});
+    burst({place, {}, color, 70, 14, Real(1.6), Real(0.15)});
+    burst({place, {}, lighter(color, 0.5f), 24, 7, Real(1.1), Real(0.1)});
 }
 
 void Juice::hear(const Game&, const Struck& hit) {
@@ -75,6 +91,9 @@ void Juice::hear(const Game&, const Broke& hit) {
     const Color color = hit.combo >= 3 ? palette::kAccent : palette::kText;
     const Real size = Real(0.45) + Real(0.025) * static_cast<Real>(std::min(hit.combo, 10));
     pop({"", hit.center, color, size, hit.points});
+    if (const std::string_view praise = praiseOf(hit.combo); !praise.empty()) {
+        pop({std::string(praise), hit.center + Vec2{0, Real(-1.2)}, palette::kAccent, Real(0.8)});
+    }
 }
 
 void Juice::hear(const Game&, const Welded& weld) {
@@ -128,6 +147,12 @@ void Juice::hear(const Game&, const LetGo& let) {
 
 void Juice::hear(const Game&, const Fell& fell) {
     pop({"", {fell.point.x, Real(1.2)}, palette::kText, Real(0.45), fell.points});
+}
+
+void Juice::hear(const Game&, const PatienceChanged& change) {
+    if (change.patience == Patience::Shaking) {
+        pop({"the mounts give way soon", {0, 5}, palette::kAccent, Real(0.6)});
+    }
 }
 
 void Juice::hear(const Game&, const BossDown& down) {

@@ -97,6 +97,7 @@ private:
 
     // Pictures (stage_picture.cpp).
     void drawTitle(Canvas& canvas) const;
+    void drawFeast(Canvas& canvas) const;
     void drawPaused(Canvas& canvas) const;
     void drawOver(Canvas& canvas) const;
     HudLook hudLook() const;

@@ -52,7 +52,8 @@ void Stage::draw(Canvas& canvas) const {
         canvas.text("left and right, or a click on the bar", {0, Real(2.6)}, quiet(Real(0.42)));
         return menu_.draw(canvas);
     case Screen::Playing:
-        return paintServeHint(canvas, game());
+        paintServeHint(canvas, game());
+        return drawFeast(canvas);
     case Screen::Paused:
         return drawPaused(canvas);
     case Screen::Over:
@@ -74,6 +75,21 @@ void Stage::drawTitle(Canvas& canvas) const {
     canvas.text(def_.notice.empty() ? "arrows and enter, or the mouse      escape: quit"
                                     : def_.notice,
                 {0, Real(0.1)}, quiet(Real(0.42)));
+}
+
+void Stage::drawFeast(Canvas& canvas) const {
+    if (game().result() != Result::Won) {
+        return;
+    }
+    const float t = std::min(static_cast<float>(endTicks_) / 30, 1.0f);
+    const Real size = Real(2.4) - Real(0.5) * t; // it lands
+    const auto line = [&](const char* text, Real y, Real height, Color color) {
+        const TextStyle shadow{height, faded(palette::kInk, t), Typeface::Bold, Align::Middle};
+        canvas.text(text, {Real(0.07), y - Real(0.07)}, shadow);
+        canvas.text(text, {0, y}, {height, faded(color, t), Typeface::Bold, Align::Middle});
+    };
+    line("Cleared!", Real(9.2), size, palette::kAccent);
+    line("space or click: on", Real(7.8), Real(0.5), palette::kText);
 }
 
 void Stage::drawPaused(Canvas& canvas) const {
