@@ -3,6 +3,8 @@
 #include <apart/stage/juice.hpp>
 #include <apart/stage/palette.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -91,12 +93,12 @@ void Juice::pop(Popup popup) {
         if (near && other.age < kPopupYoung && (other.points > 0) == (popup.points > 0)) {
             other.points += popup.points;
             other.height = std::max(other.height, popup.height);
-            other.text = other.points > 0 ? "+" + std::to_string(other.points) : popup.text;
+            other.text = other.points > 0 ? fmt::format("+{}", other.points) : popup.text;
             return;
         }
     }
     if (popup.points > 0) {
-        popup.text = "+" + std::to_string(popup.points);
+        popup.text = fmt::format("+{}", popup.points);
     }
     popups_.push_back(std::move(popup));
 }
