@@ -36,10 +36,11 @@ struct Tally {
     std::uint32_t escapes = 0;
     std::uint32_t bends = 0;
     std::uint32_t longestWait = 0;
-    std::uint64_t bounces = 0;     // of balls, in Mode::Standard
-    std::uint64_t bentBounces = 0; // of these: turned by a rule
-    std::uint64_t bentInPure = 0;  // in Mode::Pure: there must be none
-    double gameSeconds = 0;        // of one core, in Game::tick alone
+    std::uint64_t bounces = 0;       // of balls, in Mode::Standard
+    std::uint64_t bentBounces = 0;   // of these: turned from flat
+    std::uint64_t thrownBounces = 0; // and thrown off rubble
+    std::uint64_t bentInPure = 0;    // in Mode::Pure: there must be none
+    double gameSeconds = 0;          // of one core, in Game::tick alone
 
     void add(const Tally& other) {
         games += other.games;
@@ -56,6 +57,7 @@ struct Tally {
         longestWait = std::max(longestWait, other.longestWait);
         bounces += other.bounces;
         bentBounces += other.bentBounces;
+        thrownBounces += other.thrownBounces;
         bentInPure += other.bentInPure;
         gameSeconds += other.gameSeconds;
     }
@@ -110,8 +112,14 @@ Tally soak(const Match& match, std::uint64_t mostTicks,
     tally.escapes = watch.escapes();
     tally.bends = watch.bends();
     tally.longestWait = watch.longestWait();
-    (match.mode == Mode::Pure ? tally.bentInPure : tally.bentBounces) = game.ledger().bentBounces;
-    tally.bounces = match.mode == Mode::Pure ? 0 : game.ledger().bounces;
+    const Ledger& ledger = game.ledger();
+    if (match.mode == Mode::Pure) {
+        tally.bentInPure = ledger.bentBounces + ledger.thrownBounces;
+    } else {
+        tally.bounces = ledger.bounces;
+        tally.bentBounces = ledger.bentBounces;
+        tally.thrownBounces = ledger.thrownBounces;
+    }
     if (!tally.clean()) {
         fmt::print(stderr,
                    "{}, seed {}, {} player, {}: {} halts, {} escapes, {} bent flights, {} bent "
@@ -128,10 +136,10 @@ std::string asJson(const Tally& tally) {
         R"({{"level": "{}", "games": {}, "won": {}, "lost": {}, "unfinished": {}, "ticks": {}, )"
         R"("freeFlightTicks": {}, "meanWinSeconds": {:.1f}, "livesLost": {}, "halts": {}, )"
         R"("escapes": {}, "bends": {}, "longestWaitTicks": {}, "bounces": {}, "bentBounces": {}, )"
-        R"("bentBouncesInPure": {}, "microsecondsPerTick": {:.1f}}})",
+        R"("thrownBounces": {}, "bentBouncesInPure": {}, "microsecondsPerTick": {:.1f}}})",
         tally.level, tally.games, tally.won, tally.lost, tally.unfinished, tally.ticks,
         tally.freeTicks, tally.meanWin(), tally.livesLost, tally.halts, tally.escapes, tally.bends,
-        tally.longestWait, tally.bounces, tally.bentBounces, tally.bentInPure,
+        tally.longestWait, tally.bounces, tally.bentBounces, tally.thrownBounces, tally.bentInPure,
         tally.microsecondsPerTick());
 }
 
@@ -161,12 +169,14 @@ void printAll(const std::vector<Tally>& tallies, const Tally& total, bool json) 
         printRow(tally);
     }
     printRow(total);
-    fmt::print("A rule turned {} of {} bounces, {:.2f} %; in pure games {}.\n", total.bentBounces,
-               total.bounces,
-               total.bounces > 0 ? 100 * static_cast<double>(total.bentBounces) /
-                                       static_cast<double>(total.bounces)
-                                 : 0,
-               total.bentInPure);
+    const auto share = [&](std::uint64_t count) {
+        return 100 * static_cast<double>(count) /
+               static_cast<double>(std::max(total.bounces, std::uint64_t{1}));
+    };
+    fmt::print(
+        "Of {} bounces rules turned {:.2f} % from flat and threw {:.2f} % off rubble; in pure "
+        "games {}.\n",
+        total.bounces, share(total.bentBounces), share(total.thrownBounces), total.bentInPure);
 }
 
 } // namespace
