@@ -185,18 +185,18 @@ void paintMood(Canvas& canvas, Mood mood, Vec2 middle, const MoodStyle& style) {
 std::string_view wordsOf(Power power) {
     constexpr std::array<std::string_view, kPowerNames.size()> kWords = {
         "",
-        "welds to the paddle",
+        "welds to paddle",
         "sticks, then fires",
         "becomes balls",
         "heavy balls",
         "lopsided balls",
         "egg-shaped balls",
-        "rough balls take spin",
+        "rough balls, spin",
         "the paddle draws in",
         "the paddle leaps",
-        "wings for the paddle",
+        "wings for paddle",
         "a gravity well",
-        "wind across the field",
+        "wind blows across",
     };
     return kWords[static_cast<std::size_t>(power)];
 }

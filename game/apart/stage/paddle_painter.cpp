@@ -109,7 +109,9 @@ void paintPaddle(Canvas& canvas, const Moment& moment) {
         const kodo::Convex& outline = body.part(i).convex;
         const std::vector<Vec2> corners = cornersOf(outline, place);
         if (i > 0) {
-            paintPower(canvas, corners, Power::Weld, {place * outline.middle, place.rotation});
+            const bool wing = moment.game.welds()[i - 1].wing;
+            paintPower(canvas, corners, wing ? Power::Wings : Power::Weld,
+                       {place * outline.middle, place.rotation});
             continue;
         }
         const Color color = lighter(palette::kPaddle, 0.6f * blow.heat);
