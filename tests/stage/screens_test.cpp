@@ -271,6 +271,12 @@ TEST(Screens, TheBotShowsTheGameToWhoeverDoesNothing) {
     rig.press(Command::Confirm); // only wakes the menu
     EXPECT_EQ(rig.stage.screen(), Screen::Title);
     EXPECT_FALSE(rig.stage.attracting());
+    rig.frames(60 * 25);
+    ASSERT_TRUE(rig.stage.attracting());
+    Signals meaningless;
+    meaningless.anyKey = true;
+    rig.frame(meaningless);
+    EXPECT_FALSE(rig.stage.attracting());
 }
 
 TEST(Screens, AnEndlessRunGoesOnAndAddsUp) {

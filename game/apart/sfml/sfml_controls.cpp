@@ -103,6 +103,7 @@ void SfmlControls::take(const sf::Event& event, Signals& signals) {
         buttons_ = {};
         return;
     case sf::Event::KeyPressed:
+        signals.anyKey = true;
         hold(event.key.code, true);
         return press(event.key.code, signals);
     case sf::Event::KeyReleased:

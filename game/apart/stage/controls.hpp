@@ -35,6 +35,7 @@ struct Signals {
     bool clicked = false;                // at `pointerNow`; a captured mouse clicks too
     kodo::Vec2 pointerNow{};             // m
     std::vector<Command> commands{};     // in the order of pressing
+    bool anyKey = false;                 // was pressed, even one that means nothing
     bool focusLost = false;
     bool closed = false; // the window's own button
 };

@@ -65,8 +65,10 @@ void Stage::drawTitle(Canvas& canvas) const {
     if (attracting()) {
         const float pulse =
             0.6f + 0.4f * std::sin(2 * static_cast<float>(std::fmod(seconds_, 628)));
-        canvas.text("press any key", {0, Real(3.4)},
-                    {Real(0.7), faded(palette::kText, pulse), Typeface::Bold, Align::Middle});
+        canvas.text("aPart", {0, Real(4.1)},
+                    {Real(1.6), palette::kAccent, Typeface::Bold, Align::Middle});
+        canvas.text("press any key", {0, Real(3.2)},
+                    {Real(0.6), faded(palette::kText, pulse), Typeface::Bold, Align::Middle});
         return;
     }
     paintVeil(canvas, faded(palette::kNight, 0.74f));

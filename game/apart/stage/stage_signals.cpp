@@ -18,8 +18,8 @@ std::string modeLabel(Mode mode) {
 }
 
 bool anything(const Signals& signals) {
-    return !signals.commands.empty() || signals.clicked || signals.pointer.has_value() ||
-           signals.leftHeld || signals.rightHeld;
+    return signals.anyKey || !signals.commands.empty() || signals.clicked ||
+           signals.pointer.has_value();
 }
 
 } // namespace
