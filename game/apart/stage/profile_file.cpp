@@ -72,8 +72,9 @@ private:
             return fail(node, "settings must be a table");
         }
         for (const auto& [key, value] : *table) {
-            const auto dial = std::find_if(kDials.begin(), kDials.end(),
-                                           [&](const Dial& d) { return d.key == key.str(); });
+            const auto dial =
+                std::find_if(kDials.begin(), kDials.end(),
+                             [name = key.str()](const Dial& d) { return d.key == name; });
             if (key == "pure") {
                 profile_.mode = truth(*table, "pure") ? Mode::Pure : Mode::Standard;
             } else if (dial != kDials.end()) {
