@@ -33,6 +33,19 @@ TEST(FreeFlight, IsAStraightLineWhileTheServoWorks) {
     }
 }
 
+TEST(FreeFlight, GetsFromTheServoWhatTheLedgerSays) {
+    for (const Real start : {Real(4), Real(20)}) {
+        Game game(levelOf("g..............\n"), 1);
+        const kodo::BodyId ball = GameTestAccess::shoot(game, {0, 4}, {0, start});
+        const kodo::BodyView body = game.world()[ball];
+        for (int tick = 0; tick < 40; ++tick) {
+            game.tick({});
+        }
+        const Real gained = body.mass() * (lengthSquared(body.velocity()) - start * start) / 2;
+        EXPECT_TRUE(near(static_cast<Real>(game.ledger().servoWork), gained, 1e-3)); // of 130 J
+    }
+}
+
 /// Walls, blocks and paddle of a level, and one ball that nothing governs.
 struct Range {
     kodo::World world;

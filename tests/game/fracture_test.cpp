@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A4: blocks come apart in different ways, by the real blow at its real point.
 #include <apart/core/field.hpp>
 #include <apart/core/fracture.hpp>
 #include <apart/core/tuning.hpp>
@@ -146,6 +147,36 @@ TEST(Fracture, GivesThePiecesTheMomentumOfTheBlowAndItsMoment) {
         // Sums of a dozen floats of up to 10 N s.
         EXPECT_TRUE(near(momentum, impulse, 2e-5));
         EXPECT_TRUE(near(moment, cross(broken.hit, impulse), 2e-5));
+    });
+}
+
+TEST(Fracture, GivesThePiecesTheEnergyOfARigidWholeAndNoMoreThanTheBurst) {
+    forRandomBreaks(kBreaks, [](const Break& broken, support::RandomNumbers& random) {
+        std::vector<kodo::Mass> masses;
+        kodo::Mass whole{};
+        for (const Polygon& piece : broken.pieces) {
+            masses.push_back(massOf(piece, Real(0.5)));
+            whole = masses.size() == 1 ? masses[0] : combine(whole, masses.back());
+        }
+        const Vec2 impulse = random.point(5);
+        const Real turn = cross(broken.hit - whole.center, impulse);
+        const Real rigid =
+            lengthSquared(impulse) / (2 * whole.mass) + turn * turn / (2 * whole.inertia);
+        for (const Real burst : {Real(0), kBurstSpeed}) {
+            const auto motions = motionOfPieces(masses, broken.hit, impulse, burst);
+            Real energy = 0;
+            for (std::size_t i = 0; i < masses.size(); ++i) {
+                energy += (masses[i].mass * lengthSquared(motions[i].velocity) +
+                           masses[i].inertia * motions[i].spin * motions[i].spin) /
+                          2;
+            }
+            // Without a burst equal, to the rounding of a dozen floats; the kicks of a burst are
+            // relative to the whole, and what they lose to have no net momentum is theirs alone.
+            const Real most = whole.mass * burst * burst / 2;
+            const Real rounding = Real(1e-5) * (rigid + most);
+            EXPECT_GE(energy, rigid - rounding);
+            EXPECT_LE(energy, rigid + most + rounding);
+        }
     });
 }
 

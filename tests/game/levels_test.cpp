@@ -12,6 +12,8 @@ namespace {
 
 using namespace apart;
 
+constexpr std::uint32_t kTwoMinutes = 2 * 60 * kTicksPerSecond;
+
 std::vector<Level> allLevels() {
     std::vector<Level> levels;
     for (const std::string& name : levelNames()) {
@@ -46,6 +48,29 @@ TEST(Levels, EachHasATitleAndAnIdeaOfItsOwn) {
     }
     EXPECT_EQ(titles.size(), levels.size());
     EXPECT_EQ(ideas.size(), levels.size());
+}
+
+/// Ticks for each life that a player loses who plays by keys, looks late and misses now and then.
+double ticksPerLife(const std::vector<Level>& levels, Theme theme) {
+    double ticks = 0;
+    double lives = 0;
+    for (const Level& level : levels) {
+        for (std::uint32_t seed = 1; level.theme == theme && seed <= 3; ++seed) {
+            const BotRun run = runBot(level, seed, kTwoMinutes, BotKind::Clumsy);
+            ticks += run.ticks;
+            lives += run.livesLost;
+        }
+    }
+    return ticks / lives;
+}
+
+// 31 s a life at first and 17 s at last, over 170 games; over these 30 it may be off by a fifth.
+TEST(Levels, GetHarder) {
+    const std::vector<Level> levels = allLevels();
+    const double first = ticksPerLife(levels, levels.front().theme);
+    const double last = ticksPerLife(levels, levels.back().theme);
+    EXPECT_GT(first, 1.3 * last);
+    EXPECT_GT(levels.back().ballSpeed, levels.front().ballSpeed);
 }
 
 class EveryLevel : public testing::TestWithParam<std::string> {};

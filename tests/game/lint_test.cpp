@@ -63,6 +63,21 @@ TEST(Lint, ABallPassesAGapOfOneRow) {
                     .empty());
 }
 
+// Nothing can strike these blocks: their mounts give way one by one, and the level ends in time.
+TEST(Lint, TheBoundsHoldWhereNothingCanBeStruck) {
+    const Level level = levelOf("XXXXXXXXXXXXXXX\n"
+                                "XgXgXgXgXgXgXgX\n"
+                                "XXXXXXXXXXXXXXX\n");
+    for (const BotKind kind : {BotKind::Good, BotKind::Lazy, BotKind::Random}) {
+        const BotRun run = runBot(level, 1, 2 * kFailTicks + 100 * kFailEvery, kind);
+        const LintReport report = lint(level, {.seeds = 1, .mostTicks = 1});
+        EXPECT_EQ(run.result, Result::Won);
+        EXPECT_LE(run.longestWait, report.waitBound);
+        EXPECT_LE(run.ticks, report.clearBound + 1); // the first tick serves
+        EXPECT_GE(run.ticks, kFailTicks + 6 * kFailEvery) << "they did not wait for the clock";
+    }
+}
+
 TEST(Lint, ALevelThatTheBotCannotFinishInTimeFails) {
     const LintReport report = lint(levelOf(kOpen), {.seeds = 2, .mostTicks = 10});
     ASSERT_EQ(report.runs.size(), 2u);

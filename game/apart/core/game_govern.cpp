@@ -43,7 +43,7 @@ void Game::governBall(Ball& ball) {
     kodo::BodyRef body = world_[ball.body];
     const Vec2 velocity = body.velocity();
     Vec2 next = velocity;
-    if (!touching) {
+    if (!touching || (normals.empty() && slow)) { // or slides along a wall that does not push
         next = held(velocity, ball.heading, ballSpeed());
         const Real spin = body.angularVelocity();
         if (std::abs(spin) > kMostSpin) {

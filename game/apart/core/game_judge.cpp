@@ -140,14 +140,18 @@ void Game::judgeBlock(const CollisionRecord& hit, BodyId body) {
 }
 
 void Game::judgeShard(const CollisionRecord& hit, BodyId body) {
+    const bool drawnIn = force_ == Force::Pull && hit.other(body) == paddle_;
+    if (!drawnIn && hit.maxImpulse < kSlightestBlow) {
+        return; // most of them: shards lie on each other
+    }
     const auto found = std::find_if(shards_.begin(), shards_.end(),
                                     [&](const Shard& shard) { return shard.body == body; });
     const auto index = static_cast<std::size_t>(found - shards_.begin());
-    if (force_ == Force::Pull && hit.other(body) == paddle_) {
+    if (drawnIn) {
         catchShard(index, hit.point);
         return;
     }
-    if (found->stuff == Stuff::Steel || hit.maxImpulse < kSlightestBlow) {
+    if (found->stuff == Stuff::Steel) {
         return;
     }
     found->strengthLeft -= hit.maxImpulse;

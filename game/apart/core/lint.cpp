@@ -166,6 +166,10 @@ void judgeRun(const BotRun& run, LintReport& report) {
     } else if (run.result == Result::Playing) {
         report.problems.push_back(who + " is not won after " + secondsText(run.ticks));
     }
+    if (run.longestWait > report.waitBound + 1) {
+        report.problems.push_back("in " + who + " no block took harm for " +
+                                  secondsText(run.longestWait));
+    }
     if (run.faults > 0) {
         report.problems.push_back("in " + who +
                                   " a ball halted, escaped or left its straight path");
