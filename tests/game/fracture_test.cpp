@@ -199,6 +199,36 @@ TEST(Fracture, LeavesPiecesThatDoNotPushEachOther) {
     });
 }
 
+TEST(Fracture, GoesOnToTheSizeFloorInEveryPatternAndAllPiecesAreSound) {
+    int broken = 0;
+    forRandomBreaks(kBreaks / 20, [&](const Break& first, support::RandomNumbers& random) {
+        std::vector<Polygon> open = first.pieces;
+        Real floor = 0; // area of what breaks no more
+        while (!open.empty()) {
+            const Polygon piece = open.back();
+            open.pop_back();
+            const auto corner = random.below(static_cast<std::uint32_t>(piece.corners.size()));
+            const auto pattern = static_cast<Pattern>(random.below(5));
+            const auto parts =
+                fracture(piece, piece.corners[corner], pattern, shardLimits(), random.bits());
+            if (parts.size() == 1) {
+                floor += areaOf(piece);
+                continue;
+            }
+            ++broken;
+            for (const Polygon& part : parts) {
+                ASSERT_FALSE(kodo::check(kodo::Shape(part)));
+                ASSERT_GE(areaOf(part), shardLimits().area);
+                ASSERT_GE(widthOf(part), shardLimits().width);
+                open.push_back(part);
+            }
+        }
+        // Some twenty pieces, each with a merged corner or two: see KeepsTheArea.
+        ASSERT_TRUE(near(floor, kBlockArea, Real(3e-4)));
+    });
+    EXPECT_GT(broken, kBreaks / 20);
+}
+
 TEST(Pieces, OfEveryKindOfBlockWeighWhatTheBlockWeighs) {
     for (const Power power : {Power::None, Power::Weld, Power::Launch, Power::Split}) {
         const BlockKind kind{'x', Stuff::Brick, power, Pattern::Bricks, 1000};

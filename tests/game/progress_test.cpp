@@ -115,6 +115,23 @@ TEST(LooseBlock, ThatLiesSomewhereCrumblesAndCounts) {
     EXPECT_NE(eventOf<Broke>(game), nullptr);
 }
 
+TEST(LooseBlock, NeitherCrumblesNorCountsAfterTheEnd) {
+    Game game(levelOf("g..............\n" + emptyRows(4) + ".......b.......\n.......X.......\n"),
+              1);
+    GameTestAccess::letGo(game, 1);
+    for (int life = 0; life < 3; ++life) {
+        GameTestAccess::shoot(game, {8, 1}, {0, -12});
+        ASSERT_TRUE(playUntil<LifeLost>(game, {}, 60));
+    }
+    ASSERT_EQ(game.result(), Result::Lost);
+    const std::int32_t score = game.score();
+    for (std::uint32_t tick = 0; tick < kLooseTicks + 10; ++tick) {
+        game.tick({});
+    }
+    EXPECT_EQ(game.score(), score);
+    EXPECT_EQ(game.blocksLeft(), 2);
+}
+
 /// Longest time without damage that this player lets pass, in ticks.
 template <typename Player>
 std::uint32_t longestWait(const Level& level, std::uint32_t seed, Mode mode, std::uint32_t ticks,

@@ -163,7 +163,8 @@ void Game::sweepBlocks() {
         }
         const Vec2 place = frameOf(block).position;
         if (!isGone(place)) {
-            if (tick_ - block.looseTick > kLooseTicks) {
+            const bool old = tick_ - block.looseTick > kLooseTicks;
+            if (old && result_ == Result::Playing) { // after the end nothing counts
                 breakBlock(i, place, {});
             } else {
                 ++i;
