@@ -87,6 +87,23 @@ TEST(LevelSelect, RowsOutOfSightComeWhenTheyAreChosen) {
     EXPECT_FALSE(inSight(0));
     select.choose(0);
     EXPECT_TRUE(inSight(0));
+    const auto click = [&](const Aabb& place) {
+        Signals signals;
+        signals.pointer = signals.pointerNow = place.center();
+        signals.clicked = true;
+        EXPECT_FALSE(select.take(signals));
+    };
+    for (int i = 0; i < 3; ++i) {
+        click(select.downPlace());
+    }
+    EXPECT_TRUE(inSight(6));
+    click(select.downPlace()); // there is no more
+    EXPECT_EQ(select.chosen(), 6u);
+    for (int i = 0; i < 3; ++i) {
+        click(select.upPlace());
+    }
+    EXPECT_TRUE(inSight(0));
+    EXPECT_EQ(select.chosen(), 0u);
 }
 
 TEST(LevelSelect, ShowsThemeTitleIdeaBestScoresAndProgress) {

@@ -114,6 +114,9 @@ void SfmlControls::take(const sf::Event& event, Signals& signals) {
         move({event.mouseButton.x, event.mouseButton.y}, signals);
         signals.clicked = signals.clicked || event.mouseButton.button == sf::Mouse::Left;
         return hold(event.mouseButton.button, captured_);
+    case sf::Event::MouseWheelScrolled:
+        signals.commands.push_back(event.mouseWheelScroll.delta > 0 ? Command::Up : Command::Down);
+        return;
     case sf::Event::MouseButtonReleased:
         return hold(event.mouseButton.button, false);
     default:

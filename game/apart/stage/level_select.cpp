@@ -87,6 +87,28 @@ Aabb LevelSelect::backPlace() const {
     return {{kLeft, Real(0.2)}, {kLeft + Real(4), Real(1.2)}};
 }
 
+Aabb LevelSelect::upPlace() const {
+    const Real middle = kLeft + Real(0.5) * kInRow * kStep.x;
+    return {{middle - Real(0.8), kTop - Real(0.7)}, {middle + Real(0.8), kTop + Real(0.2)}};
+}
+
+Aabb LevelSelect::downPlace() const {
+    const Vec2 shift{0, -kStep.y * static_cast<Real>(kRowsInSight)};
+    return {upPlace().lower + shift, upPlace().upper + shift};
+}
+
+bool LevelSelect::scroll(Vec2 click) {
+    if (topRow_ > 0 && upPlace().contains(click)) {
+        choose(rows_[topRow_ - 1].first);
+        return true;
+    }
+    if (topRow_ + kRowsInSight < rows_.size() && downPlace().contains(click)) {
+        choose(rows_[topRow_ + kRowsInSight].first);
+        return true;
+    }
+    return false;
+}
+
 void LevelSelect::choose(std::size_t level) {
     chosen_ = std::min(level, levels_.size() - 1);
     const std::size_t row = rowOf(chosen_);
@@ -131,7 +153,10 @@ std::optional<std::size_t> LevelSelect::take(const Signals& signals) {
         }
         move(command);
     }
-    return signals.clicked ? under(signals.pointerNow) : std::nullopt;
+    if (!signals.clicked || scroll(signals.pointerNow)) {
+        return std::nullopt;
+    }
+    return under(signals.pointerNow);
 }
 
 void LevelSelect::drawTile(Canvas& canvas, std::size_t level, Best best) const {
@@ -201,6 +226,19 @@ void LevelSelect::drawFoot(Canvas& canvas, const Profile& profile) const {
                 {kPanelLeft, back.lower.y + Real(0.35)}, {Real(0.46), palette::kQuiet});
 }
 
+void LevelSelect::drawArrows(Canvas& canvas) const {
+    const TextStyle style{Real(0.6), palette::kText, Typeface::Plain, Align::Middle};
+    const auto foot = [](const Aabb& box) {
+        return Vec2{box.center().x, box.lower.y + Real(0.25)};
+    };
+    if (topRow_ > 0) {
+        canvas.text("\u25b2", foot(upPlace()), style);
+    }
+    if (topRow_ + kRowsInSight < rows_.size()) {
+        canvas.text("\u25bc", foot(downPlace()), style);
+    }
+}
+
 void LevelSelect::draw(Canvas& canvas, const Profile& profile, double seconds) const {
     const bool pure = profile.mode == Mode::Pure;
     canvas.text(pure ? "Choose a level (pure)" : "Choose a level", {kLeft, Real(16.6)},
@@ -217,9 +255,7 @@ void LevelSelect::draw(Canvas& canvas, const Profile& profile, double seconds) c
             drawTile(canvas, i, profile.bestOf(profile.mode, levels_[i]->name));
         }
     }
-    if (end < rows_.size()) {
-        canvas.text("\u25bc", {kLeft + 3 * kStep.x, Real(1.6)}, {Real(0.5), palette::kQuiet});
-    }
+    drawArrows(canvas);
     drawChosen(canvas, profile, seconds);
     drawFoot(canvas, profile);
 }

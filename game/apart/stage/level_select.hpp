@@ -29,6 +29,9 @@ public:
     Aabb tile(std::size_t level) const;
     /// A click there leads back to the title.
     Aabb backPlace() const;
+    // A click there brings the next row into sight, where there is one.
+    Aabb upPlace() const;
+    Aabb downPlace() const;
 
 private:
     struct Row {
@@ -40,6 +43,8 @@ private:
     std::size_t rowOf(std::size_t level) const;
     Real rowTop(std::size_t row) const;
     void move(Command command);
+    bool scroll(Vec2 click);
+    void drawArrows(Canvas& canvas) const;
     void drawTile(Canvas& canvas, std::size_t level, Best best) const;
     void drawChosen(Canvas& canvas, const Profile& profile, double seconds) const;
     void drawFoot(Canvas& canvas, const Profile& profile) const;
