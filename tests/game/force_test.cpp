@@ -2,6 +2,8 @@
 // A7: the paddle's field of force.
 #include <support/near.hpp>
 
+#include <array>
+
 #include "game_access.hpp"
 
 namespace {
@@ -29,7 +31,7 @@ Real awaySpeed(const Game& game) {
 }
 
 TEST(Field, PullsAndPushesABall) {
-    Real away[3] = {};
+    std::array<Real, 3> away{};
     for (const Force force : {Force::None, Force::Pull, Force::Push}) {
         Game game = fresh();
         GameTestAccess::shoot(game, {-6, 6}, {12, 0});

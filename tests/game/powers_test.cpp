@@ -2,6 +2,8 @@
 // A5, A7: powers beyond the three of the thesis, each an effect of bodies and forces.
 #include <support/near.hpp>
 
+#include <array>
+
 #include "game_access.hpp"
 
 namespace {
@@ -152,7 +154,7 @@ TEST(Magnet, DrawsABallThatWouldMissThePaddle) {
 }
 
 TEST(SpringPaddle, LeapsAtTheButtonAndStrikesTheBallHarder) {
-    Real speeds[2] = {};
+    std::array<Real, 2> speeds{};
     for (const bool leaps : {false, true}) {
         Game game = given(Power::Spring);
         EXPECT_EQ(game.paddleKind(), PaddleKind::Recoiling);
@@ -164,8 +166,8 @@ TEST(SpringPaddle, LeapsAtTheButtonAndStrikesTheBallHarder) {
             game.tick(input);
             EXPECT_EQ(eventOf<Leapt>(game) != nullptr, input.launch);
             highest = std::max(highest, game.sway().lift);
-            const Real speed = length(firstBall(game).velocity());
-            speeds[leaps ? 1 : 0] = std::max(speeds[leaps ? 1 : 0], speed);
+            Real& fastest = speeds[leaps ? 1 : 0];
+            fastest = std::max(fastest, length(firstBall(game).velocity()));
         }
         EXPECT_EQ(highest > Real(0.3), leaps);
     }

@@ -2,6 +2,7 @@
 #include <apart/core/assets.hpp>
 #include <apart/core/bot.hpp>
 #include <apart/core/replay.hpp>
+#include <apart/core/tuning.hpp>
 
 #include "game_access.hpp"
 
@@ -72,6 +73,19 @@ TEST(ReplayFile, CanBeWrittenByHand) {
     ASSERT_EQ(replay.expectations.size(), 2u);
     EXPECT_EQ(replay.expectations[1].text(), "expect 120 result == playing");
     EXPECT_EQ(std::get<Replay>(parseReplay(toText(replay), "again")).inputs, replay.inputs);
+}
+
+TEST(ReplayFile, OfTheFirstRulesIsReadAndRefusedInOneSentence) {
+    std::string old = "apart-replay 1\nlevel first_light 0123456789abcdef\nrules 1\nseed 7\n"
+                      "# tick paddle target launch\n0 0 - 0\nhash 60 0123456789abcdef\nend 60\n";
+    old += "digest " + toHex(digestOf(std::string_view(old))) + "\n";
+    ASSERT_EQ(problemOf(old), "none");
+    const Replay replay = std::get<Replay>(parseReplay(old, "test.replay"));
+    EXPECT_EQ(replay.mode, Mode::Standard);
+    const auto reason = refusal(replay, *firstLight());
+    ASSERT_TRUE(reason);
+    EXPECT_EQ(*reason, "was recorded with version 1 of the rules, and this game has version " +
+                           std::to_string(kRulesVersion));
 }
 
 TEST(ReplayFile, HasAForceAndAModeSinceItsSecondFormat) {

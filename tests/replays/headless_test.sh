@@ -48,6 +48,12 @@ expect 2 'there is no level nowhere' "$program" lint first_light nowhere
 expect 0 '^\{"total": .*"ticks": 3000,.*"halts": 0, "escapes": 0, "bends": 0' \
     "$program" soak first_light --ticks 3000 --longest 1000 --endless 1 --json
 
+# A pure game says so in its recording.
+expect 0 "$json\\}\$" "$program" bot --level first_light --mode pure --ticks 300 --record pure.replay \
+    --json
+expect 0 '^pure$' cat pure.replay
+expect 0 'All 5 hashes agree' "$program" verify pure.replay
+
 # The same game twice, to the bit.
 "$program" bot --level mitosis --seed 7 --ticks 900 --record b.replay >/dev/null
 cmp -s a.replay b.replay || { echo 'FAILED: two recordings of one game differ'; failed=1; }

@@ -35,6 +35,7 @@ struct BotOptions {
     std::uint32_t hashEvery = kHashEvery;
     std::string record;
     std::optional<BotKind> player{}; // good unless given
+    std::optional<Mode> mode{};      // standard unless given
     bool json = false;
 };
 
@@ -63,7 +64,8 @@ int playBot(const BotOptions& options) {
     } else if (name == "endless") {
         name = EndlessName{options.seed}.text(); // one seed for the levels and the game
     }
-    Game game(std::make_shared<const Level>(valueOrRefuse(loadLevel(name))), options.seed);
+    Game game(std::make_shared<const Level>(valueOrRefuse(loadLevel(name))), options.seed,
+              options.mode.value_or(Mode::Standard));
     Recorder recorder(game, options.hashEvery);
     {
         Progress progress;
@@ -151,8 +153,9 @@ int listLevels() {
         if (const auto* problem = std::get_if<FileProblem>(&level)) {
             throw Refusal{problem->text()};
         }
-        fmt::print("{:<16} {}: {}\n", name, std::get<Level>(level).title,
-                   std::get<Level>(level).idea);
+        const Level& found = std::get<Level>(level);
+        fmt::print("{:<16} {:<12} {}: {}\n", name,
+                   kThemeNames[static_cast<std::size_t>(found.theme)], found.title, found.idea);
     }
     return 0;
 }
@@ -221,6 +224,8 @@ int run(int argc, char** argv) {
     botCommand->add_option("--record", options.record, "Write the game to this file, as a replay");
     botCommand->add_option("--hash-every", options.hashEvery, "Ticks between recorded hashes")
         ->check(CLI::Range(std::uint32_t{1}, kLongestReplay));
+    addChoice(*botCommand, "--mode", options.mode, kModeNames)
+        ->description("Rules of the game: standard unless given");
     addChoice(*botCommand, "--player", options.player, kBotNames)
         ->description("How it plays: good unless given");
     botCommand->add_flag("--json", options.json, "Print one JSON object");
