@@ -301,6 +301,22 @@ TEST(Screens, AnEndlessRunGoesOnAndAddsUp) {
               first + rig.stage.game().score());
 }
 
+TEST(Screens, AnEndlessRunMayBeginAnywhereAndBeginsThereAgain) {
+    StageDef def = StageRig::twoLevels();
+    def.endless = [](std::uint32_t number) {
+        return glassLevel(number == 4 ? "Row 4" : "Another", {7});
+    };
+    def.firstEndless = 4;
+    StageRig rig(std::move(def));
+    ASSERT_EQ(rig.stage.screen(), Screen::Playing);
+    EXPECT_TRUE(rig.picture().says("ENDLESS 4"));
+    playToTheEnd(rig);
+    rig.press(Command::Next);
+    EXPECT_EQ(rig.stage.game().level().title, "Another");
+    rig.press(Command::Restart);
+    EXPECT_EQ(rig.stage.game().level().title, "Row 4");
+}
+
 TEST(Screens, WithoutEndlessLevelsNoneAreOffered) {
     StageRig rig(StageRig::twoLevels());
     EXPECT_FALSE(rig.picture().says("Endless"));

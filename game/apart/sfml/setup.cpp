@@ -117,15 +117,19 @@ std::variant<StageDef, std::string> setUp(const Options& options) {
         takeProfile(def);
     }
     def.seed = options.seed ? *options.seed : picture ? 1 : std::random_device{}() % 1000000;
-    def.endless = [seed = def.seed](std::uint32_t number) {
-        return std::make_shared<const Level>(endlessLevel({seed, number}));
-    };
+    EndlessName endless{def.seed};
     std::string problem;
     if (!options.replay.empty()) {
         problem = takeReplay(def, options.replay);
+    } else if (const auto row = parseEndless(options.level)) {
+        endless = options.level == "endless" ? endless : *row;
+        def.firstEndless = endless.number;
     } else if (!options.level.empty()) {
         problem = takeLevel(def, options.level);
     }
+    def.endless = [seed = endless.seed](std::uint32_t number) {
+        return std::make_shared<const Level>(endlessLevel({seed, number}));
+    };
     if (!problem.empty()) {
         return problem;
     }

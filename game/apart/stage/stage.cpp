@@ -19,7 +19,9 @@ constexpr const char* kEndlessName = "endless";            // of its row in the 
 
 Stage::Stage(StageDef def) : def_(std::move(def)), select_(def_.levels) {
     level_ = std::min(def_.firstLevel, def_.levels.size() - 1);
-    if (def_.startAtOnce) {
+    if (def_.firstEndless > 0) {
+        beginEndless(def_.firstEndless);
+    } else if (def_.startAtOnce) {
         begin(level_);
     } else {
         level_ = nextToPlay();
@@ -62,16 +64,20 @@ void Stage::begin(std::size_t level) {
 
 void Stage::beginEndless(std::uint32_t number) {
     endless_ = number;
-    endlessScore_ = number == 1 ? 0 : endlessScore_;
     beginGame(def_.endless(number));
 }
 
+/// A new run.
+void Stage::startEndless() {
+    endlessScore_ = 0;
+    beginEndless(std::max(def_.firstEndless, 1u));
+}
+
 void Stage::again() {
-    if (endless_ > 0) {
-        beginEndless(1);
-    } else {
-        begin(level_);
+    if (endless_ == 0) {
+        return begin(level_);
     }
+    startEndless();
 }
 
 void Stage::next() {

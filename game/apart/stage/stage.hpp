@@ -27,7 +27,8 @@ struct StageDef {
     Profile profile{};
     /// Keeps the profile for the next time; a sentence when it cannot.
     std::function<std::string(const Profile&)> save{};
-    std::string notice{}; // a sentence for the title screen, or nothing
+    std::string notice{};           // a sentence for the title screen, or nothing
+    std::uint32_t firstEndless = 0; // start at once with the endless level of that number; 0: none
     /// The level of that number, from 1, of a row without end; if there is one.
     std::function<std::shared_ptr<const Level>(std::uint32_t)> endless{};
     Pilot bot{};             // plays behind the title screen, if there is one
@@ -82,6 +83,7 @@ private:
     void resume();
     void begin(std::size_t level);
     void beginEndless(std::uint32_t number);
+    void startEndless();
     void beginGame(std::shared_ptr<const Level> level);
     void again();
     void next();

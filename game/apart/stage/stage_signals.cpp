@@ -243,7 +243,7 @@ void Stage::act(const MenuOutcome& outcome) {
     case Action::Levels:
         return toLevels();
     case Action::Endless:
-        return beginEndless(1);
+        return startEndless();
     case Action::Mode:
         def_.profile.mode = def_.profile.mode == Mode::Pure ? Mode::Standard : Mode::Pure;
         level_ = nextToPlay();
