@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "stage_rig.hpp"
@@ -91,6 +92,28 @@ TEST(Hud, TellsOnlyThePowersThatTheLevelHolds) {
     paintHud(canvas, game, {});
     EXPECT_TRUE(canvas.says(wordsOf(Power::Magnet)));
     EXPECT_FALSE(canvas.says(wordsOf(Power::Weld)));
+}
+
+// A level may hold more powers than the panel has room for.
+TEST(Hud, ThePowersLeaveTheFootOfThePanelFree) {
+    Level level = *glassLevel("x", {1});
+    for (std::size_t i = 1; i < kPowerNames.size(); ++i) {
+        level.kinds.push_back(level.kinds[0]);
+        level.kinds[i].power = static_cast<Power>(i);
+        level.cells.push_back({3, static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i)});
+    }
+    const Game game(level, 1);
+    RecordingCanvas canvas;
+    canvas.begin(layout::kShown, {});
+    HudLook look;
+    look.pilot = "REPLAY";
+    paintHud(canvas, game, look);
+    const auto foot = std::find_if(canvas.strokes().begin(), canvas.strokes().end(),
+                                   [](const Stroke& stroke) { return stroke.text == "REPLAY"; });
+    ASSERT_NE(foot, canvas.strokes().end());
+    for (auto stroke = canvas.strokes().begin(); stroke != foot; ++stroke) {
+        EXPECT_GT(stroke->place.y, foot->place.y + foot->size) << stroke->text;
+    }
 }
 
 TEST(Hud, ShowsTheBallsInReserve) {

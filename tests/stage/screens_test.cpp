@@ -322,6 +322,18 @@ TEST(Screens, WithoutEndlessLevelsNoneAreOffered) {
     EXPECT_FALSE(rig.picture().says("Endless"));
 }
 
+// The same seed gives the same game, however long the bot has shown others before it.
+TEST(Screens, TheFirstGameHasTheSeedThatWasAskedFor) {
+    StageDef def = StageRig::twoLevels();
+    def.seed = 70;
+    def.bot = [](const Game& game) { return std::optional(bot(game)); };
+    StageRig rig(std::move(def));
+    rig.frames(60 * 150);     // longer than one of its games
+    rig.press(Command::Down); // wakes the menu
+    rig.clickItem(Action::Play);
+    EXPECT_EQ(rig.stage.game().seed(), 70u);
+}
+
 TEST(Screens, ANoticeIsShownOnTheTitle) {
     StageDef def = StageRig::twoLevels();
     def.notice = "Scores begin anew.";

@@ -106,11 +106,16 @@ void paintCombo(Canvas& canvas, const Game& game) {
                 strong(size, palette::kAccent));
 }
 
-/// The powers of this level, and how long those at work will last.
+/// The powers of this level, those at work first, and how long these will last.
 void paintPowers(Canvas& canvas, const Game& game) {
     constexpr Real kLongest = static_cast<Real>(kEffectTicks) / kTicksPerSecond; // s
+    constexpr std::size_t kMost = 7; // that the panel has room for
+    std::vector<Power> powers = powersOf(game.level());
+    std::stable_partition(powers.begin(), powers.end(),
+                          [&](Power power) { return game.secondsLeft(power) > 0; });
+    powers.resize(std::min(powers.size(), kMost));
     Real y = Real(6.0);
-    for (const Power power : powersOf(game.level())) {
+    for (const Power power : powers) {
         const Real left = game.secondsLeft(power);
         const Color color = palette::of(power);
         const Vec2 middle{kPanelLeft + Real(0.3), y + Real(0.13)};

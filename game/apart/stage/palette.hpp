@@ -16,7 +16,6 @@ inline constexpr Color kText{226, 232, 245};
 inline constexpr Color kQuiet{140, 150, 178}; // less important text
 inline constexpr Color kAccent{255, 204, 92}; // what to look at
 inline constexpr Color kDanger{255, 84, 92};
-inline constexpr Color kGood{118, 226, 130};
 inline constexpr Color kBumper{255, 128, 170};
 inline constexpr Color kMachine{156, 168, 196}; // motors, pins, gates
 inline constexpr Color kGround{92, 104, 92};

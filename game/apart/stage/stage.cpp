@@ -128,7 +128,7 @@ void Stage::tickDemo() {
     endTicks_ += game.result() == Result::Playing ? 0 : 1;
     if (endTicks_ >= kEndTicks || game.ticks() >= kDemoTicks) {
         const std::size_t own = level_;
-        const std::size_t shown = screen_ == Screen::Levels ? own : games_++ % def_.levels.size();
+        const std::size_t shown = screen_ == Screen::Levels ? own : demos_++ % def_.levels.size();
         demo(shown);
         level_ = own;
     }

@@ -112,6 +112,7 @@ private:
     std::uint32_t endless_ = 0;     // number of the endless level in play; 0: another level
     std::int32_t endlessScore_ = 0; // of the endless levels before it
     std::uint32_t games_ = 0;       // begun so far
+    std::size_t demos_ = 0;         // that the bot has begun by itself
     std::unique_ptr<Play> play_;
     Tally tally_;
     Hands hands_;
