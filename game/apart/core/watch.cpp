@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::uint32_t kSlowTicks = kTicksPerSecond / 2; // between rubble and paddle, at most
 // Sine of the turn in one tick that rounding may make: the servo scales both coordinates, each to
-// 2^-24 of it in float; some eight times that.
-constexpr Real kStraight = Real(5e-7);
+// 2^-24 of it in float, and a contact close by that does not push is solved to as little.
+constexpr Real kStraight = Real(2e-6);
 
 bool touches(const Game& game, kodo::BodyId ball) {
     const auto hits = game.world().collisions();
