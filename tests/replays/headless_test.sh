@@ -70,6 +70,8 @@ expect 1 'tick 60 is the first whose hash differs' "$program" verify other.repla
 sed 's/^expect 600   lives .*/expect 600 lives == 1/' "$replays/keystone_caught.replay" >unmet.replay
 expect 1 '^unmet.replay:[0-9]+: expect 600 lives == 1, but lives is 3$' "$program" replay unmet.replay
 expect 2 'there is no level nowhere' "$program" bot --level nowhere
+expect 2 'a whole number from 0 to 4294967295, not .99999999999' "$program" bot --seed 99999999999
+expect 2 'level' "$program" bot --level=
 expect 2 'Try apart-headless --help' "$program" bot --ticks many
 expect 2 'Try apart-headless --help' "$program"
 exit "$failed"

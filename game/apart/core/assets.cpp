@@ -111,4 +111,8 @@ Read<Level> loadLevelOf(const fs::path& replay, const std::string& name) {
     return isName(name) && fs::exists(beside, error) ? readLevelFile(beside) : loadLevel(name);
 }
 
+std::string wrongName(const std::string& name) {
+    return name.empty() ? "the name of a level is missing" : "";
+}
+
 } // namespace apart

@@ -24,6 +24,9 @@ Read<Level> loadLevel(const std::string& name);
 /// The level of a replay: one beside it, in levels/NAME.toml, goes before those of the game.
 Read<Level> loadLevelOf(const std::filesystem::path& replay, const std::string& name);
 
+/// What is wrong with the name of a level before any file is looked for; empty: nothing.
+std::string wrongName(const std::string& name);
+
 /// "there is no level NAME; the levels are ..."
 std::string noSuchLevel(const std::string& name);
 

@@ -215,8 +215,10 @@ int run(int argc, char** argv) {
         command->add_flag("--json", json, "Print one JSON object");
     }
     CLI::App* botCommand = app.add_subcommand("bot", "Let the bot play a level until it ends");
-    botCommand->add_option("--level", options.level, "Name of the level; the first unless given");
-    botCommand->add_option("--seed", options.seed, "0..4294967295, 1 unless given");
+    botCommand->add_option("--level", options.level, "Name of the level; the first unless given")
+        ->check(wrongName, "");
+    botCommand->add_option("--seed", options.seed, "0..4294967295, 1 unless given")
+        ->check(wrongSeed, "");
     botCommand->add_option("--ticks", options.ticks, "Stop after so many ticks, 120 a second")
         ->check(CLI::Range(std::uint32_t{0}, kLongestReplay));
     botCommand->add_option("--record", options.record, "Write the game to this file, as a replay");
