@@ -16,7 +16,7 @@ sys.dont_write_bytecode = True
 from virtual_screen import Program, Screen, brightest, difference, skip_without_tools, wait_until  # noqa: E402
 
 PADDLE = "1000x90+36+700"  # where the paddle moves, in a window of 1280x800
-MENU = "400x200+330+290"  # of the pause screen
+MENU = "460x34+296+304"  # the first item of the pause screen
 MANY = 1500  # pixels; the paddle alone has about 4000
 
 
@@ -111,7 +111,7 @@ def play(screen, apart, report):
         (report / "on.png").unlink()
         screen.xdotool("windowfocus", screen.root())
         wait_until("losing the focus pauses",
-                   lambda: difference(screen, one, game.picture(report / "away.png"), MENU) < 6000)
+                   lambda: difference(screen, one, game.picture(report / "away.png"), MENU) < 3000)
         (report / "away.png").unlink()
         screen.xdotool("windowfocus", game.window)
         check("losing the focus pauses", True)
