@@ -77,6 +77,18 @@ float walk(const sf::Font& font, std::string_view utf8, unsigned height, Take ta
     return pen;
 }
 
+sf::BlendMode modeOf(Blend blend) {
+    switch (blend) {
+    case Blend::Over:
+        return sf::BlendAlpha;
+    case Blend::Add:
+        return sf::BlendAdd;
+    case Blend::Replace:
+        break;
+    }
+    return sf::BlendNone;
+}
+
 } // namespace
 
 void Painter::clear() {
@@ -88,20 +100,20 @@ void Painter::clear() {
 void Painter::draw(sf::RenderTarget& target) const {
     for (std::size_t i = 0; i < runs_.size(); ++i) {
         const std::size_t end = i + 1 < runs_.size() ? runs_[i + 1].first : vertices_.size();
-        sf::RenderStates states(runs_[i].blend == Blend::Add ? sf::BlendAdd : sf::BlendAlpha);
+        sf::RenderStates states(modeOf(runs_[i].blend));
         states.texture = runs_[i].texture;
         target.draw(&vertices_[runs_[i].first], end - runs_[i].first, sf::Triangles, states);
     }
 }
 
-void Painter::use(const sf::Texture* texture) {
-    if (!runs_.empty() && runs_.back().blend == blend_ && runs_.back().texture == texture) {
+void Painter::use(const sf::Texture* texture, Blend blend) {
+    if (!runs_.empty() && runs_.back().blend == blend && runs_.back().texture == texture) {
         return;
     }
     if (!runs_.empty() && runs_.back().first == vertices_.size()) {
         runs_.pop_back(); // nothing was added to it
     }
-    runs_.push_back({vertices_.size(), blend_, texture});
+    runs_.push_back({vertices_.size(), blend, texture});
 }
 
 void Painter::triangle(const sf::Vertex& a, const sf::Vertex& b, const sf::Vertex& c) {
@@ -117,7 +129,10 @@ void Painter::quad(const sf::Vertex& a, const sf::Vertex& b, const sf::Vertex& c
 }
 
 void Painter::rectangle(sf::FloatRect where, std::span<const sf::Color, 4> colors) {
-    use(nullptr);
+    const bool opaque = std::all_of(colors.begin(), colors.end(),
+                                    [](const sf::Color& color) { return color.a == 255; });
+    // Without a graphics card it is cheaper not to look at what is there.
+    use(nullptr, opaque && blend_ == Blend::Over ? Blend::Replace : blend_);
     const float right = where.left + where.width;
     const float bottom = where.top + where.height;
     quad({{where.left, where.top}, colors[0]}, {{right, where.top}, colors[1]},
@@ -138,7 +153,7 @@ void Painter::fan(std::span<const sf::Vector2f> corners, std::span<const sf::Col
     if (count < 3 || colors.size() < count) {
         return;
     }
-    use(nullptr);
+    use(nullptr, blend_);
     outwards(corners, sides_);
     const auto inner = [&](std::size_t i) {
         return sf::Vertex{corners[i] - kFade * sides_[i], colors[i]};
@@ -176,7 +191,7 @@ void Painter::band(const Band& band, sf::Color color) {
 }
 
 void Painter::outline(std::span<const sf::Vector2f> corners, float width, sf::Color color) {
-    use(nullptr);
+    use(nullptr, blend_);
     outwards(corners, sides_);
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const std::size_t next = (i + 1) % corners.size();
@@ -185,14 +200,14 @@ void Painter::outline(std::span<const sf::Vector2f> corners, float width, sf::Co
 }
 
 void Painter::line(sf::Vector2f from, sf::Vector2f to, float width, sf::Color color) {
-    use(nullptr);
+    use(nullptr, blend_);
     const sf::Vector2f along = unit(to - from);
     const sf::Vector2f side{-along.y, along.x};
     band({from, side, to, side, 0.5f * width}, color);
 }
 
 void Painter::disc(sf::Vector2f center, float radius, sf::Color middle, sf::Color rim) {
-    use(nullptr);
+    use(nullptr, blend_);
     const int corners = cornersFor(radius);
     const bool hard = rim.a > 0;
     const float inside = hard ? std::max(radius - kFade, 0.0f) : radius;
@@ -211,7 +226,7 @@ void Painter::disc(sf::Vector2f center, float radius, sf::Color middle, sf::Colo
 }
 
 void Painter::ring(sf::Vector2f center, float radius, float width, sf::Color color) {
-    use(nullptr);
+    use(nullptr, blend_);
     const int corners = cornersFor(radius);
     sf::Vector2f before = onCircle({}, 1, 0, corners);
     for (int i = 1; i <= corners; ++i) {
@@ -223,7 +238,7 @@ void Painter::ring(sf::Vector2f center, float radius, float width, sf::Color col
 
 void Painter::image(const sf::Texture& texture, sf::FloatRect part, sf::FloatRect where,
                     sf::Color tint) {
-    use(&texture);
+    use(&texture, blend_);
     const auto corner = [&](float u, float v) {
         return sf::Vertex{{where.left + u * where.width, where.top + v * where.height},
                           tint,

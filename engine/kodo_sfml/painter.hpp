@@ -15,7 +15,7 @@
 
 namespace kodo_sfml {
 
-enum class Blend { Over, Add };
+enum class Blend { Over, Add, Replace };
 
 /// Collects one picture as triangles, in the order of painting, and draws them in as few calls as
 /// textures and blending allow. All positions and lengths are pixels, y down.
@@ -67,7 +67,7 @@ private:
         float halfWidth;
     };
 
-    void use(const sf::Texture* texture);
+    void use(const sf::Texture* texture, Blend blend);
     void triangle(const sf::Vertex& a, const sf::Vertex& b, const sf::Vertex& c);
     void quad(const sf::Vertex& a, const sf::Vertex& b, const sf::Vertex& c, const sf::Vertex& d);
     void band(const Band& band, sf::Color color);

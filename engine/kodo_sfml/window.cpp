@@ -28,9 +28,15 @@ Window::Window(const std::string& title, sf::Vector2u wantedPixels) {
     // SFML 2.5.1 centres by the screen's width in both directions.
     window_.setPosition({static_cast<int>((screen.width - std::min(size.x, screen.width)) / 2),
                          static_cast<int>((screen.height - std::min(size.y, screen.height)) / 2)});
-    window_.setVerticalSyncEnabled(true);
-    window_.setFramerateLimit(kMostFrames);
+    setPaced(true);
     window_.setKeyRepeatEnabled(false);
+    window_.requestFocus(); // nobody gives it where there is no window manager
+}
+
+void Window::setPaced(bool paced) {
+    const QuietSfml quiet;
+    window_.setVerticalSyncEnabled(paced);
+    window_.setFramerateLimit(paced ? kMostFrames : 0);
 }
 
 std::optional<sf::Event> Window::nextEvent() {

@@ -5,6 +5,7 @@
 
 #include <SFML/Graphics/RenderWindow.hpp>
 #include <SFML/Window/Event.hpp>
+#include <SFML/Window/Mouse.hpp>
 
 #include <optional>
 #include <string>
@@ -28,7 +29,13 @@ public:
     /// Shows a picture; waits for the screen, and so sets the pace of the program.
     void show(const Painter& picture, sf::Color background);
 
+    /// As fast as the screen, or as fast as it goes.
+    void setPaced(bool paced);
+    bool hasFocus() const { return window_.hasFocus(); }
     void setPointerVisible(bool visible) { window_.setMouseCursorVisible(visible); }
+    // Where the mouse is, in pixels of the window; it may be outside.
+    sf::Vector2i pointer() const { return sf::Mouse::getPosition(window_); }
+    void putPointer(sf::Vector2i pixels) { sf::Mouse::setPosition(pixels, window_); }
 
 private:
     sf::RenderWindow window_;

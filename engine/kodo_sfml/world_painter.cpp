@@ -11,6 +11,8 @@ namespace {
 constexpr float kLineWidth = 1.5f;                    // pixels
 constexpr float kPointRadius = 3;                     // pixels
 constexpr kodo::Real kNormalLength = kodo::Real(0.2); // m
+constexpr sf::Uint8 kFilled = 110;                    // of 255; the rest shows what is behind
+constexpr sf::Uint8 kHollow = 35;
 
 const sf::Color kLockedColor(110, 118, 130);
 const sf::Color kContactColor(255, 210, 70);
@@ -28,7 +30,8 @@ sf::Color colorOf(kodo::BodyId id) {
 void paintBody(Painter& painter, const Camera& camera, const kodo::BodyView& body) {
     const bool locked = (body.flags() & kodo::kLocked) == kodo::kLocked;
     const sf::Color edge = locked ? kLockedColor : colorOf(body.id());
-    const sf::Color fill(edge.r, edge.g, edge.b, 110);
+    const bool resting = (body.flags() & kodo::kResting) != 0;
+    const sf::Color fill(edge.r, edge.g, edge.b, resting ? kHollow : kFilled);
     for (std::size_t i = 0; i < body.partCount(); ++i) {
         const std::vector<sf::Vector2f> corners =
             cornersOf(body.part(i).convex, body.placement(), camera);

@@ -9,7 +9,8 @@ namespace kodo_sfml {
 
 /// What of a World is drawn. Off costs nothing.
 struct WorldLook {
-    bool shapes = true;    // filled, with a line from the middle that shows the rotation
+    bool shapes = true;    // filled, with a line from the middle that shows the rotation; what
+                           // rests is hollow
     bool contacts = false; // of the last step: point and normal
     bool impulses = false; // of the last step: an arrow along the normal, length by totalImpulse
     bool bounds = false;   // the boxes that the broad phase sees

@@ -29,7 +29,8 @@ struct StepOptions {
     std::optional<int> passes{};         // velocity iterations of Box2D
     std::optional<int> positionPasses{}; // position iterations of Box2D
     int threads = 1;
-    bool rest = false; // may calm bodies be put to rest? The scene says so, not the user
+    bool stages = false; // tell how long each stage takes, which itself takes a little
+    bool rest = false;   // may calm bodies be put to rest? The scene says so, not the user
 };
 
 /// A sentence for the one who asked for what cannot be.

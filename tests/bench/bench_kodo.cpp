@@ -3,8 +3,10 @@
 #include <scenes/in_kodo.hpp>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <ctime>
 
 #include "bench_engine.hpp"
 
@@ -114,12 +116,48 @@ kodo::StepSettings settingsOf(const StepOptions& options) {
     return settings;
 }
 
+/// Adds up how long each stage takes.
+class StageClock final : public kodo::StageWatch {
+public:
+    void enter(kodo::StepStage stage) override {
+        leave();
+        now_ = static_cast<int>(stage);
+    }
+    void leave() override {
+        timespec clock{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &clock);
+        const double at =
+            static_cast<double>(clock.tv_sec) + 1e-9 * static_cast<double>(clock.tv_nsec);
+        if (now_ >= 0) {
+            seconds_[static_cast<std::size_t>(now_)] += at - since_;
+        }
+        since_ = at;
+        now_ = -1;
+    }
+    std::vector<StageTime> times() const {
+        std::vector<StageTime> times;
+        for (std::size_t i = 0; i < seconds_.size(); ++i) {
+            if (seconds_[i] > 0) {
+                times.push_back({std::string(kodo::kStepStageNames[i]), seconds_[i]});
+            }
+        }
+        return times;
+    }
+
+private:
+    std::array<double, kodo::kStepStageNames.size()> seconds_{};
+    double since_ = 0; // s
+    int now_ = -1;
+};
+
 class KodoEngine final : public Engine {
 public:
     KodoEngine(const scenes::SceneDef& scene, const StepOptions& options)
-        : scene_(scenes::inKodo(scene, settingsOf(options))) {}
+        : scene_(scenes::inKodo(scene, settingsOf(options))), timesStages_(options.stages) {}
 
-    void step(double dt) override { scene_.world.step(static_cast<kodo::Real>(dt)); }
+    void step(double dt) override {
+        scene_.world.step(static_cast<kodo::Real>(dt), timesStages_ ? &stages_ : nullptr);
+    }
 
     BodyState state(std::size_t body) const override {
         const kodo::BodyView view = std::as_const(scene_.world)[scene_.ids[body]];
@@ -162,12 +200,15 @@ public:
     }
 
     std::uint64_t stateHash() const override { return scene_.world.stateHash(); }
+    std::vector<StageTime> stages() const override { return stages_.times(); }
 
 private:
     static double wide(kodo::Real value) { return static_cast<double>(value); }
     static scenes::Vec2 wide(kodo::Vec2 v) { return {wide(v.x), wide(v.y)}; }
 
     scenes::KodoScene scene_;
+    StageClock stages_;
+    bool timesStages_ = false;
 };
 
 } // namespace

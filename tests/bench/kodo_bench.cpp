@@ -15,7 +15,6 @@ struct Options {
     std::string against;
     std::string againstProfile = "default";
     bool json = false;
-    bool stages = false;
     bool list = false;
 };
 
@@ -50,7 +49,7 @@ void addOptions(CLI::App& app, Options& options) {
         ->check(CLI::IsMember(engineNames()));
     app.add_option("--against-profile", options.againstProfile, "How the other engine steps")
         ->check(CLI::IsMember(profileNames()));
-    app.add_flag("--stages", options.stages, "Also the time of each stage of a step");
+    app.add_flag("--stages", options.run.step.stages, "Also the time of each stage of a step");
     app.add_flag("--json", options.json, "Print one JSON object for each engine");
 }
 
@@ -93,8 +92,8 @@ void runAll(const Options& options) {
         summaries[0].ratio = summaries[0].result.cpuSeconds / summaries[1].result.cpuSeconds;
     }
     for (const Summary& summary : summaries) {
-        fmt::print("{}\n", options.json ? asJson(summary, options.stages)
-                                        : asText(summary, options.stages));
+        fmt::print("{}\n", options.json ? asJson(summary, options.run.step.stages)
+                                        : asText(summary, options.run.step.stages));
     }
 }
 

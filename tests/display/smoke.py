@@ -16,7 +16,7 @@ sys.dont_write_bytecode = True
 from virtual_screen import Program, Screen, brightest, difference, skip_without_tools, wait_until  # noqa: E402
 
 PADDLE = "1000x90+36+700"  # where the paddle moves, in a window of 1280x800
-MENU = "500x400+280+290"  # of the pause screen
+MENU = "400x200+330+290"  # of the pause screen
 MANY = 1500  # pixels; the paddle alone has about 4000
 
 
@@ -45,6 +45,19 @@ def changed(game, report, before, name, area=None, least=MANY):
     return path
 
 
+def check_without_window_manager(screen, apart, report):
+    """Nobody gives the window the focus."""
+    with Program(screen, "aPart", apart, "--mute", "--level", "first_light", focus=False) as game:
+        time.sleep(1.5)
+        one = game.picture(report / "alone.png")
+        check("the game is not paused when it starts", brightest(screen, one, "900x300+60+60") > 0.5)
+        game.key("p")
+        changed(game, report, one, "alone_paused.png", least=50000)
+        check("the window takes the keys without being given the focus", True)
+        (report / "alone_paused.png").unlink()
+        one.unlink()
+
+
 def play(screen, apart, report):
     with Program(screen, "aPart", apart, "--mute", "--seed", "1") as game:
         check("the window opens", game.window)
@@ -65,9 +78,20 @@ def play(screen, apart, report):
         changed(game, report, right, "4_left.png", PADDLE)
         check("the arrow keys move the paddle", True)
 
-        screen.xdotool("mousemove", "--window", game.window, 900, 500)
+        screen.xdotool("mousemove_relative", 250, 0)
         changed(game, report, report / "4_left.png", "5_mouse.png", PADDLE)
         check("the mouse moves the paddle", True)
+        # More than the window is wide, in all: the mouse must not end at a border.
+        for _ in range(12):
+            screen.xdotool("mousemove_relative", 150, 0)
+            time.sleep(0.05)
+        x, y = game.pointer()
+        check(f"the mouse stays inside the window: {x}, {y}", 0 < x < 1280 and 0 < y < 800)
+        for _ in range(3):
+            screen.xdotool("mousemove_relative", "--", -150, 0)
+            time.sleep(0.05)
+        time.sleep(0.3)
+        game.picture(report / "5_mouse.png")
 
         game.key("space")
         changed(game, report, report / "5_mouse.png", "6_flight.png", "900x560+60+60", least=300)
@@ -101,7 +125,7 @@ def play(screen, apart, report):
         check("the window can be resized", True)
 
         game.key("Escape", "Escape")  # on, and pause again
-        game.key("Up", "Return")      # to the levels
+        game.key("Up", "Return")      # to the title
         game.key("Escape")
         code, output = game.wait_for_end()
         check(f"escape leaves the title: exit code {code}", code == 0)
@@ -122,6 +146,11 @@ def check_screenshot(screen, apart, report):
     bad = screen.run(apart, "--screenshot", "/nowhere/x.png")
     check("a picture that cannot be written is an error in a sentence",
           bad.returncode == 2 and "/nowhere/x.png" in bad.stderr)
+    seed = screen.run(apart, "--seed", "99999999999")
+    check("a seed that is none is an error in a sentence",
+          seed.returncode == 2 and "a whole number from 0 to 4294967295, not '99999999999'" in seed.stderr)
+    empty = screen.run(apart, "--level=")
+    check("a level without a name is refused", empty.returncode == 2 and "level" in empty.stderr)
     wrong = screen.run(apart, "--level", "no_such_level")
     check("an unknown level is an error that names the levels",
           wrong.returncode == 2 and "first_light" in wrong.stderr)
@@ -135,6 +164,7 @@ def main():
         skip_without_tools()
         with Screen() as screen:
             check_screenshot(screen, apart, report)
+            check_without_window_manager(screen, apart, report)
             play(screen, apart, report)
     except AssertionError as error:
         print(f"FAILED {error}\nPictures: {report}")

@@ -4,6 +4,7 @@ import os
 import shutil
 import subprocess
 import sys
+import tempfile
 import time
 
 SKIPPED = 77  # what ctest takes for "skipped"
@@ -44,16 +45,19 @@ class Screen:
             number = pipe.readline().strip()
         if not number:
             raise AssertionError("Xvfb did not start")
-        self.env = {**os.environ, "DISPLAY": f":{number}", "LIBGL_ALWAYS_SOFTWARE": "1"}
+        self.config = tempfile.TemporaryDirectory()  # the user's settings are no concern of a test
+        self.env = {**os.environ, "DISPLAY": f":{number}", "LIBGL_ALWAYS_SOFTWARE": "1",
+                    "XDG_CONFIG_HOME": self.config.name}
         self.env.pop("WAYLAND_DISPLAY", None)
         return self
 
     def __exit__(self, *_):
         self.server.terminate()
         self.server.wait()
+        self.config.cleanup()
 
-    def run(self, *command):
-        return subprocess.run(command, env=self.env, capture_output=True, text=True, timeout=60)
+    def run(self, *command, seconds=60):
+        return subprocess.run(command, env=self.env, capture_output=True, text=True, timeout=seconds)
 
     def xdotool(self, *words):
         result = self.run("xdotool", *map(str, words))
@@ -68,14 +72,15 @@ class Screen:
 class Program:
     """A program whose window has that title; ended, if need be, with the `with` block."""
 
-    def __init__(self, screen, title, *command):
-        self.screen, self.title, self.command = screen, title, command
+    def __init__(self, screen, title, *command, focus=True):
+        self.screen, self.title, self.command, self.focus = screen, title, command, focus
 
     def __enter__(self):
         self.process = subprocess.Popen(self.command, env=self.screen.env, stdout=subprocess.PIPE,
                                         stderr=subprocess.STDOUT, text=True)
         self.window = wait_until("the window opens", self._find)
-        self.screen.xdotool("windowfocus", self.window)  # there is no window manager
+        if self.focus:
+            self.screen.xdotool("windowfocus", self.window)  # there is no window manager
         return self
 
     def __exit__(self, *_):
@@ -96,6 +101,21 @@ class Program:
         self.screen.xdotool("keydown", name)
         time.sleep(seconds)
         self.screen.xdotool("keyup", name)
+
+    def point(self, x, y):
+        self.screen.xdotool("mousemove", "--window", self.window, x, y)
+
+    def click(self, x, y):
+        self.point(x, y)
+        self.screen.xdotool("click", 1)
+
+    def pointer(self):
+        """Where the mouse is, in pixels of the window."""
+        def values(*words):
+            return dict(line.split("=") for line in self.screen.xdotool(*words) if "=" in line)
+        mouse = values("getmouselocation", "--shell")
+        window = values("getwindowgeometry", "--shell", self.window)
+        return int(mouse["X"]) - int(window["X"]), int(mouse["Y"]) - int(window["Y"])
 
     def size(self):
         geometry = self.screen.xdotool("getwindowgeometry", "--shell", self.window)

@@ -33,6 +33,19 @@ TEST(FreeFlight, IsAStraightLineWhileTheServoWorks) {
     }
 }
 
+TEST(FreeFlight, GetsFromTheServoWhatTheLedgerSays) {
+    for (const Real start : {Real(4), Real(20)}) {
+        Game game(levelOf("g..............\n"), 1);
+        const kodo::BodyId ball = GameTestAccess::shoot(game, {0, 4}, {0, start});
+        const kodo::BodyView body = game.world()[ball];
+        for (int tick = 0; tick < 40; ++tick) {
+            game.tick({});
+        }
+        const Real gained = body.mass() * (lengthSquared(body.velocity()) - start * start) / 2;
+        EXPECT_TRUE(near(static_cast<Real>(game.ledger().servoWork), gained, 1e-3)); // of 130 J
+    }
+}
+
 /// Walls, blocks and paddle of a level, and one ball that nothing governs.
 struct Range {
     kodo::World world;
@@ -79,6 +92,13 @@ Real heightOverPaddle(const Range& range) {
     return std::abs(local.x) < kPaddleFoot ? local.y : 0;
 }
 
+/// Does everything in it stand still, and from all sides alike, until it breaks?
+bool isStill(const Level& level) {
+    return level.obstructions.empty() && level.wells.empty() && level.wind == 0 &&
+           std::all_of(level.kinds.begin(), level.kinds.end(),
+                       [](const BlockKind& kind) { return kind.hold == Hold::Mounted; });
+}
+
 TEST(SweptBall, NeverTunnelsAtFourTimesTheTopSpeedInTenThousandShots) {
     constexpr std::uint64_t kSeed = 99;
     constexpr int kShots = 10000;
@@ -87,10 +107,13 @@ TEST(SweptBall, NeverTunnelsAtFourTimesTheTopSpeedInTenThousandShots) {
     Real top = 0;
     for (const std::string& name : levelNames()) {
         const Level level = std::get<Level>(loadLevel(name));
+        if (!isStill(level)) {
+            continue;
+        }
         ranges.emplace_back(level);
         top = std::max(top, static_cast<Real>(level.ballSpeed) / 1000 * (1 + kSpeedUp));
     }
-    ASSERT_EQ(ranges.size(), 5u);
+    ASSERT_GE(ranges.size(), 10u);
     for (int shot = 0; shot < kShots; ++shot) {
         SCOPED_TRACE("seed " + std::to_string(kSeed) + ", shot " + std::to_string(shot));
         Range& range = ranges[static_cast<std::size_t>(shot) % ranges.size()];

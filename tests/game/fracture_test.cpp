@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A4: blocks come apart in different ways, by the real blow at its real point.
 #include <apart/core/field.hpp>
 #include <apart/core/fracture.hpp>
 #include <apart/core/tuning.hpp>
@@ -16,7 +17,7 @@ using kodo::Vec2;
 using support::near;
 
 constexpr std::uint64_t kSeed = 2024;
-constexpr int kBreaks = 20000;
+constexpr int kBreaks = 100000;
 constexpr Real kBlockArea = kCellWidth * kCellHeight;
 
 Vec2 onTheRim(support::RandomNumbers& random) {
@@ -39,7 +40,8 @@ void forRandomBreaks(int count, Look look) {
     const Polygon block = rectangle(kCellWidth, kCellHeight);
     for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
         SCOPED_TRACE("seed " + std::to_string(kSeed) + ", break " + std::to_string(i));
-        Break broken{onTheRim(random), static_cast<Pattern>(i % 4), {}};
+        Break broken{
+            onTheRim(random), static_cast<Pattern>(i % static_cast<int>(kPatternNames.size())), {}};
         broken.pieces = fracture(block, broken.hit, broken.pattern, shardLimits(), random.bits());
         look(broken, random);
     }
@@ -48,7 +50,7 @@ void forRandomBreaks(int count, Look look) {
 TEST(Fracture, MakesAtLeastTwoPiecesThatTheEngineAccepts) {
     forRandomBreaks(kBreaks, [](const Break& broken, auto&) {
         EXPECT_GE(broken.pieces.size(), 2u);
-        EXPECT_LE(broken.pieces.size(), 12u);
+        EXPECT_LE(broken.pieces.size(), 17u); // glass: a hub, 8 wedges, 8 behind the ring
         for (const Polygon& piece : broken.pieces) {
             const auto problem = kodo::check(kodo::Shape(piece));
             EXPECT_FALSE(problem) << problem->text();
@@ -71,8 +73,9 @@ TEST(Fracture, KeepsTheArea) {
         for (const Polygon& piece : broken.pieces) {
             area += areaOf(piece);
         }
-        // A dozen cells of some rounding errors each; one lost 1 mm corner would already show.
-        EXPECT_TRUE(near(area, kBlockArea, Real(1e-5) * kBlockArea));
+        // Corners within 2e-5 m become one, which costs a triangle of that base and at most the
+        // length of the block, 1.6e-5 m^2; two of them in one break are the most that was seen.
+        EXPECT_TRUE(near(area, kBlockArea, Real(3.2e-5)));
     });
 }
 
@@ -101,7 +104,7 @@ TEST(Fracture, LeavesNoOverlapOfPieces) {
 TEST(Fracture, IsAFunctionOfItsKey) {
     const Polygon block = rectangle(kCellWidth, kCellHeight);
     for (const Pattern pattern :
-         {Pattern::Halves, Pattern::Slats, Pattern::Bricks, Pattern::Shatter}) {
+         {Pattern::Halves, Pattern::Slats, Pattern::Bricks, Pattern::Radial, Pattern::Shatter}) {
         const auto broken = [&](std::uint64_t key) {
             return fracture(block, {0, -kCellHeight / 2}, pattern, shardLimits(), key);
         };
@@ -147,6 +150,36 @@ TEST(Fracture, GivesThePiecesTheMomentumOfTheBlowAndItsMoment) {
     });
 }
 
+TEST(Fracture, GivesThePiecesTheEnergyOfARigidWholeAndNoMoreThanTheBurst) {
+    forRandomBreaks(kBreaks, [](const Break& broken, support::RandomNumbers& random) {
+        std::vector<kodo::Mass> masses;
+        kodo::Mass whole{};
+        for (const Polygon& piece : broken.pieces) {
+            masses.push_back(massOf(piece, Real(0.5)));
+            whole = masses.size() == 1 ? masses[0] : combine(whole, masses.back());
+        }
+        const Vec2 impulse = random.point(5);
+        const Real turn = cross(broken.hit - whole.center, impulse);
+        const Real rigid =
+            lengthSquared(impulse) / (2 * whole.mass) + turn * turn / (2 * whole.inertia);
+        for (const Real burst : {Real(0), kBurstSpeed}) {
+            const auto motions = motionOfPieces(masses, broken.hit, impulse, burst);
+            Real energy = 0;
+            for (std::size_t i = 0; i < masses.size(); ++i) {
+                energy += (masses[i].mass * lengthSquared(motions[i].velocity) +
+                           masses[i].inertia * motions[i].spin * motions[i].spin) /
+                          2;
+            }
+            // Without a burst equal, to the rounding of a dozen floats; the kicks of a burst are
+            // relative to the whole, and what they lose to have no net momentum is theirs alone.
+            const Real most = whole.mass * burst * burst / 2;
+            const Real rounding = Real(1e-5) * (rigid + most);
+            EXPECT_GE(energy, rigid - rounding);
+            EXPECT_LE(energy, rigid + most + rounding);
+        }
+    });
+}
+
 TEST(Fracture, LetsTheMountTakeItsStrengthOfABlow) {
     EXPECT_EQ(impulseOnPieces({0, 10}, 12, 1), (Vec2{0, 0})); // the mount bears it all
     EXPECT_EQ(impulseOnPieces({0, 14}, 12, 1), (Vec2{0, 2})); // 14 = 12 + 2
@@ -164,6 +197,36 @@ TEST(Fracture, LeavesPiecesThatDoNotPushEachOther) {
             EXPECT_LT(length(world[body].velocity()), 0.001); // m/s
         }
     });
+}
+
+TEST(Fracture, GoesOnToTheSizeFloorInEveryPatternAndAllPiecesAreSound) {
+    int broken = 0;
+    forRandomBreaks(kBreaks / 20, [&](const Break& first, support::RandomNumbers& random) {
+        std::vector<Polygon> open = first.pieces;
+        Real floor = 0; // area of what breaks no more
+        while (!open.empty()) {
+            const Polygon piece = open.back();
+            open.pop_back();
+            const auto corner = random.below(static_cast<std::uint32_t>(piece.corners.size()));
+            const auto pattern = static_cast<Pattern>(random.below(5));
+            const auto parts =
+                fracture(piece, piece.corners[corner], pattern, shardLimits(), random.bits());
+            if (parts.size() == 1) {
+                floor += areaOf(piece);
+                continue;
+            }
+            ++broken;
+            for (const Polygon& part : parts) {
+                ASSERT_FALSE(kodo::check(kodo::Shape(part)));
+                ASSERT_GE(areaOf(part), shardLimits().area);
+                ASSERT_GE(widthOf(part), shardLimits().width);
+                open.push_back(part);
+            }
+        }
+        // Some twenty pieces, each with a merged corner or two: see KeepsTheArea.
+        ASSERT_TRUE(near(floor, kBlockArea, Real(3e-4)));
+    });
+    EXPECT_GT(broken, kBreaks / 20);
 }
 
 TEST(Pieces, OfEveryKindOfBlockWeighWhatTheBlockWeighs) {

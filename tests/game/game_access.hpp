@@ -20,6 +20,18 @@ namespace apart {
 struct GameTestAccess {
     static kodo::World& world(Game& game) { return game.world_; }
     static std::vector<Weld>& welds(Game& game) { return game.welds_; }
+    static void setMeter(Game& game, kodo::Real meter) { game.meter_ = meter; }
+    static void idle(Game& game) { game.watchProgress(); } // a tick in which nothing is damaged
+    static void letGo(Game& game, std::size_t index) { game.letGo(index, LetGo::Why::Fatigue); }
+    /// As if the part of such a block had been caught.
+    static void give(Game& game, Power power, kodo::Vec2 origin = {0, 9}) {
+        game.beginPower(power, {}, origin);
+        game.refreshPowers();
+    }
+    static void breakShard(Game& game, std::size_t index, kodo::Vec2 point) {
+        game.breakShard(index, point, 0);
+    }
+    static void weldWings(Game& game) { game.weldWings(); }
 
     /// The first ball flies from there; the others are gone.
     static kodo::BodyId shoot(Game& game, kodo::Vec2 from, kodo::Vec2 velocity) {
@@ -43,12 +55,22 @@ struct GameTestAccess {
     }
 };
 
+/// A level from its text.
+inline Level levelFrom(const std::string& text) {
+    const Read<Level> level = parseLevel(text, "test", "test.toml");
+    if (const auto* problem = std::get_if<FileProblem>(&level)) {
+        throw std::runtime_error(problem->text());
+    }
+    return std::get<Level>(level);
+}
+
 /// A level from its grid, with one letter for each kind: g w b s X glass, wood, brick, stone,
-/// steel; W L S brick that welds, launches, splits.
-inline Level levelOf(const std::string& grid, int ballSpeed = 12000) {
+/// steel; W L S brick that welds, launches, splits. `head` and `tail` are further lines of TOML.
+inline Level levelOf(const std::string& grid, int ballSpeed = 12000, const std::string& head = "",
+                     const std::string& tail = "") {
     std::string text =
         "format = 1\ntitle = \"t\"\nidea = \"i\"\nball-speed = " + std::to_string(ballSpeed) +
-        "\ngrid = '''\n" + grid + "'''\n";
+        "\n" + head + "grid = '''\n" + grid + "'''\n";
     const std::vector<std::pair<std::string, std::string>> legend = {
         {"g", "stuff = \"glass\""},
         {"w", "stuff = \"wood\""},
@@ -61,11 +83,13 @@ inline Level levelOf(const std::string& grid, int ballSpeed = 12000) {
     for (const auto& [letter, lines] : legend) {
         text += "[legend." + letter + "]\n" + lines + "\n";
     }
-    const Read<Level> level = parseLevel(text, "test", "test.toml");
-    if (const auto* problem = std::get_if<FileProblem>(&level)) {
-        throw std::runtime_error(problem->text());
-    }
-    return std::get<Level>(level);
+    return levelFrom(text + tail);
+}
+
+/// The same with one more letter of the legend: a table's lines.
+inline Level levelWith(const std::string& grid, const std::string& letter,
+                       const std::string& lines) {
+    return levelOf(grid, 12000, "", "[legend." + letter + "]\n" + lines + "\n");
 }
 
 /// So many empty rows of a grid.

@@ -2,6 +2,7 @@
 #include <apart/core/assets.hpp>
 #include <apart/core/bot.hpp>
 #include <apart/core/replay.hpp>
+#include <apart/core/tuning.hpp>
 
 #include "game_access.hpp"
 
@@ -74,6 +75,41 @@ TEST(ReplayFile, CanBeWrittenByHand) {
     EXPECT_EQ(std::get<Replay>(parseReplay(toText(replay), "again")).inputs, replay.inputs);
 }
 
+TEST(ReplayFile, OfTheFirstRulesIsReadAndRefusedInOneSentence) {
+    std::string old = "apart-replay 1\nlevel first_light 0123456789abcdef\nrules 1\nseed 7\n"
+                      "# tick paddle target launch\n0 0 - 0\nhash 60 0123456789abcdef\nend 60\n";
+    old += "digest " + toHex(digestOf(std::string_view(old))) + "\n";
+    ASSERT_EQ(problemOf(old), "none");
+    const Replay replay = std::get<Replay>(parseReplay(old, "test.replay"));
+    EXPECT_EQ(replay.mode, Mode::Standard);
+    const auto reason = refusal(replay, *firstLight());
+    ASSERT_TRUE(reason);
+    EXPECT_EQ(*reason, "was recorded with version 1 of the rules, and this game has version " +
+                           std::to_string(kRulesVersion));
+}
+
+TEST(ReplayFile, HasAForceAndAModeSinceItsSecondFormat) {
+    const std::string text = "apart-replay 2\nlevel first_light\nseed 7\npure\nhandwritten\n"
+                             "0 0 - 0\n30 0 - 1 pull\n40 0 - 0 push\n50 0 - 0 0\n"
+                             "expect 60 forceChanged == 3\nexpect 60 patience == calm\nend 60\n";
+    ASSERT_EQ(problemOf(text), "none");
+    const Replay replay = std::get<Replay>(parseReplay(text, "test.replay"));
+    EXPECT_EQ(replay.mode, Mode::Pure);
+    EXPECT_EQ(replay.inputs[0].input.force, Force::None);
+    EXPECT_EQ(replay.inputs[1].input.force, Force::Pull);
+    EXPECT_EQ(replay.inputs[2].input.force, Force::Push);
+    EXPECT_EQ(replay.expectations[1].text(), "expect 60 patience == calm");
+    const Replay again = std::get<Replay>(parseReplay(toText(replay), "again"));
+    EXPECT_EQ(again.inputs, replay.inputs);
+    EXPECT_EQ(again.mode, Mode::Pure);
+    const Playback playback = played(replay);
+    EXPECT_TRUE(playback.failures().empty());
+    EXPECT_EQ(playback.game().mode(), Mode::Pure);
+    std::string wrong = text;
+    wrong.replace(wrong.find("pull"), 4, "suck");
+    EXPECT_EQ(problemOf(wrong), "test.replay:7: force must be 0, pull or push");
+}
+
 TEST(ReplayFile, IsRefusedWhereverItIsCutOff) {
     const std::string text = toText(recorded(130));
     for (std::size_t size = 0; size < text.size(); ++size) {
@@ -99,7 +135,9 @@ TEST(ReplayFile, NamesTheLineOfWhatIsWrong) {
         return changed.replace(changed.find(before), before.size(), after);
     };
     const std::vector<std::pair<std::string, std::string>> cases = {
-        {with("apart-replay 1", "apart-replay 2"), ":1: not a replay"},
+        {with("apart-replay 1", "apart-film 1"), ":1: not a replay"},
+        {with("apart-replay 1", "apart-replay 3"), ":1: was written by a newer game"},
+        {with("30 0 - 1", "30 0 - 1 pull"), ":7: an input line has four columns"},
         {with("seed 7", "seed -7"), ":3: seed needs one whole number"},
         {with("seed 7\n", ""), ":12: there is no line seed N"},
         {with("level first_light\n", ""), ":12: there is no line level NAME"},

@@ -33,6 +33,27 @@ expect 0 "$json, \"hashesChecked\": 15, \"firstDifference\": null\\}\$" \
 expect 0 "$json, \"expectationsFailed\": 0\\}\$" \
     "$program" replay "$replays/keystone_caught.replay" --json
 
+# A level that nobody drew: its name in the replay is all that is needed to play it again.
+expect 0 "^endless:7:3, seed 5: " \
+    "$program" bot --level endless:7:3 --seed 5 --ticks 900 --record endless.replay
+expect 0 'All 15 hashes agree' "$program" verify endless.replay
+expect 0 '"level": "endless:9:1", "seed": 9' "$program" bot --level endless --seed 9 --ticks 10 --json
+expect 2 'no level endless:7:0|no name of a level' "$program" bot --level endless:7:0
+
+expect 0 'All 1 levels pass' "$program" lint first_light
+expect 0 '"passed": true' "$program" lint first_light endless:7:3 --json
+expect 1 'first_light: the bot.s game with seed 1 is not won after 0 s' \
+    "$program" lint first_light --ticks 10
+expect 2 'there is no level nowhere' "$program" lint first_light nowhere
+expect 0 '^\{"total": .*"ticks": 3000,.*"halts": 0, "escapes": 0, "bends": 0' \
+    "$program" soak first_light --ticks 3000 --longest 1000 --endless 1 --json
+
+# A pure game says so in its recording.
+expect 0 "$json\\}\$" "$program" bot --level first_light --mode pure --ticks 300 --record pure.replay \
+    --json
+expect 0 '^pure$' cat pure.replay
+expect 0 'All 5 hashes agree' "$program" verify pure.replay
+
 # The same game twice, to the bit.
 "$program" bot --level mitosis --seed 7 --ticks 900 --record b.replay >/dev/null
 cmp -s a.replay b.replay || { echo 'FAILED: two recordings of one game differ'; failed=1; }
@@ -49,6 +70,8 @@ expect 1 'tick 60 is the first whose hash differs' "$program" verify other.repla
 sed 's/^expect 600   lives .*/expect 600 lives == 1/' "$replays/keystone_caught.replay" >unmet.replay
 expect 1 '^unmet.replay:[0-9]+: expect 600 lives == 1, but lives is 3$' "$program" replay unmet.replay
 expect 2 'there is no level nowhere' "$program" bot --level nowhere
+expect 2 'a whole number from 0 to 4294967295, not .99999999999' "$program" bot --seed 99999999999
+expect 2 'level' "$program" bot --level=
 expect 2 'Try apart-headless --help' "$program" bot --ticks many
 expect 2 'Try apart-headless --help' "$program"
 exit "$failed"

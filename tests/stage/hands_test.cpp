@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <apart/core/tuning.hpp>
 #include <apart/stage/hands.hpp>
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ Signals holding(bool left, bool right) {
 
 TEST(Hands, AHeldKeyBeginsGentlyAndReachesFullSpeedWithinAFifthOfASecond) {
     Hands hands;
-    hands.take(holding(false, true));
+    hands.take(holding(false, true), 0, 1);
     const int first = hands.next().paddle;
     EXPECT_GT(first, 0);
     EXPECT_LT(first, 64); // of 127
@@ -30,39 +31,89 @@ TEST(Hands, AHeldKeyBeginsGentlyAndReachesFullSpeedWithinAFifthOfASecond) {
 
 TEST(Hands, BothKeysTogetherStandStill) {
     Hands hands;
-    hands.take(holding(true, true));
+    hands.take(holding(true, true), 0, 1);
     EXPECT_EQ(hands.next().paddle, 0);
 }
 
 TEST(Hands, TurningAroundBeginsGentlyAgain) {
     Hands hands;
-    hands.take(holding(true, false));
+    hands.take(holding(true, false), 0, 1);
     for (int tick = 0; tick < 30; ++tick) {
         hands.next();
     }
     EXPECT_EQ(hands.next().paddle, -127);
-    hands.take(holding(false, true));
+    hands.take(holding(false, true), 0, 1);
     EXPECT_LT(hands.next().paddle, 64);
+}
+
+Signals movingBy(float metres) {
+    Signals signals;
+    signals.moved = metres;
+    return signals;
+}
+
+TEST(Hands, TheMouseMovesATargetThatBeginsAtThePaddle) {
+    Hands hands;
+    hands.take(movingBy(1.5f), 2, 1);
+    EXPECT_EQ(hands.next().target, std::optional<std::int16_t>(3500)); // mm
+    hands.take({}, 2.2f, 1);                                           // the mouse rests
+    EXPECT_EQ(hands.next().target, std::optional<std::int16_t>(3500));
+    hands.take(movingBy(-1), 3, 1); // from the target, not from the paddle that follows it
+    EXPECT_EQ(hands.next().target, std::optional<std::int16_t>(2500));
+}
+
+TEST(Hands, TheSpeedOfTheMouseMultipliesItsWay) {
+    Hands hands;
+    hands.take(movingBy(1), 0, 2.5f);
+    EXPECT_EQ(hands.next().target, std::optional<std::int16_t>(2500));
 }
 
 TEST(Hands, TheMouseRulesUntilAKeyIsHeld) {
     Hands hands;
-    Signals moved;
-    moved.pointer = kodo::Vec2{3.5f, 2};
-    hands.take(moved);
-    ASSERT_TRUE(hands.next().target.has_value());
-    hands.take({});                                                    // the mouse rests
-    EXPECT_EQ(hands.next().target, std::optional<std::int16_t>(3500)); // mm
-    hands.take(holding(true, false));
+    hands.take(movingBy(3), 0, 1);
+    hands.take(holding(true, false), 1, 1);
     EXPECT_FALSE(hands.next().target.has_value());
+    hands.take(movingBy(1), -4, 1); // from where the keys have brought the paddle
+    EXPECT_EQ(hands.next().target, std::optional<std::int16_t>(-3000));
 }
 
-TEST(Hands, APointerFarOutsideIsNoOverflow) {
+// Else the mouse would have to come back all the way that it went beyond the wall.
+TEST(Hands, AMouseBeyondTheWallTurnsAtOnce) {
     Hands hands;
-    Signals moved;
-    moved.pointer = kodo::Vec2{-1e6f, 0};
-    hands.take(moved);
-    EXPECT_EQ(hands.next().target, std::optional<std::int16_t>(-32000));
+    hands.take(movingBy(1e6f), 0, 1);
+    const auto far = hands.next().target;
+    ASSERT_TRUE(far);
+    EXPECT_EQ(*far, std::int16_t(1000 * (kFieldWidth / 2 - kPaddleHalfWidth)));
+    hands.take(movingBy(-0.5f), 9, 1);
+    EXPECT_EQ(hands.next().target, std::optional(static_cast<std::int16_t>(*far - 500)));
+}
+
+TEST(Hands, PullAndPushAreHeldAndBothTogetherAreNeither) {
+    Hands hands;
+    Signals held;
+    held.pullHeld = true;
+    hands.take(held, 0, 1);
+    EXPECT_EQ(hands.next().force, Force::Pull);
+    EXPECT_EQ(hands.next().force, Force::Pull);
+    held.pushHeld = true;
+    hands.take(held, 0, 1);
+    EXPECT_EQ(hands.next().force, Force::None);
+    held.pullHeld = false;
+    hands.take(held, 0, 1);
+    EXPECT_EQ(hands.next().force, Force::Push);
+}
+
+// The left button serves and pulls: the ball that it served must not come back at once.
+TEST(Hands, TheButtonThatServedPullsOnlyWhenPressedAgain) {
+    Hands hands;
+    Signals held;
+    held.pullHeld = true;
+    hands.launch();
+    hands.take(held, 0, 1);
+    EXPECT_EQ(hands.next().force, Force::None);
+    hands.take({}, 0, 1);
+    hands.take(held, 0, 1);
+    EXPECT_EQ(hands.next().force, Force::Pull);
 }
 
 TEST(Hands, ALaunchCountsForOneTick) {

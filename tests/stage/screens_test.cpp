@@ -1,33 +1,71 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "stage_rig.hpp"
 
 namespace apart {
 namespace {
 
-TEST(Screens, TheTitleNamesTheChosenLevelAndEnterPlaysIt) {
-    StageRig rig(StageRig::twoLevels());
+TEST(Screens, TheTitleOffersTheFirstLevelThatIsNotCleared) {
+    StageDef def = StageRig::twoLevels();
+    def.profile.enter(Mode::Standard, def.levels[0]->name, {50, true, false, false});
+    StageRig rig(std::move(def));
     EXPECT_EQ(rig.stage.screen(), Screen::Title);
-    EXPECT_TRUE(rig.picture().says("One block"));
-    rig.press(Command::Right);
     EXPECT_TRUE(rig.picture().says("Three blocks"));
-    rig.press(Command::Right); // there is no third
     rig.press(Command::Confirm);
     EXPECT_EQ(rig.stage.screen(), Screen::Playing);
     EXPECT_EQ(rig.stage.levelIndex(), 1u);
+}
+
+TEST(Screens, ALevelIsChosenByKeys) {
+    StageRig rig(StageRig::twoLevels());
+    rig.press(Command::Down);
+    rig.press(Command::Confirm);
+    ASSERT_EQ(rig.stage.screen(), Screen::Levels);
+    EXPECT_TRUE(rig.picture().says("One block"));
+    rig.press(Command::Right);
+    EXPECT_TRUE(rig.picture().says("Three blocks"));
+    rig.press(Command::Confirm);
+    EXPECT_EQ(rig.stage.screen(), Screen::Playing);
     EXPECT_EQ(rig.stage.game().level().title, "Three blocks");
 }
 
-TEST(Screens, ATileIsChosenAndPlayedByMouse) {
+TEST(Screens, ALevelIsChosenByMouse) {
     StageRig rig(StageRig::twoLevels());
-    Title title(2);
-    Signals click;
-    click.pointer = click.pointerNow = title.tile(1).center();
-    click.clicked = true;
-    rig.frame(click);
+    rig.clickItem(Action::Levels);
+    ASSERT_EQ(rig.stage.screen(), Screen::Levels);
+    rig.click(rig.stage.levelSelect().backPlace().center());
+    ASSERT_EQ(rig.stage.screen(), Screen::Title);
+    rig.clickItem(Action::Levels);
+    rig.click(rig.stage.levelSelect().tile(1).center());
     EXPECT_EQ(rig.stage.screen(), Screen::Playing);
     EXPECT_EQ(rig.stage.levelIndex(), 1u);
+}
+
+TEST(Screens, EveryMenuLeadsBackWhereItCameFrom) {
+    StageRig rig(StageRig::twoLevels());
+    rig.clickItem(Action::Options);
+    EXPECT_EQ(rig.stage.screen(), Screen::Options);
+    rig.press(Command::Back);
+    EXPECT_EQ(rig.stage.screen(), Screen::Title);
+    rig.clickItem(Action::Play);
+    rig.press(Command::Pause);
+    rig.clickItem(Action::Options);
+    EXPECT_EQ(rig.stage.screen(), Screen::Options);
+    const std::uint32_t before = rig.stage.game().ticks();
+    rig.frames(10);
+    EXPECT_EQ(rig.stage.game().ticks(), before); // the game waits behind them
+    rig.clickItem(Action::Back);
+    EXPECT_EQ(rig.stage.screen(), Screen::Paused);
+    rig.clickItem(Action::Resume);
+    EXPECT_EQ(rig.stage.screen(), Screen::Playing);
+    rig.press(Command::Pause);
+    rig.clickItem(Action::ToTitle);
+    EXPECT_EQ(rig.stage.screen(), Screen::Title);
+    rig.clickItem(Action::Quit);
+    EXPECT_TRUE(rig.stage.wantsToQuit());
 }
 
 TEST(Screens, EscapeLeavesTheTitleAndTheWindowButtonLeavesEverything) {
@@ -69,7 +107,7 @@ TEST(Screens, LosingTheFocusPauses) {
 TEST(Screens, KeysOfOneFrameAreTakenOneAfterTheOther) {
     StageRig rig(StageRig::playing());
     Signals all;
-    all.commands = {Command::Pause, Command::Up, Command::Confirm}; // the last item: all levels
+    all.commands = {Command::Pause, Command::Up, Command::Confirm}; // the last item: title
     rig.frame(all);
     EXPECT_EQ(rig.stage.screen(), Screen::Title);
 }
@@ -84,9 +122,7 @@ TEST(Screens, RestartBeginsTheSameLevelAnew) {
 
 TEST(Screens, AWonLevelLeadsToTheNext) {
     StageRig rig(StageRig::played());
-    for (int i = 0; i < 60 * 120 && rig.stage.screen() == Screen::Playing; ++i) {
-        rig.frame(); // the bot needs some seconds for one block; two minutes are ample
-    }
+    rig.untilOver();
     ASSERT_EQ(rig.stage.screen(), Screen::Over);
     ASSERT_EQ(rig.stage.game().result(), Result::Won);
     EXPECT_TRUE(rig.picture().says("Level cleared"));
@@ -116,20 +152,193 @@ TEST(Screens, APlayerWhoOnlyServesLosesAndMayTryAgain) {
     EXPECT_EQ(rig.stage.levelIndex(), 0u);
 }
 
-TEST(Screens, TheSettingsOfThePauseMenuStayInTheirRange) {
-    StageRig rig(StageRig::playing());
-    rig.press(Command::Pause);
+TEST(Screens, OptionsStayInTheirRangeAndCanBeReset) {
+    StageRig rig(StageRig::twoLevels());
+    rig.clickItem(Action::Options); // the first of them is the sound
+    rig.press(Command::Up);
     rig.press(Command::Down);
-    rig.press(Command::Down); // sound
     for (int i = 0; i < 15; ++i) {
         rig.press(Command::Left);
     }
-    EXPECT_EQ(rig.stage.effects().sound, 0);
+    EXPECT_EQ(rig.stage.settings().sound, 0);
     for (int i = 0; i < 15; ++i) {
         rig.press(Command::Right);
     }
-    EXPECT_EQ(rig.stage.effects().sound, 100);
+    EXPECT_EQ(rig.stage.settings().sound, 100);
     EXPECT_TRUE(rig.picture().says("100 %"));
+    rig.clickItem(Action::Reset);
+    EXPECT_EQ(rig.stage.settings(), Settings{});
+}
+
+TEST(Screens, WhatIsSetAndWonIsKept) {
+    std::vector<Profile> kept;
+    StageDef def = StageRig::playing();
+    def.save = StageRig::keeping(kept);
+    StageRig rig(std::move(def));
+    rig.press(Command::Pause);
+    rig.clickItem(Action::Options);
+    rig.press(Command::Up);
+    rig.press(Command::Down);
+    rig.press(Command::Left);
+    rig.press(Command::Back);
+    ASSERT_EQ(kept.size(), 1u);
+    EXPECT_EQ(kept[0].settings.sound, Settings{}.sound - 10);
+}
+
+/// Plays like the bot, by keys and mouse.
+void playToTheEnd(StageRig& rig) {
+    for (int i = 0; i < 120 * 300 && rig.stage.screen() == Screen::Playing; ++i) {
+        const Game& game = rig.stage.game();
+        const Input wish = bot(game);
+        Signals signals;
+        const Real x = game.world()[game.paddle()].position().x;
+        if (wish.target) {
+            signals.leftHeld = Real(*wish.target) / 1000 < x - Real(0.2);
+            signals.rightHeld = Real(*wish.target) / 1000 > x + Real(0.2);
+        }
+        if (wish.launch && game.result() == Result::Playing) {
+            signals.commands = {Command::Launch};
+        }
+        rig.frame(signals, 1.0 / kTicksPerSecond);
+    }
+}
+
+TEST(Screens, TheScoreOfAGameIsEnteredInItsOwnTable) {
+    for (const Mode mode : {Mode::Standard, Mode::Pure}) {
+        std::vector<Profile> kept;
+        StageDef def = StageRig::playing();
+        def.profile.mode = mode;
+        def.save = StageRig::keeping(kept);
+        StageRig rig(std::move(def));
+        playToTheEnd(rig);
+        ASSERT_EQ(rig.stage.screen(), Screen::Over);
+        ASSERT_EQ(kept.size(), 1u);
+        const Mode other = mode == Mode::Pure ? Mode::Standard : Mode::Pure;
+        const Game& game = rig.stage.game();
+        const Best best = kept[0].bestOf(mode, game.level().name);
+        EXPECT_EQ(best.score, game.score());
+        EXPECT_EQ(best.cleared, game.result() == Result::Won);
+        EXPECT_EQ(kept[0].bestOf(other, game.level().name), Best{});
+    }
+}
+
+TEST(Screens, TheGamesOfAPilotAreNotThePlayers) {
+    std::vector<Profile> kept;
+    StageDef def = StageRig::played();
+    def.save = StageRig::keeping(kept);
+    StageRig rig(std::move(def));
+    rig.untilOver();
+    ASSERT_EQ(rig.stage.screen(), Screen::Over);
+    EXPECT_TRUE(kept.empty());
+}
+
+TEST(Screens, PureModeIsChosenOnTheTitleAndSeenInTheGame) {
+    StageRig rig(StageRig::twoLevels());
+    rig.clickItem(Action::Mode);
+    EXPECT_EQ(rig.stage.profile().mode, Mode::Pure);
+    rig.clickItem(Action::Play);
+    EXPECT_EQ(rig.stage.game().mode(), Mode::Pure);
+    EXPECT_TRUE(rig.picture().says("PURE"));
+}
+
+TEST(Screens, TheFanfareIsSkippedByAnyOfTheKeysThatServe) {
+    StageRig rig(StageRig::played());
+    while (rig.stage.game().result() == Result::Playing) {
+        rig.frame();
+    }
+    ASSERT_EQ(rig.stage.game().result(), Result::Won);
+    rig.frames(10);
+    ASSERT_EQ(rig.stage.screen(), Screen::Playing); // the feast goes on
+    rig.press(Command::Launch);
+    EXPECT_EQ(rig.stage.screen(), Screen::Over);
+    const std::size_t heard = rig.speaker.notes.size();
+    rig.frames(120);
+    EXPECT_TRUE(std::none_of(rig.speaker.notes.begin() + std::ptrdiff_t(heard),
+                             rig.speaker.notes.end(),
+                             [](const Note& note) { return note.voice == Voice::Cleared; }));
+}
+
+TEST(Screens, TheBotShowsTheGameToWhoeverDoesNothing) {
+    StageDef def = StageRig::twoLevels();
+    def.bot = [](const Game& game) { return std::optional(bot(game)); };
+    StageRig rig(std::move(def));
+    EXPECT_FALSE(rig.stage.attracting());
+    EXPECT_TRUE(rig.picture().says("Options"));
+    rig.frames(60 * 25);
+    EXPECT_TRUE(rig.stage.attracting());
+    EXPECT_FALSE(rig.picture().says("Options"));
+    EXPECT_TRUE(rig.speaker.notes.empty());
+    rig.press(Command::Confirm); // only wakes the menu
+    EXPECT_EQ(rig.stage.screen(), Screen::Title);
+    EXPECT_FALSE(rig.stage.attracting());
+    rig.frames(60 * 25);
+    ASSERT_TRUE(rig.stage.attracting());
+    Signals meaningless;
+    meaningless.anyKey = true;
+    rig.frame(meaningless);
+    EXPECT_FALSE(rig.stage.attracting());
+}
+
+TEST(Screens, AnEndlessRunGoesOnAndAddsUp) {
+    std::vector<Profile> kept;
+    StageDef def = StageRig::twoLevels();
+    def.save = StageRig::keeping(kept);
+    def.endless = [](std::uint32_t number) {
+        return glassLevel(number == 1 ? "Row 1" : "Row 2", {7});
+    };
+    StageRig rig(std::move(def));
+    rig.clickItem(Action::Endless);
+    ASSERT_EQ(rig.stage.screen(), Screen::Playing);
+    EXPECT_TRUE(rig.picture().says("ENDLESS 1"));
+    playToTheEnd(rig);
+    ASSERT_EQ(rig.stage.game().result(), Result::Won);
+    const std::int32_t first = rig.stage.game().score();
+    rig.press(Command::Next);
+    EXPECT_EQ(rig.stage.game().level().title, "Row 2");
+    playToTheEnd(rig);
+    ASSERT_EQ(rig.stage.screen(), Screen::Over);
+    EXPECT_EQ(kept.back().bestOf(Mode::Standard, "endless").score,
+              first + rig.stage.game().score());
+}
+
+TEST(Screens, AnEndlessRunMayBeginAnywhereAndBeginsThereAgain) {
+    StageDef def = StageRig::twoLevels();
+    def.endless = [](std::uint32_t number) {
+        return glassLevel(number == 4 ? "Row 4" : "Another", {7});
+    };
+    def.firstEndless = 4;
+    StageRig rig(std::move(def));
+    ASSERT_EQ(rig.stage.screen(), Screen::Playing);
+    EXPECT_TRUE(rig.picture().says("ENDLESS 4"));
+    playToTheEnd(rig);
+    rig.press(Command::Next);
+    EXPECT_EQ(rig.stage.game().level().title, "Another");
+    rig.press(Command::Restart);
+    EXPECT_EQ(rig.stage.game().level().title, "Row 4");
+}
+
+TEST(Screens, WithoutEndlessLevelsNoneAreOffered) {
+    StageRig rig(StageRig::twoLevels());
+    EXPECT_FALSE(rig.picture().says("Endless"));
+}
+
+// The same seed gives the same game, however long the bot has shown others before it.
+TEST(Screens, TheFirstGameHasTheSeedThatWasAskedFor) {
+    StageDef def = StageRig::twoLevels();
+    def.seed = 70;
+    def.bot = [](const Game& game) { return std::optional(bot(game)); };
+    StageRig rig(std::move(def));
+    rig.frames(60 * 150);     // longer than one of its games
+    rig.press(Command::Down); // wakes the menu
+    rig.clickItem(Action::Play);
+    EXPECT_EQ(rig.stage.game().seed(), 70u);
+}
+
+TEST(Screens, ANoticeIsShownOnTheTitle) {
+    StageDef def = StageRig::twoLevels();
+    def.notice = "Scores begin anew.";
+    StageRig rig(std::move(def));
+    EXPECT_TRUE(rig.picture().says("Scores begin anew."));
 }
 
 } // namespace

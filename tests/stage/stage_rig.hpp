@@ -6,8 +6,11 @@
 #include <apart/stage/recording.hpp>
 #include <apart/stage/stage.hpp>
 
+#include <gtest/gtest.h>
+
 #include <initializer_list>
 #include <memory>
+#include <vector>
 
 namespace apart {
 
@@ -15,10 +18,15 @@ namespace apart {
 inline std::shared_ptr<const Level> glassLevel(const char* title,
                                                std::initializer_list<int> columns) {
     Level level;
-    level.name = "test";
+    level.name = "test_" + std::to_string(columns.size());
     level.title = title;
     level.idea = "Only for tests.";
-    level.kinds = {{'g', Stuff::Glass, Power::None, Pattern::Shatter, 3000}};
+    BlockKind glass;
+    glass.letter = 'g';
+    glass.stuff = Stuff::Glass;
+    glass.pattern = Pattern::Shatter;
+    glass.strength = 3000;
+    level.kinds = {glass};
     for (const int column : columns) {
         level.cells.push_back({2, static_cast<std::uint8_t>(column), 0});
     }
@@ -28,6 +36,14 @@ inline std::shared_ptr<const Level> glassLevel(const char* title,
 /// A stage with everything around it recorded.
 struct StageRig {
     explicit StageRig(StageDef def) : stage(std::move(def)) {}
+
+    /// Keeps each profile that is saved.
+    static std::function<std::string(const Profile&)> keeping(std::vector<Profile>& kept) {
+        return [&kept](const Profile& profile) {
+            kept.push_back(profile);
+            return std::string();
+        };
+    }
 
     static StageDef twoLevels() {
         StageDef def;
@@ -56,6 +72,26 @@ struct StageRig {
     void frames(int count) {
         for (int i = 0; i < count; ++i) {
             frame();
+        }
+    }
+    void click(Vec2 place) {
+        Signals signals;
+        signals.pointer = signals.pointerNow = place;
+        signals.clicked = true;
+        frame(signals);
+    }
+    /// The item of the menu, by mouse.
+    void clickItem(Action action) {
+        for (std::size_t i = 0; i < stage.menu().items().size(); ++i) {
+            if (stage.menu().items()[i].action == action) {
+                return click(stage.menu().place(i).center());
+            }
+        }
+        FAIL() << "no such item";
+    }
+    void untilOver() {
+        for (int i = 0; i < 60 * 300 && stage.screen() == Screen::Playing; ++i) {
+            frame(); // the bot needs some seconds for a block; five minutes are ample
         }
     }
     const RecordingCanvas& picture() {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <apart/stage/palette.hpp>
+
 #include <gtest/gtest.h>
 
 #include "stage_rig.hpp"
@@ -24,48 +26,33 @@ TEST(Stage, AfterAStallTheGameSlowsDownInsteadOfHurrying) {
     EXPECT_LE(rig.stage.game().ticks(), 12u); // a tenth of a second
 }
 
-TEST(Stage, EffectsNeverTouchTheSimulation) {
-    StageDef none = StageRig::played();
-    none.effects = {0, 0, 0, 0, 0};
-    StageDef all = StageRig::played();
-    all.effects = {100, 100, 100, 100, 100};
-    StageRig plain(std::move(none));
-    StageRig rich(std::move(all));
-    for (int i = 0; i < 600; ++i) {
-        plain.frame();
-        rich.frame();
-        plain.picture();
-        rich.picture();
-        ASSERT_EQ(plain.canvas.shake(), Vec2{});
-    }
-    EXPECT_EQ(plain.stage.game().ticks(), rich.stage.game().ticks());
-    EXPECT_EQ(plain.stage.game().stateHash(), rich.stage.game().stateHash());
-    EXPECT_TRUE(plain.speaker.notes.empty());
-    EXPECT_FALSE(rich.speaker.notes.empty());
-}
-
 TEST(Stage, NothingInTheFieldIsDrawnOverABall) {
     StageRig rig(StageRig::played());
+    int seen = 0;
     for (int i = 0; i < 200; ++i) {
         rig.frame();
         const Game& game = rig.stage.game();
         if (game.balls().size() != 1 || game.serving()) {
             continue;
         }
+        ++seen;
         const std::vector<Stroke>& strokes = rig.picture().strokes();
+        // A ball is the last outline in ink, as wide as two of its rims, and its body.
         const auto ball = std::find_if(strokes.rbegin(), strokes.rend(), [](const Stroke& stroke) {
-            return stroke.kind == Stroke::Kind::Disc && stroke.size == kBallRadius;
+            return stroke.kind == Stroke::Kind::Outline && stroke.color == palette::kInk;
         });
         ASSERT_NE(ball, strokes.rend());
+        const Vec2 center = game.world()[game.balls()[0].body].center();
+        ASSERT_LT(length(ball->place - center), 2 * kBallRadius);
         for (auto after = strokes.rbegin(); after != ball; ++after) {
             if (after->place.x > kFieldWidth / 2) {
                 continue; // the panel
             }
-            // The gleam on the ball is all that follows it.
-            EXPECT_EQ(after->kind, Stroke::Kind::Disc);
-            EXPECT_LT(length(after->place - ball->place), kBallRadius);
+            // The body and the gleam on it are all that follows.
+            EXPECT_LT(length(after->place - ball->place), 3 * kBallRadius);
         }
     }
+    EXPECT_GT(seen, 50);
 }
 
 TEST(Stage, EventsAreHeard) {
@@ -105,10 +92,10 @@ TEST(Stage, SpaceServesAndTheHeldKeyMovesThePaddle) {
     EXPECT_GT(paddleX(), before + 1);
 }
 
-TEST(Stage, ThePaddleFollowsTheMouse) {
+TEST(Stage, ThePaddleGoesAsFarAsTheMouse) {
     StageRig rig(StageRig::playing());
     Signals moved;
-    moved.pointer = Vec2{-6, 3};
+    moved.moved = -6;
     rig.frame(moved);
     rig.frames(60);
     const Game& game = rig.stage.game();

@@ -42,21 +42,22 @@ void beginMotion(Bodies& bodies) {
     }
 }
 
-void integrateVelocities(Bodies& bodies, Real h) {
-    for (const std::uint32_t i : bodies.awake) {
+void integrateVelocities(Bodies& bodies, std::span<const std::uint32_t> list, Real h) {
+    for (const std::uint32_t i : list) {
         Motion& motion = bodies.motion[i];
         motion.velocity += h * bodies.acceleration[i].linear;
         motion.angularVelocity += h * bodies.acceleration[i].angular;
     }
 }
 
-void integrateMoves(Bodies& bodies, std::span<const std::uint8_t> held, Real h) {
+void integrateMoves(Bodies& bodies, std::span<const std::uint32_t> list,
+                    std::span<const Hold> holds, Real h) {
     const Real half = h * h / 2;
-    for (const std::uint32_t i : bodies.awake) {
+    for (const std::uint32_t i : list) {
         Motion& motion = bodies.motion[i];
         motion.move += h * motion.velocity;
         motion.turn += h * motion.angularVelocity;
-        if (held[i] == 0) {
+        if (holds[i] != Hold::Touched) {
             motion.move -= half * bodies.acceleration[i].linear;
             motion.turn -= half * bodies.acceleration[i].angular;
         }

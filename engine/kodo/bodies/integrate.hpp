@@ -16,15 +16,24 @@ void gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Rea
 /// Forgets the motion of the last step.
 void beginMotion(Bodies& bodies);
 
-/// v += h a.
-void integrateVelocities(Bodies& bodies, Real h);
+/// What a body may be pushed by within a step.
+enum class Hold : std::uint8_t {
+    Free,    // nothing: no contact, no joint
+    Near,    // what it may come to touch
+    Touched, // what touches it, or a joint
+};
 
-/// move += h v. A body that nothing touches (held == 0) moves by the exact parabola instead,
+/// v += h a, of the bodies in the list.
+void integrateVelocities(Bodies& bodies, std::span<const std::uint32_t> list, Real h);
+
+/// move += h v, of the bodies in the list. A body that nothing touches moves by the exact parabola
+/// instead,
 ///
 ///   x(t + h) = x + h v_old + a h^2 / 2 = x + h v_new - a h^2 / 2
 ///
-/// so that free fall has no error but rounding, whatever the step.
-void integrateMoves(Bodies& bodies, std::span<const std::uint8_t> held, Real h);
+/// so that free fall has no error but rounding, whatever the step. `holds` is by body.
+void integrateMoves(Bodies& bodies, std::span<const std::uint32_t> list,
+                    std::span<const Hold> holds, Real h);
 
 /// Puts every body where its motion has taken it.
 void movePoses(Bodies& bodies);

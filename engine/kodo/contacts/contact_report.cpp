@@ -2,6 +2,7 @@
 #include <kodo/contacts/contact_report.hpp>
 
 #include <algorithm>
+#include <tuple>
 
 namespace kodo::inline KODO_PRECISION {
 
@@ -71,6 +72,20 @@ void recordContact(const Contact& contact, std::vector<CollisionRecord>& out) {
             record.point = contact.centerA + contact.manifold.points[i].armA;
         }
     }
+}
+
+void addEnds(std::span<const CollisionRecord> ended, std::vector<CollisionRecord>& records) {
+    if (ended.empty()) {
+        return;
+    }
+    records.insert(records.end(), ended.begin(), ended.end());
+    const auto key = [](const CollisionRecord& r) {
+        return std::make_tuple(r.a, r.partA, r.b, r.partB, r.phase != TouchPhase::End);
+    };
+    std::sort(records.begin(), records.end(), // total order: one record a pair, or an End
+              [&](const CollisionRecord& r, const CollisionRecord& s) { // and a new Begin
+                  return key(r) < key(s);
+              });
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -5,6 +5,7 @@
 #include <kodo/contacts/collision_record.hpp>
 #include <kodo/contacts/contact.hpp>
 
+#include <span>
 #include <vector>
 
 namespace kodo::inline KODO_PRECISION {
@@ -14,6 +15,9 @@ void finishContact(Contact& contact, const Tolerances& tolerances);
 
 /// Appends what a finished contact did in its step, if it did anything.
 void recordContact(const Contact& contact, std::vector<CollisionRecord>& out);
+
+/// Puts records of contacts that are gone among those of a step, in order.
+void addEnds(std::span<const CollisionRecord> ended, std::vector<CollisionRecord>& records);
 
 /// The last record of a contact that touched and does so no more.
 CollisionRecord endOf(const Contact& contact);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
@@ -36,17 +35,7 @@ void ContactSet::writeRecords() const {
     for (const Place& place : order_) {
         recordContact(contacts_[place.slot], records_);
     }
-    if (endedInStep_.empty()) {
-        return;
-    }
-    records_.insert(records_.end(), endedInStep_.begin(), endedInStep_.end());
-    const auto key = [](const CollisionRecord& r) {
-        return std::make_tuple(r.a, r.partA, r.b, r.partB, r.phase != TouchPhase::End);
-    };
-    std::sort(records_.begin(), records_.end(), // total order: one record a pair, or an End
-              [&](const CollisionRecord& r, const CollisionRecord& s) { // and a new Begin
-                  return key(r) < key(s);
-              });
+    addEnds(endedInStep_, records_);
 }
 
 void ContactSet::forgetUnsoundImpulses() {

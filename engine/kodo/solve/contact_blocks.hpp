@@ -70,7 +70,6 @@ private:
     void orderBlocks();
     void setPushSpeeds(std::span<const std::uint16_t> crowd, Real pushSpeed);
     void fill(const Bodies& bodies, const Contact& contact);
-    void fillRolling(const Bodies& bodies, const Contact& contact);
 
     std::vector<std::uint64_t> colours_; // by body: those that it has
     std::vector<ContactBlock> blocks_;

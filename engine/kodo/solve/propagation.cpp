@@ -246,17 +246,18 @@ void Propagation::separate(Bodies& bodies, const Step& step, Real h) {
 
 /// What a row has pushed moves as its velocity says; the rest flies.
 void Propagation::markHeld(const Bodies& bodies, const JointSet& joints) {
-    held_.resize(bodies.size());
+    holds_.resize(bodies.size());
     for (const std::uint32_t body : bodies.awake) {
-        held_[body] = 0;
+        holds_[body] = Hold::Free;
     }
     for (const PropagationRow& row : rows_) {
         if (row.load() > 0) {
-            held_[row.a] = held_[row.b] = 1;
+            holds_[row.a] = holds_[row.b] = Hold::Touched;
         }
     }
     joints.forEach([&](const JointSet::Joint& joint) {
-        held_[firstBody(joint.def).index] = held_[secondBody(joint.def).index] = 1;
+        holds_[firstBody(joint.def).index] = Hold::Touched;
+        holds_[secondBody(joint.def).index] = Hold::Touched;
     });
 }
 
@@ -297,7 +298,7 @@ void Propagation::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& j
     for (int part = 0; part < settings.substeps; ++part) {
         predict(bodies, contacts, {step.tolerances, h, settings.has(Feature::Sweep), part == 0});
         resolveCollisions(bodies, contacts, step, h);
-        integrateVelocities(bodies, h);
+        integrateVelocities(bodies, bodies.awake, h);
         pass.biased = true;
         joints.warmStart(bodies, pass);
         makeRows(bodies, contacts, step);
@@ -308,7 +309,7 @@ void Propagation::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& j
         }
         separate(bodies, step, h);
         markHeld(bodies, joints);
-        integrateMoves(bodies, held_, h);
+        integrateMoves(bodies, bodies.awake, holds_, h);
         pass.biased = false;
         joints.solve(bodies, pass);
         store(contacts);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/bodies/integrate.hpp>
 #include <kodo/bodies/tolerances.hpp>
 #include <kodo/contacts/shock_levels.hpp>
 #include <kodo/contacts/stride_order.hpp>
@@ -75,7 +76,7 @@ private:
     std::vector<std::array<Real, 2>> gaps_; // by contact: at the start of the part
     std::vector<std::uint32_t> struck_;     // contacts that collisions are looked for in
     std::vector<Parting> parting_;          // by body
-    std::vector<std::uint8_t> held_;        // by body: something touches it
+    std::vector<Hold> holds_;               // by body
     std::vector<std::uint32_t> node_;       // by body: its place in the graph of contacts
     std::vector<std::uint32_t> immovable_;  // nodes
     std::vector<SupportEdge> supports_;     // between nodes

@@ -29,15 +29,15 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
                        const StepSettings& settings, const Tolerances& tolerances) {
     blocks_.begin(bodies, contacts, settings.has(Feature::RollingResistance));
     crowded_ = false;
-    held_.resize(bodies.size());
+    holds_.resize(bodies.size());
     crowd_.resize(bodies.size());
     for (const std::uint32_t body : bodies.awake) {
-        held_[body] = 0;
+        holds_[body] = Hold::Free;
         crowd_[body] = 0;
     }
     joints.forEach([&](const JointSet::Joint& joint) {
-        held_[firstBody(joint.def).index] = 1;
-        held_[secondBody(joint.def).index] = 1;
+        holds_[firstBody(joint.def).index] = Hold::Touched;
+        holds_[secondBody(joint.def).index] = Hold::Touched;
     });
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         Contact& contact = contacts[i];
@@ -49,7 +49,8 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
         blocks_.take(bodies, contact, static_cast<std::uint32_t>(i));
         const Real separation = contact.manifold.points[0].separation;
         for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
-            held_[body] |= separation <= tolerances.slop ? 1 : 0;
+            holds_[body] =
+                std::max(holds_[body], separation <= tolerances.slop ? Hold::Touched : Hold::Near);
             if (separation < -4 * tolerances.slop && !bodies.locked(body)) {
                 crowded_ = ++crowd_[body] > ContactBlocks::kNeighbours || crowded_;
             }
@@ -87,12 +88,24 @@ void SoftStep::passJoints(const Bodies& bodies, Pass pass) {
     }
 }
 
+/// Bodies that nothing can push go all their way at once, so that their flight does not depend on
+/// the substeps, not even by a rounding. The others are listed.
+void SoftStep::moveFree(Bodies& bodies, Real dt) {
+    free_.clear();
+    bound_.clear();
+    for (const std::uint32_t body : bodies.awake) {
+        (holds_[body] == Hold::Free ? free_ : bound_).push_back(body);
+    }
+    integrateVelocities(bodies, free_, dt);
+    integrateMoves(bodies, free_, holds_, dt);
+}
+
 /// Forces begin to act.
 void SoftStep::beginSubsteps(Bodies& bodies, Real h) {
     before_.resize(bodies.size());
     std::fill(fromJoints_.begin(), fromJoints_.end(), Velocity{});
-    integrateVelocities(bodies, h);
-    for (const std::uint32_t i : bodies.awake) {
+    integrateVelocities(bodies, bound_, h);
+    for (const std::uint32_t i : bound_) {
         before_[i] = velocityOf(bodies.motion[i]);
     }
 }
@@ -107,7 +120,7 @@ void SoftStep::nextSubstep(Bodies& bodies, Real h) {
         before.angular += fromJoints_[k].angular;
         fromJoints_[k] = {};
     }
-    for (const std::uint32_t i : bodies.awake) {
+    for (const std::uint32_t i : bound_) {
         Motion& motion = bodies.motion[i];
         const Acceleration& acceleration = bodies.acceleration[i];
         Velocity& before = before_[i];
@@ -141,6 +154,7 @@ void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& join
         h, Softness::from(std::min(settings.jointHertz, Real(0.25) / h), settings.jointDamping, h)};
     joints.beginStep();
     findJointed(joints);
+    moveFree(bodies, dt);
     for (int substep = 0; substep < settings.substeps; ++substep) {
         if (substep == 0) {
             beginSubsteps(bodies, h);
@@ -156,7 +170,7 @@ void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& join
         if (pass.count > 0) {
             passes.solve(pass);
         }
-        integrateMoves(bodies, held_, h);
+        integrateMoves(bodies, bound_, holds_, h);
         jointPass.biased = false;
         passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
         if (pass.count > 0) {

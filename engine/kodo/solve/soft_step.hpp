@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kodo/bodies/bodies.hpp>
+#include <kodo/bodies/integrate.hpp>
 #include <kodo/bodies/tolerances.hpp>
 #include <kodo/contacts/contact.hpp>
 #include <kodo/joints/joint_set.hpp>
@@ -48,14 +49,17 @@ private:
     void findJointed(const JointSet& joints);
     template <typename Pass>
     void passJoints(const Bodies& bodies, Pass pass);
+    void moveFree(Bodies& bodies, Real dt);
     void beginSubsteps(Bodies& bodies, Real h);
     void nextSubstep(Bodies& bodies, Real h);
 
     ContactBlocks blocks_;
-    std::vector<std::uint8_t> held_;   // by body: something touches it, or a joint holds it
+    std::vector<Hold> holds_;          // by body
     std::vector<std::uint16_t> crowd_; // by body: how many overlap it deeply
     bool crowded_ = false;             // too many overlap some body
     std::vector<Velocity> before_;     // by body: with the forces of the substep, without contacts
+    std::vector<std::uint32_t> free_;  // bodies that nothing can push in this step
+    std::vector<std::uint32_t> bound_; // and the others
     std::vector<std::uint32_t> jointed_; // bodies, in order; the next two are in the same order
     std::vector<Velocity> fromJoints_;   // in this substep
     std::vector<Velocity> beforeJoints_; // before a pass over the joints

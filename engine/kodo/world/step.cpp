@@ -8,11 +8,19 @@
 
 namespace kodo::inline KODO_PRECISION {
 
-void World::step(Real dt) {
+void World::step(Real dt, StageWatch* watch) {
     refuse(checkRange("dt", dt, kShortestStep, kLongestStep));
+    const auto enter = [&](StepStage stage) {
+        if (watch != nullptr) {
+            watch->enter(stage);
+        }
+    };
+    enter(StepStage::Broad);
     findAwake();
     contacts_.updatePairs(bodies_, tolerances_, dt);
+    enter(StepStage::Narrow);
     contacts_.updateManifolds(bodies_, tolerances_);
+    enter(StepStage::Forces);
     beginMotion(bodies_);
     rest_.wakeTouched(bodies_, contacts_, tolerances_);
     rest_.wakeJointed(bodies_, contacts_, joints_);
@@ -22,18 +30,25 @@ void World::step(Real dt) {
     if (region_) {
         holdWhatWaits();
     }
+    enter(StepStage::Solve);
     solve(dt);
+    enter(StepStage::Sweep);
     if (settings_.has(Feature::Sweep)) {
         contacts_.coverMoves(bodies_, tolerances_);
         sweep_.run(bodies_, contacts_.contacts(), settings_, tolerances_, dt);
     }
+    enter(StepStage::Record);
     releaseWhatWaits();
     freezeUnsoundMotion();
     movePoses(bodies_);
     recordCollisions();
     breakJoints(dt);
+    enter(StepStage::Rest);
     rest_.settle(bodies_, contacts_, joints_, settings_, tolerances_, dt);
     ++stepCount_;
+    if (watch != nullptr) {
+        watch->leave();
+    }
 }
 
 void World::solve(Real dt) {

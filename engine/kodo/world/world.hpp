@@ -10,6 +10,7 @@
 #include <kodo/solve/soft_step.hpp>
 #include <kodo/solve/sweep.hpp>
 #include <kodo/world/body_ref.hpp>
+#include <kodo/world/stage_watch.hpp>
 
 #include <optional>
 #include <span>
@@ -80,8 +81,8 @@ public:
     void applyTorqueToAll(Real torque, CollisionFilter which = {});
 
     /// Moves everything on by dt seconds, kShortestStep to kLongestStep. Throws BadDefinition for
-    /// any other dt.
-    void step(Real dt);
+    /// any other dt. A watch hears of the stages as they begin, and changes nothing.
+    void step(Real dt, StageWatch* watch = nullptr);
     /// What touched in the last step, ordered by bodies and parts. Valid until the next step,
     /// whatever is added, removed or welded meanwhile. Pairs that rest, or wait outside the region,
     /// have no records until they go on; they have not ended. The first call after a step writes

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
+#include <apart/core/endless.hpp>
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -83,10 +85,13 @@ std::string noSuchLevel(const std::string& name) {
     for (const std::string& other : levelNames()) {
         sentence += (sentence.ends_with("are") ? " " : ", ") + other;
     }
-    return sentence;
+    return sentence + ", and endless:SEED:NUMBER";
 }
 
 Read<Level> loadLevel(const std::string& name) {
+    if (const std::optional<EndlessName> endless = parseEndless(name)) {
+        return endlessLevel(*endless);
+    }
     if (!isName(name)) {
         return FileProblem{name, 0,
                            "is no name of a level: it has letters, digits, - and _ only, 1 to " +
@@ -98,6 +103,16 @@ Read<Level> loadLevel(const std::string& name) {
         return FileProblem{path.string(), 0, noSuchLevel(name)};
     }
     return readLevelFile(path);
+}
+
+Read<Level> loadLevelOf(const fs::path& replay, const std::string& name) {
+    const fs::path beside = replay.parent_path() / "levels" / (name + ".toml");
+    std::error_code error;
+    return isName(name) && fs::exists(beside, error) ? readLevelFile(beside) : loadLevel(name);
+}
+
+std::string wrongName(const std::string& name) {
+    return name.empty() ? "the name of a level is missing" : "";
 }
 
 } // namespace apart

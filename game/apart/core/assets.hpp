@@ -17,8 +17,15 @@ std::filesystem::path assetsFolder();
 /// Names of all levels, in the order in which they are played.
 std::vector<std::string> levelNames();
 
-/// assets/levels/NAME.toml. A name is made of letters, digits, - and _.
+/// assets/levels/NAME.toml. A name is made of letters, digits, - and _. A name that parseEndless()
+/// takes is made, not read.
 Read<Level> loadLevel(const std::string& name);
+
+/// The level of a replay: one beside it, in levels/NAME.toml, goes before those of the game.
+Read<Level> loadLevelOf(const std::filesystem::path& replay, const std::string& name);
+
+/// What is wrong with the name of a level before any file is looked for; empty: nothing.
+std::string wrongName(const std::string& name);
 
 /// "there is no level NAME; the levels are ..."
 std::string noSuchLevel(const std::string& name);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/bot.hpp>
+#include <apart/core/field.hpp>
 #include <apart/core/generator.hpp>
+#include <apart/core/governor.hpp>
 #include <apart/core/paddle.hpp>
 #include <apart/core/tuning.hpp>
+#include <kodo/world/queries.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,11 +17,19 @@ using kodo::Vec2;
 
 namespace {
 
-constexpr Real kRimMargin = Real(0.4);    // m; it does not aim with the very rim of the dome
-constexpr Real kCatchHeight = 7;          // m; parts above are not waited for
-constexpr Real kSpareSeconds = Real(0.5); // from a caught part back to the ball
-constexpr Real kFarSeconds = 20;          // what flies so flat may do anything until then
-constexpr std::uint32_t kAimTicks = 600;  // then it aims at another block, whatever happened
+constexpr Real kRimMargin = Real(0.4);      // m; it does not aim with the very rim of the dome
+constexpr Real kCatchHeight = 7;            // m; parts above are not waited for
+constexpr Real kSpareSeconds = Real(0.5);   // from a caught part back to the ball
+constexpr Real kFarSeconds = 20;            // what flies so flat may do anything until then
+constexpr std::uint32_t kAimTicks = 600;    // then it aims at another block, whatever happened
+constexpr Real kBentSeconds = Real(1) / 60; // of a step of the look ahead where paths are bent
+constexpr int kBentSteps = 90;
+constexpr Real kPullHeight = 8;           // m; lower balls are not drawn to the paddle
+constexpr std::uint32_t kWhimTicks = 30;  // before the erratic one thinks better of it
+constexpr int kAttempts = 3;              // to find a block in sight
+constexpr Real kLateHeight = 6;           // m; where the clumsy one first sees a ball
+constexpr Real kFarSight = 40;            // m, along the way of a ball
+constexpr Real kLeapSeconds = Real(0.05); // before the ball comes
 
 Real meetingHeight(Real offset) {
     return kPaddleY + domeHeight(offset) + kBallRadius;
@@ -44,12 +55,44 @@ Vec2 mirroredHeading(Vec2 heading, Real from, Real way) {
     return heading;
 }
 
+/// Is there anything that bends the path of a ball?
+bool isBent(const Game& game) {
+    const auto effects = game.effects();
+    return !game.level().wells.empty() || game.windSpeed() != 0 ||
+           std::any_of(effects.begin(), effects.end(),
+                       [](const Effect& effect) { return effect.power == Power::Well; });
+}
+
+/// The ball alone between the walls, under the same fields.
+std::optional<Arrival> bentArrivalAt(const Game& game, const Ball& ball, Real height) {
+    kodo::World world;
+    world.setFields(game.world().fields());
+    for (const kodo::BodyDef& def : wallDefs()) {
+        world.add(def);
+    }
+    const kodo::BodyView now = game.world()[ball.body];
+    const kodo::BodyId copy = addBall(world, now.position(), BallKind::Round);
+    kodo::BodyRef body = world[copy];
+    body.setVelocity(now.velocity());
+    for (int step = 1; step <= kBentSteps; ++step) {
+        world.step(kBentSeconds);
+        body.setVelocity(held(body.velocity(), ball.heading, game.ballSpeed()));
+        if (body.position().y <= height) {
+            return Arrival{body.position().x, static_cast<Real>(step) * kBentSeconds};
+        }
+    }
+    return std::nullopt;
+}
+
 std::optional<Arrival> arrivalAt(const Game& game, const Ball& ball, Real height) {
     const kodo::BodyView body = game.world()[ball.body];
     const Vec2 velocity = body.velocity();
     const Vec2 place = body.position();
     if (ball.riding || velocity.y >= 0 || place.y < kPaddleY) {
         return std::nullopt;
+    }
+    if (isBent(game)) {
+        return bentArrivalAt(game, ball, height);
     }
     const Real seconds = std::max((height - place.y) / velocity.y, Real(0));
     if (seconds > kFarSeconds) {
@@ -58,9 +101,23 @@ std::optional<Arrival> arrivalAt(const Game& game, const Ball& ball, Real height
     return Arrival{mirrored(place.x + velocity.x * seconds), seconds};
 }
 
+/// What a ball meets first that flies this way.
+std::optional<kodo::QueryHit> firstMet(const Game& game, Vec2 from, Vec2 way) {
+    const auto what = static_cast<std::uint16_t>(flagsOf(Role::Wall) | flagsOf(Role::Block) |
+                                                 flagsOf(Role::Obstruction));
+    return shapeCast(game.world(), kodo::Circle{kBallRadius}, {from, {}}, way,
+                     {kodo::kMatchAny, what});
+}
+
+bool isInSight(const Game& game, Vec2 from, kodo::BodyId body) {
+    const Vec2 way = game.world()[body].position() - from;
+    const std::optional<kodo::QueryHit> hit = firstMet(game, from, way);
+    return hit && hit->body == body;
+}
+
 /// Where to send the ball, the same for a while: straight to a breakable block or to its image in a
 /// side wall, and now and then somewhere at the top, since what is behind steel wants luck.
-std::optional<Vec2> aim(const Game& game) {
+std::optional<Vec2> aim(const Game& game, Vec2 meeting) {
     std::vector<kodo::BodyId> wanted;
     for (const Block& block : game.blocks()) {
         if (block.kind.breakable()) {
@@ -73,7 +130,14 @@ std::optional<Vec2> aim(const Game& game) {
     const std::uint64_t moment =
         mixKeys(static_cast<std::uint64_t>(game.blocksLeft()), game.ticks() / kAimTicks);
     Generator chance(mixKeys(game.seed(), moment));
-    const kodo::BodyId chosen = wanted[chance.below(static_cast<std::uint32_t>(wanted.size()))];
+    const bool hidden = wanted.size() < game.blocks().size(); // steel may be in the way
+    kodo::BodyId chosen;
+    for (int attempt = 0; attempt < (hidden ? kAttempts : 1); ++attempt) {
+        chosen = wanted[chance.below(static_cast<std::uint32_t>(wanted.size()))];
+        if (!hidden || isInSight(game, meeting, chosen)) {
+            break;
+        }
+    }
     const Vec2 goal = game.world()[chosen].position();
     const Real between = kFieldWidth - 2 * kBallRadius;
     switch (chance.below(8)) {
@@ -95,9 +159,15 @@ Real offsetFor(Vec2 goal, Vec2 meeting, Vec2 heading) {
     return std::clamp((kDomeRadius + kBallRadius) * normal.x, -most, most);
 }
 
-/// Where the paddle's middle should be when the ball comes.
+/// As far as that to either side, the same for a while.
+Real someOffset(const Game& game, Real most) {
+    Generator chance(mixKeys(game.seed(), game.ticks() / kAimTicks, 7));
+    return chance.between(-most, most);
+}
+
+/// Where the paddle's middle should be when the ball comes, to aim.
 Real placeFor(const Game& game, const Ball& ball, const Arrival& arrival) {
-    const std::optional<Vec2> goal = aim(game);
+    const std::optional<Vec2> goal = aim(game, {arrival.x, meetingHeight(0)});
     if (!goal) {
         return arrival.x;
     }
@@ -109,12 +179,18 @@ Real placeFor(const Game& game, const Ball& ball, const Arrival& arrival) {
     return (refined ? refined->x : arrival.x) - offset;
 }
 
+/// Worth to be caught? What is mixed is left alone, but for what makes the paddle wider.
+bool isWanted(Power power) {
+    return moodOf(power) == Mood::Good || power == Power::Weld;
+}
+
 /// Where to be for a part that can be caught before the ball comes.
 std::optional<Real> partToCatch(const Game& game, Real secondsLeft) {
     for (const Part& part : game.parts()) {
         const kodo::BodyView body = game.world()[part.body];
         const Vec2 place = body.center();
-        if (part.state != PartState::Loose || place.y > kCatchHeight || place.y < kPaddleY) {
+        if (part.state != PartState::Loose || !isWanted(part.power) || place.y > kCatchHeight ||
+            place.y < kPaddleY) {
             continue;
         }
         // y + vy t - g t^2 / 2 = paddle
@@ -129,13 +205,81 @@ std::optional<Real> partToCatch(const Game& game, Real secondsLeft) {
     return std::nullopt;
 }
 
+/// Will the ball strike a block that can break, if nothing bends its way?
+bool goesToBlock(const Game& game, const Ball& ball) {
+    const Vec2 place = game.world()[ball.body].position();
+    const std::optional<kodo::QueryHit> hit = firstMet(game, place, kFarSight * ball.heading);
+    const Block* block = hit ? game.findBlock(hit->body, hit->part) : nullptr;
+    return block != nullptr && block->kind.breakable();
+}
+
+/// When nothing has been struck for a while: draw a ball that is of no use up there.
+Force forceFor(const Game& game) {
+    if (game.patience() == Patience::Calm) {
+        return Force::None;
+    }
+    for (const Ball& ball : game.balls()) {
+        const bool high = game.world()[ball.body].position().y > kPullHeight;
+        if (!ball.riding && high && !goesToBlock(game, ball)) {
+            return Force::Pull;
+        }
+    }
+    return Force::None;
+}
+
+Input clumsyBot(const Game& game) {
+    Input input;
+    input.launch = game.serving();
+    std::optional<Arrival> first;
+    for (const Ball& ball : game.balls()) {
+        const std::optional<Arrival> arrival = arrivalAt(game, ball, meetingHeight(0));
+        const bool seen = game.world()[ball.body].position().y < kLateHeight;
+        if (seen && arrival && (!first || arrival->seconds < first->seconds)) {
+            first = arrival;
+        }
+    }
+    if (first) {
+        const Real goal = first->x + someOffset(game, kPaddleHalfWidth + kRimMargin / 2);
+        const Real way = goal - game.world()[game.paddle()].position().x;
+        const Real share = std::clamp(way / (kKeySpeed * kTickSeconds), Real(-1), Real(1));
+        input.paddle = static_cast<std::int8_t>(share * 127);
+    }
+    return input;
+}
+
+Input erraticBot(const Game& game) {
+    Generator chance(mixKeys(game.seed(), game.ticks() / kWhimTicks, 9));
+    Input input = bot(game);
+    switch (chance.below(4)) {
+    case 0:
+        input.target =
+            static_cast<std::int16_t>(chance.between(-kFieldWidth / 2, kFieldWidth / 2) * 1000);
+        break;
+    case 1:
+        input.target.reset();
+        input.paddle = static_cast<std::int8_t>(static_cast<int>(chance.below(255)) - 127);
+        break;
+    default:
+        break;
+    }
+    input.launch = chance.below(3) == 0;
+    input.force = static_cast<Force>(chance.below(kForceNames.size()));
+    return input;
+}
+
 } // namespace
 
 std::optional<Arrival> arrivalOf(const Game& game, const Ball& ball) {
     return arrivalAt(game, ball, meetingHeight(0));
 }
 
-Input bot(const Game& game) {
+Input bot(const Game& game, BotKind kind) {
+    if (kind == BotKind::Clumsy) {
+        return clumsyBot(game);
+    }
+    if (kind == BotKind::Erratic) {
+        return erraticBot(game);
+    }
     const Ball* next = nullptr;
     Arrival first{0, 2}; // nothing comes within two seconds
     Real place = 0;
@@ -147,17 +291,22 @@ Input bot(const Game& game) {
         }
     }
     if (next != nullptr) {
-        place = placeFor(game, *next, first);
+        place = kind == BotKind::Good ? placeFor(game, *next, first)
+                : kind == BotKind::Random
+                    ? first.x - someOffset(game, kPaddleHalfWidth - kRimMargin)
+                    : first.x;
     } else if (!game.balls().empty() && !game.serving()) {
         place = game.world()[game.balls()[0].body].position().x / 2; // half way, to be near
     }
-    if (const std::optional<Real> catching = partToCatch(game, first.seconds)) {
-        place = *catching;
+    Input input;
+    input.launch = game.serving();
+    if (kind == BotKind::Good) {
+        place = partToCatch(game, first.seconds).value_or(place);
+        input.force = forceFor(game);
+        input.launch = input.launch || first.seconds < kLeapSeconds;
     }
     const Real most = kFieldWidth / 2;
-    Input input;
     input.target = static_cast<std::int16_t>(std::clamp(place, -most, most) * 1000);
-    input.launch = game.serving();
     return input;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <apart/core/input.hpp>
 #include <apart/core/level.hpp>
+#include <apart/core/progress.hpp>
 #include <kodo/kodo.hpp>
 
 #include <cstdint>
@@ -17,12 +19,13 @@ enum class Role : std::uint16_t {
     Ball = 8,
     Shard = 16,
     Part = 32,
+    Obstruction = 128,
 };
 constexpr kodo::Flags flagsOf(Role role) {
     return static_cast<kodo::Flags>(role);
 }
 constexpr Role roleOf(kodo::Flags flags) {
-    return static_cast<Role>(flags & 0x3f);
+    return static_cast<Role>(flags & 0xbf);
 }
 
 // What happened in one tick, in the order in which it was judged. Places in m, world; impulses in
@@ -41,6 +44,7 @@ struct Struck {
 /// A block was hit and holds.
 struct Cracked {
     kodo::BodyId block;
+    std::uint32_t key = 0; // Block::key, its name for life
     Stuff stuff = Stuff::Brick;
     kodo::Vec2 point;
     kodo::Real impulse = 0;
@@ -49,6 +53,7 @@ struct Cracked {
 /// A block came apart.
 struct Broke {
     kodo::BodyId block;
+    std::uint32_t key = 0; // Block::key
     Stuff stuff = Stuff::Brick;
     Power power = Power::None;
     kodo::Vec2 point;       // of the impact
@@ -64,7 +69,7 @@ struct Released {
     Power power = Power::Weld;
     kodo::Vec2 point;
 };
-/// A part met the paddle. Welded or Stuck follows.
+/// A part met the paddle. Welded, Stuck or PowerBegan follows.
 struct Caught {
     kodo::BodyId part;
     Power power = Power::Weld;
@@ -128,7 +133,82 @@ struct Lost {
     int score = 0;
 };
 
-using Event = std::variant<Struck, Cracked, Broke, Released, Caught, Welded, Stuck, Launched, Spent,
-                           BallSplit, Served, BallLost, LifeLost, Cleared, Lost, KnockedOff>;
+/// A shard broke again.
+struct ShardBroke {
+    kodo::BodyId shard;
+    Stuff stuff = Stuff::Brick;
+    kodo::Vec2 point;
+    kodo::Real impulse = 0;
+    int pieces = 0;
+};
+/// A block is Hold::Loose from now on.
+struct LetGo {
+    enum class Why : std::uint8_t { Fatigue, BrokeOff, Unsupported };
+    kodo::BodyId block;    // the loose one; a part of a boss had no body of its own before
+    std::uint32_t key = 0; // Block::key
+    Stuff stuff = Stuff::Brick;
+    kodo::Vec2 point; // its middle
+    Why why = Why::Fatigue;
+};
+/// A loose block left the field, and counts as cleared.
+struct Fell {
+    Stuff stuff = Stuff::Brick;
+    kodo::Vec2 point;
+    int points = 0;
+};
+/// The last core of the boss broke.
+struct BossDown {
+    kodo::Vec2 point;
+};
+/// A bumper kicked a body.
+struct Bumped {
+    kodo::BodyId body;
+    kodo::BodyId bumper;
+    kodo::Vec2 point;
+    kodo::Vec2 normal; // unit, towards the body
+};
+/// A caught power works from now on, or for longer than it would have.
+struct PowerBegan {
+    Power power = Power::None;
+    kodo::Vec2 point;
+    std::uint32_t untilTick = 0;
+};
+struct PowerEnded {
+    Power power = Power::None;
+};
+/// A ball is of another kind now, and another body.
+struct BallChanged {
+    kodo::BodyId before;
+    kodo::BodyId now;
+    BallKind kind = BallKind::Round;
+};
+/// With Power::Spring: the paddle leapt.
+struct Leapt {
+    kodo::Vec2 point;
+};
+/// The paddle's field begins, turns round or ends (None).
+struct ForceChanged {
+    Force force = Force::None;
+};
+/// A shard was drawn into the paddle and fed the meter.
+struct ShardCaught {
+    Stuff stuff = Stuff::Brick;
+    kodo::Vec2 point;
+    kodo::Real meter = 0; // 0..1, after it
+};
+/// The progress clock entered another stage, or fell back to Calm.
+struct PatienceChanged {
+    Patience patience = Patience::Calm;
+};
+/// A ball came to the paddle in the same way once too often; the progress clock was moved on.
+struct LoopSeen {
+    kodo::BodyId ball;
+};
+
+using Event =
+    std::variant<Struck, Cracked, Broke, Released, Caught, Welded, Stuck, Launched, Spent,
+                 BallSplit, Served, BallLost, LifeLost, Cleared, Lost, KnockedOff, ShardBroke,
+                 LetGo, Fell, BossDown, Bumped, PowerBegan, PowerEnded, BallChanged, Leapt,
+                 ForceChanged, ShardCaught, PatienceChanged, LoopSeen>;
 
 } // namespace apart

@@ -3,6 +3,7 @@
 #include <apart/core/paddle.hpp>
 #include <apart/core/tuning.hpp>
 
+#include <cmath>
 #include <utility>
 
 namespace apart {
@@ -17,6 +18,7 @@ namespace {
 // How much the part of a block is wider above than in its middle, as a share of its height.
 constexpr Real kWeldLean = Real(0.4);    // a keystone
 constexpr Real kLaunchLean = Real(-0.4); // an arrowhead
+constexpr Real kMoodLean = Real(0.2);    // good ones are wider above, bad ones below
 
 kodo::BodyDef wallDef(Real width, Real height, Vec2 center) {
     return {.shape = Box{width, height},
@@ -28,10 +30,6 @@ kodo::BodyDef wallDef(Real width, Real height, Vec2 center) {
 Piece polygonPiece(kodo::Polygon polygon, Real density, Role role) {
     const kodo::Mass mass = massOf(polygon, density);
     return {std::move(polygon), density, role, mass};
-}
-
-Real densityOf(const BlockKind& kind) {
-    return kStuffDensity[static_cast<std::size_t>(kind.stuff)];
 }
 
 std::vector<Piece> ballPieces() {
@@ -46,10 +44,24 @@ std::vector<Piece> ballPieces() {
     return pieces;
 }
 
+Real leanOf(Power power) {
+    if (power == Power::Weld || power == Power::Launch) {
+        return power == Power::Weld ? kWeldLean : kLaunchLean;
+    }
+    switch (moodOf(power)) {
+    case Mood::Good:
+        return kMoodLean;
+    case Mood::Mixed:
+        return 0;
+    case Mood::Bad:
+        break;
+    }
+    return -kMoodLean;
+}
+
 std::vector<Piece> partPieces(const BlockKind& kind) {
-    const Real lean = kind.power == Power::Weld ? kWeldLean : kLaunchLean;
     std::vector<Piece> pieces;
-    for (kodo::Polygon& polygon : cutOutMiddle(kCellWidth, kCellHeight, lean)) {
+    for (kodo::Polygon& polygon : cutOutMiddle(kCellWidth, kCellHeight, leanOf(kind.power))) {
         const bool middle = pieces.empty();
         pieces.push_back(polygonPiece(std::move(polygon), middle ? kPartDensity : densityOf(kind),
                                       middle ? Role::Part : Role::Shard));
@@ -76,12 +88,20 @@ kodo::BodyDef paddleDef(Real x) {
             .flags = kodo::kLocked | flagsOf(Role::Paddle)};
 }
 
-kodo::BodyDef ballDef(Vec2 position) {
-    return {.shape = Circle{kBallRadius},
-            .position = position,
-            .material = kBallMaterial,
-            .density = kBallDensity,
-            .flags = flagsOf(Role::Ball)};
+std::array<kodo::Polygon, 2> wingShapes() {
+    const kodo::Polygon right{
+        {{Real(1.9), Real(-0.25)}, {3, Real(0.45)}, {Real(2.85), Real(0.65)}, {Real(1.9), 0}}};
+    kodo::Polygon left;
+    for (std::size_t i = right.corners.size(); i-- > 0;) { // mirrored, so the other way round
+        left.corners.push_back({-right.corners[i].x, right.corners[i].y});
+    }
+    return {left, right};
+}
+
+bool isGone(Vec2 place) {
+    constexpr Real kOutside = Real(1.5); // m
+    return place.y < -kOutside || place.y > kFieldHeight + kOutside ||
+           std::abs(place.x) > kFieldWidth / 2 + kOutside;
 }
 
 Vec2 centerOf(const Cell& cell) {
@@ -105,8 +125,17 @@ kodo::BodyDef blockDef(const BlockKind& kind, Vec2 center) {
             .flags = kodo::kLocked | flagsOf(Role::Block)};
 }
 
+Real densityOf(const BlockKind& kind) {
+    return kStuffDensity[static_cast<std::size_t>(kind.stuff)];
+}
+
 PieceLimits shardLimits() {
     return {kLeastArea * kCellWidth * kCellHeight, kLeastWidth * kCellHeight};
+}
+
+Real shardStrength(Stuff stuff, Real area) {
+    const auto whole = static_cast<Real>(kStrength[static_cast<std::size_t>(stuff)]) / 1000;
+    return whole * kShardToughness * area / (kCellWidth * kCellHeight);
 }
 
 std::vector<Piece> piecesOf(const BlockKind& kind, Vec2 hit, std::uint64_t key) {
@@ -124,14 +153,11 @@ std::vector<Piece> piecesOf(const BlockKind& kind, Vec2 hit, std::uint64_t key) 
     return pieces;
 }
 
-kodo::BodyDef pieceDef(const Piece& piece, const PieceMotion& motion, Vec2 blockCenter) {
-    if (piece.role == Role::Ball) {
-        kodo::BodyDef ball = ballDef(blockCenter + piece.mass.center);
-        ball.velocity = motion.velocity;
-        return ball;
-    }
+kodo::BodyDef pieceDef(const Piece& piece, const PieceMotion& motion,
+                       const kodo::Transform& frame) {
     return {.shape = piece.shape,
-            .position = blockCenter,
+            .position = frame.position,
+            .rotation = frame.rotation,
             .velocity = motion.velocity,
             .angularVelocity = motion.spin,
             .material = kShardMaterial,

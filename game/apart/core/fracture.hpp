@@ -25,7 +25,9 @@ struct Line {
     kodo::Vec2 normal; // unit
     kodo::Real offset = 0;
 
+    /// Behind it, where clipped() keeps, lies what is on the left on the way.
     static Line through(kodo::Vec2 point, kodo::Vec2 direction);
+    Line flipped() const { return {-normal, -offset}; }
 };
 
 kodo::Real areaOf(const kodo::Polygon& polygon);

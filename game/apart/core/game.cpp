@@ -6,6 +6,7 @@
 #include <kodo/base/hash.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace apart {
@@ -19,40 +20,23 @@ namespace {
 // A ball that rides keeps this far off the paddle (m), so that they do not touch.
 constexpr Real kRideGap = Real(0.05);
 
-Vec2 rideOffset() {
-    return {0, domeHeight(0) + kBallRadius + kRideGap};
+Vec2 rideOffset(BallKind kind) {
+    return {0, domeHeight(0) + reachOf(kind) + kRideGap};
 }
 
 } // namespace
 
-Game::Game(const Level& level, std::uint32_t seed)
-    : Game(std::make_shared<const Level>(level), seed) {}
+Game::Game(const Level& level, std::uint32_t seed, Mode mode)
+    : Game(std::make_shared<const Level>(level), seed, mode) {}
 
-Game::Game(std::shared_ptr<const Level> level, std::uint32_t seed)
-    : level_(std::move(level)), seed_(seed), lives_(level_->lives) {
+Game::Game(std::shared_ptr<const Level> level, std::uint32_t seed, Mode mode)
+    : level_(std::move(level)), seed_(seed), mode_(mode), lives_(level_->lives) {
     buildField();
     buildBlocks();
+    buildBoss();
+    buildObstructions();
     newPaddle();
     newServe();
-}
-
-void Game::buildField() {
-    world_.addField({std::make_shared<kodo::Gravity>(Vec2{0, -kGravity}),
-                     {.flags = kodo::kMatchAny, .required = kFalls}});
-    for (const kodo::BodyDef& def : wallDefs()) {
-        walls_.push_back(world_.add(def));
-    }
-}
-
-void Game::buildBlocks() {
-    for (const Cell& cell : level_->cells) {
-        const BlockKind& kind = level_->kinds[cell.kind];
-        const auto key = static_cast<std::uint32_t>(cell.row * kColumns + cell.column);
-        const BodyId body = world_.add(blockDef(kind, centerOf(cell)));
-        blocks_.push_back({body, kind, static_cast<Real>(kind.strength) / 1000, key});
-        blocksAtStart_ += kind.breakable() ? 1 : 0;
-    }
-    blocksLeft_ = blocksAtStart_;
 }
 
 void Game::newPaddle() {
@@ -63,6 +47,7 @@ void Game::newPaddle() {
     }
     paddle_ = world_.add(paddleDef(x));
     paddleSpeed_ = 0;
+    sway_ = {};
     welds_.clear();
 }
 
@@ -71,9 +56,10 @@ void Game::newServe() {
     ++serves_;
     const Real slope = chance.between(kServeSlope / 4, kServeSlope);
     serveHeading_ = normalize(Vec2{chance.below(2) == 0 ? slope : -slope, 1});
-    kodo::BodyDef def = ballDef(world_[paddle_].position() + rideOffset());
-    def.flags |= kodo::kLocked;
-    balls_.push_back({world_.add(def), serveHeading_, true});
+    const BallKind kind = ballKind();
+    const BodyId ball = addBall(world_, world_[paddle_].position() + rideOffset(kind), kind);
+    world_[ball].setFlags(flagsOf(Role::Ball) | kodo::kLocked);
+    balls_.push_back({ball, serveHeading_, true, kind});
 }
 
 void Game::serve() {
@@ -93,20 +79,33 @@ void Game::tick(const Input& input) {
     events_.clear();
     ++tick_;
     if (input.launch && result_ == Result::Playing) {
-        serve();
+        serving() ? serve() : leap();
     }
+    endOldPowers();
+    useForce(input);
+    applyForces();
     steer(input);
+    driveBoss();
     fireParts();
     world_.step(kTickSeconds);
     judge();
     govern();
+    watchProgress();
     sweepOut();
     conclude();
+}
+
+void Game::leap() {
+    if (secondsLeft(Power::Spring) > 0 && std::abs(sway_.lift) < kLeapReady) {
+        sway_.liftSpeed = kLeapSpeed;
+        events_.emplace_back(Leapt{world_[paddle_].position()});
+    }
 }
 
 void Game::steer(const Input& input) {
     kodo::BodyRef paddle = world_[paddle_];
     const Vec2 position = paddle.position();
+    sway_ = swayed(sway_, paddleKind());
     paddleSpeed_ = drivenSpeed(input, position.x, paddleSpeed_, paddle.mass());
 
     // Whatever is welded to it must stay inside the field too.
@@ -116,16 +115,17 @@ void Game::steer(const Input& input) {
     const Real way = std::clamp(paddleSpeed_ * kTickSeconds, roomLeft, roomRight);
     paddleSpeed_ = way / kTickSeconds;
 
-    const Vec2 target{position.x + way, kPaddleY};
-    paddle.moveTo(target, kTickSeconds);
+    const kodo::Transform target{{position.x + way, kPaddleY + sway_.lift},
+                                 kodo::Rot::fromAngle(sway_.tilt)};
+    paddle.moveTo(target.position, target.rotation, kTickSeconds);
     for (const Ball& ball : balls_) {
         if (ball.riding) {
-            world_[ball.body].moveTo(target + rideOffset(), kTickSeconds);
+            world_[ball.body].moveTo(target * rideOffset(ball.kind), kTickSeconds);
         }
     }
     for (const Part& part : parts_) {
         if (part.state == PartState::Stuck) {
-            world_[part.body].moveTo(target + part.offset, kTickSeconds);
+            world_[part.body].moveTo(target * part.offset, kTickSeconds);
         }
     }
 }
@@ -166,14 +166,19 @@ void Game::conclude() {
             return;
         }
         letGoOfParts();
+        while (!effects_.empty()) {
+            endPower(effects_.size() - 1);
+        }
+        refreshPowers();
         newPaddle();
         newServe();
     }
 }
 
-const Block* Game::findBlock(BodyId body) const {
-    const auto found = std::find_if(blocks_.begin(), blocks_.end(),
-                                    [&](const Block& block) { return block.body == body; });
+const Block* Game::findBlock(BodyId body, std::size_t part) const {
+    const auto found = std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& block) {
+        return block.body == body && block.part == part;
+    });
     return found == blocks_.end() ? nullptr : &*found;
 }
 

@@ -2,13 +2,18 @@
 #pragma once
 
 #include <apart/core/event.hpp>
+#include <apart/core/fracture.hpp>
 #include <apart/core/input.hpp>
 #include <apart/core/level.hpp>
+#include <apart/core/paddle.hpp>
+#include <apart/core/progress.hpp>
+#include <apart/core/things.hpp>
 #include <kodo/kodo.hpp>
 
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -18,47 +23,6 @@ namespace apart {
 enum class Result : std::uint8_t { Playing, Won, Lost };
 inline constexpr std::array<std::string_view, 3> kResultNames = {"playing", "won", "lost"};
 
-/// A block that stands. Locked; it never moves.
-struct Block {
-    kodo::BodyId body;
-    BlockKind kind;
-    kodo::Real strengthLeft = 0; // N s
-    std::uint32_t key = 0;       // of its fracture: place in the grid
-};
-
-struct Ball {
-    kodo::BodyId body;
-    kodo::Vec2 heading;  // unit; where it last flew
-    bool riding = false; // on the paddle, waiting for the serve
-};
-
-/// A piece of a broken block.
-struct Shard {
-    kodo::BodyId body;
-    Stuff stuff = Stuff::Brick;
-    std::uint32_t bornTick = 0;
-};
-
-enum class PartState : std::uint8_t { Loose, Stuck, Launched };
-
-/// A power-up: a body like any other until it meets the paddle. A welded one is no longer here, but
-/// is a part of the paddle's body.
-struct Part {
-    kodo::BodyId body;
-    Power power = Power::Weld;
-    PartState state = PartState::Loose;
-    std::uint32_t sinceTick = 0; // when its state began
-    kodo::Vec2 offset;           // m, from the paddle's frame; while stuck
-};
-
-/// What holds a part on the paddle. Like a block, it gives way when blows have used its strength
-/// up.
-struct Weld {
-    kodo::Real strengthLeft = 0; // N s
-    kodo::Vec2 lastPoint{};      // of the last blow; m, world
-    kodo::Real lastImpulse = 0;  // N s
-};
-
 /// The whole of aPart without a screen: a function of level, seed and inputs. A value: a copy is a
 /// snapshot, and both go on alike.
 ///
@@ -66,8 +30,8 @@ struct Weld {
 /// 4 to 3, so that a 16 to 10 window has room for the score beside it.
 class Game {
 public:
-    Game(std::shared_ptr<const Level> level, std::uint32_t seed);
-    Game(const Level& level, std::uint32_t seed);
+    Game(std::shared_ptr<const Level> level, std::uint32_t seed, Mode mode = Mode::Standard);
+    Game(const Level& level, std::uint32_t seed, Mode mode = Mode::Standard);
 
     /// One step of kTickSeconds. After the end of the game things still move, but nothing counts.
     void tick(const Input& input);
@@ -79,11 +43,30 @@ public:
     std::int32_t score() const { return score_; }
     std::int32_t lives() const { return lives_; } // the one in play included
     std::int32_t combo() const { return combo_; } // blocks broken since the paddle was last met
-    std::int32_t blocksLeft() const { return blocksLeft_; } // breakable ones
+    std::int32_t blocksLeft() const { return blocksLeft_; } // breakable ones, loose ones included
     std::int32_t blocksAtStart() const { return blocksAtStart_; }
 
     const Level& level() const { return *level_; }
     std::uint32_t seed() const { return seed_; }
+    Mode mode() const { return mode_; }
+
+    // The paddle's field of force.
+    kodo::Real meter() const { return meter_; } // 0..1
+    Force force() const { return force_; }      // that acts; None when the meter is empty
+
+    // Powers that were caught and last for a while.
+    std::span<const Effect> effects() const { return effects_; }
+    kodo::Real secondsLeft(Power power) const; // 0: it does not work
+    BallKind ballKind() const;                 // of all balls in play
+    PaddleKind paddleKind() const;
+    const Sway& sway() const { return sway_; }
+    kodo::Real windSpeed() const; // m/s, to the right; of level and effect together
+
+    // How long nothing has been damaged.
+    Patience patience() const { return clock_.patience(); }
+    kodo::Real idleSeconds() const;
+    const Block* nextToFall() const; // the one whose mount gives way next; nullptr: none
+    const Ledger& ledger() const { return ledger_; }
 
     // To be drawn. Shapes and places: world()[body].part(i).convex under world()[body].placement().
     const kodo::World& world() const { return world_; }
@@ -97,7 +80,9 @@ public:
     std::span<const Ball> balls() const { return balls_; }
     std::span<const Shard> shards() const { return shards_; }
     std::span<const Part> parts() const { return parts_; }
-    const Block* findBlock(kodo::BodyId body) const; // nullptr: none
+    std::span<const Obstruction> obstructions() const { return obstructions_; }
+    std::optional<kodo::BodyId> boss() const; // nothing: none, or it is down
+    const Block* findBlock(kodo::BodyId body, std::size_t part = 0) const; // nullptr: none
     /// Waiting for `launch`?
     bool serving() const;
     /// Unit; where the ball will go when it is served.
@@ -110,27 +95,74 @@ public:
 private:
     friend struct GameTestAccess; // tests set up situations with it
 
+    // How it begins.
     void buildField();
     void buildBlocks();
+    void buildBoss();
+    void buildObstructions();
+    void hang(Block& block);
     void newPaddle();
     void newServe();
+
+    // Before the step.
     void serve();
+    void leap();
+    void useForce(const Input& input);
+    void applyForces();
+    kodo::Vec2 draw(kodo::BodyId body, kodo::Vec2 center, kodo::Real acceleration,
+                    kodo::Real reach);
+    void pushPaddleBack(kodo::Vec2 impulse);
     void steer(const Input& input);
+    void driveBoss();
     void fireParts();
+
+    // After it.
+    struct BossBlow {
+        std::uint32_t key = 0;
+        kodo::Vec2 point;
+        kodo::Vec2 impulse;
+    };
     void judge();
+    void judgeAlive(const kodo::CollisionRecord& hit, kodo::BodyId body);
+    void judgeBreakable(const kodo::CollisionRecord& hit, kodo::BodyId body);
     void judgeBall(const kodo::CollisionRecord& hit, kodo::BodyId ball);
     void judgeBlock(const kodo::CollisionRecord& hit, kodo::BodyId body);
+    void judgeShard(const kodo::CollisionRecord& hit, kodo::BodyId body);
     void judgePart(const kodo::CollisionRecord& hit, kodo::BodyId body);
     void judgePaddle(const kodo::CollisionRecord& hit);
+    void judgeObstruction(const kodo::CollisionRecord& hit, kodo::BodyId body);
+    void judgeBoss();
+    void catchPart(std::size_t index, const kodo::CollisionRecord& hit);
+    void catchShard(std::size_t index, kodo::Vec2 point);
     void knockOffWorn();
     void knockOff(std::size_t weld);
-    Stuff stuffOf(kodo::BodyId body) const;
+    Stuff stuffOf(kodo::BodyId body, std::size_t part) const;
+
+    kodo::Transform frameOf(const Block& block) const; // in the middle of the block
+    kodo::BodyId detach(std::size_t index);
+    void letGo(std::size_t index, LetGo::Why why);
+    void dropUnsupported();
     void breakBlock(std::size_t index, kodo::Vec2 point, kodo::Vec2 blow);
-    int addPieces(const Block& block, kodo::Vec2 center, kodo::Vec2 point, kodo::Vec2 blow);
+    int addPieces(const Block& block, const kodo::Transform& frame, const PieceMotion& carried,
+                  kodo::Vec2 hit, kodo::Vec2 impulse);
+    void breakShard(std::size_t index, kodo::Vec2 point, kodo::Real impulse);
+
+    void beginPower(Power power, kodo::Vec2 point, kodo::Vec2 origin);
+    void endPower(std::size_t effect);
+    void endOldPowers();
+    void refreshPowers();
+    void reshapeBalls();
+    void renewFields();
+    bool weldWings();
+
     void govern();
+    void governBall(Ball& ball);
     bool isRubble(kodo::BodyId body) const;
+    bool isBar(kodo::BodyId body) const; // of a motor
+    void watchProgress();
     void sweepOut();
     void sweepBalls();
+    void sweepBlocks();
     void sweepParts();
     void sweepShards();
     void letGoOfParts();
@@ -138,6 +170,7 @@ private:
 
     std::shared_ptr<const Level> level_;
     std::uint32_t seed_ = 0;
+    Mode mode_ = Mode::Standard;
     std::uint32_t tick_ = 0;
     Result result_ = Result::Playing;
     std::int32_t score_ = 0;
@@ -157,7 +190,21 @@ private:
     std::vector<Ball> balls_;
     std::vector<Shard> shards_;
     std::vector<Part> parts_;
+    std::vector<Obstruction> obstructions_;
+    Sway sway_;
+    Force force_ = Force::None;
+    kodo::Real meter_ = 1;
+    std::vector<Effect> effects_;
+    ProgressClock clock_;
+    Patience shownPatience_ = Patience::Calm; // of the last PatienceChanged
+    Ledger ledger_;
+    kodo::BodyId boss_;
+    kodo::Real bossHome_ = 0; // m, x that it drifts about
+    int bossWay_ = 1;         // 1: to the right
     std::vector<Event> events_;
+    // Of this tick alone; empty after it.
+    std::vector<BossBlow> bossBlows_;
+    bool fieldsStale_ = false;
 };
 
 } // namespace apart

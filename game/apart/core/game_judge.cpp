@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the collisions of a tick mean to the game.
+#include <apart/core/field.hpp>
 #include <apart/core/game.hpp>
 #include <apart/core/tuning.hpp>
 
@@ -19,6 +20,10 @@ Vec2 normalTowards(const CollisionRecord& hit, BodyId body) {
     return hit.b == body ? hit.normal : -hit.normal;
 }
 
+std::size_t partOf(const CollisionRecord& hit, BodyId body) {
+    return hit.a == body ? hit.partA : hit.partB;
+}
+
 } // namespace
 
 void Game::judge() {
@@ -34,27 +39,50 @@ void Game::judge() {
             if (!world_.contains(hit.a) || !world_.contains(hit.b)) {
                 break;
             }
-            switch (roleOf(world_[body].flags())) {
-            case Role::Ball:
-                judgeBall(hit, body);
-                break;
-            case Role::Part:
-                judgePart(hit, body);
-                break;
-            case Role::Paddle:
-                judgePaddle(hit);
-                break;
-            default:
-                break;
-            }
+            judgeAlive(hit, body);
         }
         for (const BodyId body : {hit.a, hit.b}) {
-            if (world_.contains(body) && roleOf(world_[body].flags()) == Role::Block) {
-                judgeBlock(hit, body);
+            if (world_.contains(body)) {
+                judgeBreakable(hit, body);
             }
         }
     }
-    knockOffWorn(); // not before: the records name the parts by their place
+    // Not before: the records name parts of bodies by their places.
+    judgeBoss();
+    knockOffWorn();
+    refreshPowers();
+}
+
+void Game::judgeAlive(const CollisionRecord& hit, BodyId body) {
+    switch (roleOf(world_[body].flags())) {
+    case Role::Ball:
+        judgeBall(hit, body);
+        break;
+    case Role::Part:
+        judgePart(hit, body);
+        break;
+    case Role::Paddle:
+        judgePaddle(hit);
+        break;
+    case Role::Obstruction:
+        judgeObstruction(hit, body);
+        break;
+    default:
+        break;
+    }
+}
+
+void Game::judgeBreakable(const CollisionRecord& hit, BodyId body) {
+    switch (roleOf(world_[body].flags())) {
+    case Role::Block:
+        judgeBlock(hit, body);
+        break;
+    case Role::Shard:
+        judgeShard(hit, body);
+        break;
+    default:
+        break;
+    }
 }
 
 void Game::judgeBall(const CollisionRecord& hit, BodyId ball) {
@@ -62,6 +90,13 @@ void Game::judgeBall(const CollisionRecord& hit, BodyId ball) {
     const Role what = roleOf(world_[other].flags());
     if (what == Role::Paddle) {
         combo_ = 0;
+        const auto met = std::find_if(balls_.begin(), balls_.end(),
+                                      [&](const Ball& b) { return b.body == ball; });
+        const bool begins = hit.phase == kodo::TouchPhase::Begin;
+        if (begins &&
+            clock_.metPaddle(world_[ball].position(), met->heading, world_[paddle_].position().x)) {
+            events_.emplace_back(LoopSeen{ball});
+        }
     }
     if (hit.maxImpulse < kSlightestBlow) {
         return;
@@ -69,31 +104,70 @@ void Game::judgeBall(const CollisionRecord& hit, BodyId ball) {
     events_.emplace_back(Struck{.ball = ball,
                                 .other = other,
                                 .what = what,
-                                .stuff = stuffOf(other),
+                                .stuff = stuffOf(other, partOf(hit, other)),
                                 .point = hit.point,
                                 .normal = normalTowards(hit, ball),
                                 .impulse = hit.maxImpulse});
 }
 
 void Game::judgeBlock(const CollisionRecord& hit, BodyId body) {
-    const auto found = std::find_if(blocks_.begin(), blocks_.end(),
-                                    [&](const Block& block) { return block.body == body; });
+    const std::size_t part = partOf(hit, body);
+    const auto found = std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& block) {
+        return block.body == body && block.part == part;
+    });
     Block& block = *found;
     if (!block.kind.breakable() || hit.maxImpulse < kSlightestBlow) {
         return;
     }
+    clock_.progress();
     if (hit.maxImpulse > block.strengthLeft) {
-        breakBlock(static_cast<std::size_t>(found - blocks_.begin()), hit.point,
-                   hit.totalImpulse * normalTowards(hit, body));
+        const Vec2 blow = hit.totalImpulse * normalTowards(hit, body);
+        if (block.hold == Hold::Boss) {
+            bossBlows_.push_back({block.key, hit.point, blow});
+        } else {
+            breakBlock(static_cast<std::size_t>(found - blocks_.begin()), hit.point, blow);
+        }
         return;
     }
     block.strengthLeft -= hit.maxImpulse;
     const Real full = static_cast<Real>(block.kind.strength) / 1000;
     events_.emplace_back(Cracked{.block = body,
+                                 .key = block.key,
                                  .stuff = block.kind.stuff,
                                  .point = hit.point,
                                  .impulse = hit.maxImpulse,
                                  .strengthLeft = block.strengthLeft / full});
+}
+
+void Game::judgeShard(const CollisionRecord& hit, BodyId body) {
+    const bool drawnIn = force_ == Force::Pull && hit.other(body) == paddle_;
+    if (!drawnIn && hit.maxImpulse < kSlightestBlow) {
+        return; // most of them: shards lie on each other
+    }
+    const auto found = std::find_if(shards_.begin(), shards_.end(),
+                                    [&](const Shard& shard) { return shard.body == body; });
+    const auto index = static_cast<std::size_t>(found - shards_.begin());
+    if (drawnIn) {
+        catchShard(index, hit.point);
+        return;
+    }
+    if (found->stuff == Stuff::Steel) {
+        return;
+    }
+    found->strengthLeft -= hit.maxImpulse;
+    if (found->strengthLeft < 0) {
+        breakShard(index, hit.point, hit.maxImpulse);
+    }
+}
+
+void Game::catchShard(std::size_t index, Vec2 point) {
+    const Shard shard = shards_[index];
+    const Real mass = world_[shard.body].mass();
+    ledger_.removedMass += static_cast<double>(mass);
+    world_.remove(shard.body);
+    shards_.erase(shards_.begin() + static_cast<std::ptrdiff_t>(index));
+    meter_ = std::min(meter_ + kMeterPerKilogram * mass, Real(1));
+    events_.emplace_back(ShardCaught{shard.stuff, point, meter_});
 }
 
 void Game::judgePart(const CollisionRecord& hit, BodyId body) {
@@ -101,49 +175,91 @@ void Game::judgePart(const CollisionRecord& hit, BodyId body) {
                                     [&](const Part& part) { return part.body == body; });
     const BodyId other = hit.other(body);
     if (found->state == PartState::Launched) {
-        const Block* block = findBlock(other);
+        const Block* block = findBlock(other, partOf(hit, other));
         if (block != nullptr && !block->kind.breakable()) {
             events_.emplace_back(Spent{hit.point, true});
+            ledger_.removedMass += static_cast<double>(world_[body].mass());
             world_.remove(body);
             parts_.erase(found);
         }
         return;
     }
-    if (found->state != PartState::Loose || other != paddle_) {
-        return;
+    if (found->state == PartState::Loose && other == paddle_) {
+        catchPart(static_cast<std::size_t>(found - parts_.begin()), hit);
     }
-    if (found->power == Power::Weld && weldedParts() >= kMostWelded) {
+}
+
+void Game::catchPart(std::size_t index, const CollisionRecord& hit) {
+    Part& part = parts_[index];
+    const BodyId body = part.body;
+    const Power power = part.power;
+    if (power == Power::Weld && weldedParts() >= kMostWelded) {
+        return; // it bounces off
+    }
+    if (power == Power::Wings && !weldWings()) {
         return;
     }
     score_ += kCatchPoints;
-    events_.emplace_back(Caught{body, found->power, hit.point, hit.maxImpulse});
-    if (found->power == Power::Weld) {
-        world_.weld(paddle_, body);
-        world_[paddle_].setMaterial(kPaddleMaterial); // what is welded bounces like the rest
-        parts_.erase(found);
-        welds_.push_back({.strengthLeft = kWeldStrength});
-        events_.emplace_back(Welded{hit.point, world_[paddle_].mass(), weldedParts()});
+    events_.emplace_back(Caught{body, power, hit.point, hit.maxImpulse});
+    if (power == Power::Launch) {
+        kodo::BodyRef stuck = world_[body];
+        stuck.setFlags(flagsOf(Role::Part) | kodo::kLocked);
+        stuck.setMaterial(kPaddleMaterial);
+        stuck.setAngularVelocity(0);
+        part.state = PartState::Stuck;
+        part.sinceTick = tick_;
+        const kodo::BodyView paddle = world_[paddle_];
+        part.offset = unrotate(paddle.rotation(), stuck.position() - paddle.position());
+        events_.emplace_back(Stuck{body, hit.point});
         return;
     }
-    kodo::BodyRef part = world_[body];
-    part.setFlags(flagsOf(Role::Part) | kodo::kLocked);
-    part.setMaterial(kPaddleMaterial);
-    part.setAngularVelocity(0);
-    found->state = PartState::Stuck;
-    found->sinceTick = tick_;
-    found->offset = part.position() - world_[paddle_].position();
-    events_.emplace_back(Stuck{body, hit.point});
+    const Vec2 origin = part.origin;
+    parts_.erase(parts_.begin() + static_cast<std::ptrdiff_t>(index));
+    if (power == Power::Weld) {
+        world_.weld(paddle_, body);
+        world_[paddle_].setMaterial(kPaddleMaterial); // what is welded bounces like the rest
+        welds_.push_back({.strengthLeft = kWeldStrength});
+    } else {
+        ledger_.removedMass += static_cast<double>(world_[body].mass());
+        world_.remove(body);
+    }
+    if (power == Power::Weld || power == Power::Wings) {
+        events_.emplace_back(Welded{hit.point, world_[paddle_].mass(), weldedParts()});
+    } else {
+        beginPower(power, hit.point, origin);
+    }
 }
 
 void Game::judgePaddle(const CollisionRecord& hit) {
-    const std::size_t part = hit.a == paddle_ ? hit.partA : hit.partB;
+    const kodo::BodyView paddle = world_[paddle_];
+    sway_ = pushed(sway_, paddleKind(), {paddle.mass(), {}, paddle.inertia()},
+                   hit.point - paddle.center(), hit.totalImpulse * normalTowards(hit, paddle_));
+    const std::size_t part = partOf(hit, paddle_);
     if (part == 0 || hit.maxImpulse < kSlightestBlow) {
         return;
     }
     Weld& weld = welds_[part - 1];
-    weld.strengthLeft -= hit.maxImpulse;
+    weld.strengthLeft =
+        hit.maxImpulse < kKnockOffBlow ? weld.strengthLeft - hit.maxImpulse : Real(-1);
     weld.lastPoint = hit.point;
     weld.lastImpulse = hit.maxImpulse;
+}
+
+void Game::judgeObstruction(const CollisionRecord& hit, BodyId body) {
+    const auto found = std::find_if(obstructions_.begin(), obstructions_.end(),
+                                    [&](const Obstruction& o) { return o.body == body; });
+    if (found == obstructions_.end() || found->kind != ObstructionKind::Bumper) {
+        return; // the pin of a hanging block, or what only stands there
+    }
+    kodo::BodyRef other = world_[hit.other(body)];
+    const bool blow = hit.phase == kodo::TouchPhase::Begin || hit.maxImpulse >= kSlightestBlow;
+    if (!blow || (other.flags() & kodo::kLockMove) != 0) {
+        return;
+    }
+    const Vec2 normal = normalTowards(hit, other.id());
+    other.setVelocity(other.velocity() + found->kick * normal);
+    found->hitTick = tick_;
+    events_.emplace_back(Bumped{other.id(), body, hit.point, normal});
 }
 
 void Game::knockOffWorn() {
@@ -154,8 +270,20 @@ void Game::knockOffWorn() {
     }
 }
 
-Stuff Game::stuffOf(BodyId body) const {
-    if (const Block* block = findBlock(body)) {
+void Game::knockOff(std::size_t weld) {
+    const BodyId body = world_.unweld(paddle_, weld + 1, flagsOf(Role::Shard) | kFalls);
+    kodo::BodyRef part = world_[body];
+    const Vec2 away = normalize(part.center() - world_[paddle_].position());
+    part.setMaterial(kShardMaterial);
+    part.setVelocity(part.velocity() + kKnockOffSpeed * away);
+    const Weld worn = welds_[weld];
+    welds_.erase(welds_.begin() + static_cast<std::ptrdiff_t>(weld));
+    shards_.push_back({body, Stuff::Steel, tick_, 0});
+    events_.emplace_back(KnockedOff{body, worn.lastPoint, worn.lastImpulse, weldedParts()});
+}
+
+Stuff Game::stuffOf(BodyId body, std::size_t part) const {
+    if (const Block* block = findBlock(body, part)) {
         return block->kind.stuff;
     }
     const auto shard = std::find_if(shards_.begin(), shards_.end(),

@@ -2,10 +2,11 @@
 // What becomes of broken blocks and of the things that leave the field.
 #include <apart/core/field.hpp>
 #include <apart/core/game.hpp>
-#include <apart/core/governor.hpp>
 #include <apart/core/tuning.hpp>
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace apart {
 
@@ -15,14 +16,6 @@ using kodo::Vec2;
 
 namespace {
 
-// What is this far (m) outside the field has left it for good.
-constexpr Real kGone = Real(1.5);
-
-bool isGone(Vec2 place) {
-    return place.y < -kGone || place.y > kFieldHeight + kGone ||
-           place.x < -kFieldWidth / 2 - kGone || place.x > kFieldWidth / 2 + kGone;
-}
-
 /// Down for what stands still.
 Vec2 headingOf(Vec2 velocity) {
     return length(velocity) < kHaltSpeed ? Vec2{0, -1} : normalize(velocity);
@@ -31,32 +24,46 @@ Vec2 headingOf(Vec2 velocity) {
 } // namespace
 
 void Game::breakBlock(std::size_t index, Vec2 point, Vec2 blow) {
+    const BodyId body = detach(index);
     const Block block = blocks_[index];
-    const Vec2 center = world_[block.body].position();
-    world_.remove(block.body);
+    const kodo::Transform frame = frameOf(block);
+    const PieceMotion carried{world_[body].velocityAt(frame.position),
+                              world_[body].angularVelocity()};
+    world_.remove(body);
+    if (world_.contains(block.pin)) {
+        world_.remove(block.pin);
+    }
     blocks_.erase(blocks_.begin() + static_cast<std::ptrdiff_t>(index));
-    --blocksLeft_;
-    ++combo_;
-    const std::int32_t worth = kPoints[static_cast<std::size_t>(block.kind.stuff)] +
-                               (block.kind.power == Power::None ? 0 : kPowerPoints);
-    const std::int32_t points = worth * std::min(combo_, kMostCombo);
-    score_ += points;
-
+    std::int32_t points = 0;
+    if (block.kind.breakable()) {
+        --blocksLeft_;
+        ++combo_;
+        const std::int32_t worth = kPoints[static_cast<std::size_t>(block.kind.stuff)] +
+                                   (block.kind.power == Power::None ? 0 : kPowerPoints);
+        points = worth * std::min(combo_, kMostCombo);
+        score_ += points;
+    }
     const std::size_t place = events_.size();
-    events_.emplace_back(Broke{.block = block.body,
+    events_.emplace_back(Broke{.block = body,
+                               .key = block.key,
                                .stuff = block.kind.stuff,
                                .power = block.kind.power,
                                .point = point,
-                               .center = center,
+                               .center = frame.position,
                                .impulse = length(blow),
                                .combo = combo_,
                                .points = points});
-    std::get<Broke>(events_[place]).shards = addPieces(block, center, point, blow);
+    const Vec2 local = toLocal(frame, point);
+    const Vec2 hit{std::clamp(local.x, -kCellWidth / 2, kCellWidth / 2),
+                   std::clamp(local.y, -kCellHeight / 2, kCellHeight / 2)};
+    // What moves freely has taken the whole blow already, and carries it.
+    const bool mounted = block.hold == Hold::Mounted || block.hold == Hold::Boss;
+    const Vec2 taken = mounted ? unrotate(frame.rotation, blow) : Vec2{};
+    std::get<Broke>(events_[place]).shards = addPieces(block, frame, carried, hit, taken);
 }
 
-int Game::addPieces(const Block& block, Vec2 center, Vec2 point, Vec2 blow) {
-    const Vec2 hit{std::clamp(point.x - center.x, -kCellWidth / 2, kCellWidth / 2),
-                   std::clamp(point.y - center.y, -kCellHeight / 2, kCellHeight / 2)};
+int Game::addPieces(const Block& block, const kodo::Transform& frame, const PieceMotion& carried,
+                    Vec2 hit, Vec2 blow) {
     const std::vector<Piece> pieces = piecesOf(block.kind, hit, mixKeys(seed_, block.key, 2));
     std::vector<kodo::Mass> masses;
     Real mass = 0;
@@ -65,116 +72,86 @@ int Game::addPieces(const Block& block, Vec2 center, Vec2 point, Vec2 blow) {
         mass += piece.mass.mass;
     }
     const Vec2 impulse = impulseOnPieces(blow, block.strengthLeft, mass);
-    const std::vector<PieceMotion> motions = motionOfPieces(masses, hit, impulse, kBurstSpeed);
+    std::vector<PieceMotion> motions = motionOfPieces(masses, hit, impulse, kBurstSpeed);
     int shards = 0;
     int balls = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
+        PieceMotion& motion = motions[i];
+        const Vec2 arm = frame.rotation * masses[i].center;
+        motion.velocity =
+            frame.rotation * motion.velocity + carried.velocity + cross(carried.spin, arm);
+        motion.spin += carried.spin;
         Piece piece = pieces[i];
         if (piece.role == Role::Ball && balls_.size() >= kMostBalls) {
             piece.role = Role::Shard;
         }
-        const BodyId body = world_.add(pieceDef(piece, motions[i], center));
-        switch (piece.role) {
-        case Role::Ball:
-            balls_.push_back({body, headingOf(motions[i].velocity), false});
+        if (piece.role == Role::Ball) {
+            const BodyId ball = addBall(world_, frame.position + arm, ballKind());
+            world_[ball].setVelocity(motion.velocity);
+            balls_.push_back({ball, headingOf(motion.velocity), false, ballKind()});
             ++balls;
-            break;
-        case Role::Part:
-            parts_.push_back({body, block.kind.power, PartState::Loose, tick_, {}});
-            events_.emplace_back(Released{body, block.kind.power, center});
-            break;
-        default:
-            shards_.push_back({body, block.kind.stuff, tick_});
+            continue;
+        }
+        const BodyId body = world_.add(pieceDef(piece, motion, frame));
+        if (piece.role == Role::Part) {
+            parts_.push_back({body, block.kind.power, PartState::Loose, tick_, {}, frame.position});
+            events_.emplace_back(Released{body, block.kind.power, frame.position});
+        } else {
+            const Real strength = shardStrength(block.kind.stuff, world_[body].area());
+            shards_.push_back({body, block.kind.stuff, tick_, strength});
             ++shards;
-            break;
         }
     }
     if (balls > 0) {
-        events_.emplace_back(BallSplit{center, balls});
+        events_.emplace_back(BallSplit{frame.position, balls});
     }
     return shards;
 }
 
-void Game::knockOff(std::size_t weld) {
-    // A new paddle, with all the parts but one.
-    std::vector<kodo::Part> parts;
-    for (std::size_t i = 0; i < world_[paddle_].partCount(); ++i) {
-        parts.push_back(world_[paddle_].part(i));
+void Game::breakShard(std::size_t index, Vec2 point, Real impulse) {
+    const Shard shard = shards_[index];
+    const kodo::BodyView body = world_[shard.body];
+    const kodo::Part& whole = body.part(0);
+    const auto* polygon = std::get_if<kodo::Polygon>(&whole.primitive);
+    if (polygon == nullptr) {
+        return;
     }
-    const Vec2 place = world_[paddle_].position();
-    const Real speed = world_[paddle_].velocity().x;
-    world_.remove(paddle_);
-    paddle_ = world_.add(paddleDef(place.x));
-    for (std::size_t i = 1; i < parts.size(); ++i) {
-        kodo::BodyDef def{
-            .shape = std::visit([](const auto& p) -> kodo::Shape { return p; }, parts[i].primitive),
-            .position = place,
-            .material = kShardMaterial,
-            .density = parts[i].density,
-            .flags = flagsOf(Role::Shard) | kFalls};
-        const BodyId body = world_.add(def);
-        if (i - 1 != weld) {
-            world_.weld(paddle_, body);
-            continue;
-        }
-        const Vec2 away = normalize(world_[body].center() - place);
-        world_[body].setVelocity(Vec2{speed, 0} + kKnockOffSpeed * away);
-        shards_.push_back({body, Stuff::Steel, tick_});
-        events_.emplace_back(
-            KnockedOff{body, welds_[weld].lastPoint, welds_[weld].lastImpulse, weldedParts() - 1});
+    const kodo::Transform frame{body.position(), body.rotation()};
+    std::vector<kodo::Polygon> pieces =
+        fracture(*polygon, toLocal(frame, point), Pattern::Halves, shardLimits(),
+                 mixKeys(seed_, tick_, shard.body.index));
+    if (pieces.size() < 2) {
+        shards_[index].strengthLeft = std::numeric_limits<Real>::max(); // too small to break
+        return;
     }
-    world_[paddle_].setMaterial(kPaddleMaterial);
-    world_[paddle_].setVelocity({speed, 0});
-    welds_.erase(welds_.begin() + static_cast<std::ptrdiff_t>(weld));
-}
-
-void Game::govern() {
-    std::vector<Vec2> normals; // towards the ball
-    for (Ball& ball : balls_) {
-        if (ball.riding) {
-            continue;
-        }
-        normals.clear();
-        bool touching = false; // also where it leaves an overlap, faster than what pushed it
-        bool rubble = false;
-        for (const kodo::CollisionRecord& hit : world_.collisions()) {
-            if (!hit.involves(ball.body)) {
-                continue;
-            }
-            touching = touching || hit.maxImpulse > 0 || hit.separation < 0;
-            if (hit.maxImpulse > 0) {
-                normals.push_back(hit.b == ball.body ? hit.normal : -hit.normal);
-                rubble = rubble || isRubble(hit.other(ball.body));
-            }
-        }
-        kodo::BodyRef body = world_[ball.body];
-        const Vec2 velocity = body.velocity();
-        Vec2 next = velocity;
-        if (!touching) {
-            next = held(velocity, ball.heading, ballSpeed());
-        } else if (!normals.empty()) {
-            next = rubble ? throwOff(velocity, ball.heading, normals, ballSpeed()) : velocity;
-            next = turnedFromFlat(next, normals);
-        }
-        if (next != velocity) {
-            body.setVelocity(next);
-        }
-        if (length(next) >= kHaltSpeed) {
-            ball.heading = normalize(next);
-        }
+    kodo::BodyDef def{.position = frame.position,
+                      .rotation = frame.rotation,
+                      .angularVelocity = body.angularVelocity(),
+                      .material = kShardMaterial,
+                      .density = whole.density,
+                      .flags = flagsOf(Role::Shard) | kFalls};
+    events_.emplace_back(ShardBroke{.shard = shard.body,
+                                    .stuff = shard.stuff,
+                                    .point = point,
+                                    .impulse = impulse,
+                                    .pieces = static_cast<int>(pieces.size())});
+    std::vector<Vec2> velocities; // of the whole, at the centres of the pieces
+    for (const kodo::Polygon& piece : pieces) {
+        velocities.push_back(body.velocityAt(frame * massOf(piece, Real(1)).center));
     }
-}
-
-bool Game::isRubble(BodyId body) const {
-    if (!world_.contains(body)) {
-        return false;
+    world_.remove(shard.body);
+    shards_.erase(shards_.begin() + static_cast<std::ptrdiff_t>(index));
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const Real strength = shardStrength(shard.stuff, areaOf(pieces[i]));
+        def.velocity = velocities[i];
+        def.shape = std::move(pieces[i]);
+        shards_.push_back({world_.add(def), shard.stuff, shard.bornTick, strength});
     }
-    const Role role = roleOf(world_[body].flags());
-    return role == Role::Shard || role == Role::Part;
 }
 
 void Game::sweepOut() {
     sweepBalls();
+    sweepBlocks();
     sweepParts();
     sweepShards();
 }
@@ -206,6 +183,7 @@ void Game::sweepParts() {
         if (part.state == PartState::Launched) {
             events_.emplace_back(Spent{place, false});
         }
+        ledger_.removedMass += static_cast<double>(world_[part.body].mass());
         world_.remove(part.body);
         parts_.erase(parts_.begin() + static_cast<std::ptrdiff_t>(i));
     }
@@ -213,6 +191,7 @@ void Game::sweepParts() {
 
 void Game::sweepShards() {
     const auto drop = [&](std::size_t i) {
+        ledger_.removedMass += static_cast<double>(world_[shards_[i].body].mass());
         world_.remove(shards_[i].body);
         shards_.erase(shards_.begin() + static_cast<std::ptrdiff_t>(i));
     };

@@ -4,19 +4,56 @@
 
 namespace apart {
 
+namespace {
+
+void add(kodo::StateHash& hash, const BlockKind& kind) {
+    hash.add(static_cast<std::uint8_t>(kind.stuff));
+    hash.add(static_cast<std::uint8_t>(kind.power));
+    hash.add(static_cast<std::uint8_t>(kind.pattern));
+    hash.add(kind.strength);
+    hash.add(static_cast<std::uint8_t>(kind.hold));
+    hash.add(kind.arm);
+    hash.add(static_cast<std::uint8_t>(kind.core));
+}
+
+void add(kodo::StateHash& hash, const ObstructionDef& def) {
+    hash.add(static_cast<std::uint8_t>(def.kind));
+    for (const std::int32_t number : {def.x, def.y, def.size, def.speed, def.spacing}) {
+        hash.add(number);
+    }
+    hash.add(static_cast<std::uint8_t>(def.facing));
+    hash.add(static_cast<std::uint64_t>(def.heights.size()));
+    for (const std::int32_t height : def.heights) {
+        hash.add(height);
+    }
+}
+
+} // namespace
+
 std::uint64_t digestOf(const Level& level) {
     kodo::StateHash hash;
     hash.add(level.ballSpeed);
     hash.add(level.lives);
+    hash.add(static_cast<std::uint8_t>(level.ball));
+    hash.add(static_cast<std::uint8_t>(level.paddle));
+    for (const std::int32_t number : {level.wind, level.bossDrift, level.bossSpeed}) {
+        hash.add(number);
+    }
     hash.add(static_cast<std::uint64_t>(level.cells.size()));
     for (const Cell& cell : level.cells) {
-        const BlockKind& kind = level.kinds[cell.kind];
         hash.add(cell.row);
         hash.add(cell.column);
-        hash.add(static_cast<std::uint8_t>(kind.stuff));
-        hash.add(static_cast<std::uint8_t>(kind.power));
-        hash.add(static_cast<std::uint8_t>(kind.pattern));
-        hash.add(kind.strength);
+        add(hash, level.kinds[cell.kind]);
+    }
+    hash.add(static_cast<std::uint64_t>(level.obstructions.size()));
+    for (const ObstructionDef& def : level.obstructions) {
+        add(hash, def);
+    }
+    hash.add(static_cast<std::uint64_t>(level.wells.size()));
+    for (const WellDef& well : level.wells) {
+        for (const std::int32_t number : {well.x, well.y, well.strength}) {
+            hash.add(number);
+        }
     }
     return hash.value();
 }

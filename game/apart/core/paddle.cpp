@@ -40,6 +40,45 @@ kodo::Polygon paddleShape() {
     return shape;
 }
 
+namespace {
+
+/// A spring, by the symplectic Euler method: it neither gains nor loses energy of its own.
+void swing(Real& place, Real& speed, Real low, Real high) {
+    speed -= (kSwayStiffness * place + kSwayDamping * speed) * kTickSeconds;
+    place += speed * kTickSeconds;
+    if (place < low || place > high) { // the stop takes the speed
+        place = std::clamp(place, low, high);
+        speed = 0;
+    }
+}
+
+} // namespace
+
+Sway swayed(Sway sway, PaddleKind kind) {
+    Sway next;
+    if (tilts(kind)) {
+        next.tilt = sway.tilt;
+        next.tiltSpeed = sway.tiltSpeed;
+        swing(next.tilt, next.tiltSpeed, -kMostTilt, kMostTilt);
+    }
+    if (recoils(kind)) {
+        next.lift = sway.lift;
+        next.liftSpeed = sway.liftSpeed;
+        swing(next.lift, next.liftSpeed, -kMostSag, kMostLeap);
+    }
+    return next;
+}
+
+Sway pushed(Sway sway, PaddleKind kind, const kodo::Mass& paddle, Vec2 arm, Vec2 impulse) {
+    if (tilts(kind)) {
+        sway.tiltSpeed += cross(arm, impulse) / paddle.inertia;
+    }
+    if (recoils(kind)) {
+        sway.liftSpeed += impulse.y / paddle.mass;
+    }
+    return sway;
+}
+
 Real drivenSpeed(const Input& input, Real x, Real speed, Real mass) {
     const Real acceleration = kPaddleForce / mass;
     const Real fastest = std::sqrt(2 * kPaddleEnergy / mass);

@@ -2,14 +2,64 @@
 #include <apart/core/replay.hpp>
 #include <apart/core/tuning.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace apart {
 
+namespace {
+
+std::int64_t thousandths(kodo::Real value) {
+    return static_cast<std::int64_t>(value * 1000);
+}
+
+/// Of the first ball; 0 if there is none.
+std::int64_t valueOfBall(const Game& game, Field field) {
+    if (game.balls().empty()) {
+        return 0;
+    }
+    const kodo::BodyView ball = game.world()[game.balls()[0].body];
+    if (field == Field::BallSpeed) {
+        return thousandths(length(ball.velocity()));
+    }
+    return thousandths(field == Field::BallX ? ball.position().x : ball.position().y);
+}
+
+std::int64_t valueOfPaddle(const Game& game, Field field) {
+    const kodo::BodyView paddle = game.world()[game.paddle()];
+    switch (field) {
+    case Field::PaddleX:
+        return thousandths(paddle.position().x);
+    case Field::PaddleMass:
+        return thousandths(paddle.mass());
+    case Field::Tilt:
+        return thousandths(game.sway().tilt);
+    default:
+        return thousandths(game.sway().lift);
+    }
+}
+
+std::int64_t looseBlocks(const Game& game) {
+    return std::count_if(game.blocks().begin(), game.blocks().end(),
+                         [](const Block& block) { return block.hold == Hold::Loose; });
+}
+
+} // namespace
+
+std::span<const std::string_view> valueNames(Field field) {
+    switch (field) {
+    case Field::Result:
+        return kResultNames;
+    case Field::BallKind:
+        return kBallKindNames;
+    case Field::Patience:
+        return kPatienceNames;
+    default:
+        return {};
+    }
+}
+
 std::int64_t valueOf(const Game& game, Field field) {
-    const auto thousandths = [](kodo::Real value) {
-        return static_cast<std::int64_t>(value * 1000);
-    };
     switch (field) {
     case Field::BlocksLeft:
         return game.blocksLeft();
@@ -28,10 +78,29 @@ std::int64_t valueOf(const Game& game, Field field) {
     case Field::PaddleParts:
         return game.weldedParts();
     case Field::PaddleX:
-        return thousandths(game.world()[game.paddle()].position().x);
     case Field::PaddleMass:
-        return thousandths(game.world()[game.paddle()].mass());
-    case Field::Result:
+    case Field::Tilt:
+    case Field::Lift:
+        return valueOfPaddle(game, field);
+    case Field::BallX:
+    case Field::BallY:
+    case Field::BallSpeed:
+        return valueOfBall(game, field);
+    case Field::LooseBlocks:
+        return looseBlocks(game);
+    case Field::Meter:
+        return thousandths(game.meter());
+    case Field::Effects:
+        return static_cast<std::int64_t>(game.effects().size());
+    case Field::Wind:
+        return thousandths(game.windSpeed());
+    case Field::BentBounces:
+        return game.ledger().bentBounces;
+    case Field::BallKind:
+        return static_cast<std::int64_t>(game.ballKind());
+    case Field::Patience:
+        return static_cast<std::int64_t>(game.patience());
+    default:
         break;
     }
     return static_cast<std::int64_t>(game.result());
@@ -68,7 +137,7 @@ std::optional<std::string> refusal(const Replay& replay, const Level& level) {
 }
 
 Playback::Playback(Replay replay, std::shared_ptr<const Level> level)
-    : replay_(std::move(replay)), game_(std::move(level), replay_.seed) {
+    : replay_(std::move(replay)), game_(std::move(level), replay_.seed, replay_.mode) {
     look();
 }
 
@@ -78,7 +147,15 @@ void Playback::tick() {
         ++nextInput_;
     }
     game_.tick(input_);
+    for (const Event& event : game_.events()) {
+        ++eventCounts_[event.index()];
+    }
     look();
+}
+
+std::int64_t Playback::valueNow(Field field) const {
+    const auto index = static_cast<std::size_t>(field);
+    return index < kStateFields ? valueOf(game_, field) : eventCounts_[index - kStateFields];
 }
 
 void Playback::look() {
@@ -95,9 +172,11 @@ void Playback::look() {
         }
     }
     for (const Expectation& expectation : replay_.expectations) {
-        const std::int64_t found = valueOf(game_, expectation.field);
-        if (expectation.tick == game_.ticks() &&
-            !holds(found, expectation.comparison, expectation.value)) {
+        if (expectation.tick != game_.ticks()) {
+            continue;
+        }
+        const std::int64_t found = valueNow(expectation.field);
+        if (!holds(found, expectation.comparison, expectation.value)) {
             failures_.push_back({expectation, found});
         }
     }
@@ -108,6 +187,7 @@ Recorder::Recorder(const Game& atStart, std::uint32_t hashEvery) : hashEvery_(ha
     replay_.levelDigest = digestOf(atStart.level());
     replay_.rules = kRulesVersion;
     replay_.seed = atStart.seed();
+    replay_.mode = atStart.mode();
 }
 
 void Recorder::record(const Input& input, const Game& after) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,17 +17,18 @@ namespace apart {
 /// A game as text: level, seed and inputs, so that it can be played again to the bit. A person can
 /// write one, with `expect` lines, and it is a test.
 ///
-///   apart-replay 1                   # always the first line
+///   apart-replay 2                   # always the first line; 1 is read too, it had no force
 ///   level keystones 0f3c...          # name; digest of its content, optional when hand-written
 ///   rules 1                          # of the game that recorded it; optional when hand-written
 ///   seed 7
+///   pure                             # if it is played without the smallest turn at contacts
 ///   handwritten                      # instead of the digest at the end
-///   # tick  paddle  target  launch   (a line holds until the next; see Input; - is no target)
-///   0       0       -       0
-///   30      0       -       1
-///   140     -127    -       0
-///   hash 60 5c1d... 120 91ab...      # state after so many ticks; as many pairs as you like
-///   expect 600 blocksLeft <= 20      # tick, field, == != < <= > >=, number or result
+///   # tick  paddle  target  launch  force   (a line holds until the next; see Input; - is no
+///   #                                        target; force is 0, pull or push, and may be left
+///   out) 0       0       -       0       0 30      0       -       1 140     -127    -       0
+///   pull hash 60 5c1d... 120 91ab...      # state after so many ticks; as many pairs as you like
+///   expect 600 blocksLeft <= 20      # tick, field, == != < <= > >=, number or name
+///   expect 600 shardBroke >= 3       # events of this name up to then
 ///   end 1200                         # always the last line, but for the digest
 ///   digest 77aa...                   # over all bytes before this line
 ///
@@ -43,6 +45,8 @@ struct HashMark {
     friend bool operator==(const HashMark&, const HashMark&) = default;
 };
 
+/// What an expectation can be about: the state of the game after the tick, or how many events of a
+/// kind there have been. Event fields follow in the order of Event's alternatives.
 enum class Field : std::uint8_t {
     BlocksLeft,
     Score,
@@ -54,11 +58,35 @@ enum class Field : std::uint8_t {
     PaddleParts, // welded to the paddle
     PaddleX,     // 1/1000 m
     PaddleMass,  // 1/1000 kg
+    Tilt,        // 1/1000 rad, of the paddle
+    Lift,        // 1/1000 m, of the paddle
+    BallX,       // 1/1000 m, of the first ball; 0 without one
+    BallY,
+    BallSpeed,   // 1/1000 m/s
+    LooseBlocks, // that fall
+    Meter,       // 1/1000
+    Effects,     // powers at work
+    Wind,        // 1/1000 m/s
+    BentBounces, // see Ledger
     Result,      // playing won lost
+    BallKind,    // round heavy lopsided egg rough
+    Patience,    // calm glowing shaking failing
+    FirstEvent,
 };
-inline constexpr std::array<std::string_view, 11> kFieldNames = {
-    "blocksLeft", "score",       "lives",   "combo",      "balls", "shards",
-    "parts",      "paddleParts", "paddleX", "paddleMass", "result"};
+inline constexpr std::size_t kStateFields = static_cast<std::size_t>(Field::FirstEvent);
+inline constexpr std::size_t kEventKinds = std::variant_size_v<Event>;
+inline constexpr std::array<std::string_view, kStateFields + kEventKinds> kFieldNames = {
+    "blocksLeft", "score", "lives", "combo", "balls", "shards", "parts", "paddleParts", "paddleX",
+    "paddleMass", "tilt", "lift", "ballX", "ballY", "ballSpeed", "looseBlocks", "meter", "effects",
+    "wind", "bentBounces", "result", "ballKind", "patience",
+    // By Event.
+    "struck", "cracked", "broke", "released", "caught", "welded", "stuck", "launched", "spent",
+    "ballSplit", "served", "ballLost", "lifeLost", "cleared", "lost", "knockedOff", "shardBroke",
+    "letGo", "fell", "bossDown", "bumped", "powerBegan", "powerEnded", "ballChanged", "leapt",
+    "forceChanged", "shardCaught", "patienceChanged", "loopSeen"};
+/// Names of the values of a field; none for one that is a number.
+std::span<const std::string_view> valueNames(Field field);
+/// Of a field of the state.
 std::int64_t valueOf(const Game& game, Field field);
 
 enum class Comparison : std::uint8_t { Equal, NotEqual, Less, AtMost, Greater, AtLeast };
@@ -82,6 +110,7 @@ struct Replay {
     std::optional<std::uint64_t> levelDigest;
     std::optional<std::uint32_t> rules;
     std::uint32_t seed = 0;
+    Mode mode = Mode::Standard;
     bool handwritten = false;
     std::vector<InputChange> inputs;       // by rising tick
     std::vector<HashMark> hashes;          // by rising tick
@@ -130,6 +159,7 @@ public:
 
 private:
     void look();
+    std::int64_t valueNow(Field field) const;
 
     Replay replay_;
     Game game_;
@@ -139,6 +169,7 @@ private:
     std::optional<Divergence> divergence_;
     std::optional<std::uint32_t> agreed_;
     std::vector<Failure> failures_;
+    std::array<std::int64_t, kEventKinds> eventCounts_{};
 };
 
 /// Writes down a game while it is played: call record() after each tick with the input of it.

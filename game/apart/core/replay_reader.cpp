@@ -72,8 +72,7 @@ private:
     std::string readLine(const Words& words) {
         const std::string_view first = words[0];
         if (!begun_) {
-            begun_ = words.size() == 2 && first == "apart-replay" && words[1] == "1";
-            return begun_ ? "" : "not a replay of this game: the first line must be apart-replay 1";
+            return readFormat(words);
         }
         if (hasDigest_ || (ended_ && first != "digest")) {
             return "nothing may follow the end of the replay";
@@ -86,6 +85,10 @@ private:
         }
         if (first == "handwritten" && words.size() == 1) {
             replay_.handwritten = true;
+            return "";
+        }
+        if (first == "pure" && words.size() == 1) {
+            replay_.mode = Mode::Pure;
             return "";
         }
         if (first == "hash") {
@@ -101,6 +104,21 @@ private:
             return readDigest(words);
         }
         return readInput(words);
+    }
+
+    std::string readFormat(const Words& words) {
+        const std::optional<std::int64_t> format =
+            words.size() == 2 && words[0] == "apart-replay" ? toNumber(words[1]) : std::nullopt;
+        if (!format || *format < 1) {
+            return "not a replay of this game: the first line must be apart-replay 2";
+        }
+        if (*format > 2) {
+            return "was written by a newer game: it has format " + std::to_string(*format) +
+                   ", and this game reads up to 2";
+        }
+        begun_ = true;
+        hasForce_ = *format == 2;
+        return "";
     }
 
     std::string readLevel(const Words& words) {
@@ -154,8 +172,9 @@ private:
         if (!tick) {
             return quoted(words[0]) + " is neither a tick nor a word that a replay knows";
         }
-        if (words.size() != 4) {
-            return "an input line has four columns: tick paddle target launch";
+        if (words.size() != 4 && (words.size() != 5 || !hasForce_)) {
+            return hasForce_ ? "an input line has the columns tick paddle target launch force"
+                             : "an input line has four columns: tick paddle target launch";
         }
         if (!replay_.inputs.empty() && *tick <= replay_.inputs.back().tick) {
             return "the ticks of input lines must rise";
@@ -177,6 +196,12 @@ private:
             return "launch must be 0 or 1";
         }
         input.launch = words[3] == "1";
+        const std::optional<std::size_t> force =
+            indexOf(words.size() == 5 ? words[4] : "0", kForceNames);
+        if (!force) {
+            return "force must be 0, pull or push";
+        }
+        input.force = static_cast<Force>(*force);
         replay_.inputs.push_back({*tick, input});
         return "";
     }
@@ -219,9 +244,10 @@ private:
             return "there is no operator " + quoted(words[3]);
         }
         std::optional<std::int64_t> value = toNumber(words[4]);
-        if (static_cast<Field>(*field) == Field::Result) {
-            const std::optional<std::size_t> result = indexOf(words[4], kResultNames);
-            value = result ? std::optional(static_cast<std::int64_t>(*result)) : std::nullopt;
+        const std::span<const std::string_view> names = valueNames(static_cast<Field>(*field));
+        if (!names.empty()) {
+            const std::optional<std::size_t> name = indexOf(words[4], names);
+            value = name ? std::optional(static_cast<std::int64_t>(*name)) : std::nullopt;
         }
         if (!value) {
             return quoted(words[4]) + " is no value of " + std::string(words[2]);
@@ -286,6 +312,7 @@ private:
     int line_ = 1;
     std::size_t lineStart_ = 0;
     bool begun_ = false;
+    bool hasForce_ = false; // the format knows the force
     bool hasSeed_ = false;
     bool ended_ = false;
     bool hasDigest_ = false;

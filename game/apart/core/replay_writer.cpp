@@ -6,10 +6,9 @@ namespace apart {
 namespace {
 
 std::string valueText(Field field, std::int64_t value) {
-    const bool named = field == Field::Result && value >= 0 &&
-                       value < static_cast<std::int64_t>(kResultNames.size());
-    return named ? std::string(kResultNames[static_cast<std::size_t>(value)])
-                 : std::to_string(value);
+    const std::span<const std::string_view> names = valueNames(field);
+    const bool named = value >= 0 && value < static_cast<std::int64_t>(names.size());
+    return named ? std::string(names[static_cast<std::size_t>(value)]) : std::to_string(value);
 }
 
 std::string fieldName(Field field) {
@@ -30,7 +29,7 @@ std::string Playback::Failure::text() const {
 }
 
 std::string toText(const Replay& replay) {
-    std::string text = "apart-replay 1\nlevel " + replay.level;
+    std::string text = "apart-replay 2\nlevel " + replay.level;
     if (replay.levelDigest) {
         text += " " + toHex(*replay.levelDigest);
     }
@@ -39,14 +38,18 @@ std::string toText(const Replay& replay) {
         text += "rules " + std::to_string(*replay.rules) + "\n";
     }
     text += "seed " + std::to_string(replay.seed) + "\n";
+    if (replay.mode == Mode::Pure) {
+        text += "pure\n";
+    }
     if (replay.handwritten) {
         text += "handwritten\n";
     }
-    text += "# tick paddle target launch\n";
+    text += "# tick paddle target launch force\n";
     for (const auto& [tick, input] : replay.inputs) {
         text += std::to_string(tick) + " " + std::to_string(input.paddle) + " " +
                 (input.target ? std::to_string(*input.target) : "-") +
-                (input.launch ? " 1\n" : " 0\n");
+                (input.launch ? " 1 " : " 0 ") +
+                std::string(kForceNames[static_cast<std::size_t>(input.force)]) + "\n";
     }
     for (const HashMark& mark : replay.hashes) {
         text += "hash " + std::to_string(mark.tick) + " " + toHex(mark.hash) + "\n";

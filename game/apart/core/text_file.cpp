@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <fstream>
+#include <limits>
 #include <system_error>
 
 namespace apart {
@@ -101,6 +102,16 @@ std::string toHex(std::uint64_t value) {
         text[i] = "0123456789abcdef"[value & 15];
     }
     return text;
+}
+
+std::string wrongSeed(const std::string& text) {
+    const std::optional<std::int64_t> number = toNumber(text);
+    if (number && *number >= 0 && *number <= std::numeric_limits<std::uint32_t>::max()) {
+        return {};
+    }
+    std::string sentence = "a seed is a whole number from 0 to 4294967295, not '";
+    sentence += text;
+    return sentence += '\'';
 }
 
 } // namespace apart

@@ -40,4 +40,7 @@ std::optional<std::int64_t> toNumber(std::string_view text);
 std::optional<std::uint64_t> fromHex(std::string_view text); // 16 digits, lower case
 std::string toHex(std::uint64_t value);
 
+/// What is wrong with a seed, as a sentence; empty when it is a whole number from 0 to 4294967295.
+std::string wrongSeed(const std::string& text);
+
 } // namespace apart

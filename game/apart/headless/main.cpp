@@ -1,33 +1,28 @@
 // SPDX-License-Identifier: MIT
 // aPart without a screen: replays, checks and the bot. Exit code: 0 all went well, 1 an expectation
-// was not met or a replay went another way, 2 wrong use or a bad file.
+// was not met, a replay went another way or a level failed its check, 2 wrong use or a bad file.
 #include <apart/core/assets.hpp>
 #include <apart/core/bot.hpp>
+#include <apart/core/endless.hpp>
 #include <apart/core/replay.hpp>
 #include <apart/core/tuning.hpp>
+#include <apart/headless/lint_command.hpp>
+#include <apart/headless/refusal.hpp>
 #include <apart/headless/report.hpp>
+#include <apart/headless/soak_command.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <exception>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 namespace apart {
 namespace {
-
-/// A sentence for stderr, and exit code 2.
-struct Refusal {
-    std::string sentence;
-};
-
-template <typename T>
-T valueOrRefuse(Read<T> read) {
-    if (const auto* problem = std::get_if<FileProblem>(&read)) {
-        throw Refusal{problem->text()};
-    }
-    return std::get<T>(std::move(read));
-}
 
 void print(const Report& report, bool json) {
     fmt::print("{}\n", json ? asJson(report) : asSentence(report));
@@ -39,8 +34,24 @@ struct BotOptions {
     std::uint32_t ticks = 5 * 60 * kTicksPerSecond;
     std::uint32_t hashEvery = kHashEvery;
     std::string record;
+    std::optional<BotKind> player{}; // good unless given
+    std::optional<Mode> mode{};      // standard unless given
     bool json = false;
 };
+
+/// An option that names an enumerator.
+template <typename T, std::size_t kCount>
+CLI::Option* addChoice(CLI::App& command, const std::string& option, std::optional<T>& choice,
+                       const std::array<std::string_view, kCount>& names) {
+    return command
+        .add_option_function<std::string>(option,
+                                          [&choice, &names](const std::string& name) {
+                                              const auto found =
+                                                  std::find(names.begin(), names.end(), name);
+                                              choice = static_cast<T>(found - names.begin());
+                                          })
+        ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
+}
 
 int playBot(const BotOptions& options) {
     std::string name = options.level;
@@ -50,13 +61,16 @@ int playBot(const BotOptions& options) {
             throw Refusal{assetsFolder().string() + ": there are no levels in it"};
         }
         name = names.front();
+    } else if (name == "endless") {
+        name = EndlessName{options.seed}.text(); // one seed for the levels and the game
     }
-    Game game(std::make_shared<const Level>(valueOrRefuse(loadLevel(name))), options.seed);
+    Game game(std::make_shared<const Level>(valueOrRefuse(loadLevel(name))), options.seed,
+              options.mode.value_or(Mode::Standard));
     Recorder recorder(game, options.hashEvery);
     {
         Progress progress;
         while (game.ticks() < options.ticks && game.result() == Result::Playing) {
-            const Input input = bot(game);
+            const Input input = bot(game, options.player.value_or(BotKind::Good));
             game.tick(input);
             if (!options.record.empty()) {
                 recorder.record(input, game);
@@ -75,7 +89,7 @@ int playBot(const BotOptions& options) {
 
 Playback open(const std::string& file) {
     Replay replay = valueOrRefuse(readReplayFile(file));
-    auto level = std::make_shared<const Level>(valueOrRefuse(loadLevel(replay.level)));
+    auto level = std::make_shared<const Level>(valueOrRefuse(loadLevelOf(file, replay.level)));
     if (const std::optional<std::string> reason = refusal(replay, *level)) {
         throw Refusal{file + ": " + *reason};
     }
@@ -139,10 +153,47 @@ int listLevels() {
         if (const auto* problem = std::get_if<FileProblem>(&level)) {
             throw Refusal{problem->text()};
         }
-        fmt::print("{:<16} {}: {}\n", name, std::get<Level>(level).title,
-                   std::get<Level>(level).idea);
+        const Level& found = std::get<Level>(level);
+        fmt::print("{:<16} {:<12} {}: {}\n", name,
+                   kThemeNames[static_cast<std::size_t>(found.theme)], found.title, found.idea);
     }
     return 0;
+}
+
+/// Options of `lint` and `soak`.
+struct Checks {
+    LintCommand lint;
+    SoakCommand soak;
+};
+
+CLI::App* addLint(CLI::App& app, LintCommand& lint) {
+    CLI::App* command = app.add_subcommand("lint", "Check levels: can each be played, and won?");
+    command->add_option("LEVEL", lint.levels, "Names of levels; all unless given");
+    command->add_option("--seeds", lint.options.seeds, "Games of the bot on each, 1 unless given")
+        ->check(CLI::Range(1u, 1000000u));
+    command->add_option("--ticks", lint.options.mostTicks, "Longest game, 36000 unless given")
+        ->check(CLI::Range(1u, kLongestReplay));
+    command->add_flag("--json", lint.json, "Print one JSON object");
+    return command;
+}
+
+CLI::App* addSoak(CLI::App& app, SoakCommand& soak) {
+    CLI::App* command = app.add_subcommand(
+        "soak", "Let the bot play on and on; look for halts, escapes and bent flights");
+    command->add_option("LEVEL", soak.levels, "Names of levels; all unless given");
+    command->add_option("--ticks", soak.ticks, "To be played in all, 1000000 unless given");
+    command->add_option("--first-seed", soak.firstSeed, "1 unless given; then 2, 3, ...");
+    command->add_option("--endless", soak.endless, "Endless levels for each seed, 0 unless given")
+        ->check(CLI::Range(0u, kMostEndless));
+    command
+        ->add_option("--longest", soak.longestGame, "Ticks of a game at most, 72000 unless given")
+        ->check(CLI::Range(1u, kLongestReplay));
+    addChoice(*command, "--player", soak.player, kBotNames)
+        ->description("How the bot plays: in each way, seed by seed, unless given");
+    addChoice(*command, "--mode", soak.mode, kModeNames)
+        ->description("Rules of the game: each in turn unless given");
+    command->add_flag("--json", soak.json, "Print one JSON object");
+    return command;
 }
 
 int run(int argc, char** argv) {
@@ -150,8 +201,9 @@ int run(int argc, char** argv) {
     app.name("apart-headless");
     app.require_subcommand(1);
     app.footer("Levels come from assets/levels, or from the folder that APART_ASSETS names.\n"
-               "Exit code: 0 all went well, 1 an expectation was not met or a replay went another "
-               "way,\n2 wrong use or a bad file.");
+               "endless, endless:SEED and endless:SEED:NUMBER are levels too: they are made, not "
+               "read.\nExit code: 0 all went well, 1 an expectation was not met, a replay went "
+               "another way\nor a level failed its check, 2 wrong use or a bad file.");
     bool json = false;
     std::string file;
     BotOptions options;
@@ -163,14 +215,23 @@ int run(int argc, char** argv) {
         command->add_flag("--json", json, "Print one JSON object");
     }
     CLI::App* botCommand = app.add_subcommand("bot", "Let the bot play a level until it ends");
-    botCommand->add_option("--level", options.level, "Name of the level; the first unless given");
-    botCommand->add_option("--seed", options.seed, "0..4294967295, 1 unless given");
+    botCommand->add_option("--level", options.level, "Name of the level; the first unless given")
+        ->check(wrongName, "");
+    botCommand->add_option("--seed", options.seed, "0..4294967295, 1 unless given")
+        ->check(wrongSeed, "");
     botCommand->add_option("--ticks", options.ticks, "Stop after so many ticks, 120 a second")
         ->check(CLI::Range(std::uint32_t{0}, kLongestReplay));
     botCommand->add_option("--record", options.record, "Write the game to this file, as a replay");
     botCommand->add_option("--hash-every", options.hashEvery, "Ticks between recorded hashes")
         ->check(CLI::Range(std::uint32_t{1}, kLongestReplay));
+    addChoice(*botCommand, "--mode", options.mode, kModeNames)
+        ->description("Rules of the game: standard unless given");
+    addChoice(*botCommand, "--player", options.player, kBotNames)
+        ->description("How it plays: good unless given");
     botCommand->add_flag("--json", options.json, "Print one JSON object");
+    Checks checks;
+    const CLI::App* lintCommand = addLint(app, checks.lint);
+    const CLI::App* soakCommand = addSoak(app, checks.soak);
     CLI::App* levelsCommand = app.add_subcommand("levels", "List the levels");
 
     try {
@@ -187,6 +248,12 @@ int run(int argc, char** argv) {
     }
     if (verifyCommand->parsed()) {
         return verify(file, json);
+    }
+    if (lintCommand->parsed()) {
+        return runLint(checks.lint);
+    }
+    if (soakCommand->parsed()) {
+        return runSoak(checks.soak);
     }
     return levelsCommand->parsed() ? listLevels() : playBot(options);
 }

@@ -62,20 +62,30 @@ std::string asSentence(const Report& report) {
 Progress::Progress() : terminal_(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
+    clear();
+}
+
+void Progress::clear() {
     if (shown_) {
         fmt::print(stderr, "\r\x1b[K");
+        shown_ = false;
+    }
+}
+
+void Progress::show(const std::string& line) {
+    if (terminal_) {
+        shown_ = true;
+        fmt::print(stderr, "\r\x1b[K{}", line);
+        std::fflush(stderr);
     }
 }
 
 void Progress::show(const Game& game, std::uint32_t end) {
-    if (!terminal_ || game.ticks() % kShowEvery != 0) {
-        return;
+    if (terminal_ && game.ticks() % kShowEvery == 0) {
+        show(fmt::format("{}  {} of {}  score {}  lives {}  blocks left {}", game.level().name,
+                         clockOf(game.ticks()), clockOf(end), game.score(), game.lives(),
+                         game.blocksLeft()));
     }
-    shown_ = true;
-    fmt::print(stderr, "\r\x1b[K{}  {} of {}  score {}  lives {}  blocks left {}",
-               game.level().name, clockOf(game.ticks()), clockOf(end), game.score(), game.lives(),
-               game.blocksLeft());
-    std::fflush(stderr);
 }
 
 } // namespace apart

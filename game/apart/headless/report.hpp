@@ -40,6 +40,9 @@ public:
     Progress& operator=(const Progress&) = delete;
 
     void show(const Game& game, std::uint32_t end);
+    void show(const std::string& line);
+    /// Takes the line away, before something else is written.
+    void clear();
 
 private:
     bool terminal_ = false;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <apart/sfml/inspector.hpp>
+#include <apart/stage/layout.hpp>
 #include <kodo_sfml/world_painter.hpp>
 
-#include <cstdio>
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
 
 namespace apart {
 
@@ -19,13 +23,17 @@ void Inspector::draw(SfmlCanvas& canvas, const Game& game) const {
     const std::size_t vertices = canvas.picture().vertexCount();
     kodo_sfml::paintWorld(canvas.painter(), canvas.camera(), game.world(),
                           {true, true, true, true, 0.05f});
-    char line[160];
-    std::snprintf(line, sizeof line,
-                  "%.0f frames/s   game %.2f ms a frame   %zu bodies   %zu contacts   %zu vertices",
-                  1 / frame_, 1000 * game_, game.world().bodyCount(),
-                  game.world().collisions().size(), vertices);
-    const Vec2 corner = canvas.visible().lower + Vec2{Real(0.3), Real(0.3)};
-    canvas.text(line, corner, {Real(0.42), {140, 255, 160, 255}, Typeface::Plain, Align::Left});
+    const std::array<std::string, 2> lines = {
+        fmt::format("{:.0f} frames/s   game {:.2f} ms a frame   {} vertices", 1 / frame_,
+                    1000 * game_, vertices),
+        fmt::format("{} bodies   {} contacts", game.world().bodyCount(),
+                    game.world().collisions().size())};
+    // Inside the field: the panel beside it is for the player.
+    Vec2 corner{layout::kLeft + Real(0.3), layout::kTop - Real(0.6)};
+    for (const std::string& line : lines) {
+        canvas.text(line, corner, {Real(0.42), {140, 255, 160, 255}});
+        corner.y -= Real(0.55);
+    }
 }
 
 } // namespace apart

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
 #include <apart/core/tuning.hpp>
+#include <apart/sfml/frame_times.hpp>
 #include <apart/sfml/inspector.hpp>
 #include <apart/sfml/options.hpp>
 #include <apart/sfml/setup.hpp>
@@ -14,6 +15,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <exception>
 
 namespace apart {
@@ -67,10 +69,40 @@ int play(StageDef def, const Options& options) {
         canvas.setSize(window.size());
         stage.draw(canvas);
         inspector.draw(canvas, stage.game());
-        window.setPointerVisible(stage.wantsPointer());
+        controls.capture(!stage.wantsPointer());
         window.show(canvas.picture(), sf::Color::Black);
     }
     window.close();
+    return kDone;
+}
+
+/// What a player with a 60 Hz screen would see, but without waiting for the screen.
+int timeFrames(StageDef def, const Options& options) {
+    using Clock = std::chrono::steady_clock;
+    Stage stage(std::move(def));
+    kodo_sfml::Window window("aPart", kPixels);
+    window.setPaced(false);
+    SfmlCanvas canvas(assetsFolder() / "fonts", window.size());
+    SilentSpeaker silence;
+    FrameTimes times;
+    for (std::uint32_t i = 0; i < options.frames; ++i) {
+        while (window.nextEvent()) {
+        }
+        const std::clock_t busy = std::clock();
+        const auto start = Clock::now();
+        stage.advance(1.0 / 60, {}, silence);
+        const auto played = Clock::now();
+        stage.draw(canvas);
+        const auto drawn = Clock::now();
+        window.show(canvas.picture(), sf::Color::Black);
+        if (const std::size_t bodies = stage.game().world().bodyCount(); bodies >= options.crowd) {
+            times.add({secondsBetween(start, played), secondsBetween(played, drawn),
+                       secondsBetween(drawn, Clock::now()),
+                       static_cast<double>(std::clock() - busy) / CLOCKS_PER_SEC},
+                      bodies);
+        }
+    }
+    std::printf("%s\n", times.text().c_str());
     return kDone;
 }
 
@@ -89,8 +121,15 @@ int run(const Options& options) {
                  "apart-headless bot.");
         return kNoDisplay;
     }
-    return options.screenshot.empty() ? play(std::get<StageDef>(std::move(def)), options)
-                                      : takePicture(std::get<StageDef>(std::move(def)), options);
+    StageDef stage = std::get<StageDef>(std::move(def));
+    if (!stage.notice.empty()) {
+        complain(stage.notice);
+    }
+    if (options.frames > 0) {
+        return timeFrames(std::move(stage), options);
+    }
+    return options.screenshot.empty() ? play(std::move(stage), options)
+                                      : takePicture(std::move(stage), options);
 }
 
 } // namespace

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <apart/core/assets.hpp>
+#include <apart/core/text_file.hpp>
 #include <apart/sfml/options.hpp>
 
 #include <CLI/CLI.hpp>
@@ -10,12 +12,17 @@ namespace apart {
 std::variant<Options, int> parseOptions(int argc, char** argv) {
     Options options;
     CLI::App app("aPart: a Breakout whose blocks really come apart.", "apart");
-    app.footer("Keys: mouse or left/right or A/D move, space or click serves, P or escape pauses,\n"
-               "R restarts, M sound, F3 shows what the engine sees.\n"
-               "Exit code: 0 done, 2 wrong use or a bad file, 3 no display.");
-    app.add_option("--level", options.level, "Start with this level (a file of assets/levels)");
+    app.footer(
+        "Keys: mouse, left/right or A/D move the paddle; space or click serves; left button,\n"
+        "down or S pulls, right button, up or W pushes; P or escape pauses, R restarts,\n"
+        "M sound, F3 shows what the engine sees. In menus: arrows, enter, escape, or the mouse.\n"
+        "Settings and best scores: apart/profile.toml in XDG_CONFIG_HOME or ~/.config.\n"
+        "Exit code: 0 done, 2 wrong use or a bad file, 3 no display.");
+    app.add_option("--level", options.level, "Start with this level (a file of assets/levels)")
+        ->check(wrongName, "");
     app.add_option("--seed", options.seed,
-                   "0..4294967295; the same seed and input give the same game");
+                   "0..4294967295; the same seed and input give the same game")
+        ->check(wrongSeed, "");
     auto* replay = app.add_option("--replay", options.replay, "Show a recorded game");
     app.add_flag("--mute", options.mute, "No sound");
     auto* shot = app.add_option("--screenshot", options.screenshot,
@@ -24,6 +31,12 @@ std::variant<Options, int> parseOptions(int argc, char** argv) {
         ->capture_default_str()
         ->check(CLI::Range(0u, 1000000u))
         ->needs(shot);
+    auto* frames = app.add_option("--frames", options.frames,
+                                  "Draw so many frames of the bot's game as fast as it goes, tell "
+                                  "what they took, and leave");
+    frames->check(CLI::Range(1u, 1000000u))->excludes(shot);
+    app.add_option("--crowd", options.crowd, "Tell it only of frames with so many bodies or more")
+        ->needs(frames);
     app.add_flag("--probe-display", options.probeDisplay,
                  "Only tell by the exit code whether a window can be opened: 0 yes, 3 no");
     app.get_option("--level")->excludes(replay);

@@ -15,6 +15,8 @@ struct Options {
     std::string replay;                // file; empty: the player plays
     std::string screenshot;            // file; empty: open the window
     std::uint32_t at = 600;            // tick of the screenshot
+    std::uint32_t frames = 0;          // to be timed; 0: play
+    std::uint32_t crowd = 0;           // only frames with so many bodies are timed
     bool mute = false;
     bool probeDisplay = false;
 };

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
 #include <apart/core/bot.hpp>
+#include <apart/core/endless.hpp>
 #include <apart/core/replay.hpp>
 #include <apart/sfml/setup.hpp>
+#include <apart/stage/profile_file.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -41,16 +43,26 @@ std::variant<std::vector<std::shared_ptr<const Level>>, std::string> readLevels(
     return levels;
 }
 
-/// Puts the level of that name first in line. A sentence when there is none.
-std::string chooseLevel(StageDef& def, const std::string& name) {
-    for (std::size_t i = 0; i < def.levels.size(); ++i) {
-        if (def.levels[i]->name == name) {
-            def.firstLevel = i;
-            def.startAtOnce = true;
-            return {};
-        }
+/// Puts a level first in line: in the place of the one of that name, or after all others.
+void chooseLevel(StageDef& def, Level level) {
+    const auto found = std::find_if(def.levels.begin(), def.levels.end(),
+                                    [&](const auto& other) { return other->name == level.name; });
+    def.firstLevel = static_cast<std::size_t>(found - def.levels.begin());
+    if (found == def.levels.end()) {
+        def.levels.emplace_back();
     }
-    return noSuchLevel(name);
+    def.levels[def.firstLevel] = std::make_shared<const Level>(std::move(level));
+    def.startAtOnce = true;
+}
+
+/// A sentence when there is no such level.
+std::string takeLevel(StageDef& def, const std::string& name) {
+    Read<Level> level = loadLevel(name);
+    if (const auto* problem = std::get_if<FileProblem>(&level)) {
+        return problem->text();
+    }
+    chooseLevel(def, std::get<Level>(std::move(level)));
+    return {};
 }
 
 std::string takeReplay(StageDef& def, const std::string& file) {
@@ -59,16 +71,35 @@ std::string takeReplay(StageDef& def, const std::string& file) {
         return problem->text();
     }
     const Replay& replay = std::get<Replay>(read);
-    if (std::string problem = chooseLevel(def, replay.level); !problem.empty()) {
-        return problem;
+    Read<Level> level = loadLevelOf(file, replay.level);
+    if (const auto* problem = std::get_if<FileProblem>(&level)) {
+        return problem->text();
     }
-    if (const auto problem = refusal(replay, *def.levels[def.firstLevel])) {
+    if (const auto problem = refusal(replay, std::get<Level>(level))) {
         return *problem;
     }
+    chooseLevel(def, std::get<Level>(std::move(level)));
     def.seed = replay.seed;
+    def.profile.mode = replay.mode;
     def.pilot = pilotOf(replay);
     def.pilotName = "REPLAY";
     return {};
+}
+
+/// What is kept between two runs, and where.
+void takeProfile(StageDef& def) {
+    const std::optional<std::filesystem::path> file = profileFile();
+    if (!file) {
+        def.notice = "Settings and scores are not kept: neither XDG_CONFIG_HOME nor HOME is set.";
+        return;
+    }
+    LoadedProfile loaded = loadProfile(*file);
+    def.profile = std::move(loaded.profile);
+    def.notice = std::move(loaded.notice);
+    def.save = [path = *file](const Profile& profile) -> std::string {
+        const std::optional<FileProblem> problem = saveProfile(path, profile);
+        return problem ? "Settings and scores are not kept: " + problem->text() + "." : "";
+    };
 }
 
 } // namespace
@@ -81,14 +112,24 @@ std::variant<StageDef, std::string> setUp(const Options& options) {
     StageDef def;
     def.levels = std::get<0>(std::move(levels));
     def.bot = [](const Game& game) { return std::optional(bot(game)); };
-    const bool picture = !options.screenshot.empty();
+    const bool picture = !options.screenshot.empty() || options.frames > 0;
+    if (!picture) { // a picture is the same for everybody
+        takeProfile(def);
+    }
     def.seed = options.seed ? *options.seed : picture ? 1 : std::random_device{}() % 1000000;
+    EndlessName endless{def.seed};
     std::string problem;
     if (!options.replay.empty()) {
         problem = takeReplay(def, options.replay);
+    } else if (const auto row = parseEndless(options.level)) {
+        endless = options.level == "endless" ? endless : *row;
+        def.firstEndless = endless.number;
     } else if (!options.level.empty()) {
-        problem = chooseLevel(def, options.level);
+        problem = takeLevel(def, options.level);
     }
+    def.endless = [seed = endless.seed](std::uint32_t number) {
+        return std::make_shared<const Level>(endlessLevel({seed, number}));
+    };
     if (!problem.empty()) {
         return problem;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <apart/sfml/sfml_controls.hpp>
 
+#include <cstdlib>
 #include <utility>
 
 namespace apart {
@@ -28,7 +29,9 @@ constexpr std::array<std::pair<Key, Command>, 17> kKeys = {{
     {Key::D, Command::Right},
     {Key::Tab, Command::Down},
 }};
-constexpr std::array<Key, 4> kHeldKeys = {Key::Left, Key::A, Key::Right, Key::D};
+// Two keys each for left, right, pull and push.
+constexpr std::array<Key, 8> kHeldKeys = {Key::Left, Key::A, Key::Right, Key::D,
+                                          Key::Down, Key::S, Key::Up,    Key::W};
 
 } // namespace
 
@@ -39,8 +42,51 @@ Signals SfmlControls::poll() {
     }
     signals.leftHeld = held_[0] || held_[1];
     signals.rightHeld = held_[2] || held_[3];
+    signals.pullHeld = held_[4] || held_[5] || buttons_[0];
+    signals.pushHeld = held_[6] || held_[7] || buttons_[1];
     signals.pointerNow = pointer_;
+    recentre();
     return signals;
+}
+
+void SfmlControls::capture(bool on) {
+    if (on == captured_) {
+        return;
+    }
+    captured_ = on;
+    buttons_ = {};
+    recentred_.reset();
+    last_ = window_.pointer();
+    window_.setPointerVisible(!on);
+}
+
+void SfmlControls::move(sf::Vector2i place, Signals& signals) {
+    pointer_ = canvas_.camera().toWorld(sf::Vector2f(place));
+    if (!captured_) {
+        signals.pointer = pointer_;
+        return;
+    }
+    if (recentred_ == place) {
+        recentred_.reset(); // not the player's doing
+    } else {
+        const sf::Vector2f from(last_);
+        signals.moved += pointer_.x - canvas_.camera().toWorld(from).x;
+    }
+    last_ = place;
+}
+
+/// SFML tells places of the mouse, not ways. Kept away from the border of its window, the mouse can
+/// go any way. What it does before the jump is seen is still told from its old place; where the
+/// system refuses the jump, it is never seen, and the mouse goes on as far as the screen lets it.
+void SfmlControls::recentre() {
+    const sf::Vector2u size = window_.size();
+    const sf::Vector2i middle(static_cast<int>(size.x / 2), static_cast<int>(size.y / 2));
+    const bool far =
+        std::abs(last_.x - middle.x) > middle.x / 2 || std::abs(last_.y - middle.y) > middle.y / 2;
+    if (captured_ && window_.hasFocus() && far && !recentred_) {
+        recentred_ = middle;
+        window_.putPointer(middle);
+    }
 }
 
 void SfmlControls::take(const sf::Event& event, Signals& signals) {
@@ -48,25 +94,31 @@ void SfmlControls::take(const sf::Event& event, Signals& signals) {
     case sf::Event::Closed:
         signals.closed = true;
         return;
+    case sf::Event::GainedFocus:
+        focused_ = true;
+        return;
     case sf::Event::LostFocus:
-        signals.focusLost = true;
+        signals.focusLost = focused_; // some windows open with the loss of what they never had
         held_ = {};
+        buttons_ = {};
         return;
     case sf::Event::KeyPressed:
+        signals.anyKey = true;
         hold(event.key.code, true);
         return press(event.key.code, signals);
     case sf::Event::KeyReleased:
         return hold(event.key.code, false);
     case sf::Event::MouseMoved:
-        pointer_ = canvas_.camera().toWorld(
-            {static_cast<float>(event.mouseMove.x), static_cast<float>(event.mouseMove.y)});
-        signals.pointer = pointer_;
-        return;
+        return move({event.mouseMove.x, event.mouseMove.y}, signals);
     case sf::Event::MouseButtonPressed:
-        pointer_ = canvas_.camera().toWorld(
-            {static_cast<float>(event.mouseButton.x), static_cast<float>(event.mouseButton.y)});
-        signals.clicked = true;
+        move({event.mouseButton.x, event.mouseButton.y}, signals);
+        signals.clicked = signals.clicked || event.mouseButton.button == sf::Mouse::Left;
+        return hold(event.mouseButton.button, captured_);
+    case sf::Event::MouseWheelScrolled:
+        signals.commands.push_back(event.mouseWheelScroll.delta > 0 ? Command::Up : Command::Down);
         return;
+    case sf::Event::MouseButtonReleased:
+        return hold(event.mouseButton.button, false);
     default:
         return;
     }
@@ -88,6 +140,12 @@ void SfmlControls::hold(Key key, bool down) {
         if (kHeldKeys[i] == key) {
             held_[i] = down;
         }
+    }
+}
+
+void SfmlControls::hold(sf::Mouse::Button button, bool down) {
+    if (button == sf::Mouse::Left || button == sf::Mouse::Right) {
+        buttons_[button == sf::Mouse::Left ? 0 : 1] = down;
     }
 }
 

@@ -2,6 +2,7 @@
 #include <apart/stage/backdrop.hpp>
 #include <apart/stage/layout.hpp>
 #include <apart/stage/palette.hpp>
+#include <apart/stage/theme_look.hpp>
 
 #include <algorithm>
 #include <array>
@@ -14,14 +15,14 @@ namespace {
 constexpr Real kDot = Real(0.07); // m
 
 /// Night, with a glow around a point of the field: rows of rectangles whose colours join up.
-void paintSky(Canvas& canvas) {
+void paintSky(Canvas& canvas, const ThemeLook& look) {
     constexpr int kRows = 24;
     const Aabb all = canvas.visible().grown(1); // the picture may be shaken
     const Real step = all.extent().y / kRows;
-    const auto colorAt = [](Real y) {
+    const auto colorAt = [&](Real y) {
         const Real distance = std::abs(y - Real(0.58) * kFieldHeight) / Real(11);
         const Real near = std::max(1 - distance * distance, Real(0));
-        return mix(palette::kNight, palette::kDusk, near * near);
+        return mix(look.night, look.dusk, near * near);
     };
     for (int i = 0; i < kRows; ++i) {
         const Real y = all.lower.y + step * static_cast<Real>(i);
@@ -30,7 +31,7 @@ void paintSky(Canvas& canvas) {
     }
 }
 
-void paintFrame(Canvas& canvas) {
+void paintFrame(Canvas& canvas, const ThemeLook& look) {
     using namespace layout;
     const Real bottom = canvas.visible().lower.y - 1;
     const Real top = kTop + kFrame;
@@ -38,9 +39,9 @@ void paintFrame(Canvas& canvas) {
                                       Aabb{{kRight, bottom}, {kRight + kFrame, top}},
                                       Aabb{{kLeft, kTop}, {kRight, top}}};
     for (const Aabb& bar : bars) {
-        canvas.rectangle(bar, darker(palette::kFrame, 0.55f), palette::kFrame);
+        canvas.rectangle(bar, darker(look.frame, 0.55f), look.frame);
     }
-    const Color edge = lighter(palette::kFrame, 0.35f);
+    const Color edge = lighter(look.frame, 0.35f);
     canvas.line({kLeft, bottom}, {kLeft, kTop}, Real(0.06), edge);
     canvas.line({kRight, bottom}, {kRight, kTop}, Real(0.06), edge);
     canvas.line({kLeft, kTop}, {kRight, kTop}, Real(0.06), edge);
@@ -55,9 +56,11 @@ void paintAbyss(Canvas& canvas) {
 
 } // namespace
 
-void paintBackdrop(Canvas& canvas) {
+void paintBackdrop(Canvas& canvas, Theme theme, double seconds) {
     using namespace layout;
-    paintSky(canvas);
+    const ThemeLook& look = lookOf(theme);
+    paintSky(canvas, look);
+    paintDistance(canvas, theme, seconds);
     const Color dot = faded(palette::kQuiet, 0.10f); // a grid of dots shows speed and distance
     for (Real y = Real(1.5); y < kTop; y += Real(1.5)) {
         for (Real x = kLeft + Real(1.5); x < kRight; x += Real(1.5)) {
@@ -65,7 +68,7 @@ void paintBackdrop(Canvas& canvas) {
         }
     }
     paintAbyss(canvas);
-    paintFrame(canvas);
+    paintFrame(canvas, look);
 }
 
 void paintVeil(Canvas& canvas, Color color) {

@@ -82,7 +82,7 @@ void grainOfSteel(Canvas& canvas, const Grain& grain) {
 
 void paintGrain(Canvas& canvas, const Grain& grain, const BlockLook& look) {
     Dice dice(look.key + 1);
-    switch (look.stuff) {
+    switch (look.kind.stuff) {
     case Stuff::Glass:
         return grainOfGlass(canvas, grain);
     case Stuff::Wood:
@@ -98,19 +98,37 @@ void paintGrain(Canvas& canvas, const Grain& grain, const BlockLook& look) {
 
 void paintBadge(Canvas& canvas, Power power, const kodo::Transform& place) {
     const Color color = palette::of(power);
-    canvas.disc(place.position, kBadge, {12, 14, 26, 235}, {12, 14, 26, 235});
-    canvas.ring(place.position, kBadge, Real(0.05), color);
-    paintMark(canvas, power, place, Real(0.6) * kBadge, color);
+    paintMood(canvas, moodOf(power), place.position, {kBadge, {12, 14, 26, 235}, color});
+    paintMark(canvas, power, place, Real(0.56) * kBadge, color);
 }
 
-void paintCracks(Canvas& canvas, const kodo::Transform& place, std::span<const CrackLine> cracks) {
+/// The heart of a boss: an eye that looks alive.
+void paintCore(Canvas& canvas, const kodo::Transform& place) {
+    canvas.setGlow(true);
+    canvas.disc(place.position, Real(0.9), faded(palette::kDanger, 0.4f),
+                faded(palette::kDanger, 0));
+    canvas.setGlow(false);
+    canvas.disc(place.position, Real(0.3), palette::kInk, palette::kInk);
+    canvas.disc(place.position, Real(0.22), lighter(palette::kDanger, 0.6f), palette::kDanger);
+    canvas.ring(place.position, Real(0.3), Real(0.05), lighter(palette::kDanger, 0.3f));
+}
+
+/// What a boss is made of is held together by a frame.
+void paintArmour(Canvas& canvas, std::span<const Vec2> corners) {
+    canvas.outline(corners, Real(0.09), faded(palette::kDanger, 0.55f));
+}
+
+/// Cracks were grown in the whole outline; `fit` brings them into what is drawn of it.
+void paintCracks(Canvas& canvas, const kodo::Transform& place, std::span<const CrackLine> cracks,
+                 Vec2 fit) {
+    const auto at = [&](Vec2 point) { return place * Vec2{fit.x * point.x, fit.y * point.y}; };
     const Vec2 offset{Real(0.018), Real(-0.018)};
     for (const CrackLine& crack : cracks) {
-        canvas.line(place * crack.from + offset, place * crack.to + offset, crack.width,
+        canvas.line(at(crack.from) + offset, at(crack.to) + offset, crack.width,
                     {255, 255, 255, 70});
     }
     for (const CrackLine& crack : cracks) {
-        canvas.line(place * crack.from, place * crack.to, crack.width, {6, 6, 12, 235});
+        canvas.line(at(crack.from), at(crack.to), crack.width, {6, 6, 12, 235});
     }
 }
 
@@ -132,23 +150,6 @@ std::vector<Vec2> cornersOf(const kodo::Convex& outline, const kodo::Transform& 
     return corners;
 }
 
-std::vector<Vec2> shrunk(std::span<const Vec2> corners, Real distance) {
-    Vec2 middle;
-    for (const Vec2 corner : corners) {
-        middle += corner;
-    }
-    middle *= 1 / static_cast<Real>(corners.size());
-    std::vector<Vec2> result;
-    for (const Vec2 corner : corners) {
-        const Vec2 arm = corner - middle;
-        // Along both axes alike, so that the rim of a box is as wide on all sides.
-        const Vec2 step{std::clamp(arm.x, -distance, distance),
-                        std::clamp(arm.y, -distance, distance)};
-        result.push_back(corner - step);
-    }
-    return result;
-}
-
 void paintLit(Canvas& canvas, std::span<const Vec2> corners, Color color) {
     const Aabb box = kodo::aabbOf(corners);
     const Real height = std::max(box.extent().y, Real(1e-3));
@@ -160,25 +161,38 @@ void paintLit(Canvas& canvas, std::span<const Vec2> corners, Color color) {
     canvas.polygon(corners, colors);
 }
 
-void paintBlock(Canvas& canvas, const kodo::Convex& outline, const kodo::Transform& place,
+void paintBlock(Canvas& canvas, const kodo::Convex& outline, const kodo::Transform& body,
                 const BlockLook& look) {
-    const std::vector<Vec2> full = cornersOf(outline, place);
+    const kodo::Transform place{body * outline.middle, body.rotation};
     const Vec2 half = Real(0.5) * kodo::aabbOf(std::span<const Vec2>(outline.vertices)).extent();
-    std::vector<Vec2> corners = shrunk(full, kGap);
-    for (Vec2& corner : corners) {
-        corner = place.position + look.scale * (corner - place.position);
+    const Vec2 inner = look.scale * (half - Vec2{kGap, kGap});
+    const std::array<Vec2, 4> corners = {place * -inner, place * Vec2{inner.x, -inner.y},
+                                         place * inner, place * Vec2{-inner.x, inner.y}};
+    if (look.glow > 0) {
+        canvas.setGlow(true);
+        canvas.outline(corners, Real(0.3), faded(palette::kAccent, 0.6f * look.glow));
+        canvas.setGlow(false);
     }
-    const Color color = lighter(palette::of(look.stuff), 0.75f * look.heat);
+    const Color color = lighter(palette::of(look.kind.stuff), 0.75f * look.heat);
     paintLit(canvas, corners, color);
     if (look.scale < 1) {
         return; // details come when it has its size
     }
-    paintGrain(canvas, {place, half - Vec2{kGap, kGap}}, look);
-    canvas.outline(shrunk(corners, Real(0.03)), Real(0.05), faded(lighter(color, 0.5f), 0.45f));
-    if (look.power != Power::None) {
-        paintBadge(canvas, look.power, place);
+    paintGrain(canvas, {place, inner}, look);
+    const Vec2 rim = inner - Vec2{Real(0.03), Real(0.03)};
+    const std::array<Vec2, 4> edge = {place * -rim, place * Vec2{rim.x, -rim.y}, place * rim,
+                                      place * Vec2{-rim.x, rim.y}};
+    canvas.outline(edge, Real(0.05), faded(lighter(color, 0.5f), 0.45f));
+    if (look.kind.hold == Hold::Boss) {
+        paintArmour(canvas, edge);
     }
-    paintCracks(canvas, place, look.cracks);
+    if (look.kind.power != Power::None) {
+        paintBadge(canvas, look.kind.power, place);
+    } else if (look.kind.core) {
+        paintCore(canvas, place);
+    }
+    const Real hair = Real(0.03); // half the width of a crack
+    paintCracks(canvas, place, look.cracks, {(inner.x - hair) / half.x, (inner.y - hair) / half.y});
 }
 
 } // namespace apart

@@ -14,10 +14,10 @@ namespace apart {
 
 /// How one block looks just now.
 struct BlockLook {
-    Stuff stuff = Stuff::Brick;
-    Power power = Power::None;
+    BlockKind kind{};
     Real scale = 1;        // 0..1: it grows when the level begins
     Real heat = 0;         // 0..1: just hit
+    Real glow = 0;         // 0..1: worth hitting
     std::uint32_t key = 0; // makes each block's grain its own
     std::span<const CrackLine> cracks{};
 };
@@ -25,12 +25,10 @@ struct BlockLook {
 /// World corners of an outline; a round one becomes a polygon.
 std::vector<Vec2> cornersOf(const kodo::Convex& outline, const kodo::Transform& place);
 
-/// Moved towards their middle by about that distance (m).
-std::vector<Vec2> shrunk(std::span<const Vec2> corners, Real distance);
-
 /// Filled as if the light came from above.
 void paintLit(Canvas& canvas, std::span<const Vec2> corners, Color color);
 
+/// An outline of a body that stands at `place`.
 void paintBlock(Canvas& canvas, const kodo::Convex& outline, const kodo::Transform& place,
                 const BlockLook& look);
 

@@ -72,9 +72,10 @@ std::vector<CrackLine> growCracks(const kodo::Convex& outline, Vec2 point, Real 
         return lines;
     }
     Dice dice(seed);
+    const Vec2 size = kodo::aabbOf(std::span<const Vec2>(outline.vertices)).extent();
     const Real share = std::clamp(damage, Real(0.1), Real(1));
     const Vec2 start = pulledInside(outline, point);
-    const Vec2 inwards = -start; // the frame's origin is the middle of the block
+    const Vec2 inwards = outline.middle - start;
     const Real middle = std::atan2(inwards.y, inwards.x);
     const int branches = 3 + static_cast<int>(4 * share);
     for (int i = 0; i < branches; ++i) {
@@ -82,31 +83,34 @@ std::vector<CrackLine> growCracks(const kodo::Convex& outline, Vec2 point, Real 
         const Real fan = (place - Real(0.5)) * Real(0.5) * kTurn;
         growBranch(outline,
                    {start, middle + fan + dice.between(Real(-0.25), Real(0.25)),
-                    outline.reach * share * dice.between(Real(0.5), Real(1.2)),
+                    Real(0.5) * length(size) * share * dice.between(Real(0.5), Real(1.2)),
                     kWidest * (Real(0.5) + Real(0.5) * share)},
                    dice, lines);
+    }
+    for (CrackLine& line : lines) {
+        line.from -= outline.middle;
+        line.to -= outline.middle;
     }
     return lines;
 }
 
-void Cracks::add(const kodo::BodyView& block, Vec2 worldPoint, Real damage) {
+void Cracks::add(std::uint32_t block, const kodo::Convex& outline, Vec2 point, Real damage) {
     auto entry = std::find_if(entries_.begin(), entries_.end(),
-                              [&](const Entry& e) { return e.block == block.id(); });
+                              [&](const Entry& e) { return e.block == block; });
     if (entry == entries_.end()) {
-        entries_.push_back({block.id(), {}});
+        entries_.push_back({block, {}});
         entry = entries_.end() - 1;
     }
-    const Vec2 point = toLocal(block.placement(), worldPoint);
-    const auto seed = static_cast<std::uint32_t>(block.id().index * 97u + entry->lines.size());
-    const std::vector<CrackLine> grown = growCracks(block.part(0).convex, point, damage, seed);
+    const auto seed = static_cast<std::uint32_t>(block * 97u + entry->lines.size());
+    const std::vector<CrackLine> grown = growCracks(outline, point, damage, seed);
     entry->lines.insert(entry->lines.end(), grown.begin(), grown.end());
 }
 
-void Cracks::forget(kodo::BodyId block) {
+void Cracks::forget(std::uint32_t block) {
     std::erase_if(entries_, [&](const Entry& e) { return e.block == block; });
 }
 
-std::span<const CrackLine> Cracks::of(kodo::BodyId block) const {
+std::span<const CrackLine> Cracks::of(std::uint32_t block) const {
     for (const Entry& entry : entries_) {
         if (entry.block == block) {
             return entry.lines;

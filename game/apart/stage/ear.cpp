@@ -38,6 +38,8 @@ Note noteFor(const Struck& hit) {
         return {Voice::Wall, 2.2f, 0.6f * volume, panOf(hit.point)};
     case Role::Part:
         return {Voice::Wood, 1.5f, 0.5f * volume, panOf(hit.point)};
+    case Role::Obstruction:
+        return {Voice::Steel, 0.75f, 0.4f * volume, panOf(hit.point)};
     }
     return {Voice::Wall, 1, 0, 0};
 }
@@ -67,14 +69,52 @@ Note noteFor(const BallLost& lost) {
     return {Voice::BallLost, lost.ballsLeft > 0 ? 1.5f : 1, lost.ballsLeft > 0 ? 0.4f : 0.9f,
             panOf(lost.point)};
 }
-Note noteFor(const Cleared&) {
-    return {Voice::Cleared, 1, 1, 0};
+Note noteFor(const KnockedOff& off) {
+    return {Voice::Wood, 0.7f, 0.8f, panOf(off.point)};
+}
+Note noteFor(const ShardBroke& hit) {
+    return {voiceOf(hit.stuff), 1.6f, 0.4f * weightOf(hit.impulse), panOf(hit.point)};
+}
+Note noteFor(const LetGo& let) {
+    return {Voice::Rumble, let.why == LetGo::Why::BrokeOff ? 0.8f : 1, 0.5f, panOf(let.point)};
+}
+Note noteFor(const Fell& fell) {
+    return {voiceOf(fell.stuff), 0.5f, 0.5f, panOf(fell.point)};
+}
+Note noteFor(const BossDown& down) {
+    return {Voice::Boss, 1, 1, panOf(down.point)};
+}
+Note noteFor(const Bumped& bump) {
+    return {Voice::Bumper, 1, 0.7f, panOf(bump.point)};
+}
+Note noteFor(const PowerBegan& power) {
+    const bool bad = moodOf(power.power) == Mood::Bad;
+    return {bad ? Voice::Bad : Voice::Good, moodOf(power.power) == Mood::Mixed ? 0.84f : 1, 0.8f,
+            panOf(power.point)};
+}
+Note noteFor(const PowerEnded&) {
+    return {Voice::Over, 1, 0.5f, 0};
+}
+Note noteFor(const Leapt& leap) {
+    return {Voice::Bumper, 0.6f, 0.6f, panOf(leap.point)};
+}
+Note noteFor(const ForceChanged& change) {
+    return {change.force == Force::Push ? Voice::Push : Voice::Pull, 1,
+            change.force == Force::None ? 0.0f : 0.45f, 0};
+}
+Note noteFor(const ShardCaught& shard) {
+    return {Voice::Gulp, 1 + 0.8f * shard.meter, 0.35f, panOf(shard.point)};
+}
+Note noteFor(const PatienceChanged& change) {
+    const auto stage = static_cast<float>(change.patience);
+    return {Voice::Rumble, 0.6f + 0.15f * stage, change.patience == Patience::Calm ? 0.0f : 0.4f,
+            0};
 }
 Note noteFor(const Lost&) {
     return {Voice::GameOver, 1, 1, 0};
 }
 template <typename Other>
-Note noteFor(const Other&) { // silent
+Note noteFor(const Other&) { // silent, or has a voice elsewhere: Cleared has the fanfare
     return {Voice::Wall, 1, 0, 0};
 }
 

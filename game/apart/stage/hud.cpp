@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <apart/core/tuning.hpp>
 #include <apart/stage/hud.hpp>
 #include <apart/stage/layout.hpp>
 #include <apart/stage/marks.hpp>
 #include <apart/stage/palette.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -22,79 +25,120 @@ TextStyle strong(Real height, Color color = palette::kText) {
     return {height, color, Typeface::Bold, Align::Left};
 }
 
+void paintBar(Canvas& canvas, const Aabb& where, Real share, Color color) {
+    const Real right = where.lower.x + std::clamp(share, Real(0), Real(1)) * where.extent().x;
+    canvas.rectangle(where, {255, 255, 255, 26}, {255, 255, 255, 26});
+    canvas.rectangle({where.lower, {right, where.upper.y}}, darker(color, 0.15f), color);
+}
+
+Aabb barAt(Real y) {
+    return {{kPanelLeft, y}, {kPanelRight, y + Real(0.22)}};
+}
+
 void paintLevel(Canvas& canvas, const Game& game, const HudLook& look) {
     canvas.text("aPart", {kPanelLeft, Real(17.05)}, strong(Real(1.1), palette::kAccent));
-    const std::string place =
-        "LEVEL " + std::to_string(look.levelNumber) + " OF " + std::to_string(look.levelCount);
-    canvas.text(place, {kPanelLeft, Real(15.85)}, quiet(Real(0.42)));
-    Real y = Real(15.15);
-    for (const std::string& line : wrapped(game.level().title, 15)) {
+    const std::string place = look.levelCount > 0
+                                  ? fmt::format("LEVEL {} OF {}", look.levelNumber, look.levelCount)
+                                  : fmt::format("ENDLESS {}", look.levelNumber);
+    canvas.text(place, {kPanelLeft, Real(16.0)}, quiet(Real(0.42)));
+    if (game.mode() == Mode::Pure) {
+        canvas.text("PURE", {kPanelRight, Real(16.0)},
+                    {Real(0.42), palette::kAccent, Typeface::Bold, Align::Right});
+    }
+    Real y = Real(15.3);
+    for (const std::string& line : wrapped(game.level().title, 13)) {
         canvas.text(line, {kPanelLeft, y}, strong(Real(0.62)));
         y -= Real(0.72);
     }
 }
 
+void paintScore(Canvas& canvas, const Game& game, const HudLook& look) {
+    const std::int32_t score = look.scoreBefore + game.score();
+    const bool beaten = look.best > 0 && score > look.best;
+    canvas.text("SCORE", {kPanelLeft, Real(13.75)}, quiet(Real(0.42)));
+    canvas.text(grouped(score), {kPanelLeft, Real(12.8)},
+                strong(Real(1.05), beaten ? palette::kAccent : palette::kText));
+    if (look.best > 0) {
+        const std::string best = beaten ? "best so far" : "best  " + grouped(look.best);
+        canvas.text(best, {kPanelLeft, Real(12.2)}, quiet(Real(0.42)));
+    }
+}
+
+/// Balls in reserve; the one in play stands in front of them, larger.
 void paintLives(Canvas& canvas, const Game& game) {
-    canvas.text("BALLS", {kPanelLeft, Real(10.85)}, quiet(Real(0.42)));
+    canvas.text("BALLS", {kPanelLeft, Real(11.4)}, quiet(Real(0.42)));
     const int shown = std::min<int>(game.lives(), 8);
     for (int i = 0; i < shown; ++i) {
-        const Vec2 center{kPanelLeft + Real(0.28) + Real(0.62) * static_cast<Real>(i), Real(10.3)};
-        canvas.disc(center, Real(0.24), palette::kBall, darker(palette::kBall, 0.2f));
+        const Vec2 center{kPanelLeft + Real(0.28) + Real(0.62) * static_cast<Real>(i), Real(10.8)};
+        if (i > 0) {
+            canvas.ring(center, Real(0.19), Real(0.07), palette::kBall);
+            continue;
+        }
+        canvas.disc(center, Real(0.26), palette::kBall, darker(palette::kBall, 0.2f));
     }
 }
 
 void paintProgress(Canvas& canvas, const Game& game) {
     const int all = std::max<int>(game.blocksAtStart(), 1);
     const int left = game.blocksLeft();
-    canvas.text("BLOCKS LEFT  " + std::to_string(left), {kPanelLeft, Real(9.15)},
-                quiet(Real(0.42)));
-    const auto bar = [&](Real share, Color color) {
-        const Real right = kPanelLeft + share * (kPanelRight - kPanelLeft);
-        canvas.rectangle({{kPanelLeft, Real(8.65)}, {right, Real(8.87)}}, color, color);
-    };
-    bar(1, {255, 255, 255, 26});
-    bar(static_cast<Real>(left) / static_cast<Real>(all), palette::kPaddle);
+    canvas.text(fmt::format("BLOCKS LEFT  {}", left), {kPanelLeft, Real(9.85)}, quiet(Real(0.42)));
+    paintBar(canvas, barAt(Real(9.4)), static_cast<Real>(left) / static_cast<Real>(all),
+             palette::kText);
+}
+
+void paintMeter(Canvas& canvas, const Game& game) {
+    const bool acts = game.force() != Force::None;
+    const char* word = game.force() == Force::Pull   ? "PULL"
+                       : game.force() == Force::Push ? "PUSH"
+                                                     : "PULL / PUSH";
+    canvas.text(word, {kPanelLeft, Real(8.6)},
+                {Real(0.42), acts ? palette::kPaddle : palette::kQuiet});
+    paintBar(canvas, barAt(Real(8.15)), game.meter(),
+             game.meter() > Real(0.15) ? palette::kPaddle : palette::kDanger);
 }
 
 void paintCombo(Canvas& canvas, const Game& game) {
     if (game.combo() < 2) {
         return;
     }
-    const std::string text = "combo x" + std::to_string(game.combo());
-    canvas.text(text, {kPanelLeft, Real(7.55)}, strong(Real(0.7), palette::kAccent));
+    const Real size = Real(0.56) + Real(0.022) * static_cast<Real>(std::min(game.combo(), 10));
+    canvas.text(fmt::format("combo x{}", game.combo()), {kPanelLeft, Real(7.1)},
+                strong(size, palette::kAccent));
 }
 
-void paintLegend(Canvas& canvas) {
-    struct Line {
-        Power power;
-        const char* text;
-    };
-    constexpr std::array<Line, 3> kLines = {Line{Power::Weld, "welds to paddle"},
-                                            Line{Power::Launch, "sticks, then fires"},
-                                            Line{Power::Split, "becomes balls"}};
-    Real y = Real(5.9);
-    for (const Line& line : kLines) {
-        const Vec2 center{kPanelLeft + Real(0.26), y + Real(0.13)};
-        paintMark(canvas, line.power, {center, {}}, Real(0.22), palette::of(line.power));
-        canvas.text(line.text, {kPanelLeft + Real(0.8), y}, quiet(Real(0.42)));
+/// The powers of this level, those at work first, and how long these will last.
+void paintPowers(Canvas& canvas, const Game& game) {
+    constexpr Real kLongest = static_cast<Real>(kEffectTicks) / kTicksPerSecond; // s
+    constexpr std::size_t kMost = 7; // that the panel has room for
+    std::vector<Power> powers = powersOf(game.level());
+    std::stable_partition(powers.begin(), powers.end(),
+                          [&](Power power) { return game.secondsLeft(power) > 0; });
+    powers.resize(std::min(powers.size(), kMost));
+    Real y = Real(6.0);
+    for (const Power power : powers) {
+        const Real left = game.secondsLeft(power);
+        const Color color = palette::of(power);
+        const Vec2 middle{kPanelLeft + Real(0.3), y + Real(0.13)};
+        paintMood(canvas, moodOf(power), middle,
+                  {Real(0.27), {12, 14, 26, 235}, color, Real(0.04)});
+        paintMark(canvas, power, {middle, {}}, Real(0.16), color);
+        const Color text = left > 0 ? color : palette::kQuiet;
+        canvas.text(wordsOf(power), {kPanelLeft + Real(0.85), y}, {Real(0.38), text});
+        if (left > 0) {
+            const Real top = y - Real(0.1);
+            paintBar(canvas, {{kPanelLeft + Real(0.85), top - Real(0.08)}, {kPanelRight, top}},
+                     left / kLongest, color);
+        }
         y -= Real(0.72);
     }
 }
 
-void paintKeys(Canvas& canvas, const HudLook& look) {
-    if (*look.mode != '\0') {
-        canvas.text(look.mode, {kPanelLeft, Real(2.6)}, strong(Real(0.5), palette::kAccent));
+void paintFoot(Canvas& canvas, const HudLook& look) {
+    if (*look.pilot != '\0') {
+        canvas.text(look.pilot, {kPanelLeft, Real(0.9)}, strong(Real(0.5), palette::kAccent));
     }
-    constexpr std::array<const char*, 4> kKeys = {"mouse or left/right", "space: serve",
-                                                  "P: pause   R: restart", "M: sound on/off"};
-    Real y = Real(1.85);
-    for (const char* line : kKeys) {
-        canvas.text(line, {kPanelLeft, y}, {Real(0.36), faded(palette::kQuiet, 0.8f)});
-        y -= Real(0.52);
-    }
-    if (look.muted) {
-        canvas.text("sound off", {kPanelLeft, Real(3.3)}, quiet(Real(0.42)));
-    }
+    canvas.text(look.muted ? "sound off (M)" : "P: pause, and all keys", {kPanelLeft, Real(0.2)},
+                quiet(Real(0.36)));
 }
 
 } // namespace
@@ -119,7 +163,8 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t letters) {
             lines.push_back(line);
             line.clear();
         }
-        line += (line.empty() ? "" : " ") + std::string(word);
+        line += line.empty() ? "" : " ";
+        line += word;
     }
     if (!line.empty()) {
         lines.push_back(line);
@@ -136,7 +181,7 @@ void paintServeHint(Canvas& canvas, const Game& game) {
                     {height, palette::kInk, Typeface::Bold, Align::Middle});
         canvas.text(text, {0, y}, {height, color, Typeface::Bold, Align::Middle});
     };
-    Real y = Real(6.2);
+    Real y = Real(7.3);
     if (game.score() == 0) {
         line(game.level().title, y, Real(1.1), palette::kAccent);
         for (const std::string& part : wrapped(game.level().idea, 48)) {
@@ -145,18 +190,22 @@ void paintServeHint(Canvas& canvas, const Game& game) {
         }
     }
     const float pulse = 0.75f + 0.25f * std::sin(0.07f * static_cast<float>(game.ticks() % 12000));
-    line("space or click to serve", y - Real(1.1), Real(0.5), faded(palette::kQuiet, pulse));
+    line("space or click to serve", y - Real(1.1), Real(0.5), faded(palette::kText, pulse));
+    if (game.score() == 0) {
+        line("left button or down: pull      right button or up: push", y - Real(1.8), Real(0.42),
+             palette::kQuiet);
+    }
 }
 
 void paintHud(Canvas& canvas, const Game& game, const HudLook& look) {
     paintLevel(canvas, game, look);
-    canvas.text("SCORE", {kPanelLeft, Real(12.95)}, quiet(Real(0.42)));
-    canvas.text(grouped(game.score()), {kPanelLeft, Real(11.95)}, strong(Real(1.05)));
+    paintScore(canvas, game, look);
     paintLives(canvas, game);
     paintProgress(canvas, game);
+    paintMeter(canvas, game);
     paintCombo(canvas, game);
-    paintLegend(canvas);
-    paintKeys(canvas, look);
+    paintPowers(canvas, game);
+    paintFoot(canvas, look);
 }
 
 } // namespace apart

@@ -12,10 +12,12 @@ namespace apart {
 
 /// What the panel beside the field shows besides the game itself.
 struct HudLook {
-    int levelNumber = 1; // from 1
-    int levelCount = 1;
+    int levelNumber = 1;          // from 1
+    int levelCount = 1;           // 0: without end
+    std::int32_t scoreBefore = 0; // of the levels before, in a row without end
+    std::int32_t best = 0;        // score to beat; 0: none
     bool muted = false;
-    const char* mode = ""; // "bot", "replay" or nothing
+    const char* pilot = ""; // who plays, unless it is the player
 };
 
 void paintHud(Canvas& canvas, const Game& game, const HudLook& look);

@@ -3,6 +3,8 @@
 #include <apart/stage/juice.hpp>
 #include <apart/stage/palette.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,16 +16,13 @@ constexpr Real kHardest = 24;             // N s: the ball turned back at its co
 constexpr Real kMostShake = Real(0.3);    // m
 constexpr Real kCalm = Real(0.94);        // of the trauma is left after a tick
 constexpr Real kCool = Real(0.93);        // of the heat is left after a tick
+constexpr Real kSwing = Real(0.3);        // rad a tick, of what was struck
 constexpr float kDim = 0.95f;             // of a flash is left after a tick
 constexpr std::uint32_t kFlashPause = 60; // ticks: never more than two flashes a second
 constexpr std::size_t kTrailLength = 44;  // ticks
 constexpr int kPopupTicks = 90;
 constexpr int kPopupYoung = 40;         // ticks
 constexpr Real kPopupReach = Real(2.4); // m
-
-int countFor(Real weight, Real most) {
-    return static_cast<int>(weight * most + Real(0.5));
-}
 
 } // namespace
 
@@ -47,6 +46,7 @@ void Juice::age() {
     flash_ *= kDim;
     for (Heat& heat : heats_) {
         heat.left *= kCool;
+        ++heat.age;
     }
     std::erase_if(heats_, [](const Heat& heat) { return heat.left < Real(0.02); });
     for (Popup& popup : popups_) {
@@ -82,7 +82,8 @@ void Juice::feedFlames(const Game& game) {
 }
 
 void Juice::burst(Burst burst) {
-    burst.count = countFor(static_cast<Real>(burst.count), share(effects_.particles));
+    const float count = static_cast<float>(burst.count) * share(settings_.particles);
+    burst.count = static_cast<int>(count + 0.5f);
     sparks_.add(burst);
 }
 
@@ -92,12 +93,12 @@ void Juice::pop(Popup popup) {
         if (near && other.age < kPopupYoung && (other.points > 0) == (popup.points > 0)) {
             other.points += popup.points;
             other.height = std::max(other.height, popup.height);
-            other.text = other.points > 0 ? "+" + std::to_string(other.points) : popup.text;
+            other.text = other.points > 0 ? fmt::format("+{}", other.points) : popup.text;
             return;
         }
     }
     if (popup.points > 0) {
-        popup.text = "+" + std::to_string(popup.points);
+        popup.text = fmt::format("+{}", popup.points);
     }
     popups_.push_back(std::move(popup));
 }
@@ -112,113 +113,41 @@ void Juice::light(Color color, float strength) {
     }
     lastFlash_ = now_;
     flashColor_ = color;
-    flash_ = strength * share(effects_.flash);
+    flash_ = strength * share(settings_.flash);
 }
 
-void Juice::heat(kodo::BodyId body) {
+void Juice::heat(std::uint64_t name, Vec2 push) {
     for (Heat& known : heats_) {
-        if (known.body == body) {
-            known.left = 1;
+        if (known.name == name) {
+            known = {name, 1, push};
             return;
         }
     }
-    heats_.push_back({body, 1});
+    heats_.push_back({name, 1, push});
 }
 
-void Juice::hear(const Game&, const Struck& hit) {
-    const Real weight = weightOf(hit.impulse);
-    if (weight < Real(0.12)) {
-        return; // rolling and resting
+Blow Juice::blowOf(std::uint64_t name) const {
+    for (const Heat& heat : heats_) {
+        if (heat.name == name) {
+            const Real swing = std::cos(kSwing * static_cast<Real>(heat.age));
+            return {heat.left, heat.left * swing * share(settings_.squash) * heat.push};
+        }
     }
-    const Color color = hit.what == Role::Paddle ? palette::kPaddle
-                        : hit.what == Role::Wall ? palette::kQuiet
-                                                 : palette::of(hit.stuff);
-    burst({hit.point, hit.normal, lighter(color, 0.3f), countFor(weight, 10), 3 + 6 * weight});
-    heat(hit.other);
+    return {};
 }
 
-void Juice::hear(const Game& game, const Cracked& hit) {
-    heat(hit.block);
-    burst({hit.point, {}, palette::of(hit.stuff), countFor(weightOf(hit.impulse), 12), 5});
-    if (game.world().contains(hit.block)) {
-        cracks_.add(game.world()[hit.block], hit.point, 1 - hit.strengthLeft);
-    }
+Blow Juice::blowOf(kodo::BodyId body) const {
+    return blowOf(nameOf(body));
 }
 
-void Juice::hear(const Game&, const Broke& hit) {
-    const Real weight = weightOf(hit.impulse);
-    cracks_.forget(hit.block);
-    burst({hit.point,
-           {},
-           lighter(palette::of(hit.stuff), 0.35f),
-           14 + countFor(weight, 26),
-           5 + 7 * weight,
-           Real(0.7),
-           Real(0.09)});
-    push(Real(0.16) + Real(0.2) * weight);
-    const Color color = hit.combo >= 3 ? palette::kAccent : palette::kText;
-    const Real size = Real(0.45) + Real(0.025) * static_cast<Real>(std::min(hit.combo, 10));
-    pop({"", hit.center, color, size, hit.points});
-}
-
-void Juice::hear(const Game&, const Welded& weld) {
-    burst({weld.point, {0, 1}, palette::of(Power::Weld), 40, 8, Real(0.6)});
-    pop({"welded", weld.point + Vec2{0, Real(0.8)}, palette::of(Power::Weld), Real(0.55)});
-}
-
-void Juice::hear(const Game&, const Launched& launch) {
-    burst({launch.point, {0, -1}, palette::of(Power::Launch), 40, 10, Real(0.5)});
-    push(Real(0.3));
-}
-
-void Juice::hear(const Game&, const Spent& end) {
-    burst({end.point, {}, palette::of(Power::Launch), 30, 9, Real(0.5)});
-}
-
-void Juice::hear(const Game&, const BallSplit& split) {
-    burst({split.point, {}, palette::of(Power::Split), 50, 10, Real(0.8)});
-    const std::string text =
-        split.balls == 1 ? "1 ball more" : std::to_string(split.balls) + " balls more";
-    pop({text, split.point + Vec2{0, Real(1.1)}, palette::of(Power::Split), Real(0.6)});
-}
-
-void Juice::hear(const Game&, const BallLost& lost) {
-    burst({{lost.point.x, 0}, {0, 1}, palette::kDanger, 40, 11, Real(0.8)});
-}
-
-void Juice::hear(const Game&, const LifeLost&) {
-    push(Real(0.7));
-    light(palette::kDanger, 0.55f);
-}
-
-void Juice::hear(const Game& game, const Cleared&) {
-    light(palette::kAccent, 0.5f);
-    Dice dice(game.seed());
-    for (int i = 0; i < 8; ++i) {
-        const Vec2 place{dice.between(-10, 10), dice.between(7, 16)};
-        burst({place,
-               {},
-               palette::kStuff[static_cast<std::size_t>(i) % palette::kStuff.size()],
-               40,
-               12,
-               Real(1.4),
-               Real(0.1)});
-    }
+Blow Juice::blowOfBlock(std::uint32_t key) const {
+    return blowOf(nameOfBlock(key));
 }
 
 Vec2 Juice::shake() const {
-    const Real size = kMostShake * trauma_ * trauma_ * share(effects_.shake);
+    const Real size = kMostShake * trauma_ * trauma_ * share(settings_.shake);
     const auto time = static_cast<Real>(now_ % 12000); // two sines that never meet look random
     return size * Vec2{std::sin(Real(0.9) * time), std::sin(Real(1.13) * time + 1)};
-}
-
-Real Juice::heatOf(kodo::BodyId body) const {
-    for (const Heat& heat : heats_) {
-        if (heat.body == body) {
-            return heat.left;
-        }
-    }
-    return 0;
 }
 
 std::span<const Vec2> Juice::trailOf(kodo::BodyId ball) const {

@@ -4,7 +4,7 @@
 #include <apart/core/game.hpp>
 #include <apart/stage/canvas.hpp>
 #include <apart/stage/cracks.hpp>
-#include <apart/stage/effects.hpp>
+#include <apart/stage/settings.hpp>
 #include <apart/stage/sparks.hpp>
 
 #include <cstdint>
@@ -23,17 +23,24 @@ struct Popup {
     int age = 0;     // ticks
 };
 
+/// What is left of the last blow to something.
+struct Blow {
+    Real heat = 0; // 1 at the blow, 0 forgotten
+    Vec2 push;     // where it pushes, 0..1 long; it swings back and forth
+};
+
 /// Everything that is only to be seen and lasts longer than a tick. It hears the events of the game
 /// and never speaks back; the same game gives the same picture.
 class Juice {
 public:
-    Juice(std::uint32_t seed, const EffectSettings& effects) : effects_(effects), sparks_(seed) {}
+    Juice(std::uint32_t seed, const Settings& settings) : settings_(settings), sparks_(seed) {}
 
-    void setEffects(const EffectSettings& effects) { effects_ = effects; }
+    void setSettings(const Settings& settings) { settings_ = settings; }
+    void firework(Vec2 place, Color color);
     /// After each tick of the game.
     void tick(const Game& game);
 
-    const EffectSettings& effects() const { return effects_; }
+    const Settings& settings() const { return settings_; }
     const Sparks& sparks() const { return sparks_; }
     const Cracks& cracks() const { return cracks_; }
     std::span<const Popup> popups() const { return popups_; }
@@ -42,46 +49,64 @@ public:
     /// 0..1, how much of the flash colour covers the field.
     float flash() const { return flash_; }
     Color flashColor() const { return flashColor_; }
-    /// 0..1, how lately this body was struck.
-    Real heatOf(kodo::BodyId body) const;
+    /// How lately and how hard this body was struck.
+    Blow blowOf(kodo::BodyId body) const;
+    /// The same of one block; a boss has many blocks.
+    Blow blowOfBlock(std::uint32_t key) const;
     /// Where this ball was, oldest first.
     std::span<const Vec2> trailOf(kodo::BodyId ball) const;
 
 private:
     struct Heat {
-        kodo::BodyId body;
-        Real left; // 1 at the blow, 0 forgotten
+        std::uint64_t name; // of a body or block
+        Real left;          // 1 at the blow, 0 forgotten
+        Vec2 push;          // unit times weight
+        int age = 0;        // ticks
     };
     struct Trail {
         kodo::BodyId ball;
         std::vector<Vec2> places;
     };
 
+    // What each event looks like (juice_hear.cpp).
     void hear(const Game& game, const Struck& hit);
     void hear(const Game& game, const Cracked& hit);
     void hear(const Game& game, const Broke& hit);
     void hear(const Game& game, const Welded& weld);
+    void hear(const Game& game, const KnockedOff& off);
     void hear(const Game& game, const Launched& launch);
     void hear(const Game& game, const Spent& end);
     void hear(const Game& game, const BallSplit& split);
     void hear(const Game& game, const BallLost& lost);
     void hear(const Game& game, const LifeLost& lost);
     void hear(const Game& game, const Cleared& end);
+    void hear(const Game& game, const ShardBroke& hit);
+    void hear(const Game& game, const LetGo& let);
+    void hear(const Game& game, const Fell& fell);
+    void hear(const Game& game, const PatienceChanged& change);
+    void hear(const Game& game, const BossDown& down);
+    void hear(const Game& game, const Bumped& bump);
+    void hear(const Game& game, const PowerBegan& power);
+    void hear(const Game& game, const BallChanged& change);
+    void hear(const Game& game, const Leapt& leap);
+    void hear(const Game& game, const ShardCaught& shard);
     template <typename Other>
     void hear(const Game&, const Other&) {} // what needs no light
 
     void burst(Burst burst);
+    void blast(Vec2 point, Color color, int count, Real speed);
     /// One of the same kind that has just come up nearby takes the points instead, so that a chain
     /// of breaks stays readable.
     void pop(Popup popup);
     void push(Real strength);
     void light(Color color, float strength);
-    void heat(kodo::BodyId body);
+    void heat(std::uint64_t name, Vec2 push);
+    Blow blowOf(std::uint64_t name) const;
     void age();
     void followBalls(const Game& game);
     void feedFlames(const Game& game);
 
-    EffectSettings effects_;
+    Settings settings_;
     Sparks sparks_;
     Cracks cracks_;
     std::vector<Popup> popups_;
@@ -93,6 +118,14 @@ private:
     std::uint32_t now_ = 0;
     std::uint32_t lastFlash_ = 0;
 };
+
+// Names under which blows are remembered, of bodies and of blocks.
+constexpr std::uint64_t nameOf(kodo::BodyId body) {
+    return std::uint64_t{body.generation} << 32 | body.index;
+}
+constexpr std::uint64_t nameOfBlock(std::uint32_t key) {
+    return std::uint64_t{1} << 63 | key;
+}
 
 /// How loud, bright or wild a blow is, 0..1: the root of its share of the hardest one.
 Real weightOf(Real impulse);

@@ -2,21 +2,32 @@
 #include <apart/stage/menu.hpp>
 #include <apart/stage/palette.hpp>
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace apart {
 
 namespace {
 
 constexpr Real kRow = Real(0.98);      // m, from item to item
-constexpr Real kHalfWidth = Real(4.4); // m
-constexpr int kNotch = 10;             // percent
+constexpr Real kHalfWidth = Real(5.7); // m
+constexpr Real kBarLeft = Real(0.5);   // m, from the middle
+constexpr Real kBarRight = Real(3.0);
+constexpr int kNotch = 10; // percent
 
 } // namespace
 
 Aabb Menu::place(std::size_t item) const {
     const Real top = top_ - kRow * static_cast<Real>(item);
     return {{-kHalfWidth, top - kRow + Real(0.1)}, {kHalfWidth, top}};
+}
+
+Aabb Menu::bar(std::size_t item) const {
+    const Aabb box = place(item);
+    return {{kBarLeft, box.lower.y + Real(0.25)}, {kBarRight, box.upper.y - Real(0.25)}};
 }
 
 std::optional<std::size_t> Menu::itemAt(Vec2 place) const {
@@ -26,6 +37,14 @@ std::optional<std::size_t> Menu::itemAt(Vec2 place) const {
         }
     }
     return std::nullopt;
+}
+
+std::optional<MenuOutcome> Menu::turned(const MenuItem& item, int percent) const {
+    const int value = std::clamp(percent, item.gauge->least, item.gauge->most);
+    if (value == item.gauge->percent) {
+        return std::nullopt;
+    }
+    return MenuOutcome{item.action, item.dial, value};
 }
 
 std::optional<MenuOutcome> Menu::take(Command command) {
@@ -42,30 +61,39 @@ std::optional<MenuOutcome> Menu::take(Command command) {
         return std::nullopt;
     case Command::Left:
     case Command::Right:
-        if (item.percent) {
-            return MenuOutcome{item.action, command == Command::Left ? -kNotch : kNotch};
+        if (item.gauge) {
+            return turned(item,
+                          item.gauge->percent + (command == Command::Left ? -kNotch : kNotch));
         }
-        return std::nullopt;
+        return item.action == Action::Mode ? std::optional(MenuOutcome{item.action}) : std::nullopt;
     case Command::Launch:
     case Command::Confirm:
-        if (!item.percent) {
-            return MenuOutcome{item.action};
-        }
-        return std::nullopt;
+        return item.gauge ? std::nullopt : std::optional(MenuOutcome{item.action});
     default:
         return std::nullopt;
     }
 }
 
 std::optional<MenuOutcome> Menu::click(Vec2 place) const {
-    const std::optional<std::size_t> item = itemAt(place);
-    if (!item) {
+    const std::optional<std::size_t> found = itemAt(place);
+    if (!found) {
         return std::nullopt;
     }
-    if (items_[*item].percent) {
-        return MenuOutcome{items_[*item].action, place.x < kHalfWidth / 2 ? -kNotch : kNotch};
+    const MenuItem& item = items_[*found];
+    if (!item.gauge) {
+        return MenuOutcome{item.action};
     }
-    return MenuOutcome{items_[*item].action};
+    const Aabb range = bar(*found);
+    if (place.x < range.lower.x) {
+        return turned(item, item.gauge->percent - kNotch);
+    }
+    if (place.x > range.upper.x) {
+        return turned(item, item.gauge->percent + kNotch);
+    }
+    const Real share = (place.x - range.lower.x) / range.extent().x;
+    const auto span = static_cast<Real>(item.gauge->most - item.gauge->least);
+    const int notches = static_cast<int>(std::round(share * span / kNotch));
+    return turned(item, item.gauge->least + kNotch * notches);
 }
 
 std::optional<MenuOutcome> Menu::take(const Signals& signals) {
@@ -80,12 +108,48 @@ std::optional<MenuOutcome> Menu::take(const Signals& signals) {
     return signals.clicked ? click(signals.pointerNow) : std::nullopt;
 }
 
-void Menu::setPercent(Action action, int percent) {
+void Menu::setPercent(std::size_t dial, int percent) {
     for (MenuItem& item : items_) {
-        if (item.action == action) {
-            item.percent = percent;
+        if (item.gauge && item.dial == dial) {
+            item.gauge->percent = percent;
         }
     }
+}
+
+void Menu::setLabel(Action action, std::string label) {
+    for (MenuItem& item : items_) {
+        if (item.action == action) {
+            item.label = label;
+        }
+    }
+}
+
+void Menu::choose(Action action) {
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+        if (items_[i].action == action) {
+            chosen_ = i;
+            return;
+        }
+    }
+}
+
+void Menu::drawDial(Canvas& canvas, std::size_t item, Color color) const {
+    const Gauge& gauge = *items_[item].gauge;
+    const Aabb box = place(item);
+    const Aabb range = bar(item);
+    const Real share = static_cast<Real>(gauge.percent - gauge.least) /
+                       static_cast<Real>(gauge.most - gauge.least);
+    const Real end = range.lower.x + share * range.extent().x;
+    const Real middle = range.center().y;
+    const Real half = Real(0.07);
+    canvas.rectangle({{range.lower.x, middle - half}, {range.upper.x, middle + half}},
+                     {255, 255, 255, 40}, {255, 255, 255, 40});
+    canvas.rectangle({{range.lower.x, middle - half}, {end, middle + half}}, color, color);
+    canvas.disc({end, middle}, Real(0.2), lighter(color, 0.3f), color);
+    const Real y = box.lower.y + Real(0.27);
+    canvas.text(items_[item].label, {box.lower.x + Real(0.5), y}, {Real(0.5), color});
+    canvas.text(fmt::format("{} %", gauge.percent), {box.upper.x - Real(0.4), y},
+                {Real(0.5), color, Typeface::Plain, Align::Right});
 }
 
 void Menu::draw(Canvas& canvas) const {
@@ -99,16 +163,12 @@ void Menu::draw(Canvas& canvas) const {
             canvas.outline(corners, Real(0.05), palette::kAccent);
         }
         const Color color = chosen ? palette::kAccent : palette::kText;
-        const Real y = box.lower.y + Real(0.27);
-        if (!items_[i].percent) {
-            canvas.text(items_[i].label, {0, y},
+        if (items_[i].gauge) {
+            drawDial(canvas, i, color);
+        } else {
+            canvas.text(items_[i].label, {0, box.lower.y + Real(0.27)},
                         {Real(0.56), color, Typeface::Bold, Align::Middle});
-            continue;
         }
-        canvas.text(items_[i].label, {box.lower.x + Real(0.4), y}, {Real(0.52), color});
-        const std::string value = "\u2039  " + std::to_string(*items_[i].percent) + " %  \u203a";
-        canvas.text(value, {box.upper.x - Real(0.4), y},
-                    {Real(0.52), color, Typeface::Plain, Align::Right});
     }
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <apart/stage/juice.hpp>
 #include <apart/stage/pace.hpp>
 
 #include <algorithm>
@@ -11,6 +12,10 @@ constexpr kodo::Real kNear = 4; // m between ball and block
 constexpr double kSlow = 0.3;   // of real time
 constexpr double kBrake = 6;    // 1/s
 constexpr double kPatience = 4; // s in all, a level
+
+// Hit-freeze, at full setting.
+constexpr double kLongestFreeze = 0.06; // s, at the hardest blow
+constexpr double kFreezePause = 0.3;    // s between two, so that a chain of breaks still flows
 
 bool aboutToFinish(const Game& game) {
     if (game.blocksLeft() != 1 || game.result() != Result::Playing) {
@@ -42,7 +47,23 @@ double Pace::next(const Game& game, double seconds) {
     slow_ += slow ? seconds : 0;
     const double goal = slow ? kSlow : 1;
     pace_ += std::min(kBrake * seconds, 1.0) * (goal - pace_);
+    rest_ -= seconds;
+    if (frozen_ > 0) {
+        frozen_ -= seconds;
+        return 0;
+    }
     return pace_;
+}
+
+void Pace::feel(const Game& game, const Settings& settings) {
+    for (const Event& event : game.events()) {
+        const auto* broke = std::get_if<Broke>(&event);
+        if (broke != nullptr && rest_ <= 0 && settings.freeze > 0) {
+            const float strength = weightOf(broke->impulse) * share(settings.freeze);
+            frozen_ = kLongestFreeze * static_cast<double>(strength);
+            rest_ = kFreezePause;
+        }
+    }
 }
 
 } // namespace apart

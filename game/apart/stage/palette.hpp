@@ -10,14 +10,15 @@
 /// The colours of the game. Nothing is told by colour alone: stuffs have a grain, powers a mark.
 namespace apart::palette {
 
-inline constexpr Color kNight{7, 8, 15};    // corners of the picture
-inline constexpr Color kDusk{36, 42, 84};   // behind the middle of the field
-inline constexpr Color kInk{8, 10, 20};     // outlines
-inline constexpr Color kFrame{74, 86, 124}; // walls
+inline constexpr Color kNight{7, 8, 15}; // corners of the picture
+inline constexpr Color kInk{8, 10, 20};  // outlines
 inline constexpr Color kText{226, 232, 245};
 inline constexpr Color kQuiet{140, 150, 178}; // less important text
 inline constexpr Color kAccent{255, 204, 92}; // what to look at
 inline constexpr Color kDanger{255, 84, 92};
+inline constexpr Color kBumper{255, 128, 170};
+inline constexpr Color kMachine{156, 168, 196}; // motors, pins, gates
+inline constexpr Color kGround{92, 104, 92};
 inline constexpr Color kBall{255, 248, 232};
 inline constexpr Color kPaddle{84, 214, 206};
 
@@ -28,11 +29,20 @@ inline constexpr std::array<Color, 5> kStuff = {
     Color{150, 158, 176},      // stone
     Color{84, 96, 120},        // steel
 };
-inline constexpr std::array<Color, 4> kPower = {
+inline constexpr std::array<Color, kPowerNames.size()> kPower = {
     Color{226, 232, 245}, // none
     Color{118, 226, 130}, // weld
     Color{255, 170, 62},  // launch
     Color{198, 146, 255}, // split
+    Color{188, 204, 226}, // heavy
+    Color{255, 112, 128}, // lopsided
+    Color{255, 146, 170}, // egg
+    Color{214, 178, 128}, // rough
+    Color{255, 96, 196},  // magnet
+    Color{250, 224, 90},  // spring
+    Color{120, 208, 255}, // wings
+    Color{150, 140, 255}, // well
+    Color{150, 226, 214}, // wind
 };
 
 constexpr Color of(Stuff stuff) {

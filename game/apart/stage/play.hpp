@@ -4,6 +4,7 @@
 #include <apart/core/game.hpp>
 #include <apart/stage/canvas.hpp>
 #include <apart/stage/ear.hpp>
+#include <apart/stage/fanfare.hpp>
 #include <apart/stage/field_painter.hpp>
 #include <apart/stage/juice.hpp>
 #include <apart/stage/pose_blend.hpp>
@@ -15,8 +16,9 @@ namespace apart {
 /// One game with everything that makes it seen and heard.
 class Play {
 public:
-    Play(std::shared_ptr<const Level> level, std::uint32_t seed, const EffectSettings& effects)
-        : game_(std::move(level), seed), juice_(seed, effects) {}
+    Play(std::shared_ptr<const Level> level, std::uint32_t seed, Mode mode,
+         const Settings& settings)
+        : game_(std::move(level), seed, mode), juice_(seed, settings) {}
 
     void tick(const Input& input, Speaker& speaker);
     /// At that share of the way from the last tick but one to the last.
@@ -24,7 +26,11 @@ public:
 
     const Game& game() const { return game_; }
     const Juice& juice() const { return juice_; }
-    void setEffects(const EffectSettings& effects) { juice_.setEffects(effects); }
+    void setSettings(const Settings& settings) { juice_.setSettings(settings); }
+    /// One tick of a feast, in this field.
+    void celebrate(Fanfare& fanfare, Speaker& speaker) {
+        fanfare.tick(juice_, share(juice_.settings().sound), speaker);
+    }
 
 private:
     Game game_;

@@ -55,7 +55,9 @@ public:
 class ScriptedControls : public Controls {
 public:
     Signals poll() override;
+    void capture(bool on) override { captured = on; }
     std::deque<Signals> script;
+    bool captured = false;
 };
 
 } // namespace apart

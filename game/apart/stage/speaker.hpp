@@ -26,10 +26,20 @@ enum class Voice : std::uint8_t {
     Cleared,
     GameOver,
     Choose, // in menus
+    Bumper, // kicks
+    Good,   // a power begins that is welcome
+    Bad,    // one that is not
+    Over,   // a power ends
+    Pull,   // the paddle's field
+    Push,
+    Gulp,   // a shard fed the meter
+    Rumble, // a mount gives way
+    Boss,   // it is down
 };
-inline constexpr std::array<std::string_view, 17> kVoiceNames = {
-    "glass", "wood", "brick", "stone", "steel",     "wall",    "paddle",    "break", "weld",
-    "stick", "fire", "split", "serve", "ball lost", "cleared", "game over", "choose"};
+inline constexpr std::array<std::string_view, 26> kVoiceNames = {
+    "glass", "wood", "brick", "stone", "steel",     "wall",    "paddle",    "break",  "weld",
+    "stick", "fire", "split", "serve", "ball lost", "cleared", "game over", "choose", "bumper",
+    "good",  "bad",  "over",  "pull",  "push",      "gulp",    "rumble",    "boss"};
 
 struct Note {
     Voice voice = Voice::Wall;

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <apart/stage/fanfare.hpp>
 #include <apart/stage/hands.hpp>
 #include <apart/stage/hud.hpp>
+#include <apart/stage/level_select.hpp>
 #include <apart/stage/menu.hpp>
 #include <apart/stage/pace.hpp>
 #include <apart/stage/play.hpp>
-#include <apart/stage/title.hpp>
+#include <apart/stage/tally.hpp>
 
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace apart {
 
@@ -19,17 +20,23 @@ namespace apart {
 using Pilot = std::function<std::optional<Input>(const Game&)>;
 
 struct StageDef {
-    std::vector<std::shared_ptr<const Level>> levels; // at least one
+    LevelList levels; // at least one
     std::size_t firstLevel = 0;
     bool startAtOnce = false; // in the first level, without the title screen
     std::uint32_t seed = 1;   // of the first game; the next games count on from it
-    EffectSettings effects{};
+    Profile profile{};
+    /// Keeps the profile for the next time; a sentence when it cannot.
+    std::function<std::string(const Profile&)> save{};
+    std::string notice{};           // a sentence for the title screen, or nothing
+    std::uint32_t firstEndless = 0; // start at once with the endless level of that number; 0: none
+    /// The level of that number, from 1, of a row without end; if there is one.
+    std::function<std::shared_ptr<const Level>(std::uint32_t)> endless{};
     Pilot bot{};             // plays behind the title screen, if there is one
     Pilot pilot{};           // plays all games instead of the player, if there is one
     std::string pilotName{}; // shown while it does
 };
 
-enum class Screen : std::uint8_t { Title, Playing, Paused, Over };
+enum class Screen : std::uint8_t { Title, Levels, Options, Playing, Paused, Over };
 
 /// The application without its window: screens, time, and what the player's wishes mean on each.
 /// Everything that it needs from outside comes in as arguments.
@@ -46,45 +53,81 @@ public:
     bool wantsPointer() const { return screen_ != Screen::Playing; }
     Screen screen() const { return screen_; }
     const Game& game() const { return play_->game(); }
-    const EffectSettings& effects() const { return def_.effects; }
+    const Profile& profile() const { return def_.profile; }
+    const Settings& settings() const { return def_.profile.settings; }
     std::size_t levelIndex() const { return level_; }
+    const Menu& menu() const { return menu_; }
+    const LevelSelect& levelSelect() const { return select_; }
+    /// The bot plays and no menu hides it: nobody has touched anything for a while.
+    bool attracting() const;
 
 private:
+    // What the player did, by screen (stage_signals.cpp).
     void take(const Signals& signals, Speaker& speaker);
     void takeOne(const Signals& signals, Speaker& speaker);
-    void takeTitle(const Signals& signals, Speaker& speaker);
+    void takeLevels(const Signals& signals, Speaker& speaker);
     void takePlaying(const Signals& signals);
     void takeMenu(const Signals& signals, Speaker& speaker);
+    bool takeShortcut(Command command);
+    void back();
     void act(const MenuOutcome& outcome);
-    void change(Action setting, int percent);
-    void toggleMute();
+    void turn(std::size_t dial, int percent);
+    void applySettings();
+    void chirp(Speaker& speaker, bool chosen) const;
 
-    void tick(Speaker& speaker);
-    void begin(std::size_t level);
+    // Screens and games.
     void toTitle();
+    void toLevels();
+    void toOptions();
     void pause();
+    void resume();
+    void begin(std::size_t level);
+    void beginEndless(std::uint32_t number);
+    void startEndless();
+    void beginGame(std::shared_ptr<const Level> level);
+    void again();
+    void next();
+    void demo(std::size_t level);
+    std::size_t nextToPlay() const;
+    std::string playLabel() const;
+    void tick(Speaker& speaker);
+    void tickDemo();
     void finish();
-    int* setting(Action action);
-    void drawOver(Canvas& canvas) const;
+    void keep();
+    Settings audible() const;
+    bool demoRuns() const;
+
+    // Pictures (stage_picture.cpp).
+    void drawTitle(Canvas& canvas) const;
+    void drawFeast(Canvas& canvas) const;
     void drawPaused(Canvas& canvas) const;
+    void drawOver(Canvas& canvas) const;
     HudLook hudLook() const;
 
     StageDef def_;
     Screen screen_ = Screen::Title;
+    Screen behindOptions_ = Screen::Title;
     bool quit_ = false;
     std::size_t level_ = 0;
-    std::uint32_t games_ = 0; // begun so far
+    std::uint32_t endless_ = 0;     // number of the endless level in play; 0: another level
+    std::int32_t endlessScore_ = 0; // of the endless levels before it
+    std::uint32_t games_ = 0;       // begun so far
+    std::size_t demos_ = 0;         // that the bot has begun by itself
     std::unique_ptr<Play> play_;
+    Tally tally_;
     Hands hands_;
     Menu menu_;
-    Title title_;
+    LevelSelect select_;
     Pace pace_;
-    double owed_ = 0;                // s of game time not yet played
-    double seconds_ = 0;             // since the start, for what only moves on the screen
-    int endTicks_ = 0;               // since the game ended
-    int mutedSound_ = 0;             // the volume that comes back
-    std::vector<std::int32_t> best_; // score of each level since the start
+    Fanfare fanfare_;
+    double owed_ = 0;        // s of game time not yet played
+    double seconds_ = 0;     // since the start, for what only moves on the screen
+    double idleSeconds_ = 0; // since the player did anything
+    double overSeconds_ = 0; // since the result came up
+    int endTicks_ = 0;       // since the game ended
+    bool muted_ = false;
     bool newBest_ = false;
+    Best before_{}; // of the level, before the game that has just ended
 };
 
 } // namespace apart

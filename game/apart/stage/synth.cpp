@@ -74,21 +74,39 @@ Recipe recipeOf(Voice voice) {
         return {294, 0.35f, {{1, 0.6f, 0.1f}, {2, 0.3f, 0.06f}}, 0.1f, 0.02f, 0.5f, 0.6f};
     case Voice::BallLost:
         return {330, 0.8f, {{1, 0.7f, 0.3f}, {2, 0.2f, 0.2f}}, 0, 0.01f, 1, -1.2f};
-    case Voice::Cleared:
+    case Voice::Cleared: // one note of the fanfare
         return {392,
-                1.6f,
-                {{1, 0.5f, 0.3f}, {2, 0.3f, 0.2f}, {3, 0.15f, 0.1f}},
-                0,
-                0.01f,
-                1,
-                0,
-                {0, 4, 7, 12, 16, 19},
-                0.1f};
+                1.1f,
+                {{1, 0.5f, 0.3f}, {2, 0.3f, 0.2f}, {3, 0.15f, 0.1f}, {4.02f, 0.1f, 0.06f}},
+                0.05f,
+                0.01f};
     case Voice::GameOver:
         return {262,  1.8f, {{1, 0.6f, 0.4f}, {2, 0.2f, 0.25f}}, 0, 0.01f, 1, 0, {0, -2, -5, -9},
                 0.24f};
     case Voice::Choose:
         return {660, 0.12f, {{1, 0.5f, 0.03f}, {2, 0.2f, 0.02f}}};
+    case Voice::Bumper:
+        return {196, 0.4f, {{1, 0.8f, 0.08f}, {2, 0.5f, 0.06f}, {3.01f, 0.3f, 0.04f}}, 0.2f, 0.01f,
+                1,   0.7f};
+    case Voice::Good:
+        return {523, 0.7f, {{1, 0.5f, 0.12f}, {2, 0.3f, 0.1f}}, 0, 0.01f, 1, 0, {0, 7, 12}, 0.07f};
+    case Voice::Bad:
+        return {233,         0.7f, {{1, 0.5f, 0.14f}, {1.06f, 0.4f, 0.14f}}, 0, 0.01f, 1, 0,
+                {0, -1, -6}, 0.1f};
+    case Voice::Over:
+        return {392, 0.5f, {{1, 0.5f, 0.1f}, {2, 0.2f, 0.06f}}, 0, 0.01f, 1, 0, {0, -5}, 0.09f};
+    case Voice::Pull:
+        return {150, 0.5f, {{1, 0.4f, 0.2f}, {1.5f, 0.2f, 0.15f}}, 0.3f, 0.15f, 0.12f, -0.8f};
+    case Voice::Push:
+        return {110, 0.5f, {{1, 0.4f, 0.2f}, {1.5f, 0.2f, 0.15f}}, 0.3f, 0.15f, 0.12f, 1};
+    case Voice::Gulp:
+        return {330, 0.16f, {{1, 0.6f, 0.03f}}, 0, 0.01f, 1, 1.2f};
+    case Voice::Rumble:
+        return {62, 0.9f, {{1, 0.6f, 0.25f}, {1.48f, 0.4f, 0.2f}}, 0.8f, 0.25f, 0.06f};
+    case Voice::Boss:
+        return {98,    1.9f,          {{1, 0.7f, 0.6f}, {1.5f, 0.4f, 0.5f}, {2.02f, 0.3f, 0.3f}},
+                0.9f,  0.3f,          0.2f,
+                -0.5f, {0, 0, 7, 12}, 0.16f};
     }
     return {};
 }

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/solve/contact_lane.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+Real effectiveMass(const Motion& a, const Motion& b, Real leverA, Real leverB) {
+    const Real k =
+        a.invMass + b.invMass + a.invInertia * leverA * leverA + b.invInertia * leverB * leverB;
+    return k > 0 ? 1 / k : 0; // 0: neither can give way
+}
+
+struct PointValues {
+    Real leverA = 0;
+    Real leverB = 0;
+    Real mass = 0;
+    Real separation = 0;
+    Real impulse = 0;
+};
+
+void writePoint(ContactBlock::Point& point, std::size_t lane, const PointValues& values) {
+    point.leverA[lane] = values.leverA;
+    point.leverB[lane] = values.leverB;
+    point.mass[lane] = values.mass;
+    point.separation[lane] = values.separation;
+    point.impulse[lane] = values.impulse;
+    point.largest[lane] = 0;
+}
+
+} // namespace
+
+void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const Contact& contact,
+              Real pushSpeed) {
+    const Motion& a = bodies.motion[contact.key.bodyA];
+    const Motion& b = bodies.motion[contact.key.bodyB];
+    const Manifold& manifold = contact.manifold;
+    const Vec2 n = manifold.normal;
+    block.normalX[lane] = n.x;
+    block.normalY[lane] = n.y;
+    const auto setPoint = [&](std::size_t i) {
+        const ManifoldPoint& p = manifold.points[i];
+        if (isBlocked(a, p.armA, b, p.armB, n)) {
+            writePoint(block.points[i], lane, {.separation = p.separation});
+            return;
+        }
+        const Real leverA = cross(p.armA, n);
+        const Real leverB = cross(p.armB, n);
+        writePoint(block.points[i], lane,
+                   {leverA, leverB, effectiveMass(a, b, leverA, leverB), p.separation,
+                    contact.impulse[i].normal});
+    };
+    setPoint(0);
+    Vec2 meanA = manifold.points[0].armA;
+    Vec2 meanB = manifold.points[0].armB;
+    if (manifold.count == 2) {
+        setPoint(1);
+        meanA = Real(0.5) * (meanA + manifold.points[1].armA);
+        meanB = Real(0.5) * (meanB + manifold.points[1].armB);
+    } else {
+        writePoint(block.points[1], lane, {});
+    }
+    block.tangentLeverA[lane] = cross(meanA, perp(n));
+    block.tangentLeverB[lane] = cross(meanB, perp(n));
+    block.tangentMass[lane] =
+        effectiveMass(a, b, block.tangentLeverA[lane], block.tangentLeverB[lane]);
+    block.friction[lane] = contact.friction;
+    block.staticFriction[lane] = contact.material.staticFriction;
+    block.kineticFriction[lane] = contact.material.kineticFriction;
+    block.pushSpeed[lane] = pushSpeed;
+    block.total[lane] = 0;
+}
+
+void fillLane(RollingBlock& block, std::size_t lane, const Bodies& bodies, const Contact& contact) {
+    const Motion& a = bodies.motion[contact.key.bodyA];
+    const Motion& b = bodies.motion[contact.key.bodyB];
+    const Real freedom = a.invInertia + b.invInertia;
+    const bool rolls = contact.material.rollingResistance > 0 && freedom > 0;
+    const ManifoldPoint& p = contact.manifold.points[0];
+    const Real radiusA = a.invInertia > 0 ? length(p.armA) : std::numeric_limits<Real>::max();
+    const Real radiusB = b.invInertia > 0 ? length(p.armB) : std::numeric_limits<Real>::max();
+    block.lever[lane] =
+        rolls ? contact.material.rollingResistance * std::min(radiusA, radiusB) : Real(0);
+    block.mass[lane] = rolls ? 1 / freedom : Real(0);
+    block.impulse[lane] = rolls ? contact.rolling : Real(0);
+}
+
+void clearLane(ContactBlock& block, std::size_t lane) {
+    for (ContactBlock::Point& point : block.points) {
+        writePoint(point, lane, {});
+    }
+    for (ContactBlock::Each* each : {&block.normalX, &block.normalY, &block.tangentLeverA,
+                                     &block.tangentLeverB, &block.tangentMass, &block.friction}) {
+        (*each)[lane] = 0;
+    }
+}
+
+} // namespace kodo::inline KODO_PRECISION

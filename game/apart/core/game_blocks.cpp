@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// Blocks that come off what holds them: the boss's parts, and mounts that give way.
+#include <apart/core/field.hpp>
+#include <apart/core/game.hpp>
+#include <apart/core/tuning.hpp>
+
+#include <algorithm>
+
+namespace apart {
+
+using kodo::BodyId;
+using kodo::Real;
+using kodo::Vec2;
+
+namespace {
+
+/// Do two cells of the grid share a side?
+bool areNeighbours(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t low = std::min(a, b);
+    const std::uint32_t high = std::max(a, b);
+    return high - low == kColumns || (high - low == 1 && high % kColumns != 0);
+}
+
+} // namespace
+
+kodo::Transform Game::frameOf(const Block& block) const {
+    const kodo::BodyView body = world_[block.body];
+    const kodo::Transform frame{body.position(), body.rotation()};
+    return {frame * block.local, frame.rotation};
+}
+
+/// Gives the block a body of its own.
+BodyId Game::detach(std::size_t index) {
+    Block& block = blocks_[index];
+    const BodyId whole = block.body;
+    if (world_[whole].partCount() == 1) {
+        return whole;
+    }
+    const std::size_t place = block.part;
+    block.body = world_.unweld(whole, place, flagsOf(Role::Block) | kFalls);
+    block.part = 0;
+    for (Block& other : blocks_) {
+        if (other.body == whole && other.part > place) {
+            --other.part;
+        }
+    }
+    return block.body;
+}
+
+void Game::letGo(std::size_t index, LetGo::Why why) {
+    const BodyId body = detach(index);
+    Block& block = blocks_[index];
+    world_[body].setFlags(flagsOf(Role::Block) | kFalls);
+    world_[body].setMaterial(kLooseMaterial);
+    if (world_.contains(block.pin)) {
+        world_.remove(block.pin); // and its joint with it
+    }
+    block.pin = {};
+    block.hold = Hold::Loose;
+    block.looseTick = tick_;
+    events_.emplace_back(LetGo{.block = body,
+                               .key = block.key,
+                               .stuff = block.kind.stuff,
+                               .point = frameOf(block).position,
+                               .why = why});
+}
+
+void Game::judgeBoss() {
+    if (bossBlows_.empty()) {
+        return;
+    }
+    for (const BossBlow& blow : bossBlows_) {
+        const auto found = std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& block) {
+            return block.key == blow.key && block.hold == Hold::Boss;
+        });
+        if (found == blocks_.end()) {
+            continue; // two balls in one tick
+        }
+        const auto index = static_cast<std::size_t>(found - blocks_.begin());
+        if (found->kind.core) {
+            breakBlock(index, blow.point, blow.impulse);
+            continue;
+        }
+        const Real strength = found->strengthLeft;
+        letGo(index, LetGo::Why::BrokeOff);
+        Block& block = blocks_[index];
+        block.strengthLeft = kBossBreakOff * static_cast<Real>(block.kind.strength) / 1000;
+        kodo::BodyRef body = world_[block.body];
+        body.applyImpulse(impulseOnPieces(blow.impulse, strength, body.mass()), blow.point);
+    }
+    bossBlows_.clear();
+    dropUnsupported();
+}
+
+void Game::dropUnsupported() {
+    std::vector<std::size_t> boss;
+    std::vector<std::size_t> held; // a core, or joined to one by its sides
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        if (blocks_[i].hold == Hold::Boss) {
+            (blocks_[i].kind.core ? held : boss).push_back(i);
+        }
+    }
+    if (held.empty() && !boss.empty()) {
+        events_.emplace_back(BossDown{frameOf(blocks_[boss.front()]).position});
+    }
+    for (std::size_t next = 0; next < held.size(); ++next) {
+        for (std::size_t i = 0; i < boss.size();) {
+            if (areNeighbours(blocks_[held[next]].key, blocks_[boss[i]].key)) {
+                held.push_back(boss[i]);
+                boss.erase(boss.begin() + static_cast<std::ptrdiff_t>(i));
+            } else {
+                ++i;
+            }
+        }
+    }
+    for (const std::size_t index : boss) {
+        letGo(index, LetGo::Why::Unsupported);
+    }
+}
+
+const Block* Game::nextToFall() const {
+    const Block* lowest = nullptr;
+    Real height = 0;
+    for (const Block& block : blocks_) {
+        if (block.hold == Hold::Loose || !block.kind.breakable()) {
+            continue;
+        }
+        const Real y = frameOf(block).position.y;
+        if (lowest == nullptr || y < height) { // of equals the first of the grid
+            lowest = &block;
+            height = y;
+        }
+    }
+    return lowest;
+}
+
+void Game::watchProgress() {
+    if (result_ == Result::Playing && !serving() && clock_.tick()) {
+        if (const Block* block = nextToFall()) {
+            const bool boss = block->hold == Hold::Boss;
+            letGo(static_cast<std::size_t>(block - blocks_.data()), LetGo::Why::Fatigue);
+            if (boss) {
+                dropUnsupported();
+            }
+        }
+    }
+    if (patience() != shownPatience_) {
+        shownPatience_ = patience();
+        events_.emplace_back(PatienceChanged{shownPatience_});
+    }
+}
+
+Real Game::idleSeconds() const {
+    return static_cast<Real>(clock_.idleTicks()) * kTickSeconds;
+}
+
+void Game::sweepBlocks() {
+    for (std::size_t i = 0; i < blocks_.size();) {
+        const Block block = blocks_[i];
+        if (block.hold != Hold::Loose) {
+            ++i;
+            continue;
+        }
+        const Vec2 place = frameOf(block).position;
+        if (!isGone(place)) {
+            const bool old = tick_ - block.looseTick > kLooseTicks;
+            if (old && result_ == Result::Playing) { // after the end nothing counts
+                breakBlock(i, place, {});
+            } else {
+                ++i;
+            }
+            continue;
+        }
+        ledger_.removedMass += static_cast<double>(world_[block.body].mass());
+        world_.remove(block.body);
+        blocks_.erase(blocks_.begin() + static_cast<std::ptrdiff_t>(i));
+        if (block.kind.breakable() && result_ == Result::Playing) {
+            const std::int32_t points =
+                kPoints[static_cast<std::size_t>(block.kind.stuff)] / kFallDivisor;
+            --blocksLeft_;
+            score_ += points;
+            events_.emplace_back(Fell{block.kind.stuff, place, points});
+        }
+    }
+}
+
+} // namespace apart

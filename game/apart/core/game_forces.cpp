@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// The paddle's field and its magnet: what they give to bodies they take from the paddle.
+#include <apart/core/game.hpp>
+#include <apart/core/tuning.hpp>
+
+#include <algorithm>
+
+namespace apart {
+
+using kodo::BodyId;
+using kodo::Real;
+using kodo::Vec2;
+
+void Game::useForce(const Input& input) {
+    const bool wanted = input.force != Force::None && result_ == Result::Playing;
+    // Once empty, it must fill a little, or it would flicker.
+    const bool enough = input.force == force_ ? meter_ > 0 : meter_ >= kMeterStart;
+    const Force next = wanted && enough ? input.force : Force::None;
+    if (next != force_) {
+        force_ = next;
+        events_.emplace_back(ForceChanged{next});
+    }
+    if (force_ != Force::None) {
+        meter_ = std::max(meter_ - kTickSeconds / kMeterSeconds, Real(0));
+        return;
+    }
+    const Real hurry = patience() == Patience::Calm ? Real(1) : kHurry;
+    meter_ = std::min(meter_ + hurry * kTickSeconds / kRefillSeconds, Real(1));
+}
+
+Vec2 Game::draw(BodyId body, Vec2 center, Real acceleration, Real reach) {
+    kodo::BodyRef drawn = world_[body];
+    const Vec2 way = center - drawn.center();
+    const Real distance = length(way);
+    if (distance >= reach || distance <= 0) {
+        return {};
+    }
+    const Real share = (1 - distance / reach) / distance;
+    const Vec2 force = drawn.mass() * acceleration * share * way;
+    drawn.applyForce(force);
+    return kTickSeconds * force;
+}
+
+void Game::applyForces() {
+    const bool magnet = secondsLeft(Power::Magnet) > 0;
+    if (force_ == Force::None && !magnet) {
+        return;
+    }
+    const Vec2 center = world_[paddle_].position();
+    const Real pull = force_ == Force::None   ? Real(0)
+                      : force_ == Force::Pull ? kForceAcceleration
+                                              : -kForceAcceleration;
+    Vec2 given;
+    const auto use = [&](BodyId body, bool magnetic) {
+        if (pull != 0) {
+            given += draw(body, center, pull, kForceReach);
+        }
+        if (magnet && magnetic) {
+            given += draw(body, center, kMagnetAcceleration, kMagnetReach);
+        }
+    };
+    for (const Ball& ball : balls_) {
+        if (!ball.riding) {
+            use(ball.body, true);
+        }
+    }
+    for (const Part& part : parts_) {
+        if (part.state == PartState::Loose) {
+            use(part.body, true);
+        }
+    }
+    for (const Shard& shard : shards_) {
+        use(shard.body, false);
+    }
+    for (const Block& block : blocks_) {
+        if (block.hold == Hold::Loose || block.hold == Hold::Hanging) {
+            use(block.body, false);
+        }
+    }
+    pushPaddleBack(given);
+}
+
+void Game::pushPaddleBack(Vec2 impulse) {
+    ledger_.fieldImpulseX += static_cast<double>(impulse.x);
+    ledger_.fieldImpulseY += static_cast<double>(impulse.y);
+    const Real mass = world_[paddle_].mass();
+    paddleSpeed_ -= impulse.x / mass;
+    if (recoils(paddleKind())) {
+        sway_.liftSpeed -= impulse.y / mass; // else the carriage takes it
+    }
+}
+
+} // namespace apart

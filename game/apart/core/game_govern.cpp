@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// The governor's hand on the balls.
+#include <apart/core/game.hpp>
+#include <apart/core/governor.hpp>
+#include <apart/core/tuning.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apart {
+
+using kodo::BodyId;
+using kodo::Real;
+using kodo::Vec2;
+
+void Game::govern() {
+    for (Ball& ball : balls_) {
+        if (!ball.riding) {
+            governBall(ball);
+        }
+    }
+}
+
+void Game::governBall(Ball& ball) {
+    std::vector<Vec2> normals; // towards the ball
+    bool touching = false;     // also where it leaves an overlap, faster than what pushed it
+    bool rubble = false;
+    bool carried = false;
+    for (const kodo::CollisionRecord& hit : world_.collisions()) {
+        if (!hit.involves(ball.body)) {
+            continue;
+        }
+        touching = touching || hit.maxImpulse > 0 || hit.separation < 0;
+        if (hit.maxImpulse > 0) {
+            normals.push_back(hit.b == ball.body ? hit.normal : -hit.normal);
+            rubble = rubble || isRubble(hit.other(ball.body));
+            carried = carried || isBar(hit.other(ball.body));
+        }
+    }
+    const bool slow = length(world_[ball.body].velocity()) < kSwallowed * ballSpeed();
+    ball.carriedTicks = !slow ? 0 : carried ? ball.carriedTicks + 1 : ball.carriedTicks;
+    rubble = rubble || (carried && ball.carriedTicks > kCarriedTicks);
+    kodo::BodyRef body = world_[ball.body];
+    const Vec2 velocity = body.velocity();
+    Vec2 next = velocity;
+    if (!touching || (normals.empty() && slow)) { // or slides along a wall that does not push
+        next = held(velocity, ball.heading, ballSpeed());
+        const Real spin = body.angularVelocity();
+        if (std::abs(spin) > kMostSpin) {
+            body.setAngularVelocity(spin < 0 ? -kMostSpin : kMostSpin);
+            ledger_.servoWork +=
+                static_cast<double>(body.inertia() * (kMostSpin * kMostSpin - spin * spin) / 2);
+        }
+    } else if (!normals.empty()) {
+        ++ledger_.bounces;
+        if (mode_ == Mode::Standard) {
+            const Vec2 thrown =
+                rubble ? throwOff(velocity, ball.heading, normals, ballSpeed()) : velocity;
+            next = turnedFromFlat(thrown, normals);
+            ledger_.thrownBounces += thrown == velocity ? 0 : 1;
+            ledger_.bentBounces += next == thrown ? 0 : 1;
+        } else if (rubble && length(velocity) < kSwallowed * ballSpeed()) {
+            next = held(velocity, ball.heading, ballSpeed()); // faster, but where it flies
+        }
+    }
+    if (next != velocity) {
+        const Real gained = lengthSquared(next) - lengthSquared(velocity);
+        ledger_.servoWork += static_cast<double>(body.mass() * gained / 2);
+        body.setVelocity(next);
+    }
+    if (length(next) >= kHaltSpeed) {
+        ball.heading = normalize(next);
+    }
+}
+
+bool Game::isBar(BodyId body) const {
+    if (!world_.contains(body)) {
+        return false;
+    }
+    const kodo::Flags flags = world_[body].flags();
+    return roleOf(flags) == Role::Obstruction && (flags & kodo::kLocked) != kodo::kLocked;
+}
+
+bool Game::isRubble(BodyId body) const {
+    if (!world_.contains(body)) {
+        return false;
+    }
+    const Role role = roleOf(world_[body].flags());
+    return role == Role::Shard || role == Role::Part;
+}
+
+} // namespace apart

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// What stands in the field when a game begins, and the boss's way.
+#include <apart/core/field.hpp>
+#include <apart/core/game.hpp>
+#include <apart/core/tuning.hpp>
+
+#include <algorithm>
+
+namespace apart {
+
+using kodo::BodyId;
+using kodo::Real;
+using kodo::Vec2;
+
+void Game::buildField() {
+    renewFields();
+    for (const kodo::BodyDef& def : wallDefs()) {
+        walls_.push_back(world_.add(def));
+    }
+}
+
+void Game::buildBlocks() {
+    for (const Cell& cell : level_->cells) {
+        const BlockKind& kind = level_->kinds[cell.kind];
+        Block block{.kind = kind,
+                    .strengthLeft = static_cast<Real>(kind.strength) / 1000,
+                    .key = static_cast<std::uint32_t>(cell.row * kColumns + cell.column),
+                    .hold = kind.hold};
+        if (kind.hold == Hold::Boss) {
+            block.local = centerOf(cell); // until buildBoss
+        } else {
+            block.body = world_.add(blockDef(kind, centerOf(cell)));
+        }
+        if (kind.hold == Hold::Hanging) {
+            hang(block);
+        }
+        blocks_.push_back(block);
+        blocksAtStart_ += kind.breakable() ? 1 : 0;
+    }
+    blocksLeft_ = blocksAtStart_;
+}
+
+void Game::hang(Block& block) {
+    const Vec2 up{0, static_cast<Real>(block.kind.arm) / 1000};
+    kodo::BodyRef body = world_[block.body];
+    body.setFlags(flagsOf(Role::Block) | kFalls);
+    block.pin = world_.add(pinDef(body.position() + up));
+    world_.add(kodo::Pin{.ends = {.a = block.pin, .b = block.body, .anchorB = up},
+                         .motorTorque = kHingeTorque});
+}
+
+void Game::buildBoss() {
+    Vec2 low{kFieldWidth, kFieldHeight};
+    Vec2 high{-kFieldWidth, 0};
+    for (const Block& block : blocks_) {
+        if (block.hold == Hold::Boss) {
+            low = {std::min(low.x, block.local.x), std::min(low.y, block.local.y)};
+            high = {std::max(high.x, block.local.x), std::max(high.y, block.local.y)};
+        }
+    }
+    const Vec2 middle = (low + high) / Real(2);
+    bossHome_ = middle.x;
+    for (Block& block : blocks_) {
+        if (block.hold != Hold::Boss) {
+            continue;
+        }
+        block.local -= middle;
+        kodo::BodyDef def = blockDef(block.kind, middle);
+        const kodo::Box box{kCellWidth, kCellHeight, block.local};
+        if (world_.contains(boss_)) {
+            block.part = world_.weld(boss_, box, def.material, def.density);
+        } else {
+            def.shape = box;
+            boss_ = world_.add(def);
+        }
+        block.body = boss_;
+    }
+}
+
+void Game::buildObstructions() {
+    for (const ObstructionDef& def : level_->obstructions) {
+        Obstruction obstruction{.kind = def.kind, .body = world_.add(obstructionDef(def))};
+        const auto speed = static_cast<Real>(def.speed) / 1000;
+        if (def.kind == ObstructionKind::Bumper) {
+            obstruction.kick = speed;
+        }
+        if (def.kind == ObstructionKind::Motor) {
+            obstruction.pivot = world_.add(pivotDef(world_[obstruction.body].position()));
+            world_.add(kodo::Pin{.ends = {.a = obstruction.pivot, .b = obstruction.body},
+                                 .motorSpeed = speed,
+                                 .motorTorque = kMotorTorque});
+        }
+        obstructions_.push_back(obstruction);
+    }
+}
+
+void Game::driveBoss() {
+    if (!boss() || level_->bossSpeed == 0) {
+        return;
+    }
+    kodo::BodyRef body = world_[boss_];
+    const kodo::Aabb bounds = body.bounds();
+    const Vec2 place = body.position();
+    const auto drift = static_cast<Real>(level_->bossDrift) / 1000;
+    // It turns at the walls too, however far it would drift.
+    const Real left = std::max(bossHome_ - drift, place.x - bounds.lower.x - kFieldWidth / 2);
+    const Real right = std::min(bossHome_ + drift, place.x - bounds.upper.x + kFieldWidth / 2);
+    const Real way = static_cast<Real>(bossWay_ * level_->bossSpeed) / 1000 * kTickSeconds;
+    const Real next = std::clamp(place.x + way, std::min(left, place.x), std::max(right, place.x));
+    if (next <= left || next >= right) {
+        bossWay_ = next <= left ? 1 : -1;
+    }
+    body.moveTo({next, place.y}, kTickSeconds);
+}
+
+std::optional<BodyId> Game::boss() const {
+    const bool lives = std::any_of(blocks_.begin(), blocks_.end(),
+                                   [](const Block& block) { return block.hold == Hold::Boss; });
+    return lives ? std::optional(boss_) : std::nullopt;
+}
+
+} // namespace apart

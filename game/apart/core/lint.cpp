@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/field.hpp>
+#include <apart/core/lint.hpp>
+#include <apart/core/tuning.hpp>
+#include <apart/core/watch.hpp>
+#include <kodo/world/queries.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apart {
+
+using kodo::Real;
+using kodo::Vec2;
+
+namespace {
+
+// The ball is moved in steps of this (m), so that its middle comes to that of every row and column.
+constexpr Real kStride = Real(0.1);
+// Where it fits so much larger (m), the smaller true ball fits between two such places as well: a
+// corner can reach kStride^2 / (8 kBallRadius) = 0.0042 m into the way between them.
+constexpr Real kSpare = Real(0.01);
+constexpr int kAcross = 241;  // places, from wall to wall
+constexpr int kUp = 181;      // places, from the paddle's floor to the top
+constexpr int kServeRow = 25; // place above the paddle where the flood begins
+constexpr int kServeColumn = kAcross / 2;
+
+// Visits of bodies and contacts per tick. A level twice as busy would still be played in real time
+// by a machine ten times slower than the one that the levels were made on.
+constexpr std::uint64_t kMostWork = 4000;
+
+Vec2 placeOf(int column, int row) {
+    return {static_cast<Real>(column) * kStride - kFieldWidth / 2,
+            static_cast<Real>(row) * kStride};
+}
+
+/// Which of the places a ball can come to.
+class Flood {
+public:
+    Flood(const kodo::World& world, const Level& level)
+        : world_(world), level_(level), seen_(kAcross * kUp, kUnknown) {
+        visit(kServeColumn, kServeRow);
+        while (!open_.empty()) {
+            const int place = open_.back();
+            open_.pop_back();
+            const int column = place % kAcross;
+            const int row = place / kAcross;
+            go(column, row, -1, 0);
+            go(column, row, 1, 0);
+            go(column, row, 0, -1);
+            go(column, row, 0, 1);
+        }
+    }
+
+    /// Can the middle of a ball come to some place inside the cell?
+    bool reaches(const Cell& cell) const {
+        const Vec2 center = centerOf(cell);
+        const Vec2 half{kCellWidth / 2, kCellHeight / 2};
+        const auto index = [](Real way) { return static_cast<int>(way / kStride); };
+        const int last = std::min(index(center.x + half.x + kFieldWidth / 2), kAcross - 1);
+        const int top = std::min(index(center.y + half.y), kUp - 1);
+        for (int row = index(center.y - half.y) + 1; row <= top; ++row) {
+            for (int column = index(center.x - half.x + kFieldWidth / 2); column <= last;
+                 ++column) {
+                if (seen_[indexOf(column, row)] == kFree) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+private:
+    static constexpr char kUnknown = 0;
+    static constexpr char kFree = 1;
+    static constexpr char kTaken = 2;
+
+    static std::size_t indexOf(int column, int row) {
+        return static_cast<std::size_t>(row * kAcross + column);
+    }
+
+    void go(int column, int row, int right, int up) {
+        const Vec2 from = placeOf(column, row);
+        const Vec2 to = placeOf(column + right, row + up);
+        const bool shut = std::any_of(
+            level_.obstructions.begin(), level_.obstructions.end(), [&](const ObstructionDef& def) {
+                return def.kind == ObstructionKind::Gate && isShut(def, from, to);
+            });
+        if (!shut) {
+            visit(column + right, row + up);
+        }
+    }
+
+    /// Does the ball come to the gate from its front?
+    static bool isShut(const ObstructionDef& gate, Vec2 from, Vec2 to) {
+        const bool level = gate.facing == Facing::Up || gate.facing == Facing::Down;
+        const Real side = gate.facing == Facing::Up || gate.facing == Facing::Right ? 1 : -1;
+        const Vec2 middle{static_cast<Real>(gate.x) / 1000, static_cast<Real>(gate.y) / 1000};
+        const auto across = [&](Vec2 p) {
+            return side * (level ? p.y - middle.y : p.x - middle.x);
+        };
+        const Real along = level ? from.x - middle.x : from.y - middle.y;
+        return across(from) >= 0 && across(to) < 0 &&
+               std::abs(along) <= static_cast<Real>(gate.size) / 2000 + kBallRadius;
+    }
+
+    void visit(int column, int row) {
+        if (column < 0 || column >= kAcross || row < 0 || row >= kUp) {
+            return;
+        }
+        char& mark = seen_[indexOf(column, row)];
+        if (mark == kUnknown) {
+            mark =
+                closestPoint(world_, placeOf(column, row), kBallRadius + kSpare) ? kTaken : kFree;
+            if (mark == kFree) {
+                open_.push_back(row * kAcross + column);
+            }
+        }
+    }
+
+    const kodo::World& world_;
+    const Level& level_;
+    std::vector<char> seen_;
+    std::vector<int> open_;
+};
+
+/// What stays where it is for ever: walls, steel, and obstructions that do not turn. Gates are left
+/// to the flood. The armour of a boss counts, since it must leave a way to what it covers.
+kodo::World lastingWorld(const Level& level) {
+    kodo::World world;
+    for (const kodo::BodyDef& def : wallDefs()) {
+        world.add(def);
+    }
+    for (const ObstructionDef& def : level.obstructions) {
+        if (def.kind != ObstructionKind::Gate && def.kind != ObstructionKind::Motor) {
+            world.add(obstructionDef(def));
+        }
+    }
+    for (const Cell& cell : level.cells) {
+        const BlockKind& kind = level.kinds[cell.kind];
+        if (!kind.breakable() && kind.hold != Hold::Hanging) {
+            world.add(blockDef(kind, centerOf(cell)));
+        }
+    }
+    return world;
+}
+
+std::string secondsText(std::uint32_t ticks) {
+    return std::to_string(ticks / kTicksPerSecond) + " s";
+}
+
+std::string cellText(const Cell& cell) {
+    return "row " + std::to_string(cell.row + 1) + ", column " + std::to_string(cell.column + 1);
+}
+
+void judgeReach(LintReport& report) {
+    for (const Cell& cell : report.outOfReach) {
+        report.problems.push_back("no ball can come to the block in " + cellText(cell));
+    }
+}
+
+void judgeRun(const BotRun& run, LintReport& report) {
+    const std::string who = "the bot's game with seed " + std::to_string(run.seed);
+    if (run.result == Result::Lost) {
+        report.problems.push_back(who + " is lost after " + secondsText(run.ticks));
+    } else if (run.result == Result::Playing) {
+        report.problems.push_back(who + " is not won after " + secondsText(run.ticks));
+    }
+    if (run.longestWait > report.waitBound + 1) {
+        report.problems.push_back("in " + who + " no block took harm for " +
+                                  secondsText(run.longestWait));
+    }
+    if (run.faults > 0) {
+        report.problems.push_back("in " + who +
+                                  " a ball halted, escaped or left its straight path");
+    }
+}
+
+} // namespace
+
+BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks, BotKind kind) {
+    Game game(level, seed);
+    Watch watch;
+    BotRun run{.seed = seed};
+    while (game.result() == Result::Playing && game.ticks() < mostTicks) {
+        game.tick(bot(game, kind));
+        watch.look(game);
+        run.mostBodies = std::max(run.mostBodies, game.world().bodyCount());
+        run.work += game.world().bodyVisits() + game.world().contactVisits();
+    }
+    run.ticks = game.ticks();
+    run.result = game.result();
+    run.livesLost = level.lives - game.lives();
+    run.longestWait = watch.longestWait();
+    run.faults = watch.halts() + watch.escapes() + watch.bends();
+    return run;
+}
+
+std::vector<Cell> outOfReach(const Level& level) {
+    const kodo::World lasting = lastingWorld(level);
+    const Flood flood(lasting, level);
+    std::vector<Cell> cells;
+    for (const Cell& cell : level.cells) {
+        if (level.kinds[cell.kind].breakable() && !flood.reaches(cell)) {
+            cells.push_back(cell);
+        }
+    }
+    return cells;
+}
+
+LintReport lint(const Level& level, const LintOptions& options) {
+    LintReport report{.level = level.name};
+    report.blocks = Game(level, 1).blocksAtStart();
+    report.outOfReach = outOfReach(level);
+    report.waitBound = kFailTicks;
+    report.clearBound = kFailTicks + kLooseTicks +
+                        kFailEvery * static_cast<std::uint32_t>(std::max(report.blocks - 1, 0));
+    judgeReach(report);
+    std::uint64_t ticks = 0;
+    std::uint64_t work = 0;
+    for (std::uint32_t seed = 1; seed <= options.seeds; ++seed) {
+        report.runs.push_back(runBot(level, seed, options.mostTicks));
+        judgeRun(report.runs.back(), report);
+        ticks += report.runs.back().ticks;
+        work += report.runs.back().work;
+    }
+    report.workPerTick = ticks > 0 ? work / ticks : 0;
+    if (report.workPerTick > kMostWork) {
+        report.problems.push_back("a tick visits " + std::to_string(report.workPerTick) +
+                                  " bodies and contacts on the mean; more than " +
+                                  std::to_string(kMostWork) + " are too many");
+    }
+    return report;
+}
+
+} // namespace apart

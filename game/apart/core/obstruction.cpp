@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// What stands in the way, as bodies.
+#include <apart/core/field.hpp>
+#include <apart/core/tuning.hpp>
+
+namespace apart {
+
+using kodo::Real;
+using kodo::Vec2;
+
+namespace {
+
+constexpr Real metres(std::int32_t thousandths) {
+    return static_cast<Real>(thousandths) / 1000;
+}
+
+/// Blocks what comes from its left hand, on the way `from` -> `to`.
+kodo::Segment gate(Real length, Facing facing) {
+    const Real half = length / 2;
+    kodo::Segment line{.oneSided = true};
+    switch (facing) {
+    case Facing::Up:
+        line.from = {-half, 0};
+        break;
+    case Facing::Down:
+        line.from = {half, 0};
+        break;
+    case Facing::Left:
+        line.from = {0, -half};
+        break;
+    case Facing::Right:
+        line.from = {0, half};
+        break;
+    }
+    line.to = -line.from;
+    return line;
+}
+
+kodo::Heightmap ground(const ObstructionDef& def) {
+    kodo::Heightmap hills{{}, metres(def.spacing), {}};
+    for (const std::int32_t height : def.heights) {
+        hills.heights.push_back(metres(height));
+    }
+    return hills;
+}
+
+} // namespace
+
+kodo::BodyDef obstructionDef(const ObstructionDef& def) {
+    kodo::BodyDef body{.position = {metres(def.x), metres(def.y)},
+                       .material = kObstructionMaterial,
+                       .flags = kodo::kLocked | flagsOf(Role::Obstruction)};
+    switch (def.kind) {
+    case ObstructionKind::Bumper:
+    case ObstructionKind::Pin:
+        body.shape = kodo::Circle{metres(def.size)};
+        break;
+    case ObstructionKind::Motor:
+        // It turns through mounted blocks, or it would jam.
+        body.shape = kodo::Box{metres(def.size), kBarThickness};
+        body.density = kBarDensity;
+        body.flags = flagsOf(Role::Obstruction) | kodo::kNeverRest | kodo::kMatchAny;
+        body.required = static_cast<std::uint16_t>(flagsOf(Role::Ball) | kFalls);
+        break;
+    case ObstructionKind::Gate:
+        body.shape = gate(metres(def.size), def.facing);
+        break;
+    case ObstructionKind::Ground:
+        body.shape = ground(def);
+        break;
+    }
+    return body;
+}
+
+kodo::BodyDef pinDef(Vec2 place) {
+    return {.shape = kodo::Circle{kPinRadius},
+            .position = place,
+            .material = kObstructionMaterial,
+            .flags = kodo::kLocked | flagsOf(Role::Obstruction)};
+}
+
+kodo::BodyDef pivotDef(Vec2 place) {
+    kodo::BodyDef def = pinDef(place);
+    def.flags |= kodo::kDisabled;
+    return def;
+}
+
+} // namespace apart

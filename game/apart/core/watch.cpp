@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/tuning.hpp>
+#include <apart/core/watch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apart {
+
+using kodo::Real;
+using kodo::Vec2;
+
+namespace {
+
+constexpr std::uint32_t kSlowTicks = kTicksPerSecond / 2; // between rubble and paddle, at most
+// Sine of the turn in one tick that rounding may make: the servo scales both coordinates, each to
+// 2^-24 of it in float, and a contact close by that does not push is solved to as little.
+constexpr Real kStraight = Real(2e-6);
+
+bool touches(const Game& game, kodo::BodyId ball) {
+    const auto hits = game.world().collisions();
+    return std::any_of(hits.begin(), hits.end(), [&](const kodo::CollisionRecord& hit) {
+        return hit.involves(ball) && (hit.maxImpulse > 0 || hit.separation < 0);
+    });
+}
+
+/// Does anything pull at balls by right? Then their paths may bend.
+bool isPulled(const Game& game) {
+    const auto effects = game.effects();
+    return game.force() != Force::None || game.windSpeed() != 0 || !game.level().wells.empty() ||
+           std::any_of(effects.begin(), effects.end(), [](const Effect& effect) {
+               return effect.power == Power::Magnet || effect.power == Power::Well ||
+                      effect.power == Power::Wind;
+           });
+}
+
+bool isOutside(Vec2 place) {
+    return std::abs(place.x) > kFieldWidth / 2 || place.y > kFieldHeight;
+}
+
+} // namespace
+
+void Watch::look(const Game& game) {
+    ++ticks_;
+    const bool pulled = isPulled(game);
+    free_ = !pulled && !pulled_; // what ended in this tick may still have pulled in it
+    pulled_ = pulled;
+    next_.clear();
+    escapes_ += static_cast<std::uint32_t>(game.world().frozenBodies().size());
+    for (const Ball& ball : game.balls()) {
+        if (!ball.riding) {
+            const auto before = std::find_if(tracks_.begin(), tracks_.end(),
+                                             [&](const Track& t) { return t.body == ball.body; });
+            follow(game, ball, before == tracks_.end() ? nullptr : &*before);
+        }
+    }
+    tracks_.swap(next_);
+    count(game);
+}
+
+void Watch::follow(const Game& game, const Ball& ball, const Track* before) {
+    const kodo::BodyView body = game.world()[ball.body];
+    Track now{ball.body, body.velocity()};
+    const Real speed = length(now.velocity);
+    if (speed < game.ballSpeed() / 2) {
+        now.slowTicks = before != nullptr ? before->slowTicks + 1 : 1;
+        halts_ += now.slowTicks == kSlowTicks ? 1 : 0;
+    }
+    if (isOutside(body.position())) {
+        ++escapes_;
+    }
+    // What hardly moves sets off anew, along its last heading.
+    const bool flew = before != nullptr && length(before->velocity) >= kHaltSpeed;
+    if (flew && free_ && !touches(game, ball.body)) {
+        ++freeTicks_;
+        const Real turn = std::abs(cross(before->velocity, now.velocity));
+        const bool back = dot(before->velocity, now.velocity) < 0;
+        if (back || turn > kStraight * length(before->velocity) * speed) {
+            ++bends_;
+        }
+    }
+    next_.push_back(now);
+}
+
+void Watch::count(const Game& game) {
+    bool progress = tracks_.empty();
+    for (const Event& event : game.events()) {
+        progress = progress || std::holds_alternative<Cracked>(event) ||
+                   std::holds_alternative<Broke>(event) || std::holds_alternative<LetGo>(event);
+    }
+    wait_ = progress || game.result() != Result::Playing ? 0 : wait_ + 1;
+    longestWait_ = std::max(longestWait_, wait_);
+}
+
+} // namespace apart

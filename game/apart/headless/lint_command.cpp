@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/assets.hpp>
+#include <apart/core/tuning.hpp>
+#include <apart/headless/lint_command.hpp>
+#include <apart/headless/refusal.hpp>
+#include <apart/headless/report.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace apart {
+
+namespace {
+
+/// What the bot's games of a level came to.
+struct Summary {
+    std::uint32_t won = 0;
+    std::uint64_t ticks = 0;
+    std::int32_t livesLost = 0;
+    std::uint32_t longestWait = 0;
+    std::size_t mostBodies = 0;
+};
+
+Summary summaryOf(const LintReport& report) {
+    Summary sum;
+    for (const BotRun& run : report.runs) {
+        sum.won += run.result == Result::Won ? 1 : 0;
+        sum.ticks += run.ticks;
+        sum.livesLost += run.livesLost;
+        sum.longestWait = std::max(sum.longestWait, run.longestWait);
+        sum.mostBodies = std::max(sum.mostBodies, run.mostBodies);
+    }
+    return sum;
+}
+
+double seconds(std::uint64_t ticks) {
+    return static_cast<double>(ticks) / kTicksPerSecond;
+}
+
+double meanSeconds(const Summary& sum, const LintReport& report) {
+    return report.runs.empty() ? 0 : seconds(sum.ticks) / static_cast<double>(report.runs.size());
+}
+
+void printHead() {
+    fmt::print("{:<20} {:>6} {:>7} {:>12} {:>13} {:>9} {:>10} {:>6} {:>10} {:>7} {:>10}\n", "level",
+               "blocks", "reached", "waits s, <=", "clears s, <=", "bot wins", "in s, mean", "lost",
+               "waited s", "bodies", "work/tick");
+}
+
+void printRow(const LintReport& report) {
+    const Summary sum = summaryOf(report);
+    fmt::print("{:<20} {:>6} {:>7} {:>12.0f} {:>13.0f} {:>9} {:>10.1f} {:>6} {:>10.1f} {:>7} "
+               "{:>10}{}\n",
+               report.level, report.blocks,
+               report.blocks - static_cast<int>(report.outOfReach.size()),
+               seconds(report.waitBound), seconds(report.clearBound),
+               fmt::format("{} of {}", sum.won, report.runs.size()), meanSeconds(sum, report),
+               sum.livesLost, seconds(sum.longestWait), sum.mostBodies, report.workPerTick,
+               report.passed() ? "" : "  FAILED");
+}
+
+std::string asJson(const LintReport& report) {
+    const Summary sum = summaryOf(report);
+    std::string text = fmt::format(
+        R"({{"level": "{}", "passed": {}, "blocks": {}, "outOfReach": {}, "waitBoundTicks": {}, )"
+        R"("clearBoundTicks": {}, "games": {}, "won": {}, "meanTicks": {}, "livesLost": {}, )"
+        R"("longestWaitTicks": {}, "mostBodies": {}, "workPerTick": {}, "problems": [)",
+        report.level, report.passed(), report.blocks, report.outOfReach.size(), report.waitBound,
+        report.clearBound, report.runs.size(), sum.won,
+        report.runs.empty() ? 0 : sum.ticks / report.runs.size(), sum.livesLost, sum.longestWait,
+        sum.mostBodies, report.workPerTick);
+    for (std::size_t i = 0; i < report.problems.size(); ++i) {
+        // The sentences hold no character that JSON would want escaped.
+        text += fmt::format(R"({}"{}")", i == 0 ? "" : ", ", report.problems[i]);
+    }
+    return text + "]}";
+}
+
+} // namespace
+
+int runLint(const LintCommand& command) {
+    const std::vector<std::string> names = command.levels.empty() ? levelNames() : command.levels;
+    std::vector<Level> levels; // all are read before the first is played
+    for (const std::string& name : names) {
+        levels.push_back(valueOrRefuse(loadLevel(name)));
+    }
+    if (levels.empty()) {
+        throw Refusal{assetsFolder().string() + ": there are no levels in it"};
+    }
+    std::vector<LintReport> failed;
+    std::string json;
+    if (!command.json) {
+        printHead();
+    }
+    for (const Level& level : levels) {
+        LintReport report = lint(level, command.options);
+        if (command.json) {
+            json += (json.empty() ? "" : ",\n ") + asJson(report);
+        } else {
+            printRow(report);
+        }
+        if (!report.passed()) {
+            failed.push_back(std::move(report));
+        }
+    }
+    if (command.json) {
+        fmt::print("{{\"passed\": {}, \"levels\": [\n {}]}}\n", failed.empty(), json);
+    }
+    for (const LintReport& report : failed) {
+        for (const std::string& problem : report.problems) {
+            fmt::print(stderr, "{}: {}.\n", report.level, problem);
+        }
+    }
+    if (!command.json && failed.empty()) {
+        fmt::print("All {} levels pass.\n", levels.size());
+    }
+    return failed.empty() ? 0 : 1;
+}
+
+} // namespace apart

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/assets.hpp>
+#include <apart/core/bot.hpp>
+#include <apart/core/endless.hpp>
+#include <apart/core/tuning.hpp>
+#include <apart/core/watch.hpp>
+#include <apart/headless/refusal.hpp>
+#include <apart/headless/report.hpp>
+#include <apart/headless/soak_command.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <functional>
+#include <memory>
+
+namespace apart {
+
+namespace {
+
+constexpr std::uint32_t kShowEvery = 2048; // ticks
+
+/// What the games of one level came to, or those of all.
+struct Tally {
+    std::string level;
+    std::uint32_t games = 0;
+    std::uint32_t won = 0;
+    std::uint32_t lost = 0;
+    std::uint32_t unfinished = 0; // after the longest game
+    std::uint64_t ticks = 0;
+    std::uint64_t wonTicks = 0;
+    std::uint64_t freeTicks = 0;
+    std::int64_t livesLost = 0;
+    std::uint32_t halts = 0;
+    std::uint32_t escapes = 0;
+    std::uint32_t bends = 0;
+    std::uint32_t longestWait = 0;
+    std::uint64_t bounces = 0;       // of balls, in Mode::Standard
+    std::uint64_t bentBounces = 0;   // of these: turned from flat
+    std::uint64_t thrownBounces = 0; // and thrown off rubble
+    std::uint64_t bentInPure = 0;    // in Mode::Pure: there must be none
+    double gameSeconds = 0;          // of one core, in Game::tick alone
+
+    void add(const Tally& other) {
+        games += other.games;
+        won += other.won;
+        lost += other.lost;
+        unfinished += other.unfinished;
+        ticks += other.ticks;
+        wonTicks += other.wonTicks;
+        freeTicks += other.freeTicks;
+        livesLost += other.livesLost;
+        halts += other.halts;
+        escapes += other.escapes;
+        bends += other.bends;
+        longestWait = std::max(longestWait, other.longestWait);
+        bounces += other.bounces;
+        bentBounces += other.bentBounces;
+        thrownBounces += other.thrownBounces;
+        bentInPure += other.bentInPure;
+        gameSeconds += other.gameSeconds;
+    }
+    bool clean() const {
+        return halts == 0 && escapes == 0 && bends == 0 && bentInPure == 0 &&
+               longestWait <= kFailTicks + 1;
+    }
+    double microsecondsPerTick() const {
+        return ticks > 0 ? 1e6 * gameSeconds / static_cast<double>(ticks) : 0;
+    }
+    double meanWin() const { // s
+        return won > 0 ? static_cast<double>(wonTicks) / won / kTicksPerSecond : 0;
+    }
+};
+
+double cpuSeconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct Match {
+    std::shared_ptr<const Level> level;
+    std::uint32_t seed = 1;
+    BotKind player = BotKind::Good;
+    Mode mode = Mode::Standard;
+};
+
+/// One game, until it ends or the ticks are over.
+Tally soak(const Match& match, std::uint64_t mostTicks,
+           const std::function<void(std::uint32_t)>& show) {
+    Game game(match.level, match.seed, match.mode);
+    Watch watch;
+    Tally tally{.level = match.level->name, .games = 1};
+    while (game.result() == Result::Playing && game.ticks() < mostTicks) {
+        const Input input = bot(game, match.player);
+        const double start = cpuSeconds();
+        game.tick(input);
+        tally.gameSeconds += cpuSeconds() - start;
+        watch.look(game);
+        if (game.ticks() % kShowEvery == 0) {
+            show(game.ticks());
+        }
+    }
+    tally.ticks = game.ticks();
+    tally.won = game.result() == Result::Won ? 1 : 0;
+    tally.lost = game.result() == Result::Lost ? 1 : 0;
+    tally.wonTicks = tally.won * tally.ticks;
+    tally.freeTicks = watch.freeTicks();
+    tally.livesLost = match.level->lives - game.lives();
+    tally.halts = watch.halts();
+    tally.escapes = watch.escapes();
+    tally.bends = watch.bends();
+    tally.longestWait = watch.longestWait();
+    const Ledger& ledger = game.ledger();
+    if (match.mode == Mode::Pure) {
+        tally.bentInPure = ledger.bentBounces + ledger.thrownBounces;
+    } else {
+        tally.bounces = ledger.bounces;
+        tally.bentBounces = ledger.bentBounces;
+        tally.thrownBounces = ledger.thrownBounces;
+    }
+    if (!tally.clean()) {
+        fmt::print(stderr,
+                   "{}, seed {}, {} player, {}: {} halts, {} escapes, {} bent flights, {} bent "
+                   "bounces in pure mode, {} ticks without damage.\n",
+                   match.level->name, match.seed, kBotNames[static_cast<std::size_t>(match.player)],
+                   kModeNames[static_cast<std::size_t>(match.mode)], tally.halts, tally.escapes,
+                   tally.bends, tally.bentInPure, tally.longestWait);
+    }
+    return tally;
+}
+
+std::string asJson(const Tally& tally) {
+    return fmt::format(
+        R"({{"level": "{}", "games": {}, "won": {}, "lost": {}, "unfinished": {}, "ticks": {}, )"
+        R"("freeFlightTicks": {}, "meanWinSeconds": {:.1f}, "livesLost": {}, "halts": {}, )"
+        R"("escapes": {}, "bends": {}, "longestWaitTicks": {}, "bounces": {}, "bentBounces": {}, )"
+        R"("thrownBounces": {}, "bentBouncesInPure": {}, "microsecondsPerTick": {:.1f}}})",
+        tally.level, tally.games, tally.won, tally.lost, tally.unfinished, tally.ticks,
+        tally.freeTicks, tally.meanWin(), tally.livesLost, tally.halts, tally.escapes, tally.bends,
+        tally.longestWait, tally.bounces, tally.bentBounces, tally.thrownBounces, tally.bentInPure,
+        tally.microsecondsPerTick());
+}
+
+void printRow(const Tally& tally) {
+    fmt::print("{:<20} {:>6} {:>6} {:>5} {:>7} {:>10} {:>7.1f} {:>6} {:>6} {:>8} {:>6} {:>9.1f} "
+               "{:>8.1f}\n",
+               tally.level, tally.games, tally.won, tally.lost, tally.unfinished, tally.ticks,
+               tally.meanWin(), tally.livesLost, tally.halts, tally.escapes, tally.bends,
+               static_cast<double>(tally.longestWait) / kTicksPerSecond,
+               tally.microsecondsPerTick());
+}
+
+void printAll(const std::vector<Tally>& tallies, const Tally& total, bool json) {
+    if (json) {
+        fmt::print("{{\"total\": {}, \"levels\": [", asJson(total));
+        for (std::size_t i = 0; i < tallies.size(); ++i) {
+            fmt::print("{}{}", i == 0 ? "\n " : ",\n ", asJson(tallies[i]));
+        }
+        fmt::print("]}}\n");
+        return;
+    }
+    fmt::print("{:<20} {:>6} {:>6} {:>5} {:>7} {:>10} {:>7} {:>6} {:>6} {:>8} {:>6} {:>9} {:>8}\n",
+               "level", "games", "won", "lost", "cut off", "ticks", "won in", "lives", "halts",
+               "escapes", "bends", "longest", "us a");
+    fmt::print("{:>64} {:>6} {:>28} {:>8}\n", "s, mean", "lost", "wait, s", "tick");
+    for (const Tally& tally : tallies) {
+        printRow(tally);
+    }
+    printRow(total);
+    const auto share = [&](std::uint64_t count) {
+        return 100 * static_cast<double>(count) /
+               static_cast<double>(std::max(total.bounces, std::uint64_t{1}));
+    };
+    fmt::print(
+        "Of {} bounces rules turned {:.2f} % from flat and threw {:.2f} % off rubble; in pure "
+        "games {}.\n",
+        total.bounces, share(total.bentBounces), share(total.thrownBounces), total.bentInPure);
+}
+
+} // namespace
+
+int runSoak(const SoakCommand& command) {
+    std::vector<std::shared_ptr<const Level>> levels;
+    for (const std::string& name : command.levels.empty() ? levelNames() : command.levels) {
+        levels.push_back(std::make_shared<const Level>(valueOrRefuse(loadLevel(name))));
+    }
+    std::vector<Tally> tallies;
+    for (const auto& level : levels) {
+        tallies.push_back({.level = level->name});
+    }
+    if (command.endless > 0) {
+        tallies.push_back({.level = "endless"});
+    }
+    if (tallies.empty()) {
+        throw Refusal{assetsFolder().string() + ": there are no levels in it"};
+    }
+    Tally total{.level = "all"};
+    Progress progress;
+    for (std::uint32_t seed = command.firstSeed; total.ticks < command.ticks; ++seed) {
+        for (std::size_t i = 0; i < levels.size() + command.endless; ++i) {
+            if (total.ticks >= command.ticks) {
+                break;
+            }
+            const auto number = static_cast<std::uint32_t>(i - levels.size() + 1);
+            const auto level = i < levels.size()
+                                   ? levels[i]
+                                   : std::make_shared<const Level>(endlessLevel({seed, number}));
+            const std::uint64_t left =
+                std::min<std::uint64_t>(command.longestGame, command.ticks - total.ticks);
+            const std::uint32_t turn = seed - command.firstSeed;
+            const Match match{
+                level, seed, command.player.value_or(static_cast<BotKind>(turn % kBotNames.size())),
+                command.mode.value_or(static_cast<Mode>(turn % kModeNames.size()))};
+            Tally game = soak(match, left, [&](std::uint32_t ticks) {
+                progress.show(fmt::format("{}, seed {}: {} of {} ticks, {} games", level->name,
+                                          seed, total.ticks + ticks, command.ticks, total.games));
+            });
+            game.unfinished = game.ticks >= command.longestGame && game.won + game.lost == 0;
+            tallies[std::min(i, levels.size())].add(game);
+            total.add(game);
+        }
+    }
+    progress.clear();
+    printAll(tallies, total, command.json);
+    return total.clean() ? 0 : 1;
+}
+
+} // namespace apart

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/tuning.hpp>
+#include <apart/stage/block_painter.hpp>
+#include <apart/stage/field_painter.hpp>
+#include <apart/stage/palette.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace apart {
+
+namespace {
+
+constexpr Real kRim = Real(0.06);         // m, of the outline
+constexpr Real kMostSquash = Real(0.32);  // share of its size, at the hardest blow
+constexpr Real kMostStretch = Real(0.14); // at full speed
+
+/// Flattened along one direction, and as much wider across it.
+struct Squash {
+    Vec2 middle;
+    Vec2 axis{0, 1}; // unit
+    Real amount = 0; // negative: stretched
+
+    Vec2 operator()(Vec2 point) const {
+        const Vec2 arm = point - middle;
+        const Real along = dot(arm, axis);
+        return middle + (1 + Real(0.6) * amount) * arm - Real(1.6) * amount * along * axis;
+    }
+};
+
+Squash squashOf(const Moment& moment, const Ball& ball, Vec2 middle) {
+    const Blow blow = moment.juice.blowOf(ball.body);
+    const Real push = length(blow.push);
+    if (push > Real(0.05)) {
+        return {middle, blow.push / push, kMostSquash * push};
+    }
+    const Vec2 velocity = moment.game.world()[ball.body].velocity();
+    const Real speed = length(velocity);
+    if (ball.riding || speed < 1) {
+        return {middle, {0, 1}, 0};
+    }
+    const Real share_ = std::min(speed / 20, Real(1)) * share(moment.juice.settings().squash);
+    return {middle, velocity / speed, -kMostStretch * share_};
+}
+
+Color colorOf(BallKind kind) {
+    constexpr std::array<Color, kBallKindNames.size()> kColors = {
+        palette::kBall, Color{196, 208, 226}, Color{255, 226, 208}, Color{255, 240, 206},
+        Color{232, 206, 164}};
+    return kColors[static_cast<std::size_t>(kind)];
+}
+
+/// What tells the kinds apart, and shows how a ball turns.
+void paintKind(Canvas& canvas, BallKind kind, const kodo::Transform& place, const Squash& squash) {
+    const Color ink = faded(palette::kInk, 0.8f);
+    switch (kind) {
+    case BallKind::Round:
+    case BallKind::Egg:
+        return;
+    case BallKind::Heavy:
+        canvas.ring(place.position, Real(0.6) * kBallRadius, Real(0.07), ink);
+        return canvas.disc(place.position, Real(0.25) * kBallRadius, ink, ink);
+    case BallKind::Lopsided:
+        return canvas.disc(squash(place * Vec2{Real(0.45) * kBallRadius, 0}),
+                           Real(0.45) * kBallRadius, ink, ink);
+    case BallKind::Rough:
+        for (int i = 0; i < 6; ++i) {
+            const Real angle = Real(6.2831853) * static_cast<Real>(i) / 6;
+            const Vec2 spot = Real(0.62) * kBallRadius * Vec2{std::cos(angle), std::sin(angle)};
+            canvas.disc(squash(place * spot), Real(0.055), ink, ink);
+        }
+        return;
+    }
+}
+
+void paintTrail(Canvas& canvas, const Moment& moment, const Ball& ball, Vec2 now) {
+    const std::span<const Vec2> places = moment.juice.trailOf(ball.body);
+    const float strength = share(moment.juice.settings().trail);
+    if (ball.riding || places.size() < 2 || strength == 0) {
+        return;
+    }
+    canvas.setGlow(true);
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        const Vec2 to = i + 1 == places.size() ? now : places[i];
+        const Real young = static_cast<Real>(i) / static_cast<Real>(places.size());
+        canvas.line(places[i - 1], to, Real(1.7) * kBallRadius * young,
+                    faded({255, 190, 110, 255}, 0.42f * strength * young * young));
+    }
+    canvas.setGlow(false);
+}
+
+void paintBall(Canvas& canvas, const Moment& moment, const Ball& ball) {
+    const kodo::Transform place = moment.placeOf(ball.body);
+    const Vec2 center = place.position;
+    const BallKind kind = moment.game.ballKind();
+    const Squash squash = squashOf(moment, ball, center);
+    canvas.setGlow(true);
+    canvas.disc(center, Real(3.2) * kBallRadius, {255, 214, 150, 80}, {255, 214, 150, 0});
+    canvas.setGlow(false);
+    std::vector<Vec2> body = cornersOf(moment.game.world()[ball.body].part(0).convex, place);
+    for (Vec2& corner : body) {
+        corner = squash(corner);
+    }
+    canvas.outline(body, 2 * kRim, palette::kInk); // half of it lies under the body
+    const Color color = colorOf(kind);
+    const Aabb box = kodo::aabbOf(std::span<const Vec2>(body));
+    std::vector<Color> colors;
+    for (const Vec2 corner : body) {
+        const Real up = (corner.y - box.lower.y) / box.extent().y;
+        colors.push_back(mix(darker(color, 0.2f), color, up));
+    }
+    canvas.polygon(body, colors);
+    paintKind(canvas, kind, place, squash);
+    canvas.disc(center + Vec2{Real(-0.09), Real(0.09)}, Real(0.1), {255, 255, 255, 255},
+                {255, 255, 255, 0});
+}
+
+} // namespace
+
+void paintBalls(Canvas& canvas, const Moment& moment) {
+    for (const Ball& ball : moment.game.balls()) {
+        paintTrail(canvas, moment, ball, moment.placeOf(ball.body).position);
+    }
+    for (const Ball& ball : moment.game.balls()) {
+        paintBall(canvas, moment, ball);
+    }
+}
+
+} // namespace apart

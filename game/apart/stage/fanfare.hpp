@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <apart/stage/juice.hpp>
+#include <apart/stage/speaker.hpp>
+
+namespace apart {
+
+/// The feast after a cleared level: a tune, and fireworks on its beats. It ends whenever it is told
+/// to.
+class Fanfare {
+public:
+    static constexpr int kTicks = 360;
+
+    void begin() { tick_ = 0; }
+    void stop() { tick_ = kTicks; }
+    bool done() const { return tick_ >= kTicks; }
+    /// Once a tick of the game; `volume` 0..1.
+    void tick(Juice& juice, float volume, Speaker& speaker);
+
+private:
+    int tick_ = kTicks;
+};
+
+} // namespace apart

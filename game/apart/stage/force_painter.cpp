@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/tuning.hpp>
+#include <apart/stage/dice.hpp>
+#include <apart/stage/field_painter.hpp>
+#include <apart/stage/layout.hpp>
+#include <apart/stage/palette.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace apart {
+
+namespace {
+
+/// 0..1, again and again, once in so many ticks.
+Real cycle(Real time, Real ticks) {
+    return time / ticks - std::floor(time / ticks);
+}
+
+/// Streaks that fly as fast as the wind.
+void paintWind(Canvas& canvas, const Moment& moment) {
+    const Real speed = moment.game.windSpeed();
+    if (speed == 0) {
+        return;
+    }
+    const Color color = faded(palette::of(Power::Wind), 0.22f);
+    Dice dice(3);
+    for (int i = 0; i < 40; ++i) {
+        const Real y = dice.between(1, kFieldHeight - Real(0.5));
+        const Real own = dice.between(Real(0.7), Real(1.3));
+        const Real way = moment.time() * kTickSeconds * speed * own + dice.between(0, kFieldWidth);
+        const Real x = way - kFieldWidth * std::floor(way / kFieldWidth) + layout::kLeft;
+        const Real size = std::min(Real(0.25) * std::abs(speed) * own, Real(2));
+        const Vec2 tip{x, y};
+        const Vec2 tail{std::clamp(x - (speed > 0 ? size : -size), layout::kLeft, layout::kRight),
+                        y};
+        canvas.line(tail, tip, Real(0.05), color);
+    }
+}
+
+/// Rings that fall into a well, or come out of one that repels.
+void paintWell(Canvas& canvas, const Moment& moment, Vec2 middle, bool draws) {
+    const Color color = palette::of(Power::Well);
+    canvas.setGlow(true);
+    canvas.disc(middle, Real(2.6), faded(color, 0.35f), faded(color, 0));
+    for (int i = 0; i < 3; ++i) {
+        const Real t = cycle(moment.time() + Real(30) * static_cast<Real>(i), 90);
+        const Real share = draws ? 1 - t : t;
+        const float seen = 0.7f * std::sin(Real(3.14159) * t);
+        canvas.ring(middle, Real(0.3) + Real(2.2) * share, Real(0.06), faded(color, seen));
+    }
+    canvas.setGlow(false);
+    canvas.disc(middle, Real(0.3), palette::kInk, palette::kInk);
+    canvas.ring(middle, Real(0.3), Real(0.07), color);
+}
+
+/// Arcs over the paddle that fall to it or rise from it.
+void paintPaddleField(Canvas& canvas, const Moment& moment) {
+    const Force force = moment.game.force();
+    if (force == Force::None) {
+        return;
+    }
+    const Vec2 middle = moment.placeOf(moment.game.paddle()).position;
+    const Color color = force == Force::Pull ? palette::kPaddle : palette::kAccent;
+    constexpr int kPieces = 10;
+    constexpr int kArcs = 5;
+    canvas.setGlow(true);
+    for (int arc = 0; arc < kArcs; ++arc) {
+        const Real t = cycle(moment.time() + Real(12) * static_cast<Real>(arc), 60);
+        const Real radius = Real(1.6) + 6 * (force == Force::Pull ? 1 - t : t);
+        const float seen = 0.55f * std::sin(Real(3.14159) * t);
+        Vec2 before;
+        for (int i = 0; i <= kPieces; ++i) {
+            const Real angle = Real(0.7) + Real(1.7416) * static_cast<Real>(i) / kPieces;
+            const Vec2 here = middle + radius * Vec2{std::cos(angle), std::sin(angle)};
+            if (i > 0) {
+                canvas.line(before, here, Real(0.1), faded(color, seen));
+            }
+            before = here;
+        }
+    }
+    canvas.setGlow(false);
+}
+
+} // namespace
+
+void paintForces(Canvas& canvas, const Moment& moment) {
+    paintWind(canvas, moment);
+    for (const WellDef& well : moment.game.level().wells) {
+        const Vec2 place{static_cast<Real>(well.x) / 1000, static_cast<Real>(well.y) / 1000};
+        paintWell(canvas, moment, place, well.strength > 0);
+    }
+    for (const Effect& effect : moment.game.effects()) {
+        if (effect.power == Power::Well) {
+            paintWell(canvas, moment, effect.place, true);
+        }
+    }
+    paintPaddleField(canvas, moment);
+}
+
+} // namespace apart

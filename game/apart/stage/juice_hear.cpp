@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/tuning.hpp>
+#include <apart/stage/juice.hpp>
+#include <apart/stage/marks.hpp>
+#include <apart/stage/palette.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apart {
+
+namespace {
+
+int countFor(Real weight, Real most) {
+    return static_cast<int>(weight * most + Real(0.5));
+}
+
+Color colorOf(const Struck& hit) {
+    switch (hit.what) {
+    case Role::Paddle:
+        return palette::kPaddle;
+    case Role::Block:
+    case Role::Shard:
+        return palette::of(hit.stuff);
+    default:
+        return palette::kQuiet;
+    }
+}
+
+/// A word for a long chain of blocks, at its milestones.
+std::string_view praiseOf(int combo) {
+    switch (combo) {
+    case 5:
+        return "chain of five";
+    case 8:
+        return "chain of eight!";
+    case 12:
+        return "a dozen!";
+    case 20:
+        return "twenty in a row!";
+    default:
+        return {};
+    }
+}
+
+} // namespace
+
+void Juice::blast(Vec2 point, Color color, int count, Real speed) {
+    burst({point, {}, color, count, speed, Real(0.6), Real(0.09)});
+}
+
+void Juice::firework(Vec2 place, Color color) {
+    burst({place, {}, color, 70, 14, Real(1.6), Real(0.15)});
+    burst({place, {}, lighter(color, 0.5f), 24, 7, Real(1.1), Real(0.1)});
+}
+
+void Juice::hear(const Game&, const Struck& hit) {
+    const Real weight = weightOf(hit.impulse);
+    if (weight < Real(0.12)) {
+        return; // rolling and resting
+    }
+    burst(
+        {hit.point, hit.normal, lighter(colorOf(hit), 0.3f), countFor(weight, 10), 3 + 6 * weight});
+    heat(nameOf(hit.other), -weight * hit.normal);
+    heat(nameOf(hit.ball), weight * hit.normal);
+}
+
+void Juice::hear(const Game& game, const Cracked& hit) {
+    heat(nameOfBlock(hit.key), {});
+    burst({hit.point, {}, palette::of(hit.stuff), countFor(weightOf(hit.impulse), 12), 5});
+    for (const Block& block : game.blocks()) {
+        if (block.key == hit.key) {
+            const kodo::BodyView body = game.world()[block.body];
+            cracks_.add(hit.key, body.part(block.part).convex, toLocal(body.placement(), hit.point),
+                        1 - hit.strengthLeft);
+        }
+    }
+}
+
+void Juice::hear(const Game&, const Broke& hit) {
+    const Real weight = weightOf(hit.impulse);
+    cracks_.forget(hit.key);
+    burst({hit.point,
+           {},
+           lighter(palette::of(hit.stuff), 0.35f),
+           14 + countFor(weight, 26),
+           5 + 7 * weight,
+           Real(0.7),
+           Real(0.09)});
+    push(Real(0.16) + Real(0.2) * weight);
+    const Color color = hit.combo >= 3 ? palette::kAccent : palette::kText;
+    const Real size = Real(0.45) + Real(0.025) * static_cast<Real>(std::min(hit.combo, 10));
+    pop({"", hit.center, color, size, hit.points});
+    if (const std::string_view praise = praiseOf(hit.combo); !praise.empty()) {
+        pop({std::string(praise), hit.center + Vec2{0, Real(-1.2)}, palette::kAccent, Real(0.8)});
+    }
+}
+
+void Juice::hear(const Game&, const Welded& weld) {
+    burst({weld.point, {0, 1}, palette::of(Power::Weld), 40, 8, Real(0.6)});
+    pop({"welded", weld.point + Vec2{0, Real(0.8)}, palette::of(Power::Weld), Real(0.55)});
+}
+
+void Juice::hear(const Game&, const KnockedOff& off) {
+    blast(off.point, palette::of(Power::Weld), 24, 8);
+    push(Real(0.25));
+    pop({"knocked off", off.point + Vec2{0, Real(0.8)}, palette::kQuiet, Real(0.5)});
+}
+
+void Juice::hear(const Game&, const Launched& launch) {
+    burst({launch.point, {0, -1}, palette::of(Power::Launch), 40, 10, Real(0.5)});
+    push(Real(0.3));
+}
+
+void Juice::hear(const Game&, const Spent& end) {
+    blast(end.point, palette::of(Power::Launch), 30, 9);
+}
+
+void Juice::hear(const Game&, const BallSplit& split) {
+    burst({split.point, {}, palette::of(Power::Split), 50, 10, Real(0.8)});
+    const std::string text =
+        split.balls == 1 ? "1 ball more" : std::to_string(split.balls) + " balls more";
+    pop({text, split.point + Vec2{0, Real(1.1)}, palette::of(Power::Split), Real(0.6)});
+}
+
+void Juice::hear(const Game&, const BallLost& lost) {
+    burst({{lost.point.x, 0}, {0, 1}, palette::kDanger, 40, 11, Real(0.8)});
+}
+
+void Juice::hear(const Game&, const LifeLost&) {
+    push(Real(0.7));
+    light(palette::kDanger, 0.55f);
+}
+
+void Juice::hear(const Game&, const Cleared&) {
+    light(palette::kAccent, 0.4f);
+}
+
+void Juice::hear(const Game&, const ShardBroke& hit) {
+    blast(hit.point, palette::of(hit.stuff), 3 + countFor(weightOf(hit.impulse), 8), 5);
+}
+
+void Juice::hear(const Game&, const LetGo& let) {
+    blast(let.point, palette::of(let.stuff), 16, 4);
+    push(let.why == LetGo::Why::BrokeOff ? Real(0.3) : Real(0.1));
+}
+
+void Juice::hear(const Game&, const Fell& fell) {
+    pop({"", {fell.point.x, Real(1.2)}, palette::kText, Real(0.45), fell.points});
+}
+
+void Juice::hear(const Game&, const PatienceChanged& change) {
+    if (change.patience == Patience::Shaking) {
+        pop({"the mounts give way soon", {0, 5}, palette::kAccent, Real(0.6)});
+    }
+}
+
+void Juice::hear(const Game&, const BossDown& down) {
+    push(1);
+    light(palette::kAccent, 0.5f);
+    firework(down.point, palette::kDanger);
+    firework(down.point + Vec2{2, 1}, palette::kAccent);
+    firework(down.point + Vec2{-2, 1}, palette::kText);
+    pop({"boss down!", down.point + Vec2{0, Real(1.5)}, palette::kAccent, Real(1.1)});
+}
+
+void Juice::hear(const Game&, const Bumped& bump) {
+    heat(nameOf(bump.bumper), -bump.normal);
+    burst({bump.point, bump.normal, palette::kBumper, 14, 9, Real(0.4)});
+    push(Real(0.12));
+}
+
+void Juice::hear(const Game&, const PowerBegan& power) {
+    const Color color = palette::of(power.power);
+    blast(power.point, color, 40, 9);
+    pop({std::string(wordsOf(power.power)), power.point + Vec2{0, Real(0.9)}, color, Real(0.55)});
+}
+
+void Juice::hear(const Game& game, const BallChanged& change) {
+    for (Trail& trail : trails_) {
+        if (trail.ball == change.before) {
+            trail.ball = change.now;
+        }
+    }
+    if (game.world().contains(change.now)) {
+        blast(game.world()[change.now].center(), palette::kBall, 20, 6);
+    }
+}
+
+void Juice::hear(const Game&, const Leapt& leap) {
+    burst({leap.point, {0, -1}, palette::of(Power::Spring), 30, 9, Real(0.4)});
+}
+
+void Juice::hear(const Game&, const ShardCaught& shard) {
+    burst({shard.point, {0, 1}, palette::of(shard.stuff), 6, 5, Real(0.35)});
+}
+
+} // namespace apart

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/tuning.hpp>
+#include <apart/stage/hud.hpp>
+#include <apart/stage/level_select.hpp>
+#include <apart/stage/marks.hpp>
+#include <apart/stage/palette.hpp>
+#include <apart/stage/results.hpp>
+#include <apart/stage/theme_look.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace apart {
+
+namespace {
+
+constexpr std::size_t kInRow = 6;
+constexpr std::size_t kRowsInSight = 4;
+constexpr Real kLeft = Real(-14.6);
+constexpr Real kTop = Real(15.5);
+constexpr Vec2 kStep{Real(3.05), Real(3.3)}; // m, from tile to tile
+constexpr Vec2 kTile{Real(2.8), Real(2.1)};
+constexpr Real kHeader = Real(0.75); // m above the tiles of a row
+constexpr Real kPanelLeft = Real(4.7);
+constexpr Real kPanelRight = Real(14.6);
+constexpr Vec2 kNowhere{1000, 1000};
+
+std::array<Vec2, 4> cornersOf(const Aabb& box) {
+    return {box.lower, Vec2{box.upper.x, box.lower.y}, box.upper, Vec2{box.lower.x, box.upper.y}};
+}
+
+} // namespace
+
+void paintPreview(Canvas& canvas, const Level& level, const Aabb& box) {
+    const Real scale = std::min(box.extent().x / (kColumns * kCellWidth),
+                                box.extent().y / (kMostRows * kCellHeight));
+    const Vec2 cellSize = scale * Vec2{kCellWidth, kCellHeight};
+    const Vec2 corner{box.center().x - Real(0.5) * kColumns * cellSize.x, box.upper.y};
+    for (const Cell& cell : level.cells) {
+        const BlockKind& kind = level.kinds[cell.kind];
+        const Vec2 upper = corner + Vec2{cellSize.x * static_cast<Real>(cell.column),
+                                         -cellSize.y * static_cast<Real>(cell.row)};
+        const Color color = kind.power == Power::None ? palette::of(kind.stuff)
+                                                      : lighter(palette::of(kind.power), 0.2f);
+        canvas.rectangle(
+            {upper + Vec2{0, Real(-0.86) * cellSize.y}, upper + Vec2{Real(0.92) * cellSize.x, 0}},
+            darker(color, 0.2f), color);
+    }
+}
+
+LevelSelect::LevelSelect(LevelList levels) : levels_(std::move(levels)) {
+    for (std::size_t i = 0; i < levels_.size(); ++i) {
+        const bool newTheme = i == 0 || levels_[i]->theme != levels_[i - 1]->theme;
+        if (newTheme || rows_.back().count == kInRow) {
+            rows_.push_back({i, 0, newTheme});
+        }
+        ++rows_.back().count;
+    }
+}
+
+std::size_t LevelSelect::rowOf(std::size_t level) const {
+    std::size_t row = 0;
+    while (row + 1 < rows_.size() && rows_[row + 1].first <= level) {
+        ++row;
+    }
+    return row;
+}
+
+Real LevelSelect::rowTop(std::size_t row) const {
+    return kTop - kStep.y * (static_cast<Real>(row) - static_cast<Real>(topRow_));
+}
+
+Aabb LevelSelect::tile(std::size_t level) const {
+    const std::size_t row = rowOf(level);
+    if (row < topRow_ || row >= topRow_ + kRowsInSight) {
+        return {kNowhere, kNowhere};
+    }
+    const auto column = static_cast<Real>(level - rows_[row].first);
+    const Vec2 lower{kLeft + kStep.x * column, rowTop(row) - kHeader - kTile.y};
+    return {lower, lower + kTile};
+}
+
+Aabb LevelSelect::backPlace() const {
+    return {{kLeft, Real(0.2)}, {kLeft + Real(4), Real(1.2)}};
+}
+
+Aabb LevelSelect::upPlace() const {
+    const Real middle = kLeft + Real(0.5) * kInRow * kStep.x;
+    return {{middle - Real(0.8), kTop - Real(0.7)}, {middle + Real(0.8), kTop + Real(0.2)}};
+}
+
+Aabb LevelSelect::downPlace() const {
+    const Vec2 shift{0, -kStep.y * static_cast<Real>(kRowsInSight)};
+    return {upPlace().lower + shift, upPlace().upper + shift};
+}
+
+bool LevelSelect::scroll(Vec2 click) {
+    if (topRow_ > 0 && upPlace().contains(click)) {
+        choose(rows_[topRow_ - 1].first);
+        return true;
+    }
+    if (topRow_ + kRowsInSight < rows_.size() && downPlace().contains(click)) {
+        choose(rows_[topRow_ + kRowsInSight].first);
+        return true;
+    }
+    return false;
+}
+
+void LevelSelect::choose(std::size_t level) {
+    chosen_ = std::min(level, levels_.size() - 1);
+    const std::size_t row = rowOf(chosen_);
+    topRow_ = std::min(topRow_, row);
+    if (row >= topRow_ + kRowsInSight) {
+        topRow_ = row + 1 - kRowsInSight;
+    }
+}
+
+void LevelSelect::move(Command command) {
+    const std::size_t row = rowOf(chosen_);
+    const std::size_t column = chosen_ - rows_[row].first;
+    const auto inRow = [&](std::size_t other) {
+        return rows_[other].first + std::min(column, rows_[other].count - 1);
+    };
+    if (command == Command::Left && chosen_ > 0) {
+        choose(chosen_ - 1);
+    } else if (command == Command::Right && chosen_ + 1 < levels_.size()) {
+        choose(chosen_ + 1);
+    } else if (command == Command::Up && row > 0) {
+        choose(inRow(row - 1));
+    } else if (command == Command::Down && row + 1 < rows_.size()) {
+        choose(inRow(row + 1));
+    }
+}
+
+std::optional<std::size_t> LevelSelect::take(const Signals& signals) {
+    const auto under = [&](Vec2 place) -> std::optional<std::size_t> {
+        for (std::size_t i = 0; i < levels_.size(); ++i) {
+            if (tile(i).contains(place)) {
+                return i;
+            }
+        }
+        return std::nullopt;
+    };
+    if (signals.pointer) {
+        chosen_ = under(*signals.pointer).value_or(chosen_);
+    }
+    for (const Command command : signals.commands) {
+        if (command == Command::Launch || command == Command::Confirm) {
+            return chosen_;
+        }
+        move(command);
+    }
+    if (!signals.clicked || scroll(signals.pointerNow)) {
+        return std::nullopt;
+    }
+    return under(signals.pointerNow);
+}
+
+void LevelSelect::drawTile(Canvas& canvas, std::size_t level, Best best) const {
+    const Aabb box = tile(level);
+    const bool chosen = level == chosen_;
+    const Color rim = chosen ? palette::kAccent : faded(palette::kQuiet, 0.45f);
+    canvas.polygon(cornersOf(box), {10, 12, 24, 190});
+    paintPreview(canvas, *levels_[level], box.grown(Real(-0.18)));
+    canvas.outline(cornersOf(box), chosen ? Real(0.09) : Real(0.04), rim);
+    canvas.text(std::to_string(level + 1), {box.lower.x + Real(0.18), box.lower.y + Real(0.17)},
+                {Real(0.42), chosen ? palette::kAccent : palette::kQuiet, Typeface::Bold});
+    paintHonours(canvas, {box.upper.x - Real(1.3), box.lower.y + Real(0.33)}, {Real(0.5), 0},
+                 Real(0.19), best);
+}
+
+void LevelSelect::drawChosen(Canvas& canvas, const Profile& profile, double seconds) const {
+    const Level& level = *levels_[chosen_];
+    const ThemeLook& look = lookOf(level.theme);
+    canvas.text(fmt::format("LEVEL {}   {}", chosen_ + 1, look.title), {kPanelLeft, Real(14.9)},
+                {Real(0.42), look.glow});
+    Real y = Real(13.8);
+    for (const std::string& line : wrapped(level.title, 20)) {
+        canvas.text(line, {kPanelLeft, y}, {Real(0.95), palette::kText, Typeface::Bold});
+        y -= Real(1.05);
+    }
+    for (const std::string& line : wrapped(level.idea, 40)) {
+        canvas.text(line, {kPanelLeft, y}, {Real(0.46), palette::kQuiet});
+        y -= Real(0.66);
+    }
+    const Aabb box{{kPanelLeft, y - Real(4.9)}, {kPanelRight, y - Real(0.1)}};
+    canvas.polygon(cornersOf(box), {10, 12, 24, 190});
+    paintPreview(canvas, level, box.grown(Real(-0.25)));
+    y = box.lower.y - Real(0.65);
+    Real x = kPanelLeft + Real(0.3);
+    for (const Power power : powersOf(level)) {
+        const Real rise =
+            Real(0.05) * std::sin(Real(3) * static_cast<Real>(std::fmod(seconds, 628)) + x);
+        paintMark(canvas, power, {{x, y + rise}, {}}, Real(0.26), palette::of(power));
+        x += Real(0.8);
+    }
+    y -= Real(1.1);
+    constexpr std::array<const char*, 2> kNames = {"BEST", "BEST, PURE"};
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
+        const Best best = profile.bestOf(static_cast<Mode>(i), level.name);
+        const Real left = kPanelLeft + Real(5) * static_cast<Real>(i);
+        const bool counts = static_cast<Mode>(i) == profile.mode;
+        canvas.text(kNames[i], {left, y}, {Real(0.4), counts ? palette::kAccent : palette::kQuiet});
+        canvas.text(best.score > 0 ? grouped(best.score) : "-", {left, y - Real(0.9)},
+                    {Real(0.8), palette::kText, Typeface::Bold});
+        paintHonours(canvas, {left + Real(0.3), y - Real(1.6)}, {Real(0.85), 0}, Real(0.28), best);
+    }
+}
+
+void LevelSelect::drawFoot(Canvas& canvas, const Profile& profile) const {
+    int cleared = 0;
+    std::int64_t points = 0;
+    for (const auto& level : levels_) {
+        const Best best = profile.bestOf(profile.mode, level->name);
+        cleared += best.cleared ? 1 : 0;
+        points += best.score;
+    }
+    const Aabb back = backPlace();
+    canvas.text("\u2039 back (escape)", {back.lower.x, back.lower.y + Real(0.35)},
+                {Real(0.46), palette::kText});
+    canvas.text(fmt::format("{} of {} cleared, {} points in all", cleared, levels_.size(),
+                            grouped(static_cast<int>(std::min<std::int64_t>(points, 999999999)))),
+                {kPanelLeft, back.lower.y + Real(0.35)}, {Real(0.46), palette::kQuiet});
+}
+
+void LevelSelect::drawArrows(Canvas& canvas) const {
+    const TextStyle style{Real(0.6), palette::kText, Typeface::Plain, Align::Middle};
+    const auto foot = [](const Aabb& box) {
+        return Vec2{box.center().x, box.lower.y + Real(0.25)};
+    };
+    if (topRow_ > 0) {
+        canvas.text("\u25b2", foot(upPlace()), style);
+    }
+    if (topRow_ + kRowsInSight < rows_.size()) {
+        canvas.text("\u25bc", foot(downPlace()), style);
+    }
+}
+
+void LevelSelect::draw(Canvas& canvas, const Profile& profile, double seconds) const {
+    const bool pure = profile.mode == Mode::Pure;
+    canvas.text(pure ? "Choose a level (pure)" : "Choose a level", {kLeft, Real(16.6)},
+                {Real(1.2), palette::kText, Typeface::Bold});
+    const std::size_t end = std::min(topRow_ + kRowsInSight, rows_.size());
+    for (std::size_t row = topRow_; row < end; ++row) {
+        const Row& levels = rows_[row];
+        if (levels.newTheme) {
+            const ThemeLook& look = lookOf(levels_[levels.first]->theme);
+            canvas.text(look.title, {kLeft, rowTop(row) - Real(0.5)},
+                        {Real(0.46), look.glow, Typeface::Bold});
+        }
+        for (std::size_t i = levels.first; i < levels.first + levels.count; ++i) {
+            drawTile(canvas, i, profile.bestOf(profile.mode, levels_[i]->name));
+        }
+    }
+    drawArrows(canvas);
+    drawChosen(canvas, profile, seconds);
+    drawFoot(canvas, profile);
+}
+
+} // namespace apart

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <apart/core/level.hpp>
+#include <apart/stage/canvas.hpp>
+#include <apart/stage/controls.hpp>
+#include <apart/stage/profile.hpp>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace apart {
+
+using LevelList = std::vector<std::shared_ptr<const Level>>;
+
+/// A tile for each level, in rows by theme, and beside them what the chosen one is about.
+class LevelSelect {
+public:
+    explicit LevelSelect(LevelList levels);
+
+    /// The level to play, once the player has chosen.
+    std::optional<std::size_t> take(const Signals& signals);
+    void choose(std::size_t level);
+    std::size_t chosen() const { return chosen_; }
+
+    void draw(Canvas& canvas, const Profile& profile, double seconds) const;
+    /// Where the tile of a level can be clicked; far outside when its row is not in sight.
+    Aabb tile(std::size_t level) const;
+    /// A click there leads back to the title.
+    Aabb backPlace() const;
+    // A click there brings the next row into sight, where there is one.
+    Aabb upPlace() const;
+    Aabb downPlace() const;
+
+private:
+    struct Row {
+        std::size_t first = 0;
+        std::size_t count = 0;
+        bool newTheme = false;
+    };
+
+    std::size_t rowOf(std::size_t level) const;
+    Real rowTop(std::size_t row) const;
+    void move(Command command);
+    bool scroll(Vec2 click);
+    void drawArrows(Canvas& canvas) const;
+    void drawTile(Canvas& canvas, std::size_t level, Best best) const;
+    void drawChosen(Canvas& canvas, const Profile& profile, double seconds) const;
+    void drawFoot(Canvas& canvas, const Profile& profile) const;
+
+    LevelList levels_;
+    std::vector<Row> rows_;
+    std::size_t chosen_ = 0;
+    std::size_t topRow_ = 0; // the first in sight
+};
+
+/// All blocks of a level, drawn small into a box.
+void paintPreview(Canvas& canvas, const Level& level, const Aabb& box);
+
+} // namespace apart

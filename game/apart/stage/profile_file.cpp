@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include <apart/stage/profile_file.hpp>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <limits>
+
+namespace apart {
+
+namespace {
+
+constexpr std::size_t kLongestFile = std::size_t{1} << 20; // bytes
+constexpr std::array<const char*, 2> kTables = {"best", "best-pure"};
+
+/// Reads one profile and keeps the first problem that it meets.
+class ProfileReader {
+public:
+    explicit ProfileReader(const std::string& file) : file_(file) {}
+
+    Read<Profile> read(const toml::table& root) {
+        if (number(root, "format", 1, 1) != 1) {
+            return FileProblem{file_, 1, "format must be 1"};
+        }
+        for (const auto& [key, node] : root) {
+            if (key == "settings") {
+                readSettings(node);
+            } else if (key == kTables[0] || key == kTables[1]) {
+                readBests(node, profile_.best[key == kTables[1] ? 1 : 0]);
+            } else if (key != "format") {
+                fail(node, "unknown key " + std::string(key.str()));
+            }
+        }
+        return problem_ ? Read<Profile>(*problem_) : Read<Profile>(profile_);
+    }
+
+private:
+    void fail(const toml::node& node, std::string reason) {
+        if (!problem_) {
+            problem_ =
+                FileProblem{file_, static_cast<int>(node.source().begin.line), std::move(reason)};
+        }
+    }
+
+    std::int32_t number(const toml::table& table, std::string_view key, std::int32_t least,
+                        std::int32_t most) {
+        const auto* value = table.get_as<std::int64_t>(key);
+        if (value == nullptr || value->get() < least || value->get() > most) {
+            const toml::node* node = table.get(key);
+            fail(node == nullptr ? table : *node,
+                 fmt::format("{} must be a whole number from {} to {}", key, least, most));
+            return least;
+        }
+        return static_cast<std::int32_t>(value->get());
+    }
+
+    bool truth(const toml::table& table, std::string_view key) {
+        const auto* value = table.get_as<bool>(key);
+        if (value == nullptr) {
+            const toml::node* node = table.get(key);
+            fail(node == nullptr ? table : *node, fmt::format("{} must be true or false", key));
+        }
+        return value != nullptr && value->get();
+    }
+
+    void readSettings(const toml::node& node) {
+        const toml::table* table = node.as_table();
+        if (table == nullptr) {
+            return fail(node, "settings must be a table");
+        }
+        for (const auto& [key, value] : *table) {
+            const auto dial =
+                std::find_if(kDials.begin(), kDials.end(),
+                             [name = key.str()](const Dial& d) { return d.key == name; });
+            if (key == "pure") {
+                profile_.mode = truth(*table, "pure") ? Mode::Pure : Mode::Standard;
+            } else if (dial != kDials.end()) {
+                profile_.settings.*dial->value = number(*table, dial->key, dial->least, dial->most);
+            } else {
+                fail(value, "unknown key settings." + std::string(key.str()));
+            }
+        }
+    }
+
+    void readBests(const toml::node& node, std::map<std::string, Best>& bests) {
+        const toml::table* table = node.as_table();
+        if (table == nullptr) {
+            return fail(node, "best scores must be a table");
+        }
+        for (const auto& [level, value] : *table) {
+            const toml::table* best = value.as_table();
+            if (best == nullptr) {
+                fail(value, "a best score must be a table");
+                continue;
+            }
+            bests[std::string(level.str())] = {
+                number(*best, "score", 0, std::numeric_limits<std::int32_t>::max()),
+                truth(*best, "cleared"), truth(*best, "unhurt"), truth(*best, "chain")};
+        }
+    }
+
+    const std::string& file_;
+    Profile profile_;
+    std::optional<FileProblem> problem_;
+};
+
+/// A folder that the environment names; nothing unless it is a full path.
+std::optional<std::filesystem::path> folderOf(const char* variable) {
+    const char* value = std::getenv(variable);
+    if (value == nullptr || !std::filesystem::path(value).is_absolute()) {
+        return std::nullopt;
+    }
+    return std::filesystem::path(value);
+}
+
+std::filesystem::path asideOf(const std::filesystem::path& file) {
+    std::filesystem::path aside = file;
+    aside += ".broken";
+    return aside;
+}
+
+} // namespace
+
+std::optional<std::filesystem::path> profileFile() {
+    const std::filesystem::path inside = std::filesystem::path("apart") / "profile.toml";
+    for (const char* variable : {"XDG_CONFIG_HOME", "APPDATA"}) {
+        if (const auto folder = folderOf(variable)) {
+            return *folder / inside;
+        }
+    }
+    const auto home = folderOf("HOME");
+    return home ? std::optional(*home / ".config" / inside) : std::nullopt;
+}
+
+std::string toText(const Profile& profile) {
+    std::string text = "# Settings and best scores of aPart. The game writes all of it anew.\n"
+                       "format = 1\n\n[settings]\n";
+    for (const Dial& dial : kDials) {
+        text += fmt::format("{} = {}\n", dial.key, profile.settings.*dial.value);
+    }
+    text += fmt::format("pure = {}\n", profile.mode == Mode::Pure);
+    for (std::size_t i = 0; i < kTables.size(); ++i) {
+        for (const auto& [level, best] : profile.best[i]) {
+            text +=
+                fmt::format("\n[{}.{}]\nscore = {}\ncleared = {}\nunhurt = {}\nchain = {}\n",
+                            kTables[i], level, best.score, best.cleared, best.unhurt, best.chain);
+        }
+    }
+    return text;
+}
+
+Read<Profile> profileFrom(std::string_view text, const std::string& file) {
+    try {
+        return ProfileReader(file).read(toml::parse(text, file));
+    } catch (const toml::parse_error& error) {
+        return FileProblem{file, static_cast<int>(error.source().begin.line),
+                           std::string(error.description())};
+    }
+}
+
+LoadedProfile loadProfile(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) {
+        return {};
+    }
+    Read<std::string> text = readTextFile(file, kLongestFile);
+    FileProblem problem;
+    if (const auto* unread = std::get_if<FileProblem>(&text)) {
+        problem = *unread;
+    } else {
+        Read<Profile> profile = profileFrom(std::get<std::string>(text), file.string());
+        if (auto* good = std::get_if<Profile>(&profile)) {
+            return {std::move(*good), {}};
+        }
+        problem = std::get<FileProblem>(profile);
+    }
+    const std::filesystem::path aside = asideOf(file);
+    std::filesystem::rename(file, aside, error);
+    const std::string kept =
+        error ? "It cannot be renamed." : "It is kept as " + aside.filename().string() + ".";
+    return {{}, fmt::format("Settings and scores begin anew: {}. {}", problem.text(), kept)};
+}
+
+std::optional<FileProblem> saveProfile(const std::filesystem::path& file, const Profile& profile) {
+    std::error_code error;
+    std::filesystem::create_directories(file.parent_path(), error);
+    if (error) {
+        return FileProblem{file.string(), 0, "its folder cannot be made: " + error.message()};
+    }
+    return writeTextFile(file, toText(profile));
+}
+
+} // namespace apart

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/tuning.hpp>
+#include <apart/stage/backdrop.hpp>
+#include <apart/stage/layout.hpp>
+#include <apart/stage/palette.hpp>
+#include <apart/stage/results.hpp>
+#include <apart/stage/stage.hpp>
+#include <apart/stage/title.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apart {
+
+namespace {
+
+constexpr TextStyle quiet(Real height) {
+    return {height, palette::kQuiet, Typeface::Plain, Align::Middle};
+}
+
+} // namespace
+
+HudLook Stage::hudLook() const {
+    HudLook look;
+    look.levelNumber = endless_ > 0 ? static_cast<int>(endless_) : static_cast<int>(level_) + 1;
+    look.levelCount = endless_ > 0 ? 0 : static_cast<int>(def_.levels.size());
+    look.scoreBefore = endless_ > 0 ? endlessScore_ : 0;
+    look.best = endless_ > 0 ? 0 : def_.profile.bestOf(game().mode(), game().level().name).score;
+    look.muted = audible().sound == 0;
+    look.pilot = demoRuns() ? "" : def_.pilotName.c_str();
+    return look;
+}
+
+void Stage::draw(Canvas& canvas) const {
+    const bool wide = demoRuns();
+    canvas.begin(wide ? layout::kShownTitle : layout::kShown, play_->juice().shake());
+    paintBackdrop(canvas, game().level().theme, seconds_);
+    play_->draw(canvas, static_cast<Real>(std::min(owed_ * kTicksPerSecond, 1.0)));
+    if (!wide) {
+        paintHud(canvas, game(), hudLook());
+    }
+    switch (screen_) {
+    case Screen::Title:
+        return drawTitle(canvas);
+    case Screen::Levels:
+        paintVeil(canvas, faded(palette::kNight, 0.82f));
+        return select_.draw(canvas, def_.profile, seconds_);
+    case Screen::Options:
+        paintVeil(canvas, faded(palette::kNight, 0.80f));
+        canvas.text("Options", {0, Real(14.4)},
+                    {Real(1.4), palette::kText, Typeface::Bold, Align::Middle});
+        canvas.text("left and right, or a click on the bar", {0, Real(2.6)}, quiet(Real(0.42)));
+        return menu_.draw(canvas);
+    case Screen::Playing:
+        paintServeHint(canvas, game());
+        return drawFeast(canvas);
+    case Screen::Paused:
+        return drawPaused(canvas);
+    case Screen::Over:
+        return drawOver(canvas);
+    }
+}
+
+void Stage::drawTitle(Canvas& canvas) const {
+    if (attracting()) {
+        const float pulse =
+            0.6f + 0.4f * std::sin(2 * static_cast<float>(std::fmod(seconds_, 628)));
+        canvas.text("aPart", {0, Real(4.1)},
+                    {Real(1.6), palette::kAccent, Typeface::Bold, Align::Middle});
+        canvas.text("press any key", {0, Real(3.2)},
+                    {Real(0.6), faded(palette::kText, pulse), Typeface::Bold, Align::Middle});
+        return;
+    }
+    paintVeil(canvas, faded(palette::kNight, 0.74f));
+    paintTitle(canvas, seconds_);
+    menu_.draw(canvas);
+    canvas.text(def_.notice.empty() ? "arrows and enter, or the mouse      escape: quit"
+                                    : def_.notice,
+                {0, Real(0.1)}, quiet(Real(0.42)));
+}
+
+void Stage::drawFeast(Canvas& canvas) const {
+    if (game().result() != Result::Won) {
+        return;
+    }
+    const float t = std::min(static_cast<float>(endTicks_) / 30, 1.0f);
+    const Real size = Real(2.4) - Real(0.5) * t; // it lands
+    const auto line = [&](const char* text, Real y, Real height, Color color) {
+        const TextStyle shadow{height, faded(palette::kInk, t), Typeface::Bold, Align::Middle};
+        canvas.text(text, {Real(0.07), y - Real(0.07)}, shadow);
+        canvas.text(text, {0, y}, {height, faded(color, t), Typeface::Bold, Align::Middle});
+    };
+    line("Cleared!", Real(9.2), size, palette::kAccent);
+    line("space or click: on", Real(7.8), Real(0.5), palette::kText);
+}
+
+void Stage::drawPaused(Canvas& canvas) const {
+    paintVeil(canvas, faded(palette::kNight, 0.72f));
+    canvas.text("Paused", {0, Real(13)},
+                {Real(1.6), palette::kText, Typeface::Bold, Align::Middle});
+    menu_.draw(canvas);
+    Real y = Real(5.4);
+    for (const char* line : {"mouse, arrows or A and D: move      space or click: serve",
+                             "left button, down or S: pull      right button, up or W: push",
+                             "R: restart      M: sound      F3: what the engine sees"}) {
+        canvas.text(line, {0, y}, quiet(Real(0.42)));
+        y -= Real(0.7);
+    }
+}
+
+void Stage::drawOver(Canvas& canvas) const {
+    paintVeil(canvas, faded(palette::kNight, 0.72f));
+    const std::int32_t score = game().score() + (endless_ > 0 ? endlessScore_ : 0);
+    paintResults(canvas, {game(), tally_, score, before_, newBest_, overSeconds_});
+    menu_.draw(canvas);
+}
+
+} // namespace apart

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/tuning.hpp>
+#include <apart/stage/stage.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace apart {
+
+namespace {
+
+constexpr double kPercent = 100;
+
+std::string modeLabel(Mode mode) {
+    return mode == Mode::Pure ? "\u2039  Pure: no path is ever bent  \u203a"
+                              : "\u2039  Standard rules  \u203a";
+}
+
+bool anything(const Signals& signals) {
+    return signals.anyKey || !signals.commands.empty() || signals.clicked ||
+           signals.pointer.has_value();
+}
+
+} // namespace
+
+void Stage::toTitle() {
+    screen_ = Screen::Title;
+    level_ = nextToPlay();
+    demo(level_);
+    std::vector<MenuItem> items = {{Action::Play, playLabel()}, {Action::Levels, "Choose a level"}};
+    if (def_.endless) {
+        items.push_back({Action::Endless, "Endless"});
+    }
+    items.push_back({Action::Mode, modeLabel(def_.profile.mode)});
+    items.push_back({Action::Options, "Options"});
+    items.push_back({Action::Quit, "Quit"});
+    menu_ = Menu(std::move(items), Real(9.4));
+}
+
+std::string Stage::playLabel() const {
+    return fmt::format("Play   {}  {}", level_ + 1, def_.levels[level_]->title);
+}
+
+void Stage::toLevels() {
+    screen_ = Screen::Levels;
+    select_.choose(level_);
+    demo(level_);
+}
+
+void Stage::toOptions() {
+    behindOptions_ = screen_;
+    screen_ = Screen::Options;
+    std::vector<MenuItem> items;
+    for (std::size_t i = 0; i < kDials.size(); ++i) {
+        const Dial& dial = kDials[i];
+        items.push_back({Action::Dial, std::string(dial.label),
+                         Gauge{settings().*dial.value, dial.least, dial.most}, i});
+    }
+    items.push_back({Action::Reset, "As they were at first"});
+    items.push_back({Action::Back, "Back"});
+    menu_ = Menu(std::move(items), Real(13.2));
+}
+
+void Stage::pause() {
+    screen_ = Screen::Paused;
+    menu_ = Menu({{Action::Resume, "Go on"},
+                  {Action::Restart, "Restart"},
+                  {Action::Options, "Options"},
+                  {Action::Levels, "All levels"},
+                  {Action::ToTitle, "Title"}},
+                 Real(11.6));
+}
+
+void Stage::resume() {
+    screen_ = Screen::Playing;
+    hands_.letGo();
+}
+
+void Stage::take(const Signals& signals, Speaker& speaker) {
+    if (signals.closed) {
+        quit_ = true;
+        return keep();
+    }
+    const bool asleep = attracting();
+    if (anything(signals)) {
+        idleSeconds_ = 0;
+        if (asleep) {
+            return; // the first touch only brings the menu back
+        }
+    }
+    // Two keys in one frame may belong to two screens: the first is done with before the second.
+    Signals one = signals;
+    one.commands.resize(std::min<std::size_t>(signals.commands.size(), 1));
+    takeOne(one, speaker);
+    one.pointer.reset();
+    one.moved = 0;
+    one.clicked = one.focusLost = false;
+    for (std::size_t i = 1; i < signals.commands.size(); ++i) {
+        one.commands = {signals.commands[i]};
+        takeOne(one, speaker);
+    }
+}
+
+void Stage::takeOne(const Signals& signals, Speaker& speaker) {
+    if (!signals.commands.empty() && signals.commands[0] == Command::Mute) {
+        muted_ = !muted_;
+        return applySettings();
+    }
+    switch (screen_) {
+    case Screen::Levels:
+        return takeLevels(signals, speaker);
+    case Screen::Playing:
+        return takePlaying(signals);
+    default:
+        return takeMenu(signals, speaker);
+    }
+}
+
+void Stage::chirp(Speaker& speaker, bool chosen) const {
+    const float volume = (chosen ? 1 : 0.6f) * share(audible().sound);
+    if (volume > 0) {
+        speaker.play({Voice::Choose, chosen ? 1.5f : 1, volume, 0});
+    }
+}
+
+void Stage::takeLevels(const Signals& signals, Speaker& speaker) {
+    const auto pressed = [&](Command command) {
+        return std::count(signals.commands.begin(), signals.commands.end(), command) > 0;
+    };
+    if (pressed(Command::Back) ||
+        (signals.clicked && select_.backPlace().contains(signals.pointerNow))) {
+        return toTitle();
+    }
+    const std::size_t before = select_.chosen();
+    if (const std::optional<std::size_t> level = select_.take(signals)) {
+        chirp(speaker, true);
+        begin(*level);
+    } else if (select_.chosen() != before) {
+        chirp(speaker, false);
+        demo(select_.chosen());
+    }
+}
+
+void Stage::takePlaying(const Signals& signals) {
+    const Game& game = play_->game();
+    const Real paddleX = game.world()[game.paddle()].position().x;
+    hands_.take(signals, paddleX, static_cast<Real>(settings().mouse / kPercent));
+    const bool over = game.result() != Result::Playing;
+    const bool clickLaunches = game.serving() || game.secondsLeft(Power::Spring) > 0;
+    if (signals.clicked && clickLaunches) {
+        hands_.launch();
+    }
+    if (signals.clicked && over) {
+        return finish();
+    }
+    for (const Command command : signals.commands) {
+        switch (command) {
+        case Command::Launch:
+        case Command::Confirm:
+            if (over) {
+                return finish();
+            }
+            hands_.launch();
+            break;
+        case Command::Back:
+        case Command::Pause:
+            return over ? finish() : pause();
+        case Command::Restart:
+            return again();
+        default:
+            break;
+        }
+    }
+    if (signals.focusLost && !over) {
+        pause();
+    }
+}
+
+/// Keys that mean the same whatever item is chosen.
+bool Stage::takeShortcut(Command command) {
+    const bool paused = screen_ == Screen::Paused;
+    const bool over = screen_ == Screen::Over;
+    if (command == Command::Back) {
+        back();
+        return true;
+    }
+    if (command == Command::Pause && paused) {
+        resume();
+        return true;
+    }
+    if (command == Command::Restart && (paused || over)) {
+        again();
+        return true;
+    }
+    if (command == Command::Next && over && menu_.items()[0].action == Action::NextLevel) {
+        next();
+        return true;
+    }
+    return false;
+}
+
+void Stage::back() {
+    switch (screen_) {
+    case Screen::Title:
+        quit_ = true;
+        return keep();
+    case Screen::Paused:
+        return resume();
+    case Screen::Options:
+        keep();
+        if (behindOptions_ == Screen::Title) {
+            toTitle();
+        } else {
+            pause();
+        }
+        return menu_.choose(Action::Options);
+    default:
+        return toTitle();
+    }
+}
+
+void Stage::takeMenu(const Signals& signals, Speaker& speaker) {
+    for (const Command command : signals.commands) {
+        if (takeShortcut(command)) {
+            return;
+        }
+    }
+    const std::size_t before = menu_.chosen();
+    const std::optional<MenuOutcome> outcome = menu_.take(signals);
+    if (outcome || menu_.chosen() != before) {
+        chirp(speaker, outcome.has_value());
+    }
+    if (outcome) {
+        act(*outcome);
+    }
+}
+
+void Stage::act(const MenuOutcome& outcome) {
+    switch (outcome.action) {
+    case Action::Play:
+        return begin(level_);
+    case Action::Levels:
+        return toLevels();
+    case Action::Endless:
+        return startEndless();
+    case Action::Mode:
+        def_.profile.mode = def_.profile.mode == Mode::Pure ? Mode::Standard : Mode::Pure;
+        level_ = nextToPlay();
+        menu_.setLabel(Action::Play, playLabel());
+        return menu_.setLabel(Action::Mode, modeLabel(def_.profile.mode));
+    case Action::Options:
+        return toOptions();
+    case Action::Quit:
+    case Action::Back:
+        return back();
+    case Action::Resume:
+        return resume();
+    case Action::Restart:
+        return again();
+    case Action::NextLevel:
+        return next();
+    case Action::ToTitle:
+        return toTitle();
+    case Action::Reset:
+        for (std::size_t i = 0; i < kDials.size(); ++i) {
+            turn(i, Settings{}.*kDials[i].value);
+        }
+        return;
+    case Action::Dial:
+        return turn(outcome.dial, outcome.percent);
+    }
+}
+
+void Stage::turn(std::size_t dial, int percent) {
+    def_.profile.settings.*kDials[dial].value = percent;
+    menu_.setPercent(dial, percent);
+    applySettings();
+}
+
+void Stage::applySettings() {
+    play_->setSettings(audible());
+}
+
+} // namespace apart

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/assets.hpp>
+#include <apart/core/endless.hpp>
+#include <apart/core/lint.hpp>
+#include <apart/core/text_file.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace {
+
+using namespace apart;
+
+TEST(Endless, NamesAreReadAsTheyAreWritten) {
+    const EndlessName name{4294967295u, 12};
+    EXPECT_EQ(name.text(), "endless:4294967295:12");
+    EXPECT_EQ(parseEndless(name.text()), name);
+    EXPECT_EQ(parseEndless("endless"), (EndlessName{1, 1}));
+    EXPECT_EQ(parseEndless("endless:7"), (EndlessName{7, 1}));
+    for (const char* wrong : {"", "endles", "endless:", "endless:x", "endless:1:", "endless:1:0",
+                              "endless:1:2:3", "endless:-1:1", "endless:4294967296:1",
+                              "endless:1:1000000", "endlessly", "first_light"}) {
+        EXPECT_EQ(parseEndless(wrong), std::nullopt) << wrong;
+    }
+}
+
+TEST(Endless, TheNameAloneMakesTheLevel) {
+    const Level one = endlessLevel({7, 3});
+    EXPECT_EQ(one, endlessLevel({7, 3}));
+    EXPECT_EQ(one, std::get<Level>(loadLevel("endless:7:3")));
+    EXPECT_EQ(one.name, "endless:7:3");
+    EXPECT_NE(one.cells, endlessLevel({8, 3}).cells);
+    EXPECT_NE(one.cells, endlessLevel({7, 4}).cells);
+}
+
+// The bytes of the first levels, so that another machine, or a change by mistake, is noticed: old
+// replays of endless levels need them.
+TEST(Endless, GoldenDigests) {
+    std::vector<std::uint64_t> digests;
+    for (std::uint32_t number = 1; number <= 60; ++number) {
+        digests.push_back(digestOf(endlessLevel({2006, number})));
+    }
+    std::sort(digests.begin(), digests.end());
+    EXPECT_EQ(std::unique(digests.begin(), digests.end()), digests.end()) << "two are alike";
+    std::uint64_t all = 0;
+    for (const std::uint64_t digest : digests) {
+        all = all * 31 + digest;
+    }
+    EXPECT_EQ(toHex(all), "909077dda5acc77b");
+}
+
+TEST(Endless, EveryBlockIsInReachAndThereAreEnough) {
+    for (std::uint32_t seed = 0; seed < 40; ++seed) {
+        for (const std::uint32_t number : {1u, 5u, 12u, 25u, 999u}) {
+            const Level level = endlessLevel({seed, number});
+            SCOPED_TRACE(level.name);
+            EXPECT_TRUE(outOfReach(level).empty());
+            const auto breakable =
+                std::count_if(level.cells.begin(), level.cells.end(),
+                              [&](const Cell& c) { return level.kinds[c.kind].breakable(); });
+            EXPECT_GE(breakable, 20);
+            EXPECT_LT(level.cells.back().row, kMostRows);
+        }
+    }
+}
+
+// Stone and steel instead of glass, and a faster ball.
+TEST(Endless, GetsHarder) {
+    const auto strengthOf = [](std::uint32_t number) {
+        std::int64_t sum = 0;
+        std::int64_t blocks = 0;
+        for (std::uint32_t seed = 0; seed < 50; ++seed) {
+            const Level level = endlessLevel({seed, number});
+            for (const Cell& cell : level.cells) {
+                sum += level.kinds[cell.kind].strength;
+                blocks += level.kinds[cell.kind].breakable() ? 1 : 0;
+            }
+        }
+        return sum / blocks;
+    };
+    EXPECT_GT(strengthOf(10), strengthOf(1) * 11 / 10);
+    EXPECT_GT(strengthOf(25), strengthOf(10) * 11 / 10);
+    EXPECT_GT(endlessLevel({1, 20}).ballSpeed, endlessLevel({1, 1}).ballSpeed);
+}
+
+TEST(Endless, TheBotWins) {
+    for (const std::uint32_t number : {1u, 8u, 25u}) {
+        const LintReport report = lint(endlessLevel({5, number}));
+        EXPECT_TRUE(report.passed()) << report.level << ": " << report.problems.front();
+    }
+}
+
+} // namespace

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// A7: the paddle's field of force.
+#include <support/near.hpp>
+
+#include <array>
+
+#include "game_access.hpp"
+
+namespace {
+
+using namespace apart;
+using kodo::Real;
+using kodo::Vec2;
+using support::near;
+
+Input holding(Force force) {
+    Input input;
+    input.force = force;
+    return input;
+}
+
+Game fresh() {
+    return Game(levelOf("g..............\n" + emptyRows(4) + ".......b.......\n"), 1);
+}
+
+/// Speed of the first ball away from the paddle's middle.
+Real awaySpeed(const Game& game) {
+    const kodo::BodyView ball = game.world()[game.balls()[0].body];
+    return dot(ball.velocity(),
+               normalize(ball.position() - game.world()[game.paddle()].position()));
+}
+
+TEST(Field, PullsAndPushesABall) {
+    std::array<Real, 3> away{};
+    for (const Force force : {Force::None, Force::Pull, Force::Push}) {
+        Game game = fresh();
+        GameTestAccess::shoot(game, {-6, 6}, {12, 0});
+        for (int tick = 0; tick < 30; ++tick) {
+            game.tick(holding(force));
+            EXPECT_EQ(game.force(), force);
+        }
+        away[static_cast<std::size_t>(force)] = awaySpeed(game);
+    }
+    EXPECT_LT(away[1], away[0] - 2);
+    EXPECT_GT(away[2], away[0] + 2);
+}
+
+TEST(Field, ActsOnShardsPartsAndLooseBlocks) {
+    Game game(levelOf("g..............\n" + emptyRows(4) + "....b..W..b....\n"), 1);
+    GameTestAccess::letGo(game, 1);
+    GameTestAccess::breakBlock(game, 2, {0, 0});
+    const kodo::BodyId loose = game.blocks()[1].body;
+    const kodo::BodyId part = game.parts()[0].body;
+    const kodo::BodyId shard = game.shards()[0].body;
+    Game still = game;
+    for (int tick = 0; tick < 10; ++tick) {
+        game.tick(holding(Force::Push));
+        still.tick({});
+    }
+    for (const kodo::BodyId body : {loose, part, shard}) {
+        EXPECT_GT(game.world()[body].velocity().y, still.world()[body].velocity().y + 1);
+    }
+    const kodo::BodyId mounted = game.blocks()[2].body;
+    EXPECT_EQ(game.world()[mounted].velocity(), Vec2{});
+}
+
+TEST(Field, TakesFromThePaddleWhatItGives) {
+    Game game = fresh(); // the ball rides: nobody governs what is given to shards
+    GameTestAccess::breakBlock(game, 1, {0, 0});
+    for (int tick = 0; tick < 30; ++tick) {
+        game.tick({});
+    }
+    Game still = game;
+    game.tick(holding(Force::Pull));
+    still.tick({});
+    Vec2 given; // as the world shows it
+    for (const Shard& shard : game.shards()) {
+        const kodo::BodyView body = game.world()[shard.body];
+        given += body.mass() * (body.velocity() - still.world()[shard.body].velocity());
+    }
+    EXPECT_LT(given.y, Real(-0.1));
+    EXPECT_TRUE(near(given.x, static_cast<Real>(game.ledger().fieldImpulseX), 1e-5));
+    EXPECT_TRUE(near(given.y, static_cast<Real>(game.ledger().fieldImpulseY), 1e-5));
+}
+
+TEST(Field, SlowsAPaddleByItsReaction) {
+    Game game = fresh();
+    GameTestAccess::give(game, Power::Heavy); // 3 kg beside the paddle
+    GameTestAccess::shoot(game, {6, Real(1.2)}, {0, Real(0.2)});
+    game.tick(holding(Force::Pull));
+    const double given = game.ledger().fieldImpulseX;
+    EXPECT_LT(given, 0); // to the left
+    // What the drive does not hold: it may add kPaddleForce for one tick, and that is more.
+    EXPECT_LT(std::abs(given), static_cast<double>(kPaddleForce * kTickSeconds));
+    EXPECT_TRUE(near(game.world()[game.paddle()].velocity().x, 0, 1e-4));
+}
+
+TEST(Meter, DrainsInUseAndRefillsWithTime) {
+    Game game = fresh();
+    EXPECT_EQ(game.meter(), 1);
+    int lasts = 0;
+    do {
+        game.tick(holding(Force::Push));
+        ++lasts;
+    } while (game.force() == Force::Push && lasts < 1000);
+    EXPECT_NEAR(lasts, kMeterSeconds * kTicksPerSecond, 2); // a tick of rounding, and the last
+    for (int tick = 0; tick < 120; ++tick) {
+        game.tick({});
+    }
+    EXPECT_TRUE(near(game.meter(), 1 / kRefillSeconds, 0.01));
+}
+
+TEST(Meter, MustFillALittleBeforeTheFieldBegins) {
+    Game game = fresh();
+    GameTestAccess::setMeter(game, kMeterStart / 2);
+    game.tick(holding(Force::Pull));
+    EXPECT_EQ(game.force(), Force::None);
+    GameTestAccess::setMeter(game, kMeterStart);
+    game.tick(holding(Force::Pull));
+    EXPECT_EQ(game.force(), Force::Pull);
+    ASSERT_NE(eventOf<ForceChanged>(game), nullptr);
+    EXPECT_EQ(eventOf<ForceChanged>(game)->force, Force::Pull);
+}
+
+TEST(Meter, IsFedByShardsThatAreDrawnIn) {
+    Game game(levelOf("g..............\n" + emptyRows(10) + ".......b.......\n"), 1);
+    GameTestAccess::breakBlock(game, 1, {0, 0});
+    GameTestAccess::setMeter(game, Real(0.6));
+    Real before = game.meter();
+    for (int tick = 0; tick < 200 && eventOf<ShardCaught>(game) == nullptr; ++tick) {
+        before = game.meter();
+        game.tick(holding(Force::Pull));
+    }
+    const ShardCaught* caught = eventOf<ShardCaught>(game);
+    ASSERT_NE(caught, nullptr);
+    const Real mass = (caught->meter - before + kTickSeconds / kMeterSeconds) / kMeterPerKilogram;
+    EXPECT_GT(mass, Real(0.03)); // the lightest shards of brick weigh so much
+    EXPECT_GE(static_cast<Real>(game.ledger().removedMass), mass * Real(0.999));
+    Game pushing = fresh(); // who does not pull catches none
+    GameTestAccess::breakBlock(pushing, 1, {0, 0});
+    EXPECT_FALSE(playUntil<ShardCaught>(pushing, {}, 200));
+}
+
+TEST(Meter, FillsFasterWhenNothingHasHappenedForLong) {
+    Game game = fresh();
+    GameTestAccess::shoot(game, {8, 9}, {0, 12});
+    for (std::uint32_t tick = 0; tick < kGlowTicks; ++tick) {
+        GameTestAccess::idle(game);
+    }
+    ASSERT_EQ(game.patience(), Patience::Glowing);
+    GameTestAccess::setMeter(game, 0);
+    game.tick({});
+    EXPECT_TRUE(near(game.meter(), kHurry * kTickSeconds / kRefillSeconds, 1e-6));
+}
+
+} // namespace

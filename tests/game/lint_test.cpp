@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/lint.hpp>
+
+#include "game_access.hpp"
+
+namespace {
+
+using namespace apart;
+
+constexpr const char* kOpen = "...............\n"
+                              ".....XXXXX.....\n"
+                              ".....XbbbX.....\n"
+                              ".....X.b.X.....\n"
+                              "...............\n";
+
+TEST(Lint, ABallComesIntoAPocketThatIsOpenBelow) {
+    EXPECT_TRUE(outOfReach(levelOf(kOpen)).empty());
+}
+
+// Steel on all sides but for corners, through which no ball fits.
+TEST(Lint, NamesWhatSteelShutsIn) {
+    const Level level = levelOf("...............\n"
+                                "......XXX......\n"
+                                "......XbX......\n"
+                                ".......X.......\n"
+                                "....b.....g....\n");
+    const std::vector<Cell> shut = outOfReach(level);
+    ASSERT_EQ(shut.size(), 1u);
+    EXPECT_EQ(shut[0].row, 2);
+    EXPECT_EQ(shut[0].column, 7);
+
+    const LintReport report = lint(level, {.seeds = 1, .mostTicks = 1200});
+    EXPECT_FALSE(report.passed());
+    EXPECT_EQ(report.problems.front(), "no ball can come to the block in row 3, column 8");
+}
+
+// What is behind blocks is in reach, since they break.
+TEST(Lint, BlocksAreNoObstacleToWhatIsBehindThem) {
+    EXPECT_TRUE(outOfReach(levelOf("XXXXXXXXXXXXXXX\n"
+                                   "XgX.........XbX\n"
+                                   "XgXXXXXXXXXXXbX\n"
+                                   "XgsssssssssssbX\n"
+                                   "XXXXXXXbXXXXXXX\n"
+                                   "...............\n"))
+                    .empty());
+}
+
+// A gap of one row, 0.8 m, lets a ball of 0.6 m pass; rows are lower than columns are wide.
+TEST(Lint, ABallPassesAGapOfOneRow) {
+    EXPECT_TRUE(outOfReach(levelOf("XXXXXXXXXXXXXXX\n"
+                                   "b.............X\n"
+                                   "XXXXXXXXXXXXX.X\n"
+                                   "..............X\n"
+                                   "XXXXXXXXXXXXXX.\n"
+                                   "...............\n"))
+                    .size() == 1); // the last gap is a corner
+    EXPECT_TRUE(outOfReach(levelOf("XXXXXXXXXXXXXXX\n"
+                                   "b.............X\n"
+                                   "XXXXXXXXXXXXX.X\n"
+                                   "...............\n"
+                                   "XXXXXXXXXXXXXX.\n"
+                                   "...............\n"))
+                    .empty());
+}
+
+// Nothing can strike these blocks: their mounts give way one by one, and the level ends in time.
+TEST(Lint, TheBoundsHoldWhereNothingCanBeStruck) {
+    const Level level = levelOf("XXXXXXXXXXXXXXX\n"
+                                "XgXgXgXgXgXgXgX\n"
+                                "XXXXXXXXXXXXXXX\n");
+    for (const BotKind kind : {BotKind::Good, BotKind::Lazy, BotKind::Random}) {
+        const BotRun run = runBot(level, 1, 2 * kFailTicks + 100 * kFailEvery, kind);
+        const LintReport report = lint(level, {.seeds = 1, .mostTicks = 1});
+        EXPECT_EQ(run.result, Result::Won);
+        EXPECT_LE(run.longestWait, report.waitBound);
+        EXPECT_LE(run.ticks, report.clearBound + 1); // the first tick serves
+        EXPECT_GE(run.ticks, kFailTicks + 6 * kFailEvery) << "they did not wait for the clock";
+    }
+}
+
+TEST(Lint, ALevelThatTheBotCannotFinishInTimeFails) {
+    const LintReport report = lint(levelOf(kOpen), {.seeds = 2, .mostTicks = 10});
+    ASSERT_EQ(report.runs.size(), 2u);
+    EXPECT_EQ(report.runs[0].result, Result::Playing);
+    EXPECT_EQ(report.problems.front(), "the bot's game with seed 1 is not won after 0 s");
+    EXPECT_EQ(report.problems.size(), 2u);
+}
+
+} // namespace

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// A7: unruly paddles.
+#include <apart/core/bot.hpp>
+#include <support/near.hpp>
+
+#include "game_access.hpp"
+
+namespace {
+
+using namespace apart;
+using kodo::Real;
+using kodo::Vec2;
+using support::near;
+
+Game with(const std::string& paddle) {
+    return Game(levelOf("g..............\n", 12000, "paddle = \"" + paddle + "\"\n"), 1);
+}
+
+/// A ball falls onto the paddle so far from its middle; the paddle's sway at its most.
+Sway struckAt(Game& game, Real offset) {
+    GameTestAccess::shoot(game, {offset, 3}, {0, -12});
+    EXPECT_TRUE(playUntil<Struck>(game, {}, 30));
+    Sway most;
+    for (int tick = 0; tick < 20; ++tick) {
+        game.tick({});
+        most.tilt = std::abs(game.sway().tilt) > std::abs(most.tilt) ? game.sway().tilt : most.tilt;
+        most.lift = std::min(most.lift, game.sway().lift);
+    }
+    return most;
+}
+
+TEST(SteadyPaddle, NeitherTiltsNorRecoils) {
+    Game game = with("steady");
+    const Sway most = struckAt(game, Real(1.5));
+    EXPECT_EQ(most.tilt, 0);
+    EXPECT_EQ(most.lift, 0);
+}
+
+TEST(TiltingPaddle, TurnsToTheSideOfTheBlowAndBack) {
+    for (const Real offset : {Real(-1.5), Real(1.5)}) {
+        Game game = with("tilting");
+        const Sway most = struckAt(game, offset);
+        EXPECT_LT(most.tilt * offset, Real(-0.05)); // clockwise when struck at the right
+        EXPECT_LE(std::abs(most.tilt), kMostTilt);
+        EXPECT_EQ(most.lift, 0);
+        for (int tick = 0; tick < 120; ++tick) {
+            game.tick({});
+        }
+        EXPECT_TRUE(near(game.sway().tilt, 0, 0.001));
+        EXPECT_TRUE(near(game.world()[game.paddle()].rotation().s, 0, 0.001));
+    }
+}
+
+TEST(TiltingPaddle, IsWhatTheBallMeets) {
+    Game game = with("tilting");
+    struckAt(game, Real(1.5));
+    const kodo::BodyView paddle = game.world()[game.paddle()];
+    // The body lags its spring by the tick in which it is moved there.
+    EXPECT_TRUE(near(paddle.rotation().angle(), game.sway().tilt, 1e-3));
+}
+
+TEST(RecoilingPaddle, GivesWayByItsMassAndComesBack) {
+    Game light = with("recoiling");
+    Game heavy = with("recoiling");
+    GameTestAccess::weldWings(heavy);
+    heavy.tick({});
+    const Real lightSag = struckAt(light, 0).lift;
+    const Real heavySag = struckAt(heavy, 0).lift;
+    EXPECT_LT(lightSag, Real(-0.05));
+    EXPECT_GT(heavySag, lightSag); // less deep
+    EXPECT_EQ(light.sway().tilt, 0);
+    for (int tick = 0; tick < 120; ++tick) {
+        light.tick({});
+    }
+    EXPECT_TRUE(near(light.world()[light.paddle()].position().y, kPaddleY, 0.001));
+}
+
+TEST(LoosePaddle, DoesBoth) {
+    Game game = with("loose");
+    const Sway most = struckAt(game, 1);
+    EXPECT_LT(most.tilt, Real(-0.03));
+    EXPECT_LT(most.lift, Real(-0.05));
+}
+
+TEST(LoosePaddle, LosesNoBallThroughItself) {
+    // A4..A7 at once for two minutes: whatever comes, it leaves below the field or not at all.
+    Game game(levelOf("ggggggggggggggg\nbbbWbbbSbbbLbbb\nsssssssssssssss\n", 16000,
+                      "paddle = \"loose\"\n"),
+              5);
+    for (int tick = 0; tick < 14400 && game.result() == Result::Playing; ++tick) {
+        const Vec2 paddle = game.world()[game.paddle()].position();
+        std::vector<std::pair<kodo::BodyId, Vec2>> above;
+        for (const Ball& ball : game.balls()) {
+            const Vec2 place = game.world()[ball.body].position() - paddle;
+            if (std::abs(place.x) < kPaddleFoot / 2 && place.y > 0) {
+                above.emplace_back(ball.body, place);
+            }
+        }
+        game.tick(bot(game));
+        for (const auto& [ball, before] : above) {
+            if (game.world().contains(ball)) {
+                const Vec2 now =
+                    game.world()[ball].position() - game.world()[game.paddle()].position();
+                ASSERT_FALSE(std::abs(now.x) < kPaddleFoot / 2 && now.y < -kPaddleDepth)
+                    << "through the paddle at tick " << game.ticks();
+            }
+        }
+    }
+}
+
+} // namespace

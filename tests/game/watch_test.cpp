@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/assets.hpp>
+#include <apart/core/bot.hpp>
+#include <apart/core/endless.hpp>
+#include <apart/core/watch.hpp>
+
+#include "game_access.hpp"
+
+namespace {
+
+using namespace apart;
+using kodo::Real;
+using kodo::Vec2;
+
+/// A game whose ball flies through the middle of an empty field.
+struct Flight {
+    Flight() : game(levelOf(emptyRows(1) + "b.............b\n"), 1) {
+        ball = GameTestAccess::shoot(game, {0, 8}, {3, game.ballSpeed()});
+        tick();
+    }
+    void tick() {
+        game.tick(towards(0));
+        watch.look(game);
+    }
+    kodo::BodyRef body() { return GameTestAccess::world(game)[ball]; }
+
+    Game game;
+    Watch watch;
+    kodo::BodyId ball;
+};
+
+TEST(Watch, SeesNothingWrongInAFreeFlight) {
+    Flight flight;
+    for (int i = 0; i < 60; ++i) {
+        flight.tick();
+    }
+    EXPECT_TRUE(flight.watch.clean());
+    EXPECT_EQ(flight.watch.freeTicks(), 60u);
+    EXPECT_EQ(flight.watch.longestWait(), 61u);
+}
+
+// 0.012 m/s^2 across the path: a thousandth of what pulls at shards.
+TEST(Watch, SeesAFlightThatIsBentALittle) {
+    Flight flight;
+    for (int i = 0; i < 60; ++i) {
+        flight.body().setVelocity(flight.body().velocity() + Vec2{0.0001f, 0});
+        flight.tick();
+    }
+    EXPECT_EQ(flight.watch.bends(), 60u);
+}
+
+TEST(Watch, SeesABallThatCrawls) {
+    Flight flight;
+    for (int i = 0; i < 130; ++i) {
+        const Vec2 velocity = flight.body().velocity();
+        flight.body().setVelocity((Real(0.1) / length(velocity)) * velocity);
+        flight.tick();
+    }
+    EXPECT_EQ(flight.watch.halts(), 1u) << "one halt, however long";
+    EXPECT_EQ(flight.watch.bends(), 0u);
+}
+
+TEST(Watch, SeesABallOutsideTheField) {
+    Flight flight;
+    flight.body().setPosition({0, kFieldHeight + Real(0.5)});
+    flight.body().setVelocity({0, flight.game.ballSpeed()});
+    flight.tick();
+    EXPECT_GE(flight.watch.escapes(), 1u);
+}
+
+// A8, a slice of `apart-headless soak --ticks 10000000`: no halt, no escape, no flight that bends
+// without a touch, over all levels and some that nobody drew.
+TEST(Soak, NoBallHaltsEscapesOrLeavesItsStraightPath) {
+    std::vector<Level> levels;
+    for (const std::string& name : levelNames()) {
+        levels.push_back(std::get<Level>(loadLevel(name)));
+    }
+    for (std::uint32_t number = 1; number <= 6; ++number) {
+        levels.push_back(endlessLevel({11, number}));
+    }
+    std::uint64_t freeTicks = 0;
+    for (const Level& level : levels) {
+        SCOPED_TRACE(level.name);
+        Game game(level, 11);
+        Watch watch;
+        while (game.result() == Result::Playing && game.ticks() < 30 * kTicksPerSecond) {
+            game.tick(bot(game));
+            watch.look(game);
+        }
+        EXPECT_EQ(watch.halts(), 0u);
+        EXPECT_EQ(watch.escapes(), 0u);
+        EXPECT_EQ(watch.bends(), 0u);
+        freeTicks += watch.freeTicks();
+    }
+    EXPECT_GE(freeTicks, 1000 * levels.size()) << "the balls were hardly in the air";
+}
+
+} // namespace

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/tuning.hpp>
+
+#include <gtest/gtest.h>
+
+#include "stage_rig.hpp"
+
+namespace apart {
+namespace {
+
+StageDef playedWith(int percent) {
+    StageDef def = StageRig::played();
+    for (const Dial& dial : kDials) {
+        if (dial.value != &Settings::mouse) {
+            def.profile.settings.*dial.value = percent;
+        }
+    }
+    return def;
+}
+
+void playUntil(StageRig& rig, std::uint32_t tick) {
+    while (rig.stage.game().ticks() < tick) {
+        rig.frame({}, 1.0 / kTicksPerSecond); // one tick at most, or none while time is frozen
+        rig.picture();
+    }
+}
+
+// Each effect alone, and all of them, at nothing and at full: the same game.
+TEST(Effects, NoneTouchesTheSimulation) {
+    StageRig plain(playedWith(0));
+    playUntil(plain, 900);
+    const std::uint64_t expected = plain.stage.game().stateHash();
+    StageRig rich(playedWith(100));
+    playUntil(rich, 900);
+    ASSERT_EQ(rich.stage.game().ticks(), 900u);
+    EXPECT_EQ(rich.stage.game().stateHash(), expected);
+    for (const Dial& dial : kDials) {
+        StageDef def = playedWith(0);
+        def.profile.settings.*dial.value = dial.most;
+        StageRig one(std::move(def));
+        playUntil(one, 900);
+        EXPECT_EQ(one.stage.game().stateHash(), expected) << dial.key;
+    }
+}
+
+TEST(Effects, AtNothingNothingIsSeenOrHeardOfThem) {
+    StageRig rig(playedWith(0));
+    for (int i = 0; i < 600; ++i) {
+        rig.frame();
+        ASSERT_EQ(rig.picture().shake(), Vec2{});
+    }
+    EXPECT_TRUE(rig.speaker.notes.empty());
+    StageRig rich(playedWith(100));
+    bool shook = false;
+    for (int i = 0; i < 600; ++i) {
+        rich.frame();
+        shook = shook || rich.picture().shake() != Vec2{};
+    }
+    EXPECT_TRUE(shook);
+    EXPECT_FALSE(rich.speaker.notes.empty());
+}
+
+// A game in which a ball is lost whenever it can be: the flash that a player meets most often.
+TEST(Effects, NeverMoreThanThreeFlashesInASecond) {
+    Level level = *glassLevel("x", {0, 1, 2});
+    level.lives = 9;
+    Game game(level, 1);
+    Settings settings;
+    settings.flash = 100;
+    Juice juice(1, settings);
+    std::vector<std::uint32_t> flashes; // ticks
+    float before = 0;
+    for (int i = 0; i < 60 * kTicksPerSecond; ++i) {
+        Input input;
+        input.launch = true;
+        input.target =
+            std::int16_t(game.balls().empty() || game.balls()[0].heading.x > 0 ? -9000 : 9000);
+        game.tick(input);
+        juice.tick(game);
+        if (juice.flash() > before) {
+            flashes.push_back(game.ticks());
+        }
+        before = juice.flash();
+    }
+    ASSERT_GE(flashes.size(), 3u); // it has something to say
+    for (std::size_t i = 3; i < flashes.size(); ++i) {
+        EXPECT_GT(flashes[i] - flashes[i - 3], std::uint32_t(kTicksPerSecond));
+    }
+}
+
+TEST(Effects, AHardBlowFreezesThePictureForAMomentOnly) {
+    const auto framesTo = [](int freeze) {
+        StageDef def = playedWith(0);
+        def.profile.settings.freeze = freeze;
+        StageRig rig(std::move(def));
+        int frames = 0;
+        for (; rig.stage.game().ticks() < 1200; ++frames) {
+            rig.frame();
+        }
+        return frames;
+    };
+    const int without = framesTo(0);
+    const int with = framesTo(100);
+    EXPECT_GT(with, without);
+    EXPECT_LT(with, without + without / 4); // a freeze of 60 ms each 300 ms at most: a fifth
+}
+
+} // namespace
+} // namespace apart

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include <apart/stage/fanfare.hpp>
+#include <apart/stage/recording.hpp>
+
+#include <gtest/gtest.h>
+
+namespace apart {
+namespace {
+
+TEST(Fanfare, PlaysATuneWithFireworksAndEnds) {
+    Fanfare fanfare;
+    Juice juice(1, {});
+    RecordingSpeaker speaker;
+    EXPECT_TRUE(fanfare.done());
+    fanfare.begin();
+    for (int tick = 0; tick < Fanfare::kTicks; ++tick) {
+        EXPECT_FALSE(fanfare.done());
+        fanfare.tick(juice, 1, speaker);
+    }
+    EXPECT_TRUE(fanfare.done());
+    EXPECT_GE(speaker.notes.size(), 10u);
+    EXPECT_GT(juice.sparks().count(), 0u);
+}
+
+TEST(Fanfare, IsSilentAtOnceWhenItIsStopped) {
+    Fanfare fanfare;
+    Juice juice(1, {});
+    RecordingSpeaker speaker;
+    fanfare.begin();
+    fanfare.tick(juice, 1, speaker);
+    const std::size_t heard = speaker.notes.size();
+    fanfare.stop();
+    for (int tick = 0; tick < Fanfare::kTicks; ++tick) {
+        fanfare.tick(juice, 1, speaker);
+    }
+    EXPECT_EQ(speaker.notes.size(), heard);
+}
+
+TEST(Fanfare, WithoutVolumeThereIsOnlyLight) {
+    Fanfare fanfare;
+    Juice juice(1, {});
+    RecordingSpeaker speaker;
+    fanfare.begin();
+    for (int tick = 0; tick < Fanfare::kTicks; ++tick) {
+        fanfare.tick(juice, 0, speaker);
+    }
+    EXPECT_TRUE(speaker.notes.empty());
+    EXPECT_GT(juice.sparks().count(), 0u);
+}
+
+} // namespace
+} // namespace apart

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include <apart/stage/profile_file.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace apart {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for each test.
+class ProfileFile : public testing::Test {
+protected:
+    void SetUp() override {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = fs::path(testing::TempDir()) / "apart-profile" / test->name();
+        fs::remove_all(folder_);
+        file_ = folder_ / "apart" / "profile.toml";
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    void write(const std::string& text) const {
+        fs::create_directories(file_.parent_path());
+        std::ofstream(file_) << text;
+    }
+    static std::string read(const fs::path& file) {
+        std::ifstream stream(file);
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+
+    fs::path folder_;
+    fs::path file_;
+};
+
+Profile someProfile() {
+    Profile profile;
+    profile.settings.shake = 0;
+    profile.settings.mouse = 250;
+    profile.mode = Mode::Pure;
+    profile.enter(Mode::Standard, "first_light", {12300, true, false, true});
+    profile.enter(Mode::Pure, "lift_off", {70, false, false, false});
+    return profile;
+}
+
+TEST_F(ProfileFile, WhatIsSavedIsLoadedAgain) {
+    ASSERT_FALSE(saveProfile(file_, someProfile())); // and the folder was made
+    const LoadedProfile loaded = loadProfile(file_);
+    EXPECT_EQ(loaded.profile, someProfile());
+    EXPECT_EQ(loaded.notice, "");
+}
+
+TEST_F(ProfileFile, WithoutAFileEverythingIsAsAtFirst) {
+    const LoadedProfile loaded = loadProfile(file_);
+    EXPECT_EQ(loaded.profile, Profile{});
+    EXPECT_EQ(loaded.notice, "");
+}
+
+TEST_F(ProfileFile, EveryDialIsKept) {
+    for (const Dial& dial : kDials) {
+        Profile profile;
+        profile.settings.*dial.value = dial.least + 10;
+        const auto read = profileFrom(toText(profile), "x");
+        ASSERT_TRUE(std::holds_alternative<Profile>(read)) << dial.key;
+        EXPECT_EQ(std::get<Profile>(read), profile) << dial.key;
+    }
+}
+
+TEST_F(ProfileFile, ABrokenFileIsKeptAsideAndSaidInASentence) {
+    const std::string broken = "format = 1\n[settings]\nshake = \"much\"\n";
+    write(broken);
+    const LoadedProfile loaded = loadProfile(file_);
+    EXPECT_EQ(loaded.profile, Profile{});
+    EXPECT_NE(loaded.notice.find("profile.toml:3"), std::string::npos) << loaded.notice;
+    EXPECT_NE(loaded.notice.find("profile.toml.broken"), std::string::npos) << loaded.notice;
+    EXPECT_FALSE(fs::exists(file_));
+    EXPECT_EQ(read(file_.string() + ".broken"), broken);
+}
+
+TEST_F(ProfileFile, NothingThatIsNotUnderstoodIsOverwritten) {
+    for (const char* text :
+         {"", "format = 2\n", "format = 1\nnew = 3\n", "format = 1\n[settings]\nspin = 3\n",
+          "format = 1\n[settings]\nsound = 101\n", "format = 1\n[settings]\nsound = -1\n",
+          "format = 1\n[settings]\nmouse = 19\n", "format = 1\n[settings]\npure = 1\n",
+          "format = 1\nsettings = 3\n", "format = 1\nbest = 3\n", "format = 1\n[best]\na = 3\n",
+          "format = 1\n[best.a]\nscore = -1\ncleared = true\nunhurt = false\nchain = false\n",
+          "format = 1\n[best.a]\nscore = 1\n", "[[[", "format = 1\nformat = 1\n"}) {
+        SCOPED_TRACE(text);
+        write(text);
+        const LoadedProfile loaded = loadProfile(file_);
+        EXPECT_EQ(loaded.profile, Profile{});
+        EXPECT_NE(loaded.notice, "");
+        EXPECT_EQ(read(file_.string() + ".broken"), text);
+    }
+}
+
+TEST_F(ProfileFile, AFileThatCannotBeWrittenLeavesTheOldOneAsItWas) {
+    write("format = 1\n");
+    fs::create_directories(file_.string() + ".new"); // where the new one would be written first
+    const auto problem = saveProfile(file_, someProfile());
+    ASSERT_TRUE(problem);
+    EXPECT_NE(problem->text().find("profile.toml"), std::string::npos);
+    EXPECT_EQ(read(file_), "format = 1\n");
+}
+
+TEST_F(ProfileFile, SavingLeavesNothingBesideIt) {
+    ASSERT_FALSE(saveProfile(file_, someProfile()));
+    ASSERT_FALSE(saveProfile(file_, Profile{}));
+    const auto files = fs::directory_iterator(file_.parent_path());
+    EXPECT_EQ(std::distance(begin(files), end(files)), 1);
+    EXPECT_EQ(loadProfile(file_).profile, Profile{});
+}
+
+TEST_F(ProfileFile, TheFolderIsTheUsersOwn) {
+    const auto with = [](const char* config, const char* home) {
+        setenv("XDG_CONFIG_HOME", config, 1);
+        setenv("HOME", home, 1);
+        return profileFile();
+    };
+    const std::string config = std::getenv("XDG_CONFIG_HOME") ? std::getenv("XDG_CONFIG_HOME") : "";
+    const std::string home = std::getenv("HOME") ? std::getenv("HOME") : "";
+    EXPECT_EQ(with("/somewhere", "/home/me"), fs::path("/somewhere/apart/profile.toml"));
+    EXPECT_EQ(with("", "/home/me"), fs::path("/home/me/.config/apart/profile.toml"));
+    EXPECT_EQ(with("not/a/full/path", "/home/me"), fs::path("/home/me/.config/apart/profile.toml"));
+    EXPECT_EQ(with("", ""), std::nullopt);
+    with(config.c_str(), home.c_str());
+}
+
+TEST(Profile, ABestScoreIsBeatenOnlyByABetterOne) {
+    Profile profile;
+    EXPECT_FALSE(profile.enter(Mode::Standard, "a", {100, false, false, false})); // the first
+    EXPECT_FALSE(profile.enter(Mode::Standard, "a", {100, false, false, false}));
+    EXPECT_TRUE(profile.enter(Mode::Standard, "a", {101, false, false, false}));
+    EXPECT_EQ(profile.bestOf(Mode::Standard, "a").score, 101);
+}
+
+TEST(Profile, WhatIsWonStaysWon) {
+    Profile profile;
+    profile.enter(Mode::Standard, "a", {100, true, true, false});
+    profile.enter(Mode::Standard, "a", {50, false, false, true});
+    EXPECT_EQ(profile.bestOf(Mode::Standard, "a"), (Best{100, true, true, true}));
+}
+
+TEST(Profile, TheTwoTablesNeverMeet) {
+    Profile profile;
+    profile.enter(Mode::Pure, "a", {100, true, false, false});
+    EXPECT_EQ(profile.bestOf(Mode::Standard, "a"), Best{});
+    EXPECT_EQ(profile.bestOf(Mode::Pure, "a").score, 100);
+}
+
+} // namespace
+} // namespace apart

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo_sfml/painter.hpp>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "knobs.hpp"
+
+namespace destructoooor {
+
+/// The column of sliders at the right of the window. Pixels, y down.
+class Panel {
+public:
+    static constexpr float kWidth = 330;
+
+    Panel();
+
+    /// True if the press was on the panel, and so is nothing for the scene.
+    bool press(sf::Vector2f pixel, Sandbox& sandbox);
+    void drag(sf::Vector2f pixel, Sandbox& sandbox);
+    void release() { held_.reset(); }
+    /// The keys: another knob, or another value of this one.
+    void choose(int way);
+    void turn(int way, Sandbox& sandbox);
+
+    void setSize(sf::Vector2u pixels) { pixels_ = pixels; }
+    void draw(kodo_sfml::Painter& painter, const sf::Font& font, const Sandbox& sandbox,
+              std::span<const std::string> lines) const;
+
+private:
+    float left() const { return static_cast<float>(pixels_.x) - kWidth; }
+    sf::FloatRect track(std::size_t knob) const;
+    void setFrom(float x, Sandbox& sandbox);
+
+    std::vector<Knob> knobs_;
+    sf::Vector2u pixels_{1, 1};
+    std::size_t chosen_ = 3; // rest iterations
+    std::optional<std::size_t> held_;
+};
+
+} // namespace destructoooor
