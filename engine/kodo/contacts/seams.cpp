@@ -10,16 +10,19 @@ namespace {
 struct Ground {
     std::uint32_t body; // the locked one
     std::uint16_t part;
-    Vec2 normal; // out of the ground
-    Vec2 arm;    // m, from the locked body's centre to the contact
+    Vec2 normal;           // out of the ground
+    Vec2 arm;              // m, from the locked body's centre to the contact
+    std::uint16_t carried; // the part of the first
 };
 
 Ground groundOf(const Bodies& bodies, const Contact& contact) {
     const ManifoldPoint& p = contact.manifold.points[0];
     if (bodies.locked(contact.key.bodyA)) {
-        return {contact.key.bodyA, contact.key.partA, contact.manifold.normal, p.armA};
+        return {contact.key.bodyA, contact.key.partA, contact.manifold.normal, p.armA,
+                contact.key.partB};
     }
-    return {contact.key.bodyB, contact.key.partB, -contact.manifold.normal, p.armB};
+    return {contact.key.bodyB, contact.key.partB, -contact.manifold.normal, p.armB,
+            contact.key.partA};
 }
 
 /// Does no point of the outline rise above the surface through `point` by more than `tolerance`?
@@ -75,7 +78,7 @@ void Seams::hide(const Bodies& bodies, std::span<Contact> contacts,
                 const Ground ground = groundOf(bodies, other);
                 const bool sameWay =
                     other.manifold.count > 0 && dot(ground.normal, carrying.normal) > Real(0.99999);
-                if (k != i && !sameWay &&
+                if (k != i && !sameWay && ground.carried == carrying.carried &&
                     liesUnder(bodies.form(ground.body).parts[ground.part].convex,
                               bodies.pose[ground.body], carrying.normal, point, tolerances.slop)) {
                     other.hidden = true;

@@ -15,7 +15,8 @@ namespace kodo::inline KODO_PRECISION {
 /// Where two locked pieces lie flush, a body that slides on the first meets the side or corner of
 /// the second, and would bump into nothing. But if all of the second lies under the surface that
 /// carries the body, the body cannot be under that surface to hit it: that contact is hidden for
-/// the step. A real step or wall rises above the surface, and stays.
+/// the step. A real step or wall rises above the surface, and stays. Another part of the same body
+/// may well be under that surface, as a fork over a wall is, and is not concerned.
 class Seams {
 public:
     /// After contacts came, went or changed places, or something was locked or set free.
