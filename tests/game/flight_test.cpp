@@ -46,6 +46,19 @@ TEST(FreeFlight, GetsFromTheServoWhatTheLedgerSays) {
     }
 }
 
+// A ball that a wind pressed against a block crawled along it for seconds.
+TEST(Servo, HoldsABallThatAWindPressesAgainstABlock) {
+    const std::string column = ".......X.......\n";
+    const Level level =
+        levelOf("g..............\n" + column + column + column + column, 12000, "wind = -30000\n");
+    Game game(level, 1, Mode::Pure);
+    GameTestAccess::shoot(game, {kCellWidth / 2 + kBallRadius, 16}, {0, Real(-0.5)});
+    for (int tick = 0; tick < 30; ++tick) {
+        game.tick({});
+    }
+    EXPECT_GT(length(game.world()[game.balls()[0].body].velocity()), 6);
+}
+
 /// Walls, blocks and paddle of a level, and one ball that nothing governs.
 struct Range {
     kodo::World world;

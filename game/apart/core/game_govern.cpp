@@ -59,8 +59,11 @@ void Game::governBall(Ball& ball) {
             next = turnedFromFlat(thrown, normals);
             ledger_.thrownBounces += thrown == velocity ? 0 : 1;
             ledger_.bentBounces += next == thrown ? 0 : 1;
-        } else if (rubble && length(velocity) < kSwallowed * ballSpeed()) {
-            next = held(velocity, ball.heading, ballSpeed()); // faster, but where it flies
+        }
+        if (length(next) < kSwallowed * ballSpeed()) {
+            // Swallowed by rubble, or pressed against something by a wind: faster, but where it
+            // flies anyway.
+            next = held(next, ball.heading, ballSpeed());
         }
     }
     if (next != velocity) {
