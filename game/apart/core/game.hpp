@@ -158,7 +158,7 @@ private:
     void govern();
     void governBall(Ball& ball);
     bool isRubble(kodo::BodyId body) const;
-    bool isBar(kodo::BodyId body) const; // of a motor
+    bool canCarry(kodo::BodyId body) const; // the bar of a motor, or a block that swings or fell
     void watchProgress();
     void sweepOut();
     void sweepBalls();

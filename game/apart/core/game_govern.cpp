@@ -34,7 +34,7 @@ void Game::governBall(Ball& ball) {
         if (hit.maxImpulse > 0) {
             normals.push_back(hit.b == ball.body ? hit.normal : -hit.normal);
             rubble = rubble || isRubble(hit.other(ball.body));
-            carried = carried || isBar(hit.other(ball.body));
+            carried = carried || canCarry(hit.other(ball.body));
         }
     }
     const bool slow = length(world_[ball.body].velocity()) < kSwallowed * ballSpeed();
@@ -76,12 +76,14 @@ void Game::governBall(Ball& ball) {
     }
 }
 
-bool Game::isBar(BodyId body) const {
+bool Game::canCarry(BodyId body) const {
     if (!world_.contains(body)) {
         return false;
     }
     const kodo::Flags flags = world_[body].flags();
-    return roleOf(flags) == Role::Obstruction && (flags & kodo::kLocked) != kodo::kLocked;
+    const Role role = roleOf(flags);
+    return (role == Role::Obstruction || role == Role::Block) &&
+           (flags & kodo::kLocked) != kodo::kLocked;
 }
 
 bool Game::isRubble(BodyId body) const {

@@ -43,7 +43,7 @@ struct Ball {
     kodo::Vec2 heading;  // unit; where it last flew
     bool riding = false; // on the paddle, waiting for the serve
     BallKind kind = BallKind::Round;
-    std::uint32_t carriedTicks = 0; // on the bar of a motor, since it flew fast
+    std::uint32_t carriedTicks = 0; // on a bar or a block that moves, since it flew fast
 };
 
 /// A piece of a broken block.

@@ -49,9 +49,9 @@ inline constexpr Real kServeSlope = Real(0.6); // |x/y| of the flattest serve
 inline constexpr Real kServoBand = Real(0.01);   // share of the speed within which it does nothing
 inline constexpr Real kServoShare = Real(1) / 8; // of the error, each tick
 inline constexpr Real kSwallowed = Real(0.7);    // share of speed; with less, rubble throws it off
-inline constexpr std::uint32_t kCarriedTicks = 20; // on a motor's bar; then it throws the ball off
-inline constexpr Real kHaltSpeed = Real(0.1);      // m/s; slower, and the last heading counts
-inline constexpr Real kFlatSine = Real(0.1391731); // 8 degrees
+inline constexpr std::uint32_t kCarriedTicks = 20;   // on what moves; then that throws the ball off
+inline constexpr Real kHaltSpeed = Real(0.1);        // m/s; slower, and the last heading counts
+inline constexpr Real kFlatSine = Real(0.1391731);   // 8 degrees
 inline constexpr Real kFlatCosine = Real(0.9902681); // 8 degrees
 
 // The progress clock, in ticks without damage.
