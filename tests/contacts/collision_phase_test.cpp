@@ -14,6 +14,7 @@ Contact contactOf(Real separation) {
     contact.a = {3, 1};
     contact.b = {5, 1};
     contact.centerA = {10, 20};
+    contact.near = true;
     contact.manifold.normal = {0, 1};
     contact.manifold.count = 2;
     contact.manifold.points[0].armA = {-1, 0};

@@ -128,7 +128,7 @@ TEST(Allocation, AStepOfAStirredPileAllocatesNothing) {
         SCOPED_TRACE(static_cast<int>(strategy));
         Scene scene(settingsOf(strategy, false));
         scene.stir(1500, 3);
-        scene.stir(600, Real(0.5)); // calmer, but more of it touches
+        scene.stir(1800, Real(0.5)); // calmer, but more of it touches
         const std::size_t before = allocations;
         scene.stir(300, Real(0.5));
         EXPECT_EQ(allocations, before);
