@@ -40,7 +40,7 @@ struct ContactSeat {
 
 /// Two parts that touch or are near each other, from when their grown bounds meet until they part.
 /// In each step all are gone through several times, so what every one of these passes needs comes
-/// first, within the first 64 bytes (float), and the manifold in the next.
+/// first, within the first 64 bytes (float), and the manifold ends within the next.
 struct alignas(64) Contact {
     ContactKey key;
     std::uint32_t proxyA = 0; // place of the parts' bounds in the ContactSet

@@ -9,9 +9,10 @@
 namespace kodo::inline KODO_PRECISION {
 
 /// Eight contacts as the passes of the solver see them, side by side. No two of them push the same
-/// body, so they are solved at once. Everything is found once a step; the passes only multiply and
+/// body, so they are solved at once. Everything is found before the passes, which only multiply and
 /// add. Arms are fixed for the step: a separation follows the motion to first order in the turn.
-/// A lane without a contact is all zeros, between Bodies::spare() and itself.
+/// A lane without a contact has neither normal nor masses nor impulses, so that it pushes nobody;
+/// it lies between Bodies::spare() and itself.
 struct ContactBlock {
     static constexpr int kContacts = 8;
     using Each = Real[kContacts];

@@ -134,7 +134,8 @@ void World::breakJoints(Real dt) {
     }
 }
 
-/// Brings kColliding up to date, and touches only those for which it changes.
+/// Sums up the contacts of the step, and brings kColliding up to date: only those for which it
+/// changes are touched.
 void World::recordCollisions() {
     constexpr std::uint8_t kBefore = 1;
     constexpr std::uint8_t kNow = 2;

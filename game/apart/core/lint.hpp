@@ -49,8 +49,9 @@ struct LintReport {
 /// paddle through all the room that there is when every other block that can break is gone.
 std::vector<Cell> outOfReach(const Level& level);
 
-/// Is the level fit to be played? It holds when every block can be reached, the bot wins each of
-/// its games, nothing happens in them that must not, and they are cheap enough.
+/// Is the level fit to be played? It is when every block can be reached, the bot wins each of its
+/// games, and in these nobody waits beyond the bound, nothing happens that must not, and a tick is
+/// cheap enough.
 LintReport lint(const Level& level, const LintOptions& options = {});
 
 } // namespace apart

@@ -20,7 +20,8 @@ public:
     std::uint64_t freeTicks() const { return freeTicks_; }
     /// How often a ball was slower than half its speed for half a second.
     std::uint32_t halts() const { return halts_; }
-    /// How often a ball was outside the field other than below, or a body no longer sound.
+    /// Ticks that balls were outside the field other than below, all balls added up, and bodies
+    /// that were no longer sound.
     std::uint32_t escapes() const { return escapes_; }
     /// How often a ball turned although it touched nothing and no field of force was at work.
     std::uint32_t bends() const { return bends_; }
