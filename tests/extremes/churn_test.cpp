@@ -65,8 +65,8 @@ private:
             compound.parts.push_back(support::randomPrimitive(random_, kind));
         }
         def.shape = compound;
-        // Not kLockMove alone: wedged against the ground, what can only turn has no way out.
-        constexpr Flags kKinds[] = {0, 0, 0, 1, kLockRotate, kLocked, kSensor, kNeverRest};
+        constexpr Flags kKinds[] = {0,         0,       0,       1,         kLockRotate,
+                                    kLockMove, kLocked, kSensor, kNeverRest};
         def.flags = kKinds[random_.below(std::size(kKinds))];
         return [=](World& w) { w.add(def); };
     }

@@ -39,7 +39,7 @@ struct Crowd {
     }
 
     ContactPassArguments arrange(ContactBlocks& blocks) {
-        blocks.begin(bodies, contacts, true);
+        blocks.begin(bodies, contacts, true, true);
         for (std::uint32_t i = 0; i < contacts.size(); ++i) {
             blocks.take(bodies, contacts[i], i);
         }

@@ -73,5 +73,63 @@ TEST(Carry, GoesOnInWhatMovesAsAWhole) {
     }
 }
 
+/// What is read from bytes has no lanes yet; it must go on as what has.
+void expectToGoOnAlike(World& world) {
+    World read = fromBytes(toBytes(world));
+    for (int step = 0; step < 90; ++step) {
+        world.step(support::kDt);
+        read.step(support::kDt);
+        ASSERT_EQ(read.stateHash(), world.stateHash()) << "step " << step;
+    }
+}
+
+// Settings that change in the middle of a slide act at once, and on all that the solver keeps.
+TEST(Carry, HearsOfNewSettings) {
+    StepSettings off;
+    off.leaveOut = static_cast<std::uint8_t>(Feature::Friction);
+    StepSettings rolling;
+    rolling.leaveOut = static_cast<std::uint8_t>(Feature::RollingResistance);
+    for (const StepSettings& settings : {off, rolling, thesis2006()}) {
+        World world({.gravity = {3, -10}});
+        support::addFloor(world);
+        Material rough = withFriction(Real(0.6));
+        rough.rollingResistance = Real(0.1);
+        std::vector<BodyId> bodies;
+        for (int i = 0; i < 6; ++i) {
+            BodyDef def = support::boxDef({2 * static_cast<Real>(i), Real(0.5)}, 1, 1);
+            def.shape = i % 2 == 0 ? Shape(Box{1, 1}) : Shape(Circle{Real(0.5)});
+            def.material = rough;
+            def.flags = kNeverRest;
+            bodies.push_back(world.add(def));
+        }
+        support::run(world, 20);
+        world.setSettings(settings);
+        expectToGoOnAlike(world);
+        if (settings.leaveOut == off.leaveOut) { // 3 m/s^2 for 1.5 s
+            EXPECT_TRUE(support::near(world[bodies[0]].velocity().x, Real(4.5), Real(0.2)));
+        }
+        world.setSettings({});
+        expectToGoOnAlike(world);
+    }
+}
+
+// More contacts than there are colours: one body on forty pieces of ground, another among forty
+// that can be pushed.
+TEST(Carry, GoesOnAlikeWhereColoursRunOut) {
+    World world({.gravity = support::kEarth});
+    for (int i = 0; i < 40; ++i) {
+        world.add({.shape = Box{1, 1},
+                   .position = {Real(1.3) * static_cast<Real>(i), Real(-0.5)},
+                   .flags = kLocked});
+    }
+    world.add(support::boxDef({Real(25.5), Real(0.5)}, 54, 1));
+    for (int i = 0; i < 70; ++i) {
+        world.add(
+            support::boxDef({Real(0.7) * static_cast<Real>(i), Real(1.3)}, Real(0.6), Real(0.6)));
+    }
+    support::run(world, 30);
+    expectToGoOnAlike(world);
+}
+
 } // namespace
 } // namespace kodo

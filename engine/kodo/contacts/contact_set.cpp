@@ -48,6 +48,7 @@ void ContactSet::forgetUnsoundImpulses() {
             contact.rolling = 0;
             contact.total = 0;
             contact.carried = false;
+            contact.seat = {}; // its lane holds what is to be forgotten
         }
     }
 }

@@ -28,7 +28,10 @@ public:
     /// Removes the joints of one body.
     void dropBody(BodyId body);
     const JointDef& def(JointId id) const { return joints_[id.index].def; }
-    void setDef(JointId id, const JointDef& def) { joints_[id.index].def = def; }
+    void setDef(JointId id, const JointDef& def) {
+        joints_[id.index].def = def;
+        refreshLists();
+    }
     Vec2 force(JointId id) const { return joints_[id.index].force; }   // N, on b
     Real torque(JointId id) const { return joints_[id.index].torque; } // N m, on b
     std::vector<JointId> ids() const;

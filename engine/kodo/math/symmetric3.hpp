@@ -4,6 +4,7 @@
 #include <kodo/base/real.hpp>
 
 #include <array>
+#include <limits>
 
 namespace kodo::inline KODO_PRECISION {
 
@@ -23,16 +24,17 @@ struct Symmetric3 {
     Real zy = 0;
     Real zz = 1;
 
-    /// Its factors L D L^T, with ones on the diagonal of L.
+    /// Its factors L D L^T, with ones on the diagonal of L. Where arms are so long that rounding
+    /// has taken all of a direction, nothing is done along it.
     class Factors {
     public:
-        explicit Factors(const Symmetric3& m) : perX_(1 / m.xx) {
+        explicit Factors(const Symmetric3& m) : perX_(inverseOf(m.xx, m.xx)) {
             yx_ = perX_ * m.yx;
             zx_ = perX_ * m.zx;
-            perY_ = 1 / (m.yy - yx_ * m.yx);
+            perY_ = inverseOf(m.yy - yx_ * m.yx, m.yy);
             const Real zy = m.zy - yx_ * m.zx;
             zy_ = perY_ * zy;
-            perZ_ = 1 / (m.zz - zx_ * m.zx - zy_ * zy);
+            perZ_ = inverseOf(m.zz - zx_ * m.zx - zy_ * zy, m.zz);
         }
         /// x with m x = v.
         Triple solve(const Triple& v) const {
@@ -46,6 +48,11 @@ struct Symmetric3 {
         }
 
     private:
+        static Real inverseOf(Real pivot, Real diagonal) {
+            constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();
+            return pivot > kRounding * diagonal ? 1 / pivot : Real(0); // 0 also for NaN
+        }
+
         Real perX_; // 1 / D
         Real perY_ = 1;
         Real perZ_ = 1;

@@ -35,7 +35,8 @@ std::uint32_t ContactBlocks::binOf(std::uint32_t colour, const Contact& contact)
     return 2 * group + (contact.manifold.count == 2 ? 1 : 0);
 }
 
-void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, bool rolling) {
+void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, bool friction,
+                          bool rolling) {
     colours_.resize(bodies.size());
     if (order_.size() > singles_ + kBins + rows_ / 4) { // most lanes are empty
         forgetLanes();
@@ -44,6 +45,8 @@ void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, boo
     if (!seated_) {
         seatAll(contacts);
     }
+    anew_ = anew_ || friction != frictionOn_;
+    frictionOn_ = friction;
     if (std::exchange(rollingOn_, rolling) != rolling) {
         rolling_.clear();
         for (BlockUse& use : use_) {
@@ -145,7 +148,9 @@ void ContactBlocks::freeLanes(const Bodies& bodies) {
             }
         }
     }
-    for (const std::uint32_t i : order_) {
+    // Backwards, so that blocks of one contact each are dealt out in order again.
+    for (std::size_t k = order_.size(); k-- > 0;) {
+        const std::uint32_t i = order_[k];
         const std::uint32_t gone = shelves_[i].used & ~shelves_[i].taken;
         for (std::uint32_t rest = gone; rest != 0; rest &= rest - 1) {
             release(i * ContactBlock::kContacts +

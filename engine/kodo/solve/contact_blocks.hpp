@@ -23,9 +23,9 @@ public:
     /// it, and a few may stand in for them.
     static constexpr int kNeighbours = 8;
 
-    /// Before the contacts of a step are taken, of which some may be gone. `rolling`: with rolling
-    /// resistance.
-    void begin(const Bodies& bodies, std::span<Contact> contacts, bool rolling);
+    /// Before the contacts of a step are taken, of which some may be gone. With friction, with
+    /// rolling resistance?
+    void begin(const Bodies& bodies, std::span<Contact> contacts, bool friction, bool rolling);
     /// Takes a contact that responds. `place` is that in the list of contacts.
     void take(const Bodies& bodies, Contact& contact, std::uint32_t place);
     /// After the last one. `pushSpeed` (m/s) is shared out among those who crowd a body, if there
@@ -84,6 +84,7 @@ private:
     std::uint32_t spare_ = 0;
     Real pushSpeed_ = 0;
     bool shared_ = false; // some lanes have less than pushSpeed_
+    bool frictionOn_ = true;
     bool rollingOn_ = false;
     bool anew_ = true;    // what the lanes hold is of no use in this step
     bool seated_ = false; // contacts that have a colour have a lane

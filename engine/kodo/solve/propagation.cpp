@@ -265,6 +265,7 @@ void Propagation::markHeld(const Bodies& bodies, const JointSet& joints) {
 void Propagation::store(std::span<Contact> contacts) {
     for (Contact& contact : contacts) {
         contact.carried = false;
+        contact.seat = {}; // the lanes of the other solver know nothing of this
         contact.friction = 0;
         contact.rolling = 0;
         for (PointImpulse& impulse : contact.impulse) {

@@ -3,6 +3,7 @@
 #include <kodo/solve/soft_step.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -27,10 +28,13 @@ bool needsRow(const Bodies& bodies, const Contact& contact, const StepSettings& 
 /// the speed that one of them may push with, or the heap would burst.
 void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const JointSet& joints,
                        const StepSettings& settings, const Tolerances& tolerances) {
-    blocks_.begin(bodies, contacts, settings.has(Feature::RollingResistance));
-    crowded_ = false;
+    const bool friction = settings.has(Feature::Friction);
+    blocks_.begin(bodies, contacts, friction, settings.has(Feature::RollingResistance));
     holds_.resize(bodies.size());
     crowd_.resize(bodies.size());
+    if (std::exchange(crowded_, false)) { // also of what does not take part any more
+        std::fill(crowd_.begin(), crowd_.end(), std::uint16_t{0});
+    }
     for (const std::uint32_t body : bodies.awake) {
         holds_[body] = Hold::Free;
         crowd_[body] = 0;
@@ -45,6 +49,9 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
             contact.seat = {};
             contact.carried = false;
             continue;
+        }
+        if (!friction) {
+            contact.friction = 0; // kept from when there was some
         }
         blocks_.take(bodies, contact, static_cast<std::uint32_t>(i));
         const Real separation = contact.manifold.points[0].separation;

@@ -123,6 +123,7 @@ void World::freezeUnsoundMotion() {
             softStep_.fetch(contact);
         }
         contacts_.forgetUnsoundImpulses();
+        contacts_.bodiesChanged(); // what froze is a piece of ground now
     }
 }
 
