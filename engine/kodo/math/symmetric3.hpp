@@ -32,9 +32,9 @@ struct Symmetric3 {
             yx_ = perX_ * m.yx;
             zx_ = perX_ * m.zx;
             perY_ = inverseOf(m.yy - yx_ * m.yx, m.yy);
-            const Real zy = m.zy - yx_ * m.zx;
-            zy_ = perY_ * zy;
-            perZ_ = inverseOf(m.zz - zx_ * m.zx - zy_ * zy, m.zz);
+            const Real below = m.zy - yx_ * m.zx;
+            zy_ = perY_ * below;
+            perZ_ = inverseOf(m.zz - zx_ * m.zx - zy_ * below, m.zz);
         }
         /// x with m x = v.
         Triple solve(const Triple& v) const {
