@@ -65,8 +65,9 @@ private:
             compound.parts.push_back(support::randomPrimitive(random_, kind));
         }
         def.shape = compound;
-        constexpr Flags kKinds[] = {0,         0,       0,       1,         kLockRotate,
-                                    kLockMove, kLocked, kSensor, kNeverRest};
+        // Not kLockMove alone: wedged against the ground, what can only turn has no way out, and
+        // the blows that it deals have no bound.
+        constexpr Flags kKinds[] = {0, 0, 0, 1, kLockRotate, kLocked, kSensor, kNeverRest};
         def.flags = kKinds[random_.below(std::size(kKinds))];
         return [=](World& w) { w.add(def); };
     }
