@@ -96,9 +96,6 @@ kodo::StepSettings settingsOf(const StepOptions& options) {
     if (options.passes || options.positionPasses) {
         throw WrongUse("passes and position passes are Box2D's; for Kodo, set contactPasses");
     }
-    if (options.threads != 1) {
-        throw WrongUse("Kodo steps on one thread");
-    }
     kodo::StepSettings settings = profileOf(options.profile);
     settings.substeps = options.substeps.value_or(settings.substeps);
     for (const std::string& text : options.set) {
@@ -153,10 +150,12 @@ private:
 class KodoEngine final : public Engine {
 public:
     KodoEngine(const scenes::SceneDef& scene, const StepOptions& options)
-        : scene_(scenes::inKodo(scene, settingsOf(options))), timesStages_(options.stages) {}
+        : scene_(scenes::inKodo(scene, settingsOf(options))),
+          pool_(options.threads - 1),
+          timesStages_(options.stages) {}
 
     void step(double dt) override {
-        scene_.world.step(static_cast<kodo::Real>(dt), timesStages_ ? &stages_ : nullptr);
+        scene_.world.step(static_cast<kodo::Real>(dt), {timesStages_ ? &stages_ : nullptr, &pool_});
     }
 
     BodyState state(std::size_t body) const override {
@@ -207,6 +206,7 @@ private:
     static scenes::Vec2 wide(kodo::Vec2 v) { return {wide(v.x), wide(v.y)}; }
 
     scenes::KodoScene scene_;
+    kodo::ThreadPool pool_;
     StageClock stages_;
     bool timesStages_ = false;
 };

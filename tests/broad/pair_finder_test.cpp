@@ -51,6 +51,17 @@ std::vector<Aabb> mixedScene(support::RandomNumbers& random, std::size_t count) 
 }
 
 template <typename Finder>
+void findPairs(Finder& finder, std::span<const Aabb> bounds, const Moved& moved,
+               std::vector<BoundsPair>& pairs) {
+    if constexpr (std::is_same_v<Finder, SortAndSweep>) {
+        finder.pairs(bounds, moved, acceptAll, pairs);
+    } else {
+        Crew alone;
+        finder.pairs(bounds, moved, acceptAll, pairs, alone);
+    }
+}
+
+template <typename Finder>
 void expectWhatBruteForceFinds(std::uint64_t seed) {
     support::RandomNumbers random(seed);
     Finder finder;
@@ -61,7 +72,7 @@ void expectWhatBruteForceFinds(std::uint64_t seed) {
         for (int frame = 0; frame < 4; ++frame) {
             const SomeMoved moved(random, bounds.size());
             std::vector<BoundsPair> pairs;
-            finder.pairs(bounds, moved, acceptAll, pairs);
+            findPairs(finder, bounds, moved, pairs);
             if constexpr (!std::is_same_v<Finder, PairFinder>) {
                 PairSorter().sort(pairs, bounds.size());
             }
@@ -98,7 +109,7 @@ std::vector<Aabb> square(int side) {
 std::size_t gridTests(const std::vector<Aabb>& bounds) {
     Grid grid;
     std::vector<BoundsPair> pairs;
-    grid.pairs(bounds, AllMoved(bounds.size()), acceptAll, pairs);
+    findPairs(grid, bounds, AllMoved(bounds.size()), pairs);
     return grid.testCount();
 }
 
@@ -122,7 +133,7 @@ PairFinder::Way wayAfter(const std::vector<Aabb>& bounds, int calls) {
     PairFinder finder;
     for (int i = 0; i < calls; ++i) {
         std::vector<BoundsPair> pairs;
-        finder.pairs(bounds, AllMoved(bounds.size()), acceptAll, pairs);
+        findPairs(finder, bounds, AllMoved(bounds.size()), pairs);
     }
     return finder.way(bounds.size());
 }

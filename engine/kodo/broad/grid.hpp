@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/base/crew.hpp>
 #include <kodo/broad/broad_phase.hpp>
 
 #include <algorithm>
@@ -18,33 +19,28 @@ namespace kodo::inline KODO_PRECISION {
 class Grid {
 public:
     /// Every pair of overlapping bounds, of which at least one has moved, that
-    /// `accept(first, second)` lets through, each once, in any order.
+    /// `accept(first, second)` lets through, each once, in any order. Several threads call it.
     template <typename Accept>
     void pairs(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
-               std::vector<BoundsPair>& out) {
+               std::vector<BoundsPair>& out, Crew& crew) {
         build(bounds);
         tests_ = 0;
-        for (const std::uint32_t m : moved.list) {
-            const Aabb box = bounds[m];
-            const auto meet = [&](std::uint32_t i) {
-                if (i == m || (moved.has(i) && i < m)) {
-                    return; // itself, or met already
-                }
-                const BoundsPair pair = i < m ? BoundsPair{i, m} : BoundsPair{m, i};
-                if (accept(pair.first, pair.second)) {
-                    out.push_back(pair);
-                }
-            };
-            for (const Level& level : levels_) {
-                forEachNear(level, box, meet);
-            }
-        }
+        found_.gather(crew, moved.list.size(), kBoundsAPiece, out,
+                      [&](std::size_t first, std::size_t last, std::vector<BoundsPair>& found) {
+                          std::size_t tests = 0;
+                          for (std::size_t k = first; k < last; ++k) {
+                              tests += meetAll(bounds, moved, moved.list[k], accept, found);
+                          }
+                          crew.count(tests_, tests);
+                      });
     }
 
     /// Bounds that were compared in the last call: what it had to test.
     std::size_t testCount() const { return tests_; }
 
 private:
+    static constexpr std::size_t kBoundsAPiece = 64;
+
     struct Entry {
         Aabb box;
         std::uint32_t index;
@@ -71,8 +67,30 @@ private:
         return static_cast<std::int32_t>(std::clamp(cells, Real(0), last));
     }
 
+    /// The pairs of one that has moved. Returns how many it was compared with.
+    template <typename Accept>
+    std::size_t meetAll(std::span<const Aabb> bounds, const Moved& moved, std::uint32_t m,
+                        Accept accept, std::vector<BoundsPair>& found) const {
+        const Aabb box = bounds[m];
+        const auto meet = [&](std::uint32_t i) {
+            if (i == m || (moved.has(i) && i < m)) {
+                return; // itself, or met already
+            }
+            const BoundsPair pair = i < m ? BoundsPair{i, m} : BoundsPair{m, i};
+            if (accept(pair.first, pair.second)) {
+                found.push_back(pair);
+            }
+        };
+        std::size_t tests = 0;
+        for (const Level& level : levels_) {
+            tests += forEachNear(level, box, meet);
+        }
+        return tests;
+    }
+
     template <typename Meet>
-    void forEachNear(const Level& level, const Aabb& box, Meet meet) {
+    std::size_t forEachNear(const Level& level, const Aabb& box, Meet meet) const {
+        std::size_t tests = 0;
         const Real half = level.cell / 2;
         const std::int32_t left = columnOf(level, box.lower.x - half);
         const std::int32_t right = columnOf(level, box.upper.x + half);
@@ -81,13 +99,14 @@ private:
             const std::uint32_t* const starts =
                 starts_.data() + level.begin + static_cast<std::ptrdiff_t>(row) * level.columns;
             const std::uint32_t end = starts[right + 1];
-            tests_ += end - starts[left];
+            tests += end - starts[left];
             for (std::uint32_t k = starts[left]; k < end; ++k) {
                 if (overlap(entries_[k].box, box)) {
                     meet(entries_[k].index);
                 }
             }
         }
+        return tests;
     }
 
     void build(std::span<const Aabb> bounds);
@@ -104,6 +123,7 @@ private:
     std::vector<std::uint32_t> starts_; // by cell: its first entry; one more at the end
     std::vector<Entry> entries_;
     std::vector<Real> sizes_; // or centres, to find the middle one
+    Findings<BoundsPair> found_;
     std::size_t tests_ = 0;
 };
 

@@ -21,11 +21,11 @@ public:
     /// `accept(first, second)` lets through, in order.
     template <typename Accept>
     void pairs(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
-               std::vector<BoundsPair>& out) {
+               std::vector<BoundsPair>& out, Crew& crew) {
         if (bounds.size() <= kBruteForceLimit) {
             bruteForce(bounds, moved, accept, out);
         } else {
-            search(bounds, moved, accept, out);
+            search(bounds, moved, accept, out, crew);
         }
         sorter_.sort(out, bounds.size());
     }
@@ -41,10 +41,10 @@ private:
 
     template <typename Accept>
     void search(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
-                std::vector<BoundsPair>& out) {
+                std::vector<BoundsPair>& out, Crew& crew) {
         const bool trial = ++calls_ % kTrialInterval == 0;
         if ((way_ == Way::Grid) != trial) {
-            grid_.pairs(bounds, moved, accept, out);
+            grid_.pairs(bounds, moved, accept, out, crew);
             gridCost_ = kGridCost * bounds.size() + grid_.testCount();
         } else {
             sweep_.pairs(bounds, moved, accept, out);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/base/crew.hpp>
 #include <kodo/bodies/bodies.hpp>
 #include <kodo/bodies/integrate.hpp>
 #include <kodo/bodies/tolerances.hpp>
@@ -30,7 +31,7 @@ namespace kodo::inline KODO_PRECISION {
 class SoftStep {
 public:
     void solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints,
-               const StepSettings& settings, const Tolerances& tolerances, Real dt);
+               const StepSettings& settings, const Tolerances& tolerances, Real dt, Crew& crew);
     std::size_t contactCount() const { return blocks_.size(); }
     /// Hands the impulses of the last step to a contact, if the solver had it.
     void fetch(Contact& contact) const { blocks_.fetch(contact); }
@@ -42,21 +43,29 @@ private:
     };
 
     void collect(const Bodies& bodies, std::span<Contact> contacts, const JointSet& joints,
-                 const StepSettings& settings, const Tolerances& tolerances);
+                 const StepSettings& settings, const Tolerances& tolerances, Crew& crew);
+    void noteCrowd(const Bodies& bodies, const Contact& contact, const Crew& crew);
     static Velocity velocityOf(const Motion& motion) {
         return {motion.velocity, motion.angularVelocity};
     }
     void findJointed(const JointSet& joints);
     template <typename Pass>
     void passJoints(const Bodies& bodies, Pass pass);
+    void passContacts(ContactPasses::Pass pass, const ContactPassArguments& arguments, Crew& crew);
+    template <typename Work>
+    void forBound(Crew& crew, const Work& work);
     void moveFree(Bodies& bodies, Real dt);
-    void beginSubsteps(Bodies& bodies, Real h);
-    void nextSubstep(Bodies& bodies, Real h);
+    void beginSubsteps(Bodies& bodies, Real h, Crew& crew);
+    void nextSubstep(Bodies& bodies, Real h, Crew& crew);
 
     ContactBlocks blocks_;
-    std::vector<Hold> holds_;          // by body
+    std::vector<std::uint32_t> newcomers_; // places of contacts that have no lane yet
+    Findings<std::uint32_t> found_;
+    std::vector<Hold> holds_;        // by body
+    std::vector<std::uint8_t> near_; // by body: marks, from which the holds follow
+    std::vector<std::uint8_t> touched_;
     std::vector<std::uint16_t> crowd_; // by body: how many overlap it deeply
-    bool crowded_ = false;             // too many overlap some body
+    std::uint8_t crowded_ = 0;         // too many overlap some body
     std::vector<Velocity> before_;     // by body: with the forces of the substep, without contacts
     std::vector<std::uint32_t> free_;  // bodies that nothing can push in this step
     std::vector<std::uint32_t> bound_; // and the others

@@ -12,6 +12,9 @@ namespace kodo::inline KODO_PRECISION {
 namespace {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{};
+constexpr std::size_t kContactsAPiece = 256;
+constexpr std::size_t kBodiesAPiece = 256;
+constexpr std::size_t kCandidatesAPiece = 8;
 
 /// Apart by now, so that even a slow approach may end in a blow of its own: see stoppingGap.
 bool mayBounce(const Contact& contact, const Tolerances& tolerances) {
@@ -120,21 +123,24 @@ void stop(Bodies& bodies, std::uint32_t body, Real share, Real dt) {
 } // namespace
 
 /// For each body, more than any point of it moves.
-void SweepStage::measureWays(const Bodies& bodies) {
+void SweepStage::measureWays(const Bodies& bodies, Crew& crew) {
     ways_.resize(bodies.size(), 0); // of the others it is 0 from step to step
-    for (const std::uint32_t body : bodies.awake) {
-        const Motion& motion = bodies.motion[body];
-        ways_[body] = length(motion.move) + std::abs(motion.turn) * bodies.extent[body].reach;
-    }
+    crew.forEach(bodies.awake.size(), kBodiesAPiece, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) {
+            const std::uint32_t body = bodies.awake[k];
+            const Motion& motion = bodies.motion[body];
+            ways_[body] = length(motion.move) + std::abs(motion.turn) * bodies.extent[body].reach;
+        }
+    });
 }
 
 void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
-                     const Tolerances& tolerances, Real dt) {
+                     const Tolerances& tolerances, Real dt, Crew& crew) {
     if (contacts.empty()) {
         return;
     }
-    measureWays(bodies);
-    const bool sensors = findCandidates(bodies, contacts, settings, tolerances);
+    measureWays(bodies, crew);
+    const bool sensors = findCandidates(bodies, contacts, settings, tolerances, crew);
     for (const std::uint32_t body : bodies.awake) {
         ways_[body] = 0;
     }
@@ -142,7 +148,7 @@ void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSett
         return;
     }
     stopAt_.resize(bodies.size(), 1); // of the others it is 1 from step to step
-    stopInOrder({bodies, contacts, settings, tolerances});
+    stopInOrder({bodies, contacts, settings, tolerances}, crew);
     if (sensors) {
         noticeSensors(bodies, contacts, settings, tolerances);
     }
@@ -160,60 +166,81 @@ void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSett
 
 /// Lists the pairs that need a sweep. True if there are sensors among them.
 bool SweepStage::findCandidates(const Bodies& bodies, std::span<const Contact> contacts,
-                                const StepSettings& settings, const Tolerances& tolerances) {
-    candidates_.clear();
-    bool sensors = false;
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        if (contacts[i].sensor) {
-            sensors = true;
-            continue;
-        }
-        const ContactKey& key = contacts[i].key;
-        const Real way = ways_[key.bodyA] + ways_[key.bodyB];
-        const Real thin =
-            std::min(bodies.extent[key.bodyA].inside, bodies.extent[key.bodyB].inside);
-        if (way == 0 || (way <= thin / 2 && !mayBounce(contacts[i], tolerances))) {
-            continue; // as in most of a pile
-        }
-        // One of them may be stopped by something else, and the other go all its way.
-        if (stoppingGap(bodies, contacts[i], way, settings, tolerances)) {
-            addCandidate(contacts[i], static_cast<std::uint32_t>(i));
-        }
-    }
-    return sensors;
+                                const StepSettings& settings, const Tolerances& tolerances,
+                                Crew& crew) {
+    places_.clear();
+    std::uint8_t sensors = 0;
+    found_.gather(
+        crew, contacts.size(), kContactsAPiece, places_,
+        [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
+            const Real* const ways = ways_.data();
+            for (std::size_t i = first; i < last; ++i) {
+                if (contacts[i].sensor) {
+                    Crew::mark(sensors);
+                    continue;
+                }
+                const ContactKey& key = contacts[i].key;
+                const Real way = ways[key.bodyA] + ways[key.bodyB];
+                const Real thin =
+                    std::min(bodies.extent[key.bodyA].inside, bodies.extent[key.bodyB].inside);
+                if (way == 0 || (way <= thin / 2 && !mayBounce(contacts[i], tolerances))) {
+                    continue; // as in most of a pile
+                }
+                // One of them may be stopped by something else, and the other go all its way.
+                if (stoppingGap(bodies, contacts[i], way, settings, tolerances)) {
+                    found.push_back(static_cast<std::uint32_t>(i));
+                }
+            }
+        });
+    linkCandidates(contacts);
+    return sensors != 0;
 }
 
-void SweepStage::addCandidate(const Contact& contact, std::uint32_t place) {
-    if (candidates_.empty()) {
-        first_.assign(ways_.size(), kNone);
+/// Makes candidates of the contacts found, in order.
+void SweepStage::linkCandidates(std::span<const Contact> contacts) {
+    candidates_.clear();
+    if (places_.empty()) {
+        return;
     }
-    Candidate candidate{place};
-    const auto own = static_cast<std::uint32_t>(candidates_.size());
-    candidate.next[0] = std::exchange(first_[contact.key.bodyA], own);
-    candidate.next[1] = std::exchange(first_[contact.key.bodyB], own);
-    candidates_.push_back(candidate);
+    first_.assign(ways_.size(), kNone);
+    for (const std::uint32_t place : places_) {
+        const ContactKey& key = contacts[place].key;
+        Candidate candidate{place};
+        const auto own = static_cast<std::uint32_t>(candidates_.size());
+        candidate.next[0] = std::exchange(first_[key.bodyA], own);
+        candidate.next[1] = std::exchange(first_[key.bodyB], own);
+        candidates_.push_back(candidate);
+    }
 }
 
 /// When a pair meets, as far as it is known by now which bodies are stopped.
-void SweepStage::findTime(const Step& step, std::uint32_t candidate) {
-    Candidate& own = candidates_[candidate];
-    const Contact& contact = step.contacts[own.contact];
+void SweepStage::findTime(const Step& step, Candidate& candidate) const {
+    const Contact& contact = step.contacts[candidate.contact];
     const ContactKey& key = contact.key;
     const Real motion = motionOf(step.bodies, contact, stopAt_[key.bodyA], stopAt_[key.bodyB]);
     const auto gap = stoppingGap(step.bodies, contact, motion, step.settings, step.tolerances);
-    own.time = gap ? impactTime(step.bodies, contact, stopAt_, *gap) : 1;
-    if (own.time < 1) {
-        events_.push_back({own.time, candidate});
+    candidate.time = gap ? impactTime(step.bodies, contact, stopAt_, *gap) : 1;
+}
+
+/// Lists the impact of a candidate, if it has one.
+void SweepStage::expect(std::uint32_t candidate) {
+    if (const Real time = candidates_[candidate].time; time < 1) {
+        events_.push_back({time, candidate});
         std::push_heap(events_.begin(), events_.end(), later<Event>);
     }
 }
 
 /// Takes the impacts in the order of their time. Each changes the ways of its two bodies, so the
 /// later impacts of these are found anew.
-void SweepStage::stopInOrder(const Step& step) {
+void SweepStage::stopInOrder(const Step& step, Crew& crew) {
     events_.clear();
+    crew.forEach(candidates_.size(), kCandidatesAPiece, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            findTime(step, candidates_[i]);
+        }
+    });
     for (std::uint32_t i = 0; i < candidates_.size(); ++i) {
-        findTime(step, i);
+        expect(i);
     }
     while (!events_.empty()) {
         std::pop_heap(events_.begin(), events_.end(), later<Event>);
@@ -240,7 +267,8 @@ void SweepStage::cutShort(const Step& step, std::uint32_t body, Real time) {
     for (std::uint32_t i = first_[body]; i != kNone;) {
         const bool isA = step.contacts[candidates_[i].contact].key.bodyA == body;
         if (!candidates_[i].done) {
-            findTime(step, i);
+            findTime(step, candidates_[i]);
+            expect(i);
         }
         i = candidates_[i].next[isA ? 0 : 1];
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/base/crew.hpp>
 #include <kodo/bodies/bodies.hpp>
 #include <kodo/bodies/tolerances.hpp>
 #include <kodo/contacts/contact.hpp>
@@ -24,7 +25,7 @@ namespace kodo::inline KODO_PRECISION {
 class SweepStage {
 public:
     void run(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
-             const Tolerances& tolerances, Real dt);
+             const Tolerances& tolerances, Real dt, Crew& crew);
 
 private:
     struct Candidate {
@@ -46,21 +47,24 @@ private:
         const Tolerances& tolerances;
     };
 
-    void measureWays(const Bodies& bodies);
+    void measureWays(const Bodies& bodies, Crew& crew);
     bool findCandidates(const Bodies& bodies, std::span<const Contact> contacts,
-                        const StepSettings& settings, const Tolerances& tolerances);
-    void addCandidate(const Contact& contact, std::uint32_t place);
-    void findTime(const Step& step, std::uint32_t candidate);
-    void stopInOrder(const Step& step);
+                        const StepSettings& settings, const Tolerances& tolerances, Crew& crew);
+    void linkCandidates(std::span<const Contact> contacts);
+    void findTime(const Step& step, Candidate& candidate) const;
+    void expect(std::uint32_t candidate);
+    void stopInOrder(const Step& step, Crew& crew);
     void cutShort(const Step& step, std::uint32_t body, Real time);
     void noticeSensors(const Bodies& bodies, std::span<Contact> contacts,
                        const StepSettings& settings, const Tolerances& tolerances);
     void noticeOnTheWay(const Bodies& bodies, Contact& contact, Real share,
                         const Tolerances& tolerances) const;
 
-    std::vector<Real> ways_;           // m, by body: how far its outermost point goes at most
-    std::vector<Real> stopAt_;         // share of the step, by body
-    std::vector<std::uint32_t> first_; // by body: one of its candidates
+    std::vector<Real> ways_;            // m, by body: how far its outermost point goes at most
+    std::vector<Real> stopAt_;          // share of the step, by body
+    std::vector<std::uint32_t> first_;  // by body: one of its candidates
+    std::vector<std::uint32_t> places_; // of the contacts that need a sweep
+    Findings<std::uint32_t> found_;
     std::vector<Candidate> candidates_;
     std::vector<Event> events_; // a heap, the earliest on top
 };
