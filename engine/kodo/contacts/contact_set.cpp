@@ -136,6 +136,7 @@ std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies) {
         if (gone) {
             idle_.push_back(contact);
             idle_.back().seat = {};
+            forgetBlows(idle_.back()); // or a step that it comes back in would report them again
         }
         return gone;
     });
@@ -181,7 +182,7 @@ void ContactSet::renewPlaces() {
 }
 
 const Convex& ContactSet::outline(const Bodies& bodies, std::size_t proxy) const {
-    return bodies.form(proxies_[proxy].body).parts[proxies_[proxy].part].convex;
+    return bodies.outline(proxies_[proxy].body, proxies_[proxy].part);
 }
 
 void ContactSet::rebuildProxies(const Bodies& bodies) {
@@ -373,6 +374,16 @@ void ContactSet::mergePairs(const Bodies& bodies) {
         contacts_[order_[at].slot] = makeContact(bodies, order_[at].pair);
     }
     fillHoles();
+}
+
+void ContactSet::measureApproach(const Bodies& bodies) {
+    fastestApproach_ = 0;
+    for (Contact& contact : contacts_) {
+        if (contact.near) {
+            kodo::measureApproach(contact, bodies);
+            fastestApproach_ = std::max(fastestApproach_, contact.approachSpeed);
+        }
+    }
 }
 
 void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances) {

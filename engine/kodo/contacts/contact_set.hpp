@@ -40,6 +40,8 @@ public:
     void setApart(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
     /// Finds where the pairs touch, now, and how fast they approach.
     void updateManifolds(const Bodies& bodies, const Tolerances& tolerances);
+    /// Measures the approach again, since bodies have got other speeds.
+    void measureApproach(const Bodies& bodies);
     /// m/s, of those that updateManifolds looked at.
     Real fastestApproach() const { return fastestApproach_; }
     /// Adds the pairs of bodies that the solver sent farther than updatePairs could foresee.

@@ -9,22 +9,6 @@
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
-const Convex& outline(const Bodies& bodies, std::uint32_t body, std::uint16_t part) {
-    return bodies.form(body).parts[part].convex;
-}
-
-Real approachSpeedOf(const Contact& contact, const Bodies& bodies) {
-    const Motion& a = bodies.motion[contact.key.bodyA];
-    const Motion& b = bodies.motion[contact.key.bodyB];
-    Real fastest = 0;
-    for (int i = 0; i < contact.manifold.count; ++i) {
-        const ManifoldPoint& p = contact.manifold.points[static_cast<std::size_t>(i)];
-        const Vec2 relative = velocityAt(b, p.armB) - velocityAt(a, p.armA);
-        fastest = std::max(fastest, -dot(contact.manifold.normal, relative));
-    }
-    return fastest;
-}
-
 /// Takes a new manifold, and hands the impulses of the old points on to the new ones that are made
 /// by the same features.
 void replaceManifold(Contact& contact, const Manifold& manifold) {
@@ -79,8 +63,8 @@ void find(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) 
     const ContactKey& key = contact.key;
     // Which face carries a contact of parallel faces must not flicker with rounding.
     const Real preference = tolerances.slop / 8;
-    Manifold manifold = collide(outline(bodies, key.bodyA, key.partA), bodies.pose[key.bodyA],
-                                outline(bodies, key.bodyB, key.partB), bodies.pose[key.bodyB],
+    Manifold manifold = collide(bodies.outline(key.bodyA, key.partA), bodies.pose[key.bodyA],
+                                bodies.outline(key.bodyB, key.partB), bodies.pose[key.bodyB],
                                 tolerances.margin, preference);
     contact.passing = letPass(contact.passing, manifold);
     replaceManifold(contact, manifold);
@@ -93,6 +77,24 @@ void find(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) 
 void beginStep(Contact& contact) {
     contact.touching = false;
     contact.hidden = false;
+    forgetBlows(contact);
+}
+
+} // namespace
+
+void measureApproach(Contact& contact, const Bodies& bodies) {
+    const Motion& a = bodies.motion[contact.key.bodyA];
+    const Motion& b = bodies.motion[contact.key.bodyB];
+    contact.approachSpeed = 0;
+    for (int i = 0; i < contact.manifold.count; ++i) {
+        const ManifoldPoint& p = contact.manifold.points[static_cast<std::size_t>(i)];
+        const Vec2 relative = velocityAt(b, p.armB) - velocityAt(a, p.armA);
+        contact.approachSpeed =
+            std::max(contact.approachSpeed, -dot(contact.manifold.normal, relative));
+    }
+}
+
+void forgetBlows(Contact& contact) {
     contact.total = 0;
     contact.approachSpeed = 0;
     for (PointImpulse& impulse : contact.impulse) {
@@ -101,8 +103,6 @@ void beginStep(Contact& contact) {
     }
 }
 
-} // namespace
-
 void refreshContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) {
     beginStep(contact);
     contact.near = true;
@@ -110,7 +110,7 @@ void refreshContact(Contact& contact, const Bodies& bodies, const Tolerances& to
     if (!carry(bodies, contact, tolerances)) {
         find(contact, bodies, tolerances);
     }
-    contact.approachSpeed = approachSpeedOf(contact, bodies);
+    measureApproach(contact, bodies);
 }
 
 void clearContact(Contact& contact) {

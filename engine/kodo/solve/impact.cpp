@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/solve/impact.hpp>
+#include <kodo/solve/leverage.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,11 @@ struct Response {
     Real nt;
     Real tt;
 };
+
+// A determinant this small beside the product it is the difference of is a rounding.
+constexpr Real kSingular = sizeof(Real) == 4 ? Real(1e-5) : Real(1e-12);
+// Friction may make a blow so many times as hard as it would be without.
+constexpr Real kHardest = 16;
 
 /// One contact with its two bodies at hand.
 struct Impact {
@@ -49,7 +55,9 @@ Real response(const Impact& hit, std::size_t i, Vec2 u, std::size_t k, Vec2 v) {
 }
 
 /// One point with friction: the impulse that stops all sliding, if the friction cone allows it;
-/// otherwise the one on the edge of the cone [Guendelman03, section 6].
+/// otherwise the one on the edge of the cone [Guendelman03, section 6]. What can only turn gives way
+/// along one line: there friction has nothing to stop that the normal does not, and no impulse can be
+/// told from another by what it does.
 void hitPoint(const Impact& hit, std::size_t i) {
     const Vec2 n = hit.normal();
     const Vec2 t = hit.tangent();
@@ -62,11 +70,12 @@ void hitPoint(const Impact& hit, std::size_t i) {
     const Real wanted = -(1 + hit.contact.material.restitution) * dot(n, v);
     const Real sliding = dot(t, v);
     const Material& material = hit.contact.material;
-    if (hit.frictionless || material.staticFriction == 0) {
+    const Real determinant = k.nn * k.tt - k.nt * k.nt;
+    if (hit.frictionless || material.staticFriction == 0 ||
+        determinant < kSingular * k.nn * k.tt) {
         hit.push(i, (wanted / k.nn) * n);
         return;
     }
-    const Real determinant = k.nn * k.tt - k.nt * k.nt;
     const Real jn = (wanted * k.tt + sliding * k.nt) / determinant;
     const Real jt = (-sliding * k.nn - wanted * k.nt) / determinant;
     if (determinant > 0 && jn > 0 && std::abs(jt) <= material.staticFriction * jn) {
@@ -77,7 +86,7 @@ void hitPoint(const Impact& hit, std::size_t i) {
     const bool forward = sliding != 0 ? sliding > 0 : jt < 0;
     const Real slope = forward ? -material.kineticFriction : material.kineticFriction;
     const Real along = k.nn + slope * k.nt;
-    if (along > 0) {
+    if (along * kHardest > k.nn) {
         hit.push(i, (wanted / along) * (n + slope * t));
     } else { // wedged: friction alone would drive the bodies together
         hit.push(i, (wanted / k.nn) * n);
@@ -87,7 +96,11 @@ void hitPoint(const Impact& hit, std::size_t i) {
 /// Friction of a point that has just been pushed by jn.
 void rub(const Impact& hit, std::size_t i, Real jn) {
     const Vec2 t = hit.tangent();
-    const Real stick = -dot(t, hit.relativeVelocity(i)) / response(hit, i, t, i, t);
+    const Real k = response(hit, i, t, i, t);
+    if (!(k > 0)) {
+        return; // neither gives way along the tangent
+    }
+    const Real stick = -dot(t, hit.relativeVelocity(i)) / k;
     const Material& material = hit.contact.material;
     const Real limit = material.kineticFriction * jn;
     const bool sticks = std::abs(stick) <= material.staticFriction * jn;
@@ -108,7 +121,6 @@ bool hitBoth(const Impact& hit) {
     const Real w1 = gain * dot(n, hit.relativeVelocity(0));
     const Real w2 = gain * dot(n, hit.relativeVelocity(1));
     const Real determinant = k11 * k22 - k12 * k12;
-    constexpr Real kSingular = sizeof(Real) == 4 ? Real(1e-5) : Real(1e-12);
     if (determinant < kSingular * k11 * k22) { // cannot turn: both points are as one
         hit.push(0, (w1 / (2 * k11)) * n);
         hit.push(1, (w1 / (2 * k11)) * n);

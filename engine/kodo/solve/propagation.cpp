@@ -2,6 +2,7 @@
 #include <kodo/base/refill.hpp>
 #include <kodo/bodies/integrate.hpp>
 #include <kodo/solve/impact.hpp>
+#include <kodo/solve/leverage.hpp>
 #include <kodo/solve/propagation.hpp>
 
 #include <algorithm>

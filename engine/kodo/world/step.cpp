@@ -101,10 +101,7 @@ void World::freezeUnsoundMotion() {
         if (isFinite(motion.velocity) && std::isfinite(motion.angularVelocity)) {
             freeze(bodies_, body); // too fast by itself
         }
-        motion.velocity = {};
-        motion.angularVelocity = 0;
-        motion.move = {};
-        motion.turn = 0;
+        motion.stand();
         const BodyId id = bodies_.idAt(body);
         if (std::find(frozen_.begin(), frozen_.end(), id) == frozen_.end()) {
             frozen_.push_back(id);
@@ -113,10 +110,7 @@ void World::freezeUnsoundMotion() {
     if (frozen_.size() > before) {
         for (Motion& motion : bodies_.motion) { // of what stands too: 0 times infinity is no number
             if (!isSound(motion)) {
-                motion.velocity = {};
-                motion.angularVelocity = 0;
-                motion.move = {};
-                motion.turn = 0;
+                motion.stand();
             }
         }
         for (Contact& contact : contacts_.contacts()) {
