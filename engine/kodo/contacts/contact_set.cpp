@@ -38,18 +38,24 @@ void ContactSet::writeRecords() const {
     addEnds(endedInStep_, records_);
 }
 
-void ContactSet::forgetUnsoundImpulses() {
+void ContactSet::forgetUnsound(const Bodies& bodies, const Tolerances& tolerances) {
     for (Contact& contact : contacts_) {
+        const ManifoldPoint& p = contact.manifold.points[0];
+        const ManifoldPoint& q = contact.manifold.points[1];
         const Real sum = contact.impulse[0].normal + contact.impulse[1].normal + contact.friction +
-                         contact.rolling + contact.total;
-        if (!std::isfinite(sum)) {
-            contact.impulse = {};
-            contact.friction = 0;
-            contact.rolling = 0;
-            contact.total = 0;
-            contact.carried = false;
-            contact.seat = {}; // its lane holds what is to be forgotten
+                         contact.rolling + contact.total + p.separation + q.separation;
+        const bool placed = isFinite(contact.centerA) && isFinite(contact.manifold.normal) &&
+                            isFinite(p.armA) && isFinite(p.armB) && isFinite(q.armA) &&
+                            isFinite(q.armB);
+        if (std::isfinite(sum) && placed) {
+            continue;
         }
+        contact.impulse = {};
+        contact.friction = 0;
+        contact.rolling = 0;
+        contact.carried = false;
+        contact.seat = {}; // its lane holds what is to be forgotten
+        refreshContact(contact, bodies, tolerances);
     }
 }
 

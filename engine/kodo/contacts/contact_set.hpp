@@ -47,8 +47,8 @@ public:
     /// Adds the pairs of bodies that the solver sent farther than updatePairs could foresee.
     void coverMoves(const Bodies& bodies, const Tolerances& tolerances);
 
-    /// Contacts whose impulses are not finite start anew.
-    void forgetUnsoundImpulses();
+    /// Contacts with an impulse or a place that is not finite start anew, where their bodies are.
+    void forgetUnsound(const Bodies& bodies, const Tolerances& tolerances);
 
     /// In an order of their own, which does not change while no pair comes or goes.
     std::span<Contact> contacts() { return contacts_; }

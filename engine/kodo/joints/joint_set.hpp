@@ -47,6 +47,8 @@ public:
     void beginStep();
     void warmStart(Bodies& bodies, const JointPass& pass);
     void solve(Bodies& bodies, const JointPass& pass);
+    /// Joints with an impulse that is not finite start anew.
+    void forgetUnsound();
     /// Finds the loads of a step of dt and breaks what is overloaded.
     std::span<const BrokenJoint> endStep(Real dt);
 

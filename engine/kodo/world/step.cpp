@@ -116,7 +116,8 @@ void World::freezeUnsoundMotion() {
         for (Contact& contact : contacts_.contacts()) {
             softStep_.fetch(contact);
         }
-        contacts_.forgetUnsoundImpulses();
+        contacts_.forgetUnsound(bodies_, tolerances_);
+        joints_.forgetUnsound();
         contacts_.bodiesChanged(); // what froze is a piece of ground now
     }
 }
