@@ -40,22 +40,10 @@ void ContactSet::writeRecords() const {
 
 void ContactSet::forgetUnsound(const Bodies& bodies, const Tolerances& tolerances) {
     for (Contact& contact : contacts_) {
-        const ManifoldPoint& p = contact.manifold.points[0];
-        const ManifoldPoint& q = contact.manifold.points[1];
-        const Real sum = contact.impulse[0].normal + contact.impulse[1].normal + contact.friction +
-                         contact.rolling + contact.total + p.separation + q.separation;
-        const bool placed = isFinite(contact.centerA) && isFinite(contact.manifold.normal) &&
-                            isFinite(p.armA) && isFinite(p.armB) && isFinite(q.armA) &&
-                            isFinite(q.armB);
-        if (std::isfinite(sum) && placed) {
-            continue;
+        if (!isSound(contact)) {
+            clearContact(contact);
+            refreshContact(contact, bodies, tolerances);
         }
-        contact.impulse = {};
-        contact.friction = 0;
-        contact.rolling = 0;
-        contact.carried = false;
-        contact.seat = {}; // its lane holds what is to be forgotten
-        refreshContact(contact, bodies, tolerances);
     }
 }
 
@@ -385,10 +373,8 @@ void ContactSet::mergePairs(const Bodies& bodies) {
 void ContactSet::measureApproach(const Bodies& bodies) {
     fastestApproach_ = 0;
     for (Contact& contact : contacts_) {
-        if (contact.near) {
-            kodo::measureApproach(contact, bodies);
-            fastestApproach_ = std::max(fastestApproach_, contact.approachSpeed);
-        }
+        kodo::measureApproach(contact, bodies);
+        fastestApproach_ = std::max(fastestApproach_, contact.approachSpeed);
     }
 }
 

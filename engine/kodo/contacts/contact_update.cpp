@@ -113,6 +113,16 @@ void refreshContact(Contact& contact, const Bodies& bodies, const Tolerances& to
     measureApproach(contact, bodies);
 }
 
+bool isSound(const Contact& contact) {
+    const Manifold& manifold = contact.manifold;
+    bool placed = isFinite(contact.centerA) && isFinite(manifold.normal);
+    for (const ManifoldPoint& p : manifold.points) {
+        placed = placed && isFinite(p.armA) && isFinite(p.armB) && std::isfinite(p.separation);
+    }
+    return placed && std::isfinite(contact.impulse[0].normal + contact.impulse[1].normal +
+                                   contact.friction + contact.rolling + contact.total);
+}
+
 void clearContact(Contact& contact) {
     beginStep(contact);
     contact.near = false;
@@ -122,6 +132,7 @@ void clearContact(Contact& contact) {
     contact.rolling = 0;
     contact.carried = false;
     contact.passing = false;
+    contact.seat = {}; // what its lane holds is to be forgotten, too
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -17,6 +17,9 @@ void measureApproach(Contact& contact, const Bodies& bodies);
 /// What was pushed in the last step is not for the record of another.
 void forgetBlows(Contact& contact);
 
+/// Are its impulses finite, and where it is?
+bool isSound(const Contact& contact);
+
 /// The parts are not near any more: nothing is left of what was.
 void clearContact(Contact& contact);
 
