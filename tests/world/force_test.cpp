@@ -34,7 +34,10 @@ struct Bound {
 const Bound kBound[] = {
     {"locked", [](World& w, BodyId id) { w[id].setFlags(kLocked); },
      [](World& w, BodyId id) { w[id].setFlags(0); }},
-    {"outside the region", [](World& w, BodyId) { w.setRegion(Aabb{{50, 50}, {60, 60}}); },
+    {"outside the region",
+     [](World& w, BodyId) {
+         w.setRegion(Aabb{{50, 50}, {60, 60}});
+     },
      [](World& w, BodyId) { w.setRegion(std::nullopt); }},
     {"frozen",
      [](World& w, BodyId id) {

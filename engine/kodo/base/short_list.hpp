@@ -22,7 +22,8 @@ public:
 
     ShortList(const ShortList&) = default;
     ShortList(ShortList&& other) noexcept
-        : size_(std::exchange(other.size_, 0)), inside_(std::move(other.inside_)),
+        : size_(std::exchange(other.size_, 0)),
+          inside_(std::move(other.inside_)),
           outside_(std::exchange(other.outside_, {})) {}
     ShortList& operator=(ShortList other) noexcept {
         std::swap(size_, other.size_);

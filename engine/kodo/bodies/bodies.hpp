@@ -135,8 +135,8 @@ void weldBodies(Bodies& bodies, std::uint32_t into, std::uint32_t part);
 /// one part.
 BodyId unweldPart(Bodies& bodies, std::uint32_t body, std::size_t part, Flags flags);
 
-/// Adds to the force (N, at the centre of mass) and the torque (N m) of the next step. They last for
-/// that one step, whether the body can be pushed in it or not.
+/// Adds to the force (N, at the centre of mass) and the torque (N m) of the next step. They last
+/// for that one step, whether the body can be pushed in it or not.
 void addForce(Bodies& bodies, std::uint32_t body, Vec2 force, Real torque);
 
 /// Stops a body for good that has become unsound: not finite, or faster than kHighestSpeed.

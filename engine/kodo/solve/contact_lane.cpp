@@ -40,7 +40,7 @@ void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const
     block.normalY[lane] = n.y;
     const auto setPoint = [&](std::size_t i) {
         const ManifoldPoint& p = manifold.points[i];
-        if (isBlocked(a, p.armA, b, p.armB, n)) {
+        if (isBlocked(bodies, contact, i)) {
             writePoint(block.points[i], lane, {.separation = p.separation});
             return;
         }

@@ -9,18 +9,29 @@
 
 namespace kodo::inline KODO_PRECISION {
 
-/// Two bodies of which neither can be moved, but one turned, give way at a contact only where its
-/// arm lies aslant to the normal. Hit (almost, within 2 degrees) straight towards its hinge it
-/// would have to spin without bound.
-inline bool isBlocked(const Motion& a, Vec2 armA, const Motion& b, Vec2 armB, Vec2 normal) {
+/// Do the bodies of a contact not give way at this point? Two that cannot be moved, but turned, do
+/// so only by a lever. The shorter that is, the heavier they seem, and hit straight towards its
+/// hinge a body would have to spin without bound: so they are immovable where they would seem more
+/// than 64 times as heavy as they are,
+///
+///   lever^2 / I < 1 / (64 m)
+///
+/// which for a wheel is within 5 degrees of its hinge.
+inline bool isBlocked(const Bodies& bodies, const Contact& contact, std::size_t point) {
+    const auto [bodyA, partA, bodyB, partB] = contact.key;
+    const Motion& a = bodies.motion[bodyA];
+    const Motion& b = bodies.motion[bodyB];
     if (a.invMass > 0 || b.invMass > 0) {
         return false;
     }
-    const Real leverA = cross(armA, normal);
-    const Real leverB = cross(armB, normal);
-    const Real along = a.invInertia * leverA * leverA + b.invInertia * leverB * leverB;
-    const Real most = a.invInertia * lengthSquared(armA) + b.invInertia * lengthSquared(armB);
-    return along <= most / 1024;
+    const ManifoldPoint& p = contact.manifold.points[point];
+    const Real leverA = cross(p.armA, contact.manifold.normal);
+    const Real leverB = cross(p.armB, contact.manifold.normal);
+    const Real given = a.invInertia * leverA * leverA + b.invInertia * leverB * leverB;
+    const auto alone = [&](const Motion& motion, std::uint32_t body) {
+        return motion.invInertia > 0 ? 1 / bodies.form(body).mass.mass : Real(0);
+    };
+    return given * 64 <= alone(a, bodyA) + alone(b, bodyB);
 }
 
 /// What brakes rolling (m): resistance times the distance from the centre of the rolling body to

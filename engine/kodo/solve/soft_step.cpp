@@ -3,10 +3,22 @@
 #include <kodo/solve/soft_step.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
+
+static int envi(const char* n, int d) {
+    const char* v = std::getenv(n);
+    return v ? std::atoi(v) : d;
+}
+const Real kMostGive = envi("GIVE", 4);
+const Real kFarApart = 50;
+const Real kMostStiffening = Real(envi("STIFF", 10)) / 10;
+const Real kDeep = envi("DEEP", 16);
+const int kSettlePasses = envi("SETTLE", 0);
 
 /// A row is needed once the bodies are near enough to touch within the step. Those that bounce must
 /// not be braked before they touch, or they would lose the speed they bounce with.
@@ -43,6 +55,7 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
         holds_[firstBody(joint.def).index] = Hold::Touched;
         holds_[secondBody(joint.def).index] = Hold::Touched;
     });
+    deep_ = false;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         Contact& contact = contacts[i];
         if (!needsRow(bodies, contact, settings, tolerances)) {
@@ -55,6 +68,7 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
         }
         blocks_.take(bodies, contact, static_cast<std::uint32_t>(i));
         const Real separation = contact.manifold.points[0].separation;
+        deep_ = deep_ || separation < -kDeep * tolerances.slop;
         for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
             holds_[body] =
                 std::max(holds_[body], separation <= tolerances.slop ? Hold::Touched : Hold::Near);
@@ -63,6 +77,40 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
             }
         }
     }
+}
+
+/// By how much contacts must be stiffer than usual (their frequency, that is), since something
+/// heavy presses on something light. A contact is a spring as stiff as the lighter of its two
+/// bodies needs it, and gives by
+///
+///   s = F (1/m_light + 1/m_heavy) / omega^2,  F = m_heavy a
+Real SoftStep::stiffening(const Bodies& bodies, std::span<const Contact> contacts, Real hertz,
+                          const Tolerances& tolerances) const {
+    Real lightest = 0; // as 1/kg
+    Real heaviest = std::numeric_limits<Real>::max();
+    for (const std::uint32_t body : bodies.awake) {
+        if (const Real invMass = bodies.motion[body].invMass; invMass > 0) {
+            lightest = std::max(lightest, invMass);
+            heaviest = std::min(heaviest, invMass);
+        }
+    }
+    const Real omega = 2 * std::numbers::pi_v<Real> * hertz;
+    const Real most = kMostGive * tolerances.slop * omega * omega; // m/s^2
+    if (lightest < kFarApart * heaviest) {
+        return 1;
+    }
+    Real load = most;
+    for (const Contact& contact : contacts) {
+        const Real a = bodies.motion[contact.key.bodyA].invMass;
+        const Real b = bodies.motion[contact.key.bodyB].invMass;
+        const Real heavy = std::min(a, b);
+        if (heavy > 0 && std::max(a, b) >= kFarApart * heavy && contact.responds() &&
+            contact.manifold.points[0].separation <= tolerances.slop) {
+            const std::uint32_t body = heavy == a ? contact.key.bodyA : contact.key.bodyB;
+            load = std::max(load, (a + b) / heavy * length(bodies.acceleration[body].linear));
+        }
+    }
+    return std::min(std::sqrt(load / most), kMostStiffening);
 }
 
 /// Lists the bodies of joints, each once.
@@ -151,7 +199,8 @@ void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& join
                              : std::span<const std::uint16_t>(),
                     settings.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit);
     const Real h = dt / static_cast<Real>(settings.substeps);
-    const Real hertz = std::min(settings.contactHertz, Real(0.25) / h);
+    const Real usual = std::min(settings.contactHertz, Real(0.25) / h);
+    const Real hertz = usual * stiffening(bodies, contacts, usual, tolerances);
     const ContactPasses& passes = ContactPasses::best();
     const ContactPassArguments pass =
         blocks_.pass(bodies, {Softness::from(hertz, settings.contactDamping, h),
@@ -181,6 +230,9 @@ void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& join
         jointPass.biased = false;
         passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
         if (pass.count > 0) {
+            for (int again = deep_ ? kSettlePasses : 0; again > 0; --again) {
+                passes.settle(pass);
+            }
             passes.relax(pass);
         }
     }

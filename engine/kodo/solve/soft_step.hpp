@@ -43,6 +43,8 @@ private:
 
     void collect(const Bodies& bodies, std::span<Contact> contacts, const JointSet& joints,
                  const StepSettings& settings, const Tolerances& tolerances);
+    Real stiffening(const Bodies& bodies, std::span<const Contact> contacts, Real hertz,
+                    const Tolerances& tolerances) const;
     static Velocity velocityOf(const Motion& motion) {
         return {motion.velocity, motion.angularVelocity};
     }
@@ -57,6 +59,7 @@ private:
     std::vector<Hold> holds_;          // by body
     std::vector<std::uint16_t> crowd_; // by body: how many overlap it deeply
     bool crowded_ = false;             // too many overlap some body
+    bool deep_ = false;                // some overlap deeply
     std::vector<Velocity> before_;     // by body: with the forces of the substep, without contacts
     std::vector<std::uint32_t> free_;  // bodies that nothing can push in this step
     std::vector<std::uint32_t> bound_; // and the others
