@@ -203,6 +203,16 @@ void JointSet::beginStep() {
     }
 }
 
+void JointSet::scaleImpulses(Real by) {
+    for (const std::uint32_t index : live_) {
+        Joint& joint = joints_[index];
+        joint.point *= by;
+        for (Real& impulse : joint.axes) {
+            impulse *= by;
+        }
+    }
+}
+
 void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
     if (treesStale_) {
         findTrees(bodies);

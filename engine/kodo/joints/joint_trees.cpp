@@ -3,7 +3,6 @@
 #include <kodo/joints/joint_trees.hpp>
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -11,8 +10,9 @@ namespace {
 // Of a row's inverse mass: how much a joint gives within a pass that closes a loop through the
 // ground. Nothing else gives way there, and something must.
 constexpr Real kLeastGive = Real(1) / 1024;
-static int envi(const char* n, int d){const char* v=std::getenv(n); return v?std::atoi(v):d;}
-const Real kLoop=Real(1)/Real(envi("LOOP",1));
+// A spring that closes a loop so is solved together with all that hangs on it, and therefore may be
+// stiffer than those that take turns.
+constexpr Real kLoopGive = Real(0.4);
 
 Triple velocityOf(const Motion& motion) {
     return {motion.velocity.x, motion.velocity.y, motion.angularVelocity};
@@ -243,7 +243,7 @@ Symmetric3 JointTrees::giving(const Bodies& bodies, Node& node, const JointPass&
                                  motion.invInertia * row[2] * row[2];
         give[r] = kLeastGive * inverseMass;
         if (pass.biased && pass.stiff.impulseScale > 0) {
-            give[r] = kLoop * pass.stiff.impulseScale / pass.stiff.massScale * inverseMass;
+            give[r] = kLoopGive * pass.stiff.impulseScale / pass.stiff.massScale * inverseMass;
             node.wanted[r] -= give[r] * rows.impulse[r];
         }
     }

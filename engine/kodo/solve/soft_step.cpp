@@ -3,22 +3,24 @@
 #include <kodo/solve/soft_step.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
+#include <limits>
+#include <numbers>
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
-static int envi(const char* n, int d) {
-    const char* v = std::getenv(n);
-    return v ? std::atoi(v) : d;
-}
-const Real kMostGive = envi("GIVE", 4);
-const Real kFarApart = 50;
-const Real kMostStiffening = Real(envi("STIFF", 10)) / 10;
-const Real kDeep = envi("DEEP", 16);
-const int kSettlePasses = envi("SETTLE", 0);
+// Contacts may give by so many slops under a weight before the step is refined, and a body must be
+// so many times as heavy as another for its weight to be asked about.
+constexpr Real kMostGive = 2;
+constexpr Real kFarApart = 50;
+constexpr int kMostRefined = 4;
+// Overlaps of more than so many slops are deep. The speed that their pushes give is taken out again
+// by more passes, two for one of them and one more for each further one, up to so many. In a large
+// crowd the push is shared out, and there are many contacts: fewer passes will do.
+constexpr Real kDeep = 8;
+constexpr int kMostSettling = 10;
+constexpr int kLargeCrowd = 600; // of passes times bodies
 
 /// A row is needed once the bodies are near enough to touch within the step. Those that bounce must
 /// not be braked before they touch, or they would lose the speed they bounce with.
@@ -55,7 +57,8 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
         holds_[firstBody(joint.def).index] = Hold::Touched;
         holds_[secondBody(joint.def).index] = Hold::Touched;
     });
-    deep_ = false;
+    std::uint16_t most = 1; // that overlap one body
+    int deep = 0;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         Contact& contact = contacts[i];
         if (!needsRow(bodies, contact, settings, tolerances)) {
@@ -68,24 +71,28 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
         }
         blocks_.take(bodies, contact, static_cast<std::uint32_t>(i));
         const Real separation = contact.manifold.points[0].separation;
-        deep_ = deep_ || separation < -kDeep * tolerances.slop;
+        deep += separation < -kDeep * tolerances.slop ? 1 : 0;
         for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
             holds_[body] =
                 std::max(holds_[body], separation <= tolerances.slop ? Hold::Touched : Hold::Near);
             if (separation < -4 * tolerances.slop && !bodies.locked(body)) {
                 crowded_ = ++crowd_[body] > ContactBlocks::kNeighbours || crowded_;
+                most = std::max(most, crowd_[body]);
             }
         }
     }
+    settling_ = deep == 0 ? 0 : std::min({1 + deep, kMostSettling, 1 + kLargeCrowd / most});
 }
 
-/// By how much contacts must be stiffer than usual (their frequency, that is), since something
-/// heavy presses on something light. A contact is a spring as stiff as the lighter of its two
-/// bodies needs it, and gives by
+/// Into how many parts each substep is divided, since something heavy presses on something light. A
+/// contact is a spring as stiff as the lighter of its two bodies needs it, and gives by
 ///
 ///   s = F (1/m_light + 1/m_heavy) / omega^2,  F = m_heavy a
-Real SoftStep::stiffening(const Bodies& bodies, std::span<const Contact> contacts, Real hertz,
-                          const Tolerances& tolerances) const {
+///
+/// and stiffer ones need shorter substeps. Impulses are kept as of a whole substep; a power of two
+/// changes no digit of them.
+int SoftStep::refinement(const Bodies& bodies, std::span<const Contact> contacts, Real hertz,
+                         const Tolerances& tolerances) {
     Real lightest = 0; // as 1/kg
     Real heaviest = std::numeric_limits<Real>::max();
     for (const std::uint32_t body : bodies.awake) {
@@ -94,12 +101,10 @@ Real SoftStep::stiffening(const Bodies& bodies, std::span<const Contact> contact
             heaviest = std::min(heaviest, invMass);
         }
     }
-    const Real omega = 2 * std::numbers::pi_v<Real> * hertz;
-    const Real most = kMostGive * tolerances.slop * omega * omega; // m/s^2
     if (lightest < kFarApart * heaviest) {
         return 1;
     }
-    Real load = most;
+    Real load = 0; // m/s^2
     for (const Contact& contact : contacts) {
         const Real a = bodies.motion[contact.key.bodyA].invMass;
         const Real b = bodies.motion[contact.key.bodyB].invMass;
@@ -110,7 +115,13 @@ Real SoftStep::stiffening(const Bodies& bodies, std::span<const Contact> contact
             load = std::max(load, (a + b) / heavy * length(bodies.acceleration[body].linear));
         }
     }
-    return std::min(std::sqrt(load / most), kMostStiffening);
+    const Real omega = 2 * std::numbers::pi_v<Real> * hertz;
+    const Real most = kMostGive * tolerances.slop * omega * omega;
+    int parts = 1;
+    while (parts < kMostRefined && load > most * static_cast<Real>(parts * parts)) {
+        parts *= 2;
+    }
+    return parts;
 }
 
 /// Lists the bodies of joints, each once.
@@ -190,51 +201,65 @@ void SoftStep::nextSubstep(Bodies& bodies, Real h) {
 
 void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints,
                      const StepSettings& settings, const Tolerances& tolerances, Real dt) {
+    visits_ = 0;
     if (bodies.awake.empty() && blocks_.size() == 0) {
         return;
     }
+    const Real whole = dt / static_cast<Real>(settings.substeps);
+    const auto hertzOf = [](Real hertz, Real h) { return std::min(hertz, Real(0.25) / h); };
+    const int parts =
+        refinement(bodies, contacts, hertzOf(settings.contactHertz, whole), tolerances);
+    const Real h = whole / static_cast<Real>(parts);
+    blocks_.refine(parts);
     collect(bodies, contacts, joints, settings, tolerances);
     blocks_.arrange(bodies, contacts,
                     crowded_ ? std::span<const std::uint16_t>(crowd_)
                              : std::span<const std::uint16_t>(),
                     settings.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit);
-    const Real h = dt / static_cast<Real>(settings.substeps);
-    const Real usual = std::min(settings.contactHertz, Real(0.25) / h);
-    const Real hertz = usual * stiffening(bodies, contacts, usual, tolerances);
-    const ContactPasses& passes = ContactPasses::best();
+    const Real hertz = hertzOf(settings.contactHertz * static_cast<Real>(parts), h);
     const ContactPassArguments pass =
         blocks_.pass(bodies, {Softness::from(hertz, settings.contactDamping, h),
                               Softness::from(2 * hertz, settings.contactDamping, h), 1 / h,
                               settings.has(Feature::Friction)});
-    JointPass jointPass{
-        h, Softness::from(std::min(settings.jointHertz, Real(0.25) / h), settings.jointDamping, h)};
+    JointPass jointPass{h,
+                        Softness::from(hertzOf(settings.jointHertz, h), settings.jointDamping, h)};
     joints.beginStep();
+    joints.scaleImpulses(1 / static_cast<Real>(parts));
     findJointed(joints);
     moveFree(bodies, dt);
-    for (int substep = 0; substep < settings.substeps; ++substep) {
-        if (substep == 0) {
-            beginSubsteps(bodies, h);
-        } else {
-            nextSubstep(bodies, h);
+    const int substeps = parts * settings.substeps;
+    for (int substep = 0; substep < substeps; ++substep) {
+        runSubstep(bodies, joints, pass, jointPass, substep == 0);
+    }
+    joints.scaleImpulses(static_cast<Real>(parts));
+    visits_ = blocks_.size() * static_cast<std::size_t>(substeps * (2 + settling_));
+}
+
+void SoftStep::runSubstep(Bodies& bodies, JointSet& joints, const ContactPassArguments& pass,
+                          JointPass& jointPass, bool first) {
+    const ContactPasses& passes = ContactPasses::best();
+    if (first) {
+        beginSubsteps(bodies, jointPass.h);
+    } else {
+        nextSubstep(bodies, jointPass.h);
+    }
+    passJoints(bodies, [&] { joints.warmStart(bodies, jointPass); });
+    if (first && pass.count > 0) {
+        passes.warmStart(pass);
+    }
+    jointPass.biased = true;
+    passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
+    if (pass.count > 0) {
+        passes.solve(pass);
+    }
+    integrateMoves(bodies, bound_, holds_, jointPass.h);
+    jointPass.biased = false;
+    passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
+    if (pass.count > 0) {
+        for (int again = 0; again < settling_; ++again) {
+            passes.settle(pass);
         }
-        passJoints(bodies, [&] { joints.warmStart(bodies, jointPass); });
-        if (substep == 0 && pass.count > 0) {
-            passes.warmStart(pass);
-        }
-        jointPass.biased = true;
-        passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
-        if (pass.count > 0) {
-            passes.solve(pass);
-        }
-        integrateMoves(bodies, bound_, holds_, h);
-        jointPass.biased = false;
-        passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
-        if (pass.count > 0) {
-            for (int again = deep_ ? kSettlePasses : 0; again > 0; --again) {
-                passes.settle(pass);
-            }
-            passes.relax(pass);
-        }
+        passes.relax(pass);
     }
 }
 

@@ -31,7 +31,8 @@ class SoftStep {
 public:
     void solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints,
                const StepSettings& settings, const Tolerances& tolerances, Real dt);
-    std::size_t contactCount() const { return blocks_.size(); }
+    /// How often the last step looked at a contact.
+    std::size_t visits() const { return visits_; }
     /// Hands the impulses of the last step to a contact, if the solver had it.
     void fetch(Contact& contact) const { blocks_.fetch(contact); }
 
@@ -43,8 +44,8 @@ private:
 
     void collect(const Bodies& bodies, std::span<Contact> contacts, const JointSet& joints,
                  const StepSettings& settings, const Tolerances& tolerances);
-    Real stiffening(const Bodies& bodies, std::span<const Contact> contacts, Real hertz,
-                    const Tolerances& tolerances) const;
+    static int refinement(const Bodies& bodies, std::span<const Contact> contacts, Real hertz,
+                          const Tolerances& tolerances);
     static Velocity velocityOf(const Motion& motion) {
         return {motion.velocity, motion.angularVelocity};
     }
@@ -54,12 +55,15 @@ private:
     void moveFree(Bodies& bodies, Real dt);
     void beginSubsteps(Bodies& bodies, Real h);
     void nextSubstep(Bodies& bodies, Real h);
+    void runSubstep(Bodies& bodies, JointSet& joints, const ContactPassArguments& pass,
+                    JointPass& jointPass, bool first);
 
     ContactBlocks blocks_;
     std::vector<Hold> holds_;          // by body
     std::vector<std::uint16_t> crowd_; // by body: how many overlap it deeply
     bool crowded_ = false;             // too many overlap some body
-    bool deep_ = false;                // some overlap deeply
+    int settling_ = 0;                 // passes more that take out what pushes gave
+    std::size_t visits_ = 0;
     std::vector<Velocity> before_;     // by body: with the forces of the substep, without contacts
     std::vector<std::uint32_t> free_;  // bodies that nothing can push in this step
     std::vector<std::uint32_t> bound_; // and the others

@@ -62,7 +62,7 @@ void World::solve(Real dt) {
         solveImpacts(bodies_, contacts, settings_, tolerances_, dt);
     }
     softStep_.solve(bodies_, contacts, joints_, settings_, tolerances_, dt);
-    contactVisits_ = 2 * softStep_.contactCount() * static_cast<std::size_t>(settings_.substeps);
+    contactVisits_ = softStep_.visits();
 }
 
 /// Bodies that have left the region wait, and those that it has reached go on.
