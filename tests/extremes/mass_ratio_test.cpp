@@ -123,7 +123,7 @@ TEST(MassRatio, OnlySuchLoadsRefineTheStep) {
 // bit by bit, also when the load is taken off, and the step is coarse again.
 TEST(MassRatio, ARefinedStepReportsAndKeepsWhatAWholeOneWould) {
     Tower tower(1000);
-    support::run(tower.world, 120);
+    support::run(tower.world, 600);
     const CollisionRecord* record =
         support::recordOf(tower.world, tower.floor, tower.boxes.front());
     ASSERT_NE(record, nullptr);

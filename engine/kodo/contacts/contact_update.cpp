@@ -29,8 +29,10 @@ void replaceManifold(Contact& contact, const Manifold& manifold) {
     }
 }
 
-// A manifold is kept until its bodies have gone so far against each other, in slops.
+// A manifold is kept until its bodies have gone so far against each other, in slops; of bodies that
+// bounce off each other, hardly any way: a blow must lie in one line for both, or it turns them.
 constexpr Real kKept = 8;
+constexpr Real kKeptToBounce = Real(1) / 8;
 
 /// Keeps a manifold while its bodies have not gone far against each other since it was found: only
 /// the separations follow the last step, to first order in the turn. This saves most of the work in
@@ -45,8 +47,9 @@ bool carry(const Bodies& bodies, Contact& contact, const Tolerances& tolerances)
     contact.drift += std::abs(between.x) + std::abs(between.y) +
                      std::abs(motionA.turn) * bodies.extent[a].reach +
                      std::abs(motionB.turn) * bodies.extent[b].reach;
+    const Real most = (contact.bounces ? kKeptToBounce : kKept) * tolerances.slop;
     contact.carried = contact.carried && contact.jumpsA == bodies.jumps[a] &&
-                      contact.jumpsB == bodies.jumps[b] && contact.drift <= kKept * tolerances.slop;
+                      contact.jumpsB == bodies.jumps[b] && contact.drift <= most;
     if (!contact.carried) {
         return false;
     }

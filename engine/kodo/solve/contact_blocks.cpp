@@ -37,7 +37,7 @@ std::uint32_t ContactBlocks::binOf(std::uint32_t colour, const Contact& contact)
 
 void ContactBlocks::refine(int parts) {
     const auto now = static_cast<Real>(parts);
-    anew_ = anew_ || std::exchange(parts_, now) != now;
+    anew_ = std::exchange(parts_, now) != now || anew_;
 }
 
 void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, bool friction,
