@@ -38,6 +38,21 @@ TEST(ShortList, IsAListOfAnyLength) {
     }
 }
 
+// A fixed bug: what was moved from had the length of before, but nothing at it.
+TEST(ShortList, IsEmptyAfterItWasMovedFrom) {
+    for (const int count : {3, 40}) {
+        const std::vector<int> numbers = counted(count);
+        ShortList<int, 4> list(numbers);
+        ShortList<int, 4> other = std::move(list);
+        EXPECT_EQ(std::vector<int>(other.begin(), other.end()), numbers);
+        EXPECT_TRUE(list.empty()); // NOLINT(bugprone-use-after-move): that is what is asked
+        list.push_back(7);
+        EXPECT_EQ(std::vector<int>(list.begin(), list.end()), std::vector<int>{7});
+        list = std::move(other);
+        EXPECT_EQ(std::vector<int>(list.begin(), list.end()), numbers);
+    }
+}
+
 // The first ones need no heap: they lie within the object.
 TEST(ShortList, KeepsAFewInside) {
     ShortList<int, 4> list(counted(4));

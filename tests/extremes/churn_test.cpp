@@ -57,7 +57,8 @@ private:
         def.velocity = random_.point(4);
         def.angularVelocity = random_.between(-5, 5);
         def.density = random_.between(0.2, 5);
-        def.material = withFriction(random_.between(0, 1), random_.between(0, 1));
+        const Real friction = random_.between(0, 1);
+        def.material = withFriction(friction, random_.between(0, 1));
         def.material.rollingResistance = random_.between(0, 0.2);
         Compound compound;
         for (std::size_t parts = 1 + random_.below(3); parts > 0; --parts) {
@@ -65,9 +66,8 @@ private:
             compound.parts.push_back(support::randomPrimitive(random_, kind));
         }
         def.shape = compound;
-        // Not kLockMove alone: wedged against the ground, what can only turn has no way out, and
-        // the blows that it deals have no bound.
-        constexpr Flags kKinds[] = {0, 0, 0, 1, kLockRotate, kLocked, kSensor, kNeverRest};
+        constexpr Flags kKinds[] = {0,         0,       0,       1,         kLockRotate,
+                                    kLockMove, kLocked, kSensor, kNeverRest};
         def.flags = kKinds[random_.below(std::size(kKinds))];
         return [=](World& w) { w.add(def); };
     }
@@ -145,7 +145,7 @@ private:
         JointEnds ends{a, b, unrotate(first.rotation(), middle - first.position()),
                        unrotate(second.rotation(), middle - second.position())};
         const Real angle = (second.rotation() * first.rotation().inverse()).angle();
-        ends.breakForce = random_.below(2) == 0 ? kUnbreakable : 200;
+        ends.breakForce = random_.below(2) == 0 ? Real(1e4) : Real(200);
         ends.collide = random_.below(2) == 0;
         const JointDef kinds[] = {
             Pin{.ends = ends, .reference = angle, .limits = Range{-1, 1}},

@@ -94,6 +94,7 @@ struct Blocks {
         for (int substep = 0; substep < 2; ++substep) {
             passes.warmStart(pass);
             passes.solve(pass);
+            passes.settle(pass);
             passes.relax(pass);
         }
     }

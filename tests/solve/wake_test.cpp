@@ -277,6 +277,28 @@ TEST(Wake, ContactsGoOnWhereTheyStopped) {
     EXPECT_EQ(seen, 5);
 }
 
+// A fixed bug: what was woken by a touch told of the blows of two steps at once, of the one that it
+// went to rest in as well. The box weighs 10 N, and a ball that is laid on it 0.02 N.
+TEST(Wake, ATouchDoesNotBringOldBlowsBack) {
+    for (const Strategy strategy : {Strategy::SoftStep, Strategy::Propagation}) {
+        SCOPED_TRACE(static_cast<int>(strategy));
+        StepSettings settings = strategy == Strategy::Propagation ? thesis2006() : StepSettings{};
+        World world({.gravity = support::kEarth, .settings = settings});
+        const BodyId floor = addFloor(world);
+        const BodyId box = world.add(boxDef({0, Real(0.5)}, 1, 1));
+        run(world, 120);
+        ASSERT_TRUE(rests(world, box));
+        BodyDef ball = ballDef({0, Real(1.025)}, Real(0.025));
+        world.add(ball);
+        world.step(kDt);
+        ASSERT_FALSE(rests(world, box));
+        const CollisionRecord* record = support::recordOf(world, floor, box);
+        ASSERT_NE(record, nullptr);
+        EXPECT_LT(record->totalImpulse, Real(1.1) * 10 * kDt);
+        EXPECT_LE(record->maxImpulse, record->totalImpulse);
+    }
+}
+
 // So do those with a table that begins to move: they have not begun anew.
 TEST(Wake, ContactsWithATableThatBeginsToMovePersist) {
     Quiet scene = quiet();

@@ -25,6 +25,107 @@ TEST(Force, ActsForOneStep) {
     EXPECT_EQ(world[box].velocity(), velocity);
 }
 
+/// What becomes of a body that nothing can push, and then is set free without a jump.
+struct Bound {
+    const char* name;
+    void (*bind)(World&, BodyId);
+    void (*release)(World&, BodyId);
+};
+const Bound kBound[] = {
+    {"locked", [](World& w, BodyId id) { w[id].setFlags(kLocked); },
+     [](World& w, BodyId id) { w[id].setFlags(0); }},
+    {"outside the region",
+     [](World& w, BodyId) {
+         w.setRegion(Aabb{{50, 50}, {60, 60}});
+     },
+     [](World& w, BodyId) { w.setRegion(std::nullopt); }},
+    {"frozen",
+     [](World& w, BodyId id) {
+         w[id].applyForce({std::numeric_limits<Real>::max() / 2, 0});
+         w.step(kDt);
+     },
+     [](World& w, BodyId id) { w[id].setVelocity({}); }},
+    {"locked, but moving",
+     [](World& w, BodyId id) {
+         w[id].setFlags(kLocked);
+         w[id].setVelocity({0, 1});
+     },
+     [](World& w, BodyId id) {
+         w[id].setFlags(0);
+         w[id].setVelocity({});
+     }},
+};
+
+// A fixed bug: the forces on what was locked, frozen or outside the region were kept until it was
+// free, and then acted all at once. One step is over for them as for all others.
+TEST(Force, IsForgottenAfterAStepInWhichItCouldNotAct) {
+    for (const Bound& bound : kBound) {
+        SCOPED_TRACE(bound.name);
+        World world;
+        const BodyId box = world.add(boxDef({}, 2, 2));
+        bound.bind(world, box);
+        for (int i = 0; i < 10; ++i) {
+            world[box].applyForce({6, 0}, {0, 1});
+            world[box].applyTorque(3);
+            world.applyForceToAll({6, 0});
+            world.applyTorqueToAll(3);
+            world.step(kDt);
+        }
+        bound.release(world, box);
+        world.step(kDt);
+        EXPECT_EQ(world[box].velocity(), Vec2{});
+        EXPECT_EQ(world[box].angularVelocity(), 0);
+        world[box].applyForce({4, 0});
+        world.step(kDt);
+        EXPECT_TRUE(near(world[box].velocity(), Vec2{kDt, 0}, 4 * kEpsilon));
+    }
+}
+
+// It is the step that counts, not the call: what is free by then is pushed, and what is not by then
+// is not.
+TEST(Force, ActsOnWhatIsFreeWhenTheStepComes) {
+    World world;
+    const BodyId box = world.add(boxDef({}, 2, 2)); // 4 kg
+    world[box].setFlags(kLocked);
+    world[box].applyForce({4, 0});
+    world[box].setFlags(0);
+    world.step(kDt);
+    EXPECT_TRUE(near(world[box].velocity(), Vec2{kDt, 0}, 4 * kEpsilon));
+    world[box].setVelocity({});
+    world[box].applyForce({4, 0});
+    world[box].setFlags(kLocked);
+    world.step(kDt);
+    world[box].setFlags(0);
+    world.step(kDt);
+    EXPECT_EQ(world[box].velocity(), Vec2{});
+}
+
+// A snapshot between the call and the step knows of the force, and forgets it as the World does.
+TEST(Force, GoesThroughASnapshot) {
+    World world;
+    const BodyId box = world.add(boxDef({}, 2, 2));
+    world[box].setFlags(kLocked);
+    world[box].applyForce({4, 0});
+    World read = fromBytes(toBytes(world));
+    EXPECT_EQ(read.stateHash(), world.stateHash());
+    read.step(kDt);
+    read[box].setFlags(0);
+    read.step(kDt);
+    EXPECT_EQ(read[box].velocity(), Vec2{});
+}
+
+// A force on the ground is none: what rests on it sleeps on.
+TEST(Force, OnTheGroundWakesNothing) {
+    World world({.gravity = support::kEarth});
+    const BodyId floor = support::addFloor(world);
+    const BodyId box = world.add(boxDef({0, Real(0.5)}, 1, 1));
+    support::run(world, 120);
+    ASSERT_NE(world[box].flags() & kResting, 0u);
+    world[floor].applyForce({0, 1000});
+    world.step(kDt);
+    EXPECT_NE(world[box].flags() & kResting, 0u);
+}
+
 // R3, Eq 4.6: a force at a point turns as well as pushes: torque = r x F.
 TEST(Force, AtAPointAddsTorque) {
     World world;

@@ -48,6 +48,33 @@ TEST(Waiting, IsAWallToWhatIsInside) {
     EXPECT_LT(world[thrown].position().y, Real(5.2)); // fell out of it
 }
 
+// A fixed bug: a ball that ran after what waits, as fast as that would be, was not seen to approach
+// and stuck to it; the record of another told of the speed that the wall only keeps.
+TEST(Waiting, ItsSpeedDoesNotCount) {
+    for (const Real kept : {Real(5), Real(-3)}) {
+        World world;
+        BodyDef def = boxDef({2, 0}, 1, 1, support::slippery(1));
+        def.velocity = {kept, 0};
+        const BodyId box = world.add(def);
+        world.setRegion(Aabb{{-10, -10}, {Real(1.4), 10}});
+        ASSERT_TRUE(waits(world, box));
+        def = ballDef({0, 0}, Real(0.3), support::slippery(1));
+        def.velocity = {5, 0};
+        const BodyId ball = world.add(def);
+        std::vector<Real> approaches;
+        for (int i = 0; i < 30; ++i) {
+            world.step(kDt);
+            if (const CollisionRecord* hit = support::recordOf(world, box, ball);
+                hit != nullptr && hit->maxImpulse > 0) {
+                approaches.push_back(hit->approachSpeed);
+            }
+        }
+        EXPECT_EQ(approaches, std::vector<Real>{5});
+        EXPECT_EQ(world[ball].velocity(), (Vec2{-5, 0}));
+        EXPECT_EQ(world[box].velocity(), (Vec2{kept, 0}));
+    }
+}
+
 /// How many records of each phase the last step has.
 struct Phases {
     int begin = 0;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace kodo {
@@ -18,6 +19,19 @@ public:
             push_back(element);
         }
     }
+
+    ShortList(const ShortList&) = default;
+    ShortList(ShortList&& other) noexcept
+        : size_(std::exchange(other.size_, 0)),
+          inside_(std::move(other.inside_)),
+          outside_(std::exchange(other.outside_, {})) {}
+    ShortList& operator=(ShortList other) noexcept {
+        std::swap(size_, other.size_);
+        std::swap(inside_, other.inside_);
+        std::swap(outside_, other.outside_);
+        return *this;
+    }
+    ~ShortList() = default;
 
     void push_back(const T& element) {
         if (size_ == kInside && outside_.empty()) {

@@ -75,6 +75,15 @@ Aabb boundsOfBody(const Bodies& bodies, std::size_t body) {
     return box;
 }
 
+void addForce(Bodies& bodies, std::uint32_t body, Vec2 force, Real torque) {
+    BodyRecord& record = bodies.record[body];
+    if (record.force == Vec2{} && record.torque == 0) {
+        bodies.forced.push_back(body);
+    }
+    record.force += force;
+    record.torque += torque;
+}
+
 void freeze(Bodies& bodies, std::uint32_t body) {
     bodies.record[body].filter.flags |= kFrozen;
     bodies.motion[body] = {};

@@ -24,6 +24,14 @@ struct Motion {
         move = {};
         turn = 0;
     }
+    /// Forgets both.
+    void stand() {
+        velocity = {};
+        angularVelocity = 0;
+        halt();
+    }
+    /// Nothing can move or turn it.
+    bool locked() const { return invMass == 0 && invInertia == 0; }
 };
 
 /// Constant over a step, from forces and fields.
@@ -38,7 +46,7 @@ struct BodyRecord {
     std::shared_ptr<const Form> form;
     CollisionFilter filter;
     std::uint64_t userData = 0;
-    Vec2 force;      // N, since the last step
+    Vec2 force;      // N, since the last step; see addForce
     Real torque = 0; // N m
 };
 
@@ -72,6 +80,7 @@ struct Bodies {
     std::vector<std::uint32_t> jumps;
     std::vector<BodyRecord> record;
     std::vector<RestState> rest;
+    std::vector<std::uint32_t> forced; // bodies with a force, some perhaps twice
     /// What a step works on, in order: all that can be pushed and does not rest, and of the locked
     /// bodies those that move. Everything else costs nothing.
     std::vector<std::uint32_t> awake;
@@ -87,9 +96,10 @@ struct Bodies {
     std::uint32_t spare() const { return static_cast<std::uint32_t>(record.size()); }
 
     const Form& form(std::size_t index) const { return *record[index].form; }
-    bool locked(std::size_t index) const {
-        return motion[index].invMass == 0 && motion[index].invInertia == 0;
+    const Convex& outline(std::size_t index, std::size_t part) const {
+        return form(index).parts[part].convex;
     }
+    bool locked(std::size_t index) const { return motion[index].locked(); }
     bool resting(std::size_t index) const { return (record[index].filter.flags & kResting) != 0; }
     /// Locked, and neither moving nor having moved in the last step.
     bool stands(std::size_t index) const {
@@ -126,6 +136,10 @@ void weldBodies(Bodies& bodies, std::uint32_t into, std::uint32_t part);
 /// one part.
 BodyId unweldPart(Bodies& bodies, std::uint32_t body, std::size_t part, Flags flags);
 
+/// Adds to the force (N, at the centre of mass) and the torque (N m) of the next step. They last
+/// for that one step, whether the body can be pushed in it or not.
+void addForce(Bodies& bodies, std::uint32_t body, Vec2 force, Real torque);
+
 /// Stops a body for good that has become unsound: not finite, or faster than kHighestSpeed.
 void freeze(Bodies& bodies, std::uint32_t body);
 bool isSound(const Motion& motion);
@@ -144,20 +158,6 @@ void setTurns(Bodies& bodies, bool turns);
 /// [Thesis06, eq. 4.5].
 inline Vec2 velocityAt(const Motion& motion, Vec2 arm) {
     return motion.velocity + cross(motion.angularVelocity, arm);
-}
-
-/// Two bodies of which neither can be moved, but one turned, give way at a contact only where its
-/// arm lies aslant to the normal. Hit (almost, within 2 degrees) straight towards its hinge it
-/// would have to spin without bound.
-inline bool isBlocked(const Motion& a, Vec2 armA, const Motion& b, Vec2 armB, Vec2 normal) {
-    if (a.invMass > 0 || b.invMass > 0) {
-        return false;
-    }
-    const Real leverA = cross(armA, normal);
-    const Real leverB = cross(armB, normal);
-    const Real along = a.invInertia * leverA * leverA + b.invInertia * leverB * leverB;
-    const Real most = a.invInertia * lengthSquared(armA) + b.invInertia * lengthSquared(armB);
-    return along <= most / 1024;
 }
 
 /// Bounds of all parts, where they are.

@@ -3,22 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace kodo::inline KODO_PRECISION {
 
 void gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Real dt) {
     for (const std::uint32_t i : bodies.awake) {
-        BodyRecord& record = bodies.record[i];
+        const BodyRecord& record = bodies.record[i];
         const Motion& motion = bodies.motion[i];
-        Push push;
-        push.force = std::exchange(record.force, {});
-        push.torque = std::exchange(record.torque, Real(0));
-        Real effort = length(push.force);
-        if (bodies.locked(i)) {
+        if (motion.locked()) {
             bodies.acceleration[i] = {};
             continue;
         }
+        Push push{record.force, record.torque};
+        Real effort = length(push.force);
         for (const FieldEntry& entry : fields) {
             if (accepts(entry.which, record.filter.flags)) {
                 const Push more = entry.field->at(bodies, i, dt);
@@ -34,6 +31,11 @@ void gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Rea
             motion.invInertia / (1 + dt * push.spinDrag * motion.invInertia) * push.torque,
             motion.invMass * effort};
     }
+    for (const std::uint32_t i : bodies.forced) { // also of what took no part in this step
+        bodies.record[i].force = {};
+        bodies.record[i].torque = 0;
+    }
+    bodies.forced.clear();
 }
 
 void beginMotion(Bodies& bodies, std::span<const std::uint32_t> list) {

@@ -29,17 +29,11 @@ void ContactSet::writeRecords() const {
     addEnds(endedInStep_, records_);
 }
 
-void ContactSet::forgetUnsoundImpulses() {
+void ContactSet::forgetUnsound(const Bodies& bodies, const Tolerances& tolerances) {
     for (Contact& contact : contacts_) {
-        const Real sum = contact.impulse[0].normal + contact.impulse[1].normal + contact.friction +
-                         contact.rolling + contact.total;
-        if (!std::isfinite(sum)) {
-            contact.impulse = {};
-            contact.friction = 0;
-            contact.rolling = 0;
-            contact.total = 0;
-            contact.carried = false;
-            contact.seat = {}; // its lane holds what is to be forgotten
+        if (!isSound(contact)) {
+            clearContact(contact);
+            refreshContact(contact, bodies, tolerances);
         }
     }
 }
@@ -127,6 +121,7 @@ std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies) {
         if (gone) {
             idle_.push_back(contact);
             idle_.back().seat = {};
+            forgetBlows(idle_.back()); // or a step that it comes back in would report them again
         }
         return gone;
     });
@@ -295,6 +290,14 @@ void ContactSet::mergePairs(const Bodies& bodies) {
         contacts_[order_[at].slot] = makeContact(bodies, order_[at].pair);
     }
     fillHoles();
+}
+
+void ContactSet::measureApproach(const Bodies& bodies) {
+    fastestApproach_ = 0;
+    for (Contact& contact : contacts_) {
+        kodo::measureApproach(contact, bodies);
+        fastestApproach_ = std::max(fastestApproach_, contact.approachSpeed);
+    }
 }
 
 void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances, Crew& crew) {

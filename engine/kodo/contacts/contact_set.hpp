@@ -42,13 +42,15 @@ public:
     void setApart(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
     /// Finds where the pairs touch, now, and how fast they approach.
     void updateManifolds(const Bodies& bodies, const Tolerances& tolerances, Crew& crew);
+    /// Measures the approach again, since bodies have got other speeds.
+    void measureApproach(const Bodies& bodies);
     /// m/s, of those that updateManifolds looked at.
     Real fastestApproach() const { return fastestApproach_; }
     /// Adds the pairs of bodies that the solver sent farther than updatePairs could foresee.
     void coverMoves(const Bodies& bodies, const Tolerances& tolerances, Crew& crew);
 
-    /// Contacts whose impulses are not finite start anew.
-    void forgetUnsoundImpulses();
+    /// Contacts with an impulse or a place that is not finite start anew, where their bodies are.
+    void forgetUnsound(const Bodies& bodies, const Tolerances& tolerances);
 
     /// In an order of their own, which does not change while no pair comes or goes.
     std::span<Contact> contacts() { return contacts_; }

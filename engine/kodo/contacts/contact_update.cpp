@@ -9,22 +9,6 @@
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
-const Convex& outline(const Bodies& bodies, std::uint32_t body, std::uint16_t part) {
-    return bodies.form(body).parts[part].convex;
-}
-
-Real approachSpeedOf(const Contact& contact, const Bodies& bodies) {
-    const Motion& a = bodies.motion[contact.key.bodyA];
-    const Motion& b = bodies.motion[contact.key.bodyB];
-    Real fastest = 0;
-    for (int i = 0; i < contact.manifold.count; ++i) {
-        const ManifoldPoint& p = contact.manifold.points[static_cast<std::size_t>(i)];
-        const Vec2 relative = velocityAt(b, p.armB) - velocityAt(a, p.armA);
-        fastest = std::max(fastest, -dot(contact.manifold.normal, relative));
-    }
-    return fastest;
-}
-
 /// Takes a new manifold, and hands the impulses of the old points on to the new ones that are made
 /// by the same features.
 void replaceManifold(Contact& contact, const Manifold& manifold) {
@@ -45,8 +29,10 @@ void replaceManifold(Contact& contact, const Manifold& manifold) {
     }
 }
 
-// A manifold is kept until its bodies have gone so far against each other, in slops.
+// A manifold is kept until its bodies have gone so far against each other, in slops; of bodies that
+// bounce off each other, hardly any way: a blow must lie in one line for both, or it turns them.
 constexpr Real kKept = 8;
+constexpr Real kKeptToBounce = Real(1) / 8;
 
 /// Keeps a manifold while its bodies have not gone far against each other since it was found: only
 /// the separations follow the last step, to first order in the turn. This saves most of the work in
@@ -61,8 +47,9 @@ bool carry(const Bodies& bodies, Contact& contact, const Tolerances& tolerances)
     contact.drift += std::abs(between.x) + std::abs(between.y) +
                      std::abs(motionA.turn) * bodies.extent[a].reach +
                      std::abs(motionB.turn) * bodies.extent[b].reach;
+    const Real most = (contact.bounces ? kKeptToBounce : kKept) * tolerances.slop;
     contact.carried = contact.carried && contact.jumpsA == bodies.jumps[a] &&
-                      contact.jumpsB == bodies.jumps[b] && contact.drift <= kKept * tolerances.slop;
+                      contact.jumpsB == bodies.jumps[b] && contact.drift <= most;
     if (!contact.carried) {
         return false;
     }
@@ -79,8 +66,8 @@ void find(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) 
     const ContactKey& key = contact.key;
     // Which face carries a contact of parallel faces must not flicker with rounding.
     const Real preference = tolerances.slop / 8;
-    Manifold manifold = collide(outline(bodies, key.bodyA, key.partA), bodies.pose[key.bodyA],
-                                outline(bodies, key.bodyB, key.partB), bodies.pose[key.bodyB],
+    Manifold manifold = collide(bodies.outline(key.bodyA, key.partA), bodies.pose[key.bodyA],
+                                bodies.outline(key.bodyB, key.partB), bodies.pose[key.bodyB],
                                 tolerances.margin, preference);
     contact.passing = letPass(contact.passing, manifold);
     replaceManifold(contact, manifold);
@@ -93,6 +80,24 @@ void find(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) 
 void beginStep(Contact& contact) {
     contact.touching = false;
     contact.hidden = false;
+    forgetBlows(contact);
+}
+
+} // namespace
+
+void measureApproach(Contact& contact, const Bodies& bodies) {
+    const Motion& a = bodies.motion[contact.key.bodyA];
+    const Motion& b = bodies.motion[contact.key.bodyB];
+    contact.approachSpeed = 0;
+    for (int i = 0; i < contact.manifold.count; ++i) {
+        const ManifoldPoint& p = contact.manifold.points[static_cast<std::size_t>(i)];
+        const Vec2 relative = velocityAt(b, p.armB) - velocityAt(a, p.armA);
+        contact.approachSpeed =
+            std::max(contact.approachSpeed, -dot(contact.manifold.normal, relative));
+    }
+}
+
+void forgetBlows(Contact& contact) {
     contact.total = 0;
     contact.approachSpeed = 0;
     for (PointImpulse& impulse : contact.impulse) {
@@ -101,8 +106,6 @@ void beginStep(Contact& contact) {
     }
 }
 
-} // namespace
-
 void refreshContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) {
     beginStep(contact);
     contact.near = true;
@@ -110,7 +113,17 @@ void refreshContact(Contact& contact, const Bodies& bodies, const Tolerances& to
     if (!carry(bodies, contact, tolerances)) {
         find(contact, bodies, tolerances);
     }
-    contact.approachSpeed = approachSpeedOf(contact, bodies);
+    measureApproach(contact, bodies);
+}
+
+bool isSound(const Contact& contact) {
+    const Manifold& manifold = contact.manifold;
+    bool placed = isFinite(contact.centerA) && isFinite(manifold.normal);
+    for (const ManifoldPoint& p : manifold.points) {
+        placed = placed && isFinite(p.armA) && isFinite(p.armB) && std::isfinite(p.separation);
+    }
+    return placed && std::isfinite(contact.impulse[0].normal + contact.impulse[1].normal +
+                                   contact.friction + contact.rolling + contact.total);
 }
 
 void clearContact(Contact& contact) {
@@ -122,6 +135,7 @@ void clearContact(Contact& contact) {
     contact.rolling = 0;
     contact.carried = false;
     contact.passing = false;
+    contact.seat = {}; // what its lane holds is to be forgotten, too
 }
 
 } // namespace kodo::inline KODO_PRECISION

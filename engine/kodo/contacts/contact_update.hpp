@@ -11,6 +11,15 @@ namespace kodo::inline KODO_PRECISION {
 /// approach. Motion still holds the moves of the last step.
 void refreshContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances);
 
+/// How fast its bodies approach now (m/s), for the record and for the impacts.
+void measureApproach(Contact& contact, const Bodies& bodies);
+
+/// What was pushed in the last step is not for the record of another.
+void forgetBlows(Contact& contact);
+
+/// Are its impulses finite, and where it is?
+bool isSound(const Contact& contact);
+
 /// The parts are not near any more: nothing is left of what was.
 void clearContact(Contact& contact);
 

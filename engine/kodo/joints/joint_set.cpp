@@ -3,6 +3,7 @@
 #include <kodo/joints/joint_set.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -202,6 +203,16 @@ void JointSet::beginStep() {
     }
 }
 
+void JointSet::scaleImpulses(Real by) {
+    for (const std::uint32_t index : live_) {
+        Joint& joint = joints_[index];
+        joint.point *= by;
+        for (Real& impulse : joint.axes) {
+            impulse *= by;
+        }
+    }
+}
+
 void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
     if (treesStale_) {
         findTrees(bodies);
@@ -280,6 +291,22 @@ void JointSet::solveTrees(Bodies& bodies, const JointPass& pass) {
             } else if (!pass.biased) {
                 joint.pushSum += impulse * along;
             }
+        }
+    }
+}
+
+void JointSet::forgetUnsound() {
+    for (const std::uint32_t index : live_) {
+        Joint& joint = joints_[index];
+        Real sum = joint.turnSum;
+        for (const Real impulse : joint.axes) {
+            sum += impulse;
+        }
+        if (!std::isfinite(sum) || !isFinite(joint.point) || !isFinite(joint.pushSum)) {
+            joint.point = {};
+            joint.axes = {};
+            joint.pushSum = {};
+            joint.turnSum = 0;
         }
     }
 }

@@ -45,8 +45,12 @@ public:
     std::span<const std::pair<std::uint32_t, std::uint32_t>> apart() const { return apart_; }
 
     void beginStep();
+    /// Joints start from the impulses of a substep that was so many times as long.
+    void scaleImpulses(Real by);
     void warmStart(Bodies& bodies, const JointPass& pass);
     void solve(Bodies& bodies, const JointPass& pass);
+    /// Joints with an impulse that is not finite start anew.
+    void forgetUnsound();
     /// Finds the loads of a step of dt and breaks what is overloaded.
     std::span<const BrokenJoint> endStep(Real dt);
 

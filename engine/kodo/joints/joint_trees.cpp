@@ -10,10 +10,9 @@ namespace {
 // Of a row's inverse mass: how much a joint gives within a pass that closes a loop through the
 // ground. Nothing else gives way there, and something must.
 constexpr Real kLeastGive = Real(1) / 1024;
-
-bool immovable(const Motion& motion) {
-    return motion.invMass == 0 && motion.invInertia == 0;
-}
+// A spring that closes a loop so is solved together with all that hangs on it, and therefore may be
+// stiffer than those that take turns.
+constexpr Real kLoopGive = Real(0.4);
 
 Triple velocityOf(const Motion& motion) {
     return {motion.velocity.x, motion.velocity.y, motion.angularVelocity};
@@ -90,7 +89,7 @@ void JointTrees::find(const Bodies& bodies, std::span<const Edge> edges) {
     for (const bool anchored : {true, false}) {
         for (std::uint32_t i = 0; i < edges.size(); ++i) {
             const Edge& edge = edges[i];
-            const bool fixed = immovable(bodies.motion[edge.a]) || immovable(bodies.motion[edge.b]);
+            const bool fixed = bodies.locked(edge.a) || bodies.locked(edge.b);
             if (used_[i] == 0 && fixed == anchored) {
                 grow(bodies, edges, i);
             }
@@ -113,8 +112,8 @@ void JointTrees::grow(const Bodies& bodies, std::span<const Edge> edges, std::ui
     const std::size_t nodes = nodes_.size();
     const std::size_t members = members_.size();
     const Edge& edge = edges[root];
-    const bool fromA = immovable(bodies.motion[edge.a]);
-    const bool anchored = fromA || immovable(bodies.motion[edge.b]);
+    const bool fromA = bodies.locked(edge.a);
+    const bool anchored = fromA || bodies.locked(edge.b);
     if (anchored) {
         used_[root] = 1;
         nodes_.push_back({edge.joint, edge.a, edge.b, join(fromA ? edge.b : edge.a), kNone, fromA});
@@ -149,7 +148,7 @@ bool JointTrees::growFrom(const Bodies& bodies, std::span<const Edge> edges, std
         const Edge& edge = edges[i];
         const bool isA = edge.a == body;
         const std::uint32_t other = isA ? edge.b : edge.a;
-        if (immovable(bodies.motion[other])) {
+        if (bodies.locked(other)) {
             nodes_.push_back({edge.joint, edge.a, edge.b, kNone, member, isA});
         } else if (memberOf_[other] == kNone) {
             nodes_.push_back({edge.joint, edge.a, edge.b, join(other), member, isA});
@@ -244,7 +243,7 @@ Symmetric3 JointTrees::giving(const Bodies& bodies, Node& node, const JointPass&
                                  motion.invInertia * row[2] * row[2];
         give[r] = kLeastGive * inverseMass;
         if (pass.biased && pass.stiff.impulseScale > 0) {
-            give[r] = pass.stiff.impulseScale / pass.stiff.massScale * inverseMass;
+            give[r] = kLoopGive * pass.stiff.impulseScale / pass.stiff.massScale * inverseMass;
             node.wanted[r] -= give[r] * rows.impulse[r];
         }
     }

@@ -83,7 +83,8 @@ struct ContactPasses {
     const char* name;
     Pass warmStart; // pushes with the impulses so far
     Pass solve;     // pushes overlaps apart like stiff springs
-    Pass relax;     // without that push, which takes its speed out again; with friction, if wanted
+    Pass settle;    // without that push, which takes its speed out again
+    Pass relax;     // the same, with friction, if wanted; sums up what was pushed
 
     static const ContactPasses& baseline();
     /// Nothing where neither the build nor the machine has it.

@@ -37,6 +37,11 @@ std::uint32_t ContactBlocks::binOf(std::uint32_t colour, const Contact& contact)
     return 2 * group + (contact.manifold.count == 2 ? 1 : 0);
 }
 
+void ContactBlocks::refine(int parts) {
+    const auto now = static_cast<Real>(parts);
+    anew_ = std::exchange(parts_, now) != now || anew_;
+}
+
 void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, bool friction,
                           bool rolling, Crew& crew) {
     colours_.resize(bodies.size());
@@ -350,7 +355,12 @@ void ContactBlocks::setPushSpeeds(std::span<const std::uint16_t> crowd, Real pus
 
 void ContactBlocks::fill(const Bodies& bodies, const Contact& contact) {
     const std::size_t lane = laneOf(contact.seat.row);
-    fillLane(blocks_[blockOf(contact.seat.row)], lane, bodies, contact, pushSpeed_);
+    ContactBlock& block = blocks_[blockOf(contact.seat.row)];
+    fillLane(block, lane, bodies, contact, pushSpeed_);
+    for (ContactBlock::Point& point : block.points) {
+        point.impulse[lane] /= parts_;
+    }
+    block.friction[lane] /= parts_;
     std::int32_t& place = use_[blockOf(contact.seat.row)].rolling;
     const bool rolls = rollingOn_ && contact.material.rollingResistance > 0;
     if (rolls && place < 0) {
@@ -358,7 +368,9 @@ void ContactBlocks::fill(const Bodies& bodies, const Contact& contact) {
         rolling_.emplace_back();
     }
     if (place >= 0) {
-        fillLane(rolling_[static_cast<std::size_t>(place)], lane, bodies, contact);
+        RollingBlock& own = rolling_[static_cast<std::size_t>(place)];
+        fillLane(own, lane, bodies, contact);
+        own.impulse[lane] /= parts_;
     }
 }
 
@@ -374,15 +386,15 @@ void ContactBlocks::fetch(Contact& contact) const {
     const ContactBlock& block = blocks_[blockOf(contact.seat.row)];
     const std::size_t lane = laneOf(contact.seat.row);
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
-        contact.impulse[i].normal = block.points[i].impulse[lane];
-        contact.impulse[i].largest = block.points[i].largest[lane];
+        contact.impulse[i].normal = parts_ * block.points[i].impulse[lane];
+        contact.impulse[i].largest = parts_ * block.points[i].largest[lane];
     }
     contact.carried = true;
-    contact.friction = block.friction[lane];
+    contact.friction = parts_ * block.friction[lane];
     contact.total = block.total[lane];
     const std::int32_t rolling = use_[blockOf(contact.seat.row)].rolling;
     contact.rolling =
-        rolling < 0 ? Real(0) : rolling_[static_cast<std::size_t>(rolling)].impulse[lane];
+        rolling < 0 ? Real(0) : parts_ * rolling_[static_cast<std::size_t>(rolling)].impulse[lane];
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -24,6 +24,9 @@ public:
     /// it, and a few may stand in for them.
     static constexpr int kNeighbours = 8;
 
+    /// Substeps are divided into so many parts from now on, a power of two. The impulses that
+    /// contacts keep are those of a whole one.
+    void refine(int parts);
     /// Before the contacts of a step are taken, of which some may be gone. With friction, with
     /// rolling resistance?
     void begin(const Bodies& bodies, std::span<Contact> contacts, bool friction, bool rolling,
@@ -98,6 +101,7 @@ private:
     std::size_t singles_ = 0; // of those, without a colour
     std::uint32_t spare_ = 0;
     Real pushSpeed_ = 0;
+    Real parts_ = 1;      // of a substep
     bool shared_ = false; // some lanes have less than pushSpeed_
     bool frictionOn_ = true;
     bool rollingOn_ = false;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/solve/contact_lane.hpp>
-
-#include <algorithm>
-#include <limits>
+#include <kodo/solve/leverage.hpp>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -42,7 +40,7 @@ void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const
     block.normalY[lane] = n.y;
     const auto setPoint = [&](std::size_t i) {
         const ManifoldPoint& p = manifold.points[i];
-        if (isBlocked(a, p.armA, b, p.armB, n)) {
+        if (isBlocked(bodies, contact, i)) {
             writePoint(block.points[i], lane, {.separation = p.separation});
             return;
         }
@@ -76,14 +74,9 @@ void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const
 void fillLane(RollingBlock& block, std::size_t lane, const Bodies& bodies, const Contact& contact) {
     const Motion& a = bodies.motion[contact.key.bodyA];
     const Motion& b = bodies.motion[contact.key.bodyB];
-    const Real freedom = a.invInertia + b.invInertia;
-    const bool rolls = contact.material.rollingResistance > 0 && freedom > 0;
-    const ManifoldPoint& p = contact.manifold.points[0];
-    const Real radiusA = a.invInertia > 0 ? length(p.armA) : std::numeric_limits<Real>::max();
-    const Real radiusB = b.invInertia > 0 ? length(p.armB) : std::numeric_limits<Real>::max();
-    block.lever[lane] =
-        rolls ? contact.material.rollingResistance * std::min(radiusA, radiusB) : Real(0);
-    block.mass[lane] = rolls ? 1 / freedom : Real(0);
+    const bool rolls = contact.material.rollingResistance > 0 && a.invInertia + b.invInertia > 0;
+    block.lever[lane] = rollingLever(contact, a, b);
+    block.mass[lane] = rolls ? 1 / (a.invInertia + b.invInertia) : Real(0);
     block.impulse[lane] = rolls ? contact.rolling : Real(0);
 }
 

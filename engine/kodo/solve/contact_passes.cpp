@@ -4,8 +4,8 @@
 namespace kodo::inline KODO_PRECISION {
 
 const ContactPasses& ContactPasses::baseline() {
-    static constexpr ContactPasses kPasses{"baseline", warmStartBlocks, solveBlocks<true>,
-                                           solveBlocks<false>};
+    static constexpr ContactPasses kPasses{"baseline", warmStartBlocks, solveBlocks<Task::Push>,
+                                           solveBlocks<Task::Settle>, solveBlocks<Task::Relax>};
     return kPasses;
 }
 

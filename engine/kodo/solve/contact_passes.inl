@@ -43,6 +43,12 @@ KODO_LANES_INLINE void spin(Pair& pair, Lanes spinA, Lanes spinB) {
     pair.b.z += pair.inertiaB * spinB;
 }
 
+enum class Task {
+    Push,   // pushes overlaps apart
+    Settle, // takes the speed of that out again
+    Relax,  // the same, with friction; the last of the substep, so it sums up
+};
+
 /// The softness of overlap in one pass.
 struct Push {
     Real biasRate;
@@ -53,7 +59,7 @@ struct Push {
 
 /// lambda = -m (s v_n + s bias) - c lambda_sum, lambda_sum >= 0, for one point of each contact.
 /// `along` is the relative speed of the centres along the normal, `moved` their relative move.
-template <bool biased>
+template <Task task>
 KODO_LANES_INLINE Lanes solvePoint(ContactBlock::Point& point, int at, Pair& pair, Lanes& along,
                                    Lanes moved, const Quad& moveA, const Quad& moveB,
                                    Lanes pushSpeed, const Push& soft) {
@@ -65,7 +71,7 @@ KODO_LANES_INLINE Lanes solvePoint(ContactBlock::Point& point, int at, Pair& pai
     const auto apart = s > Lanes{};
     const Lanes close = s * all(soft.invH); // may close the gap within the substep, and no more
     Lanes wanted;
-    if constexpr (biased) {
+    if constexpr (task == Task::Push) {
         const Lanes bias = apart ? close : larger(all(soft.biasRate) * s, -pushSpeed);
         const Lanes scale = apart ? all(1) : all(soft.massScale);
         const Lanes back = apart ? Lanes{} : all(soft.impulseScale) * impulse;
@@ -76,7 +82,7 @@ KODO_LANES_INLINE Lanes solvePoint(ContactBlock::Point& point, int at, Pair& pai
     const Lanes next = larger(wanted, Lanes{});
     const Lanes change = next - impulse;
     store(point.impulse + at, next);
-    if constexpr (!biased) {
+    if constexpr (task == Task::Relax) {
         store(point.largest + at, larger(load(point.largest + at), next));
     }
     along += (pair.a.w + pair.b.w) * change;
@@ -126,7 +132,7 @@ KODO_LANES_INLINE void putBack(Motion* motion, const std::uint32_t* index, const
     }
 }
 
-template <bool biased, int points>
+template <Task task, int points>
 KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, int at,
                                   Motion* motion, const Push& soft, bool friction,
                                   const BlockUse& use) {
@@ -143,29 +149,29 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
     const Lanes moved = nx * (moveB.x - moveA.x) + ny * (moveB.y - moveA.y);
     Lanes along = nx * (pair.b.x - pair.a.x) + ny * (pair.b.y - pair.a.y);
     const Lanes pushSpeed = load(block.pushSpeed + at);
-    Lanes change = solvePoint<biased>(block.points[0], at, pair, along, moved, moveA, moveB,
-                                      pushSpeed, soft);
+    Lanes change =
+        solvePoint<task>(block.points[0], at, pair, along, moved, moveA, moveB, pushSpeed, soft);
     Lanes sum = load(block.points[0].impulse + at);
     if constexpr (points == 2) {
-        change += solvePoint<biased>(block.points[1], at, pair, along, moved, moveA, moveB,
-                                     pushSpeed, soft);
+        change += solvePoint<task>(block.points[1], at, pair, along, moved, moveA, moveB, pushSpeed,
+                                   soft);
         sum += load(block.points[1].impulse + at);
     }
     push(pair, change * nx, change * ny, Lanes{}, Lanes{});
-    if (!biased && friction) {
+    if (task == Task::Relax && friction) {
         solveFriction(block, at, pair, sum);
     }
     if (rolling != nullptr) {
         solveRolling(*rolling, at, pair, sum);
     }
-    if constexpr (!biased) {
+    if constexpr (task == Task::Relax) {
         store(block.total + at, load(block.total + at) + sum);
     }
     putBack(motion, block.a + at, pair.a, use.movesA, at);
     putBack(motion, block.b + at, pair.b, use.movesB, at);
 }
 
-template <bool biased>
+template <Task task>
 void solveBlocks(const ContactPassArguments& pass) {
     const PassSettings& settings = pass.settings;
     for (std::size_t k = 0; k < pass.count; ++k) {
@@ -176,11 +182,11 @@ void solveBlocks(const ContactPassArguments& pass) {
         RollingBlock* const rolling = use.rolling < 0 ? nullptr : pass.rolling + use.rolling;
         for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
             if (use.twoPoints) {
-                solveLanes<biased, 2>(pass.blocks[i], rolling, at, pass.motion, push,
-                                      settings.friction, use);
+                solveLanes<task, 2>(pass.blocks[i], rolling, at, pass.motion, push,
+                                    settings.friction, use);
             } else {
-                solveLanes<biased, 1>(pass.blocks[i], rolling, at, pass.motion, push,
-                                      settings.friction, use);
+                solveLanes<task, 1>(pass.blocks[i], rolling, at, pass.motion, push,
+                                    settings.friction, use);
             }
         }
     }

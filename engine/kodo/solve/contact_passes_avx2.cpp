@@ -6,8 +6,8 @@ namespace kodo::inline KODO_PRECISION {
 
 const ContactPasses* ContactPasses::avx2() {
 #ifdef __AVX2__
-    static constexpr ContactPasses kPasses{"AVX2", warmStartBlocks, solveBlocks<true>,
-                                           solveBlocks<false>};
+    static constexpr ContactPasses kPasses{"AVX2", warmStartBlocks, solveBlocks<Task::Push>,
+                                           solveBlocks<Task::Settle>, solveBlocks<Task::Relax>};
     return __builtin_cpu_supports("avx2") ? &kPasses : nullptr;
 #else
     return nullptr;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/solve/impact.hpp>
+#include <kodo/solve/leverage.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,14 @@ struct Response {
     Real tt;
 };
 
+// A determinant this small beside the product it is the difference of is a rounding.
+constexpr Real kSingular = sizeof(Real) == 4 ? Real(1e-5) : Real(1e-12);
+// Friction may make a blow so many times as hard as it would be without.
+constexpr Real kHardest = 16;
+
 /// One contact with its two bodies at hand.
 struct Impact {
+    const Bodies& bodies;
     Contact& contact;
     Motion& a;
     Motion& b;
@@ -29,9 +36,7 @@ struct Impact {
         return velocityAt(b, point(i).armB) - velocityAt(a, point(i).armA);
     }
     /// Neither can give way along the normal.
-    bool blocked(std::size_t i) const {
-        return isBlocked(a, point(i).armA, b, point(i).armB, normal());
-    }
+    bool blocked(std::size_t i) const { return isBlocked(bodies, contact, i); }
     void push(std::size_t i, Vec2 impulse) const {
         applyImpulse(a, point(i).armA, -impulse);
         applyImpulse(b, point(i).armB, impulse);
@@ -49,7 +54,9 @@ Real response(const Impact& hit, std::size_t i, Vec2 u, std::size_t k, Vec2 v) {
 }
 
 /// One point with friction: the impulse that stops all sliding, if the friction cone allows it;
-/// otherwise the one on the edge of the cone [Guendelman03, section 6].
+/// otherwise the one on the edge of the cone [Guendelman03, section 6]. What can only turn gives
+/// way along one line: there friction has nothing to stop that the normal does not, and no impulse
+/// can be told from another by what it does.
 void hitPoint(const Impact& hit, std::size_t i) {
     const Vec2 n = hit.normal();
     const Vec2 t = hit.tangent();
@@ -62,14 +69,15 @@ void hitPoint(const Impact& hit, std::size_t i) {
     const Real wanted = -(1 + hit.contact.material.restitution) * dot(n, v);
     const Real sliding = dot(t, v);
     const Material& material = hit.contact.material;
-    if (hit.frictionless || material.staticFriction == 0) {
+    const Real determinant = k.nn * k.tt - k.nt * k.nt;
+    if (hit.frictionless || material.staticFriction == 0 || determinant < kSingular * k.nn * k.tt) {
         hit.push(i, (wanted / k.nn) * n);
         return;
     }
-    const Real determinant = k.nn * k.tt - k.nt * k.nt;
     const Real jn = (wanted * k.tt + sliding * k.nt) / determinant;
     const Real jt = (-sliding * k.nn - wanted * k.nt) / determinant;
-    if (determinant > 0 && jn > 0 && std::abs(jt) <= material.staticFriction * jn) {
+    if (determinant > 0 && jn > 0 && jn * k.nn <= kHardest * wanted &&
+        std::abs(jt) <= material.staticFriction * jn) {
         hit.push(i, jn * n + jt * t);
         return;
     }
@@ -77,7 +85,7 @@ void hitPoint(const Impact& hit, std::size_t i) {
     const bool forward = sliding != 0 ? sliding > 0 : jt < 0;
     const Real slope = forward ? -material.kineticFriction : material.kineticFriction;
     const Real along = k.nn + slope * k.nt;
-    if (along > 0) {
+    if (along * kHardest > k.nn) {
         hit.push(i, (wanted / along) * (n + slope * t));
     } else { // wedged: friction alone would drive the bodies together
         hit.push(i, (wanted / k.nn) * n);
@@ -87,7 +95,11 @@ void hitPoint(const Impact& hit, std::size_t i) {
 /// Friction of a point that has just been pushed by jn.
 void rub(const Impact& hit, std::size_t i, Real jn) {
     const Vec2 t = hit.tangent();
-    const Real stick = -dot(t, hit.relativeVelocity(i)) / response(hit, i, t, i, t);
+    const Real k = response(hit, i, t, i, t);
+    if (!(k > 0)) {
+        return; // neither gives way along the tangent
+    }
+    const Real stick = -dot(t, hit.relativeVelocity(i)) / k;
     const Material& material = hit.contact.material;
     const Real limit = material.kineticFriction * jn;
     const bool sticks = std::abs(stick) <= material.staticFriction * jn;
@@ -108,11 +120,18 @@ bool hitBoth(const Impact& hit) {
     const Real w1 = gain * dot(n, hit.relativeVelocity(0));
     const Real w2 = gain * dot(n, hit.relativeVelocity(1));
     const Real determinant = k11 * k22 - k12 * k12;
-    constexpr Real kSingular = sizeof(Real) == 4 ? Real(1e-5) : Real(1e-12);
-    if (determinant < kSingular * k11 * k22) { // cannot turn: both points are as one
+    if (determinant < kSingular * k11 * k22) {
+        if (k12 < Real(0.9) * std::max(k11, k22)) {
+            return false; // it hardly does anything but turn, and by one point more than by the
+                          // other
+        }
+        // It cannot turn: both points are as one.
         hit.push(0, (w1 / (2 * k11)) * n);
         hit.push(1, (w1 / (2 * k11)) * n);
         return true;
+    }
+    if (k12 < 0 && determinant * kHardest < k11 * k22) {
+        return false; // pinched: to give way at one point it would have to press on the other
     }
     const Real j1 = (k22 * w1 - k12 * w2) / determinant;
     const Real j2 = (k11 * w2 - k12 * w1) / determinant;
@@ -187,8 +206,13 @@ bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,
     if (!contact.responds()) {
         return false;
     }
-    const Impact hit{contact, bodies.motion[contact.key.bodyA], bodies.motion[contact.key.bodyB],
-                     !settings.has(Feature::Friction)};
+    const Impact hit{bodies, contact, bodies.motion[contact.key.bodyA],
+                     bodies.motion[contact.key.bodyB], !settings.has(Feature::Friction)};
+    // What can only turn, pinched between walls that move, would be struck to and fro ever harder.
+    const bool hinged = hit.a.invMass == 0 && hit.b.invMass == 0;
+    if (hinged && contact.impulse[0].impact + contact.impulse[1].impact > 0) {
+        return false;
+    }
     return hitContact(hit, tolerances, restSpeedOf(bodies, contact, dt));
 }
 

@@ -82,10 +82,10 @@ public:
 
 private:
     const Convex& outlineA() const {
-        return bodies_.form(contact_.key.bodyA).parts[contact_.key.partA].convex;
+        return bodies_.outline(contact_.key.bodyA, contact_.key.partA);
     }
     const Convex& outlineB() const {
-        return bodies_.form(contact_.key.bodyB).parts[contact_.key.partB].convex;
+        return bodies_.outline(contact_.key.bodyB, contact_.key.partB);
     }
     void find(const Place& atA, const Place& atB) {
         const Transform a = placed(bodies_.pose[contact_.key.bodyA], atA);

@@ -2,6 +2,7 @@
 #include <kodo/base/refill.hpp>
 #include <kodo/bodies/integrate.hpp>
 #include <kodo/solve/impact.hpp>
+#include <kodo/solve/leverage.hpp>
 #include <kodo/solve/propagation.hpp>
 
 #include <algorithm>
@@ -117,8 +118,7 @@ void Propagation::makeRows(const Bodies& bodies, std::span<Contact> contacts, co
         rows_.push_back(makeRow(contact, static_cast<std::uint32_t>(k)));
         PropagationRow& row = rows_.back();
         for (std::size_t i = 0; i < row.count; ++i) {
-            const ManifoldPoint& p = contact.manifold.points[i];
-            if (isBlocked(bodies.motion[row.a], p.armA, bodies.motion[row.b], p.armB, row.normal)) {
+            if (isBlocked(bodies, contact, i)) {
                 row.points[i].leverA = row.points[i].leverB = 0;
             }
         }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -163,17 +162,6 @@ PropagationRow makeRow(const Contact& contact, std::uint32_t place) {
     row.tangentLeverA = cross(share * meanA, perp(row.normal));
     row.tangentLeverB = cross(share * meanB, perp(row.normal));
     return row;
-}
-
-Real rollingLever(const Contact& contact, const Motion& a, const Motion& b) {
-    if (contact.material.rollingResistance == 0 || a.invInertia + b.invInertia == 0) {
-        return 0;
-    }
-    constexpr Real kNone = std::numeric_limits<Real>::max();
-    const ManifoldPoint& p = contact.manifold.points[0];
-    const Real radiusA = a.invInertia > 0 ? length(p.armA) : kNone;
-    const Real radiusB = b.invInertia > 0 ? length(p.armB) : kNone;
-    return contact.material.rollingResistance * std::min(radiusA, radiusB);
 }
 
 void solveRow(PropagationRow& row, Bodies& bodies, const RowMasses& masses, Real share, Real invH) {

@@ -58,10 +58,6 @@ struct Parting {
 /// A row without impulses.
 PropagationRow makeRow(const Contact& contact, std::uint32_t place);
 
-/// What brakes rolling (m): resistance times the distance from the centre of the rolling body to
-/// the contact [Thesis06, 4.3.3].
-Real rollingLever(const Contact& contact, const Motion& a, const Motion& b);
-
 /// One visit: normal impulses, then friction and rolling within what the normal impulses so far
 /// allow. `share` is 1 + e with the restitution e of the pass, which is negative or 0:
 ///

@@ -63,8 +63,7 @@ void RestStage::wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t i
         bodies.record[body].filter.flags &= ~kResting;
         bodies.rest[body] = {};
         bodies.rest[body].since = bodies.pose[body];
-        bodies.motion[body].move = {};
-        bodies.motion[body].turn = 0;
+        bodies.motion[body].halt();
         bodies.acceleration[body] = {};
     }
     contacts.putBack(woken.contacts);
@@ -263,10 +262,7 @@ void RestStage::putToRest(Bodies& bodies, std::span<const std::uint32_t> members
     for (const std::uint32_t body : members) {
         bodies.record[body].filter.flags |= kResting;
         bodies.rest[body].island = island;
-        bodies.motion[body].velocity = {};
-        bodies.motion[body].angularVelocity = 0;
-        bodies.motion[body].move = {};
-        bodies.motion[body].turn = 0;
+        bodies.motion[body].stand();
     }
     ++restingIslands_;
     islands_[island].bodies.assign(members.begin(), members.end());

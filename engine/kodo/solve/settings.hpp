@@ -37,7 +37,7 @@ struct StepSettings {
     int shockPasses = 0;       // 0..1000; of Propagation, in each level; 0: no shock propagation
     Real contactHertz = 60;    // stiffness of contacts; at most a quarter of the substep rate
     Real contactDamping = 10;  // damping ratio of contacts; 1 is critical; up to 1e6
-    Real jointHertz = 60;      // stiffness of joints; at most a quarter of the substep rate
+    Real jointHertz = 60;      // of joints in loops; at most a quarter of the substep rate
     Real jointDamping = 1;     // damping ratio of joints; up to 1e6
     Real pushSpeed = 3;        // length units/s at most, when overlapping bodies are parted
     int restSteps = 30;        // 1..1000000; calm steps in a row before an island is put to rest

@@ -3,6 +3,8 @@
 #include <kodo/solve/soft_step.hpp>
 
 #include <algorithm>
+#include <limits>
+#include <numbers>
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
@@ -11,6 +13,17 @@ namespace {
 constexpr std::size_t kContactsAPiece = 128;
 constexpr std::size_t kBlocksAPiece = 8;
 constexpr std::size_t kBodiesAPiece = 256;
+// Contacts may give by so many slops under a weight before the step is refined, and a body must be
+// so many times as heavy as another for its weight to be asked about.
+constexpr Real kMostGive = 2;
+constexpr Real kFarApart = 50;
+constexpr int kMostRefined = 4;
+// Overlaps of more than so many slops are deep. The speed that their pushes give is taken out again
+// by more passes, two for one of them and one more for each further one, up to so many. In a large
+// crowd the push is shared out, and there are many contacts: fewer passes will do.
+constexpr Real kDeep = 8;
+constexpr int kMostSettling = 10;
+constexpr int kLargeCrowd = 600; // of passes times bodies
 
 /// A row is needed once the bodies are near enough to touch within the step. Those that bounce must
 /// not be braked before they touch, or they would lose the speed they bounce with.
@@ -50,11 +63,14 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
         touched_[firstBody(joint.def).index] = 1;
         touched_[secondBody(joint.def).index] = 1;
     });
+    std::uint16_t most = 1; // that overlap one body
+    int deep = 0;
     newcomers_.clear();
     found_.gather(crew, contacts.size(), kContactsAPiece, newcomers_,
                   [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& newcomers) {
                       std::uint8_t* const near = near_.data();
                       std::uint8_t* const touched = touched_.data();
+                      int ownDeep = 0;
                       for (std::size_t i = first; i < last; ++i) {
                           Contact& contact = contacts[i];
                           if (!needsRow(bodies, contact, settings, tolerances)) {
@@ -74,18 +90,68 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
                           Crew::mark(marks[contact.key.bodyA]);
                           Crew::mark(marks[contact.key.bodyB]);
                           if (separation < -4 * tolerances.slop) {
-                              noteCrowd(bodies, contact, crew);
+                              noteCrowd(bodies, contact, most, crew);
                           }
+                          ownDeep += separation < -kDeep * tolerances.slop ? 1 : 0;
                       }
+                      crew.count(deep, ownDeep);
                   });
+    settling_ = deep == 0 ? 0 : std::min({1 + deep, kMostSettling, 1 + kLargeCrowd / most});
 }
 
-void SoftStep::noteCrowd(const Bodies& bodies, const Contact& contact, const Crew& crew) {
+/// Counts two that overlap deeply for each other. `most` is the largest count so far.
+void SoftStep::noteCrowd(const Bodies& bodies, const Contact& contact, std::uint16_t& most,
+                         const Crew& crew) {
     for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
-        if (!bodies.locked(body) && crew.count(crowd_[body]) >= ContactBlocks::kNeighbours) {
+        if (bodies.locked(body)) {
+            continue;
+        }
+        const auto count = static_cast<std::uint16_t>(crew.count(crowd_[body]) + 1);
+        Crew::raise(most, count);
+        if (count > ContactBlocks::kNeighbours) {
             Crew::mark(crowded_);
         }
     }
+}
+
+/// Into how many parts each substep is divided, since something heavy presses on something light. A
+/// contact is a spring as stiff as the lighter of its two bodies needs it, and gives by
+///
+///   s = F (1/m_light + 1/m_heavy) / omega^2,  F = m_heavy a
+///
+/// and stiffer ones need shorter substeps. Impulses are kept as of a whole substep; a power of two
+/// changes no digit of them.
+int SoftStep::refinement(const Bodies& bodies, std::span<const Contact> contacts, Real hertz,
+                         const Tolerances& tolerances) {
+    Real lightest = 0; // as 1/kg
+    Real heaviest = std::numeric_limits<Real>::max();
+    for (const std::uint32_t body : bodies.awake) {
+        if (const Real invMass = bodies.motion[body].invMass; invMass > 0) {
+            lightest = std::max(lightest, invMass);
+            heaviest = std::min(heaviest, invMass);
+        }
+    }
+    if (lightest < kFarApart * heaviest) {
+        return 1;
+    }
+    Real load = 0; // m/s^2
+    for (const Contact& contact : contacts) {
+        const Real a = bodies.motion[contact.key.bodyA].invMass;
+        const Real b = bodies.motion[contact.key.bodyB].invMass;
+        const Real heavy = std::min(a, b);
+        if (heavy > 0 && std::max(a, b) >= kFarApart * heavy && contact.responds() &&
+            contact.manifold.points[0].separation <= tolerances.slop) {
+            const std::uint32_t body = heavy == a ? contact.key.bodyA : contact.key.bodyB;
+            load = std::max(load, (a + b) / heavy * length(bodies.acceleration[body].linear));
+        }
+    }
+    const Real omega = 2 * std::numbers::pi_v<Real> * hertz;
+    const Real most = kMostGive * tolerances.slop * omega * omega;
+    int parts = 1;
+    while (parts < kMostRefined && load > most * static_cast<Real>(parts * parts)) {
+        parts *= 2;
+    }
+    return parts;
 }
 
 /// Lists the bodies of joints, each once.
@@ -200,46 +266,64 @@ void SoftStep::nextSubstep(Bodies& bodies, Real h, Crew& crew) {
 void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints,
                      const StepSettings& settings, const Tolerances& tolerances, Real dt,
                      Crew& crew) {
+    visits_ = 0;
     if (bodies.awake.empty() && blocks_.size() == 0) {
         return;
     }
+    const Real whole = dt / static_cast<Real>(settings.substeps);
+    const auto hertzOf = [](Real hertz, Real h) { return std::min(hertz, Real(0.25) / h); };
+    const int parts =
+        refinement(bodies, contacts, hertzOf(settings.contactHertz, whole), tolerances);
+    const Real h = whole / static_cast<Real>(parts);
+    blocks_.refine(parts);
     collect(bodies, contacts, joints, settings, tolerances, crew);
     blocks_.arrange(bodies, contacts, newcomers_,
                     crowded_ != 0 ? std::span<const std::uint16_t>(crowd_)
                                   : std::span<const std::uint16_t>(),
                     settings.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit);
-    const Real h = dt / static_cast<Real>(settings.substeps);
-    const Real hertz = std::min(settings.contactHertz, Real(0.25) / h);
-    const ContactPasses& passes = ContactPasses::best();
+    const Real hertz = hertzOf(settings.contactHertz * static_cast<Real>(parts), h);
     const ContactPassArguments pass =
         blocks_.pass(bodies, {Softness::from(hertz, settings.contactDamping, h),
                               Softness::from(2 * hertz, settings.contactDamping, h), 1 / h,
                               settings.has(Feature::Friction)});
-    JointPass jointPass{
-        h, Softness::from(std::min(settings.jointHertz, Real(0.25) / h), settings.jointDamping, h)};
+    JointPass jointPass{h,
+                        Softness::from(hertzOf(settings.jointHertz, h), settings.jointDamping, h)};
     joints.beginStep();
+    joints.scaleImpulses(1 / static_cast<Real>(parts));
     findJointed(joints);
     moveFree(bodies, dt);
-    for (int substep = 0; substep < settings.substeps; ++substep) {
-        if (substep == 0) {
-            beginSubsteps(bodies, h, crew);
-        } else {
-            nextSubstep(bodies, h, crew);
-        }
-        passJoints(bodies, [&] { joints.warmStart(bodies, jointPass); });
-        if (substep == 0) {
-            passContacts(passes.warmStart, pass, crew);
-        }
-        jointPass.biased = true;
-        passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
-        passContacts(passes.solve, pass, crew);
-        forBound(crew, [&](std::span<const std::uint32_t> list) {
-            integrateMoves(bodies, list, holds_, h);
-        });
-        jointPass.biased = false;
-        passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
-        passContacts(passes.relax, pass, crew);
+    const int substeps = parts * settings.substeps;
+    for (int substep = 0; substep < substeps; ++substep) {
+        runSubstep(bodies, joints, pass, jointPass, substep == 0, crew);
     }
+    joints.scaleImpulses(static_cast<Real>(parts));
+    visits_ = blocks_.size() * static_cast<std::size_t>(substeps * (2 + settling_));
+}
+
+void SoftStep::runSubstep(Bodies& bodies, JointSet& joints, const ContactPassArguments& pass,
+                          JointPass& jointPass, bool first, Crew& crew) {
+    const ContactPasses& passes = ContactPasses::best();
+    if (first) {
+        beginSubsteps(bodies, jointPass.h, crew);
+    } else {
+        nextSubstep(bodies, jointPass.h, crew);
+    }
+    passJoints(bodies, [&] { joints.warmStart(bodies, jointPass); });
+    if (first) {
+        passContacts(passes.warmStart, pass, crew);
+    }
+    jointPass.biased = true;
+    passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
+    passContacts(passes.solve, pass, crew);
+    forBound(crew, [&](std::span<const std::uint32_t> list) {
+        integrateMoves(bodies, list, holds_, jointPass.h);
+    });
+    jointPass.biased = false;
+    passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
+    for (int again = 0; again < settling_; ++again) {
+        passContacts(passes.settle, pass, crew);
+    }
+    passContacts(passes.relax, pass, crew);
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -32,7 +32,8 @@ class SoftStep {
 public:
     void solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints,
                const StepSettings& settings, const Tolerances& tolerances, Real dt, Crew& crew);
-    std::size_t contactCount() const { return blocks_.size(); }
+    /// How often the last step looked at a contact.
+    std::size_t visits() const { return visits_; }
     /// Hands the impulses of the last step to a contact, if the solver had it.
     void fetch(Contact& contact) const { blocks_.fetch(contact); }
 
@@ -44,7 +45,10 @@ private:
 
     void collect(const Bodies& bodies, std::span<Contact> contacts, const JointSet& joints,
                  const StepSettings& settings, const Tolerances& tolerances, Crew& crew);
-    void noteCrowd(const Bodies& bodies, const Contact& contact, const Crew& crew);
+    void noteCrowd(const Bodies& bodies, const Contact& contact, std::uint16_t& most,
+                   const Crew& crew);
+    static int refinement(const Bodies& bodies, std::span<const Contact> contacts, Real hertz,
+                          const Tolerances& tolerances);
     static Velocity velocityOf(const Motion& motion) {
         return {motion.velocity, motion.angularVelocity};
     }
@@ -57,6 +61,8 @@ private:
     void moveFree(Bodies& bodies, Real dt);
     void beginSubsteps(Bodies& bodies, Real h, Crew& crew);
     void nextSubstep(Bodies& bodies, Real h, Crew& crew);
+    void runSubstep(Bodies& bodies, JointSet& joints, const ContactPassArguments& pass,
+                    JointPass& jointPass, bool first, Crew& crew);
 
     ContactBlocks blocks_;
     std::vector<std::uint32_t> newcomers_; // places of contacts that have no lane yet
@@ -66,6 +72,8 @@ private:
     std::vector<std::uint8_t> touched_;
     std::vector<std::uint16_t> crowd_; // by body: how many overlap it deeply
     std::uint8_t crowded_ = 0;         // too many overlap some body
+    int settling_ = 0;                 // passes more that take out what pushes gave
+    std::size_t visits_ = 0;
     std::vector<Velocity> before_;     // by body: with the forces of the substep, without contacts
     std::vector<std::uint32_t> free_;  // bodies that nothing can push in this step
     std::vector<std::uint32_t> bound_; // and the others

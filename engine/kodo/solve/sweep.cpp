@@ -22,10 +22,6 @@ bool mayBounce(const Contact& contact, const Tolerances& tolerances) {
            (contact.manifold.count == 0 || contact.manifold.points[0].separation > tolerances.slop);
 }
 
-const Convex& outline(const Bodies& bodies, std::uint32_t body, std::uint16_t part) {
-    return bodies.form(body).parts[part].convex;
-}
-
 /// How far a body goes at most as seen from a locked one, which nothing stops: what lies still on a
 /// turning floor goes nowhere.
 Real motionSeenFrom(const Bodies& bodies, std::uint32_t locked, std::uint32_t other, Real reach) {
@@ -41,8 +37,8 @@ Real motionSeenFrom(const Bodies& bodies, std::uint32_t locked, std::uint32_t ot
 /// after these shares of it. What moves along with the other goes hardly anywhere.
 Real motionOf(const Bodies& bodies, const Contact& contact, Real stopA, Real stopB) {
     const auto [bodyA, partA, bodyB, partB] = contact.key;
-    const Real reachA = outline(bodies, bodyA, partA).reach;
-    const Real reachB = outline(bodies, bodyB, partB).reach;
+    const Real reachA = bodies.outline(bodyA, partA).reach;
+    const Real reachB = bodies.outline(bodyB, partB).reach;
     if (bodies.locked(bodyA)) {
         return motionSeenFrom(bodies, bodyA, bodyB, reachB);
     }
@@ -70,8 +66,8 @@ std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Re
     if (contact.hidden || contact.passing) {
         return std::nullopt;
     }
-    const Convex& shapeA = outline(bodies, contact.key.bodyA, contact.key.partA);
-    const Convex& shapeB = outline(bodies, contact.key.bodyB, contact.key.partB);
+    const Convex& shapeA = bodies.outline(contact.key.bodyA, contact.key.partA);
+    const Convex& shapeB = bodies.outline(contact.key.bodyB, contact.key.partB);
     const Real gap = gapOf(contact, tolerances);
     if (motion < gap) {
         return std::nullopt;
@@ -100,8 +96,8 @@ Real impactTime(const Bodies& bodies, const Contact& contact, std::span<const Re
                 Real gap) {
     const ContactKey& key = contact.key;
     return timeOfImpact(
-        outline(bodies, key.bodyA, key.partA), sweepOf(bodies, key.bodyA, stopAt[key.bodyA]),
-        outline(bodies, key.bodyB, key.partB), sweepOf(bodies, key.bodyB, stopAt[key.bodyB]), gap);
+        bodies.outline(key.bodyA, key.partA), sweepOf(bodies, key.bodyA, stopAt[key.bodyA]),
+        bodies.outline(key.bodyB, key.partB), sweepOf(bodies, key.bodyB, stopAt[key.bodyB]), gap);
 }
 
 /// The heap's order: the earliest on top, of equal ones the first in the list.
@@ -299,8 +295,8 @@ void SweepStage::noticeOnTheWay(const Bodies& bodies, Contact& contact, Real sha
     const ContactKey& key = contact.key;
     const Transform a = sweepOf(bodies, key.bodyA, stopAt_[key.bodyA]).at(share);
     const Transform b = sweepOf(bodies, key.bodyB, stopAt_[key.bodyB]).at(share);
-    const Manifold met = collide(outline(bodies, key.bodyA, key.partA), a,
-                                 outline(bodies, key.bodyB, key.partB), b, tolerances.margin, 0);
+    const Manifold met = collide(bodies.outline(key.bodyA, key.partA), a,
+                                 bodies.outline(key.bodyB, key.partB), b, tolerances.margin, 0);
     if (met.count == 0) {
         return;
     }

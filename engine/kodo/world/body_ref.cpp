@@ -97,8 +97,12 @@ void BodyRef::thaw() {
     }
 }
 
-void BodyRef::pushed() {
+void BodyRef::wake() {
     world_->rest_.wake(world_->bodies_, world_->contacts_, index());
+}
+
+void BodyRef::pushed() {
+    wake();
     if (!bodies().locked(index())) {
         return;
     }
@@ -164,17 +168,15 @@ void BodyRef::applyForce(Vec2 force) {
 void BodyRef::applyForce(Vec2 force, Vec2 point) {
     refuse(isFinite(force) ? std::nullopt : std::optional(Problem{"force", "must be finite"}));
     refuse(checkPosition("point", point, unit()));
-    BodyRecord& record = world_->bodies_.record[index()];
-    record.force += force;
-    record.torque += cross(point - center(), force);
-    pushed();
+    addForce(world_->bodies_, index(), force, cross(point - center(), force));
+    wake();
 }
 
 void BodyRef::applyTorque(Real torque) {
     refuse(std::isfinite(torque) ? std::nullopt
                                  : std::optional(Problem{"torque", "must be finite"}));
-    world_->bodies_.record[index()].torque += torque;
-    pushed();
+    addForce(world_->bodies_, index(), {}, torque);
+    wake();
 }
 
 void BodyRef::applyImpulse(Vec2 impulse) {

@@ -60,7 +60,8 @@ public:
     void moveTo(Vec2 position, Real dt);
     void moveTo(Vec2 position, Rot rotation, Real dt);
 
-    // Forces act during the next step and are then forgotten; impulses act at once.
+    // Forces act during the next step and are then forgotten, also by what it cannot push; impulses
+    // act at once.
     void applyForce(Vec2 force);             // N, at the centre of mass
     void applyForce(Vec2 force, Vec2 point); // at a world point: adds torque
     void applyTorque(Real torque);           // N m, counter-clockwise
@@ -77,7 +78,8 @@ private:
     Real unit() const; // m, of length
     void changed();    // its place, build or filter: contacts and what leans on it must know
     void thaw();
-    void pushed(); // its velocity or forces
+    void wake();
+    void pushed(); // its velocity
 
     World* world_;
 };

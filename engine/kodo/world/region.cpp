@@ -111,6 +111,9 @@ void World::holdWhatWaits() {
         hold(firstBody(joint.def).index);
         hold(secondBody(joint.def).index);
     });
+    if (!held_.empty()) {
+        contacts_.measureApproach(bodies_); // it was measured with the speeds that they keep
+    }
 }
 
 void World::releaseWhatWaits() {

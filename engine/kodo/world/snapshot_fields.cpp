@@ -117,7 +117,7 @@ void SnapshotFields::one(IdPool& pool) {
 }
 
 void SnapshotFields::one(Bodies& bodies) {
-    auto& [ids, motion, pose, acceleration, extent, jumps, record, rest, awake, awakeStale,
+    auto& [ids, motion, pose, acceleration, extent, jumps, record, rest, forced, awake, awakeStale,
            anyRests, turns] = bodies;
     one(ids);
     if (reads()) {
@@ -160,6 +160,9 @@ void SnapshotFields::completeBody(Bodies& bodies, std::uint32_t body) {
             "a body is out of all bounds");
     require(checkRotation("rotation", pose.rotation));
     bodies.extent[body] = {form.reach, form.inside};
+    if (record.force != Vec2{} || record.torque != 0) {
+        bodies.forced.push_back(body);
+    }
     refreshMass(bodies, body);
 }
 

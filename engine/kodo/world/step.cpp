@@ -77,7 +77,7 @@ void World::solve(Real dt, Crew& crew) {
         impacts_.solve(bodies_, contacts, settings_, tolerances_, dt);
     }
     softStep_.solve(bodies_, contacts, joints_, settings_, tolerances_, dt, crew);
-    contactVisits_ = 2 * softStep_.contactCount() * static_cast<std::size_t>(settings_.substeps);
+    contactVisits_ = softStep_.visits();
 }
 
 /// Bodies that have left the region wait, and those that it has reached go on.
@@ -116,10 +116,7 @@ void World::freezeUnsoundMotion() {
         if (isFinite(motion.velocity) && std::isfinite(motion.angularVelocity)) {
             freeze(bodies_, body); // too fast by itself
         }
-        motion.velocity = {};
-        motion.angularVelocity = 0;
-        motion.move = {};
-        motion.turn = 0;
+        motion.stand();
         const BodyId id = bodies_.idAt(body);
         if (std::find(frozen_.begin(), frozen_.end(), id) == frozen_.end()) {
             frozen_.push_back(id);
@@ -128,16 +125,14 @@ void World::freezeUnsoundMotion() {
     if (frozen_.size() > before) {
         for (Motion& motion : bodies_.motion) { // of what stands too: 0 times infinity is no number
             if (!isSound(motion)) {
-                motion.velocity = {};
-                motion.angularVelocity = 0;
-                motion.move = {};
-                motion.turn = 0;
+                motion.stand();
             }
         }
         for (Contact& contact : contacts_.contacts()) {
             softStep_.fetch(contact);
         }
-        contacts_.forgetUnsoundImpulses();
+        contacts_.forgetUnsound(bodies_, tolerances_);
+        joints_.forgetUnsound();
         contacts_.bodiesChanged(); // what froze is a piece of ground now
     }
 }
