@@ -22,7 +22,9 @@ public:
     template <typename Accept>
     void pairs(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
                std::vector<BoundsPair>& out) {
+        work_ = {};
         build(bounds);
+        built_ = work_;
         tests_ = 0;
         for (const std::uint32_t m : moved.list) {
             const Aabb box = bounds[m];
@@ -39,10 +41,14 @@ public:
                 forEachNear(level, box, meet);
             }
         }
+        work_.addTested(tests_);
     }
 
     /// Bounds that were compared in the last call: what it had to test.
     std::size_t testCount() const { return tests_; }
+    /// Of the last call: all of it, and what it took to fill the cells, whoever has moved.
+    PairWork work() const { return work_; }
+    PairWork workToBuild() const { return built_; }
 
 private:
     struct Entry {
@@ -76,8 +82,10 @@ private:
         const Real half = level.cell / 2;
         const std::int32_t left = columnOf(level, box.lower.x - half);
         const std::int32_t right = columnOf(level, box.upper.x + half);
+        const std::int32_t bottom = rowOf(level, box.lower.y - half);
         const std::int32_t top = rowOf(level, box.upper.y + half);
-        for (std::int32_t row = rowOf(level, box.lower.y - half); row <= top; ++row) {
+        work_.addRows(static_cast<std::size_t>(top - bottom + 1));
+        for (std::int32_t row = bottom; row <= top; ++row) {
             const std::uint32_t* const starts =
                 starts_.data() + level.begin + static_cast<std::ptrdiff_t>(row) * level.columns;
             const std::uint32_t end = starts[right + 1];
@@ -105,6 +113,8 @@ private:
     std::vector<Entry> entries_;
     std::vector<Real> sizes_; // or centres, to find the middle one
     std::size_t tests_ = 0;
+    PairWork work_;
+    PairWork built_;
 };
 
 } // namespace kodo::inline KODO_PRECISION

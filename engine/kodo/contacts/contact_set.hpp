@@ -48,6 +48,10 @@ public:
     /// Contacts whose impulses are not finite start anew.
     void forgetUnsoundImpulses();
 
+    /// What looks for the pairs.
+    PairFinder& pairFinder() { return finder_; }
+    const PairFinder& pairFinder() const { return finder_; }
+
     /// In an order of their own, which does not change while no pair comes or goes.
     std::span<Contact> contacts() { return contacts_; }
     std::span<const Contact> contacts() const { return contacts_; }
