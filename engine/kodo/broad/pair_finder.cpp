@@ -8,7 +8,7 @@ namespace kodo::inline KODO_PRECISION {
 namespace {
 
 // ps; what brute force takes no more for is not worth a thought.
-constexpr std::uint64_t kLittle = 1000000;
+constexpr std::uint64_t kLittle = 2000000;
 // A turn of the idle one may take this share of what has been spent since its last one.
 constexpr std::uint64_t kTurnShare = 32;
 // Sort and sweep still knows the order well enough if its last turn was so many calls ago: a step
@@ -19,7 +19,7 @@ constexpr std::uint64_t kStillSorted = 4;
 
 std::uint64_t PairFinder::expectGrid(std::size_t bounds, std::size_t moved) const {
     const std::uint64_t perMoved =
-        gridMoved_ == 0 ? 2 * gridPerBounds_ : gridSearch_ / gridMoved_; // at first a guess
+        gridMoved_ == 0 ? 5 * gridPerBounds_ : gridSearch_ / gridMoved_; // at first a guess
     return gridPerBounds_ * bounds + perMoved * moved;
 }
 

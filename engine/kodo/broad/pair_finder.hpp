@@ -59,7 +59,7 @@ private:
     std::uint64_t calls_ = 0;
     std::uint64_t work_ = 0; // ps
     // What they took lately.
-    std::uint64_t gridPerBounds_ = 15000; // ps; before the first turn a guess
+    std::uint64_t gridPerBounds_ = 20000; // ps; before the first turn a guess
     std::uint64_t gridSearch_ = 0;        // ps, of the last turns, for so many that had moved
     std::uint64_t gridMoved_ = 0;
     std::uint64_t sweepPerBounds_ = 0; // ps; 0: it had no turn yet
