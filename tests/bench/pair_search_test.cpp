@@ -23,7 +23,7 @@ std::vector<std::string> sceneNames() {
 Result searching(const std::string& scene, const std::string& way) {
     RunOptions options;
     options.scene = scene;
-    options.steps = std::min(recipeOf(scene).steps, 200);
+    options.steps = std::min(recipeOf(scene).steps, 120);
     options.step.pairs = way;
     return run(options);
 }
