@@ -41,7 +41,7 @@ QUESTIONS = [
     Question("pendulum", "pendulum", 1, 0.5),
 ]
 # By unit: below that, rounding or nothing is left, and a figure need not show how much.
-LEAST_ERROR = {"": 1e-7, "mm": 1e-3, "%": 1e-3, "m": 1e-6}
+LEAST_ERROR = {"": 1e-6, "mm": 1e-3, "%": 1e-3, "m": 1e-6}
 # What rests takes no part in a step at all, and is left out of every scene here.
 FEATURES = ("friction", "rolling", "restitution", "rotation", "sweep", "records")
 
