@@ -23,24 +23,38 @@ public:
     template <typename Accept>
     void pairs(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
                std::vector<BoundsPair>& out, Crew& crew) {
+        work_ = {};
         build(bounds);
+        built_ = work_;
         tests_ = 0;
+        std::size_t rows = 0;
         found_.gather(crew, moved.list.size(), kBoundsAPiece, out,
                       [&](std::size_t first, std::size_t last, std::vector<BoundsPair>& found) {
-                          std::size_t tests = 0;
+                          Looked looked;
                           for (std::size_t k = first; k < last; ++k) {
-                              tests += meetAll(bounds, moved, moved.list[k], accept, found);
+                              meetAll(bounds, moved, moved.list[k], accept, found, looked);
                           }
-                          crew.count(tests_, tests);
+                          crew.count(rows, looked.rows);
+                          crew.count(tests_, looked.tests);
                       });
+        work_.addRows(rows);
+        work_.addTested(tests_);
     }
 
     /// Bounds that were compared in the last call: what it had to test.
     std::size_t testCount() const { return tests_; }
+    /// Of the last call: all of it, and what it took to fill the cells, whoever has moved.
+    PairWork work() const { return work_; }
+    PairWork workToBuild() const { return built_; }
 
 private:
     static constexpr std::size_t kBoundsAPiece = 64;
 
+    /// What a search has looked at: rows of cells, and bounds in them.
+    struct Looked {
+        std::size_t rows = 0;
+        std::size_t tests = 0;
+    };
     struct Entry {
         Aabb box;
         std::uint32_t index;
@@ -67,10 +81,10 @@ private:
         return static_cast<std::int32_t>(std::clamp(cells, Real(0), last));
     }
 
-    /// The pairs of one that has moved. Returns how many it was compared with.
+    /// The pairs of one that has moved.
     template <typename Accept>
-    std::size_t meetAll(std::span<const Aabb> bounds, const Moved& moved, std::uint32_t m,
-                        Accept accept, std::vector<BoundsPair>& found) const {
+    void meetAll(std::span<const Aabb> bounds, const Moved& moved, std::uint32_t m, Accept accept,
+                 std::vector<BoundsPair>& found, Looked& looked) const {
         const Aabb box = bounds[m];
         const auto meet = [&](std::uint32_t i) {
             if (i == m || (moved.has(i) && i < m)) {
@@ -81,32 +95,30 @@ private:
                 found.push_back(pair);
             }
         };
-        std::size_t tests = 0;
         for (const Level& level : levels_) {
-            tests += forEachNear(level, box, meet);
+            forEachNear(level, box, meet, looked);
         }
-        return tests;
     }
 
     template <typename Meet>
-    std::size_t forEachNear(const Level& level, const Aabb& box, Meet meet) const {
-        std::size_t tests = 0;
+    void forEachNear(const Level& level, const Aabb& box, Meet meet, Looked& looked) const {
         const Real half = level.cell / 2;
         const std::int32_t left = columnOf(level, box.lower.x - half);
         const std::int32_t right = columnOf(level, box.upper.x + half);
+        const std::int32_t bottom = rowOf(level, box.lower.y - half);
         const std::int32_t top = rowOf(level, box.upper.y + half);
-        for (std::int32_t row = rowOf(level, box.lower.y - half); row <= top; ++row) {
+        looked.rows += static_cast<std::size_t>(top - bottom + 1);
+        for (std::int32_t row = bottom; row <= top; ++row) {
             const std::uint32_t* const starts =
                 starts_.data() + level.begin + static_cast<std::ptrdiff_t>(row) * level.columns;
             const std::uint32_t end = starts[right + 1];
-            tests += end - starts[left];
+            looked.tests += end - starts[left];
             for (std::uint32_t k = starts[left]; k < end; ++k) {
                 if (overlap(entries_[k].box, box)) {
                     meet(entries_[k].index);
                 }
             }
         }
-        return tests;
     }
 
     void build(std::span<const Aabb> bounds);
@@ -125,6 +137,8 @@ private:
     std::vector<Real> sizes_; // or centres, to find the middle one
     Findings<BoundsPair> found_;
     std::size_t tests_ = 0;
+    PairWork work_;
+    PairWork built_;
 };
 
 } // namespace kodo::inline KODO_PRECISION

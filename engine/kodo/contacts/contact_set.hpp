@@ -52,6 +52,10 @@ public:
     /// Contacts with an impulse or a place that is not finite start anew, where their bodies are.
     void forgetUnsound(const Bodies& bodies, const Tolerances& tolerances);
 
+    /// What looks for the pairs.
+    PairFinder& pairFinder() { return finder_; }
+    const PairFinder& pairFinder() const { return finder_; }
+
     /// In an order of their own, which does not change while no pair comes or goes.
     std::span<Contact> contacts() { return contacts_; }
     std::span<const Contact> contacts() const { return contacts_; }

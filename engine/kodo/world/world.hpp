@@ -102,6 +102,11 @@ public:
     const StepSettings& settings() const { return settings_; }
     /// Throws BadDefinition with what check(settings) says.
     void setSettings(const StepSettings& settings);
+    /// How pairs are looked for; nothing: in the cheapest way, call by call. All find the same
+    /// pairs, so nothing but the cost of a step follows from it, and a snapshot knows nothing of
+    /// it.
+    void setPairSearch(std::optional<PairSearch> only) { contacts_.pairFinder().use(only); }
+    std::optional<PairSearch> pairSearch() const { return contacts_.pairFinder().only(); }
     const Tolerances& tolerances() const { return tolerances_; }
     std::uint64_t stepCount() const { return stepCount_; }
     /// How often the solver looked at a contact in the last step: its cost, free of any clock.
@@ -109,6 +114,10 @@ public:
     /// How many bodies the last step worked on: what rests, stands locked or waits is not among
     /// them.
     std::size_t bodyVisits() const { return bodies_.awake.size(); }
+
+    /// ps that the search for pairs has taken in all steps so far, by what it had to do and what
+    /// that takes on one machine: its cost, free of any clock. See PairWork.
+    std::uint64_t pairWork() const { return contacts_.pairFinder().work(); }
 
     /// Equal for worlds that will go on alike. The same on every machine.
     std::uint64_t stateHash() const;
