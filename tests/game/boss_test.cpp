@@ -118,7 +118,8 @@ TEST(Boss, ComesApartWithItsLastCore) {
 // A boss whose core was its last piece once went down without a word.
 TEST(Boss, IsDownWithACoreThatWasTheLastOfIt) {
     const std::string core = "[legend.c]\nstuff = \"stone\"\nhold = \"boss\"\ncore = true\n";
-    const Level level = levelOf("g..............\n" + emptyRows(3) + ".......c.......\n", 12000, "", core);
+    const Level level =
+        levelOf("g..............\n" + emptyRows(3) + ".......c.......\n", 12000, "", core);
     Game broken(level, 1);
     const Vec2 place = placeOf(broken, broken.blocks()[indexOf(broken, 4, 7)]);
     shootAt(broken, 4, 7, 20);

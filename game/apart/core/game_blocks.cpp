@@ -104,7 +104,8 @@ void Game::dropUnsupported(Vec2 last) {
         }
     }
     if (held.empty()) {
-        events_.emplace_back(BossDown{boss.empty() ? last : frameOf(blocks_[boss.front()]).position});
+        events_.emplace_back(
+            BossDown{boss.empty() ? last : frameOf(blocks_[boss.front()]).position});
     }
     for (std::size_t next = 0; next < held.size(); ++next) {
         for (std::size_t i = 0; i < boss.size();) {

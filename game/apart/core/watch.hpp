@@ -11,10 +11,10 @@ namespace apart {
 /// What was seen of a game, or of several.
 struct Seen {
     std::uint64_t ticks = 0;
-    std::uint64_t freeTicks = 0; // that balls flew untouched and unpulled, all balls added up
-    std::uint32_t halts = 0;     // of balls slower than half their speed for half a second
-    std::uint32_t escapes = 0;   // ticks of balls outside other than below, and unsound bodies
-    std::uint32_t bends = 0;     // of balls that nothing touched and no field of force pulled at
+    std::uint64_t freeTicks = 0;   // that balls flew untouched and unpulled, all balls added up
+    std::uint32_t halts = 0;       // of balls slower than half their speed for half a second
+    std::uint32_t escapes = 0;     // ticks of balls outside other than below, and unsound bodies
+    std::uint32_t bends = 0;       // of balls that nothing touched and no field of force pulled at
     std::uint32_t longestWait = 0; // ticks in play, in a row, in which no block took harm
 
     void add(const Seen& other);

@@ -115,8 +115,8 @@ Tally soak(const Match& match, std::uint64_t mostTicks,
                    "{}, seed {}, {} player, {}: {} halts, {} escapes, {} bent flights, {} bent "
                    "bounces in pure mode, {} ticks without damage.\n",
                    match.level->name, match.seed, kBotNames[static_cast<std::size_t>(match.player)],
-                   kModeNames[static_cast<std::size_t>(match.mode)], tally.seen.halts, tally.seen.escapes,
-                   tally.seen.bends, tally.bentInPure, tally.seen.longestWait);
+                   kModeNames[static_cast<std::size_t>(match.mode)], tally.seen.halts,
+                   tally.seen.escapes, tally.seen.bends, tally.bentInPure, tally.seen.longestWait);
     }
     return tally;
 }
@@ -128,17 +128,17 @@ std::string asJson(const Tally& tally) {
         R"("escapes": {}, "bends": {}, "longestWaitTicks": {}, "waited": {}, "bounces": {}, "bentBounces": {}, )"
         R"("thrownBounces": {}, "bentBouncesInPure": {}, "microsecondsPerTick": {:.1f}}})",
         tally.level, tally.games, tally.won, tally.lost, tally.unfinished, tally.seen.ticks,
-        tally.seen.freeTicks, tally.meanWin(), tally.livesLost, tally.seen.halts, tally.seen.escapes, tally.seen.bends,
-        tally.seen.longestWait, tally.waited, tally.bounces, tally.bentBounces, tally.thrownBounces, tally.bentInPure,
-        tally.microsecondsPerTick());
+        tally.seen.freeTicks, tally.meanWin(), tally.livesLost, tally.seen.halts,
+        tally.seen.escapes, tally.seen.bends, tally.seen.longestWait, tally.waited, tally.bounces,
+        tally.bentBounces, tally.thrownBounces, tally.bentInPure, tally.microsecondsPerTick());
 }
 
 void printRow(const Tally& tally) {
     fmt::print("{:<20} {:>6} {:>6} {:>5} {:>7} {:>10} {:>7.1f} {:>6} {:>6} {:>8} {:>6} {:>9.1f} "
                "{:>8.1f}\n",
                tally.level, tally.games, tally.won, tally.lost, tally.unfinished, tally.seen.ticks,
-               tally.meanWin(), tally.livesLost, tally.seen.halts, tally.seen.escapes, tally.seen.bends,
-               static_cast<double>(tally.seen.longestWait) / kTicksPerSecond,
+               tally.meanWin(), tally.livesLost, tally.seen.halts, tally.seen.escapes,
+               tally.seen.bends, static_cast<double>(tally.seen.longestWait) / kTicksPerSecond,
                tally.microsecondsPerTick());
 }
 
@@ -207,7 +207,8 @@ int runSoak(const SoakCommand& command) {
                 command.mode.value_or(static_cast<Mode>(turn % kModeNames.size()))};
             Tally game = soak(match, left, [&](std::uint32_t ticks) {
                 progress.show(fmt::format("{}, seed {}: {} of {} ticks, {} games", level->name,
-                                          seed, total.seen.ticks + ticks, command.ticks, total.games));
+                                          seed, total.seen.ticks + ticks, command.ticks,
+                                          total.games));
             });
             game.unfinished = game.seen.ticks >= command.longestGame && game.won + game.lost == 0;
             tallies[std::min(i, levels.size())].add(game);
