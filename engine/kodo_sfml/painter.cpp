@@ -187,6 +187,13 @@ void Painter::fan(std::span<const sf::Vector2f> corners, std::span<const sf::Col
     }
 }
 
+void Painter::facet(std::span<const sf::Vector2f> corners, std::span<const sf::Color> colors) {
+    use(nullptr, blend_);
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+        triangle({corners[0], colors[0]}, {corners[i - 1], colors[i - 1]}, {corners[i], colors[i]});
+    }
+}
+
 void Painter::rimmed(std::span<const sf::Vector2f> corners, std::span<const sf::Color> colors,
                      float width, sf::Color rim) {
     const std::size_t count = corners.size();

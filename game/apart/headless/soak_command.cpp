@@ -125,8 +125,8 @@ std::string asJson(const Tally& tally) {
     return fmt::format(
         R"({{"level": "{}", "games": {}, "won": {}, "lost": {}, "unfinished": {}, "ticks": {}, )"
         R"("freeFlightTicks": {}, "meanWinSeconds": {:.1f}, "livesLost": {}, "halts": {}, )"
-        R"("escapes": {}, "bends": {}, "longestWaitTicks": {}, "waited": {}, "bounces": {}, "bentBounces": {}, )"
-        R"("thrownBounces": {}, "bentBouncesInPure": {}, "microsecondsPerTick": {:.1f}}})",
+        R"("escapes": {}, "bends": {}, "longestWaitTicks": {}, "waited": {}, "bounces": {}, )"
+        R"("bentBounces": {}, "thrownBounces": {}, "bentBouncesInPure": {}, "microsecondsPerTick": {:.1f}}})",
         tally.level, tally.games, tally.won, tally.lost, tally.unfinished, tally.seen.ticks,
         tally.seen.freeTicks, tally.meanWin(), tally.livesLost, tally.seen.halts,
         tally.seen.escapes, tally.seen.bends, tally.seen.longestWait, tally.waited, tally.bounces,

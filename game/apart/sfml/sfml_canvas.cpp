@@ -74,6 +74,10 @@ void SfmlCanvas::polygon(std::span<const Vec2> corners, std::span<const Color> c
     painter_.polygon(toPixels(corners), toSfml(colors));
 }
 
+void SfmlCanvas::facet(std::span<const Vec2> corners, std::span<const Color> colors) {
+    painter_.facet(toPixels(corners), toSfml(colors));
+}
+
 void SfmlCanvas::rimmed(std::span<const Vec2> corners, std::span<const Color> colors, Real width,
                         Color rim) {
     painter_.rimmed(toPixels(corners), toSfml(colors), camera_.toPixels(width), sfmlOf(rim));

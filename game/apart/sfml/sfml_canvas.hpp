@@ -31,6 +31,7 @@ public:
     void rectangle(const Aabb& box, Color below, Color above) override;
     void polygon(std::span<const Vec2> corners, Color color) override;
     void polygon(std::span<const Vec2> corners, std::span<const Color> colors) override;
+    void facet(std::span<const Vec2> corners, std::span<const Color> colors) override;
     void rimmed(std::span<const Vec2> corners, std::span<const Color> colors, Real width,
                 Color rim) override;
     void outline(std::span<const Vec2> corners, Real width, Color color) override;

@@ -23,6 +23,10 @@ void RecordingCanvas::polygon(std::span<const Vec2> corners, std::span<const Col
     strokes_.push_back({Stroke::Kind::Polygon, corners[0], colors[0]});
 }
 
+void RecordingCanvas::facet(std::span<const Vec2> corners, std::span<const Color> colors) {
+    strokes_.push_back({Stroke::Kind::Polygon, corners[0], colors[0]});
+}
+
 void RecordingCanvas::rimmed(std::span<const Vec2> corners, std::span<const Color> colors,
                              Real width, Color) {
     strokes_.push_back({Stroke::Kind::Polygon, corners[0], colors[0], width});
