@@ -15,10 +15,12 @@ namespace {
 constexpr Real kMostGive = 2;
 constexpr Real kFarApart = 50;
 constexpr int kMostRefined = 4;
-// Overlaps of more than so many slops are deep. The speed that their pushes give is taken out again
-// by more passes, two for one of them and one more for each further one, up to so many. In a large
-// crowd the push is shared out, and there are many contacts: fewer passes will do.
+// Overlaps of more than so many slops are deep. Where one contact of eight is, as when bodies are
+// put on one place, the speed that their pushes give is taken out again by more passes, two for one
+// of them and one more for each further one, up to so many. In a large crowd the push is shared
+// out, and there are many contacts: fewer passes will do.
 constexpr Real kDeep = 8;
+constexpr int kSomeDeep = 8;
 constexpr int kMostSettling = 10;
 constexpr int kLargeCrowd = 600; // of passes times bodies
 
@@ -59,6 +61,7 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
     });
     std::uint16_t most = 1; // that overlap one body
     int deep = 0;
+    int rows = 0;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         Contact& contact = contacts[i];
         if (!needsRow(bodies, contact, settings, tolerances)) {
@@ -72,6 +75,7 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
         blocks_.take(bodies, contact, static_cast<std::uint32_t>(i));
         const Real separation = contact.manifold.points[0].separation;
         deep += separation < -kDeep * tolerances.slop ? 1 : 0;
+        ++rows;
         for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
             holds_[body] =
                 std::max(holds_[body], separation <= tolerances.slop ? Hold::Touched : Hold::Near);
@@ -81,7 +85,9 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
             }
         }
     }
-    settling_ = deep == 0 ? 0 : std::min({1 + deep, kMostSettling, 1 + kLargeCrowd / most});
+    settling_ = deep == 0 || kSomeDeep * deep < rows
+                    ? 0
+                    : std::min({1 + deep, kMostSettling, 1 + kLargeCrowd / most});
 }
 
 /// Into how many parts each substep is divided, since something heavy presses on something light. A
