@@ -16,6 +16,7 @@
 ///   errors    bad values throw BadDefinition, dead ids BadBodyId, bytes that are no snapshot
 ///             BadSnapshot; nothing has changed then.
 
+#include <kodo/base/thread_pool.hpp>
 #include <kodo/bodies/fields.hpp>
 #include <kodo/math/affine.hpp>
 #include <kodo/shapes/box_fit.hpp>

@@ -13,10 +13,11 @@ namespace {
 constexpr float kTwoPi = 6.2831853f;
 constexpr float kLongestMitre = 3; // half widths; sharper corners are cut there
 constexpr float kFade = 0.5f;      // pixels to both sides of an edge over which it fades
+constexpr float kThin = 1;         // pixels, half the width of a stroke without a core
 
-/// Enough corners for a circle whose outline stays within a quarter of a pixel.
+/// Enough corners for a circle whose outline stays within a third of a pixel.
 int cornersFor(float radius) {
-    return std::clamp(static_cast<int>(5 * std::sqrt(std::max(radius, 0.0f))), 10, 96);
+    return std::clamp(static_cast<int>(4 * std::sqrt(std::max(radius, 0.0f))), 8, 96);
 }
 
 sf::Vector2f onCircle(sf::Vector2f center, float radius, int corner, int corners) {
@@ -59,6 +60,22 @@ void outwards(std::span<const sf::Vector2f> corners, std::vector<sf::Vector2f>& 
 
 sf::Color transparent(sf::Color color) {
     return {color.r, color.g, color.b, 0};
+}
+
+/// The colour that comes out when `above` covers `below`.
+sf::Color over(sf::Color below, sf::Color above) {
+    const float aboveShare = static_cast<float>(above.a) / 255;
+    const float belowShare = static_cast<float>(below.a) / 255 * (1 - aboveShare);
+    const float all = aboveShare + belowShare;
+    if (all <= 0) {
+        return transparent(above);
+    }
+    const auto mixed = [&](sf::Uint8 a, sf::Uint8 b) {
+        return static_cast<sf::Uint8>(
+            (aboveShare * static_cast<float>(a) + belowShare * static_cast<float>(b)) / all + 0.5f);
+    };
+    return {mixed(above.r, below.r), mixed(above.g, below.g), mixed(above.b, below.b),
+            static_cast<sf::Uint8>(255 * all + 0.5f)};
 }
 
 /// Calls take(glyph, x of the pen) for each visible character and returns the pen's way.
@@ -170,12 +187,50 @@ void Painter::fan(std::span<const sf::Vector2f> corners, std::span<const sf::Col
     }
 }
 
+void Painter::facet(std::span<const sf::Vector2f> corners, std::span<const sf::Color> colors) {
+    use(nullptr, blend_);
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+        triangle({corners[0], colors[0]}, {corners[i - 1], colors[i - 1]}, {corners[i], colors[i]});
+    }
+}
+
+void Painter::rimmed(std::span<const sf::Vector2f> corners, std::span<const sf::Color> colors,
+                     float width, sf::Color rim) {
+    const std::size_t count = corners.size();
+    if (count < 3 || colors.size() < count) {
+        return;
+    }
+    use(nullptr, blend_);
+    outwards(corners, sides_);
+    const float depth = std::max(1.5f * width, 2 * kFade); // as much rim as if it had sharp sides
+    const auto inner = [&](std::size_t i) {
+        return sf::Vertex{corners[i] - depth * sides_[i], colors[i]};
+    };
+    for (std::size_t i = 2; i < count; ++i) {
+        triangle(inner(0), inner(i - 1), inner(i));
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t next = (i + 1) % count;
+        const auto edge = [&](std::size_t corner, float out, sf::Color color) {
+            return sf::Vertex{corners[corner] + out * sides_[corner], color};
+        };
+        const sf::Color from = over(colors[i], rim);
+        const sf::Color to = over(colors[next], rim);
+        const sf::Vertex rimFrom = edge(i, -kFade, from);
+        const sf::Vertex rimTo = edge(next, -kFade, to);
+        quad(inner(i), inner(next), rimTo, rimFrom);
+        quad(rimFrom, rimTo, edge(next, kFade, transparent(to)), edge(i, kFade, transparent(from)));
+    }
+}
+
 void Painter::band(const Band& band, sf::Color color) {
     if (band.halfWidth < kFade) { // thinner than a pixel: fainter instead
         color.a = static_cast<sf::Uint8>(static_cast<float>(color.a) * band.halfWidth / kFade);
     }
-    const float core = std::max(band.halfWidth - kFade, 0.0f);
-    const float rim = std::max(band.halfWidth, kFade) + kFade;
+    // Too narrow a core would cost as many triangles as a wide one, and hardly be seen.
+    const float core = band.halfWidth < kThin ? 0 : band.halfWidth - kFade;
+    const float rim =
+        band.halfWidth < kThin ? std::max(2 * band.halfWidth, 2 * kFade) : band.halfWidth + kFade;
     const sf::Color none = transparent(color);
     const auto from = [&](float side, sf::Color c) {
         return sf::Vertex{band.from + side * band.fromSide, c};
@@ -216,7 +271,11 @@ void Painter::disc(sf::Vector2f center, float radius, sf::Color middle, sf::Colo
         const sf::Vector2f here = onCircle({}, 1, i, corners);
         const sf::Vertex a{center + inside * before, rim};
         const sf::Vertex b{center + inside * here, rim};
-        triangle({center, middle}, a, b);
+        if (middle != rim) {
+            triangle({center, middle}, a, b);
+        } else if (i > 1 && i < corners) { // all from the first corner
+            triangle({center + inside * onCircle({}, 1, 0, corners), rim}, a, b);
+        }
         if (hard) {
             quad(a, b, {center + (radius + kFade) * here, transparent(rim)},
                  {center + (radius + kFade) * before, transparent(rim)});

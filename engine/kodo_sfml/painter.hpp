@@ -35,6 +35,12 @@ public:
     /// Convex, in either direction; one colour, or one a corner.
     void polygon(std::span<const sf::Vector2f> corners, sf::Color color);
     void polygon(std::span<const sf::Vector2f> corners, std::span<const sf::Color> colors);
+    /// Convex, with sharp edges: for what is faint, or laid side by side.
+    void facet(std::span<const sf::Vector2f> corners, std::span<const sf::Color> colors);
+    /// A convex polygon with a rim along the inside of its edges, whose colour lies over the others
+    /// and fades into them: half as many triangles as polygon() and outline() need for that.
+    void rimmed(std::span<const sf::Vector2f> corners, std::span<const sf::Color> colors,
+                float width, sf::Color rim);
     /// The edges of any polygon, mitred; half of the width lies inside.
     void outline(std::span<const sf::Vector2f> corners, float width, sf::Color color);
     void line(sf::Vector2f from, sf::Vector2f to, float width, sf::Color color);

@@ -19,6 +19,11 @@ const std::vector<std::string>& featureNames() {
     return kNames;
 }
 
+const std::vector<std::string>& pairSearchNames() {
+    static const std::vector<std::string> kNames{"brute", "grid", "sweep", "auto"};
+    return kNames;
+}
+
 std::unique_ptr<Engine> makeEngine(const std::string& name, const scenes::SceneDef& scene,
                                    const StepOptions& options) {
     if (name == "kodo") {

@@ -28,6 +28,7 @@ struct StepOptions {
     std::vector<std::string> leaveOut{}; // features of Kodo, see featureNames()
     std::optional<int> passes{};         // velocity iterations of Box2D
     std::optional<int> positionPasses{}; // position iterations of Box2D
+    std::string pairs = "auto";          // how Kodo looks for pairs: see pairSearchNames()
     int threads = 1;
     bool stages = false; // tell how long each stage takes, which itself takes a little
     bool rest = false;   // may calm bodies be put to rest? The scene says so, not the user
@@ -42,6 +43,12 @@ struct WrongUse : std::invalid_argument {
 struct StageTime {
     std::string name;
     double seconds = 0;
+};
+
+/// What a contact takes.
+struct ContactBytes {
+    std::size_t all = 0; // with its row
+    std::size_t row = 0; // all that the passes of the solver read and write of it
 };
 
 /// A scene in some engine. Bodies are named by their place in the scene, and those added later by
@@ -65,6 +72,11 @@ public:
     /// kg, of all bodies that are not locked.
     virtual double mass() const = 0;
     virtual std::uint64_t stateHash() const = 0;
+    /// ps that the search for pairs has taken so far, counted and not timed; nothing where an
+    /// engine does not tell.
+    virtual std::optional<std::uint64_t> pairWork() const { return std::nullopt; }
+    /// Of its own types; nothing where an engine does not tell.
+    virtual std::optional<ContactBytes> contactBytes() const { return std::nullopt; }
     /// Stages since the scene was made; none where an engine does not tell them.
     virtual std::vector<StageTime> stages() const { return {}; }
 };
@@ -73,6 +85,7 @@ public:
 const std::vector<std::string>& engineNames();
 const std::vector<std::string>& profileNames();
 const std::vector<std::string>& featureNames();
+const std::vector<std::string>& pairSearchNames();
 
 std::unique_ptr<Engine> makeEngine(const std::string& name, const scenes::SceneDef& scene,
                                    const StepOptions& options);

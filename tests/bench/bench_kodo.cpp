@@ -35,6 +35,9 @@ kodo::StepSettings profileOf(const std::string& name) {
     throw WrongUse("Kodo has no profile '" + name + "'");
 }
 
+constexpr std::array kPairSearches = {kodo::PairSearch::BruteForce, kodo::PairSearch::Grid,
+                                      kodo::PairSearch::SortAndSweep}; // as pairSearchNames()
+
 std::uint8_t featureOf(const std::string& name) {
     const std::vector<std::string>& names = featureNames();
     const auto found = std::find(names.begin(), names.end(), name);
@@ -50,6 +53,16 @@ static_assert(static_cast<int>(kodo::Feature::Friction) == 1 << 0 &&
               static_cast<int>(kodo::Feature::Records) == 1 << 4 &&
               static_cast<int>(kodo::Feature::Resting) == 1 << 5 &&
               static_cast<int>(kodo::Feature::Rotation) == 1 << 6); // the order of featureNames()
+
+std::optional<kodo::PairSearch> pairSearchOf(const std::string& name) {
+    const std::vector<std::string>& names = pairSearchNames();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) {
+        throw WrongUse("Kodo does not look for pairs by '" + name + "'");
+    }
+    const auto place = static_cast<std::size_t>(found - names.begin());
+    return place == kPairSearches.size() ? std::nullopt : std::optional(kPairSearches[place]);
+}
 
 /// A number of the settings that can be set alone.
 struct Number {
@@ -95,9 +108,6 @@ void setNumber(kodo::StepSettings& settings, const std::string& text) {
 kodo::StepSettings settingsOf(const StepOptions& options) {
     if (options.passes || options.positionPasses) {
         throw WrongUse("passes and position passes are Box2D's; for Kodo, set contactPasses");
-    }
-    if (options.threads != 1) {
-        throw WrongUse("Kodo steps on one thread");
     }
     kodo::StepSettings settings = profileOf(options.profile);
     settings.substeps = options.substeps.value_or(settings.substeps);
@@ -153,10 +163,14 @@ private:
 class KodoEngine final : public Engine {
 public:
     KodoEngine(const scenes::SceneDef& scene, const StepOptions& options)
-        : scene_(scenes::inKodo(scene, settingsOf(options))), timesStages_(options.stages) {}
+        : scene_(scenes::inKodo(scene, settingsOf(options))),
+          pool_(options.threads - 1),
+          timesStages_(options.stages) {
+        scene_.world.setPairSearch(pairSearchOf(options.pairs));
+    }
 
     void step(double dt) override {
-        scene_.world.step(static_cast<kodo::Real>(dt), timesStages_ ? &stages_ : nullptr);
+        scene_.world.step(static_cast<kodo::Real>(dt), {timesStages_ ? &stages_ : nullptr, &pool_});
     }
 
     BodyState state(std::size_t body) const override {
@@ -200,6 +214,11 @@ public:
     }
 
     std::uint64_t stateHash() const override { return scene_.world.stateHash(); }
+    std::optional<std::uint64_t> pairWork() const override { return scene_.world.pairWork(); }
+    std::optional<ContactBytes> contactBytes() const override {
+        constexpr std::size_t kRow = sizeof(kodo::ContactBlock) / kodo::ContactBlock::kContacts;
+        return ContactBytes{sizeof(kodo::Contact) + kRow, kRow};
+    }
     std::vector<StageTime> stages() const override { return stages_.times(); }
 
 private:
@@ -207,6 +226,7 @@ private:
     static scenes::Vec2 wide(kodo::Vec2 v) { return {wide(v.x), wide(v.y)}; }
 
     scenes::KodoScene scene_;
+    kodo::ThreadPool pool_;
     StageClock stages_;
     bool timesStages_ = false;
 };

@@ -44,6 +44,7 @@ void addSettings(JsonObject& json, const Result& result) {
     json.add("positionPasses", step.positionPasses);
     json.add("set", fmt::format("{}", fmt::join(step.set, ",")));
     json.add("leaveOut", fmt::format("{}", fmt::join(step.leaveOut, ",")));
+    json.add("pairs", step.pairs);
     json.add("bodies", result.bodies);
     json.add("locked", result.locked);
     json.add("steps", result.steps);
@@ -111,7 +112,11 @@ std::string asJson(const Summary& summary, bool stages) {
     json.add("errorName", result.errorName);
     json.add("errorUnit", result.errorUnit);
     json.add("error", result.error);
+    json.add("pairWorkNsPerStep", result.pairWorkPerStep);
     json.add("bytesPerBody", result.bytesPerBody);
+    const auto contact = result.contactBytes;
+    json.add("bytesPerContact", contact ? std::optional(contact->all) : std::nullopt);
+    json.add("bytesPerContactRow", contact ? std::optional(contact->row) : std::nullopt);
     json.add("allocationsPerStep", result.options.engine == "box2d"
                                        ? std::nullopt // it does not go by operator new
                                        : std::optional(result.allocationsPerStep));
@@ -141,6 +146,13 @@ std::string asText(const Summary& summary, bool stages) {
                         result.escaped.value_or(0), result.kineticEnergy);
     if (result.error) {
         text += fmt::format("\n  {}: {:.4g} {}", result.errorName, *result.error, result.errorUnit);
+    }
+    if (result.bytesPerBody > 0) {
+        text += fmt::format("\n  {:.0f} bytes a body, with its share of all", result.bytesPerBody);
+    }
+    if (result.contactBytes) {
+        text += fmt::format("; {} a contact, {} of them its row in the solver",
+                            result.contactBytes->all, result.contactBytes->row);
     }
     if (stages) {
         for (const StageTime& stage : withStages(result).stages) {

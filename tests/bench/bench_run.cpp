@@ -47,6 +47,7 @@ public:
 
     void measure(int steps) {
         steps_ = steps;
+        pairWorkBefore_ = stage_.engine().pairWork().value_or(0);
         for (int done = 0; done < steps;) {
             const std::uint64_t allocations = allocationCount();
             start();
@@ -92,7 +93,12 @@ public:
             result.errorUnit = scene_.error->unit;
             result.error = scene_.error->measure(stage_, result.depths);
         }
+        result.contactBytes = stage_.engine().contactBytes();
         result.stages = stage_.engine().stages();
+        if (const auto pairWork = stage_.engine().pairWork()) {
+            result.pairWorkPerStep =
+                1e-3 * static_cast<double>(*pairWork - pairWorkBefore_) / steps_;
+        }
         const int late = steps_ - steps_ / 2;
         result.allocationsPerStep = static_cast<double>(allocations_) / late;
         return result;
@@ -136,6 +142,7 @@ private:
     int taken_ = 0; // steps, warm-up and all
     int steps_ = 0; // steps measured
     std::uint64_t allocations_ = 0;
+    std::uint64_t pairWorkBefore_ = 0;
     double deepest_ = 0;
     StopWatch cpu_{CLOCK_THREAD_CPUTIME_ID};
     StopWatch wall_{CLOCK_MONOTONIC};

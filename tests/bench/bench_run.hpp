@@ -39,8 +39,10 @@ struct Result {
     std::string errorUnit;
     std::optional<double> error;
     std::vector<StageTime> stages;
-    double allocationsPerStep = 0; // of the later half of the steps
-    double bytesPerBody = 0;       // of the heap, for all that the engine holds, locked bodies too
+    std::optional<double> pairWorkPerStep; // ns: see Engine::pairWork()
+    double allocationsPerStep = 0;         // of the later half of the steps
+    double bytesPerBody = 0; // of the heap, for all that the engine holds, locked bodies too
+    std::optional<ContactBytes> contactBytes;
 
     double cpuMsPerStep() const { return 1e3 * cpuSeconds / steps; }
     double nsPerBodyStep() const {

@@ -49,6 +49,41 @@ TEST_P(EveryScene, EndsInTheSameStateWhenRunAgain) {
 INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(recipes().begin(), recipes().end()),
                          [](const auto& scene) { return std::string(scene.param.name); });
 
+// Figures of other engines compare with these scenes only as long as they are what they say.
+TEST(Scenes, AreAsLargeAsTheyAreSaidToBe) {
+    const auto made = [](const char* name, int size) {
+        return recipeOf(name).make(size, 1).def.bodies;
+    };
+    EXPECT_EQ(made("pyramid", 100).size(), 1u + 5050u);
+    EXPECT_EQ(recipeOf("pyramid").steps, 300);
+    for (const char* name : {"stack", "circles", "debris", "tumbler", "massratio"}) {
+        EXPECT_EQ(recipeOf(name).steps, 600) << name;
+    }
+    const auto circles = made("circles", 5000);
+    EXPECT_EQ(circles.size(), 3u + 5000u);
+    EXPECT_NEAR(circles[2].position.x - circles[1].position.x, 60 + 1, 1e-12); // walls of 1 m
+    EXPECT_EQ(std::get<scenes::Circle>(circles[3].parts[0]).radius, 0.25);
+    const auto debris = made("debris", 2000);
+    EXPECT_NEAR(debris[2].position.x - debris[1].position.x, 50 + 1, 1e-12);
+    EXPECT_EQ(std::count_if(debris.begin(), debris.end(),
+                            [](const scenes::BodyDef& body) { return body.parts.size() == 2; }),
+              2000 / 5);
+    const auto tumbler = made("tumbler", 2000);
+    EXPECT_NEAR(tumbler[0].spin, 25 * std::numbers::pi / 180, 1e-12);
+    EXPECT_EQ(std::get<scenes::Box>(tumbler[0].parts[2]).height, 20); // between the other two
+    EXPECT_EQ(std::get<scenes::Box>(tumbler[1].parts[0]).width, 0.25);
+    const auto breakout = made("breakout", 200);
+    EXPECT_EQ(breakout.size(), 4u + 300u + 8u + 200u);
+    const scenes::BodyDef& ball = breakout[304];
+    EXPECT_NEAR(std::sqrt(dot(ball.velocity, ball.velocity)), 25, 1e-12);
+    EXPECT_TRUE(ball.weightless);
+    EXPECT_EQ(ball.material.friction, 0);
+    EXPECT_EQ(recipeOf("breakout").steps, 1200);
+    const auto massRatio = made("massratio", 1000);
+    EXPECT_EQ(massRatio.size(), 1u + 11u);
+    EXPECT_EQ(massRatio[11].density, 1000 * massRatio[10].density);
+}
+
 BodyState at(double x, double y, scenes::Rot rotation = {}) {
     return {{x, y}, rotation, {}, 0};
 }
@@ -155,6 +190,24 @@ TEST(Box2dInTheBench, HasItsSurfacesWhereTheNominalShapesAre) {
     EXPECT_LT(result.error, 15);
 }
 
+// At most 100 bytes a contact in the passes of the solver, so that those of a large pile stay near
+// the core; in double twice as many.
+TEST(Memory, AContactsRowIsSmall) {
+    RunOptions options;
+    options.scene = "stack";
+    options.size = 3;
+    options.steps = 3;
+    for (const auto& [engine, most] : {std::pair("kodo", 100u), std::pair("kodo64", 200u)}) {
+        options.engine = engine;
+        const Result result = run(options);
+        ASSERT_TRUE(result.contactBytes);
+        EXPECT_GT(result.contactBytes->row, 0u);
+        EXPECT_LE(result.contactBytes->row, most);
+        EXPECT_GT(result.contactBytes->all, result.contactBytes->row);
+        EXPECT_GT(result.bytesPerBody, 0);
+    }
+}
+
 TEST(Options, RefuseWhatAnEngineDoesNotKnow) {
     RunOptions options;
     options.scene = "stack";
@@ -173,6 +226,9 @@ TEST(Options, RefuseWhatAnEngineDoesNotKnow) {
     options.step.set = {"contactHertz=120", "impactPasses=4"};
     EXPECT_NO_THROW(run(options));
     options.step.set = {};
+    options.step.pairs = "magic";
+    EXPECT_THROW(run(options), WrongUse);
+    options.step.pairs = "auto";
     options.step.substeps = 0;
     EXPECT_THROW(run(options), WrongUse);
     options.engine = "box2d"; // has no substeps at all

@@ -20,6 +20,10 @@ def result(time, error, **more):
         "label": f"{time} {error}",
         "family": "substeps",
         "scene": "stack",
+        "size": 20,
+        "bodies": 20,
+        "steps": 600,
+        "runs": 3,
         "engine": "kodo",
         "errorName": "top sinks",
         "errorUnit": "mm",
@@ -51,6 +55,14 @@ class Fronts(unittest.TestCase):
         front = [result(1, 1000), result(1.5, 100), result(2, 2), result(4, 1)]
         self.assertIs(trade.knee_of(front), front[2])
 
+    def test_the_default_is_told_what_beats_it(self):
+        question = trade.QUESTIONS[0]
+        default = result(2, 10, label="default")
+        self.assertIn("nothing", trade.verdict_of(question, [default, result(1, 11)]))
+        self.assertIn("0.50 of the time", trade.verdict_of(question, [default, result(1, 9)]))
+        lost = result(2, 2e4, label="default")
+        self.assertIn("lost", trade.verdict_of(question, [lost, result(1, 9)]))
+
     def test_a_setting_within_the_noise_of_the_front_is_not_beaten(self):
         self.assertFalse(trade.is_beaten(result(1.02, 1), [result(1, 0.5)]))
         self.assertFalse(trade.is_beaten(result(2, 1), [result(1, 0.99)]))
@@ -79,6 +91,34 @@ class Figures(unittest.TestCase):
         scale = chart.LogScale(1, 100, 0, 200)
         self.assertEqual([round(scale(value), 9) for value in (1, 10, 100)], [0, 100, 200])
         self.assertEqual(scale.ticks(), [1, 2, 5, 10, 20, 50, 100])
+
+    def test_n_log_n_is_what_it_says(self):
+        first = {"bodies": 1000, "nsPerBodyStep": 300}
+        self.assertAlmostEqual(bench.allowed(first, {"bodies": 1_000_000}), 600)
+
+    def test_what_is_wanted_and_missed_is_named(self):
+        wanted = bench.Wanted("stack", 20, ratio=0.2, error=50, stands=True)
+        good = result(1, 50, ratio=0.2, depthMeanMm=99, escaped=None, stood=20)
+        self.assertEqual(bench.missed(wanted, good), "")
+        bad = result(1, 51, ratio=0.21, depthMeanMm=99, escaped=2, stood=19)
+        self.assertEqual(
+            bench.missed(wanted, bad),
+            "ratio at most 0.2, error at most 50, escaped at most 0, all stand",
+        )
+
+    def test_labels_cover_neither_marks_nor_each_other(self):
+        page = chart.Page(400, 300, "")
+        places = [(200 + 9 * (i % 5), 150 + 7 * (i // 5)) for i in range(20)]
+        for place in places:
+            page.mark(*place, chart.INK)
+        for i, place in enumerate(places):
+            page.label(*place, f"label {i}")
+        labels = page.taken[len(places) :]
+        self.assertGreater(len(labels), 10)
+        for i, one in enumerate(labels):
+            for other in page.taken[: len(places) + i]:
+                apart = one[2] < other[0] or other[2] < one[0]
+                self.assertTrue(apart or one[3] < other[1] or other[3] < one[1])
 
     def test_a_page_is_well_formed_whatever_its_words_are(self):
         front = [result(1, 1000), result(2, 2), result(4, 1, label="<&>")]

@@ -37,6 +37,8 @@ void addOptions(CLI::App& app, Options& options) {
     app.add_option("--leave-out", step.leaveOut, "Features of Kodo, by commas")
         ->delimiter(',')
         ->check(CLI::IsMember(featureNames()));
+    app.add_option("--pairs", step.pairs, "How Kodo looks for pairs; auto unless given")
+        ->check(CLI::IsMember(pairSearchNames()));
     app.add_option("--threads", step.threads, "1 unless given")->check(CLI::Range(1, 64));
     app.add_option("--steps", run.steps, "Steps of 1/60 s, instead of the scene's")
         ->check(CLI::Range(1, 100000000));

@@ -7,7 +7,7 @@ import sys
 
 WANTED = (
     "scene engine profile bodies steps cpuMsPerStep nsPerBodyStep depthMaxMm depthMeanMm escaped"
-    " stood kineticEnergyJ stateHash"
+    " stood kineticEnergyJ stateHash bytesPerBody"
 ).split()
 
 
@@ -22,8 +22,14 @@ def check(holds, what):
         sys.exit(f"kodo-bench: {what}")
 
 
+SCENES = (
+    "pyramid circles debris tumbler breakout stack massratio rain joints spinner resting empty"
+).split()
 code, text = bench("--list")
-check(code == 0 and "pyramid" in text, "--list names no scenes")
+check(code == 0, f"--list ends with {code}")
+listed = [line.split()[0] for line in text.splitlines() if not line.startswith(" ")]
+missing = [name for name in SCENES if name not in listed]
+check(not missing, f"--list does not name {missing}")
 
 choice = ("--scene", "pyramid", "--size", "5", "--steps", "20", "--json")
 code, text = bench(*choice, "--repeat", "3", "--against", "box2d", "--stages", "--peak")
@@ -34,9 +40,25 @@ for result in (kodo, box2d):
     check(not missing, f"no {missing} in {result}")
     check(result["bodies"] == 15 and result["steps"] == 20, f"another scene: {result}")
     check(result["cpuMsPerStep"] > 0 and result["runs"] == 3, f"no times: {result}")
-    check(result["stagesMsPerStep"], "no stages")
+    stages = result["stagesMsPerStep"]
+    check(stages and min(stages.values()) >= 0, f"no times of stages: {stages}")
+    # Both by the clock of the thread, and of the same run: the parts lie within the whole.
+    check(sum(stages.values()) <= 1.000001 * result["cpuMsPerStep"], f"stages take more: {result}")
 check((kodo["engine"], box2d["engine"]) == ("kodo", "box2d"), "engines out of order")
 check(abs(kodo["ratio"] - kodo["cpuMsPerStep"] / box2d["cpuMsPerStep"]) < 1e-9, "wrong ratio")
+
+wanted = {"substeps": 3, "steps": 4, "size": 6, "seed": 7, "threads": 1}
+words = [word for name, value in wanted.items() for word in (f"--{name}", str(value))]
+for engine in ("kodo", "kodo64"):
+    code, text = bench("--scene", "debris", "--engine", engine, "--profile", "quick", "--json", *words)
+    check(code == 0, f"{words} ends with {code}")
+    told = json.loads(text)
+    wanted |= {"scene": "debris", "engine": engine, "profile": "quick", "bodies": 6}
+    check(wanted.items() <= told.items(), f"asked for {wanted}, told {told}")
+    # A row of at most 100 bytes in float.
+    check(0 < told["bytesPerContactRow"] <= (100 if engine == "kodo" else 200), f"rows: {told}")
+    check(told["bytesPerContact"] > told["bytesPerContactRow"], f"bytes of contacts: {told}")
+    check(told["bytesPerBody"] > 0, f"bytes of bodies: {told}")
 
 code, text = bench(*choice)
 check(json.loads(text)["stateHash"] == kodo["stateHash"], "another state in another process")

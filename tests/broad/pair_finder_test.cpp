@@ -51,6 +51,17 @@ std::vector<Aabb> mixedScene(support::RandomNumbers& random, std::size_t count) 
 }
 
 template <typename Finder>
+void findPairs(Finder& finder, std::span<const Aabb> bounds, const Moved& moved,
+               std::vector<BoundsPair>& pairs) {
+    if constexpr (std::is_same_v<Finder, SortAndSweep>) {
+        finder.pairs(bounds, moved, acceptAll, pairs);
+    } else {
+        Crew alone;
+        finder.pairs(bounds, moved, acceptAll, pairs, alone);
+    }
+}
+
+template <typename Finder>
 void expectWhatBruteForceFinds(std::uint64_t seed) {
     support::RandomNumbers random(seed);
     Finder finder;
@@ -61,7 +72,7 @@ void expectWhatBruteForceFinds(std::uint64_t seed) {
         for (int frame = 0; frame < 4; ++frame) {
             const SomeMoved moved(random, bounds.size());
             std::vector<BoundsPair> pairs;
-            finder.pairs(bounds, moved, acceptAll, pairs);
+            findPairs(finder, bounds, moved, pairs);
             if constexpr (!std::is_same_v<Finder, PairFinder>) {
                 PairSorter().sort(pairs, bounds.size());
             }
@@ -98,7 +109,7 @@ std::vector<Aabb> square(int side) {
 std::size_t gridTests(const std::vector<Aabb>& bounds) {
     Grid grid;
     std::vector<BoundsPair> pairs;
-    grid.pairs(bounds, AllMoved(bounds.size()), acceptAll, pairs);
+    findPairs(grid, bounds, AllMoved(bounds.size()), pairs);
     return grid.testCount();
 }
 
@@ -118,25 +129,86 @@ TEST(Grid, AnEscapedBodyCostsNothing) {
     EXPECT_LE(gridTests(bounds), before + before / 4);
 }
 
-PairFinder::Way wayAfter(const std::vector<Aabb>& bounds, int calls) {
+PairSearch wayAfter(const std::vector<Aabb>& bounds, const Moved& moved, int calls) {
     PairFinder finder;
     for (int i = 0; i < calls; ++i) {
         std::vector<BoundsPair> pairs;
-        finder.pairs(bounds, AllMoved(bounds.size()), acceptAll, pairs);
+        findPairs(finder, bounds, moved, pairs);
     }
-    return finder.way(bounds.size());
+    return finder.way();
 }
 
-// O2: few: brute force. A flat row, where sweeping tests nothing: sort and sweep. A pile, where it
-// tests whole columns: the grid.
+// O2: few, or few that have moved: brute force. A flat row, where sweeping tests nothing: sort and
+// sweep. A pile, where it tests whole columns: the grid.
 TEST(PairFinder, TakesTheCheapestWay) {
     std::vector<Aabb> row;
     for (int i = 0; i < 500; ++i) {
         row.push_back(boxAt(static_cast<Real>(2 * i), 0));
     }
-    EXPECT_EQ(wayAfter(square(5), 200), PairFinder::Way::BruteForce);
-    EXPECT_EQ(wayAfter(row, 200), PairFinder::Way::SortAndSweep);
-    EXPECT_EQ(wayAfter(square(40), 200), PairFinder::Way::Grid);
+    const std::vector<Aabb> pile = square(40);
+    EXPECT_EQ(wayAfter(square(5), AllMoved(25), 200), PairSearch::BruteForce);
+    EXPECT_EQ(wayAfter(row, AllMoved(500), 200), PairSearch::SortAndSweep);
+    EXPECT_EQ(wayAfter(pile, AllMoved(1600), 200), PairSearch::Grid);
+    const std::vector<std::uint32_t> one{7};
+    std::vector<std::uint8_t> flags(pile.size(), 0);
+    flags[7] = 1;
+    EXPECT_EQ(wayAfter(pile, {one, flags}, 200), PairSearch::BruteForce);
+}
+
+// A row that falls together into a pile, and a pile that is drawn out into a row.
+TEST(PairFinder, FollowsTheScene) {
+    std::vector<Aabb> row;
+    for (int i = 0; i < 1600; ++i) {
+        row.push_back(boxAt(static_cast<Real>(2 * i), 0));
+    }
+    const AllMoved moved(row.size());
+    PairFinder finder;
+    const auto wayIn = [&](const std::vector<Aabb>& bounds) {
+        for (int i = 0; i < 200; ++i) {
+            std::vector<BoundsPair> pairs;
+            findPairs(finder, bounds, moved, pairs);
+        }
+        return finder.way();
+    };
+    for (int round = 0; round < 2; ++round) {
+        EXPECT_EQ(wayIn(row), PairSearch::SortAndSweep);
+        EXPECT_EQ(wayIn(square(40)), PairSearch::Grid);
+    }
+}
+
+// A turn of the idle one is paid from what has been spent since its last: 1/16 for the two of them,
+// and a half more for the first, which are guesses.
+TEST(PairFinder, TurnsOfTheIdleCostLittle) {
+    const std::vector<Aabb> pile = square(60);
+    const AllMoved moved(pile.size());
+    PairFinder chosen;
+    PairFinder grid;
+    grid.use(PairSearch::Grid);
+    for (int i = 0; i < 500; ++i) {
+        for (PairFinder* finder : {&chosen, &grid}) {
+            std::vector<BoundsPair> pairs;
+            finder->pairs(pile, moved, acceptAll, pairs);
+        }
+    }
+    EXPECT_EQ(chosen.way(), PairSearch::Grid);
+    EXPECT_GT(chosen.work(), grid.work());
+    EXPECT_LT(static_cast<double>(chosen.work()), 1.1 * static_cast<double>(grid.work()));
+}
+
+TEST(PairFinder, KeepsToTheWayItIsTold) {
+    const std::vector<Aabb> pile = square(10);
+    for (const PairSearch way :
+         {PairSearch::BruteForce, PairSearch::Grid, PairSearch::SortAndSweep}) {
+        PairFinder finder;
+        finder.use(way);
+        std::vector<BoundsPair> pairs;
+        for (int i = 0; i < 100; ++i) {
+            pairs.clear();
+            findPairs(finder, pile, AllMoved(pile.size()), pairs);
+            ASSERT_EQ(finder.way(), way);
+        }
+        EXPECT_EQ(pairs, byBruteForce(pile));
+    }
 }
 
 } // namespace

@@ -5,32 +5,24 @@
     window_test.py build/dev/bin/destructoooor build/dev/report
 
 Exit code 0: all checks passed, 1: one failed, 77: a tool is missing."""
-import os
 import pathlib
-import subprocess
 import sys
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "display"))
-from virtual_screen import Program, Screen, difference, skip_without_tools, wait_until  # noqa: E402
+from virtual_screen import (Program, Screen, check, difference, judged, run_without_display,  # noqa: E402
+                            skip_without_tools, wait_until)
 
 SCENE = "900x640+20+80"  # without panel and help
 PANEL = "320x500+955+0"
 MANY = 500  # pixels
 
 
-def check(what, true):
-    print(f"{'ok    ' if true else 'FAILED'} {what}", flush=True)
-    if not true:
-        raise AssertionError(what)
-
-
 def check_without_display(program):
-    env = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
-    plain = subprocess.run([program], env=env, capture_output=True, text=True, timeout=20)
+    plain = run_without_display(program)
     check("without a display it says so and exits with 3",
           plain.returncode == 3 and "no display" in plain.stderr)
-    wrong = subprocess.run([program, "--scene", "5"], env=env, capture_output=True, text=True, timeout=20)
+    wrong = run_without_display(program, "--scene", "5")
     check("a scene that is not there is refused in a sentence",
           wrong.returncode == 2 and "--scene" in wrong.stderr)
 
@@ -86,16 +78,14 @@ def work(screen, program, report):
 def main():
     program, report = sys.argv[1], pathlib.Path(sys.argv[2])
     report.mkdir(parents=True, exist_ok=True)
-    try:
+
+    def all_of_it():
         check_without_display(program)
         skip_without_tools()
         with Screen() as screen:
             check_pictures(screen, program, report)
             work(screen, program, report)
-    except AssertionError as error:
-        print(f"FAILED {error}\nPictures: {report}")
-        return 1
-    return 0
+    return judged(all_of_it, report)
 
 
 if __name__ == "__main__":

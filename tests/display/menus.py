@@ -10,18 +10,13 @@ import sys
 import time
 
 sys.dont_write_bytecode = True
-from virtual_screen import Program, Screen, difference, skip_without_tools, wait_until  # noqa: E402
+from virtual_screen import (Program, Screen, check, difference, judged, skip_without_tools,  # noqa: E402
+                            wait_until)
 
 # Pixels a metre, in a window of 1280x800, and where the middle of the picture is (layout.hpp).
 SCALE = 1280 / 31.2
 MIDDLE_Y = 9.25
 ROW = 0.98  # m, from item to item of a menu
-
-
-def check(what, true):
-    print(f"{'ok    ' if true else 'FAILED'} {what}", flush=True)
-    if not true:
-        raise AssertionError(what)
 
 
 def item(top, number):
@@ -90,16 +85,14 @@ def main():
     apart, report = sys.argv[1], pathlib.Path(sys.argv[2])
     report.mkdir(parents=True, exist_ok=True)
     skip_without_tools()
-    try:
+
+    def work():
         with Screen() as screen:
             profile = pathlib.Path(screen.config.name) / "apart" / "profile.toml"
             first_run(screen, apart, report, profile)
             second_run(screen, apart, report, profile)
             broken_run(screen, apart, profile)
-    except AssertionError as error:
-        print(f"FAILED {error}\nPictures: {report}")
-        return 1
-    return 0
+    return judged(work, report)
 
 
 if __name__ == "__main__":

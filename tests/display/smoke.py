@@ -6,31 +6,23 @@
 
 Pictures of each screen are left in the second folder. Exit code 0: all checks passed, 1: one
 failed, 77: a tool is missing."""
-import os
 import pathlib
-import subprocess
 import sys
 import time
 
 sys.dont_write_bytecode = True
-from virtual_screen import Program, Screen, brightest, difference, skip_without_tools, wait_until  # noqa: E402
+from virtual_screen import (Program, Screen, brightest, check, difference, judged,  # noqa: E402
+                            run_without_display, skip_without_tools, wait_until)
 
 PADDLE = "1000x90+36+700"  # where the paddle moves, in a window of 1280x800
 MENU = "460x34+296+304"  # the first item of the pause screen
 MANY = 1500  # pixels; the paddle alone has about 4000
 
 
-def check(what, true):
-    print(f"{'ok    ' if true else 'FAILED'} {what}", flush=True)
-    if not true:
-        raise AssertionError(what)
-
-
 def check_without_display(apart):
-    env = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
-    probe = subprocess.run([apart, "--probe-display"], env=env, capture_output=True, text=True, timeout=20)
+    probe = run_without_display(apart, "--probe-display")
     check("without a display the probe says 3 and nothing else", probe.returncode == 3 and not probe.stderr)
-    plain = subprocess.run([apart], env=env, capture_output=True, text=True, timeout=20)
+    plain = run_without_display(apart)
     check("without a display the game says so and exits with 3",
           plain.returncode == 3 and "no display" in plain.stderr)
 
@@ -159,18 +151,16 @@ def check_screenshot(screen, apart, report):
 def main():
     apart, report = sys.argv[1], pathlib.Path(sys.argv[2])
     report.mkdir(parents=True, exist_ok=True)
-    try:
+
+    def work():
         check_without_display(apart)
         skip_without_tools()
         with Screen() as screen:
             check_screenshot(screen, apart, report)
             check_without_window_manager(screen, apart, report)
             play(screen, apart, report)
-    except AssertionError as error:
-        print(f"FAILED {error}\nPictures: {report}")
-        return 1
-    print(f"Pictures: {report}")
-    return 0
+        print(f"Pictures: {report}")
+    return judged(work, report)
 
 
 if __name__ == "__main__":

@@ -18,6 +18,27 @@ def skip_without_tools():
         sys.exit(SKIPPED)
 
 
+def check(what, true):
+    print(f"{'ok    ' if true else 'FAILED'} {what}", flush=True)
+    if not true:
+        raise AssertionError(what)
+
+
+def judged(work, report):
+    """What main() returns: 0 when work() passes all its checks, 1 when one fails."""
+    try:
+        work()
+    except AssertionError as error:
+        print(f"FAILED {error}\nPictures: {report}")
+        return 1
+    return 0
+
+
+def run_without_display(*command):
+    env = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    return subprocess.run(command, env=env, capture_output=True, text=True, timeout=20)
+
+
 def wait_until(what, test, seconds=20.0):
     """The first true value of test(); fails with a sentence after so many seconds."""
     end = time.monotonic() + seconds

@@ -115,6 +115,29 @@ TEST(Boss, ComesApartWithItsLastCore) {
     EXPECT_GT(game.shards().size(), 1u);
 }
 
+// A boss whose core was its last piece once went down without a word.
+TEST(Boss, IsDownWithACoreThatWasTheLastOfIt) {
+    const std::string core = "[legend.c]\nstuff = \"stone\"\nhold = \"boss\"\ncore = true\n";
+    const Level level =
+        levelOf("g..............\n" + emptyRows(3) + ".......c.......\n", 12000, "", core);
+    Game broken(level, 1);
+    const Vec2 place = placeOf(broken, broken.blocks()[indexOf(broken, 4, 7)]);
+    shootAt(broken, 4, 7, 20);
+    const auto down = playUntil<BossDown>(broken, {}, 30);
+    ASSERT_TRUE(down);
+    EXPECT_NE(eventOf<Broke>(broken), nullptr);
+    EXPECT_TRUE(near(down->point, place, 1e-5));
+
+    Game fallen(level, 1);
+    GameTestAccess::shoot(fallen, {-9, 9}, {12, 0});
+    for (std::uint32_t tick = 0; tick < kFailTicks; ++tick) {
+        ASSERT_EQ(eventOf<BossDown>(fallen), nullptr);
+        GameTestAccess::idle(fallen);
+    }
+    EXPECT_NE(eventOf<BossDown>(fallen), nullptr);
+    EXPECT_FALSE(fallen.boss());
+}
+
 TEST(Boss, IsClearedWhenAllOfItHasFallen) {
     Game game = withBoss();
     shootAt(game, 4, 7, 20);

@@ -133,6 +133,19 @@ TEST(Fracture, GivesMorePiecesNearTheBlowWhenItShatters) {
     EXPECT_GT(nearer / count, 0.6); // half of them if the blow did not matter
 }
 
+// One break in eight of glass once fell back to halves, where the hub lay close to an edge.
+TEST(Fracture, MakesAStarOfGlassWhereverItIsStruck) {
+    int stars = 0;
+    int breaks = 0;
+    forRandomBreaks(kBreaks / 10, [&](const Break& broken, auto&) {
+        if (broken.pattern == Pattern::Radial) {
+            ++breaks;
+            stars += broken.pieces.size() > 3 ? 1 : 0; // halves are three pieces at most
+        }
+    });
+    EXPECT_GE(stars, breaks * 99 / 100);
+}
+
 TEST(Fracture, GivesThePiecesTheMomentumOfTheBlowAndItsMoment) {
     forRandomBreaks(kBreaks, [](const Break& broken, support::RandomNumbers& random) {
         std::vector<kodo::Mass> masses;

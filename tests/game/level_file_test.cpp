@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
-#include <apart/core/level_file.hpp>
 #include <apart/core/tuning.hpp>
 
-#include <gtest/gtest.h>
-
 #include <set>
+
+#include "level_texts.hpp"
 
 namespace {
 
@@ -27,19 +26,6 @@ power = "weld"
 stuff = "steel"
 )";
 
-std::string with(const std::string& text, const std::string& before, const std::string& after) {
-    std::string changed = text;
-    const std::size_t place = changed.find(before);
-    EXPECT_NE(place, std::string::npos) << before;
-    return changed.replace(place, before.size(), after);
-}
-
-std::string problemOf(const std::string& text) {
-    const Read<Level> level = parseLevel(text, "test", "test.toml");
-    const auto* problem = std::get_if<FileProblem>(&level);
-    return problem != nullptr ? problem->text() : "none";
-}
-
 TEST(LevelFile, IsReadAsItIsWritten) {
     const Read<Level> read = parseLevel(kGood, "test", "test.toml");
     ASSERT_EQ(problemOf(kGood), "none");
@@ -60,22 +46,24 @@ TEST(LevelFile, IsReadAsItIsWritten) {
 
 TEST(LevelFile, NamesTheLineOfWhatIsWrong) {
     const std::vector<std::pair<std::string, std::string>> cases = {
-        {with(kGood, "format = 1", "format = 2"), "test.toml:1: format must be a whole number"},
-        {with(kGood, "place = 3", "plaice = 3"), "test.toml:2: unknown key plaice"},
-        {with(kGood, "place = 3", "place = 3.5"), "test.toml:2: place must be a whole number"},
-        {with(kGood, "title = \"Test\"", "title = 5"), "test.toml:3: title must be a text"},
-        {with(kGood, "title = \"Test\"", "title = \"Test"), "test.toml:3: "},
-        {with(kGood, "..b.........X..", "..b.........X."), "test.toml:7: a row of the grid has 15"},
-        {with(kGood, "..b.........X..", "..b.........Y.."), "test.toml:7: the letter Y is not"},
-        {with(kGood, "..b.........X..", "............X.."), "test.toml:5: the grid holds no block"},
-        {with(kGood, "\"brick\"", "\"brik\""), "test.toml:10: stuff must be one of glass, wood"},
-        {with(kGood, "7000", "0"), "test.toml:11: strength must be a whole number from 1"},
-        {with(kGood, "\"weld\"", "\"wield\""), "test.toml:12: power must be one of none, weld"},
-        {with(kGood, "legend.X", "legend.XX"), "test.toml:13: legend.XX: a letter of the grid"},
+        {changed(kGood, "format = 1", "format = 2"), "test.toml:1: format must be a whole number"},
+        {changed(kGood, "place = 3", "plaice = 3"), "test.toml:2: unknown key plaice"},
+        {changed(kGood, "place = 3", "place = 3.5"), "test.toml:2: place must be a whole number"},
+        {changed(kGood, "title = \"Test\"", "title = 5"), "test.toml:3: title must be a text"},
+        {changed(kGood, "title = \"Test\"", "title = \"Test"), "test.toml:3: "},
+        {changed(kGood, "..b.........X..", "..b.........X."),
+         "test.toml:7: a row of the grid has 15"},
+        {changed(kGood, "..b.........X..", "..b.........Y.."), "test.toml:7: the letter Y is not"},
+        {changed(kGood, "..b.........X..", "............X.."),
+         "test.toml:5: the grid holds no block"},
+        {changed(kGood, "\"brick\"", "\"brik\""), "test.toml:10: stuff must be one of glass, wood"},
+        {changed(kGood, "7000", "0"), "test.toml:11: strength must be a whole number from 1"},
+        {changed(kGood, "\"weld\"", "\"wield\""), "test.toml:12: power must be one of none, weld"},
+        {changed(kGood, "legend.X", "legend.XX"), "test.toml:13: legend.XX: a letter of the grid"},
         {kGood + "power = \"weld\"\n", "test.toml:13: legend.X.steel"},
         {kGood + "title = \"again\"\n", "test.toml:15: unknown key legend.X.title"},
-        {with(kGood, "place = 3", "format = 1"), "test.toml:2: "},
-        {with(kGood, "place = 3", "lives = 0"), "test.toml:2: lives must be a whole number"},
+        {changed(kGood, "place = 3", "format = 1"), "test.toml:2: "},
+        {changed(kGood, "place = 3", "lives = 0"), "test.toml:2: lives must be a whole number"},
         {"", "test.toml"},
     };
     for (const auto& [text, start] : cases) {
@@ -90,7 +78,7 @@ TEST(LevelFile, RefusesWhatIsTooLarge) {
     for (int row = 0; row <= kMostRows; ++row) {
         rows += "...............\n";
     }
-    const std::string tall = with(kGood, "...............\n", rows);
+    const std::string tall = changed(kGood, "...............\n", rows);
     EXPECT_EQ(problemOf(tall), "test.toml:21: the grid has more than 15 rows");
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A7: the further words of a level: holds, obstructions, hills, wells, unruly things.
-#include <apart/core/level_file.hpp>
-
-#include <gtest/gtest.h>
+#include "level_texts.hpp"
 
 namespace {
 
@@ -52,16 +50,7 @@ strength = -60000
 )";
 
 std::string with(const std::string& before, const std::string& after) {
-    std::string changed = kRich;
-    const std::size_t place = changed.find(before);
-    EXPECT_NE(place, std::string::npos) << before;
-    return changed.replace(place, before.size(), after);
-}
-
-std::string problemOf(const std::string& text) {
-    const Read<Level> level = parseLevel(text, "test", "test.toml");
-    const auto* problem = std::get_if<FileProblem>(&level);
-    return problem != nullptr ? problem->text() : "none";
+    return changed(kRich, before, after);
 }
 
 TEST(LevelWords, AreReadAsTheyAreWritten) {

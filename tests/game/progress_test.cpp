@@ -197,4 +197,19 @@ TEST(PureMode, LetsAFlatBallStayFlat) {
     }
 }
 
+// Where a flat bounce leads to a block that can break, it is of use and nothing turns it.
+TEST(SmallestTurn, IsMadeOnlyWhereNothingCanBreakOnTheWay) {
+    for (const char* block : {"b", "X"}) {
+        Game game(levelOf("g..............\n" + emptyRows(10) + "......." + block + ".......\n"),
+                  1);
+        GameTestAccess::shoot(game, {8, Real(8.8)}, {12, Real(0.2)}); // as high as the block
+        for (int tick = 0; tick < 60; ++tick) {
+            game.tick({}); // it meets the right wall once
+        }
+        const Real sine = std::abs(game.balls()[0].heading.y);
+        EXPECT_EQ(sine < kFlatSine - Real(0.001), *block == 'b');
+        EXPECT_EQ(game.ledger().bentBounces, *block == 'b' ? 0u : 1u);
+    }
+}
+
 } // namespace

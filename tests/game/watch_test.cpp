@@ -34,9 +34,9 @@ TEST(Watch, SeesNothingWrongInAFreeFlight) {
     for (int i = 0; i < 60; ++i) {
         flight.tick();
     }
-    EXPECT_TRUE(flight.watch.clean());
-    EXPECT_EQ(flight.watch.freeTicks(), 60u);
-    EXPECT_EQ(flight.watch.longestWait(), 61u);
+    EXPECT_EQ(flight.watch.seen().faults(), 0u);
+    EXPECT_EQ(flight.watch.seen().freeTicks, 60u);
+    EXPECT_EQ(flight.watch.seen().longestWait, 61u);
 }
 
 // 0.012 m/s^2 across the path: a thousandth of what pulls at shards.
@@ -46,7 +46,7 @@ TEST(Watch, SeesAFlightThatIsBentALittle) {
         flight.body().setVelocity(flight.body().velocity() + Vec2{0.0001f, 0});
         flight.tick();
     }
-    EXPECT_EQ(flight.watch.bends(), 60u);
+    EXPECT_EQ(flight.watch.seen().bends, 60u);
 }
 
 TEST(Watch, SeesABallThatCrawls) {
@@ -56,8 +56,8 @@ TEST(Watch, SeesABallThatCrawls) {
         flight.body().setVelocity((Real(0.1) / length(velocity)) * velocity);
         flight.tick();
     }
-    EXPECT_EQ(flight.watch.halts(), 1u) << "one halt, however long";
-    EXPECT_EQ(flight.watch.bends(), 0u);
+    EXPECT_EQ(flight.watch.seen().halts, 1u) << "one halt, however long";
+    EXPECT_EQ(flight.watch.seen().bends, 0u);
 }
 
 TEST(Watch, SeesABallOutsideTheField) {
@@ -65,7 +65,7 @@ TEST(Watch, SeesABallOutsideTheField) {
     flight.body().setPosition({0, kFieldHeight + Real(0.5)});
     flight.body().setVelocity({0, flight.game.ballSpeed()});
     flight.tick();
-    EXPECT_GE(flight.watch.escapes(), 1u);
+    EXPECT_GE(flight.watch.seen().escapes, 1u);
 }
 
 // A8, a slice of `apart-headless soak --ticks 10000000`: no halt, no escape, no flight that bends
@@ -87,10 +87,10 @@ TEST(Soak, NoBallHaltsEscapesOrLeavesItsStraightPath) {
             game.tick(bot(game));
             watch.look(game);
         }
-        EXPECT_EQ(watch.halts(), 0u);
-        EXPECT_EQ(watch.escapes(), 0u);
-        EXPECT_EQ(watch.bends(), 0u);
-        freeTicks += watch.freeTicks();
+        EXPECT_EQ(watch.seen().halts, 0u);
+        EXPECT_EQ(watch.seen().escapes, 0u);
+        EXPECT_EQ(watch.seen().bends, 0u);
+        freeTicks += watch.seen().freeTicks;
     }
     EXPECT_GE(freeTicks, 1000 * levels.size()) << "the balls were hardly in the air";
 }

@@ -39,37 +39,54 @@ struct Crowd {
     }
 
     ContactPassArguments arrange(ContactBlocks& blocks) {
-        blocks.begin(bodies, contacts, true, true);
+        Crew alone;
+        std::vector<std::uint32_t> newcomers;
+        blocks.begin(bodies, contacts, true, true, alone);
         for (std::uint32_t i = 0; i < contacts.size(); ++i) {
-            blocks.take(bodies, contacts[i], i);
+            if (!blocks.take(bodies, contacts[i])) {
+                newcomers.push_back(i);
+            }
         }
-        blocks.arrange(bodies, contacts, {}, 3);
+        blocks.arrange(bodies, contacts, newcomers, {}, 3);
         return blocks.pass(bodies, {});
     }
 };
 
-void expectNoBodyTwice(const Crowd& crowd, const ContactPassArguments& pass) {
-    for (std::size_t i = 0; i < pass.count; ++i) {
-        const ContactBlock& block = pass.blocks[pass.order[i]];
+/// Neither within a block nor within a colour; and what a block writes back to is what it pushes.
+void expectNoBodyTwice(const Crowd& crowd, const ContactBlocks& blocks,
+                       const ContactPassArguments& pass) {
+    std::size_t i = 0;
+    for (const ContactBlocks::Colour& colour : blocks.colours()) {
         std::set<std::uint32_t> pushed;
-        for (std::size_t lane = 0; lane < ContactBlock::kContacts; ++lane) {
-            for (const std::uint32_t body : {block.a[lane], block.b[lane]}) {
-                if (body != crowd.bodies.spare() && !crowd.bodies.locked(body)) {
-                    EXPECT_TRUE(pushed.insert(body).second) << "block " << i;
-                }
+        for (std::size_t k = 0; k < colour.count; ++k, ++i) {
+            const ContactBlock& block = pass.blocks[pass.order[i]];
+            const BlockUse& use = pass.use[pass.order[i]];
+            if (colour.inTurn) {
+                pushed.clear();
+            }
+            const auto expectNew = [&](std::uint32_t body, bool moves) {
+                const bool free = body != crowd.bodies.spare() && !crowd.bodies.locked(body);
+                EXPECT_EQ(moves, free) << "block " << i;
+                EXPECT_TRUE(!free || pushed.insert(body).second) << "block " << i;
+            };
+            for (std::size_t lane = 0; lane < ContactBlock::kContacts; ++lane) {
+                expectNew(block.a[lane], (use.movesA >> lane & 1) != 0);
+                expectNew(block.b[lane], (use.movesB >> lane & 1) != 0);
             }
         }
     }
+    EXPECT_EQ(i, pass.count);
 }
 
-// Lanes of a block are solved at once, so no two of them may push the same body: with few contacts,
-// with many, and with so many on one body that the colours run out.
-TEST(ContactBlocks, NoTwoContactsOfABlockPushTheSameBody) {
+// Lanes of a block are solved at once, and so are, by several threads, the blocks of a colour: no
+// two of them may push the same body, with few contacts, with many, and with so many on one body
+// that the colours run out.
+TEST(ContactBlocks, NoTwoContactsOfAColourPushTheSameBody) {
     for (const auto& [count, pairs] : {std::pair{30u, 40u}, {300u, 900u}, {20u, 2000u}}) {
         SCOPED_TRACE(pairs);
         Crowd crowd(count + pairs, count, pairs);
         ContactBlocks blocks;
-        expectNoBodyTwice(crowd, crowd.arrange(blocks));
+        expectNoBodyTwice(crowd, blocks, crowd.arrange(blocks));
         EXPECT_EQ(blocks.size(), crowd.contacts.size());
     }
 }
@@ -130,7 +147,7 @@ TEST(ContactBlocks, StaySoundAsContactsComeAndGo) {
             const bool same = contact.key.bodyA != body && contact.key.bodyB != body;
             contact.carried = contact.carried && same;
         }
-        expectNoBodyTwice(some, some.arrange(blocks));
+        expectNoBodyTwice(some, blocks, some.arrange(blocks));
         EXPECT_EQ(blocks.size(), some.contacts.size());
         for (std::size_t i = 0; i < some.contacts.size(); ++i) {
             if (some.contacts[i].carried && colours[i] != ContactSeat::kNoColour) {

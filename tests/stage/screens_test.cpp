@@ -317,6 +317,52 @@ TEST(Screens, AnEndlessRunMayBeginAnywhereAndBeginsThereAgain) {
     EXPECT_EQ(rig.stage.game().level().title, "Row 4");
 }
 
+/// A recorded game of this level that nobody touches.
+StageDef showing(std::shared_ptr<const Level> level) {
+    StageDef def = StageRig::twoLevels();
+    def.seed = 70;
+    def.show = Show{std::move(level), 8, Mode::Pure, [](const Game& game) {
+                        return game.ticks() < 100 ? std::optional(Input{}) : std::nullopt;
+                    }};
+    return def;
+}
+
+// It once said LEVEL 3 OF 3 of a level that is in no list.
+TEST(Screens, ARecordedGameSaysWhereItsLevelStands) {
+    StageRig listed(showing(StageRig::twoLevels().levels[1]));
+    EXPECT_TRUE(listed.picture().says("LEVEL 2 OF 2"));
+    StageRig alone(showing(glassLevel("Another", {1, 2, 3, 4})));
+    EXPECT_TRUE(alone.picture().says("A LEVEL OF ITS OWN"));
+    Level endless = *glassLevel("Row", {1});
+    endless.name = "endless:7:12";
+    StageRig row(showing(std::make_shared<const Level>(endless)));
+    EXPECT_TRUE(row.picture().says("ENDLESS 12"));
+}
+
+// Whatever was begun after it was once played by its inputs, and it began again with another seed.
+TEST(Screens, ARecordedGameCanBeWatchedAgainAndOtherGamesAreThePlayers) {
+    std::vector<Profile> kept;
+    StageDef def = showing(StageRig::twoLevels().levels[0]);
+    def.save = StageRig::keeping(kept);
+    StageRig rig(std::move(def));
+    EXPECT_TRUE(rig.picture().says("REPLAY"));
+    rig.untilOver();
+    EXPECT_TRUE(rig.picture().says("The replay ends"));
+    EXPECT_TRUE(rig.picture().says("Watch again"));
+    rig.clickItem(Action::Restart);
+    EXPECT_EQ(rig.stage.game().seed(), 8u);
+    EXPECT_EQ(rig.stage.game().mode(), Mode::Pure);
+    rig.untilOver();
+    EXPECT_TRUE(kept.empty());
+    rig.clickItem(Action::ToTitle);
+    rig.clickItem(Action::Play);
+    EXPECT_EQ(rig.stage.game().seed(), 70u);
+    EXPECT_EQ(rig.stage.game().mode(), Mode::Standard);
+    EXPECT_FALSE(rig.picture().says("REPLAY"));
+    rig.frames(200);
+    EXPECT_EQ(rig.stage.screen(), Screen::Playing); // it waits for the player's serve
+}
+
 TEST(Screens, WithoutEndlessLevelsNoneAreOffered) {
     StageRig rig(StageRig::twoLevels());
     EXPECT_FALSE(rig.picture().says("Endless"));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <support/outside.hpp>
 #include <support/rest.hpp>
 
 namespace kodo {
@@ -10,27 +11,14 @@ using support::boxDef;
 using support::kDt;
 using support::near;
 using support::run;
-
-bool waits(const World& world, BodyId id) {
-    return (world[id].flags() & kOutside) != 0;
-}
+using support::State;
+using support::stateOf;
+using support::waits;
 
 Aabb around(Real from, Real to) {
     return {{from, -10}, {to, 100}};
 }
 
-/// Pose and motion, to be compared bit by bit.
-struct State {
-    Vec2 center;
-    Rot rotation;
-    Vec2 velocity;
-    Real spin;
-    friend bool operator==(const State&, const State&) = default;
-};
-State stateOf(const World& world, BodyId id) {
-    const BodyView body = world[id];
-    return {body.center(), body.rotation(), body.velocity(), body.angularVelocity()};
-}
 std::vector<State> statesOf(const World& world) {
     std::vector<State> states;
     for (const BodyId id : world.bodies()) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <support/outside.hpp>
 #include <support/phase_book.hpp>
 
 namespace kodo {
@@ -10,23 +11,9 @@ using support::boxDef;
 using support::kDt;
 using support::near;
 using support::run;
-
-bool waits(const World& world, BodyId id) {
-    return (world[id].flags() & kOutside) != 0;
-}
-
-/// Pose and motion, to be compared bit by bit.
-struct State {
-    Vec2 center;
-    Rot rotation;
-    Vec2 velocity;
-    Real spin;
-    friend bool operator==(const State&, const State&) = default;
-};
-State stateOf(const World& world, BodyId id) {
-    const BodyView body = world[id];
-    return {body.center(), body.rotation(), body.velocity(), body.angularVelocity()};
-}
+using support::State;
+using support::stateOf;
+using support::waits;
 
 // What waits is like a wall to what is inside: it is not pushed, and it lets nothing through.
 TEST(Waiting, IsAWallToWhatIsInside) {

@@ -7,13 +7,38 @@ COLOURS = ("#1f6feb", "#d1570b", "#2da44e", "#8250df", "#bf3989", "#57606a")
 INK, FAINT = "#24292f", "#d0d7de"
 
 
+# Where a label may stand about its mark: a share of the distance to the right and upwards.
+ABOVE = ((0, 1.4), (0, -1.4))
+BESIDE = ((1, 0), (0.8, 0.8), (0.8, -0.8), (-1, 0), (-0.8, 0.8), (-0.8, -0.8))
+# Corners of marks, in sizes, y downwards.
+OUTLINES = {
+    "square": ((-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)),
+    "diamond": ((0, -1.2), (1.2, 0), (0, 1.2), (-1.2, 0)),
+    "triangle": ((0, -1.1), (1.1, 0.9), (-1.1, 0.9)),
+    "cross": (
+        *((-1, -0.6), (-0.6, -1), (0, -0.4), (0.6, -1), (1, -0.6), (0.4, 0)),
+        *((1, 0.6), (0.6, 1), (0, 0.4), (-0.6, 1), (-1, 0.6), (-0.4, 0)),
+    ),
+}
+
+
+def polyline(points, colour, width, dash):
+    path = " ".join(f"{x:.1f},{y:.1f}" for x, y in points)
+    dashed = f' stroke-dasharray="{dash}"' if dash else ""
+    return (
+        f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="{width}"{dashed}/>'
+    )
+
+
 class Page:
     """Collects shapes; positions are pixels, y downwards."""
 
     def __init__(self, width, height, title):
         self.width, self.height = width, height
-        self.shapes = [f'<rect width="{width}" height="{height}" fill="white"/>']
-        self.labels = []  # left, upper, right, lower of those placed
+        self.under = [f'<rect width="{width}" height="{height}" fill="white"/>']
+        self.shapes = []
+        self.taken = []  # left, upper, right, lower of what no label may cover
+        self.room = (0, 0, width, height)  # where labels may be
         self.text(16, 26, title, size=16, weight="bold")
 
     def text(self, x, y, words, anchor="start", size=12, colour=INK, weight="normal", turn=0):
@@ -24,32 +49,38 @@ class Page:
             f' stroke="white" stroke-width="3">{html.escape(words)}</text>'
         )
 
-    def label(self, x, y, words, colour=INK):
-        """Beside a dot, on the side where no other label is; nowhere when all sides are taken, and
-        then the dot's hint has to do."""
-        width, height = 5.6 * len(words), 12
-        for left, lower in (
-            (x + 7, y - 4),
-            (x + 7, y + 14),
-            (x - 7 - width, y - 4),
-            (x - 7 - width, y + 14),
-        ):
-            box = (left, lower - height, left + width, lower)
-            if all(
+    def label(self, x, y, words, colour=INK, weight="normal", sides=(*BESIDE, *ABOVE)):
+        """Beside a mark, where neither another mark nor another label is; a line leads to it when
+        it does not stand close. Nowhere when all places are taken, and then the mark's hint has to
+        do. To be called after all marks are there."""
+        width, height = 5.9 * len(words), 11
+        for far in (8, 17, 30, 45):
+            for across, up in sides:
+                left = x + far * across - width * (1 - round(across)) / 2
+                middle = y - far * up
+                box = (left, middle - height / 2, left + width, middle + height / 2)
+                if self.fits(box):
+                    if far > 8:
+                        end = (x + (far - 2) * across, y - (far - 2 - 4 * abs(up)) * up)
+                        self.under.append(polyline([(x, y), end], colour, 0.7, ""))
+                    self.taken.append(box)
+                    self.text(left, middle + 3.6, words, size=10, colour=colour, weight=weight)
+                    return
+
+    def fits(self, box):
+        return (
+            box[0] >= self.room[0]
+            and box[2] <= self.room[2]
+            and box[1] >= self.room[1]
+            and box[3] <= self.room[3]
+            and all(
                 box[2] < other[0] or other[2] < box[0] or box[3] < other[1] or other[3] < box[1]
-                for other in self.labels
-            ):
-                self.labels.append(box)
-                self.text(left, lower - 2, words, size=10, colour=colour)
-                return
+                for other in self.taken
+            )
+        )
 
     def line(self, points, colour=INK, width=1.0, dash=""):
-        path = " ".join(f"{x:.1f},{y:.1f}" for x, y in points)
-        dashed = f' stroke-dasharray="{dash}"' if dash else ""
-        self.shapes.append(
-            f'<polyline points="{path}" fill="none" stroke="{colour}"'
-            f' stroke-width="{width}"{dashed}/>'
-        )
+        self.shapes.append(polyline(points, colour, width, dash))
 
     def bar(self, x, y, width, height, colour):
         self.shapes.append(
@@ -57,16 +88,31 @@ class Page:
             f' fill="{colour}"/>'
         )
 
-    def dot(self, x, y, radius, colour, hollow=False, hint=""):
-        fill, stroke = ("white", colour) if hollow else (colour, "white")
+    def mark(self, x, y, colour, form="dot", size=5, hint=""):
+        """A dot, ring, square, diamond, triangle or cross."""
+        self.taken.append((x - size, y - size, x + size, y + size))
+        fill, edge = (colour, "white") if form != "ring" else ("white", colour)
+        if form in OUTLINES:
+            corners = " ".join(f"{x + size * u:.1f},{y + size * v:.1f}" for u, v in OUTLINES[form])
+            shape = f'polygon points="{corners}"'
+        else:
+            shape = f'circle cx="{x:.1f}" cy="{y:.1f}" r="{size}"'
+        name = shape.split(" ", 1)[0]
         self.shapes.append(
-            f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius}" fill="{fill}" stroke="{stroke}"'
-            f' stroke-width="1.5"><title>{html.escape(hint)}</title></circle>'
+            f'<{shape} fill="{fill}" stroke="{edge}" stroke-width="1.5" stroke-linejoin="round">'
+            f"<title>{html.escape(hint)}</title></{name}>"
+        )
+
+    def ring(self, x, y, radius, colour):
+        """Around a mark."""
+        self.shapes.append(
+            f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius}" fill="none" stroke="{colour}"'
+            f' stroke-width="2"/>'
         )
 
     def legend(self, x, y, names_and_colours):
         for i, (name, colour) in enumerate(names_and_colours):
-            self.dot(x, y + 18 * i - 4, 5, colour)
+            self.mark(x, y + 18 * i - 4, colour)
             self.text(x + 12, y + 18 * i, name)
 
     def write(self, path):
@@ -74,7 +120,7 @@ class Page:
         path.write_text(
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{self.width}" height="{self.height}"'
             f' viewBox="0 0 {self.width} {self.height}" font-family="sans-serif">\n'
-            + "\n".join(self.shapes)
+            + "\n".join(self.under + self.shapes)
             + "\n</svg>\n",
             encoding="utf-8",
         )

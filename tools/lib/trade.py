@@ -12,7 +12,6 @@ import measure
 OUT = pathlib.Path("build/trade")
 
 
-
 class Question(typing.NamedTuple):
     """A scene, small enough that all settings are through in minutes, and what is asked of it."""
 
@@ -42,19 +41,37 @@ QUESTIONS = [
     Question("pendulum", "pendulum", 1, 0.5),
 ]
 # By unit: below that, rounding or nothing is left, and a figure need not show how much.
-LEAST_ERROR = {"": 1e-7, "mm": 1e-3, "%": 1e-3, "m": 1e-6}
-FEATURES = ("friction", "rolling", "restitution", "sweep", "records")
+LEAST_ERROR = {"": 1e-6, "mm": 1e-3, "%": 1e-3, "m": 1e-6}
+# What rests takes no part in a step at all, and is left out of every scene here.
+FEATURES = ("friction", "rolling", "restitution", "rotation", "sweep", "records")
 
-# Family: (colour, hollow?). A family is what one question sweeps over.
+
+class Family(typing.NamedTuple):
+    """What one question sweeps over, and how it looks."""
+
+    colour: str
+    form: str
+    says: str
+    joined: bool = False  # by a line, since its settings are numbers of one kind
+
+
 FAMILIES = {
-    "substeps": ("#1f6feb", False),
-    "stiffness": ("#1f6feb", True),
-    "profile": ("#8250df", False),
-    "double": ("#2da44e", False),
-    "left out": ("#2da44e", True),
-    "thesis": ("#bf3989", False),
-    "box2d": ("#d1570b", False),
+    "substeps": Family("#1f6feb", "dot", "substeps", True),
+    "stiffness": Family("#1f6feb", "ring", "substeps at contactHertz"),
+    "impacts": Family("#0aa2c0", "triangle", "impactPasses"),
+    "profile": Family("#24292f", "diamond", "profiles"),
+    "double": Family("#2da44e", "dot", "substeps, double precision", True),
+    "left out": Family("#8c959f", "square", "default without a feature"),
+    "propagation": Family("#bf3989", "dot", "Propagation: contactPasses"),
+    "shock": Family("#bf3989", "triangle", "Propagation with shockPasses"),
+    "box2d": Family("#d1570b", "square", "Box2D: velocity iterations / 3", True),
+    "positions": Family("#d1570b", "triangle", "Box2D: 8 / position iterations", True),
 }
+
+
+# What is shown beside the settings among which a user chooses. What is left out is missed somewhere
+# else, so it is no way to be better.
+FOREIGN = ("box2d", "positions", "left out")
 
 
 def settings():
@@ -64,21 +81,22 @@ def settings():
         ("stiffness", f"{n} at {hertz} Hz", ["--substeps", n, "--set", f"contactHertz={hertz}"])
         for n, hertz in ((4, 30), (8, 30), (8, 120), (16, 120), (16, 240), (32, 480))
     ]
+    ways += [("impacts", f"{n} impacts", ["--set", f"impactPasses={n}"]) for n in (1, 4, 64)]
     ways += [("profile", name, ["--profile", name]) for name in ("default", "quick", "accurate")]
     double = ["--engine", "kodo64", "--substeps"]
-    ways += [("double", f"{n}, double", [*double, n]) for n in (1, 2, 4, 8, 16)]
+    ways += [("double", f"{n}", [*double, n]) for n in (1, 2, 4, 8, 16)]
     ways += [("left out", f"no {name}", ["--leave-out", name]) for name in FEATURES]
     thesis = ["--profile", "thesis", "--set"]
     ways += [
-        ("thesis", f"thesis {n}", [*thesis, f"contactPasses={n}"]) for n in (4, 10, 20, 40)
+        ("propagation", f"{n}", [*thesis, f"contactPasses={n}"]) for n in (4, 10, 20, 40)
     ]
     ways += [
-        ("thesis", f"thesis {n} + shock", [*thesis, f"contactPasses={n},shockPasses={n}"])
-        for n in (4, 10)
+        ("shock", f"{n} + {n}", [*thesis, f"contactPasses={n},shockPasses={n}"]) for n in (4, 10)
     ]
     box2d = ["--engine", "box2d", "--passes"]
     ways += [("box2d", f"{n} / 3", [*box2d, n]) for n in (1, 2, 4, 8, 16, 32, 64)]
-    ways.append(("box2d", "8 / 10", ["--engine", "box2d", "--position-passes", 10]))
+    positions = ["--engine", "box2d", "--position-passes"]
+    ways += [("positions", f"8 / {n}", [*positions, n]) for n in (10, 30)]
     return ways
 
 
@@ -148,36 +166,74 @@ def knee_of(front):
     return front[gains.index(max(gains))]
 
 
+def heading(page, first):
+    runs = f"medians of {first['runs']} runs in turn" if first["runs"] > 1 else "one run"
+    page.text(
+        16,
+        46,
+        f"{first['bodies']} bodies, {first['steps']} steps of 1/60 s; CPU time of one thread, {runs}."
+        " Low and left is good.",
+        colour="#57606a",
+    )
+
+
+def legend(page, x, y):
+    for name, family in FAMILIES.items():
+        if family.joined:
+            page.line([(x - 10, y), (x + 10, y)], family.colour, 1)
+        page.mark(x, y, family.colour, family.form)
+        page.text(x + 16, y + 4, family.says)
+        y += 21
+    page.line([(x - 10, y + 12), (x + 10, y + 12)], chart.INK, 1.5, "5 3")
+    page.text(x + 16, y + 16, "front: nothing of Kodo beats it")
+    page.ring(x, y + 33, 8, "#cf222e")
+    page.text(x + 16, y + 37, "its knee")
+    page.mark(x, y + 54, "#8c959f", "cross")
+    page.text(x + 16, y + 58, "has lost the scene")
+
+
 def draw(results, front, knee, path):
     first = results[0]
-    page = chart.Page(900, 560, f"{first['scene']}: {first['errorName']} against CPU time")
+    title = f"{first['scene']} {first['size']}: {first['errorName']} against CPU time"
+    page = chart.Page(1040, 600, title)
+    heading(page, first)
     times = [1e3 * result["cpuMsPerStep"] for result in results]
-    errors = [error_of(result) for result in results]
-    across = chart.LogScale(min(times) / 1.3, max(times) * 1.3, 90, 740)
-    up = chart.LogScale(min(errors) / 1.6, max(errors) * 1.6, 490, 50)
+    errors = [error_of(result) for result in results if not result["lost"]] or [1]
+    across = chart.LogScale(min(times) / 1.3, max(times) * 1.3, 90, 770)
+    up = chart.LogScale(min(errors) / 1.6, max(errors) * 2, 540, 66)
     unit = first["errorUnit"] or "share"
     chart.axes(page, across, up, "microseconds a step", f"{first['errorName']} ({unit})")
+    legend(page, 806, 80)
+    page.room = (across.start + 2, up.end - 8, across.end + 16, up.start - 2)
 
     def place(result):
         return across(1e3 * result["cpuMsPerStep"]), up(error_of(result))
 
+    for name, family in FAMILIES.items():
+        mine = [one for one in results if one["family"] == name and not one["lost"]]
+        if family.joined:
+            page.line([place(result) for result in mine], family.colour, 0.8)
     page.line([place(result) for result in front], chart.INK, 1.5, "5 3")
+    last = sorted(results, key=lambda one: one["label"] == "default")  # on top of the others
+    for result in last:
+        family = FAMILIES[result["family"]]
+        hint = (
+            f"{family.says}, {result['label']}: {result['cpuMsPerStep'] * 1e3:.3g} us,"
+            f" {result['error']:.3g} {result['errorUnit']}"
+        )
+        lost = ("#8c959f", "cross") if result["lost"] else (family.colour, family.form)
+        size = 7 if result["label"] == "default" else 5
+        page.mark(*place(result), *lost, size, hint)
     if knee:
-        page.dot(*place(knee), 10, "#cf222e", True)
+        page.ring(*place(knee), 11, "#cf222e")
+    important = [one for one in results if one["label"] == "default"]
+    for result in [*important, *front, *results]:
+        if "labelled" not in result:
+            result["labelled"] = True
+            bold = "bold" if result in important else "normal"
+            page.label(*place(result), result["label"], FAMILIES[result["family"]].colour, bold)
     for result in results:
-        colour, hollow = FAMILIES[result["family"]]
-        hint = f"{result['label']}: {result['cpuMsPerStep'] * 1e3:.3g} us, {result['error']:.3g}"
-        page.dot(*place(result), 5, colour, hollow, hint)
-    for label in dict.fromkeys(one["label"] for one in [*front, *results]):
-        result = next(one for one in results if one["label"] == label)
-        page.label(*place(result), label, FAMILIES[result["family"]][0])
-    for i, (name, (colour, hollow)) in enumerate(FAMILIES.items()):
-        page.dot(762, 70 + 20 * i, 5, colour, hollow)
-        page.text(774, 74 + 20 * i, name)
-    page.line([(756, 220), (768, 220)], chart.INK, 1.5, "5 3")
-    page.text(774, 224, "front")
-    page.dot(762, 240, 8, "#cf222e", True)
-    page.text(774, 244, "its knee")
+        del result["labelled"]
     page.write(path)
 
 
@@ -204,6 +260,22 @@ def front_table(front, knee, ours):
     return "\n".join(lines) + "\n"
 
 
+def verdict_of(question, ours):
+    """How the default does: is anything both faster and truer?"""
+    default = next(one for one in ours if one["label"] == "default")
+    if default["lost"]:
+        return f"- {question.name}: **lost**, {default['error']:.3g} {default['errorUnit']}"
+    beaters = [one for one in ours if not one["lost"] and is_beaten(default, [one])]
+    if not beaters:
+        return f"- {question.name}: nothing is both faster and truer"
+    best = min(beaters, key=lambda one: one["cpuMsPerStep"])
+    time = best["cpuMsPerStep"] / default["cpuMsPerStep"]
+    return (
+        f"- {question.name}: {best['family']} {best['label']} takes {time:.2f} of the time and has"
+        f" an error of {best['error']:.3g} instead of {default['error']:.3g} {best['errorUnit']}"
+    )
+
+
 def main():
     chosen = options()
     measure.stay_on_one_core()
@@ -215,18 +287,19 @@ def main():
         for scene, size in scenes
     ]
     measured = dict(zip(scenes, measure.run_in_turn(jobs, chosen.repeat)))
-    rows, text = [], ""
+    rows, text, verdicts = [], "", ["\n**The default profile**\n"]
     for question in questions:
         results = ask(question, ways, measured[question.scene, question.size])
-        # What is left out is missed somewhere else, so it is shown, but is no way to be better.
-        ours = [result for result in results if result["family"] not in ("box2d", "left out")]
+        ours = [result for result in results if result["family"] not in FOREIGN]
         front = front_of(ours)
         knee = knee_of(front)
         for result in results:
             result["onFront"], result["isKnee"] = result in front, result is knee
         draw(results, front, knee, OUT / f"{question.name}.svg")
         text += front_table(front, knee, ours)
+        verdicts.append(verdict_of(question, ours))
         rows += results
+    text += "\n".join(verdicts) + "\n"
     measure.write_csv(OUT / "trade.csv", rows)
     (OUT / "trade.md").write_text(text, encoding="utf-8")
     print(text)

@@ -85,7 +85,8 @@ struct Bodies {
     /// bodies those that move. Everything else costs nothing.
     std::vector<std::uint32_t> awake;
     bool awakeStale = true;
-    bool turns = true; // false: nothing can be turned; see Feature::Rotation
+    bool anyRests = true; // at the time of the solver; false: nobody needs to be asked
+    bool turns = true;    // false: nothing can be turned; see Feature::Rotation
 
     BodyId idAt(std::size_t index) const {
         return {static_cast<std::uint32_t>(index), ids.generationAt(index)};

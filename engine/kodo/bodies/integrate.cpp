@@ -38,8 +38,8 @@ void gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Rea
     bodies.forced.clear();
 }
 
-void beginMotion(Bodies& bodies) {
-    for (const std::uint32_t i : bodies.awake) {
+void beginMotion(Bodies& bodies, std::span<const std::uint32_t> list) {
+    for (const std::uint32_t i : list) {
         bodies.motion[i].halt();
     }
 }
@@ -66,8 +66,8 @@ void integrateMoves(Bodies& bodies, std::span<const std::uint32_t> list,
     }
 }
 
-void movePoses(Bodies& bodies) {
-    for (const std::uint32_t i : bodies.awake) {
+void movePoses(Bodies& bodies, std::span<const std::uint32_t> list) {
+    for (const std::uint32_t i : list) {
         const Motion& motion = bodies.motion[i];
         bodies.pose[i].position += motion.move;
         if (motion.turn != 0) {

@@ -13,8 +13,8 @@ namespace kodo::inline KODO_PRECISION {
 /// over dt; see Push.
 void gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Real dt);
 
-/// Forgets the motion of the last step.
-void beginMotion(Bodies& bodies);
+/// Forgets the motion that the bodies in the list had in the last step.
+void beginMotion(Bodies& bodies, std::span<const std::uint32_t> list);
 
 /// What a body may be pushed by within a step.
 enum class Hold : std::uint8_t {
@@ -35,7 +35,7 @@ void integrateVelocities(Bodies& bodies, std::span<const std::uint32_t> list, Re
 void integrateMoves(Bodies& bodies, std::span<const std::uint32_t> list,
                     std::span<const Hold> holds, Real h);
 
-/// Puts every body where its motion has taken it.
-void movePoses(Bodies& bodies);
+/// Puts the bodies in the list where their motion has taken them.
+void movePoses(Bodies& bodies, std::span<const std::uint32_t> list);
 
 } // namespace kodo::inline KODO_PRECISION

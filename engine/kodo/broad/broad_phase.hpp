@@ -3,6 +3,7 @@
 
 #include <kodo/math/aabb.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -14,6 +15,44 @@ struct BoundsPair {
     std::uint32_t first;
     std::uint32_t second;
     friend constexpr auto operator<=>(BoundsPair, BoundsPair) = default;
+};
+
+/// The ways to look for pairs. All find the same ones.
+enum class PairSearch : std::uint8_t { BruteForce, Grid, SortAndSweep };
+
+/// What a search took, counted and not timed, so that it is the same on every machine; each count
+/// weighs what its work takes. What all ways have in common is left out: asking whether a pair is
+/// wanted, writing it down, putting pairs in order.
+class PairWork {
+public:
+    void addCompared(std::size_t bounds) { picoseconds_ += kCompare * bounds; }
+    void addSwept(std::size_t pairs) { picoseconds_ += kSweep * pairs; }
+    void addRefreshed(std::size_t ends) { picoseconds_ += kRefresh * ends; }
+    void addShifted(std::size_t ends) { picoseconds_ += kShift * ends; }
+    void addSorted(std::size_t comparisons) { picoseconds_ += kSort * comparisons; }
+    void addFiled(std::size_t bounds) { picoseconds_ += kFile * bounds; }
+    void addCells(std::size_t cells) { picoseconds_ += kCell * cells; }
+    void addRows(std::size_t rows) { picoseconds_ += kRow * rows; }
+    void addTested(std::size_t entries) { picoseconds_ += kTest * entries; }
+
+    std::uint64_t picoseconds() const { return picoseconds_; }
+
+private:
+    // ps. Those of the grid are fitted to CPU times of 160 random scenes of 300 to 12,000 bounds,
+    // dense and sparse, of equal and of mixed sizes; the others to what tumbler, circles and debris
+    // take longer by `kodo-bench --pairs brute|sweep --stages` than by grid (g++ 12 -O3, x86-64,
+    // float). Sums are right to a quarter. Machines differ in speed, and less in these ratios.
+    static constexpr std::uint64_t kCompare = 1300;  // two bounds, by brute force
+    static constexpr std::uint64_t kSweep = 6000;    // the same, while sweeping
+    static constexpr std::uint64_t kRefresh = 10000; // the ends of one of the bounds to be swept
+    static constexpr std::uint64_t kShift = 600;     // by one place, where insertion sorts them
+    static constexpr std::uint64_t kSort = 6500;     // a comparison, where they are sorted anew
+    static constexpr std::uint64_t kFile = 11000;    // one of the bounds into its cell
+    static constexpr std::uint64_t kCell = 3300;     // to clear it and to add it up
+    static constexpr std::uint64_t kRow = 18000;     // of cells, looked into
+    static constexpr std::uint64_t kTest = 6500;     // an entry of a cell
+
+    std::uint64_t picoseconds_ = 0;
 };
 
 /// Whose pairs are wanted: those in `list`; `flags` tells by place.

@@ -95,6 +95,7 @@ void Grid::build(std::span<const Aabb> bounds) {
         chooseCell(bounds);
     }
     ++calls_;
+    work_.addFiled(bounds.size());
     assignLevels(bounds);
     std::size_t cells = 0;
     for (Level& level : levels_) {
@@ -104,6 +105,7 @@ void Grid::build(std::span<const Aabb> bounds) {
             cells += static_cast<std::size_t>(level.columns) * static_cast<std::size_t>(level.rows);
         }
     }
+    work_.addCells(cells);
     refill(starts_, cells + 1, 0u);
     cellOf_.resize(bounds.size());
     for (std::size_t i = 0; i < bounds.size(); ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/base/crew.hpp>
 #include <kodo/broad/broad_phase.hpp>
 
 #include <algorithm>
@@ -18,33 +19,42 @@ namespace kodo::inline KODO_PRECISION {
 class Grid {
 public:
     /// Every pair of overlapping bounds, of which at least one has moved, that
-    /// `accept(first, second)` lets through, each once, in any order.
+    /// `accept(first, second)` lets through, each once, in any order. Several threads call it.
     template <typename Accept>
     void pairs(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
-               std::vector<BoundsPair>& out) {
+               std::vector<BoundsPair>& out, Crew& crew) {
+        work_ = {};
         build(bounds);
+        built_ = work_;
         tests_ = 0;
-        for (const std::uint32_t m : moved.list) {
-            const Aabb box = bounds[m];
-            const auto meet = [&](std::uint32_t i) {
-                if (i == m || (moved.has(i) && i < m)) {
-                    return; // itself, or met already
-                }
-                const BoundsPair pair = i < m ? BoundsPair{i, m} : BoundsPair{m, i};
-                if (accept(pair.first, pair.second)) {
-                    out.push_back(pair);
-                }
-            };
-            for (const Level& level : levels_) {
-                forEachNear(level, box, meet);
-            }
-        }
+        std::size_t rows = 0;
+        found_.gather(crew, moved.list.size(), kBoundsAPiece, out,
+                      [&](std::size_t first, std::size_t last, std::vector<BoundsPair>& found) {
+                          Looked looked;
+                          for (std::size_t k = first; k < last; ++k) {
+                              meetAll(bounds, moved, moved.list[k], accept, found, looked);
+                          }
+                          crew.count(rows, looked.rows);
+                          crew.count(tests_, looked.tests);
+                      });
+        work_.addRows(rows);
+        work_.addTested(tests_);
     }
 
     /// Bounds that were compared in the last call: what it had to test.
     std::size_t testCount() const { return tests_; }
+    /// Of the last call: all of it, and what it took to fill the cells, whoever has moved.
+    PairWork work() const { return work_; }
+    PairWork workToBuild() const { return built_; }
 
 private:
+    static constexpr std::size_t kBoundsAPiece = 64;
+
+    /// What a search has looked at: rows of cells, and bounds in them.
+    struct Looked {
+        std::size_t rows = 0;
+        std::size_t tests = 0;
+    };
     struct Entry {
         Aabb box;
         std::uint32_t index;
@@ -71,17 +81,38 @@ private:
         return static_cast<std::int32_t>(std::clamp(cells, Real(0), last));
     }
 
+    /// The pairs of one that has moved.
+    template <typename Accept>
+    void meetAll(std::span<const Aabb> bounds, const Moved& moved, std::uint32_t m, Accept accept,
+                 std::vector<BoundsPair>& found, Looked& looked) const {
+        const Aabb box = bounds[m];
+        const auto meet = [&](std::uint32_t i) {
+            if (i == m || (moved.has(i) && i < m)) {
+                return; // itself, or met already
+            }
+            const BoundsPair pair = i < m ? BoundsPair{i, m} : BoundsPair{m, i};
+            if (accept(pair.first, pair.second)) {
+                found.push_back(pair);
+            }
+        };
+        for (const Level& level : levels_) {
+            forEachNear(level, box, meet, looked);
+        }
+    }
+
     template <typename Meet>
-    void forEachNear(const Level& level, const Aabb& box, Meet meet) {
+    void forEachNear(const Level& level, const Aabb& box, Meet meet, Looked& looked) const {
         const Real half = level.cell / 2;
         const std::int32_t left = columnOf(level, box.lower.x - half);
         const std::int32_t right = columnOf(level, box.upper.x + half);
+        const std::int32_t bottom = rowOf(level, box.lower.y - half);
         const std::int32_t top = rowOf(level, box.upper.y + half);
-        for (std::int32_t row = rowOf(level, box.lower.y - half); row <= top; ++row) {
+        looked.rows += static_cast<std::size_t>(top - bottom + 1);
+        for (std::int32_t row = bottom; row <= top; ++row) {
             const std::uint32_t* const starts =
                 starts_.data() + level.begin + static_cast<std::ptrdiff_t>(row) * level.columns;
             const std::uint32_t end = starts[right + 1];
-            tests_ += end - starts[left];
+            looked.tests += end - starts[left];
             for (std::uint32_t k = starts[left]; k < end; ++k) {
                 if (overlap(entries_[k].box, box)) {
                     meet(entries_[k].index);
@@ -104,7 +135,10 @@ private:
     std::vector<std::uint32_t> starts_; // by cell: its first entry; one more at the end
     std::vector<Entry> entries_;
     std::vector<Real> sizes_; // or centres, to find the middle one
+    Findings<BoundsPair> found_;
     std::size_t tests_ = 0;
+    PairWork work_;
+    PairWork built_;
 };
 
 } // namespace kodo::inline KODO_PRECISION

@@ -5,71 +5,68 @@
 #include <kodo/broad/grid.hpp>
 #include <kodo/broad/sort_and_sweep.hpp>
 
+#include <optional>
+
 namespace kodo::inline KODO_PRECISION {
 
-/// Finds pairs in the way that is the cheapest here: brute force while there are few bounds, else
-/// a grid or sort and sweep. From time to time the one of these that is not in use has a turn, and
-/// takes over if it needed clearly fewer tests. All of them find the same pairs.
+/// Finds pairs in the way that is the cheapest here [after Thesis06, 5.1.3], call by call. What
+/// brute force will take is known beforehand; what a grid, or sort and sweep, would take is what
+/// they took lately, by how many bounds there are and how many have moved. The one that is not in
+/// use has a turn whenever so much has been spent that the turn is next to nothing beside it. All
+/// ways find the same pairs.
 class PairFinder {
 public:
-    enum class Way : std::uint8_t { BruteForce, Grid, SortAndSweep };
-
-    // Up to here the brute force beats sorting.
-    static constexpr std::size_t kBruteForceLimit = 32;
-
     /// Every pair of overlapping bounds, of which at least one has moved, that
     /// `accept(first, second)` lets through, in order.
     template <typename Accept>
     void pairs(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
-               std::vector<BoundsPair>& out) {
-        if (bounds.size() <= kBruteForceLimit) {
+               std::vector<BoundsPair>& out, Crew& crew) {
+        const std::size_t count = bounds.size();
+        ++calls_;
+        way_ = only_ ? *only_ : choose(count, moved.list.size());
+        if (way_ == PairSearch::BruteForce) {
             bruteForce(bounds, moved, accept, out);
-        } else {
-            search(bounds, moved, accept, out);
-        }
-        sorter_.sort(out, bounds.size());
-    }
-
-    /// Of the last call with that many bounds.
-    Way way(std::size_t count) const { return count <= kBruteForceLimit ? Way::BruteForce : way_; }
-
-private:
-    static constexpr std::uint32_t kTrialInterval = 64;
-    // What sorting one of the bounds in costs, in tests.
-    static constexpr std::size_t kGridCost = 8;
-    static constexpr std::size_t kSweepCost = 4;
-
-    template <typename Accept>
-    void search(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
-                std::vector<BoundsPair>& out) {
-        const bool trial = ++calls_ % kTrialInterval == 0;
-        if ((way_ == Way::Grid) != trial) {
-            grid_.pairs(bounds, moved, accept, out);
-            gridCost_ = kGridCost * bounds.size() + grid_.testCount();
+            work_ += bruteForceWork(count, moved.list.size()).picoseconds();
+        } else if (way_ == PairSearch::Grid) {
+            grid_.pairs(bounds, moved, accept, out, crew);
+            noteGrid(count, moved.list.size());
         } else {
             sweep_.pairs(bounds, moved, accept, out);
-            sweepCost_ = kSweepCost * bounds.size() + sweep_.testCount();
+            noteSweep(count);
         }
-        if (trial) {
-            compareCosts();
-        }
+        sorter_.sort(out, count);
     }
 
-    void compareCosts() {
-        const bool swap =
-            way_ == Way::Grid ? sweepCost_ * 5 < gridCost_ * 4 : gridCost_ * 5 < sweepCost_ * 4;
-        if (swap) {
-            way_ = way_ == Way::Grid ? Way::SortAndSweep : Way::Grid;
-        }
-    }
+    /// From now on in this way alone; nothing: in the cheapest.
+    void use(std::optional<PairSearch> only) { only_ = only; }
+    std::optional<PairSearch> only() const { return only_; }
+    PairSearch way() const { return way_; } // of the last call
+    /// ps, of all calls: see PairWork.
+    std::uint64_t work() const { return work_; }
+
+private:
+    PairSearch choose(std::size_t bounds, std::size_t moved) const;
+    void noteGrid(std::size_t bounds, std::size_t moved);
+    void noteSweep(std::size_t bounds);
+    std::uint64_t expectGrid(std::size_t bounds, std::size_t moved) const;
+    std::uint64_t expectSweep(std::size_t bounds) const;
 
     Grid grid_;
     SortAndSweep sweep_;
     PairSorter sorter_;
-    Way way_ = Way::Grid;
-    std::uint32_t calls_ = 0;
-    std::size_t gridCost_ = 0;
-    std::size_t sweepCost_ = 0;
+    std::optional<PairSearch> only_;
+    PairSearch way_ = PairSearch::BruteForce;
+    std::uint64_t calls_ = 0;
+    std::uint64_t work_ = 0; // ps
+    // What they took lately.
+    std::uint64_t gridPerBounds_ = 20000; // ps; before the first turn a guess
+    std::uint64_t gridSearch_ = 0;        // ps, of the last turns, for so many that had moved
+    std::uint64_t gridMoved_ = 0;
+    std::uint64_t sweepPerBounds_ = 0; // ps; 0: it had no turn yet
+    std::uint64_t gridSince_ = 0;      // the work_ up to the last turn
+    std::uint64_t sweepSince_ = 0;
+    std::uint64_t sweepCall_ = 0; // of its last turn
+    bool sweepAgain_ = false;     // in its last turn it had to sort what it did not know
 };
 
 } // namespace kodo::inline KODO_PRECISION

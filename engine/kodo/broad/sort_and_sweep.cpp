@@ -2,12 +2,14 @@
 #include <kodo/broad/sort_and_sweep.hpp>
 
 #include <algorithm>
+#include <bit>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
-constexpr std::uint32_t kAxisInterval = 64; // calls between two looks at the axis
-constexpr Real kWorthSwapping = Real(1.25); // the other axis must tag that many times more cells
+constexpr std::uint32_t kAxisInterval = 64;  // calls between two looks at the axis
+constexpr std::size_t kShiftsPerBounds = 16; // more than that, and sorting anew is faster
+constexpr Real kWorthSwapping = Real(1.25);  // the other axis must tag that many times more cells
 
 } // namespace
 
@@ -65,21 +67,32 @@ void SortAndSweep::sort(std::span<const Aabb> bounds) {
         e.low = alongX_ ? box.lower.x : box.lower.y;
         e.high = alongX_ ? box.upper.x : box.upper.y;
     }
-    const auto before = [](const Entry& a, const Entry& b) {
-        return a.low < b.low || (a.low == b.low && a.index < b.index); // a total order
-    };
-    if (anew) {
-        std::sort(entries_.begin(), entries_.end(), before); // total order
-        return;
+    work_.addRefreshed(entries_.size());
+    if (anew || !insertAll()) {
+        sortAnew();
     }
-    for (std::size_t i = 1; i < entries_.size(); ++i) { // nearly sorted: insertion is linear
+}
+
+/// Insertion is linear in what is nearly sorted. False if this is not; then some are out of order.
+bool SortAndSweep::insertAll() {
+    const std::size_t most = kShiftsPerBounds * entries_.size();
+    std::size_t shifted = 0;
+    for (std::size_t i = 1; i < entries_.size() && shifted <= most; ++i) {
         const Entry e = entries_[i];
         std::size_t j = i;
-        for (; j > 0 && before(e, entries_[j - 1]); --j) {
+        for (; j > 0 && e < entries_[j - 1]; --j) {
             entries_[j] = entries_[j - 1];
         }
         entries_[j] = e;
+        shifted += i - j;
     }
+    work_.addShifted(shifted);
+    return shifted <= most;
+}
+
+void SortAndSweep::sortAnew() {
+    std::sort(entries_.begin(), entries_.end()); // total order
+    work_.addSorted(entries_.size() * static_cast<std::size_t>(std::bit_width(entries_.size())));
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -19,6 +19,7 @@ public:
     template <typename Accept>
     void pairs(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
                std::vector<BoundsPair>& out) {
+        work_ = {};
         sort(bounds);
         tests_ = 0;
         for (std::size_t i = 0; i < entries_.size(); ++i) {
@@ -35,10 +36,12 @@ public:
                 }
             }
         }
+        work_.addSwept(tests_);
     }
 
     /// Pairs whose projections overlapped in the last call: what it had to test.
     std::size_t testCount() const { return tests_; }
+    PairWork work() const { return work_; } // of the last call
     bool alongX() const { return alongX_; }
 
 private:
@@ -46,14 +49,22 @@ private:
         Real low;
         Real high;
         std::uint32_t index;
+
+        /// A total order.
+        friend bool operator<(const Entry& a, const Entry& b) {
+            return a.low < b.low || (a.low == b.low && a.index < b.index);
+        }
     };
 
     void sort(std::span<const Aabb> bounds);
+    bool insertAll();
+    void sortAnew();
     bool chooseAxis(std::span<const Aabb> bounds);
 
     std::vector<Entry> entries_;
     std::vector<bool> cells_;
     std::size_t tests_ = 0;
+    PairWork work_;
     std::uint32_t calls_ = 0;
     bool alongX_ = true;
 };

@@ -33,7 +33,8 @@ Real turningBound(Mover mover, Mover other) {
     Real reach = shape.reach;
     if (shape.isPlane()) {
         reach = length(other.sweep.start.position - mover.sweep.start.position) +
-                length(other.sweep.move) + length(mover.sweep.move) + other.shape.reach;
+                length(other.sweep.move) + length(mover.sweep.move) + length(other.sweep.push) +
+                other.shape.reach;
     }
     return reach * std::abs(mover.sweep.turn);
 }
@@ -50,8 +51,8 @@ Real advance(Mover a, Mover b, Real target, Measure separationAt) {
         if (gap <= std::abs(target) / 2) {
             return t;
         }
-        const Vec2 moveA = t < a.sweep.stopAt ? a.sweep.move : Vec2{};
-        const Vec2 moveB = t < b.sweep.stopAt ? b.sweep.move : Vec2{};
+        const Vec2 moveA = t < a.sweep.stopAt ? a.sweep.move : a.sweep.push;
+        const Vec2 moveB = t < b.sweep.stopAt ? b.sweep.move : b.sweep.push;
         const Real turning =
             (t < a.sweep.stopAt ? turningA : 0) + (t < b.sweep.stopAt ? turningB : 0);
         const Real closing = dot(now.axis, moveA - moveB) + turning;

@@ -5,16 +5,18 @@
 
 namespace kodo::inline KODO_PRECISION {
 
-/// The way of a body through one step: a straight line and an even turn.
+/// The way of a body through one step: a straight line and an even turn, and a straight line alone
+/// once it has been stopped.
 struct Sweep {
     Transform start; // of the centre of mass
     Vec2 move;       // m, over the whole step
     Real turn = 0;   // rad, over the whole step
-    Real stopAt = 1; // share of the step after which it stands still
+    Real stopAt = 1; // share of the step after which it does not go on by itself
+    Vec2 push{};     // m, over a whole step: how it is pushed along from there on
 
     Transform at(Real share) const {
         const Real t = share < stopAt ? share : stopAt;
-        return {start.position + t * move, turned(start.rotation, t * turn)};
+        return {start.position + t * move + (share - t) * push, turned(start.rotation, t * turn)};
     }
 };
 

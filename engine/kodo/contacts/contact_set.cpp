@@ -7,15 +7,6 @@
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
-namespace {
-
-/// Bounds of a part moved by the motion of its body within this step.
-Aabb boundsAfter(const Convex& convex, const Transform& pose, const Motion& motion) {
-    return boundsOf(convex, {pose.position + motion.move, turned(pose.rotation, motion.turn)});
-}
-
-} // namespace
-
 void ContactSet::noteEnd(const Contact& contact) {
     if (contact.wasTouching) {
         ended_.push_back(endOf(contact));
@@ -169,119 +160,49 @@ void ContactSet::orderContacts() {
 void ContactSet::renewPlaces() {
     for (Place& place : order_) {
         Contact& contact = contacts_[place.slot];
-        contact.proxyA = firstProxy_[contact.key.bodyA] + contact.key.partA;
-        contact.proxyB = firstProxy_[contact.key.bodyB] + contact.key.partB;
+        contact.proxyA = bounds_.indexOf(contact.key.bodyA, contact.key.partA);
+        contact.proxyB = bounds_.indexOf(contact.key.bodyB, contact.key.partB);
         place.pair = {contact.proxyA, contact.proxyB};
     }
 }
 
-const Convex& ContactSet::outline(const Bodies& bodies, std::size_t proxy) const {
-    return bodies.outline(proxies_[proxy].body, proxies_[proxy].part);
-}
-
-void ContactSet::rebuildProxies(const Bodies& bodies) {
-    proxies_.clear();
-    firstProxy_.assign(bodies.size(), 0);
-    for (std::size_t body = 0; body < bodies.size(); ++body) {
-        if (!bodies.ids.aliveAt(body)) {
-            continue;
-        }
-        firstProxy_[body] = static_cast<std::uint32_t>(proxies_.size());
-        const std::size_t parts = bodies.form(body).parts.size();
-        for (std::size_t part = 0; part < parts; ++part) {
-            proxies_.push_back(
-                {static_cast<std::uint32_t>(body), static_cast<std::uint16_t>(part)});
-        }
-    }
-    tight_.resize(proxies_.size());
-    grown_.resize(proxies_.size());
-    isMoved_.assign(proxies_.size(), 0);
-    moved_.clear();
-}
-
-/// Gives a part new bounds to move in.
-void ContactSet::outgrow(std::size_t proxy, const Aabb& bounds) {
-    grown_[proxy] = bounds;
-    if (isMoved_[proxy] == 0) {
-        isMoved_[proxy] = 1;
-        moved_.push_back(static_cast<std::uint32_t>(proxy));
-    }
-}
-
-/// After bodies came, went or changed: all bounds anew.
+/// After bodies came, went or changed.
 void ContactSet::renew(const Bodies& bodies, const Tolerances& tolerances) {
     contactsChanged_ = true;
-    rebuildProxies(bodies);
-    for (std::size_t i = 0; i < proxies_.size(); ++i) {
-        tight_[i] = boundsOf(outline(bodies, i), bodies.pose[proxies_[i].body]);
-        outgrow(i, tight_[i].grown(tolerances.margin));
-    }
+    bounds_.renew(bodies, tolerances);
     renewPlaces();
     for (Contact& contact : contacts_) {
         describe(bodies, contact);
     }
 }
 
-void ContactSet::updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt) {
+void ContactSet::updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt,
+                             Crew& crew) {
     recordsDue_ = false; // nobody asked
     if (std::exchange(stale_, false)) {
         renew(bodies, tolerances);
         pairsStale_ = false;
     }
     if (std::exchange(pairsStale_, false)) {
-        for (std::size_t i = 0; i < proxies_.size(); ++i) {
-            outgrow(i, grown_[i]);
-        }
+        bounds_.listAll();
     }
-    for (const std::uint32_t body : bodies.awake) {
-        const Motion& motion = bodies.motion[body];
-        const Form& form = bodies.form(body);
-        const Vec2 ahead = dt * motion.velocity;
-        const Real swing = dt * std::abs(motion.angularVelocity) * form.reach;
-        const Real slack = std::min(tolerances.grown, form.inside / 4);
-        for (std::size_t part = 0; part < form.parts.size(); ++part) {
-            const std::size_t i = firstProxy_[body] + part;
-            tight_[i] = boundsOf(form.parts[part].convex, bodies.pose[body]);
-            const Aabb needed =
-                unite(tight_[i], moved(tight_[i], ahead)).grown(tolerances.margin + swing);
-            if (!grown_[i].contains(needed)) {
-                outgrow(i, unite(needed, moved(needed, ahead)).grown(slack));
-            }
-        }
-    }
-    refreshPairs(bodies);
+    bounds_.foresee(bodies, tolerances, dt, crew);
+    refreshPairs(bodies, crew);
 }
 
-void ContactSet::coverMoves(const Bodies& bodies, const Tolerances& tolerances) {
-    for (const std::uint32_t body : bodies.awake) {
-        const Form& form = bodies.form(body);
-        const Motion& motion = bodies.motion[body];
-        const Real way = length(motion.move) + std::abs(motion.turn) * bodies.extent[body].reach;
-        for (std::size_t part = 0; part < form.parts.size(); ++part) {
-            const std::size_t i = firstProxy_[body] + part;
-            if (grown_[i].contains(tight_[i].grown(way))) {
-                continue;
-            }
-            const Aabb after = boundsAfter(form.parts[part].convex, bodies.pose[body], motion);
-            if (!grown_[i].contains(after)) {
-                outgrow(i, unite(tight_[i], after).grown(tolerances.margin));
-            }
-        }
-    }
-    refreshPairs(bodies);
+void ContactSet::coverMoves(const Bodies& bodies, const Tolerances& tolerances, Crew& crew) {
+    bounds_.coverMoves(bodies, tolerances, crew);
+    refreshPairs(bodies, crew);
 }
 
 /// Looks for the pairs of those whose bounds are new.
-void ContactSet::refreshPairs(const Bodies& bodies) {
-    if (moved_.empty()) {
+void ContactSet::refreshPairs(const Bodies& bodies, Crew& crew) {
+    if (bounds_.changed().empty()) {
         return;
     }
-    findPairs(bodies);
+    findPairs(bodies, crew);
     mergePairs(bodies);
-    for (const std::uint32_t proxy : moved_) {
-        isMoved_[proxy] = 0;
-    }
-    moved_.clear();
+    bounds_.clearChanged();
 }
 
 void ContactSet::setApart(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) {
@@ -289,10 +210,10 @@ void ContactSet::setApart(std::span<const std::pair<std::uint32_t, std::uint32_t
     pairsStale_ = true;
 }
 
-void ContactSet::findPairs(const Bodies& bodies) {
+void ContactSet::findPairs(const Bodies& bodies, Crew& crew) {
     const auto accept = [&](std::uint32_t i, std::uint32_t j) {
-        const std::uint32_t a = proxies_[i].body;
-        const std::uint32_t b = proxies_[j].body;
+        const std::uint32_t a = bounds_.part(i).body;
+        const std::uint32_t b = bounds_.part(j).body;
         const Flags flagsA = bodies.record[a].filter.flags;
         const Flags flagsB = bodies.record[b].filter.flags;
         const bool sensor = ((flagsA ^ flagsB) & kSensor) != 0; // one of them, not both
@@ -303,12 +224,12 @@ void ContactSet::findPairs(const Bodies& bodies) {
                !std::binary_search(apart_.begin(), apart_.end(), std::pair(a, b));
     };
     pairs_.clear();
-    finder_.pairs(grown_, {moved_, isMoved_}, accept, pairs_);
+    finder_.pairs(bounds_.grown(), {bounds_.changed(), bounds_.isChanged()}, accept, pairs_, crew);
 }
 
 Contact ContactSet::makeContact(const Bodies& bodies, BoundsPair pair) const {
-    const Proxy& a = proxies_[pair.first];
-    const Proxy& b = proxies_[pair.second];
+    const PartBounds::Part& a = bounds_.part(pair.first);
+    const PartBounds::Part& b = bounds_.part(pair.second);
     Contact contact;
     contact.key = {a.body, a.part, b.body, b.part};
     contact.a = bodies.idAt(a.body);
@@ -337,6 +258,7 @@ void ContactSet::mergePairs(const Bodies& bodies) {
     newOrder_.reserve(order_.capacity()); // the two take turns
     holes_.clear();
     added_.clear();
+    const std::span<const std::uint8_t> isChanged = bounds_.isChanged();
     auto pair = pairs_.begin();
     const auto addUpTo = [&](const BoundsPair* end) {
         for (; pair != pairs_.end() && (end == nullptr || *pair < *end); ++pair) {
@@ -348,7 +270,7 @@ void ContactSet::mergePairs(const Bodies& bodies) {
         addUpTo(&place.pair);
         const bool found = pair != pairs_.end() && *pair == place.pair;
         pair += found ? 1 : 0;
-        if (found || (isMoved_[place.pair.first] == 0 && isMoved_[place.pair.second] == 0)) {
+        if (found || (isChanged[place.pair.first] == 0 && isChanged[place.pair.second] == 0)) {
             newOrder_.push_back(place);
         } else {
             noteEnd(contacts_[place.slot]);
@@ -378,19 +300,24 @@ void ContactSet::measureApproach(const Bodies& bodies) {
     }
 }
 
-void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances) {
+void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances, Crew& crew) {
     fastestApproach_ = 0;
-    for (Contact& contact : contacts_) {
-        const auto near = [&] {
-            return overlap(tight_[contact.proxyA].grown(tolerances.margin), tight_[contact.proxyB]);
-        };
-        if (contact.carried || near()) {
-            refreshContact(contact, bodies, tolerances);
-            fastestApproach_ = std::max(fastestApproach_, contact.approachSpeed);
-        } else if (contact.near || contact.hidden || contact.manifold.count > 0) {
-            clearContact(contact);
+    crew.forEach(contacts_.size(), kContactsAPiece, [&](std::size_t first, std::size_t last) {
+        Real fastest = 0;
+        for (Contact& contact : std::span(contacts_).subspan(first, last - first)) {
+            const auto near = [&] {
+                return overlap(bounds_.tight(contact.proxyA).grown(tolerances.margin),
+                               bounds_.tight(contact.proxyB));
+            };
+            if (contact.carried || near()) {
+                refreshContact(contact, bodies, tolerances);
+                fastest = std::max(fastest, contact.approachSpeed);
+            } else if (contact.near || contact.hidden || contact.manifold.count > 0) {
+                clearContact(contact);
+            }
         }
-    }
+        Crew::raise(fastestApproach_, fastest);
+    });
     if (std::exchange(contactsChanged_, false)) {
         seams_.link(bodies, contacts_);
     }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/base/crew.hpp>
 #include <kodo/bodies/bodies.hpp>
 #include <kodo/bodies/tolerances.hpp>
 #include <kodo/broad/pair_finder.hpp>
 #include <kodo/contacts/collision_record.hpp>
 #include <kodo/contacts/contact.hpp>
 #include <kodo/contacts/contact_report.hpp>
+#include <kodo/contacts/part_bounds.hpp>
 #include <kodo/contacts/seams.hpp>
 
 #include <span>
@@ -35,35 +37,49 @@ public:
     void putBack(std::span<const Contact> contacts);
 
     /// Brings the list up to date before a step of dt: the pairs that may meet within it, in order.
-    void updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt);
+    void updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt, Crew& crew);
     /// Pairs of bodies, in order, that may not touch although their flags say so: jointed ones.
     void setApart(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
     /// Finds where the pairs touch, now, and how fast they approach.
-    void updateManifolds(const Bodies& bodies, const Tolerances& tolerances);
+    void updateManifolds(const Bodies& bodies, const Tolerances& tolerances, Crew& crew);
     /// Measures the approach again, since bodies have got other speeds.
     void measureApproach(const Bodies& bodies);
     /// m/s, of those that updateManifolds looked at.
     Real fastestApproach() const { return fastestApproach_; }
     /// Adds the pairs of bodies that the solver sent farther than updatePairs could foresee.
-    void coverMoves(const Bodies& bodies, const Tolerances& tolerances);
+    void coverMoves(const Bodies& bodies, const Tolerances& tolerances, Crew& crew);
 
     /// Contacts with an impulse or a place that is not finite start anew, where their bodies are.
     void forgetUnsound(const Bodies& bodies, const Tolerances& tolerances);
 
+    /// What looks for the pairs.
+    PairFinder& pairFinder() { return finder_; }
+    const PairFinder& pairFinder() const { return finder_; }
+
     /// In an order of their own, which does not change while no pair comes or goes.
     std::span<Contact> contacts() { return contacts_; }
     std::span<const Contact> contacts() const { return contacts_; }
-    /// Sums up a step. fetch(contact) is called for each, to hand its impulses out, and then
-    /// visit(contact) for each that touched.
-    template <typename Fetch, typename Visit>
-    void finishStep(const Tolerances& tolerances, bool wantRecords, Fetch fetch, Visit visit) {
-        for (Contact& contact : contacts_) {
-            fetch(contact);
-            finishContact(contact, tolerances);
-            if (contact.touching) {
-                visit(contact);
-            }
-        }
+    /// Sums up a step. fetch(contact) is called for each, to hand its impulses out. Lists the
+    /// bodies that touch, for which noteFirst(body) is true. Several threads call these.
+    template <typename Fetch, typename NoteFirst>
+    void finishStep(const Tolerances& tolerances, bool wantRecords, Crew& crew, Fetch fetch,
+                    NoteFirst noteFirst, std::vector<std::uint32_t>& touching) {
+        touching_.gather(
+            crew, contacts_.size(), kContactsAPiece, touching,
+            [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
+                for (Contact& contact : std::span(contacts_).subspan(first, last - first)) {
+                    fetch(contact);
+                    finishContact(contact, tolerances);
+                    if (!contact.touching) {
+                        continue;
+                    }
+                    for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
+                        if (noteFirst(body)) {
+                            found.push_back(body);
+                        }
+                    }
+                }
+            });
         records_.clear();
         endedInStep_.clear();
         std::swap(ended_, endedInStep_);
@@ -76,11 +92,7 @@ public:
 
 private:
     friend class SnapshotFields;
-
-    struct Proxy {
-        std::uint32_t body;
-        std::uint16_t part;
-    };
+    static constexpr std::size_t kContactsAPiece = 128;
 
     /// Where a contact is, by the bounds of its parts, which are in the order of keys.
     struct Place {
@@ -90,14 +102,11 @@ private:
 
     void writeRecords() const;
     void noteEnd(const Contact& contact);
-    void rebuildProxies(const Bodies& bodies);
     void renew(const Bodies& bodies, const Tolerances& tolerances);
     void orderContacts();
     void renewPlaces();
-    void outgrow(std::size_t proxy, const Aabb& bounds);
-    const Convex& outline(const Bodies& bodies, std::size_t proxy) const;
-    void refreshPairs(const Bodies& bodies);
-    void findPairs(const Bodies& bodies);
+    void refreshPairs(const Bodies& bodies, Crew& crew);
+    void findPairs(const Bodies& bodies, Crew& crew);
     void mergePairs(const Bodies& bodies);
     Contact makeContact(const Bodies& bodies, BoundsPair pair) const;
     void describe(const Bodies& bodies, Contact& contact) const;
@@ -105,12 +114,7 @@ private:
     void eraseIf(Gone gone);
     void fillHoles();
 
-    std::vector<Proxy> proxies_;            // one for each part of each body, in order
-    std::vector<std::uint32_t> firstProxy_; // by body
-    std::vector<Aabb> tight_;               // where it is
-    std::vector<Aabb> grown_;               // where it may be until its pairs are looked for again
-    std::vector<std::uint32_t> moved_;      // whose grown bounds are new
-    std::vector<std::uint8_t> isMoved_;
+    PartBounds bounds_;
     std::vector<BoundsPair> pairs_;
     PairFinder finder_;
     Seams seams_;
@@ -119,6 +123,7 @@ private:
     std::vector<Place> newOrder_;      // spare, so that merging allocates nothing
     std::vector<std::uint32_t> holes_; // slots whose contact is gone, while merging
     std::vector<std::uint32_t> added_; // places in the order whose contact is new, while merging
+    Findings<std::uint32_t> touching_;
     std::vector<std::uint32_t> slots_; // where the contacts of the last slots went
     std::vector<Contact> idle_;        // that takeIdle gave
     // Of contacts that ended because they lost a body or the nearness of their parts.

@@ -159,5 +159,19 @@ KODO_LANES_INLINE void scatter(Real* base, std::size_t stride, const std::uint32
 }
 #endif
 
+/// Writes those of the structures whose bit is set.
+KODO_LANES_INLINE void scatter(Real* base, std::size_t stride, const std::uint32_t* index,
+                               const Quad& quad, unsigned which) {
+    for (int i = 0; i < kLanes; ++i) {
+        if ((which >> i & 1) != 0) {
+            Real* const to = base + stride * index[i];
+            to[0] = quad.x[i];
+            to[1] = quad.y[i];
+            to[2] = quad.z[i];
+            to[3] = quad.w[i];
+        }
+    }
+}
+
 } // namespace
 } // namespace kodo::inline KODO_PRECISION

@@ -13,7 +13,7 @@ namespace kodo::inline KODO_PRECISION {
 /// add. Arms are fixed for the step: a separation follows the motion to first order in the turn.
 /// A lane without a contact has neither normal nor masses nor impulses, so that it pushes nobody;
 /// it lies between Bodies::spare() and itself.
-struct ContactBlock {
+struct alignas(64) ContactBlock {
     static constexpr int kContacts = 8;
     using Each = Real[kContacts];
 
@@ -52,7 +52,9 @@ struct RollingBlock {
 struct BlockUse {
     std::int32_t rolling = -1; // place of its RollingBlock, if there is one
     bool twoPoints = false;    // or else each contact has one
-    bool onLocked = false; // all contacts have a side that cannot be pushed: twice the frequency
+    bool onLocked = false;   // all contacts have a side that cannot be pushed: twice the frequency
+    std::uint8_t movesA = 0; // by lane: a can be pushed
+    std::uint8_t movesB = 0;
 };
 
 /// What all contacts of a substep share.

@@ -13,6 +13,8 @@ bool immovable(const Motion& motion) {
     return motion.invMass == 0 && motion.invInertia == 0;
 }
 
+constexpr std::size_t kBlocksAPiece = 32;
+
 constexpr std::size_t blockOf(std::uint32_t row) {
     return row / ContactBlock::kContacts;
 }
@@ -41,7 +43,7 @@ void ContactBlocks::refine(int parts) {
 }
 
 void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, bool friction,
-                          bool rolling) {
+                          bool rolling, Crew& crew) {
     colours_.resize(bodies.size());
     if (order_.size() > singles_ + kBins + rows_ / 4) { // most lanes are empty
         forgetLanes();
@@ -62,18 +64,17 @@ void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, boo
     if (orderStale_) {
         orderBlocks();
     }
-    for (const std::uint32_t i : order_) {
-        ContactBlock& block = blocks_[i];
-        shelves_[i].taken = 0;
-        for (ContactBlock::Point& point : block.points) {
-            std::fill_n(point.largest, ContactBlock::kContacts, Real(0));
+    crew.forEach(order_.size(), kBlocksAPiece, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) {
+            ContactBlock& block = blocks_[order_[k]];
+            std::fill_n(&taken_[order_[k] * std::size_t{ContactBlock::kContacts}],
+                        ContactBlock::kContacts, std::uint8_t{0});
+            for (ContactBlock::Point& point : block.points) {
+                std::fill_n(point.largest, ContactBlock::kContacts, Real(0));
+            }
+            std::fill_n(block.total, ContactBlock::kContacts, Real(0));
         }
-        std::fill_n(block.total, ContactBlock::kContacts, Real(0));
-    }
-    newcomers_.clear();
-    if (newcomers_.capacity() < contacts.size()) {
-        newcomers_.reserve(2 * contacts.size());
-    }
+    });
 }
 
 /// Gives lanes to all contacts that have a colour: they were read from a snapshot, or the lanes
@@ -115,30 +116,40 @@ void ContactBlocks::forgetLanes() {
     seated_ = false;
 }
 
-void ContactBlocks::take(const Bodies& bodies, Contact& contact, std::uint32_t place) {
-    ContactSeat& seat = contact.seat;
-    if (seat.colour != ContactSeat::kNoColour && contact.carried && !anew_) {
-        ContactBlock& block = blocks_[blockOf(seat.row)];
-        shelves_[blockOf(seat.row)].taken |= maskOf(seat.row);
-        block.points[0].separation[laneOf(seat.row)] = contact.manifold.points[0].separation;
-        block.points[1].separation[laneOf(seat.row)] = contact.manifold.points[1].separation;
-        return;
-    }
+/// Does the colour that it has still suit the contact?
+bool ContactBlocks::keepsColour(const Bodies& bodies, const Contact& contact) const {
+    const ContactSeat& seat = contact.seat;
     const Motion& a = bodies.motion[contact.key.bodyA];
     const Motion& b = bodies.motion[contact.key.bodyB];
     const bool onLocked = a.invMass == 0 || b.invMass == 0;
-    if (seat.colour == ContactSeat::kNoColour || (seat.colour >= kFreeColours) != onLocked ||
-        seat.fixedA != immovable(a) || seat.fixedB != immovable(b)) {
-        newcomers_.push_back(place);
-        return;
+    return seat.colour != ContactSeat::kNoColour && (seat.colour >= kFreeColours) == onLocked &&
+           seat.fixedA == immovable(a) && seat.fixedB == immovable(b);
+}
+
+/// Has it rolling resistance for which its block has no room yet?
+bool ContactBlocks::needsRolling(const Contact& contact) const {
+    return rollingOn_ && contact.material.rollingResistance > 0 &&
+           use_[blockOf(contact.seat.row)].rolling < 0;
+}
+
+bool ContactBlocks::take(const Bodies& bodies, Contact& contact) {
+    ContactSeat& seat = contact.seat;
+    if (seat.colour != ContactSeat::kNoColour && contact.carried && !anew_) {
+        ContactBlock& block = blocks_[blockOf(seat.row)];
+        taken_[seat.row] = 1;
+        block.points[0].separation[laneOf(seat.row)] = contact.manifold.points[0].separation;
+        block.points[1].separation[laneOf(seat.row)] = contact.manifold.points[1].separation;
+        return true;
     }
-    if (const std::uint32_t bin = binOf(seat.colour, contact);
-        shelves_[blockOf(seat.row)].bin != bin) {
-        empty(seat.row);
-        sit(contact, bin);
+    if (!keepsColour(bodies, contact)) {
+        return false;
     }
-    shelves_[blockOf(seat.row)].taken |= maskOf(seat.row);
+    taken_[seat.row] = 1;
+    if (shelves_[blockOf(seat.row)].bin != binOf(seat.colour, contact) || needsRolling(contact)) {
+        return false;
+    }
     fill(bodies, contact);
+    return true;
 }
 
 /// Lanes that were not taken: their contacts are gone, push nobody any more, or have to find
@@ -156,12 +167,22 @@ void ContactBlocks::freeLanes(const Bodies& bodies) {
     // Backwards, so that blocks of one contact each are dealt out in order again.
     for (std::size_t k = order_.size(); k-- > 0;) {
         const std::uint32_t i = order_[k];
-        const std::uint32_t gone = shelves_[i].used & ~shelves_[i].taken;
-        for (std::uint32_t rest = gone; rest != 0; rest &= rest - 1) {
+        for (std::uint32_t rest = goneFrom(i); rest != 0; rest &= rest - 1) {
             release(i * ContactBlock::kContacts +
                     static_cast<std::uint32_t>(std::countr_zero(rest)));
         }
     }
+}
+
+/// The lanes of a block that are in use, but were not taken in this step.
+std::uint8_t ContactBlocks::goneFrom(std::uint32_t block) const {
+    constexpr std::size_t kContacts = ContactBlock::kContacts;
+    const std::uint8_t* const taken = &taken_[block * kContacts];
+    std::uint32_t gone = shelves_[block].used;
+    for (std::uint32_t lane = 0; lane < kContacts; ++lane) {
+        gone &= ~(std::uint32_t{taken[lane]} << lane);
+    }
+    return static_cast<std::uint8_t>(gone);
 }
 
 /// Gives up a lane and the colour of its contact.
@@ -190,6 +211,8 @@ void ContactBlocks::empty(std::uint32_t row) {
     const std::size_t lane = laneOf(row);
     clearLane(block, lane);
     block.a[lane] = block.b[lane] = spare_;
+    use_[blockOf(row)].movesA &= static_cast<std::uint8_t>(~maskOf(row));
+    use_[blockOf(row)].movesB &= static_cast<std::uint8_t>(~maskOf(row));
     if (const std::int32_t rolling = use_[blockOf(row)].rolling; rolling >= 0) {
         RollingBlock& own = rolling_[static_cast<std::size_t>(rolling)];
         own.lever[lane] = own.mass[lane] = own.impulse[lane] = 0;
@@ -230,12 +253,13 @@ std::uint32_t ContactBlocks::openBlock(std::uint32_t bin) {
     const auto block = static_cast<std::uint32_t>(blocks_.size());
     ContactBlock& lanes = blocks_.emplace_back();
     shelves_.reserve(blocks_.capacity());
+    taken_.resize(blocks_.capacity() * ContactBlock::kContacts);
     use_.reserve(blocks_.capacity());
     order_.reserve(blocks_.capacity());
     std::fill_n(lanes.a, ContactBlock::kContacts, spare_);
     std::fill_n(lanes.b, ContactBlock::kContacts, spare_);
-    shelves_.push_back({bin, kNone, 0, 0, 0, 0});
-    use_.push_back({-1, bin % 2 == 1, bin / 2 > kFreeColours});
+    shelves_.push_back({bin, kNone, 0, 0, 0});
+    use_.push_back({-1, bin % 2 == 1, bin / 2 > kFreeColours, 0, 0});
     open_[bin] = block;
     return block;
 }
@@ -248,17 +272,19 @@ void ContactBlocks::sit(Contact& contact, std::uint32_t bin) {
     orderStale_ = orderStale_ || shelf.used == 0;
     const auto mask = static_cast<std::uint8_t>(1u << lane);
     shelf.used |= mask;
-    shelf.taken |= mask;
     const auto put = [&](std::uint8_t& lanes, bool value) {
         lanes = static_cast<std::uint8_t>(value ? lanes | mask : lanes & ~mask);
     };
     put(shelf.fixedA, contact.seat.fixedA);
     put(shelf.fixedB, contact.seat.fixedB);
+    put(use_[block].movesA, !contact.seat.fixedA);
+    put(use_[block].movesB, !contact.seat.fixedB);
     if (shelf.used == 0xff || isSingle(bin)) {
         open_[bin] = shelf.nextOpen;
     }
     ++rows_;
     contact.seat.row = block * ContactBlock::kContacts + lane;
+    taken_[contact.seat.row] = 1;
     blocks_[block].a[lane] = contact.key.bodyA;
     blocks_[block].b[lane] = contact.key.bodyB;
 }
@@ -273,6 +299,13 @@ void ContactBlocks::orderBlocks() {
         next[bin] += next[bin - 1];
     }
     order_.resize(next[kBins]);
+    byColour_.clear();
+    for (std::uint32_t group = 0; group < kGroups; ++group) { // two bins each
+        const std::uint32_t count = next[2 * group + 2] - next[2 * group];
+        if (count > 0) {
+            byColour_.push_back({count, isSingle(2 * group)});
+        }
+    }
     for (std::uint32_t i = 0; i < shelves_.size(); ++i) {
         if (shelves_[i].used != 0) {
             order_[next[shelves_[i].bin]++] = i;
@@ -282,11 +315,19 @@ void ContactBlocks::orderBlocks() {
 }
 
 void ContactBlocks::arrange(const Bodies& bodies, std::span<Contact> contacts,
+                            std::span<const std::uint32_t> newcomers,
                             std::span<const std::uint16_t> crowd, Real pushSpeed) {
     freeLanes(bodies);
-    for (const std::uint32_t place : newcomers_) {
-        colourNewcomer(bodies, contacts[place]);
-        fill(bodies, contacts[place]);
+    for (const std::uint32_t place : newcomers) {
+        Contact& contact = contacts[place];
+        if (!keepsColour(bodies, contact)) {
+            colourNewcomer(bodies, contact);
+        } else if (const std::uint32_t bin = binOf(contact.seat.colour, contact);
+                   shelves_[blockOf(contact.seat.row)].bin != bin) {
+            empty(contact.seat.row);
+            sit(contact, bin);
+        }
+        fill(bodies, contact);
     }
     if (orderStale_) {
         orderBlocks();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/base/crew.hpp>
 #include <kodo/contacts/contact.hpp>
 #include <kodo/solve/contact_block.hpp>
 
@@ -28,15 +29,26 @@ public:
     void refine(int parts);
     /// Before the contacts of a step are taken, of which some may be gone. With friction, with
     /// rolling resistance?
-    void begin(const Bodies& bodies, std::span<Contact> contacts, bool friction, bool rolling);
-    /// Takes a contact that responds. `place` is that in the list of contacts.
-    void take(const Bodies& bodies, Contact& contact, std::uint32_t place);
-    /// After the last one. `pushSpeed` (m/s) is shared out among those who crowd a body, if there
-    /// are more than kNeighbours of them; `crowd` is by body, and empty when nobody is crowded.
+    void begin(const Bodies& bodies, std::span<Contact> contacts, bool friction, bool rolling,
+               Crew& crew);
+    /// Takes a contact that responds. False if it needs another lane and has to be given one by
+    /// arrange(). Several threads may take contacts at once.
+    bool take(const Bodies& bodies, Contact& contact);
+    /// After the last one, with the places of those that need lanes, in order. `pushSpeed` (m/s) is
+    /// shared out among those who crowd a body, if there are more than kNeighbours of them; `crowd`
+    /// is by body, and empty when nobody is crowded.
     void arrange(const Bodies& bodies, std::span<Contact> contacts,
-                 std::span<const std::uint16_t> crowd, Real pushSpeed);
+                 std::span<const std::uint32_t> newcomers, std::span<const std::uint16_t> crowd,
+                 Real pushSpeed);
 
     ContactPassArguments pass(Bodies& bodies, const PassSettings& settings);
+    /// Blocks that may be solved at once, since no two contacts of them push the same body: so
+    /// many, in the order of the pass. Colours come one after the other.
+    struct Colour {
+        std::size_t count = 0;
+        bool inTurn = false; // but these one by one
+    };
+    std::span<const Colour> colours() const { return byColour_; }
     std::size_t size() const { return rows_; }
 
     /// Hands the impulses of the step to a contact, if it was taken.
@@ -55,13 +67,15 @@ private:
         std::uint32_t bin = 0;
         std::uint32_t nextOpen = kNone; // of those of the bin that have a free lane
         std::uint8_t used = 0;          // by lane
-        std::uint8_t taken = 0;         // of those, in this step
         std::uint8_t fixedA = 0;        // at the time it was taken, a could not be pushed
         std::uint8_t fixedB = 0;
     };
 
     static bool isSingle(std::uint32_t bin);
     static std::uint32_t binOf(std::uint32_t colour, const Contact& contact);
+    bool keepsColour(const Bodies& bodies, const Contact& contact) const;
+    bool needsRolling(const Contact& contact) const;
+    std::uint8_t goneFrom(std::uint32_t block) const;
     void seatAll(std::span<Contact> contacts);
     void forgetLanes();
     void freeLanes(const Bodies& bodies);
@@ -80,7 +94,8 @@ private:
     std::vector<Shelf> shelves_;       // of the blocks
     std::vector<std::uint32_t> order_; // of the blocks, by bin
     std::vector<RollingBlock> rolling_;
-    std::vector<std::uint32_t> newcomers_; // places of contacts that have no colour yet
+    std::vector<Colour> byColour_;
+    std::vector<std::uint8_t> taken_; // by row: in this step
     std::array<std::uint32_t, kBins> open_{};
     std::size_t rows_ = 0;    // lanes in use
     std::size_t singles_ = 0; // of those, without a colour

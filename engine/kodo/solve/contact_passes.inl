@@ -119,9 +119,23 @@ KODO_LANES_INLINE void solveRolling(RollingBlock& block, int at, Pair& pair, Lan
     spin(pair, next - impulse, next - impulse);
 }
 
+/// Writes the speeds back of those that can be pushed. The others are left alone: another thread
+/// may be reading them.
+KODO_LANES_INLINE void putBack(Motion* motion, const std::uint32_t* index, const Quad& speed,
+                               std::uint8_t moves, int at) {
+    constexpr unsigned kAll = (1u << kLanes) - 1;
+    const unsigned which = static_cast<unsigned>(moves) >> at & kAll;
+    if (which == kAll) {
+        scatter(speeds(motion), kStride, index, speed);
+    } else {
+        scatter(speeds(motion), kStride, index, speed, which);
+    }
+}
+
 template <Task task, int points>
 KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, int at,
-                                  Motion* motion, const Push& soft, bool friction) {
+                                  Motion* motion, const Push& soft, bool friction,
+                                  const BlockUse& use) {
     const Quad moveA = gather(moves(motion), kStride, block.a + at);
     const Quad moveB = gather(moves(motion), kStride, block.b + at);
     Pair pair{gather(speeds(motion), kStride, block.a + at),
@@ -153,8 +167,8 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
     if constexpr (task == Task::Relax) {
         store(block.total + at, load(block.total + at) + sum);
     }
-    scatter(speeds(motion), kStride, block.a + at, pair.a);
-    scatter(speeds(motion), kStride, block.b + at, pair.b);
+    putBack(motion, block.a + at, pair.a, use.movesA, at);
+    putBack(motion, block.b + at, pair.b, use.movesB, at);
 }
 
 template <Task task>
@@ -169,10 +183,10 @@ void solveBlocks(const ContactPassArguments& pass) {
         for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
             if (use.twoPoints) {
                 solveLanes<task, 2>(pass.blocks[i], rolling, at, pass.motion, push,
-                                    settings.friction);
+                                    settings.friction, use);
             } else {
                 solveLanes<task, 1>(pass.blocks[i], rolling, at, pass.motion, push,
-                                    settings.friction);
+                                    settings.friction, use);
             }
         }
     }
@@ -204,8 +218,8 @@ void warmStartBlocks(const ContactPassArguments& pass) {
                  sum * pair.normalY + friction * pair.normalX,
                  moment(block.points[0].leverA, block.points[1].leverA, block.tangentLeverA),
                  moment(block.points[0].leverB, block.points[1].leverB, block.tangentLeverB));
-            scatter(speeds(pass.motion), kStride, block.a + at, pair.a);
-            scatter(speeds(pass.motion), kStride, block.b + at, pair.b);
+            putBack(pass.motion, block.a + at, pair.a, pass.use[i].movesA, at);
+            putBack(pass.motion, block.b + at, pair.b, pass.use[i].movesB, at);
         }
     }
 }

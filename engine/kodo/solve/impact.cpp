@@ -216,22 +216,29 @@ bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,
     return hitContact(hit, tolerances, restSpeedOf(bodies, contact, dt));
 }
 
-void solveImpacts(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
-                  const Tolerances& tolerances, Real dt) {
+void ImpactStage::solve(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
+                        const Tolerances& tolerances, Real dt) {
     if (!settings.has(Feature::Restitution)) {
         return;
     }
+    wasHit_.assign(bodies.size(), 0);
     bool any = true;
     for (int pass = 0; pass < settings.impactPasses && any; ++pass) {
         any = false;
         for (Contact& contact : contacts) {
-            if (pass > 0 && contact.material.restitution == 0) {
+            if (pass > 0 && !contact.bounces) {
                 continue; // the contact half goes on from here
             }
-            if (pass == 0 && !any && !isFast(bodies, contact, dt)) {
-                continue; // nothing has changed yet since the approach was measured
+            std::uint8_t& wasHitA = wasHit_[contact.key.bodyA];
+            std::uint8_t& wasHitB = wasHit_[contact.key.bodyB];
+            if (pass == 0 && (wasHitA | wasHitB) == 0 && !isFast(bodies, contact, dt)) {
+                continue; // nothing has changed for it since the approach was measured
             }
-            any = solveImpact(bodies, contact, settings, tolerances, dt) || any;
+            if (solveImpact(bodies, contact, settings, tolerances, dt)) {
+                wasHitA = bodies.locked(contact.key.bodyA) ? 0 : 1;
+                wasHitB = bodies.locked(contact.key.bodyB) ? 0 : 1;
+                any = true;
+            }
         }
     }
 }

@@ -7,6 +7,7 @@
 #include <kodo/solve/settings.hpp>
 
 #include <span>
+#include <vector>
 
 namespace kodo::inline KODO_PRECISION {
 
@@ -22,11 +23,17 @@ namespace kodo::inline KODO_PRECISION {
 /// neither makes nor loses energy for e = 1. Those without restitution are hit once, so that the
 /// blow is not left to springs. Two points of one contact are hit at once. An approach that the
 /// forces alone cause within one step is left to the contact half, since it is rest.
-void solveImpacts(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
-                  const Tolerances& tolerances, Real dt);
+class ImpactStage {
+public:
+    void solve(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
+               const Tolerances& tolerances, Real dt);
+
+private:
+    std::vector<std::uint8_t> wasHit_; // by body, in this step
+};
 
 /// No contact that approaches more slowly than that is hit (m/s): forces alone do as much to every
-/// body within the step. Rounding aside, which solveImpacts judges.
+/// body within the step. Rounding aside, which ImpactStage judges.
 Real leastRestSpeed(const Bodies& bodies, Real dt);
 
 /// Hits one contact once, if it touches and approaches. True if it did. Adds to what the

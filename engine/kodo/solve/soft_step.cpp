@@ -10,6 +10,9 @@
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
+constexpr std::size_t kContactsAPiece = 128;
+constexpr std::size_t kBlocksAPiece = 8;
+constexpr std::size_t kBodiesAPiece = 256;
 // Contacts may give by so many slops under a weight before the step is refined, and a body must be
 // so many times as heavy as another for its weight to be asked about.
 constexpr Real kMostGive = 2;
@@ -29,12 +32,21 @@ constexpr int kLargeCrowd = 600; // of passes times bodies
 bool needsRow(const Bodies& bodies, const Contact& contact, const StepSettings& settings,
               const Tolerances& tolerances) {
     // What rests is woken by a touch, not by what comes near.
-    if (!contact.responds() || bodies.resting(contact.key.bodyA) ||
-        bodies.resting(contact.key.bodyB)) {
+    if (!contact.responds() || (bodies.anyRests && (bodies.resting(contact.key.bodyA) ||
+                                                    bodies.resting(contact.key.bodyB)))) {
         return false;
     }
     const bool bounces = contact.bounces && settings.has(Feature::Restitution);
     return !bounces || contact.manifold.points[0].separation <= tolerances.slop;
+}
+
+/// How many passes more settle contacts of which so many are deep; `crowd` is the most that overlap
+/// one body.
+int settlingOf(int deep, int contacts, int crowd) {
+    if (deep == 0 || kSomeDeep * deep < contacts) {
+        return 0;
+    }
+    return std::min({1 + deep, kMostSettling, 1 + kLargeCrowd / crowd});
 }
 
 } // namespace
@@ -43,51 +55,78 @@ bool needsRow(const Bodies& bodies, const Contact& contact, const StepSettings& 
 /// middle of a heap is pushed by all of it, and those behind push on; together they must not exceed
 /// the speed that one of them may push with, or the heap would burst.
 void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const JointSet& joints,
-                       const StepSettings& settings, const Tolerances& tolerances) {
+                       const StepSettings& settings, const Tolerances& tolerances, Crew& crew) {
     const bool friction = settings.has(Feature::Friction);
-    blocks_.begin(bodies, contacts, friction, settings.has(Feature::RollingResistance));
+    blocks_.begin(bodies, contacts, friction, settings.has(Feature::RollingResistance), crew);
     holds_.resize(bodies.size());
+    near_.resize(bodies.size());
+    touched_.resize(bodies.size());
     crowd_.resize(bodies.size());
-    if (std::exchange(crowded_, false)) { // also of what does not take part any more
+    if (std::exchange(crowded_, std::uint8_t{0}) != 0) { // also of what does not take part any more
         std::fill(crowd_.begin(), crowd_.end(), std::uint16_t{0});
     }
     for (const std::uint32_t body : bodies.awake) {
-        holds_[body] = Hold::Free;
+        near_[body] = 0;
+        touched_[body] = 0;
         crowd_[body] = 0;
     }
     joints.forEach([&](const JointSet::Joint& joint) {
-        holds_[firstBody(joint.def).index] = Hold::Touched;
-        holds_[secondBody(joint.def).index] = Hold::Touched;
+        touched_[firstBody(joint.def).index] = 1;
+        touched_[secondBody(joint.def).index] = 1;
     });
     std::uint16_t most = 1; // that overlap one body
     int deep = 0;
     int rows = 0;
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        Contact& contact = contacts[i];
-        if (!needsRow(bodies, contact, settings, tolerances)) {
-            contact.seat = {};
-            contact.carried = false;
+    newcomers_.clear();
+    found_.gather(crew, contacts.size(), kContactsAPiece, newcomers_,
+                  [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& newcomers) {
+                      std::uint8_t* const near = near_.data();
+                      std::uint8_t* const touched = touched_.data();
+                      int ownDeep = 0;
+                      int ownRows = 0;
+                      for (std::size_t i = first; i < last; ++i) {
+                          Contact& contact = contacts[i];
+                          if (!needsRow(bodies, contact, settings, tolerances)) {
+                              contact.seat = {};
+                              contact.carried = false;
+                              continue;
+                          }
+                          if (!friction) {
+                              contact.friction = 0; // kept from when there was some
+                          }
+                          if (!blocks_.take(bodies, contact)) {
+                              newcomers.push_back(static_cast<std::uint32_t>(i));
+                          }
+                          const Real separation = contact.manifold.points[0].separation;
+                          std::uint8_t* const marks =
+                              separation <= tolerances.slop ? touched : near;
+                          Crew::mark(marks[contact.key.bodyA]);
+                          Crew::mark(marks[contact.key.bodyB]);
+                          if (separation < -4 * tolerances.slop) {
+                              noteCrowd(bodies, contact, most, crew);
+                          }
+                          ownDeep += separation < -kDeep * tolerances.slop ? 1 : 0;
+                          ++ownRows;
+                      }
+                      crew.count(deep, ownDeep);
+                      crew.count(rows, ownRows);
+                  });
+    settling_ = settlingOf(deep, rows, most);
+}
+
+/// Counts two that overlap deeply for each other. `most` is the largest count so far.
+void SoftStep::noteCrowd(const Bodies& bodies, const Contact& contact, std::uint16_t& most,
+                         const Crew& crew) {
+    for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
+        if (bodies.locked(body)) {
             continue;
         }
-        if (!friction) {
-            contact.friction = 0; // kept from when there was some
-        }
-        blocks_.take(bodies, contact, static_cast<std::uint32_t>(i));
-        const Real separation = contact.manifold.points[0].separation;
-        deep += separation < -kDeep * tolerances.slop ? 1 : 0;
-        ++rows;
-        for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
-            holds_[body] =
-                std::max(holds_[body], separation <= tolerances.slop ? Hold::Touched : Hold::Near);
-            if (separation < -4 * tolerances.slop && !bodies.locked(body)) {
-                crowded_ = ++crowd_[body] > ContactBlocks::kNeighbours || crowded_;
-                most = std::max(most, crowd_[body]);
-            }
+        const auto count = static_cast<std::uint16_t>(crew.count(crowd_[body]) + 1);
+        Crew::raise(most, count);
+        if (count > ContactBlocks::kNeighbours) {
+            Crew::mark(crowded_);
         }
     }
-    settling_ = deep == 0 || kSomeDeep * deep < rows
-                    ? 0
-                    : std::min({1 + deep, kMostSettling, 1 + kLargeCrowd / most});
 }
 
 /// Into how many parts each substep is divided, since something heavy presses on something light. A
@@ -160,12 +199,42 @@ void SoftStep::passJoints(const Bodies& bodies, Pass pass) {
     }
 }
 
+/// One pass over all contacts, colour by colour.
+void SoftStep::passContacts(ContactPasses::Pass pass, const ContactPassArguments& arguments,
+                            Crew& crew) {
+    if (crew.alone()) {
+        pass(arguments);
+        return;
+    }
+    const std::uint32_t* order = arguments.order;
+    for (const ContactBlocks::Colour& colour : blocks_.colours()) {
+        const std::size_t grain = colour.inTurn ? colour.count : kBlocksAPiece;
+        crew.forEach(colour.count, grain, [&](std::size_t first, std::size_t last) {
+            ContactPassArguments piece = arguments;
+            piece.order = order + first;
+            piece.count = last - first;
+            pass(piece);
+        });
+        order += colour.count;
+    }
+}
+
+/// Calls work(bodies) for pieces of the list of those that something can push.
+template <typename Work>
+void SoftStep::forBound(Crew& crew, const Work& work) {
+    crew.forEach(bound_.size(), kBodiesAPiece, [&](std::size_t first, std::size_t last) {
+        work(std::span<const std::uint32_t>(bound_).subspan(first, last - first));
+    });
+}
+
 /// Bodies that nothing can push go all their way at once, so that their flight does not depend on
 /// the substeps, not even by a rounding. The others are listed.
 void SoftStep::moveFree(Bodies& bodies, Real dt) {
     free_.clear();
     bound_.clear();
     for (const std::uint32_t body : bodies.awake) {
+        const Hold near = near_[body] != 0 ? Hold::Near : Hold::Free;
+        holds_[body] = touched_[body] != 0 ? Hold::Touched : near;
         (holds_[body] == Hold::Free ? free_ : bound_).push_back(body);
     }
     integrateVelocities(bodies, free_, dt);
@@ -173,40 +242,45 @@ void SoftStep::moveFree(Bodies& bodies, Real dt) {
 }
 
 /// Forces begin to act.
-void SoftStep::beginSubsteps(Bodies& bodies, Real h) {
+void SoftStep::beginSubsteps(Bodies& bodies, Real h, Crew& crew) {
     before_.resize(bodies.size());
     std::fill(fromJoints_.begin(), fromJoints_.end(), Velocity{});
-    integrateVelocities(bodies, bound_, h);
-    for (const std::uint32_t i : bound_) {
-        before_[i] = velocityOf(bodies.motion[i]);
-    }
+    forBound(crew, [&](std::span<const std::uint32_t> list) {
+        integrateVelocities(bodies, list, h);
+        for (const std::uint32_t i : list) {
+            before_[i] = velocityOf(bodies.motion[i]);
+        }
+    });
 }
 
 /// From one substep to the next, which begins with the forces and with what the contacts gave. That
 /// is what the joints did not: the arms of these do turn within a step, so they start from their
 /// own impulses.
-void SoftStep::nextSubstep(Bodies& bodies, Real h) {
+void SoftStep::nextSubstep(Bodies& bodies, Real h, Crew& crew) {
     for (std::size_t k = 0; k < jointed_.size(); ++k) {
         Velocity& before = before_[jointed_[k]];
         before.linear += fromJoints_[k].linear;
         before.angular += fromJoints_[k].angular;
         fromJoints_[k] = {};
     }
-    for (const std::uint32_t i : bound_) {
-        Motion& motion = bodies.motion[i];
-        const Acceleration& acceleration = bodies.acceleration[i];
-        Velocity& before = before_[i];
-        const Vec2 gained = motion.velocity - before.linear;
-        const Real gainedSpin = motion.angularVelocity - before.angular;
-        before.linear = motion.velocity + h * acceleration.linear;
-        before.angular = motion.angularVelocity + h * acceleration.angular;
-        motion.velocity = before.linear + gained;
-        motion.angularVelocity = before.angular + gainedSpin;
-    }
+    forBound(crew, [&](std::span<const std::uint32_t> list) {
+        for (const std::uint32_t i : list) {
+            Motion& motion = bodies.motion[i];
+            const Acceleration& acceleration = bodies.acceleration[i];
+            Velocity& before = before_[i];
+            const Vec2 gained = motion.velocity - before.linear;
+            const Real gainedSpin = motion.angularVelocity - before.angular;
+            before.linear = motion.velocity + h * acceleration.linear;
+            before.angular = motion.angularVelocity + h * acceleration.angular;
+            motion.velocity = before.linear + gained;
+            motion.angularVelocity = before.angular + gainedSpin;
+        }
+    });
 }
 
 void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints,
-                     const StepSettings& settings, const Tolerances& tolerances, Real dt) {
+                     const StepSettings& settings, const Tolerances& tolerances, Real dt,
+                     Crew& crew) {
     visits_ = 0;
     if (bodies.awake.empty() && blocks_.size() == 0) {
         return;
@@ -217,10 +291,10 @@ void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& join
         refinement(bodies, contacts, hertzOf(settings.contactHertz, whole), tolerances);
     const Real h = whole / static_cast<Real>(parts);
     blocks_.refine(parts);
-    collect(bodies, contacts, joints, settings, tolerances);
-    blocks_.arrange(bodies, contacts,
-                    crowded_ ? std::span<const std::uint16_t>(crowd_)
-                             : std::span<const std::uint16_t>(),
+    collect(bodies, contacts, joints, settings, tolerances, crew);
+    blocks_.arrange(bodies, contacts, newcomers_,
+                    crowded_ != 0 ? std::span<const std::uint16_t>(crowd_)
+                                  : std::span<const std::uint16_t>(),
                     settings.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit);
     const Real hertz = hertzOf(settings.contactHertz * static_cast<Real>(parts), h);
     const ContactPassArguments pass =
@@ -235,38 +309,36 @@ void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& join
     moveFree(bodies, dt);
     const int substeps = parts * settings.substeps;
     for (int substep = 0; substep < substeps; ++substep) {
-        runSubstep(bodies, joints, pass, jointPass, substep == 0);
+        runSubstep(bodies, joints, pass, jointPass, substep == 0, crew);
     }
     joints.scaleImpulses(static_cast<Real>(parts));
     visits_ = blocks_.size() * static_cast<std::size_t>(substeps * (2 + settling_));
 }
 
 void SoftStep::runSubstep(Bodies& bodies, JointSet& joints, const ContactPassArguments& pass,
-                          JointPass& jointPass, bool first) {
+                          JointPass& jointPass, bool first, Crew& crew) {
     const ContactPasses& passes = ContactPasses::best();
     if (first) {
-        beginSubsteps(bodies, jointPass.h);
+        beginSubsteps(bodies, jointPass.h, crew);
     } else {
-        nextSubstep(bodies, jointPass.h);
+        nextSubstep(bodies, jointPass.h, crew);
     }
     passJoints(bodies, [&] { joints.warmStart(bodies, jointPass); });
-    if (first && pass.count > 0) {
-        passes.warmStart(pass);
+    if (first) {
+        passContacts(passes.warmStart, pass, crew);
     }
     jointPass.biased = true;
     passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
-    if (pass.count > 0) {
-        passes.solve(pass);
-    }
-    integrateMoves(bodies, bound_, holds_, jointPass.h);
+    passContacts(passes.solve, pass, crew);
+    forBound(crew, [&](std::span<const std::uint32_t> list) {
+        integrateMoves(bodies, list, holds_, jointPass.h);
+    });
     jointPass.biased = false;
     passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
-    if (pass.count > 0) {
-        for (int again = 0; again < settling_; ++again) {
-            passes.settle(pass);
-        }
-        passes.relax(pass);
+    for (int again = 0; again < settling_; ++again) {
+        passContacts(passes.settle, pass, crew);
     }
+    passContacts(passes.relax, pass, crew);
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/base/crew.hpp>
 #include <kodo/bodies/bodies.hpp>
 #include <kodo/bodies/integrate.hpp>
 #include <kodo/bodies/tolerances.hpp>
@@ -30,7 +31,7 @@ namespace kodo::inline KODO_PRECISION {
 class SoftStep {
 public:
     void solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints,
-               const StepSettings& settings, const Tolerances& tolerances, Real dt);
+               const StepSettings& settings, const Tolerances& tolerances, Real dt, Crew& crew);
     /// How often the last step looked at a contact.
     std::size_t visits() const { return visits_; }
     /// Hands the impulses of the last step to a contact, if the solver had it.
@@ -43,7 +44,9 @@ private:
     };
 
     void collect(const Bodies& bodies, std::span<Contact> contacts, const JointSet& joints,
-                 const StepSettings& settings, const Tolerances& tolerances);
+                 const StepSettings& settings, const Tolerances& tolerances, Crew& crew);
+    void noteCrowd(const Bodies& bodies, const Contact& contact, std::uint16_t& most,
+                   const Crew& crew);
     static int refinement(const Bodies& bodies, std::span<const Contact> contacts, Real hertz,
                           const Tolerances& tolerances);
     static Velocity velocityOf(const Motion& motion) {
@@ -52,16 +55,23 @@ private:
     void findJointed(const JointSet& joints);
     template <typename Pass>
     void passJoints(const Bodies& bodies, Pass pass);
+    void passContacts(ContactPasses::Pass pass, const ContactPassArguments& arguments, Crew& crew);
+    template <typename Work>
+    void forBound(Crew& crew, const Work& work);
     void moveFree(Bodies& bodies, Real dt);
-    void beginSubsteps(Bodies& bodies, Real h);
-    void nextSubstep(Bodies& bodies, Real h);
+    void beginSubsteps(Bodies& bodies, Real h, Crew& crew);
+    void nextSubstep(Bodies& bodies, Real h, Crew& crew);
     void runSubstep(Bodies& bodies, JointSet& joints, const ContactPassArguments& pass,
-                    JointPass& jointPass, bool first);
+                    JointPass& jointPass, bool first, Crew& crew);
 
     ContactBlocks blocks_;
-    std::vector<Hold> holds_;          // by body
+    std::vector<std::uint32_t> newcomers_; // places of contacts that have no lane yet
+    Findings<std::uint32_t> found_;
+    std::vector<Hold> holds_;        // by body
+    std::vector<std::uint8_t> near_; // by body: marks, from which the holds follow
+    std::vector<std::uint8_t> touched_;
     std::vector<std::uint16_t> crowd_; // by body: how many overlap it deeply
-    bool crowded_ = false;             // too many overlap some body
+    std::uint8_t crowded_ = 0;         // too many overlap some body
     int settling_ = 0;                 // passes more that take out what pushes gave
     std::size_t visits_ = 0;
     std::vector<Velocity> before_;     // by body: with the forces of the substep, without contacts

@@ -12,6 +12,9 @@ namespace kodo::inline KODO_PRECISION {
 namespace {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{};
+constexpr std::size_t kContactsAPiece = 256;
+constexpr std::size_t kBodiesAPiece = 256;
+constexpr std::size_t kCandidatesAPiece = 8;
 
 /// Apart by now, so that even a slow approach may end in a blow of its own: see stoppingGap.
 bool mayBounce(const Contact& contact, const Tolerances& tolerances) {
@@ -53,19 +56,19 @@ Real gapOf(const Contact& contact, const Tolerances& tolerances) {
     return contact.manifold.count > 0 ? contact.manifold.points[0].separation : tolerances.margin;
 }
 
-/// The gap at which a pair is to be stopped that goes so far towards each other, or nothing if it
-/// needs no sweep: it cannot come so close within the step, or it would not matter.
+/// The gap at which a pair is to be stopped that is `gap` apart and goes so far towards each other,
+/// or nothing if it needs no sweep: it cannot come so close within the step, or it would not
+/// matter.
 ///
 /// A pair that is apart is stopped just before it touches. One that touches already, and moves so
 /// far that its contact points cannot hold all of it, is stopped before it is through.
-std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Real motion,
+std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Real gap, Real motion,
                                 const StepSettings& settings, const Tolerances& tolerances) {
     if (contact.hidden || contact.passing) {
         return std::nullopt;
     }
     const Convex& shapeA = bodies.outline(contact.key.bodyA, contact.key.partA);
     const Convex& shapeB = bodies.outline(contact.key.bodyB, contact.key.partB);
-    const Real gap = gapOf(contact, tolerances);
     if (motion < gap) {
         return std::nullopt;
     }
@@ -84,17 +87,20 @@ std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Re
     return holds || gap < -deepest / 4 ? std::nullopt : std::optional(-deepest);
 }
 
-Sweep sweepOf(const Bodies& bodies, std::uint32_t body, Real stopAt) {
+/// Is it locked, and does it move?
+bool drives(const Bodies& bodies, std::uint32_t body) {
     const Motion& motion = bodies.motion[body];
-    return {bodies.pose[body], motion.move, motion.turn, stopAt};
+    return bodies.locked(body) && (motion.move != Vec2{} || motion.turn != 0);
 }
 
-Real impactTime(const Bodies& bodies, const Contact& contact, std::span<const Real> stopAt,
-                Real gap) {
-    const ContactKey& key = contact.key;
-    return timeOfImpact(
-        bodies.outline(key.bodyA, key.partA), sweepOf(bodies, key.bodyA, stopAt[key.bodyA]),
-        bodies.outline(key.bodyB, key.partB), sweepOf(bodies, key.bodyB, stopAt[key.bodyB]), gap);
+/// Adds to `push` what is missing for it to keep ahead of a surface that comes so far, unless it is
+/// pushed against that.
+void pushAlong(Vec2& push, Vec2 normal, Vec2 way) {
+    const Real there = dot(normal, push);
+    const Real wanted = dot(normal, way);
+    if (there >= 0 && wanted > there) {
+        push += (wanted - there) * normal;
+    }
 }
 
 /// The heap's order: the earliest on top, of equal ones the first in the list.
@@ -103,10 +109,11 @@ bool later(const Event& e, const Event& f) {
     return e.time > f.time || (e.time == f.time && e.candidate > f.candidate);
 }
 
-/// Cuts a body's motion off. The velocity loses what the forces gave it after that moment.
-void stop(Bodies& bodies, std::uint32_t body, Real share, Real dt) {
+/// Cuts a body's motion off, but for where it is pushed. The velocity loses what the forces gave it
+/// after that moment.
+void stop(Bodies& bodies, std::uint32_t body, Real share, Vec2 push, Real dt) {
     Motion& motion = bodies.motion[body];
-    motion.move *= share;
+    motion.move = share * motion.move + (1 - share) * push;
     motion.turn *= share;
     const Real lost = (1 - share) * dt;
     motion.velocity -= lost * bodies.acceleration[body].linear;
@@ -116,21 +123,24 @@ void stop(Bodies& bodies, std::uint32_t body, Real share, Real dt) {
 } // namespace
 
 /// For each body, more than any point of it moves.
-void SweepStage::measureWays(const Bodies& bodies) {
+void SweepStage::measureWays(const Bodies& bodies, Crew& crew) {
     ways_.resize(bodies.size(), 0); // of the others it is 0 from step to step
-    for (const std::uint32_t body : bodies.awake) {
-        const Motion& motion = bodies.motion[body];
-        ways_[body] = length(motion.move) + std::abs(motion.turn) * bodies.extent[body].reach;
-    }
+    crew.forEach(bodies.awake.size(), kBodiesAPiece, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) {
+            const std::uint32_t body = bodies.awake[k];
+            const Motion& motion = bodies.motion[body];
+            ways_[body] = length(motion.move) + std::abs(motion.turn) * bodies.extent[body].reach;
+        }
+    });
 }
 
 void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
-                     const Tolerances& tolerances, Real dt) {
+                     const Tolerances& tolerances, Real dt, Crew& crew) {
     if (contacts.empty()) {
         return;
     }
-    measureWays(bodies);
-    const bool sensors = findCandidates(bodies, contacts, settings, tolerances);
+    measureWays(bodies, crew);
+    const bool sensors = findCandidates(bodies, contacts, settings, tolerances, crew);
     for (const std::uint32_t body : bodies.awake) {
         ways_[body] = 0;
     }
@@ -138,14 +148,21 @@ void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSett
         return;
     }
     stopAt_.resize(bodies.size(), 1); // of the others it is 1 from step to step
-    stopInOrder({bodies, contacts, settings, tolerances});
+    push_.resize(bodies.size());      // likewise 0
+    const bool driven = std::any_of(bodies.awake.begin(), bodies.awake.end(),
+                                    [&](std::uint32_t body) { return drives(bodies, body); });
+    if (driven) {
+        findPushes(bodies, contacts);
+    }
+    stopInOrder({bodies, contacts, settings, tolerances, driven}, crew);
     if (sensors) {
         noticeSensors(bodies, contacts, settings, tolerances);
     }
     for (const std::uint32_t body : bodies.awake) {
         if (stopAt_[body] < 1) {
-            stop(bodies, body, stopAt_[body], dt);
+            stop(bodies, body, stopAt_[body], push_[body], dt);
         }
+        push_[body] = {};
     }
     for (const Candidate& candidate : candidates_) {
         const ContactKey& key = contacts[candidate.contact].key;
@@ -156,60 +173,93 @@ void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSett
 
 /// Lists the pairs that need a sweep. True if there are sensors among them.
 bool SweepStage::findCandidates(const Bodies& bodies, std::span<const Contact> contacts,
-                                const StepSettings& settings, const Tolerances& tolerances) {
-    candidates_.clear();
-    bool sensors = false;
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        if (contacts[i].sensor) {
-            sensors = true;
-            continue;
-        }
-        const ContactKey& key = contacts[i].key;
-        const Real way = ways_[key.bodyA] + ways_[key.bodyB];
-        const Real thin =
-            std::min(bodies.extent[key.bodyA].inside, bodies.extent[key.bodyB].inside);
-        if (way == 0 || (way <= thin / 2 && !mayBounce(contacts[i], tolerances))) {
-            continue; // as in most of a pile
-        }
-        // One of them may be stopped by something else, and the other go all its way.
-        if (stoppingGap(bodies, contacts[i], way, settings, tolerances)) {
-            addCandidate(contacts[i], static_cast<std::uint32_t>(i));
-        }
-    }
-    return sensors;
+                                const StepSettings& settings, const Tolerances& tolerances,
+                                Crew& crew) {
+    places_.clear();
+    std::uint8_t sensors = 0;
+    found_.gather(
+        crew, contacts.size(), kContactsAPiece, places_,
+        [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
+            const Real* const ways = ways_.data();
+            for (std::size_t i = first; i < last; ++i) {
+                if (contacts[i].sensor) {
+                    Crew::mark(sensors);
+                    continue;
+                }
+                const ContactKey& key = contacts[i].key;
+                const Real way = ways[key.bodyA] + ways[key.bodyB];
+                const Real thin =
+                    std::min(bodies.extent[key.bodyA].inside, bodies.extent[key.bodyB].inside);
+                if (way == 0 || (way <= thin / 2 && !mayBounce(contacts[i], tolerances))) {
+                    continue; // as in most of a pile
+                }
+                // One of them may be stopped by something else, and the other go all its way.
+                const Real gap = gapOf(contacts[i], tolerances);
+                if (stoppingGap(bodies, contacts[i], gap, way, settings, tolerances)) {
+                    found.push_back(static_cast<std::uint32_t>(i));
+                }
+            }
+        });
+    linkCandidates(contacts);
+    return sensors != 0;
 }
 
-void SweepStage::addCandidate(const Contact& contact, std::uint32_t place) {
-    if (candidates_.empty()) {
-        first_.assign(ways_.size(), kNone);
+/// Makes candidates of the contacts found, in order.
+void SweepStage::linkCandidates(std::span<const Contact> contacts) {
+    candidates_.clear();
+    if (places_.empty()) {
+        return;
     }
-    Candidate candidate{place};
-    const auto own = static_cast<std::uint32_t>(candidates_.size());
-    candidate.next[0] = std::exchange(first_[contact.key.bodyA], own);
-    candidate.next[1] = std::exchange(first_[contact.key.bodyB], own);
-    candidates_.push_back(candidate);
+    first_.assign(ways_.size(), kNone);
+    for (const std::uint32_t place : places_) {
+        const ContactKey& key = contacts[place].key;
+        Candidate candidate{place};
+        const auto own = static_cast<std::uint32_t>(candidates_.size());
+        candidate.next[0] = std::exchange(first_[key.bodyA], own);
+        candidate.next[1] = std::exchange(first_[key.bodyB], own);
+        candidates_.push_back(candidate);
+    }
 }
 
 /// When a pair meets, as far as it is known by now which bodies are stopped.
-void SweepStage::findTime(const Step& step, std::uint32_t candidate) {
-    Candidate& own = candidates_[candidate];
+void SweepStage::findTime(const Step& step, Candidate& own) const {
     const Contact& contact = step.contacts[own.contact];
     const ContactKey& key = contact.key;
     const Real motion = motionOf(step.bodies, contact, stopAt_[key.bodyA], stopAt_[key.bodyB]);
-    const auto gap = stoppingGap(step.bodies, contact, motion, step.settings, step.tolerances);
-    own.time = gap ? impactTime(step.bodies, contact, stopAt_, *gap) : 1;
-    if (own.time < 1) {
-        events_.push_back({own.time, candidate});
+    const auto timeFrom = [&](Real gap) {
+        const auto target =
+            stoppingGap(step.bodies, contact, gap, motion, step.settings, step.tolerances);
+        return target ? impactTime(step.bodies, contact, *target) : Real(1);
+    };
+    const Real gap = gapOf(contact, step.tolerances);
+    own.time = timeFrom(gap);
+    // They as good as touch already, corner at corner, where the manifold sees a gap or nothing.
+    // No contact will hold these two in the next step, so to stop them here would be to hold them
+    // in the air for good, even if they part.
+    if (gap > step.tolerances.slop && own.time * motion <= step.tolerances.slop / 32) {
+        own.time = timeFrom(0);
+    }
+}
+
+/// Lists the impact of a candidate, if it has one.
+void SweepStage::expect(std::uint32_t candidate) {
+    if (const Real time = candidates_[candidate].time; time < 1) {
+        events_.push_back({time, candidate});
         std::push_heap(events_.begin(), events_.end(), later<Event>);
     }
 }
 
 /// Takes the impacts in the order of their time. Each changes the ways of its two bodies, so the
 /// later impacts of these are found anew.
-void SweepStage::stopInOrder(const Step& step) {
+void SweepStage::stopInOrder(const Step& step, Crew& crew) {
     events_.clear();
+    crew.forEach(candidates_.size(), kCandidatesAPiece, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            findTime(step, candidates_[i]);
+        }
+    });
     for (std::uint32_t i = 0; i < candidates_.size(); ++i) {
-        findTime(step, i);
+        expect(i);
     }
     while (!events_.empty()) {
         std::pop_heap(events_.begin(), events_.end(), later<Event>);
@@ -221,6 +271,9 @@ void SweepStage::stopInOrder(const Step& step) {
         }
         first.done = true;
         const ContactKey& key = step.contacts[first.contact].key;
+        if (step.driven) {
+            takePush(step, key, event.time);
+        }
         cutShort(step, key.bodyA, event.time);
         cutShort(step, key.bodyB, event.time);
     }
@@ -236,7 +289,8 @@ void SweepStage::cutShort(const Step& step, std::uint32_t body, Real time) {
     for (std::uint32_t i = first_[body]; i != kNone;) {
         const bool isA = step.contacts[candidates_[i].contact].key.bodyA == body;
         if (!candidates_[i].done) {
-            findTime(step, i);
+            findTime(step, candidates_[i]);
+            expect(i);
         }
         i = candidates_[i].next[isA ? 0 : 1];
     }
@@ -253,8 +307,9 @@ void SweepStage::noticeSensors(const Bodies& bodies, std::span<Contact> contacts
                            contact.manifold.points[0].separation <= tolerances.slop / 32;
         const Real motion =
             motionOf(bodies, contact, stopAt_[contact.key.bodyA], stopAt_[contact.key.bodyB]);
-        const auto gap = stoppingGap(bodies, contact, motion, settings, tolerances);
-        const Real share = gap ? impactTime(bodies, contact, stopAt_, *gap) : 1;
+        const auto gap =
+            stoppingGap(bodies, contact, gapOf(contact, tolerances), motion, settings, tolerances);
+        const Real share = gap ? impactTime(bodies, contact, *gap) : 1;
         if (share < 1) {
             noticeOnTheWay(bodies, contact, share, tolerances);
         }
@@ -265,8 +320,8 @@ void SweepStage::noticeSensors(const Bodies& bodies, std::span<Contact> contacts
 void SweepStage::noticeOnTheWay(const Bodies& bodies, Contact& contact, Real share,
                                 const Tolerances& tolerances) const {
     const ContactKey& key = contact.key;
-    const Transform a = sweepOf(bodies, key.bodyA, stopAt_[key.bodyA]).at(share);
-    const Transform b = sweepOf(bodies, key.bodyB, stopAt_[key.bodyB]).at(share);
+    const Transform a = sweepOf(bodies, key.bodyA).at(share);
+    const Transform b = sweepOf(bodies, key.bodyB).at(share);
     const Manifold met = collide(bodies.outline(key.bodyA, key.partA), a,
                                  bodies.outline(key.bodyB, key.partB), b, tolerances.margin, 0);
     if (met.count == 0) {

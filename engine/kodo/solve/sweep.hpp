@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/base/crew.hpp>
 #include <kodo/bodies/bodies.hpp>
 #include <kodo/bodies/tolerances.hpp>
+#include <kodo/collide/time_of_impact.hpp>
 #include <kodo/contacts/contact.hpp>
 #include <kodo/solve/settings.hpp>
 
@@ -21,10 +23,13 @@ namespace kodo::inline KODO_PRECISION {
 ///
 /// A body that is stopped keeps the velocity it had at that moment and gives up the rest of its
 /// step; the blow itself is dealt in the next one. Impacts are taken in the order of their time.
+///
+/// What is locked and moves cannot be stopped. It would run over what has been stopped in front of
+/// it, step by step until that is through; so it pushes that along, with whom that has met.
 class SweepStage {
 public:
     void run(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
-             const Tolerances& tolerances, Real dt);
+             const Tolerances& tolerances, Real dt, Crew& crew);
 
 private:
     struct Candidate {
@@ -44,23 +49,32 @@ private:
         std::span<const Contact> contacts;
         const StepSettings& settings;
         const Tolerances& tolerances;
+        bool driven; // something locked moves
     };
 
-    void measureWays(const Bodies& bodies);
+    void measureWays(const Bodies& bodies, Crew& crew);
     bool findCandidates(const Bodies& bodies, std::span<const Contact> contacts,
-                        const StepSettings& settings, const Tolerances& tolerances);
-    void addCandidate(const Contact& contact, std::uint32_t place);
-    void findTime(const Step& step, std::uint32_t candidate);
-    void stopInOrder(const Step& step);
+                        const StepSettings& settings, const Tolerances& tolerances, Crew& crew);
+    void linkCandidates(std::span<const Contact> contacts);
+    void findTime(const Step& step, Candidate& candidate) const;
+    void expect(std::uint32_t candidate);
+    void stopInOrder(const Step& step, Crew& crew);
+    Sweep sweepOf(const Bodies& bodies, std::uint32_t body) const;
+    Real impactTime(const Bodies& bodies, const Contact& contact, Real gap) const;
+    void findPushes(const Bodies& bodies, std::span<const Contact> contacts);
+    void takePush(const Step& step, const ContactKey& key, Real time);
     void cutShort(const Step& step, std::uint32_t body, Real time);
     void noticeSensors(const Bodies& bodies, std::span<Contact> contacts,
                        const StepSettings& settings, const Tolerances& tolerances);
     void noticeOnTheWay(const Bodies& bodies, Contact& contact, Real share,
                         const Tolerances& tolerances) const;
 
-    std::vector<Real> ways_;           // m, by body: how far its outermost point goes at most
-    std::vector<Real> stopAt_;         // share of the step, by body
-    std::vector<std::uint32_t> first_; // by body: one of its candidates
+    std::vector<Real> ways_;            // m, by body: how far its outermost point goes at most
+    std::vector<Real> stopAt_;          // share of the step, by body
+    std::vector<Vec2> push_;            // m, over a whole step, by body: by what is locked and moves
+    std::vector<std::uint32_t> first_;  // by body: one of its candidates
+    std::vector<std::uint32_t> places_; // of the contacts that need a sweep
+    Findings<std::uint32_t> found_;
     std::vector<Candidate> candidates_;
     std::vector<Event> events_; // a heap, the earliest on top
 };

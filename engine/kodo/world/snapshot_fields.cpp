@@ -118,7 +118,7 @@ void SnapshotFields::one(IdPool& pool) {
 
 void SnapshotFields::one(Bodies& bodies) {
     auto& [ids, motion, pose, acceleration, extent, jumps, record, rest, forced, awake, awakeStale,
-           turns] = bodies;
+           anyRests, turns] = bodies;
     one(ids);
     if (reads()) {
         const std::size_t count = ids.capacity();
@@ -253,12 +253,13 @@ void SnapshotFields::completeContact(Contact& contact, const Bodies& bodies) {
 /// there must be.
 void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
     // The way pairs are found changes what that costs and not what is found, so it begins anew.
-    auto& [proxies, firstProxy, tight, grown, moved, isMoved, pairs, finder, seams, contacts, order,
-           newOrder, holes, added, slots, idle, ended, endedInStep, records, recordsDue, apart,
-           fastestApproach, stale, pairsStale, contactsChanged] = set;
+    auto& [bounds, pairs, finder, seams, contacts, order, newOrder, holes, added, touching, slots,
+           idle, ended, endedInStep, records, recordsDue, apart, fastestApproach, stale, pairsStale,
+           contactsChanged] = set;
+    auto& [parts, firstPart, tight, grown, changed, isChanged, grew] = bounds;
     set.writeRecords();
     if (!reads() && stale) {
-        set.rebuildProxies(bodies);
+        bounds.number(bodies);
     }
     all(contacts, ended, records, stale, pairsStale, tight, grown);
     if (!reads()) {
@@ -271,7 +272,7 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
             "the bounds do not fit the bodies");
     std::vector<Aabb> tightAsRead = std::move(tight);
     std::vector<Aabb> grownAsRead = std::move(grown);
-    set.rebuildProxies(bodies);
+    bounds.number(bodies);
     tight = std::move(tightAsRead);
     grown = std::move(grownAsRead);
     for (Contact& contact : contacts) {
@@ -333,9 +334,9 @@ void SnapshotFields::joints(JointSet& set, const Bodies& bodies) {
 }
 
 void SnapshotFields::world(World& world) {
-    auto& [settings, tolerances, stepCount, count, bodies, fields, contacts, softStep, propagation,
-           contactVisits, sweep, rest, joints, broken, frozen, region, held, aside, returning,
-           colliding, collidedBefore, isColliding, lastForm] = world;
+    auto& [settings, tolerances, stepCount, count, bodies, fields, contacts, impacts, softStep,
+           propagation, contactVisits, sweep, rest, joints, broken, frozen, region, held, aside,
+           returning, colliding, collidedBefore, isColliding, wasColliding, lastForm] = world;
     all(settings, tolerances, stepCount);
     bodies.turns = settings.has(Feature::Rotation);
     forms(world);

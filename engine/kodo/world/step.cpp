@@ -7,21 +7,29 @@
 #include <cmath>
 
 namespace kodo::inline KODO_PRECISION {
+namespace {
 
-void World::step(Real dt, StageWatch* watch) {
+/// With fewer bodies awake a step is over before anybody could come to help.
+constexpr std::size_t kWorthHelp = 256;
+constexpr std::size_t kBodiesAPiece = 256;
+
+} // namespace
+
+void World::step(Real dt, const StepAids& aids) {
     refuse(checkRange("dt", dt, kShortestStep, kLongestStep));
     const auto enter = [&](StepStage stage) {
-        if (watch != nullptr) {
-            watch->enter(stage);
+        if (aids.watch != nullptr) {
+            aids.watch->enter(stage);
         }
     };
     enter(StepStage::Broad);
     findAwake();
-    contacts_.updatePairs(bodies_, tolerances_, dt);
+    Crew crew(bodies_.awake.size() >= kWorthHelp ? aids.executor : nullptr);
+    contacts_.updatePairs(bodies_, tolerances_, dt, crew);
     enter(StepStage::Narrow);
-    contacts_.updateManifolds(bodies_, tolerances_);
+    contacts_.updateManifolds(bodies_, tolerances_, crew);
     enter(StepStage::Forces);
-    beginMotion(bodies_);
+    forAwake(crew, beginMotion);
     rest_.wakeTouched(bodies_, contacts_, tolerances_);
     rest_.wakeJointed(bodies_, contacts_, joints_);
     refreshAwake(bodies_);
@@ -30,28 +38,35 @@ void World::step(Real dt, StageWatch* watch) {
     if (region_) {
         holdWhatWaits();
     }
+    bodies_.anyRests = rest_.anyResting();
     enter(StepStage::Solve);
-    solve(dt);
+    solve(dt, crew);
     enter(StepStage::Sweep);
     if (settings_.has(Feature::Sweep)) {
-        contacts_.coverMoves(bodies_, tolerances_);
-        sweep_.run(bodies_, contacts_.contacts(), settings_, tolerances_, dt);
+        contacts_.coverMoves(bodies_, tolerances_, crew);
+        sweep_.run(bodies_, contacts_.contacts(), settings_, tolerances_, dt, crew);
     }
     enter(StepStage::Record);
     releaseWhatWaits();
     freezeUnsoundMotion();
-    movePoses(bodies_);
-    recordCollisions();
+    forAwake(crew, movePoses);
+    recordCollisions(crew);
     breakJoints(dt);
     enter(StepStage::Rest);
     rest_.settle(bodies_, contacts_, joints_, settings_, tolerances_, dt);
     ++stepCount_;
-    if (watch != nullptr) {
-        watch->leave();
+    if (aids.watch != nullptr) {
+        aids.watch->leave();
     }
 }
 
-void World::solve(Real dt) {
+void World::forAwake(Crew& crew, void (*work)(Bodies&, std::span<const std::uint32_t>)) {
+    crew.forEach(bodies_.awake.size(), kBodiesAPiece, [&](std::size_t first, std::size_t last) {
+        work(bodies_, std::span<const std::uint32_t>(bodies_.awake).subspan(first, last - first));
+    });
+}
+
+void World::solve(Real dt, Crew& crew) {
     const std::span<Contact> contacts = contacts_.contacts();
     if (settings_.strategy == Strategy::Propagation) {
         propagation_.solve(bodies_, contacts, joints_, {settings_, tolerances_, dt, stepCount_});
@@ -59,9 +74,9 @@ void World::solve(Real dt) {
         return;
     }
     if (contacts_.fastestApproach() > leastRestSpeed(bodies_, dt)) {
-        solveImpacts(bodies_, contacts, settings_, tolerances_, dt);
+        impacts_.solve(bodies_, contacts, settings_, tolerances_, dt);
     }
-    softStep_.solve(bodies_, contacts, joints_, settings_, tolerances_, dt);
+    softStep_.solve(bodies_, contacts, joints_, settings_, tolerances_, dt, crew);
     contactVisits_ = softStep_.visits();
 }
 
@@ -132,41 +147,31 @@ void World::breakJoints(Real dt) {
 
 /// Sums up the contacts of the step, and brings kColliding up to date: only those for which it
 /// changes are touched.
-void World::recordCollisions() {
-    constexpr std::uint8_t kBefore = 1;
-    constexpr std::uint8_t kNow = 2;
-    isColliding_.resize(bodies_.size());
-    for (const std::uint32_t body : colliding_) {
-        isColliding_[body] = kBefore;
-    }
+void World::recordCollisions(Crew& crew) {
     std::swap(colliding_, collidedBefore_);
+    isColliding_.resize(bodies_.size());
+    wasColliding_.resize(bodies_.size());
+    for (const std::uint32_t body : collidedBefore_) {
+        wasColliding_[body] = 1;
+    }
     colliding_.clear();
     colliding_.reserve(collidedBefore_.capacity()); // the two take turns
-    const auto note = [&](std::uint32_t body) {
-        if ((isColliding_[body] & kNow) == 0) {
-            isColliding_[body] |= kNow;
-            colliding_.push_back(body);
-        }
-    };
     contacts_.finishStep(
-        tolerances_, settings_.has(Feature::Records),
+        tolerances_, settings_.has(Feature::Records), crew,
         [&](Contact& contact) { softStep_.fetch(contact); },
-        [&](const Contact& contact) {
-            note(contact.key.bodyA);
-            note(contact.key.bodyB);
-        });
+        [&](std::uint32_t body) { return crew.markFirst(isColliding_[body]); }, colliding_);
+    for (const std::uint32_t body : colliding_) {
+        if (wasColliding_[body] == 0) {
+            bodies_.record[body].filter.flags |= kColliding;
+        }
+    }
     for (const std::uint32_t body : collidedBefore_) {
-        if (isColliding_[body] == kBefore) {
+        wasColliding_[body] = 0;
+        if (isColliding_[body] == 0) {
             bodies_.record[body].filter.flags &= ~kColliding;
         }
     }
     for (const std::uint32_t body : colliding_) {
-        if (isColliding_[body] == kNow) {
-            bodies_.record[body].filter.flags |= kColliding;
-        }
-        isColliding_[body] = 0;
-    }
-    for (const std::uint32_t body : collidedBefore_) {
         isColliding_[body] = 0;
     }
 }

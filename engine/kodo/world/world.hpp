@@ -4,13 +4,14 @@
 #include <kodo/bodies/force_field.hpp>
 #include <kodo/contacts/collision_record.hpp>
 #include <kodo/contacts/contact_set.hpp>
+#include <kodo/solve/impact.hpp>
 #include <kodo/solve/propagation.hpp>
 #include <kodo/solve/rest.hpp>
 #include <kodo/solve/settings.hpp>
 #include <kodo/solve/soft_step.hpp>
 #include <kodo/solve/sweep.hpp>
 #include <kodo/world/body_ref.hpp>
-#include <kodo/world/stage_watch.hpp>
+#include <kodo/world/step_aids.hpp>
 
 #include <optional>
 #include <span>
@@ -81,8 +82,8 @@ public:
     void applyTorqueToAll(Real torque, CollisionFilter which = {});
 
     /// Moves everything on by dt seconds, kShortestStep to kLongestStep. Throws BadDefinition for
-    /// any other dt. A watch hears of the stages as they begin, and changes nothing.
-    void step(Real dt, StageWatch* watch = nullptr);
+    /// any other dt. What helps or watches changes nothing of the outcome.
+    void step(Real dt, const StepAids& aids = {});
     /// What touched in the last step, ordered by bodies and parts. Valid until the next step,
     /// whatever is added, removed or welded meanwhile. Pairs that rest, or wait outside the region,
     /// have no records until they go on; they have not ended. The first call after a step writes
@@ -101,6 +102,11 @@ public:
     const StepSettings& settings() const { return settings_; }
     /// Throws BadDefinition with what check(settings) says.
     void setSettings(const StepSettings& settings);
+    /// How pairs are looked for; nothing: in the cheapest way, call by call. All find the same
+    /// pairs, so nothing but the cost of a step follows from it, and a snapshot knows nothing of
+    /// it.
+    void setPairSearch(std::optional<PairSearch> only) { contacts_.pairFinder().use(only); }
+    std::optional<PairSearch> pairSearch() const { return contacts_.pairFinder().only(); }
     const Tolerances& tolerances() const { return tolerances_; }
     std::uint64_t stepCount() const { return stepCount_; }
     /// How often the solver looked at a contact in the last step: its cost, free of any clock.
@@ -108,6 +114,10 @@ public:
     /// How many bodies the last step worked on: what rests, stands locked or waits is not among
     /// them.
     std::size_t bodyVisits() const { return bodies_.awake.size(); }
+
+    /// ps that the search for pairs has taken in all steps so far, by what it had to do and what
+    /// that takes on one machine: its cost, free of any clock. See PairWork.
+    std::uint64_t pairWork() const { return contacts_.pairFinder().work(); }
 
     /// Equal for worlds that will go on alike. The same on every machine.
     std::uint64_t stateHash() const;
@@ -131,8 +141,9 @@ private:
     void releaseWhatWaits();
     std::shared_ptr<const Form> formFor(const BodyDef& def);
 
-    void solve(Real dt);
-    void recordCollisions();
+    void forAwake(Crew& crew, void (*work)(Bodies&, std::span<const std::uint32_t>));
+    void solve(Real dt, Crew& crew);
+    void recordCollisions(Crew& crew);
     void breakJoints(Real dt);
     void findAwake();
     void freezeUnsoundForces();
@@ -145,6 +156,7 @@ private:
     Bodies bodies_;
     std::vector<FieldEntry> fields_;
     ContactSet contacts_;
+    ImpactStage impacts_;
     SoftStep softStep_;
     Propagation propagation_;
     std::size_t contactVisits_ = 0;
@@ -159,8 +171,9 @@ private:
     std::vector<Contact> returning_;                     // spare, so that a step allocates nothing
     std::vector<std::uint32_t> colliding_;               // bodies with kColliding
     std::vector<std::uint32_t> collidedBefore_;          // the same, a step ago
-    std::vector<std::uint8_t> isColliding_;              // by body: 0 between steps
-    std::shared_ptr<const Form> lastForm_;               // equal bodies are usually added in a row
+    std::vector<std::uint8_t> isColliding_;              // by body: marks, 0 between steps
+    std::vector<std::uint8_t> wasColliding_;
+    std::shared_ptr<const Form> lastForm_; // equal bodies are usually added in a row
 };
 
 } // namespace kodo::inline KODO_PRECISION

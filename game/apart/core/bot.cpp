@@ -5,7 +5,6 @@
 #include <apart/core/governor.hpp>
 #include <apart/core/paddle.hpp>
 #include <apart/core/tuning.hpp>
-#include <kodo/world/queries.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +28,9 @@ constexpr std::uint32_t kWhimTicks = 30;  // before the erratic one thinks bette
 constexpr int kAttempts = 3;              // to find a block in sight
 constexpr Real kLateHeight = 6;           // m; where the clumsy one first sees a ball
 constexpr Real kFarSight = 40;            // m, along the way of a ball
+constexpr Real kTriedSeconds = 3;         // without damage; then it looks for a surer shot
+constexpr int kShots = 8;                 // that it looks at to each side of the paddle's middle
+constexpr int kForesight = 6;             // bounces
 constexpr Real kLeapSeconds = Real(0.05); // before the ball comes
 
 Real meetingHeight(Real offset) {
@@ -101,17 +103,9 @@ std::optional<Arrival> arrivalAt(const Game& game, const Ball& ball, Real height
     return Arrival{mirrored(place.x + velocity.x * seconds), seconds};
 }
 
-/// What a ball meets first that flies this way.
-std::optional<kodo::QueryHit> firstMet(const Game& game, Vec2 from, Vec2 way) {
-    const auto what = static_cast<std::uint16_t>(flagsOf(Role::Wall) | flagsOf(Role::Block) |
-                                                 flagsOf(Role::Obstruction));
-    return shapeCast(game.world(), kodo::Circle{kBallRadius}, {from, {}}, way,
-                     {kodo::kMatchAny, what});
-}
-
 bool isInSight(const Game& game, Vec2 from, kodo::BodyId body) {
     const Vec2 way = game.world()[body].position() - from;
-    const std::optional<kodo::QueryHit> hit = firstMet(game, from, way);
+    const std::optional<kodo::QueryHit> hit = game.ahead(from, way);
     return hit && hit->body == body;
 }
 
@@ -159,10 +153,55 @@ Real offsetFor(Vec2 goal, Vec2 meeting, Vec2 heading) {
     return std::clamp((kDomeRadius + kBallRadius) * normal.x, -most, most);
 }
 
+/// How far a ball flies that bounces off all else until it comes to a block that can break.
+std::optional<Real> wayToBlock(const Game& game, Vec2 from, Vec2 heading) {
+    constexpr Real kOff = Real(0.01); // m, from what it has just met
+    Real way = 0;
+    for (int bounce = 0; bounce < kForesight && from.y > kPaddleY; ++bounce) {
+        const std::optional<kodo::QueryHit> hit = game.ahead(from, kFarSight * heading);
+        if (!hit || hit->normal == Vec2{}) {
+            break;
+        }
+        way += hit->fraction * kFarSight;
+        const Block* block = game.findBlock(hit->body, hit->part);
+        if (block != nullptr && block->kind.breakable()) {
+            return way;
+        }
+        from += hit->fraction * kFarSight * heading + kOff * hit->normal;
+        heading -= 2 * dot(heading, hit->normal) * hit->normal;
+    }
+    return std::nullopt;
+}
+
+/// Where on the paddle the ball is sent to a block on the shortest way.
+std::optional<Real> surestOffset(const Game& game, Real x, Vec2 heading) {
+    const Real most = kPaddleHalfWidth - kRimMargin;
+    std::optional<Real> best;
+    Real shortest = 0;
+    for (int shot = -kShots; shot <= kShots; ++shot) {
+        const Real offset = most * static_cast<Real>(shot) / kShots;
+        const Real lean = offset / (kDomeRadius + kBallRadius);
+        const Vec2 normal{lean, std::sqrt(1 - lean * lean)};
+        const Vec2 leaving = heading - 2 * dot(heading, normal) * normal;
+        const std::optional<Real> way = wayToBlock(game, {x, meetingHeight(offset)}, leaving);
+        if (way && (!best || *way < shortest)) {
+            best = offset;
+            shortest = *way;
+        }
+    }
+    return best;
+}
+
 /// As far as that to either side, the same for a while.
 Real someOffset(const Game& game, Real most) {
     Generator chance(mixKeys(game.seed(), game.ticks() / kAimTicks, 7));
     return chance.between(-most, most);
+}
+
+/// Now and then it aims as if nothing had failed yet: what moves or bends paths may do the rest.
+bool wantsLuck(const Game& game) {
+    Generator chance(mixKeys(game.seed(), game.ticks() / kAimTicks, 11));
+    return chance.below(4) == 0;
 }
 
 /// Where the paddle's middle should be when the ball comes, to aim.
@@ -174,7 +213,10 @@ Real placeFor(const Game& game, const Ball& ball, const Arrival& arrival) {
     const kodo::BodyView body = game.world()[ball.body];
     const Vec2 heading =
         mirroredHeading(ball.heading, body.position().x, body.velocity().x * arrival.seconds);
-    const Real offset = offsetFor(*goal, {arrival.x, meetingHeight(0)}, heading);
+    Real offset = offsetFor(*goal, {arrival.x, meetingHeight(0)}, heading);
+    if (game.idleSeconds() > kTriedSeconds && !wantsLuck(game)) {
+        offset = surestOffset(game, arrival.x, heading).value_or(offset);
+    }
     const std::optional<Arrival> refined = arrivalAt(game, ball, meetingHeight(offset));
     return (refined ? refined->x : arrival.x) - offset;
 }
@@ -205,22 +247,15 @@ std::optional<Real> partToCatch(const Game& game, Real secondsLeft) {
     return std::nullopt;
 }
 
-/// Will the ball strike a block that can break, if nothing bends its way?
-bool goesToBlock(const Game& game, const Ball& ball) {
-    const Vec2 place = game.world()[ball.body].position();
-    const std::optional<kodo::QueryHit> hit = firstMet(game, place, kFarSight * ball.heading);
-    const Block* block = hit ? game.findBlock(hit->body, hit->part) : nullptr;
-    return block != nullptr && block->kind.breakable();
-}
-
 /// When nothing has been struck for a while: draw a ball that is of no use up there.
 Force forceFor(const Game& game) {
     if (game.patience() == Patience::Calm) {
         return Force::None;
     }
     for (const Ball& ball : game.balls()) {
-        const bool high = game.world()[ball.body].position().y > kPullHeight;
-        if (!ball.riding && high && !goesToBlock(game, ball)) {
+        const Vec2 place = game.world()[ball.body].position();
+        const bool high = place.y > kPullHeight;
+        if (!ball.riding && high && !game.meetsBlock(place, kFarSight * ball.heading)) {
             return Force::Pull;
         }
     }

@@ -156,7 +156,7 @@ struct Fell {
     kodo::Vec2 point;
     int points = 0;
 };
-/// The last core of the boss broke.
+/// The last core of the boss broke or fell.
 struct BossDown {
     kodo::Vec2 point;
 };

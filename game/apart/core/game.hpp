@@ -83,6 +83,9 @@ public:
     std::span<const Obstruction> obstructions() const { return obstructions_; }
     std::optional<kodo::BodyId> boss() const; // nothing: none, or it is down
     const Block* findBlock(kodo::BodyId body, std::size_t part = 0) const; // nullptr: none
+    /// The wall, block or obstruction that a ball meets first which flies this way (m).
+    std::optional<kodo::QueryHit> ahead(kodo::Vec2 from, kodo::Vec2 way) const;
+    bool meetsBlock(kodo::Vec2 from, kodo::Vec2 way) const; // first, and one that can break
     /// Waiting for `launch`?
     bool serving() const;
     /// Unit; where the ball will go when it is served.
@@ -141,7 +144,7 @@ private:
     kodo::Transform frameOf(const Block& block) const; // in the middle of the block
     kodo::BodyId detach(std::size_t index);
     void letGo(std::size_t index, LetGo::Why why);
-    void dropUnsupported();
+    void dropUnsupported(kodo::Vec2 last);
     void breakBlock(std::size_t index, kodo::Vec2 point, kodo::Vec2 blow);
     int addPieces(const Block& block, const kodo::Transform& frame, const PieceMotion& carried,
                   kodo::Vec2 hit, kodo::Vec2 impulse);

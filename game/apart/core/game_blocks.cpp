@@ -69,6 +69,7 @@ void Game::judgeBoss() {
     if (bossBlows_.empty()) {
         return;
     }
+    Vec2 last; // place of what came off last
     for (const BossBlow& blow : bossBlows_) {
         const auto found = std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& block) {
             return block.key == blow.key && block.hold == Hold::Boss;
@@ -77,6 +78,7 @@ void Game::judgeBoss() {
             continue; // two balls in one tick
         }
         const auto index = static_cast<std::size_t>(found - blocks_.begin());
+        last = frameOf(*found).position;
         if (found->kind.core) {
             breakBlock(index, blow.point, blow.impulse);
             continue;
@@ -89,10 +91,11 @@ void Game::judgeBoss() {
         body.applyImpulse(impulseOnPieces(blow.impulse, strength, body.mass()), blow.point);
     }
     bossBlows_.clear();
-    dropUnsupported();
+    dropUnsupported(last);
 }
 
-void Game::dropUnsupported() {
+/// After something has come off the boss; `last` is where that was.
+void Game::dropUnsupported(Vec2 last) {
     std::vector<std::size_t> boss;
     std::vector<std::size_t> held; // a core, or joined to one by its sides
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
@@ -100,8 +103,9 @@ void Game::dropUnsupported() {
             (blocks_[i].kind.core ? held : boss).push_back(i);
         }
     }
-    if (held.empty() && !boss.empty()) {
-        events_.emplace_back(BossDown{frameOf(blocks_[boss.front()]).position});
+    if (held.empty()) {
+        events_.emplace_back(
+            BossDown{boss.empty() ? last : frameOf(blocks_[boss.front()]).position});
     }
     for (std::size_t next = 0; next < held.size(); ++next) {
         for (std::size_t i = 0; i < boss.size();) {
@@ -138,9 +142,10 @@ void Game::watchProgress() {
     if (result_ == Result::Playing && !serving() && clock_.tick()) {
         if (const Block* block = nextToFall()) {
             const bool boss = block->hold == Hold::Boss;
+            const Vec2 place = frameOf(*block).position;
             letGo(static_cast<std::size_t>(block - blocks_.data()), LetGo::Why::Fatigue);
             if (boss) {
-                dropUnsupported();
+                dropUnsupported(place);
             }
         }
     }

@@ -57,6 +57,9 @@ void Game::governBall(Ball& ball) {
             const Vec2 thrown =
                 rubble ? throwOff(velocity, ball.heading, normals, ballSpeed()) : velocity;
             next = turnedFromFlat(thrown, normals);
+            if (next != thrown && meetsBlock(body.position(), kFieldWidth * normalize(thrown))) {
+                next = thrown; // it is of use there
+            }
             ledger_.thrownBounces += thrown == velocity ? 0 : 1;
             ledger_.bentBounces += next == thrown ? 0 : 1;
         }
@@ -74,6 +77,20 @@ void Game::governBall(Ball& ball) {
     if (length(next) >= kHaltSpeed) {
         ball.heading = normalize(next);
     }
+}
+
+std::optional<kodo::QueryHit> Game::ahead(Vec2 from, Vec2 way) const {
+    constexpr Real kSlim = Real(0.9); // of the ball; it touches what it has just met
+    const auto what = static_cast<std::uint16_t>(flagsOf(Role::Wall) | flagsOf(Role::Block) |
+                                                 flagsOf(Role::Obstruction));
+    return shapeCast(world_, kodo::Circle{kSlim * kBallRadius}, {from, {}}, way,
+                     {kodo::kMatchAny, what});
+}
+
+bool Game::meetsBlock(Vec2 from, Vec2 way) const {
+    const std::optional<kodo::QueryHit> hit = ahead(from, way);
+    const Block* block = hit ? findBlock(hit->body, hit->part) : nullptr;
+    return block != nullptr && block->kind.breakable();
 }
 
 bool Game::canCarry(BodyId body) const {

@@ -111,11 +111,9 @@ void Game::judgeBall(const CollisionRecord& hit, BodyId ball) {
 }
 
 void Game::judgeBlock(const CollisionRecord& hit, BodyId body) {
-    const std::size_t part = partOf(hit, body);
-    const auto found = std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& block) {
-        return block.body == body && block.part == part;
-    });
-    Block& block = *found;
+    const auto index =
+        static_cast<std::size_t>(findBlock(body, partOf(hit, body)) - blocks_.data());
+    Block& block = blocks_[index];
     if (!block.kind.breakable() || hit.maxImpulse < kSlightestBlow) {
         return;
     }
@@ -125,7 +123,7 @@ void Game::judgeBlock(const CollisionRecord& hit, BodyId body) {
         if (block.hold == Hold::Boss) {
             bossBlows_.push_back({block.key, hit.point, blow});
         } else {
-            breakBlock(static_cast<std::size_t>(found - blocks_.begin()), hit.point, blow);
+            breakBlock(index, hit.point, blow);
         }
         return;
     }

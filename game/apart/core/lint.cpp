@@ -191,8 +191,8 @@ BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks, B
     run.ticks = game.ticks();
     run.result = game.result();
     run.livesLost = level.lives - game.lives();
-    run.longestWait = watch.longestWait();
-    run.faults = watch.halts() + watch.escapes() + watch.bends();
+    run.longestWait = watch.seen().longestWait;
+    run.faults = watch.seen().faults();
     return run;
 }
 

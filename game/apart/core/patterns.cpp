@@ -215,20 +215,10 @@ Wedges wedgesOf(const Polygon& whole, const Star& star, Real radius, const Piece
     return result;
 }
 
-/// Glass: cracks run outwards from a hub beside the blow, and a ring crosses them. The hub is a
-/// piece of its own, so that no points of wedges meet in it. A wedge that is too small loses a
-/// crack, and all is done anew.
-std::vector<Polygon> radial(const Polygon& whole, Vec2 hit, const PieceLimits& limits,
-                            Generator& chance) {
-    const Vec2 middle = massOf(whole, Real(1)).center;
-    Star star{hit + chance.between(Real(0.45), Real(0.75)) * (middle - hit), {}};
-    const std::uint32_t count = 6 + chance.below(3);
-    const Real turn = chance.unit();
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const Real place = turn + static_cast<Real>(i) + chance.between(Real(-0.25), Real(0.25));
-        const Real angle = place / static_cast<Real>(count) * 2 * std::numbers::pi_v<Real>;
-        star.rays.push_back(kodo::Rot::fromAngle(angle).xAxis());
-    }
+/// The hub is a piece of its own, so that no points of wedges meet in it, and a ring crosses the
+/// cracks. A wedge that is too small loses a crack, and all is done anew.
+std::vector<Polygon> cracked(const Polygon& whole, Star star, const PieceLimits& limits,
+                             Generator& chance) {
     const Real size = std::sqrt(areaOf(whole));
     while (!star.isOpen()) {
         Wedges wedges = wedgesOf(whole, star, size * Real(0.2), limits);
@@ -248,6 +238,27 @@ std::vector<Polygon> radial(const Polygon& whole, Vec2 hit, const PieceLimits& l
         return pieces;
     }
     return {whole};
+}
+
+/// Glass: cracks run outwards from a hub beside the blow. Close to an edge there may be no room for
+/// wedges behind the hub, however few; then it lies nearer to the middle.
+std::vector<Polygon> radial(const Polygon& whole, Vec2 hit, const PieceLimits& limits,
+                            Generator& chance) {
+    const Vec2 middle = massOf(whole, Real(1)).center;
+    Star star{hit + chance.between(Real(0.45), Real(0.75)) * (middle - hit), {}};
+    const std::uint32_t count = 6 + chance.below(3);
+    const Real turn = chance.unit();
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Real place = turn + static_cast<Real>(i) + chance.between(Real(-0.25), Real(0.25));
+        const Real angle = place / static_cast<Real>(count) * 2 * std::numbers::pi_v<Real>;
+        star.rays.push_back(kodo::Rot::fromAngle(angle).xAxis());
+    }
+    std::vector<Polygon> pieces = cracked(whole, star, limits, chance);
+    for (int moved = 0; pieces.size() == 1 && moved < 2; ++moved) {
+        star.hub += (middle - star.hub) / (moved == 0 ? Real(2) : Real(1)); // half way, then all
+        pieces = cracked(whole, star, limits, chance);
+    }
+    return pieces;
 }
 
 std::vector<Polygon> broken(const Polygon& whole, Vec2 hit, Pattern pattern,

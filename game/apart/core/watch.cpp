@@ -40,13 +40,22 @@ bool isOutside(Vec2 place) {
 
 } // namespace
 
+void Seen::add(const Seen& other) {
+    ticks += other.ticks;
+    freeTicks += other.freeTicks;
+    halts += other.halts;
+    escapes += other.escapes;
+    bends += other.bends;
+    longestWait = std::max(longestWait, other.longestWait);
+}
+
 void Watch::look(const Game& game) {
-    ++ticks_;
+    ++seen_.ticks;
     const bool pulled = isPulled(game);
     free_ = !pulled && !pulled_; // what ended in this tick may still have pulled in it
     pulled_ = pulled;
     next_.clear();
-    escapes_ += static_cast<std::uint32_t>(game.world().frozenBodies().size());
+    seen_.escapes += static_cast<std::uint32_t>(game.world().frozenBodies().size());
     for (const Ball& ball : game.balls()) {
         if (!ball.riding) {
             const auto before = std::find_if(tracks_.begin(), tracks_.end(),
@@ -64,19 +73,19 @@ void Watch::follow(const Game& game, const Ball& ball, const Track* before) {
     const Real speed = length(now.velocity);
     if (speed < game.ballSpeed() / 2) {
         now.slowTicks = before != nullptr ? before->slowTicks + 1 : 1;
-        halts_ += now.slowTicks == kSlowTicks ? 1 : 0;
+        seen_.halts += now.slowTicks == kSlowTicks ? 1 : 0;
     }
     if (isOutside(body.position())) {
-        ++escapes_;
+        ++seen_.escapes;
     }
     // What hardly moves sets off anew, along its last heading.
     const bool flew = before != nullptr && length(before->velocity) >= kHaltSpeed;
     if (flew && free_ && !touches(game, ball.body)) {
-        ++freeTicks_;
+        ++seen_.freeTicks;
         const Real turn = std::abs(cross(before->velocity, now.velocity));
         const bool back = dot(before->velocity, now.velocity) < 0;
         if (back || turn > kStraight * length(before->velocity) * speed) {
-            ++bends_;
+            ++seen_.bends;
         }
     }
     next_.push_back(now);
@@ -89,7 +98,7 @@ void Watch::count(const Game& game) {
                    std::holds_alternative<Broke>(event) || std::holds_alternative<LetGo>(event);
     }
     wait_ = progress || game.result() != Result::Playing ? 0 : wait_ + 1;
-    longestWait_ = std::max(longestWait_, wait_);
+    seen_.longestWait = std::max(seen_.longestWait, wait_);
 }
 
 } // namespace apart

@@ -28,14 +28,10 @@ struct Tally {
     std::uint32_t won = 0;
     std::uint32_t lost = 0;
     std::uint32_t unfinished = 0; // after the longest game
-    std::uint64_t ticks = 0;
     std::uint64_t wonTicks = 0;
-    std::uint64_t freeTicks = 0;
     std::int64_t livesLost = 0;
-    std::uint32_t halts = 0;
-    std::uint32_t escapes = 0;
-    std::uint32_t bends = 0;
-    std::uint32_t longestWait = 0;
+    Seen seen{};
+    std::uint32_t waited = 0;        // games in which mounts gave way
     std::uint64_t bounces = 0;       // of balls, in Mode::Standard
     std::uint64_t bentBounces = 0;   // of these: turned from flat
     std::uint64_t thrownBounces = 0; // and thrown off rubble
@@ -47,14 +43,10 @@ struct Tally {
         won += other.won;
         lost += other.lost;
         unfinished += other.unfinished;
-        ticks += other.ticks;
         wonTicks += other.wonTicks;
-        freeTicks += other.freeTicks;
         livesLost += other.livesLost;
-        halts += other.halts;
-        escapes += other.escapes;
-        bends += other.bends;
-        longestWait = std::max(longestWait, other.longestWait);
+        seen.add(other.seen);
+        waited += other.waited;
         bounces += other.bounces;
         bentBounces += other.bentBounces;
         thrownBounces += other.thrownBounces;
@@ -62,11 +54,10 @@ struct Tally {
         gameSeconds += other.gameSeconds;
     }
     bool clean() const {
-        return halts == 0 && escapes == 0 && bends == 0 && bentInPure == 0 &&
-               longestWait <= kFailTicks + 1;
+        return seen.faults() == 0 && bentInPure == 0 && seen.longestWait <= kFailTicks + 1;
     }
     double microsecondsPerTick() const {
-        return ticks > 0 ? 1e6 * gameSeconds / static_cast<double>(ticks) : 0;
+        return seen.ticks > 0 ? 1e6 * gameSeconds / static_cast<double>(seen.ticks) : 0;
     }
     double meanWin() const { // s
         return won > 0 ? static_cast<double>(wonTicks) / won / kTicksPerSecond : 0;
@@ -98,20 +89,19 @@ Tally soak(const Match& match, std::uint64_t mostTicks,
         game.tick(input);
         tally.gameSeconds += cpuSeconds() - start;
         watch.look(game);
+        for (const Event& event : game.events()) {
+            const auto* let = std::get_if<LetGo>(&event);
+            tally.waited = let != nullptr && let->why == LetGo::Why::Fatigue ? 1 : tally.waited;
+        }
         if (game.ticks() % kShowEvery == 0) {
             show(game.ticks());
         }
     }
-    tally.ticks = game.ticks();
+    tally.seen = watch.seen();
     tally.won = game.result() == Result::Won ? 1 : 0;
     tally.lost = game.result() == Result::Lost ? 1 : 0;
-    tally.wonTicks = tally.won * tally.ticks;
-    tally.freeTicks = watch.freeTicks();
+    tally.wonTicks = tally.won * tally.seen.ticks;
     tally.livesLost = match.level->lives - game.lives();
-    tally.halts = watch.halts();
-    tally.escapes = watch.escapes();
-    tally.bends = watch.bends();
-    tally.longestWait = watch.longestWait();
     const Ledger& ledger = game.ledger();
     if (match.mode == Mode::Pure) {
         tally.bentInPure = ledger.bentBounces + ledger.thrownBounces;
@@ -125,8 +115,8 @@ Tally soak(const Match& match, std::uint64_t mostTicks,
                    "{}, seed {}, {} player, {}: {} halts, {} escapes, {} bent flights, {} bent "
                    "bounces in pure mode, {} ticks without damage.\n",
                    match.level->name, match.seed, kBotNames[static_cast<std::size_t>(match.player)],
-                   kModeNames[static_cast<std::size_t>(match.mode)], tally.halts, tally.escapes,
-                   tally.bends, tally.bentInPure, tally.longestWait);
+                   kModeNames[static_cast<std::size_t>(match.mode)], tally.seen.halts,
+                   tally.seen.escapes, tally.seen.bends, tally.bentInPure, tally.seen.longestWait);
     }
     return tally;
 }
@@ -135,20 +125,20 @@ std::string asJson(const Tally& tally) {
     return fmt::format(
         R"({{"level": "{}", "games": {}, "won": {}, "lost": {}, "unfinished": {}, "ticks": {}, )"
         R"("freeFlightTicks": {}, "meanWinSeconds": {:.1f}, "livesLost": {}, "halts": {}, )"
-        R"("escapes": {}, "bends": {}, "longestWaitTicks": {}, "bounces": {}, "bentBounces": {}, )"
-        R"("thrownBounces": {}, "bentBouncesInPure": {}, "microsecondsPerTick": {:.1f}}})",
-        tally.level, tally.games, tally.won, tally.lost, tally.unfinished, tally.ticks,
-        tally.freeTicks, tally.meanWin(), tally.livesLost, tally.halts, tally.escapes, tally.bends,
-        tally.longestWait, tally.bounces, tally.bentBounces, tally.thrownBounces, tally.bentInPure,
-        tally.microsecondsPerTick());
+        R"("escapes": {}, "bends": {}, "longestWaitTicks": {}, "waited": {}, "bounces": {}, )"
+        R"("bentBounces": {}, "thrownBounces": {}, "bentBouncesInPure": {}, "microsecondsPerTick": {:.1f}}})",
+        tally.level, tally.games, tally.won, tally.lost, tally.unfinished, tally.seen.ticks,
+        tally.seen.freeTicks, tally.meanWin(), tally.livesLost, tally.seen.halts,
+        tally.seen.escapes, tally.seen.bends, tally.seen.longestWait, tally.waited, tally.bounces,
+        tally.bentBounces, tally.thrownBounces, tally.bentInPure, tally.microsecondsPerTick());
 }
 
 void printRow(const Tally& tally) {
     fmt::print("{:<20} {:>6} {:>6} {:>5} {:>7} {:>10} {:>7.1f} {:>6} {:>6} {:>8} {:>6} {:>9.1f} "
                "{:>8.1f}\n",
-               tally.level, tally.games, tally.won, tally.lost, tally.unfinished, tally.ticks,
-               tally.meanWin(), tally.livesLost, tally.halts, tally.escapes, tally.bends,
-               static_cast<double>(tally.longestWait) / kTicksPerSecond,
+               tally.level, tally.games, tally.won, tally.lost, tally.unfinished, tally.seen.ticks,
+               tally.meanWin(), tally.livesLost, tally.seen.halts, tally.seen.escapes,
+               tally.seen.bends, static_cast<double>(tally.seen.longestWait) / kTicksPerSecond,
                tally.microsecondsPerTick());
 }
 
@@ -173,6 +163,8 @@ void printAll(const std::vector<Tally>& tallies, const Tally& total, bool json) 
         return 100 * static_cast<double>(count) /
                static_cast<double>(std::max(total.bounces, std::uint64_t{1}));
     };
+    fmt::print("In {:.1f} % of the games mounts gave way.\n",
+               100.0 * total.waited / std::max(total.games, 1u));
     fmt::print(
         "Of {} bounces rules turned {:.2f} % from flat and threw {:.2f} % off rubble; in pure "
         "games {}.\n",
@@ -198,9 +190,9 @@ int runSoak(const SoakCommand& command) {
     }
     Tally total{.level = "all"};
     Progress progress;
-    for (std::uint32_t seed = command.firstSeed; total.ticks < command.ticks; ++seed) {
+    for (std::uint32_t seed = command.firstSeed; total.seen.ticks < command.ticks; ++seed) {
         for (std::size_t i = 0; i < levels.size() + command.endless; ++i) {
-            if (total.ticks >= command.ticks) {
+            if (total.seen.ticks >= command.ticks) {
                 break;
             }
             const auto number = static_cast<std::uint32_t>(i - levels.size() + 1);
@@ -208,16 +200,17 @@ int runSoak(const SoakCommand& command) {
                                    ? levels[i]
                                    : std::make_shared<const Level>(endlessLevel({seed, number}));
             const std::uint64_t left =
-                std::min<std::uint64_t>(command.longestGame, command.ticks - total.ticks);
+                std::min<std::uint64_t>(command.longestGame, command.ticks - total.seen.ticks);
             const std::uint32_t turn = seed - command.firstSeed;
             const Match match{
                 level, seed, command.player.value_or(static_cast<BotKind>(turn % kBotNames.size())),
                 command.mode.value_or(static_cast<Mode>(turn % kModeNames.size()))};
             Tally game = soak(match, left, [&](std::uint32_t ticks) {
                 progress.show(fmt::format("{}, seed {}: {} of {} ticks, {} games", level->name,
-                                          seed, total.ticks + ticks, command.ticks, total.games));
+                                          seed, total.seen.ticks + ticks, command.ticks,
+                                          total.games));
             });
-            game.unfinished = game.ticks >= command.longestGame && game.won + game.lost == 0;
+            game.unfinished = game.seen.ticks >= command.longestGame && game.won + game.lost == 0;
             tallies[std::min(i, levels.size())].add(game);
             total.add(game);
         }

@@ -43,25 +43,16 @@ std::variant<std::vector<std::shared_ptr<const Level>>, std::string> readLevels(
     return levels;
 }
 
-/// Puts a level first in line: in the place of the one of that name, or after all others.
-void chooseLevel(StageDef& def, Level level) {
-    const auto found = std::find_if(def.levels.begin(), def.levels.end(),
-                                    [&](const auto& other) { return other->name == level.name; });
-    def.firstLevel = static_cast<std::size_t>(found - def.levels.begin());
-    if (found == def.levels.end()) {
-        def.levels.emplace_back();
-    }
-    def.levels[def.firstLevel] = std::make_shared<const Level>(std::move(level));
-    def.startAtOnce = true;
-}
-
 /// A sentence when there is no such level.
 std::string takeLevel(StageDef& def, const std::string& name) {
-    Read<Level> level = loadLevel(name);
-    if (const auto* problem = std::get_if<FileProblem>(&level)) {
-        return problem->text();
+    const auto found = std::find_if(def.levels.begin(), def.levels.end(),
+                                    [&](const auto& level) { return level->name == name; });
+    if (found == def.levels.end()) {
+        const Read<Level> level = loadLevel(name); // which says why
+        return std::get<FileProblem>(level).text();
     }
-    chooseLevel(def, std::get<Level>(std::move(level)));
+    def.firstLevel = static_cast<std::size_t>(found - def.levels.begin());
+    def.startAtOnce = true;
     return {};
 }
 
@@ -78,11 +69,8 @@ std::string takeReplay(StageDef& def, const std::string& file) {
     if (const auto problem = refusal(replay, std::get<Level>(level))) {
         return *problem;
     }
-    chooseLevel(def, std::get<Level>(std::move(level)));
-    def.seed = replay.seed;
-    def.profile.mode = replay.mode;
-    def.pilot = pilotOf(replay);
-    def.pilotName = "REPLAY";
+    def.show = Show{std::make_shared<const Level>(std::get<Level>(std::move(level))), replay.seed,
+                    replay.mode, pilotOf(replay)};
     return {};
 }
 
@@ -133,7 +121,7 @@ std::variant<StageDef, std::string> setUp(const Options& options) {
     if (!problem.empty()) {
         return problem;
     }
-    if (picture && !def.pilot) {
+    if (picture && !def.show) {
         def.pilot = def.bot;
         def.startAtOnce = true;
     }

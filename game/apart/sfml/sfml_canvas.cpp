@@ -9,7 +9,7 @@ namespace apart {
 
 namespace {
 
-sf::Color toSfml(Color color) {
+sf::Color sfmlOf(Color color) {
     return {color.r, color.g, color.b, color.a};
 }
 
@@ -50,42 +50,55 @@ std::span<const sf::Vector2f> SfmlCanvas::toPixels(std::span<const Vec2> corners
     return corners_;
 }
 
+std::span<const sf::Color> SfmlCanvas::toSfml(std::span<const Color> colors) {
+    colors_.clear();
+    for (const Color color : colors) {
+        colors_.push_back(sfmlOf(color));
+    }
+    return colors_;
+}
+
 void SfmlCanvas::rectangle(const Aabb& box, Color below, Color above) {
     const sf::Vector2f upperLeft = camera_.toPixels(Vec2{box.lower.x, box.upper.y});
     const sf::Vector2f lowerRight = camera_.toPixels(Vec2{box.upper.x, box.lower.y});
-    const std::array<sf::Color, 4> colors = {toSfml(above), toSfml(above), toSfml(below),
-                                             toSfml(below)};
+    const std::array<sf::Color, 4> colors = {sfmlOf(above), sfmlOf(above), sfmlOf(below),
+                                             sfmlOf(below)};
     painter_.rectangle({upperLeft, lowerRight - upperLeft}, colors);
 }
 
 void SfmlCanvas::polygon(std::span<const Vec2> corners, Color color) {
-    painter_.polygon(toPixels(corners), toSfml(color));
+    painter_.polygon(toPixels(corners), sfmlOf(color));
 }
 
 void SfmlCanvas::polygon(std::span<const Vec2> corners, std::span<const Color> colors) {
-    colors_.clear();
-    for (const Color color : colors) {
-        colors_.push_back(toSfml(color));
-    }
-    painter_.polygon(toPixels(corners), colors_);
+    painter_.polygon(toPixels(corners), toSfml(colors));
+}
+
+void SfmlCanvas::facet(std::span<const Vec2> corners, std::span<const Color> colors) {
+    painter_.facet(toPixels(corners), toSfml(colors));
+}
+
+void SfmlCanvas::rimmed(std::span<const Vec2> corners, std::span<const Color> colors, Real width,
+                        Color rim) {
+    painter_.rimmed(toPixels(corners), toSfml(colors), camera_.toPixels(width), sfmlOf(rim));
 }
 
 void SfmlCanvas::outline(std::span<const Vec2> corners, Real width, Color color) {
-    painter_.outline(toPixels(corners), camera_.toPixels(width), toSfml(color));
+    painter_.outline(toPixels(corners), camera_.toPixels(width), sfmlOf(color));
 }
 
 void SfmlCanvas::line(Vec2 from, Vec2 to, Real width, Color color) {
     painter_.line(camera_.toPixels(from), camera_.toPixels(to), camera_.toPixels(width),
-                  toSfml(color));
+                  sfmlOf(color));
 }
 
 void SfmlCanvas::disc(Vec2 center, Real radius, Color middle, Color rim) {
-    painter_.disc(camera_.toPixels(center), camera_.toPixels(radius), toSfml(middle), toSfml(rim));
+    painter_.disc(camera_.toPixels(center), camera_.toPixels(radius), sfmlOf(middle), sfmlOf(rim));
 }
 
 void SfmlCanvas::ring(Vec2 center, Real radius, Real width, Color color) {
     painter_.ring(camera_.toPixels(center), camera_.toPixels(radius), camera_.toPixels(width),
-                  toSfml(color));
+                  sfmlOf(color));
 }
 
 void SfmlCanvas::text(std::string_view utf8, Vec2 place, const TextStyle& style) {
@@ -100,7 +113,7 @@ void SfmlCanvas::text(std::string_view utf8, Vec2 place, const TextStyle& style)
         const float width = kodo_sfml::textWidth(font, utf8, height);
         start.x -= style.align == Align::Middle ? 0.5f * width : width;
     }
-    painter_.text(font, utf8, height, start, toSfml(style.color));
+    painter_.text(font, utf8, height, start, sfmlOf(style.color));
 }
 
 } // namespace apart

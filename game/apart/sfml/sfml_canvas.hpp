@@ -31,6 +31,9 @@ public:
     void rectangle(const Aabb& box, Color below, Color above) override;
     void polygon(std::span<const Vec2> corners, Color color) override;
     void polygon(std::span<const Vec2> corners, std::span<const Color> colors) override;
+    void facet(std::span<const Vec2> corners, std::span<const Color> colors) override;
+    void rimmed(std::span<const Vec2> corners, std::span<const Color> colors, Real width,
+                Color rim) override;
     void outline(std::span<const Vec2> corners, Real width, Color color) override;
     void line(Vec2 from, Vec2 to, Real width, Color color) override;
     void disc(Vec2 center, Real radius, Color middle, Color rim) override;
@@ -39,6 +42,7 @@ public:
 
 private:
     std::span<const sf::Vector2f> toPixels(std::span<const Vec2> corners);
+    std::span<const sf::Color> toSfml(std::span<const Color> colors);
 
     sf::Vector2u pixels_;
     kodo_sfml::Painter painter_;

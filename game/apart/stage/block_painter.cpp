@@ -44,14 +44,12 @@ void grainOfBrick(Canvas& canvas, const Grain& grain) {
 
 void grainOfGlass(Canvas& canvas, const Grain& grain) {
     const Color gleam{255, 255, 255, 74};
-    const auto stripe = [&](Real from, Real to) {
-        const std::array<Vec2, 4> corners = {grain.at(from, Real(-0.85)), grain.at(to, Real(-0.85)),
-                                             grain.at(to + Real(0.35), Real(0.85)),
-                                             grain.at(from + Real(0.35), Real(0.85))};
-        canvas.polygon(corners, gleam);
+    const auto stripe = [&](Real from, Real width) {
+        canvas.line(grain.at(from, Real(-0.85)), grain.at(from + Real(0.35), Real(0.85)), width,
+                    gleam);
     };
-    stripe(Real(-0.8), Real(-0.55));
-    stripe(Real(-0.45), Real(-0.38));
+    stripe(Real(-0.68), Real(0.18));
+    stripe(Real(-0.42), Real(0.05));
 }
 
 void grainOfStone(Canvas& canvas, const Grain& grain, Dice& dice) {
@@ -59,7 +57,8 @@ void grainOfStone(Canvas& canvas, const Grain& grain, Dice& dice) {
         const Vec2 spot =
             grain.at(dice.between(Real(-0.85), Real(0.85)), dice.between(Real(-0.7), Real(0.7)));
         const Color color = i % 2 == 0 ? Color{255, 255, 255, 46} : Color{0, 0, 0, 60};
-        canvas.disc(spot, dice.between(Real(0.035), Real(0.1)), color, color);
+        const Real size = dice.between(Real(0.05), Real(0.13));
+        canvas.disc(spot, size, color, faded(color, 0)); // a soft rim, and no further triangles
     }
 }
 
@@ -114,7 +113,11 @@ void paintCore(Canvas& canvas, const kodo::Transform& place) {
 }
 
 /// What a boss is made of is held together by a frame.
-void paintArmour(Canvas& canvas, std::span<const Vec2> corners) {
+void paintArmour(Canvas& canvas, const Grain& grain) {
+    constexpr Real kU = Real(0.96); // the frame lies inside the edges
+    constexpr Real kV = Real(0.91);
+    const std::array<Vec2, 4> corners = {grain.at(-kU, -kV), grain.at(kU, -kV), grain.at(kU, kV),
+                                         grain.at(-kU, kV)};
     canvas.outline(corners, Real(0.09), faded(palette::kDanger, 0.55f));
 }
 
@@ -150,7 +153,7 @@ std::vector<Vec2> cornersOf(const kodo::Convex& outline, const kodo::Transform& 
     return corners;
 }
 
-void paintLit(Canvas& canvas, std::span<const Vec2> corners, Color color) {
+void paintLit(Canvas& canvas, std::span<const Vec2> corners, Color color, Rim rim) {
     const Aabb box = kodo::aabbOf(corners);
     const Real height = std::max(box.extent().y, Real(1e-3));
     std::vector<Color> colors;
@@ -158,7 +161,7 @@ void paintLit(Canvas& canvas, std::span<const Vec2> corners, Color color) {
         const Real up = (corner.y - box.lower.y) / height;
         colors.push_back(mix(darker(color, 0.28f), lighter(color, 0.2f), up));
     }
-    canvas.polygon(corners, colors);
+    canvas.rimmed(corners, colors, rim.width, rim.color);
 }
 
 void paintBlock(Canvas& canvas, const kodo::Convex& outline, const kodo::Transform& body,
@@ -174,17 +177,13 @@ void paintBlock(Canvas& canvas, const kodo::Convex& outline, const kodo::Transfo
         canvas.setGlow(false);
     }
     const Color color = lighter(palette::of(look.kind.stuff), 0.75f * look.heat);
-    paintLit(canvas, corners, color);
+    paintLit(canvas, corners, color, {Real(0.06), faded(lighter(color, 0.5f), 0.45f)});
     if (look.scale < 1) {
         return; // details come when it has its size
     }
     paintGrain(canvas, {place, inner}, look);
-    const Vec2 rim = inner - Vec2{Real(0.03), Real(0.03)};
-    const std::array<Vec2, 4> edge = {place * -rim, place * Vec2{rim.x, -rim.y}, place * rim,
-                                      place * Vec2{-rim.x, rim.y}};
-    canvas.outline(edge, Real(0.05), faded(lighter(color, 0.5f), 0.45f));
     if (look.kind.hold == Hold::Boss) {
-        paintArmour(canvas, edge);
+        paintArmour(canvas, {place, inner});
     }
     if (look.kind.power != Power::None) {
         paintBadge(canvas, look.kind.power, place);

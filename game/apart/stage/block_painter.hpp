@@ -25,8 +25,14 @@ struct BlockLook {
 /// World corners of an outline; a round one becomes a polygon.
 std::vector<Vec2> cornersOf(const kodo::Convex& outline, const kodo::Transform& place);
 
+/// The rim of what is painted.
+struct Rim {
+    Real width = Real(0.06); // m
+    Color color{};
+};
+
 /// Filled as if the light came from above.
-void paintLit(Canvas& canvas, std::span<const Vec2> corners, Color color);
+void paintLit(Canvas& canvas, std::span<const Vec2> corners, Color color, Rim rim);
 
 /// An outline of a body that stands at `place`.
 void paintBlock(Canvas& canvas, const kodo::Convex& outline, const kodo::Transform& place,

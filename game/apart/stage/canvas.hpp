@@ -42,6 +42,11 @@ public:
     /// Convex; one colour, or one a corner.
     virtual void polygon(std::span<const Vec2> corners, Color color) = 0;
     virtual void polygon(std::span<const Vec2> corners, std::span<const Color> colors) = 0;
+    /// Convex, with sharp edges, for what is faint or laid side by side: it costs the least.
+    virtual void facet(std::span<const Vec2> corners, std::span<const Color> colors) = 0;
+    /// Convex, with a rim along the inside of its edges that fades into the colours of the corners.
+    virtual void rimmed(std::span<const Vec2> corners, std::span<const Color> colors, Real width,
+                        Color rim) = 0;
     /// The edges of a polygon; half of the width lies inside.
     virtual void outline(std::span<const Vec2> corners, Real width, Color color) = 0;
     virtual void line(Vec2 from, Vec2 to, Real width, Color color) = 0;

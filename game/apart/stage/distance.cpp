@@ -36,7 +36,7 @@ void paintSkyline(const Far& far, Color color, Real step, Height height) {
         const std::array<Vec2, 4> corners = {Vec2{x, 0}, Vec2{next, 0}, Vec2{next, height(next)},
                                              Vec2{x, height(x)}};
         const std::array<Color, 4> colors = {faded(color, 0), faded(color, 0), color, color};
-        far.canvas.polygon(corners, colors);
+        far.canvas.facet(corners, colors);
     }
 }
 
@@ -54,10 +54,10 @@ void paintRays(const Far& far) {
         const std::array<Vec2, 3> corners = {sun, reach(angle - half), reach(angle + half)};
         const std::array<Color, 3> colors = {far.faint(0.26f), far.faint(0), far.faint(0)};
         if (std::sin(angle) > Real(0.12)) {
-            far.canvas.polygon(corners, colors);
+            far.canvas.facet(corners, colors);
         }
     }
-    far.canvas.disc(sun, Real(5.5), far.faint(0.4f), far.faint(0));
+    far.canvas.disc(sun, Real(4.5), far.faint(0.45f), far.faint(0));
     far.canvas.setGlow(false);
 }
 

@@ -50,10 +50,9 @@ void paintRope(Canvas& canvas, const Moment& moment, const Block& block, Vec2 mi
         return;
     }
     const Vec2 pin = moment.placeOf(block.pin).position;
-    canvas.line(pin, middle, Real(0.11), palette::kInk);
     canvas.line(pin, middle, Real(0.06), faded(palette::kMachine, 0.8f));
-    canvas.disc(pin, Real(0.16), palette::kInk, palette::kInk);
-    canvas.disc(pin, Real(0.11), lighter(palette::kMachine, 0.4f), palette::kMachine);
+    canvas.disc(pin, Real(0.14), lighter(palette::kMachine, 0.4f),
+                darker(palette::kMachine, 0.35f));
 }
 
 void paintBlocks(Canvas& canvas, const Moment& moment) {
@@ -85,8 +84,7 @@ void paintShards(Canvas& canvas, const Moment& moment) {
         const auto age = static_cast<float>(moment.game.ticks() - shard.bornTick);
         const float left = std::clamp((static_cast<float>(kShardTicks) - age) / 120, 0.0f, 1.0f);
         const Color color = faded(darker(palette::of(shard.stuff), 0.1f), left);
-        paintLit(canvas, corners, color);
-        canvas.outline(corners, Real(0.045), faded(lighter(color, 0.45f), 0.6f));
+        paintLit(canvas, corners, color, {Real(0.032), faded(lighter(color, 0.45f), 0.75f)});
     }
 }
 

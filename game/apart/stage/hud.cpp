@@ -37,10 +37,7 @@ Aabb barAt(Real y) {
 
 void paintLevel(Canvas& canvas, const Game& game, const HudLook& look) {
     canvas.text("aPart", {kPanelLeft, Real(17.05)}, strong(Real(1.1), palette::kAccent));
-    const std::string place = look.levelCount > 0
-                                  ? fmt::format("LEVEL {} OF {}", look.levelNumber, look.levelCount)
-                                  : fmt::format("ENDLESS {}", look.levelNumber);
-    canvas.text(place, {kPanelLeft, Real(16.0)}, quiet(Real(0.42)));
+    canvas.text(look.place, {kPanelLeft, Real(16.0)}, quiet(Real(0.42)));
     if (game.mode() == Mode::Pure) {
         canvas.text("PURE", {kPanelRight, Real(16.0)},
                     {Real(0.42), palette::kAccent, Typeface::Bold, Align::Right});

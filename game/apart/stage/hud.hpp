@@ -12,8 +12,7 @@ namespace apart {
 
 /// What the panel beside the field shows besides the game itself.
 struct HudLook {
-    int levelNumber = 1;          // from 1
-    int levelCount = 1;           // 0: without end
+    std::string place;            // of the level among the others
     std::int32_t scoreBefore = 0; // of the levels before, in a row without end
     std::int32_t best = 0;        // score to beat; 0: none
     bool muted = false;

@@ -38,14 +38,13 @@ void paintMotor(Canvas& canvas, const Moment& moment, const Obstruction& motor) 
     const kodo::Transform place = moment.placeOf(motor.body);
     for (std::size_t i = 0; i < body.partCount(); ++i) {
         const std::vector<Vec2> corners = cornersOf(body.part(i).convex, place);
-        paintLit(canvas, corners, palette::kMachine);
-        canvas.outline(corners, Real(0.06), lighter(palette::kMachine, 0.4f));
+        paintLit(canvas, corners, palette::kMachine,
+                 {Real(0.06), lighter(palette::kMachine, 0.4f)});
     }
     const Vec2 hub = place.position;
-    canvas.disc(hub, Real(0.34), palette::kAccent, palette::kAccent);
-    canvas.disc(hub, Real(0.26), palette::kInk, palette::kInk);
-    const Vec2 along = place.rotation * Vec2{Real(0.22), 0}; // shows that it turns
-    canvas.line(hub - along, hub + along, Real(0.07), palette::kAccent);
+    canvas.disc(hub, Real(0.3), lighter(palette::kAccent, 0.35f), darker(palette::kAccent, 0.25f));
+    const Vec2 along = place.rotation * Vec2{Real(0.21), 0}; // its slot shows that it turns
+    canvas.line(hub - along, hub + along, Real(0.1), palette::kInk);
 }
 
 /// Chevrons point the way that is open.

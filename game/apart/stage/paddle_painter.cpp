@@ -19,8 +19,7 @@ constexpr Real kDip = Real(0.14); // m, of the paddle at the hardest blow
 void paintPower(Canvas& canvas, std::span<const Vec2> corners, Power power,
                 const kodo::Transform& place) {
     const Color color = palette::of(power);
-    paintLit(canvas, corners, mix(color, palette::kInk, 0.45f));
-    canvas.outline(corners, kRim, color);
+    paintLit(canvas, corners, mix(color, palette::kInk, 0.45f), {kRim, color});
     paintMark(canvas, power, place, Real(0.2), lighter(color, 0.35f));
 }
 
@@ -115,8 +114,7 @@ void paintPaddle(Canvas& canvas, const Moment& moment) {
             continue;
         }
         const Color color = lighter(palette::kPaddle, 0.6f * blow.heat);
-        paintLit(canvas, corners, color);
-        canvas.outline(corners, kRim, lighter(color, 0.5f));
+        paintLit(canvas, corners, color, {kRim, lighter(color, 0.5f)});
         paintEyes(canvas, moment, {place * outline.middle, place.rotation});
     }
 }

@@ -23,6 +23,15 @@ void RecordingCanvas::polygon(std::span<const Vec2> corners, std::span<const Col
     strokes_.push_back({Stroke::Kind::Polygon, corners[0], colors[0]});
 }
 
+void RecordingCanvas::facet(std::span<const Vec2> corners, std::span<const Color> colors) {
+    strokes_.push_back({Stroke::Kind::Polygon, corners[0], colors[0]});
+}
+
+void RecordingCanvas::rimmed(std::span<const Vec2> corners, std::span<const Color> colors,
+                             Real width, Color) {
+    strokes_.push_back({Stroke::Kind::Polygon, corners[0], colors[0], width});
+}
+
 void RecordingCanvas::outline(std::span<const Vec2> corners, Real width, Color color) {
     strokes_.push_back({Stroke::Kind::Outline, corners[0], color, width});
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <apart/stage/sparks.hpp>
 
+#include <array>
 #include <cmath>
 
 namespace apart {
@@ -42,9 +43,14 @@ void Sparks::draw(Canvas& canvas) const {
     canvas.setGlow(true);
     for (const Spark& spark : sparks_) {
         const Real left = 1 - spark.age / spark.life;
-        const Vec2 tail = spark.point - kStreak * spark.velocity - Vec2{0, Real(0.5) * spark.size};
-        canvas.line(tail, spark.point, spark.size * (Real(0.4) + Real(0.6) * left),
-                    faded(spark.color, left));
+        const Vec2 streak = kStreak * spark.velocity + Vec2{0, Real(0.5) * spark.size};
+        const Vec2 side =
+            Real(0.6) * spark.size * (Real(0.4) + Real(0.6) * left) * perp(normalize(streak));
+        const std::array<Vec2, 3> dart = {spark.point + side, spark.point - Real(1.6) * streak,
+                                          spark.point - side};
+        const Color head = faded(spark.color, left);
+        const std::array<Color, 3> colors = {head, faded(head, 0.2f), head};
+        canvas.facet(dart, colors);
     }
     canvas.setGlow(false);
 }

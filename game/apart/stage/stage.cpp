@@ -19,7 +19,10 @@ constexpr const char* kEndlessName = "endless";            // of its row in the 
 
 Stage::Stage(StageDef def) : def_(std::move(def)), select_(def_.levels) {
     level_ = std::min(def_.firstLevel, def_.levels.size() - 1);
-    if (def_.firstEndless > 0) {
+    if (def_.show) {
+        level_ = nextToPlay();
+        beginShow();
+    } else if (def_.firstEndless > 0) {
         beginEndless(def_.firstEndless);
     } else if (def_.startAtOnce) {
         begin(level_);
@@ -45,9 +48,19 @@ Settings Stage::audible() const {
 }
 
 void Stage::beginGame(std::shared_ptr<const Level> level) {
-    play_ =
-        std::make_unique<Play>(std::move(level), def_.seed + games_, def_.profile.mode, audible());
+    showing_ = false;
+    enter(
+        std::make_unique<Play>(std::move(level), def_.seed + games_, def_.profile.mode, audible()));
     ++games_;
+}
+
+void Stage::beginShow() {
+    showing_ = true;
+    enter(std::make_unique<Play>(def_.show->level, def_.show->seed, def_.show->mode, audible()));
+}
+
+void Stage::enter(std::unique_ptr<Play> play) {
+    play_ = std::move(play);
     screen_ = Screen::Playing;
     tally_ = {};
     hands_.letGo();
@@ -74,6 +87,9 @@ void Stage::startEndless() {
 }
 
 void Stage::again() {
+    if (showing_) {
+        return beginShow();
+    }
     if (endless_ == 0) {
         return begin(level_);
     }
@@ -139,8 +155,8 @@ void Stage::tick(Speaker& speaker) {
         return tickDemo();
     }
     std::optional<Input> input = hands_.next();
-    if (def_.pilot) {
-        input = def_.pilot(play_->game());
+    if (const Pilot& pilot = showing_ ? def_.show->pilot : def_.pilot) {
+        input = pilot(play_->game());
     }
     const bool wasPlaying = play_->game().result() == Result::Playing;
     play_->tick(input.value_or(Input{}), speaker);
@@ -183,15 +199,16 @@ void Stage::finish() {
     best.score += endless_ > 0 ? endlessScore_ : 0;
     before_ = def_.profile.bestOf(game.mode(), name);
     newBest_ = false;
-    if (!def_.pilot && game.result() != Result::Playing) {
+    if (!def_.pilot && !showing_ && game.result() != Result::Playing) {
         newBest_ = def_.profile.enter(game.mode(), name, best);
         keep();
     }
     std::vector<MenuItem> items;
-    if (game.result() == Result::Won && (endless_ > 0 || level_ + 1 < def_.levels.size())) {
+    const bool more = endless_ > 0 || level_ + 1 < def_.levels.size();
+    if (game.result() == Result::Won && more && !showing_) {
         items.push_back({Action::NextLevel, "Next level"});
     }
-    items.push_back({Action::Restart, "Play again"});
+    items.push_back({Action::Restart, showing_ ? "Watch again" : "Play again"});
     items.push_back({Action::Levels, "All levels"});
     items.push_back({Action::ToTitle, "Title"});
     menu_ = Menu(std::move(items), Real(5.6));

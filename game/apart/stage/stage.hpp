@@ -19,6 +19,14 @@ namespace apart {
 /// Plays in the player's place: the input of the next tick, or nothing when it has no more to say.
 using Pilot = std::function<std::optional<Input>(const Game&)>;
 
+/// A recorded game, to be watched. Its level may be one that no list has.
+struct Show {
+    std::shared_ptr<const Level> level;
+    std::uint32_t seed = 1;
+    Mode mode = Mode::Standard;
+    Pilot pilot;
+};
+
 struct StageDef {
     LevelList levels; // at least one
     std::size_t firstLevel = 0;
@@ -31,9 +39,9 @@ struct StageDef {
     std::uint32_t firstEndless = 0; // start at once with the endless level of that number; 0: none
     /// The level of that number, from 1, of a row without end; if there is one.
     std::function<std::shared_ptr<const Level>(std::uint32_t)> endless{};
-    Pilot bot{};             // plays behind the title screen, if there is one
-    Pilot pilot{};           // plays all games instead of the player, if there is one
-    std::string pilotName{}; // shown while it does
+    std::optional<Show> show{}; // begins at once; other games are the player's
+    Pilot bot{};                // plays behind the title screen, if there is one
+    Pilot pilot{};              // plays all games instead of the player, if there is one
 };
 
 enum class Screen : std::uint8_t { Title, Levels, Options, Playing, Paused, Over };
@@ -84,7 +92,9 @@ private:
     void begin(std::size_t level);
     void beginEndless(std::uint32_t number);
     void startEndless();
+    void beginShow();
     void beginGame(std::shared_ptr<const Level> level);
+    void enter(std::unique_ptr<Play> play);
     void again();
     void next();
     void demo(std::size_t level);
@@ -103,6 +113,7 @@ private:
     void drawPaused(Canvas& canvas) const;
     void drawOver(Canvas& canvas) const;
     HudLook hudLook() const;
+    std::string placeOfLevel() const;
 
     StageDef def_;
     Screen screen_ = Screen::Title;
@@ -111,7 +122,8 @@ private:
     std::size_t level_ = 0;
     std::uint32_t endless_ = 0;     // number of the endless level in play; 0: another level
     std::int32_t endlessScore_ = 0; // of the endless levels before it
-    std::uint32_t games_ = 0;       // begun so far
+    bool showing_ = false;          // the recorded game
+    std::uint32_t games_ = 0;       // of the player, begun so far
     std::size_t demos_ = 0;         // that the bot has begun by itself
     std::unique_ptr<Play> play_;
     Tally tally_;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <apart/core/endless.hpp>
 #include <apart/core/tuning.hpp>
 #include <apart/stage/backdrop.hpp>
 #include <apart/stage/layout.hpp>
@@ -6,6 +7,8 @@
 #include <apart/stage/results.hpp>
 #include <apart/stage/stage.hpp>
 #include <apart/stage/title.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,14 +23,27 @@ constexpr TextStyle quiet(Real height) {
 
 } // namespace
 
+/// Of the level in play, where it stands among the others.
+std::string Stage::placeOfLevel() const {
+    const std::optional<EndlessName> row = parseEndless(game().level().name);
+    if (row || endless_ > 0) {
+        return fmt::format("ENDLESS {}", row ? row->number : endless_);
+    }
+    const auto found = std::find_if(def_.levels.begin(), def_.levels.end(),
+                                    [&](const auto& level) { return *level == game().level(); });
+    if (found == def_.levels.end()) {
+        return "A LEVEL OF ITS OWN";
+    }
+    return fmt::format("LEVEL {} OF {}", found - def_.levels.begin() + 1, def_.levels.size());
+}
+
 HudLook Stage::hudLook() const {
     HudLook look;
-    look.levelNumber = endless_ > 0 ? static_cast<int>(endless_) : static_cast<int>(level_) + 1;
-    look.levelCount = endless_ > 0 ? 0 : static_cast<int>(def_.levels.size());
+    look.place = placeOfLevel();
     look.scoreBefore = endless_ > 0 ? endlessScore_ : 0;
     look.best = endless_ > 0 ? 0 : def_.profile.bestOf(game().mode(), game().level().name).score;
     look.muted = audible().sound == 0;
-    look.pilot = demoRuns() ? "" : def_.pilotName.c_str();
+    look.pilot = showing_ ? "REPLAY" : "";
     return look;
 }
 

@@ -39,8 +39,7 @@ void paintPieces(Canvas& canvas, double seconds) {
                          piece.size * kReach[k] * Vec2{std::cos(turn), std::sin(turn)};
         }
         const Color color = palette::of(piece.stuff);
-        paintLit(canvas, corners, color);
-        canvas.outline(corners, Real(0.05), lighter(color, 0.4f));
+        paintLit(canvas, corners, color, {Real(0.05), lighter(color, 0.4f)});
     }
 }
 

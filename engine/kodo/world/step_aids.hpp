@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/base/executor.hpp>
 #include <kodo/base/real.hpp>
 
 #include <array>
@@ -21,6 +22,12 @@ public:
     virtual ~StageWatch() = default;
     virtual void enter(StepStage stage) = 0;
     virtual void leave() = 0; // the last one
+};
+
+/// Who helps a step, and who watches it. Both may be left out.
+struct StepAids {
+    StageWatch* watch = nullptr;
+    Executor* executor = nullptr; // lends threads to steps in which some hundred bodies are awake
 };
 
 } // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/base/crew.hpp>
+
+#include <thread>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+// A piece of somebody else's share costs more than it saves, since its data are in the other's
+// cache: so who has done his own waits a little first. A spin takes some tens of nanoseconds.
+constexpr int kPatience = 100;
+constexpr int kSpins = 2000; // before a core is given up, for there may be more threads than cores
+
+void pause(int spins) {
+    if (spins >= kSpins) {
+        std::this_thread::yield();
+        return;
+    }
+#if defined(__x86_64__) || defined(__i386__)
+    __builtin_ia32_pause();
+#endif
+}
+
+} // namespace
+
+Crew::Crew(Executor* executor)
+    : executor_(executor != nullptr && executor->helpers() > 0 ? executor : nullptr) {
+    if (executor_ != nullptr) {
+        shareCount_ = std::min(kMostShares, static_cast<std::uint32_t>(executor_->helpers()) + 1);
+        executor_->begin([](void* crew) { static_cast<Crew*>(crew)->help(); }, this);
+    }
+}
+
+Crew::~Crew() {
+    if (executor_ != nullptr) {
+        over_.store(true, std::memory_order_release);
+        executor_->end();
+    }
+}
+
+void Crew::share(const Job& job) {
+    job_ = job;
+    const auto pieces = static_cast<std::uint32_t>((job.count + job.grain - 1) / job.grain);
+    done_.store(0, std::memory_order_relaxed);
+    for (std::uint32_t i = 0; i < shareCount_; ++i) {
+        const std::uint64_t first = std::uint64_t{pieces} * i / shareCount_;
+        const std::uint64_t last = std::uint64_t{pieces} * (i + 1) / shareCount_;
+        shares_[i].left.store(last << 32 | first, std::memory_order_release);
+    }
+    shares_[0].owned.store(true, std::memory_order_relaxed);
+    workUntil(0, [&] { return done_.load(std::memory_order_acquire) == pieces; });
+}
+
+void Crew::help() {
+    const std::uint32_t own = (1 + came_.fetch_add(1, std::memory_order_relaxed)) % shareCount_;
+    shares_[own].owned.store(true, std::memory_order_relaxed);
+    workUntil(own, [&] { return over_.load(std::memory_order_acquire); });
+}
+
+template <typename Ready>
+void Crew::workUntil(std::uint32_t own, Ready ready) {
+    for (int spins = 0; !ready(); ++spins) {
+        while (takePieceOf(shares_[own])) {
+            spins = 0;
+        }
+        for (std::uint32_t i = 1; i < shareCount_; ++i) {
+            Share& other = shares_[(own + i) % shareCount_];
+            const bool leave = spins < kPatience && other.owned.load(std::memory_order_relaxed);
+            if (!leave && takePieceOf(other)) {
+                break;
+            }
+        }
+        pause(spins);
+    }
+}
+
+bool Crew::takePieceOf(Share& share) {
+    const auto any = [](std::uint64_t left) {
+        return static_cast<std::uint32_t>(left) < left >> 32;
+    };
+    if (!any(share.left.load(std::memory_order_relaxed))) {
+        return false; // so that the idle do not count on and on
+    }
+    const std::uint64_t left = share.left.fetch_add(1, std::memory_order_acq_rel);
+    if (!any(left)) {
+        return false;
+    }
+    const std::size_t first = static_cast<std::uint32_t>(left) * job_.grain;
+    job_.call(job_.work, first, std::min(first + job_.grain, job_.count));
+    done_.fetch_add(1, std::memory_order_release);
+    return true;
+}
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/base/executor.hpp>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// The thread that steps and those that help it, for the time of one step. Loops are cut into
+/// pieces of a size that does not depend on how many threads there are. Each thread begins with
+/// those of its own share, which are the same in every loop of that length, so that it finds much
+/// of their data in its cache; then it helps the others. Who does which piece, and when, is left
+/// open, so a piece must touch nothing that another one changes.
+class Crew {
+public:
+    /// Nobody helps.
+    Crew() = default;
+    /// The executor's threads help; nullptr: nobody does.
+    explicit Crew(Executor* executor);
+    Crew(const Crew&) = delete;
+    Crew& operator=(const Crew&) = delete;
+    ~Crew();
+
+    bool alone() const { return executor_ == nullptr; }
+
+    /// Calls work(first, last) for pieces of 0..count, `grain` each, and returns when all is done.
+    /// What fits into one piece is done at once, by the caller.
+    template <typename Work>
+    void forEach(std::size_t count, std::size_t grain, const Work& work) {
+        if (executor_ == nullptr || count <= grain) {
+            work(std::size_t{0}, count);
+            return;
+        }
+        share({&work,
+               [](const void* of, std::size_t first, std::size_t last) {
+                   (*static_cast<const Work*>(of))(first, last);
+               },
+               count, grain});
+    }
+
+    // For what several pieces write all the same. These work on plain numbers, which can be copied
+    // with a World; std::atomic_ref is not in every library Kodo is built with.
+
+    /// Sets a mark that another piece may set at the same time.
+    static void mark(std::uint8_t& shared) {
+        __atomic_store_n(&shared, std::uint8_t{1}, __ATOMIC_RELAXED);
+    }
+    /// The same. True for one of those who set it.
+    bool markFirst(std::uint8_t& shared) const {
+        if (__atomic_load_n(&shared, __ATOMIC_RELAXED) != 0) {
+            return false;
+        }
+        if (alone()) {
+            shared = 1;
+            return true;
+        }
+        return __atomic_exchange_n(&shared, std::uint8_t{1}, __ATOMIC_RELAXED) == 0;
+    }
+    /// Counts so many more, and returns how many there were before.
+    template <typename Count>
+    Count count(Count& shared, Count more = 1) const {
+        if (alone()) {
+            const Count before = shared;
+            shared = static_cast<Count>(before + more);
+            return before;
+        }
+        return __atomic_fetch_add(&shared, more, __ATOMIC_RELAXED);
+    }
+    /// Keeps the largest.
+    template <typename Number>
+    static void raise(Number& shared, Number value) {
+        Number known{};
+        __atomic_load(&shared, &known, __ATOMIC_RELAXED);
+        while (known < value && !__atomic_compare_exchange(&shared, &known, &value, true,
+                                                           __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+        }
+    }
+
+private:
+    struct Job {
+        const void* work = nullptr;
+        void (*call)(const void* work, std::size_t first, std::size_t last) = nullptr;
+        std::size_t count = 0;
+        std::size_t grain = 1;
+    };
+
+    /// Pieces of the job that are still to be taken: the first of them in the lower half, the one
+    /// behind the last in the upper. One number, so that who takes a piece takes it of this job.
+    struct alignas(64) Share {
+        std::atomic<std::uint64_t> left{0};
+        std::atomic<bool> owned{false}; // somebody has come who does it
+    };
+    static constexpr std::uint32_t kMostShares = 16;
+
+    void share(const Job& job);
+    void help();
+    template <typename Ready>
+    void workUntil(std::uint32_t own, Ready ready);
+    bool takePieceOf(Share& share);
+
+    Executor* executor_ = nullptr;
+    Job job_;
+    std::uint32_t shareCount_ = 1;
+    std::array<Share, kMostShares> shares_;
+    std::atomic<std::uint32_t> came_{0};             // helpers
+    alignas(64) std::atomic<std::uint32_t> done_{0}; // pieces
+    std::atomic<bool> over_{false};
+};
+
+/// What the pieces of a loop find, put together in their order.
+template <typename T>
+class Findings {
+public:
+    /// Calls find(first, last, out) as Crew::forEach does, and adds all that it finds to `out`.
+    template <typename Find>
+    void gather(Crew& crew, std::size_t count, std::size_t grain, std::vector<T>& out,
+                const Find& find) {
+        if (crew.alone() || count <= grain) {
+            find(std::size_t{0}, count, out);
+            return;
+        }
+        const std::size_t pieces = (count + grain - 1) / grain;
+        if (byPiece_.size() < pieces) {
+            byPiece_.resize(pieces);
+        }
+        crew.forEach(count, grain, [&](std::size_t first, std::size_t last) {
+            std::vector<T>& found = byPiece_[first / grain];
+            found.clear();
+            find(first, last, found);
+        });
+        for (std::size_t i = 0; i < pieces; ++i) {
+            out.insert(out.end(), byPiece_[i].begin(), byPiece_[i].end());
+        }
+    }
+
+private:
+    std::vector<std::vector<T>> byPiece_;
+};
+
+} // namespace kodo::inline KODO_PRECISION

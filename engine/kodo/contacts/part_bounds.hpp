@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/base/crew.hpp>
+#include <kodo/bodies/bodies.hpp>
+#include <kodo/bodies/tolerances.hpp>
+
+#include <span>
+#include <vector>
+
+namespace kodo::inline KODO_PRECISION {
+
+/// Bounds of every part of every body, in order: where it is, and where it may be until its pairs
+/// are looked for again. Those whose bounds are new are listed.
+class PartBounds {
+public:
+    struct Part {
+        std::uint32_t body;
+        std::uint16_t part;
+    };
+
+    std::size_t size() const { return parts_.size(); }
+    const Part& part(std::size_t i) const { return parts_[i]; }
+    std::uint32_t indexOf(std::uint32_t body, std::uint16_t part) const {
+        return firstPart_[body] + part;
+    }
+    const Aabb& tight(std::size_t i) const { return tight_[i]; }
+    std::span<const Aabb> grown() const { return grown_; }
+    std::span<const std::uint32_t> changed() const { return changed_; }
+    std::span<const std::uint8_t> isChanged() const { return isChanged_; }
+
+    /// Numbers the parts, after bodies came, went or changed. Their bounds are not those of before.
+    void number(const Bodies& bodies);
+    /// Numbers the parts, finds their bounds, and lists them all.
+    void renew(const Bodies& bodies, const Tolerances& tolerances);
+    /// Lists them all.
+    void listAll();
+    /// Before a step of dt: grows the bounds of what will leave them if nothing pushes it.
+    void foresee(const Bodies& bodies, const Tolerances& tolerances, Real dt, Crew& crew);
+    /// Grows the bounds of what the solver sent out of them.
+    void coverMoves(const Bodies& bodies, const Tolerances& tolerances, Crew& crew);
+    /// Their pairs have been found.
+    void clearChanged();
+
+private:
+    friend class SnapshotFields;
+    static constexpr std::size_t kBodiesAPiece = 128;
+
+    void list(std::size_t i);
+    template <typename Outgrown>
+    void outgrow(const Bodies& bodies, Crew& crew, Outgrown outgrown);
+
+    std::vector<Part> parts_;
+    std::vector<std::uint32_t> firstPart_; // by body
+    std::vector<Aabb> tight_;
+    std::vector<Aabb> grown_;
+    std::vector<std::uint32_t> changed_;
+    std::vector<std::uint8_t> isChanged_;
+    std::vector<std::uint8_t> grew_; // while bounds are looked at
+};
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/base/crew.hpp>
+#include <kodo/base/thread_pool.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace kodo {
+namespace {
+
+// Every piece is done once, and all of them before forEach returns, whoever helps.
+TEST(Crew, DoesEveryPieceOnce) {
+    for (const int helpers : {0, 1, 3}) {
+        ThreadPool pool(helpers);
+        for (int round = 0; round < 50; ++round) {
+            Crew crew(&pool);
+            EXPECT_EQ(crew.alone(), helpers == 0);
+            for (const std::size_t count : {0u, 1u, 7u, 8u, 9u, 1000u}) {
+                std::vector<int> done(count, 0);
+                crew.forEach(count, 8, [&](std::size_t first, std::size_t last) {
+                    for (std::size_t i = first; i < last; ++i) {
+                        ++done[i];
+                    }
+                });
+                EXPECT_EQ(done, std::vector<int>(count, 1)) << helpers << " help";
+            }
+        }
+    }
+}
+
+// Pieces end where they would with any number of helpers; what fits into one is not cut.
+TEST(Crew, CutsByTheGrainAlone) {
+    ThreadPool pool(2);
+    Crew crew(&pool);
+    std::vector<std::size_t> lengths(100, 0);
+    crew.forEach(100, 30,
+                 [&](std::size_t first, std::size_t last) { lengths[first] = last - first; });
+    for (std::size_t i = 0; i < 100; ++i) {
+        EXPECT_EQ(lengths[i], i == 90 ? 10u : i % 30 == 0 ? 30u : 0u) << i;
+    }
+    std::size_t calls = 0;
+    crew.forEach(30, 30, [&](std::size_t, std::size_t last) { calls += last; });
+    EXPECT_EQ(calls, 30u);
+}
+
+// What pieces write to the same place.
+TEST(Crew, MarksCountsAndRaisesTogether) {
+    ThreadPool pool(3);
+    Crew crew(&pool);
+    std::uint8_t seen = 0;
+    std::uint32_t count = 0;
+    Real largest = 0;
+    std::uint8_t once = 0;
+    std::uint8_t only = 0;
+    std::vector<std::uint8_t> firsts(5000 / 16 + 1, 0);
+    std::vector<std::uint32_t> places(5000, 0);
+    crew.forEach(places.size(), 16, [&](std::size_t first, std::size_t last) {
+        Crew::mark(seen);
+        firsts[first / 16] = crew.markFirst(first == 0 ? only : once);
+        for (std::size_t i = first; i < last; ++i) {
+            places[crew.count(count)] = static_cast<std::uint32_t>(i);
+            Crew::raise(largest, static_cast<Real>(i % 4999));
+        }
+    });
+    EXPECT_EQ(seen, 1);
+    EXPECT_EQ(count, places.size());
+    EXPECT_EQ(largest, Real(4998));
+    EXPECT_EQ(std::count(firsts.begin(), firsts.end(), 1), 2) << "one of each mark";
+    std::sort(places.begin(), places.end());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        ASSERT_EQ(places[i], i);
+    }
+}
+
+TEST(ThreadPool, RefusesWhatIsNoNumberOfThreads) {
+    for (const int helpers : {-1, ThreadPool::kMost + 1}) {
+        try {
+            ThreadPool pool(helpers);
+            ADD_FAILURE() << helpers;
+        } catch (const BadDefinition& error) {
+            EXPECT_EQ(error.problem().field, "helpers");
+        }
+    }
+}
+
+} // namespace
+} // namespace kodo

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include <support/scenes.hpp>
+
+#include <utility>
+
+namespace kodo {
+namespace {
+
+/// A heap of more bodies than a step must have before it is helped, with fast balls that bounce, a
+/// sensor, a chain and deep overlaps: every stage of a step has something to do.
+World bigWorld(Strategy strategy) {
+    StepSettings settings = strategy == Strategy::Propagation ? thesis2006() : StepSettings{};
+    World world({.gravity = support::kEarth, .settings = settings});
+    support::addHeap(world, 21, 500);
+    world.add({.shape = Box{Real(6), Real(0.5)}, .position = {0, 3}, .flags = kSensor | kLocked});
+    for (int i = 0; i < 40; ++i) {
+        BodyDef ball =
+            support::ballDef({static_cast<Real>(i % 20) - 10, Real(40 + i / 20)}, Real(0.2));
+        ball.material.restitution = 1;
+        ball.velocity = {Real(3), -Real(60)};
+        world.add(ball);
+    }
+    for (int i = 0; i < 12; ++i) {
+        world.add(support::ballDef({Real(-4), Real(30)}, Real(0.3))); // on one point
+    }
+    BodyId last = world.add({.shape = Circle{Real(0.1)}, .position = {12, 20}, .flags = kLocked});
+    for (int i = 1; i <= 8; ++i) {
+        const BodyId link =
+            world.add(support::ballDef({12 + Real(0.5) * static_cast<Real>(i), 20}, Real(0.2)));
+        world.add(Pin{.ends = {last, link, {Real(0.25), 0}, {Real(-0.25), 0}}});
+        last = link;
+    }
+    return world;
+}
+
+/// The hash after each step; some bodies go and come meanwhile.
+std::vector<std::uint64_t> hashes(Strategy strategy, Executor* executor) {
+    World world = bigWorld(strategy);
+    std::vector<std::uint64_t> hashes;
+    for (int step = 0; step < 90; ++step) {
+        world.step(support::kDt, {.executor = executor});
+        hashes.push_back(world.stateHash());
+        if (step % 20 == 19) {
+            const std::vector<BodyId> bodies = world.bodies();
+            world.remove(bodies[bodies.size() / 2]);
+            world.add(support::ballDef({Real(step) / 10, 30}, Real(0.4)));
+        }
+    }
+    return hashes;
+}
+
+// The same bits from 1, 2, 3, 4 and 8 threads, in every step.
+TEST(Executor, ChangesNoBit) {
+    for (const Strategy strategy : {Strategy::SoftStep, Strategy::Propagation}) {
+        const std::vector<std::uint64_t> alone = hashes(strategy, nullptr);
+        for (const int threads : {1, 2, 3, 4, 8}) {
+            ThreadPool pool(threads - 1);
+            EXPECT_EQ(hashes(strategy, &pool), alone) << threads << " threads";
+        }
+    }
+}
+
+// A World that goes on with other helpers, or with none, is the same World.
+TEST(Executor, MayComeAndGo) {
+    World world = bigWorld(Strategy::SoftStep);
+    World alone = world;
+    ThreadPool two(1);
+    ThreadPool three(2);
+    Executor* const executors[] = {&two, nullptr, &three};
+    for (int step = 0; step < 60; ++step) {
+        world.step(support::kDt, {.executor = executors[step / 7 % 3]});
+        alone.step(support::kDt);
+        ASSERT_EQ(world.stateHash(), alone.stateHash()) << step;
+    }
+}
+
+/// Promises helpers of which none comes before the step is over.
+class Latecomers final : public Executor {
+public:
+    int helpers() const override { return 3; }
+    void begin(void (*task)(void*), void* data) override {
+        task_ = task;
+        data_ = data;
+    }
+    void end() override {
+        std::exchange(task_, nullptr)(data_);
+        ++rounds_;
+    }
+    int rounds() const { return rounds_; }
+
+private:
+    void (*task_)(void*) = nullptr;
+    void* data_ = nullptr;
+    int rounds_ = 0;
+};
+
+// Nothing waits for who has not begun.
+TEST(Executor, MayComeTooLate) {
+    Latecomers late;
+    EXPECT_EQ(hashes(Strategy::SoftStep, &late), hashes(Strategy::SoftStep, nullptr));
+    EXPECT_EQ(late.rounds(), 90);
+}
+
+// A step with hardly anything to do is not worth anybody's help.
+TEST(Executor, IsNotTroubledBySmallSteps) {
+    Latecomers late;
+    World world({.gravity = support::kEarth});
+    support::addHeap(world, 22, 40);
+    support::run(world, 1);
+    world.step(support::kDt, {.executor = &late});
+    EXPECT_EQ(late.rounds(), 0);
+}
+
+} // namespace
+} // namespace kodo
