@@ -74,8 +74,8 @@ TEST(ElasticGas, InFreeSpaceKeepsAllThreeSums) {
     EXPECT_TRUE(support::near(after.momentum, before.momentum, byPrecision(1e-4, 1e-12)));
     // At arms of some 20 m. A fixed bug: two balls that were hit again while they were near each
     // other went by a normal of up to 3 cm ago, and each such blow of 5 N s turned the pair by up
-    // to 0.1 kg m^2/s. An eighth of a slop is allowed, half a millimetre.
-    EXPECT_TRUE(support::near(after.spin, before.spin, Real(0.005)));
+    // to 0.1 kg m^2/s.
+    EXPECT_TRUE(support::near(after.spin, before.spin, byPrecision(5e-3, 1e-9)));
     EXPECT_TRUE(support::nearShare(after.kinetic, before.kinetic, byPrecision(1e-4, 1e-9)));
 }
 

@@ -60,7 +60,9 @@ TEST(Order, OfASlipDownASlope) {
         return std::pair(dot(world[box].velocity(), tilt.xAxis()),
                          dot(world[box].position(), tilt.xAxis()));
     };
-    expectFirstOrder([&](Real rate) { return static_cast<double>(slip(rate).first) - 7.2; }, 3e-4);
+    // The speed is exact but for rounding: in float, 4800 substeps add to a number of size 7.
+    expectFirstOrder([&](Real rate) { return static_cast<double>(slip(rate).first) - 7.2; },
+                     static_cast<double>(support::byPrecision(3e-4, 1e-11)));
     expectFirstOrder([&](Real rate) { return static_cast<double>(slip(rate).second) - 7.2; }, 4e-4);
 }
 

@@ -18,10 +18,12 @@ constexpr std::size_t kBodiesAPiece = 256;
 constexpr Real kMostGive = 2;
 constexpr Real kFarApart = 50;
 constexpr int kMostRefined = 4;
-// Overlaps of more than so many slops are deep. The speed that their pushes give is taken out again
-// by more passes, two for one of them and one more for each further one, up to so many. In a large
-// crowd the push is shared out, and there are many contacts: fewer passes will do.
+// Overlaps of more than so many slops are deep. Where one contact of eight is, as when bodies are
+// put on one place, the speed that their pushes give is taken out again by more passes, two for one
+// of them and one more for each further one, up to so many. In a large crowd the push is shared
+// out, and there are many contacts: fewer passes will do.
 constexpr Real kDeep = 8;
+constexpr int kSomeDeep = 8;
 constexpr int kMostSettling = 10;
 constexpr int kLargeCrowd = 600; // of passes times bodies
 
@@ -36,6 +38,15 @@ bool needsRow(const Bodies& bodies, const Contact& contact, const StepSettings& 
     }
     const bool bounces = contact.bounces && settings.has(Feature::Restitution);
     return !bounces || contact.manifold.points[0].separation <= tolerances.slop;
+}
+
+/// How many passes more settle contacts of which so many are deep; `crowd` is the most that overlap
+/// one body.
+int settlingOf(int deep, int contacts, int crowd) {
+    if (deep == 0 || kSomeDeep * deep < contacts) {
+        return 0;
+    }
+    return std::min({1 + deep, kMostSettling, 1 + kLargeCrowd / crowd});
 }
 
 } // namespace
@@ -68,12 +79,14 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
     });
     std::uint16_t most = 1; // that overlap one body
     int deep = 0;
+    int rows = 0;
     newcomers_.clear();
     found_.gather(crew, contacts.size(), kContactsAPiece, newcomers_,
                   [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& newcomers) {
                       std::uint8_t* const near = near_.data();
                       std::uint8_t* const touched = touched_.data();
                       int ownDeep = 0;
+                      int ownRows = 0;
                       for (std::size_t i = first; i < last; ++i) {
                           Contact& contact = contacts[i];
                           if (!needsRow(bodies, contact, settings, tolerances)) {
@@ -96,10 +109,12 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
                               noteCrowd(bodies, contact, most, crew);
                           }
                           ownDeep += separation < -kDeep * tolerances.slop ? 1 : 0;
+                          ++ownRows;
                       }
                       crew.count(deep, ownDeep);
+                      crew.count(rows, ownRows);
                   });
-    settling_ = deep == 0 ? 0 : std::min({1 + deep, kMostSettling, 1 + kLargeCrowd / most});
+    settling_ = settlingOf(deep, rows, most);
 }
 
 /// Counts two that overlap deeply for each other. `most` is the largest count so far.
