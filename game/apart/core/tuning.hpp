@@ -40,6 +40,7 @@ inline constexpr Real kEggShort = Real(0.28);   // and to its blunt end
 inline constexpr Real kEggHalfWidth = Real(0.27);
 inline constexpr int kEggFacets = 20;
 inline constexpr Real kMostSpin = 25;          // rad/s; the governor takes what is above it
+inline constexpr Real kLostDepth = Real(0.7);  // below the field; there nobody sees a ball
 inline constexpr std::size_t kMostBalls = 8;   // what splits off beyond is rubble
 inline constexpr Real kSpeedUp = Real(0.35);   // share of speed gained until the last block
 inline constexpr Real kServeSlope = Real(0.6); // |x/y| of the flattest serve
