@@ -51,16 +51,8 @@ int settlingOf(int deep, int contacts, int crowd) {
 
 } // namespace
 
-/// Besides the blocks: which bodies are held by something, and which are crowded. A body in the
-/// middle of a heap is pushed by all of it, and those behind push on; together they must not exceed
-/// the speed that one of them may push with, or the heap would burst.
-void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const JointSet& joints,
-                       const Step& step) {
-    const StepSettings& settings = step.settings;
-    const Tolerances& tolerances = step.tolerances;
-    Crew& crew = step.crew;
-    const bool friction = settings.has(Feature::Friction);
-    blocks_.begin(bodies, contacts, friction, settings.has(Feature::RollingResistance), crew);
+/// Nobody is touched yet but by joints.
+void SoftStep::clearMarks(const Bodies& bodies, const JointSet& joints) {
     holds_.resize(bodies.size());
     near_.resize(bodies.size());
     touched_.resize(bodies.size());
@@ -77,6 +69,19 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
         touched_[firstBody(joint.def).index] = 1;
         touched_[secondBody(joint.def).index] = 1;
     });
+}
+
+/// Besides the blocks: which bodies are held by something, and which are crowded. A body in the
+/// middle of a heap is pushed by all of it, and those behind push on; together they must not exceed
+/// the speed that one of them may push with, or the heap would burst.
+void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const JointSet& joints,
+                       const Step& step) {
+    const StepSettings& settings = step.settings;
+    const Tolerances& tolerances = step.tolerances;
+    Crew& crew = step.crew;
+    const bool friction = settings.has(Feature::Friction);
+    blocks_.begin(bodies, contacts, friction, settings.has(Feature::RollingResistance), crew);
+    clearMarks(bodies, joints);
     std::uint16_t most = 1; // that overlap one body
     int deep = 0;
     int rows = 0;

@@ -51,6 +51,7 @@ private:
 
     void collect(const Bodies& bodies, std::span<Contact> contacts, const JointSet& joints,
                  const Step& step);
+    void clearMarks(const Bodies& bodies, const JointSet& joints);
     void noteCrowd(const Bodies& bodies, const Contact& contact, std::uint16_t& most,
                    const Crew& crew);
     static int refinement(const Bodies& bodies, std::span<const Contact> contacts, Real hertz,
