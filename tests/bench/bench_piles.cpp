@@ -22,6 +22,12 @@ SceneDef container(const char* name, double width, double height) {
     return scene;
 }
 
+/// How much wider a container must be for `size` bodies instead of `usual`. More of them lie beside
+/// each other and not deeper, so that each has as much to do; fewer form a smaller heap.
+double broaden(int size, int usual) {
+    return size > usual ? static_cast<double>(size) / usual : stretch(size, usual);
+}
+
 /// Fills a container with bodies in rows, `pitch` (m) apart, a little out of line.
 template <typename Make>
 Scene dropped(const char* name, double width, double pitch, int count, Dice& dice, Make make) {
@@ -73,13 +79,13 @@ Scene pyramid(int size, std::uint64_t) {
 
 Scene circles(int size, std::uint64_t seed) {
     Dice dice(seed);
-    return dropped("circles", 60 * stretch(size, 5000), 0.58, size, dice,
+    return dropped("circles", 60 * broaden(size, 5000), 0.58, size, dice,
                    [](int) { return scenes::ball(0.25, {}); });
 }
 
 Scene debris(int size, std::uint64_t seed) {
     Dice dice(seed);
-    return dropped("debris", 50 * stretch(size, 2000), 1.26, size, dice, [&](int i) {
+    return dropped("debris", 50 * broaden(size, 2000), 1.26, size, dice, [&](int i) {
         BodyDef body;
         const double radius = dice.between(0.3, 0.6);
         if (i % 5 == 4) {

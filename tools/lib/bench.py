@@ -38,7 +38,7 @@ SCENES = [
     Wanted("smallroom", 1),
     Wanted("empty", 1),
 ]
-# 1, 4 and 16 times the bodies; and a hundred thousand.
+# 1, 4 and 16 times the bodies; and a hundred thousand. Heaps grow in width, pyramids in height.
 GROWTH = {
     "pyramid": (60, 120, 240),
     "circles": (5000, 20000, 80000, 100000),
