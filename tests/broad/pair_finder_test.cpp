@@ -164,7 +164,7 @@ TEST(PairFinder, FollowsTheScene) {
     const AllMoved moved(row.size());
     PairFinder finder;
     const auto wayIn = [&](const std::vector<Aabb>& bounds) {
-        for (int i = 0; i < 200; ++i) {
+        for (int i = 0; i < 600; ++i) {
             std::vector<BoundsPair> pairs;
             findPairs(finder, bounds, moved, pairs);
         }

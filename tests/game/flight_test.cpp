@@ -46,6 +46,16 @@ TEST(FreeFlight, GetsFromTheServoWhatTheLedgerSays) {
     }
 }
 
+// Under the field, below the picture, it once went on flat from wall to wall for seconds.
+TEST(Ball, IsLostAsSoonAsNobodyCanSeeIt) {
+    Game game(levelOf("g..............\n"), 1);
+    GameTestAccess::shoot(game, {-8, Real(-0.3)}, {12, -1});
+    const auto lost = playUntil<BallLost>(game, {}, 60);
+    ASSERT_TRUE(lost);
+    EXPECT_LT(lost->point.y, -2 * kBallRadius);         // all of it is under the field
+    EXPECT_GT(lost->point.y, -kLostDepth - Real(0.02)); // one tick of 9 mm
+}
+
 // A ball that a wind pressed against a block crawled along it for seconds.
 TEST(Servo, HoldsABallThatAWindPressesAgainstABlock) {
     const std::string column = ".......X.......\n";

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/tuning.hpp>
+#include <apart/stage/layout.hpp>
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "stage_rig.hpp"
 
@@ -86,6 +89,29 @@ TEST(Effects, NeverMoreThanThreeFlashesInASecond) {
     for (std::size_t i = 3; i < flashes.size(); ++i) {
         EXPECT_GT(flashes[i] - flashes[i - 3], std::uint32_t(kTicksPerSecond));
     }
+}
+
+// The arcs of a pull beside a wall once crossed the panel with the score.
+TEST(Effects, TheFieldOfThePaddleStaysBetweenTheWalls) {
+    StageRig rig(StageRig::playing());
+    Signals right;
+    right.moved = kFieldWidth;
+    rig.frame(right);
+    rig.frames(60);
+    const auto countLines = [&](Real from, Real to) {
+        const auto& strokes = rig.picture().strokes();
+        return std::count_if(strokes.begin(), strokes.end(), [&](const Stroke& stroke) {
+            return stroke.kind == Stroke::Kind::Line && stroke.place.x > from &&
+                   stroke.place.x < to && stroke.place.y < kFieldHeight / 2;
+        });
+    };
+    const auto before = countLines(0, layout::kRight);
+    Signals pull;
+    pull.pullHeld = true;
+    rig.frame(pull);
+    ASSERT_EQ(rig.stage.game().force(), Force::Pull);
+    EXPECT_GT(countLines(0, layout::kRight), before);
+    EXPECT_EQ(countLines(layout::kRight, layout::kRight + 100), 0); // the edge of the wall is at it
 }
 
 TEST(Effects, AHardBlowFreezesThePictureForAMomentOnly) {

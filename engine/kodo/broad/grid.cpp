@@ -18,6 +18,15 @@ Real sizeOf(const Aabb& box) {
 
 } // namespace
 
+void Grid::reserve(std::size_t bounds) {
+    levels_.reserve(kLevels);
+    levelOf_.reserve(bounds);
+    cellOf_.reserve(bounds);
+    starts_.reserve(static_cast<std::size_t>(kCellsPerBounds) * bounds + kLevels + 1);
+    entries_.reserve(bounds);
+    sizes_.reserve(bounds);
+}
+
 /// The lowest level takes three quarters of the bounds.
 void Grid::chooseCell(std::span<const Aabb> bounds) {
     sizes_.clear();

@@ -41,6 +41,9 @@ public:
         work_.addTested(tests_);
     }
 
+    /// Memory for so many bounds.
+    void reserve(std::size_t bounds);
+
     /// Bounds that were compared in the last call: what it had to test.
     std::size_t testCount() const { return tests_; }
     /// Of the last call: all of it, and what it took to fill the cells, whoever has moved.

@@ -34,6 +34,15 @@ std::uint64_t PairFinder::expectSweep(std::size_t bounds) const {
     return guess.picoseconds();
 }
 
+/// A way has its first turn at some time, and then a step must not allocate.
+void PairFinder::reserve(std::size_t bounds) {
+    if (bounds > reserved_) {
+        reserved_ = 2 * bounds;
+        grid_.reserve(reserved_);
+        sweep_.reserve(reserved_);
+    }
+}
+
 PairSearch PairFinder::choose(std::size_t bounds, std::size_t moved) const {
     const std::uint64_t brute = bruteForceWork(bounds, moved).picoseconds();
     if (brute <= kLittle) {

@@ -23,6 +23,7 @@ public:
                std::vector<BoundsPair>& out, Crew& crew) {
         const std::size_t count = bounds.size();
         ++calls_;
+        reserve(count);
         way_ = only_ ? *only_ : choose(count, moved.list.size());
         if (way_ == PairSearch::BruteForce) {
             bruteForce(bounds, moved, accept, out);
@@ -45,6 +46,9 @@ public:
     std::uint64_t work() const { return work_; }
 
 private:
+    static constexpr std::size_t kFew = 32; // of which all are compared, as a rule
+
+    void reserve(std::size_t bounds);
     PairSearch choose(std::size_t bounds, std::size_t moved) const;
     void noteGrid(std::size_t bounds, std::size_t moved);
     void noteSweep(std::size_t bounds);
@@ -56,6 +60,7 @@ private:
     PairSorter sorter_;
     std::optional<PairSearch> only_;
     PairSearch way_ = PairSearch::BruteForce;
+    std::size_t reserved_ = kFew; // bounds for which all ways have their memory
     std::uint64_t calls_ = 0;
     std::uint64_t work_ = 0; // ps
     // What they took lately.

@@ -39,6 +39,12 @@ public:
         work_.addSwept(tests_);
     }
 
+    /// Memory for so many bounds.
+    void reserve(std::size_t bounds) {
+        entries_.reserve(bounds);
+        cells_.reserve(bounds);
+    }
+
     /// Pairs whose projections overlapped in the last call: what it had to test.
     std::size_t testCount() const { return tests_; }
     PairWork work() const { return work_; } // of the last call

@@ -77,6 +77,9 @@ void Propagation::predict(const Bodies& bodies, std::span<Contact> contacts,
 void Propagation::resolveCollisions(Bodies& bodies, std::span<Contact> contacts, const Step& step,
                                     Real h) {
     struck_.clear();
+    if (struck_.capacity() < contacts.size()) {
+        struck_.reserve(2 * contacts.size()); // a late blow to many must not allocate
+    }
     if (!step.settings.has(Feature::Restitution)) {
         return;
     }

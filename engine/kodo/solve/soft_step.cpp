@@ -55,7 +55,10 @@ int settlingOf(int deep, int contacts, int crowd) {
 /// middle of a heap is pushed by all of it, and those behind push on; together they must not exceed
 /// the speed that one of them may push with, or the heap would burst.
 void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const JointSet& joints,
-                       const StepSettings& settings, const Tolerances& tolerances, Crew& crew) {
+                       const Step& step) {
+    const StepSettings& settings = step.settings;
+    const Tolerances& tolerances = step.tolerances;
+    Crew& crew = step.crew;
     const bool friction = settings.has(Feature::Friction);
     blocks_.begin(bodies, contacts, friction, settings.has(Feature::RollingResistance), crew);
     holds_.resize(bodies.size());
@@ -279,8 +282,8 @@ void SoftStep::nextSubstep(Bodies& bodies, Real h, Crew& crew) {
 }
 
 void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints,
-                     const StepSettings& settings, const Tolerances& tolerances, Real dt,
-                     Crew& crew) {
+                     const Step& step) {
+    const auto& [settings, tolerances, dt, crew] = step;
     visits_ = 0;
     if (bodies.awake.empty() && blocks_.size() == 0) {
         return;
@@ -291,7 +294,7 @@ void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& join
         refinement(bodies, contacts, hertzOf(settings.contactHertz, whole), tolerances);
     const Real h = whole / static_cast<Real>(parts);
     blocks_.refine(parts);
-    collect(bodies, contacts, joints, settings, tolerances, crew);
+    collect(bodies, contacts, joints, step);
     blocks_.arrange(bodies, contacts, newcomers_,
                     crowded_ != 0 ? std::span<const std::uint16_t>(crowd_)
                                   : std::span<const std::uint16_t>(),

@@ -30,8 +30,14 @@ namespace kodo::inline KODO_PRECISION {
 /// first substep has to add it up from the contacts.
 class SoftStep {
 public:
-    void solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints,
-               const StepSettings& settings, const Tolerances& tolerances, Real dt, Crew& crew);
+    struct Step {
+        const StepSettings& settings;
+        const Tolerances& tolerances;
+        Real dt; // s
+        Crew& crew;
+    };
+
+    void solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints, const Step& step);
     /// How often the last step looked at a contact.
     std::size_t visits() const { return visits_; }
     /// Hands the impulses of the last step to a contact, if the solver had it.
@@ -44,7 +50,7 @@ private:
     };
 
     void collect(const Bodies& bodies, std::span<Contact> contacts, const JointSet& joints,
-                 const StepSettings& settings, const Tolerances& tolerances, Crew& crew);
+                 const Step& step);
     void noteCrowd(const Bodies& bodies, const Contact& contact, std::uint16_t& most,
                    const Crew& crew);
     static int refinement(const Bodies& bodies, std::span<const Contact> contacts, Real hertz,

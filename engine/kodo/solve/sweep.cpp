@@ -221,6 +221,57 @@ void SweepStage::linkCandidates(std::span<const Contact> contacts) {
     }
 }
 
+Sweep SweepStage::sweepOf(const Bodies& bodies, std::uint32_t body) const {
+    const Motion& motion = bodies.motion[body];
+    return {bodies.pose[body], motion.move, motion.turn, stopAt_[body], push_[body]};
+}
+
+Real SweepStage::impactTime(const Bodies& bodies, const Contact& contact, Real gap) const {
+    const ContactKey& key = contact.key;
+    return timeOfImpact(bodies.outline(key.bodyA, key.partA), sweepOf(bodies, key.bodyA),
+                        bodies.outline(key.bodyB, key.partB), sweepOf(bodies, key.bodyB), gap);
+}
+
+/// By what is locked and moves, and touches at the start of the step or nearly so.
+void SweepStage::findPushes(const Bodies& bodies, std::span<const Contact> contacts) {
+    for (const Contact& contact : contacts) {
+        const auto [bodyA, partA, bodyB, partB] = contact.key;
+        if (!contact.responds() || bodies.locked(bodyA) == bodies.locked(bodyB)) {
+            continue;
+        }
+        const bool isA = bodies.locked(bodyA);
+        const Motion& floor = bodies.motion[isA ? bodyA : bodyB];
+        const ManifoldPoint& point = contact.manifold.points[0];
+        const Vec2 way = floor.move + cross(floor.turn, isA ? point.armA : point.armB);
+        pushAlong(push_[isA ? bodyB : bodyA],
+                  isA ? contact.manifold.normal : -contact.manifold.normal, way);
+    }
+}
+
+/// Whoever has met what is locked and moves, or what that pushes, is pushed with it.
+void SweepStage::takePush(const Step& step, const ContactKey& key, Real time) {
+    const Transform a = sweepOf(step.bodies, key.bodyA).at(time);
+    const Transform b = sweepOf(step.bodies, key.bodyB).at(time);
+    const Vec2 normal = separation(step.bodies.outline(key.bodyA, key.partA), a,
+                                   step.bodies.outline(key.bodyB, key.partB), b)
+                            .axis;
+    const auto wayOf = [&](std::uint32_t body, Vec2 from) {
+        const Motion& motion = step.bodies.motion[body];
+        const std::uint32_t other = body == key.bodyA ? key.bodyB : key.bodyA;
+        return step.bodies.locked(body)
+                   ? motion.move + cross(motion.turn, step.bodies.pose[other].position - from)
+                   : push_[body];
+    };
+    const Vec2 wayA = wayOf(key.bodyA, a.position);
+    const Vec2 wayB = wayOf(key.bodyB, b.position);
+    if (!step.bodies.locked(key.bodyA)) {
+        pushAlong(push_[key.bodyA], -normal, wayB);
+    }
+    if (!step.bodies.locked(key.bodyB)) {
+        pushAlong(push_[key.bodyB], normal, wayA);
+    }
+}
+
 /// When a pair meets, as far as it is known by now which bodies are stopped.
 void SweepStage::findTime(const Step& step, Candidate& own) const {
     const Contact& contact = step.contacts[own.contact];

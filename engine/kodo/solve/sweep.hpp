@@ -69,10 +69,10 @@ private:
     void noticeOnTheWay(const Bodies& bodies, Contact& contact, Real share,
                         const Tolerances& tolerances) const;
 
-    std::vector<Real> ways_;            // m, by body: how far its outermost point goes at most
-    std::vector<Real> stopAt_;          // share of the step, by body
-    std::vector<Vec2> push_;            // m, over a whole step, by body: by what is locked and moves
-    std::vector<std::uint32_t> first_;  // by body: one of its candidates
+    std::vector<Real> ways_;           // m, by body: how far its outermost point goes at most
+    std::vector<Real> stopAt_;         // share of the step, by body
+    std::vector<Vec2> push_;           // m, over a whole step, by body: by what is locked and moves
+    std::vector<std::uint32_t> first_; // by body: one of its candidates
     std::vector<std::uint32_t> places_; // of the contacts that need a sweep
     Findings<std::uint32_t> found_;
     std::vector<Candidate> candidates_;

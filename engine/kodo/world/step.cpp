@@ -76,7 +76,7 @@ void World::solve(Real dt, Crew& crew) {
     if (contacts_.fastestApproach() > leastRestSpeed(bodies_, dt)) {
         impacts_.solve(bodies_, contacts, settings_, tolerances_, dt);
     }
-    softStep_.solve(bodies_, contacts, joints_, settings_, tolerances_, dt, crew);
+    softStep_.solve(bodies_, contacts, joints_, {settings_, tolerances_, dt, crew});
     contactVisits_ = softStep_.visits();
 }
 

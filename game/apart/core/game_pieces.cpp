@@ -159,7 +159,7 @@ void Game::sweepOut() {
 void Game::sweepBalls() {
     for (std::size_t i = 0; i < balls_.size();) {
         const Vec2 place = world_[balls_[i].body].position();
-        if (!isGone(place)) {
+        if (place.y >= -kLostDepth && !isGone(place)) {
             ++i;
             continue;
         }

@@ -40,6 +40,7 @@ inline constexpr Real kEggShort = Real(0.28);   // and to its blunt end
 inline constexpr Real kEggHalfWidth = Real(0.27);
 inline constexpr int kEggFacets = 20;
 inline constexpr Real kMostSpin = 25;          // rad/s; the governor takes what is above it
+inline constexpr Real kLostDepth = Real(0.7);  // below the field; there nobody sees a ball
 inline constexpr std::size_t kMostBalls = 8;   // what splits off beyond is rubble
 inline constexpr Real kSpeedUp = Real(0.35);   // share of speed gained until the last block
 inline constexpr Real kServeSlope = Real(0.6); // |x/y| of the flattest serve
@@ -51,8 +52,8 @@ inline constexpr Real kServoShare = Real(1) / 8; // of the error, each tick
 inline constexpr Real kSwallowed = Real(0.7);    // share of speed; with less, rubble throws it off
 inline constexpr std::uint32_t kCarriedTicks = 20;   // on what moves; then that throws the ball off
 inline constexpr Real kHaltSpeed = Real(0.1);        // m/s; slower, and the last heading counts
-inline constexpr Real kFlatSine = Real(0.1391731);   // 8 degrees
-inline constexpr Real kFlatCosine = Real(0.9902681); // 8 degrees
+inline constexpr Real kFlatSine = Real(0.1908090);   // 11 degrees
+inline constexpr Real kFlatCosine = Real(0.9816272); // 11 degrees
 
 // The progress clock, in ticks without damage.
 inline constexpr std::uint32_t kGlowTicks = 720;   // 6 s: what is worth hitting glows

@@ -126,7 +126,8 @@ std::string asJson(const Tally& tally) {
         R"({{"level": "{}", "games": {}, "won": {}, "lost": {}, "unfinished": {}, "ticks": {}, )"
         R"("freeFlightTicks": {}, "meanWinSeconds": {:.1f}, "livesLost": {}, "halts": {}, )"
         R"("escapes": {}, "bends": {}, "longestWaitTicks": {}, "waited": {}, "bounces": {}, )"
-        R"("bentBounces": {}, "thrownBounces": {}, "bentBouncesInPure": {}, "microsecondsPerTick": {:.1f}}})",
+        R"("bentBounces": {}, "thrownBounces": {}, "bentBouncesInPure": {}, )"
+        R"("microsecondsPerTick": {:.1f}}})",
         tally.level, tally.games, tally.won, tally.lost, tally.unfinished, tally.seen.ticks,
         tally.seen.freeTicks, tally.meanWin(), tally.livesLost, tally.seen.halts,
         tally.seen.escapes, tally.seen.bends, tally.seen.longestWait, tally.waited, tally.bounces,

@@ -5,6 +5,7 @@
 #include <apart/stage/layout.hpp>
 #include <apart/stage/palette.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -73,7 +74,8 @@ void paintPaddleField(Canvas& canvas, const Moment& moment) {
         for (int i = 0; i <= kPieces; ++i) {
             const Real angle = Real(0.7) + Real(1.7416) * static_cast<Real>(i) / kPieces;
             const Vec2 here = middle + radius * Vec2{std::cos(angle), std::sin(angle)};
-            if (i > 0) {
+            const bool inside = std::max(std::abs(before.x), std::abs(here.x)) < layout::kRight;
+            if (i > 0 && inside) { // not over the walls and what is told beside them
                 canvas.line(before, here, Real(0.1), faded(color, seen));
             }
             before = here;

@@ -44,7 +44,7 @@ void paintLevel(Canvas& canvas, const Game& game, const HudLook& look) {
     }
     Real y = Real(15.3);
     for (const std::string& line : wrapped(game.level().title, 13)) {
-        canvas.text(line, {kPanelLeft, y}, strong(Real(0.62)));
+        canvas.text(line, {kPanelLeft, y}, strong(Real(0.58)));
         y -= Real(0.72);
     }
 }
