@@ -88,8 +88,6 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
     newcomers_.clear();
     found_.gather(crew, contacts.size(), kContactsAPiece, newcomers_,
                   [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& newcomers) {
-                      std::uint8_t* const near = near_.data();
-                      std::uint8_t* const touched = touched_.data();
                       int ownDeep = 0;
                       int ownRows = 0;
                       for (std::size_t i = first; i < last; ++i) {
@@ -106,8 +104,8 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
                               newcomers.push_back(static_cast<std::uint32_t>(i));
                           }
                           const Real separation = contact.manifold.points[0].separation;
-                          std::uint8_t* const marks =
-                              separation <= tolerances.slop ? touched : near;
+                          std::vector<std::uint8_t>& marks =
+                              separation <= tolerances.slop ? touched_ : near_;
                           Crew::mark(marks[contact.key.bodyA]);
                           Crew::mark(marks[contact.key.bodyB]);
                           if (separation < -4 * tolerances.slop) {
