@@ -187,7 +187,7 @@ TEST(PairFinder, TurnsOfTheIdleCostLittle) {
     for (int i = 0; i < 500; ++i) {
         for (PairFinder* finder : {&chosen, &grid}) {
             std::vector<BoundsPair> pairs;
-            finder->pairs(pile, moved, acceptAll, pairs);
+            findPairs(*finder, pile, moved, pairs);
         }
     }
     EXPECT_EQ(chosen.way(), PairSearch::Grid);
