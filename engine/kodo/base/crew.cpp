@@ -38,7 +38,7 @@ Crew::~Crew() {
     }
 }
 
-void Crew::share(const Job& job) {
+void Crew::share(const Job& job) noexcept {
     job_ = job;
     const auto pieces = static_cast<std::uint32_t>((job.count + job.grain - 1) / job.grain);
     done_.store(0, std::memory_order_relaxed);
@@ -51,7 +51,7 @@ void Crew::share(const Job& job) {
     workUntil(0, [&] { return done_.load(std::memory_order_acquire) == pieces; });
 }
 
-void Crew::help() {
+void Crew::help() noexcept {
     const std::uint32_t own = (1 + came_.fetch_add(1, std::memory_order_relaxed)) % shareCount_;
     shares_[own].owned.store(true, std::memory_order_relaxed);
     workUntil(own, [&] { return over_.load(std::memory_order_acquire); });
@@ -59,7 +59,7 @@ void Crew::help() {
 
 template <typename Ready>
 void Crew::workUntil(std::uint32_t own, Ready ready) {
-    for (int spins = 0; !ready(); ++spins) {
+    for (int spins = 0; !ready(); spins = std::min(spins + 1, kSpins)) {
         while (takePieceOf(shares_[own])) {
             spins = 0;
         }
@@ -74,7 +74,7 @@ void Crew::workUntil(std::uint32_t own, Ready ready) {
     }
 }
 
-bool Crew::takePieceOf(Share& share) {
+bool Crew::takePieceOf(Share& share) noexcept {
     const auto any = [](std::uint64_t left) {
         return static_cast<std::uint32_t>(left) < left >> 32;
     };

@@ -30,7 +30,8 @@ public:
     bool alone() const { return executor_ == nullptr; }
 
     /// Calls work(first, last) for pieces of 0..count, `grain` each, and returns when all is done.
-    /// What fits into one piece is done at once, by the caller.
+    /// What fits into one piece is done at once, by the caller. Where others help, work must not
+    /// throw: a program that is out of memory then ends.
     template <typename Work>
     void forEach(std::size_t count, std::size_t grain, const Work& work) {
         if (executor_ == nullptr || count <= grain) {
@@ -98,11 +99,11 @@ private:
     };
     static constexpr std::uint32_t kMostShares = 16;
 
-    void share(const Job& job);
-    void help();
+    void share(const Job& job) noexcept;
+    void help() noexcept;
     template <typename Ready>
     void workUntil(std::uint32_t own, Ready ready);
-    bool takePieceOf(Share& share);
+    bool takePieceOf(Share& share) noexcept;
 
     Executor* executor_ = nullptr;
     Job job_;

@@ -10,7 +10,8 @@ namespace kodo::inline KODO_PRECISION {
 ///
 /// The helpers take pieces of the step's loops as they come, and nothing waits for one that has not
 /// begun: so fewer threads than promised, late ones, or none at all make a step slower, but never
-/// wrong, and its outcome has the same bits with any number of them.
+/// wrong, and its outcome has the same bits with any number of them. A helper that has come stays
+/// for the whole step, and spins or yields where there is nothing to share.
 class Executor {
 public:
     virtual ~Executor() = default;

@@ -60,7 +60,8 @@ public:
     std::span<Contact> contacts() { return contacts_; }
     std::span<const Contact> contacts() const { return contacts_; }
     /// Sums up a step. fetch(contact) is called for each, to hand its impulses out. Lists the
-    /// bodies that touch, for which noteFirst(body) is true. Several threads call these.
+    /// bodies that touch, for which noteFirst(body) is true, each once and in any order. Several
+    /// threads call these.
     template <typename Fetch, typename NoteFirst>
     void finishStep(const Tolerances& tolerances, bool wantRecords, Crew& crew, Fetch fetch,
                     NoteFirst noteFirst, std::vector<std::uint32_t>& touching) {

@@ -119,6 +119,9 @@ void PartBounds::coverMoves(const Bodies& bodies, const Tolerances& tolerances, 
     outgrow(bodies, crew,
             [&](std::uint32_t body, const Convex& convex, std::size_t i) -> std::optional<Aabb> {
                 const Motion& motion = bodies.motion[body];
+                if (!isSound(motion)) {
+                    return std::nullopt; // it is about to be stopped where it is
+                }
                 const Real way =
                     length(motion.move) + std::abs(motion.turn) * bodies.extent[body].reach;
                 if (grown_[i].contains(tight_[i].grown(way))) {

@@ -19,7 +19,6 @@ public:
         std::uint16_t part;
     };
 
-    std::size_t size() const { return parts_.size(); }
     const Part& part(std::size_t i) const { return parts_[i]; }
     std::uint32_t indexOf(std::uint32_t body, std::uint16_t part) const {
         return firstPart_[body] + part;

@@ -9,10 +9,6 @@
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
-bool immovable(const Motion& motion) {
-    return motion.invMass == 0 && motion.invInertia == 0;
-}
-
 constexpr std::size_t kBlocksAPiece = 32;
 
 constexpr std::size_t blockOf(std::uint32_t row) {
@@ -123,7 +119,7 @@ bool ContactBlocks::keepsColour(const Bodies& bodies, const Contact& contact) co
     const Motion& b = bodies.motion[contact.key.bodyB];
     const bool onLocked = a.invMass == 0 || b.invMass == 0;
     return seat.colour != ContactSeat::kNoColour && (seat.colour >= kFreeColours) == onLocked &&
-           seat.fixedA == immovable(a) && seat.fixedB == immovable(b);
+           seat.fixedA == a.locked() && seat.fixedB == b.locked();
 }
 
 /// Has it rolling resistance for which its block has no room yet?
@@ -227,8 +223,8 @@ void ContactBlocks::colourNewcomer(const Bodies& bodies, Contact& contact) {
     const bool onLocked = motionA.invMass == 0 || motionB.invMass == 0;
     ContactSeat& seat = contact.seat;
     seat = {};
-    seat.fixedA = immovable(motionA);
-    seat.fixedB = immovable(motionB);
+    seat.fixedA = motionA.locked();
+    seat.fixedB = motionB.locked();
     constexpr std::uint64_t kFree = (std::uint64_t{1} << kFreeColours) - 1;
     const std::uint64_t taken = (seat.fixedA ? 0 : colours_[a]) | (seat.fixedB ? 0 : colours_[b]) |
                                 (onLocked ? kFree : ~kFree);

@@ -157,7 +157,7 @@ Real approach(const Impact& hit, std::size_t i, Real restSpeed) {
 bool hitContact(const Impact& hit, const Tolerances& tolerances, Real restSpeed) {
     Real speed[2] = {0, 0};
     for (std::size_t i = 0; i < static_cast<std::size_t>(hit.contact.manifold.count); ++i) {
-        if (hit.point(i).separation <= tolerances.slop) {
+        if (hit.point(i).separation <= tolerances.slop && !hit.blocked(i)) {
             speed[i] = approach(hit, i, restSpeed);
         }
     }

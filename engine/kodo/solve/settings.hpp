@@ -31,7 +31,8 @@ enum class Strategy : std::uint8_t {
 /// How a World steps: the user's dial between speed and accuracy. Every number can be set alone.
 struct StepSettings {
     Strategy strategy = Strategy::SoftStep;
-    int substeps = 5;          // 1..64; more: stiffer contacts, smaller errors, more time
+    int substeps =
+        5; // 1..64; more: smaller errors, more time; stiffer contacts if contactHertz asks
     int impactPasses = 16;     // 0..1000; rounds of restitution through bodies that touch
     int contactPasses = 10;    // 1..1000; of Propagation, in each substep
     int shockPasses = 0;       // 0..1000; of Propagation, in each level; 0: no shock propagation

@@ -18,7 +18,8 @@ namespace kodo::inline KODO_PRECISION {
 /// Contacts and joints, in substeps [Catto24]. Each moves velocities by the forces, starts
 /// from the impulses of the substep before, makes one pass that pushes overlaps apart like stiff
 /// springs, moves the bodies, and makes one pass without that push, which takes its speed out
-/// again.
+/// again; more than one while a heap of bodies overlaps deeply. Substeps are divided while a weight
+/// presses on something far lighter.
 ///
 ///   lambda = -m (s v_n + bias) - c lambda_sum,  lambda_sum >= 0;  |friction| <= mu lambda_sum
 ///

@@ -87,22 +87,6 @@ std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Re
     return holds || gap < -deepest / 4 ? std::nullopt : std::optional(-deepest);
 }
 
-/// Is it locked, and does it move?
-bool drives(const Bodies& bodies, std::uint32_t body) {
-    const Motion& motion = bodies.motion[body];
-    return bodies.locked(body) && (motion.move != Vec2{} || motion.turn != 0);
-}
-
-/// Adds to `push` what is missing for it to keep ahead of a surface that comes so far, unless it is
-/// pushed against that.
-void pushAlong(Vec2& push, Vec2 normal, Vec2 way) {
-    const Real there = dot(normal, push);
-    const Real wanted = dot(normal, way);
-    if (there >= 0 && wanted > there) {
-        push += (wanted - there) * normal;
-    }
-}
-
 /// The heap's order: the earliest on top, of equal ones the first in the list.
 template <typename Event>
 bool later(const Event& e, const Event& f) {
@@ -162,7 +146,9 @@ void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSett
         if (stopAt_[body] < 1) {
             stop(bodies, body, stopAt_[body], push_[body], dt);
         }
-        push_[body] = {};
+    }
+    if (driven) { // also what rests, which nothing moves
+        std::fill(push_.begin(), push_.end(), Vec2{});
     }
     for (const Candidate& candidate : candidates_) {
         const ContactKey& key = contacts[candidate.contact].key;
@@ -232,46 +218,6 @@ Real SweepStage::impactTime(const Bodies& bodies, const Contact& contact, Real g
                         bodies.outline(key.bodyB, key.partB), sweepOf(bodies, key.bodyB), gap);
 }
 
-/// By what is locked and moves, and touches at the start of the step or nearly so.
-void SweepStage::findPushes(const Bodies& bodies, std::span<const Contact> contacts) {
-    for (const Contact& contact : contacts) {
-        const auto [bodyA, partA, bodyB, partB] = contact.key;
-        if (!contact.responds() || bodies.locked(bodyA) == bodies.locked(bodyB)) {
-            continue;
-        }
-        const bool isA = bodies.locked(bodyA);
-        const Motion& floor = bodies.motion[isA ? bodyA : bodyB];
-        const ManifoldPoint& point = contact.manifold.points[0];
-        const Vec2 way = floor.move + cross(floor.turn, isA ? point.armA : point.armB);
-        pushAlong(push_[isA ? bodyB : bodyA],
-                  isA ? contact.manifold.normal : -contact.manifold.normal, way);
-    }
-}
-
-/// Whoever has met what is locked and moves, or what that pushes, is pushed with it.
-void SweepStage::takePush(const Step& step, const ContactKey& key, Real time) {
-    const Transform a = sweepOf(step.bodies, key.bodyA).at(time);
-    const Transform b = sweepOf(step.bodies, key.bodyB).at(time);
-    const Vec2 normal = separation(step.bodies.outline(key.bodyA, key.partA), a,
-                                   step.bodies.outline(key.bodyB, key.partB), b)
-                            .axis;
-    const auto wayOf = [&](std::uint32_t body, Vec2 from) {
-        const Motion& motion = step.bodies.motion[body];
-        const std::uint32_t other = body == key.bodyA ? key.bodyB : key.bodyA;
-        return step.bodies.locked(body)
-                   ? motion.move + cross(motion.turn, step.bodies.pose[other].position - from)
-                   : push_[body];
-    };
-    const Vec2 wayA = wayOf(key.bodyA, a.position);
-    const Vec2 wayB = wayOf(key.bodyB, b.position);
-    if (!step.bodies.locked(key.bodyA)) {
-        pushAlong(push_[key.bodyA], -normal, wayB);
-    }
-    if (!step.bodies.locked(key.bodyB)) {
-        pushAlong(push_[key.bodyB], normal, wayA);
-    }
-}
-
 /// When a pair meets, as far as it is known by now which bodies are stopped.
 void SweepStage::findTime(const Step& step, Candidate& own) const {
     const Contact& contact = step.contacts[own.contact];
@@ -323,7 +269,7 @@ void SweepStage::stopInOrder(const Step& step, Crew& crew) {
         first.done = true;
         const ContactKey& key = step.contacts[first.contact].key;
         if (step.driven) {
-            takePush(step, key, event.time);
+            takePush(step, step.contacts[first.contact], event.time);
         }
         cutShort(step, key.bodyA, event.time);
         cutShort(step, key.bodyB, event.time);

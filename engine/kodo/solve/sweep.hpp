@@ -25,7 +25,8 @@ namespace kodo::inline KODO_PRECISION {
 /// step; the blow itself is dealt in the next one. Impacts are taken in the order of their time.
 ///
 /// What is locked and moves cannot be stopped. It would run over what has been stopped in front of
-/// it, step by step until that is through; so it pushes that along, with whom that has met.
+/// it, step by step until that is through; so it pushes that along, with whom that has met. What
+/// bounces off it is not pushed.
 class SweepStage {
 public:
     void run(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
@@ -61,8 +62,9 @@ private:
     void stopInOrder(const Step& step, Crew& crew);
     Sweep sweepOf(const Bodies& bodies, std::uint32_t body) const;
     Real impactTime(const Bodies& bodies, const Contact& contact, Real gap) const;
+    static bool drives(const Bodies& bodies, std::uint32_t body);
     void findPushes(const Bodies& bodies, std::span<const Contact> contacts);
-    void takePush(const Step& step, const ContactKey& key, Real time);
+    void takePush(const Step& step, const Contact& contact, Real time);
     void cutShort(const Step& step, std::uint32_t body, Real time);
     void noticeSensors(const Bodies& bodies, std::span<Contact> contacts,
                        const StepSettings& settings, const Tolerances& tolerances);

@@ -5,6 +5,7 @@
 #include <apart/core/tuning.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace apart {
 
@@ -69,7 +70,7 @@ void Game::judgeBoss() {
     if (bossBlows_.empty()) {
         return;
     }
-    Vec2 last; // place of what came off last
+    std::optional<Vec2> last; // place of what came off last
     for (const BossBlow& blow : bossBlows_) {
         const auto found = std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& block) {
             return block.key == blow.key && block.hold == Hold::Boss;
@@ -91,7 +92,9 @@ void Game::judgeBoss() {
         body.applyImpulse(impulseOnPieces(blow.impulse, strength, body.mass()), blow.point);
     }
     bossBlows_.clear();
-    dropUnsupported(last);
+    if (last) {
+        dropUnsupported(*last);
+    }
 }
 
 /// After something has come off the boss; `last` is where that was.
