@@ -83,5 +83,27 @@ TEST(Sweep, NobodyIsRunOverByTheWallsOfATurningDrum) {
     }
 }
 
+// A fixed bug: a fast wall carried along what bounces off it, before the blow that sends it away,
+// by a whole step's way, if need be into another wall. The blow then gives w = 2 V - v.
+TEST(Sweep, WhatBouncesOffAMovingWallIsNotCarriedByIt) {
+    constexpr Real kWall = 10;  // m/s
+    constexpr Real kBall = -12; // m/s
+    World world;
+    const Material bouncing = support::slippery(1);
+    world.add({.shape = Box{1, 10},
+               .position = {Real(-0.85), 0}, // its face is at -0.35 m
+               .velocity = {kWall, 0},
+               .material = bouncing,
+               .flags = kLocked});
+    BodyDef def = support::ballDef({0, 0}, Real(0.3), bouncing);
+    def.velocity = {kBall, 0};
+    const BodyId ball = world.add(def);
+    world.step(support::kDt / 2);
+    EXPECT_LE(world[ball].position().x, 0);
+    EXPECT_EQ(world[ball].velocity().x, kBall);
+    world.step(support::kDt / 2);
+    EXPECT_TRUE(support::near(world[ball].velocity().x, 2 * kWall - kBall, Real(1e-4)));
+}
+
 } // namespace
 } // namespace kodo

@@ -17,4 +17,13 @@ void refill(std::vector<T>& values, std::size_t count, const T& value) {
     std::fill(values.begin(), values.end(), value);
 }
 
+/// Makes room for `most` values, and twice that if there was too little, so that a step with a few
+/// more than ever before does not allocate.
+template <typename Value>
+void makeRoom(std::vector<Value>& values, std::size_t most) {
+    if (values.capacity() < most) {
+        values.reserve(2 * most);
+    }
+}
+
 } // namespace kodo::inline KODO_PRECISION

@@ -77,9 +77,7 @@ void Propagation::predict(const Bodies& bodies, std::span<Contact> contacts,
 void Propagation::resolveCollisions(Bodies& bodies, std::span<Contact> contacts, const Step& step,
                                     Real h) {
     struck_.clear();
-    if (struck_.capacity() < contacts.size()) {
-        struck_.reserve(2 * contacts.size()); // a late blow to many must not allocate
-    }
+    makeRoom(struck_, contacts.size()); // for a late blow to many
     if (!step.settings.has(Feature::Restitution)) {
         return;
     }
@@ -106,6 +104,7 @@ void Propagation::resolveCollisions(Bodies& bodies, std::span<Contact> contacts,
 /// or it would lose the speed it bounces with.
 void Propagation::makeRows(const Bodies& bodies, std::span<Contact> contacts, const Step& step) {
     rows_.clear();
+    makeRoom(rows_, contacts.size());
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         Contact& contact = contacts[k];
         if (contact.manifold.count == 0 || leftAlone(bodies, contact)) {
@@ -196,6 +195,7 @@ void Propagation::sortByLevel(std::uint32_t highest) {
     for (std::size_t level = 2; level < levelStart_.size(); ++level) {
         levelStart_[level] += levelStart_[level - 1];
     }
+    makeRoom(byLevel_, rows_.size());
     byLevel_.resize(levelStart_.back());
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         if (rows_[i].level != ShockLevels::kUnreached) {
