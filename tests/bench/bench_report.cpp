@@ -113,7 +113,8 @@ std::string asJson(const Summary& summary, bool stages) {
     json.add("errorUnit", result.errorUnit);
     json.add("error", result.error);
     json.add("pairWorkNsPerStep", result.pairWorkPerStep);
-    json.add("bytesPerBody", result.bytesPerBody);
+    json.add("bytesPerBody", result.bytesPerBody > 0 ? std::optional(result.bytesPerBody)
+                                                     : std::nullopt); // see heapBytes()
     const auto contact = result.contactBytes;
     json.add("bytesPerContact", contact ? std::optional(contact->all) : std::nullopt);
     json.add("bytesPerContactRow", contact ? std::optional(contact->row) : std::nullopt);

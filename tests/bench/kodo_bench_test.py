@@ -58,7 +58,8 @@ for engine in ("kodo", "kodo64"):
     # A row of at most 100 bytes in float.
     check(0 < told["bytesPerContactRow"] <= (100 if engine == "kodo" else 200), f"rows: {told}")
     check(told["bytesPerContact"] > told["bytesPerContactRow"], f"bytes of contacts: {told}")
-    check(told["bytesPerBody"] > 0, f"bytes of bodies: {told}")
+    bytes_told = told["bytesPerBody"]  # None where malloc does not tell, as with a sanitizer
+    check(bytes_told is None or bytes_told > 50, f"bytes of bodies: {told}")
 
 code, text = bench(*choice)
 check(json.loads(text)["stateHash"] == kodo["stateHash"], "another state in another process")
