@@ -26,45 +26,48 @@ void pause(int spins) {
 Crew::Crew(Executor* executor)
     : executor_(executor != nullptr && executor->helpers() > 0 ? executor : nullptr) {
     if (executor_ != nullptr) {
-        shareCount_ = std::min(kMostShares, static_cast<std::uint32_t>(executor_->helpers()) + 1);
+        shared_.emplace();
+        shared_->count =
+            std::min(kMostShares, static_cast<std::uint32_t>(executor_->helpers()) + 1);
         executor_->begin([](void* crew) { static_cast<Crew*>(crew)->help(); }, this);
     }
 }
 
 Crew::~Crew() {
     if (executor_ != nullptr) {
-        over_.store(true, std::memory_order_release);
+        shared_->over.store(true, std::memory_order_release);
         executor_->end();
     }
 }
 
 void Crew::share(const Job& job) noexcept {
-    job_ = job;
+    shared_->job = job;
     const auto pieces = static_cast<std::uint32_t>((job.count + job.grain - 1) / job.grain);
-    done_.store(0, std::memory_order_relaxed);
-    for (std::uint32_t i = 0; i < shareCount_; ++i) {
-        const std::uint64_t first = std::uint64_t{pieces} * i / shareCount_;
-        const std::uint64_t last = std::uint64_t{pieces} * (i + 1) / shareCount_;
-        shares_[i].left.store(last << 32 | first, std::memory_order_release);
+    shared_->done.store(0, std::memory_order_relaxed);
+    for (std::uint32_t i = 0; i < shared_->count; ++i) {
+        const std::uint64_t first = std::uint64_t{pieces} * i / shared_->count;
+        const std::uint64_t last = std::uint64_t{pieces} * (i + 1) / shared_->count;
+        shared_->shares[i].left.store(last << 32 | first, std::memory_order_release);
     }
-    shares_[0].owned.store(true, std::memory_order_relaxed);
-    workUntil(0, [&] { return done_.load(std::memory_order_acquire) == pieces; });
+    shared_->shares[0].owned.store(true, std::memory_order_relaxed);
+    workUntil(0, [&] { return shared_->done.load(std::memory_order_acquire) == pieces; });
 }
 
 void Crew::help() noexcept {
-    const std::uint32_t own = (1 + came_.fetch_add(1, std::memory_order_relaxed)) % shareCount_;
-    shares_[own].owned.store(true, std::memory_order_relaxed);
-    workUntil(own, [&] { return over_.load(std::memory_order_acquire); });
+    const std::uint32_t own =
+        (1 + shared_->came.fetch_add(1, std::memory_order_relaxed)) % shared_->count;
+    shared_->shares[own].owned.store(true, std::memory_order_relaxed);
+    workUntil(own, [&] { return shared_->over.load(std::memory_order_acquire); });
 }
 
 template <typename Ready>
 void Crew::workUntil(std::uint32_t own, Ready ready) {
     for (int spins = 0; !ready(); spins = std::min(spins + 1, kSpins)) {
-        while (takePieceOf(shares_[own])) {
+        while (takePieceOf(shared_->shares[own])) {
             spins = 0;
         }
-        for (std::uint32_t i = 1; i < shareCount_; ++i) {
-            Share& other = shares_[(own + i) % shareCount_];
+        for (std::uint32_t i = 1; i < shared_->count; ++i) {
+            Share& other = shared_->shares[(own + i) % shared_->count];
             const bool leave = spins < kPatience && other.owned.load(std::memory_order_relaxed);
             if (!leave && takePieceOf(other)) {
                 break;
@@ -85,9 +88,10 @@ bool Crew::takePieceOf(Share& share) noexcept {
     if (!any(left)) {
         return false;
     }
-    const std::size_t first = static_cast<std::uint32_t>(left) * job_.grain;
-    job_.call(job_.work, first, std::min(first + job_.grain, job_.count));
-    done_.fetch_add(1, std::memory_order_release);
+    const std::size_t first = static_cast<std::uint32_t>(left) * shared_->job.grain;
+    shared_->job.call(shared_->job.work, first,
+                      std::min(first + shared_->job.grain, shared_->job.count));
+    shared_->done.fetch_add(1, std::memory_order_release);
     return true;
 }
 

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace kodo::inline KODO_PRECISION {
@@ -105,13 +106,18 @@ private:
     void workUntil(std::uint32_t own, Ready ready);
     bool takePieceOf(Share& share) noexcept;
 
+    /// What is there only when somebody helps, so that a small step does not pay for it.
+    struct Shared {
+        Job job;
+        std::uint32_t count = 1; // of the shares
+        std::array<Share, kMostShares> shares;
+        std::atomic<std::uint32_t> came{0};             // helpers
+        alignas(64) std::atomic<std::uint32_t> done{0}; // pieces
+        std::atomic<bool> over{false};
+    };
+
     Executor* executor_ = nullptr;
-    Job job_;
-    std::uint32_t shareCount_ = 1;
-    std::array<Share, kMostShares> shares_;
-    std::atomic<std::uint32_t> came_{0};             // helpers
-    alignas(64) std::atomic<std::uint32_t> done_{0}; // pieces
-    std::atomic<bool> over_{false};
+    std::optional<Shared> shared_;
 };
 
 /// What the pieces of a loop find, put together in their order.

@@ -208,6 +208,9 @@ void SoftStep::passJoints(const Bodies& bodies, Pass pass) {
 /// One pass over all contacts, colour by colour.
 void SoftStep::passContacts(ContactPasses::Pass pass, const ContactPassArguments& arguments,
                             Crew& crew) {
+    if (arguments.count == 0) {
+        return;
+    }
     if (crew.alone()) {
         pass(arguments);
         return;
