@@ -108,6 +108,8 @@ private:
 
     /// What is there only when somebody helps, so that a small step does not pay for it.
     struct Shared {
+        Shared() {} // NOLINT: std::optional does not find the implicit one in a nested class
+
         Job job;
         std::uint32_t count = 1; // of the shares
         std::array<Share, kMostShares> shares;
