@@ -68,7 +68,7 @@ constexpr T lengthSquared(BasicVec2<T> v) {
     return dot(v, v);
 }
 
-/// Not std::hypot: that rounds differently from machine to machine. Overflows beyond 1e19 (float).
+/// By the square root alone, which rounds alike on every machine. Overflows beyond 1e19 (float).
 template <std::floating_point T>
 T length(BasicVec2<T> v) {
     return std::sqrt(dot(v, v));
