@@ -20,6 +20,10 @@ World bigWorld(Strategy strategy) {
         ball.velocity = {Real(3), -Real(60)};
         world.add(ball);
     }
+    world.add({.shape = Box{4, Real(0.5)}, // pushes along what it meets
+               .position = {0, 6},
+               .velocity = {Real(0.5), -1},
+               .flags = kLocked});
     for (int i = 0; i < 12; ++i) {
         world.add(support::ballDef({Real(-4), Real(30)}, Real(0.3))); // on one point
     }

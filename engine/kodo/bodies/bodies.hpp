@@ -70,7 +70,6 @@ struct Extent {
 /// All bodies of a World as parallel arrays, indexed by BodyId::index. A dead slot keeps its place
 /// with zero velocity and infinite mass.
 struct Bodies {
-
     IdPool ids;
     std::vector<Motion> motion = std::vector<Motion>(1); // and a spare one at the end
     std::vector<Transform> pose;                         // of the centre of mass

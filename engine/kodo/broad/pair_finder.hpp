@@ -40,7 +40,6 @@ public:
 
     /// From now on in this way alone; nothing: in the cheapest.
     void use(std::optional<PairSearch> only) { only_ = only; }
-    std::optional<PairSearch> only() const { return only_; }
     PairSearch way() const { return way_; } // of the last call
     /// ps, of all calls: see PairWork.
     std::uint64_t work() const { return work_; }

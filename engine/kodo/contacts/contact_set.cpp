@@ -7,6 +7,7 @@
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
+
 void ContactSet::noteEnd(const Contact& contact) {
     if (contact.wasTouching) {
         ended_.push_back(endOf(contact));

@@ -63,9 +63,6 @@ void hitPoint(const Impact& hit, std::size_t i) {
     const Vec2 v = hit.relativeVelocity(i);
     const Response k{response(hit, i, n, i, n), response(hit, i, n, i, t),
                      response(hit, i, t, i, t)};
-    if (hit.blocked(i)) {
-        return;
-    }
     const Real wanted = -(1 + hit.contact.material.restitution) * dot(n, v);
     const Real sliding = dot(t, v);
     const Material& material = hit.contact.material;
@@ -113,17 +110,14 @@ bool hitBoth(const Impact& hit) {
     const Real k11 = response(hit, 0, n, 0, n);
     const Real k22 = response(hit, 1, n, 1, n);
     const Real k12 = response(hit, 0, n, 1, n);
-    if (hit.blocked(0) || hit.blocked(1)) {
-        return false;
-    }
     const Real gain = -(1 + hit.contact.material.restitution);
     const Real w1 = gain * dot(n, hit.relativeVelocity(0));
     const Real w2 = gain * dot(n, hit.relativeVelocity(1));
     const Real determinant = k11 * k22 - k12 * k12;
     if (determinant < kSingular * k11 * k22) {
+        // Does it hardly do anything but turn, and by one point more than by the other?
         if (k12 < Real(0.9) * std::max(k11, k22)) {
-            return false; // it hardly does anything but turn, and by one point more than by the
-                          // other
+            return false;
         }
         // It cannot turn: both points are as one.
         hit.push(0, (w1 / (2 * k11)) * n);

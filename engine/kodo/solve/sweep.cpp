@@ -75,7 +75,7 @@ std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Re
     const Real thinner = std::min(shapeA.inside, shapeB.inside);
     const bool far = motion > thinner / 2;
     if (gap > tolerances.slop) {
-        const bool bounces = contact.material.restitution > 0 && settings.has(Feature::Restitution);
+        const bool bounces = contact.bounces && settings.has(Feature::Restitution);
         return bounces || contact.sensor || far ? std::optional(tolerances.slop / 64)
                                                 : std::nullopt;
     }

@@ -106,7 +106,6 @@ public:
     /// pairs, so nothing but the cost of a step follows from it, and a snapshot knows nothing of
     /// it.
     void setPairSearch(std::optional<PairSearch> only) { contacts_.pairFinder().use(only); }
-    std::optional<PairSearch> pairSearch() const { return contacts_.pairFinder().only(); }
     const Tolerances& tolerances() const { return tolerances_; }
     std::uint64_t stepCount() const { return stepCount_; }
     /// How often the solver looked at a contact in the last step: its cost, free of any clock.
