@@ -173,7 +173,7 @@ void ContactSet::renew(const Bodies& bodies, const Tolerances& tolerances) {
     bounds_.renew(bodies, tolerances);
     renewPlaces();
     for (Contact& contact : contacts_) {
-        describe(bodies, contact);
+        describeContact(contact, bodies);
     }
 }
 
@@ -233,23 +233,10 @@ Contact ContactSet::makeContact(const Bodies& bodies, BoundsPair pair) const {
     const PartBounds::Part& b = bounds_.part(pair.second);
     Contact contact;
     contact.key = {a.body, a.part, b.body, b.part};
-    contact.a = bodies.idAt(a.body);
-    contact.b = bodies.idAt(b.body);
     contact.proxyA = pair.first;
     contact.proxyB = pair.second;
-    describe(bodies, contact);
+    describeContact(contact, bodies);
     return contact;
-}
-
-/// What follows from the definitions of its bodies.
-void ContactSet::describe(const Bodies& bodies, Contact& contact) const {
-    const ContactKey& key = contact.key;
-    contact.sensor =
-        ((bodies.record[key.bodyA].filter.flags | bodies.record[key.bodyB].filter.flags) &
-         kSensor) != 0;
-    contact.material = mix(bodies.form(key.bodyA).parts[key.partA].material,
-                           bodies.form(key.bodyB).parts[key.partB].material);
-    contact.bounces = contact.material.restitution > 0;
 }
 
 /// Both lists are in the order of the keys, so one walk over both keeps what stays, drops what is

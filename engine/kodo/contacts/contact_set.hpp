@@ -110,7 +110,6 @@ private:
     void findPairs(const Bodies& bodies, Crew& crew);
     void mergePairs(const Bodies& bodies);
     Contact makeContact(const Bodies& bodies, BoundsPair pair) const;
-    void describe(const Bodies& bodies, Contact& contact) const;
     template <typename Gone>
     void eraseIf(Gone gone);
     void fillHoles();

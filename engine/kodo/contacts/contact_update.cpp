@@ -106,6 +106,17 @@ void forgetBlows(Contact& contact) {
     }
 }
 
+void describeContact(Contact& contact, const Bodies& bodies) {
+    const auto& [bodyA, partA, bodyB, partB] = contact.key;
+    contact.a = bodies.idAt(bodyA);
+    contact.b = bodies.idAt(bodyB);
+    contact.sensor =
+        ((bodies.record[bodyA].filter.flags | bodies.record[bodyB].filter.flags) & kSensor) != 0;
+    contact.material =
+        mix(bodies.form(bodyA).parts[partA].material, bodies.form(bodyB).parts[partB].material);
+    contact.bounces = contact.material.restitution > 0;
+}
+
 void refreshContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) {
     beginStep(contact);
     contact.near = true;

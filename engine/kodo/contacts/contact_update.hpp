@@ -7,6 +7,9 @@
 
 namespace kodo::inline KODO_PRECISION {
 
+/// Fills in what follows from its key and the definitions of its bodies.
+void describeContact(Contact& contact, const Bodies& bodies);
+
 /// Finds where two parts that are near each other touch, at the start of a step, and how fast they
 /// approach. Motion still holds the moves of the last step.
 void refreshContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances);

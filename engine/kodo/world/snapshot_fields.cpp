@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/contacts/contact_update.hpp>
 #include <kodo/world/snapshot_fields.hpp>
 
 #include <algorithm>
@@ -239,13 +240,7 @@ void SnapshotFields::completeContact(Contact& contact, const Bodies& bodies) {
     };
     require(bodyA < bodyB && there(bodyA, partA) && there(bodyB, partB),
             "a contact is between bodies that are not there");
-    contact.a = bodies.idAt(bodyA);
-    contact.b = bodies.idAt(bodyB);
-    contact.sensor =
-        ((bodies.record[bodyA].filter.flags | bodies.record[bodyB].filter.flags) & kSensor) != 0;
-    contact.material =
-        mix(bodies.form(bodyA).parts[partA].material, bodies.form(bodyB).parts[partB].material);
-    contact.bounces = contact.material.restitution > 0;
+    describeContact(contact, bodies);
 }
 
 /// The bounds of what does not move are from when it last did, so they do not follow from the
