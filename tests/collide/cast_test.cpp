@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/collide/cast.hpp>
+#include <support/draws.hpp>
 #include <support/every_shape.hpp>
 #include <support/minkowski_oracle.hpp>
 #include <support/near.hpp>
@@ -16,7 +17,7 @@ using support::Passage;
 
 // Ways of up to 8 m, some forty roundings.
 constexpr Real kTolerance = byPrecision(1e-5, 2e-14);
-constexpr int kPoses = 10000;
+constexpr int kPoses = support::draws(10000);
 
 class EveryCast : public testing::TestWithParam<std::tuple<AnyKind, AnyKind>> {
 protected:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/collide/collide.hpp>
 #include <support/convex_oracle.hpp>
+#include <support/draws.hpp>
 #include <support/near.hpp>
 #include <support/random_shapes.hpp>
 
@@ -18,7 +19,7 @@ using support::Outline;
 // Distances of up to 8 m, some twenty roundings.
 constexpr Real kTolerance = byPrecision(5e-6, 1e-14);
 constexpr Real kMargin = Real(0.25);
-constexpr int kPoses = 10000;
+constexpr int kPoses = support::draws(10000);
 
 struct Pair {
     Convex shapeA;

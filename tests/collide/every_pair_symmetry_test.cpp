@@ -2,6 +2,7 @@
 #include <kodo/collide/cast.hpp>
 #include <kodo/collide/collide.hpp>
 #include <kodo/collide/distance.hpp>
+#include <support/draws.hpp>
 #include <support/every_shape.hpp>
 #include <support/near.hpp>
 
@@ -16,7 +17,7 @@ using support::near;
 
 constexpr Real kMargin = Real(0.125);
 constexpr Real kTolerance = byPrecision(5e-6, 1e-14); // distances of up to 8 m, twenty roundings
-constexpr int kPoses = 10000;
+constexpr int kPoses = support::draws(10000);
 
 struct Pair {
     Pair(const Primitive& first, const Primitive& second)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/collide/collide.hpp>
 #include <kodo/collide/distance.hpp>
+#include <support/draws.hpp>
 #include <support/every_shape.hpp>
 #include <support/minkowski_oracle.hpp>
 #include <support/near.hpp>
@@ -17,7 +18,7 @@ using support::near;
 // Distances of up to 8 m, some twenty roundings.
 constexpr Real kTolerance = byPrecision(5e-6, 1e-14);
 constexpr Real kMargin = Real(0.25);
-constexpr int kPoses = 10000;
+constexpr int kPoses = support::draws(10000);
 
 struct Pair {
     Convex shapeA;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
 #include <apart/core/paddle.hpp>
+#include <support/draws.hpp>
 #include <support/near.hpp>
 #include <support/random_numbers.hpp>
 
@@ -124,7 +125,7 @@ bool isStill(const Level& level) {
 
 TEST(SweptBall, NeverTunnelsAtFourTimesTheTopSpeedInTenThousandShots) {
     constexpr std::uint64_t kSeed = 99;
-    constexpr int kShots = 10000;
+    constexpr int kShots = support::draws(10000);
     support::RandomNumbers random(kSeed);
     std::vector<Range> ranges;
     Real top = 0;

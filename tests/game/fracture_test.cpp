@@ -3,6 +3,7 @@
 #include <apart/core/field.hpp>
 #include <apart/core/fracture.hpp>
 #include <apart/core/tuning.hpp>
+#include <support/draws.hpp>
 #include <support/near.hpp>
 #include <support/random_numbers.hpp>
 
@@ -17,11 +18,7 @@ using kodo::Vec2;
 using support::near;
 
 constexpr std::uint64_t kSeed = 2024;
-#ifdef APART_FEWER_BREAKS // a sanitizer makes each many times as dear
-constexpr int kBreaks = 10000;
-#else
-constexpr int kBreaks = 100000;
-#endif
+constexpr int kBreaks = support::draws(100000);
 constexpr Real kBlockArea = kCellWidth * kCellHeight;
 
 Vec2 onTheRim(support::RandomNumbers& random) {

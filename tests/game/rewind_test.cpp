@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
 #include <apart/core/bot.hpp>
+#include <support/draws.hpp>
 
 #include "game_access.hpp"
 
@@ -12,7 +13,7 @@ TEST(Rewind, ACopyGoesOnLikeTheGameItWasTakenFrom) {
     for (const std::string& name : levelNames()) {
         SCOPED_TRACE(name);
         Game game(std::get<Level>(loadLevel(name)), 3);
-        for (int part = 0; part < 8; ++part) {
+        for (int part = 0; part < (support::kSanitized ? 2 : 8); ++part) {
             for (int tick = 0; tick < 397; ++tick) {
                 game.tick(bot(game));
             }

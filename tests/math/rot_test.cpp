@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/math/rot.hpp>
+#include <support/draws.hpp>
 #include <support/near.hpp>
 #include <support/random_numbers.hpp>
 
@@ -66,7 +67,7 @@ TEST(Rot, NormalizeBringsBackToUnitLength) {
 // normalise each time, so only the last rounding is left.
 TEST(Rot, StaysUnitLengthOverTenMillionTurns) {
     Rot q;
-    for (int i = 0; i < 10000000; ++i) {
+    for (int i = 0; i < support::draws(10000000); ++i) {
         q = turned(q, Real(0.0123));
     }
     EXPECT_TRUE(near(norm(q), 1, 4 * kEpsilon));

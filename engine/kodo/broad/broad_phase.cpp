@@ -7,8 +7,8 @@
 namespace kodo::inline KODO_PRECISION {
 
 void PairSorter::sort(std::vector<BoundsPair>& pairs, std::size_t count) {
-    constexpr std::size_t kFew = 16; // so many times fewer are sorted faster by comparing
-    if (pairs.size() < count / kFew) {
+    constexpr std::size_t kFew = 16; // and so many times fewer are sorted faster by comparing
+    if (pairs.size() < std::max(kFew, count / kFew)) {
         std::sort(pairs.begin(), pairs.end()); // total order: no two are equal
         return;
     }

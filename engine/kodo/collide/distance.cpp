@@ -188,8 +188,8 @@ Nearness withSkins(const Convex& shapeA, const Transform& a, const Convex& shape
     return {a * start, a * (start + between * normal), a.rotation * normal, between};
 }
 
-Nearness fromPlane(const Convex& plane, const Transform& a, const Convex& other,
-                   const Transform& b) {
+Nearness nearnessOfPlane(const Convex& plane, const Transform& a, const Convex& other,
+                         const Transform& b) {
     if (other.isPlane()) {
         const Vec2 common = a * plane.vertices[0];
         return {common, common, {}, 0};
@@ -217,10 +217,10 @@ Nearness reversed(Nearness n) {
 Nearness distance(const Convex& shapeA, const Transform& a, const Convex& shapeB,
                   const Transform& b) {
     if (shapeA.isPlane()) {
-        return fromPlane(shapeA, a, shapeB, b);
+        return nearnessOfPlane(shapeA, a, shapeB, b);
     }
     if (shapeB.isPlane()) {
-        return reversed(fromPlane(shapeB, b, shapeA, a));
+        return reversed(nearnessOfPlane(shapeB, b, shapeA, a));
     }
     return withSkins(shapeA, a, shapeB, b);
 }

@@ -9,7 +9,7 @@ namespace {
 // Of 1 / inertia about the centre, at a hinge: a difference of large numbers must stay one.
 constexpr Real kLeastShare = sizeof(Real) == 4 ? Real(1e-4) : Real(1e-9);
 // A determinant this small beside the squares it is the difference of is a rounding.
-constexpr Real kSingular = 16 * std::numeric_limits<Real>::epsilon();
+constexpr Real kSingularPins = 16 * std::numeric_limits<Real>::epsilon();
 
 } // namespace
 
@@ -29,7 +29,7 @@ Vec2 PointConstraint::stopping(const Motion& a, const Motion& b, Vec2 speed) con
         return {}; // neither body can be pushed
     }
     const Real determinant = xx * yy - xy * xy;
-    if (!(determinant > kSingular * xx * yy)) {
+    if (!(determinant > kSingularPins * xx * yy)) {
         return Vec2{xx * speed.x + xy * speed.y, xy * speed.x + yy * speed.y} / (k * k);
     }
     return Vec2{yy * speed.x - xy * speed.y, xx * speed.y - xy * speed.x} / determinant;

@@ -51,10 +51,10 @@ BasicRot<T> normalize(BasicRot<T> q) {
     return {scale * q.c, scale * q.s};
 }
 
-/// q after turning by a small or large angle (rad), exact on the circle.
+/// q after turning by a small or large angle (rad), exact on the circle. By none it stays as it is.
 template <std::floating_point T>
 BasicRot<T> turned(BasicRot<T> q, T radians) {
-    return normalize(BasicRot<T>::fromAngle(radians) * q);
+    return radians == 0 ? q : normalize(BasicRot<T>::fromAngle(radians) * q);
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -8,7 +8,7 @@
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
-constexpr std::uint32_t kNone = RestState::kNoIsland;
+constexpr std::uint32_t kNoIsland = RestState::kNoIsland;
 
 // What contacts and rounding do to a body that stands still: speeds of up to this share of what its
 // forces would give it in a step.
@@ -75,7 +75,7 @@ void RestStage::wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t i
 
 void RestStage::wake(Bodies& bodies, ContactSet& contacts, std::uint32_t body) {
     startCounting(bodies.rest[body], bodies.pose[body]);
-    if (bodies.rest[body].island != kNone) {
+    if (bodies.rest[body].island != kNoIsland) {
         wakeIsland(bodies, contacts, bodies.rest[body].island);
     }
 }
@@ -120,7 +120,7 @@ void RestStage::wakeTouched(Bodies& bodies, ContactSet& contacts, const Toleranc
             continue;
         }
         for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
-            if (bodies.rest[body].island != kNone) {
+            if (bodies.rest[body].island != kNoIsland) {
                 wakeIsland(bodies, contacts, bodies.rest[body].island);
                 i = 0; // the list has grown and is in order again
                 break;
@@ -299,9 +299,9 @@ void RestStage::settle(Bodies& bodies, ContactSet& contacts, const JointSet& joi
     standing_.clear();
     for (const Contact& contact : contacts.takeIdle(bodies)) {
         const std::uint32_t a = bodies.rest[contact.key.bodyA].island;
-        const std::uint32_t island = a != kNone ? a : bodies.rest[contact.key.bodyB].island;
+        const std::uint32_t island = a != kNoIsland ? a : bodies.rest[contact.key.bodyB].island;
         // What froze in this step neither rests nor takes part; its end is yet to be told.
-        keep(island != kNone ? islands_[island].contacts : standing_, contact);
+        keep(island != kNoIsland ? islands_[island].contacts : standing_, contact);
     }
     contacts.putBack(standing_);
     bodies.awakeStale = true;

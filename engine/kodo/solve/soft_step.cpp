@@ -10,7 +10,7 @@
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
-constexpr std::size_t kContactsAPiece = 128;
+constexpr std::size_t kNewcomersAPiece = 128;
 constexpr std::size_t kBlocksAPiece = 8;
 constexpr std::size_t kBodiesAPiece = 256;
 // Contacts may give by so many slops under a weight before the step is refined, and a body must be
@@ -86,7 +86,7 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
     int deep = 0;
     int rows = 0;
     newcomers_.clear();
-    found_.gather(crew, contacts.size(), kContactsAPiece, newcomers_,
+    found_.gather(crew, contacts.size(), kNewcomersAPiece, newcomers_,
                   [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& newcomers) {
                       int ownDeep = 0;
                       int ownRows = 0;
@@ -236,6 +236,29 @@ void SoftStep::forBound(Crew& crew, const Work& work) {
     });
 }
 
+/// Whether no contact needs a row; none has one then.
+bool SoftStep::noneNeedsRow(const Bodies& bodies, std::span<Contact> contacts,
+                            const StepSettings& settings, const Tolerances& tolerances) {
+    for (Contact& contact : contacts) {
+        if (needsRow(bodies, contact, settings, tolerances)) {
+            return false;
+        }
+        contact.seat = {};
+        contact.carried = false;
+    }
+    return true;
+}
+
+/// What moveFree does when nothing can push any body.
+void SoftStep::moveAllFree(Bodies& bodies, Real dt) {
+    holds_.resize(bodies.size());
+    for (const std::uint32_t body : bodies.awake) {
+        holds_[body] = Hold::Free;
+    }
+    integrateVelocities(bodies, bodies.awake, dt);
+    integrateMoves(bodies, bodies.awake, holds_, dt);
+}
+
 /// Bodies that nothing can push go all their way at once, so that their flight does not depend on
 /// the substeps, not even by a rounding. The others are listed.
 void SoftStep::moveFree(Bodies& bodies, Real dt) {
@@ -291,7 +314,9 @@ void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& join
                      const Step& step) {
     const auto& [settings, tolerances, dt, crew] = step;
     visits_ = 0;
-    if (bodies.awake.empty() && blocks_.size() == 0) {
+    if (blocks_.size() == 0 && joints.size() == 0 &&
+        noneNeedsRow(bodies, contacts, settings, tolerances)) {
+        moveAllFree(bodies, dt);
         return;
     }
     const Real whole = dt / static_cast<Real>(settings.substeps);

@@ -66,6 +66,9 @@ private:
     void passContacts(ContactPasses::Pass pass, const ContactPassArguments& arguments, Crew& crew);
     template <typename Work>
     void forBound(Crew& crew, const Work& work);
+    static bool noneNeedsRow(const Bodies& bodies, std::span<Contact> contacts,
+                             const StepSettings& settings, const Tolerances& tolerances);
+    void moveAllFree(Bodies& bodies, Real dt);
     void moveFree(Bodies& bodies, Real dt);
     void beginSubsteps(Bodies& bodies, Real h, Crew& crew);
     void nextSubstep(Bodies& bodies, Real h, Crew& crew);

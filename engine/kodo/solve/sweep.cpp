@@ -11,9 +11,9 @@
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{};
-constexpr std::size_t kContactsAPiece = 256;
-constexpr std::size_t kBodiesAPiece = 256;
+constexpr std::uint32_t kNoWay = ~std::uint32_t{};
+constexpr std::size_t kCrossingsAPiece = 256;
+constexpr std::size_t kWaysAPiece = 256;
 constexpr std::size_t kCandidatesAPiece = 8;
 
 /// Apart by now, so that even a slow approach may end in a blow of its own: see stoppingGap.
@@ -109,7 +109,7 @@ void stop(Bodies& bodies, std::uint32_t body, Real share, Vec2 push, Real dt) {
 /// For each body, more than any point of it moves.
 void SweepStage::measureWays(const Bodies& bodies, Crew& crew) {
     ways_.resize(bodies.size(), 0); // of the others it is 0 from step to step
-    crew.forEach(bodies.awake.size(), kBodiesAPiece, [&](std::size_t first, std::size_t last) {
+    crew.forEach(bodies.awake.size(), kWaysAPiece, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             const std::uint32_t body = bodies.awake[k];
             const Motion& motion = bodies.motion[body];
@@ -164,7 +164,7 @@ bool SweepStage::findCandidates(const Bodies& bodies, std::span<const Contact> c
     places_.clear();
     std::uint8_t sensors = 0;
     found_.gather(
-        crew, contacts.size(), kContactsAPiece, places_,
+        crew, contacts.size(), kCrossingsAPiece, places_,
         [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
             const Real* const ways = ways_.data();
             for (std::size_t i = first; i < last; ++i) {
@@ -196,7 +196,7 @@ void SweepStage::linkCandidates(std::span<const Contact> contacts) {
     if (places_.empty()) {
         return;
     }
-    first_.assign(ways_.size(), kNone);
+    first_.assign(ways_.size(), kNoWay);
     for (const std::uint32_t place : places_) {
         const ContactKey& key = contacts[place].key;
         Candidate candidate{place};
@@ -283,7 +283,7 @@ void SweepStage::cutShort(const Step& step, std::uint32_t body, Real time) {
         return;
     }
     stopAt_[body] = time;
-    for (std::uint32_t i = first_[body]; i != kNone;) {
+    for (std::uint32_t i = first_[body]; i != kNoWay;) {
         const bool isA = step.contacts[candidates_[i].contact].key.bodyA == body;
         if (!candidates_[i].done) {
             findTime(step, candidates_[i]);

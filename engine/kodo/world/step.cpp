@@ -138,6 +138,10 @@ void World::freezeUnsoundMotion() {
 }
 
 void World::breakJoints(Real dt) {
+    broken_.clear();
+    if (joints_.size() == 0) {
+        return;
+    }
     const std::span<const BrokenJoint> broken = joints_.endStep(dt);
     broken_.assign(broken.begin(), broken.end());
     if (!broken_.empty()) {

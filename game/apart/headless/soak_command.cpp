@@ -19,7 +19,7 @@ namespace apart {
 
 namespace {
 
-constexpr std::uint32_t kShowEvery = 2048; // ticks
+constexpr std::uint32_t kReportEvery = 2048; // ticks
 
 /// What the games of one level came to, or those of all.
 struct Tally {
@@ -93,7 +93,7 @@ Tally soak(const Match& match, std::uint64_t mostTicks,
             const auto* let = std::get_if<LetGo>(&event);
             tally.waited = let != nullptr && let->why == LetGo::Why::Fatigue ? 1 : tally.waited;
         }
-        if (game.ticks() % kShowEvery == 0) {
+        if (game.ticks() % kReportEvery == 0) {
             show(game.ticks());
         }
     }

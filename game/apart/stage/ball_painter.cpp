@@ -66,7 +66,7 @@ void paintKind(Canvas& canvas, BallKind kind, const kodo::Transform& place, cons
                            Real(0.45) * kBallRadius, ink, ink);
     case BallKind::Rough:
         for (int i = 0; i < 6; ++i) {
-            const Real angle = Real(6.2831853) * static_cast<Real>(i) / 6;
+            const Real angle = kTurn * static_cast<Real>(i) / 6;
             const Vec2 spot = Real(0.62) * kBallRadius * Vec2{std::cos(angle), std::sin(angle)};
             canvas.disc(squash(place * spot), Real(0.055), ink, ink);
         }

@@ -142,7 +142,7 @@ std::vector<Vec2> cornersOf(const kodo::Convex& outline, const kodo::Transform& 
     if (outline.isRound()) {
         const Vec2 center = place * outline.vertices[0];
         for (int i = 0; i < kRoundCorners; ++i) {
-            const Real angle = Real(6.2831853) * static_cast<Real>(i) / kRoundCorners;
+            const Real angle = kTurn * static_cast<Real>(i) / kRoundCorners;
             corners.push_back(center + outline.radius * Vec2{std::cos(angle), std::sin(angle)});
         }
         return corners;

@@ -12,7 +12,6 @@ namespace {
 constexpr Real kStep = Real(0.16);    // m between two bends of a crack
 constexpr Real kWidest = Real(0.055); // m, at the impact
 constexpr Real kBend = Real(0.55);    // rad, the most at one bend
-constexpr Real kTurn = Real(6.28319);
 
 /// The share of the way from a to b that stays inside a convex outline; a is inside.
 Real insideShare(const kodo::Convex& outline, Vec2 a, Vec2 b) {

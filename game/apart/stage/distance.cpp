@@ -17,8 +17,6 @@ using layout::kLeft;
 using layout::kRight;
 using layout::kTop;
 
-constexpr Real kTurn = Real(6.2831853);
-
 /// What the painters of the distance need.
 struct Far {
     Canvas& canvas;
@@ -142,15 +140,15 @@ void paintStars(const Far& far) {
 }
 
 void paintBattlements(const Far& far) {
-    constexpr Real kStep = Real(0.5);
+    constexpr Real kMerlon = Real(0.5);
     for (int layer = 2; layer >= 1; --layer) {
         const auto depth = static_cast<Real>(layer);
         const Color color = far.faint(0.28f);
-        for (Real x = kLeft; x < kRight; x += kStep) {
+        for (Real x = kLeft; x < kRight; x += kMerlon) {
             const Real along = std::abs(std::fmod(x + 40 + 3 * depth, Real(8)) - 4);
             const Real tower = along < Real(1.25) ? Real(2.3) : 0;
-            const Real merlon = std::fmod(x + 40, 2 * kStep) < kStep ? Real(0.4) : 0;
-            far.canvas.rectangle({{x, 0}, {x + kStep, Real(2.4) * depth + tower + merlon}},
+            const Real merlon = std::fmod(x + 40, 2 * kMerlon) < kMerlon ? Real(0.4) : 0;
+            far.canvas.rectangle({{x, 0}, {x + kMerlon, Real(2.4) * depth + tower + merlon}},
                                  faded(color, 0), color);
         }
     }

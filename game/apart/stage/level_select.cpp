@@ -19,13 +19,13 @@ namespace {
 
 constexpr std::size_t kInRow = 6;
 constexpr std::size_t kRowsInSight = 4;
-constexpr Real kLeft = Real(-14.6);
-constexpr Real kTop = Real(15.5);
-constexpr Vec2 kStep{Real(3.05), Real(3.3)}; // m, from tile to tile
+constexpr Real kTilesLeft = Real(-14.6);
+constexpr Real kTilesTop = Real(15.5);
+constexpr Vec2 kTileStep{Real(3.05), Real(3.3)}; // m, from tile to tile
 constexpr Vec2 kTile{Real(2.8), Real(2.1)};
 constexpr Real kHeader = Real(0.75); // m above the tiles of a row
-constexpr Real kPanelLeft = Real(4.7);
-constexpr Real kPanelRight = Real(14.6);
+constexpr Real kAboutLeft = Real(4.7);
+constexpr Real kAboutRight = Real(14.6);
 constexpr Vec2 kNowhere{1000, 1000};
 
 std::array<Vec2, 4> cornersOf(const Aabb& box) {
@@ -70,7 +70,7 @@ std::size_t LevelSelect::rowOf(std::size_t level) const {
 }
 
 Real LevelSelect::rowTop(std::size_t row) const {
-    return kTop - kStep.y * (static_cast<Real>(row) - static_cast<Real>(topRow_));
+    return kTilesTop - kTileStep.y * (static_cast<Real>(row) - static_cast<Real>(topRow_));
 }
 
 Aabb LevelSelect::tile(std::size_t level) const {
@@ -79,21 +79,22 @@ Aabb LevelSelect::tile(std::size_t level) const {
         return {kNowhere, kNowhere};
     }
     const auto column = static_cast<Real>(level - rows_[row].first);
-    const Vec2 lower{kLeft + kStep.x * column, rowTop(row) - kHeader - kTile.y};
+    const Vec2 lower{kTilesLeft + kTileStep.x * column, rowTop(row) - kHeader - kTile.y};
     return {lower, lower + kTile};
 }
 
 Aabb LevelSelect::backPlace() const {
-    return {{kLeft, Real(0.2)}, {kLeft + Real(4), Real(1.2)}};
+    return {{kTilesLeft, Real(0.2)}, {kTilesLeft + Real(4), Real(1.2)}};
 }
 
 Aabb LevelSelect::upPlace() const {
-    const Real middle = kLeft + Real(0.5) * kInRow * kStep.x;
-    return {{middle - Real(0.8), kTop - Real(0.7)}, {middle + Real(0.8), kTop + Real(0.2)}};
+    const Real middle = kTilesLeft + Real(0.5) * kInRow * kTileStep.x;
+    return {{middle - Real(0.8), kTilesTop - Real(0.7)},
+            {middle + Real(0.8), kTilesTop + Real(0.2)}};
 }
 
 Aabb LevelSelect::downPlace() const {
-    const Vec2 shift{0, -kStep.y * static_cast<Real>(kRowsInSight)};
+    const Vec2 shift{0, -kTileStep.y * static_cast<Real>(kRowsInSight)};
     return {upPlace().lower + shift, upPlace().upper + shift};
 }
 
@@ -175,22 +176,22 @@ void LevelSelect::drawTile(Canvas& canvas, std::size_t level, Best best) const {
 void LevelSelect::drawChosen(Canvas& canvas, const Profile& profile, double seconds) const {
     const Level& level = *levels_[chosen_];
     const ThemeLook& look = lookOf(level.theme);
-    canvas.text(fmt::format("LEVEL {}   {}", chosen_ + 1, look.title), {kPanelLeft, Real(14.9)},
+    canvas.text(fmt::format("LEVEL {}   {}", chosen_ + 1, look.title), {kAboutLeft, Real(14.9)},
                 {Real(0.42), look.glow});
     Real y = Real(13.8);
     for (const std::string& line : wrapped(level.title, 20)) {
-        canvas.text(line, {kPanelLeft, y}, {Real(0.95), palette::kText, Typeface::Bold});
+        canvas.text(line, {kAboutLeft, y}, {Real(0.95), palette::kText, Typeface::Bold});
         y -= Real(1.05);
     }
     for (const std::string& line : wrapped(level.idea, 40)) {
-        canvas.text(line, {kPanelLeft, y}, {Real(0.46), palette::kQuiet});
+        canvas.text(line, {kAboutLeft, y}, {Real(0.46), palette::kQuiet});
         y -= Real(0.66);
     }
-    const Aabb box{{kPanelLeft, y - Real(4.9)}, {kPanelRight, y - Real(0.1)}};
+    const Aabb box{{kAboutLeft, y - Real(4.9)}, {kAboutRight, y - Real(0.1)}};
     canvas.polygon(cornersOf(box), {10, 12, 24, 190});
     paintPreview(canvas, level, box.grown(Real(-0.25)));
     y = box.lower.y - Real(0.65);
-    Real x = kPanelLeft + Real(0.3);
+    Real x = kAboutLeft + Real(0.3);
     for (const Power power : powersOf(level)) {
         const Real rise =
             Real(0.05) * std::sin(Real(3) * static_cast<Real>(std::fmod(seconds, 628)) + x);
@@ -201,7 +202,7 @@ void LevelSelect::drawChosen(Canvas& canvas, const Profile& profile, double seco
     constexpr std::array<const char*, 2> kNames = {"BEST", "BEST, PURE"};
     for (std::size_t i = 0; i < kNames.size(); ++i) {
         const Best best = profile.bestOf(static_cast<Mode>(i), level.name);
-        const Real left = kPanelLeft + Real(5) * static_cast<Real>(i);
+        const Real left = kAboutLeft + Real(5) * static_cast<Real>(i);
         const bool counts = static_cast<Mode>(i) == profile.mode;
         canvas.text(kNames[i], {left, y}, {Real(0.4), counts ? palette::kAccent : palette::kQuiet});
         canvas.text(best.score > 0 ? grouped(best.score) : "-", {left, y - Real(0.9)},
@@ -223,7 +224,7 @@ void LevelSelect::drawFoot(Canvas& canvas, const Profile& profile) const {
                 {Real(0.46), palette::kText});
     canvas.text(fmt::format("{} of {} cleared, {} points in all", cleared, levels_.size(),
                             grouped(static_cast<int>(std::min<std::int64_t>(points, 999999999)))),
-                {kPanelLeft, back.lower.y + Real(0.35)}, {Real(0.46), palette::kQuiet});
+                {kAboutLeft, back.lower.y + Real(0.35)}, {Real(0.46), palette::kQuiet});
 }
 
 void LevelSelect::drawArrows(Canvas& canvas) const {
@@ -241,14 +242,14 @@ void LevelSelect::drawArrows(Canvas& canvas) const {
 
 void LevelSelect::draw(Canvas& canvas, const Profile& profile, double seconds) const {
     const bool pure = profile.mode == Mode::Pure;
-    canvas.text(pure ? "Choose a level (pure)" : "Choose a level", {kLeft, Real(16.6)},
+    canvas.text(pure ? "Choose a level (pure)" : "Choose a level", {kTilesLeft, Real(16.6)},
                 {Real(1.2), palette::kText, Typeface::Bold});
     const std::size_t end = std::min(topRow_ + kRowsInSight, rows_.size());
     for (std::size_t row = topRow_; row < end; ++row) {
         const Row& levels = rows_[row];
         if (levels.newTheme) {
             const ThemeLook& look = lookOf(levels_[levels.first]->theme);
-            canvas.text(look.title, {kLeft, rowTop(row) - Real(0.5)},
+            canvas.text(look.title, {kTilesLeft, rowTop(row) - Real(0.5)},
                         {Real(0.46), look.glow, Typeface::Bold});
         }
         for (std::size_t i = levels.first; i < levels.first + levels.count; ++i) {

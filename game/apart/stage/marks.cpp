@@ -8,8 +8,6 @@ namespace apart {
 
 namespace {
 
-constexpr Real kTurn = Real(6.2831853);
-
 void bar(Canvas& canvas, const kodo::Transform& place, Vec2 half, Vec2 center, Color color) {
     const std::array<Vec2, 4> corners = {
         place * (center - half), place * (center + Vec2{half.x, -half.y}), place * (center + half),
