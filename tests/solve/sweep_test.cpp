@@ -71,9 +71,9 @@ struct Drum {
     }
 };
 
-// A wall that moves cannot be stopped; what was stopped between it and others that fall on it was
-// run over, a little in each step, until it was out. Here the walls go 0.2 m a step at the corners
-// of the drum, which is nearly a box, and throw all that is in it about.
+// A wall that moves cannot be stopped; what is stopped between it and others that fall on it must
+// not be run over, a little in each step, until it is out. Here the walls go 0.2 m a step at the
+// corners of the drum, which is nearly a box, and throw all that is in it about.
 TEST(Sweep, NobodyIsRunOverByTheWallsOfATurningDrum) {
     constexpr Real kWidth = 10;
     Drum drum(kWidth, Real(1.75), 22);
