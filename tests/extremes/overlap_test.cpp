@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/collide/collide.hpp>
+#include <support/depth.hpp>
 #include <support/scenes.hpp>
 
 namespace kodo {
 namespace {
+
+using support::deepest;
 
 /// So many bodies, all with their centre at the origin, without gravity.
 World crowd(int count, const Shape& shape, Strategy strategy) {
@@ -25,23 +27,6 @@ Real fastest(const World& world) {
         speed = std::max(speed, own);
     }
     return speed;
-}
-
-Real deepest(const World& world) {
-    Real depth = 0;
-    const std::vector<BodyId> ids = world.bodies();
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-        for (std::size_t k = i + 1; k < ids.size(); ++k) {
-            const BodyView a = world[ids[i]];
-            const BodyView b = world[ids[k]];
-            if (overlap(a.bounds(), b.bounds())) {
-                depth = std::max(depth, -separation(a.part(0).convex, a.placement(),
-                                                    b.part(0).convex, b.placement())
-                                             .distance);
-            }
-        }
-    }
-    return depth;
 }
 
 /// What two bodies part with at most (m/s).

@@ -83,6 +83,34 @@ TEST(Sweep, NobodyIsRunOverByTheWallsOfATurningDrum) {
     }
 }
 
+// A fixed bug: what rested was run over by a wall that went half of its size a step or more, and
+// was left behind. It is pushed along like what is awake, in the very step in which it is reached,
+// and keeps ahead of the wall; what the wall does not reach rests on.
+TEST(Sweep, AFastWallPushesWhatRestsAlong) {
+    for (const Real speed : {Real(6), Real(30), Real(60), Real(120), Real(1000)}) {
+        for (const Real start : {Real(-1.1), Real(-1.5), Real(-2.3)}) {
+            SCOPED_TRACE(testing::Message() << speed << " m/s from " << start << " m");
+            World world({.gravity = support::kEarth});
+            support::addFloor(world);
+            const BodyId box = world.add(support::boxDef({0, Real(0.5)}, 1, 1));
+            const BodyId next = world.add(support::boxDef({1, Real(0.5)}, 1, 1)); // touches it
+            const BodyId far = world.add(support::boxDef({-20, Real(0.5)}, 1, 1));
+            const BodyId wall =
+                world.add({.shape = Box{1, 3}, .position = {start, Real(1.6)}, .flags = kLocked});
+            support::run(world, 100);
+            ASSERT_NE(world[box].flags() & kResting, 0u);
+            world[wall].setVelocity({speed, 0});
+            for (int step = 0; step < 20; ++step) {
+                world.step(support::kDt);
+                const Real face = world[wall].position().x + Real(0.5);
+                ASSERT_GT(world[box].position().x - Real(0.5), face - Real(0.1)) << step;
+                ASSERT_GT(world[next].position().x - Real(0.5), face - Real(0.1)) << step;
+            }
+            EXPECT_NE(world[far].flags() & kResting, 0u);
+        }
+    }
+}
+
 // A fixed bug: a fast wall carried along what bounces off it, before the blow that sends it away,
 // by a whole step's way, if need be into another wall. The blow then gives w = 2 V - v.
 TEST(Sweep, WhatBouncesOffAMovingWallIsNotCarriedByIt) {
