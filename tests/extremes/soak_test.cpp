@@ -75,7 +75,7 @@ TEST(Soak, ARallyKeepsItsSpeed) {
     BodyDef def = support::ballDef({}, Real(0.25), bouncing);
     def.velocity = {Real(5.1), Real(7.3)};
     const BodyId ball = world.add(def);
-    const long double speed = length(def.velocity);
+    const Real speed = length(def.velocity);
     std::size_t hits = 0;
     for (int i = 0; i < 1000000; ++i) {
         world.step(support::kDt);
