@@ -146,11 +146,10 @@ void RestStage::wakeJointed(Bodies& bodies, ContactSet& contacts, const JointSet
 }
 
 bool RestStage::wakeRunOver(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances) {
-    const bool driven =
-        std::any_of(bodies.awake.begin(), bodies.awake.end(), [&](std::uint32_t body) {
-            return bodies.locked(body) && !bodies.motion[body].halted();
-        });
-    if (!anyResting() || !driven) {
+    const auto drives = [&](std::uint32_t body) {
+        return bodies.locked(body) && !bodies.motion[body].halted();
+    };
+    if (!anyResting() || std::none_of(bodies.awake.begin(), bodies.awake.end(), drives)) {
         return false;
     }
     members_.clear();
