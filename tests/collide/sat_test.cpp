@@ -77,5 +77,26 @@ TEST(LeastPenetratingFace, StopsAtASeparatingFace) {
                 4 * support::kEpsilon);
 }
 
+// C2, counted: of polygons that are apart, a scan looks at the faces in order, up to the first one
+// that proves it: at less than half of them in the mean.
+TEST(LeastPenetratingFace, LooksAtAPartOfTheFacesOfWhatIsApart) {
+    support::RandomNumbers random(62);
+    std::size_t seen = 0;
+    std::size_t all = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const std::size_t corners = Convex::kFew + 1 + random.below(32);
+        const Convex a = convexOf(support::randomPolygon(random, corners), {});
+        const Convex b = convexOf(support::randomPolygon(random, corners), {});
+        const Transform place{Real(6) * random.rotation().xAxis(), random.rotation()};
+        const FaceAxis first = leastPenetratingFace(a, b, place, 0);
+        if (first.separation > 0) {
+            seen += first.face + 1;
+            all += corners;
+        }
+    }
+    EXPECT_GT(all, 10000u);
+    EXPECT_LT(2 * seen, all);
+}
+
 } // namespace
 } // namespace kodo

@@ -323,6 +323,26 @@ TEST(BadInput, AJointOfADeadBody) {
     EXPECT_EQ(scene.world.stateHash(), before);
 }
 
+// An outline is never mended in silence. A micrometre beside a metre is flat in float, and refused
+// by the corner that makes it so; in double it is an edge, and the body lies on it.
+TEST(BadInput, AnEdgeOfAMicrometreIsFlatOrAnEdge) {
+    World world({.gravity = support::kEarth});
+    support::addFloor(world);
+    const BodyDef def{.shape = Polygon{{{0, 0}, {1, 0}, {1, Real(1e-6)}, {0, 1}}}};
+    if (sizeof(Real) == 4) {
+        const auto problem = check(def);
+        ASSERT_TRUE(problem.has_value());
+        EXPECT_EQ(problem->field, "shape.corners[2]");
+        EXPECT_THROW(world.add(def), BadDefinition);
+        return;
+    }
+    const BodyId body = world.add(def);
+    EXPECT_EQ(world[body].part(0).convex.vertices.size(), 4u);
+    support::run(world, 300);
+    EXPECT_NE(world[body].flags() & kResting, 0u);
+    EXPECT_TRUE(support::near(world[body].position().y, 0, world.tolerances().slop));
+}
+
 // The largest and the smallest of everything that is allowed gives numbers, not NaN, in one world.
 TEST(BadInput, WhatIsAllowedIsFinite) {
     World world({.gravity = support::kEarth});

@@ -42,9 +42,10 @@ struct Load {
     }
 };
 
-// Up to 1:50 the light box keeps its size to 1 % under the default settings.
-TEST(MassRatio, AFiftyTimesHeavierBlockDoesNotCrushALightOne) {
-    for (const Real ratio : {Real(1), Real(10), Real(50)}) {
+// Up to 1:1000 the light box keeps its size to 1 % under the default settings.
+TEST(MassRatio, AThousandTimesHeavierBlockDoesNotCrushALightOne) {
+    for (const Real ratio :
+         {Real(1), Real(10), Real(50), Real(90), Real(100), Real(300), Real(400), Real(1000)}) {
         SCOPED_TRACE(ratio);
         const Load load(ratio, wakeful());
         EXPECT_LT(load.crush(), Real(0.01));
@@ -78,11 +79,11 @@ struct Tower {
     Real crush() const { return (Real(10.5) - world[heavy].position().y) / 10; }
 };
 
-// A fixed weakness: ten boxes under one of a thousand times the mass were crushed by 16 %, and then
-// fell. Each contact may give by 8 mm now, which is 0.8 % and twice that between two light ones; a
-// tower that buckles moves aside, and does not stop.
-TEST(MassRatio, ATowerCarriesAThousandTimesTheWeightOfABox) {
-    for (const Real ratio : {Real(100), Real(200), Real(300), Real(500), Real(1000)}) {
+// Each contact may give by 7 mm, which is 0.7 %, and twice that between two light ones; a tower
+// that buckles moves aside, and does not stop.
+TEST(MassRatio, ATowerCarriesThreeThousandTimesTheWeightOfABox) {
+    for (const Real ratio :
+         {Real(100), Real(200), Real(300), Real(500), Real(1000), Real(2000), Real(3000)}) {
         SCOPED_TRACE(ratio);
         Tower tower(ratio);
         support::run(tower.world, 600);
@@ -94,15 +95,15 @@ TEST(MassRatio, ATowerCarriesAThousandTimesTheWeightOfABox) {
     }
 }
 
-// The finer substeps are for such loads alone: up to 1:100 a contact is looked at ten times, twice
+// The finer substeps are for such loads alone: up to 1:98 a contact is looked at ten times, twice
 // in each of five substeps. What is lighter than that costs as before, and so does a blow of
 // something heavy that no force presses on.
 TEST(MassRatio, OnlySuchLoadsRefineTheStep) {
     const auto visitsByContact = [](const World& world) {
         return world.contactVisits() / world.collisions().size();
     };
-    for (const auto& [ratio, visits] :
-         {std::pair(Real(100), 10u), std::pair(Real(200), 20u), std::pair(Real(1000), 40u)}) {
+    for (const auto& [ratio, visits] : {std::pair(Real(90), 10u), std::pair(Real(200), 20u),
+                                        std::pair(Real(1000), 40u), std::pair(Real(3000), 80u)}) {
         Tower tower(ratio);
         support::run(tower.world, 60);
         EXPECT_EQ(visitsByContact(tower.world), visits) << ratio;
@@ -147,7 +148,7 @@ TEST(MassRatio, ARefinedStepReportsAndKeepsWhatAWholeOneWould) {
 // heavy one lies on it at 0.5 at the lowest, but for 5 cm), and after 5 s nothing moves at 1 m/s.
 TEST(MassRatio, UpToABillionItIsBounded) {
     for (const StepSettings& settings : {wakeful(), withShocks()}) {
-        for (const Real ratio : {Real(1e3), Real(1e6), Real(1e9)}) {
+        for (const Real ratio : {Real(1e3), Real(1e4), Real(1e6), Real(1e9)}) {
             SCOPED_TRACE(ratio);
             const Load load(ratio, settings);
             EXPECT_GT(load.world[load.heavy].position().y, Real(0.45));
@@ -175,9 +176,12 @@ Real chainLength(Real ratio) {
     return length(world[last].position());
 }
 
-TEST(MassRatio, AChainStretchesByOnePercentAtMostUnderTenTimesItsLink) {
-    EXPECT_TRUE(support::near(chainLength(1), 2.5L, Real(0.025)));
-    EXPECT_TRUE(support::near(chainLength(10), 2.5L, Real(0.025)));
+// Pins that form no loop are solved at once, so the load hardly matters: to a millimetre.
+TEST(MassRatio, AChainDoesNotStretchUnderTenThousandTimesItsLink) {
+    for (const Real ratio : {Real(1), Real(10), Real(100), Real(1e3), Real(1e4)}) {
+        SCOPED_TRACE(ratio);
+        EXPECT_TRUE(support::near(chainLength(ratio), 2.5L, Real(1e-3)));
+    }
 }
 
 } // namespace

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/collide/collide.hpp>
+#include <support/depth.hpp>
 #include <support/draws.hpp>
 #include <support/scenes.hpp>
 
 namespace kodo {
 namespace {
+
+using support::deepest;
 
 /// So many bodies, all with their centre at the origin, without gravity.
 World crowd(int count, const Shape& shape, Strategy strategy) {
@@ -26,23 +28,6 @@ Real fastest(const World& world) {
         speed = std::max(speed, own);
     }
     return speed;
-}
-
-Real deepest(const World& world) {
-    Real depth = 0;
-    const std::vector<BodyId> ids = world.bodies();
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-        for (std::size_t k = i + 1; k < ids.size(); ++k) {
-            const BodyView a = world[ids[i]];
-            const BodyView b = world[ids[k]];
-            if (overlap(a.bounds(), b.bounds())) {
-                depth = std::max(depth, -separation(a.part(0).convex, a.placement(),
-                                                    b.part(0).convex, b.placement())
-                                             .distance);
-            }
-        }
-    }
-    return depth;
 }
 
 /// What two bodies part with at most (m/s).
@@ -79,6 +64,41 @@ TEST(Overlap, AFewBodiesOnOnePointPart) {
                 EXPECT_TRUE(world.frozenBodies().empty());
             }
         }
+    }
+}
+
+// Circles on one point get directions by their numbers, so that they part to all sides, and not
+// along a line on which each would push the next.
+TEST(Overlap, CirclesOnOnePointPartToAllSides) {
+    World world = crowd(20, Circle{Real(0.5)}, Strategy::SoftStep);
+    support::run(world, 600);
+    Real wide = 0;
+    Real high = 0;
+    for (const BodyId id : world.bodies()) {
+        wide = std::max(wide, std::abs(world[id].position().x));
+        high = std::max(high, std::abs(world[id].position().y));
+    }
+    EXPECT_GT(wide, 2);
+    EXPECT_GT(high, 2);
+}
+
+// Sixty part too, and take their time: seventeen seconds. Nobody is pushed faster than one of two
+// is. What they give each other stays in balance: rounding aside, and each of the 1770 contacts
+// rounds in every substep.
+TEST(Overlap, SixtyBodiesOnOnePointPartWithinTwentySeconds) {
+    for (const Kind& kind : kKinds) {
+        SCOPED_TRACE(kind.name);
+        World world = crowd(60, kind.shape, Strategy::SoftStep);
+        Real most = 0;
+        for (int i = 0; i < 1200; ++i) {
+            world.step(support::kDt);
+            most = std::max(most, fastest(world));
+        }
+        EXPECT_LT(most, mostSpeed(world));
+        EXPECT_LT(deepest(world), Real(0.02));
+        EXPECT_TRUE(support::near(support::totalsOf(world).momentum, Vec2{},
+                                  support::byPrecision(0.01, 1e-9)));
+        EXPECT_EQ(world.bodyCount(), 60u);
     }
 }
 
@@ -153,6 +173,44 @@ TEST(Overlap, PartingFromDeepWithinGivesNoMore) {
     }
 }
 
+// S4: nor does it matter what else is in the world: beside boxes that lie still, or are awake and
+// touch each other in a thousand places, the pair parts as it does alone.
+TEST(Overlap, ALargePileBesideADeepPairDoesNotSpeedItUp) {
+    for (const int rows : {0, 5, 20}) {
+        SCOPED_TRACE(rows);
+        World world;
+        for (int i = 0; i < rows * rows; ++i) { // with nothing between them
+            world.add(support::boxDef(
+                {50 + static_cast<Real>(i % rows), static_cast<Real>(i / rows)}, 1, 1));
+        }
+        const BodyId left = world.add(support::boxDef({}, 1, 1));
+        const BodyId right = world.add(support::boxDef({Real(0.8), 0}, 1, 1));
+        support::run(world, 60);
+        EXPECT_LT(length(world[right].velocity() - world[left].velocity()),
+                  world.settings().pushSpeed / 50);
+        EXPECT_GT(world[right].position().x - world[left].position().x,
+                  1 - world.tolerances().slop);
+    }
+}
+
+// S4: the rest test sees the separation: what is still being parted, however slowly, does not rest;
+// once it is out, it does.
+TEST(Overlap, WhatIsBeingPartedDoesNotRest) {
+    StepSettings settings;
+    settings.pushSpeed = Real(0.05); // m/s, so that it takes 100 steps
+    World world({.gravity = support::kEarth, .settings = settings});
+    support::addFloor(world);
+    const BodyId box = world.add(support::boxDef({0, Real(0.4)}, 1, 1));
+    for (int i = 0; i < 300; ++i) {
+        world.step(support::kDt);
+        if (world[box].position().y < Real(0.5) - 2 * world.tolerances().slop) {
+            ASSERT_EQ(world[box].flags() & kResting, 0u) << "step " << i;
+        }
+    }
+    EXPECT_NE(world[box].flags() & kResting, 0u);
+    EXPECT_GT(world[box].position().y, Real(0.5) - world.tolerances().slop);
+}
+
 // S4: the same under gravity: a box that began 10 cm in the floor stands on it, and has not jumped:
 // it has gained no more energy than that of being lifted out.
 TEST(Overlap, PartingUnderGravityDoesNotThrow) {
@@ -170,6 +228,40 @@ TEST(Overlap, PartingUnderGravityDoesNotThrow) {
         EXPECT_LT(highest, Real(0.502)); // half a slop above the floor
         EXPECT_GT(world[box].position().y, Real(0.495));
         EXPECT_LT(length(world[box].velocity()), Real(1e-3));
+    }
+}
+
+/// The largest impulse (N s) of the last step.
+Real hardest(const World& world) {
+    Real most = 0;
+    for (const CollisionRecord& record : world.collisions()) {
+        most = std::max(most, record.maxImpulse);
+    }
+    return most;
+}
+
+// What is wedged into gaps too small for it has no place to go: two sides press on it, or turn it,
+// against each other. Their impulses grow until the softness of a contact takes back as much in a
+// substep as the push adds, and no further, however long that lasts.
+TEST(Overlap, WhatIsPinchedIsPressedWithinBounds) {
+    for (const Flags flags : {Flags{0}, kLockMove}) {
+        SCOPED_TRACE(flags);
+        StepSettings settings;
+        settings.leaveOut = static_cast<std::uint8_t>(Feature::Resting);
+        World world({.settings = settings});
+        BodyDef def = support::boxDef({}, 2, 1);
+        def.flags = flags;
+        const BodyId wedged = world.add(def);
+        for (const Vec2 place : {Vec2{Real(0.8), Real(0.8)}, Vec2{Real(-0.8), Real(0.8)},
+                                 Vec2{Real(0.8), Real(-0.8)}, Vec2{Real(-0.8), Real(-0.8)}}) {
+            world.add({.shape = Box{1, 1}, .position = place, .flags = kLocked});
+        }
+        support::run(world, 1000);
+        const Real early = hardest(world);
+        EXPECT_GT(early, 0);
+        support::run(world, 20000);
+        EXPECT_LT(hardest(world), Real(1.01) * early);
+        EXPECT_LT(length(world[wedged].position()), Real(0.1));
     }
 }
 

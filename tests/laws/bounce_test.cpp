@@ -46,6 +46,36 @@ TEST(Bounce, PeaksFallWithTheSquareOfRestitution) {
     }
 }
 
+// A3: the ball strikes the floor when it should: after sqrt(2 h / g) = 1 s, and then after twice
+// the time e v / g of each rise. A blow is dealt in the step after the touch, and the ball waits
+// for it: it comes later by a step a blow at most, never earlier.
+TEST(Bounce, StrikesTheFloorWhenTheFormulaSays) {
+    for (const Real rate : {Real(60), Real(120), Real(240), Real(480)}) {
+        SCOPED_TRACE(rate);
+        World world({.gravity = support::kEarth});
+        support::addFloor(world, slippery(Real(0.8)));
+        const BodyId ball = world.add(ballDef({0, Real(5.5)}, Real(0.5), slippery(Real(0.8))));
+        long double expected = 1;
+        long double rise = 1;
+        int blows = 0;
+        Real before = 0;
+        for (int i = 1; blows < 4 && i < static_cast<int>(20 * rate); ++i) {
+            world.step(1 / rate);
+            const Real now = world[ball].velocity().y;
+            if (before < 0 && now > 0) {
+                ++blows;
+                const long double time = i / static_cast<long double>(rate);
+                EXPECT_GT(time, expected - 0.001L) << blows;
+                EXPECT_LT(time, expected + (blows + 1) / static_cast<long double>(rate)) << blows;
+                rise *= 0.8L;
+                expected += 2 * rise;
+            }
+            before = now;
+        }
+        EXPECT_EQ(blows, 4);
+    }
+}
+
 // A3b: without loss the energy stays, for a minute, within 3 %.
 TEST(Bounce, WithoutLossGoesOnForAMinute) {
     World world({.gravity = support::kEarth});

@@ -90,6 +90,22 @@ TEST(MassProperties, SurviveAShapeFarFromItsFrame) {
     EXPECT_TRUE(nearShare(triangle.inertia(), 12.0L * 50 / 36, byPrecision(1e-5, 1e-9)));
 }
 
+// A14: and a million metres from it in double, where a corner is rounded to 1e-10 m; float has no
+// place so far out, and says so.
+TEST(MassProperties, SurviveAMillionMetresOrAreRefused) {
+    World world;
+    BodyDef def{.shape = Compound{{Box{2, 1, {Real(1e6) + 1, Real(-1e6) + Real(0.5)}},
+                                   Box{1, 1, {Real(1e6) + Real(0.5), Real(-1e6) + Real(1.5)}}}},
+                .density = 2};
+    if (kFarthest < Real(1e6)) {
+        EXPECT_THROW(world.add(def), BadDefinition);
+        return;
+    }
+    const BodyView body = world[world.add(def)];
+    EXPECT_TRUE(nearShare(body.mass(), 6, 1e-9L));
+    EXPECT_TRUE(nearShare(body.inertia(), 2 * (1 + 2.0L * 5 / 36 + 5.0L / 9), 1e-6L));
+}
+
 // R4: density scales mass and inertia, locked or not.
 TEST(MassProperties, GrowWithDensity) {
     World world;

@@ -56,6 +56,27 @@ TEST(Rolling, DownAnInclineTakesTwoThirds) {
     }
 }
 
+// A9b: with less friction than tan / 3 it slips: a = g (sin - mu cos), and it turns with
+// 2 mu g cos / r.
+TEST(Rolling, DownAnInclineSlipsWithoutEnoughFriction) {
+    constexpr double kAngle = 3.14159265358979 / 6;
+    constexpr double kFriction = 0.1; // tan / 3 = 0.19
+    const Rot tilt = Rot::fromAngle(static_cast<Real>(-kAngle));
+    World world({.gravity = support::kEarth});
+    const Material material = withFriction(static_cast<Real>(kFriction));
+    world.add({.shape = Box{400, 2},
+               .position = -1 * tilt.yAxis(),
+               .rotation = tilt,
+               .material = material,
+               .flags = kLocked});
+    const BodyId ball = world.add(support::ballDef(Real(0.5) * tilt.yAxis(), Real(0.5), material));
+    support::run(world, 120);
+    const double press = 10 * std::cos(kAngle);
+    const double v = 2 * (10 * std::sin(kAngle) - kFriction * press);
+    EXPECT_TRUE(nearShare(dot(world[ball].velocity(), tilt.xAxis()), v, 0.01));
+    EXPECT_TRUE(nearShare(world[ball].angularVelocity(), -2 * 2 * kFriction * press / 0.5, 0.01));
+}
+
 // R7: rolling without resistance goes on: friction does no work. Where the ball touches is found
 // once a step, while it turns by 0.1 rad in it: a small part of that is lost.
 TEST(Rolling, WithoutResistanceKeepsItsSpeed) {

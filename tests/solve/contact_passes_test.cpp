@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <limits>
 #include <vector>
 
 namespace kodo {
@@ -12,6 +13,7 @@ namespace {
 
 constexpr int kContacts = ContactBlock::kContacts;
 constexpr std::size_t kBlocks = 40;
+constexpr Real kSettleBelow = Real(-0.01); // m; two of five contacts
 
 /// Blocks of contacts between bodies of their own, some without rolling, some with one point only,
 /// some apart, some deep, some between a body and one that cannot be pushed.
@@ -28,6 +30,8 @@ struct Blocks {
             order.push_back(static_cast<std::uint32_t>(i));
             use[i].twoPoints = random.below(2) == 0;
             use[i].onLocked = random.below(4) == 0;
+            use[i].movesA = use[i].onLocked ? 0 : 0xff;
+            use[i].movesB = 0xff;
             if (random.below(3) == 0) {
                 use[i].rolling = static_cast<std::int32_t>(rolling.size());
                 rolling.emplace_back();
@@ -80,17 +84,20 @@ struct Blocks {
         }
     }
 
+    ContactPassArguments pass() {
+        const Real h = Real(1) / 240;
+        return {blocks.data(),
+                rolling.data(),
+                use.data(),
+                order.data(),
+                kBlocks,
+                motion.data(),
+                {Softness::from(60, 10, h), Softness::from(120, 10, h), 1 / h, true, kSettleBelow}};
+    }
+
     /// A whole substep, and another.
     void run(const ContactPasses& passes) {
-        const Real h = Real(1) / 240;
-        const ContactPassArguments pass{
-            blocks.data(),
-            rolling.data(),
-            use.data(),
-            order.data(),
-            kBlocks,
-            motion.data(),
-            {Softness::from(60, 10, h), Softness::from(120, 10, h), 1 / h, true}};
+        const ContactPassArguments pass = this->pass();
         for (int substep = 0; substep < 2; ++substep) {
             passes.warmStart(pass);
             passes.solve(pass);
@@ -129,6 +136,7 @@ TEST(ContactPasses, KeepMomentum) {
     const std::vector<Motion> before = blocks.motion;
     blocks.run(ContactPasses::best());
     constexpr double kRounding = sizeof(Real) == 4 ? 1e-4 : 1e-12;
+    std::size_t pushed = 0;
     for (std::size_t i = 0; i < kBlocks; ++i) {
         for (std::size_t lane = 0; lane < kContacts && !blocks.use[i].onLocked; ++lane) {
             const std::uint32_t a = blocks.blocks[i].a[lane];
@@ -139,8 +147,10 @@ TEST(ContactPasses, KeepMomentum) {
             };
             EXPECT_LE(length(momentum(blocks.motion) - momentum(before)), kRounding)
                 << "block " << i << ", lane " << lane;
+            pushed += blocks.motion[a].velocity != before[a].velocity ? 1 : 0;
         }
     }
+    EXPECT_GT(pushed, kBlocks); // most of them
 }
 
 // After the passes contacts only push, and friction stays within the static cone.
@@ -156,6 +166,39 @@ TEST(ContactPasses, PushAndNeverPull) {
             EXPECT_LE(std::abs(block.friction[lane]),
                       block.staticFriction[lane] * (first + second));
         }
+    }
+}
+
+// A settling pass is for the contacts with less separation than it is told, in whatever lanes they
+// are: of the others it changes no bit, and of those as much as if it had been for all.
+TEST(ContactPasses, SettleThoseThatAreDeepAndNoOther) {
+    for (const ContactPasses* passes : {&ContactPasses::baseline(), &ContactPasses::best()}) {
+        SCOPED_TRACE(passes->name);
+        const Blocks before(11);
+        Blocks some(11);
+        Blocks all(11);
+        passes->settle(some.pass());
+        ContactPassArguments forAll = all.pass();
+        forAll.settings.settleBelow = std::numeric_limits<Real>::max();
+        passes->settle(forAll);
+        std::size_t deep = 0;
+        for (std::size_t i = 0; i < kBlocks; ++i) {
+            const ContactBlock& own = some.blocks[i];
+            for (std::size_t lane = 0; lane < kContacts; ++lane) {
+                const bool settles = own.points[0].separation[lane] < kSettleBelow;
+                deep += settles ? 1 : 0;
+                const Blocks& expected = settles ? all : before;
+                for (const std::uint32_t body : {own.a[lane], own.b[lane]}) {
+                    EXPECT_EQ(some.motion[body].velocity, expected.motion[body].velocity);
+                    EXPECT_EQ(some.motion[body].angularVelocity,
+                              expected.motion[body].angularVelocity);
+                }
+                EXPECT_EQ(own.points[0].impulse[lane], expected.blocks[i].points[0].impulse[lane]);
+                EXPECT_EQ(own.points[1].impulse[lane], expected.blocks[i].points[1].impulse[lane]);
+            }
+        }
+        EXPECT_GT(deep, 0u);
+        EXPECT_LT(deep, kBlocks * kContacts);
     }
 }
 

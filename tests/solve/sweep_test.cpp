@@ -71,15 +71,43 @@ struct Drum {
     }
 };
 
-// A wall that moves cannot be stopped; what was stopped between it and others that fall on it was
-// run over, a little in each step, until it was out. Here the walls go 0.2 m a step at the corners
-// of the drum, which is nearly a box, and throw all that is in it about.
+// A wall that moves cannot be stopped; what is stopped between it and others that fall on it must
+// not be run over, a little in each step, until it is out. Here the walls go 0.2 m a step at the
+// corners of the drum, which is nearly a box, and throw all that is in it about.
 TEST(Sweep, NobodyIsRunOverByTheWallsOfATurningDrum) {
     constexpr Real kWidth = 10;
     Drum drum(kWidth, Real(1.75), 22);
     for (int step = 0; step < 400; ++step) {
         drum.world.step(support::kDt);
         ASSERT_LT(drum.farthestOut(kWidth), 0) << "step " << step;
+    }
+}
+
+// A fixed bug: what rested was run over by a wall that went half of its size a step or more, and
+// was left behind. It is pushed along like what is awake, in the very step in which it is reached,
+// and keeps ahead of the wall; what the wall does not reach rests on.
+TEST(Sweep, AFastWallPushesWhatRestsAlong) {
+    for (const Real speed : {Real(6), Real(30), Real(60), Real(120), Real(1000)}) {
+        for (const Real start : {Real(-1.1), Real(-1.5), Real(-2.3)}) {
+            SCOPED_TRACE(testing::Message() << speed << " m/s from " << start << " m");
+            World world({.gravity = support::kEarth});
+            support::addFloor(world);
+            const BodyId box = world.add(support::boxDef({0, Real(0.5)}, 1, 1));
+            const BodyId next = world.add(support::boxDef({1, Real(0.5)}, 1, 1)); // touches it
+            const BodyId far = world.add(support::boxDef({-20, Real(0.5)}, 1, 1));
+            const BodyId wall =
+                world.add({.shape = Box{1, 3}, .position = {start, Real(1.6)}, .flags = kLocked});
+            support::run(world, 100);
+            ASSERT_NE(world[box].flags() & kResting, 0u);
+            world[wall].setVelocity({speed, 0});
+            for (int step = 0; step < 20; ++step) {
+                world.step(support::kDt);
+                const Real face = world[wall].position().x + Real(0.5);
+                ASSERT_GT(world[box].position().x - Real(0.5), face - Real(0.1)) << step;
+                ASSERT_GT(world[next].position().x - Real(0.5), face - Real(0.1)) << step;
+            }
+            EXPECT_NE(world[far].flags() & kResting, 0u);
+        }
     }
 }
 

@@ -156,6 +156,11 @@ const BadDef kBadDefs[] = {
          d.shape = Polygon{{{0, 0}, {1, 0}, {Real(0.5), Real(1e-20)}}};
      },
      "shape.corners[2]"},
+    {"OnePoint",
+     [](BodyDef& d) {
+         d.shape = Polygon{{{1, 1}, {1, 1}, {1, 1}}};
+     },
+     "shape.corners[1]"},
     {"Concave",
      [](BodyDef& d) {
          d.shape = Polygon{{{0, 0}, {4, 0}, {1, 1}, {0, 4}}};

@@ -75,6 +75,32 @@ TEST(Snapshot, GoesOnAlikeFromAnyMoment) {
     }
 }
 
+// A wall that nothing stops comes at boxes that rest, touches or leaps at them, and pushes them
+// along: whoever was read from bytes in any step of that goes on alike.
+TEST(Snapshot, GoesOnAlikeWhileWhatRestsIsPushedByAMovingWall) {
+    for (const Real speed : {Real(0.5), Real(6), Real(60), Real(300)}) {
+        SCOPED_TRACE(speed);
+        World world({.gravity = support::kEarth});
+        support::addFloor(world);
+        const BodyId box = world.add(support::boxDef({0, Real(0.5)}, 1, 1));
+        world.add(support::boxDef({1, Real(0.5)}, 1, 1)); // touches it
+        world.add(support::boxDef({Real(2.5), Real(0.5)}, 1, 1));
+        const BodyId wall =
+            world.add({.shape = Box{1, 3}, .position = {Real(-1.1), Real(1.6)}, .flags = kLocked});
+        run(world, 100);
+        ASSERT_NE(world[box].flags() & kResting, 0u);
+        world[wall].setVelocity({speed, 0});
+        for (int step = 0; step < 20; ++step) {
+            World original = world;
+            World loaded = reloaded(world);
+            expectToGoOnAlike(original, loaded, 15);
+            world.step(kDt);
+        }
+        EXPECT_EQ(world[box].flags() & kResting, 0u);
+        EXPECT_GT(world[box].position().x, 0);
+    }
+}
+
 // The scene is worth its name: a snapshot of it holds something of everything.
 TEST(Snapshot, TheBusyWorldHasEverything) {
     World world = busyWorld();

@@ -24,6 +24,7 @@ struct Motion {
         move = {};
         turn = 0;
     }
+    bool halted() const { return move == Vec2{} && turn == 0; }
     /// Forgets both.
     void stand() {
         velocity = {};

@@ -22,7 +22,8 @@ struct Push {
 };
 
 /// A rule that pushes bodies: gravity, wind, a magnet. Write your own by deriving from it. It must
-/// depend on its arguments alone, since a copy of a World shares it and a replay repeats it.
+/// depend on its arguments alone, since a copy of a World shares it and a replay repeats it; and it
+/// must not call the World that asks it.
 class ForceField {
 public:
     ForceField() = default;

@@ -61,6 +61,24 @@ bool carry(const Bodies& bodies, Contact& contact, const Tolerances& tolerances)
     return true;
 }
 
+/// Two circles on one point have no direction of their own to part in, and all of a crowd on one
+/// point would part along one line. So theirs goes by the number of the second body, in turns of
+/// the golden angle, which spreads them to all sides.
+void spreadConcentric(Manifold& manifold, const Convex& a, const Convex& b, std::uint32_t number) {
+    ManifoldPoint& point = manifold.points[0];
+    if (!a.isRound() || !b.isRound() || manifold.count == 0 ||
+        point.separation != -(a.radius + b.radius)) {
+        return;
+    }
+    constexpr Real kGoldenAngle = Real(2.39996323); // rad
+    const Vec2 normal =
+        Rot::fromAngle(kGoldenAngle * static_cast<Real>(number % 32)) * manifold.normal;
+    const Vec2 shift = (a.radius + point.separation / 2) * (normal - manifold.normal);
+    manifold.normal = normal;
+    point.armA += shift;
+    point.armB += shift;
+}
+
 /// Finds the manifold anew.
 void find(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) {
     const ContactKey& key = contact.key;
@@ -69,6 +87,8 @@ void find(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) 
     Manifold manifold = collide(bodies.outline(key.bodyA, key.partA), bodies.pose[key.bodyA],
                                 bodies.outline(key.bodyB, key.partB), bodies.pose[key.bodyB],
                                 tolerances.margin, preference);
+    spreadConcentric(manifold, bodies.outline(key.bodyA, key.partA),
+                     bodies.outline(key.bodyB, key.partB), key.bodyB);
     contact.passing = letPass(contact.passing, manifold);
     replaceManifold(contact, manifold);
     contact.drift = 0;

@@ -63,6 +63,7 @@ struct PassSettings {
     Softness onLocked;
     Real invH;
     bool friction;
+    Real settleBelow; // m; settling passes are for contacts with less separation than this
 };
 
 /// One pass over `count` blocks, in an order. `motion` is that of the bodies.

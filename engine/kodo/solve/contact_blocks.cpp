@@ -23,16 +23,6 @@ constexpr std::uint8_t maskOf(std::uint32_t row) {
 
 } // namespace
 
-/// What found no colour: its blocks hold one contact each.
-bool ContactBlocks::isSingle(std::uint32_t bin) {
-    return bin / 2 == kFreeColours || bin / 2 == kGroups - 1;
-}
-
-std::uint32_t ContactBlocks::binOf(std::uint32_t colour, const Contact& contact) {
-    const std::uint32_t group = colour < kFreeColours ? colour : colour + 1;
-    return 2 * group + (contact.manifold.count == 2 ? 1 : 0);
-}
-
 void ContactBlocks::refine(int parts) {
     const auto now = static_cast<Real>(parts);
     anew_ = std::exchange(parts_, now) != now || anew_;
@@ -373,6 +363,20 @@ void ContactBlocks::fill(const Bodies& bodies, const Contact& contact) {
 ContactPassArguments ContactBlocks::pass(Bodies& bodies, const PassSettings& settings) {
     return {blocks_.data(), rolling_.data(),      use_.data(), order_.data(),
             order_.size(),  bodies.motion.data(), settings};
+}
+
+std::size_t ContactBlocks::listDeeper(Real separation, std::vector<std::uint32_t>& list) const {
+    list.clear();
+    std::size_t rows = 0;
+    for (const std::uint32_t i : order_) {
+        const ContactBlock::Each& each = blocks_[i].points[0].separation; // the deepest comes first
+        if (*std::min_element(each, each + ContactBlock::kContacts) < separation) {
+            list.push_back(i);
+            rows += static_cast<std::size_t>(std::count_if(
+                each, each + ContactBlock::kContacts, [&](Real own) { return own < separation; }));
+        }
+    }
+    return rows;
 }
 
 void ContactBlocks::fetch(Contact& contact) const {

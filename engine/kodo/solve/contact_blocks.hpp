@@ -50,6 +50,9 @@ public:
     };
     std::span<const Colour> colours() const { return byColour_; }
     std::size_t size() const { return rows_; }
+    /// Lists the blocks that hold contacts with less separation (m) than that, in the order of the
+    /// pass. How many such contacts there are.
+    std::size_t listDeeper(Real separation, std::vector<std::uint32_t>& list) const;
 
     /// Hands the impulses of the step to a contact, if it was taken.
     void fetch(Contact& contact) const;
@@ -71,8 +74,14 @@ private:
         std::uint8_t fixedB = 0;
     };
 
-    static bool isSingle(std::uint32_t bin);
-    static std::uint32_t binOf(std::uint32_t colour, const Contact& contact);
+    /// What found no colour: its blocks hold one contact each.
+    static bool isSingle(std::uint32_t bin) {
+        return bin / 2 == kFreeColours || bin / 2 == kGroups - 1;
+    }
+    static std::uint32_t binOf(std::uint32_t colour, const Contact& contact) {
+        const std::uint32_t group = colour < kFreeColours ? colour : colour + 1;
+        return 2 * group + (contact.manifold.count == 2 ? 1 : 0);
+    }
     bool keepsColour(const Bodies& bodies, const Contact& contact) const;
     bool needsRolling(const Contact& contact) const;
     std::uint8_t goneFrom(std::uint32_t block) const;

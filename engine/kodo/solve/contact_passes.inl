@@ -62,7 +62,7 @@ struct Push {
 template <Task task>
 KODO_LANES_INLINE Lanes solvePoint(ContactBlock::Point& point, int at, Pair& pair, Lanes& along,
                                    Lanes moved, const Quad& moveA, const Quad& moveB,
-                                   Lanes pushSpeed, const Push& soft) {
+                                   Lanes pushSpeed, Lanes takesPart, const Push& soft) {
     const Lanes leverA = load(point.leverA + at);
     const Lanes leverB = load(point.leverB + at);
     const Lanes impulse = load(point.impulse + at);
@@ -79,7 +79,10 @@ KODO_LANES_INLINE Lanes solvePoint(ContactBlock::Point& point, int at, Pair& pai
     } else {
         wanted = impulse - load(point.mass + at) * (speed + (apart ? close : Lanes{}));
     }
-    const Lanes next = larger(wanted, Lanes{});
+    Lanes next = larger(wanted, Lanes{});
+    if constexpr (task == Task::Settle) {
+        next = takesPart > Lanes{} ? next : impulse;
+    }
     const Lanes change = next - impulse;
     store(point.impulse + at, next);
     if constexpr (task == Task::Relax) {
@@ -110,13 +113,24 @@ KODO_LANES_INLINE void solveFriction(ContactBlock& block, int at, Pair& pair, La
     push(pair, change * tx, change * ty, leverA * change, leverB * change);
 }
 
-KODO_LANES_INLINE void solveRolling(RollingBlock& block, int at, Pair& pair, Lanes pressed) {
+KODO_LANES_INLINE void solveRolling(RollingBlock& block, int at, Pair& pair, Lanes pressed,
+                                    Lanes takesPart) {
     const Lanes impulse = load(block.impulse + at);
     const Lanes limit = load(block.lever + at) * pressed;
     const Lanes wanted = impulse - load(block.mass + at) * (pair.b.z - pair.a.z);
-    const Lanes next = larger(smaller(wanted, limit), -limit);
+    const Lanes held = larger(smaller(wanted, limit), -limit);
+    const Lanes next = takesPart > Lanes{} ? held : impulse;
     store(block.impulse + at, next);
     spin(pair, next - impulse, next - impulse);
+}
+
+/// By lane: is its contact one of those that the settling passes are for?
+KODO_LANES_INLINE std::uint8_t settledLanes(const ContactBlock& block, Real settleBelow) {
+    unsigned lanes = 0;
+    for (unsigned lane = 0; lane < ContactBlock::kContacts; ++lane) {
+        lanes |= (block.points[0].separation[lane] < settleBelow ? 1u : 0u) << lane;
+    }
+    return static_cast<std::uint8_t>(lanes);
 }
 
 /// Writes the speeds back of those that can be pushed. The others are left alone: another thread
@@ -134,8 +148,8 @@ KODO_LANES_INLINE void putBack(Motion* motion, const std::uint32_t* index, const
 
 template <Task task, int points>
 KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, int at,
-                                  Motion* motion, const Push& soft, bool friction,
-                                  const BlockUse& use) {
+                                  Motion* motion, const Push& soft,
+                                  const PassSettings& settings, const BlockUse& use) {
     const Quad moveA = gather(moves(motion), kStride, block.a + at);
     const Quad moveB = gather(moves(motion), kStride, block.b + at);
     Pair pair{gather(speeds(motion), kStride, block.a + at),
@@ -149,20 +163,25 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
     const Lanes moved = nx * (moveB.x - moveA.x) + ny * (moveB.y - moveA.y);
     Lanes along = nx * (pair.b.x - pair.a.x) + ny * (pair.b.y - pair.a.y);
     const Lanes pushSpeed = load(block.pushSpeed + at);
-    Lanes change =
-        solvePoint<task>(block.points[0], at, pair, along, moved, moveA, moveB, pushSpeed, soft);
+    Lanes takesPart = all(1);
+    if constexpr (task == Task::Settle) {
+        const auto settled = load(block.points[0].separation + at) < all(settings.settleBelow);
+        takesPart = settled ? takesPart : Lanes{};
+    }
+    Lanes change = solvePoint<task>(block.points[0], at, pair, along, moved, moveA, moveB,
+                                    pushSpeed, takesPart, soft);
     Lanes sum = load(block.points[0].impulse + at);
     if constexpr (points == 2) {
         change += solvePoint<task>(block.points[1], at, pair, along, moved, moveA, moveB, pushSpeed,
-                                   soft);
+                                   takesPart, soft);
         sum += load(block.points[1].impulse + at);
     }
     push(pair, change * nx, change * ny, Lanes{}, Lanes{});
-    if (task == Task::Relax && friction) {
+    if (task == Task::Relax && settings.friction) {
         solveFriction(block, at, pair, sum);
     }
     if (rolling != nullptr) {
-        solveRolling(*rolling, at, pair, sum);
+        solveRolling(*rolling, at, pair, sum, takesPart);
     }
     if constexpr (task == Task::Relax) {
         store(block.total + at, load(block.total + at) + sum);
@@ -176,17 +195,20 @@ void solveBlocks(const ContactPassArguments& pass) {
     const PassSettings& settings = pass.settings;
     for (std::size_t k = 0; k < pass.count; ++k) {
         const std::size_t i = pass.order[k];
-        const BlockUse use = pass.use[i];
+        BlockUse use = pass.use[i];
+        if constexpr (task == Task::Settle) {
+            const std::uint8_t settled = settledLanes(pass.blocks[i], settings.settleBelow);
+            use.movesA &= settled;
+            use.movesB &= settled;
+        }
         const Softness& soft = use.onLocked ? settings.onLocked : settings.soft;
         const Push push{soft.biasRate, soft.massScale, soft.impulseScale, settings.invH};
         RollingBlock* const rolling = use.rolling < 0 ? nullptr : pass.rolling + use.rolling;
         for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
             if (use.twoPoints) {
-                solveLanes<task, 2>(pass.blocks[i], rolling, at, pass.motion, push,
-                                    settings.friction, use);
+                solveLanes<task, 2>(pass.blocks[i], rolling, at, pass.motion, push, settings, use);
             } else {
-                solveLanes<task, 1>(pass.blocks[i], rolling, at, pass.motion, push,
-                                    settings.friction, use);
+                solveLanes<task, 1>(pass.blocks[i], rolling, at, pass.motion, push, settings, use);
             }
         }
     }

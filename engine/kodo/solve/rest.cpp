@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/collide/time_of_impact.hpp>
 #include <kodo/solve/rest.hpp>
 
 #include <algorithm>
@@ -142,6 +143,40 @@ void RestStage::wakeJointed(Bodies& bodies, ContactSet& contacts, const JointSet
             wake(bodies, contacts, a);
         }
     });
+}
+
+bool RestStage::wakeRunOver(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances) {
+    const auto drives = [&](std::uint32_t body) {
+        return bodies.locked(body) && !bodies.motion[body].halted();
+    };
+    if (!anyResting() || std::none_of(bodies.awake.begin(), bodies.awake.end(), drives)) {
+        return false;
+    }
+    members_.clear();
+    for (const Contact& contact : contacts.contacts()) {
+        const auto& [bodyA, partA, bodyB, partB] = contact.key;
+        const std::uint32_t wall = bodies.resting(bodyA) ? bodyB : bodyA;
+        if (bodies.resting(bodyA) == bodies.resting(bodyB) || !bodies.locked(wall) ||
+            contact.sensor || contact.passing) {
+            continue;
+        }
+        const Motion& motion = bodies.motion[wall];
+        const Real way = length(motion.move) + std::abs(motion.turn) * bodies.extent[wall].reach;
+        if (way <= std::min(bodies.extent[bodyA].inside, bodies.extent[bodyB].inside) / 2) {
+            continue; // the contact of the next step will do
+        }
+        const auto sweepOf = [&](std::uint32_t body) {
+            return Sweep{bodies.pose[body], bodies.motion[body].move, bodies.motion[body].turn};
+        };
+        if (timeOfImpact(bodies.outline(bodyA, partA), sweepOf(bodyA), bodies.outline(bodyB, partB),
+                         sweepOf(bodyB), tolerances.slop / 64) < 1) {
+            members_.push_back(wall == bodyA ? bodyB : bodyA);
+        }
+    }
+    for (const std::uint32_t body : members_) {
+        wake(bodies, contacts, body);
+    }
+    return !members_.empty();
 }
 
 std::uint32_t RestStage::find(std::uint32_t body) {

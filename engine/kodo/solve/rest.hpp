@@ -30,6 +30,10 @@ public:
     void wakeTouched(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances);
     /// Wakes the islands that a joint ties to something active.
     void wakeJointed(Bodies& bodies, ContactSet& contacts, const JointSet& joints);
+    /// Wakes the islands that something locked runs into within the step, too fast for contacts, so
+    /// that the sweep can push them along. To be called when the motions are known. True if any
+    /// did.
+    bool wakeRunOver(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances);
     /// Counts calm steps and puts islands to rest.
     void settle(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
                 const StepSettings& settings, const Tolerances& tolerances, Real dt);
@@ -75,7 +79,7 @@ private:
     std::vector<std::uint32_t> leastCalm_; // by root
     std::vector<std::uint32_t> supports_;  // points that each body touches something with
     std::vector<std::pair<std::uint32_t, std::uint32_t>> resting_; // root and body
-    std::vector<std::uint32_t> members_;                           // of one island
+    std::vector<std::uint32_t> members_;                           // of one island, or to be woken
     std::vector<Contact> standing_; // of bodies that neither rest nor take part
 };
 

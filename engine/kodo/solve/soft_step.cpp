@@ -3,6 +3,7 @@
 #include <kodo/solve/soft_step.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -13,15 +14,13 @@ namespace {
 constexpr std::size_t kNewcomersAPiece = 128;
 constexpr std::size_t kBlocksAPiece = 8;
 constexpr std::size_t kBodiesAPiece = 256;
-// Contacts may give by so many slops under a weight before the step is refined, and a body must be
-// so many times as heavy as another for its weight to be asked about.
-constexpr Real kMostGive = 2;
-constexpr Real kFarApart = 50;
-constexpr int kMostRefined = 4;
-// Overlaps of more than so many slops are deep. Where one contact of eight is, as when bodies are
-// put on one place, the speed that their pushes give is taken out again by more passes, two for one
-// of them and one more for each further one, up to so many. In a large crowd the push is shared
-// out, and there are many contacts: fewer passes will do.
+// Contacts may give by so many slops under a weight before the step is refined.
+constexpr Real kMostGive = Real(1.75);
+constexpr int kMostRefined = 8;
+// Overlaps of more than so many slops are deep, as when bodies are put on one place. The speed that
+// their pushes give is taken out again by more passes, two for one of them and one more for each
+// further one, up to so many: over all contacts where one of eight is deep, else over those alone.
+// In a large crowd the push is shared out, and there are many contacts: fewer passes will do.
 constexpr Real kDeep = 8;
 constexpr int kSomeDeep = 8;
 constexpr int kMostSettling = 10;
@@ -40,10 +39,9 @@ bool needsRow(const Bodies& bodies, const Contact& contact, const StepSettings& 
     return !bounces || contact.manifold.points[0].separation <= tolerances.slop;
 }
 
-/// How many passes more settle contacts of which so many are deep; `crowd` is the most that overlap
-/// one body.
-int settlingOf(int deep, int contacts, int crowd) {
-    if (deep == 0 || kSomeDeep * deep < contacts) {
+/// How many passes more settle so many deep contacts; `crowd` is the most that overlap one body.
+int settlingOf(int deep, int crowd) {
+    if (deep == 0) {
         return 0;
     }
     return std::min({1 + deep, kMostSettling, 1 + kLargeCrowd / crowd});
@@ -117,7 +115,8 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
                       crew.count(deep, ownDeep);
                       crew.count(rows, ownRows);
                   });
-    settling_ = settlingOf(deep, rows, most);
+    settling_ = settlingOf(deep, most);
+    settlesAll_ = kSomeDeep * deep >= rows;
 }
 
 /// Counts two that overlap deeply for each other. `most` is the largest count so far.
@@ -135,39 +134,45 @@ void SoftStep::noteCrowd(const Bodies& bodies, const Contact& contact, std::uint
     }
 }
 
-/// Into how many parts each substep is divided, since something heavy presses on something light. A
-/// contact is a spring as stiff as the lighter of its two bodies needs it, and gives by
+/// Into how many parts each substep is divided, since something heavy presses on something light,
+/// or forces are very large. A contact is a spring as stiff as the lighter of its two bodies needs
+/// it, and gives by
 ///
-///   s = F (1/m_light + 1/m_heavy) / omega^2,  F = m_heavy a
+///   s = F (1/m_a + 1/m_b) / omega^2,  F = m_a acceleration_a, or that of b,
 ///
-/// and stiffer ones need shorter substeps. Impulses are kept as of a whole substep; a power of two
-/// changes no digit of them.
+/// of what cannot be pushed by a quarter of that. Stiffer ones need shorter substeps. Impulses are
+/// kept as of a whole substep; a power of two changes no digit of them.
 int SoftStep::refinement(const Bodies& bodies, std::span<const Contact> contacts, Real hertz,
                          const Tolerances& tolerances) {
     Real lightest = 0; // as 1/kg
     Real heaviest = std::numeric_limits<Real>::max();
+    Real strongest = 0; // (m/s^2)^2
     for (const std::uint32_t body : bodies.awake) {
         if (const Real invMass = bodies.motion[body].invMass; invMass > 0) {
             lightest = std::max(lightest, invMass);
             heaviest = std::min(heaviest, invMass);
+            strongest = std::max(strongest, lengthSquared(bodies.acceleration[body].linear));
         }
     }
-    if (lightest < kFarApart * heaviest) {
+    const Real omega = 2 * std::numbers::pi_v<Real> * hertz;
+    const Real most = kMostGive * tolerances.slop * omega * omega; // m/s^2
+    if ((1 + lightest / heaviest) * std::sqrt(strongest) <= most) {
         return 1;
     }
     Real load = 0; // m/s^2
     for (const Contact& contact : contacts) {
+        if (!contact.responds() || contact.manifold.points[0].separation > tolerances.slop) {
+            continue;
+        }
         const Real a = bodies.motion[contact.key.bodyA].invMass;
         const Real b = bodies.motion[contact.key.bodyB].invMass;
-        const Real heavy = std::min(a, b);
-        if (heavy > 0 && std::max(a, b) >= kFarApart * heavy && contact.responds() &&
-            contact.manifold.points[0].separation <= tolerances.slop) {
-            const std::uint32_t body = heavy == a ? contact.key.bodyA : contact.key.bodyB;
-            load = std::max(load, (a + b) / heavy * length(bodies.acceleration[body].linear));
+        for (const auto& [own, body] :
+             {std::pair(a, contact.key.bodyA), std::pair(b, contact.key.bodyB)}) {
+            if (own > 0) {
+                load = std::max(load, (a + b) / own * length(bodies.acceleration[body].linear));
+            }
         }
     }
-    const Real omega = 2 * std::numbers::pi_v<Real> * hertz;
-    const Real most = kMostGive * tolerances.slop * omega * omega;
     int parts = 1;
     while (parts < kMostRefined && load > most * static_cast<Real>(parts * parts)) {
         parts *= 2;
@@ -225,6 +230,20 @@ void SoftStep::passContacts(ContactPasses::Pass pass, const ContactPassArguments
             pass(piece);
         });
         order += colour.count;
+    }
+}
+
+/// The passes that take the speed of deep pushes out again.
+void SoftStep::settle(const ContactPassArguments& pass, Crew& crew) {
+    ContactPassArguments deep = pass;
+    deep.order = deep_.data();
+    deep.count = deep_.size();
+    for (int again = 0; again < settling_; ++again) {
+        if (settlesAll_) {
+            passContacts(ContactPasses::best().settle, pass, crew);
+        } else {
+            ContactPasses::best().settle(deep); // a few: not worth sharing
+        }
     }
 }
 
@@ -330,11 +349,14 @@ void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& join
                     crowded_ != 0 ? std::span<const std::uint16_t>(crowd_)
                                   : std::span<const std::uint16_t>(),
                     settings.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit);
+    const bool some = settling_ > 0 && !settlesAll_;
+    const Real settleBelow = some ? -kDeep * tolerances.slop : std::numeric_limits<Real>::max();
+    const std::size_t settled = some ? blocks_.listDeeper(settleBelow, deep_) : blocks_.size();
     const Real hertz = hertzOf(settings.contactHertz * static_cast<Real>(parts), h);
     const ContactPassArguments pass =
         blocks_.pass(bodies, {Softness::from(hertz, settings.contactDamping, h),
                               Softness::from(2 * hertz, settings.contactDamping, h), 1 / h,
-                              settings.has(Feature::Friction)});
+                              settings.has(Feature::Friction), settleBelow});
     JointPass jointPass{h,
                         Softness::from(hertzOf(settings.jointHertz, h), settings.jointDamping, h)};
     joints.beginStep();
@@ -346,7 +368,8 @@ void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& join
         runSubstep(bodies, joints, pass, jointPass, substep == 0, crew);
     }
     joints.scaleImpulses(static_cast<Real>(parts));
-    visits_ = blocks_.size() * static_cast<std::size_t>(substeps * (2 + settling_));
+    visits_ = blocks_.size() * static_cast<std::size_t>(substeps * 2) +
+              settled * static_cast<std::size_t>(substeps * settling_);
 }
 
 void SoftStep::runSubstep(Bodies& bodies, JointSet& joints, const ContactPassArguments& pass,
@@ -369,9 +392,7 @@ void SoftStep::runSubstep(Bodies& bodies, JointSet& joints, const ContactPassArg
     });
     jointPass.biased = false;
     passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
-    for (int again = 0; again < settling_; ++again) {
-        passContacts(passes.settle, pass, crew);
-    }
+    settle(pass, crew);
     passContacts(passes.relax, pass, crew);
 }
 

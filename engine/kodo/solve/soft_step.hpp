@@ -18,8 +18,8 @@ namespace kodo::inline KODO_PRECISION {
 /// Contacts and joints, in substeps [Catto24]. Each moves velocities by the forces, starts
 /// from the impulses of the substep before, makes one pass that pushes overlaps apart like stiff
 /// springs, moves the bodies, and makes one pass without that push, which takes its speed out
-/// again; more than one while a heap of bodies overlaps deeply. Substeps are divided while a weight
-/// presses on something far lighter.
+/// again; more than one while bodies overlap deeply. Substeps are divided while a weight presses on
+/// something far lighter, or forces are very large.
 ///
 ///   lambda = -m (s v_n + bias) - c lambda_sum,  lambda_sum >= 0;  |friction| <= mu lambda_sum
 ///
@@ -64,6 +64,7 @@ private:
     template <typename Pass>
     void passJoints(const Bodies& bodies, Pass pass);
     void passContacts(ContactPasses::Pass pass, const ContactPassArguments& arguments, Crew& crew);
+    void settle(const ContactPassArguments& pass, Crew& crew);
     template <typename Work>
     void forBound(Crew& crew, const Work& work);
     static bool noneNeedsRow(const Bodies& bodies, std::span<Contact> contacts,
@@ -84,6 +85,8 @@ private:
     std::vector<std::uint16_t> crowd_; // by body: how many overlap it deeply
     std::uint8_t crowded_ = 0;         // too many overlap some body
     int settling_ = 0;                 // passes more that take out what pushes gave
+    bool settlesAll_ = false;          // of all contacts; else of the blocks in deep_
+    std::vector<std::uint32_t> deep_;
     std::size_t visits_ = 0;
     std::vector<Velocity> before_;     // by body: with the forces of the substep, without contacts
     std::vector<std::uint32_t> free_;  // bodies that nothing can push in this step

@@ -27,8 +27,7 @@ void holdBack(Vec2& push, Vec2 normal) {
 
 /// Is it locked, and does it move?
 bool SweepStage::drives(const Bodies& bodies, std::uint32_t body) {
-    const Motion& motion = bodies.motion[body];
-    return bodies.locked(body) && (motion.move != Vec2{} || motion.turn != 0);
+    return bodies.locked(body) && !bodies.motion[body].halted();
 }
 
 /// By what is locked and moves, and touches at the start of the step or nearly so. What bounces off

@@ -44,6 +44,9 @@ void World::step(Real dt, const StepAids& aids) {
     enter(StepStage::Sweep);
     if (settings_.has(Feature::Sweep)) {
         contacts_.coverMoves(bodies_, tolerances_, crew);
+        if (rest_.wakeRunOver(bodies_, contacts_, tolerances_)) {
+            refreshAwake(bodies_);
+        }
         sweep_.run(bodies_, contacts_.contacts(), settings_, tolerances_, dt, crew);
     }
     enter(StepStage::Record);
