@@ -35,13 +35,16 @@ Real glowOf(const Moment& moment, const Block& block) {
     return Real(0.5) + Real(0.5) * std::sin(Real(0.06) * moment.time());
 }
 
-/// Mounts that give way soon shake.
+/// The mount that gives way next shakes: a little when it can be pulled off, more when it will fall
+/// by itself, and most while it is being pulled at.
 Vec2 shakeOf(const Moment& moment, const Block& block) {
     const Block* next = moment.game.nextToFall();
-    if (moment.game.patience() < Patience::Shaking || next == nullptr || next->key != block.key) {
+    const Patience patience = moment.game.patience();
+    if (patience == Patience::Calm || next == nullptr || next->key != block.key) {
         return {};
     }
-    return Real(0.05) *
+    const Real size = patience == Patience::Glowing ? Real(0.025) : Real(0.05);
+    return (size + Real(0.05) * moment.game.tornShare()) *
            Vec2{std::sin(Real(1.1) * moment.time()), std::sin(Real(1.7) * moment.time())};
 }
 

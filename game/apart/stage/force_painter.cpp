@@ -84,6 +84,29 @@ void paintPaddleField(Canvas& canvas, const Moment& moment) {
     canvas.setGlow(false);
 }
 
+/// Beads from the block whose mount is being torn to the paddle, the brighter the nearer it is.
+void paintTear(Canvas& canvas, const Moment& moment) {
+    const Block* next = moment.game.nextToFall();
+    const bool tears = moment.game.force() == Force::Pull &&
+                       moment.game.patience() != Patience::Calm && next != nullptr;
+    if (!tears) {
+        return;
+    }
+    const kodo::BodyView body = moment.game.world()[next->body];
+    const Vec2 from = moment.placeOf(next->body) * body.part(next->part).convex.middle;
+    const Vec2 to = moment.placeOf(moment.game.paddle()).position;
+    const auto torn = static_cast<float>(moment.game.tornShare());
+    constexpr int kBeads = 14;
+    canvas.setGlow(true);
+    for (int i = 0; i < kBeads; ++i) {
+        const Real t = cycle(moment.time() + Real(40) * static_cast<Real>(i) / kBeads, 40);
+        const Real share = (static_cast<Real>(i) + t) / kBeads;
+        const Color color = faded(palette::kPaddle, 0.25f + 0.6f * torn);
+        canvas.disc(from + share * (to - from), Real(0.09), color, faded(color, 0));
+    }
+    canvas.setGlow(false);
+}
+
 } // namespace
 
 void paintForces(Canvas& canvas, const Moment& moment) {
@@ -98,6 +121,7 @@ void paintForces(Canvas& canvas, const Moment& moment) {
         }
     }
     paintPaddleField(canvas, moment);
+    paintTear(canvas, moment);
 }
 
 } // namespace apart
