@@ -74,25 +74,6 @@ std::string takeReplay(StageDef& def, const std::string& file) {
     return {};
 }
 
-/// What is kept between two runs, and where.
-void takeProfile(StageDef& def) {
-    const std::optional<std::filesystem::path> file = profileFile();
-    if (!file) {
-        def.notice = "Settings and scores are not kept: neither XDG_CONFIG_HOME nor HOME is set.";
-        return;
-    }
-    LoadedProfile loaded = loadProfile(*file);
-    def.profile = std::move(loaded.profile);
-    def.notice = std::move(loaded.notice);
-    def.save = [path = *file](const Profile& profile) -> std::string {
-        const std::optional<FileProblem> problem = saveProfile(path, profile);
-        return problem ? "Settings and scores are not kept: " + problem->text() + "." : "";
-    };
-    def.keepReplay = [folder = file->parent_path()](const Replay& replay, bool best) {
-        return keepReplay(folder, replay, best);
-    };
-}
-
 /// The last game in last.replay, the best one of each level and mode in best/. Endless runs are
 /// more than one game: only their last one is kept.
 std::string keepReplay(const std::filesystem::path& folder, const Replay& replay, bool best) {
@@ -110,6 +91,25 @@ std::string keepReplay(const std::filesystem::path& folder, const Replay& replay
         }
     }
     return {};
+}
+
+/// What is kept between two runs, and where.
+void takeProfile(StageDef& def) {
+    const std::optional<std::filesystem::path> file = profileFile();
+    if (!file) {
+        def.notice = "Settings and scores are not kept: neither XDG_CONFIG_HOME nor HOME is set.";
+        return;
+    }
+    LoadedProfile loaded = loadProfile(*file);
+    def.profile = std::move(loaded.profile);
+    def.notice = std::move(loaded.notice);
+    def.save = [path = *file](const Profile& profile) -> std::string {
+        const std::optional<FileProblem> problem = saveProfile(path, profile);
+        return problem ? "Settings and scores are not kept: " + problem->text() + "." : "";
+    };
+    def.keepReplay = [folder = file->parent_path()](const Replay& replay, bool best) {
+        return keepReplay(folder, replay, best);
+    };
 }
 
 } // namespace
