@@ -157,7 +157,7 @@ void Juice::hear(const Game& game, const PatienceChanged& change) {
     if (change.patience == Patience::Glowing && next != nullptr) {
         const kodo::BodyView body = game.world()[next->body];
         const Vec2 middle = body.placement() * body.part(next->part).convex.middle;
-        pop({"pull it off", middle - Vec2{0, Real(0.9)}, palette::kAccent, Real(0.45)});
+        pop({"pull it off", middle - Vec2{0, Real(1.4)}, palette::kAccent, Real(0.45)});
     }
     if (change.patience == Patience::Shaking) {
         pop({"the mounts give way soon", {0, 5}, palette::kAccent, Real(0.6)});
