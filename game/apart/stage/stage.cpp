@@ -216,7 +216,7 @@ void Stage::finish() {
         newBest_ = def_.profile.enter(game.mode(), name, best);
         keep();
         if (def_.keepReplay && played_) {
-            note(def_.keepReplay(*played_, newBest_));
+            note(def_.keepReplay(*played_, best.score > before_.score));
         }
     }
     std::vector<MenuItem> items;

@@ -37,7 +37,7 @@ struct StageDef {
     Profile profile{};
     /// Keeps the profile for the next time; a sentence when it cannot.
     std::function<std::string(const Profile&)> save{};
-    /// Keeps a game that the player has finished, and whether it was the best of its level; a
+    /// Keeps a game that the player has finished, and whether it is the best of its level; a
     /// sentence when it cannot.
     std::function<std::string(const Replay&, bool best)> keepReplay{};
     std::string notice{};           // a sentence for the title screen, or nothing
