@@ -15,7 +15,7 @@ namespace {
 StageDef playedWith(int percent) {
     StageDef def = StageRig::played();
     for (const Dial& dial : kDials) {
-        if (dial.value != &Settings::mouse) {
+        if (dial.least == 0) { // it is an effect
             def.profile.settings.*dial.value = percent;
         }
     }

@@ -133,7 +133,8 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     if (screen_ == Screen::Paused || (screen_ == Screen::Options && !demoRuns())) {
         return;
     }
-    owed_ += pace_.next(play_->game(), seconds) * std::min(seconds, kLongestFrame);
+    const double pace = pace_.next(play_->game(), seconds) * settings().speed / 100;
+    owed_ += pace * std::min(seconds, kLongestFrame);
     for (; owed_ >= kTick; owed_ -= kTick) {
         tick(speaker);
     }
