@@ -130,7 +130,7 @@ TEST(Boss, IsDownWithACoreThatWasTheLastOfIt) {
 
     Game fallen(level, 1);
     GameTestAccess::shoot(fallen, {-9, 9}, {12, 0});
-    for (std::uint32_t tick = 0; tick < kFailTicks; ++tick) {
+    for (std::uint32_t tick = 0; tick < kFailTicks / kLastHurry; ++tick) {
         ASSERT_EQ(eventOf<BossDown>(fallen), nullptr);
         GameTestAccess::idle(fallen);
     }

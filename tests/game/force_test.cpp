@@ -95,6 +95,62 @@ TEST(Field, SlowsAPaddleByItsReaction) {
     EXPECT_TRUE(near(game.world()[game.paddle()].velocity().x, 0, 1e-4));
 }
 
+/// A game in which nothing has been damaged for so long that blocks glow.
+Game glowing(const std::string& tail = "") {
+    Game game(levelOf("gggg...........\n" + emptyRows(4) + ".......s.......\n" + tail), 1);
+    GameTestAccess::shoot(game, {8, 9}, {0, 12});
+    for (std::uint32_t tick = 0; tick < kGlowTicks; ++tick) {
+        GameTestAccess::idle(game);
+    }
+    return game;
+}
+
+/// Ticks of this force until a block is torn off; 0: never.
+int ticksUntilTorn(Game& game, Force force, int most = 240) {
+    for (int tick = 1; tick <= most; ++tick) {
+        GameTestAccess::shoot(game, {8, 9}, {0, 12}); // it never gets anywhere
+        game.tick(holding(force));
+        const LetGo* let = eventOf<LetGo>(game);
+        if (let != nullptr && let->why == LetGo::Why::Torn) {
+            return tick;
+        }
+    }
+    return 0;
+}
+
+TEST(Pull, TearsTheLowestBlockOffOnceBlocksGlow) {
+    Game game = glowing();
+    ASSERT_EQ(game.patience(), Patience::Glowing);
+    const Vec2 block = game.world()[game.nextToFall()->body].position();
+    const Real way = length(block - game.world()[game.paddle()].position());
+    const Real gained = kForceAcceleration * (1 - way / kForceReach) * kTickSeconds;
+    EXPECT_EQ(ticksUntilTorn(game, Force::Pull), static_cast<int>(kTornSpeed / gained) + 1);
+    EXPECT_EQ(eventOf<LetGo>(game)->stuff, Stuff::Stone);
+    EXPECT_EQ(game.patience(), Patience::Calm) << "one block for each wait";
+    EXPECT_EQ(ticksUntilTorn(game, Force::Pull), 0);
+}
+
+TEST(Pull, TearsNothingOffWhileThereIsProgressAndPushingNever) {
+    Game calm = glowing();
+    GameTestAccess::progress(calm);
+    EXPECT_EQ(ticksUntilTorn(calm, Force::Pull), 0);
+    Game pushing = glowing();
+    EXPECT_EQ(ticksUntilTorn(pushing, Force::Push), 0);
+}
+
+TEST(Pull, GivesBackToThePaddleWhatATiredMountTakes) {
+    Game game = glowing();
+    GameTestAccess::shoot(game, {8, 9}, {0, 12});
+    Game calm = game;
+    GameTestAccess::progress(calm);
+    game.tick(holding(Force::Pull));
+    calm.tick(holding(Force::Pull));
+    const Block* block = game.nextToFall();
+    const Real mass = game.world()[block->body].mass();
+    const double more = game.ledger().fieldImpulseY - calm.ledger().fieldImpulseY;
+    EXPECT_TRUE(near(static_cast<Real>(more), -mass * game.tornShare() * kTornSpeed, 1e-3));
+}
+
 TEST(Meter, DrainsInUseAndRefillsWithTime) {
     Game game = fresh();
     EXPECT_EQ(game.meter(), 1);
@@ -144,7 +200,7 @@ TEST(Meter, IsFedByShardsThatAreDrawnIn) {
 TEST(Meter, FillsFasterWhenNothingHasHappenedForLong) {
     Game game = fresh();
     GameTestAccess::shoot(game, {8, 9}, {0, 12});
-    for (std::uint32_t tick = 0; tick < kGlowTicks; ++tick) {
+    for (std::uint32_t tick = 0; tick < kGlowTicks / kLastHurry; ++tick) {
         GameTestAccess::idle(game);
     }
     ASSERT_EQ(game.patience(), Patience::Glowing);

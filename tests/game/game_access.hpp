@@ -22,6 +22,7 @@ struct GameTestAccess {
     static std::vector<Weld>& welds(Game& game) { return game.welds_; }
     static void setMeter(Game& game, kodo::Real meter) { game.meter_ = meter; }
     static void idle(Game& game) { game.watchProgress(); } // a tick in which nothing is damaged
+    static void progress(Game& game) { game.clock_.progress(); } // as if a block took harm
     static void letGo(Game& game, std::size_t index) { game.letGo(index, LetGo::Why::Fatigue); }
     /// As if the part of such a block had been caught.
     static void give(Game& game, Power power, kodo::Vec2 origin = {0, 9}) {
@@ -48,10 +49,13 @@ struct GameTestAccess {
         body.setVelocity(velocity);
         return ball.body;
     }
+    static void breakBlock(Game& game, std::size_t index, kodo::Vec2 point, kodo::Vec2 blow) {
+        game.breakBlock(index, point, blow);
+    }
     /// As a blow would, from below; it shows in the events of no tick.
     static void breakBlock(Game& game, std::size_t index, kodo::Vec2 blow) {
         const kodo::Vec2 center = game.world_[game.blocks_[index].body].position();
-        game.breakBlock(index, center - kodo::Vec2{kCellWidth / 8, kCellHeight / 2}, blow);
+        breakBlock(game, index, center - kodo::Vec2{kCellWidth / 8, kCellHeight / 2}, blow);
     }
 };
 

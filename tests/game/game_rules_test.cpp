@@ -172,6 +172,16 @@ TEST(Combo, GrowsWithEachBlockUntilThePaddleIsMet) {
     EXPECT_EQ(game.combo(), 0);
 }
 
+// A new ball once went on with the combo of the one that was lost.
+TEST(Combo, EndsWithTheLife) {
+    Game game(levelOf(kBrick), 1);
+    GameTestAccess::breakBlock(game, 1, {0, 24});
+    ASSERT_EQ(game.combo(), 1);
+    GameTestAccess::shoot(game, {8, 1}, {0, -12});
+    ASSERT_TRUE(playUntil<LifeLost>(game, {}, 60));
+    EXPECT_EQ(game.combo(), 0);
+}
+
 TEST(Paddle, SendsTheBallWhereItsDomeFaces) {
     for (const Real offset : {Real(-1.5), Real(-0.8), Real(0.8), Real(1.5)}) {
         Game game(levelOf(kBrick), 1);

@@ -64,6 +64,7 @@ TEST(Lint, ABallPassesAGapOfOneRow) {
 }
 
 // Nothing can strike these blocks: their mounts give way one by one, and the level ends in time.
+// The good player does not wait for that, and pulls them off.
 TEST(Lint, TheBoundsHoldWhereNothingCanBeStruck) {
     const Level level = levelOf("XXXXXXXXXXXXXXX\n"
                                 "XgXgXgXgXgXgXgX\n"
@@ -72,7 +73,10 @@ TEST(Lint, TheBoundsHoldWhereNothingCanBeStruck) {
         const BotRun run = runBot(level, 1, 2 * kFailTicks + 100 * kFailEvery, kind);
         const LintReport report = lint(level, {.seeds = 1, .mostTicks = 1});
         EXPECT_EQ(run.result, Result::Won);
-        EXPECT_LE(run.longestWait, report.waitBound);
+        EXPECT_LE(run.longestWait, kind == BotKind::Good ? kShakeTicks : report.waitBound);
+        if (kind == BotKind::Good) {
+            continue;
+        }
         EXPECT_LE(run.ticks, report.clearBound + 1); // the first tick serves
         EXPECT_GE(run.ticks, kFailTicks + 6 * kFailEvery) << "they did not wait for the clock";
     }

@@ -32,6 +32,40 @@ TEST(ProgressClock, GoesThroughItsStagesAndLetsGoOneBlockAfterTheOther) {
     EXPECT_EQ(clock.patience(), Patience::Calm);
 }
 
+TEST(ProgressClock, GoesFasterWhenHurriedAndMissesNoStage) {
+    for (const std::uint32_t head : {0u, 1u}) { // ticks before the hurry begins
+        ProgressClock clock;
+        std::vector<std::uint32_t> due;
+        for (std::uint32_t tick = 1; tick <= kFailTicks; ++tick) {
+            if (clock.tick(tick <= head ? 1 : kLastHurry)) {
+                due.push_back(tick);
+            }
+        }
+        ASSERT_GE(due.size(), 3u);
+        EXPECT_EQ(due[0], (kFailTicks - head + kLastHurry - 1) / kLastHurry + head);
+        EXPECT_EQ(due[1] - due[0], kFailEvery / kLastHurry);
+        EXPECT_EQ(due[2] - due[1], kFailEvery / kLastHurry);
+    }
+}
+
+/// Ticks without damage until mounts give way by themselves.
+std::uint32_t ticksUntilFatigue(const std::string& row) {
+    Game game(levelOf(row), 1);
+    for (std::uint32_t tick = 1; tick <= kFailTicks + 1; ++tick) {
+        GameTestAccess::shoot(game, {8, 9}, {0, 12}); // it never gets anywhere
+        game.tick({});
+        if (eventOf<LetGo>(game) != nullptr) {
+            return tick;
+        }
+    }
+    return 0;
+}
+
+TEST(Mounts, OfTheLastBlocksGiveWaySooner) {
+    EXPECT_EQ(ticksUntilFatigue("gggg...........\n"), kFailTicks);
+    EXPECT_EQ(ticksUntilFatigue("ggg............\n"), kFailTicks / kLastHurry);
+}
+
 /// Meetings of a loop of so many, again and again, until the clock notices; 0: never.
 int meetingsUntilSeen(int loop, int most) {
     ProgressClock clock;

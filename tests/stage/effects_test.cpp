@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "stage_rig.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 StageDef playedWith(int percent) {
     StageDef def = StageRig::played();
     for (const Dial& dial : kDials) {
-        if (dial.value != &Settings::mouse) {
+        if (dial.least == 0) { // it is an effect
             def.profile.settings.*dial.value = percent;
         }
     }
@@ -89,6 +90,27 @@ TEST(Effects, NeverMoreThanThreeFlashesInASecond) {
     for (std::size_t i = 3; i < flashes.size(); ++i) {
         EXPECT_GT(flashes[i] - flashes[i - 3], std::uint32_t(kTicksPerSecond));
     }
+}
+
+// The points of blocks in the upper corners once rose over the wall.
+TEST(Effects, PointsStayInTheField) {
+    StageDef def = StageRig::played();
+    Level corner = *def.levels[0];
+    corner.cells = {{0, 0, 0}, {0, kColumns - 1, 0}};
+    def.levels = {std::make_shared<const Level>(corner)};
+    StageRig rig(std::move(def));
+    int seen = 0;
+    for (int i = 0; i < 60 * 300 && rig.stage.screen() == Screen::Playing; ++i) {
+        rig.frame();
+        for (const Stroke& stroke : rig.picture().strokes()) {
+            if (stroke.kind == Stroke::Kind::Text && stroke.text.starts_with("+")) {
+                ++seen;
+                EXPECT_LE(stroke.place.y + stroke.size / 2, layout::kTop);
+                EXPECT_LT(std::abs(stroke.place.x) + stroke.size, layout::kRight);
+            }
+        }
+    }
+    EXPECT_GT(seen, 10);
 }
 
 // The arcs of a pull beside a wall once crossed the panel with the score.

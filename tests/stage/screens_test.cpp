@@ -222,14 +222,44 @@ TEST(Screens, TheScoreOfAGameIsEnteredInItsOwnTable) {
     }
 }
 
+TEST(Screens, AGameOfThePlayerIsRecordedToTheBit) {
+    std::vector<std::pair<Replay, bool>> kept;
+    StageDef def = StageRig::playing();
+    def.keepReplay = [&kept](const Replay& replay, bool best) {
+        kept.emplace_back(replay, best);
+        return std::string("It was kept.");
+    };
+    const std::shared_ptr<const Level> level = def.levels[0];
+    StageRig rig(std::move(def));
+    playToTheEnd(rig);
+    ASSERT_EQ(rig.stage.screen(), Screen::Over);
+    ASSERT_EQ(kept.size(), 1u);
+    EXPECT_EQ(kept[0].second, rig.stage.game().score() > 0) << "it is the first";
+    Playback playback(kept[0].first, level);
+    while (!playback.done()) {
+        playback.tick();
+    }
+    EXPECT_FALSE(playback.divergence());
+    EXPECT_EQ(playback.game().result(), rig.stage.game().result());
+    EXPECT_EQ(playback.game().score(), rig.stage.game().score());
+    rig.clickItem(Action::ToTitle);
+    EXPECT_TRUE(rig.picture().says("It was kept."));
+}
+
 TEST(Screens, TheGamesOfAPilotAreNotThePlayers) {
     std::vector<Profile> kept;
     StageDef def = StageRig::played();
     def.save = StageRig::keeping(kept);
+    bool recorded = false;
+    def.keepReplay = [&recorded](const Replay&, bool) {
+        recorded = true;
+        return std::string();
+    };
     StageRig rig(std::move(def));
     rig.untilOver();
     ASSERT_EQ(rig.stage.screen(), Screen::Over);
     EXPECT_TRUE(kept.empty());
+    EXPECT_FALSE(recorded);
 }
 
 TEST(Screens, PureModeIsChosenOnTheTitleAndSeenInTheGame) {

@@ -20,6 +20,20 @@ TEST(Stage, TheFrameRateDoesNotChangeTheGame) {
     EXPECT_EQ(slow.stage.game().stateHash(), fast.stage.game().stateHash());
 }
 
+// For players who want more time: the same game, more slowly.
+TEST(Stage, TheGameRunsAsSlowlyAsThePlayerWants) {
+    std::vector<std::uint32_t> ticks;
+    for (const int percent : {100, 50}) {
+        StageDef def = StageRig::played();
+        def.profile.settings.speed = percent;
+        StageRig rig(std::move(def));
+        rig.frames(60);
+        ticks.push_back(rig.stage.game().ticks());
+    }
+    EXPECT_NEAR(ticks[0], kTicksPerSecond, 1);
+    EXPECT_NEAR(ticks[1], kTicksPerSecond / 2, 1);
+}
+
 TEST(Stage, AfterAStallTheGameSlowsDownInsteadOfHurrying) {
     StageRig rig(StageRig::playing());
     rig.frame({}, 60.0);

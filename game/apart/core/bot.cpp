@@ -24,6 +24,7 @@ constexpr std::uint32_t kAimTicks = 600;    // then it aims at another block, wh
 constexpr Real kBentSeconds = Real(1) / 60; // of a step of the look ahead where paths are bent
 constexpr int kBentSteps = 90;
 constexpr Real kPullHeight = 8;           // m; lower balls are not drawn to the paddle
+constexpr Real kPullSpare = 1;            // s until a ball comes; then it tears at no block
 constexpr std::uint32_t kWhimTicks = 30;  // before the erratic one thinks better of it
 constexpr int kAttempts = 3;              // to find a block in sight
 constexpr Real kLateHeight = 6;           // m; where the clumsy one first sees a ball
@@ -247,10 +248,19 @@ std::optional<Real> partToCatch(const Game& game, Real secondsLeft) {
     return std::nullopt;
 }
 
-/// When nothing has been struck for a while: draw a ball that is of no use up there.
+/// When nothing has been struck for a while: tear a block off, or draw a ball that is of no use up
+/// there. Not while a ball comes down that it has aimed at.
 Force forceFor(const Game& game) {
     if (game.patience() == Patience::Calm) {
         return Force::None;
+    }
+    const auto balls = game.balls();
+    const bool safe = std::all_of(balls.begin(), balls.end(), [&](const Ball& ball) {
+        const std::optional<Arrival> arrival = arrivalOf(game, ball);
+        return !arrival || arrival->seconds > kPullSpare;
+    });
+    if (safe && game.nextToFall() != nullptr) {
+        return Force::Pull;
     }
     for (const Ball& ball : game.balls()) {
         const Vec2 place = game.world()[ball.body].position();
@@ -332,6 +342,10 @@ Input bot(const Game& game, BotKind kind) {
                     : first.x;
     } else if (!game.balls().empty() && !game.serving()) {
         place = game.world()[game.balls()[0].body].position().x / 2; // half way, to be near
+        const Block* tired = game.patience() == Patience::Calm ? nullptr : game.nextToFall();
+        if (kind == BotKind::Good && tired != nullptr) {
+            place = game.world()[tired->body].position().x; // there its pull is strongest
+        }
     }
     Input input;
     input.launch = game.serving();

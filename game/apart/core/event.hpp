@@ -143,7 +143,7 @@ struct ShardBroke {
 };
 /// A block is Hold::Loose from now on.
 struct LetGo {
-    enum class Why : std::uint8_t { Fatigue, BrokeOff, Unsupported };
+    enum class Why : std::uint8_t { Fatigue, BrokeOff, Unsupported, Torn };
     kodo::BodyId block;    // the loose one; a part of a boss had no body of its own before
     std::uint32_t key = 0; // Block::key
     Stuff stuff = Stuff::Brick;

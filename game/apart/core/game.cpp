@@ -143,10 +143,16 @@ void Game::fireParts() {
             body.setAngularVelocity(0);
             events_.emplace_back(Launched{part.body, body.position()});
         }
-        if (part.state == PartState::Launched) {
-            body.setVelocity({0, kLaunchSpeed}); // its drive makes up for what blows take
+        if (part.state == PartState::Launched) { // its drive makes up for what blows take
+            drive(body, {0, kLaunchSpeed}, ledger_.kickWork);
         }
     }
+}
+
+void Game::drive(kodo::BodyRef body, Vec2 velocity, double& work) {
+    const Real gained = lengthSquared(velocity) - lengthSquared(body.velocity());
+    work += static_cast<double>(body.mass() * gained / 2);
+    body.setVelocity(velocity);
 }
 
 void Game::conclude() {
@@ -159,6 +165,7 @@ void Game::conclude() {
         events_.emplace_back(Cleared{score_});
     } else if (balls_.empty()) {
         --lives_;
+        combo_ = 0; // it was of the balls that are gone
         events_.emplace_back(LifeLost{lives_});
         if (lives_ == 0) {
             result_ = Result::Lost;

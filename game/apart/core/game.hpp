@@ -66,6 +66,7 @@ public:
     Patience patience() const { return clock_.patience(); }
     kodo::Real idleSeconds() const;
     const Block* nextToFall() const; // the one whose mount gives way next; nullptr: none
+    kodo::Real tornShare() const;    // 0..1, how far a pull has got with it
     const Ledger& ledger() const { return ledger_; }
 
     // To be drawn. Shapes and places: world()[body].part(i).convex under world()[body].placement().
@@ -115,9 +116,12 @@ private:
     kodo::Vec2 draw(kodo::BodyId body, kodo::Vec2 center, kodo::Real acceleration,
                     kodo::Real reach);
     void pushPaddleBack(kodo::Vec2 impulse);
+    kodo::Vec2 tear(kodo::Vec2 center);
     void steer(const Input& input);
     void driveBoss();
     void fireParts();
+    /// Sets the velocity, and books the energy that it takes.
+    static void drive(kodo::BodyRef body, kodo::Vec2 velocity, double& work);
 
     // After it.
     struct BossBlow {
@@ -144,6 +148,7 @@ private:
     kodo::Transform frameOf(const Block& block) const; // in the middle of the block
     kodo::BodyId detach(std::size_t index);
     void letGo(std::size_t index, LetGo::Why why);
+    void letGoNext(LetGo::Why why);
     void dropUnsupported(kodo::Vec2 last);
     void breakBlock(std::size_t index, kodo::Vec2 point, kodo::Vec2 blow);
     int addPieces(const Block& block, const kodo::Transform& frame, const PieceMotion& carried,
@@ -200,6 +205,7 @@ private:
     std::vector<Effect> effects_;
     ProgressClock clock_;
     Patience shownPatience_ = Patience::Calm; // of the last PatienceChanged
+    kodo::Real tornSpeed_ = 0; // m/s that a pull would have given nextToFall(), did not it hold
     Ledger ledger_;
     kodo::BodyId boss_;
     kodo::Real bossHome_ = 0; // m, x that it drifts about

@@ -141,21 +141,39 @@ const Block* Game::nextToFall() const {
     return lowest;
 }
 
+void Game::letGoNext(LetGo::Why why) {
+    const Block* block = nextToFall();
+    if (block == nullptr) {
+        return;
+    }
+    const bool boss = block->hold == Hold::Boss;
+    const Vec2 place = frameOf(*block).position;
+    letGo(static_cast<std::size_t>(block - blocks_.data()), why);
+    if (boss) {
+        dropUnsupported(place);
+    }
+}
+
 void Game::watchProgress() {
-    if (result_ == Result::Playing && !serving() && clock_.tick()) {
-        if (const Block* block = nextToFall()) {
-            const bool boss = block->hold == Hold::Boss;
-            const Vec2 place = frameOf(*block).position;
-            letGo(static_cast<std::size_t>(block - blocks_.data()), LetGo::Why::Fatigue);
-            if (boss) {
-                dropUnsupported(place);
-            }
-        }
+    const std::uint32_t hurry = blocksLeft_ <= kLastBlocks ? kLastHurry : 1;
+    if (result_ == Result::Playing && !serving() && clock_.tick(hurry)) {
+        letGoNext(LetGo::Why::Fatigue);
+    }
+    if (tornSpeed_ >= kTornSpeed) {
+        letGoNext(LetGo::Why::Torn);
+        clock_.progress(); // the player's deed
+    }
+    if (patience() == Patience::Calm || tornSpeed_ >= kTornSpeed) {
+        tornSpeed_ = 0;
     }
     if (patience() != shownPatience_) {
         shownPatience_ = patience();
         events_.emplace_back(PatienceChanged{shownPatience_});
     }
+}
+
+Real Game::tornShare() const {
+    return std::min(tornSpeed_ / kTornSpeed, Real(1));
 }
 
 Real Game::idleSeconds() const {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The paddle's field and its magnet: what they give to bodies they take from the paddle.
+#include <apart/core/field.hpp>
 #include <apart/core/game.hpp>
 #include <apart/core/tuning.hpp>
 
@@ -38,6 +39,10 @@ Vec2 Game::draw(BodyId body, Vec2 center, Real acceleration, Real reach) {
     const Real share = (1 - distance / reach) / distance;
     const Vec2 force = drawn.mass() * acceleration * share * way;
     drawn.applyForce(force);
+    const bool falls = (drawn.flags() & kFalls) != 0;
+    const Vec2 gained = kTickSeconds * (force / drawn.mass() - Vec2{0, falls ? kGravity : 0});
+    ledger_.fieldWork +=
+        static_cast<double>(kTickSeconds * dot(force, drawn.velocity() + gained / 2));
     return kTickSeconds * force;
 }
 
@@ -77,7 +82,27 @@ void Game::applyForces() {
             use(block.body, false);
         }
     }
+    if (force_ == Force::Pull && patience() != Patience::Calm && !serving()) {
+        given += tear(center);
+    }
     pushPaddleBack(given);
+}
+
+/// The pull at the mount that gives way next, now that it is tired: it holds until its block would
+/// be kTornSpeed fast. The impulse (N s) that the mount took.
+Vec2 Game::tear(Vec2 center) {
+    const Block* block = nextToFall();
+    if (block == nullptr) {
+        return {};
+    }
+    const Vec2 way = center - frameOf(*block).position;
+    const Real share = std::max(1 - length(way) / kForceReach, Real(0));
+    const Real gained = kForceAcceleration * share * kTickSeconds;
+    tornSpeed_ += gained;
+    if (block->hold == Hold::Hanging) {
+        return {}; // it is drawn like what is loose
+    }
+    return densityOf(block->kind) * kCellWidth * kCellHeight * gained * normalize(way);
 }
 
 void Game::pushPaddleBack(Vec2 impulse) {

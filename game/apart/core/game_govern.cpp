@@ -70,9 +70,7 @@ void Game::governBall(Ball& ball) {
         }
     }
     if (next != velocity) {
-        const Real gained = lengthSquared(next) - lengthSquared(velocity);
-        ledger_.servoWork += static_cast<double>(body.mass() * gained / 2);
-        body.setVelocity(next);
+        drive(body, next, ledger_.servoWork);
     }
     if (length(next) >= kHaltSpeed) {
         ball.heading = normalize(next);

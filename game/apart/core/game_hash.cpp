@@ -69,7 +69,9 @@ void add(kodo::StateHash& hash, const Effect& effect) {
 
 void add(kodo::StateHash& hash, const Ledger& ledger) {
     for (const double booked :
-         {ledger.servoWork, ledger.fieldImpulseX, ledger.fieldImpulseY, ledger.removedMass}) {
+         {ledger.servoWork, ledger.fieldWork, ledger.breakWork, ledger.kickWork,
+          ledger.fieldImpulseX, ledger.fieldImpulseY, ledger.mountImpulseX, ledger.mountImpulseY,
+          ledger.mountTurn, ledger.removedMass}) {
         hash.add(booked);
     }
     hash.add(ledger.bounces);
@@ -115,6 +117,7 @@ std::uint64_t Game::stateHash() const {
     add(hash, effects_);
     hash.add(clock_.stateHash());
     hash.add(static_cast<std::uint8_t>(shownPatience_));
+    hash.add(tornSpeed_);
     add(hash, ledger_);
     return hash.value();
 }

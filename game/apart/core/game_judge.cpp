@@ -255,7 +255,7 @@ void Game::judgeObstruction(const CollisionRecord& hit, BodyId body) {
         return;
     }
     const Vec2 normal = normalTowards(hit, other.id());
-    other.setVelocity(other.velocity() + found->kick * normal);
+    drive(other, other.velocity() + found->kick * normal, ledger_.kickWork);
     found->hitTick = tick_;
     events_.emplace_back(Bumped{other.id(), body, hit.point, normal});
 }
@@ -273,7 +273,7 @@ void Game::knockOff(std::size_t weld) {
     kodo::BodyRef part = world_[body];
     const Vec2 away = normalize(part.center() - world_[paddle_].position());
     part.setMaterial(kShardMaterial);
-    part.setVelocity(part.velocity() + kKnockOffSpeed * away);
+    drive(part, part.velocity() + kKnockOffSpeed * away, ledger_.kickWork);
     const Weld worn = welds_[weld];
     welds_.erase(welds_.begin() + static_cast<std::ptrdiff_t>(weld));
     shards_.push_back({body, Stuff::Steel, tick_, 0});

@@ -21,14 +21,26 @@ Vec2 headingOf(Vec2 velocity) {
     return length(velocity) < kHaltSpeed ? Vec2{0, -1} : normalize(velocity);
 }
 
+double energyOf(const kodo::Mass& mass, const PieceMotion& motion) {
+    return static_cast<double>(
+        (mass.mass * lengthSquared(motion.velocity) + mass.inertia * motion.spin * motion.spin) /
+        2);
+}
+
+/// Angular momentum about the origin, of what has its centre of mass there.
+double turnOf(const kodo::Mass& mass, const PieceMotion& motion, Vec2 center) {
+    return static_cast<double>(mass.mass * cross(center, motion.velocity) +
+                               mass.inertia * motion.spin);
+}
+
 } // namespace
 
 void Game::breakBlock(std::size_t index, Vec2 point, Vec2 blow) {
     const BodyId body = detach(index);
     const Block block = blocks_[index];
     const kodo::Transform frame = frameOf(block);
-    const PieceMotion carried{world_[body].velocityAt(frame.position),
-                              world_[body].angularVelocity()};
+    const PieceMotion carried{world_[body].velocity(), world_[body].angularVelocity()};
+    const kodo::Mass weight{world_[body].mass(), {}, world_[body].inertia()};
     world_.remove(body);
     if (world_.contains(block.pin)) {
         world_.remove(block.pin);
@@ -59,6 +71,8 @@ void Game::breakBlock(std::size_t index, Vec2 point, Vec2 blow) {
     // What moves freely has taken the whole blow already, and carries it.
     const bool mounted = block.hold == Hold::Mounted || block.hold == Hold::Boss;
     const Vec2 taken = mounted ? unrotate(frame.rotation, blow) : Vec2{};
+    ledger_.breakWork -= energyOf(weight, carried);
+    ledger_.mountTurn += turnOf(weight, carried, frame.position);
     std::get<Broke>(events_[place]).shards = addPieces(block, frame, carried, hit, taken);
 }
 
@@ -66,21 +80,28 @@ int Game::addPieces(const Block& block, const kodo::Transform& frame, const Piec
                     Vec2 hit, Vec2 blow) {
     const std::vector<Piece> pieces = piecesOf(block.kind, hit, mixKeys(seed_, block.key, 2));
     std::vector<kodo::Mass> masses;
-    Real mass = 0;
+    kodo::Mass whole{};
     for (const Piece& piece : pieces) {
         masses.push_back(piece.mass);
-        mass += piece.mass.mass;
+        whole = masses.size() == 1 ? piece.mass : combine(whole, piece.mass);
     }
-    const Vec2 impulse = impulseOnPieces(blow, block.strengthLeft, mass);
+    const Vec2 impulse = impulseOnPieces(blow, block.strengthLeft, whole.mass);
     std::vector<PieceMotion> motions = motionOfPieces(masses, hit, impulse, kBurstSpeed);
+    const Vec2 borne = frame.rotation * (blow - impulse);
+    ledger_.mountImpulseX += static_cast<double>(borne.x);
+    ledger_.mountImpulseY += static_cast<double>(borne.y);
+    ledger_.mountTurn += static_cast<double>(cross(frame * hit, borne)) -
+                         turnOf(whole, carried, frame * whole.center);
     int shards = 0;
     int balls = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         PieceMotion& motion = motions[i];
         const Vec2 arm = frame.rotation * masses[i].center;
+        const Vec2 off = arm - frame.rotation * whole.center;
         motion.velocity =
-            frame.rotation * motion.velocity + carried.velocity + cross(carried.spin, arm);
+            frame.rotation * motion.velocity + carried.velocity + cross(carried.spin, off);
         motion.spin += carried.spin;
+        ledger_.breakWork += energyOf(masses[i], motion);
         Piece piece = pieces[i];
         if (piece.role == Role::Ball && balls_.size() >= kMostBalls) {
             piece.role = Role::Shard;
@@ -88,6 +109,7 @@ int Game::addPieces(const Block& block, const kodo::Transform& frame, const Piec
         if (piece.role == Role::Ball) {
             const BodyId ball = addBall(world_, frame.position + arm, ballKind());
             world_[ball].setVelocity(motion.velocity);
+            world_[ball].setAngularVelocity(motion.spin);
             balls_.push_back({ball, headingOf(motion.velocity), false, ballKind()});
             ++balls;
             continue;

@@ -34,12 +34,12 @@ struct LintOptions {
 /// What the check of one level found.
 struct LintReport {
     std::string level;
-    int blocks = 0;                      // that can break
-    std::vector<Cell> outOfReach{};      // of these
-    std::uint32_t waitBound = 0;         // ticks until something is struck or gives way, at most
-    std::uint32_t clearBound = 0;        // ticks until all is gone if nothing is ever struck
-    std::uint64_t workPerTick = 0;       // visits of bodies and contacts, mean of all games
-    std::vector<BotRun> runs{};          // by seed
+    int blocks = 0;                 // that can break
+    std::vector<Cell> outOfReach{}; // of these
+    std::uint32_t waitBound = 0;    // ticks until something is struck or gives way, at most
+    std::uint32_t clearBound = 0;   // ticks until all is gone if nothing is struck or pulled off
+    std::uint64_t workPerTick = 0;  // visits of bodies and contacts, mean of all games
+    std::vector<BotRun> runs{};     // by seed
     std::vector<std::string> problems{}; // a sentence each
 
     bool passed() const { return problems.empty(); }

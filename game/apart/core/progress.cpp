@@ -28,9 +28,9 @@ Patience ProgressClock::patience() const {
     return idle_ < kFailTicks ? Patience::Shaking : Patience::Failing;
 }
 
-bool ProgressClock::tick() {
-    ++idle_;
-    return idle_ >= kFailTicks && (idle_ - kFailTicks) % kFailEvery == 0;
+bool ProgressClock::tick(std::uint32_t hurry) {
+    idle_ += hurry;
+    return idle_ >= kFailTicks && (idle_ - kFailTicks) % kFailEvery < hurry;
 }
 
 void ProgressClock::progress() {

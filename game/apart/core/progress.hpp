@@ -9,7 +9,7 @@
 
 namespace apart {
 
-/// How long nothing has been damaged, in stages.
+/// How long nothing has been damaged, in stages. From Glowing on, a pull tears blocks off.
 enum class Patience : std::uint8_t {
     Calm,
     Glowing, // what is worth hitting is shown, and the meter of the field fills faster
@@ -25,15 +25,17 @@ inline constexpr std::array<std::string_view, 4> kPatienceNames = {"calm", "glow
 ///
 ///   ticks of progress + kFailTicks + kFailEvery x blocks + the time that the last one falls.
 ///
+/// For the last blocks, which nobody likes to wait for, it goes kLastHurry times as fast.
+///
 /// A ball that meets the paddle in the same way again and again is in a loop, and the clock need
 /// not wait to know it.
 class ProgressClock {
 public:
     Patience patience() const;
-    std::uint32_t idleTicks() const { return idle_; }
+    std::uint32_t idleTicks() const { return idle_; } // by this clock
 
     /// One tick in which a ball was in play. True when a block should be let go.
-    bool tick();
+    bool tick(std::uint32_t hurry = 1);
     /// A block was damaged.
     void progress();
     /// A ball met the paddle: at this place, along this heading (unit), with the paddle at this x.

@@ -75,12 +75,27 @@ struct Effect {
     int side = 1;     // of a wind: to the right or to the left
 };
 
-/// What rules, not contacts, have given and taken so far. What is booked here and what is seen in
-/// the world add up.
+/// What rules, not contacts, have given to bodies so far (below 0: taken from them). Of everything
+/// that no contact touches, what is booked here and what is seen in the world add up:
+///
+///   kinetic + potential energy = that of the start + all works
+///
+/// Gravity is not booked: what it gave is missing in the height, m kGravity y, of what falls. Nor
+/// are wind, wells and motors, nor what contacts eat by friction and restitution, nor the mounts of
+/// what cracks or is made of steel: they hold like walls.
 struct Ledger {
-    double servoWork = 0;     // J, given to balls by the speed servo
-    double fieldImpulseX = 0; // N s, given to bodies by the paddle's field; it got as much back
+    double servoWork = 0;     // J, to balls, by the governor
+    double fieldWork = 0;     // J, by the paddle's field and magnet
+    double breakWork = 0;     // J, to the pieces of blocks, by the blow and by their own tension
+    double kickWork = 0;      // J, by bumpers, welds that give way, and the drive of launched parts
+    double fieldImpulseX = 0; // N s, by the paddle's field and magnet; it got as much back
     double fieldImpulseY = 0;
+    // What the mounts of blocks that broke took of the blows; the pieces have the rest. In the turn
+    // also what a loose block had that was to let a part go: only its pieces are heavier in the
+    // middle.
+    double mountImpulseX = 0; // N s
+    double mountImpulseY = 0;
+    double mountTurn = 0;      // N m s, about the origin
     double removedMass = 0;    // kg, of shards and parts that crumbled, fell out or were caught
     std::uint32_t bounces = 0; // of balls, off anything
     // Of these, none in Mode::Pure:

@@ -13,7 +13,7 @@ namespace apart {
 using kodo::Real;
 
 // Raise it whenever the same inputs no longer give the same game: older replays are then refused.
-inline constexpr std::uint32_t kRulesVersion = 3;
+inline constexpr std::uint32_t kRulesVersion = 4;
 
 inline constexpr int kTicksPerSecond = 120;
 inline constexpr Real kTickSeconds = Real(1) / 120;
@@ -60,6 +60,10 @@ inline constexpr std::uint32_t kGlowTicks = 720;   // 6 s: what is worth hitting
 inline constexpr std::uint32_t kShakeTicks = 1440; // 12 s: mounts shake
 inline constexpr std::uint32_t kFailTicks = 2400;  // 20 s: the lowest mount gives way
 inline constexpr std::uint32_t kFailEvery = 240;   // 2 s: and then another, and so on
+inline constexpr std::int32_t kLastBlocks = 3;     // with so few left the clock goes faster
+inline constexpr std::uint32_t kLastHurry = 2;     // so many times
+inline constexpr Real kTornSpeed = 7;              // m/s that a pull would give what a mount holds;
+                                                   // then a mount of a block that glows gives way
 inline constexpr std::uint32_t kLooseTicks =
     1200;                                     // 10 s: a fallen block that lies somewhere crumbles
 inline constexpr int kLoopTimes = 3;          // meetings with the paddle that are alike make a loop

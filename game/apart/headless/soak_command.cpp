@@ -31,12 +31,15 @@ struct Tally {
     std::uint64_t wonTicks = 0;
     std::int64_t livesLost = 0;
     Seen seen{};
-    std::uint32_t waited = 0;        // games in which mounts gave way
-    std::uint64_t bounces = 0;       // of balls, in Mode::Standard
-    std::uint64_t bentBounces = 0;   // of these: turned from flat
-    std::uint64_t thrownBounces = 0; // and thrown off rubble
-    std::uint64_t bentInPure = 0;    // in Mode::Pure: there must be none
-    double gameSeconds = 0;          // of one core, in Game::tick alone
+    std::uint32_t waited = 0;           // games in which mounts gave way by themselves
+    std::vector<std::uint32_t> waits{}; // the longest of each game, ticks
+    std::uint64_t glowTicks = 0;        // of play in which blocks glow, so long was nothing damaged
+    std::uint64_t lastTicks = 0;        // that the last kLastBlocks took, of games that were won
+    std::uint64_t bounces = 0;          // of balls, in Mode::Standard
+    std::uint64_t bentBounces = 0;      // of these: turned from flat
+    std::uint64_t thrownBounces = 0;    // and thrown off rubble
+    std::uint64_t bentInPure = 0;       // in Mode::Pure: there must be none
+    double gameSeconds = 0;             // of one core, in Game::tick alone
 
     void add(const Tally& other) {
         games += other.games;
@@ -47,6 +50,9 @@ struct Tally {
         livesLost += other.livesLost;
         seen.add(other.seen);
         waited += other.waited;
+        waits.insert(waits.end(), other.waits.begin(), other.waits.end());
+        glowTicks += other.glowTicks;
+        lastTicks += other.lastTicks;
         bounces += other.bounces;
         bentBounces += other.bentBounces;
         thrownBounces += other.thrownBounces;
@@ -61,6 +67,24 @@ struct Tally {
     }
     double meanWin() const { // s
         return won > 0 ? static_cast<double>(wonTicks) / won / kTicksPerSecond : 0;
+    }
+    double meanLast() const { // s
+        return won > 0 ? static_cast<double>(lastTicks) / won / kTicksPerSecond : 0;
+    }
+    /// The longest wait of a game (s) that this share of the games does not exceed.
+    double wait(double share) const {
+        if (waits.empty()) {
+            return 0;
+        }
+        std::vector<std::uint32_t> sorted = waits;
+        std::sort(sorted.begin(), sorted.end());
+        const auto rank = static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1));
+        return static_cast<double>(sorted[rank]) / kTicksPerSecond;
+    }
+    double glowShare() const { // %
+        return seen.ticks > 0
+                   ? 100 * static_cast<double>(glowTicks) / static_cast<double>(seen.ticks)
+                   : 0;
     }
 };
 
@@ -83,12 +107,15 @@ Tally soak(const Match& match, std::uint64_t mostTicks,
     Game game(match.level, match.seed, match.mode);
     Watch watch;
     Tally tally{.level = match.level->name, .games = 1};
+    std::uint64_t lastTicks = 0;
     while (game.result() == Result::Playing && game.ticks() < mostTicks) {
         const Input input = bot(game, match.player);
         const double start = cpuSeconds();
         game.tick(input);
         tally.gameSeconds += cpuSeconds() - start;
         watch.look(game);
+        tally.glowTicks += game.patience() != Patience::Calm && !game.serving() ? 1 : 0;
+        lastTicks += game.blocksLeft() <= kLastBlocks ? 1 : 0;
         for (const Event& event : game.events()) {
             const auto* let = std::get_if<LetGo>(&event);
             tally.waited = let != nullptr && let->why == LetGo::Why::Fatigue ? 1 : tally.waited;
@@ -102,6 +129,8 @@ Tally soak(const Match& match, std::uint64_t mostTicks,
     tally.lost = game.result() == Result::Lost ? 1 : 0;
     tally.wonTicks = tally.won * tally.seen.ticks;
     tally.livesLost = match.level->lives - game.lives();
+    tally.waits.push_back(tally.seen.longestWait);
+    tally.lastTicks = tally.won * lastTicks;
     const Ledger& ledger = game.ledger();
     if (match.mode == Mode::Pure) {
         tally.bentInPure = ledger.bentBounces + ledger.thrownBounces;
@@ -125,22 +154,38 @@ std::string asJson(const Tally& tally) {
     return fmt::format(
         R"({{"level": "{}", "games": {}, "won": {}, "lost": {}, "unfinished": {}, "ticks": {}, )"
         R"("freeFlightTicks": {}, "meanWinSeconds": {:.1f}, "livesLost": {}, "halts": {}, )"
-        R"("escapes": {}, "bends": {}, "longestWaitTicks": {}, "waited": {}, "bounces": {}, )"
-        R"("bentBounces": {}, "thrownBounces": {}, "bentBouncesInPure": {}, )"
+        R"("escapes": {}, "bends": {}, "longestWaitTicks": {}, "waited": {}, )"
+        R"("waitSeconds50": {:.1f}, "waitSeconds90": {:.1f}, "waitSeconds99": {:.1f}, )"
+        R"("glowPercent": {:.2f}, "lastBlocksSeconds": {:.1f}, "bounces": {}, "bentBounces": {}, )"
+        R"("thrownBounces": {}, "bentBouncesInPure": {}, )"
         R"("microsecondsPerTick": {:.1f}}})",
         tally.level, tally.games, tally.won, tally.lost, tally.unfinished, tally.seen.ticks,
         tally.seen.freeTicks, tally.meanWin(), tally.livesLost, tally.seen.halts,
-        tally.seen.escapes, tally.seen.bends, tally.seen.longestWait, tally.waited, tally.bounces,
+        tally.seen.escapes, tally.seen.bends, tally.seen.longestWait, tally.waited, tally.wait(0.5),
+        tally.wait(0.9), tally.wait(0.99), tally.glowShare(), tally.meanLast(), tally.bounces,
         tally.bentBounces, tally.thrownBounces, tally.bentInPure, tally.microsecondsPerTick());
 }
 
 void printRow(const Tally& tally) {
-    fmt::print("{:<20} {:>6} {:>6} {:>5} {:>7} {:>10} {:>7.1f} {:>6} {:>6} {:>8} {:>6} {:>9.1f} "
-               "{:>8.1f}\n",
+    fmt::print("{:<20} {:>6} {:>6} {:>5} {:>7} {:>9} {:>6.1f} {:>6.1f} {:>5} {:>5} {:>5} {:>5} "
+               "{:>5.1f} {:>5.1f} {:>5.1f} {:>5.1f} {:>5.1f} {:>7.1f}\n",
                tally.level, tally.games, tally.won, tally.lost, tally.unfinished, tally.seen.ticks,
-               tally.meanWin(), tally.livesLost, tally.seen.halts, tally.seen.escapes,
-               tally.seen.bends, static_cast<double>(tally.seen.longestWait) / kTicksPerSecond,
-               tally.microsecondsPerTick());
+               tally.meanWin(), tally.meanLast(), tally.livesLost, tally.seen.halts,
+               tally.seen.escapes, tally.seen.bends, tally.wait(0.5), tally.wait(0.9),
+               tally.wait(0.99), tally.wait(1), tally.glowShare(), tally.microsecondsPerTick());
+}
+
+void printTable(const std::vector<Tally>& tallies, const Tally& total) {
+    fmt::print("{:<20} {:>6} {:>6} {:>5} {:>7} {:>9} {:>6} {:>6} {:>5} {:>5} {:>5} {:>5} {:>23} "
+               "{:>5} {:>7}\n",
+               "level", "games", "won", "lost", "cut off", "ticks", "won in", "last 3", "lives",
+               "halts", "esca-", "bends", "longest wait of a game,", "glows", "us a");
+    fmt::print("{:>62} {:>6} {:>5} {:>11} {:>29} {:>5} {:>7}\n", "s,mean", "s,mean", "lost", "pes",
+               "s: 50 %  90 %  99 %   all", "%", "tick");
+    for (const Tally& tally : tallies) {
+        printRow(tally);
+    }
+    printRow(total);
 }
 
 void printAll(const std::vector<Tally>& tallies, const Tally& total, bool json) {
@@ -152,19 +197,12 @@ void printAll(const std::vector<Tally>& tallies, const Tally& total, bool json) 
         fmt::print("]}}\n");
         return;
     }
-    fmt::print("{:<20} {:>6} {:>6} {:>5} {:>7} {:>10} {:>7} {:>6} {:>6} {:>8} {:>6} {:>9} {:>8}\n",
-               "level", "games", "won", "lost", "cut off", "ticks", "won in", "lives", "halts",
-               "escapes", "bends", "longest", "us a");
-    fmt::print("{:>64} {:>6} {:>28} {:>8}\n", "s, mean", "lost", "wait, s", "tick");
-    for (const Tally& tally : tallies) {
-        printRow(tally);
-    }
-    printRow(total);
+    printTable(tallies, total);
     const auto share = [&](std::uint64_t count) {
         return 100 * static_cast<double>(count) /
                static_cast<double>(std::max(total.bounces, std::uint64_t{1}));
     };
-    fmt::print("In {:.1f} % of the games mounts gave way.\n",
+    fmt::print("In {:.1f} % of the games mounts gave way by themselves.\n",
                100.0 * total.waited / std::max(total.games, 1u));
     fmt::print(
         "Of {} bounces rules turned {:.2f} % from flat and threw {:.2f} % off rubble; in pure "

@@ -23,11 +23,17 @@ void Inspector::draw(SfmlCanvas& canvas, const Game& game) const {
     const std::size_t vertices = canvas.picture().vertexCount();
     kodo_sfml::paintWorld(canvas.painter(), canvas.camera(), game.world(),
                           {true, true, true, true, 0.05f});
-    const std::array<std::string, 2> lines = {
+    const Ledger& ledger = game.ledger();
+    const std::array<std::string, 4> lines = {
         fmt::format("{:.0f} frames/s   game {:.2f} ms a frame   {} vertices", 1 / frame_,
                     1000 * game_, vertices),
         fmt::format("{} bodies   {} contacts", game.world().bodyCount(),
-                    game.world().collisions().size())};
+                    game.world().collisions().size()),
+        fmt::format("work, J:   servo {:.0f}   field {:.0f}   breaks {:.0f}   kicks {:.0f}",
+                    ledger.servoWork, ledger.fieldWork, ledger.breakWork, ledger.kickWork),
+        fmt::format("impulse, N s:   field {:.0f}, {:.0f}   mounts {:.0f}, {:.0f}",
+                    ledger.fieldImpulseX, ledger.fieldImpulseY, ledger.mountImpulseX,
+                    ledger.mountImpulseY)};
     // Inside the field: the panel beside it is for the player.
     Vec2 corner{layout::kLeft + Real(0.3), layout::kTop - Real(0.6)};
     for (const std::string& line : lines) {

@@ -74,6 +74,25 @@ std::string takeReplay(StageDef& def, const std::string& file) {
     return {};
 }
 
+/// The last game in last.replay, the best one of each level and mode in best/. Endless runs are
+/// more than one game: only their last one is kept.
+std::string keepReplay(const std::filesystem::path& folder, const Replay& replay, bool best) {
+    std::vector<std::filesystem::path> files = {folder / "last.replay"};
+    if (best && !parseEndless(replay.level)) {
+        const std::string mode(kModeNames[static_cast<std::size_t>(replay.mode)]);
+        files.push_back(folder / "best" / (replay.level + "-" + mode + ".replay"));
+    }
+    const std::string text = toText(replay);
+    for (const std::filesystem::path& file : files) {
+        std::error_code error;
+        std::filesystem::create_directories(file.parent_path(), error);
+        if (const std::optional<FileProblem> problem = writeTextFile(file, text)) {
+            return "The game is not recorded: " + problem->text() + ".";
+        }
+    }
+    return {};
+}
+
 /// What is kept between two runs, and where.
 void takeProfile(StageDef& def) {
     const std::optional<std::filesystem::path> file = profileFile();
@@ -87,6 +106,9 @@ void takeProfile(StageDef& def) {
     def.save = [path = *file](const Profile& profile) -> std::string {
         const std::optional<FileProblem> problem = saveProfile(path, profile);
         return problem ? "Settings and scores are not kept: " + problem->text() + "." : "";
+    };
+    def.keepReplay = [folder = file->parent_path()](const Replay& replay, bool best) {
+        return keepReplay(folder, replay, best);
     };
 }
 

@@ -35,13 +35,16 @@ Real glowOf(const Moment& moment, const Block& block) {
     return Real(0.5) + Real(0.5) * std::sin(Real(0.06) * moment.time());
 }
 
-/// Mounts that give way soon shake.
+/// The mount that gives way next shakes: a little when it can be pulled off, more when it will fall
+/// by itself, and most while it is being pulled at.
 Vec2 shakeOf(const Moment& moment, const Block& block) {
     const Block* next = moment.game.nextToFall();
-    if (moment.game.patience() < Patience::Shaking || next == nullptr || next->key != block.key) {
+    const Patience patience = moment.game.patience();
+    if (patience == Patience::Calm || next == nullptr || next->key != block.key) {
         return {};
     }
-    return Real(0.05) *
+    const Real size = patience == Patience::Glowing ? Real(0.025) : Real(0.05);
+    return (size + Real(0.05) * moment.game.tornShare()) *
            Vec2{std::sin(Real(1.1) * moment.time()), std::sin(Real(1.7) * moment.time())};
 }
 
@@ -111,9 +114,10 @@ void paintAim(Canvas& canvas, const Moment& moment) {
 void paintPopups(Canvas& canvas, const Moment& moment) {
     for (const Popup& popup : moment.juice.popups()) {
         const float age = static_cast<float>(popup.age) / 90;
-        const Real half = Real(0.3) * popup.height * static_cast<Real>(popup.text.size());
+        const Real half = Real(0.36) * popup.height * static_cast<Real>(popup.text.size());
         const Real reach = std::max(layout::kRight - half, Real(0)); // words stay in the field
-        const Vec2 place{std::clamp(popup.place.x, -reach, reach), popup.place.y + Real(1.2) * age};
+        const Vec2 place{std::clamp(popup.place.x, -reach, reach),
+                         std::min(popup.place.y + Real(1.2) * age, layout::kTop - popup.height)};
         const float left = std::clamp(2 - 2 * age, 0.0f, 1.0f);
         const TextStyle style{popup.height, faded(popup.color, left), Typeface::Bold,
                               Align::Middle};

@@ -13,6 +13,11 @@ namespace apart {
 
 namespace {
 
+struct Ink {
+    Real width = 0; // m
+    Color color{};
+};
+
 /// 0..1, again and again, once in so many ticks.
 Real cycle(Real time, Real ticks) {
     return time / ticks - std::floor(time / ticks);
@@ -39,16 +44,36 @@ void paintWind(Canvas& canvas, const Moment& moment) {
     }
 }
 
+/// Part of a circle, from an angle on through a turn (rad), in pieces; not over the walls and what
+/// is told beside them.
+void paintArc(Canvas& canvas, Vec2 middle, Real radius, Vec2 fromAndTurn, const Ink& ink) {
+    constexpr int kPieces = 32;
+    const Real pieces = std::ceil(kPieces * fromAndTurn.y / Real(6.2831853));
+    Vec2 before;
+    for (Real i = 0; i <= pieces; ++i) {
+        const Real angle = fromAndTurn.x + fromAndTurn.y * i / pieces;
+        const Vec2 here = middle + radius * Vec2{std::cos(angle), std::sin(angle)};
+        const bool inside = std::max(std::abs(before.x), std::abs(here.x)) < layout::kRight &&
+                            std::max(before.y, here.y) < layout::kTop;
+        if (i > 0 && inside) {
+            canvas.line(before, here, ink.width, ink.color);
+        }
+        before = here;
+    }
+}
+
 /// Rings that fall into a well, or come out of one that repels.
 void paintWell(Canvas& canvas, const Moment& moment, Vec2 middle, bool draws) {
     const Color color = palette::of(Power::Well);
     canvas.setGlow(true);
-    canvas.disc(middle, Real(2.6), faded(color, 0.35f), faded(color, 0));
+    const Real room = std::min(layout::kRight - std::abs(middle.x), layout::kTop - middle.y);
+    canvas.disc(middle, std::min(Real(2.6), room), faded(color, 0.35f), faded(color, 0));
     for (int i = 0; i < 3; ++i) {
         const Real t = cycle(moment.time() + Real(30) * static_cast<Real>(i), 90);
         const Real share = draws ? 1 - t : t;
         const float seen = 0.7f * std::sin(Real(3.14159) * t);
-        canvas.ring(middle, Real(0.3) + Real(2.2) * share, Real(0.06), faded(color, seen));
+        paintArc(canvas, middle, Real(0.3) + Real(2.2) * share, {0, Real(6.2831853)},
+                 {Real(0.06), faded(color, seen)});
     }
     canvas.setGlow(false);
     canvas.disc(middle, Real(0.3), palette::kInk, palette::kInk);
@@ -63,23 +88,37 @@ void paintPaddleField(Canvas& canvas, const Moment& moment) {
     }
     const Vec2 middle = moment.placeOf(moment.game.paddle()).position;
     const Color color = force == Force::Pull ? palette::kPaddle : palette::kAccent;
-    constexpr int kPieces = 10;
     constexpr int kArcs = 5;
     canvas.setGlow(true);
     for (int arc = 0; arc < kArcs; ++arc) {
         const Real t = cycle(moment.time() + Real(12) * static_cast<Real>(arc), 60);
         const Real radius = Real(1.6) + 6 * (force == Force::Pull ? 1 - t : t);
         const float seen = 0.55f * std::sin(Real(3.14159) * t);
-        Vec2 before;
-        for (int i = 0; i <= kPieces; ++i) {
-            const Real angle = Real(0.7) + Real(1.7416) * static_cast<Real>(i) / kPieces;
-            const Vec2 here = middle + radius * Vec2{std::cos(angle), std::sin(angle)};
-            const bool inside = std::max(std::abs(before.x), std::abs(here.x)) < layout::kRight;
-            if (i > 0 && inside) { // not over the walls and what is told beside them
-                canvas.line(before, here, Real(0.1), faded(color, seen));
-            }
-            before = here;
-        }
+        paintArc(canvas, middle, radius, {Real(0.7), Real(1.7416)},
+                 {Real(0.1), faded(color, seen)});
+    }
+    canvas.setGlow(false);
+}
+
+/// Beads from the block whose mount is being torn to the paddle, the brighter the nearer it is.
+void paintTear(Canvas& canvas, const Moment& moment) {
+    const Block* next = moment.game.nextToFall();
+    const bool tears = moment.game.force() == Force::Pull &&
+                       moment.game.patience() != Patience::Calm && next != nullptr;
+    if (!tears) {
+        return;
+    }
+    const kodo::BodyView body = moment.game.world()[next->body];
+    const Vec2 from = moment.placeOf(next->body) * body.part(next->part).convex.middle;
+    const Vec2 to = moment.placeOf(moment.game.paddle()).position;
+    const auto torn = static_cast<float>(moment.game.tornShare());
+    constexpr int kBeads = 14;
+    canvas.setGlow(true);
+    for (int i = 0; i < kBeads; ++i) {
+        const Real t = cycle(moment.time() + Real(40) * static_cast<Real>(i) / kBeads, 40);
+        const Real share = (static_cast<Real>(i) + t) / kBeads;
+        const Color color = faded(palette::kPaddle, 0.4f + 0.6f * torn);
+        canvas.disc(from + share * (to - from), Real(0.16), color, faded(color, 0));
     }
     canvas.setGlow(false);
 }
@@ -98,6 +137,7 @@ void paintForces(Canvas& canvas, const Moment& moment) {
         }
     }
     paintPaddleField(canvas, moment);
+    paintTear(canvas, moment);
 }
 
 } // namespace apart

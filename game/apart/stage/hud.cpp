@@ -98,7 +98,9 @@ void paintCombo(Canvas& canvas, const Game& game) {
     if (game.combo() < 2) {
         return;
     }
-    const Real size = Real(0.56) + Real(0.022) * static_cast<Real>(std::min(game.combo(), 10));
+    // It grows with the combo, as far as there is room for its digits.
+    const bool wide = game.combo() >= 10;
+    const Real size = wide ? Real(0.7) : Real(0.56) + Real(0.022) * static_cast<Real>(game.combo());
     canvas.text(fmt::format("combo x{}", game.combo()), {kPanelLeft, Real(7.1)},
                 strong(size, palette::kAccent));
 }

@@ -143,13 +143,22 @@ void Juice::hear(const Game&, const ShardBroke& hit) {
 void Juice::hear(const Game&, const LetGo& let) {
     blast(let.point, palette::of(let.stuff), 16, 4);
     push(let.why == LetGo::Why::BrokeOff ? Real(0.3) : Real(0.1));
+    if (let.why == LetGo::Why::Torn) {
+        pop({"torn off", let.point, palette::kAccent, Real(0.5)});
+    }
 }
 
 void Juice::hear(const Game&, const Fell& fell) {
     pop({"", {fell.point.x, Real(1.2)}, palette::kText, Real(0.45), fell.points});
 }
 
-void Juice::hear(const Game&, const PatienceChanged& change) {
+void Juice::hear(const Game& game, const PatienceChanged& change) {
+    const Block* next = game.nextToFall();
+    if (change.patience == Patience::Glowing && next != nullptr) {
+        const kodo::BodyView body = game.world()[next->body];
+        const Vec2 middle = body.placement() * body.part(next->part).convex.middle;
+        pop({"pull it off", middle - Vec2{0, Real(1.4)}, palette::kAccent, Real(0.45)});
+    }
     if (change.patience == Patience::Shaking) {
         pop({"the mounts give way soon", {0, 5}, palette::kAccent, Real(0.6)});
     }

@@ -16,6 +16,7 @@ struct Settings {
     int freeze = 60; // the picture holds for a moment at a hard blow
     int sound = 80;
     int mouse = 100; // how far the paddle goes for the way of the mouse
+    int speed = 100; // of the game's time on the screen; the ticks are the same
 
     friend bool operator==(const Settings&, const Settings&) = default;
 };
@@ -28,9 +29,10 @@ struct Dial {
     int least = 0;
     int most = 100;
 };
-inline constexpr std::array<Dial, 8> kDials = {
+inline constexpr std::array<Dial, 9> kDials = {
     Dial{"sound", "Sound", &Settings::sound},
     Dial{"mouse", "Speed of the mouse", &Settings::mouse, 20, 300},
+    Dial{"speed", "Speed of the game", &Settings::speed, 50, 100},
     Dial{"particles", "Particles", &Settings::particles},
     Dial{"trail", "Trail of the ball", &Settings::trail},
     Dial{"squash", "Squash and stretch", &Settings::squash},

@@ -52,6 +52,7 @@ void Stage::beginGame(std::shared_ptr<const Level> level) {
     enter(
         std::make_unique<Play>(std::move(level), def_.seed + games_, def_.profile.mode, audible()));
     ++games_;
+    recorder_.emplace(play_->game());
 }
 
 void Stage::beginShow() {
@@ -62,6 +63,8 @@ void Stage::beginShow() {
 void Stage::enter(std::unique_ptr<Play> play) {
     play_ = std::move(play);
     screen_ = Screen::Playing;
+    recorder_.reset();
+    played_.reset();
     tally_ = {};
     hands_.letGo();
     fanfare_.stop();
@@ -130,7 +133,8 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     if (screen_ == Screen::Paused || (screen_ == Screen::Options && !demoRuns())) {
         return;
     }
-    owed_ += pace_.next(play_->game(), seconds) * std::min(seconds, kLongestFrame);
+    const double pace = pace_.next(play_->game(), seconds) * settings().speed / 100;
+    owed_ += pace * std::min(seconds, kLongestFrame);
     for (; owed_ >= kTick; owed_ -= kTick) {
         tick(speaker);
     }
@@ -161,6 +165,12 @@ void Stage::tick(Speaker& speaker) {
     const bool wasPlaying = play_->game().result() == Result::Playing;
     play_->tick(input.value_or(Input{}), speaker);
     const Game& game = play_->game();
+    if (recorder_ && wasPlaying) {
+        recorder_->record(input.value_or(Input{}), game);
+        if (game.result() != Result::Playing) {
+            played_ = recorder_->finish(game);
+        }
+    }
     pace_.feel(game, settings());
     tally_.hear(game);
     if (!fanfare_.done()) {
@@ -184,8 +194,12 @@ void Stage::keep() {
     if (!def_.save || def_.pilot) {
         return;
     }
-    if (std::string problem = def_.save(def_.profile); !problem.empty()) {
-        def_.notice = std::move(problem);
+    note(def_.save(def_.profile));
+}
+
+void Stage::note(const std::string& problem) {
+    if (!problem.empty()) {
+        def_.notice = problem;
     }
 }
 
@@ -202,6 +216,9 @@ void Stage::finish() {
     if (!def_.pilot && !showing_ && game.result() != Result::Playing) {
         newBest_ = def_.profile.enter(game.mode(), name, best);
         keep();
+        if (def_.keepReplay && played_) {
+            note(def_.keepReplay(*played_, best.score > before_.score));
+        }
     }
     std::vector<MenuItem> items;
     const bool more = endless_ > 0 || level_ + 1 < def_.levels.size();

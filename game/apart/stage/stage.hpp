@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <apart/core/replay.hpp>
 #include <apart/stage/fanfare.hpp>
 #include <apart/stage/hands.hpp>
 #include <apart/stage/hud.hpp>
@@ -12,6 +13,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace apart {
@@ -35,6 +37,9 @@ struct StageDef {
     Profile profile{};
     /// Keeps the profile for the next time; a sentence when it cannot.
     std::function<std::string(const Profile&)> save{};
+    /// Keeps a game that the player has finished, and whether it is the best of its level; a
+    /// sentence when it cannot.
+    std::function<std::string(const Replay&, bool best)> keepReplay{};
     std::string notice{};           // a sentence for the title screen, or nothing
     std::uint32_t firstEndless = 0; // start at once with the endless level of that number; 0: none
     /// The level of that number, from 1, of a row without end; if there is one.
@@ -104,6 +109,7 @@ private:
     void tickDemo();
     void finish();
     void keep();
+    void note(const std::string& problem);
     Settings audible() const;
     bool demoRuns() const;
 
@@ -126,6 +132,8 @@ private:
     std::uint32_t games_ = 0;       // of the player, begun so far
     std::size_t demos_ = 0;         // that the bot has begun by itself
     std::unique_ptr<Play> play_;
+    std::optional<Recorder> recorder_; // of the player's game
+    std::optional<Replay> played_;     // that game, once it has ended
     Tally tally_;
     Hands hands_;
     Menu menu_;

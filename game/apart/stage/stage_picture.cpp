@@ -65,7 +65,7 @@ void Stage::draw(Canvas& canvas) const {
         paintVeil(canvas, faded(palette::kNight, 0.80f));
         canvas.text("Options", {0, Real(14.4)},
                     {Real(1.4), palette::kText, Typeface::Bold, Align::Middle});
-        canvas.text("left and right, or a click on the bar", {0, Real(2.6)}, quiet(Real(0.42)));
+        canvas.text("left and right, or a click on the bar", {0, Real(2.05)}, quiet(Real(0.42)));
         return menu_.draw(canvas);
     case Screen::Playing:
         paintServeHint(canvas, game());
