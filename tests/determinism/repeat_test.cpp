@@ -14,7 +14,7 @@ namespace {
 using kodo::BodyId;
 using kodo::Real;
 
-std::string nameOf(const testing::TestParamInfo<Recipe>& info) {
+std::string nameOfRecipe(const testing::TestParamInfo<Recipe>& info) {
     return info.param.name;
 }
 
@@ -105,7 +105,7 @@ TEST_P(Repeat, TheHashSeesANudgeOfOneUlp) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Repeat, testing::ValuesIn(recipes().begin(), recipes().end()),
-                         nameOf);
+                         nameOfRecipe);
 
 /// Pose and motion of a body, to be compared bit by bit (== but for the two zeros).
 struct Bits {

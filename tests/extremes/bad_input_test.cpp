@@ -7,8 +7,8 @@
 namespace kodo {
 namespace {
 
-const Real kInf = std::numeric_limits<Real>::infinity();
-const Real kNan = std::numeric_limits<Real>::quiet_NaN();
+using support::kInf;
+using support::kNan;
 
 /// A world in which things move, touch and hang together.
 struct Scene {

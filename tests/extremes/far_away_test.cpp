@@ -5,12 +5,12 @@ namespace kodo {
 namespace {
 
 /// A stack of three on a floor, with a ball that rolls, around a place.
-struct Scene {
+struct StackAt {
     World world{{.gravity = support::kEarth}};
     std::vector<BodyId> bodies;
     Vec2 place;
 
-    explicit Scene(Vec2 at) : place(at) {
+    explicit StackAt(Vec2 at) : place(at) {
         world.add({.shape = Box{40, 1}, .position = at + Vec2{0, Real(-0.5)}, .flags = kLocked});
         for (int i = 0; i < 3; ++i) {
             bodies.push_back(
@@ -34,8 +34,8 @@ Real gridAt(Real distance) {
 TEST(FarAway, HappensWhatHappensHere) {
     for (const Real far : {support::byPrecision(100, 1e5), support::byPrecision(1000, 1e7)}) {
         SCOPED_TRACE(far);
-        Scene here({0, 0});
-        Scene there({far, -far});
+        StackAt here({0, 0});
+        StackAt there({far, -far});
         support::run(here.world, 300);
         support::run(there.world, 300);
         const Real tolerance = support::byPrecision(100 * static_cast<double>(gridAt(far)), 1e-6);
@@ -48,7 +48,7 @@ TEST(FarAway, HappensWhatHappensHere) {
 // At the limit nothing falls through, nothing bursts; a place is not known better than the grid.
 TEST(FarAway, AtTheLimitAStackStands) {
     const Real far = kFarthest - 100;
-    Scene scene({far, far});
+    StackAt scene({far, far});
     support::run(scene.world, 300);
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec2 expected{0, Real(0.5) + static_cast<Real>(i)};

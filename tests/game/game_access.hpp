@@ -128,6 +128,9 @@ std::optional<T> playUntil(Game& game, const Input& input, int mostTicks) {
     return std::nullopt;
 }
 
+/// Where a paddle catches a part that falls at x = 0 beside the ball on it (m).
+inline constexpr kodo::Real kCatchX = kodo::Real(-1.2);
+
 inline Input towards(kodo::Real x) {
     Input input;
     input.target = static_cast<std::int16_t>(x * 1000);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A4, A7: what breaks, pulls and kicks is kept or booked.
+#include <support/draws.hpp>
 #include <support/random_numbers.hpp>
 
 #include <algorithm>
@@ -13,11 +14,7 @@ using namespace apart;
 using kodo::Real;
 using kodo::Vec2;
 
-#ifdef APART_FEWER_BREAKS // a sanitizer makes each many times as dear
-constexpr int kBreaks = 10000;
-#else
-constexpr int kBreaks = 100000;
-#endif
+constexpr int kBreaksInPlay = support::draws(100000);
 
 kodo::BasicVec2<double> inDouble(Vec2 v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y)};
@@ -111,11 +108,11 @@ void breakOne(Game& game, support::RandomNumbers& random) {
 }
 
 TEST(Ledger, HasWhatBreaksDoNotKeep) {
-    constexpr std::uint64_t kSeed = 77;
-    support::RandomNumbers random(kSeed);
+    constexpr std::uint64_t kPlaySeed = 77;
+    support::RandomNumbers random(kPlaySeed);
     const Level level = levelOf("gwbsgwbsgwbsgwb\nWLSgwbsWLSgwbsW\n");
     int breaks = 0;
-    for (std::uint32_t seed = 0; breaks < kBreaks && !HasFailure(); ++seed) {
+    for (std::uint32_t seed = 0; breaks < kBreaksInPlay && !HasFailure(); ++seed) {
         Game game(level, seed);
         for (int i = 0; i < 25 && !HasFailure(); ++i, ++breaks) {
             SCOPED_TRACE("seed 77, game " + std::to_string(seed) + ", break " + std::to_string(i));

@@ -14,11 +14,11 @@ using kodo::Vec2;
 using support::near;
 
 // A letter o in the middle of row 5: x = 0, y = 13.6. Glass far away keeps the game going.
-const std::string kGrid = "g..............\n" + emptyRows(4) + ".......o.......\n";
+const std::string kOverGlass = "g..............\n" + emptyRows(4) + ".......o.......\n";
 constexpr Vec2 kMiddle{0, Real(13.6)};
 
 Game with(const std::string& lines) {
-    return Game(levelWith(kGrid, "o", lines), 1);
+    return Game(levelWith(kOverGlass, "o", lines), 1);
 }
 
 /// Speed of the first ball.

@@ -11,8 +11,6 @@ using kodo::Real;
 using kodo::Vec2;
 using support::near;
 
-constexpr Real kCatchX = Real(-1.2); // of the paddle, so that the part misses the ball on it
-
 /// A block with a power in the middle of the lowest row, glass and brick above; the block is broken
 /// and the paddle waits below it.
 Game dropped(const std::string& block) {

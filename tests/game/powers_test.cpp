@@ -13,8 +13,6 @@ using kodo::Real;
 using kodo::Vec2;
 using support::near;
 
-constexpr Real kCatchX = Real(-1.2); // of the paddle, so that the part misses the ball on it
-
 std::string nameOf(Power power) {
     return std::string(kPowerNames[static_cast<std::size_t>(power)]);
 }

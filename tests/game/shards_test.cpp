@@ -13,16 +13,16 @@ using kodo::Real;
 using kodo::Vec2;
 using support::near;
 
-/// Sums over all shards, about the origin.
-struct Sums {
+/// ShardSums over all shards, about the origin.
+struct ShardSums {
     Real mass = 0;
     Vec2 momentum;
     Real moment = 0;
     Real energy = 0;
 };
 
-Sums sumsOf(const Game& game) {
-    Sums sums;
+ShardSums sumsOf(const Game& game) {
+    ShardSums sums;
     for (const Shard& shard : game.shards()) {
         const kodo::BodyView body = game.world()[shard.body];
         sums.mass += body.mass();
@@ -37,8 +37,8 @@ Sums sumsOf(const Game& game) {
 }
 
 TEST(ShardBreak, KeepsMassMomentumAngularMomentumAndEnergy) {
-    constexpr std::uint64_t kSeed = 41;
-    support::RandomNumbers random(kSeed);
+    constexpr std::uint64_t kShardSeed = 41;
+    support::RandomNumbers random(kShardSeed);
     int breaks = 0;
     for (int trial = 0; trial < 300 && !HasFailure(); ++trial) {
         SCOPED_TRACE("seed 41, trial " + std::to_string(trial));
@@ -52,12 +52,12 @@ TEST(ShardBreak, KeepsMassMomentumAngularMomentumAndEnergy) {
             body.setAngularVelocity(random.between(-5, 5));
         }
         for (int again = 0; again < 6; ++again) {
-            const Sums before = sumsOf(game);
+            const ShardSums before = sumsOf(game);
             const auto index = random.below(static_cast<std::uint32_t>(game.shards().size()));
             const kodo::BodyId body = game.shards()[index].body;
             GameTestAccess::breakShard(game, index, game.world()[body].center() + random.point(1));
             breaks += game.world().contains(body) ? 0 : 1;
-            const Sums after = sumsOf(game);
+            const ShardSums after = sumsOf(game);
             // Some dozen floats, the moment with arms of up to 15 m; a corner that was merged in
             // cutting costs up to 1e-5 of a piece.
             EXPECT_TRUE(near(after.mass, before.mass, Real(4e-5) * before.mass));

@@ -12,7 +12,7 @@ using kodo::Real;
 using kodo::Vec2;
 using support::near;
 
-Game with(const std::string& paddle) {
+Game withPaddle(const std::string& paddle) {
     return Game(levelOf("g..............\n", 12000, "paddle = \"" + paddle + "\"\n"), 1);
 }
 
@@ -30,7 +30,7 @@ Sway struckAt(Game& game, Real offset) {
 }
 
 TEST(SteadyPaddle, NeitherTiltsNorRecoils) {
-    Game game = with("steady");
+    Game game = withPaddle("steady");
     const Sway most = struckAt(game, Real(1.5));
     EXPECT_EQ(most.tilt, 0);
     EXPECT_EQ(most.lift, 0);
@@ -38,7 +38,7 @@ TEST(SteadyPaddle, NeitherTiltsNorRecoils) {
 
 TEST(TiltingPaddle, TurnsToTheSideOfTheBlowAndBack) {
     for (const Real offset : {Real(-1.5), Real(1.5)}) {
-        Game game = with("tilting");
+        Game game = withPaddle("tilting");
         const Sway most = struckAt(game, offset);
         EXPECT_LT(most.tilt * offset, Real(-0.05)); // clockwise when struck at the right
         EXPECT_LE(std::abs(most.tilt), kMostTilt);
@@ -52,7 +52,7 @@ TEST(TiltingPaddle, TurnsToTheSideOfTheBlowAndBack) {
 }
 
 TEST(TiltingPaddle, IsWhatTheBallMeets) {
-    Game game = with("tilting");
+    Game game = withPaddle("tilting");
     struckAt(game, Real(1.5));
     const kodo::BodyView paddle = game.world()[game.paddle()];
     // The body lags its spring by the tick in which it is moved there.
@@ -60,8 +60,8 @@ TEST(TiltingPaddle, IsWhatTheBallMeets) {
 }
 
 TEST(RecoilingPaddle, GivesWayByItsMassAndComesBack) {
-    Game light = with("recoiling");
-    Game heavy = with("recoiling");
+    Game light = withPaddle("recoiling");
+    Game heavy = withPaddle("recoiling");
     GameTestAccess::weldWings(heavy);
     heavy.tick({});
     const Real lightSag = struckAt(light, 0).lift;
@@ -76,7 +76,7 @@ TEST(RecoilingPaddle, GivesWayByItsMassAndComesBack) {
 }
 
 TEST(LoosePaddle, DoesBoth) {
-    Game game = with("loose");
+    Game game = withPaddle("loose");
     const Sway most = struckAt(game, 1);
     EXPECT_LT(most.tilt, Real(-0.03));
     EXPECT_LT(most.lift, Real(-0.05));

@@ -8,15 +8,9 @@ using support::byPrecision;
 using support::near;
 using support::nearShare;
 
-WorldDef wakeful() {
-    WorldDef def{.gravity = support::kEarth};
-    def.settings.leaveOut = static_cast<std::uint8_t>(Feature::Resting);
-    return def;
-}
-
 /// A flat box, which does not tip, on a slope through the origin that rises to the right.
 struct Slope {
-    World world{wakeful()};
+    World world{support::wakeful()};
     BodyId box;
     Vec2 start;
     Vec2 downhill;

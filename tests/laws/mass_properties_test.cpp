@@ -9,7 +9,7 @@ using support::near;
 using support::nearShare;
 
 // A14: the closed forms, as a user reads them from a body. Rounding only.
-constexpr Real kExact = byPrecision(2e-6, 1e-12);
+constexpr Real kTextbookExact = byPrecision(2e-6, 1e-12);
 
 BodyView bodyOf(World& world, const Shape& shape, Vec2 position = {}) {
     const BodyId id = world.add({.shape = shape, .position = position, .density = 2});
@@ -19,23 +19,23 @@ BodyView bodyOf(World& world, const Shape& shape, Vec2 position = {}) {
 TEST(MassProperties, OfADisc) {
     World world;
     const BodyView body = bodyOf(world, Circle{3});
-    EXPECT_TRUE(nearShare(body.mass(), 18 * std::numbers::pi_v<long double>, kExact));
-    EXPECT_TRUE(nearShare(body.inertia(), 81 * std::numbers::pi_v<long double>, kExact));
+    EXPECT_TRUE(nearShare(body.mass(), 18 * std::numbers::pi_v<long double>, kTextbookExact));
+    EXPECT_TRUE(nearShare(body.inertia(), 81 * std::numbers::pi_v<long double>, kTextbookExact));
 }
 
 TEST(MassProperties, OfABox) {
     World world;
     const BodyView body = bodyOf(world, Box{3, 4});
-    EXPECT_TRUE(nearShare(body.mass(), 24, kExact));
-    EXPECT_TRUE(nearShare(body.inertia(), 24.0L * 25 / 12, kExact));
+    EXPECT_TRUE(nearShare(body.mass(), 24, kTextbookExact));
+    EXPECT_TRUE(nearShare(body.inertia(), 24.0L * 25 / 12, kTextbookExact));
 }
 
 TEST(MassProperties, OfATriangle) {
     World world;
     const BodyView body = bodyOf(world, Polygon{{{0, 0}, {3, 0}, {0, 4}}});
-    EXPECT_TRUE(nearShare(body.mass(), 12, kExact));
-    EXPECT_TRUE(nearShare(body.inertia(), 12.0L * 50 / 36, kExact));
-    EXPECT_TRUE(near(body.center(), Vec2{1, Real(4) / 3}, kExact));
+    EXPECT_TRUE(nearShare(body.mass(), 12, kTextbookExact));
+    EXPECT_TRUE(nearShare(body.inertia(), 12.0L * 50 / 36, kTextbookExact));
+    EXPECT_TRUE(near(body.center(), Vec2{1, Real(4) / 3}, kTextbookExact));
 }
 
 // A 1000-gon is a disc to (pi / 1000)^2; compared with its own closed form.
@@ -51,8 +51,8 @@ TEST(MassProperties, OfRegularPolygons) {
         World world;
         const BodyView body = bodyOf(world, polygon);
         const long double mass = n * std::sin(step);
-        EXPECT_TRUE(nearShare(body.mass(), mass, 4 * kExact));
-        EXPECT_TRUE(nearShare(body.inertia(), mass * (2 + std::cos(step)) / 6, 4 * kExact));
+        EXPECT_TRUE(nearShare(body.mass(), mass, 4 * kTextbookExact));
+        EXPECT_TRUE(nearShare(body.inertia(), mass * (2 + std::cos(step)) / 6, 4 * kTextbookExact));
     }
 }
 
@@ -61,10 +61,10 @@ TEST(MassProperties, OfAnLCompound) {
     World world;
     const Compound ell{{Box{2, 1, {1, Real(0.5)}}, Box{1, 1, {Real(0.5), Real(1.5)}}}};
     const BodyView body = bodyOf(world, ell);
-    EXPECT_TRUE(nearShare(body.mass(), 6, kExact));
-    EXPECT_TRUE(near(body.center(), Vec2{Real(5) / 6, Real(5) / 6}, kExact));
+    EXPECT_TRUE(nearShare(body.mass(), 6, kTextbookExact));
+    EXPECT_TRUE(near(body.center(), Vec2{Real(5) / 6, Real(5) / 6}, kTextbookExact));
     // 2 [10/12 + 2/12 + 2 (1/36 + 1/9) + 1/9 + 4/9]
-    EXPECT_TRUE(nearShare(body.inertia(), 2 * (1 + 2.0L * 5 / 36 + 5.0L / 9), kExact));
+    EXPECT_TRUE(nearShare(body.inertia(), 2 * (1 + 2.0L * 5 / 36 + 5.0L / 9), kTextbookExact));
 }
 
 // Where a body is does not change what it is.
@@ -112,7 +112,7 @@ TEST(MassProperties, GrowWithDensity) {
     const BodyId light = world.add({.shape = Box{1, 2}, .density = Real(0.25)});
     const BodyId heavy = world.add({.shape = Box{1, 2}, .density = 8, .flags = kLocked});
     EXPECT_EQ(world[heavy].mass(), 32 * world[light].mass());
-    EXPECT_TRUE(nearShare(world[heavy].inertia(), 32 * world[light].inertia(), kExact));
+    EXPECT_TRUE(nearShare(world[heavy].inertia(), 32 * world[light].inertia(), kTextbookExact));
 }
 
 } // namespace

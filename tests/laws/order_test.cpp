@@ -4,23 +4,23 @@
 namespace kodo {
 namespace {
 
-constexpr Real kRates[] = {60, 120, 240, 480}; // Hz
+constexpr Real kStepRates[] = {60, 120, 240, 480}; // Hz
 
 /// The error of a figure must fall by a factor of 2^0.9 at least whenever the step is halved, until
 /// it has come down to the floor: what rounding, and reading between two steps, leave of it.
 template <typename Error>
 void expectFirstOrder(Error errorAt, double floor) {
     double previous = 0;
-    for (const Real rate : kRates) {
+    for (const Real rate : kStepRates) {
         const double error = std::abs(errorAt(rate));
-        if (rate > kRates[0]) {
+        if (rate > kStepRates[0]) {
             EXPECT_LT(error, std::max(previous * 0.536, floor)) << rate << " Hz";
         }
         previous = error;
     }
 }
 
-StepSettings wakeful() {
+StepSettings sleepless() {
     StepSettings settings;
     settings.leaveOut = static_cast<std::uint8_t>(Feature::Resting);
     return settings;
@@ -30,7 +30,7 @@ StepSettings wakeful() {
 TEST(Order, OfTheStoppingWay) {
     expectFirstOrder(
         [](Real rate) {
-            World world({.gravity = support::kEarth, .settings = wakeful()});
+            World world({.gravity = support::kEarth, .settings = sleepless()});
             support::addFloor(world, withFriction(Real(0.5)));
             BodyDef def = support::boxDef({0, Real(0.1)}, 1, Real(0.2), withFriction(Real(0.5)));
             def.velocity = {5, 0};
@@ -45,7 +45,7 @@ TEST(Order, OfTheStoppingWay) {
 // a = g (0.6 - 0.8 mu) = 3.6 m/s^2, for two seconds.
 TEST(Order, OfASlipDownASlope) {
     const auto slip = [](Real rate) {
-        World world({.gravity = support::kEarth, .settings = wakeful()});
+        World world({.gravity = support::kEarth, .settings = sleepless()});
         const Rot tilt{Real(0.8), Real(-0.6)};
         world.add({.shape = Box{80, 2},
                    .position = -1 * tilt.yAxis(),
@@ -70,7 +70,7 @@ TEST(Order, OfASlipDownASlope) {
 TEST(Order, OfTheSpeedThatRollingLeaves) {
     expectFirstOrder(
         [](Real rate) {
-            World world({.gravity = support::kEarth, .settings = wakeful()});
+            World world({.gravity = support::kEarth, .settings = sleepless()});
             support::addFloor(world, withFriction(Real(0.3)));
             BodyDef def = support::ballDef({0, Real(0.5)}, Real(0.5), withFriction(Real(0.3)));
             def.velocity = {6, 0};
@@ -85,7 +85,7 @@ TEST(Order, OfTheSpeedThatRollingLeaves) {
 TEST(Order, OfTheHeightOfABounce) {
     expectFirstOrder(
         [](Real rate) {
-            World world({.gravity = support::kEarth, .settings = wakeful()});
+            World world({.gravity = support::kEarth, .settings = sleepless()});
             support::addFloor(world, support::slippery(Real(0.8)));
             const BodyId ball = world.add(
                 support::ballDef({0, Real(5.5)}, Real(0.5), support::slippery(Real(0.8))));

@@ -9,12 +9,6 @@ using support::kDt;
 using support::nearShare;
 using support::recordOf;
 
-WorldDef wakeful() {
-    WorldDef def{.gravity = support::kEarth};
-    def.settings.leaveOut = static_cast<std::uint8_t>(Feature::Resting);
-    return def;
-}
-
 /// Mean force (N) of one body on another over that many steps.
 double forceBetween(World& world, BodyId a, BodyId b, int steps) {
     double sum = 0;
@@ -29,7 +23,7 @@ double forceBetween(World& world, BodyId a, BodyId b, int steps) {
 // A10: contact k of a stack of ten carries the (10 - k) boxes above it; within 1 % after 5 s. It
 // sinks by no more than the slop a contact, and after 20 s it lies still.
 TEST(StackForces, EachContactCarriesWhatIsAbove) {
-    World world(wakeful());
+    World world(support::wakeful());
     BodyId lower = support::addFloor(world);
     const std::vector<BodyId> boxes = support::addStack(world, 10);
     support::run(world, 300);
@@ -50,7 +44,7 @@ TEST(StackForces, EachContactCarriesWhatIsAbove) {
 TEST(StackForces, ABeamSharesItsLoadByTheLeverRule) {
     for (const double x : {0.0, 0.5, 1.5}) {
         SCOPED_TRACE(x);
-        World world(wakeful());
+        World world(support::wakeful());
         BodyDef support = support::ballDef({-2, Real(0.5)}, Real(0.5));
         support.flags = kLocked;
         const BodyId left = world.add(support);
@@ -71,7 +65,7 @@ TEST(StackForces, ABeamSharesItsLoadByTheLeverRule) {
 
 // A10b with three supports the shares are not determined, but their sum and their torque are.
 TEST(StackForces, ThreeSupportsBalanceForceAndTorque) {
-    World world(wakeful());
+    World world(support::wakeful());
     std::vector<BodyId> supports;
     for (const Real x : {Real(-2), Real(0), Real(2)}) {
         BodyDef support = support::ballDef({x, Real(0.5)}, Real(0.5));

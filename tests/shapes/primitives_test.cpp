@@ -16,9 +16,9 @@ using Wide = long double;
 using WideVec = BasicVec2<Wide>;
 
 // Closed forms of a dozen roundings on values near 1.
-constexpr Wide kTolerance = 1e-17L;
+constexpr Wide kDozenRoundings = 1e-17L;
 
-BasicPolygon<Wide> square() {
+BasicPolygon<Wide> squareFromOrigin() {
     return {{{0, 0}, {2, 0}, {2, 2}, {0, 2}}};
 }
 
@@ -29,10 +29,10 @@ BasicBox<Wide> diamond() { // the square's box, about the same centre, turned by
 // P1: in long double, since all are templates.
 TEST(Primitives, HaveTheAreasOfTheTextbook) {
     EXPECT_TRUE(
-        near(areaOf(BasicCircle<Wide>{2, {3, 4}}), 4 * std::numbers::pi_v<Wide>, kTolerance));
+        near(areaOf(BasicCircle<Wide>{2, {3, 4}}), 4 * std::numbers::pi_v<Wide>, kDozenRoundings));
     EXPECT_EQ(areaOf(BasicAabb<Wide>{{1, 2}, {4, 6}}), 12);
     EXPECT_EQ(areaOf(diamond()), 4);
-    EXPECT_EQ(areaOf(square()), 4);
+    EXPECT_EQ(areaOf(squareFromOrigin()), 4);
     EXPECT_EQ(areaOf(BasicPolygon<Wide>{{{0, 0}, {3, 0}, {0, 4}}}), 6);
     EXPECT_EQ(areaOf(BasicPoint<Wide>{}), 0);
     EXPECT_EQ(areaOf(BasicSegment<Wide>{{0, 0}, {3, 4}, false, {}, {}}), 0);
@@ -42,9 +42,9 @@ TEST(Primitives, HaveTheirCentroids) {
     EXPECT_EQ(centroidOf(BasicCircle<Wide>{2, {3, 4}}), (WideVec{3, 4}));
     EXPECT_EQ(centroidOf(BasicAabb<Wide>{{1, 2}, {4, 6}}), (WideVec{2.5L, 4}));
     EXPECT_EQ(centroidOf(diamond()), (WideVec{1, 1}));
-    EXPECT_EQ(centroidOf(square()), (WideVec{1, 1}));
-    EXPECT_TRUE(
-        near(centroidOf(BasicPolygon<Wide>{{{0, 0}, {3, 0}, {0, 3}}}), WideVec{1, 1}, kTolerance));
+    EXPECT_EQ(centroidOf(squareFromOrigin()), (WideVec{1, 1}));
+    EXPECT_TRUE(near(centroidOf(BasicPolygon<Wide>{{{0, 0}, {3, 0}, {0, 3}}}), WideVec{1, 1},
+                     kDozenRoundings));
     EXPECT_EQ(centroidOf(BasicPoint<Wide>{{3, 4}}), (WideVec{3, 4}));
     EXPECT_EQ(centroidOf(BasicSegment<Wide>{{0, 0}, {3, 4}, false, {}, {}}), (WideVec{1.5L, 2}));
 }
@@ -52,32 +52,32 @@ TEST(Primitives, HaveTheirCentroids) {
 // pi r^4 / 2, b h (b^2 + h^2) / 12, and for a triangle with legs a: a^4 / 18.
 TEST(Primitives, HaveTheirSecondMoments) {
     EXPECT_TRUE(near(secondMomentOf(BasicCircle<Wide>{2, {3, 4}}), 8 * std::numbers::pi_v<Wide>,
-                     8 * kTolerance));
-    EXPECT_TRUE(near(secondMomentOf(BasicAabb<Wide>{{1, 2}, {4, 6}}), 25, 10 * kTolerance));
-    EXPECT_TRUE(near(secondMomentOf(diamond()), 8 / 3.0L, kTolerance));
-    EXPECT_TRUE(near(secondMomentOf(square()), 8 / 3.0L, 4 * kTolerance));
+                     8 * kDozenRoundings));
+    EXPECT_TRUE(near(secondMomentOf(BasicAabb<Wide>{{1, 2}, {4, 6}}), 25, 10 * kDozenRoundings));
+    EXPECT_TRUE(near(secondMomentOf(diamond()), 8 / 3.0L, kDozenRoundings));
+    EXPECT_TRUE(near(secondMomentOf(squareFromOrigin()), 8 / 3.0L, 4 * kDozenRoundings));
     EXPECT_TRUE(near(secondMomentOf(BasicPolygon<Wide>{{{0, 0}, {3, 0}, {0, 3}}}), 81 / 18.0L,
-                     8 * kTolerance));
+                     8 * kDozenRoundings));
 }
 
 TEST(Primitives, HaveTheirBounds) {
     EXPECT_EQ(boundsOf(BasicPoint<Wide>{{3, 4}}), (BasicAabb<Wide>{{3, 4}, {3, 4}}));
     EXPECT_EQ(boundsOf(BasicCircle<Wide>{2, {3, 4}}), (BasicAabb<Wide>{{1, 2}, {5, 6}}));
-    EXPECT_EQ(boundsOf(square()), (BasicAabb<Wide>{{0, 0}, {2, 2}}));
+    EXPECT_EQ(boundsOf(squareFromOrigin()), (BasicAabb<Wide>{{0, 0}, {2, 2}}));
     EXPECT_EQ(boundsOf(BasicSegment<Wide>{{3, 0}, {0, 4}, false, {}, {}}),
               (BasicAabb<Wide>{{0, 0}, {3, 4}}));
     const BasicAabb<Wide> turned = boundsOf(diamond());
     const Wide reach = std::numbers::sqrt2_v<Wide>;
-    EXPECT_TRUE(near(turned.lower, WideVec{1 - reach, 1 - reach}, kTolerance));
-    EXPECT_TRUE(near(turned.upper, WideVec{1 + reach, 1 + reach}, kTolerance));
+    EXPECT_TRUE(near(turned.lower, WideVec{1 - reach, 1 - reach}, kDozenRoundings));
+    EXPECT_TRUE(near(turned.upper, WideVec{1 + reach, 1 + reach}, kDozenRoundings));
 }
 
 TEST(Primitives, ContainTheirEdgesAndNothingBeyond) {
     const Wide tiny = 1e-15L;
     EXPECT_TRUE(contains(BasicCircle<Wide>{5, {0, 0}}, WideVec{3, 4}));
     EXPECT_FALSE(contains(BasicCircle<Wide>{5, {0, 0}}, WideVec{3, 4 + tiny}));
-    EXPECT_TRUE(contains(square(), WideVec{2, 1}));
-    EXPECT_FALSE(contains(square(), WideVec{2 + tiny, 1}));
+    EXPECT_TRUE(contains(squareFromOrigin(), WideVec{2, 1}));
+    EXPECT_FALSE(contains(squareFromOrigin(), WideVec{2 + tiny, 1}));
     EXPECT_TRUE(contains(diamond(), WideVec{1, 2.414L}));
     EXPECT_FALSE(contains(diamond(), WideVec{2.01L, 2.01L}));
     EXPECT_TRUE(contains(BasicPlane<Wide>{{0, 1}, 2}, WideVec{1e6L, 2}));
@@ -91,13 +91,13 @@ TEST(Primitives, ContainTheirEdgesAndNothingBeyond) {
 
 TEST(Primitives, ReachFarthestAlongADirection) {
     EXPECT_EQ(supportOf(BasicPoint<Wide>{{1, 2}}, WideVec{5, 5}), (WideVec{1, 2}));
-    EXPECT_TRUE(
-        near(supportOf(BasicCircle<Wide>{5, {1, 1}}, WideVec{6, 8}), WideVec{4, 5}, kTolerance));
-    EXPECT_EQ(supportOf(square(), WideVec{1, 2}), (WideVec{2, 2}));
-    EXPECT_EQ(supportOf(square(), WideVec{0, 1}), (WideVec{2, 2})) << "a tie: the first";
+    EXPECT_TRUE(near(supportOf(BasicCircle<Wide>{5, {1, 1}}, WideVec{6, 8}), WideVec{4, 5},
+                     kDozenRoundings));
+    EXPECT_EQ(supportOf(squareFromOrigin(), WideVec{1, 2}), (WideVec{2, 2}));
+    EXPECT_EQ(supportOf(squareFromOrigin(), WideVec{0, 1}), (WideVec{2, 2})) << "a tie: the first";
     EXPECT_EQ(supportOf(BasicAabb<Wide>{{1, 2}, {4, 6}}, WideVec{-1, 2}), (WideVec{1, 6}));
     EXPECT_TRUE(near(supportOf(diamond(), WideVec{0, 1}),
-                     WideVec{1, 1 + std::numbers::sqrt2_v<Wide>}, kTolerance));
+                     WideVec{1, 1 + std::numbers::sqrt2_v<Wide>}, kDozenRoundings));
     EXPECT_EQ(supportOf(BasicSegment<Wide>{{0, 0}, {3, 4}, false, {}, {}}, WideVec{-1, 0}),
               WideVec{});
 }

@@ -11,14 +11,14 @@ using support::near;
 using Wide = long double;
 using WideRay = BasicRay<Wide>;
 using WideVec = BasicVec2<Wide>;
-constexpr Wide kTolerance = 1e-17L; // a dozen roundings of values near 1
+constexpr Wide kWideTolerance = 1e-17L; // a dozen roundings of values near 1
 
 template <typename Shape>
 void expectHit(const Shape& shape, const WideRay& ray, Wide fraction, WideVec normal) {
     const auto hit = rayCast(shape, ray);
     ASSERT_TRUE(hit);
-    EXPECT_TRUE(near(hit->fraction, fraction, kTolerance));
-    EXPECT_TRUE(near(hit->normal, normal, kTolerance));
+    EXPECT_TRUE(near(hit->fraction, fraction, kWideTolerance));
+    EXPECT_TRUE(near(hit->normal, normal, kWideTolerance));
 }
 
 BasicPolygon<Wide> square() {

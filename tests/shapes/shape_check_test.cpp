@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/shapes/shape.hpp>
+#include <support/near.hpp>
 #include <support/random_shapes.hpp>
 
 #include <gtest/gtest.h>
@@ -10,8 +11,8 @@
 namespace kodo {
 namespace {
 
-const Real kInf = std::numeric_limits<Real>::infinity();
-const Real kNan = std::numeric_limits<Real>::quiet_NaN();
+using support::kInf;
+using support::kNan;
 
 const Real kTooLarge = std::numeric_limits<Real>::max() / 2;
 

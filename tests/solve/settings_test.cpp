@@ -41,15 +41,15 @@ TEST(StepSettings, EachNumberIsChecked) {
     }
 }
 
-constexpr Feature kFeatures[] = {
+constexpr Feature kEachFeature[] = {
     Feature::Friction, Feature::RollingResistance, Feature::Restitution, Feature::Sweep,
     Feature::Records,  Feature::Resting,           Feature::Rotation};
 
 TEST(StepSettings, FeaturesAreLeftOutOneByOne) {
-    for (const Feature out : kFeatures) {
+    for (const Feature out : kEachFeature) {
         StepSettings settings;
         settings.leaveOut = static_cast<std::uint8_t>(out);
-        for (const Feature feature : kFeatures) {
+        for (const Feature feature : kEachFeature) {
             EXPECT_EQ(settings.has(feature), feature != out);
         }
     }

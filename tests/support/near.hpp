@@ -17,6 +17,10 @@ constexpr kodo::Real byPrecision(double inFloat, double inDouble) {
     return static_cast<kodo::Real>(sizeof(kodo::Real) == 4 ? inFloat : inDouble);
 }
 
+/// Numbers that no definition may hold.
+inline constexpr kodo::Real kInf = std::numeric_limits<kodo::Real>::infinity();
+inline constexpr kodo::Real kNan = std::numeric_limits<kodo::Real>::quiet_NaN();
+
 /// Distance from 1 to the next Real.
 inline constexpr kodo::Real kEpsilon = std::numeric_limits<kodo::Real>::epsilon();
 

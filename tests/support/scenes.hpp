@@ -13,6 +13,13 @@ namespace support {
 inline constexpr kodo::Real kDt = kodo::Real(1) / 60; // s, a step unless a test says otherwise
 inline constexpr kodo::Vec2 kEarth{0, -10};           // m/s^2
 
+/// Nothing comes to rest, under the gravity of the earth.
+inline kodo::WorldDef wakeful() {
+    kodo::WorldDef def{.gravity = kEarth};
+    def.settings.leaveOut = static_cast<std::uint8_t>(kodo::Feature::Resting);
+    return def;
+}
+
 inline void run(kodo::World& world, int steps, kodo::Real dt = kDt) {
     for (int i = 0; i < steps; ++i) {
         world.step(dt);
