@@ -48,6 +48,9 @@ expect 2 'there is no level nowhere' "$program" lint first_light nowhere
 expect 0 '^\{"total": .*"ticks": 3000,.*"halts": 0, "escapes": 0, "bends": 0' \
     "$program" soak first_light --ticks 3000 --longest 1000 --endless 1 --json
 
+expect 2 'not in range' "$program" soak --ticks -5
+expect 2 'not in range' "$program" soak --first-seed -5
+
 # A pure game says so in its recording.
 expect 0 "$json\\}\$" "$program" bot --level first_light --mode pure --ticks 300 --record pure.replay \
     --json

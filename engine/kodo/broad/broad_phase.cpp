@@ -7,8 +7,9 @@
 namespace kodo::inline KODO_PRECISION {
 
 void PairSorter::sort(std::vector<BoundsPair>& pairs, std::size_t count) {
-    constexpr std::size_t kFew = 16; // and so many times fewer are sorted faster by comparing
-    if (pairs.size() < std::max(kFew, count / kFew)) {
+    constexpr std::size_t kFew = 16;           // are sorted faster by comparing,
+    constexpr std::size_t kBoundsPerPair = 16; // and so are pairs of which there are fewer
+    if (pairs.size() < std::max(kFew, count / kBoundsPerPair)) {
         std::sort(pairs.begin(), pairs.end()); // total order: no two are equal
         return;
     }

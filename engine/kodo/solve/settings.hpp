@@ -31,8 +31,10 @@ enum class Strategy : std::uint8_t {
 /// How a World steps: the user's dial between speed and accuracy. Every number can be set alone.
 ///
 /// Limits at the default settings, at 60 steps a second under the earth's gravity:
-///   weight  up to 4000 times that of what carries it: contacts give by 7 mm (of 1 m units). Beyond
-///           that the light one is crushed; Propagation with shockPasses carries a millionfold.
+///   weight  up to 3000 times that of what carries it, a tower of ten boxes of 1 m: each gives by
+///   less
+///           than 1 %. Beyond that the light ones are crushed; Propagation with shockPasses carries
+///           a millionfold.
 ///   crowds  bodies put on one point part gently, and so take their time: 20 of them 5 s, 60 of
 ///           them 17 s. n of them are n^2 / 2 contacts, and each step looks at all of these.
 struct StepSettings {

@@ -11,7 +11,7 @@
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
-constexpr std::uint32_t kNoWay = ~std::uint32_t{};
+constexpr std::uint32_t kNoCandidate = ~std::uint32_t{};
 constexpr std::size_t kCrossingsAPiece = 256;
 constexpr std::size_t kWaysAPiece = 256;
 constexpr std::size_t kCandidatesAPiece = 8;
@@ -196,7 +196,7 @@ void SweepStage::linkCandidates(std::span<const Contact> contacts) {
     if (places_.empty()) {
         return;
     }
-    first_.assign(ways_.size(), kNoWay);
+    first_.assign(ways_.size(), kNoCandidate);
     for (const std::uint32_t place : places_) {
         const ContactKey& key = contacts[place].key;
         Candidate candidate{place};
@@ -283,7 +283,7 @@ void SweepStage::cutShort(const Step& step, std::uint32_t body, Real time) {
         return;
     }
     stopAt_[body] = time;
-    for (std::uint32_t i = first_[body]; i != kNoWay;) {
+    for (std::uint32_t i = first_[body]; i != kNoCandidate;) {
         const bool isA = step.contacts[candidates_[i].contact].key.bodyA == body;
         if (!candidates_[i].done) {
             findTime(step, candidates_[i]);

@@ -64,8 +64,9 @@ public:
 
     // How long nothing has been damaged.
     Patience patience() const { return clock_.patience(); }
-    kodo::Real idleSeconds() const;
+    kodo::Real idleSeconds() const;  // by the clock of the mounts, which hurries at the end
     const Block* nextToFall() const; // the one whose mount gives way next; nullptr: none
+    bool tears() const;              // a pull is at it
     kodo::Real tornShare() const;    // 0..1, how far a pull has got with it
     const Ledger& ledger() const { return ledger_; }
 
@@ -205,7 +206,7 @@ private:
     std::vector<Effect> effects_;
     ProgressClock clock_;
     Patience shownPatience_ = Patience::Calm; // of the last PatienceChanged
-    kodo::Real tornSpeed_ = 0; // m/s that a pull would have given nextToFall(), did not it hold
+    kodo::Real tornSpeed_ = 0; // m/s that a pull would have given nextToFall() if it did not hold
     Ledger ledger_;
     kodo::BodyId boss_;
     kodo::Real bossHome_ = 0; // m, x that it drifts about

@@ -142,6 +142,7 @@ const Block* Game::nextToFall() const {
 }
 
 void Game::letGoNext(LetGo::Why why) {
+    tornSpeed_ = 0; // of this block alone
     const Block* block = nextToFall();
     if (block == nullptr) {
         return;
@@ -158,12 +159,11 @@ void Game::watchProgress() {
     const std::uint32_t hurry = blocksLeft_ <= kLastBlocks ? kLastHurry : 1;
     if (result_ == Result::Playing && !serving() && clock_.tick(hurry)) {
         letGoNext(LetGo::Why::Fatigue);
-    }
-    if (tornSpeed_ >= kTornSpeed) {
+    } else if (tornSpeed_ >= kTornSpeed) {
         letGoNext(LetGo::Why::Torn);
         clock_.progress(); // the player's deed
     }
-    if (patience() == Patience::Calm || tornSpeed_ >= kTornSpeed) {
+    if (patience() == Patience::Calm) {
         tornSpeed_ = 0;
     }
     if (patience() != shownPatience_) {

@@ -82,19 +82,21 @@ void Game::applyForces() {
             use(block.body, false);
         }
     }
-    if (force_ == Force::Pull && patience() != Patience::Calm && !serving()) {
+    if (tears()) {
         given += tear(center);
     }
     pushPaddleBack(given);
+}
+
+bool Game::tears() const {
+    return force_ == Force::Pull && patience() != Patience::Calm && !serving() &&
+           nextToFall() != nullptr;
 }
 
 /// The pull at the mount that gives way next, now that it is tired: it holds until its block would
 /// be kTornSpeed fast. The impulse (N s) that the mount took.
 Vec2 Game::tear(Vec2 center) {
     const Block* block = nextToFall();
-    if (block == nullptr) {
-        return {};
-    }
     const Vec2 way = center - frameOf(*block).position;
     const Real share = std::max(1 - length(way) / kForceReach, Real(0));
     const Real gained = kForceAcceleration * share * kTickSeconds;

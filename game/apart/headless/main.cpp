@@ -181,8 +181,10 @@ CLI::App* addSoak(CLI::App& app, SoakCommand& soak) {
     CLI::App* command = app.add_subcommand(
         "soak", "Let the bot play on and on; look for halts, escapes and bent flights");
     command->add_option("LEVEL", soak.levels, "Names of levels; all unless given");
-    command->add_option("--ticks", soak.ticks, "To be played in all, 1000000 unless given");
-    command->add_option("--first-seed", soak.firstSeed, "1 unless given; then 2, 3, ...");
+    command->add_option("--ticks", soak.ticks, "To be played in all, 1000000 unless given")
+        ->check(CLI::Range(std::uint64_t{1}, kMostSoaked));
+    command->add_option("--first-seed", soak.firstSeed, "1 unless given; then 2, 3, ...")
+        ->check(CLI::Range(0u, kMostSeed));
     command->add_option("--endless", soak.endless, "Endless levels for each seed, 0 unless given")
         ->check(CLI::Range(0u, kMostEndless));
     command

@@ -10,6 +10,9 @@
 
 namespace apart {
 
+inline constexpr std::uint64_t kMostSoaked = 1000000000000; // ticks
+inline constexpr std::uint32_t kMostSeed = 1000000000;      // to begin a soak with
+
 struct SoakCommand {
     std::vector<std::string> levels; // names; all of assets/levels unless given
     std::uint64_t ticks = 1000000;   // to be played in all

@@ -102,12 +102,10 @@ void paintPaddleField(Canvas& canvas, const Moment& moment) {
 
 /// Beads from the block whose mount is being torn to the paddle, the brighter the nearer it is.
 void paintTear(Canvas& canvas, const Moment& moment) {
-    const Block* next = moment.game.nextToFall();
-    const bool tears = moment.game.force() == Force::Pull &&
-                       moment.game.patience() != Patience::Calm && next != nullptr;
-    if (!tears) {
+    if (!moment.game.tears()) {
         return;
     }
+    const Block* next = moment.game.nextToFall();
     const kodo::BodyView body = moment.game.world()[next->body];
     const Vec2 from = moment.placeOf(next->body) * body.part(next->part).convex.middle;
     const Vec2 to = moment.placeOf(moment.game.paddle()).position;
