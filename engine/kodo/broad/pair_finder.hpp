@@ -26,8 +26,8 @@ public:
         reserve(count);
         way_ = only_ ? *only_ : choose(count, moved.list.size());
         if (way_ == PairSearch::BruteForce) {
-            bruteForce(bounds, moved, accept, out);
-            work_ += bruteForceWork(count, moved.list.size()).picoseconds();
+            bruteForce_.pairs(bounds, moved, accept, out);
+            work_ += BruteForce::work(count, moved.list.size()).picoseconds();
         } else if (way_ == PairSearch::Grid) {
             grid_.pairs(bounds, moved, accept, out, crew);
             noteGrid(count, moved.list.size());
@@ -54,6 +54,7 @@ private:
     std::uint64_t expectGrid(std::size_t bounds, std::size_t moved) const;
     std::uint64_t expectSweep(std::size_t bounds) const;
 
+    BruteForce bruteForce_;
     Grid grid_;
     SortAndSweep sweep_;
     PairSorter sorter_;

@@ -257,8 +257,9 @@ void ContactSet::mergePairs(const Bodies& bodies) {
     for (const Place& place : order_) {
         addUpTo(&place.pair);
         const bool found = pair != pairs_.end() && *pair == place.pair;
+        const bool asked = (isChanged[place.pair.first] | isChanged[place.pair.second]) != 0;
         pair += found ? 1 : 0;
-        if (found || (isChanged[place.pair.first] == 0 && isChanged[place.pair.second] == 0)) {
+        if (found | !asked) { // as for most; what of it holds is hard to foresee
             newOrder_.push_back(place);
         } else {
             noteEnd(contacts_[place.slot]);

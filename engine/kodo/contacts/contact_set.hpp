@@ -52,6 +52,8 @@ public:
     /// Contacts with an impulse or a place that is not finite start anew, where their bodies are.
     void forgetUnsound(const Bodies& bodies, const Tolerances& tolerances);
 
+    /// Of all parts, by the proxies of contacts.
+    const PartBounds& bounds() const { return bounds_; }
     /// What looks for the pairs.
     PairFinder& pairFinder() { return finder_; }
     const PairFinder& pairFinder() const { return finder_; }
