@@ -35,9 +35,9 @@ struct Mover {
     Real reach;
     Real stopAt = 1;
 };
-Real relativeMotion(const Bodies& bodies, Mover moverA, Mover moverB) {
-    const auto [bodyA, reachA, stopA] = moverA;
-    const auto [bodyB, reachB, stopB] = moverB;
+Real relativeMotion(const Bodies& bodies, const Mover& moverA, const Mover& moverB) {
+    const auto& [bodyA, reachA, stopA] = moverA;
+    const auto& [bodyB, reachB, stopB] = moverB;
     const Motion& a = bodies.motion[bodyA];
     const Motion& b = bodies.motion[bodyB];
     if (a.locked()) {
@@ -102,8 +102,8 @@ bool mayNeedSweep(const Contact& contact, Real motion, Real insideA, Real inside
 }
 
 /// Do the bounds of two outlines meet on their way, if nobody is stopped?
-bool mayMeet(const Bodies& bodies, Mover a, const Aabb& boundsA, Mover b, const Aabb& boundsB,
-             const Tolerances& tolerances) {
+bool mayMeet(const Bodies& bodies, const Mover& a, const Aabb& boundsA, const Mover& b,
+             const Aabb& boundsB, const Tolerances& tolerances) {
     const Motion& motionA = bodies.motion[a.body];
     const Motion& motionB = bodies.motion[b.body];
     const Real swing = std::abs(motionA.turn) * a.reach + std::abs(motionB.turn) * b.reach;
