@@ -46,7 +46,7 @@ Real relativeMotion(const Bodies& bodies, const Mover& moverA, const Mover& move
     if (b.locked()) {
         return motionSeenFrom(bodies, bodyB, bodyA, reachA);
     }
-    const Real alone = stopA == stopB ? 0
+    const Real alone = stopA == stopB  ? 0
                        : stopA > stopB ? (stopA - stopB) * length(a.move)
                                        : (stopB - stopA) * length(b.move);
     return std::min(stopA, stopB) * length(b.move - a.move) + alone +
@@ -188,35 +188,36 @@ bool SweepStage::findCandidates(const Bodies& bodies, const ContactSet& contactS
     const std::span<const Contact> contacts = contactSet.contacts();
     candidates_.clear();
     std::uint8_t sensors = 0;
-    found_.gather(
-        crew, contacts.size(), kCrossingsAPiece, candidates_,
-        [&](std::size_t first, std::size_t last, std::vector<Candidate>& found) {
-            const Real* const ways = ways_.data();
-            for (std::size_t i = first; i < last; ++i) {
-                const Contact& contact = contacts[i];
-                if (contact.sensor) {
-                    Crew::mark(sensors);
-                    continue;
-                }
-                const auto [a, partA, b, partB] = contact.key;
-                const Extent& extentA = bodies.extent[a];
-                const Extent& extentB = bodies.extent[b];
-                const auto needsSweep = [&](Real motion) {
-                    return mayNeedSweep(contact, motion, extentA.inside, extentB.inside,
-                                        tolerances);
-                };
-                // One of them may be stopped by something else, and the other go all its way.
-                if (const Real way = ways[a] + ways[b]; way > 0 && needsSweep(way)) {
-                    const Mover moverA{a, extentA.reach};
-                    const Mover moverB{b, extentB.reach};
-                    const bool closes =
-                        needsSweep(relativeMotion(bodies, moverA, moverB)) &&
-                        mayMeet(bodies, moverA, contactSet.bounds().tight(contact.proxyA), moverB,
-                                contactSet.bounds().tight(contact.proxyB), tolerances);
-                    found.push_back({static_cast<std::uint32_t>(i), a, b, closes});
-                }
-            }
-        });
+    found_.gather(crew, contacts.size(), kCrossingsAPiece, candidates_,
+                  [&](std::size_t first, std::size_t last, std::vector<Candidate>& found) {
+                      const Real* const ways = ways_.data();
+                      for (std::size_t i = first; i < last; ++i) {
+                          const Contact& contact = contacts[i];
+                          if (contact.sensor) {
+                              Crew::mark(sensors);
+                              continue;
+                          }
+                          const auto [a, partA, b, partB] = contact.key;
+                          const Extent& extentA = bodies.extent[a];
+                          const Extent& extentB = bodies.extent[b];
+                          const auto needsSweep = [&](Real motion) {
+                              return mayNeedSweep(contact, motion, extentA.inside, extentB.inside,
+                                                  tolerances);
+                          };
+                          // One of them may be stopped by something else, and the other go all its
+                          // way.
+                          if (const Real way = ways[a] + ways[b]; way > 0 && needsSweep(way)) {
+                              const Mover moverA{a, extentA.reach};
+                              const Mover moverB{b, extentB.reach};
+                              const bool closes =
+                                  needsSweep(relativeMotion(bodies, moverA, moverB)) &&
+                                  mayMeet(bodies, moverA, contactSet.bounds().tight(contact.proxyA),
+                                          moverB, contactSet.bounds().tight(contact.proxyB),
+                                          tolerances);
+                              found.push_back({static_cast<std::uint32_t>(i), a, b, closes});
+                          }
+                      }
+                  });
     return sensors != 0;
 }
 
