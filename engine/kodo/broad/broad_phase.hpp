@@ -56,7 +56,8 @@ private:
     std::uint64_t picoseconds_ = 0;
 };
 
-/// Whose pairs are wanted: those in `list`; `flags` tells by place.
+/// Whose pairs are wanted: those in `list`; `flags` tells by place. All bounds that are not as they
+/// were in the last call are among them.
 struct Moved {
     std::span<const std::uint32_t> list;
     std::span<const std::uint8_t> flags;

@@ -4,6 +4,8 @@
 #include <kodo/broad/broad_phase.hpp>
 #include <kodo/broad/packed_bounds.hpp>
 
+#include <utility>
+
 namespace kodo::inline KODO_PRECISION {
 
 /// Compares all bounds with each that has moved: the fastest way while they are few, or few have
@@ -16,9 +18,15 @@ public:
     void pairs(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
                std::vector<BoundsPair>& out) {
         const auto count = static_cast<std::uint32_t>(bounds.size());
-        packed_.resize(count);
-        for (std::uint32_t i = 0; i < count; ++i) {
-            packed_.set(i, bounds[i]);
+        if (std::exchange(packedCount_, count) != count) {
+            packed_.resize(count);
+            for (std::uint32_t i = 0; i < count; ++i) {
+                packed_.set(i, bounds[i]);
+            }
+        } else {
+            for (const std::uint32_t m : moved.list) {
+                packed_.set(m, bounds[m]);
+            }
         }
         for (const std::uint32_t m : moved.list) {
             packed_.forEachOverlap(bounds[m], 0, count,
@@ -26,6 +34,8 @@ public:
         }
     }
 
+    /// Some bounds have moved without it being asked for their pairs.
+    void forget() { packedCount_ = 0; }
     /// Memory for so many bounds.
     void reserve(std::size_t bounds) { packed_.reserve(bounds); }
 
@@ -38,6 +48,7 @@ public:
 
 private:
     PackedBounds packed_;
+    std::uint32_t packedCount_ = 0;
 };
 
 } // namespace kodo::inline KODO_PRECISION

@@ -28,12 +28,15 @@ public:
         if (way_ == PairSearch::BruteForce) {
             bruteForce_.pairs(bounds, moved, accept, out);
             work_ += BruteForce::work(count, moved.list.size()).picoseconds();
-        } else if (way_ == PairSearch::Grid) {
-            grid_.pairs(bounds, moved, accept, out, crew);
-            noteGrid(count, moved.list.size());
         } else {
-            sweep_.pairs(bounds, moved, accept, out);
-            noteSweep(count);
+            bruteForce_.forget();
+            if (way_ == PairSearch::Grid) {
+                grid_.pairs(bounds, moved, accept, out, crew);
+                noteGrid(count, moved.list.size());
+            } else {
+                sweep_.pairs(bounds, moved, accept, out);
+                noteSweep(count);
+            }
         }
         sorter_.sort(out, count);
     }
