@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/base/prefetch.hpp>
 #include <kodo/contacts/contact_set.hpp>
 #include <kodo/contacts/contact_update.hpp>
 
@@ -293,7 +294,9 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
     fastestApproach_ = 0;
     crew.forEach(contacts_.size(), kContactsAPiece, [&](std::size_t first, std::size_t last) {
         Real fastest = 0;
-        for (Contact& contact : std::span(contacts_).subspan(first, last - first)) {
+        for (std::size_t i = first; i < last; ++i) {
+            prefetch<2>(contacts(), i + kContactsAhead);
+            Contact& contact = contacts_[i];
             const auto near = [&] {
                 return overlap(bounds_.tight(contact.proxyA).grown(tolerances.margin),
                                bounds_.tight(contact.proxyB));

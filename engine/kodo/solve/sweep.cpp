@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/base/prefetch.hpp>
 #include <kodo/collide/collide.hpp>
 #include <kodo/collide/time_of_impact.hpp>
 #include <kodo/solve/sweep.hpp>
@@ -192,6 +193,7 @@ bool SweepStage::findCandidates(const Bodies& bodies, const ContactSet& contactS
                   [&](std::size_t first, std::size_t last, std::vector<Candidate>& found) {
                       const Real* const ways = ways_.data();
                       for (std::size_t i = first; i < last; ++i) {
+                          prefetch<1>(contacts, i + kContactsAhead);
                           const Contact& contact = contacts[i];
                           if (contact.sensor) {
                               Crew::mark(sensors);

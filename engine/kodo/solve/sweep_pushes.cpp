@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How what is locked and moves pushes along what has been stopped in front of it.
+#include <kodo/base/prefetch.hpp>
 #include <kodo/collide/collide.hpp>
 #include <kodo/solve/sweep.hpp>
 
@@ -35,6 +36,7 @@ bool SweepStage::drives(const Bodies& bodies, std::uint32_t body) {
 void SweepStage::findPushes(const Step& step) {
     againstLocked_.clear();
     for (std::uint32_t i = 0; i < step.contacts.size(); ++i) {
+        prefetch<2>(step.contacts, i + kContactsAhead);
         const Contact& contact = step.contacts[i];
         if (!contact.bounces && contact.responds() &&
             step.bodies.locked(contact.key.bodyA) != step.bodies.locked(contact.key.bodyB)) {
