@@ -118,5 +118,33 @@ TEST(OffCentreHit, FrictionIsMuTimesTheNormalImpulseWhileItSlides) {
     }
 }
 
+// A6b: no blow makes energy, whatever the angle, restitution, friction and spin: of a rod that
+// strikes a floor with its end, friction that stopped all sliding at full restitution well could.
+// Blows of both ends in one step add their roundings.
+TEST(OffCentreHit, FrictionAndRestitutionTogetherMakeNoEnergy) {
+    constexpr std::uint64_t kSeed = 17;
+    SCOPED_TRACE(testing::Message() << "seed " << kSeed);
+    support::RandomNumbers random(kSeed);
+    for (int i = 0; i < 1000; ++i) {
+        const Material material = withFriction(random.between(0, 2), random.between(0.2, 1));
+        World world;
+        support::addFloor(world, material);
+        BodyDef def = support::boxDef({0, Real(1.5)}, 2, random.between(0.1, 1), material);
+        def.rotation = random.rotation();
+        def.velocity = {random.between(-4, 4), -4};
+        def.angularVelocity = random.between(-3, 3);
+        world.add(def);
+        const long double before = support::totalsOf(world).kinetic;
+        bool hit = false;
+        for (int step = 0; step < 30; ++step) {
+            world.step(support::kDt);
+            hit = hit || !world.collisions().empty();
+            ASSERT_LE(support::totalsOf(world).kinetic, before * (1 + 64.0L * support::kEpsilon))
+                << "rod " << i << ", step " << step;
+        }
+        EXPECT_TRUE(hit) << "rod " << i;
+    }
+}
+
 } // namespace
 } // namespace kodo
