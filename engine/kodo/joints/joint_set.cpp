@@ -221,12 +221,13 @@ void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
         if (idle(bodies, joints_[index].def)) {
             continue;
         }
-        const bool inTree = trees_.rowsOf(index) != nullptr;
+        const HeldRows* const rows = trees_.rowsOf(index);
+        const bool anew = rows != nullptr && rows->inLoop;
         forConstraints(
-            joints_[index], bodies, {pass.h, pass.stiff, pass.biased, inTree},
+            joints_[index], bodies, {pass.h, pass.stiff, pass.biased, rows != nullptr},
             [=](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
-                if (inTree && relax == Relax::Rigid && isHeld(constraint)) {
-                    impulse = {}; // found anew, all of it
+                if (anew && relax == Relax::Rigid && isHeld(constraint)) {
+                    impulse = {}; // from substep to substep, what gives there would add up
                 } else {
                     constraint.push(frame.a, frame.b, impulse);
                 }
@@ -255,7 +256,7 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
         joint.solved = true;
         HeldRows* const rows = trees_.rowsOf(index);
         if (rows != nullptr) {
-            *rows = {.pull = joint.force};
+            *rows = {.pull = joint.force, .inLoop = rows->inLoop};
         }
         forConstraints(
             joint, bodies, {pass.h, pass.stiff, pass.biased, rows != nullptr},

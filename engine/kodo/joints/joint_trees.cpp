@@ -133,6 +133,10 @@ void JointTrees::grow(const Bodies& bodies, std::span<const Edge> edges, std::ui
             roots_.pop_back();
         }
     }
+    const auto first = nodes_.begin() + static_cast<std::ptrdiff_t>(nodes);
+    const bool loop =
+        std::any_of(first, nodes_.end(), [](const Node& node) { return node.child == kNone; });
+    std::for_each(first, nodes_.end(), [=](Node& node) { node.rows.inLoop = loop; });
 }
 
 /// Adds what hangs on a member. False if that closes a loop.

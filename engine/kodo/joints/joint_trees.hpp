@@ -30,6 +30,7 @@ struct HeldRows {
     Vec2 pull;                         // N, on b, of late
     Real stretchA = 0; // N m; how much of it draws a's anchor away from a's centre of mass
     Real stretchB = 0;
+    bool inLoop = false; // of a tree that is tied to the ground twice
 
     void add(const PointConstraint& point, Vec2 soFar, std::size_t firstSlot);
     void add(const AxisConstraint& axis, Real soFar, std::size_t firstSlot);
