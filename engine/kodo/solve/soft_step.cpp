@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kNewcomersAPiece = 128;
 constexpr std::size_t kBlocksAPiece = 8;
 constexpr std::size_t kBodiesAPiece = 256;
-// Contacts may give by so many slops under a weight before the step is refined.
+// Contacts may give by so many slops, and a quarter more in substeps, before these get finer.
 constexpr Real kMostGive = Real(1.75);
 constexpr int kMostRefined = 8;
 // Overlaps of more than so many slops are deep, as when bodies are put on one place. The speed that

@@ -139,7 +139,7 @@ void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSett
     stopAt_.resize(bodies.size(), 1); // of the others it is 1 from step to step
     push_.resize(bodies.size());      // likewise 0
     const bool driven = std::any_of(bodies.awake.begin(), bodies.awake.end(),
-                                    [&](std::uint32_t body) { return drives(bodies, body); });
+                                    [&](std::uint32_t body) { return bodies.drives(body); });
     if (driven) {
         findPushes(bodies, contacts);
     }

@@ -62,7 +62,6 @@ private:
     void stopInOrder(const Step& step, Crew& crew);
     Sweep sweepOf(const Bodies& bodies, std::uint32_t body) const;
     Real impactTime(const Bodies& bodies, const Contact& contact, Real gap) const;
-    static bool drives(const Bodies& bodies, std::uint32_t body);
     void findPushes(const Bodies& bodies, std::span<const Contact> contacts);
     void takePush(const Step& step, const Contact& contact, Real time);
     void cutShort(const Step& step, std::uint32_t body, Real time);

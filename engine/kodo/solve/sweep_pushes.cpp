@@ -25,11 +25,6 @@ void holdBack(Vec2& push, Vec2 normal) {
 
 } // namespace
 
-/// Is it locked, and does it move?
-bool SweepStage::drives(const Bodies& bodies, std::uint32_t body) {
-    return bodies.locked(body) && !bodies.motion[body].halted();
-}
-
 /// By what is locked and moves, and touches at the start of the step or nearly so. What bounces off
 /// it will be faster than it, and needs no push.
 void SweepStage::findPushes(const Bodies& bodies, std::span<const Contact> contacts) {
@@ -38,7 +33,7 @@ void SweepStage::findPushes(const Bodies& bodies, std::span<const Contact> conta
             const auto [bodyA, partA, bodyB, partB] = contact.key;
             const bool isA = bodies.locked(bodyA);
             if (!contact.responds() || contact.bounces || isA == bodies.locked(bodyB) ||
-                drives(bodies, isA ? bodyA : bodyB) == stand) {
+                bodies.drives(isA ? bodyA : bodyB) == stand) {
                 continue;
             }
             const Motion& floor = bodies.motion[isA ? bodyA : bodyB];
@@ -60,7 +55,7 @@ void SweepStage::findPushes(const Bodies& bodies, std::span<const Contact> conta
 void SweepStage::takePush(const Step& step, const Contact& contact, Real time) {
     const ContactKey& key = contact.key;
     if (contact.bounces || (push_[key.bodyA] == Vec2{} && push_[key.bodyB] == Vec2{} &&
-                            !drives(step.bodies, key.bodyA) && !drives(step.bodies, key.bodyB))) {
+                            !step.bodies.drives(key.bodyA) && !step.bodies.drives(key.bodyB))) {
         return;
     }
     const Transform a = sweepOf(step.bodies, key.bodyA).at(time);
@@ -81,7 +76,7 @@ void SweepStage::takePush(const Step& step, const Contact& contact, Real time) {
         if (step.bodies.locked(body)) {
             return;
         }
-        if (step.bodies.locked(other) && !drives(step.bodies, other)) {
+        if (step.bodies.locked(other) && !step.bodies.drives(other)) {
             holdBack(push_[body], away);
         } else {
             pushAlong(push_[body], away, way);
