@@ -104,6 +104,16 @@ bool mayBeHeld(const Bodies& bodies, const JointDef& def) {
            (pin || (!half(a) && !half(b)));
 }
 
+/// What an impulse does to the angular velocities of the two bodies.
+Foresight gainFrom(const JointFrame& frame, const PointConstraint& point, Vec2 impulse) {
+    return {-frame.a.invInertia * cross(point.armA, impulse),
+            frame.b.invInertia * cross(point.armB, impulse)};
+}
+Foresight gainFrom(const JointFrame& frame, const AxisConstraint& axis, Real impulse) {
+    return {-frame.a.invInertia * axis.leverA * impulse,
+            frame.b.invInertia * axis.leverB * impulse};
+}
+
 struct Overload {
     Real force;
     Real torque;
@@ -221,13 +231,16 @@ void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
         if (idle(bodies, joints_[index].def)) {
             continue;
         }
-        const HeldRows* const rows = trees_.rowsOf(index);
-        const bool anew = rows != nullptr && rows->inLoop;
+        const bool inTree = trees_.rowsOf(index) != nullptr;
         forConstraints(
-            joints_[index], bodies, {pass.h, pass.stiff, pass.biased, rows != nullptr},
-            [=](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
-                if (anew && relax == Relax::Rigid && isHeld(constraint)) {
-                    impulse = {}; // from substep to substep, what gives there would add up
+            joints_[index], bodies, {pass.h, pass.stiff, pass.biased, inTree},
+            [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
+                const bool held = inTree && relax == Relax::Rigid && isHeld(constraint);
+                if (inTree) {
+                    trees_.foresee(index, gainFrom(frame, constraint, impulse), !held);
+                }
+                if (held) {
+                    impulse = {}; // found anew, all of it
                 } else {
                     constraint.push(frame.a, frame.b, impulse);
                 }
@@ -256,10 +269,12 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
         joint.solved = true;
         HeldRows* const rows = trees_.rowsOf(index);
         if (rows != nullptr) {
-            *rows = {.pull = joint.force, .inLoop = rows->inLoop};
+            *rows = {.pull = joint.force};
         }
         forConstraints(
-            joint, bodies, {pass.h, pass.stiff, pass.biased, rows != nullptr},
+            joint, bodies,
+            {pass.h, pass.stiff, pass.biased, rows != nullptr,
+             rows != nullptr ? trees_.foreseen(index, pass.h) : Foresight{}},
             [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
                 if (rows != nullptr && relax == Relax::Rigid && isHeld(constraint)) {
                     rows->add(constraint, impulse, joint.slotOf(impulse));
