@@ -75,7 +75,9 @@ bool carry(const Bodies& bodies, Contact& contact, const Tolerances& tolerances)
 
 /// Two circles on one point have no direction of their own to part in, and all of a crowd on one
 /// point would part along one line. So theirs goes by the number of the second body, in turns of
-/// the golden angle, which spreads them to all sides.
+/// the golden angle, which spreads them to all sides. Just those have exactly the sum of the radii
+/// for a depth; with centres closer than a rounding of it, which side is which means nothing
+/// either.
 void spreadConcentric(Manifold& manifold, const Convex& a, const Convex& b, std::uint32_t number) {
     ManifoldPoint& point = manifold.points[0];
     if (!a.isRound() || !b.isRound() || manifold.count == 0 ||
@@ -83,8 +85,9 @@ void spreadConcentric(Manifold& manifold, const Convex& a, const Convex& b, std:
         return;
     }
     constexpr Real kGoldenAngle = Real(2.39996323); // rad
+    constexpr std::uint32_t kSides = 32; // turns of up to 77 rad: sines are exact up to 100
     const Vec2 normal =
-        Rot::fromAngle(kGoldenAngle * static_cast<Real>(number % 32)) * manifold.normal;
+        Rot::fromAngle(kGoldenAngle * static_cast<Real>(number % kSides)) * manifold.normal;
     const Vec2 shift = (a.radius + point.separation / 2) * (normal - manifold.normal);
     manifold.normal = normal;
     point.armA += shift;

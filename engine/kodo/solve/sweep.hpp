@@ -65,7 +65,6 @@ private:
     Sweep sweepOf(const Bodies& bodies, std::uint32_t body) const;
     Real motionOf(const Bodies& bodies, const Contact& contact) const;
     Real impactTime(const Bodies& bodies, const Contact& contact, Real gap) const;
-    static bool drives(const Bodies& bodies, std::uint32_t body);
     void findPushes(const Step& step);
     void takePush(const Step& step, const Contact& contact, Real time);
     void cutShort(const Step& step, std::uint32_t body, Real time);

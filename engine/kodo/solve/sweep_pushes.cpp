@@ -26,11 +26,6 @@ void holdBack(Vec2& push, Vec2 normal) {
 
 } // namespace
 
-/// Is it locked, and does it move?
-bool SweepStage::drives(const Bodies& bodies, std::uint32_t body) {
-    return bodies.locked(body) && !bodies.motion[body].halted();
-}
-
 /// By what is locked and moves, and touches at the start of the step or nearly so. What bounces off
 /// it will be faster than it, and needs no push.
 void SweepStage::findPushes(const Step& step) {
@@ -48,7 +43,7 @@ void SweepStage::findPushes(const Step& step) {
             const Contact& contact = step.contacts[i];
             const auto [bodyA, partA, bodyB, partB] = contact.key;
             const bool isA = step.bodies.locked(bodyA);
-            if (drives(step.bodies, isA ? bodyA : bodyB) == stand) {
+            if (step.bodies.drives(isA ? bodyA : bodyB) == stand) {
                 continue;
             }
             const Motion& floor = step.bodies.motion[isA ? bodyA : bodyB];
@@ -70,7 +65,7 @@ void SweepStage::findPushes(const Step& step) {
 void SweepStage::takePush(const Step& step, const Contact& contact, Real time) {
     const ContactKey& key = contact.key;
     if (contact.bounces || (push_[key.bodyA] == Vec2{} && push_[key.bodyB] == Vec2{} &&
-                            !drives(step.bodies, key.bodyA) && !drives(step.bodies, key.bodyB))) {
+                            !step.bodies.drives(key.bodyA) && !step.bodies.drives(key.bodyB))) {
         return;
     }
     const Transform a = sweepOf(step.bodies, key.bodyA).at(time);
@@ -91,7 +86,7 @@ void SweepStage::takePush(const Step& step, const Contact& contact, Real time) {
         if (step.bodies.locked(body)) {
             return;
         }
-        if (step.bodies.locked(other) && !drives(step.bodies, other)) {
+        if (step.bodies.locked(other) && !step.bodies.drives(other)) {
             holdBack(push_[body], away);
         } else {
             pushAlong(push_[body], away, way);
