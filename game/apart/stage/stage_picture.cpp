@@ -79,8 +79,7 @@ void Stage::draw(Canvas& canvas) const {
 
 void Stage::drawTitle(Canvas& canvas) const {
     if (attracting()) {
-        const float pulse =
-            0.6f + 0.4f * std::sin(2 * static_cast<float>(std::fmod(seconds_, 628)));
+        const float pulse = 0.6f + 0.4f * static_cast<float>(std::sin(2 * seconds_));
         canvas.text("aPart", {0, Real(4.1)},
                     {Real(1.6), palette::kAccent, Typeface::Bold, Align::Middle});
         canvas.text("press any key", {0, Real(3.2)},
