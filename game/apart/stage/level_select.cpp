@@ -183,7 +183,7 @@ void LevelSelect::drawChosen(Canvas& canvas, const Profile& profile, double seco
         canvas.text(line, {kAboutLeft, y}, {Real(0.95), palette::kText, Typeface::Bold});
         y -= Real(1.05);
     }
-    for (const std::string& line : wrapped(level.idea, 40)) {
+    for (const std::string& line : wrapped(level.idea, 38)) {
         canvas.text(line, {kAboutLeft, y}, {Real(0.46), palette::kQuiet});
         y -= Real(0.66);
     }
