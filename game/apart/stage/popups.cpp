@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kLife = 90;            // ticks
 constexpr int kYoung = 40;           // ticks
-constexpr Real kNear = Real(2.4);    // m
+constexpr Real kJoins = Real(2.4);   // m
 constexpr Real kRise = Real(1.2);    // m, over its life; all rise alike, so that none catches up
 constexpr Real kLetter = Real(0.72); // width of a bold letter, as share of its height
 constexpr Real kBelow = Real(0.25);  // below the base line, as share of the height
@@ -55,7 +55,7 @@ float Popup::left() const {
 
 bool Popups::joins(const Popup& popup) {
     for (Popup& other : popups_) {
-        if (other.age >= kYoung || length(other.place - popup.place) >= kNear) {
+        if (other.age >= kYoung || length(other.place - popup.place) >= kJoins) {
             continue;
         }
         if (popup.points > 0 && other.points > 0) {
