@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo_sfml/circle.hpp>
 #include <kodo_sfml/painter.hpp>
 
 #include <SFML/System/String.hpp>
@@ -10,7 +11,6 @@ namespace kodo_sfml {
 
 namespace {
 
-constexpr float kTwoPi = 6.2831853f;
 constexpr float kLongestMitre = 3; // half widths; sharper corners are cut there
 constexpr float kFade = 0.5f;      // pixels to both sides of an edge over which it fades
 constexpr float kThin = 1;         // pixels, half the width of a stroke without a core
@@ -18,11 +18,6 @@ constexpr float kThin = 1;         // pixels, half the width of a stroke without
 /// Enough corners for a circle whose outline stays within a third of a pixel.
 int cornersFor(float radius) {
     return std::clamp(static_cast<int>(4 * std::sqrt(std::max(radius, 0.0f))), 8, 96);
-}
-
-sf::Vector2f onCircle(sf::Vector2f center, float radius, int corner, int corners) {
-    const float angle = kTwoPi * static_cast<float>(corner) / static_cast<float>(corners);
-    return {center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)};
 }
 
 sf::Vector2f unit(sf::Vector2f v) {

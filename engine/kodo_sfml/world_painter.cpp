@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo_sfml/circle.hpp>
 #include <kodo_sfml/world_painter.hpp>
 
 #include <array>
@@ -85,9 +86,7 @@ std::vector<sf::Vector2f> cornersOf(const kodo::Convex& convex, const kodo::Tran
     const sf::Vector2f center = camera.toPixels(placement * convex.vertices[0]);
     const float radius = camera.toPixels(convex.radius);
     for (int i = 0; i < kSides; ++i) {
-        const float angle = 6.2831853f * static_cast<float>(i) / kSides;
-        corners.emplace_back(center.x + radius * std::cos(angle),
-                             center.y + radius * std::sin(angle));
+        corners.push_back(onCircle(center, radius, i, kSides));
     }
     return corners;
 }

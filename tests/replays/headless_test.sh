@@ -76,5 +76,8 @@ expect 2 'there is no level nowhere' "$program" bot --level nowhere
 expect 2 'a whole number from 0 to 4294967295, not .99999999999' "$program" bot --seed 99999999999
 expect 2 'level' "$program" bot --level=
 expect 2 'Try apart-headless --help' "$program" bot --ticks many
-expect 2 'Try apart-headless --help' "$program"
+expect 2 'A subcommand is required.*Try apart-headless --help' "$program"
+expect 2 "^apart-headless: There is no command 'bogus'. Try apart-headless --help" "$program" bogus
+expect 2 "There is no option '--bogus'" "$program" --bogus
+expect 2 'not expected: bogus' "$program" bot bogus
 exit "$failed"

@@ -412,9 +412,41 @@ TEST(Screens, TheFirstGameHasTheSeedThatWasAskedFor) {
 
 TEST(Screens, ANoticeIsShownOnTheTitle) {
     StageDef def = StageRig::twoLevels();
-    def.notice = "Scores begin anew.";
+    def.notices = {"Scores begin anew."};
     StageRig rig(std::move(def));
     EXPECT_TRUE(rig.picture().says("Scores begin anew."));
+}
+
+// What went wrong first is still there when something else goes wrong; the same is said once.
+TEST(Screens, NoticesStandAboveEachOtherOnTheTitle) {
+    StageDef def = StageRig::playing();
+    def.levels = {glassLevel("One block", {7})};
+    def.bot = [](const Game& game) { return std::optional(bot(game)); };
+    def.notices = {"Scores begin anew."};
+    def.save = [](const Profile&) { return std::string("Scores are not kept."); };
+    def.keepReplay = [](const Replay&, bool) { return std::string("The game is not recorded."); };
+    StageRig rig(std::move(def));
+    for (int game = 0; game < 2; ++game) { // lost without a move
+        while (rig.stage.screen() == Screen::Playing) {
+            rig.press(Command::Launch);
+        }
+        ASSERT_EQ(rig.stage.game().result(), Result::Lost);
+        rig.clickItem(game == 0 ? Action::Restart : Action::ToTitle);
+    }
+    std::vector<Real> heights;
+    for (const Stroke& stroke : rig.picture().strokes()) {
+        for (const char* notice :
+             {"Scores begin anew.", "Scores are not kept.", "The game is not recorded."}) {
+            if (stroke.text == notice) {
+                heights.push_back(stroke.place.y);
+            }
+        }
+    }
+    ASSERT_EQ(heights.size(), 3u);
+    std::sort(heights.begin(), heights.end());
+    for (std::size_t i = 1; i < heights.size(); ++i) {
+        EXPECT_GT(heights[i] - heights[i - 1], Real(0.42)); // the height of their letters
+    }
 }
 
 } // namespace

@@ -39,11 +39,27 @@ die() {
     exit "$code"
 }
 
-# One line that is overwritten; nothing where the output is not a terminal.
+# One line that is overwritten; where the output is not a terminal, a line every half minute.
+progress_pause=30 progress_text="" progress_at=$SECONDS
 progress() {
+    progress_text=$*
     if [[ -t 1 ]]; then
         printf '\r\033[K%s' "$*"
+    elif [[ -n $* ]] && ((SECONDS - progress_at >= progress_pause)); then
+        say "$*, after $SECONDS s"
+        progress_at=$SECONDS
     fi
+}
+
+# The next line of the input, in $line; while none comes, the progress goes on being shown.
+read_line() {
+    local part=""
+    until IFS= read -r -t "$progress_pause" line; do
+        (($? > 128)) || return 1 # the end; more than 128 is a pause
+        part+=$line
+        progress "$progress_text"
+    done
+    line=$part$line
 }
 
 jobs_wanted() { say "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc 2>/dev/null || say 2)}"; }
@@ -78,7 +94,7 @@ apt_as() {
     mkdir -p build
     local log=build/setup.log
     local apt=("${prefix[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300)
-    say "Installing: $*"
+    say "Installing, which may take some minutes: $*"
     "${apt[@]}" update >"$log" 2>&1 || true # one broken source is no reason to stop
     if ! "${apt[@]}" install -y --no-install-recommends "$@" >>"$log" 2>&1; then
         tail -n 20 "$log" >&2
@@ -171,7 +187,7 @@ build_in() {
     local command=(cmake --build "$dir" -j "$(jobs_wanted)")
     (($#)) && command+=(--target "$@")
     # NINJA_STATUS is set so that the lines read below look as expected.
-    NINJA_STATUS='[%f/%t] ' "${command[@]}" 2>&1 | while IFS= read -r line; do
+    NINJA_STATUS='[%f/%t] ' "${command[@]}" 2>&1 | while read_line; do
         printf '%s\n' "$line" >>"$log"
         if [[ $line =~ ^\[([0-9]+/[0-9]+)\]\  ]]; then
             progress "Building $dir: ${BASH_REMATCH[1]}"
@@ -210,7 +226,7 @@ run_tests() {
     : >"$log"
     ctest --test-dir "$dir" --output-on-failure --no-tests=error \
         -j "${CTEST_PARALLEL_LEVEL:-$(jobs_wanted)}" "$@" 2>&1 |
-        while IFS= read -r line; do
+        while read_line; do
             printf '%s\n' "$line" >>"$log"
             if [[ $line =~ ^[0-9]+%\ tests\ passed || $line == "No tests were found"* ]]; then
                 closing=1

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/base/prefetch.hpp>
 #include <kodo/solve/impact.hpp>
 #include <kodo/solve/leverage.hpp>
 
@@ -225,7 +226,9 @@ void ImpactStage::solve(Bodies& bodies, std::span<Contact> contacts, const StepS
     bool any = true;
     for (int pass = 0; pass < settings.impactPasses && any; ++pass) {
         any = false;
-        for (Contact& contact : contacts) {
+        for (std::size_t i = 0; i < contacts.size(); ++i) {
+            prefetch<1>(contacts, i + kContactsAhead);
+            Contact& contact = contacts[i];
             if (pass > 0 && !contact.bounces) {
                 continue; // the contact half goes on from here
             }

@@ -84,11 +84,13 @@ struct Effect {
 /// are wind, wells and motors, nor what contacts eat by friction and restitution, nor the mounts of
 /// what cracks or is made of steel: they hold like walls.
 struct Ledger {
-    double servoWork = 0;     // J, to balls, by the governor
-    double fieldWork = 0;     // J, by the paddle's field and magnet
-    double breakWork = 0;     // J, to the pieces of blocks, by the blow and by their own tension
-    double kickWork = 0;      // J, by bumpers, welds that give way, and the drive of launched parts
-    double fieldImpulseX = 0; // N s, by the paddle's field and magnet; it got as much back
+    double servoWork = 0; // J, to balls, by the governor
+    double fieldWork = 0; // J, by the paddle's field and magnet
+    double breakWork = 0; // J, to the pieces of blocks, by the blow and by their own tension
+    double kickWork = 0;  // J, by bumpers, welds that give way, and the drive of launched parts
+    // By the paddle's field and magnet to what they draw, and by a pull to the mount that it tears
+    // at: a mount holds like a wall, and nothing moves, but the paddle got as much back of it all.
+    double fieldImpulseX = 0; // N s
     double fieldImpulseY = 0;
     // What the mounts of blocks that broke took of the blows; the pieces have the rest. In the turn
     // also what a loose block had that was to let a part go: only its pieces are heavier in the

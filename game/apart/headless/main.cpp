@@ -18,8 +18,10 @@
 #include <array>
 #include <exception>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace apart {
 namespace {
@@ -198,6 +200,16 @@ CLI::App* addSoak(CLI::App& app, SoakCommand& soak) {
     return command;
 }
 
+/// CLI11 says only that a command is missing, and not that it does not know the word in its place.
+std::string problemOf(const CLI::App& app, const CLI::ParseError& error) {
+    const std::vector<std::string> unknown = app.remaining();
+    if (!app.get_subcommands().empty() || unknown.empty()) {
+        return error.what();
+    }
+    const bool option = unknown.front().starts_with('-');
+    return fmt::format("There is no {} '{}'", option ? "option" : "command", unknown.front());
+}
+
 int run(int argc, char** argv) {
     CLI::App app("aPart without a screen: plays replays, checks them, lets the bot play.");
     app.name("apart-headless");
@@ -242,7 +254,8 @@ int run(int argc, char** argv) {
         if (error.get_exit_code() == 0) {
             return app.exit(error); // --help
         }
-        fmt::print(stderr, "apart-headless: {}. Try apart-headless --help.\n", error.what());
+        fmt::print(stderr, "apart-headless: {}. Try apart-headless --help.\n",
+                   problemOf(app, error));
         return 2;
     }
     if (replayCommand->parsed()) {

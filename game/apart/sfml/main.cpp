@@ -122,8 +122,8 @@ int run(const Options& options) {
         return kNoDisplay;
     }
     StageDef stage = std::get<StageDef>(std::move(def));
-    if (!stage.notice.empty()) {
-        complain(stage.notice);
+    for (const std::string& notice : stage.notices) {
+        complain(notice);
     }
     if (options.frames > 0) {
         return timeFrames(std::move(stage), options);

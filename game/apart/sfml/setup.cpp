@@ -97,12 +97,15 @@ std::string keepReplay(const std::filesystem::path& folder, const Replay& replay
 void takeProfile(StageDef& def) {
     const std::optional<std::filesystem::path> file = profileFile();
     if (!file) {
-        def.notice = "Settings and scores are not kept: neither XDG_CONFIG_HOME nor HOME is set.";
+        def.notices.push_back(
+            "Settings and scores are not kept: neither XDG_CONFIG_HOME nor HOME is set.");
         return;
     }
     LoadedProfile loaded = loadProfile(*file);
     def.profile = std::move(loaded.profile);
-    def.notice = std::move(loaded.notice);
+    if (!loaded.notice.empty()) {
+        def.notices.push_back(std::move(loaded.notice));
+    }
     def.save = [path = *file](const Profile& profile) -> std::string {
         const std::optional<FileProblem> problem = saveProfile(path, profile);
         return problem ? "Settings and scores are not kept: " + problem->text() + "." : "";

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/tuning.hpp>
+#include <apart/stage/angle.hpp>
 #include <apart/stage/block_painter.hpp>
 #include <apart/stage/field_painter.hpp>
 #include <apart/stage/palette.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace apart {
 
@@ -67,7 +67,7 @@ void paintKind(Canvas& canvas, BallKind kind, const kodo::Transform& place, cons
     case BallKind::Rough:
         for (int i = 0; i < 6; ++i) {
             const Real angle = kTurn * static_cast<Real>(i) / 6;
-            const Vec2 spot = Real(0.62) * kBallRadius * Vec2{std::cos(angle), std::sin(angle)};
+            const Vec2 spot = Real(0.62) * kBallRadius * towards(angle);
             canvas.disc(squash(place * spot), Real(0.055), ink, ink);
         }
         return;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <apart/stage/angle.hpp>
 #include <apart/stage/block_painter.hpp>
 #include <apart/stage/dice.hpp>
 #include <apart/stage/marks.hpp>
@@ -6,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace apart {
 
@@ -143,7 +143,7 @@ std::vector<Vec2> cornersOf(const kodo::Convex& outline, const kodo::Transform& 
         const Vec2 center = place * outline.vertices[0];
         for (int i = 0; i < kRoundCorners; ++i) {
             const Real angle = kTurn * static_cast<Real>(i) / kRoundCorners;
-            corners.push_back(center + outline.radius * Vec2{std::cos(angle), std::sin(angle)});
+            corners.push_back(center + outline.radius * towards(angle));
         }
         return corners;
     }

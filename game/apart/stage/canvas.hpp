@@ -5,7 +5,6 @@
 #include <kodo/math/aabb.hpp>
 
 #include <cstdint>
-#include <numbers>
 #include <span>
 #include <string_view>
 
@@ -14,8 +13,6 @@ namespace apart {
 using kodo::Aabb;
 using kodo::Real;
 using kodo::Vec2;
-
-inline constexpr Real kTurn = 2 * std::numbers::pi_v<Real>; // rad, once around
 
 enum class Typeface : std::uint8_t { Plain, Bold };
 enum class Align : std::uint8_t { Left, Middle, Right };

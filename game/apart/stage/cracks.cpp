@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <apart/stage/angle.hpp>
 #include <apart/stage/cracks.hpp>
 #include <apart/stage/dice.hpp>
 
@@ -49,7 +50,7 @@ void growBranch(const kodo::Convex& outline, const Branch& branch, Dice& dice,
     Vec2 here = branch.start;
     Real angle = branch.angle;
     for (Real done = 0; done < branch.length; done += kStep) {
-        const Vec2 there = here + kStep * Vec2{std::cos(angle), std::sin(angle)};
+        const Vec2 there = here + kStep * towards(angle);
         const Real share = insideShare(outline, here, there);
         const Vec2 end = here + share * (there - here);
         const Real width = branch.width * (1 - Real(0.8) * done / branch.length);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <apart/stage/angle.hpp>
 #include <apart/stage/backdrop.hpp>
 #include <apart/stage/dice.hpp>
 #include <apart/stage/layout.hpp>
@@ -43,7 +44,7 @@ void paintRays(const Far& far) {
     const auto reach = [&](Real angle) { // as far as the wall
         const Real way =
             std::min(Real(16), kRight / std::max(std::abs(std::cos(angle)), Real(0.1)));
-        return sun + way * Vec2{std::cos(angle), std::sin(angle)};
+        return sun + way * towards(angle);
     };
     far.canvas.setGlow(true);
     for (int i = 0; i < 18; ++i) {
@@ -76,7 +77,7 @@ void paintWheel(const Far& far) {
     far.canvas.ring(hub, Real(0.8) * radius, Real(0.06), far.faint(0.4f));
     for (int i = 0; i < 12; ++i) {
         const Real angle = kTurn * static_cast<Real>(i) / 12 + Real(0.06) * far.time;
-        const Vec2 rim = hub + radius * Vec2{std::cos(angle), std::sin(angle)};
+        const Vec2 rim = hub + radius * towards(angle);
         far.canvas.line(hub, rim, Real(0.05), far.faint(0.4f));
         far.canvas.disc(rim - Vec2{0, Real(0.3)}, Real(0.42), far.faint(0.8f), far.faint(0.5f));
     }
@@ -100,13 +101,13 @@ void paintGear(const Far& far, Vec2 hub, Real radius, Real angle) {
     far.canvas.ring(hub, Real(0.2) * radius, Real(0.12) * radius, far.faint(0.35f));
     for (int i = 0; i < teeth; ++i) {
         const Real turn = angle + kTurn * static_cast<Real>(i) / static_cast<Real>(teeth);
-        const Vec2 out{std::cos(turn), std::sin(turn)};
+        const Vec2 out = towards(turn);
         far.canvas.line(hub + Real(0.94) * radius * out, hub + Real(1.1) * radius * out,
                         Real(0.42) * kTurn * radius / static_cast<Real>(teeth), far.faint(0.35f));
     }
     for (int i = 0; i < 5; ++i) {
         const Real turn = angle + kTurn * static_cast<Real>(i) / 5;
-        const Vec2 out{std::cos(turn), std::sin(turn)};
+        const Vec2 out = towards(turn);
         far.canvas.line(hub + Real(0.25) * radius * out, hub + Real(0.7) * radius * out,
                         Real(0.1) * radius, far.faint(0.3f));
     }
@@ -134,8 +135,7 @@ void paintStars(const Far& far) {
         const Real radius = Real(2.7) * static_cast<Real>(i);
         const Real angle = far.time * Real(0.14) / static_cast<Real>(i) + static_cast<Real>(2 * i);
         far.canvas.ring(middle, radius, Real(0.05), far.faint(0.4f));
-        far.canvas.disc(middle + radius * Vec2{std::cos(angle), std::sin(angle)}, Real(0.3),
-                        far.faint(1), far.faint(0.5f));
+        far.canvas.disc(middle + radius * towards(angle), Real(0.3), far.faint(1), far.faint(0.5f));
     }
 }
 

@@ -113,12 +113,8 @@ void paintAim(Canvas& canvas, const Moment& moment) {
 
 void paintPopups(Canvas& canvas, const Moment& moment) {
     for (const Popup& popup : moment.juice.popups()) {
-        const float age = static_cast<float>(popup.age) / 90;
-        const Real half = Real(0.36) * popup.height * static_cast<Real>(popup.text.size());
-        const Real reach = std::max(layout::kRight - half, Real(0)); // words stay in the field
-        const Vec2 place{std::clamp(popup.place.x, -reach, reach),
-                         std::min(popup.place.y + Real(1.2) * age, layout::kTop - popup.height)};
-        const float left = std::clamp(2 - 2 * age, 0.0f, 1.0f);
+        const Vec2 place = popup.placeNow();
+        const float left = popup.left();
         const TextStyle style{popup.height, faded(popup.color, left), Typeface::Bold,
                               Align::Middle};
         const TextStyle shadow{popup.height, faded(palette::kInk, 0.8f * left), Typeface::Bold,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/tuning.hpp>
+#include <apart/stage/angle.hpp>
 #include <apart/stage/dice.hpp>
 #include <apart/stage/field_painter.hpp>
 #include <apart/stage/layout.hpp>
@@ -23,6 +24,11 @@ Real cycle(Real time, Real ticks) {
     return time / ticks - std::floor(time / ticks);
 }
 
+/// Comes and goes while t goes from 0 to 1.
+float swell(Real t) {
+    return std::sin(kTurn / 2 * t);
+}
+
 /// Streaks that fly as fast as the wind.
 void paintWind(Canvas& canvas, const Moment& moment) {
     const Real speed = moment.game.windSpeed();
@@ -44,15 +50,22 @@ void paintWind(Canvas& canvas, const Moment& moment) {
     }
 }
 
-/// Part of a circle, from an angle on through a turn (rad), in pieces; not over the walls and what
-/// is told beside them.
-void paintArc(Canvas& canvas, Vec2 middle, Real radius, Vec2 fromAndTurn, const Ink& ink) {
-    constexpr int kPieces = 32;
-    const Real pieces = std::ceil(kPieces * fromAndTurn.y / Real(6.2831853));
+/// Part of a circle: from an angle on through a turn, both in rad.
+struct Arc {
+    Vec2 middle;
+    Real radius = 0;
+    Real from = 0;
+    Real turn = kTurn;
+};
+
+/// In pieces; not over the walls and what is told beside them.
+void paintArc(Canvas& canvas, const Arc& arc, const Ink& ink) {
+    constexpr int kPieces = 32; // of a whole circle
+    const Real pieces = std::ceil(kPieces * arc.turn / kTurn);
     Vec2 before;
     for (Real i = 0; i <= pieces; ++i) {
-        const Real angle = fromAndTurn.x + fromAndTurn.y * i / pieces;
-        const Vec2 here = middle + radius * Vec2{std::cos(angle), std::sin(angle)};
+        const Real angle = arc.from + arc.turn * i / pieces;
+        const Vec2 here = arc.middle + arc.radius * towards(angle);
         const bool inside = std::max(std::abs(before.x), std::abs(here.x)) < layout::kRight &&
                             std::max(before.y, here.y) < layout::kTop;
         if (i > 0 && inside) {
@@ -71,9 +84,8 @@ void paintWell(Canvas& canvas, const Moment& moment, Vec2 middle, bool draws) {
     for (int i = 0; i < 3; ++i) {
         const Real t = cycle(moment.time() + Real(30) * static_cast<Real>(i), 90);
         const Real share = draws ? 1 - t : t;
-        const float seen = 0.7f * std::sin(Real(3.14159) * t);
-        paintArc(canvas, middle, Real(0.3) + Real(2.2) * share, {0, Real(6.2831853)},
-                 {Real(0.06), faded(color, seen)});
+        paintArc(canvas, {middle, Real(0.3) + Real(2.2) * share},
+                 {Real(0.06), faded(color, 0.7f * swell(t))});
     }
     canvas.setGlow(false);
     canvas.disc(middle, Real(0.3), palette::kInk, palette::kInk);
@@ -89,13 +101,13 @@ void paintPaddleField(Canvas& canvas, const Moment& moment) {
     const Vec2 middle = moment.placeOf(moment.game.paddle()).position;
     const Color color = force == Force::Pull ? palette::kPaddle : palette::kAccent;
     constexpr int kArcs = 5;
+    constexpr Real kSpan = Real(1.74); // rad, the middle of it straight up
     canvas.setGlow(true);
     for (int arc = 0; arc < kArcs; ++arc) {
         const Real t = cycle(moment.time() + Real(12) * static_cast<Real>(arc), 60);
         const Real radius = Real(1.6) + 6 * (force == Force::Pull ? 1 - t : t);
-        const float seen = 0.55f * std::sin(Real(3.14159) * t);
-        paintArc(canvas, middle, radius, {Real(0.7), Real(1.7416)},
-                 {Real(0.1), faded(color, seen)});
+        paintArc(canvas, {middle, radius, (kTurn / 2 - kSpan) / 2, kSpan},
+                 {Real(0.1), faded(color, 0.55f * swell(t))});
     }
     canvas.setGlow(false);
 }

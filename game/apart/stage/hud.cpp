@@ -119,8 +119,8 @@ void paintPowers(Canvas& canvas, const Game& game) {
         const Color color = palette::of(power);
         const Vec2 middle{kPanelLeft + Real(0.3), y + Real(0.13)};
         paintMood(canvas, moodOf(power), middle,
-                  {Real(0.27), {12, 14, 26, 235}, color, Real(0.04)});
-        paintMark(canvas, power, {middle, {}}, Real(0.16), color);
+                  {Real(0.24), {12, 14, 26, 235}, color, Real(0.04)});
+        paintMark(canvas, power, {middle, {}}, Real(0.15), color);
         const Color text = left > 0 ? color : palette::kQuiet;
         canvas.text(wordsOf(power), {kPanelLeft + Real(0.85), y}, {Real(0.38), text});
         if (left > 0) {

@@ -3,8 +3,6 @@
 #include <apart/stage/juice.hpp>
 #include <apart/stage/palette.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -20,9 +18,6 @@ constexpr Real kSwing = Real(0.3);        // rad a tick, of what was struck
 constexpr float kDim = 0.95f;             // of a flash is left after a tick
 constexpr std::uint32_t kFlashPause = 60; // ticks: never more than two flashes a second
 constexpr std::size_t kTrailLength = 44;  // ticks
-constexpr int kPopupTicks = 90;
-constexpr int kPopupYoung = 40;         // ticks
-constexpr Real kPopupReach = Real(2.4); // m
 
 } // namespace
 
@@ -49,10 +44,7 @@ void Juice::age() {
         ++heat.age;
     }
     std::erase_if(heats_, [](const Heat& heat) { return heat.left < Real(0.02); });
-    for (Popup& popup : popups_) {
-        ++popup.age;
-    }
-    std::erase_if(popups_, [](const Popup& popup) { return popup.age > kPopupTicks; });
+    popups_.tick();
 }
 
 void Juice::followBalls(const Game& game) {
@@ -85,22 +77,6 @@ void Juice::burst(Burst burst) {
     const float count = static_cast<float>(burst.count) * share(settings_.particles);
     burst.count = static_cast<int>(count + 0.5f);
     sparks_.add(burst);
-}
-
-void Juice::pop(Popup popup) {
-    for (Popup& other : popups_) {
-        const bool near = length(other.place - popup.place) < kPopupReach;
-        if (near && other.age < kPopupYoung && (other.points > 0) == (popup.points > 0)) {
-            other.points += popup.points;
-            other.height = std::max(other.height, popup.height);
-            other.text = other.points > 0 ? fmt::format("+{}", other.points) : popup.text;
-            return;
-        }
-    }
-    if (popup.points > 0) {
-        popup.text = fmt::format("+{}", popup.points);
-    }
-    popups_.push_back(std::move(popup));
 }
 
 void Juice::push(Real strength) {

@@ -4,24 +4,14 @@
 #include <apart/core/game.hpp>
 #include <apart/stage/canvas.hpp>
 #include <apart/stage/cracks.hpp>
+#include <apart/stage/popups.hpp>
 #include <apart/stage/settings.hpp>
 #include <apart/stage/sparks.hpp>
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace apart {
-
-/// A number or a word that rises and fades.
-struct Popup {
-    std::string text;
-    Vec2 place; // m, where it began
-    Color color{};
-    Real height = 0; // m, of the letters
-    int points = 0;  // that it tells of, if any
-    int age = 0;     // ticks
-};
 
 /// What is left of the last blow to something.
 struct Blow {
@@ -43,7 +33,7 @@ public:
     const Settings& settings() const { return settings_; }
     const Sparks& sparks() const { return sparks_; }
     const Cracks& cracks() const { return cracks_; }
-    std::span<const Popup> popups() const { return popups_; }
+    std::span<const Popup> popups() const { return popups_.all(); }
     /// m; where the picture is pushed to just now.
     Vec2 shake() const;
     /// 0..1, how much of the flash colour covers the field.
@@ -95,9 +85,6 @@ private:
 
     void burst(Burst burst);
     void blast(Vec2 point, Color color, int count, Real speed);
-    /// One of the same kind that has just come up nearby takes the points instead, so that a chain
-    /// of breaks stays readable.
-    void pop(Popup popup);
     void push(Real strength);
     void light(Color color, float strength);
     void heat(std::uint64_t name, Vec2 push);
@@ -109,7 +96,7 @@ private:
     Settings settings_;
     Sparks sparks_;
     Cracks cracks_;
-    std::vector<Popup> popups_;
+    Popups popups_;
     std::vector<Heat> heats_;
     std::vector<Trail> trails_;
     Real trauma_ = 0; // 0..1; the shake grows with its square

@@ -90,21 +90,22 @@ void Juice::hear(const Game&, const Broke& hit) {
     push(Real(0.16) + Real(0.2) * weight);
     const Color color = hit.combo >= 3 ? palette::kAccent : palette::kText;
     const Real size = Real(0.45) + Real(0.025) * static_cast<Real>(std::min(hit.combo, 10));
-    pop({"", hit.center, color, size, hit.points});
+    popups_.add({"", hit.center, color, size, hit.points});
     if (const std::string_view praise = praiseOf(hit.combo); !praise.empty()) {
-        pop({std::string(praise), hit.center + Vec2{0, Real(-1.2)}, palette::kAccent, Real(0.8)});
+        popups_.add(
+            {std::string(praise), hit.center + Vec2{0, Real(-1.2)}, palette::kAccent, Real(0.8)});
     }
 }
 
 void Juice::hear(const Game&, const Welded& weld) {
     burst({weld.point, {0, 1}, palette::of(Power::Weld), 40, 8, Real(0.6)});
-    pop({"welded", weld.point + Vec2{0, Real(0.8)}, palette::of(Power::Weld), Real(0.55)});
+    popups_.add({"welded", weld.point + Vec2{0, Real(0.8)}, palette::of(Power::Weld), Real(0.55)});
 }
 
 void Juice::hear(const Game&, const KnockedOff& off) {
     blast(off.point, palette::of(Power::Weld), 24, 8);
     push(Real(0.25));
-    pop({"knocked off", off.point + Vec2{0, Real(0.8)}, palette::kQuiet, Real(0.5)});
+    popups_.add({"knocked off", off.point + Vec2{0, Real(0.8)}, palette::kQuiet, Real(0.5)});
 }
 
 void Juice::hear(const Game&, const Launched& launch) {
@@ -120,7 +121,7 @@ void Juice::hear(const Game&, const BallSplit& split) {
     burst({split.point, {}, palette::of(Power::Split), 50, 10, Real(0.8)});
     const std::string text =
         split.balls == 1 ? "1 ball more" : std::to_string(split.balls) + " balls more";
-    pop({text, split.point + Vec2{0, Real(1.1)}, palette::of(Power::Split), Real(0.6)});
+    popups_.add({text, split.point + Vec2{0, Real(1.1)}, palette::of(Power::Split), Real(0.6)});
 }
 
 void Juice::hear(const Game&, const BallLost& lost) {
@@ -144,12 +145,12 @@ void Juice::hear(const Game&, const LetGo& let) {
     blast(let.point, palette::of(let.stuff), 16, 4);
     push(let.why == LetGo::Why::BrokeOff ? Real(0.3) : Real(0.1));
     if (let.why == LetGo::Why::Torn) {
-        pop({"torn off", let.point, palette::kAccent, Real(0.5)});
+        popups_.add({"torn off", let.point, palette::kAccent, Real(0.5)});
     }
 }
 
 void Juice::hear(const Game&, const Fell& fell) {
-    pop({"", {fell.point.x, Real(1.2)}, palette::kText, Real(0.45), fell.points});
+    popups_.add({"", {fell.point.x, Real(1.2)}, palette::kText, Real(0.45), fell.points});
 }
 
 void Juice::hear(const Game& game, const PatienceChanged& change) {
@@ -157,10 +158,10 @@ void Juice::hear(const Game& game, const PatienceChanged& change) {
     if (change.patience == Patience::Glowing && next != nullptr) {
         const kodo::BodyView body = game.world()[next->body];
         const Vec2 middle = body.placement() * body.part(next->part).convex.middle;
-        pop({"pull it off", middle - Vec2{0, Real(1.4)}, palette::kAccent, Real(0.45)});
+        popups_.add({"pull it off", middle - Vec2{0, Real(1.4)}, palette::kAccent, Real(0.45)});
     }
     if (change.patience == Patience::Shaking) {
-        pop({"the mounts give way soon", {0, 5}, palette::kAccent, Real(0.6)});
+        popups_.add({"the mounts give way soon", {0, 5}, palette::kAccent, Real(0.6)});
     }
 }
 
@@ -170,7 +171,7 @@ void Juice::hear(const Game&, const BossDown& down) {
     firework(down.point, palette::kDanger);
     firework(down.point + Vec2{2, 1}, palette::kAccent);
     firework(down.point + Vec2{-2, 1}, palette::kText);
-    pop({"boss down!", down.point + Vec2{0, Real(1.5)}, palette::kAccent, Real(1.1)});
+    popups_.add({"boss down!", down.point + Vec2{0, Real(1.5)}, palette::kAccent, Real(1.1)});
 }
 
 void Juice::hear(const Game&, const Bumped& bump) {
@@ -182,7 +183,8 @@ void Juice::hear(const Game&, const Bumped& bump) {
 void Juice::hear(const Game&, const PowerBegan& power) {
     const Color color = palette::of(power.power);
     blast(power.point, color, 40, 9);
-    pop({std::string(wordsOf(power.power)), power.point + Vec2{0, Real(0.9)}, color, Real(0.55)});
+    popups_.add(
+        {std::string(wordsOf(power.power)), power.point + Vec2{0, Real(0.9)}, color, Real(0.55)});
 }
 
 void Juice::hear(const Game& game, const BallChanged& change) {

@@ -183,7 +183,7 @@ void LevelSelect::drawChosen(Canvas& canvas, const Profile& profile, double seco
         canvas.text(line, {kAboutLeft, y}, {Real(0.95), palette::kText, Typeface::Bold});
         y -= Real(1.05);
     }
-    for (const std::string& line : wrapped(level.idea, 40)) {
+    for (const std::string& line : wrapped(level.idea, 38)) {
         canvas.text(line, {kAboutLeft, y}, {Real(0.46), palette::kQuiet});
         y -= Real(0.66);
     }
@@ -193,8 +193,8 @@ void LevelSelect::drawChosen(Canvas& canvas, const Profile& profile, double seco
     y = box.lower.y - Real(0.65);
     Real x = kAboutLeft + Real(0.3);
     for (const Power power : powersOf(level)) {
-        const Real rise =
-            Real(0.05) * std::sin(Real(3) * static_cast<Real>(std::fmod(seconds, 628)) + x);
+        const double phase = 3 * seconds + static_cast<double>(x);
+        const auto rise = static_cast<Real>(0.05 * std::sin(phase));
         paintMark(canvas, power, {{x, y + rise}, {}}, Real(0.26), palette::of(power));
         x += Real(0.8);
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <apart/stage/angle.hpp>
 #include <apart/stage/marks.hpp>
 
 #include <array>
@@ -67,7 +68,7 @@ void burr(Canvas& canvas, const kodo::Transform& place, Real size, Color color) 
     canvas.disc(place.position, Real(0.55) * size, color, color);
     for (int i = 0; i < 8; ++i) {
         const Real angle = kTurn * static_cast<Real>(i) / 8;
-        const Vec2 out{std::cos(angle), std::sin(angle)};
+        const Vec2 out = towards(angle);
         canvas.line(place * (Real(0.5) * size * out), place * (size * out), Real(0.26) * size,
                     color);
     }
@@ -80,7 +81,7 @@ void horseshoe(Canvas& canvas, const kodo::Transform& place, Real size, Color co
     Vec2 before = middle - Vec2{radius, 0};
     for (int i = 1; i <= kPieces; ++i) {
         const Real angle = Real(0.5) * kTurn * (1 + static_cast<Real>(i) / kPieces);
-        const Vec2 here = middle + radius * Vec2{std::cos(angle), std::sin(angle)};
+        const Vec2 here = middle + radius * towards(angle);
         canvas.line(place * before, place * here, Real(0.42) * size, color);
         before = here;
     }

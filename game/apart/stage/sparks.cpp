@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <apart/stage/angle.hpp>
 #include <apart/stage/sparks.hpp>
 
 #include <array>
@@ -13,18 +14,17 @@ constexpr Real kFall = -9;            // m/s^2
 constexpr Real kDrag = Real(2.2);     // 1/s
 constexpr Real kStreak = Real(0.025); // s of flight that a spark shows at once
 constexpr Real kSpread = Real(1.1);   // rad to both sides of a heading
-constexpr Real kHalfTurn = Real(3.14159);
 
 } // namespace
 
 void Sparks::add(const Burst& burst) {
     const bool around = burst.heading == Vec2{};
     const Real middle = around ? 0 : std::atan2(burst.heading.y, burst.heading.x);
-    const Real spread = around ? kHalfTurn : kSpread;
+    const Real spread = around ? kTurn / 2 : kSpread;
     for (int i = 0; i < burst.count && sparks_.size() < kMost; ++i) {
         const Real angle = middle + dice_.between(-spread, spread);
         const Real speed = burst.speed * dice_.between(Real(0.15), 1);
-        sparks_.push_back({burst.point, speed * Vec2{std::cos(angle), std::sin(angle)}, burst.color,
+        sparks_.push_back({burst.point, speed * towards(angle), burst.color,
                            burst.size * dice_.between(Real(0.5), 1), 0,
                            burst.seconds * dice_.between(Real(0.4), 1)});
     }

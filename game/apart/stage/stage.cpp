@@ -197,9 +197,11 @@ void Stage::keep() {
     note(def_.save(def_.profile));
 }
 
-void Stage::note(const std::string& problem) {
-    if (!problem.empty()) {
-        def_.notice = problem;
+/// Once each, however often it is met.
+void Stage::note(std::string problem) {
+    std::vector<std::string>& notices = def_.notices;
+    if (!problem.empty() && std::find(notices.begin(), notices.end(), problem) == notices.end()) {
+        notices.push_back(std::move(problem));
     }
 }
 

@@ -15,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace apart {
 
@@ -40,7 +41,7 @@ struct StageDef {
     /// Keeps a game that the player has finished, and whether it is the best of its level; a
     /// sentence when it cannot.
     std::function<std::string(const Replay&, bool best)> keepReplay{};
-    std::string notice{};           // a sentence for the title screen, or nothing
+    std::vector<std::string> notices{}; // sentences for the title screen
     std::uint32_t firstEndless = 0; // start at once with the endless level of that number; 0: none
     /// The level of that number, from 1, of a row without end; if there is one.
     std::function<std::shared_ptr<const Level>(std::uint32_t)> endless{};
@@ -109,12 +110,13 @@ private:
     void tickDemo();
     void finish();
     void keep();
-    void note(const std::string& problem);
+    void note(std::string problem);
     Settings audible() const;
     bool demoRuns() const;
 
     // Pictures (stage_picture.cpp).
     void drawTitle(Canvas& canvas) const;
+    void drawNotices(Canvas& canvas) const;
     void drawFeast(Canvas& canvas) const;
     void drawPaused(Canvas& canvas) const;
     void drawOver(Canvas& canvas) const;

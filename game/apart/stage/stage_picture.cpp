@@ -79,8 +79,7 @@ void Stage::draw(Canvas& canvas) const {
 
 void Stage::drawTitle(Canvas& canvas) const {
     if (attracting()) {
-        const float pulse =
-            0.6f + 0.4f * std::sin(2 * static_cast<float>(std::fmod(seconds_, 628)));
+        const float pulse = 0.6f + 0.4f * static_cast<float>(std::sin(2 * seconds_));
         canvas.text("aPart", {0, Real(4.1)},
                     {Real(1.6), palette::kAccent, Typeface::Bold, Align::Middle});
         canvas.text("press any key", {0, Real(3.2)},
@@ -90,9 +89,27 @@ void Stage::drawTitle(Canvas& canvas) const {
     paintVeil(canvas, faded(palette::kNight, 0.74f));
     paintTitle(canvas, seconds_);
     menu_.draw(canvas);
-    canvas.text(def_.notice.empty() ? "arrows and enter, or the mouse      escape: quit"
-                                    : def_.notice,
-                {0, Real(0.1)}, quiet(Real(0.42)));
+    drawNotices(canvas);
+}
+
+/// One above the other in the place of the hint, the latest at the bottom; what the room below the
+/// menu does not hold is left out, oldest first.
+void Stage::drawNotices(Canvas& canvas) const {
+    constexpr std::size_t kLetters = 100; // a line
+    constexpr std::size_t kMostLines = 4;
+    std::vector<std::string> lines;
+    for (const std::string& notice : def_.notices) {
+        const std::vector<std::string> own = wrapped(notice, kLetters);
+        lines.insert(lines.end(), own.begin(), own.end());
+    }
+    if (lines.empty()) {
+        lines = {"arrows and enter, or the mouse      escape: quit"};
+    }
+    Real y = Real(0.1);
+    for (std::size_t i = 0; i < std::min(lines.size(), kMostLines); ++i) {
+        canvas.text(lines[lines.size() - 1 - i], {0, y}, quiet(Real(0.42)));
+        y += Real(0.62);
+    }
 }
 
 void Stage::drawFeast(Canvas& canvas) const {

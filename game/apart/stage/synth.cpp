@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <apart/stage/angle.hpp>
 #include <apart/stage/dice.hpp>
 #include <apart/stage/synth.hpp>
 
@@ -113,7 +114,6 @@ Recipe recipeOf(Voice voice) {
 
 /// Adds one strike, `start` samples into the sound.
 void strike(const Recipe& recipe, int semitones, std::size_t start, std::vector<float>& sound) {
-    constexpr float kTwoPi = 6.2831853f;
     constexpr float kRate = static_cast<float>(kSampleRate);
     const float base = recipe.hertz * std::exp2(static_cast<float>(semitones) / 12);
     for (const Partial& partial : recipe.partials) {
@@ -123,7 +123,7 @@ void strike(const Recipe& recipe, int semitones, std::size_t start, std::vector<
             const float bend = std::exp2(recipe.slide * time / recipe.seconds);
             turn += base * partial.ratio * bend / kRate;
             turn -= std::floor(turn);
-            sound[i] += partial.gain * std::exp(-time / partial.seconds) * std::sin(kTwoPi * turn);
+            sound[i] += partial.gain * std::exp(-time / partial.seconds) * std::sin(kTurn * turn);
         }
     }
     Dice dice(static_cast<std::uint32_t>(recipe.hertz));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <apart/stage/angle.hpp>
 #include <apart/stage/block_painter.hpp>
 #include <apart/stage/palette.hpp>
 #include <apart/stage/title.hpp>
@@ -34,9 +35,8 @@ void paintPieces(Canvas& canvas, double seconds) {
         std::array<Vec2, 5> corners;
         constexpr std::array<Real, 5> kReach = {1, Real(0.8), Real(1.15), Real(0.7), Real(0.95)};
         for (std::size_t k = 0; k < corners.size(); ++k) {
-            const Real turn = angle + Real(1.2566) * static_cast<Real>(k);
-            corners[k] = piece.place + Vec2{0, rise} +
-                         piece.size * kReach[k] * Vec2{std::cos(turn), std::sin(turn)};
+            const Real turn = angle + kTurn * static_cast<Real>(k) / 5;
+            corners[k] = piece.place + Vec2{0, rise} + piece.size * kReach[k] * towards(turn);
         }
         const Color color = palette::of(piece.stuff);
         paintLit(canvas, corners, color, {Real(0.05), lighter(color, 0.4f)});

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include <apart/stage/layout.hpp>
+#include <apart/stage/popups.hpp>
+#include <support/random_numbers.hpp>
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace apart {
+namespace {
+
+Popup word(const char* text, Vec2 place, Real height = Real(0.5)) {
+    return {text, place, {}, height};
+}
+Popup points(int count, Vec2 place) {
+    return {"", place, {}, Real(0.45), count};
+}
+
+TEST(Popups, PointsNearbyAddUpWhileTheyAreYoung) {
+    Popups popups;
+    popups.add(points(50, {0, 9}));
+    popups.add(points(70, {1, 9}));
+    ASSERT_EQ(popups.all().size(), 1u);
+    EXPECT_EQ(popups.all()[0].text, "+120");
+    popups.add(points(50, {4, 9})); // far away
+    EXPECT_EQ(popups.all().size(), 2u);
+    for (int tick = 0; tick < 50; ++tick) {
+        popups.tick();
+    }
+    popups.add(points(50, {0, 9}));
+    EXPECT_EQ(popups.all().size(), 3u);
+}
+
+// Two notices at one place: both can be read, and neither swallows the other.
+TEST(Popups, WordsAtOnePlaceStandAboveEachOther) {
+    Popups popups;
+    popups.add(word("welded", {3, 5}));
+    popups.add(word("knocked off", {Real(3.5), 5}));
+    popups.add(word("welded", {3, 5})); // that has just been said
+    ASSERT_EQ(popups.all().size(), 2u);
+    EXPECT_EQ(popups.all()[0].text, "welded");
+    EXPECT_EQ(popups.all()[1].text, "knocked off");
+    EXPECT_FALSE(overlap(popups.all()[0].box(), popups.all()[1].box()));
+    EXPECT_NEAR(popups.all()[1].place.y, 5, 1); // as near as can be
+}
+
+TEST(Popups, AllCanBeReadAllTheirLife) {
+    constexpr std::uint64_t kSeed = 21;
+    SCOPED_TRACE("seed 21");
+    support::RandomNumbers random(kSeed);
+    constexpr std::array<const char*, 5> kWords = {"pull it off", "the mounts give way soon",
+                                                   "welded", "a dozen!", "2 balls more"};
+    const Aabb field{{layout::kLeft, -1}, {layout::kRight, layout::kTop}};
+    Popups popups;
+    for (int tick = 0; tick < 3000 && !HasFailure(); ++tick) {
+        const Vec2 place{random.between(-12, 12), random.between(0, 18)};
+        if (tick % 16 == 0) { // six at a time: more than a game shows
+            popups.add(tick % 32 == 0 ? word(kWords[random.below(5)], place, Real(0.6))
+                                      : points(50, place));
+        }
+        popups.tick();
+        for (std::size_t a = 0; a < popups.all().size(); ++a) {
+            // Within a rounding of places of some 18 m.
+            const Aabb box = popups.all()[a].box().grown(Real(-1e-4));
+            EXPECT_TRUE(field.contains(box)) << popups.all()[a].text;
+            for (std::size_t b = 0; b < a; ++b) {
+                EXPECT_FALSE(overlap(box, popups.all()[b].box()))
+                    << popups.all()[a].text << " over " << popups.all()[b].text;
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace apart
