@@ -13,7 +13,8 @@ namespace {
 Manifold collideRound(const Convex& shapeA, const Transform& a, const Convex& shapeB,
                       const Transform& b, Real margin) {
     const Vec2 centerA = a.rotation * shapeA.vertices[0];
-    const Vec2 d = b.rotation * shapeB.vertices[0] + (b.position - a.position) - centerA;
+    const Vec2 centerB = b.rotation * shapeB.vertices[0];
+    const Vec2 d = centerB + (b.position - a.position) - centerA;
     const Real distance = length(d);
     const Real gap = distance - shapeA.radius - shapeB.radius;
     Manifold manifold;
@@ -22,8 +23,8 @@ Manifold collideRound(const Convex& shapeA, const Transform& a, const Convex& sh
     }
     // Two circles on one point have no direction of their own.
     manifold.normal = distance > 0 ? d / distance : a.rotation.yAxis();
-    const Vec2 armA = centerA + (shapeA.radius + gap / 2) * manifold.normal;
-    manifold.points[0] = {armA, armA + (a.position - b.position), gap, 0};
+    manifold.points[0] = {centerA + (shapeA.radius + gap / 2) * manifold.normal,
+                          centerB - (shapeB.radius + gap / 2) * manifold.normal, gap, 0};
     manifold.count = 1;
     return manifold;
 }
@@ -41,6 +42,9 @@ Manifold collideFacesRound(const Convex& sided, const Transform& a, const Convex
     manifold.normal = a.rotation * axis.normal;
     const Vec2 point = center - (circle.radius + gap / 2) * axis.normal;
     add(manifold, {point, gap, static_cast<std::uint32_t>(axis.feature)}, a, b);
+    // From its own centre, and not by way of a's, which may lie far away.
+    manifold.points[0].armB =
+        b.rotation * circle.vertices[0] - (circle.radius + gap / 2) * manifold.normal;
     return manifold;
 }
 

@@ -44,8 +44,8 @@ void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const
             writePoint(block.points[i], lane, {.separation = p.separation});
             return;
         }
-        const Real leverA = cross(p.armA, n);
-        const Real leverB = cross(p.armB, n);
+        const Real leverA = leverOf(p.armA, n);
+        const Real leverB = leverOf(p.armB, n);
         writePoint(block.points[i], lane,
                    {leverA, leverB, effectiveMass(a, b, leverA, leverB), p.separation,
                     contact.impulse[i].normal});

@@ -38,10 +38,17 @@ struct Impact {
     }
     /// Neither can give way along the normal.
     bool blocked(std::size_t i) const { return isBlocked(bodies, contact, i); }
-    void push(std::size_t i, Vec2 impulse) const {
-        applyImpulse(a, point(i).armA, -impulse);
-        applyImpulse(b, point(i).armB, impulse);
-        contact.impulse[i].impact += dot(normal(), impulse);
+    /// By so much along normal and tangent (N s).
+    void push(std::size_t i, Real jn, Real jt) const {
+        const Vec2 impulse = jn * normal() + jt * tangent();
+        const auto& [armA, armB, separation, feature] = point(i);
+        a.velocity -= a.invMass * impulse;
+        b.velocity += b.invMass * impulse;
+        a.angularVelocity -=
+            a.invInertia * (leverOf(armA, normal()) * jn + leverOf(armA, tangent()) * jt);
+        b.angularVelocity +=
+            b.invInertia * (leverOf(armB, normal()) * jn + leverOf(armB, tangent()) * jt);
+        contact.impulse[i].impact += jn;
     }
 };
 
@@ -50,8 +57,8 @@ Real response(const Impact& hit, std::size_t i, Vec2 u, std::size_t k, Vec2 v) {
     const ManifoldPoint& p = hit.point(i);
     const ManifoldPoint& q = hit.point(k);
     return (hit.a.invMass + hit.b.invMass) * dot(u, v) +
-           hit.a.invInertia * cross(p.armA, u) * cross(q.armA, v) +
-           hit.b.invInertia * cross(p.armB, u) * cross(q.armB, v);
+           hit.a.invInertia * leverOf(p.armA, u) * leverOf(q.armA, v) +
+           hit.b.invInertia * leverOf(p.armB, u) * leverOf(q.armB, v);
 }
 
 /// The friction impulse of one point, along t. Of the impulses that bounce off as they should,
@@ -93,7 +100,7 @@ void hitPoint(const Impact& hit, std::size_t i) {
     const bool slides = !hit.frictionless && material.staticFriction > 0;
     const bool givesWay = k.nn * k.tt - k.nt * k.nt >= kSingular * k.nn * k.tt;
     const Real rub = slides && givesWay ? frictionOf(k, material, stop, dot(t, v)) : 0;
-    hit.push(i, ((1 + material.restitution) * stop - k.nt / k.nn * rub) * n + rub * t);
+    hit.push(i, (1 + material.restitution) * stop - k.nt / k.nn * rub, rub);
 }
 
 /// Friction of a point that has just been pushed by jn.
@@ -107,7 +114,7 @@ void rub(const Impact& hit, std::size_t i, Real jn) {
     const Material& material = hit.contact.material;
     const Real limit = material.kineticFriction * jn;
     const bool sticks = std::abs(stick) <= material.staticFriction * jn;
-    hit.push(i, (sticks ? stick : std::clamp(stick, -limit, limit)) * t);
+    hit.push(i, 0, sticks ? stick : std::clamp(stick, -limit, limit));
 }
 
 /// Both points at once, so that a box that lands flat rises flat. False when one of them would have
@@ -127,8 +134,8 @@ bool hitBoth(const Impact& hit) {
             return false;
         }
         // It cannot turn: both points are as one.
-        hit.push(0, (w1 / (2 * k11)) * n);
-        hit.push(1, (w1 / (2 * k11)) * n);
+        hit.push(0, w1 / (2 * k11), 0);
+        hit.push(1, w1 / (2 * k11), 0);
         return true;
     }
     if (k12 < 0 && determinant * kHardest < k11 * k22) {
@@ -139,8 +146,8 @@ bool hitBoth(const Impact& hit) {
     if (j1 < 0 || j2 < 0) {
         return false;
     }
-    hit.push(0, j1 * n);
-    hit.push(1, j2 * n);
+    hit.push(0, j1, 0);
+    hit.push(1, j2, 0);
     if (!hit.frictionless && hit.contact.material.staticFriction > 0) {
         rub(hit, 0, j1);
         rub(hit, 1, j2);

@@ -5,9 +5,20 @@
 #include <kodo/contacts/contact.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace kodo::inline KODO_PRECISION {
+
+/// How far the line through the end of an arm along a unit normal passes by where the arm starts
+/// (m; > 0: a push along the normal turns counter-clockwise). What is but a rounding of the arm is
+/// none, so that a push through the centre of a circle never turns it.
+inline Real leverOf(Vec2 arm, Vec2 normal) {
+    const Real lever = cross(arm, normal);
+    const Real rounding =
+        4 * std::numeric_limits<Real>::epsilon() * (std::abs(arm.x) + std::abs(arm.y));
+    return std::abs(lever) > rounding ? lever : 0;
+}
 
 /// Do the bodies of a contact not give way at this point? Two that cannot be moved, but turned, do
 /// so only by a lever. The shorter that is, the heavier they seem, and hit straight towards its
@@ -25,8 +36,8 @@ inline bool isBlocked(const Bodies& bodies, const Contact& contact, std::size_t 
         return false;
     }
     const ManifoldPoint& p = contact.manifold.points[point];
-    const Real leverA = cross(p.armA, contact.manifold.normal);
-    const Real leverB = cross(p.armB, contact.manifold.normal);
+    const Real leverA = leverOf(p.armA, contact.manifold.normal);
+    const Real leverB = leverOf(p.armB, contact.manifold.normal);
     const Real given = a.invInertia * leverA * leverA + b.invInertia * leverB * leverB;
     const auto alone = [&](const Motion& motion, std::uint32_t body) {
         return motion.invInertia > 0 ? 1 / bodies.form(body).mass.mass : Real(0);
