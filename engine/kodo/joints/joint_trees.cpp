@@ -15,7 +15,7 @@ constexpr Real kLeastGive = Real(1) / 1024;
 // stiffer than those that take turns.
 constexpr Real kLoopGive = Real(0.4);
 // rad in a substep: what can be foreseen is smooth.
-constexpr Real kMostForeseen = Real(1) / 128;
+constexpr Real kMostForeseen = Real(1) / 32;
 
 Triple velocityOf(const Motion& motion) {
     return {motion.velocity.x, motion.velocity.y, motion.angularVelocity};
