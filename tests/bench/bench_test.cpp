@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "bench_report.hpp"
-#include "heap.hpp"
 
 namespace bench {
 
@@ -205,7 +204,7 @@ TEST(Memory, AContactsRowIsSmall) {
         EXPECT_GT(result.contactBytes->row, 0u);
         EXPECT_LE(result.contactBytes->row, most);
         EXPECT_GT(result.contactBytes->all, result.contactBytes->row);
-        EXPECT_EQ(result.bytesPerBody > 0, heapBytes() > 0); // a sanitizer's malloc tells nothing
+        EXPECT_GT(result.bytesPerBody, 0);
     }
 }
 

@@ -3,25 +3,32 @@
 
 #include <atomic>
 #include <cstdlib>
-#include <new>
-
-#ifdef __GLIBC__
 #include <malloc.h>
-#endif
+#include <new>
 
 namespace {
 
 std::atomic<std::uint64_t> allocations{0};
+std::atomic<std::size_t> live{0}; // bytes
+
+void* counted(void* memory) {
+    allocations.fetch_add(1, std::memory_order_relaxed);
+    live.fetch_add(malloc_usable_size(memory), std::memory_order_relaxed);
+    return memory;
+}
 
 void* allocate(std::size_t size) {
-    allocations.fetch_add(1, std::memory_order_relaxed);
-    return std::malloc(size == 0 ? 1 : size);
+    return counted(std::malloc(size == 0 ? 1 : size));
 }
 
 void* allocate(std::size_t size, std::align_val_t alignment) {
-    allocations.fetch_add(1, std::memory_order_relaxed);
     const auto unit = static_cast<std::size_t>(alignment); // aligned_alloc wants whole units
-    return std::aligned_alloc(unit, (size + unit - 1) / unit * unit);
+    return counted(std::aligned_alloc(unit, (size + unit - 1) / unit * unit));
+}
+
+void release(void* memory) {
+    live.fetch_sub(malloc_usable_size(memory), std::memory_order_relaxed);
+    std::free(memory);
 }
 
 void* orThrow(void* memory) {
@@ -44,22 +51,26 @@ void* operator new(std::size_t size, std::align_val_t alignment, const std::noth
     return allocate(size, alignment);
 }
 void operator delete(void* memory) noexcept {
-    std::free(memory);
+    release(memory);
 }
 void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
+    release(memory);
 }
 void operator delete(void* memory, std::align_val_t) noexcept {
-    std::free(memory);
+    release(memory);
 }
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-    std::free(memory);
+    release(memory);
 }
 
 namespace bench {
 
 std::uint64_t allocationCount() {
     return allocations.load(std::memory_order_relaxed);
+}
+
+std::size_t liveBytes() {
+    return live.load(std::memory_order_relaxed);
 }
 
 std::size_t heapBytes() {

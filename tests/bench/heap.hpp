@@ -10,7 +10,11 @@ namespace bench {
 /// calls malloc itself, as Box2D does, is not seen.
 std::uint64_t allocationCount();
 
-/// Bytes that malloc has given out and not got back; 0 where the C library does not tell.
+/// Bytes that operator new has given out and not got back, by the size that malloc really gave.
+std::size_t liveBytes();
+
+/// Bytes that malloc has given out and not got back, whoever called it; 0 where the C library does
+/// not tell.
 std::size_t heapBytes();
 
 } // namespace bench

@@ -12,14 +12,15 @@ namespace {
 
 using namespace bounds_scenes;
 
-/// Some of a scene, at random.
+/// One of so many of a scene, at random.
 struct SomeMoved {
     std::vector<std::uint32_t> list;
     std::vector<std::uint8_t> flags;
 
-    SomeMoved(support::RandomNumbers& random, std::size_t count) : flags(count, 0) {
+    SomeMoved(support::RandomNumbers& random, std::size_t count, std::size_t ofSoMany)
+        : flags(count, 0) {
         for (std::uint32_t i = 0; i < count; ++i) {
-            if (random.below(4) == 0) {
+            if (random.below(ofSoMany) == 0) {
                 list.push_back(i);
                 flags[i] = 1;
             }
@@ -70,7 +71,11 @@ void expectWhatBruteForceFinds(std::uint64_t seed) {
         SCOPED_TRACE(scene);
         std::vector<Aabb> bounds = mixedScene(random, random.below(150));
         for (int frame = 0; frame < 4; ++frame) {
-            const SomeMoved moved(random, bounds.size());
+            const SomeMoved moved(random, bounds.size(),
+                                  frame == 0 ? 1 : 4); // all are new at first
+            for (const std::uint32_t i : moved.list) {
+                bounds[i] = kodo::moved(bounds[i], random.point(0.5));
+            }
             std::vector<BoundsPair> pairs;
             findPairs(finder, bounds, moved, pairs);
             if constexpr (!std::is_same_v<Finder, PairFinder>) {
@@ -78,9 +83,6 @@ void expectWhatBruteForceFinds(std::uint64_t seed) {
             }
             ASSERT_EQ(pairs, moved.of(byBruteForce(bounds)));
             found += pairs.size();
-            for (Aabb& box : bounds) {
-                box = kodo::moved(box, random.point(0.5));
-            }
         }
     }
     EXPECT_GT(found, 1000u);
@@ -95,6 +97,24 @@ TEST(SortAndSweep, FindsThePairsOfWhatMoved) {
 }
 TEST(PairFinder, FindsWhatBruteForceFinds) {
     expectWhatBruteForceFinds<PairFinder>(63);
+}
+
+// What one way keeps from call to call must not be out of date when another had its turn.
+TEST(PairFinder, FindsTheSameWhicheverHasItsTurn) {
+    support::RandomNumbers random(64);
+    std::vector<Aabb> bounds = mixedScene(random, 100);
+    PairFinder finder;
+    for (int frame = 0; frame < 100; ++frame) {
+        SCOPED_TRACE(frame);
+        const SomeMoved moved(random, bounds.size(), frame == 0 ? 1 : 4);
+        for (const std::uint32_t i : moved.list) {
+            bounds[i] = kodo::moved(bounds[i], random.point(0.5));
+        }
+        finder.use(static_cast<PairSearch>(random.below(3)));
+        std::vector<BoundsPair> pairs;
+        findPairs(finder, bounds, moved, pairs);
+        ASSERT_EQ(pairs, moved.of(byBruteForce(bounds)));
+    }
 }
 
 std::vector<Aabb> square(int side) {

@@ -30,6 +30,16 @@ Real fastest(const World& world) {
     return speed;
 }
 
+/// The most that anybody was fast in so many steps (m/s).
+Real mostSpeedIn(World& world, int steps) {
+    Real most = 0;
+    for (int i = 0; i < steps; ++i) {
+        world.step(support::kDt);
+        most = std::max(most, fastest(world));
+    }
+    return most;
+}
+
 /// What two bodies part with at most (m/s).
 Real mostSpeed(const World& world) {
     return world.settings().pushSpeed * world.tolerances().unit();
@@ -54,12 +64,7 @@ TEST(Overlap, AFewBodiesOnOnePointPart) {
                 SCOPED_TRACE(testing::Message() << kind.name << " x " << count << ", strategy "
                                                 << static_cast<int>(strategy));
                 World world = crowd(count, kind.shape, strategy);
-                Real most = 0;
-                for (int i = 0; i < 600; ++i) {
-                    world.step(support::kDt);
-                    most = std::max(most, fastest(world));
-                }
-                EXPECT_LT(most, mostSpeed(world));
+                EXPECT_LT(mostSpeedIn(world, 600), mostSpeed(world));
                 EXPECT_LT(deepest(world), Real(0.02));
                 EXPECT_TRUE(world.frozenBodies().empty());
             }
@@ -89,12 +94,7 @@ TEST(Overlap, SixtyBodiesOnOnePointPartWithinTwentySeconds) {
     for (const Kind& kind : kKinds) {
         SCOPED_TRACE(kind.name);
         World world = crowd(60, kind.shape, Strategy::SoftStep);
-        Real most = 0;
-        for (int i = 0; i < 1200; ++i) {
-            world.step(support::kDt);
-            most = std::max(most, fastest(world));
-        }
-        EXPECT_LT(most, mostSpeed(world));
+        EXPECT_LT(mostSpeedIn(world, 1200), mostSpeed(world));
         EXPECT_LT(deepest(world), Real(0.02));
         EXPECT_TRUE(support::near(support::totalsOf(world).momentum, Vec2{},
                                   support::byPrecision(0.01, 1e-9)));
@@ -109,17 +109,12 @@ TEST(Overlap, AThousandBodiesOnOnePointDoNotBurst) {
     for (const Kind& kind : {kKinds[0], kKinds[1]}) {
         SCOPED_TRACE(kind.name);
         World world = crowd(kCount, kind.shape, Strategy::SoftStep);
-        Real most = 0;
-        for (int i = 0; i < 4; ++i) {
-            world.step(support::kDt);
-            most = std::max(most, fastest(world));
-        }
-        EXPECT_LT(most, mostSpeed(world));
+        EXPECT_LT(mostSpeedIn(world, 12), mostSpeed(world));
         Real farthest = 0;
         for (const BodyId id : world.bodies()) {
             farthest = std::max(farthest, length(world[id].position()));
         }
-        EXPECT_GT(farthest, Real(0.001)); // m; all began at 0
+        EXPECT_GT(farthest, Real(0.01)); // m; all began at 0
         EXPECT_EQ(world.bodyCount(), std::size_t{kCount});
     }
 }

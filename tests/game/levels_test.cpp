@@ -2,7 +2,6 @@
 #include <apart/core/assets.hpp>
 #include <apart/core/lint.hpp>
 #include <apart/core/tuning.hpp>
-#include <support/draws.hpp>
 
 #include <gtest/gtest.h>
 
@@ -67,9 +66,6 @@ double ticksPerLife(const std::vector<Level>& levels, Theme theme) {
 
 // 31 s a life at first and 17 s at last, over 170 games; over these 30 it may be off by a fifth.
 TEST(Levels, GetHarder) {
-    if (support::kSanitized) {
-        GTEST_SKIP() << "plays for long, and only to measure";
-    }
     const std::vector<Level> levels = allLevels();
     const double first = ticksPerLife(levels, levels.front().theme);
     const double last = ticksPerLife(levels, levels.back().theme);

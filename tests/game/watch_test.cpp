@@ -94,7 +94,7 @@ TEST(Soak, NoBallHaltsEscapesOrLeavesItsStraightPath) {
         EXPECT_EQ(watch.seen().bends, 0u);
         freeTicks += watch.seen().freeTicks;
     }
-    EXPECT_GE(freeTicks, ticks / 4 * levels.size()) << "the balls were hardly in the air";
+    EXPECT_GE(freeTicks, ticks * levels.size() * 5 / 18) << "the balls were hardly in the air";
 }
 
 } // namespace

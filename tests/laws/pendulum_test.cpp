@@ -4,6 +4,7 @@
 namespace kodo {
 namespace {
 
+using support::byPrecision;
 using support::near;
 using support::nearShare;
 
@@ -68,30 +69,38 @@ long double periodOf(Pendulum& pendulum, Real rate, int count) {
     return (last - first) / (passes - 1);
 }
 
-// A11: the period is that of the elliptic integral, to 0.1 %, and to 1 % of a swing that almost
-// stands on its head, where dT / T = 17 dE / E.
+// A11: the period is that of the elliptic integral, to 1e-4, even of a swing that almost stands on
+// its head, where dT / T = 17 dE / E.
 TEST(Pendulum, SwingsWithThePeriodOfTheFormula) {
-    for (const auto& [degrees, share] :
-         {std::pair(10.0, 1e-3), std::pair(90.0, 1e-3), std::pair(170.0, 0.01)}) {
+    for (const double degrees : {10.0, 90.0, 170.0}) {
         SCOPED_TRACE(degrees);
         Pendulum pendulum(degrees);
-        EXPECT_TRUE(nearShare(periodOf(pendulum, 60, 3), exactPeriod(degrees), share));
+        EXPECT_TRUE(nearShare(periodOf(pendulum, 60, 3), exactPeriod(degrees), 1e-4));
     }
 }
 
-// A11: in a minute at 60 Hz it loses 1 % of its energy at most from 10 degrees and 1.5 % from 90,
-// and never gains, but for what comes and goes within a swing: half a substep's share of it, since
-// forces act at the end of one.
+// A11: in a minute at 60 Hz it loses less than 1e-4 of its energy, told where it turns round.
+// Within a swing 0.7 % come and go: half a substep's share of it, since forces act at the start of
+// one.
 TEST(Pendulum, KeepsItsEnergyForAMinute) {
-    for (const auto& [degrees, share] : {std::pair(10.0, 0.01), std::pair(90.0, 0.015)}) {
+    for (const double degrees : {10.0, 90.0, 170.0}) {
         SCOPED_TRACE(degrees);
         Pendulum pendulum(degrees);
         const long double before = pendulum.energy();
+        int turns = 0;
         for (int i = 0; i < 3600; ++i) {
+            const long double spin = pendulum.spin();
+            const long double energy = pendulum.energy();
             pendulum.world.step(support::kDt);
-            ASSERT_LT(pendulum.energy(), before * 1.01L) << "step " << i;
+            ASSERT_TRUE(nearShare(pendulum.energy(), before, 0.007)) << "step " << i;
+            if (spin * pendulum.spin() < 0) { // between the two
+                const long double share = spin / (spin - pendulum.spin());
+                const long double top = energy + share * (pendulum.energy() - energy);
+                ASSERT_TRUE(nearShare(top, before, 1e-4)) << "step " << i;
+                ++turns;
+            }
         }
-        EXPECT_GT(pendulum.energy(), before * (1 - static_cast<long double>(share)));
+        EXPECT_GE(turns, 30);
     }
 }
 
@@ -101,21 +110,26 @@ TEST(Pendulum, TheArmKeepsItsLength) {
     Pendulum pendulum(90);
     for (int i = 0; i < 600; ++i) {
         pendulum.world.step(support::kDt);
-        ASSERT_TRUE(near(length(pendulum.world[pendulum.rod].center()), 0.5L, Real(1e-5)));
+        ASSERT_TRUE(near(length(pendulum.world[pendulum.rod].center()), 0.5L, Real(1e-6)));
     }
 }
 
-// A11 at finer steps: the error of the period falls at least as the step does (0.9), until it is a
-// tenth of what is allowed.
-TEST(Pendulum, TheErrorOfThePeriodFallsWithTheStep) {
-    long double previous = 0;
-    for (const Real rate : {Real(60), Real(120), Real(240), Real(480)}) {
-        Pendulum pendulum(90);
-        const long double error = std::abs(periodOf(pendulum, rate, 3) / exactPeriod(90) - 1);
-        if (rate > 60) {
-            EXPECT_LT(error, std::max(previous * 0.54L, 1e-4L)) << rate;
+// A11 at finer steps: the error of the period falls as the square of the step does (1.9), until
+// only rounding is left, which in float has more substeps to add up in.
+TEST(Pendulum, TheErrorOfThePeriodFallsWithTheSquareOfTheStep) {
+    constexpr long double kFloor = byPrecision(2e-4, 1e-9);
+    for (const double degrees : {90.0, 170.0}) {
+        SCOPED_TRACE(degrees);
+        long double previous = 0;
+        for (const Real rate : {Real(60), Real(120), Real(240), Real(480)}) {
+            Pendulum pendulum(degrees);
+            const long double error =
+                std::abs(periodOf(pendulum, rate, 3) / exactPeriod(degrees) - 1);
+            if (rate > 60) {
+                EXPECT_LT(error, std::max(previous * 0.268L, kFloor)) << rate;
+            }
+            previous = error;
         }
-        previous = error;
     }
 }
 
@@ -154,8 +168,8 @@ struct Chain {
     }
 };
 
-// A11b: ten seconds of a double pendulum, chaotic as it is: its pins hold to half a millimetre
-// where the lower rod whips round, and its energy stays within 3 %.
+// A11b: ten seconds of a double pendulum, chaotic as it is: its pins hold to a fifth of a
+// millimetre where the lower rod whips round, and its energy stays within 1.5 %.
 TEST(Pendulum, ADoublePendulumHoldsTogetherAndKeepsItsEnergy) {
     Chain chain(2, {120, 120});
     const auto energy = [&] {
@@ -169,8 +183,8 @@ TEST(Pendulum, ADoublePendulumHoldsTogetherAndKeepsItsEnergy) {
     const long double before = energy();
     for (int i = 0; i < 600; ++i) {
         chain.world.step(support::kDt);
-        ASSERT_LT(chain.widest(), Real(5e-4)) << "step " << i;
-        ASSERT_TRUE(nearShare(energy(), before, 0.03L)) << "step " << i;
+        ASSERT_LT(chain.widest(), Real(2e-4)) << "step " << i;
+        ASSERT_TRUE(nearShare(energy(), before, 0.015L)) << "step " << i;
     }
 }
 
@@ -179,12 +193,12 @@ TEST(Pendulum, AHangingChainCarriesItself) {
     Chain chain(10, {});
     support::run(chain.world, 300);
     EXPECT_NE(chain.world[chain.rods[0]].flags() & kResting, 0u);
-    EXPECT_LT(chain.widest(), Real(1e-5));
+    EXPECT_LT(chain.widest(), Real(1e-6));
     for (std::size_t k = 0; k < chain.pins.size(); ++k) {
         const double below = static_cast<double>(chain.pins.size() - k); // of 0.1 kg each
         const Vec2 force = chain.world.jointForce(chain.pins[k]);
-        EXPECT_TRUE(nearShare(force.y, below, 0.01)) << k;
-        EXPECT_TRUE(near(force.x, 0, Real(1e-3))) << k;
+        EXPECT_TRUE(nearShare(force.y, below, 1e-6)) << k;
+        EXPECT_TRUE(near(force.x, 0, Real(1e-6))) << k;
     }
 }
 

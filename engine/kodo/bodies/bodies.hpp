@@ -100,6 +100,8 @@ struct Bodies {
         return form(index).parts[part].convex;
     }
     bool locked(std::size_t index) const { return motion[index].locked(); }
+    /// Is it locked, and does it move? Nothing stops it, then.
+    bool drives(std::size_t index) const { return locked(index) && !motion[index].halted(); }
     bool resting(std::size_t index) const { return (record[index].filter.flags & kResting) != 0; }
     /// Locked, and neither moving nor having moved in the last step.
     bool stands(std::size_t index) const {

@@ -6,6 +6,21 @@
 
 namespace kodo::inline KODO_PRECISION {
 
+/// Copies pairs in the order of one of their members; those with the same stay as they were.
+void PairSorter::copyBy(std::uint32_t BoundsPair::*member, std::span<const BoundsPair> from,
+                        std::span<BoundsPair> to, std::size_t count) {
+    refill(starts_, count + 1, 0u);
+    for (const BoundsPair& pair : from) {
+        ++starts_[pair.*member + 1];
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        starts_[i + 1] += starts_[i];
+    }
+    for (const BoundsPair& pair : from) {
+        to[starts_[pair.*member]++] = pair; // in the end each start is that of the next
+    }
+}
+
 void PairSorter::sort(std::vector<BoundsPair>& pairs, std::size_t count) {
     constexpr std::size_t kFew = 16;           // are sorted faster by comparing,
     constexpr std::size_t kBoundsPerPair = 16; // and so are pairs of which there are fewer
@@ -13,24 +28,9 @@ void PairSorter::sort(std::vector<BoundsPair>& pairs, std::size_t count) {
         std::sort(pairs.begin(), pairs.end()); // total order: no two are equal
         return;
     }
-    refill(starts_, count + 1, 0u);
-    for (const BoundsPair& pair : pairs) {
-        ++starts_[pair.first + 1];
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-        starts_[i + 1] += starts_[i];
-    }
     spare_.resize(pairs.size());
-    for (const BoundsPair& pair : pairs) {
-        spare_[starts_[pair.first]++] = pair; // in the end each start is that of the next
-    }
-    std::uint32_t begin = 0;
-    for (std::size_t i = 0; i < count; begin = starts_[i++]) {
-        if (starts_[i] - begin > 1) { // total order: no two are equal
-            std::sort(spare_.begin() + begin, spare_.begin() + starts_[i]);
-        }
-    }
-    std::copy(spare_.begin(), spare_.end(), pairs.begin());
+    copyBy(&BoundsPair::second, pairs, spare_, count);
+    copyBy(&BoundsPair::first, spare_, pairs, count);
 }
 
 } // namespace kodo::inline KODO_PRECISION

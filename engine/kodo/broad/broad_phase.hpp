@@ -38,24 +38,26 @@ public:
     std::uint64_t picoseconds() const { return picoseconds_; }
 
 private:
-    // ps. Those of the grid are fitted to CPU times of 160 random scenes of 300 to 12,000 bounds,
-    // dense and sparse, of equal and of mixed sizes; the others to what tumbler, circles and debris
-    // take longer by `kodo-bench --pairs brute|sweep --stages` than by grid (g++ 12 -O3, x86-64,
-    // float). Sums are right to a quarter. Machines differ in speed, and less in these ratios.
-    static constexpr std::uint64_t kCompare = 1300;  // two bounds, by brute force
+    // ps. Those of the grid and of brute force are fitted to CPU times of 160 random scenes of 300
+    // to 12,000 bounds, dense and sparse, of equal and of mixed sizes; the others to what tumbler,
+    // circles and debris take longer by `kodo-bench --pairs brute|sweep --stages` than by grid (g++
+    // 12 -O3, x86-64, float). Sums are right to a quarter. Machines differ in speed, and less in
+    // these ratios.
+    static constexpr std::uint64_t kCompare = 430;   // two bounds, by brute force
     static constexpr std::uint64_t kSweep = 6000;    // the same, while sweeping
     static constexpr std::uint64_t kRefresh = 10000; // the ends of one of the bounds to be swept
     static constexpr std::uint64_t kShift = 600;     // by one place, where insertion sorts them
     static constexpr std::uint64_t kSort = 6500;     // a comparison, where they are sorted anew
-    static constexpr std::uint64_t kFile = 11000;    // one of the bounds into its cell
-    static constexpr std::uint64_t kCell = 3300;     // to clear it and to add it up
-    static constexpr std::uint64_t kRow = 18000;     // of cells, looked into
-    static constexpr std::uint64_t kTest = 6500;     // an entry of a cell
+    static constexpr std::uint64_t kFile = 12000;    // one of the bounds into its cell
+    static constexpr std::uint64_t kCell = 750;      // to clear it and to add it up
+    static constexpr std::uint64_t kRow = 25000;     // of cells, looked into
+    static constexpr std::uint64_t kTest = 1900;     // an entry of a cell
 
     std::uint64_t picoseconds_ = 0;
 };
 
-/// Whose pairs are wanted: those in `list`; `flags` tells by place.
+/// Whose pairs are wanted: those in `list`; `flags` tells by place. All bounds that are not as they
+/// were in the last call are among them.
 struct Moved {
     std::span<const std::uint32_t> list;
     std::span<const std::uint8_t> flags;
@@ -63,14 +65,30 @@ struct Moved {
     bool has(std::uint32_t i) const { return flags[i] != 0; }
 };
 
-/// Puts pairs in order: by the first of each into place, then by the second among the few that
-/// share it.
+/// Adds the pair of one that has moved and another that it overlaps, if `accept(first, second)`
+/// lets it through and it is not to be found from the other's side.
+template <typename Accept>
+void addPair(std::uint32_t m, std::uint32_t other, const Moved& moved, Accept accept,
+             std::vector<BoundsPair>& out) {
+    if (other == m || (moved.has(other) && other < m)) {
+        return; // itself, or met already
+    }
+    const BoundsPair pair = other < m ? BoundsPair{other, m} : BoundsPair{m, other};
+    if (accept(pair.first, pair.second)) {
+        out.push_back(pair);
+    }
+}
+
+/// Puts pairs in order: by the second of each into place, and then by the first.
 class PairSorter {
 public:
     /// `count`: all places are below it.
     void sort(std::vector<BoundsPair>& pairs, std::size_t count);
 
 private:
+    void copyBy(std::uint32_t BoundsPair::*member, std::span<const BoundsPair> from,
+                std::span<BoundsPair> to, std::size_t count);
+
     std::vector<std::uint32_t> starts_;
     std::vector<BoundsPair> spare_;
 };

@@ -2,33 +2,53 @@
 #pragma once
 
 #include <kodo/broad/broad_phase.hpp>
+#include <kodo/broad/packed_bounds.hpp>
+
+#include <utility>
 
 namespace kodo::inline KODO_PRECISION {
 
-/// Every pair of overlapping bounds, of which at least one has moved, that `accept(first, second)`
-/// lets through, each once, in any order. Tests them all, and is the fastest way while they are
-/// few, or few have moved.
-template <typename Accept>
-void bruteForce(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
-                std::vector<BoundsPair>& out) {
-    for (const std::uint32_t m : moved.list) {
-        for (std::uint32_t i = 0; i < bounds.size(); ++i) {
-            if (!overlap(bounds[i], bounds[m]) || i == m || (moved.has(i) && i < m)) {
-                continue; // apart, itself, or met already
+/// Compares all bounds with each that has moved: the fastest way while they are few, or few have
+/// moved.
+class BruteForce {
+public:
+    /// Every pair of overlapping bounds, of which at least one has moved, that
+    /// `accept(first, second)` lets through, each once, in any order.
+    template <typename Accept>
+    void pairs(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
+               std::vector<BoundsPair>& out) {
+        const auto count = static_cast<std::uint32_t>(bounds.size());
+        if (std::exchange(packedCount_, count) != count) {
+            packed_.resize(count);
+            for (std::uint32_t i = 0; i < count; ++i) {
+                packed_.set(i, bounds[i]);
             }
-            const BoundsPair pair = i < m ? BoundsPair{i, m} : BoundsPair{m, i};
-            if (accept(pair.first, pair.second)) {
-                out.push_back(pair);
+        } else {
+            for (const std::uint32_t m : moved.list) {
+                packed_.set(m, bounds[m]);
             }
         }
+        for (const std::uint32_t m : moved.list) {
+            packed_.forEachOverlap(bounds[m], 0, count,
+                                   [&](std::uint32_t i) { addPair(m, i, moved, accept, out); });
+        }
     }
-}
 
-/// What it takes for so many, of which so many have moved.
-inline PairWork bruteForceWork(std::size_t bounds, std::size_t moved) {
-    PairWork work;
-    work.addCompared(bounds * moved);
-    return work;
-}
+    /// Some bounds have moved without it being asked for their pairs.
+    void forget() { packedCount_ = 0; }
+    /// Memory for so many bounds.
+    void reserve(std::size_t bounds) { packed_.reserve(bounds); }
+
+    /// What it takes for so many, of which so many have moved.
+    static PairWork work(std::size_t bounds, std::size_t moved) {
+        PairWork work;
+        work.addCompared(bounds * moved);
+        return work;
+    }
+
+private:
+    PackedBounds packed_;
+    std::uint32_t packedCount_ = 0;
+};
 
 } // namespace kodo::inline KODO_PRECISION

@@ -23,7 +23,8 @@ void Grid::reserve(std::size_t bounds) {
     levelOf_.reserve(bounds);
     cellOf_.reserve(bounds);
     starts_.reserve(static_cast<std::size_t>(kCellsPerBounds) * bounds + kLevels + 1);
-    entries_.reserve(bounds);
+    packed_.reserve(bounds);
+    index_.reserve(bounds);
     sizes_.reserve(bounds);
 }
 
@@ -130,9 +131,12 @@ void Grid::build(std::span<const Aabb> bounds) {
         sum += start;
         start = sum; // the end of the cell, until its entries are in
     }
-    entries_.resize(bounds.size());
+    packed_.resize(bounds.size());
+    index_.resize(bounds.size());
     for (std::size_t i = bounds.size(); i-- > 0;) {
-        entries_[--starts_[cellOf_[i]]] = {bounds[i], static_cast<std::uint32_t>(i)};
+        const std::uint32_t place = --starts_[cellOf_[i]];
+        packed_.set(place, bounds[i]);
+        index_[place] = static_cast<std::uint32_t>(i);
     }
     std::erase_if(levels_, [](const Level& level) { return level.count == 0; });
 }

@@ -3,6 +3,7 @@
 
 #include <kodo/base/crew.hpp>
 #include <kodo/broad/broad_phase.hpp>
+#include <kodo/broad/packed_bounds.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -58,10 +59,6 @@ private:
         std::size_t rows = 0;
         std::size_t tests = 0;
     };
-    struct Entry {
-        Aabb box;
-        std::uint32_t index;
-    };
     struct Level {
         Real cell = 0; // m; no bounds in it are larger
         Real perCell = 0;
@@ -89,15 +86,7 @@ private:
     void meetAll(std::span<const Aabb> bounds, const Moved& moved, std::uint32_t m, Accept accept,
                  std::vector<BoundsPair>& found, Looked& looked) const {
         const Aabb box = bounds[m];
-        const auto meet = [&](std::uint32_t i) {
-            if (i == m || (moved.has(i) && i < m)) {
-                return; // itself, or met already
-            }
-            const BoundsPair pair = i < m ? BoundsPair{i, m} : BoundsPair{m, i};
-            if (accept(pair.first, pair.second)) {
-                found.push_back(pair);
-            }
-        };
+        const auto meet = [&](std::uint32_t i) { addPair(m, index_[i], moved, accept, found); };
         for (const Level& level : levels_) {
             forEachNear(level, box, meet, looked);
         }
@@ -116,11 +105,7 @@ private:
                 starts_.data() + level.begin + static_cast<std::ptrdiff_t>(row) * level.columns;
             const std::uint32_t end = starts[right + 1];
             looked.tests += end - starts[left];
-            for (std::uint32_t k = starts[left]; k < end; ++k) {
-                if (overlap(entries_[k].box, box)) {
-                    meet(entries_[k].index);
-                }
-            }
+            packed_.forEachOverlap(box, starts[left], end, meet);
         }
     }
 
@@ -136,8 +121,9 @@ private:
     std::vector<std::uint8_t> levelOf_;
     std::vector<std::uint32_t> cellOf_;
     std::vector<std::uint32_t> starts_; // by cell: its first entry; one more at the end
-    std::vector<Entry> entries_;
-    std::vector<Real> sizes_; // or centres, to find the middle one
+    PackedBounds packed_;               // cell by cell
+    std::vector<std::uint32_t> index_;  // of those
+    std::vector<Real> sizes_;           // or centres, to find the middle one
     Findings<BoundsPair> found_;
     std::size_t tests_ = 0;
     PairWork work_;

@@ -38,13 +38,14 @@ std::uint64_t PairFinder::expectSweep(std::size_t bounds) const {
 void PairFinder::reserve(std::size_t bounds) {
     if (bounds > reserved_) {
         reserved_ = 2 * bounds;
+        bruteForce_.reserve(reserved_);
         grid_.reserve(reserved_);
         sweep_.reserve(reserved_);
     }
 }
 
 PairSearch PairFinder::choose(std::size_t bounds, std::size_t moved) const {
-    const std::uint64_t brute = bruteForceWork(bounds, moved).picoseconds();
+    const std::uint64_t brute = BruteForce::work(bounds, moved).picoseconds();
     if (brute <= kLittle) {
         return PairSearch::BruteForce;
     }

@@ -26,14 +26,17 @@ public:
         reserve(count);
         way_ = only_ ? *only_ : choose(count, moved.list.size());
         if (way_ == PairSearch::BruteForce) {
-            bruteForce(bounds, moved, accept, out);
-            work_ += bruteForceWork(count, moved.list.size()).picoseconds();
-        } else if (way_ == PairSearch::Grid) {
-            grid_.pairs(bounds, moved, accept, out, crew);
-            noteGrid(count, moved.list.size());
+            bruteForce_.pairs(bounds, moved, accept, out);
+            work_ += BruteForce::work(count, moved.list.size()).picoseconds();
         } else {
-            sweep_.pairs(bounds, moved, accept, out);
-            noteSweep(count);
+            bruteForce_.forget();
+            if (way_ == PairSearch::Grid) {
+                grid_.pairs(bounds, moved, accept, out, crew);
+                noteGrid(count, moved.list.size());
+            } else {
+                sweep_.pairs(bounds, moved, accept, out);
+                noteSweep(count);
+            }
         }
         sorter_.sort(out, count);
     }
@@ -54,6 +57,7 @@ private:
     std::uint64_t expectGrid(std::size_t bounds, std::size_t moved) const;
     std::uint64_t expectSweep(std::size_t bounds) const;
 
+    BruteForce bruteForce_;
     Grid grid_;
     SortAndSweep sweep_;
     PairSorter sorter_;

@@ -18,7 +18,7 @@ Manifold collideRound(const Convex& shapeA, const Transform& a, const Convex& sh
     const Real gap = distance - shapeA.radius - shapeB.radius;
     Manifold manifold;
     if (gap > margin) {
-        return manifold;
+        return apart(gap);
     }
     // Two circles on one point have no direction of their own.
     manifold.normal = distance > 0 ? d / distance : a.rotation.yAxis();
@@ -36,7 +36,7 @@ Manifold collideFacesRound(const Convex& sided, const Transform& a, const Convex
     const Real gap = axis.distance - circle.radius - sided.radius;
     Manifold manifold;
     if (gap > margin) {
-        return manifold;
+        return apart(gap);
     }
     manifold.normal = a.rotation * axis.normal;
     const Vec2 point = center - (circle.radius + gap / 2) * axis.normal;

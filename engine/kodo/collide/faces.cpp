@@ -64,6 +64,12 @@ void add(Manifold& manifold, const LocalPoint& local, const Transform& a, const 
     ++manifold.count;
 }
 
+Manifold apart(Real gap) {
+    Manifold manifold;
+    manifold.points[0].separation = gap;
+    return manifold;
+}
+
 Manifold swapped(Manifold manifold) {
     manifold.normal = -manifold.normal;
     for (ManifoldPoint& point : manifold.points) {
@@ -133,12 +139,12 @@ Manifold collideFaces(const Convex& shapeA, const Transform& a, const Convex& sh
     const Transform ab = between(a, b);
     const FaceAxis faceA = leastPenetratingFace(shapeA, shapeB, ab, margin);
     if (faceA.separation > margin) {
-        return {};
+        return apart(faceA.separation);
     }
     const Transform ba = between(b, a);
     const FaceAxis faceB = leastPenetratingFace(shapeB, shapeA, ba, margin);
     if (faceB.separation > margin) {
-        return {};
+        return apart(faceB.separation);
     }
     if (shapeA.isLine() && shapeB.isLine()) {
         const Real least = std::max(faceA.separation, faceB.separation) + preference;

@@ -16,6 +16,9 @@ struct LocalPoint {
 
 void add(Manifold& manifold, const LocalPoint& local, const Transform& a, const Transform& b);
 
+/// Of two that are so far apart, at least.
+Manifold apart(Real gap);
+
 /// The other way round: swaps the arms and turns the normal.
 Manifold swapped(Manifold manifold);
 

@@ -17,10 +17,12 @@ struct ManifoldPoint {
 };
 
 /// How two convex outlines touch, or nearly do [Thesis06, 3.3]. The deepest point comes first.
+/// Without a point they are farther apart than was asked for; then the separation of the first
+/// tells how far at least, or 0 if that is not known, and nothing else is written.
 struct Manifold {
     Vec2 normal; // unit, world axes, from A towards B; the direction that parts them soonest
     std::array<ManifoldPoint, 2> points;
-    int count = 0;           // 0: farther apart than asked for, and nothing else was written
+    int count = 0;
     bool fromBehind = false; // of a one-sided line; then count is 0. See letPass
 };
 

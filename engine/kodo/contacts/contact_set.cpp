@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/base/prefetch.hpp>
 #include <kodo/contacts/contact_set.hpp>
 #include <kodo/contacts/contact_update.hpp>
 
@@ -257,8 +258,9 @@ void ContactSet::mergePairs(const Bodies& bodies) {
     for (const Place& place : order_) {
         addUpTo(&place.pair);
         const bool found = pair != pairs_.end() && *pair == place.pair;
+        const bool asked = (isChanged[place.pair.first] | isChanged[place.pair.second]) != 0;
         pair += found ? 1 : 0;
-        if (found || (isChanged[place.pair.first] == 0 && isChanged[place.pair.second] == 0)) {
+        if (found | !asked) { // as for most; what of it holds is hard to foresee
             newOrder_.push_back(place);
         } else {
             noteEnd(contacts_[place.slot]);
@@ -292,7 +294,9 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
     fastestApproach_ = 0;
     crew.forEach(contacts_.size(), kContactsAPiece, [&](std::size_t first, std::size_t last) {
         Real fastest = 0;
-        for (Contact& contact : std::span(contacts_).subspan(first, last - first)) {
+        for (std::size_t i = first; i < last; ++i) {
+            prefetch<2>(contacts(), i + kContactsAhead);
+            Contact& contact = contacts_[i];
             const auto near = [&] {
                 return overlap(bounds_.tight(contact.proxyA).grown(tolerances.margin),
                                bounds_.tight(contact.proxyB));

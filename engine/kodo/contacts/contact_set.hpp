@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kodo/base/crew.hpp>
+#include <kodo/base/prefetch.hpp>
 #include <kodo/bodies/bodies.hpp>
 #include <kodo/bodies/tolerances.hpp>
 #include <kodo/broad/pair_finder.hpp>
@@ -52,6 +53,8 @@ public:
     /// Contacts with an impulse or a place that is not finite start anew, where their bodies are.
     void forgetUnsound(const Bodies& bodies, const Tolerances& tolerances);
 
+    /// Of all parts, by the proxies of contacts.
+    const PartBounds& bounds() const { return bounds_; }
     /// What looks for the pairs.
     PairFinder& pairFinder() { return finder_; }
     const PairFinder& pairFinder() const { return finder_; }
@@ -68,7 +71,9 @@ public:
         touching_.gather(
             crew, contacts_.size(), kContactsAPiece, touching,
             [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
-                for (Contact& contact : std::span(contacts_).subspan(first, last - first)) {
+                for (std::size_t i = first; i < last; ++i) {
+                    prefetch<3>(contacts(), i + kContactsAhead);
+                    Contact& contact = contacts_[i];
                     fetch(contact);
                     finishContact(contact, tolerances);
                     if (!contact.touching) {

@@ -34,11 +34,9 @@ void replaceManifold(Contact& contact, const Manifold& manifold) {
 constexpr Real kKept = 8;
 constexpr Real kKeptToBounce = Real(1) / 8;
 
-/// Keeps a manifold while its bodies have not gone far against each other since it was found: only
-/// the separations follow the last step, to first order in the turn. This saves most of the work in
-/// a pile, also in one that moves as a whole, and a point of contact that stays where it is
-/// steadies it. False if it must be found anew.
-bool carry(const Bodies& bodies, Contact& contact, const Tolerances& tolerances) {
+/// Adds what two bodies went against each other in the last step. False if one of them was put
+/// elsewhere, so that nothing is known any more.
+bool addDrift(const Bodies& bodies, Contact& contact) {
     const std::uint32_t a = contact.key.bodyA;
     const std::uint32_t b = contact.key.bodyB;
     const Motion& motionA = bodies.motion[a];
@@ -47,14 +45,28 @@ bool carry(const Bodies& bodies, Contact& contact, const Tolerances& tolerances)
     contact.drift += std::abs(between.x) + std::abs(between.y) +
                      std::abs(motionA.turn) * bodies.extent[a].reach +
                      std::abs(motionB.turn) * bodies.extent[b].reach;
+    return contact.jumpsA == bodies.jumps[a] && contact.jumpsB == bodies.jumps[b];
+}
+
+/// Have two that were apart not gone far enough to be within the margin of each other by now?
+bool staysApart(const Contact& contact, const Tolerances& tolerances) {
+    const Manifold& manifold = contact.manifold;
+    return manifold.count == 0 && contact.drift < manifold.points[0].separation - tolerances.margin;
+}
+
+/// Keeps a manifold while its bodies have not gone far against each other since it was found: only
+/// the separations follow the last step, to first order in the turn. This saves most of the work in
+/// a pile, also in one that moves as a whole, and a point of contact that stays where it is
+/// steadies it. False if it must be found anew.
+bool carry(const Bodies& bodies, Contact& contact, const Tolerances& tolerances) {
     const Real most = (contact.bounces ? kKeptToBounce : kKept) * tolerances.slop;
-    contact.carried = contact.carried && contact.jumpsA == bodies.jumps[a] &&
-                      contact.jumpsB == bodies.jumps[b] && contact.drift <= most;
-    if (!contact.carried) {
+    if (!contact.carried || contact.drift > most) {
         return false;
     }
+    const Motion& motionA = bodies.motion[contact.key.bodyA];
+    const Motion& motionB = bodies.motion[contact.key.bodyB];
     const Vec2 n = contact.manifold.normal;
-    const Real moved = dot(n, between);
+    const Real moved = dot(n, motionB.move - motionA.move);
     for (ManifoldPoint& p : contact.manifold.points) {
         p.separation += moved + (cross(p.armB, n) * motionB.turn - cross(p.armA, n) * motionA.turn);
     }
@@ -63,7 +75,9 @@ bool carry(const Bodies& bodies, Contact& contact, const Tolerances& tolerances)
 
 /// Two circles on one point have no direction of their own to part in, and all of a crowd on one
 /// point would part along one line. So theirs goes by the number of the second body, in turns of
-/// the golden angle, which spreads them to all sides.
+/// the golden angle, which spreads them to all sides. Just those have exactly the sum of the radii
+/// for a depth; with centres closer than a rounding of it, which side is which means nothing
+/// either.
 void spreadConcentric(Manifold& manifold, const Convex& a, const Convex& b, std::uint32_t number) {
     ManifoldPoint& point = manifold.points[0];
     if (!a.isRound() || !b.isRound() || manifold.count == 0 ||
@@ -71,8 +85,9 @@ void spreadConcentric(Manifold& manifold, const Convex& a, const Convex& b, std:
         return;
     }
     constexpr Real kGoldenAngle = Real(2.39996323); // rad
+    constexpr std::uint32_t kSides = 32; // turns of up to 77 rad: sines are exact up to 100
     const Vec2 normal =
-        Rot::fromAngle(kGoldenAngle * static_cast<Real>(number % 32)) * manifold.normal;
+        Rot::fromAngle(kGoldenAngle * static_cast<Real>(number % kSides)) * manifold.normal;
     const Vec2 shift = (a.radius + point.separation / 2) * (normal - manifold.normal);
     manifold.normal = normal;
     point.armA += shift;
@@ -141,7 +156,9 @@ void refreshContact(Contact& contact, const Bodies& bodies, const Tolerances& to
     beginStep(contact);
     contact.near = true;
     contact.centerA = bodies.pose[contact.key.bodyA].position;
-    if (!carry(bodies, contact, tolerances)) {
+    const bool known = addDrift(bodies, contact);
+    contact.carried = known && carry(bodies, contact, tolerances);
+    if (!contact.carried && !(known && staysApart(contact, tolerances))) {
         find(contact, bodies, tolerances);
     }
     measureApproach(contact, bodies);
@@ -161,6 +178,7 @@ void clearContact(Contact& contact) {
     beginStep(contact);
     contact.near = false;
     contact.manifold.count = 0;
+    contact.manifold.points[0].separation = 0; // how far apart is not known
     contact.impulse = {};
     contact.friction = 0;
     contact.rolling = 0;

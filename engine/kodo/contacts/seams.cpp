@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/base/prefetch.hpp>
 #include <kodo/contacts/seams.hpp>
 
 #include <limits>
@@ -48,6 +49,7 @@ void Seams::link(const Bodies& bodies, std::span<const Contact> contacts) {
     next_.resize(contacts.size());
     onPieces_.clear();
     for (std::size_t i = contacts.size(); i-- > 0;) {
+        prefetch<1>(contacts, i - kContactsAhead);
         const ContactKey& key = contacts[i].key;
         next_[i] = kEnd;
         if (contacts[i].sensor || bodies.locked(key.bodyA) == bodies.locked(key.bodyB)) {

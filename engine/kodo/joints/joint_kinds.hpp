@@ -108,18 +108,22 @@ public:
 private:
     /// The anchors go round their bodies in circles, and not along the tangents that a velocity
     /// knows of: at the end of the substep they will be apart by the difference, too. All of it is
-    /// wanted away, and of the gap that is there now the share that the stiffness says.
+    /// wanted away, and of the gap that is there now the share that the stiffness says. The turn is
+    /// that with what the joints are foreseen to do to it.
     PointConstraint anchors() const {
-        const Vec2 bent = bend(frame_.b, frame_.armB) - bend(frame_.a, frame_.armA);
+        const Vec2 bent = bend(frame_.b, pass_.foreseen.spinB, frame_.armB) -
+                          bend(frame_.a, pass_.foreseen.spinA, frame_.armA);
         const Vec2 error = frame_.gap + bent / (pass_.stiff.biasRate * pass_.h);
         const Softness rigid{pass_.stiff.biasRate, 1, 0};
         return {frame_.armA, frame_.armB, error, pass_.exact ? rigid : pass_.stiff};
     }
 
-    /// From the end of the tangent to that of the arc, for up to a radian.
-    Vec2 bend(const Motion& motion, Vec2 arm) const {
-        const Real turn = std::min(std::abs(pass_.h * motion.angularVelocity), Real(1));
-        return (-turn * turn / 2) * arm;
+    /// From the end of the tangent to that of the arc, for up to a radian: (cos - 1) r and (sin -
+    /// angle) r', as far as their fourth order.
+    Vec2 bend(const Motion& motion, Real gain, Vec2 arm) const {
+        const Real turn = std::clamp(pass_.h * (motion.angularVelocity + gain), Real(-1), Real(1));
+        const Real square = turn * turn;
+        return square * ((square / 24 - Real(0.5)) * arm - turn / 6 * perp(arm));
     }
 
     AxisConstraint angular() const { return {{}, 1, 1, 0, 0, {}, kUnbounded, {}}; }

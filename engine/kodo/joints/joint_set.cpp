@@ -104,6 +104,16 @@ bool mayBeHeld(const Bodies& bodies, const JointDef& def) {
            (pin || (!half(a) && !half(b)));
 }
 
+/// What an impulse does to the angular velocities of the two bodies.
+Foresight gainFrom(const JointFrame& frame, const PointConstraint& point, Vec2 impulse) {
+    return {-frame.a.invInertia * cross(point.armA, impulse),
+            frame.b.invInertia * cross(point.armB, impulse)};
+}
+Foresight gainFrom(const JointFrame& frame, const AxisConstraint& axis, Real impulse) {
+    return {-frame.a.invInertia * axis.leverA * impulse,
+            frame.b.invInertia * axis.leverB * impulse};
+}
+
 struct Overload {
     Real force;
     Real torque;
@@ -224,8 +234,12 @@ void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
         const bool inTree = trees_.rowsOf(index) != nullptr;
         forConstraints(
             joints_[index], bodies, {pass.h, pass.stiff, pass.biased, inTree},
-            [=](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
-                if (inTree && relax == Relax::Rigid && isHeld(constraint)) {
+            [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
+                const bool held = inTree && relax == Relax::Rigid && isHeld(constraint);
+                if (inTree) {
+                    trees_.foresee(index, gainFrom(frame, constraint, impulse), !held);
+                }
+                if (held) {
                     impulse = {}; // found anew, all of it
                 } else {
                     constraint.push(frame.a, frame.b, impulse);
@@ -258,7 +272,9 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
             *rows = {.pull = joint.force};
         }
         forConstraints(
-            joint, bodies, {pass.h, pass.stiff, pass.biased, rows != nullptr},
+            joint, bodies,
+            {pass.h, pass.stiff, pass.biased, rows != nullptr,
+             rows != nullptr ? trees_.foreseen(index, pass.h) : Foresight{}},
             [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
                 if (rows != nullptr && relax == Relax::Rigid && isHeld(constraint)) {
                     rows->add(constraint, impulse, joint.slotOf(impulse));

@@ -3,6 +3,7 @@
 #include <kodo/joints/joint_trees.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -13,6 +14,8 @@ constexpr Real kLeastGive = Real(1) / 1024;
 // A spring that closes a loop so is solved together with all that hangs on it, and therefore may be
 // stiffer than those that take turns.
 constexpr Real kLoopGive = Real(0.4);
+// rad in a substep: what can be foreseen is smooth.
+constexpr Real kMostForeseen = Real(1) / 128;
 
 Triple velocityOf(const Motion& motion) {
     return {motion.velocity.x, motion.velocity.y, motion.angularVelocity};
@@ -48,6 +51,33 @@ void HeldRows::add(const AxisConstraint& axis, Real soFar, std::size_t firstSlot
 HeldRows* JointTrees::rowsOf(std::uint32_t joint) {
     const std::uint32_t node = joint < nodeOf_.size() ? nodeOf_[joint] : kNone;
     return node == kNone ? nullptr : &nodes_[node].rows;
+}
+
+void JointTrees::foresee(std::uint32_t joint, const Foresight& gain, bool given) {
+    const Node& node = nodes_[nodeOf_[joint]];
+    const auto add = [&](std::uint32_t member, Real spin) {
+        if (member != kNone) {
+            members_[member].gain += spin;
+            members_[member].given += given ? spin : 0;
+        }
+    };
+    add(node.child, node.childIsB ? gain.spinB : gain.spinA);
+    add(node.parent, node.childIsB ? gain.spinA : gain.spinB);
+}
+
+/// After a blow the next substep will not be like the last: what would be much is not foreseen.
+Foresight JointTrees::foreseen(std::uint32_t joint, Real h) const {
+    const Node& node = nodes_[nodeOf_[joint]];
+    const auto gainOf = [&](std::uint32_t member) {
+        if (member == kNone) {
+            return Real(0);
+        }
+        const Real gain = members_[member].gain;
+        return (std::abs(h * gain) < kMostForeseen ? gain : 0) - members_[member].given;
+    };
+    const Real ofChild = gainOf(node.child);
+    const Real ofParent = gainOf(node.parent);
+    return node.childIsB ? Foresight{ofParent, ofChild} : Foresight{ofChild, ofParent};
 }
 
 std::uint32_t JointTrees::join(std::uint32_t body) {
@@ -328,10 +358,12 @@ void JointTrees::solve(Bodies& bodies, const JointPass& pass) {
     for (Node& node : nodes_) {
         giveBack(node);
     }
-    for (const Member& member : members_) {
+    for (Member& member : members_) {
         Motion& motion = bodies.motion[member.body];
         motion.velocity += Vec2{member.change[0], member.change[1]};
         motion.angularVelocity += member.change[2];
+        member.gain = 0; // it has come
+        member.given = 0;
     }
 }
 

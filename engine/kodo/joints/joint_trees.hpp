@@ -10,12 +10,20 @@
 
 namespace kodo::inline KODO_PRECISION {
 
+/// What a joint of a tree will do to the angular velocities of its bodies, if that is what it did
+/// in the last substep.
+struct Foresight {
+    Real spinA = 0; // rad/s
+    Real spinB = 0;
+};
+
 /// Times of one substep and how stiff joints are.
 struct JointPass {
     Real h = 0; // s
     Softness stiff;
     bool biased = false;
     bool exact = false; // of a joint that belongs to a tree, see JointTrees
+    Foresight foreseen{};
 };
 
 /// What one joint holds rigidly: up to three rows J = (a, b) of the velocities of its two bodies,
@@ -67,6 +75,11 @@ public:
     void find(const Bodies& bodies, std::span<const Edge> edges);
     /// Where a joint of a tree notes what it holds; nullptr for the others.
     HeldRows* rowsOf(std::uint32_t joint);
+    /// Adds what a joint of a tree will do; `given` if it has done so by now.
+    void foresee(std::uint32_t joint, const Foresight& gain, bool given);
+    /// What is still to come of all of them for the bodies of one, until the next solve.
+    Foresight foreseen(std::uint32_t joint, Real h) const;
+
     /// Changes velocities and the impulses of all rows.
     void solve(Bodies& bodies, const JointPass& pass);
 
@@ -80,6 +93,8 @@ private:
         Symmetric3::Factors factors{inertia}; // of A, when all of it is there
         Triple push{};                        // c
         Triple change{};                      // dv
+        Real gain = 0;                        // rad/s, foreseen
+        Real given = 0;                       // rad/s, how much of that it has by now
     };
     /// A joint of a tree. It has a child (what hangs on it), or a parent, or both; the other is
     /// immovable.

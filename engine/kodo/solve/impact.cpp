@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/base/prefetch.hpp>
 #include <kodo/solve/impact.hpp>
 #include <kodo/solve/leverage.hpp>
 
@@ -18,7 +19,7 @@ struct Response {
 
 // A determinant this small beside the product it is the difference of is a rounding.
 constexpr Real kSingular = sizeof(Real) == 4 ? Real(1e-5) : Real(1e-12);
-// Friction may make a blow so many times as hard as it would be without.
+// A blow on two points at once may be so many times as hard as on one of them.
 constexpr Real kHardest = 16;
 
 /// One contact with its two bodies at hand.
@@ -53,40 +54,46 @@ Real response(const Impact& hit, std::size_t i, Vec2 u, std::size_t k, Vec2 v) {
            hit.b.invInertia * cross(p.armB, u) * cross(q.armB, v);
 }
 
-/// One point with friction: the impulse that stops all sliding, if the friction cone allows it;
-/// otherwise the one on the edge of the cone [Guendelman03, section 6]. What can only turn gives
-/// way along one line: there friction has nothing to stop that the normal does not, and no impulse
-/// can be told from another by what it does.
+/// The friction impulse of one point, along t. Of the impulses that bounce off as they should,
+///
+///   p = p_0 n + j (t - K_nt/K_nn n),  p_0 = (1 + e) stop,  stop = -v_n / K_nn
+///
+/// it is the one that ends all sliding, or as near to that as the friction cone |j| <= mu p_n
+/// allows; and no blow may make energy, which friction together with restitution well could
+/// [Chatterjee98]:
+///
+///   m j^2 + 2 u j <= (1 - e^2) K_nn stop^2,  m = K_tt - K_nt^2/K_nn,  u = v_t + K_nt stop
+Real frictionOf(const Response& k, const Material& material, Real stop, Real sliding) {
+    const Real e = material.restitution;
+    const Real coupling = k.nt / k.nn;
+    const Real m = k.tt - k.nt * coupling;
+    const Real plain = (1 + e) * stop;
+    Real j = -(sliding + k.nt * plain) / m;
+    if (std::abs(j) > material.staticFriction * (plain - coupling * j)) {
+        const Real mu = j > 0 ? material.kineticFriction : -material.kineticFriction;
+        const Real steep = 1 + mu * coupling; // not above 0: this side of the cone has no end
+        const Real most = steep > 0 ? mu * plain / steep : j;
+        j = j > 0 ? std::min(j, most) : std::max(j, most);
+    }
+    const Real u = sliding + k.nt * stop;
+    const Real root = std::sqrt(u * u + m * (1 - e * e) * k.nn * stop * stop);
+    return std::clamp(j, (-u - root) / m, (-u + root) / m);
+}
+
+/// One point. What can only turn gives way along one line: there friction has nothing to stop that
+/// the normal does not, and no impulse can be told from another by what it does.
 void hitPoint(const Impact& hit, std::size_t i) {
     const Vec2 n = hit.normal();
     const Vec2 t = hit.tangent();
     const Vec2 v = hit.relativeVelocity(i);
     const Response k{response(hit, i, n, i, n), response(hit, i, n, i, t),
                      response(hit, i, t, i, t)};
-    const Real wanted = -(1 + hit.contact.material.restitution) * dot(n, v);
-    const Real sliding = dot(t, v);
     const Material& material = hit.contact.material;
-    const Real determinant = k.nn * k.tt - k.nt * k.nt;
-    if (hit.frictionless || material.staticFriction == 0 || determinant < kSingular * k.nn * k.tt) {
-        hit.push(i, (wanted / k.nn) * n);
-        return;
-    }
-    const Real jn = (wanted * k.tt + sliding * k.nt) / determinant;
-    const Real jt = (-sliding * k.nn - wanted * k.nt) / determinant;
-    if (determinant > 0 && jn > 0 && jn * k.nn <= kHardest * wanted &&
-        std::abs(jt) <= material.staticFriction * jn) {
-        hit.push(i, jn * n + jt * t);
-        return;
-    }
-    // Where nothing slides yet, the blow itself begins to, against the impulse that would hold it.
-    const bool forward = sliding != 0 ? sliding > 0 : jt < 0;
-    const Real slope = forward ? -material.kineticFriction : material.kineticFriction;
-    const Real along = k.nn + slope * k.nt;
-    if (along * kHardest > k.nn) {
-        hit.push(i, (wanted / along) * (n + slope * t));
-    } else { // wedged: friction alone would drive the bodies together
-        hit.push(i, (wanted / k.nn) * n);
-    }
+    const Real stop = -dot(n, v) / k.nn;
+    const bool slides = !hit.frictionless && material.staticFriction > 0;
+    const bool givesWay = k.nn * k.tt - k.nt * k.nt >= kSingular * k.nn * k.tt;
+    const Real rub = slides && givesWay ? frictionOf(k, material, stop, dot(t, v)) : 0;
+    hit.push(i, ((1 + material.restitution) * stop - k.nt / k.nn * rub) * n + rub * t);
 }
 
 /// Friction of a point that has just been pushed by jn.
@@ -219,7 +226,9 @@ void ImpactStage::solve(Bodies& bodies, std::span<Contact> contacts, const StepS
     bool any = true;
     for (int pass = 0; pass < settings.impactPasses && any; ++pass) {
         any = false;
-        for (Contact& contact : contacts) {
+        for (std::size_t i = 0; i < contacts.size(); ++i) {
+            prefetch<1>(contacts, i + kContactsAhead);
+            Contact& contact = contacts[i];
             if (pass > 0 && !contact.bounces) {
                 continue; // the contact half goes on from here
             }

@@ -146,9 +146,7 @@ void RestStage::wakeJointed(Bodies& bodies, ContactSet& contacts, const JointSet
 }
 
 bool RestStage::wakeRunOver(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances) {
-    const auto drives = [&](std::uint32_t body) {
-        return bodies.locked(body) && !bodies.motion[body].halted();
-    };
+    const auto drives = [&](std::uint32_t body) { return bodies.drives(body); };
     if (!anyResting() || std::none_of(bodies.awake.begin(), bodies.awake.end(), drives)) {
         return false;
     }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/base/prefetch.hpp>
 #include <kodo/bodies/integrate.hpp>
 #include <kodo/solve/soft_step.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
@@ -14,9 +13,6 @@ namespace {
 constexpr std::size_t kNewcomersAPiece = 128;
 constexpr std::size_t kBlocksAPiece = 8;
 constexpr std::size_t kBodiesAPiece = 256;
-// Contacts may give by so many slops under a weight before the step is refined.
-constexpr Real kMostGive = Real(1.75);
-constexpr int kMostRefined = 8;
 // Overlaps of more than so many slops are deep, as when bodies are put on one place. The speed that
 // their pushes give is taken out again by more passes, two for one of them and one more for each
 // further one, up to so many: over all contacts where one of eight is deep, else over those alone.
@@ -89,6 +85,7 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
                       int ownDeep = 0;
                       int ownRows = 0;
                       for (std::size_t i = first; i < last; ++i) {
+                          prefetch<2>(contacts, i + kContactsAhead);
                           Contact& contact = contacts[i];
                           if (!needsRow(bodies, contact, settings, tolerances)) {
                               contact.seat = {};
@@ -132,52 +129,6 @@ void SoftStep::noteCrowd(const Bodies& bodies, const Contact& contact, std::uint
             Crew::mark(crowded_);
         }
     }
-}
-
-/// Into how many parts each substep is divided, since something heavy presses on something light,
-/// or forces are very large. A contact is a spring as stiff as the lighter of its two bodies needs
-/// it, and gives by
-///
-///   s = F (1/m_a + 1/m_b) / omega^2,  F = m_a acceleration_a, or that of b,
-///
-/// of what cannot be pushed by a quarter of that. Stiffer ones need shorter substeps. Impulses are
-/// kept as of a whole substep; a power of two changes no digit of them.
-int SoftStep::refinement(const Bodies& bodies, std::span<const Contact> contacts, Real hertz,
-                         const Tolerances& tolerances) {
-    Real lightest = 0; // as 1/kg
-    Real heaviest = std::numeric_limits<Real>::max();
-    Real strongest = 0; // (m/s^2)^2
-    for (const std::uint32_t body : bodies.awake) {
-        if (const Real invMass = bodies.motion[body].invMass; invMass > 0) {
-            lightest = std::max(lightest, invMass);
-            heaviest = std::min(heaviest, invMass);
-            strongest = std::max(strongest, lengthSquared(bodies.acceleration[body].linear));
-        }
-    }
-    const Real omega = 2 * std::numbers::pi_v<Real> * hertz;
-    const Real most = kMostGive * tolerances.slop * omega * omega; // m/s^2
-    if ((1 + lightest / heaviest) * std::sqrt(strongest) <= most) {
-        return 1;
-    }
-    Real load = 0; // m/s^2
-    for (const Contact& contact : contacts) {
-        if (!contact.responds() || contact.manifold.points[0].separation > tolerances.slop) {
-            continue;
-        }
-        const Real a = bodies.motion[contact.key.bodyA].invMass;
-        const Real b = bodies.motion[contact.key.bodyB].invMass;
-        for (const auto& [own, body] :
-             {std::pair(a, contact.key.bodyA), std::pair(b, contact.key.bodyB)}) {
-            if (own > 0) {
-                load = std::max(load, (a + b) / own * length(bodies.acceleration[body].linear));
-            }
-        }
-    }
-    int parts = 1;
-    while (parts < kMostRefined && load > most * static_cast<Real>(parts * parts)) {
-        parts *= 2;
-    }
-    return parts;
 }
 
 /// Lists the bodies of joints, each once.

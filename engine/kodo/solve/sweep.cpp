@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/base/prefetch.hpp>
 #include <kodo/collide/collide.hpp>
 #include <kodo/collide/time_of_impact.hpp>
 #include <kodo/solve/sweep.hpp>
@@ -14,13 +15,13 @@ namespace {
 constexpr std::uint32_t kNoCandidate = ~std::uint32_t{};
 constexpr std::size_t kCrossingsAPiece = 256;
 constexpr std::size_t kWaysAPiece = 256;
-constexpr std::size_t kCandidatesAPiece = 8;
-
-/// Apart by now, so that even a slow approach may end in a blow of its own: see stoppingGap.
-bool mayBounce(const Contact& contact, const Tolerances& tolerances) {
-    return contact.bounces &&
-           (contact.manifold.count == 0 || contact.manifold.points[0].separation > tolerances.slop);
-}
+constexpr std::size_t kCandidatesAPiece = 64;
+constexpr Real kTaken = -1; // instead of its time: the impact has happened
+/// Of the slop: how far before touching what is apart is stopped. The normal is off by as much,
+/// beside the size of a round body, if they hit aslant. Places are known as finely up to 64 m from
+/// the origin in float, and up to 3e8 m in double; beyond, what is stopped may overlap by a
+/// rounding.
+constexpr Real kStopShort = sizeof(Real) == 4 ? Real(1) / 1024 : Real(1) / 65536;
 
 /// How far a body goes at most as seen from a locked one, which nothing stops: what lies still on a
 /// turning floor goes nowhere.
@@ -33,21 +34,27 @@ Real motionSeenFrom(const Bodies& bodies, std::uint32_t locked, std::uint32_t ot
     return length(motion.move - carried) + bend + std::abs(motion.turn - floor.turn) * reach;
 }
 
-/// How far the outlines of a pair go at most towards each other within the step, if the two stop
-/// after these shares of it. What moves along with the other goes hardly anywhere.
-Real motionOf(const Bodies& bodies, const Contact& contact, Real stopA, Real stopB) {
-    const auto [bodyA, partA, bodyB, partB] = contact.key;
-    const Real reachA = bodies.outline(bodyA, partA).reach;
-    const Real reachB = bodies.outline(bodyB, partB).reach;
-    if (bodies.locked(bodyA)) {
-        return motionSeenFrom(bodies, bodyA, bodyB, reachB);
-    }
-    if (bodies.locked(bodyB)) {
-        return motionSeenFrom(bodies, bodyB, bodyA, reachA);
-    }
+/// How far two outlines of such reaches go at most towards each other within the step, if the two
+/// bodies stop after these shares of it. What moves along with the other goes hardly anywhere.
+struct Mover {
+    std::uint32_t body;
+    Real reach;
+    Real stopAt = 1;
+};
+Real relativeMotion(const Bodies& bodies, const Mover& moverA, const Mover& moverB) {
+    const auto& [bodyA, reachA, stopA] = moverA;
+    const auto& [bodyB, reachB, stopB] = moverB;
     const Motion& a = bodies.motion[bodyA];
     const Motion& b = bodies.motion[bodyB];
-    const Real alone = std::abs(stopA - stopB) * length(stopA > stopB ? a.move : b.move);
+    if (a.locked()) {
+        return motionSeenFrom(bodies, bodyA, bodyB, reachB);
+    }
+    if (b.locked()) {
+        return motionSeenFrom(bodies, bodyB, bodyA, reachA);
+    }
+    const Real alone = stopA == stopB  ? 0
+                       : stopA > stopB ? (stopA - stopB) * length(a.move)
+                                       : (stopB - stopA) * length(b.move);
     return std::min(stopA, stopB) * length(b.move - a.move) + alone +
            stopA * std::abs(a.turn) * reachA + stopB * std::abs(b.turn) * reachB;
 }
@@ -76,7 +83,7 @@ std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Re
     const bool far = motion > thinner / 2;
     if (gap > tolerances.slop) {
         const bool bounces = contact.bounces && settings.has(Feature::Restitution);
-        return bounces || contact.sensor || far ? std::optional(tolerances.slop / 64)
+        return bounces || contact.sensor || far ? std::optional(kStopShort * tolerances.slop)
                                                 : std::nullopt;
     }
     // Beyond the middles of both they would leave each other on the wrong side.
@@ -85,6 +92,29 @@ std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Re
     const bool holds =
         !far || motion < thickness / 2 || shapeA.oneSided || shapeB.oneSided || contact.sensor;
     return holds || gap < -deepest / 4 ? std::nullopt : std::optional(-deepest);
+}
+
+/// Could a pair need a sweep that goes so far towards each other? Told by its bodies as wholes,
+/// since a part is no thinner than the thinnest of its body; stoppingGap tells it exactly.
+bool mayNeedSweep(const Contact& contact, Real motion, Real insideA, Real insideB,
+                  const Tolerances& tolerances) {
+    const bool far = motion > std::min(insideA, insideB) / 2;
+    if (!far && !contact.bounces) {
+        return false; // as in most of a pile
+    }
+    const Real gap = gapOf(contact, tolerances);
+    return motion >= gap && (gap > tolerances.slop ||
+                             (far && motion >= (insideA + insideB) / 2 && gap >= -tolerances.slop));
+}
+
+/// Do the bounds of two outlines meet on their way, if nobody is stopped?
+bool mayMeet(const Bodies& bodies, const Mover& a, const Aabb& boundsA, const Mover& b,
+             const Aabb& boundsB, const Tolerances& tolerances) {
+    const Motion& motionA = bodies.motion[a.body];
+    const Motion& motionB = bodies.motion[b.body];
+    const Real swing = std::abs(motionA.turn) * a.reach + std::abs(motionB.turn) * b.reach;
+    const Aabb way = unite(boundsB, moved(boundsB, motionB.move - motionA.move));
+    return overlap(boundsA.grown(swing + tolerances.slop), way);
 }
 
 /// The heap's order: the earliest on top, of equal ones the first in the list.
@@ -118,13 +148,14 @@ void SweepStage::measureWays(const Bodies& bodies, Crew& crew) {
     });
 }
 
-void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
+void SweepStage::run(Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,
                      const Tolerances& tolerances, Real dt, Crew& crew) {
+    const std::span<Contact> contacts = contactSet.contacts();
     if (contacts.empty()) {
         return;
     }
     measureWays(bodies, crew);
-    const bool sensors = findCandidates(bodies, contacts, settings, tolerances, crew);
+    const bool sensors = findCandidates(bodies, contactSet, tolerances, crew);
     for (const std::uint32_t body : bodies.awake) {
         ways_[body] = 0;
     }
@@ -134,11 +165,12 @@ void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSett
     stopAt_.resize(bodies.size(), 1); // of the others it is 1 from step to step
     push_.resize(bodies.size());      // likewise 0
     const bool driven = std::any_of(bodies.awake.begin(), bodies.awake.end(),
-                                    [&](std::uint32_t body) { return drives(bodies, body); });
-    if (driven) {
-        findPushes(bodies, contacts);
+                                    [&](std::uint32_t body) { return bodies.drives(body); });
+    const Step step{bodies, contacts, settings, tolerances, driven};
+    findImpacts(step, crew);
+    if (!events_.empty()) {
+        stopInOrder(step);
     }
-    stopInOrder({bodies, contacts, settings, tolerances, driven}, crew);
     if (sensors) {
         noticeSensors(bodies, contacts, settings, tolerances);
     }
@@ -150,66 +182,73 @@ void SweepStage::run(Bodies& bodies, std::span<Contact> contacts, const StepSett
     if (driven) { // also what rests, which nothing moves
         std::fill(push_.begin(), push_.end(), Vec2{});
     }
-    for (const Candidate& candidate : candidates_) {
-        const ContactKey& key = contacts[candidate.contact].key;
-        stopAt_[key.bodyA] = 1;
-        stopAt_[key.bodyB] = 1;
+    for (const std::uint32_t body : stopped_) {
+        stopAt_[body] = 1;
     }
+    stopped_.clear();
 }
 
-/// Lists the pairs that need a sweep. True if there are sensors among them.
-bool SweepStage::findCandidates(const Bodies& bodies, std::span<const Contact> contacts,
-                                const StepSettings& settings, const Tolerances& tolerances,
-                                Crew& crew) {
-    places_.clear();
+/// Lists the pairs that may need a sweep. True if there are sensors among all.
+bool SweepStage::findCandidates(const Bodies& bodies, const ContactSet& contactSet,
+                                const Tolerances& tolerances, Crew& crew) {
+    const std::span<const Contact> contacts = contactSet.contacts();
+    candidates_.clear();
     std::uint8_t sensors = 0;
-    found_.gather(
-        crew, contacts.size(), kCrossingsAPiece, places_,
-        [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
-            const Real* const ways = ways_.data();
-            for (std::size_t i = first; i < last; ++i) {
-                if (contacts[i].sensor) {
-                    Crew::mark(sensors);
-                    continue;
-                }
-                const ContactKey& key = contacts[i].key;
-                const Real way = ways[key.bodyA] + ways[key.bodyB];
-                const Real thin =
-                    std::min(bodies.extent[key.bodyA].inside, bodies.extent[key.bodyB].inside);
-                if (way == 0 || (way <= thin / 2 && !mayBounce(contacts[i], tolerances))) {
-                    continue; // as in most of a pile
-                }
-                // One of them may be stopped by something else, and the other go all its way.
-                const Real gap = gapOf(contacts[i], tolerances);
-                if (stoppingGap(bodies, contacts[i], gap, way, settings, tolerances)) {
-                    found.push_back(static_cast<std::uint32_t>(i));
-                }
-            }
-        });
-    linkCandidates(contacts);
+    found_.gather(crew, contacts.size(), kCrossingsAPiece, candidates_,
+                  [&](std::size_t first, std::size_t last, std::vector<Candidate>& found) {
+                      const Real* const ways = ways_.data();
+                      for (std::size_t i = first; i < last; ++i) {
+                          prefetch<1>(contacts, i + kContactsAhead);
+                          const Contact& contact = contacts[i];
+                          if (contact.sensor) {
+                              Crew::mark(sensors);
+                              continue;
+                          }
+                          const auto [a, partA, b, partB] = contact.key;
+                          const Extent& extentA = bodies.extent[a];
+                          const Extent& extentB = bodies.extent[b];
+                          const auto needsSweep = [&](Real motion) {
+                              return mayNeedSweep(contact, motion, extentA.inside, extentB.inside,
+                                                  tolerances);
+                          };
+                          // One of them may be stopped by something else, and the other go all its
+                          // way.
+                          if (const Real way = ways[a] + ways[b]; way > 0 && needsSweep(way)) {
+                              const Mover moverA{a, extentA.reach};
+                              const Mover moverB{b, extentB.reach};
+                              const bool closes =
+                                  needsSweep(relativeMotion(bodies, moverA, moverB)) &&
+                                  mayMeet(bodies, moverA, contactSet.bounds().tight(contact.proxyA),
+                                          moverB, contactSet.bounds().tight(contact.proxyB),
+                                          tolerances);
+                              found.push_back({static_cast<std::uint32_t>(i), a, b, closes});
+                          }
+                      }
+                  });
     return sensors != 0;
 }
 
-/// Makes candidates of the contacts found, in order.
-void SweepStage::linkCandidates(std::span<const Contact> contacts) {
-    candidates_.clear();
-    if (places_.empty()) {
-        return;
-    }
-    first_.assign(ways_.size(), kNoCandidate);
-    for (const std::uint32_t place : places_) {
-        const ContactKey& key = contacts[place].key;
-        Candidate candidate{place};
-        const auto own = static_cast<std::uint32_t>(candidates_.size());
-        candidate.next[0] = std::exchange(first_[key.bodyA], own);
-        candidate.next[1] = std::exchange(first_[key.bodyB], own);
-        candidates_.push_back(candidate);
+/// Makes the candidates of a body known.
+void SweepStage::linkCandidates(std::size_t bodies) {
+    first_.assign(bodies, kNoCandidate);
+    next_.resize(candidates_.size());
+    for (std::uint32_t i = 0; i < candidates_.size(); ++i) {
+        next_[i] = {std::exchange(first_[candidates_[i].bodyA], i),
+                    std::exchange(first_[candidates_[i].bodyB], i)};
     }
 }
 
 Sweep SweepStage::sweepOf(const Bodies& bodies, std::uint32_t body) const {
     const Motion& motion = bodies.motion[body];
     return {bodies.pose[body], motion.move, motion.turn, stopAt_[body], push_[body]};
+}
+
+Real SweepStage::motionOf(const Bodies& bodies, const Contact& contact) const {
+    const auto moverOf = [&](std::uint32_t body, std::uint16_t part) {
+        return Mover{body, bodies.outline(body, part).reach, stopAt_[body]};
+    };
+    const auto [bodyA, partA, bodyB, partB] = contact.key;
+    return relativeMotion(bodies, moverOf(bodyA, partA), moverOf(bodyB, partB));
 }
 
 Real SweepStage::impactTime(const Bodies& bodies, const Contact& contact, Real gap) const {
@@ -219,60 +258,70 @@ Real SweepStage::impactTime(const Bodies& bodies, const Contact& contact, Real g
 }
 
 /// When a pair meets, as far as it is known by now which bodies are stopped.
-void SweepStage::findTime(const Step& step, Candidate& own) const {
-    const Contact& contact = step.contacts[own.contact];
-    const ContactKey& key = contact.key;
-    const Real motion = motionOf(step.bodies, contact, stopAt_[key.bodyA], stopAt_[key.bodyB]);
+void SweepStage::findTime(const Step& step, std::uint32_t candidate) {
+    const Contact& contact = step.contacts[candidates_[candidate].contact];
+    const Real motion = motionOf(step.bodies, contact);
     const auto timeFrom = [&](Real gap) {
         const auto target =
             stoppingGap(step.bodies, contact, gap, motion, step.settings, step.tolerances);
         return target ? impactTime(step.bodies, contact, *target) : Real(1);
     };
     const Real gap = gapOf(contact, step.tolerances);
-    own.time = timeFrom(gap);
+    Real& time = times_[candidate];
+    time = timeFrom(gap);
     // They as good as touch already, corner at corner, where the manifold sees a gap or nothing.
     // No contact will hold these two in the next step, so to stop them here would be to hold them
     // in the air for good, even if they part.
-    if (gap > step.tolerances.slop && own.time * motion <= step.tolerances.slop / 32) {
-        own.time = timeFrom(0);
+    if (gap > step.tolerances.slop && time * motion <= step.tolerances.slop / 32) {
+        time = timeFrom(0);
     }
 }
 
 /// Lists the impact of a candidate, if it has one.
 void SweepStage::expect(std::uint32_t candidate) {
-    if (const Real time = candidates_[candidate].time; time < 1) {
+    if (const Real time = times_[candidate]; time < 1) {
         events_.push_back({time, candidate});
         std::push_heap(events_.begin(), events_.end(), later<Event>);
     }
 }
 
-/// Takes the impacts in the order of their time. Each changes the ways of its two bodies, so the
-/// later impacts of these are found anew.
-void SweepStage::stopInOrder(const Step& step, Crew& crew) {
+/// Lists the impacts that there are while nobody is stopped.
+void SweepStage::findImpacts(const Step& step, Crew& crew) {
     events_.clear();
+    times_.assign(candidates_.size(), 1);
     crew.forEach(candidates_.size(), kCandidatesAPiece, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
-            findTime(step, candidates_[i]);
+            if (candidates_[i].closes) {
+                findTime(step, static_cast<std::uint32_t>(i));
+            }
         }
     });
     for (std::uint32_t i = 0; i < candidates_.size(); ++i) {
         expect(i);
     }
+}
+
+/// Takes the impacts in the order of their time. Each changes the ways of its two bodies, so the
+/// later impacts of these are found anew.
+void SweepStage::stopInOrder(const Step& step) {
+    linkCandidates(step.bodies.size());
+    if (step.driven) {
+        findPushes(step);
+    }
     while (!events_.empty()) {
         std::pop_heap(events_.begin(), events_.end(), later<Event>);
         const Event event = events_.back();
         events_.pop_back();
-        Candidate& first = candidates_[event.candidate];
-        if (first.done || first.time != event.time) {
-            continue; // it was found anew since
+        if (times_[event.candidate] != event.time) {
+            continue; // it has happened, or was found anew since
         }
-        first.done = true;
-        const ContactKey& key = step.contacts[first.contact].key;
+        times_[event.candidate] = kTaken;
+        const Candidate& first = candidates_[event.candidate];
         if (step.driven) {
             takePush(step, step.contacts[first.contact], event.time);
         }
-        cutShort(step, key.bodyA, event.time);
-        cutShort(step, key.bodyB, event.time);
+        cutShort(step, first.bodyA, event.time);
+        cutShort(step, first.bodyB, event.time);
     }
 }
 
@@ -282,14 +331,16 @@ void SweepStage::cutShort(const Step& step, std::uint32_t body, Real time) {
     if (step.bodies.locked(body) || stopAt_[body] <= time) {
         return;
     }
+    if (stopAt_[body] == 1) {
+        stopped_.push_back(body);
+    }
     stopAt_[body] = time;
     for (std::uint32_t i = first_[body]; i != kNoCandidate;) {
-        const bool isA = step.contacts[candidates_[i].contact].key.bodyA == body;
-        if (!candidates_[i].done) {
-            findTime(step, candidates_[i]);
+        if (times_[i] != kTaken) {
+            findTime(step, i);
             expect(i);
         }
-        i = candidates_[i].next[isA ? 0 : 1];
+        i = next_[i][candidates_[i].bodyA == body ? 0 : 1];
     }
 }
 
@@ -302,8 +353,7 @@ void SweepStage::noticeSensors(const Bodies& bodies, std::span<Contact> contacts
         // What the way of a step brought just short of touching has begun to touch, and goes on.
         contact.touching = contact.wasTouching && contact.manifold.count > 0 &&
                            contact.manifold.points[0].separation <= tolerances.slop / 32;
-        const Real motion =
-            motionOf(bodies, contact, stopAt_[contact.key.bodyA], stopAt_[contact.key.bodyB]);
+        const Real motion = motionOf(bodies, contact);
         const auto gap =
             stoppingGap(bodies, contact, gapOf(contact, tolerances), motion, settings, tolerances);
         const Real share = gap ? impactTime(bodies, contact, *gap) : 1;

@@ -5,7 +5,7 @@
 #include <kodo/bodies/bodies.hpp>
 #include <kodo/bodies/tolerances.hpp>
 #include <kodo/collide/time_of_impact.hpp>
-#include <kodo/contacts/contact.hpp>
+#include <kodo/contacts/contact_set.hpp>
 #include <kodo/solve/settings.hpp>
 
 #include <array>
@@ -29,15 +29,16 @@ namespace kodo::inline KODO_PRECISION {
 /// bounces off it is not pushed.
 class SweepStage {
 public:
-    void run(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
+    void run(Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,
              const Tolerances& tolerances, Real dt, Crew& crew);
 
 private:
+    /// A pair whose ways are long enough to meet, whoever is stopped by something else.
     struct Candidate {
         std::uint32_t contact;
-        std::array<std::uint32_t, 2> next{}; // candidate of the same first, of the same second body
-        Real time = 1;                       // share of the step; 1: they do not meet in it
-        bool done = false;
+        std::uint32_t bodyA;
+        std::uint32_t bodyB;
+        bool closes; // also if nobody is stopped: what moves along with the other does not
     };
     /// An impact as it was found once; out of date if the candidate has another time by now.
     struct Event {
@@ -54,16 +55,17 @@ private:
     };
 
     void measureWays(const Bodies& bodies, Crew& crew);
-    bool findCandidates(const Bodies& bodies, std::span<const Contact> contacts,
-                        const StepSettings& settings, const Tolerances& tolerances, Crew& crew);
-    void linkCandidates(std::span<const Contact> contacts);
-    void findTime(const Step& step, Candidate& candidate) const;
+    bool findCandidates(const Bodies& bodies, const ContactSet& contactSet,
+                        const Tolerances& tolerances, Crew& crew);
+    void linkCandidates(std::size_t bodies);
+    void findTime(const Step& step, std::uint32_t candidate);
     void expect(std::uint32_t candidate);
-    void stopInOrder(const Step& step, Crew& crew);
+    void findImpacts(const Step& step, Crew& crew);
+    void stopInOrder(const Step& step);
     Sweep sweepOf(const Bodies& bodies, std::uint32_t body) const;
+    Real motionOf(const Bodies& bodies, const Contact& contact) const;
     Real impactTime(const Bodies& bodies, const Contact& contact, Real gap) const;
-    static bool drives(const Bodies& bodies, std::uint32_t body);
-    void findPushes(const Bodies& bodies, std::span<const Contact> contacts);
+    void findPushes(const Step& step);
     void takePush(const Step& step, const Contact& contact, Real time);
     void cutShort(const Step& step, std::uint32_t body, Real time);
     void noticeSensors(const Bodies& bodies, std::span<Contact> contacts,
@@ -71,14 +73,18 @@ private:
     void noticeOnTheWay(const Bodies& bodies, Contact& contact, Real share,
                         const Tolerances& tolerances) const;
 
-    std::vector<Real> ways_;           // m, by body: how far its outermost point goes at most
-    std::vector<Real> stopAt_;         // share of the step, by body
-    std::vector<Vec2> push_;           // m, over a whole step, by body: by what is locked and moves
-    std::vector<std::uint32_t> first_; // by body: one of its candidates
-    std::vector<std::uint32_t> places_; // of the contacts that need a sweep
-    Findings<std::uint32_t> found_;
+    std::vector<Real> ways_;   // m, by body: how far its outermost point goes at most
+    std::vector<Real> stopAt_; // share of the step, by body
+    std::vector<Vec2> push_;   // m, over a whole step, by body: by what is locked and moves
+    std::vector<std::uint32_t> stopped_; // bodies
     std::vector<Candidate> candidates_;
-    std::vector<Event> events_; // a heap, the earliest on top
+    Findings<Candidate> found_;
+    std::vector<Real> times_; // by candidate: share of the step; 1: they do not meet in it
+    // By body, and by candidate for its first and its second body: another candidate of that body.
+    std::vector<std::uint32_t> first_;
+    std::vector<std::array<std::uint32_t, 2>> next_;
+    std::vector<std::uint32_t> againstLocked_; // contacts
+    std::vector<Event> events_;                // a heap, the earliest on top
 };
 
 } // namespace kodo::inline KODO_PRECISION

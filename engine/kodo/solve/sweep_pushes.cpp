@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How what is locked and moves pushes along what has been stopped in front of it.
+#include <kodo/base/prefetch.hpp>
 #include <kodo/collide/collide.hpp>
 #include <kodo/solve/sweep.hpp>
 
@@ -25,23 +26,27 @@ void holdBack(Vec2& push, Vec2 normal) {
 
 } // namespace
 
-/// Is it locked, and does it move?
-bool SweepStage::drives(const Bodies& bodies, std::uint32_t body) {
-    return bodies.locked(body) && !bodies.motion[body].halted();
-}
-
 /// By what is locked and moves, and touches at the start of the step or nearly so. What bounces off
 /// it will be faster than it, and needs no push.
-void SweepStage::findPushes(const Bodies& bodies, std::span<const Contact> contacts) {
+void SweepStage::findPushes(const Step& step) {
+    againstLocked_.clear();
+    for (std::uint32_t i = 0; i < step.contacts.size(); ++i) {
+        prefetch<2>(step.contacts, i + kContactsAhead);
+        const Contact& contact = step.contacts[i];
+        if (!contact.bounces && contact.responds() &&
+            step.bodies.locked(contact.key.bodyA) != step.bodies.locked(contact.key.bodyB)) {
+            againstLocked_.push_back(i);
+        }
+    }
     for (const bool stand : {false, true}) { // what stands has the last word
-        for (const Contact& contact : contacts) {
+        for (const std::uint32_t i : againstLocked_) {
+            const Contact& contact = step.contacts[i];
             const auto [bodyA, partA, bodyB, partB] = contact.key;
-            const bool isA = bodies.locked(bodyA);
-            if (!contact.responds() || contact.bounces || isA == bodies.locked(bodyB) ||
-                drives(bodies, isA ? bodyA : bodyB) == stand) {
+            const bool isA = step.bodies.locked(bodyA);
+            if (step.bodies.drives(isA ? bodyA : bodyB) == stand) {
                 continue;
             }
-            const Motion& floor = bodies.motion[isA ? bodyA : bodyB];
+            const Motion& floor = step.bodies.motion[isA ? bodyA : bodyB];
             const ManifoldPoint& point = contact.manifold.points[0];
             const Vec2 way = floor.move + cross(floor.turn, isA ? point.armA : point.armB);
             const Vec2 normal = isA ? contact.manifold.normal : -contact.manifold.normal;
@@ -60,7 +65,7 @@ void SweepStage::findPushes(const Bodies& bodies, std::span<const Contact> conta
 void SweepStage::takePush(const Step& step, const Contact& contact, Real time) {
     const ContactKey& key = contact.key;
     if (contact.bounces || (push_[key.bodyA] == Vec2{} && push_[key.bodyB] == Vec2{} &&
-                            !drives(step.bodies, key.bodyA) && !drives(step.bodies, key.bodyB))) {
+                            !step.bodies.drives(key.bodyA) && !step.bodies.drives(key.bodyB))) {
         return;
     }
     const Transform a = sweepOf(step.bodies, key.bodyA).at(time);
@@ -81,7 +86,7 @@ void SweepStage::takePush(const Step& step, const Contact& contact, Real time) {
         if (step.bodies.locked(body)) {
             return;
         }
-        if (step.bodies.locked(other) && !drives(step.bodies, other)) {
+        if (step.bodies.locked(other) && !step.bodies.drives(other)) {
             holdBack(push_[body], away);
         } else {
             pushAlong(push_[body], away, way);

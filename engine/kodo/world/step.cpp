@@ -47,7 +47,7 @@ void World::step(Real dt, const StepAids& aids) {
         if (rest_.wakeRunOver(bodies_, contacts_, tolerances_)) {
             refreshAwake(bodies_);
         }
-        sweep_.run(bodies_, contacts_.contacts(), settings_, tolerances_, dt, crew);
+        sweep_.run(bodies_, contacts_, settings_, tolerances_, dt, crew);
     }
     enter(StepStage::Record);
     releaseWhatWaits();

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/broad/packed_bounds.hpp>
+#include <kodo/math/lanes.hpp>
+
+#include <algorithm>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+constexpr std::uint32_t kGroup = 16; // bounds that are compared before anybody looks who was hit
+
+using Word = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
+
+} // namespace
+
+void PackedBounds::reserve(std::size_t count) {
+    for (std::vector<Real>* column : {&lowerX_, &lowerY_, &upperX_, &upperY_}) {
+        column->reserve(count + kGroup);
+    }
+}
+
+void PackedBounds::resize(std::size_t count) {
+    for (std::vector<Real>* column : {&lowerX_, &lowerY_, &upperX_, &upperY_}) {
+        column->resize(count + kGroup);
+    }
+}
+
+std::size_t PackedBounds::find(const Aabb& box, std::uint32_t first, std::uint32_t last,
+                               Hits& hits) const {
+    const Lanes left = all(box.lower.x);
+    const Lanes bottom = all(box.lower.y);
+    const Lanes right = all(box.upper.x);
+    const Lanes top = all(box.upper.y);
+    std::size_t count = 0;
+    for (; first < last; first += kGroup) {
+        std::array<Word, kGroup> overlaps; // -1: yes
+        std::uint64_t any = 0;
+        for (std::uint32_t i = 0; i < kGroup; i += kLanes) {
+            const std::size_t k = first + i;
+            const auto yes = (load(&lowerX_[k]) <= right) & (load(&lowerY_[k]) <= top) &
+                             (left <= load(&upperX_[k])) & (bottom <= load(&upperY_[k]));
+            std::memcpy(&overlaps[i], &yes, sizeof yes);
+            std::array<std::uint64_t, sizeof yes / sizeof any> words;
+            std::memcpy(words.data(), &yes, sizeof yes);
+            for (const std::uint64_t word : words) {
+                any |= word;
+            }
+        }
+        if (any == 0) {
+            continue;
+        }
+        const std::uint32_t end = std::min(kGroup, last - first);
+        for (std::uint32_t i = 0; i < end; ++i) {
+            hits[count] = first + i;
+            count -= static_cast<std::size_t>(overlaps[i]);
+        }
+    }
+    return count;
+}
+
+} // namespace kodo::inline KODO_PRECISION

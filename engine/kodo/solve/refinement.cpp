@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// How finely the soft step divides its substeps.
+#include <kodo/solve/soft_step.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+// Contacts may give by so many slops, and a quarter more in substeps, before these get finer.
+constexpr Real kMostGive = Real(1.75);
+constexpr int kMostRefined = 8;
+
+} // namespace
+
+/// Into how many parts each substep is divided, since something heavy presses on something light,
+/// or forces are very large. A contact is a spring as stiff as the lighter of its two bodies needs
+/// it, and gives by
+///
+///   s = F (1/m_a + 1/m_b) / omega^2,  F = m_a acceleration_a, or that of b,
+///
+/// of what cannot be pushed by a quarter of that. Stiffer ones need shorter substeps. Impulses are
+/// kept as of a whole substep; a power of two changes no digit of them.
+int SoftStep::refinement(const Bodies& bodies, std::span<const Contact> contacts, Real hertz,
+                         const Tolerances& tolerances) {
+    Real lightest = 0; // as 1/kg
+    Real heaviest = std::numeric_limits<Real>::max();
+    Real strongest = 0; // (m/s^2)^2
+    for (const std::uint32_t body : bodies.awake) {
+        if (const Real invMass = bodies.motion[body].invMass; invMass > 0) {
+            lightest = std::max(lightest, invMass);
+            heaviest = std::min(heaviest, invMass);
+            strongest = std::max(strongest, lengthSquared(bodies.acceleration[body].linear));
+        }
+    }
+    const Real omega = 2 * std::numbers::pi_v<Real> * hertz;
+    const Real most = kMostGive * tolerances.slop * omega * omega; // m/s^2
+    if ((1 + lightest / heaviest) * std::sqrt(strongest) <= most) {
+        return 1;
+    }
+    Real load = 0; // m/s^2
+    for (const Contact& contact : contacts) {
+        if (!contact.responds() || contact.manifold.points[0].separation > tolerances.slop) {
+            continue;
+        }
+        const Real a = bodies.motion[contact.key.bodyA].invMass;
+        const Real b = bodies.motion[contact.key.bodyB].invMass;
+        for (const auto& [own, body] :
+             {std::pair(a, contact.key.bodyA), std::pair(b, contact.key.bodyB)}) {
+            if (own > 0) {
+                load = std::max(load, (a + b) / own * length(bodies.acceleration[body].linear));
+            }
+        }
+    }
+    int parts = 1;
+    while (parts < kMostRefined && load > most * static_cast<Real>(parts * parts)) {
+        parts *= 2;
+    }
+    return parts;
+}
+
+} // namespace kodo::inline KODO_PRECISION
