@@ -90,6 +90,15 @@ TEST(ConvexHull, DropsDuplicatesAndWhatLiesAlongASide) {
     EXPECT_EQ(std::get<Polygon>(hull).corners, (std::vector<Vec2>{{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
 }
 
+// P3: what bulges by less than a polygon may is no corner, so that the hull is one.
+TEST(ConvexHull, DropsWhatLiesAlongASideToRounding) {
+    const Real bulge = kFlatness / 10;
+    const auto hull =
+        convexHull(std::vector<Vec2>{{0, 0}, {1, -bulge}, {2, 0}, {2 + bulge, 1}, {2, 2}, {0, 2}});
+    ASSERT_TRUE(std::holds_alternative<Polygon>(hull));
+    EXPECT_EQ(std::get<Polygon>(hull).corners, (std::vector<Vec2>{{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
+}
+
 TEST(ConvexHull, DoesNotDependOnTheOrderOfThePoints) {
     support::RandomNumbers random(172);
     std::vector<Vec2> points = cloud(random, 30);

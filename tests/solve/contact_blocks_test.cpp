@@ -91,6 +91,26 @@ TEST(ContactBlocks, NoTwoContactsOfAColourPushTheSameBody) {
     }
 }
 
+// Lanes that most contacts have left are dealt out anew, so that passes do not go on over nothing.
+TEST(ContactBlocks, AreFilledAgainWhenMostLanesAreEmpty) {
+    Crowd crowd(23, 5000, 9000);
+    ContactBlocks blocks;
+    crowd.arrange(blocks);
+    std::vector<Contact> few;
+    for (std::size_t i = 0; i < crowd.contacts.size(); i += 10) {
+        blocks.fetch(crowd.contacts[i]);
+        few.push_back(crowd.contacts[i]);
+    }
+    crowd.contacts = few;
+    const std::size_t sparse = crowd.arrange(blocks).count;
+    const ContactPassArguments pass = crowd.arrange(blocks); // now they know
+    expectNoBodyTwice(crowd, blocks, pass);
+    EXPECT_EQ(blocks.size(), few.size());
+    // 900 contacts in lanes of eight, and in each colour a block that is not full.
+    EXPECT_LT(pass.count, few.size() / 3);
+    EXPECT_LT(pass.count, sparse / 2);
+}
+
 // What is handed out comes back to the contact it came from.
 TEST(ContactBlocks, GiveEachContactItsOwnImpulseBack) {
     Crowd crowd(5, 200, 700);

@@ -161,6 +161,26 @@ TEST(Region, DoesNotWakeWhatRests) {
     }
 }
 
+// F3, O4: what has come to rest on something that waited wakes when that goes on, and goes with it.
+TEST(Region, WhatRestsOnWhatGoesOnAgainWakes) {
+    World world({.gravity = support::kEarth});
+    addFloor(world);
+    BodyDef def = boxDef({0, Real(0.5)}, 1, 1);
+    def.velocity = {5, 0};
+    const BodyId carrier = world.add(def);
+    def.velocity = {};
+    def.position = {0, Real(1.5)};
+    const BodyId rider = world.add(def);
+    world.setRegion(Aabb{{-100, Real(1.2)}, {100, 100}}); // meets the rider alone
+    run(world, 120);
+    ASSERT_TRUE(waits(world, carrier));
+    ASSERT_TRUE(support::rests(world, rider));
+    world.setRegion(std::nullopt);
+    EXPECT_FALSE(support::rests(world, rider));
+    run(world, 30);
+    EXPECT_GT(world[rider].position().x, Real(0.1)); // drawn along by friction
+}
+
 TEST(Region, RefusesOneThatIsInsideOut) {
     World world;
     EXPECT_THROW(world.setRegion(Aabb{{1, 0}, {0, 1}}), BadDefinition);

@@ -106,6 +106,9 @@ TEST(WorldBodies, ACloneIsAlikeElsewhere) {
     EXPECT_EQ(world[copy].required(), 7);
     EXPECT_EQ(world[copy].userData(), 99u);
     EXPECT_EQ(world[copy].part(0).material, withFriction(Real(0.3), Real(0.7)));
+    world[copy].setUserData(100);
+    EXPECT_EQ(world[copy].userData(), 100u);
+    EXPECT_EQ(world[original].userData(), 99u);
     world.remove(original);
     EXPECT_EQ(world[copy].mass(), 10);
 }

@@ -92,22 +92,25 @@ void Stage::drawTitle(Canvas& canvas) const {
     drawNotices(canvas);
 }
 
-/// One above the other in the place of the hint, the latest at the bottom; what the room below the
-/// menu does not hold is left out, oldest first.
+/// One above the other in the place of the hint, the latest at the bottom; older ones only while
+/// there is room for them below the menu.
 void Stage::drawNotices(Canvas& canvas) const {
-    constexpr std::size_t kLetters = 100; // a line
+    constexpr std::size_t kLetters = 120; // a line
     constexpr std::size_t kMostLines = 4;
     std::vector<std::string> lines;
-    for (const std::string& notice : def_.notices) {
-        const std::vector<std::string> own = wrapped(notice, kLetters);
-        lines.insert(lines.end(), own.begin(), own.end());
+    for (std::size_t i = def_.notices.size(); i-- > 0;) {
+        const std::vector<std::string> own = wrapped(def_.notices[i], kLetters);
+        if (!lines.empty() && lines.size() + own.size() > kMostLines) {
+            break;
+        }
+        lines.insert(lines.begin(), own.begin(), own.end());
     }
     if (lines.empty()) {
         lines = {"arrows and enter, or the mouse      escape: quit"};
     }
     Real y = Real(0.1);
-    for (std::size_t i = 0; i < std::min(lines.size(), kMostLines); ++i) {
-        canvas.text(lines[lines.size() - 1 - i], {0, y}, quiet(Real(0.42)));
+    for (std::size_t i = lines.size(); i-- > 0;) {
+        canvas.text(lines[i], {0, y}, quiet(Real(0.42)));
         y += Real(0.62);
     }
 }
