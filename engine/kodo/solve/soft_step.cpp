@@ -15,10 +15,12 @@ constexpr std::size_t kBlocksAPiece = 8;
 constexpr std::size_t kBodiesAPiece = 256;
 // Overlaps of more than so many slops are deep, as when bodies are put on one place. The speed that
 // their pushes give is taken out again by more passes, two for one of them and one more for each
-// further one, up to so many: over all contacts where one of eight is deep, else over those alone.
+// further one, up to so many: over all contacts where one of eight is deep or there are not many,
+// else over those alone, although what they push may push on others.
 // In a large crowd the push is shared out, and there are many contacts: fewer passes will do.
 constexpr Real kDeep = 8;
 constexpr int kSomeDeep = 8;
+constexpr int kNotMany = 256;
 constexpr int kMostSettling = 10;
 constexpr int kLargeCrowd = 600; // of passes times bodies
 
@@ -113,7 +115,7 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
                       crew.count(rows, ownRows);
                   });
     settling_ = settlingOf(deep, most);
-    settlesAll_ = kSomeDeep * deep >= rows;
+    settlesAll_ = kSomeDeep * deep >= rows || rows <= kNotMany;
 }
 
 /// Counts two that overlap deeply for each other. `most` is the largest count so far.
