@@ -68,8 +68,10 @@ void expectWhatPhysicsKeeps(std::uint64_t seed, Excess& excess) {
         hits += world.collisions().size();
         const support::Totals now = support::totalsOf(world);
         const long double drift = length(now.momentum - before.momentum);
-        excess.momentum = std::max(excess.momentum, drift / byPrecision(5e-4, 1e-11));
-        excess.depth = std::max(excess.depth, support::deepest(world) / 0.3L);
+        excess.momentum =
+            std::max(excess.momentum, drift / static_cast<long double>(byPrecision(5e-4, 1e-11)));
+        excess.depth =
+            std::max(excess.depth, static_cast<long double>(support::deepest(world)) / 0.3L);
         ASSERT_LT(now.kinetic, before.kinetic * (1 + 1e-5L)) << "step " << step;
         ASSERT_EQ(again.stateHash(), world.stateHash()) << "step " << step;
         if (step >= 70) {

@@ -139,7 +139,8 @@ TEST(OffCentreHit, FrictionAndRestitutionTogetherMakeNoEnergy) {
         for (int step = 0; step < 30; ++step) {
             world.step(support::kDt);
             hit = hit || !world.collisions().empty();
-            ASSERT_LE(support::totalsOf(world).kinetic, before * (1 + 64.0L * support::kEpsilon))
+            ASSERT_LE(support::totalsOf(world).kinetic,
+                      before * (1 + static_cast<long double>(64 * support::kEpsilon)))
                 << "rod " << i << ", step " << step;
         }
         EXPECT_TRUE(hit) << "rod " << i;

@@ -117,7 +117,7 @@ TEST(Pendulum, TheArmKeepsItsLength) {
 // A11 at finer steps: the error of the period falls as the square of the step does (1.9), until
 // only rounding is left, which in float has more substeps to add up in.
 TEST(Pendulum, TheErrorOfThePeriodFallsWithTheSquareOfTheStep) {
-    constexpr long double kFloor = byPrecision(2e-4, 1e-9);
+    constexpr auto kFloor = static_cast<long double>(byPrecision(2e-4, 1e-9));
     for (const double degrees : {90.0, 170.0}) {
         SCOPED_TRACE(degrees);
         long double previous = 0;
