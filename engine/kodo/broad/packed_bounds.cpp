@@ -3,6 +3,8 @@
 #include <kodo/math/lanes.hpp>
 
 #include <algorithm>
+#include <cstring>
+#include <type_traits>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {

@@ -15,9 +15,6 @@ namespace kodo::inline KODO_PRECISION {
 /// branch: whether two bounds overlap is hardly ever foreseen by the processor.
 class PackedBounds {
 public:
-    static constexpr std::uint32_t kMostHits = 64;
-    using Hits = std::array<std::uint32_t, kMostHits>;
-
     void reserve(std::size_t count);
     void resize(std::size_t count);
     void set(std::size_t i, const Aabb& box) {
@@ -40,6 +37,10 @@ public:
     }
 
 private:
+    static constexpr std::uint32_t kMostHits = 64;
+    using Hits = std::array<std::uint32_t, kMostHits>;
+
+    /// Writes the places of those that overlap the box, and tells how many.
     std::size_t find(const Aabb& box, std::uint32_t first, std::uint32_t last, Hits& hits) const;
 
     // Each with some more behind the last, which may be read.

@@ -34,13 +34,15 @@ Real motionSeenFrom(const Bodies& bodies, std::uint32_t locked, std::uint32_t ot
     return length(motion.move - carried) + bend + std::abs(motion.turn - floor.turn) * reach;
 }
 
-/// How far two outlines of such reaches go at most towards each other within the step, if the two
-/// bodies stop after these shares of it. What moves along with the other goes hardly anywhere.
+/// One of two that may meet.
 struct Mover {
     std::uint32_t body;
-    Real reach;
-    Real stopAt = 1;
+    Real reach;      // m, of its outline
+    Real stopAt = 1; // share of the step
 };
+
+/// How far two outlines go at most towards each other within the step. What moves along with the
+/// other goes hardly anywhere.
 Real relativeMotion(const Bodies& bodies, const Mover& moverA, const Mover& moverB) {
     const auto& [bodyA, reachA, stopA] = moverA;
     const auto& [bodyB, reachB, stopB] = moverB;
