@@ -92,12 +92,12 @@ void freeze(Bodies& bodies, std::uint32_t body) {
     bodies.awakeStale = true;
 }
 
-bool isSound(const Motion& motion) {
-    constexpr Real kMost = kHighestSpeed;
-    return lengthSquared(motion.velocity) <= kMost * kMost && // false for NaN
-           std::abs(motion.angularVelocity) <= kMost &&
-           lengthSquared(motion.move) <= kMost * kMost && // in a second at the most
-           std::abs(motion.turn) <= kMost;
+bool isSound(const Motion& motion, Real lengthUnit) {
+    const Real most = kHighestSpeed * lengthUnit;
+    return lengthSquared(motion.velocity) <= most * most && // false for NaN
+           std::abs(motion.angularVelocity) <= kHighestSpeed &&
+           lengthSquared(motion.move) <= most * most && // in a second at the most
+           std::abs(motion.turn) <= kHighestSpeed;
 }
 
 bool isSound(const Acceleration& acceleration) {

@@ -142,9 +142,10 @@ BodyId unweldPart(Bodies& bodies, std::uint32_t body, std::size_t part, Flags fl
 /// for that one step, whether the body can be pushed in it or not.
 void addForce(Bodies& bodies, std::uint32_t body, Vec2 force, Real torque);
 
-/// Stops a body for good that has become unsound: not finite, or faster than kHighestSpeed.
+/// Stops a body for good that has become unsound: not finite, or faster than kHighestSpeed in a
+/// World of that length unit.
 void freeze(Bodies& bodies, std::uint32_t body);
-bool isSound(const Motion& motion);
+bool isSound(const Motion& motion, Real lengthUnit);
 bool isSound(const Acceleration& acceleration);
 
 /// Brings `awake` up to date. True if it has changed.

@@ -119,7 +119,7 @@ void PartBounds::coverMoves(const Bodies& bodies, const Tolerances& tolerances, 
     outgrow(bodies, crew,
             [&](std::uint32_t body, const Convex& convex, std::size_t i) -> std::optional<Aabb> {
                 const Motion& motion = bodies.motion[body];
-                if (!isSound(motion)) {
+                if (!isSound(motion, tolerances.unit())) {
                     return std::nullopt; // it is about to be stopped where it is
                 }
                 const Real way =

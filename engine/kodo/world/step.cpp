@@ -113,7 +113,7 @@ void World::freezeUnsoundMotion() {
     const std::size_t before = frozen_.size();
     for (const std::uint32_t body : bodies_.awake) {
         Motion& motion = bodies_.motion[body];
-        if (isSound(motion)) {
+        if (isSound(motion, tolerances_.unit())) {
             continue;
         }
         if (isFinite(motion.velocity) && std::isfinite(motion.angularVelocity)) {
@@ -127,7 +127,7 @@ void World::freezeUnsoundMotion() {
     }
     if (frozen_.size() > before) {
         for (Motion& motion : bodies_.motion) { // of what stands too: 0 times infinity is no number
-            if (!isSound(motion)) {
+            if (!isSound(motion, tolerances_.unit())) {
                 motion.stand();
             }
         }

@@ -40,10 +40,10 @@ constexpr auto kHoldsAtRest = static_cast<std::uint8_t>(Feature::Friction) |
 } // namespace
 
 std::optional<Problem> check(const WorldDef& def) {
-    if (auto problem = checkVelocity("gravity", def.gravity)) {
+    if (auto problem = checkRange("lengthUnit", def.lengthUnit, Real(1e-6), Real(1e6))) {
         return problem;
     }
-    if (auto problem = checkRange("lengthUnit", def.lengthUnit, Real(1e-6), Real(1e6))) {
+    if (auto problem = checkVelocity("gravity", def.gravity, def.lengthUnit)) {
         return problem;
     }
     return check(def.settings);
