@@ -61,7 +61,7 @@ void SoftStep::clearMarks(const Bodies& bodies, const JointSet& joints) {
         touched_[body] = 0;
         crowd_[body] = 0;
     }
-    joints.forEach([&](const JointSet::Joint& joint) {
+    joints.forEachBusy([&](const JointSet::Joint& joint) {
         touched_[firstBody(joint.def).index] = 1;
         touched_[secondBody(joint.def).index] = 1;
     });
@@ -136,7 +136,7 @@ void SoftStep::noteCrowd(const Bodies& bodies, const Contact& contact, std::uint
 /// Lists the bodies of joints, each once.
 void SoftStep::findJointed(const JointSet& joints) {
     jointed_.clear();
-    joints.forEach([&](const JointSet::Joint& joint) {
+    joints.forEachBusy([&](const JointSet::Joint& joint) {
         jointed_.push_back(firstBody(joint.def).index);
         jointed_.push_back(secondBody(joint.def).index);
     });
@@ -286,7 +286,7 @@ void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& join
                      const Step& step) {
     const auto& [settings, tolerances, dt, crew] = step;
     visits_ = 0;
-    if (blocks_.size() == 0 && joints.size() == 0 &&
+    if (blocks_.size() == 0 && joints.busyCount() == 0 &&
         noneNeedsRow(bodies, contacts, settings, tolerances)) {
         moveAllFree(bodies, dt);
         return;

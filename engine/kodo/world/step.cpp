@@ -32,7 +32,7 @@ void World::step(Real dt, const StepAids& aids) {
     forAwake(crew, beginMotion);
     rest_.wakeTouched(bodies_, contacts_, tolerances_);
     rest_.wakeJointed(bodies_, contacts_, joints_);
-    refreshAwake(bodies_);
+    joints_.findBusy(bodies_, refreshAwake(bodies_));
     gatherAccelerations(bodies_, fields_, dt);
     freezeUnsoundForces();
     if (region_) {
@@ -45,7 +45,7 @@ void World::step(Real dt, const StepAids& aids) {
     if (settings_.has(Feature::Sweep)) {
         contacts_.coverMoves(bodies_, tolerances_, crew);
         if (rest_.wakeRunOver(bodies_, contacts_, tolerances_)) {
-            refreshAwake(bodies_);
+            joints_.findBusy(bodies_, refreshAwake(bodies_));
         }
         sweep_.run(bodies_, contacts_, settings_, tolerances_, dt, crew);
     }
@@ -92,7 +92,9 @@ void World::findAwake() {
             }
         }
     }
-    if (refreshAwake(bodies_) && (rest_.anyResting() || region_)) {
+    const bool changed = refreshAwake(bodies_);
+    joints_.findBusy(bodies_, changed);
+    if (changed && (rest_.anyResting() || region_)) {
         contacts_.activityChanged();
     }
 }
