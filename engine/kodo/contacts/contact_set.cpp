@@ -15,27 +15,18 @@ void ContactSet::noteEnd(const Contact& contact) {
     }
 }
 
-std::span<const CollisionRecord> ContactSet::records() const {
-    writeRecords();
-    return records_;
-}
-
+/// Before a contact goes.
 void ContactSet::writeRecords() const {
-    if (!std::exchange(recordsDue_, false)) {
-        return;
-    }
-    records_.reserve(contacts_.capacity() + endedInStep_.size());
-    for (const Place& place : order_) {
-        recordContact(contacts_[place.slot], records_);
-    }
-    addEnds(endedInStep_, records_);
+    records([](const Contact& contact) -> const Contact& { return contact; });
 }
 
 void ContactSet::forgetUnsound(const Bodies& bodies, const Tolerances& tolerances) {
     for (Contact& contact : contacts_) {
         if (!isSound(contact)) {
             clearContact(contact);
-            refreshContact(contact, bodies, tolerances);
+            followContact(contact, bodies, tolerances);
+            findContact(contact, bodies, tolerances);
+            kodo::measureApproach(contact, bodies);
         }
     }
 }
@@ -290,7 +281,8 @@ void ContactSet::measureApproach(const Bodies& bodies) {
     }
 }
 
-void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances, Crew& crew) {
+void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances,
+                                 const std::function<void(Contact&)>& fetch, Crew& crew) {
     fastestApproach_ = 0;
     crew.forEach(contacts_.size(), kContactsAPiece, [&](std::size_t first, std::size_t last) {
         Real fastest = 0;
@@ -302,7 +294,11 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
                                bounds_.tight(contact.proxyB));
             };
             if (contact.carried || near()) {
-                refreshContact(contact, bodies, tolerances);
+                if (!followContact(contact, bodies, tolerances)) {
+                    fetch(contact);
+                    findContact(contact, bodies, tolerances);
+                }
+                kodo::measureApproach(contact, bodies);
                 fastest = std::max(fastest, contact.approachSpeed);
             } else if (contact.near || contact.hidden || contact.manifold.count > 0) {
                 clearContact(contact);

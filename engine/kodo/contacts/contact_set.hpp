@@ -12,6 +12,7 @@
 #include <kodo/contacts/part_bounds.hpp>
 #include <kodo/contacts/seams.hpp>
 
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -41,8 +42,10 @@ public:
     void updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt, Crew& crew);
     /// Pairs of bodies, in order, that may not touch although their flags say so: jointed ones.
     void setApart(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
-    /// Finds where the pairs touch, now, and how fast they approach.
-    void updateManifolds(const Bodies& bodies, const Tolerances& tolerances, Crew& crew);
+    /// Finds where the pairs touch, now, and how fast they approach. fetch(contact) is called for
+    /// those whose impulses go on to new points, since they may be lent. Several threads call it.
+    void updateManifolds(const Bodies& bodies, const Tolerances& tolerances,
+                         const std::function<void(Contact&)>& fetch, Crew& crew);
     /// Measures the approach again, since bodies have got other speeds.
     void measureApproach(const Bodies& bodies);
     /// m/s, of those that updateManifolds looked at.
@@ -62,20 +65,18 @@ public:
     /// In an order of their own, which does not change while no pair comes or goes.
     std::span<Contact> contacts() { return contacts_; }
     std::span<const Contact> contacts() const { return contacts_; }
-    /// Sums up a step. fetch(contact) is called for each, to hand its impulses out. Lists the
-    /// bodies that touch, for which noteFirst(body) is true, each once and in any order. Several
-    /// threads call these.
-    template <typename Fetch, typename NoteFirst>
-    void finishStep(const Tolerances& tolerances, bool wantRecords, Crew& crew, Fetch fetch,
-                    NoteFirst noteFirst, std::vector<std::uint32_t>& touching) {
+    /// Sums up a step, in which touched(contact) tells who touched. Lists the bodies that did, for
+    /// which noteFirst(body) is true, each once and in any order. Several threads call these.
+    template <typename Touched, typename NoteFirst>
+    void finishStep(bool wantRecords, Crew& crew, Touched touched, NoteFirst noteFirst,
+                    std::vector<std::uint32_t>& touching) {
         touching_.gather(
             crew, contacts_.size(), kContactsAPiece, touching,
             [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
                 for (std::size_t i = first; i < last; ++i) {
-                    prefetch<3>(contacts(), i + kContactsAhead);
+                    prefetch<1>(contacts(), i + kContactsAhead);
                     Contact& contact = contacts_[i];
-                    fetch(contact);
-                    finishContact(contact, tolerances);
+                    finishContact(contact, touched(contact));
                     if (!contact.touching) {
                         continue;
                     }
@@ -93,8 +94,21 @@ public:
         recordsDue_ = wantRecords;
     }
     /// Of the last step, in order. They are written when they are first asked for, or before a
-    /// contact goes, so that those who ask for none pay for none.
-    std::span<const CollisionRecord> records() const;
+    /// contact goes, so that those who ask for none pay for none. current(contact) is a contact
+    /// whose impulses are not lent.
+    template <typename Current>
+    std::span<const CollisionRecord> records(Current current) const {
+        if (std::exchange(recordsDue_, false)) {
+            records_.reserve(contacts_.capacity() + endedInStep_.size());
+            for (const Place& place : order_) {
+                if (contacts_[place.slot].phase) {
+                    recordContact(current(contacts_[place.slot]), records_);
+                }
+            }
+            addEnds(endedInStep_, records_);
+        }
+        return records_;
+    }
 
 private:
     friend class SnapshotFields;

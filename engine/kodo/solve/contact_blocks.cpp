@@ -23,15 +23,19 @@ constexpr std::uint8_t maskOf(std::uint32_t row) {
 
 } // namespace
 
-void ContactBlocks::refine(int parts) {
-    const auto now = static_cast<Real>(parts);
-    anew_ = std::exchange(parts_, now) != now || anew_;
+void ContactBlocks::refine(int parts, std::span<Contact> contacts) {
+    if (const auto now = static_cast<Real>(parts); now != parts_) {
+        reclaimAll(contacts);
+        parts_ = now;
+        anew_ = true;
+    }
 }
 
 void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, bool friction,
                           bool rolling, Crew& crew) {
     colours_.resize(bodies.size());
     if (order_.size() > singles_ + kBins + rows_ / 4) { // most lanes are empty
+        reclaimAll(contacts);
         forgetLanes();
     }
     singles_ = 0;
@@ -125,8 +129,10 @@ bool ContactBlocks::take(const Bodies& bodies, Contact& contact) {
         taken_[seat.row] = 1;
         block.points[0].separation[laneOf(seat.row)] = contact.manifold.points[0].separation;
         block.points[1].separation[laneOf(seat.row)] = contact.manifold.points[1].separation;
+        seat.lent = true;
         return true;
     }
+    reclaim(contact);
     if (!keepsColour(bodies, contact)) {
         return false;
     }
@@ -320,6 +326,7 @@ void ContactBlocks::arrange(const Bodies& bodies, std::span<Contact> contacts,
     }
     setPushSpeeds(crowd, pushSpeed);
     anew_ = false;
+    lent_ = true;
 }
 
 void ContactBlocks::setPushSpeeds(std::span<const std::uint16_t> crowd, Real pushSpeed) {
@@ -339,7 +346,7 @@ void ContactBlocks::setPushSpeeds(std::span<const std::uint16_t> crowd, Real pus
     }
 }
 
-void ContactBlocks::fill(const Bodies& bodies, const Contact& contact) {
+void ContactBlocks::fill(const Bodies& bodies, Contact& contact) {
     const std::size_t lane = laneOf(contact.seat.row);
     ContactBlock& block = blocks_[blockOf(contact.seat.row)];
     fillLane(block, lane, bodies, contact, pushSpeed_);
@@ -358,6 +365,8 @@ void ContactBlocks::fill(const Bodies& bodies, const Contact& contact) {
         fillLane(own, lane, bodies, contact);
         own.impulse[lane] /= parts_;
     }
+    contact.carried = true;
+    contact.seat.lent = true;
 }
 
 ContactPassArguments ContactBlocks::pass(Bodies& bodies, const PassSettings& settings) {
@@ -379,22 +388,57 @@ std::size_t ContactBlocks::listDeeper(Real separation, std::vector<std::uint32_t
     return rows;
 }
 
-void ContactBlocks::fetch(Contact& contact) const {
-    if (contact.seat.row == kNone) {
+void ContactBlocks::noteTouching(Real slop, Crew& crew) {
+    touching_.resize(taken_.size());
+    crew.forEach(order_.size(), kBlocksAPiece, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) {
+            const ContactBlock& block = blocks_[order_[k]];
+            std::uint8_t* const touching =
+                &touching_[order_[k] * std::size_t{ContactBlock::kContacts}];
+            const auto touches = [&](const ContactBlock::Point& point, std::size_t lane) {
+                return point.separation[lane] <= slop || point.largest[lane] > 0;
+            };
+            const bool two = use_[order_[k]].twoPoints;
+            for (std::size_t lane = 0; lane < ContactBlock::kContacts; ++lane) {
+                touching[lane] = touches(block.points[0], lane) ||
+                                 (two && touches(block.points[1], lane));
+            }
+        }
+    });
+}
+
+void ContactBlocks::reclaim(Contact& contact) const {
+    if (!std::exchange(contact.seat.lent, false)) {
         return;
     }
-    const ContactBlock& block = blocks_[blockOf(contact.seat.row)];
+    const std::size_t block = blockOf(contact.seat.row);
     const std::size_t lane = laneOf(contact.seat.row);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
-        contact.impulse[i].normal = parts_ * block.points[i].impulse[lane];
-        contact.impulse[i].largest = parts_ * block.points[i].largest[lane];
-    }
-    contact.carried = true;
-    contact.friction = parts_ * block.friction[lane];
-    contact.total = block.total[lane];
-    const std::int32_t rolling = use_[blockOf(contact.seat.row)].rolling;
+    readImpulses(blocks_[block], lane, contact, parts_);
+    const std::int32_t rolling = use_[block].rolling;
     contact.rolling =
         rolling < 0 ? Real(0) : parts_ * rolling_[static_cast<std::size_t>(rolling)].impulse[lane];
+}
+
+void ContactBlocks::reclaimAll(std::span<Contact> contacts) {
+    for (Contact& contact : contacts) {
+        reclaim(contact);
+    }
+}
+
+void ContactBlocks::fetch(Contact& contact) const {
+    if (contact.seat.lent) {
+        reclaim(contact);
+        const std::uint32_t row = contact.seat.row;
+        readBlows(blocks_[blockOf(row)], laneOf(row), contact, parts_);
+    }
+}
+
+void ContactBlocks::fetchAll(std::span<Contact> contacts) {
+    if (std::exchange(lent_, false)) {
+        for (Contact& contact : contacts) {
+            fetch(contact);
+        }
+    }
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -80,6 +80,21 @@ void fillLane(RollingBlock& block, std::size_t lane, const Bodies& bodies, const
     block.impulse[lane] = rolls ? contact.rolling : Real(0);
 }
 
+void readImpulses(const ContactBlock& block, std::size_t lane, Contact& contact, Real parts) {
+    for (std::size_t i = 0; i < contact.manifold.count; ++i) {
+        contact.impulse[i].normal = parts * block.points[i].impulse[lane];
+    }
+    contact.friction = parts * block.friction[lane];
+}
+
+void readBlows(const ContactBlock& block, std::size_t lane, Contact& contact, Real parts) {
+    for (std::size_t i = 0; i < contact.manifold.count; ++i) {
+        contact.impulse[i].largest = parts * block.points[i].largest[lane];
+    }
+    contact.total = block.total[lane];
+    contact.struck = true;
+}
+
 void clearLane(ContactBlock& block, std::size_t lane) {
     for (ContactBlock::Point& point : block.points) {
         writePoint(point, lane, {});

@@ -16,6 +16,11 @@ void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const
 /// radius is the distance from its centre to the contact [Thesis06, 4.3.3].
 void fillLane(RollingBlock& block, std::size_t lane, const Bodies& bodies, const Contact& contact);
 
+/// Hands the impulses of a lane back to its contact, which are `parts` times as large there: those
+/// that the next step starts from, and what the last one pushed.
+void readImpulses(const ContactBlock& block, std::size_t lane, Contact& contact, Real parts);
+void readBlows(const ContactBlock& block, std::size_t lane, Contact& contact, Real parts);
+
 /// A lane that pushes nobody.
 void clearLane(ContactBlock& block, std::size_t lane);
 

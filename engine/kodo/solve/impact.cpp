@@ -49,6 +49,7 @@ struct Impact {
         b.angularVelocity +=
             b.invInertia * (leverOf(armB, normal()) * jn + leverOf(armB, tangent()) * jt);
         contact.impulse[i].impact += jn;
+        contact.struck = true;
     }
 };
 

@@ -301,10 +301,10 @@ void RestStage::putToRest(Bodies& bodies, std::span<const std::uint32_t> members
     islands_[island].bodies.assign(members.begin(), members.end());
 }
 
-void RestStage::settle(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
-                       const StepSettings& settings, const Tolerances& tolerances, Real dt) {
+bool RestStage::findRest(Bodies& bodies, const ContactSet& contacts, const JointSet& joints,
+                         const StepSettings& settings, const Tolerances& tolerances, Real dt) {
     if (!settings.has(Feature::Resting) || !countCalm(bodies, settings, tolerances, dt)) {
-        return;
+        return false;
     }
     countSupports(bodies, contacts, joints);
     restartTipping(bodies, dt);
@@ -317,9 +317,10 @@ void RestStage::settle(Bodies& bodies, ContactSet& contacts, const JointSet& joi
             resting_.emplace_back(root, body);
         }
     }
-    if (resting_.empty()) {
-        return;
-    }
+    return !resting_.empty();
+}
+
+void RestStage::settle(Bodies& bodies, ContactSet& contacts) {
     std::sort(resting_.begin(), resting_.end()); // total order: bodies are unique
     members_.clear();
     for (std::size_t i = 0; i < resting_.size(); ++i) {

@@ -90,6 +90,7 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
                           prefetch<2>(contacts, i + kContactsAhead);
                           Contact& contact = contacts[i];
                           if (!needsRow(bodies, contact, settings, tolerances)) {
+                              blocks_.reclaim(contact);
                               contact.seat = {};
                               contact.carried = false;
                               continue;
@@ -296,7 +297,7 @@ void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& join
     const int parts =
         refinement(bodies, contacts, hertzOf(settings.contactHertz, whole), tolerances);
     const Real h = whole / static_cast<Real>(parts);
-    blocks_.refine(parts);
+    blocks_.refine(parts, contacts);
     collect(bodies, contacts, joints, step);
     blocks_.arrange(bodies, contacts, newcomers_,
                     crowded_ != 0 ? std::span<const std::uint16_t>(crowd_)
@@ -321,6 +322,7 @@ void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& join
         runSubstep(bodies, joints, pass, jointPass, substep == 0, crew);
     }
     joints.scaleImpulses(static_cast<Real>(parts));
+    blocks_.noteTouching(tolerances.slop, crew);
     visits_ = blocks_.size() * static_cast<std::size_t>(substeps * 2) +
               settled * static_cast<std::size_t>(substeps * settling_);
 }

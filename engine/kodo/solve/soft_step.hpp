@@ -41,8 +41,9 @@ public:
     void solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints, const Step& step);
     /// How often the last step looked at a contact.
     std::size_t visits() const { return visits_; }
-    /// Hands the impulses of the last step to a contact, if the solver had it.
-    void fetch(Contact& contact) const { blocks_.fetch(contact); }
+    /// Where the impulses of contacts are between two steps.
+    const ContactBlocks& blocks() const { return blocks_; }
+    ContactBlocks& blocks() { return blocks_; }
 
 private:
     struct Velocity {

@@ -98,7 +98,7 @@ void BodyRef::thaw() {
 }
 
 void BodyRef::wake() {
-    world_->rest_.wake(world_->bodies_, world_->contacts_, index());
+    world_->wake(index());
 }
 
 void BodyRef::pushed() {

@@ -332,6 +332,7 @@ void SnapshotFields::world(World& world) {
     auto& [settings, tolerances, stepCount, count, bodies, fields, contacts, impacts, softStep,
            propagation, contactVisits, sweep, rest, joints, broken, frozen, region, held, aside,
            returning, colliding, collidedBefore, isColliding, wasColliding, lastForm] = world;
+    softStep.blocks().fetchAll(contacts.contacts());
     all(settings, tolerances, stepCount);
     bodies.turns = settings.has(Feature::Rotation);
     forms(world);

@@ -27,7 +27,9 @@ void World::step(Real dt, const StepAids& aids) {
     Crew crew(bodies_.awake.size() >= kWorthHelp ? aids.executor : nullptr);
     contacts_.updatePairs(bodies_, tolerances_, dt, crew);
     enter(StepStage::Narrow);
-    contacts_.updateManifolds(bodies_, tolerances_, crew);
+    contacts_.updateManifolds(
+        bodies_, tolerances_, [this](Contact& contact) { softStep_.blocks().reclaim(contact); },
+        crew);
     enter(StepStage::Forces);
     forAwake(crew, beginMotion);
     rest_.wakeTouched(bodies_, contacts_, tolerances_);
@@ -56,7 +58,10 @@ void World::step(Real dt, const StepAids& aids) {
     recordCollisions(crew);
     breakJoints(dt);
     enter(StepStage::Rest);
-    rest_.settle(bodies_, contacts_, joints_, settings_, tolerances_, dt);
+    if (rest_.findRest(bodies_, contacts_, joints_, settings_, tolerances_, dt)) {
+        fetchImpulses();
+        rest_.settle(bodies_, contacts_);
+    }
     ++stepCount_;
     if (aids.watch != nullptr) {
         aids.watch->leave();
@@ -131,9 +136,7 @@ void World::freezeUnsoundMotion() {
                 motion.stand();
             }
         }
-        for (Contact& contact : contacts_.contacts()) {
-            softStep_.fetch(contact);
-        }
+        fetchImpulses();
         contacts_.forgetUnsound(bodies_, tolerances_);
         joints_.forgetUnsound();
         contacts_.bodiesChanged(); // what froze is a piece of ground now
@@ -164,8 +167,11 @@ void World::recordCollisions(Crew& crew) {
     colliding_.clear();
     colliding_.reserve(collidedBefore_.capacity()); // the two take turns
     contacts_.finishStep(
-        tolerances_, settings_.has(Feature::Records), crew,
-        [&](Contact& contact) { softStep_.fetch(contact); },
+        settings_.has(Feature::Records), crew,
+        [&](const Contact& contact) {
+            return contact.seat.row != ContactSeat::kNone ? softStep_.blocks().touches(contact)
+                                                          : touches(contact, tolerances_);
+        },
         [&](std::uint32_t body) { return crew.markFirst(isColliding_[body]); }, colliding_);
     for (const std::uint32_t body : colliding_) {
         if (wasColliding_[body] == 0) {

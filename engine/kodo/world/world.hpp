@@ -88,7 +88,7 @@ public:
     /// whatever is added, removed or welded meanwhile. Pairs that rest, or wait outside the region,
     /// have no records until they go on; they have not ended. The first call after a step writes
     /// the list, so that one must not come from two threads at once.
-    std::span<const CollisionRecord> collisions() const { return contacts_.records(); }
+    std::span<const CollisionRecord> collisions() const;
 
     /// Only bodies whose bounds meet the region take part in steps; the others wait where they are.
     /// Nothing: all do.
@@ -129,6 +129,10 @@ private:
     void requireAlive(BodyId id) const;
     void requireAlive(JointId id) const;
     void jointsChanged(const JointDef& def);
+    Contact current(const Contact& contact) const;
+    void fetchImpulses() { softStep_.blocks().fetchAll(contacts_.contacts()); }
+    void wake(std::uint32_t body);
+    void wakeAll();
     void disturb(std::uint32_t body);
     bool askRegion(std::uint32_t body);
     void placeInRegion(std::uint32_t body);
