@@ -22,7 +22,7 @@ struct ManifoldPoint {
 struct Manifold {
     Vec2 normal; // unit, world axes, from A towards B; the direction that parts them soonest
     std::array<ManifoldPoint, 2> points;
-    std::uint8_t count = 0;
+    int count = 0;
     bool fromBehind = false; // of a one-sided line; then count is 0. See letPass
 };
 

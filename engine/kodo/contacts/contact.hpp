@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kodo/bodies/body_def.hpp>
+#include <kodo/broad/broad_phase.hpp>
 #include <kodo/collide/manifold.hpp>
 #include <kodo/contacts/collision_record.hpp>
 
@@ -45,8 +46,6 @@ struct ContactSeat {
 /// left alone while the solver has lent the impulses.
 struct alignas(128) Contact {
     ContactKey key;
-    std::uint32_t proxyA = 0; // place of the parts' bounds in the ContactSet
-    std::uint32_t proxyB = 0;
     std::uint32_t jumpsA = 0; // of the bodies, when the manifold was found
     std::uint32_t jumpsB = 0;
     Real drift = 0; // m, that they went against each other since then, at most
@@ -76,6 +75,15 @@ struct alignas(128) Contact {
 
     /// Do the bodies push each other?
     bool responds() const { return manifold.count > 0 && !sensor && !hidden; }
+};
+
+/// What tells most stages that there is nothing to do for a contact, without a look at it.
+struct ContactHead {
+    BoundsPair proxies; // places of the bounds of both parts
+    std::uint32_t bodyA = 0;
+    std::uint32_t bodyB = 0;
+    bool sensor = false;
+    bool idle = false; // far apart, and nothing came of it in the last step
 };
 
 /// So many contacts ahead a loop over all of them asks for what it will read.

@@ -25,7 +25,7 @@ bool touches(const Contact& contact, const Tolerances& tolerances) {
     if (!contact.near || contact.hidden) {
         return false;
     }
-    for (std::size_t i = 0; i < contact.manifold.count; ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
         const PointImpulse& impulse = contact.impulse[i];
         if (impulse.largest > 0 || impulse.impact > 0 ||
             contact.manifold.points[i].separation <= tolerances.slop) {
@@ -55,7 +55,7 @@ void recordContact(const Contact& contact, std::vector<CollisionRecord>& out) {
         return;
     }
     record.phase = *contact.phase;
-    record.pointCount = contact.manifold.count;
+    record.pointCount = static_cast<std::uint8_t>(contact.manifold.count);
     record.separation = contact.manifold.points[0].separation;
     record.approachSpeed = contact.approachSpeed;
     record.totalImpulse = contact.total;

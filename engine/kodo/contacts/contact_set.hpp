@@ -65,17 +65,25 @@ public:
     /// In an order of their own, which does not change while no pair comes or goes.
     std::span<Contact> contacts() { return contacts_; }
     std::span<const Contact> contacts() const { return contacts_; }
+    /// Of each contact, in the same order.
+    std::span<const ContactHead> heads() const { return heads_; }
+    /// Places of those that anything may come of in this step, in order; the others are far apart
+    /// and were before. To be asked for anew after the list of contacts may have changed.
+    std::span<const std::uint32_t> live();
+    /// Something may come of all of them in this step: who asks for more than live() brings them
+    /// into contact by itself.
+    void lookAtAll();
     /// Sums up a step, in which touched(contact) tells who touched. Lists the bodies that did, for
     /// which noteFirst(body) is true, each once and in any order. Several threads call these.
     template <typename Touched, typename NoteFirst>
     void finishStep(bool wantRecords, Crew& crew, Touched touched, NoteFirst noteFirst,
                     std::vector<std::uint32_t>& touching) {
-        touching_.gather(
-            crew, contacts_.size(), kContactsAPiece, touching,
+        found_.gather(
+            crew, live().size(), kContactsAPiece, touching,
             [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
                 for (std::size_t i = first; i < last; ++i) {
-                    prefetch<1>(contacts(), i + kContactsAhead);
-                    Contact& contact = contacts_[i];
+                    prefetch<1>(contacts(), live_, i + kContactsAhead);
+                    Contact& contact = contacts_[live_[i]];
                     finishContact(contact, touched(contact));
                     if (!contact.touching) {
                         continue;
@@ -129,6 +137,10 @@ private:
     void findPairs(const Bodies& bodies, Crew& crew);
     void mergePairs(const Bodies& bodies);
     Contact makeContact(const Bodies& bodies, BoundsPair pair) const;
+    void changed();
+    bool boundsMeet(std::size_t i, const Tolerances& tolerances) const;
+    bool updateManifold(const Bodies& bodies, const Tolerances& tolerances, std::size_t i,
+                        const std::function<void(Contact&)>& fetch);
     template <typename Gone>
     void eraseIf(Gone gone);
     void fillHoles();
@@ -142,7 +154,9 @@ private:
     std::vector<Place> newOrder_;      // spare, so that merging allocates nothing
     std::vector<std::uint32_t> holes_; // slots whose contact is gone, while merging
     std::vector<std::uint32_t> added_; // places in the order whose contact is new, while merging
-    Findings<std::uint32_t> touching_;
+    std::vector<ContactHead> heads_;
+    std::vector<std::uint32_t> live_;
+    Findings<std::uint32_t> found_;
     std::vector<std::uint32_t> slots_; // where the contacts of the last slots went
     std::vector<Contact> idle_;        // that takeIdle gave
     // Of contacts that ended because they lost a body or the nearness of their parts.
@@ -155,6 +169,7 @@ private:
     bool stale_ = true;
     bool pairsStale_ = true;
     bool contactsChanged_ = true; // in number, in place, or in what is locked
+    bool liveStale_ = true;
 };
 
 } // namespace kodo::inline KODO_PRECISION

@@ -400,8 +400,8 @@ void ContactBlocks::noteTouching(Real slop, Crew& crew) {
             };
             const bool two = use_[order_[k]].twoPoints;
             for (std::size_t lane = 0; lane < ContactBlock::kContacts; ++lane) {
-                touching[lane] = touches(block.points[0], lane) ||
-                                 (two && touches(block.points[1], lane));
+                touching[lane] =
+                    touches(block.points[0], lane) || (two && touches(block.points[1], lane));
             }
         }
     });

@@ -81,14 +81,14 @@ void fillLane(RollingBlock& block, std::size_t lane, const Bodies& bodies, const
 }
 
 void readImpulses(const ContactBlock& block, std::size_t lane, Contact& contact, Real parts) {
-    for (std::size_t i = 0; i < contact.manifold.count; ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
         contact.impulse[i].normal = parts * block.points[i].impulse[lane];
     }
     contact.friction = parts * block.friction[lane];
 }
 
 void readBlows(const ContactBlock& block, std::size_t lane, Contact& contact, Real parts) {
-    for (std::size_t i = 0; i < contact.manifold.count; ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
         contact.impulse[i].largest = parts * block.points[i].largest[lane];
     }
     contact.total = block.total[lane];

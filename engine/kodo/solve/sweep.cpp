@@ -138,14 +138,20 @@ void stop(Bodies& bodies, std::uint32_t body, Real share, Vec2 push, Real dt) {
 
 } // namespace
 
-/// For each body, more than any point of it moves.
-void SweepStage::measureWays(const Bodies& bodies, Crew& crew) {
+/// For each body, more than any point of it moves. Two that are not swift need no sweep: they do
+/// not close a gap that is wider than the slop, and a narrower one they close by less than half of
+/// their inner radii.
+void SweepStage::measureWays(const Bodies& bodies, const Tolerances& tolerances, Crew& crew) {
     ways_.resize(bodies.size(), 0); // of the others it is 0 from step to step
+    swift_.resize(bodies.size(), 0);
     crew.forEach(bodies.awake.size(), kWaysAPiece, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             const std::uint32_t body = bodies.awake[k];
             const Motion& motion = bodies.motion[body];
-            ways_[body] = length(motion.move) + std::abs(motion.turn) * bodies.extent[body].reach;
+            const Extent& extent = bodies.extent[body];
+            const Real way = length(motion.move) + std::abs(motion.turn) * extent.reach;
+            ways_[body] = way;
+            swift_[body] = way > 0 && !(way <= tolerances.slop / 2 && way < extent.inside / 4);
         }
     });
 }
@@ -156,10 +162,11 @@ void SweepStage::run(Bodies& bodies, ContactSet& contactSet, const StepSettings&
     if (contacts.empty()) {
         return;
     }
-    measureWays(bodies, crew);
+    measureWays(bodies, tolerances, crew);
     const bool sensors = findCandidates(bodies, contactSet, tolerances, crew);
     for (const std::uint32_t body : bodies.awake) {
         ways_[body] = 0;
+        swift_[body] = 0;
     }
     if (candidates_.empty() && !sensors) {
         return;
@@ -194,40 +201,50 @@ void SweepStage::run(Bodies& bodies, ContactSet& contactSet, const StepSettings&
 bool SweepStage::findCandidates(const Bodies& bodies, const ContactSet& contactSet,
                                 const Tolerances& tolerances, Crew& crew) {
     const std::span<const Contact> contacts = contactSet.contacts();
+    const std::span<const ContactHead> heads = contactSet.heads();
     candidates_.clear();
     std::uint8_t sensors = 0;
-    found_.gather(crew, contacts.size(), kCrossingsAPiece, candidates_,
+    const auto isSwift = [&](const ContactHead& head) {
+        return (swift_[head.bodyA] | swift_[head.bodyB]) != 0;
+    };
+    found_.gather(crew, heads.size(), kCrossingsAPiece, candidates_,
                   [&](std::size_t first, std::size_t last, std::vector<Candidate>& found) {
-                      const Real* const ways = ways_.data();
                       for (std::size_t i = first; i < last; ++i) {
-                          prefetch<1>(contacts, i + kContactsAhead);
-                          const Contact& contact = contacts[i];
-                          if (contact.sensor) {
-                              Crew::mark(sensors);
-                              continue;
+                          if (const std::size_t ahead = i + kContactsAhead;
+                              ahead < last && isSwift(heads[ahead])) {
+                              prefetch<1>(contacts, ahead);
                           }
-                          const auto [a, partA, b, partB] = contact.key;
-                          const Extent& extentA = bodies.extent[a];
-                          const Extent& extentB = bodies.extent[b];
-                          const auto needsSweep = [&](Real motion) {
-                              return mayNeedSweep(contact, motion, extentA.inside, extentB.inside,
-                                                  tolerances);
-                          };
-                          // One of them may be stopped by something else, and the other go all its
-                          // way.
-                          if (const Real way = ways[a] + ways[b]; way > 0 && needsSweep(way)) {
-                              const Mover moverA{a, extentA.reach};
-                              const Mover moverB{b, extentB.reach};
-                              const bool closes =
-                                  needsSweep(relativeMotion(bodies, moverA, moverB)) &&
-                                  mayMeet(bodies, moverA, contactSet.bounds().tight(contact.proxyA),
-                                          moverB, contactSet.bounds().tight(contact.proxyB),
-                                          tolerances);
-                              found.push_back({static_cast<std::uint32_t>(i), a, b, closes});
+                          if (heads[i].sensor) {
+                              Crew::mark(sensors);
+                          } else if (isSwift(heads[i])) {
+                              findCandidate(bodies, contactSet, tolerances,
+                                            static_cast<std::uint32_t>(i), found);
                           }
                       }
                   });
     return sensors != 0;
+}
+
+/// Lists one pair if it may need a sweep. One of them may be stopped by something else, and the
+/// other go all its way.
+void SweepStage::findCandidate(const Bodies& bodies, const ContactSet& contactSet,
+                               const Tolerances& tolerances, std::uint32_t i,
+                               std::vector<Candidate>& found) const {
+    const Contact& contact = contactSet.contacts()[i];
+    const auto& [proxies, a, b, sensor, idle] = contactSet.heads()[i];
+    const Mover moverA{a, bodies.extent[a].reach};
+    const Mover moverB{b, bodies.extent[b].reach};
+    const Real insideA = bodies.extent[a].inside;
+    const Real insideB = bodies.extent[b].inside;
+    if (!mayNeedSweep(contact, ways_[a] + ways_[b], insideA, insideB, tolerances)) {
+        return;
+    }
+    const PartBounds& bounds = contactSet.bounds();
+    const bool closes = mayNeedSweep(contact, relativeMotion(bodies, moverA, moverB), insideA,
+                                     insideB, tolerances) &&
+                        mayMeet(bodies, moverA, bounds.tight(proxies.first), moverB,
+                                bounds.tight(proxies.second), tolerances);
+    found.push_back({i, a, b, closes});
 }
 
 /// Makes the candidates of a body known.

@@ -248,9 +248,9 @@ void SnapshotFields::completeContact(Contact& contact, const Bodies& bodies) {
 /// there must be.
 void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
     // The way pairs are found changes what that costs and not what is found, so it begins anew.
-    auto& [bounds, pairs, finder, seams, contacts, order, newOrder, holes, added, touching, slots,
-           idle, ended, endedInStep, records, recordsDue, apart, fastestApproach, stale, pairsStale,
-           contactsChanged] = set;
+    auto& [bounds, pairs, finder, seams, contacts, order, newOrder, holes, added, heads, live,
+           found, slots, idle, ended, endedInStep, records, recordsDue, apart, fastestApproach,
+           stale, pairsStale, contactsChanged, liveStale] = set;
     auto& [parts, firstPart, tight, grown, changed, isChanged, grew] = bounds;
     set.writeRecords();
     if (!reads() && stale) {

@@ -114,9 +114,9 @@ void SnapshotFields::one(ContactSeat& seat) {
 }
 
 void SnapshotFields::one(Contact& contact) {
-    auto& [key, proxyA, proxyB, jumpsA, jumpsB, drift, seat, approachSpeed, near, carried, bounces,
-           sensor, passing, hidden, touching, wasTouching, struck, phase, manifold, centerA, impulse,
-           friction, rolling, total, a, b, material] = contact; // the phase is in the records
+    auto& [key, jumpsA, jumpsB, drift, seat, approachSpeed, near, carried, bounces, sensor, passing,
+           hidden, touching, wasTouching, struck, phase, manifold, centerA, impulse, friction,
+           rolling, total, a, b, material] = contact; // the phase is in the records
     all(key, centerA, manifold, jumpsA, jumpsB, drift, impulse, seat, friction, rolling,
         approachSpeed, total);
     all(near, carried, passing, hidden, touching, wasTouching);

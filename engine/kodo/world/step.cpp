@@ -75,16 +75,17 @@ void World::forAwake(Crew& crew, void (*work)(Bodies&, std::span<const std::uint
 }
 
 void World::solve(Real dt, Crew& crew) {
-    const std::span<Contact> contacts = contacts_.contacts();
     if (settings_.strategy == Strategy::Propagation) {
-        propagation_.solve(bodies_, contacts, joints_, {settings_, tolerances_, dt, stepCount_});
+        contacts_.lookAtAll(); // it foresees contacts within the step
+        propagation_.solve(bodies_, contacts_.contacts(), joints_,
+                           {settings_, tolerances_, dt, stepCount_});
         contactVisits_ = propagation_.visits();
         return;
     }
     if (contacts_.fastestApproach() > leastRestSpeed(bodies_, dt)) {
-        impacts_.solve(bodies_, contacts, settings_, tolerances_, dt);
+        impacts_.solve(bodies_, contacts_, settings_, tolerances_, dt);
     }
-    softStep_.solve(bodies_, contacts, joints_, {settings_, tolerances_, dt, crew});
+    softStep_.solve(bodies_, contacts_, joints_, {settings_, tolerances_, dt, crew});
     contactVisits_ = softStep_.visits();
 }
 
