@@ -7,21 +7,6 @@
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
-namespace {
-
-constexpr std::size_t kBlocksAPiece = 32;
-
-constexpr std::size_t blockOf(std::uint32_t row) {
-    return row / ContactBlock::kContacts;
-}
-constexpr std::size_t laneOf(std::uint32_t row) {
-    return row % ContactBlock::kContacts;
-}
-constexpr std::uint8_t maskOf(std::uint32_t row) {
-    return static_cast<std::uint8_t>(1u << laneOf(row));
-}
-
-} // namespace
 
 void ContactBlocks::refine(int parts, std::span<Contact> contacts) {
     if (const auto now = static_cast<Real>(parts); now != parts_) {
@@ -386,59 +371,6 @@ std::size_t ContactBlocks::listDeeper(Real separation, std::vector<std::uint32_t
         }
     }
     return rows;
-}
-
-void ContactBlocks::noteTouching(Real slop, Crew& crew) {
-    touching_.resize(taken_.size());
-    crew.forEach(order_.size(), kBlocksAPiece, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k) {
-            const ContactBlock& block = blocks_[order_[k]];
-            std::uint8_t* const touching =
-                &touching_[order_[k] * std::size_t{ContactBlock::kContacts}];
-            const auto touches = [&](const ContactBlock::Point& point, std::size_t lane) {
-                return point.separation[lane] <= slop || point.largest[lane] > 0;
-            };
-            const bool two = use_[order_[k]].twoPoints;
-            for (std::size_t lane = 0; lane < ContactBlock::kContacts; ++lane) {
-                touching[lane] =
-                    touches(block.points[0], lane) || (two && touches(block.points[1], lane));
-            }
-        }
-    });
-}
-
-void ContactBlocks::reclaim(Contact& contact) const {
-    if (!std::exchange(contact.seat.lent, false)) {
-        return;
-    }
-    const std::size_t block = blockOf(contact.seat.row);
-    const std::size_t lane = laneOf(contact.seat.row);
-    readImpulses(blocks_[block], lane, contact, parts_);
-    const std::int32_t rolling = use_[block].rolling;
-    contact.rolling =
-        rolling < 0 ? Real(0) : parts_ * rolling_[static_cast<std::size_t>(rolling)].impulse[lane];
-}
-
-void ContactBlocks::reclaimAll(std::span<Contact> contacts) {
-    for (Contact& contact : contacts) {
-        reclaim(contact);
-    }
-}
-
-void ContactBlocks::fetch(Contact& contact) const {
-    if (contact.seat.lent) {
-        reclaim(contact);
-        const std::uint32_t row = contact.seat.row;
-        readBlows(blocks_[blockOf(row)], laneOf(row), contact, parts_);
-    }
-}
-
-void ContactBlocks::fetchAll(std::span<Contact> contacts) {
-    if (std::exchange(lent_, false)) {
-        for (Contact& contact : contacts) {
-            fetch(contact);
-        }
-    }
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -73,6 +73,7 @@ private:
     static constexpr std::uint32_t kGroups = kColours + 2;
     static constexpr std::uint32_t kBins = 2 * kGroups; // with one point, with two
     static constexpr std::uint32_t kNone = ContactSeat::kNone;
+    static constexpr std::size_t kBlocksAPiece = 32;
 
     /// Where a block belongs, and what its lanes hold.
     struct Shelf {
@@ -83,6 +84,14 @@ private:
         std::uint8_t fixedB = 0;
     };
 
+    /// Rows are numbered through all blocks.
+    static constexpr std::size_t blockOf(std::uint32_t row) {
+        return row / ContactBlock::kContacts;
+    }
+    static constexpr std::size_t laneOf(std::uint32_t row) { return row % ContactBlock::kContacts; }
+    static constexpr std::uint8_t maskOf(std::uint32_t row) {
+        return static_cast<std::uint8_t>(1u << laneOf(row));
+    }
     /// What found no colour: its blocks hold one contact each.
     static bool isSingle(std::uint32_t bin) {
         return bin / 2 == kFreeColours || bin / 2 == kGroups - 1;

@@ -2,6 +2,7 @@
 #include <kodo/base/prefetch.hpp>
 #include <kodo/collide/collide.hpp>
 #include <kodo/collide/time_of_impact.hpp>
+#include <kodo/solve/relative_motion.hpp>
 #include <kodo/solve/sweep.hpp>
 
 #include <algorithm>
@@ -22,44 +23,6 @@ constexpr Real kTaken = -1; // instead of its time: the impact has happened
 /// the origin in float, and up to 3e8 m in double; beyond, what is stopped may overlap by a
 /// rounding.
 constexpr Real kStopShort = sizeof(Real) == 4 ? Real(1) / 1024 : Real(1) / 65536;
-
-/// How far a body goes at most as seen from a locked one, which nothing stops: what lies still on a
-/// turning floor goes nowhere.
-Real motionSeenFrom(const Bodies& bodies, std::uint32_t locked, std::uint32_t other, Real reach) {
-    const Motion& floor = bodies.motion[locked];
-    const Motion& motion = bodies.motion[other];
-    const Vec2 arm = bodies.pose[other].position - bodies.pose[locked].position;
-    const Vec2 carried = floor.move + cross(floor.turn, arm);
-    const Real bend = floor.turn * floor.turn / 2 * length(arm); // what a chord leaves of an arc
-    return length(motion.move - carried) + bend + std::abs(motion.turn - floor.turn) * reach;
-}
-
-/// One of two that may meet.
-struct Mover {
-    std::uint32_t body;
-    Real reach;      // m, of its outline
-    Real stopAt = 1; // share of the step
-};
-
-/// How far two outlines go at most towards each other within the step. What moves along with the
-/// other goes hardly anywhere.
-Real relativeMotion(const Bodies& bodies, const Mover& moverA, const Mover& moverB) {
-    const auto& [bodyA, reachA, stopA] = moverA;
-    const auto& [bodyB, reachB, stopB] = moverB;
-    const Motion& a = bodies.motion[bodyA];
-    const Motion& b = bodies.motion[bodyB];
-    if (a.locked()) {
-        return motionSeenFrom(bodies, bodyA, bodyB, reachB);
-    }
-    if (b.locked()) {
-        return motionSeenFrom(bodies, bodyB, bodyA, reachA);
-    }
-    const Real alone = stopA == stopB  ? 0
-                       : stopA > stopB ? (stopA - stopB) * length(a.move)
-                                       : (stopB - stopA) * length(b.move);
-    return std::min(stopA, stopB) * length(b.move - a.move) + alone +
-           stopA * std::abs(a.turn) * reachA + stopB * std::abs(b.turn) * reachB;
-}
 
 Real gapOf(const Contact& contact, const Tolerances& tolerances) {
     return contact.manifold.count > 0 ? contact.manifold.points[0].separation : tolerances.margin;
@@ -210,8 +173,8 @@ bool SweepStage::findCandidates(const Bodies& bodies, const ContactSet& contactS
     found_.gather(crew, heads.size(), kCrossingsAPiece, candidates_,
                   [&](std::size_t first, std::size_t last, std::vector<Candidate>& found) {
                       for (std::size_t i = first; i < last; ++i) {
-                          if (const std::size_t ahead = i + kContactsAhead;
-                              ahead < last && isSwift(heads[ahead])) {
+                          const std::size_t ahead = std::min(i + kContactsAhead, last - 1);
+                          if (isSwift(heads[ahead])) {
                               prefetch<1>(contacts, ahead);
                           }
                           if (heads[i].sensor) {
@@ -232,16 +195,17 @@ void SweepStage::findCandidate(const Bodies& bodies, const ContactSet& contactSe
                                std::vector<Candidate>& found) const {
     const Contact& contact = contactSet.contacts()[i];
     const auto& [proxies, a, b, sensor, idle] = contactSet.heads()[i];
-    const Mover moverA{a, bodies.extent[a].reach};
-    const Mover moverB{b, bodies.extent[b].reach};
-    const Real insideA = bodies.extent[a].inside;
-    const Real insideB = bodies.extent[b].inside;
-    if (!mayNeedSweep(contact, ways_[a] + ways_[b], insideA, insideB, tolerances)) {
+    const auto needsSweep = [&](Real motion) {
+        return mayNeedSweep(contact, motion, bodies.extent[a].inside, bodies.extent[b].inside,
+                            tolerances);
+    };
+    if (!needsSweep(ways_[a] + ways_[b])) {
         return;
     }
     const PartBounds& bounds = contactSet.bounds();
-    const bool closes = mayNeedSweep(contact, relativeMotion(bodies, moverA, moverB), insideA,
-                                     insideB, tolerances) &&
+    const Mover moverA{a, bodies.extent[a].reach};
+    const Mover moverB{b, bodies.extent[b].reach};
+    const bool closes = needsSweep(relativeMotion(bodies, moverA, moverB)) &&
                         mayMeet(bodies, moverA, bounds.tight(proxies.first), moverB,
                                 bounds.tight(proxies.second), tolerances);
     found.push_back({i, a, b, closes});
