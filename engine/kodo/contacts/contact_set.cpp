@@ -268,6 +268,9 @@ void ContactSet::mergePairs(const Bodies& bodies) {
         }
     }
     addUpTo(nullptr);
+    if (added_.empty() && holes_.empty()) {
+        return;
+    }
     std::swap(order_, newOrder_);
     for (const std::uint32_t at : added_) {
         if (holes_.empty()) {
@@ -292,6 +295,9 @@ void ContactSet::measureApproach(const Bodies& bodies) {
 
 void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances, Crew& crew) {
     fastestApproach_ = 0;
+    if (contacts_.empty() && !contactsChanged_) {
+        return;
+    }
     crew.forEach(contacts_.size(), kContactsAPiece, [&](std::size_t first, std::size_t last) {
         Real fastest = 0;
         for (std::size_t i = first; i < last; ++i) {

@@ -66,8 +66,8 @@ public:
     /// bodies that touch, for which noteFirst(body) is true, each once and in any order. Several
     /// threads call these.
     template <typename Fetch, typename NoteFirst>
-    void finishStep(const Tolerances& tolerances, bool wantRecords, Crew& crew, Fetch fetch,
-                    NoteFirst noteFirst, std::vector<std::uint32_t>& touching) {
+    void sumUp(const Tolerances& tolerances, Crew& crew, Fetch fetch, NoteFirst noteFirst,
+               std::vector<std::uint32_t>& touching) {
         touching_.gather(
             crew, contacts_.size(), kContactsAPiece, touching,
             [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
@@ -86,10 +86,15 @@ public:
                     }
                 }
             });
+    }
+    /// The last of a step: what is recorded from now on belongs to the next.
+    void finishStep(bool wantRecords) {
         records_.clear();
         endedInStep_.clear();
-        std::swap(ended_, endedInStep_);
-        ended_.reserve(endedInStep_.capacity()); // the two take turns
+        if (!ended_.empty()) {
+            std::swap(ended_, endedInStep_);
+            ended_.reserve(endedInStep_.capacity()); // the two take turns
+        }
         recordsDue_ = wantRecords;
     }
     /// Of the last step, in order. They are written when they are first asked for, or before a

@@ -67,9 +67,9 @@ private:
     void settle(const ContactPassArguments& pass, Crew& crew);
     template <typename Work>
     void forBound(Crew& crew, const Work& work);
+    void solveHeld(Bodies& bodies, std::span<Contact> contacts, JointSet& joints, const Step& step);
     static bool noneNeedsRow(const Bodies& bodies, std::span<Contact> contacts,
                              const StepSettings& settings, const Tolerances& tolerances);
-    void moveAllFree(Bodies& bodies, Real dt);
     void moveFree(Bodies& bodies, Real dt);
     void beginSubsteps(Bodies& bodies, Real h, Crew& crew);
     void nextSubstep(Bodies& bodies, Real h, Crew& crew);

@@ -30,11 +30,15 @@ void World::step(Real dt, const StepAids& aids) {
     contacts_.updateManifolds(bodies_, tolerances_, crew);
     enter(StepStage::Forces);
     forAwake(crew, beginMotion);
-    rest_.wakeTouched(bodies_, contacts_, tolerances_);
-    rest_.wakeJointed(bodies_, contacts_, joints_);
+    if (rest_.anyResting()) {
+        rest_.wakeTouched(bodies_, contacts_, tolerances_);
+        rest_.wakeJointed(bodies_, contacts_, joints_);
+    }
     refreshAwake(bodies_);
-    gatherAccelerations(bodies_, fields_, dt);
-    freezeUnsoundForces();
+    frozen_.clear();
+    if (!gatherAccelerations(bodies_, fields_, dt)) {
+        freezeUnsoundForces();
+    }
     if (region_) {
         holdWhatWaits();
     }
@@ -44,19 +48,28 @@ void World::step(Real dt, const StepAids& aids) {
     enter(StepStage::Sweep);
     if (settings_.has(Feature::Sweep)) {
         contacts_.coverMoves(bodies_, tolerances_, crew);
-        if (rest_.wakeRunOver(bodies_, contacts_, tolerances_)) {
+        if (rest_.anyResting() && rest_.wakeRunOver(bodies_, contacts_, tolerances_)) {
             refreshAwake(bodies_);
         }
-        sweep_.run(bodies_, contacts_, settings_, tolerances_, dt, crew);
+        if (!contacts_.contacts().empty()) {
+            sweep_.run(bodies_, contacts_, settings_, tolerances_, dt, crew);
+        }
     }
     enter(StepStage::Record);
     releaseWhatWaits();
-    freezeUnsoundMotion();
+    if (!allSound()) {
+        freezeUnsoundMotion();
+    }
     forAwake(crew, movePoses);
     recordCollisions(crew);
-    breakJoints(dt);
+    broken_.clear();
+    if (joints_.size() > 0) {
+        breakJoints(dt);
+    }
     enter(StepStage::Rest);
-    rest_.settle(bodies_, contacts_, joints_, settings_, tolerances_, dt);
+    if (settings_.has(Feature::Resting)) {
+        rest_.settle(bodies_, contacts_, joints_, settings_, tolerances_, dt);
+    }
     ++stepCount_;
     if (aids.watch != nullptr) {
         aids.watch->leave();
@@ -76,7 +89,8 @@ void World::solve(Real dt, Crew& crew) {
         contactVisits_ = propagation_.visits();
         return;
     }
-    if (contacts_.fastestApproach() > leastRestSpeed(bodies_, dt)) {
+    const Real fastest = contacts_.fastestApproach();
+    if (fastest > 0 && fastest > leastRestSpeed(bodies_, dt)) {
         impacts_.solve(bodies_, contacts, settings_, tolerances_, dt);
     }
     softStep_.solve(bodies_, contacts, joints_, {settings_, tolerances_, dt, crew});
@@ -98,13 +112,17 @@ void World::findAwake() {
 }
 
 void World::freezeUnsoundForces() {
-    frozen_.clear();
     for (const std::uint32_t body : bodies_.awake) {
         if (!isSound(bodies_.acceleration[body])) {
             freeze(bodies_, body);
             frozen_.push_back(bodies_.idAt(body));
         }
     }
+}
+
+bool World::allSound() const {
+    return std::all_of(bodies_.awake.begin(), bodies_.awake.end(),
+                       [&](std::uint32_t body) { return isSound(bodies_.motion[body]); });
 }
 
 /// What a body that became unsound did to its neighbours within the step cannot be told apart any
@@ -137,14 +155,11 @@ void World::freezeUnsoundMotion() {
         contacts_.forgetUnsound(bodies_, tolerances_);
         joints_.forgetUnsound();
         contacts_.bodiesChanged(); // what froze is a piece of ground now
+        bodies_.awakeStale = true;
     }
 }
 
 void World::breakJoints(Real dt) {
-    broken_.clear();
-    if (joints_.size() == 0) {
-        return;
-    }
     const std::span<const BrokenJoint> broken = joints_.endStep(dt);
     broken_.assign(broken.begin(), broken.end());
     if (!broken_.empty()) {
@@ -152,21 +167,29 @@ void World::breakJoints(Real dt) {
     }
 }
 
-/// Sums up the contacts of the step, and brings kColliding up to date: only those for which it
-/// changes are touched.
+/// Sums up the contacts of the step, and lists the bodies that touch.
 void World::recordCollisions(Crew& crew) {
     std::swap(colliding_, collidedBefore_);
+    colliding_.clear();
     isColliding_.resize(bodies_.size());
     wasColliding_.resize(bodies_.size());
+    if (!contacts_.contacts().empty()) {
+        contacts_.sumUp(
+            tolerances_, crew, [&](Contact& contact) { softStep_.fetch(contact); },
+            [&](std::uint32_t body) { return crew.markFirst(isColliding_[body]); }, colliding_);
+    }
+    contacts_.finishStep(settings_.has(Feature::Records));
+    if (!colliding_.empty() || !collidedBefore_.empty()) {
+        refreshColliding();
+    }
+}
+
+/// Brings kColliding up to date: only those bodies for which it changes are touched.
+void World::refreshColliding() {
+    collidedBefore_.reserve(colliding_.capacity()); // the two take turns
     for (const std::uint32_t body : collidedBefore_) {
         wasColliding_[body] = 1;
     }
-    colliding_.clear();
-    colliding_.reserve(collidedBefore_.capacity()); // the two take turns
-    contacts_.finishStep(
-        tolerances_, settings_.has(Feature::Records), crew,
-        [&](Contact& contact) { softStep_.fetch(contact); },
-        [&](std::uint32_t body) { return crew.markFirst(isColliding_[body]); }, colliding_);
     for (const std::uint32_t body : colliding_) {
         if (wasColliding_[body] == 0) {
             bodies_.record[body].filter.flags |= kColliding;

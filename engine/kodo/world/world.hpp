@@ -143,9 +143,11 @@ private:
     void forAwake(Crew& crew, void (*work)(Bodies&, std::span<const std::uint32_t>));
     void solve(Real dt, Crew& crew);
     void recordCollisions(Crew& crew);
+    void refreshColliding();
     void breakJoints(Real dt);
     void findAwake();
     void freezeUnsoundForces();
+    bool allSound() const;
     void freezeUnsoundMotion();
 
     StepSettings settings_;
