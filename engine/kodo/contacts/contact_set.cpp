@@ -203,7 +203,9 @@ void ContactSet::refreshPairs(const Bodies& bodies, Crew& crew) {
         return;
     }
     findPairs(bodies, crew);
-    mergePairs(bodies);
+    if (!pairs_.empty() || !order_.empty()) {
+        mergePairs(bodies);
+    }
     bounds_.clearChanged();
 }
 

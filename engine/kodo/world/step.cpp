@@ -61,7 +61,10 @@ void World::step(Real dt, const StepAids& aids) {
         freezeUnsoundMotion();
     }
     forAwake(crew, movePoses);
-    recordCollisions(crew);
+    if (!contacts_.contacts().empty() || !colliding_.empty()) {
+        recordCollisions(crew);
+    }
+    contacts_.finishStep(settings_.has(Feature::Records));
     broken_.clear();
     if (joints_.size() > 0) {
         breakJoints(dt);
@@ -121,8 +124,12 @@ void World::freezeUnsoundForces() {
 }
 
 bool World::allSound() const {
-    return std::all_of(bodies_.awake.begin(), bodies_.awake.end(),
-                       [&](std::uint32_t body) { return isSound(bodies_.motion[body]); });
+    for (const std::uint32_t body : bodies_.awake) {
+        if (!isSound(bodies_.motion[body])) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /// What a body that became unsound did to its neighbours within the step cannot be told apart any
@@ -167,25 +174,16 @@ void World::breakJoints(Real dt) {
     }
 }
 
-/// Sums up the contacts of the step, and lists the bodies that touch.
+/// Sums up the contacts of the step, and brings kColliding up to date: only those bodies for which
+/// it changes are touched.
 void World::recordCollisions(Crew& crew) {
     std::swap(colliding_, collidedBefore_);
     colliding_.clear();
     isColliding_.resize(bodies_.size());
     wasColliding_.resize(bodies_.size());
-    if (!contacts_.contacts().empty()) {
-        contacts_.sumUp(
-            tolerances_, crew, [&](Contact& contact) { softStep_.fetch(contact); },
-            [&](std::uint32_t body) { return crew.markFirst(isColliding_[body]); }, colliding_);
-    }
-    contacts_.finishStep(settings_.has(Feature::Records));
-    if (!colliding_.empty() || !collidedBefore_.empty()) {
-        refreshColliding();
-    }
-}
-
-/// Brings kColliding up to date: only those bodies for which it changes are touched.
-void World::refreshColliding() {
+    contacts_.sumUp(
+        tolerances_, crew, [&](Contact& contact) { softStep_.fetch(contact); },
+        [&](std::uint32_t body) { return crew.markFirst(isColliding_[body]); }, colliding_);
     collidedBefore_.reserve(colliding_.capacity()); // the two take turns
     for (const std::uint32_t body : collidedBefore_) {
         wasColliding_[body] = 1;

@@ -143,7 +143,6 @@ private:
     void forAwake(Crew& crew, void (*work)(Bodies&, std::span<const std::uint32_t>));
     void solve(Real dt, Crew& crew);
     void recordCollisions(Crew& crew);
-    void refreshColliding();
     void breakJoints(Real dt);
     void findAwake();
     void freezeUnsoundForces();
