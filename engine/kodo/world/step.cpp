@@ -30,7 +30,7 @@ void World::step(Real dt, const StepAids& aids) {
     contacts_.updateManifolds(bodies_, tolerances_, crew);
     enter(StepStage::Forces);
     forAwake(crew, beginMotion);
-    if (rest_.anyResting()) {
+    if (mayWake()) {
         rest_.wakeTouched(bodies_, contacts_, tolerances_);
         rest_.wakeJointed(bodies_, contacts_, joints_);
     }
@@ -48,7 +48,7 @@ void World::step(Real dt, const StepAids& aids) {
     enter(StepStage::Sweep);
     if (settings_.has(Feature::Sweep)) {
         contacts_.coverMoves(bodies_, tolerances_, crew);
-        if (rest_.anyResting() && rest_.wakeRunOver(bodies_, contacts_, tolerances_)) {
+        if (mayWake() && rest_.wakeRunOver(bodies_, contacts_, tolerances_)) {
             refreshAwake(bodies_);
         }
         if (!contacts_.contacts().empty()) {
@@ -70,7 +70,7 @@ void World::step(Real dt, const StepAids& aids) {
         breakJoints(dt);
     }
     enter(StepStage::Rest);
-    if (settings_.has(Feature::Resting)) {
+    if (settings_.has(Feature::Resting) && !bodies_.awake.empty()) {
         rest_.settle(bodies_, contacts_, joints_, settings_, tolerances_, dt);
     }
     ++stepCount_;
