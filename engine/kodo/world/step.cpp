@@ -119,6 +119,7 @@ void World::freezeUnsoundForces() {
         if (!isSound(bodies_.acceleration[body])) {
             freeze(bodies_, body);
             frozen_.push_back(bodies_.idAt(body));
+            contacts_.bodiesChanged(); // what froze is a piece of ground now
         }
     }
 }
@@ -161,7 +162,7 @@ void World::freezeUnsoundMotion() {
         }
         contacts_.forgetUnsound(bodies_, tolerances_);
         joints_.forgetUnsound();
-        contacts_.bodiesChanged(); // what froze is a piece of ground now
+        contacts_.bodiesChanged();
         bodies_.awakeStale = true;
     }
 }
