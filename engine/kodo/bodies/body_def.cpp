@@ -23,12 +23,9 @@ std::optional<Problem> checkLock(bool needed, Flags flags) {
 
 } // namespace
 
-std::optional<Problem> checkRange(const char* field, Real value, Real low, Real high) {
-    if (!(value >= low && value <= high)) { // false for NaN
-        return Problem{field, "must be from " + number(low) + " to " + number(high) + ", but is " +
-                                  number(value)};
-    }
-    return std::nullopt;
+Problem outOfRange(const char* field, Real value, Real low, Real high) {
+    return {field,
+            "must be from " + number(low) + " to " + number(high) + ", but is " + number(value)};
 }
 
 std::optional<Problem> checkPosition(const char* field, Vec2 value, Real lengthUnit) {

@@ -210,7 +210,9 @@ void ContactSet::refreshPairs(const Bodies& bodies, Crew& crew) {
         return;
     }
     findPairs(bodies, crew);
-    mergePairs(bodies);
+    if (!pairs_.empty() || !order_.empty()) {
+        mergePairs(bodies);
+    }
     bounds_.clearChanged();
 }
 
@@ -273,6 +275,9 @@ void ContactSet::mergePairs(const Bodies& bodies) {
         }
     }
     addUpTo(nullptr);
+    if (added_.empty() && holes_.empty()) {
+        return;
+    }
     std::swap(order_, newOrder_);
     for (const std::uint32_t at : added_) {
         if (holes_.empty()) {
@@ -320,6 +325,9 @@ void ContactSet::lookAtAll() {
 void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances,
                                  const std::function<void(Contact&)>& fetch, Crew& crew) {
     fastestApproach_ = 0;
+    if (contacts_.empty() && !contactsChanged_) {
+        return;
+    }
     live_.clear();
     found_.gather(crew, contacts_.size(), kContactsAPiece, live_,
                   [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {

@@ -76,8 +76,8 @@ public:
     /// Sums up a step, in which touched(contact) tells who touched. Lists the bodies that did, for
     /// which noteFirst(body) is true, each once and in any order. Several threads call these.
     template <typename Touched, typename NoteFirst>
-    void finishStep(bool wantRecords, Crew& crew, Touched touched, NoteFirst noteFirst,
-                    std::vector<std::uint32_t>& touching) {
+    void sumUp(Crew& crew, Touched touched, NoteFirst noteFirst,
+               std::vector<std::uint32_t>& touching) {
         found_.gather(
             crew, live().size(), kContactsAPiece, touching,
             [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
@@ -95,10 +95,15 @@ public:
                     }
                 }
             });
+    }
+    /// The last of a step: what is recorded from now on belongs to the next.
+    void finishStep(bool wantRecords) {
         records_.clear();
         endedInStep_.clear();
-        std::swap(ended_, endedInStep_);
-        ended_.reserve(endedInStep_.capacity()); // the two take turns
+        if (!ended_.empty()) {
+            std::swap(ended_, endedInStep_);
+            ended_.reserve(endedInStep_.capacity()); // the two take turns
+        }
         recordsDue_ = wantRecords;
     }
     /// Of the last step, in order. They are written when they are first asked for, or before a

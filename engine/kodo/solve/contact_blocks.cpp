@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
@@ -151,6 +152,11 @@ void ContactBlocks::freeLanes(const Bodies& bodies) {
     }
 }
 
+void ContactBlocks::releaseAll(const Bodies& bodies) {
+    std::fill(taken_.begin(), taken_.end(), std::uint8_t{0});
+    freeLanes(bodies);
+}
+
 /// The lanes of a block that are in use, but were not taken in this step.
 std::uint8_t ContactBlocks::goneFrom(std::uint32_t block) const {
     constexpr std::size_t kContacts = ContactBlock::kContacts;
@@ -269,15 +275,15 @@ void ContactBlocks::sit(Contact& contact, std::uint32_t bin) {
 /// Lists the blocks in use by bin.
 void ContactBlocks::orderBlocks() {
     std::array<std::uint32_t, kBins + 1> next{};
+    std::uint32_t lowest = kGroups; // two bins each
     for (const Shelf& shelf : shelves_) {
         next[shelf.bin + 1] += shelf.used != 0 ? 1 : 0;
+        lowest = std::min(lowest, shelf.bin / 2);
     }
-    for (std::size_t bin = 1; bin <= kBins; ++bin) {
-        next[bin] += next[bin - 1];
-    }
+    std::partial_sum(next.begin() + 2 * lowest, next.end(), next.begin() + 2 * lowest);
     order_.resize(next[kBins]);
     byColour_.clear();
-    for (std::uint32_t group = 0; group < kGroups; ++group) { // two bins each
+    for (std::uint32_t group = lowest; group < kGroups; ++group) {
         const std::uint32_t count = next[2 * group + 2] - next[2 * group];
         if (count > 0) {
             byColour_.push_back({count, isSingle(2 * group)});
@@ -334,11 +340,7 @@ void ContactBlocks::setPushSpeeds(std::span<const std::uint16_t> crowd, Real pus
 void ContactBlocks::fill(const Bodies& bodies, Contact& contact) {
     const std::size_t lane = laneOf(contact.seat.row);
     ContactBlock& block = blocks_[blockOf(contact.seat.row)];
-    fillLane(block, lane, bodies, contact, pushSpeed_);
-    for (ContactBlock::Point& point : block.points) {
-        point.impulse[lane] /= parts_;
-    }
-    block.friction[lane] /= parts_;
+    fillLane(block, lane, bodies, contact, pushSpeed_, parts_);
     std::int32_t& place = use_[blockOf(contact.seat.row)].rolling;
     const bool rolls = rollingOn_ && contact.material.rollingResistance > 0;
     if (rolls && place < 0) {
@@ -346,9 +348,7 @@ void ContactBlocks::fill(const Bodies& bodies, Contact& contact) {
         rolling_.emplace_back();
     }
     if (place >= 0) {
-        RollingBlock& own = rolling_[static_cast<std::size_t>(place)];
-        fillLane(own, lane, bodies, contact);
-        own.impulse[lane] /= parts_;
+        fillLane(rolling_[static_cast<std::size_t>(place)], lane, bodies, contact, parts_);
     }
     contact.carried = true;
     contact.seat.lent = true;

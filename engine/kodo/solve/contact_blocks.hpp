@@ -41,6 +41,9 @@ public:
                  std::span<const std::uint32_t> newcomers, std::span<const std::uint16_t> crowd,
                  Real pushSpeed);
 
+    /// Instead of all that, for a step in which no contact responds.
+    void releaseAll(const Bodies& bodies);
+
     ContactPassArguments pass(Bodies& bodies, const PassSettings& settings);
     /// Blocks that may be solved at once, since no two contacts of them push the same body: so
     /// many, in the order of the pass. Colours come one after the other.

@@ -219,20 +219,11 @@ bool SoftStep::noneNeedsRow(const Bodies& bodies, ContactSet& contactSet,
         if (needsRow(bodies, contact, settings, tolerances)) {
             return false;
         }
+        blocks_.reclaim(contact);
         contact.seat = {};
         contact.carried = false;
     }
     return true;
-}
-
-/// What moveFree does when nothing can push any body.
-void SoftStep::moveAllFree(Bodies& bodies, Real dt) {
-    holds_.resize(bodies.size());
-    for (const std::uint32_t body : bodies.awake) {
-        holds_[body] = Hold::Free;
-    }
-    integrateVelocities(bodies, bodies.awake, dt);
-    integrateMoves(bodies, bodies.awake, holds_, dt);
 }
 
 /// Bodies that nothing can push go all their way at once, so that their flight does not depend on
@@ -245,8 +236,7 @@ void SoftStep::moveFree(Bodies& bodies, Real dt) {
         holds_[body] = touched_[body] != 0 ? Hold::Touched : near;
         (holds_[body] == Hold::Free ? free_ : bound_).push_back(body);
     }
-    integrateVelocities(bodies, free_, dt);
-    integrateMoves(bodies, free_, holds_, dt);
+    moveFreely(bodies, free_, dt);
 }
 
 /// Forces begin to act.
@@ -287,13 +277,21 @@ void SoftStep::nextSubstep(Bodies& bodies, Real h, Crew& crew) {
 }
 
 void SoftStep::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step) {
-    const auto& [settings, tolerances, dt, crew] = step;
-    visits_ = 0;
-    if (blocks_.size() == 0 && joints.size() == 0 &&
-        noneNeedsRow(bodies, contactSet, settings, tolerances)) {
-        moveAllFree(bodies, dt);
-        return;
+    if (joints.size() == 0 && noneNeedsRow(bodies, contactSet, step.settings, step.tolerances)) {
+        if (blocks_.size() > 0) {
+            blocks_.releaseAll(bodies);
+        }
+        moveFreely(bodies, bodies.awake, step.dt);
+        visits_ = 0;
+    } else {
+        solveHeld(bodies, contactSet, joints, step);
     }
+}
+
+/// What solve() does where something may hold some bodies.
+void SoftStep::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joints,
+                         const Step& step) {
+    const auto& [settings, tolerances, dt, crew] = step;
     const Real whole = dt / static_cast<Real>(settings.substeps);
     const auto hertzOf = [](Real hertz, Real h) { return std::min(hertz, Real(0.25) / h); };
     const int parts =

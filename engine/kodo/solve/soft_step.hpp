@@ -68,9 +68,9 @@ private:
     void settle(const ContactPassArguments& pass, Crew& crew);
     template <typename Work>
     void forBound(Crew& crew, const Work& work);
-    static bool noneNeedsRow(const Bodies& bodies, ContactSet& contactSet,
-                             const StepSettings& settings, const Tolerances& tolerances);
-    void moveAllFree(Bodies& bodies, Real dt);
+    void solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step);
+    bool noneNeedsRow(const Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,
+                      const Tolerances& tolerances);
     void moveFree(Bodies& bodies, Real dt);
     void beginSubsteps(Bodies& bodies, Real h, Crew& crew);
     void nextSubstep(Bodies& bodies, Real h, Crew& crew);

@@ -42,6 +42,7 @@ bool World::askRegion(std::uint32_t body) {
         bodies_.motion[body].halt();
     }
     bodies_.jumped(body);
+    bodies_.awakeStale = true;
     return !inside && !waited;
 }
 

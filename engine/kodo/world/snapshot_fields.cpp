@@ -251,7 +251,7 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
     auto& [bounds, pairs, finder, seams, contacts, order, newOrder, holes, added, heads, live,
            found, slots, idle, ended, endedInStep, records, recordsDue, apart, fastestApproach,
            stale, pairsStale, contactsChanged, liveStale] = set;
-    auto& [parts, firstPart, tight, grown, changed, isChanged, grew] = bounds;
+    auto& [parts, firstPart, tight, grown, changed, isChanged, outgrown] = bounds;
     set.writeRecords();
     if (!reads() && stale) {
         bounds.number(bodies);

@@ -150,6 +150,9 @@ private:
     void breakJoints(Real dt);
     void findAwake();
     void freezeUnsoundForces();
+    /// Is there somebody who could wake somebody?
+    bool mayWake() const { return rest_.anyResting() && !bodies_.awake.empty(); }
+    bool allSound() const;
     void freezeUnsoundMotion();
 
     StepSettings settings_;
