@@ -98,6 +98,35 @@ TEST(Snapshot, GoesOnAlikeFromAnyMoment) {
     }
 }
 
+// R2: in a World of another length unit everything may be as large, as far and as fast in that.
+TEST(Snapshot, GoesOnAlikeInAnotherLengthUnit) {
+    for (const Real unit : {Real(1000), Real(1) / 1000}) {
+        SCOPED_TRACE(unit);
+        World world({.gravity = unit * support::kEarth, .lengthUnit = unit});
+        BodyDef ball = support::ballDef({}, unit / 2);
+        ball.density = 1 / (unit * unit);
+        std::vector<BodyId> balls;
+        for (int i = 0; i < 4; ++i) {
+            ball.position = {static_cast<Real>(i) * 20 * unit, 0};
+            ball.velocity = {0, kHighestSpeed / 4 * unit};
+            balls.push_back(world.add(ball));
+        }
+        const Real most = kFarthest / 2 * unit;
+        world.add(Spring{.ends = {.a = balls[0], .b = balls[1], .anchorA = {0, most}},
+                         .length = most,
+                         .hertz = 1,
+                         .limits = Range{0, most}});
+        world.add(Slider{.ends = {.a = balls[2], .b = balls[3]},
+                         .axis = {1, 0},
+                         .limits = Range{-most, most},
+                         .motorSpeed = kHighestSpeed / 4 * unit,
+                         .motorForce = unit});
+        run(world, 2);
+        World loaded = reloaded(world);
+        expectToGoOnAlike(world, loaded, 20);
+    }
+}
+
 // A wall that nothing stops comes at boxes that rest, touches or leaps at them, and pushes them
 // along: whoever was read from bytes in any step of that goes on alike.
 TEST(Snapshot, GoesOnAlikeWhileWhatRestsIsPushedByAMovingWall) {

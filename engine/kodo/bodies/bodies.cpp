@@ -139,10 +139,10 @@ void weldBodies(Bodies& bodies, std::uint32_t into, std::uint32_t part) {
     } else { // the centre moves within a body that goes on as it did
         motion.velocity = velocityAt(motion, center - bodies.pose[into].position);
     }
-    if (motion.invInertia > 0) {
+    setForm(bodies, into, form);
+    if (motion.invInertia > 0) { // now: a particle has got some inertia
         motion.angularVelocity = spin / form->mass.inertia;
     }
-    setForm(bodies, into, form);
 }
 
 void refreshMass(Bodies& bodies, std::uint32_t index) {

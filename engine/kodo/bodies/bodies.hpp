@@ -143,14 +143,15 @@ BodyId unweldPart(Bodies& bodies, std::uint32_t body, std::size_t part, Flags fl
 /// for that one step, whether the body can be pushed in it or not.
 void addForce(Bodies& bodies, std::uint32_t body, Vec2 force, Real torque);
 
-/// Stops a body for good that has become unsound: not finite, or faster than kHighestSpeed.
+/// Stops a body for good that has become unsound: not finite, or faster than kHighestSpeed in a
+/// World of that length unit.
 void freeze(Bodies& bodies, std::uint32_t body);
-inline bool isSound(const Motion& motion) {
-    constexpr Real kMost = kHighestSpeed;
-    return lengthSquared(motion.velocity) <= kMost * kMost && // false for NaN
-           std::abs(motion.angularVelocity) <= kMost &&
-           lengthSquared(motion.move) <= kMost * kMost && // in a second at the most
-           std::abs(motion.turn) <= kMost;
+inline bool isSound(const Motion& motion, Real lengthUnit) {
+    const Real most = kHighestSpeed * lengthUnit;
+    return lengthSquared(motion.velocity) <= most * most && // false for NaN
+           std::abs(motion.angularVelocity) <= kHighestSpeed &&
+           lengthSquared(motion.move) <= most * most && // in a second at the most
+           std::abs(motion.turn) <= kHighestSpeed;
 }
 inline bool isSound(const Acceleration& acceleration) {
     return isFinite(acceleration.linear) && std::isfinite(acceleration.angular);

@@ -104,7 +104,8 @@ void PartBounds::coverMoves(const Bodies& bodies, const Tolerances& tolerances, 
     listOutgrown(bodies, crew, [&](std::uint32_t body, const Convex& convex, std::size_t i) {
         const Motion& motion = bodies.motion[body];
         const Real swing = std::abs(motion.turn) * bodies.extent[body].reach;
-        if (grown_[i].contains(moved(tight_[i], motion.move).grown(swing)) || !isSound(motion)) {
+        if (grown_[i].contains(moved(tight_[i], motion.move).grown(swing)) ||
+            !isSound(motion, tolerances.unit())) {
             return false; // as foreseen; or it is about to be stopped where it is
         }
         const Aabb after = boundsAfter(convex, bodies.pose[body], motion);

@@ -80,10 +80,10 @@ std::optional<Problem> checkKind(const Slider& slider, Real unit) {
     if (!(std::abs(lengthSquared(slider.axis) - 1) < Real(1e-3))) {
         return Problem{"axis", "must be a unit vector"};
     }
-    if (auto problem =
-            checkFields({{"reference", slider.reference, -kAngle, kAngle},
-                         {"motorSpeed", slider.motorSpeed, -kHighestSpeed, kHighestSpeed},
-                         {"motorForce", slider.motorForce, 0, kMost}})) {
+    if (auto problem = checkFields(
+            {{"reference", slider.reference, -kAngle, kAngle},
+             {"motorSpeed", slider.motorSpeed, -kHighestSpeed * unit, kHighestSpeed * unit},
+             {"motorForce", slider.motorForce, 0, kMost}})) {
         return problem;
     }
     return checkLimits(slider.limits, -kFarthest * unit, kFarthest * unit);

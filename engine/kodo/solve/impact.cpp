@@ -118,6 +118,13 @@ void rub(const Impact& hit, std::size_t i, Real jn) {
     hit.push(i, 0, sticks ? stick : std::clamp(stick, -limit, limit));
 }
 
+void rubBoth(const Impact& hit, Real j1, Real j2) {
+    if (!hit.frictionless && hit.contact.material.staticFriction > 0) {
+        rub(hit, 0, j1);
+        rub(hit, 1, j2);
+    }
+}
+
 /// Both points at once, so that a box that lands flat rises flat. False when one of them would have
 /// to pull; then they must be hit singly.
 bool hitBoth(const Impact& hit) {
@@ -135,8 +142,10 @@ bool hitBoth(const Impact& hit) {
             return false;
         }
         // It cannot turn: both points are as one.
-        hit.push(0, w1 / (2 * k11), 0);
-        hit.push(1, w1 / (2 * k11), 0);
+        const Real half = w1 / (2 * k11);
+        hit.push(0, half, 0);
+        hit.push(1, half, 0);
+        rubBoth(hit, half, half);
         return true;
     }
     if (k12 < 0 && determinant * kHardest < k11 * k22) {
@@ -149,10 +158,7 @@ bool hitBoth(const Impact& hit) {
     }
     hit.push(0, j1, 0);
     hit.push(1, j2, 0);
-    if (!hit.frictionless && hit.contact.material.staticFriction > 0) {
-        rub(hit, 0, j1);
-        rub(hit, 1, j2);
-    }
+    rubBoth(hit, j1, j2);
     return true;
 }
 

@@ -129,7 +129,7 @@ void BodyRef::setRotation(Rot rotation) {
 }
 
 void BodyRef::setVelocity(Vec2 velocity) {
-    refuse(checkVelocity("velocity", velocity));
+    refuse(checkVelocity("velocity", velocity, unit()));
     thaw();
     motion().velocity = velocity;
     pushed();
@@ -153,7 +153,7 @@ void BodyRef::moveTo(Vec2 position, Rot rotation, Real dt) {
     const Vec2 target = position + rotation * bodies().form(index()).mass.center;
     const Vec2 velocity = (target - center()) / dt;
     const Real spin = (rotation * this->rotation().inverse()).angle() / dt;
-    refuse(checkVelocity("velocity", velocity));
+    refuse(checkVelocity("velocity", velocity, unit()));
     refuse(checkRange("angularVelocity", spin, -kHighestSpeed, kHighestSpeed));
     thaw();
     motion().velocity = velocity;
@@ -188,7 +188,7 @@ void BodyRef::applyImpulse(Vec2 impulse, Vec2 point) {
     refuse(checkPosition("point", point, unit()));
     Motion after = bodies().motion[index()];
     kodo::applyImpulse(after, point - center(), impulse);
-    refuse(checkVelocity("velocity after the impulse", after.velocity));
+    refuse(checkVelocity("velocity after the impulse", after.velocity, unit()));
     refuse(checkRange("angularVelocity after the impulse", after.angularVelocity, -kHighestSpeed,
                       kHighestSpeed));
     motion() = after;

@@ -307,7 +307,7 @@ void SnapshotFields::rest(RestStage& stage, Bodies& bodies) {
     }
 }
 
-void SnapshotFields::joints(JointSet& set, const Bodies& bodies) {
+void SnapshotFields::joints(JointSet& set, const Bodies& bodies, Real lengthUnit) {
     auto& [ids, joints, live, apart, broken, trees, held, treesStale] = set;
     one(ids);
     joints.resize(ids.capacity());
@@ -319,7 +319,7 @@ void SnapshotFields::joints(JointSet& set, const Bodies& bodies) {
         if (!reads()) {
             continue;
         }
-        require(check(joints[i].def));
+        require(check(joints[i].def, lengthUnit));
         for (const BodyId body : {firstBody(joints[i].def), secondBody(joints[i].def)}) {
             require(bodies.ids.alive(body.index, body.generation),
                     "a joint holds a body that is not there");
@@ -338,7 +338,7 @@ void SnapshotFields::world(World& world) {
     forms(world);
     all(bodies, lastForm, fields);
     require(ownFields_.empty(), "more force fields were given than it holds of your own");
-    this->joints(joints, bodies);
+    this->joints(joints, bodies, tolerances.unit());
     if (reads()) {
         contacts.setApart(joints.apart());
     }

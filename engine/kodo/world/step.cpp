@@ -131,7 +131,7 @@ void World::freezeUnsoundForces() {
 
 bool World::allSound() const {
     for (const std::uint32_t body : bodies_.awake) {
-        if (!isSound(bodies_.motion[body])) {
+        if (!isSound(bodies_.motion[body], tolerances_.unit())) {
             return false;
         }
     }
@@ -144,7 +144,7 @@ void World::freezeUnsoundMotion() {
     const std::size_t before = frozen_.size();
     for (const std::uint32_t body : bodies_.awake) {
         Motion& motion = bodies_.motion[body];
-        if (isSound(motion)) {
+        if (isSound(motion, tolerances_.unit())) {
             continue;
         }
         if (isFinite(motion.velocity) && std::isfinite(motion.angularVelocity)) {
@@ -158,7 +158,7 @@ void World::freezeUnsoundMotion() {
     }
     if (frozen_.size() > before) {
         for (Motion& motion : bodies_.motion) { // of what stands too: 0 times infinity is no number
-            if (!isSound(motion)) {
+            if (!isSound(motion, tolerances_.unit())) {
                 motion.stand();
             }
         }

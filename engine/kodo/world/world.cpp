@@ -13,14 +13,22 @@ bool sameBuild(const std::vector<Part>& a, const std::vector<Part>& b) {
     });
 }
 
-/// May the parts of both be one body?
-std::optional<Problem> checkTogether(const Form& into, const Form& part) {
+/// May the parts of both be one body? `place` is where the frame of the other's shape lies.
+std::optional<Problem> checkTogether(const Form& into, const Form& part, const Transform& place) {
     if (into.parts.size() + part.parts.size() > kMaxParts) {
         return Problem{"part", "must not give the body more than " + std::to_string(kMaxParts) +
                                    " parts, but they would be " +
                                    std::to_string(into.parts.size() + part.parts.size())};
     }
-    return checkRange("part.mass", part.mass.mass, 0, kHeaviest - into.mass.mass);
+    Mass added = part.mass;
+    added.center = place * added.center;
+    const Mass sum = combine(into.mass, added);
+    auto problem = sum.mass > 0 ? checkMass(sum) : std::nullopt; // two planes have none
+    if (problem) {
+        problem->field = "part";
+        problem->reason = "makes a body that cannot be: " + problem->reason;
+    }
+    return problem;
 }
 
 // What rests may do so because of these.
@@ -32,10 +40,10 @@ constexpr auto kHoldsAtRest = static_cast<std::uint8_t>(Feature::Friction) |
 } // namespace
 
 std::optional<Problem> check(const WorldDef& def) {
-    if (auto problem = checkVelocity("gravity", def.gravity)) {
+    if (auto problem = checkRange("lengthUnit", def.lengthUnit, Real(1e-6), Real(1e6))) {
         return problem;
     }
-    if (auto problem = checkRange("lengthUnit", def.lengthUnit, Real(1e-6), Real(1e6))) {
+    if (auto problem = checkVelocity("gravity", def.gravity, def.lengthUnit)) {
         return problem;
     }
     return check(def.settings);
@@ -154,12 +162,13 @@ std::size_t World::weld(BodyId into, BodyId part) {
     for (const Part& added : bodies_.form(part.index).parts) {
         refuse(checkLock(added.primitive, bodies_.record[into.index].filter.flags));
     }
-    refuse(checkTogether(bodies_.form(into.index), bodies_.form(part.index)));
-    disturb(into.index);
-    const std::size_t firstPart = bodies_.form(into.index).parts.size();
     const Transform frame{bodies_.originOf(into.index), bodies_.pose[into.index].rotation};
     const Transform other{bodies_.originOf(part.index), bodies_.pose[part.index].rotation};
-    joints_.transfer(part, into, between(frame, other));
+    const Transform place = between(frame, other);
+    refuse(checkTogether(bodies_.form(into.index), bodies_.form(part.index), place));
+    disturb(into.index);
+    const std::size_t firstPart = bodies_.form(into.index).parts.size();
+    joints_.transfer(part, into, place);
     weldBodies(bodies_, into.index, part.index);
     placeInRegion(into.index);
     remove(part);
@@ -246,7 +255,7 @@ std::size_t World::weld(BodyId into, const Primitive& shape, const Material& mat
     refuse(checkLock(shape, bodies_.record[into.index].filter.flags));
     const Part part{shape, material, density};
     refuse(checkBuild({&part, 1}, tolerances_.unit()));
-    refuse(checkTogether(bodies_.form(into.index), *makeForm({part})));
+    refuse(checkTogether(bodies_.form(into.index), *makeForm({part}), {}));
     disturb(into.index);
     std::vector<Part> parts = bodies_.form(into.index).parts;
     parts.push_back(part);
