@@ -52,7 +52,7 @@ void expectSame(const Passage& expected, const std::optional<CastHit>& hit, Vec2
                      kTolerance));
 }
 
-// C1, Q: every kind moving at every other, against the slow advance in long double.
+// C1: every kind moving at every other, against the slow advance in long double.
 TEST_P(EveryCast, MeetsTheOtherWhereTheSlowAdvanceDoes) {
     int hits = 0;
     for (int i = 0; i < kPoses && !bothPlanes() && !HasFatalFailure(); ++i) {
@@ -82,7 +82,7 @@ TEST_P(EveryCast, MeetsTheOtherWhereTheSlowAdvanceDoes) {
     EXPECT_GT(hits, thin ? -1 : kPoses / 50);
 }
 
-// Q: a ray is the way of a point.
+// A ray is the way of a point.
 TEST_P(EveryCast, OfAPointIsARay) {
     const Convex point = convexOf(Point{}, {});
     for (int i = 0; i < kPoses && !bothPlanes() && !HasFatalFailure(); ++i) {
@@ -139,7 +139,7 @@ TEST(ShapeCast, ThatStartsInOverlapIsThereAlready) {
     }
 }
 
-// Q: a one-sided line stops what comes from its front, and nothing else.
+// A one-sided line stops what comes from its front, and nothing else.
 TEST(ShapeCast, PassesAOneSidedLineFromBehind) {
     const Convex platform = convexOf(Segment{{-2, 0}, {2, 0}, true, {}, {}}, {});
     const Convex shapes[] = {convexOf(Circle{1}, {}), convexOf(Box{2, 2}, {}),

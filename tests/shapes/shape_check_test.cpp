@@ -53,7 +53,7 @@ const BadShape kBadShapes[] = {
     {"NanHeight", Box{1, kNan}, "height", "finite"},
     {"InfiniteHeight", Box{1, kInf}, "height", "finite"},
     {"NanBoxCenter", Box{1, 1, {0, kNan}}, "center", "finite"},
-    // A fixed bug: these passed, and what was computed from them overflowed.
+    // What is computed from these would overflow.
     {"RadiusBeyondSquares", Circle{kTooLarge}, "radius", "at most 1e"},
     {"WidthBeyondSquares", Box{kTooLarge, 1}, "width", "at most 1e"},
     {"CircleTooFarOff", Circle{1, {0, -kTooLarge}}, "center", "beyond 1e"},

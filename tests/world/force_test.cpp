@@ -56,8 +56,8 @@ const Bound kBound[] = {
      }},
 };
 
-// A fixed bug: the forces on what was locked, frozen or outside the region were kept until it was
-// free, and then acted all at once. One step is over for them as for all others.
+// The forces on what is locked, frozen or outside the region are not kept until it is free, to act
+// all at once: one step is over for them as for all others.
 TEST(Force, IsForgottenAfterAStepInWhichItCouldNotAct) {
     for (const Bound& bound : kBound) {
         SCOPED_TRACE(bound.name);

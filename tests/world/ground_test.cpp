@@ -144,7 +144,7 @@ TEST(Ground, APlaneCarriesEverything) {
     }
 }
 
-// A fixed bug: what has no thickness sank in by a hair, was behind the line, and fell through.
+// What has no thickness sinks in by a hair, and does not fall through for being behind the line.
 TEST(Ground, OneSidedGroundCarriesWhatHasNoThickness) {
     const Shape grounds[] = {Shape(flatMap(10)), Shape(Segment{{-5, 0}, {5, 0}, true, {}, {}})};
     const Shape thin[] = {Shape(Point{}),

@@ -122,7 +122,7 @@ TEST(MovingPlatform, TakesABoxAlongByFriction) {
     move(24); // 0.4 s: 5 m/s^2, 2 m/s
     EXPECT_TRUE(nearShare(world[box].velocity().x, 2, 0.01));
     move(24); // it has caught up after 0.6 s
-    EXPECT_TRUE(near(world[box].velocity().x, 3, byPrecision(1e-4, 1e-4)));
+    EXPECT_TRUE(near(world[box].velocity().x, 3, -1));
     const Real lag = world[platform].position().x - world[box].position().x;
     EXPECT_TRUE(nearShare(lag, 3 * 0.6 / 2, 0.01)); // v^2 / (2 mu g)
     move(240);

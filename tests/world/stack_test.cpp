@@ -68,7 +68,7 @@ TEST(Stack, APyramidStands) {
     }
 }
 
-// A8: a box with 5 m/s and friction 0.5 stops after v^2 / (2 mu g) = 2.5 m.
+// A box with 5 m/s and friction 0.5 stops after v^2 / (2 mu g) = 2.5 m.
 TEST(Sliding, ABoxStopsWhereFrictionSays) {
     World world(wakeful());
     addFloor(world, withFriction(Real(0.5)));
