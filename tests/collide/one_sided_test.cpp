@@ -7,7 +7,6 @@
 #include <support/near.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace kodo {
 namespace {

@@ -4,7 +4,6 @@
 #include <joints/rig.hpp>
 
 #include <algorithm>
-#include <numbers>
 
 namespace kodo {
 namespace {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <support/scenes.hpp>
 
-#include <string>
-
 namespace kodo {
 namespace {
 

@@ -104,11 +104,11 @@ TEST(Lock, ABlowTowardsTheHingeDoesNotSpinABodyThatCannotMove) {
     }
 }
 
-// What can only turn, and is pinched by something that comes down on it at unlike distances from its
-// hinge, is neither struck at two points as if it could not turn, nor to and fro within one step,
-// each blow harder than the one before. What presses is a spring that holds 27 times what takes
-// 3.5 m/s of the walls and 3 m/s of the push from 64 times its mass, and may be shared by two on
-// each side.
+// What can only turn, and is pinched by something that comes down on it at unlike distances from
+// its hinge, is neither struck at two points as if it could not turn, nor to and fro within one
+// step, each blow harder than the one before. What presses is a spring that holds 27 times what
+// takes 3.5 m/s of the walls and 3 m/s of the push from 64 times its mass, and may be shared by two
+// on each side.
 TEST(Lock, WhatCanOnlyTurnIsNotPinchedEverHarder) {
     for (const Strategy strategy : {Strategy::SoftStep, Strategy::Propagation}) {
         for (const Real restitution : {Real(0), Real(0.5), Real(1)}) {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/bodies/integrate.hpp>
 
-#include <algorithm>
-#include <cmath>
-
 namespace kodo::inline KODO_PRECISION {
 
 void gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Real dt) {

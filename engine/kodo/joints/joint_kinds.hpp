@@ -4,7 +4,6 @@
 #include <kodo/joints/joint_set.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace kodo::inline KODO_PRECISION {
 

@@ -4,6 +4,7 @@
 #include <kodo/world/queries.hpp>
 
 #include <algorithm>
+#include <span>
 #include <tuple>
 
 namespace kodo::inline KODO_PRECISION {

@@ -4,7 +4,6 @@
 #include <kodo/world/world.hpp>
 
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace kodo::inline KODO_PRECISION {

@@ -97,8 +97,8 @@ public:
     /// the list, so that one must not come from two threads at once.
     std::span<const CollisionRecord> collisions() const { return contacts_.records(); }
 
-    /// Only bodies whose bounds meet the region (m, world) take part in steps; the others wait where
-    /// they are. Nothing: all do. Throws BadDefinition unless lower <= upper along both axes.
+    /// Only bodies whose bounds meet the region (m, world) take part in steps; the others wait
+    /// where they are. Nothing: all do. Throws BadDefinition unless lower <= upper along both axes.
     void setRegion(std::optional<Aabb> region);
     const std::optional<Aabb>& region() const { return region_; }
 
