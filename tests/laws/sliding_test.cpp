@@ -52,6 +52,18 @@ TEST(Sliding, StopsAtTheSamePlaceAtAnyRate) {
     }
 }
 
+// A cube, whose load braking shifts to its front edge, stops there too: v^2 / (2 mu g) = 2.5 m.
+TEST(Sliding, ACubeStopsWhereFrictionSays) {
+    World world(support::wakeful());
+    support::addFloor(world, withFriction(Real(0.5)));
+    BodyDef def = support::boxDef({0, Real(0.5)}, 1, 1, withFriction(Real(0.5)));
+    def.velocity = {5, 0};
+    const BodyId box = world.add(def);
+    support::run(world, 180);
+    EXPECT_TRUE(support::near(world[box].position().x, 2.5L, 0.025L)); // 1 %
+    EXPECT_TRUE(support::near(world[box].velocity().x, 0, support::byPrecision(1e-5, 1e-9)));
+}
+
 // R7: at rest it takes mu_s m g to break loose; then it slides with mu_k. Each within 1 %.
 TEST(Sliding, BreaksLooseAtTheStaticFriction) {
     const Material material{Real(0.6), Real(0.3), 0, 0};

@@ -55,6 +55,29 @@ TEST(OneSidedPlatform, LetsUpAndCarriesWhatComesDown) {
     }
 }
 
+// F2: on the way up it is as if it were not there, to the bit.
+TEST(OneSidedPlatform, IsNotThereForWhatComesFromBelow) {
+    for (const int kind : {0, 1}) {
+        for (const Real speed : {Real(8), Real(8.5), Real(12), Real(60)}) {
+            World world({.gravity = support::kEarth});
+            World empty = world;
+            const BodyId platform = world.add(oneSidedDef({0, 0}));
+            empty.add(ballDef({1000, 0}, 1)); // in its place, so that ids are alike
+            BodyDef def = moverDef(kind, {Real(0.3), -2});
+            def.velocity = {0, speed};
+            const BodyId jumper = world.add(def);
+            ASSERT_EQ(empty.add(def), jumper);
+            while (empty[jumper].velocity().y > 0) {
+                world.step(kDt);
+                empty.step(kDt);
+                ASSERT_EQ(world[jumper].position(), empty[jumper].position())
+                    << kind << " " << speed;
+            }
+            EXPECT_GT(world[jumper].position().y, world[platform].position().y + 1);
+        }
+    }
+}
+
 // One that does not get through falls back, unpushed, from wherever it turns.
 TEST(OneSidedPlatform, LetsFallBackWhatDoesNotGetThrough) {
     for (const int kind : {0, 1}) {

@@ -31,10 +31,9 @@ inline constexpr Real kUnbreakable = std::numeric_limits<Real>::infinity();
 struct JointEnds {
     BodyId a;
     BodyId b;
-    Vec2 anchorA{}; // m, in the frame of a's shape; within kFarthest
-    Vec2 anchorB{}; // m, in the frame of b's shape; within kFarthest
-    Real breakForce =
-        kUnbreakable; // N, > 0; a greater pull, averaged over a step, breaks the joint
+    Vec2 anchorA{};                  // m, in the frame of a's shape; within kFarthest
+    Vec2 anchorB{};                  // m, in the frame of b's shape; within kFarthest
+    Real breakForce = kUnbreakable;  // N, > 0; a greater pull, as the mean of a step, breaks it
     Real breakTorque = kUnbreakable; // N m, > 0
     bool collide = false;            // may the two bodies touch each other?
 };
