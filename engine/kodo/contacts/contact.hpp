@@ -75,7 +75,7 @@ struct alignas(64) Contact {
     bool responds() const { return manifold.count > 0 && !sensor && !hidden; }
 };
 
-/// So many contacts ahead a loop over all of them asks for what it will read.
+/// How many contacts ahead a loop over all of them prefetches what it will read.
 constexpr std::size_t kContactsAhead = 6;
 
 } // namespace kodo::inline KODO_PRECISION
