@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <support/rest.hpp>
+#include <support/resting.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +55,9 @@ TEST(OneSidedPlatform, LetsUpAndCarriesWhatComesDown) {
     }
 }
 
-// F2: on the way up it is as if it were not there, to the bit.
+// F2: on the way up it is as if it were not there. In the one or two steps that begin just above
+// it, where a body might be touched, its flight is no exact parabola: each is off by g dt^2 / 2 of
+// a substep, five times, 0.28 mm.
 TEST(OneSidedPlatform, IsNotThereForWhatComesFromBelow) {
     for (const int kind : {0, 1}) {
         for (const Real speed : {Real(8), Real(8.5), Real(12), Real(60)}) {
@@ -70,7 +72,7 @@ TEST(OneSidedPlatform, IsNotThereForWhatComesFromBelow) {
             while (empty[jumper].velocity().y > 0) {
                 world.step(kDt);
                 empty.step(kDt);
-                ASSERT_EQ(world[jumper].position(), empty[jumper].position())
+                ASSERT_TRUE(near(world[jumper].position(), empty[jumper].position(), Real(6e-4)))
                     << kind << " " << speed;
             }
             EXPECT_GT(world[jumper].position().y, world[platform].position().y + 1);
@@ -145,7 +147,9 @@ TEST(MovingPlatform, TakesABoxAlongByFriction) {
     move(24); // 0.4 s: 5 m/s^2, 2 m/s
     EXPECT_TRUE(nearShare(world[box].velocity().x, 2, 0.01));
     move(24); // it has caught up after 0.6 s
-    EXPECT_TRUE(near(world[box].velocity().x, 3, -1));
+    // In float the speed that moveTo finds is off by a rounding of 2.4 m over dt; else a little is
+    // left of the way in which the box leant on its edge.
+    EXPECT_TRUE(near(world[box].velocity().x, 3, byPrecision(2e-5, 2e-7)));
     const Real lag = world[platform].position().x - world[box].position().x;
     EXPECT_TRUE(nearShare(lag, 3 * 0.6 / 2, 0.01)); // v^2 / (2 mu g)
     move(240);
