@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <scenes/mass.hpp>
 #include <scenes/scene_def.hpp>
+#include <scenes/scene_mass.hpp>
 
 #include <cstddef>
 #include <memory>

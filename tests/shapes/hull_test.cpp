@@ -59,12 +59,14 @@ std::size_t countCorners(const std::vector<Vec2>& points) {
 // P3: every corner is one of the points, every point is inside, and no corner is missing.
 TEST(ConvexHull, IsThatOfBruteForce) {
     support::RandomNumbers random(171);
+    int made = 0;
     for (int i = 0; i < 2000; ++i) {
         const std::vector<Vec2> points = cloud(random, 3 + random.below(20));
         const auto hull = convexHull(points);
         if (!std::holds_alternative<Polygon>(hull)) {
             continue; // three points nearly on one line
         }
+        ++made;
         const Polygon& polygon = std::get<Polygon>(hull);
         ASSERT_FALSE(check(Primitive(polygon)));
         for (const Vec2 corner : polygon.corners) {
@@ -81,6 +83,7 @@ TEST(ConvexHull, IsThatOfBruteForce) {
         }
         ASSERT_GE(polygon.corners.size(), countCorners(points));
     }
+    EXPECT_EQ(made, 2000);
 }
 
 TEST(ConvexHull, DropsDuplicatesAndWhatLiesAlongASide) {
