@@ -7,7 +7,7 @@ namespace kodo {
 namespace {
 
 constexpr Real kDt = Real(1) / 64;
-constexpr Tolerances kTolerances = Tolerances::forUnit(1);
+constexpr Tolerances kDistances = Tolerances::forUnit(1);
 
 /// Two discs, of which the second lies still. All numbers are multiples of 2^-8, so that nothing
 /// is rounded.
@@ -22,7 +22,7 @@ struct Discs {
             addBody(bodies, def, makeForm(partsOf(def)));
         }
         refreshAwake(bodies);
-        bounds.renew(bodies, kTolerances);
+        bounds.renew(bodies, kDistances);
         bounds.clearChanged();
     }
     /// Are the bounds of the first new, and those of the second not?
@@ -34,7 +34,7 @@ struct Discs {
     }
     /// Is there room for the first and its margin?
     bool hold(Vec2 move) const {
-        return bounds.grown()[0].contains(moved(bounds.tight(0), move).grown(kTolerances.margin));
+        return bounds.grown()[0].contains(moved(bounds.tight(0), move).grown(kDistances.margin));
     }
 };
 
@@ -44,7 +44,7 @@ TEST(PartBounds, AreNewOnlyWhenOutgrown) {
     Discs discs;
     discs.bodies.motion[0].velocity = {1, 0};
     for (int step = 0; step < 60; ++step) {
-        discs.bounds.foresee(discs.bodies, kTolerances, kDt, discs.crew);
+        discs.bounds.foresee(discs.bodies, kDistances, kDt, discs.crew);
         EXPECT_EQ(discs.renewed(), step % 6 == 0) << step;
         EXPECT_TRUE(discs.hold({kDt, 0})) << step;
         discs.bodies.pose[0].position.x += kDt;
@@ -54,10 +54,10 @@ TEST(PartBounds, AreNewOnlyWhenOutgrown) {
 // R10: what the solver sends out of them gets new ones, what it moves within them does not.
 TEST(PartBounds, CoverWhatTheSolverDid) {
     Discs discs;
-    discs.bounds.foresee(discs.bodies, kTolerances, kDt, discs.crew);
-    for (const Real way : {kTolerances.margin, Real(2)}) {
+    discs.bounds.foresee(discs.bodies, kDistances, kDt, discs.crew);
+    for (const Real way : {kDistances.margin, Real(2)}) {
         discs.bodies.motion[0].move = {0, way};
-        discs.bounds.coverMoves(discs.bodies, kTolerances, discs.crew);
+        discs.bounds.coverMoves(discs.bodies, kDistances, discs.crew);
         EXPECT_EQ(discs.renewed(), way == 2);
         EXPECT_EQ(discs.hold({0, way}), way == 2); // the margin itself may be used up
     }
