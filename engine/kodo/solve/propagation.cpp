@@ -4,6 +4,7 @@
 #include <kodo/solve/impact.hpp>
 #include <kodo/solve/leverage.hpp>
 #include <kodo/solve/propagation.hpp>
+#include <kodo/solve/stride_order.hpp>
 
 #include <algorithm>
 #include <cmath>

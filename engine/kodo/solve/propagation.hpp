@@ -8,7 +8,6 @@
 #include <kodo/solve/propagation_row.hpp>
 #include <kodo/solve/settings.hpp>
 #include <kodo/solve/shock_levels.hpp>
-#include <kodo/solve/stride_order.hpp>
 
 #include <span>
 #include <vector>
