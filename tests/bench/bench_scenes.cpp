@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bench_scenes.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace bench {

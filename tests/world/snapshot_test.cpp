@@ -20,7 +20,7 @@ using support::kDt;
 using support::ownFields;
 using support::run;
 
-using Bytes = std::vector<std::byte>;
+using support::Bytes;
 
 /// Of a world with these fields of the user's own.
 World reloaded(const World& world, const support::OwnFields& own = {}) {

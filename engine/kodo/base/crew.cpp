@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/base/crew.hpp>
 
+#include <algorithm>
 #include <thread>
 
 namespace kodo::inline KODO_PRECISION {

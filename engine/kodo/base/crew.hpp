@@ -3,7 +3,6 @@
 
 #include <kodo/base/executor.hpp>
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/bodies/flags.hpp>
 #include <kodo/bodies/material.hpp>
-#include <kodo/collide/filter.hpp>
 #include <kodo/shapes/shape.hpp>
 
 #include <compare>
@@ -53,10 +53,5 @@ std::optional<Problem> checkFlags(const char* field, Flags value);
 /// Of a body with something in it that may need to be locked.
 std::optional<Problem> checkLock(const Shape& shape, Flags flags);
 std::optional<Problem> checkLock(const Primitive& part, Flags flags);
-Problem outOfRange(const char* field, Real value, Real low, Real high);
-inline std::optional<Problem> checkRange(const char* field, Real value, Real low, Real high) {
-    const bool inside = value >= low && value <= high; // false for NaN
-    return inside ? std::nullopt : std::optional(outOfRange(field, value, low, high));
-}
 
 } // namespace kodo::inline KODO_PRECISION

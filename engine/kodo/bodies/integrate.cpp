@@ -2,9 +2,6 @@
 #include <kodo/base/crew.hpp>
 #include <kodo/bodies/integrate.hpp>
 
-#include <algorithm>
-#include <cmath>
-
 namespace kodo::inline KODO_PRECISION {
 
 bool gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Real dt) {

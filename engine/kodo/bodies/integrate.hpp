@@ -2,7 +2,6 @@
 #pragma once
 
 #include <kodo/bodies/force_field.hpp>
-#include <kodo/bodies/tolerances.hpp>
 
 #include <span>
 

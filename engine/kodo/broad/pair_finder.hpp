@@ -45,7 +45,7 @@ public:
 
     /// From now on in this way alone; nothing: in the cheapest.
     void use(std::optional<PairSearch> only) { only_ = only; }
-    PairSearch way() const { return way_; } // of the last call
+    PairSearch way() const { return way_; } // of the last call; for tests
     /// ps, of all calls: see PairWork.
     std::uint64_t work() const { return work_; }
 

@@ -86,7 +86,7 @@ struct ContactHead {
     bool idle = false; // far apart, and nothing came of it in the last step
 };
 
-/// So many contacts ahead a loop over all of them asks for what it will read.
+/// How many contacts ahead a loop over all of them prefetches what it will read.
 constexpr std::size_t kContactsAhead = 6;
 
 } // namespace kodo::inline KODO_PRECISION

@@ -2,8 +2,6 @@
 #include <kodo/base/prefetch.hpp>
 #include <kodo/contacts/seams.hpp>
 
-#include <limits>
-
 namespace kodo::inline KODO_PRECISION {
 namespace {
 

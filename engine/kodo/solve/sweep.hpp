@@ -24,9 +24,9 @@ namespace kodo::inline KODO_PRECISION {
 /// A body that is stopped keeps the velocity it had at that moment and gives up the rest of its
 /// step; the blow itself is dealt in the next one. Impacts are taken in the order of their time.
 ///
-/// What is locked and moves cannot be stopped. It would run over what has been stopped in front of
-/// it, step by step until that is through; so it pushes that along, with whom that has met. What
-/// bounces off it is not pushed.
+/// What is locked and moves cannot be stopped. It would go on through whatever has been stopped in
+/// front of it; so it pushes that along, and what that touches in turn. What bounces off it is not
+/// pushed.
 class SweepStage {
 public:
     void run(Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,

@@ -64,7 +64,8 @@ void World::putContactsAside() {
     takeBack([&](const Contact& contact) {
         return bodies_.active(contact.key.bodyA) || bodies_.active(contact.key.bodyB);
     });
-    returning_.clear(); // of what froze: their end is yet to be told
+    // Contacts of what froze go back into the list: that they end is yet to be recorded.
+    returning_.clear();
     for (const Contact& contact : contacts_.takeIdle(bodies_)) {
         const bool aside = waits(contact.key.bodyA) || waits(contact.key.bodyB);
         (aside ? aside_ : returning_).push_back(contact);

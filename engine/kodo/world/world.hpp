@@ -51,20 +51,25 @@ public:
 
     /// Makes `part` a part of `into`, where it is now: its parts follow those of `into`, and its id
     /// dies. Mass, centre, inertia, momentum and angular momentum of the pair are kept; a locked
-    /// `into` stays locked. Returns the index of the first part added.
+    /// `into` stays locked. Returns the index of the first part added. Throws BadDefinition for one
+    /// and the same body twice, for a plane in what is not locked, and if the two have too many
+    /// parts or too much mass together.
     std::size_t weld(BodyId into, BodyId part);
-    /// The same with a shape in the frame of `into`'s shape, at the speed of `into`.
+    /// The same with a shape in the frame of `into`'s shape, at the speed of `into`. Throws
+    /// BadDefinition as well for what add would refuse: the shape, the material, the density.
     std::size_t weld(BodyId into, const Primitive& shape, const Material& material, Real density);
     /// Takes part `part` off again, as a body of its own with these flags; the parts behind it move
-    /// up by one. Momentum and angular momentum are kept.
+    /// up by one. Momentum and angular momentum are kept. Throws BadDefinition for a part that the
+    /// body does not have, for its only one, and for flags that add would refuse.
     BodyId unweld(BodyId body, std::size_t part, Flags flags = 0);
 
-    /// Throws BadDefinition with what check(def) says, or if a body of it is not alive.
+    /// Throws BadDefinition with what check(def) says, BadBodyId if a body of it is not alive.
     JointId add(const JointDef& def);
     void remove(JointId id); // throws BadDefinition for an id that is not alive, as all of these do
     bool contains(JointId id) const { return joints_.contains(id); }
     const JointDef& joint(JointId id) const;
-    /// Changes the numbers of a joint: same kind, same bodies. What it has learned is kept.
+    /// Changes the numbers of a joint; what it has learned is kept. Throws BadDefinition with what
+    /// check(def) says, or if it is of another kind or between other bodies.
     void setJoint(JointId id, const JointDef& def);
     /// N, on the second body: the mean of the last step in which the joint did not rest.
     Vec2 jointForce(JointId id) const;
@@ -73,11 +78,13 @@ public:
     /// Joints that broke in the last step, in order. Valid until the next step.
     std::span<const BrokenJoint> brokenJoints() const { return broken_; }
 
-    /// Fields act in the order of the list. A change wakes everything.
+    /// Fields act in the order of the list. A change wakes everything. Throws BadDefinition if a
+    /// pointer to a field is null.
     void addField(FieldEntry entry);
     void setFields(std::vector<FieldEntry> fields);
     const std::vector<FieldEntry>& fields() const { return fields_; }
     /// Until the next step; on the bodies that `which` accepts. N at the centre of mass, and N m.
+    /// Throws BadDefinition for what is not finite.
     void applyForceToAll(Vec2 force, CollisionFilter which = {});
     void applyTorqueToAll(Real torque, CollisionFilter which = {});
 
@@ -90,8 +97,8 @@ public:
     /// the list, so that one must not come from two threads at once.
     std::span<const CollisionRecord> collisions() const;
 
-    /// Only bodies whose bounds meet the region take part in steps; the others wait where they are.
-    /// Nothing: all do.
+    /// Only bodies whose bounds meet the region (m, world) take part in steps; the others wait
+    /// where they are. Nothing: all do. Throws BadDefinition unless lower <= upper along both axes.
     void setRegion(std::optional<Aabb> region);
     const std::optional<Aabb>& region() const { return region_; }
 
