@@ -13,8 +13,8 @@
 ///   order     whatever comes as a list comes in the order of ids.
 ///   bits      the same calls give the same bits with every compiler, CPU and day, as long as it
 ///             is built with -ffp-contract=off and without -ffast-math.
-///   errors    bad values throw BadDefinition, dead ids BadBodyId, bytes that are no snapshot
-///             BadSnapshot; nothing has changed then.
+///   errors    bad values and ids of dead joints throw BadDefinition, ids of dead bodies BadBodyId,
+///             bytes that are no snapshot BadSnapshot; nothing has changed then.
 
 #include <kodo/base/thread_pool.hpp>
 #include <kodo/bodies/fields.hpp>

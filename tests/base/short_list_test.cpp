@@ -38,7 +38,7 @@ TEST(ShortList, IsAListOfAnyLength) {
     }
 }
 
-// A fixed bug: what was moved from had the length of before, but nothing at it.
+// What was moved from has no elements, and does not keep the length of those it gave away.
 TEST(ShortList, IsEmptyAfterItWasMovedFrom) {
     for (const int count : {3, 40}) {
         const std::vector<int> numbers = counted(count);

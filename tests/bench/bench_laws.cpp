@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What has a closed form: the error is how far an engine is from it.
 #include <scenes/impacts.hpp>
-#include <scenes/mass.hpp>
 #include <scenes/piles.hpp>
+#include <scenes/scene_mass.hpp>
 #include <scenes/slides.hpp>
 
 #include <algorithm>

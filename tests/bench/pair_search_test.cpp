@@ -29,8 +29,10 @@ Result searching(const std::string& scene, const std::string& way) {
 }
 
 // O2: chosen by itself, and never more than 20 % off the best of the three, by what the search had
-// to do and what that takes (PairWork). The choice has to try the others now and then, and to find
-// out what they take; both are in the figure. Whichever it is, the outcome is the same.
+// to do and what that takes. That is the count that the choice goes by too (PairWork), so this
+// tells how well it foresees it, and not how well the count foresees a clock: it does so to a
+// quarter. The choice has to try the others now and then, and to find out what they take; both are
+// in the figure. Whichever it is, the outcome is the same.
 TEST_P(PairSearch, IsNeverAFifthOffTheBest) {
     const Result chosen = searching(GetParam(), "auto");
     double best = std::numeric_limits<double>::max();

@@ -3,7 +3,7 @@
 
 #include <support/convex_oracle.hpp>
 
-#include <scenes/mass.hpp>
+#include <scenes/scene_mass.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -82,7 +82,7 @@ TEST_P(EveryCast, MeetsTheOtherWhereTheSlowAdvanceDoes) {
     EXPECT_GT(hits, thin ? -1 : kPoses / 100);
 }
 
-// Q: a ray is the way of a point.
+// A ray is the way of a point.
 TEST_P(EveryCast, OfAPointIsARay) {
     const Convex point = convexOf(Point{}, {});
     for (int i = 0; i < kPoses && !bothPlanes() && !HasFatalFailure(); ++i) {
@@ -139,7 +139,7 @@ TEST(ShapeCast, ThatStartsInOverlapIsThereAlready) {
     }
 }
 
-// Q: a one-sided line stops what comes from its front, and nothing else.
+// A one-sided line stops what comes from its front, and nothing else.
 TEST(ShapeCast, PassesAOneSidedLineFromBehind) {
     const Convex platform = convexOf(Segment{{-2, 0}, {2, 0}, true, {}, {}}, {});
     const Convex shapes[] = {convexOf(Circle{1}, {}), convexOf(Box{2, 2}, {}),

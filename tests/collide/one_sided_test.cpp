@@ -7,7 +7,6 @@
 #include <support/near.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace kodo {
 namespace {
@@ -131,7 +130,7 @@ TEST(OneSided, ShowsAPlaneItsFront) {
     EXPECT_TRUE(collide(up, {}, plane, {}, kMargin, 0).fromBehind);
 }
 
-// O: the moment of impact exists for what comes from the front, and is the closed form.
+// The moment of impact exists for what comes from the front, and is the closed form.
 TEST(OneSided, IsHitInFlightFromItsFrontOnly) {
     const Convex line = convexOf(platform(), {});
     const Convex shapes[] = {convexOf(Circle{1}, {}), convexOf(Box{2, 2}, {})};

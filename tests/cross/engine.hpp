@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <scenes/mass.hpp>
 #include <scenes/scene_def.hpp>
+#include <scenes/scene_mass.hpp>
 
 #include <cstddef>
 #include <memory>
-#include <vector>
 
 namespace crosscheck {
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <sandbox.hpp>
-#include <utility>
 
 namespace {
 

@@ -2,7 +2,6 @@
 #include <support/scenes.hpp>
 
 #include <set>
-#include <tuple>
 
 namespace kodo {
 namespace {

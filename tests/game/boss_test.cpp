@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A7: a boss is one body, and its parts break off.
+// A boss is one body, and its parts break off.
 #include <support/near.hpp>
 
 #include "game_access.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A4: blocks come apart in different ways, by the real blow at its real point.
+// Blocks come apart in different ways, by the real blow at its real point.
 #include <apart/core/field.hpp>
 #include <apart/core/fracture.hpp>
 #include <apart/core/tuning.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A8: what keeps a ball in play.
+// What keeps a ball in play.
 #include <apart/core/governor.hpp>
 #include <apart/core/tuning.hpp>
 #include <support/near.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A4, A7: what breaks, pulls and kicks is kept or booked.
+// What breaks, pulls and kicks is kept or booked.
 #include <support/draws.hpp>
 #include <support/random_numbers.hpp>
 

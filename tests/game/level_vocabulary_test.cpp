@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A7: the further words of a level: holds, obstructions, hills, wells, unruly things.
+// The further words of a level: holds, obstructions, hills, wells, unruly things.
 #include "level_texts.hpp"
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A7: what stands in the way.
+// What stands in the way.
 #include <support/near.hpp>
 
 #include <array>

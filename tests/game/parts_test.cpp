@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A5, A6: parts that are caught, and blocks that come apart into balls.
+// Parts that are caught, and blocks that come apart into balls.
 #include <support/near.hpp>
 
 #include "game_access.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A5, A7: powers beyond the three of the thesis, each an effect of bodies and forces.
+// Powers beyond the three of the thesis, each an effect of bodies and forces.
 #include <support/near.hpp>
 
 #include <array>

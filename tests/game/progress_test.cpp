@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A8: nobody waits for ever, and no path is bent for it.
+// Nobody waits for ever, and no path is bent for it.
 #include <apart/core/bot.hpp>
 #include <apart/core/progress.hpp>
 #include <support/near.hpp>

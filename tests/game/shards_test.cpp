@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A4: shards go on as bodies: they break again, break others, and keep what they had.
+// Shards go on as bodies: they break again, break others, and keep what they had.
 #include <apart/core/bot.hpp>
 #include <support/near.hpp>
 #include <support/random_numbers.hpp>

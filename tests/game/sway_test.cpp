@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A7: unruly paddles.
+// Unruly paddles.
 #include <apart/core/bot.hpp>
 #include <support/near.hpp>
 
@@ -83,7 +83,7 @@ TEST(LoosePaddle, DoesBoth) {
 }
 
 TEST(LoosePaddle, LosesNoBallThroughItself) {
-    // A4..A7 at once for two minutes: whatever comes, it leaves below the field or not at all.
+    // For two minutes: whatever comes, it leaves below the field or not at all.
     Game game(levelOf("ggggggggggggggg\nbbbWbbbSbbbLbbb\nsssssssssssssss\n", 16000,
                       "paddle = \"loose\"\n"),
               5);

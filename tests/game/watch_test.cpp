@@ -69,7 +69,7 @@ TEST(Watch, SeesABallOutsideTheField) {
     EXPECT_GE(flight.watch.seen().escapes, 1u);
 }
 
-// A8, a slice of `apart-headless soak --ticks 10000000`: no halt, no escape, no flight that bends
+// A slice of `apart-headless soak --ticks 10000000`: no halt, no escape, no flight that bends
 // without a touch, over all levels and some that nobody drew.
 TEST(Soak, NoBallHaltsEscapesOrLeavesItsStraightPath) {
     std::vector<Level> levels;

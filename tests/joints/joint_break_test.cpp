@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <support/rest.hpp>
+#include <support/resting.hpp>
 
 #include <joints/rig.hpp>
 

@@ -4,7 +4,6 @@
 #include <joints/rig.hpp>
 
 #include <algorithm>
-#include <numbers>
 
 namespace kodo {
 namespace {
@@ -18,8 +17,13 @@ using support::near;
 using support::nearShare;
 using support::run;
 
+/// s, the length of one part of a step of kDt.
+double substepOf(const World& world) {
+    return static_cast<double>(kDt) / world.settings().substeps;
+}
+
 // F1: a spring of f Hz swings f times a second, with the reduced mass of its two bodies. It is
-// solved twice in a substep of h = dt / 4, implicitly, which damps it by a ratio of 2 pi f h.
+// solved twice in a substep h, implicitly, which damps it by a ratio of 2 pi f h.
 TEST(Spring, SwingsWithItsFrequency) {
     for (const double hertz : {0.5, 1.0, 2.0}) {
         for (const bool both : {false, true}) {
@@ -35,7 +39,7 @@ TEST(Spring, SwingsWithItsFrequency) {
                 swings.see(static_cast<double>(apart.x) - 2);
             }
             EXPECT_TRUE(nearShare(swings.period(), 1 / hertz, 0.01)) << hertz << " " << both;
-            const double ratio = 2 * kPi * hertz / 240;
+            const double ratio = 2 * kPi * hertz * substepOf(rig.world);
             const double kept = 0.2 * std::exp(-2 * kPi * ratio * 5);
             swings.forgetPeak();
             for (int step = 0; step < static_cast<int>(60 / hertz); ++step) {
@@ -83,7 +87,7 @@ TEST(Spring, DampsAsItIsTold) {
             nearest = std::min(nearest, static_cast<double>(rig.world[bob].position().x));
         }
         if (damping < 1) { // overshoot exp(-pi z / sqrt(1 - z^2)) of the way; see above for z
-            const double z = damping + 2 * kPi / 240;
+            const double z = damping + 2 * kPi * substepOf(rig.world);
             const double past = std::exp(-kPi * z / std::sqrt(1 - z * z));
             EXPECT_TRUE(near(nearest, 2 - past, 0.01));
         } else {

@@ -38,8 +38,9 @@ TEST(WeldJoint, MakesTwoBodiesFlyAsOne) {
     world[a].applyImpulse({0, 2}, {0, 0}); // half a metre from the common centre
     run(world, 60);
     const Real spin = Real(-0.5) * 2 / (Real(2) * 5 / 12);
-    EXPECT_TRUE(near(world[a].angularVelocity(), spin, byPrecision(2e-4, 2e-4)));
-    EXPECT_TRUE(near(world[b].angularVelocity(), spin, byPrecision(2e-4, 2e-4)));
+    // 300 substeps are rounded; in double what the joint gives as it turns is all that is left.
+    EXPECT_TRUE(near(world[a].angularVelocity(), spin, byPrecision(2e-5, 1e-8)));
+    EXPECT_TRUE(near(world[b].angularVelocity(), spin, byPrecision(2e-5, 1e-8)));
     const Vec2 centre = Real(0.5) * (world[a].velocity() + world[b].velocity());
     EXPECT_TRUE(near(centre, Vec2{0, 1}, byPrecision(1e-5, 1e-12)));
     EXPECT_TRUE(near(length(world[b].position() - world[a].position()), 1, Real(1e-3)));

@@ -27,7 +27,7 @@ std::vector<long double> peaksOf(Real restitution, Real rate, std::size_t count)
     return peaks;
 }
 
-// A3: peak n is h0 e^(2 n). 5 % for the first three, while the rebound is faster than 10 g dt.
+// Peak n is h0 e^(2 n). 5 % for the first three, while the rebound is faster than 10 g dt.
 TEST(Bounce, PeaksFallWithTheSquareOfRestitution) {
     for (const Real rate : {Real(60), Real(240)}) {
         for (const Real e : {Real(0.5), Real(0.8), Real(0.9)}) {
@@ -46,7 +46,7 @@ TEST(Bounce, PeaksFallWithTheSquareOfRestitution) {
     }
 }
 
-// A3: the ball strikes the floor when it should: after sqrt(2 h / g) = 1 s, and then after twice
+// The ball strikes the floor when it should: after sqrt(2 h / g) = 1 s, and then after twice
 // the time e v / g of each rise. A blow is dealt in the step after the touch, and the ball waits
 // for it: it comes later by a step a blow at most, never earlier.
 TEST(Bounce, StrikesTheFloorWhenTheFormulaSays) {
@@ -76,7 +76,7 @@ TEST(Bounce, StrikesTheFloorWhenTheFormulaSays) {
     }
 }
 
-// A3b: without loss the energy stays, for a minute, within 3 %.
+// Without loss the energy stays, for a minute, within 3 %.
 TEST(Bounce, WithoutLossGoesOnForAMinute) {
     World world({.gravity = support::kEarth});
     support::addFloor(world, slippery(1));

@@ -8,7 +8,7 @@ using support::byPrecision;
 using support::near;
 using Wide = BasicVec2<long double>;
 
-// A15: some eight roundings of numbers of some 10 m.
+// Some eight roundings of numbers of some 10 m.
 constexpr Real kExact = byPrecision(4e-6, 1e-14);
 
 Wide wide(Vec2 v) {
@@ -28,7 +28,7 @@ std::optional<long double> onCircle(Wide from, Wide way, Wide center, long doubl
     return (-b - std::sqrt(discriminant)) / a;
 }
 
-// A15: at a disc, from all sides: by the quadratic formula in long double. Where the ray only
+// At a disc, from all sides: by the quadratic formula in long double. Where the ray only
 // grazes it, the root magnifies rounding, so those are left to the next test.
 TEST(Casts, ARayMeetsADiscWhereTheFormulaSays) {
     constexpr std::uint64_t kSeed = 15;
@@ -62,7 +62,7 @@ TEST(Casts, ARayMeetsADiscWhereTheFormulaSays) {
     EXPECT_GT(hits, 200);
 }
 
-// A15: a tangent ray touches; one unit in the last place farther out it does not; one that starts
+// A tangent ray touches; one unit in the last place farther out it does not; one that starts
 // inside is there at once, without a normal.
 TEST(Casts, TangentAndInside) {
     World world;
@@ -78,7 +78,7 @@ TEST(Casts, TangentAndInside) {
     EXPECT_EQ(inside->normal, Vec2{});
 }
 
-// A15: at a turned box: the slab that the ray enters last, in the frame of the box.
+// At a turned box: the slab that the ray enters last, in the frame of the box.
 TEST(Casts, ARayMeetsATurnedBoxOnItsFace) {
     for (const double degrees : {0.0, 17.0, 45.0, 80.0}) {
         SCOPED_TRACE(degrees);
@@ -97,7 +97,7 @@ TEST(Casts, ARayMeetsATurnedBoxOnItsFace) {
     }
 }
 
-// A15: a disc that is pushed at a disc is a ray at the sum of both.
+// A disc that is pushed at a disc is a ray at the sum of both.
 TEST(Casts, ADiscAtADiscIsARayAtTheirSum) {
     constexpr std::uint64_t kSeed = 16;
     SCOPED_TRACE(testing::Message() << "seed " << kSeed);

@@ -28,7 +28,7 @@ struct Cradle {
     Real speed(std::size_t i) const { return world[balls[i]].velocity().x; }
 };
 
-// A5: with a gap the hits come one after the other, each exact.
+// With a gap the hits come one after the other, each exact.
 TEST(Cradle, WithGapsHandsTheBlowOnExactly) {
     Cradle cradle(Real(0.05));
     const support::Totals before = support::totalsOf(cradle.world);
@@ -43,7 +43,7 @@ TEST(Cradle, WithGapsHandsTheBlowOnExactly) {
     EXPECT_TRUE(near(after.momentum, before.momentum, tolerance));
 }
 
-// A5: touching, the blow passes through the row within one step; the last leaves with 99 % of the
+// Touching, the blow passes through the row within one step; the last leaves with 99 % of the
 // speed at least, and no energy is lost.
 TEST(Cradle, TouchingHandsTheBlowThroughTheRow) {
     Cradle cradle(0);

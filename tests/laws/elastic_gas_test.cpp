@@ -34,7 +34,7 @@ void addGas(World& world, std::uint64_t seed) {
     addBalls(world, random);
 }
 
-// A12: without loss, gravity or friction the energy of the gas stays within 1 % and no ball
+// Without loss, gravity or friction the energy of the gas stays within 1 % and no ball
 // escapes, in 1e5 steps. What pushes a ball along a normal pushes it through its centre, so none
 // ever turns, not by a rounding.
 TEST(ElasticGas, KeepsItsEnergyAndItsBalls) {
@@ -56,7 +56,7 @@ TEST(ElasticGas, KeepsItsEnergyAndItsBalls) {
     }
 }
 
-// A12b: the same in a box that floats freely, of twice the mass of the gas: for 2e4 steps, some
+// The same in a box that floats freely, of twice the mass of the gas: for 2e4 steps, some
 // 1e4 blows, momentum stays to rounding, energy within 1 %, and angular momentum within a
 // thousandth: a ball that is stopped at a wall gives up the rest of its step, so it is hit a little
 // beside its way.
@@ -88,7 +88,7 @@ TEST(ElasticGas, InAFloatingBoxKeepsAllThreeSums) {
     }
 }
 
-// A12b, in free space: a swarm that falls together keeps momentum and angular momentum to
+// In free space: a swarm that falls together keeps momentum and angular momentum to
 // rounding, and its energy.
 TEST(ElasticGas, InFreeSpaceKeepsAllThreeSums) {
     constexpr std::uint64_t kSeed = 162;
@@ -111,9 +111,9 @@ TEST(ElasticGas, InFreeSpaceKeepsAllThreeSums) {
     using support::byPrecision;
     // Some hundred hits, each rounds momenta of some 5 kg m/s.
     EXPECT_TRUE(support::near(after.momentum, before.momentum, byPrecision(1e-4, 1e-12)));
-    // At arms of some 20 m. A fixed bug: two balls that were hit again while they were near each
-    // other went by a normal of up to 3 cm ago, and each such blow of 5 N s turned the pair by up
-    // to 0.1 kg m^2/s.
+    // At arms of some 20 m. Balls that are hit again while they are near each other go by the
+    // normal of that moment: one of 3 cm before would turn the pair by up to 0.1 kg m^2/s with each
+    // blow of 5 N s.
     EXPECT_TRUE(support::near(after.spin, before.spin, byPrecision(5e-3, 1e-9)));
     EXPECT_TRUE(support::nearShare(after.kinetic, before.kinetic, byPrecision(1e-4, 1e-9)));
 }

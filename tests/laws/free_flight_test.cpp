@@ -11,7 +11,7 @@ using support::near;
 
 constexpr Real kRates[] = {60, 120, 240, 480}; // Hz
 
-// A1: x = x0 + v t + g t^2 / 2. The drift is exact for a constant force, so only rounding is left:
+// x = x0 + v t + g t^2 / 2. The drift is exact for a constant force, so only rounding is left:
 // 1e-9 m in double; in float some hundred roundings of 80 m, more of them at higher rates.
 TEST(FreeFlight, AProjectileFollowsTheParabolaFor4s) {
     for (const Real rate : kRates) {
@@ -32,7 +32,7 @@ TEST(FreeFlight, AProjectileFollowsTheParabolaFor4s) {
     }
 }
 
-// A1: the velocity is v0 + g t.
+// The velocity is v0 + g t.
 TEST(FreeFlight, AProjectileHasTheRightSpeed) {
     World world({.gravity = {3, -10}});
     BodyDef def = ballDef({}, Real(0.5));
@@ -42,7 +42,7 @@ TEST(FreeFlight, AProjectileHasTheRightSpeed) {
     EXPECT_TRUE(near(world[ball].velocity(), Vec2{19, -21}, byPrecision(1e-4, 1e-12)));
 }
 
-// A2: free of torque the spin keeps its bits, and so does the flight.
+// Free of torque the spin keeps its bits, and so does the flight.
 TEST(FreeFlight, AFreeSpinKeepsItsBits) {
     World world;
     BodyDef def = boxDef({3, 4}, 2, 1);
@@ -56,7 +56,7 @@ TEST(FreeFlight, AFreeSpinKeepsItsBits) {
     EXPECT_TRUE(near(length(Vec2{q.c, q.s}), 1, 4 * support::kEpsilon));
 }
 
-// A2: the angle is omega t. The bound of a first-order rotation would be (omega dt)^3 / 12 a step,
+// The angle is omega t. The bound of a first-order rotation would be (omega dt)^3 / 12 a step,
 // 2.3 rad in all; ours turns on the circle, so only rounding is left: 24,000 turns.
 TEST(FreeFlight, AFreeSpinKeepsItsPhase) {
     World world;
@@ -70,7 +70,7 @@ TEST(FreeFlight, AFreeSpinKeepsItsPhase) {
     EXPECT_TRUE(near(world[box].rotation().angle(), phase, byPrecision(6400 * 6e-8, 1e-11)));
 }
 
-// R3, A1: an applied force that stays is a constant force too.
+// R3: an applied force that stays is a constant force too.
 TEST(FreeFlight, AConstantThrustGivesAParabola) {
     World world;
     const BodyId box = world.add(boxDef({}, 2, 2)); // 4 kg
@@ -82,7 +82,7 @@ TEST(FreeFlight, AConstantThrustGivesAParabola) {
     EXPECT_TRUE(near(world[box].velocity(), Vec2{4, 0}, byPrecision(1e-4, 1e-12)));
 }
 
-// R3, A1: so does a constant torque: angle = T t^2 / (2 I). In float 120 turns are rounded to 6e-8
+// R3: so does a constant torque: angle = T t^2 / (2 I). In float 120 turns are rounded to 6e-8
 // each.
 TEST(FreeFlight, AConstantTorqueGivesAParabolaOfTheAngle) {
     World world;

@@ -33,7 +33,7 @@ struct Slope {
     Real speed() const { return dot(world[box].velocity(), downhill); }
 };
 
-// R7, A7: it holds while tan(slope) < mu and slips beyond; found to a thousandth.
+// R7: it holds while tan(slope) < mu and slips beyond; found to a thousandth.
 TEST(Incline, HoldsUpToTheAngleOfFriction) {
     for (const Real degrees : {Real(5), Real(15), Real(30), Real(45), Real(60)}) {
         const Real critical =
@@ -48,7 +48,7 @@ TEST(Incline, HoldsUpToTheAngleOfFriction) {
     }
 }
 
-// A7b: a = g (sin - mu cos); v = a t within 1 %, s = a t^2 / 2 within 3 %, after 2 s.
+// a = g (sin - mu cos); v = a t within 1 %, s = a t^2 / 2 within 3 %, after 2 s.
 TEST(Incline, SlipsWithTheAccelerationLeft) {
     for (const double mu : {0.0, 0.2, 0.4}) {
         SCOPED_TRACE(mu);
@@ -60,8 +60,8 @@ TEST(Incline, SlipsWithTheAccelerationLeft) {
     }
 }
 
-// A7c: what holds does not creep: 20 s within 1e-6 m, once it has settled into its contact. In
-// float each of the 4800 substeps may round by some 4e-9 m.
+// What holds does not creep: 20 s within 1e-6 m, once it has settled into its contact. In float
+// each of the 6000 substeps may round by some 3e-9 m.
 TEST(Incline, DoesNotCreep) {
     Slope slope(20, withFriction(Real(0.6)));
     support::run(slope.world, 60);
@@ -70,7 +70,7 @@ TEST(Incline, DoesNotCreep) {
     EXPECT_TRUE(near(slope.way(), before, byPrecision(2e-5, 1e-6)));
 }
 
-// A7c, soak: nor in 4.6 hours: 1e6 steps. A creep of a millionth of a slop a step would be seen.
+// Nor does it in 4.6 hours: 1e6 steps. A creep of a millionth of a slop a step would be seen.
 TEST(Incline, DoesNotCreepInAMillionSteps) {
     Slope slope(20, withFriction(Real(0.6)));
     support::run(slope.world, 600);

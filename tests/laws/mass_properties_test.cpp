@@ -8,7 +8,7 @@ using support::byPrecision;
 using support::near;
 using support::nearShare;
 
-// A14: the closed forms, as a user reads them from a body. Rounding only.
+// The closed forms, as a user reads them from a body. Rounding only.
 constexpr Real kTextbookExact = byPrecision(2e-6, 1e-12);
 
 BodyView bodyOf(World& world, const Shape& shape, Vec2 position = {}) {
@@ -90,7 +90,7 @@ TEST(MassProperties, SurviveAShapeFarFromItsFrame) {
     EXPECT_TRUE(nearShare(triangle.inertia(), 12.0L * 50 / 36, byPrecision(1e-5, 1e-9)));
 }
 
-// A14: and a million metres from it in double, where a corner is rounded to 1e-10 m; float has no
+// And a million metres from it in double, where a corner is rounded to 1e-10 m; float has no
 // place so far out, and says so.
 TEST(MassProperties, SurviveAMillionMetresOrAreRefused) {
     World world;

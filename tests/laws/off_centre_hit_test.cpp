@@ -8,7 +8,7 @@ using support::byPrecision;
 using support::near;
 using support::slippery;
 
-// A6: rounding only, of some ten operations on speeds of up to 6 m/s.
+// Rounding only, of some ten operations on speeds of up to 6 m/s.
 constexpr Real kTolerance = byPrecision(1e-6, 1e-14);
 
 /// A ball of 1 kg flies upwards with 3 m/s at a resting rod of 2 kg, d beside its centre.
@@ -34,7 +34,7 @@ struct Hit {
     }
 };
 
-// S1, A6: J = (1 + e) v / (1/m + 1/M + d^2/I);  V = J/M,  omega = J d / I,  v' = v - J/m.
+// S1: J = (1 + e) v / (1/m + 1/M + d^2/I);  V = J/M,  omega = J d / I,  v' = v - J/m.
 TEST(OffCentreHit, OnARodFollowsTheFormula) {
     for (const Real d : {Real(0), Real(0.5), Real(1.25), Real(-1.9)}) {
         for (const Real e : {Real(1), Real(0.5)}) {
@@ -65,7 +65,7 @@ TEST(OffCentreHit, TheRecordHoldsTheImpulse) {
     EXPECT_TRUE(near(record->point.x, 1.25L, kTolerance));
 }
 
-// A6b: two equal discs that meet aslant. Each turns with 2 r^2 / I per m of what they share, so a
+// Two equal discs that meet aslant. Each turns with 2 r^2 / I per m of what they share, so a
 // tangent impulse of m v_t / 6 would stop all sliding; friction gives that, or mu times the normal
 // impulse, whichever is less. Both spin the same way then, and the momentum stays. The discs are
 // stopped a 65536th of the slop before they touch, in float a 1024th, or one and a half times that,
@@ -98,7 +98,7 @@ TEST(OffCentreHit, TwoDiscsAslantObeyTheFrictionCone) {
     }
 }
 
-// A6b: while it slides, the friction impulse is mu times the normal one, whatever the restitution:
+// While it slides, the friction impulse is mu times the normal one, whatever the restitution:
 // vx' = vx - mu (1 + e) vy.
 TEST(OffCentreHit, FrictionIsMuTimesTheNormalImpulseWhileItSlides) {
     for (const Real e : {Real(0.5), Real(1)}) {
@@ -118,7 +118,7 @@ TEST(OffCentreHit, FrictionIsMuTimesTheNormalImpulseWhileItSlides) {
     }
 }
 
-// A6b: no blow makes energy, whatever the angle, restitution, friction and spin: of a rod that
+// No blow makes energy, whatever the angle, restitution, friction and spin: of a rod that
 // strikes a floor with its end, friction that stopped all sliding at full restitution well could.
 // Blows of both ends in one step add their roundings.
 TEST(OffCentreHit, FrictionAndRestitutionTogetherMakeNoEnergy) {

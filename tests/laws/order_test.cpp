@@ -26,7 +26,7 @@ StepSettings sleepless() {
     return settings;
 }
 
-// A8: the way on which friction stops a box, v^2 / (2 mu g).
+// The way on which friction stops a box, v^2 / (2 mu g).
 TEST(Order, OfTheStoppingWay) {
     expectFirstOrder(
         [](Real rate) {
@@ -41,7 +41,7 @@ TEST(Order, OfTheStoppingWay) {
         1e-4);
 }
 
-// A7b: the speed and the way of a box that slips down a slope of 3 over 4, with friction 0.3:
+// The speed and the way of a box that slips down a slope of 3 over 4, with friction 0.3:
 // a = g (0.6 - 0.8 mu) = 3.6 m/s^2, for two seconds.
 TEST(Order, OfASlipDownASlope) {
     const auto slip = [](Real rate) {
@@ -66,7 +66,7 @@ TEST(Order, OfASlipDownASlope) {
     expectFirstOrder([&](Real rate) { return static_cast<double>(slip(rate).second) - 7.2; }, 4e-4);
 }
 
-// A9: the speed of a disc that has slid into rolling: 2/3 of the first.
+// The speed of a disc that has slid into rolling: 2/3 of the first.
 TEST(Order, OfTheSpeedThatRollingLeaves) {
     expectFirstOrder(
         [](Real rate) {
@@ -81,7 +81,7 @@ TEST(Order, OfTheSpeedThatRollingLeaves) {
         static_cast<double>(support::byPrecision(3e-4, 1e-4)));
 }
 
-// A3: the second peak of a ball dropped from 5 m with e = 0.8: 5 * 0.8^4.
+// The second peak of a ball dropped from 5 m with e = 0.8: 5 * 0.8^4.
 TEST(Order, OfTheHeightOfABounce) {
     expectFirstOrder(
         [](Real rate) {

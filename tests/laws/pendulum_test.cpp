@@ -69,7 +69,7 @@ long double periodOf(Pendulum& pendulum, Real rate, int count) {
     return (last - first) / (passes - 1);
 }
 
-// A11: the period is that of the elliptic integral, to 1e-4, even of a swing that almost stands on
+// The period is that of the elliptic integral, to 1e-4, even of a swing that almost stands on
 // its head, where dT / T = 17 dE / E.
 TEST(Pendulum, SwingsWithThePeriodOfTheFormula) {
     for (const double degrees : {10.0, 90.0, 170.0}) {
@@ -79,7 +79,7 @@ TEST(Pendulum, SwingsWithThePeriodOfTheFormula) {
     }
 }
 
-// A11: in a minute at 60 Hz it loses less than 1e-4 of its energy, told where it turns round.
+// In a minute at 60 Hz it loses less than 1e-4 of its energy, told where it turns round.
 // Within a swing 0.7 % come and go: half a substep's share of it, since forces act at the start of
 // one.
 TEST(Pendulum, KeepsItsEnergyForAMinute) {
@@ -104,7 +104,7 @@ TEST(Pendulum, KeepsItsEnergyForAMinute) {
     }
 }
 
-// A11: the arm keeps its length: what a substep leaves of it is of third order in the angle that it
+// The arm keeps its length: what a substep leaves of it is of third order in the angle that it
 // turns by, (w h)^3 l / 6 = 1 um, of the 0.02 rad at the lowest point.
 TEST(Pendulum, TheArmKeepsItsLength) {
     Pendulum pendulum(90);
@@ -114,7 +114,7 @@ TEST(Pendulum, TheArmKeepsItsLength) {
     }
 }
 
-// A11 at finer steps: the error of the period falls as the square of the step does (1.9), until
+// At finer steps: the error of the period falls as the square of the step does (1.9), until
 // only rounding is left, which in float has more substeps to add up in.
 TEST(Pendulum, TheErrorOfThePeriodFallsWithTheSquareOfTheStep) {
     constexpr auto kFloor = static_cast<long double>(byPrecision(2e-4, 1e-9));
@@ -168,7 +168,7 @@ struct Chain {
     }
 };
 
-// A11b: ten seconds of a double pendulum, chaotic as it is: its pins hold to a fifth of a
+// Ten seconds of a double pendulum, chaotic as it is: its pins hold to a fifth of a
 // millimetre where the lower rod whips round, and its energy stays within 1.5 %.
 TEST(Pendulum, ADoublePendulumHoldsTogetherAndKeepsItsEnergy) {
     Chain chain(2, {120, 120});
@@ -188,7 +188,7 @@ TEST(Pendulum, ADoublePendulumHoldsTogetherAndKeepsItsEnergy) {
     }
 }
 
-// A11b: a chain of ten, at rest or not: no pin gives, and pin k carries the rods below it.
+// A chain of ten, at rest or not: no pin gives, and pin k carries the rods below it.
 TEST(Pendulum, AHangingChainCarriesItself) {
     Chain chain(10, {});
     support::run(chain.world, 300);

@@ -8,7 +8,7 @@ using support::byPrecision;
 using support::near;
 using support::nearShare;
 
-// A9: a disc that starts sliding rolls at v = 2/3 v0, omega r = v, from t = v0 / (3 mu g) on, after
+// A disc that starts sliding rolls at v = 2/3 v0, omega r = v, from t = v0 / (3 mu g) on, after
 // 5 v0^2 / (18 mu g) of way.
 TEST(Rolling, ASlidingDiscComesToRollAtTwoThirds) {
     World world({.gravity = support::kEarth});
@@ -34,7 +34,7 @@ TEST(Rolling, ASlidingDiscComesToRollAtTwoThirds) {
     EXPECT_TRUE(near(way, 5 * 36 / (18 * 3.0), 0.02 * 3.33 + 4 / 60.0));
 }
 
-// A9b: down an incline a disc that rolls without slipping accelerates with 2/3 g sin; within 1 %.
+// Down an incline a disc that rolls without slipping accelerates with 2/3 g sin; within 1 %.
 TEST(Rolling, DownAnInclineTakesTwoThirds) {
     for (const double degrees : {10.0, 30.0}) {
         SCOPED_TRACE(degrees);
@@ -56,7 +56,7 @@ TEST(Rolling, DownAnInclineTakesTwoThirds) {
     }
 }
 
-// A9b: with less friction than tan / 3 it slips: a = g (sin - mu cos), and it turns with
+// With less friction than tan / 3 it slips: a = g (sin - mu cos), and it turns with
 // 2 mu g cos / r.
 TEST(Rolling, DownAnInclineSlipsWithoutEnoughFriction) {
     constexpr double kAngle = 3.14159265358979 / 6;

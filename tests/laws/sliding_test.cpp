@@ -23,7 +23,7 @@ struct Slide {
     Real speed() const { return world[box].velocity().x; }
 };
 
-// A8: it stops after v^2 / (2 mu g), at v / (mu g); each within 1 %.
+// It stops after v^2 / (2 mu g), at v / (mu g); each within 1 %.
 TEST(Sliding, StopsWhereAndWhenFrictionSays) {
     for (const double mu : {0.2, 0.5, 0.9}) {
         SCOPED_TRACE(mu);
@@ -42,7 +42,7 @@ TEST(Sliding, StopsWhereAndWhenFrictionSays) {
     }
 }
 
-// A8: the distance does not depend on the rate: first order in the step at worst.
+// The distance does not depend on the rate: first order in the step at worst.
 TEST(Sliding, StopsAtTheSamePlaceAtAnyRate) {
     for (const Real rate : {Real(120), Real(240), Real(480)}) {
         SCOPED_TRACE(rate);
@@ -52,7 +52,19 @@ TEST(Sliding, StopsAtTheSamePlaceAtAnyRate) {
     }
 }
 
-// R7, A8b: at rest it takes mu_s m g to break loose; then it slides with mu_k. Each within 1 %.
+// A cube, whose load braking shifts to its front edge, stops there too: v^2 / (2 mu g) = 2.5 m.
+TEST(Sliding, ACubeStopsWhereFrictionSays) {
+    World world(support::wakeful());
+    support::addFloor(world, withFriction(Real(0.5)));
+    BodyDef def = support::boxDef({0, Real(0.5)}, 1, 1, withFriction(Real(0.5)));
+    def.velocity = {5, 0};
+    const BodyId box = world.add(def);
+    support::run(world, 180);
+    EXPECT_TRUE(support::near(world[box].position().x, 2.5L, 0.025L)); // 1 %
+    EXPECT_TRUE(support::near(world[box].velocity().x, 0, support::byPrecision(1e-5, 1e-9)));
+}
+
+// R7: at rest it takes mu_s m g to break loose; then it slides with mu_k. Each within 1 %.
 TEST(Sliding, BreaksLooseAtTheStaticFriction) {
     const Material material{Real(0.6), Real(0.3), 0, 0};
     const auto speedAfter = [&](Real share) { // one second of rising force, one of that share

@@ -20,7 +20,7 @@ double forceBetween(World& world, BodyId a, BodyId b, int steps) {
     return sum / (steps / 60.0);
 }
 
-// A10: contact k of a stack of ten carries the (10 - k) boxes above it; within 1 % after 5 s. It
+// Contact k of a stack of ten carries the (10 - k) boxes above it; within 1 % after 5 s. It
 // sinks by no more than the slop a contact, and after 20 s it lies still.
 TEST(StackForces, EachContactCarriesWhatIsAbove) {
     World world(support::wakeful());
@@ -40,7 +40,7 @@ TEST(StackForces, EachContactCarriesWhatIsAbove) {
     }
 }
 
-// A10b: a beam on two supports at x = -2 and 2 with a load at x: the lever rule, within 1 %.
+// A beam on two supports at x = -2 and 2 with a load at x: the lever rule, within 1 %.
 TEST(StackForces, ABeamSharesItsLoadByTheLeverRule) {
     for (const double x : {0.0, 0.5, 1.5}) {
         SCOPED_TRACE(x);
@@ -63,7 +63,7 @@ TEST(StackForces, ABeamSharesItsLoadByTheLeverRule) {
     }
 }
 
-// A10b with three supports the shares are not determined, but their sum and their torque are.
+// With three supports the shares are not determined, but their sum and their torque are.
 TEST(StackForces, ThreeSupportsBalanceForceAndTorque) {
     World world(support::wakeful());
     std::vector<BodyId> supports;

@@ -73,7 +73,7 @@ TEST(Rot, StaysUnitLengthOverTenMillionTurns) {
     EXPECT_TRUE(near(norm(q), 1, 4 * kEpsilon));
 }
 
-// A thousand steps of 0.01 rad: the error of an angle grows by some roundings with each turn.
+// Three hundred steps of 0.01 rad: the error of an angle grows by a rounding with each turn.
 TEST(Rot, TurnsByAsMuchAsItIsTold) {
     Rot q;
     for (int i = 0; i < 300; ++i) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <box2d/box2d.h>
-#include <scenes/mass.hpp>
 #include <scenes/scene_def.hpp>
+#include <scenes/scene_mass.hpp>
 
 #include <algorithm>
 #include <cmath>

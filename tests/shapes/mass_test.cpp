@@ -112,7 +112,7 @@ TEST(Mass, OfRandomPolygonsAgreesWithTheBoundaryIntegral) {
     }
 }
 
-// A14: 1000 m away a naive sum about the origin loses six digits of the inertia (6.9 % in float
+// 1000 m away a naive sum about the origin loses six digits of the inertia (6.9 % in float
 // for a hexagon). The oracle takes the same rounded corners, so only the algorithm is measured.
 TEST(Mass, KeepsItsDigitsAThousandMetresAway) {
     for (const std::size_t n : {3u, 6u, 12u}) {

@@ -24,6 +24,10 @@ StepSettings without(StepSettings settings, Feature feature) {
     return settings;
 }
 
+WorldDef leavingOut(Feature feature, Vec2 gravity = support::kEarth) {
+    return {.gravity = gravity, .settings = without({}, feature)};
+}
+
 /// Place and motion of a body, to be compared bit by bit.
 struct Bits {
     Vec2 position;
@@ -126,8 +130,73 @@ INSTANTIATE_TEST_SUITE_P(Features, LeaveOutOf, testing::ValuesIn(kFeatures),
                              return std::string(row.param.name);
                          });
 
+// W3: what is left out has no effect. Without friction a box slides on for ever.
+TEST(LeaveOut, WithoutFrictionABoxSlidesOn) {
+    World world(leavingOut(Feature::Friction));
+    support::addFloor(world, withFriction(1));
+    BodyDef def = support::boxDef({0, Real(0.5)}, 1, 1, withFriction(1));
+    def.velocity = {2, 0};
+    const BodyId box = world.add(def);
+    support::run(world, 120);
+    EXPECT_EQ(world[box].velocity().x, 2);
+}
+
+TEST(LeaveOut, WithoutRestitutionNothingBounces) {
+    World world(leavingOut(Feature::Restitution));
+    support::addFloor(world, support::slippery(1));
+    const BodyId ball = world.add(support::ballDef({0, 3}, Real(0.5), support::slippery(1)));
+    Real fastest = 0;
+    for (int i = 0; i < 180; ++i) {
+        world.step(support::kDt);
+        fastest = std::max(fastest, world[ball].velocity().y);
+    }
+    EXPECT_LT(fastest, Real(0.05));
+}
+
+TEST(LeaveOut, WithoutRollingResistanceABallRollsOn) {
+    World world(leavingOut(Feature::RollingResistance));
+    Material material = withFriction(Real(0.8));
+    material.rollingResistance = Real(0.5);
+    support::addFloor(world, material);
+    BodyDef def = support::ballDef({0, Real(0.5)}, Real(0.5), material);
+    def.velocity = {3, 0};
+    def.angularVelocity = -6;
+    const BodyId ball = world.add(def);
+    support::run(world, 120);
+    EXPECT_TRUE(support::near(world[ball].velocity().x, 3, Real(1e-3)));
+}
+
+// Without the sweep a fast ball is somewhere else before it could touch: the test that shows that
+// the sweep is what stops it.
+TEST(LeaveOut, WithoutTheSweepABallTunnels) {
+    for (const bool sweeps : {true, false}) {
+        WorldDef def = leavingOut(Feature::Sweep);
+        def.gravity = {};
+        def.settings.leaveOut = sweeps ? std::uint8_t{0} : def.settings.leaveOut;
+        World world(def);
+        support::addWall(world, 5, Real(0.02), support::slippery(1));
+        BodyDef ball = support::ballDef({0, 0}, Real(0.1), support::slippery(1));
+        ball.velocity = {400, 0};
+        const BodyId id = world.add(ball);
+        support::run(world, 2);
+        EXPECT_EQ(world[id].velocity().x < 0, sweeps);
+    }
+}
+
+TEST(LeaveOut, WithoutRestingNothingIsPutToRest) {
+    for (const bool rests : {true, false}) {
+        WorldDef def = leavingOut(Feature::Resting);
+        def.settings.leaveOut = rests ? std::uint8_t{0} : def.settings.leaveOut;
+        World world(def);
+        support::addFloor(world);
+        const BodyId box = world.add(support::boxDef({0, Real(0.5)}, 1, 1));
+        support::run(world, 300);
+        EXPECT_EQ((world[box].flags() & kResting) != 0, rests);
+    }
+}
+
 TEST(LeaveOut, WithoutRecordsThereAreNone) {
-    World world({.gravity = support::kEarth, .settings = without({}, Feature::Records)});
+    World world(leavingOut(Feature::Records));
     support::addFloor(world);
     const BodyId box = world.add(support::boxDef({0, Real(0.5)}, 1, 1));
     support::run(world, 10);
@@ -135,14 +204,10 @@ TEST(LeaveOut, WithoutRecordsThereAreNone) {
     EXPECT_NE(world[box].flags() & kColliding, 0u);
 }
 
-WorldDef unturning(Vec2 gravity = support::kEarth) {
-    return {.gravity = gravity, .settings = without({}, Feature::Rotation)};
-}
-
 // Without rotation a heap falls, slides and piles up, but nothing turns, and no spin arises.
 TEST(LeaveOut, WithoutRotationNothingTurns) {
     for (const Strategy strategy : {Strategy::SoftStep, Strategy::Propagation}) {
-        WorldDef def = unturning();
+        WorldDef def = leavingOut(Feature::Rotation);
         def.settings.strategy = strategy;
         World world(def);
         support::addHeap(world, 7, 30);
@@ -163,7 +228,7 @@ TEST(LeaveOut, WithoutRotationNothingTurns) {
 
 // A blow beside the centre moves a bar as if it were a point: v = J / m.
 TEST(LeaveOut, WithoutRotationAnOffCentreBlowMovesStraight) {
-    World world(unturning({}));
+    World world(leavingOut(Feature::Rotation, {}));
     const BodyId bar = world.add(support::boxDef({}, 4, 1, support::slippery(1)));
     BodyDef ball = support::ballDef({Real(1.5), -3}, Real(0.5), support::slippery(1));
     ball.density = 4 / (std::numbers::pi_v<Real> / 4); // 4 kg, as the bar
@@ -178,7 +243,7 @@ TEST(LeaveOut, WithoutRotationAnOffCentreBlowMovesStraight) {
 
 // It is as kLockRotate is: what is told to turn turns, and nothing brakes it.
 TEST(LeaveOut, WithoutRotationASpinThatIsSetGoesOn) {
-    World world(unturning());
+    World world(leavingOut(Feature::Rotation));
     support::addFloor(world, withFriction(1));
     const BodyId locked = world.add({.shape = Box{1, 1}, .position = {5, 5}, .flags = kLocked});
     world[locked].setAngularVelocity(1);
@@ -193,7 +258,7 @@ TEST(LeaveOut, WithoutRotationASpinThatIsSetGoesOn) {
 // It may change between steps: spins end when it is left out; what stood on a corner wakes and
 // falls over when it is back.
 TEST(LeaveOut, RotationMayComeAndGo) {
-    World world(unturning());
+    World world(leavingOut(Feature::Rotation));
     support::addFloor(world);
     BodyDef def = support::boxDef({0, Real(0.75)}, 1, 1);
     def.rotation = Rot::fromAngle(Real(0.7)); // a little less than an eighth of a turn

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <support/rest.hpp>
+#include <support/resting.hpp>
 
 #include <scenes/in_kodo.hpp>
 #include <scenes/piles.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/collide/collide.hpp>
+#include <support/depth.hpp>
 
 #include <scenes/in_kodo.hpp>
 #include <scenes/piles.hpp>
@@ -114,23 +114,6 @@ inline kodo::Real fastest(const KodoScene& now) {
     return speed;
 }
 
-/// The deepest overlap (m) of any two bodies, of which one is not locked, by separating axes.
-inline kodo::Real deepest(const KodoScene& now) {
-    kodo::Real depth = 0;
-    for (std::size_t i = 0; i < now.ids.size(); ++i) {
-        const kodo::BodyView a = now.world[now.ids[i]];
-        for (std::size_t k = i + 1; k < now.ids.size(); ++k) {
-            const kodo::BodyView b = now.world[now.ids[k]];
-            if ((a.flags() & b.flags() & kodo::kLocked) == 0 && overlap(a.bounds(), b.bounds())) {
-                const kodo::Separation gap =
-                    separation(a.part(0).convex, a.placement(), b.part(0).convex, b.placement());
-                depth = std::max(depth, -gap.distance);
-            }
-        }
-    }
-    return depth;
-}
-
 /// A scene and what it asks.
 struct Trial {
     SceneDef scene;
@@ -172,7 +155,8 @@ inline std::vector<Trial> trials() {
     }
     list.push_back({overlapping(), 5, "parts to 5 mm, no burst",
                     [](const KodoScene& end, const SceneDef& start) {
-                        return deepest(end) < kodo::Real(0.005) && farthestMove(end, start) < 4;
+                        return support::deepest(end.world) < kodo::Real(0.005) &&
+                               farthestMove(end, start) < 4;
                     }});
     list.push_back({circlePile(), 10, "comes to lie", [](const KodoScene& end, const SceneDef&) {
                         return fastest(end) < kodo::Real(0.05);
@@ -219,7 +203,7 @@ inline Outcome run(const Trial& trial, const kodo::StepSettings& settings) {
         scene.world.step(kStep);
         outcome.visitsPerStep += static_cast<double>(scene.world.contactVisits()) / steps;
         if (i >= steps - 60 && i % 6 == 0) {
-            outcome.depth = std::max(outcome.depth, deepest(scene));
+            outcome.depth = std::max(outcome.depth, support::deepest(scene.world));
         }
     }
     outcome.moved = farthestMove(scene, trial.scene);

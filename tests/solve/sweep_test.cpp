@@ -83,9 +83,9 @@ TEST(Sweep, NobodyIsRunOverByTheWallsOfATurningDrum) {
     }
 }
 
-// A fixed bug: what rested was run over by a wall that went half of its size a step or more, and
-// was left behind. It is pushed along like what is awake, in the very step in which it is reached,
-// and keeps ahead of the wall; what the wall does not reach rests on.
+// A wall that goes half of its size a step or more does not run over what rests: that is pushed
+// along like what is awake, in the very step in which it is reached, and keeps ahead of the wall;
+// what the wall does not reach rests on.
 TEST(Sweep, AFastWallPushesWhatRestsAlong) {
     for (const Real speed : {Real(6), Real(30), Real(60), Real(120), Real(1000)}) {
         for (const Real start : {Real(-1.1), Real(-1.5), Real(-2.3)}) {
@@ -111,8 +111,8 @@ TEST(Sweep, AFastWallPushesWhatRestsAlong) {
     }
 }
 
-// A fixed bug: a fast wall carried along what bounces off it, before the blow that sends it away,
-// by a whole step's way, if need be into another wall. The blow then gives w = 2 V - v.
+// A fast wall does not carry along what bounces off it, before the blow that sends it away, by a
+// whole step's way, if need be into another wall. The blow gives w = 2 V - v.
 TEST(Sweep, WhatBouncesOffAMovingWallIsNotCarriedByIt) {
     constexpr Real kWall = 10;  // m/s
     constexpr Real kBall = -12; // m/s

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <support/rest.hpp>
+#include <support/resting.hpp>
 
 #include <memory>
 #include <ostream>
@@ -277,8 +277,8 @@ TEST(Wake, ContactsGoOnWhereTheyStopped) {
     EXPECT_EQ(seen, 5);
 }
 
-// A fixed bug: what was woken by a touch told of the blows of two steps at once, of the one that it
-// went to rest in as well. The box weighs 10 N, and a ball that is laid on it 0.02 N.
+// What a touch wakes tells of the blows of this step alone, not of those of the one that it went to
+// rest in as well. The box weighs 10 N, and a ball that is laid on it 0.02 N.
 TEST(Wake, ATouchDoesNotBringOldBlowsBack) {
     for (const Strategy strategy : {Strategy::SoftStep, Strategy::Propagation}) {
         SCOPED_TRACE(static_cast<int>(strategy));

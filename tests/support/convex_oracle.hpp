@@ -3,7 +3,6 @@
 
 #include <kodo/shapes/convex.hpp>
 
-#include <cmath>
 #include <limits>
 #include <vector>
 

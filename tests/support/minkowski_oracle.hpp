@@ -4,7 +4,6 @@
 #include <kodo/shapes/convex.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <vector>
 

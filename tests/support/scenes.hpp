@@ -5,8 +5,6 @@
 #include <support/near.hpp>
 #include <support/random_numbers.hpp>
 
-#include <cmath>
-
 /// Small scenes and the sums that physics keeps.
 namespace support {
 

@@ -2,7 +2,6 @@
 #include <support/scenes.hpp>
 
 #include <functional>
-#include <limits>
 #include <string>
 
 namespace kodo {

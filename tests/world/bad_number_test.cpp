@@ -2,8 +2,6 @@
 #include <support/scenes.hpp>
 
 #include <functional>
-#include <limits>
-#include <string>
 
 namespace kodo {
 namespace {

@@ -56,8 +56,8 @@ const Bound kBound[] = {
      }},
 };
 
-// A fixed bug: the forces on what was locked, frozen or outside the region were kept until it was
-// free, and then acted all at once. One step is over for them as for all others.
+// The forces on what is locked, frozen or outside the region are not kept until it is free, to act
+// all at once: one step is over for them as for all others.
 TEST(Force, IsForgottenAfterAStepInWhichItCouldNotAct) {
     for (const Bound& bound : kBound) {
         SCOPED_TRACE(bound.name);
@@ -223,6 +223,25 @@ TEST(Force, AUserWritesAField) {
     world.step(kDt);
     EXPECT_TRUE(near(world[box].velocity(), Vec2{4 * kDt, -10 * kDt}, 4 * kEpsilon));
     EXPECT_TRUE(near(world[box].angularVelocity(), 3 * kDt * Real(12) / 32, 4 * kEpsilon));
+}
+
+// What has flown farther than anything may be put is pushed like all others, one by one and with
+// them.
+TEST(Force, ActsHoweverFarABodyHasFlown) {
+    World world;
+    const BodyId near = world.add(ballDef({}, 1));
+    BodyDef def = ballDef({kFarthest, 0}, 1);
+    def.velocity = {kHighestSpeed, 0};
+    const BodyId far = world.add(def);
+    world.step(1);
+    ASSERT_GT(world[far].position().x, kFarthest);
+    world.applyForceToAll({0, 3});
+    for (const BodyId id : {near, far}) {
+        world[id].applyImpulse({0, 5});
+    }
+    world.step(kDt);
+    EXPECT_GT(world[near].velocity().y, 0);
+    EXPECT_EQ(world[far].velocity().y, world[near].velocity().y);
 }
 
 // W2: a force on all bodies, or on those that match.

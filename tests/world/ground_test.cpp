@@ -144,7 +144,7 @@ TEST(Ground, APlaneCarriesEverything) {
     }
 }
 
-// A fixed bug: what has no thickness sank in by a hair, was behind the line, and fell through.
+// What has no thickness sinks in by a hair, and does not fall through for being behind the line.
 TEST(Ground, OneSidedGroundCarriesWhatHasNoThickness) {
     const Shape grounds[] = {Shape(flatMap(10)), Shape(Segment{{-5, 0}, {5, 0}, true, {}, {}})};
     const Shape thin[] = {Shape(Point{}),
@@ -186,40 +186,6 @@ TEST(Ground, NeedsALock) {
     EXPECT_THROW(world.add({.shape = flatMap(3)}), BadDefinition);
     EXPECT_THROW(world.add({.shape = flatMap(3), .flags = kLockMove}), BadDefinition);
     EXPECT_NO_THROW(world.add({.shape = flatMap(3), .flags = kLocked}));
-}
-
-// A one-sided platform: up through it as if it were not there, and down onto it.
-TEST(Platform, CarriesWhatHasJumpedThroughIt) {
-    for (const Shape& shape : {Shape(Circle{Real(0.5)}), Shape(Box{1, 1})}) {
-        for (const Real speed : {Real(8), Real(8.5), Real(12), Real(60)}) {
-            World world({.gravity = kEarth});
-            world.add({.shape = Segment{{-3, 0}, {3, 0}, true, {}, {}},
-                       .position = {0, 2},
-                       .flags = kLocked});
-            World empty({.gravity = kEarth});
-            const BodyDef jumper{.shape = shape, .velocity = {0, speed}};
-            const BodyId body = world.add(jumper);
-            const BodyId free = empty.add(jumper);
-            for (int i = 0; i < 600 && empty[free].velocity().y > 0; ++i) {
-                world.step(kDt);
-                empty.step(kDt);
-                ASSERT_EQ(world[body].position(), empty[free].position()) << speed << ", " << i;
-            }
-            support::run(world, 900);
-            EXPECT_TRUE(near(world[body].position().y, 2.5, 0.02)) << speed;
-        }
-    }
-}
-
-TEST(Platform, LetsFallBackWhatDidNotGetThrough) {
-    World world({.gravity = kEarth});
-    world.add(
-        {.shape = Segment{{-3, 0}, {3, 0}, true, {}, {}}, .position = {0, 2}, .flags = kLocked});
-    // v^2 / 2g = 2.3: the centre gets 0.3 m above the platform, and the ball's foot stays below.
-    const BodyId ball =
-        world.add({.shape = Circle{Real(0.5)}, .velocity = {0, std::sqrt(Real(46))}});
-    support::run(world, 120);
-    EXPECT_LT(world[ball].position().y, -1);
 }
 
 } // namespace

@@ -108,8 +108,8 @@ TEST(Lock, TwoLockedBodiesPassThroughEachOtherUnrecorded) {
     EXPECT_TRUE(world.collisions().empty());
 }
 
-// A fixed bug: what can only turn, and is struck straight towards its hinge by what cannot give way
-// either, was spun with 1e5 rad/s, for it has hardly a lever.
+// What can only turn, and is struck straight towards its hinge by what cannot give way either, has
+// hardly a lever: the blow must not spin it with 1e5 rad/s to make up for that.
 TEST(Lock, ABlowTowardsTheHingeDoesNotSpinABodyThatCannotMove) {
     for (const Strategy strategy : {Strategy::SoftStep, Strategy::Propagation}) {
         WorldDef world{};
@@ -132,11 +132,11 @@ TEST(Lock, ABlowTowardsTheHingeDoesNotSpinABodyThatCannotMove) {
     }
 }
 
-// A fixed bug: what can only turn, and is pinched by something that comes down on it at unlike
-// distances from its hinge, was struck at two points as if it could not turn, or to and fro within
-// one step: each blow was harder than the one before, up to 1e32 N s. What presses is a spring that
-// holds 27 times what takes 3.5 m/s of the walls and 3 m/s of the push from 64 times its mass, and
-// may be shared by two on each side.
+// What can only turn, and is pinched by something that comes down on it at unlike distances from
+// its hinge, is neither struck at two points as if it could not turn, nor to and fro within one
+// step, each blow harder than the one before. What presses is a spring that holds 27 times what
+// takes 3.5 m/s of the walls and 3 m/s of the push from 64 times its mass, and may be shared by two
+// on each side.
 TEST(Lock, WhatCanOnlyTurnIsNotPinchedEverHarder) {
     for (const Strategy strategy : {Strategy::SoftStep, Strategy::Propagation}) {
         for (const Real restitution : {Real(0), Real(0.5), Real(1)}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <support/rest.hpp>
+#include <support/resting.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -51,6 +51,31 @@ TEST(OneSidedPlatform, LetsUpAndCarriesWhatComesDown) {
             EXPECT_TRUE(near(world[jumper].position().y, Real(0.4), world.tolerances().slop))
                 << kind << " " << height;
             EXPECT_TRUE(support::rests(world, jumper));
+        }
+    }
+}
+
+// F2: on the way up it is as if it were not there. In the one or two steps that begin just above
+// it, where a body might be touched, its flight is no exact parabola: each is off by g dt^2 / 2 of
+// a substep, five times, 0.28 mm.
+TEST(OneSidedPlatform, IsNotThereForWhatComesFromBelow) {
+    for (const int kind : {0, 1}) {
+        for (const Real speed : {Real(8), Real(8.5), Real(12), Real(60)}) {
+            World world({.gravity = support::kEarth});
+            World empty = world;
+            const BodyId platform = world.add(oneSidedDef({0, 0}));
+            empty.add(ballDef({1000, 0}, 1)); // in its place, so that ids are alike
+            BodyDef def = moverDef(kind, {Real(0.3), -2});
+            def.velocity = {0, speed};
+            const BodyId jumper = world.add(def);
+            ASSERT_EQ(empty.add(def), jumper);
+            while (empty[jumper].velocity().y > 0) {
+                world.step(kDt);
+                empty.step(kDt);
+                ASSERT_TRUE(near(world[jumper].position(), empty[jumper].position(), Real(6e-4)))
+                    << kind << " " << speed;
+            }
+            EXPECT_GT(world[jumper].position().y, world[platform].position().y + 1);
         }
     }
 }
@@ -122,7 +147,9 @@ TEST(MovingPlatform, TakesABoxAlongByFriction) {
     move(24); // 0.4 s: 5 m/s^2, 2 m/s
     EXPECT_TRUE(nearShare(world[box].velocity().x, 2, 0.01));
     move(24); // it has caught up after 0.6 s
-    EXPECT_TRUE(near(world[box].velocity().x, 3, byPrecision(1e-4, 1e-4)));
+    // In float the speed that moveTo finds is off by a rounding of 2.4 m over dt; else a little is
+    // left of the way in which the box leant on its edge.
+    EXPECT_TRUE(near(world[box].velocity().x, 3, byPrecision(2e-5, 2e-7)));
     const Real lag = world[platform].position().x - world[box].position().x;
     EXPECT_TRUE(nearShare(lag, 3 * 0.6 / 2, 0.01)); // v^2 / (2 mu g)
     move(240);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <support/outside.hpp>
-#include <support/rest.hpp>
+#include <support/resting.hpp>
 
 namespace kodo {
 namespace {

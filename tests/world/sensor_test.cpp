@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <support/phase_book.hpp>
-#include <support/rest.hpp>
+#include <support/resting.hpp>
 
 #include <algorithm>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/base/bytes.hpp>
 #include <support/scenes.hpp>
+
+#include <world/snapshot_scenes.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,8 @@ namespace {
 using support::kDt;
 using support::run;
 
-using Bytes = std::vector<std::byte>;
+using support::Bytes;
+using support::seal;
 
 /// As a user would write one: it is no Drag any more.
 class Halved final : public Drag {
@@ -52,15 +54,6 @@ std::string refusalOf(const Bytes& bytes) {
         return {};
     } catch (const BadSnapshot& bad) {
         return bad.what();
-    }
-}
-
-/// Makes the checksum right again, so that what lies behind it is put to the test.
-void seal(Bytes& bytes) {
-    const std::size_t size = bytes.size() - 8;
-    const std::uint64_t checksum = checksumOf(std::span(bytes).first(size));
-    for (std::size_t i = 0; i < 8; ++i) {
-        bytes[size + i] = static_cast<std::byte>(checksum >> 8 * i);
     }
 }
 
@@ -237,47 +230,6 @@ TEST(SnapshotRefused, AWrongNumberOfOwnFields) {
     EXPECT_EQ(loaded.fields()[0].which.required, 4);
     EXPECT_NE(dynamic_cast<const Gravity*>(loaded.fields()[1].field.get()), nullptr);
     EXPECT_EQ(loaded.fields()[2].field, own);
-}
-
-// R1: 32 bits of lives in one slot: after the last of them it is never given out again, so that no
-// name comes alive anew. Too many to be lived here: the count is put into the bytes.
-TEST(Ids, ASlotWhoseLivesAreUsedUpIsRetired) {
-    World world;
-    BodyId last = world.add(support::ballDef({}, 1));
-    const BodyId first = last;
-    for (int life = 0; life < 70000; ++life) {
-        world.remove(last);
-        last = world.add(support::ballDef({}, 1));
-    }
-    Bytes bytes = toBytes(world);
-    const auto lives = [&](std::size_t at) { // lowest byte first
-        std::uint32_t number = 0;
-        for (std::size_t i = 0; i < 4; ++i) {
-            number |= std::to_integer<std::uint32_t>(bytes[at + i]) << 8 * i;
-        }
-        return number;
-    };
-    int places = 0;
-    for (std::size_t at = 0; at + 4 <= bytes.size(); ++at) {
-        if (lives(at) == last.generation) {
-            std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(at), 4, std::byte{0xff});
-            ++places;
-        }
-    }
-    ASSERT_EQ(places, 1);
-    seal(bytes);
-    World old = fromBytes(bytes);
-    const BodyId final = old.bodies().front();
-    ASSERT_EQ(final.generation, 0xffffffffu);
-    old.remove(final);
-    const BodyId next = old.add(support::ballDef({}, 1));
-    EXPECT_NE(next.index, final.index);
-    for (const BodyId stale : {first, last, final, BodyId{first.index, 0}}) {
-        EXPECT_FALSE(old.contains(stale));
-        EXPECT_THROW(old[stale], BadBodyId);
-    }
-    old.remove(next);
-    EXPECT_EQ(old.add(support::ballDef({}, 1)).index, next.index);
 }
 
 } // namespace

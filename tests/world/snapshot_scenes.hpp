@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/base/bytes.hpp>
 #include <kodo/kodo.hpp>
 #include <support/random_numbers.hpp>
 
@@ -9,6 +10,8 @@
 
 /// What the tests of snapshots save, and the program that goes on from a saved file.
 namespace support::inline KODO_PRECISION {
+
+using Bytes = std::vector<std::byte>;
 
 /// A field as users write them: pushes everything around the origin.
 class Swirl final : public kodo::ForceField {
@@ -127,6 +130,15 @@ inline kodo::World busyWorld(const kodo::StepSettings& settings = {}) {
     }
     world.setRegion(kodo::Aabb{{-30, -30}, {30, 30}});
     return world;
+}
+
+/// Makes the checksum right again, so that what lies behind it is put to the test.
+inline void seal(Bytes& bytes) {
+    const std::size_t size = bytes.size() - 8;
+    const std::uint64_t checksum = kodo::checksumOf(std::span(bytes).first(size));
+    for (std::size_t i = 0; i < 8; ++i) {
+        bytes[size + i] = static_cast<std::byte>(checksum >> 8 * i);
+    }
 }
 
 } // namespace support::inline KODO_PRECISION

@@ -20,7 +20,7 @@ using support::kDt;
 using support::ownFields;
 using support::run;
 
-using Bytes = std::vector<std::byte>;
+using support::Bytes;
 
 /// Of a world with these fields of the user's own.
 World reloaded(const World& world, const support::OwnFields& own = {}) {
@@ -49,6 +49,29 @@ void expectToGoOnAlike(World& world, World& other, int steps) {
         ASSERT_TRUE(i % 20 != 0 || toBytes(other) == toBytes(world)) << "after " << i << " steps";
         world.step(kDt);
         other.step(kDt);
+    }
+}
+
+// What a step leaves for later, until somebody asks for it, is the same whether anybody does.
+TEST(Snapshot, WhoAsksChangesNothing) {
+    for (const StepSettings& settings : {StepSettings{}, thesis2006()}) {
+        World asked = busyWorld(settings);
+        World left = asked;
+        for (int i = 0; i < 300; ++i) {
+            asked.step(kDt);
+            left.step(kDt);
+            const std::size_t records = asked.collisions().size();
+            if (i % 3 == 0) {
+                ASSERT_FALSE(toBytes(asked).empty());
+            }
+            if (i % 7 == 0) {
+                ASSERT_EQ(left.collisions().size(), records) << "step " << i;
+            }
+            if (i % 50 == 49) {
+                ASSERT_EQ(asked.stateHash(), left.stateHash()) << "step " << i;
+                ASSERT_TRUE(sameRecords(asked, left)) << "step " << i;
+            }
+        }
     }
 }
 

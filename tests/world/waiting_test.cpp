@@ -35,8 +35,8 @@ TEST(Waiting, IsAWallToWhatIsInside) {
     EXPECT_LT(world[thrown].position().y, Real(5.2)); // fell out of it
 }
 
-// A fixed bug: a ball that ran after what waits, as fast as that would be, was not seen to approach
-// and stuck to it; the record of another told of the speed that the wall only keeps.
+// What waits is a wall that stands, whatever speed it keeps: a ball that runs after it as fast as
+// that approaches it and bounces off, and no record tells of the speed that it only keeps.
 TEST(Waiting, ItsSpeedDoesNotCount) {
     for (const Real kept : {Real(5), Real(-3)}) {
         World world;
@@ -97,8 +97,8 @@ struct Tower {
     static constexpr Aabb kNone{{100, -10}, {120, 10}};
 };
 
-// A fixed bug: contacts of what waits ended, and began anew when it went on. They do neither, and
-// the tower goes on from the impulses it had.
+// F3: contacts of what waits do not end, nor begin anew when it goes on: the tower goes on from the
+// impulses it had.
 TEST(Waiting, ContactsNeitherEndNorBegin) {
     Tower tower;
     ASSERT_EQ(phasesOf(tower.world), (Phases{0, 5, 0}));

@@ -9,7 +9,7 @@ namespace kodo::inline KODO_PRECISION {
 namespace {
 
 void printFailure(const char* condition, const char* file, int line) {
-    std::fprintf(stderr, "%s:%d: kodo: this cannot be, but is: not (%s)\n", file, line, condition);
+    std::fprintf(stderr, "%s:%d: kodo: assertion failed: %s\n", file, line, condition);
 }
 
 std::atomic<AssertHandler> currentHandler{&printFailure};

@@ -36,7 +36,7 @@ public:
             std::uint8_t byte = value ? 1 : 0;
             integer(byte);
             if (byte > 1) {
-                throw BadSnapshot("a yes or no is neither");
+                throw BadSnapshot("a byte that stands for a bool is neither 0 nor 1");
             }
             value = byte == 1;
         } else if constexpr (std::is_floating_point_v<Number>) {

@@ -92,25 +92,7 @@ void freeze(Bodies& bodies, std::uint32_t body) {
     bodies.awakeStale = true;
 }
 
-bool isSound(const Motion& motion, Real lengthUnit) {
-    const Real most = kHighestSpeed * lengthUnit;
-    return lengthSquared(motion.velocity) <= most * most && // false for NaN
-           std::abs(motion.angularVelocity) <= kHighestSpeed &&
-           lengthSquared(motion.move) <= most * most && // in a second at the most
-           std::abs(motion.turn) <= kHighestSpeed;
-}
-
-bool isSound(const Acceleration& acceleration) {
-    return isFinite(acceleration.linear) && std::isfinite(acceleration.angular);
-}
-
-bool refreshAwake(Bodies& bodies) {
-    for (const std::uint32_t body : bodies.awake) {
-        bodies.awakeStale = bodies.awakeStale || !bodies.active(body);
-    }
-    if (!bodies.awakeStale) {
-        return false;
-    }
+void listAwake(Bodies& bodies) {
     bodies.awakeStale = false;
     bodies.awake.clear();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -118,7 +100,6 @@ bool refreshAwake(Bodies& bodies) {
             bodies.awake.push_back(static_cast<std::uint32_t>(i));
         }
     }
-    return true;
 }
 
 void setForm(Bodies& bodies, std::uint32_t index, std::shared_ptr<const Form> form) {

@@ -1,17 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/bodies/form.hpp>
 
-#include <cmath>
-#include <sstream>
-
 namespace kodo::inline KODO_PRECISION {
 namespace {
-
-std::string number(Real value) {
-    std::ostringstream text;
-    text << value;
-    return text.str();
-}
 
 std::optional<Problem> checkLock(bool needed, Flags flags) {
     if (needed && (flags & kLocked) != kLocked) {
@@ -22,14 +13,6 @@ std::optional<Problem> checkLock(bool needed, Flags flags) {
 }
 
 } // namespace
-
-std::optional<Problem> checkRange(const char* field, Real value, Real low, Real high) {
-    if (!(value >= low && value <= high)) { // false for NaN
-        return Problem{field, "must be from " + number(low) + " to " + number(high) + ", but is " +
-                                  number(value)};
-    }
-    return std::nullopt;
-}
 
 std::optional<Problem> checkPosition(const char* field, Vec2 value, Real lengthUnit) {
     const Real most = kFarthest * lengthUnit;
@@ -64,12 +47,7 @@ std::optional<Problem> checkLock(const Primitive& part, Flags flags) {
 }
 
 std::optional<Problem> checkRotation(const char* field, Rot value) {
-    const Real norm = value.c * value.c + value.s * value.s;
-    if (!(std::abs(norm - 1) < Real(1e-3))) {
-        return Problem{field, "must be a unit vector (cos, sin), but has length " +
-                                  number(std::sqrt(norm))};
-    }
-    return std::nullopt;
+    return checkUnit(field, value.c, value.s);
 }
 
 std::optional<Problem> check(const BodyDef& def, Real lengthUnit) {

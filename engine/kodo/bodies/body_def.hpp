@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/bodies/flags.hpp>
 #include <kodo/bodies/material.hpp>
-#include <kodo/collide/filter.hpp>
 #include <kodo/shapes/shape.hpp>
 
 #include <compare>
@@ -53,6 +53,5 @@ std::optional<Problem> checkFlags(const char* field, Flags value);
 /// Of a body with something in it that may need to be locked.
 std::optional<Problem> checkLock(const Shape& shape, Flags flags);
 std::optional<Problem> checkLock(const Primitive& part, Flags flags);
-std::optional<Problem> checkRange(const char* field, Real value, Real low, Real high);
 
 } // namespace kodo::inline KODO_PRECISION

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/bodies/body_def.hpp>
+#include <kodo/bodies/material.hpp>
 
 #include <algorithm>
 #include <cmath>

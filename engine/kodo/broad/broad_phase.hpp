@@ -41,8 +41,8 @@ private:
     // ps. Those of the grid and of brute force are fitted to CPU times of 160 random scenes of 300
     // to 12,000 bounds, dense and sparse, of equal and of mixed sizes; the others to what tumbler,
     // circles and debris take longer by `kodo-bench --pairs brute|sweep --stages` than by grid (g++
-    // 12 -O3, x86-64, float). Sums are right to a quarter. Machines differ in speed, and less in
-    // these ratios.
+    // 12 -O3, x86-64, float). Sums are right to a quarter, so two ways between which they choose
+    // may differ by that much more on a clock. Machines differ in speed, and less in these ratios.
     static constexpr std::uint64_t kCompare = 430;   // two bounds, by brute force
     static constexpr std::uint64_t kSweep = 6000;    // the same, while sweeping
     static constexpr std::uint64_t kRefresh = 10000; // the ends of one of the bounds to be swept

@@ -46,7 +46,7 @@ public:
     void reserve(std::size_t bounds);
 
     /// Bounds that were compared in the last call: what it had to test.
-    std::size_t testCount() const { return tests_; }
+    std::size_t testCount() const { return tests_; } // for tests
     /// Of the last call: all of it, and what it took to fill the cells, whoever has moved.
     PairWork work() const { return work_; }
     PairWork workToBuild() const { return built_; }

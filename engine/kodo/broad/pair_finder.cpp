@@ -7,7 +7,7 @@
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
-// ps; what brute force takes no more for is not worth a thought.
+// ps; if brute force takes no more, it is taken without asking what the others would take.
 constexpr std::uint64_t kLittle = 2000000;
 // A turn of the idle one may take this share of what has been spent since its last one.
 constexpr std::uint64_t kTurnShare = 32;

@@ -38,12 +38,14 @@ public:
                 noteSweep(count);
             }
         }
-        sorter_.sort(out, count);
+        if (out.size() > 1) {
+            sorter_.sort(out, count);
+        }
     }
 
     /// From now on in this way alone; nothing: in the cheapest.
     void use(std::optional<PairSearch> only) { only_ = only; }
-    PairSearch way() const { return way_; } // of the last call
+    PairSearch way() const { return way_; } // of the last call; for tests
     /// ps, of all calls: see PairWork.
     std::uint64_t work() const { return work_; }
 

@@ -46,9 +46,9 @@ public:
     }
 
     /// Pairs whose projections overlapped in the last call: what it had to test.
-    std::size_t testCount() const { return tests_; }
-    PairWork work() const { return work_; } // of the last call
-    bool alongX() const { return alongX_; }
+    std::size_t testCount() const { return tests_; } // for tests
+    PairWork work() const { return work_; }          // of the last call
+    bool alongX() const { return alongX_; }          // for tests
 
 private:
     struct Entry {

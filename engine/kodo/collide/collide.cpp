@@ -34,7 +34,7 @@ Manifold collideFacesRound(const Convex& sided, const Transform& a, const Convex
     const Transform ab = between(a, b);
     const Vec2 center = ab * circle.vertices[0];
     const RoundAxis axis = nearestToCenter(sided, center);
-    const Real gap = axis.distance - circle.radius - sided.radius;
+    const Real gap = axis.distance - circle.radius;
     Manifold manifold;
     if (gap > margin) {
         return apart(gap);
@@ -124,7 +124,7 @@ Separation fromPlane(const Convex& plane, const Transform& a, const Convex& othe
 Separation fromFaces(const Convex& sided, const Transform& a, const Convex& circle,
                      const Transform& b) {
     const RoundAxis axis = nearestToCenter(sided, between(a, b) * circle.vertices[0]);
-    return {a.rotation * axis.normal, axis.distance - circle.radius - sided.radius};
+    return {a.rotation * axis.normal, axis.distance - circle.radius};
 }
 
 Separation betweenFaces(const Convex& shapeA, const Transform& a, const Convex& shapeB,

@@ -239,7 +239,7 @@ Nearness distance(const Convex& shape, const Transform& t, Vec2 point) {
     } else {
         const RoundAxis axis = nearestToCenter(shape, p);
         normal = axis.normal;
-        gap = axis.distance - shape.radius;
+        gap = axis.distance;
     }
     if (gap <= 0) {
         return {point, point, {}, 0};

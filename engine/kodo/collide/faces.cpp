@@ -65,27 +65,6 @@ bool endsDecide(Placed a, Placed b, Real margin, Real least, Manifold& manifold)
 
 } // namespace
 
-void add(Manifold& manifold, const LocalPoint& local, const Transform& a, const Transform& b) {
-    const Vec2 armA = a.rotation * local.point;
-    manifold.points[static_cast<std::size_t>(manifold.count)] = {
-        armA, armA + (a.position - b.position), local.separation, local.feature};
-    ++manifold.count;
-}
-
-Manifold apart(Real gap) {
-    Manifold manifold;
-    manifold.points[0].separation = gap;
-    return manifold;
-}
-
-Manifold swapped(Manifold manifold) {
-    manifold.normal = -manifold.normal;
-    for (ManifoldPoint& point : manifold.points) {
-        std::swap(point.armA, point.armB);
-    }
-    return manifold;
-}
-
 std::size_t incidentEdge(const Convex& b, std::size_t vertex, Vec2 normalInB) {
     const std::size_t before = vertex == 0 ? b.vertices.size() - 1 : vertex - 1;
     return dot(b.normals[before], normalInB) < dot(b.normals[vertex], normalInB) ? before : vertex;

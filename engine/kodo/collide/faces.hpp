@@ -6,22 +6,6 @@
 
 namespace kodo::inline KODO_PRECISION {
 
-/// A contact point found in A's frame, around A's centre; the last step turns it to world axes. So
-/// nothing is lost far from the origin.
-struct LocalPoint {
-    Vec2 point; // m, halfway between the surfaces
-    Real separation;
-    std::uint32_t feature;
-};
-
-void add(Manifold& manifold, const LocalPoint& local, const Transform& a, const Transform& b);
-
-/// Of two that are so far apart, at least.
-Manifold apart(Real gap);
-
-/// The other way round: swaps the arms and turns the normal.
-Manifold swapped(Manifold manifold);
-
 /// The edge at `vertex` of b that faces a normal, seen from b, most directly.
 std::size_t incidentEdge(const Convex& b, std::size_t vertex, Vec2 normalInB);
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/math/vec2.hpp>
+#include <kodo/math/transform.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace kodo::inline KODO_PRECISION {
 
@@ -25,5 +27,37 @@ struct Manifold {
     int count = 0;
     bool fromBehind = false; // of a one-sided line; then count is 0. See letPass
 };
+
+/// A contact point found in A's frame, around A's centre; the last step turns it to world axes. So
+/// nothing is lost far from the origin.
+struct LocalPoint {
+    Vec2 point; // m, halfway between the surfaces
+    Real separation;
+    std::uint32_t feature;
+};
+
+inline void add(Manifold& manifold, const LocalPoint& local, const Transform& a,
+                const Transform& b) {
+    const Vec2 armA = a.rotation * local.point;
+    manifold.points[static_cast<std::size_t>(manifold.count)] = {
+        armA, armA + (a.position - b.position), local.separation, local.feature};
+    ++manifold.count;
+}
+
+/// Of two that are so far apart, at least.
+inline Manifold apart(Real gap) {
+    Manifold manifold;
+    manifold.points[0].separation = gap;
+    return manifold;
+}
+
+/// The other way round: swaps the arms and turns the normal.
+inline Manifold swapped(Manifold manifold) {
+    manifold.normal = -manifold.normal;
+    for (ManifoldPoint& point : manifold.points) {
+        std::swap(point.armA, point.armB);
+    }
+    return manifold;
+}
 
 } // namespace kodo::inline KODO_PRECISION

@@ -30,9 +30,9 @@ inline std::size_t supportVertex(const Convex& convex, Vec2 direction, std::size
 ///
 ///   s_i = min_j dot(n_i, b_j - a_i),   result = max_i s_i          [Ericson05, 5.2.1]
 ///
-/// s_i > margin for any i proves the polygons farther apart than that; of faces that are not looked
-/// at together with that one, no more are then. Ties keep the lower index: a box at rest must not
-/// swap its face from one step to the next.
+/// s_i > margin for any i proves the polygons farther apart than that. Faces are looked at some at
+/// a time, and none after those among which such an i is. Ties keep the lower index: a box at rest
+/// must not swap its face from one step to the next.
 FaceAxis leastPenetratingFace(const Convex& a, const Convex& b, const Transform& ab, Real margin);
 
 } // namespace kodo::inline KODO_PRECISION

@@ -77,8 +77,8 @@ std::optional<Problem> checkKind(const Spring& spring, Real unit) {
 }
 
 std::optional<Problem> checkKind(const Slider& slider, Real unit) {
-    if (!(std::abs(lengthSquared(slider.axis) - 1) < Real(1e-3))) {
-        return Problem{"axis", "must be a unit vector"};
+    if (auto problem = checkUnit("axis", slider.axis.x, slider.axis.y)) {
+        return problem;
     }
     if (auto problem = checkFields(
             {{"reference", slider.reference, -kAngle, kAngle},

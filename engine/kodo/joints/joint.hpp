@@ -17,7 +17,7 @@ struct JointId {
     friend constexpr auto operator<=>(JointId, JointId) = default;
 };
 
-/// From lower to upper, both included.
+/// From lower to upper, both included; lower <= upper.
 struct Range {
     Real lower = 0;
     Real upper = 0;
@@ -31,65 +31,65 @@ inline constexpr Real kUnbreakable = std::numeric_limits<Real>::infinity();
 struct JointEnds {
     BodyId a;
     BodyId b;
-    Vec2 anchorA{};                  // m, in the frame of a's shape
-    Vec2 anchorB{};                  // m, in the frame of b's shape
-    Real breakForce = kUnbreakable;  // N; a greater pull, averaged over a step, breaks the joint
-    Real breakTorque = kUnbreakable; // N m
+    Vec2 anchorA{};                  // m, in the frame of a's shape; within kFarthest
+    Vec2 anchorB{};                  // m, in the frame of b's shape; within kFarthest
+    Real breakForce = kUnbreakable;  // N, > 0; a greater pull, as the mean of a step, breaks it
+    Real breakTorque = kUnbreakable; // N m, > 0
     bool collide = false;            // may the two bodies touch each other?
 };
 
 /// Both anchors stay on one point; the bodies turn about it.
 struct Pin {
     JointEnds ends;
-    Real reference = 0;            // rad; angle of b relative to a that counts as 0
-    std::optional<Range> limits{}; // rad, of that angle
-    Real motorSpeed = 0;           // rad/s, of b relative to a
-    Real motorTorque = 0;          // N m at most; 0: no motor
+    Real reference = 0;            // rad, within 1e4; angle of b relative to a that counts as 0
+    std::optional<Range> limits{}; // rad, -3..3, of that angle
+    Real motorSpeed = 0;           // rad/s, of b relative to a; within kHighestSpeed
+    Real motorTorque = 0;          // N m at most, >= 0; 0: no motor
 };
 
 /// Both anchors on one point, and no turning: two bodies as one, until it breaks.
 struct Weld {
     JointEnds ends;
-    Real reference = 0; // rad; the angle of b relative to a that is held
+    Real reference = 0; // rad, within 1e4; the angle of b relative to a that is held
 };
 
 /// Holds the distance of the anchors: a spring, a rod (hertz 0 and equal limits) or a rope.
 struct Spring {
     JointEnds ends;
-    Real length = 1;               // m, at rest
-    Real hertz = 0;                // stiffness, with the bodies' masses; 0: no spring
-    Real damping = 0;              // damping ratio of the spring; 1 is critical
-    std::optional<Range> limits{}; // m, of the distance
+    Real length = 1;               // m, at rest; 0..kFarthest
+    Real hertz = 0;                // 0..1e4; stiffness, with the bodies' masses; 0: no spring
+    Real damping = 0;              // 0..1e4; damping ratio of the spring; 1 is critical
+    std::optional<Range> limits{}; // m, of the distance; 0..kFarthest
 };
 
 /// b slides along a line that is fixed to a, and does not turn against it.
 struct Slider {
     JointEnds ends;
     Vec2 axis{1, 0};               // unit, in the frame of a's shape
-    Real reference = 0;            // rad; the angle of b relative to a that is held
-    std::optional<Range> limits{}; // m, of anchor b along the axis from anchor a
-    Real motorSpeed = 0;           // m/s along the axis
-    Real motorForce = 0;           // N at most; 0: no motor
+    Real reference = 0;            // rad, within 1e4; the angle of b relative to a that is held
+    std::optional<Range> limits{}; // m, of anchor b along the axis from anchor a; within kFarthest
+    Real motorSpeed = 0;           // m/s along the axis; within kHighestSpeed
+    Real motorForce = 0;           // N at most, >= 0; 0: no motor
 };
 
 /// Drives b to a place and an angle relative to a, with limited force.
 struct Motor {
     JointEnds ends;     // anchor b is driven to anchor a
-    Real reference = 0; // rad; the angle of b relative to a that is wanted
-    Real force = 0;     // N at most
-    Real torque = 0;    // N m at most
-    Real hertz = 30;    // how eagerly: stiffness, with the bodies' masses
-    Real damping = 1;   // damping ratio; 1 is critical
+    Real reference = 0; // rad, within 1e4; the angle of b relative to a that is wanted
+    Real force = 0;     // N at most, >= 0
+    Real torque = 0;    // N m at most, >= 0
+    Real hertz = 30;    // 1e-3..1e4; how eagerly: stiffness, with the bodies' masses
+    Real damping = 1;   // 0..1e4; damping ratio; 1 is critical
 };
 
 /// Draws one body by a point on it towards a target, as a hand does.
 struct Mouse {
     BodyId body;
-    Vec2 anchor{};            // m, in the frame of the body's shape
-    Vec2 target{};            // m, world
-    Real force = 0;           // N at most
-    Real hertz = 5;           // stiffness, with the body's mass
-    Real damping = Real(0.7); // damping ratio; 1 is critical
+    Vec2 anchor{};            // m, in the frame of the body's shape; within kFarthest
+    Vec2 target{};            // m, world; within kFarthest
+    Real force = 0;           // N at most, >= 0
+    Real hertz = 5;           // 1e-3..1e4; stiffness, with the body's mass
+    Real damping = Real(0.7); // 0..1e4; damping ratio; 1 is critical
 };
 
 /// Any joint, as World::add takes it.

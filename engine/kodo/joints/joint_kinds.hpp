@@ -4,7 +4,6 @@
 #include <kodo/joints/joint_set.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace kodo::inline KODO_PRECISION {
 
@@ -106,10 +105,10 @@ public:
     }
 
 private:
-    /// The anchors go round their bodies in circles, and not along the tangents that a velocity
-    /// knows of: at the end of the substep they will be apart by the difference, too. All of it is
-    /// wanted away, and of the gap that is there now the share that the stiffness says. The turn is
-    /// that with what the joints are foreseen to do to it.
+    /// The anchors move on circles about their centres of mass, but a velocity moves them along the
+    /// tangents. By the end of the substep the difference opens the gap further: that part is taken
+    /// out in full, and of the gap that is there now the share that the stiffness says. The angles
+    /// include what the joints are expected to change of the spins.
     PointConstraint anchors() const {
         const Vec2 bent = bend(frame_.b, pass_.foreseen.spinB, frame_.armB) -
                           bend(frame_.a, pass_.foreseen.spinA, frame_.armA);

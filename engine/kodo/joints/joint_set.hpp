@@ -59,7 +59,7 @@ public:
     /// Finds the loads of a step of dt and breaks what is overloaded.
     std::span<const BrokenJoint> endStep(Real dt);
 
-    /// Visits (def, impulses) of each joint in order.
+    /// Visits each joint in order.
     template <typename Visit>
     void forEach(Visit visit) const {
         for (const std::uint32_t index : live_) {

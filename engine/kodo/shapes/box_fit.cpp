@@ -3,7 +3,6 @@
 #include <kodo/shapes/box_fit.hpp>
 #include <kodo/shapes/hull.hpp>
 
-#include <algorithm>
 #include <limits>
 
 namespace kodo::inline KODO_PRECISION {

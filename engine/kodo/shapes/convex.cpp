@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/shapes/convex.hpp>
-#include <kodo/shapes/mass.hpp>
+#include <kodo/shapes/measure.hpp>
 
 #include <cmath>
 #include <limits>
@@ -44,13 +44,7 @@ void build(Convex& convex, const Polygon& polygon, Vec2 origin) {
 }
 
 void build(Convex& convex, const Box& box, Vec2 origin) {
-    const Real x = box.width / 2;
-    const Real y = box.height / 2;
-    std::vector<Vec2> corners{{-x, -y}, {x, -y}, {x, y}, {-x, y}};
-    for (Vec2& corner : corners) {
-        corner = box.center + box.rotation * corner;
-    }
-    build(convex, Polygon{std::move(corners)}, origin);
+    build(convex, polygonOf(box), origin);
 }
 
 /// The directions of the neighbours are found from the same points, in the same way, as the
@@ -98,12 +92,6 @@ Aabb boundsOfPlane(Vec2 normal, Real offset) {
     return box;
 }
 
-bool containsOnLine(const Convex& line, Vec2 p) {
-    const Vec2 from = p - line.vertices[0];
-    const Vec2 to = p - line.vertices[1];
-    return cross(from, to) == 0 && dot(from, to) <= 0;
-}
-
 } // namespace
 
 Convex convexOf(const Primitive& primitive, Vec2 origin) {
@@ -118,7 +106,7 @@ Convex convexOf(const Primitive& primitive, Vec2 origin) {
     return convex;
 }
 
-Aabb boundsOf(const Convex& convex, const Transform& t) {
+Aabb boundsOfAngular(const Convex& convex, const Transform& t) {
     const Vec2 first = t * convex.vertices[0];
     if (convex.isPlane()) {
         const Vec2 normal = t.rotation * convex.normals[0];
@@ -138,10 +126,10 @@ bool contains(const Convex& convex, const Transform& t, Vec2 point) {
         return lengthSquared(p - convex.vertices[0]) <= convex.radius * convex.radius;
     }
     if (convex.isLine()) {
-        return containsOnLine(convex, p);
+        return contains(Segment{convex.vertices[0], convex.vertices[1], false, {}, {}}, p);
     }
     for (std::size_t i = 0; i < convex.normals.size(); ++i) {
-        if (dot(convex.normals[i], p - convex.vertices[i]) > convex.radius) {
+        if (dot(convex.normals[i], p - convex.vertices[i]) > 0) {
             return false;
         }
     }

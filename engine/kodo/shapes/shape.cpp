@@ -14,46 +14,29 @@ std::string corner(std::size_t i) {
     return "corners[" + std::to_string(i) + "]";
 }
 
-constexpr const char* kLargestInWords = sizeof(Real) == 4 ? "1e11 m" : "1e19 m";
-
-bool isSmallEnough(Real value) {
-    return std::abs(value) <= kLargest; // false for NaN
-}
-
-std::optional<Problem> checkLength(const char* field, Real value) {
-    if (!(value > 0) || !isSmallEnough(value)) {
-        return Problem{field, std::string("must be a finite length greater than 0 m and at most ") +
-                                  kLargestInWords + ", but is " + std::to_string(value)};
-    }
-    return std::nullopt;
-}
-
 std::optional<Problem> checkPoint(const std::string& field, Vec2 point) {
-    if (!isSmallEnough(point.x) || !isSmallEnough(point.y)) {
-        return Problem{field,
-                       std::string("must be finite, and neither of its coordinates beyond ") +
-                           kLargestInWords};
+    if (auto problem = checkRange(field.c_str(), point.x, -kLargest, kLargest)) {
+        return problem;
     }
-    return std::nullopt;
+    return checkRange(field.c_str(), point.y, -kLargest, kLargest);
 }
 
 std::optional<Problem> check(const Circle& circle) {
     if (auto problem = checkPoint("center", circle.center)) {
         return problem;
     }
-    return checkLength("radius", circle.radius);
+    return checkPositive("radius", circle.radius, kLargest);
 }
 
 std::optional<Problem> check(const Box& box) {
-    if (auto problem = checkLength("width", box.width)) {
+    if (auto problem = checkPositive("width", box.width, kLargest)) {
         return problem;
     }
-    if (auto problem = checkLength("height", box.height)) {
+    if (auto problem = checkPositive("height", box.height, kLargest)) {
         return problem;
     }
-    const Real norm = box.rotation.c * box.rotation.c + box.rotation.s * box.rotation.s;
-    if (!(std::abs(norm - 1) < Real(1e-3))) {
-        return Problem{"rotation", "must be a unit vector (cos, sin)"};
+    if (auto problem = checkUnit("rotation", box.rotation.c, box.rotation.s)) {
+        return problem;
     }
     return checkPoint("center", box.center);
 }
@@ -140,13 +123,10 @@ std::optional<Problem> check(const Segment& segment) {
 }
 
 std::optional<Problem> check(const Plane& plane) {
-    if (!(std::abs(lengthSquared(plane.normal) - 1) < Real(1e-3))) {
-        return Problem{"normal", "must be a unit vector"};
+    if (auto problem = checkUnit("normal", plane.normal.x, plane.normal.y)) {
+        return problem;
     }
-    if (!isSmallEnough(plane.offset)) {
-        return Problem{"offset", std::string("must be finite and not beyond ") + kLargestInWords};
-    }
-    return std::nullopt;
+    return checkRange("offset", plane.offset, -kLargest, kLargest);
 }
 
 Vec2 pointOf(const Heightmap& map, std::size_t i) {
@@ -157,7 +137,7 @@ std::optional<Problem> check(const Heightmap& map) {
     if (auto problem = checkPoint("origin", map.origin)) {
         return problem;
     }
-    if (auto problem = checkLength("spacing", map.spacing)) {
+    if (auto problem = checkPositive("spacing", map.spacing, kLargest)) {
         return problem;
     }
     const std::size_t n = map.heights.size();

@@ -81,11 +81,11 @@ struct ContactPassArguments {
 struct ContactPasses {
     using Pass = void (*)(const ContactPassArguments&);
 
-    const char* name;
-    Pass warmStart; // pushes with the impulses so far
-    Pass solve;     // pushes overlaps apart like stiff springs
-    Pass settle;    // without that push, which takes its speed out again
-    Pass relax;     // the same, with friction, if wanted; sums up what was pushed
+    const char* name; // for tests
+    Pass warmStart;   // pushes with the impulses so far
+    Pass solve;       // pushes overlaps apart like stiff springs
+    Pass settle;      // without that push, which takes its speed out again
+    Pass relax;       // the same, with friction, if wanted; sums up what was pushed
 
     static const ContactPasses& baseline();
     /// Nothing where neither the build nor the machine has it.

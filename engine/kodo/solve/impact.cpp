@@ -49,6 +49,7 @@ struct Impact {
         b.angularVelocity +=
             b.invInertia * (leverOf(armB, normal()) * jn + leverOf(armB, tangent()) * jt);
         contact.impulse[i].impact += jn;
+        contact.struck = true;
     }
 };
 
@@ -230,18 +231,20 @@ bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,
     return hitContact(hit, tolerances, restSpeedOf(bodies, contact, dt));
 }
 
-void ImpactStage::solve(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
+void ImpactStage::solve(Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,
                         const Tolerances& tolerances, Real dt) {
     if (!settings.has(Feature::Restitution)) {
         return;
     }
+    const std::span<Contact> contacts = contactSet.contacts();
+    const std::span<const std::uint32_t> live = contactSet.live();
     wasHit_.assign(bodies.size(), 0);
     bool any = true;
     for (int pass = 0; pass < settings.impactPasses && any; ++pass) {
         any = false;
-        for (std::size_t i = 0; i < contacts.size(); ++i) {
-            prefetch<1>(contacts, i + kContactsAhead);
-            Contact& contact = contacts[i];
+        for (std::size_t i = 0; i < live.size(); ++i) {
+            prefetch<1>(contacts, live, i + kContactsAhead);
+            Contact& contact = contacts[live[i]];
             if (pass > 0 && !contact.bounces) {
                 continue; // the contact half goes on from here
             }

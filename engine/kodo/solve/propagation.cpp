@@ -4,6 +4,7 @@
 #include <kodo/solve/impact.hpp>
 #include <kodo/solve/leverage.hpp>
 #include <kodo/solve/propagation.hpp>
+#include <kodo/solve/stride_order.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,8 @@ namespace kodo::inline KODO_PRECISION {
 namespace {
 
 constexpr std::uint64_t kPassesPerStep = 1u << 20; // more than a step makes, but for huge settings
-constexpr Real kSteep = Real(0.25); // a normal with less than this share along the pull carries not
+constexpr Real kSteep =
+    Real(0.25); // of the pull: a normal with less than this along it does not carry
 
 bool bounces(const Contact& contact, const StepSettings& settings) {
     return contact.material.restitution > 0 && settings.has(Feature::Restitution);
@@ -269,6 +271,7 @@ void Propagation::store(std::span<Contact> contacts) {
     for (Contact& contact : contacts) {
         contact.carried = false;
         contact.seat = {}; // the lanes of the other solver know nothing of this
+        contact.struck = true;
         contact.friction = 0;
         contact.rolling = 0;
         for (PointImpulse& impulse : contact.impulse) {

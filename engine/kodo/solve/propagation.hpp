@@ -3,12 +3,11 @@
 
 #include <kodo/bodies/integrate.hpp>
 #include <kodo/bodies/tolerances.hpp>
-#include <kodo/contacts/shock_levels.hpp>
-#include <kodo/contacts/stride_order.hpp>
 #include <kodo/joints/joint_set.hpp>
 #include <kodo/solve/prediction.hpp>
 #include <kodo/solve/propagation_row.hpp>
 #include <kodo/solve/settings.hpp>
+#include <kodo/solve/shock_levels.hpp>
 
 #include <span>
 #include <vector>

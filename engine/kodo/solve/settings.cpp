@@ -14,14 +14,6 @@ std::optional<Problem> checkCount(const char* field, int value, int low, int hig
     return std::nullopt;
 }
 
-std::optional<Problem> checkPositive(const char* field, Real value, Real most) {
-    if (!(value > 0 && value <= most)) { // false for NaN
-        return Problem{field, "must be greater than 0 and at most " + std::to_string(most) +
-                                  ", but is " + std::to_string(value)};
-    }
-    return std::nullopt;
-}
-
 // Far beyond any use, and far from where their products overflow.
 constexpr Real kMostHertz = Real(1e9);
 constexpr Real kMostDamping = Real(1e6);

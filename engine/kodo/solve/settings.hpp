@@ -22,33 +22,32 @@ enum class Feature : std::uint8_t {
     Rotation = 64,
 };
 
-/// The solver of a step: one file of solve/ each.
+/// The solver of a step.
 enum class Strategy : std::uint8_t {
-    SoftStep,    // soft contacts in substeps, warm-started
-    Propagation, // the thesis's order of processing
+    SoftStep,    // soft contacts in substeps, warm-started: solve/soft_step
+    Propagation, // the thesis's order of processing: solve/propagation
 };
 
 /// How a World steps: the user's dial between speed and accuracy. Every number can be set alone.
 ///
 /// Limits at the default settings, at 60 steps a second under the earth's gravity:
 ///   weight  up to 3000 times that of what carries it, a tower of ten boxes of 1 m: each gives by
-///   less
-///           than 1 %. Beyond that the light ones are crushed; Propagation with shockPasses carries
-///           a millionfold.
+///           less than 1 %. Beyond that the light ones are crushed; Propagation with shockPasses
+///           carries a millionfold.
 ///   crowds  bodies put on one point part gently, and so take their time: 20 of them 5 s, 60 of
 ///           them 17 s. n of them are n^2 / 2 contacts, and each step looks at all of these.
 struct StepSettings {
     Strategy strategy = Strategy::SoftStep;
-    int substeps =
-        5; // 1..64; more: smaller errors, more time; stiffer contacts if contactHertz asks
+    int substeps = 5;          // 1..64; more: smaller errors, more time
     int impactPasses = 16;     // 0..1000; rounds of restitution through bodies that touch
     int contactPasses = 10;    // 1..1000; of Propagation, in each substep
     int shockPasses = 0;       // 0..1000; of Propagation, in each level; 0: no shock propagation
-    Real contactHertz = 60;    // stiffness of contacts; at most a quarter of the substep rate
-    Real contactDamping = 10;  // damping ratio of contacts; 1 is critical; up to 1e6
-    Real jointHertz = 60;      // of joints in loops; at most a quarter of the substep rate
-    Real jointDamping = 1;     // damping ratio of joints; up to 1e6
-    Real pushSpeed = 3;        // length units/s at most, when overlapping bodies are parted
+    Real contactHertz = 60;    // > 0, up to 1e9; stiffness of contacts, taken as a quarter of the
+                               // rate of substeps if it is more than that
+    Real contactDamping = 10;  // > 0, up to 1e6; damping ratio of contacts; 1 is critical
+    Real jointHertz = 60;      // > 0, up to 1e9; the same for joints in loops
+    Real jointDamping = 1;     // > 0, up to 1e6; damping ratio of these
+    Real pushSpeed = 3;        // > 0, up to 1e7; length units/s at most, when overlaps are parted
     int restSteps = 30;        // 1..1000000; calm steps in a row before an island is put to rest
     std::uint8_t leaveOut = 0; // a set of Feature
 

@@ -3,6 +3,7 @@
 #include <kodo/world/world.hpp>
 
 namespace kodo::inline KODO_PRECISION {
+
 BodyView::BodyView(const World& world, BodyId id) : world_(&world), id_(id) {
     world.requireAlive(id);
 }
@@ -98,7 +99,7 @@ void BodyRef::thaw() {
 }
 
 void BodyRef::wake() {
-    world_->rest_.wake(world_->bodies_, world_->contacts_, index());
+    world_->wake(index());
 }
 
 void BodyRef::pushed() {
@@ -162,13 +163,17 @@ void BodyRef::moveTo(Vec2 position, Rot rotation, Real dt) {
 }
 
 void BodyRef::applyForce(Vec2 force) {
-    applyForce(force, center());
+    pushFrom({}, force);
 }
 
 void BodyRef::applyForce(Vec2 force, Vec2 point) {
-    refuse(isFinite(force) ? std::nullopt : std::optional(Problem{"force", "must be finite"}));
     refuse(checkPosition("point", point, unit()));
-    addForce(world_->bodies_, index(), force, cross(point - center(), force));
+    pushFrom(point - center(), force);
+}
+
+void BodyRef::pushFrom(Vec2 arm, Vec2 force) {
+    refuse(isFinite(force) ? std::nullopt : std::optional(Problem{"force", "must be finite"}));
+    addForce(world_->bodies_, index(), force, cross(arm, force));
     wake();
 }
 
@@ -180,14 +185,18 @@ void BodyRef::applyTorque(Real torque) {
 }
 
 void BodyRef::applyImpulse(Vec2 impulse) {
-    applyImpulse(impulse, center());
+    strikeFrom({}, impulse);
 }
 
 void BodyRef::applyImpulse(Vec2 impulse, Vec2 point) {
-    refuse(isFinite(impulse) ? std::nullopt : std::optional(Problem{"impulse", "must be finite"}));
     refuse(checkPosition("point", point, unit()));
+    strikeFrom(point - center(), impulse);
+}
+
+void BodyRef::strikeFrom(Vec2 arm, Vec2 impulse) {
+    refuse(isFinite(impulse) ? std::nullopt : std::optional(Problem{"impulse", "must be finite"}));
     Motion after = bodies().motion[index()];
-    kodo::applyImpulse(after, point - center(), impulse);
+    kodo::applyImpulse(after, arm, impulse);
     refuse(checkVelocity("velocity after the impulse", after.velocity, unit()));
     refuse(checkRange("angularVelocity after the impulse", after.angularVelocity, -kHighestSpeed,
                       kHighestSpeed));

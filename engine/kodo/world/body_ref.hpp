@@ -79,7 +79,9 @@ private:
     void changed();    // its place, build or filter: contacts and what leans on it must know
     void thaw();
     void wake();
-    void pushed(); // its velocity
+    void pushed();                       // its velocity
+    void pushFrom(Vec2 arm, Vec2 force); // m, from the centre of mass
+    void strikeFrom(Vec2 arm, Vec2 impulse);
 
     World* world_;
 };

@@ -4,6 +4,7 @@
 #include <kodo/world/queries.hpp>
 
 #include <algorithm>
+#include <span>
 #include <tuple>
 
 namespace kodo::inline KODO_PRECISION {
@@ -79,37 +80,36 @@ std::vector<BodyId> overlapping(const World& world, std::span<const Convex> outl
     return found;
 }
 
-} // namespace
-
-std::optional<QueryHit> rayCast(const World& world, Vec2 from, Vec2 to, CollisionFilter which) {
-    std::optional<QueryHit> best;
+/// Calls visit(hit) for every part that a ray meets, by body and part.
+template <typename Visit>
+void forHits(const World& world, Vec2 from, Vec2 to, CollisionFilter which, Visit visit) {
     if (!isFinite(from) || !isFinite(to)) {
-        return best;
-    }
-    const Ray ray{from, to};
-    forPartsIn(world, withRounding(around(from, to)), which,
-               [&](const BodyView& body, std::size_t i) {
-                   const auto hit = rayCast(body.part(i).convex, body.placement(), ray);
-                   if (hit && (!best || hit->fraction < best->fraction)) {
-                       best = queryHit(body, i, hit->fraction, ray.at(hit->fraction), hit->normal);
-                   }
-               });
-    return best;
-}
-
-std::vector<QueryHit> rayCastAll(const World& world, Vec2 from, Vec2 to, CollisionFilter which) {
-    std::vector<QueryHit> hits;
-    if (!isFinite(from) || !isFinite(to)) {
-        return hits;
+        return;
     }
     const Ray ray{from, to};
     forPartsIn(world, withRounding(around(from, to)), which,
                [&](const BodyView& body, std::size_t i) {
                    if (const auto hit = rayCast(body.part(i).convex, body.placement(), ray)) {
-                       hits.push_back(
-                           queryHit(body, i, hit->fraction, ray.at(hit->fraction), hit->normal));
+                       visit(queryHit(body, i, hit->fraction, ray.at(hit->fraction), hit->normal));
                    }
                });
+}
+
+} // namespace
+
+std::optional<QueryHit> rayCast(const World& world, Vec2 from, Vec2 to, CollisionFilter which) {
+    std::optional<QueryHit> best;
+    forHits(world, from, to, which, [&](const QueryHit& hit) {
+        if (!best || hit.fraction < best->fraction) {
+            best = hit;
+        }
+    });
+    return best;
+}
+
+std::vector<QueryHit> rayCastAll(const World& world, Vec2 from, Vec2 to, CollisionFilter which) {
+    std::vector<QueryHit> hits;
+    forHits(world, from, to, which, [&](const QueryHit& hit) { hits.push_back(hit); });
     std::sort(hits.begin(), hits.end(), // total order: no part is met twice
               [](const QueryHit& a, const QueryHit& b) {
                   return std::tie(a.fraction, a.body, a.part) <

@@ -4,7 +4,6 @@
 #include <kodo/world/world.hpp>
 
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace kodo::inline KODO_PRECISION {
@@ -13,7 +12,8 @@ namespace kodo::inline KODO_PRECISION {
 ///
 /// Each looks at the bodies whose user flags `which` accepts and leaves out disabled ones; the cost
 /// is that of a look at the bounds of every body. Points and ways are in the world (m); whoever
-/// asks from a place that is not finite gets no answer.
+/// asks from a place that is not finite gets no answer. The rotation of a Transform must have
+/// length 1, as every Rot from an angle has: that is not checked.
 
 /// Where a ray or a moving shape meets a part of a body.
 struct QueryHit {

@@ -18,8 +18,8 @@ namespace kodo::inline KODO_PRECISION {
 
 std::vector<std::byte> toBytes(const World& world);
 
-/// A new World; throws BadSnapshot with a sentence for bytes that are cut off, changed, of a newer
-/// Kodo or of the other precision, and for values that no World can have.
+/// A new World; throws BadSnapshot with a sentence for bytes that are cut off, changed, of another
+/// format or of the other precision, and for values that no World can have.
 ///
 /// The engine's force fields come with the bytes. Those that you wrote do not: pass as many as
 /// toBytes met, in the order of World::fields(). Whom they push is remembered.

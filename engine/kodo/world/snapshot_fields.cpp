@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <tuple>
 #include <typeinfo>
 #include <utility>
 
@@ -248,10 +249,10 @@ void SnapshotFields::completeContact(Contact& contact, const Bodies& bodies) {
 /// there must be.
 void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
     // The way pairs are found changes what that costs and not what is found, so it begins anew.
-    auto& [bounds, pairs, finder, seams, contacts, order, newOrder, holes, added, touching, slots,
-           idle, ended, endedInStep, records, recordsDue, apart, fastestApproach, stale, pairsStale,
-           contactsChanged] = set;
-    auto& [parts, firstPart, tight, grown, changed, isChanged, grew] = bounds;
+    auto& [bounds, pairs, finder, seams, contacts, order, newOrder, holes, added, heads, live,
+           found, slots, idle, ended, endedInStep, records, recordsDue, apart, fastestApproach,
+           stale, pairsStale, contactsChanged, liveStale] = set;
+    auto& [parts, firstPart, tight, grown, changed, isChanged, outgrown] = bounds;
     set.writeRecords();
     if (!reads() && stale) {
         bounds.number(bodies);
@@ -332,6 +333,7 @@ void SnapshotFields::world(World& world) {
     auto& [settings, tolerances, stepCount, count, bodies, fields, contacts, impacts, softStep,
            propagation, contactVisits, sweep, rest, joints, broken, frozen, region, held, aside,
            returning, colliding, collidedBefore, isColliding, wasColliding, lastForm] = world;
+    softStep.blocks().fetchAll(contacts.contacts());
     all(settings, tolerances, stepCount);
     bodies.turns = settings.has(Feature::Rotation);
     forms(world);

@@ -6,7 +6,6 @@
 #include <kodo/world/world.hpp>
 
 #include <map>
-#include <tuple>
 
 namespace kodo::inline KODO_PRECISION {
 

@@ -84,8 +84,30 @@ BodyId World::add(const BodyDef& def) {
     return id;
 }
 
+/// With the impulses that the solver has of it.
+Contact World::current(const Contact& contact) const {
+    Contact copy = contact;
+    softStep_.blocks().fetch(copy);
+    return copy;
+}
+
+std::span<const CollisionRecord> World::collisions() const {
+    return contacts_.records([this](const Contact& contact) { return current(contact); });
+}
+
+void World::wake(std::uint32_t body) {
+    fetchImpulses();
+    rest_.wake(bodies_, contacts_, body);
+}
+
+void World::wakeAll() {
+    fetchImpulses();
+    rest_.wakeAll(bodies_, contacts_);
+}
+
 /// It goes, jumps or changes: what leans on it, or hangs on it by a joint, wakes.
 void World::disturb(std::uint32_t body) {
+    fetchImpulses();
     takeBackContactsOf(body);
     rest_.disturb(bodies_, contacts_, joints_, body);
 }
@@ -164,8 +186,8 @@ void World::requireAlive(JointId id) const {
 
 /// Its bodies wake, and whether they may touch is asked again.
 void World::jointsChanged(const JointDef& def) {
-    rest_.wake(bodies_, contacts_, firstBody(def).index);
-    rest_.wake(bodies_, contacts_, secondBody(def).index);
+    wake(firstBody(def).index);
+    wake(secondBody(def).index);
     contacts_.setApart(joints_.apart());
 }
 
@@ -213,7 +235,7 @@ Real World::jointTorque(JointId id) const {
 void World::addField(FieldEntry entry) {
     refuse(entry.field ? std::nullopt : std::optional(Problem{"field", "must not be null"}));
     fields_.push_back(std::move(entry));
-    rest_.wakeAll(bodies_, contacts_);
+    wakeAll();
 }
 
 void World::setFields(std::vector<FieldEntry> fields) {
@@ -221,7 +243,7 @@ void World::setFields(std::vector<FieldEntry> fields) {
         refuse(entry.field ? std::nullopt : std::optional(Problem{"field", "must not be null"}));
     }
     fields_ = std::move(fields);
-    rest_.wakeAll(bodies_, contacts_);
+    wakeAll();
 }
 
 std::size_t World::weld(BodyId into, const Primitive& shape, const Material& material,
@@ -286,8 +308,9 @@ void World::setSettings(const StepSettings& settings) {
     refuse(check(settings));
     const auto held = static_cast<std::uint8_t>(settings_.leaveOut ^ settings.leaveOut);
     if ((held & kHoldsAtRest) != 0) {
-        rest_.wakeAll(bodies_, contacts_);
+        wakeAll();
     }
+    fetchImpulses();
     settings_ = settings;
     if (!settings.has(Feature::Friction)) {
         for (Contact& contact : contacts_.contacts()) {

@@ -40,7 +40,7 @@ public:
     BodyId add(const BodyDef& def);
     /// Throws BadBodyId for an id that is not alive, as everything here does. What leans on the
     /// body wakes, and its joints go. Takes a time that grows with the contacts and joints of the
-    /// World, those of what rests included, but not with its bodies.
+    /// World and the piles that rest in it.
     void remove(BodyId id);
     /// A body like this one in all but its id and its place (m, world: of the shape's frame).
     BodyId clone(BodyId id, Vec2 position);
@@ -53,20 +53,25 @@ public:
 
     /// Makes `part` a part of `into`, where it is now: its parts follow those of `into`, and its id
     /// dies. Mass, centre, inertia, momentum and angular momentum of the pair are kept; a locked
-    /// `into` stays locked. Returns the index of the first part added.
+    /// `into` stays locked. Returns the index of the first part added. Throws BadDefinition for one
+    /// and the same body twice, for a plane in what is not locked, and if the two have too many
+    /// parts or too much mass together.
     std::size_t weld(BodyId into, BodyId part);
-    /// The same with a shape in the frame of `into`'s shape, at the speed of `into`.
+    /// The same with a shape in the frame of `into`'s shape, at the speed of `into`. Throws
+    /// BadDefinition as well for what add would refuse: the shape, the material, the density.
     std::size_t weld(BodyId into, const Primitive& shape, const Material& material, Real density);
     /// Takes part `part` off again, as a body of its own with these flags; the parts behind it move
-    /// up by one. Momentum and angular momentum are kept.
+    /// up by one. Momentum and angular momentum are kept. Throws BadDefinition for a part that the
+    /// body does not have, for its only one, and for flags that add would refuse.
     BodyId unweld(BodyId body, std::size_t part, Flags flags = 0);
 
-    /// Throws BadDefinition with what check(def) says, or if a body of it is not alive.
+    /// Throws BadDefinition with what check(def) says, BadBodyId if a body of it is not alive.
     JointId add(const JointDef& def);
     void remove(JointId id); // throws BadDefinition for an id that is not alive, as all of these do
     bool contains(JointId id) const { return joints_.contains(id); }
     const JointDef& joint(JointId id) const;
-    /// Changes the numbers of a joint: same kind, same bodies. What it has learned is kept.
+    /// Changes the numbers of a joint; what it has learned is kept. Throws BadDefinition with what
+    /// check(def) says, or if it is of another kind or between other bodies.
     void setJoint(JointId id, const JointDef& def);
     /// N, on the second body: the mean of the last step in which the joint did not rest.
     Vec2 jointForce(JointId id) const;
@@ -75,11 +80,13 @@ public:
     /// Joints that broke in the last step, in order. Valid until the next step.
     std::span<const BrokenJoint> brokenJoints() const { return broken_; }
 
-    /// Fields act in the order of the list. A change wakes everything.
+    /// Fields act in the order of the list. A change wakes everything. Throws BadDefinition if a
+    /// pointer to a field is null.
     void addField(FieldEntry entry);
     void setFields(std::vector<FieldEntry> fields);
     const std::vector<FieldEntry>& fields() const { return fields_; }
     /// Until the next step; on the bodies that `which` accepts. N at the centre of mass, and N m.
+    /// Throws BadDefinition for what is not finite.
     void applyForceToAll(Vec2 force, CollisionFilter which = {});
     void applyTorqueToAll(Real torque, CollisionFilter which = {});
 
@@ -90,10 +97,10 @@ public:
     /// whatever is added, removed or welded meanwhile. Pairs that rest, or wait outside the region,
     /// have no records until they go on; they have not ended. The first call after a step writes
     /// the list, so that one must not come from two threads at once.
-    std::span<const CollisionRecord> collisions() const { return contacts_.records(); }
+    std::span<const CollisionRecord> collisions() const;
 
-    /// Only bodies whose bounds meet the region take part in steps; the others wait where they are.
-    /// Nothing: all do.
+    /// Only bodies whose bounds meet the region (m, world) take part in steps; the others wait
+    /// where they are. Nothing: all do. Throws BadDefinition unless lower <= upper along both axes.
     void setRegion(std::optional<Aabb> region);
     const std::optional<Aabb>& region() const { return region_; }
 
@@ -134,6 +141,10 @@ private:
     void requireAlive(BodyId id) const;
     void requireAlive(JointId id) const;
     void jointsChanged(const JointDef& def);
+    Contact current(const Contact& contact) const;
+    void fetchImpulses() { softStep_.blocks().fetchAll(contacts_.contacts()); }
+    void wake(std::uint32_t body);
+    void wakeAll();
     void disturb(std::uint32_t body);
     bool askRegion(std::uint32_t body);
     void placeInRegion(std::uint32_t body);
@@ -151,6 +162,9 @@ private:
     void breakJoints(Real dt);
     void findAwake();
     void freezeUnsoundForces();
+    /// Is there somebody who could wake somebody?
+    bool mayWake() const { return rest_.anyResting() && !bodies_.awake.empty(); }
+    bool allSound() const;
     void freezeUnsoundMotion();
 
     StepSettings settings_;

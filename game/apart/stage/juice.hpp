@@ -4,8 +4,8 @@
 #include <apart/core/game.hpp>
 #include <apart/stage/canvas.hpp>
 #include <apart/stage/cracks.hpp>
+#include <apart/stage/player_settings.hpp>
 #include <apart/stage/popups.hpp>
-#include <apart/stage/settings.hpp>
 #include <apart/stage/sparks.hpp>
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <apart/core/game.hpp>
-#include <apart/stage/settings.hpp>
+#include <apart/stage/player_settings.hpp>
 
 namespace apart {
 

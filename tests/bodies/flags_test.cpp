@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/collide/filter.hpp>
+#include <kodo/bodies/flags.hpp>
 #include <support/random_numbers.hpp>
 
 #include <gtest/gtest.h>

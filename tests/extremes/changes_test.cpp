@@ -293,7 +293,7 @@ TEST_P(Churn, AWorldAndItsCopyGoOnAlike) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Churn, testing::Range(std::uint64_t{1}, std::uint64_t{13}));
 
-// A fixed bug: what hung at rest from a locked body hung in mid-air when that was taken away.
+// What hangs at rest from a locked body does not hang in mid-air when that is taken away.
 TEST(Churn, WhatHangsFallsWhenItsAnchorGoes) {
     for (const bool jumps : {false, true}) {
         World world({.gravity = support::kEarth});

@@ -26,7 +26,7 @@ public:
         at_ = at_ < count_ - stride_ ? at_ + stride_ : at_ - (count_ - stride_);
         return place;
     }
-    std::size_t stride() const { return stride_; } // 1 to count - 1, or 1
+    std::size_t stride() const { return stride_; } // 1 to count - 1, or 1; for tests
 
 private:
     std::size_t count_;

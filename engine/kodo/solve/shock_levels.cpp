@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/base/refill.hpp>
-#include <kodo/contacts/shock_levels.hpp>
+#include <kodo/solve/shock_levels.hpp>
 
 #include <algorithm>
 

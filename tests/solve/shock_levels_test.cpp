@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/contacts/shock_levels.hpp>
+#include <kodo/solve/shock_levels.hpp>
 #include <support/random_numbers.hpp>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A7: the paddle's field of force.
+// The paddle's field of force.
 #include <support/near.hpp>
 
 #include <array>

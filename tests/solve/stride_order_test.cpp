@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/contacts/stride_order.hpp>
+#include <kodo/solve/stride_order.hpp>
 
 #include <gtest/gtest.h>
 
