@@ -75,5 +75,43 @@ INSTANTIATE_TEST_SUITE_P(AllKinds, EverySweep,
                                     support::nameOf(std::get<1>(row.param));
                          });
 
+// A platform stops what flies at its front, or lets itself be flown at, before the two touch. What
+// comes from behind may pass: there is no touch to be late for.
+TEST(PlatformSweep, IsNeverLateForWhatComesFromTheFront) {
+    support::RandomNumbers random(192);
+    int hits = 0;
+    int crept = 0;
+    for (const AnyKind kind : {AnyKind::Point, AnyKind::Circle, AnyKind::Box, AnyKind::Polygon,
+                               AnyKind::Segment, AnyKind::Plane, AnyKind::Platform}) {
+        for (int i = 0; i < support::draws(2000); ++i) {
+            SCOPED_TRACE(testing::Message() << support::nameOf(kind) << ", sweep " << i);
+            const Convex platform =
+                convexOf(support::randomPrimitive(random, AnyKind::Platform), {});
+            const Convex other = convexOf(support::randomPrimitive(random, kind), {});
+            const Sweep a{{random.point(4), random.rotation()}, random.point(3), 0};
+            const Vec2 start = a.start.position + random.point(4);
+            const Sweep b{{start, random.rotation()}, random.point(3), 0};
+            const auto gapAt = [&](Real t) {
+                return support::signedDistance(platform, a.at(t), other, b.at(t));
+            };
+            const support::Passage passage =
+                support::frontPassageOf(other, b.start, b.move - a.move, platform, a.start);
+            if (gapAt(0) < static_cast<long double>(2 * kTarget) ||
+                passage.end != support::Passage::End::Hits) {
+                continue;
+            }
+            for (const Real t : {timeOfImpact(platform, a, other, b, kTarget),
+                                 timeOfImpact(other, b, platform, a, kTarget)}) {
+                ASSERT_LT(t, passage.fraction);
+                ASSERT_GT(gapAt(t), kTarget / 2 - kTolerance);
+                ++hits;
+                crept += gapAt(t) > static_cast<long double>(4 * kTarget) ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(hits, support::draws(2000));
+    EXPECT_LE(crept, hits / 50) << "of " << hits;
+}
+
 } // namespace
 } // namespace kodo
