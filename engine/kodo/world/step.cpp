@@ -47,13 +47,7 @@ void World::step(Real dt, const StepAids& aids) {
     solve(dt, crew);
     enter(StepStage::Sweep);
     if (settings_.has(Feature::Sweep)) {
-        contacts_.coverMoves(bodies_, tolerances_, crew);
-        if (mayWake() && rest_.wakeRunOver(bodies_, contacts_, tolerances_)) {
-            refreshAwake(bodies_);
-        }
-        if (!contacts_.contacts().empty()) {
-            sweep_.run(bodies_, contacts_, settings_, tolerances_, dt, crew);
-        }
+        sweep(dt, crew);
     }
     enter(StepStage::Record);
     releaseWhatWaits();
@@ -98,6 +92,16 @@ void World::solve(Real dt, Crew& crew) {
     }
     softStep_.solve(bodies_, contacts, joints_, {settings_, tolerances_, dt, crew});
     contactVisits_ = softStep_.visits();
+}
+
+void World::sweep(Real dt, Crew& crew) {
+    contacts_.coverMoves(bodies_, tolerances_, crew);
+    if (mayWake() && rest_.wakeRunOver(bodies_, contacts_, tolerances_)) {
+        refreshAwake(bodies_);
+    }
+    if (!contacts_.contacts().empty()) {
+        sweep_.run(bodies_, contacts_, settings_, tolerances_, dt, crew);
+    }
 }
 
 /// Bodies that have left the region wait, and those that it has reached go on.

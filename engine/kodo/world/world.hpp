@@ -142,6 +142,7 @@ private:
 
     void forAwake(Crew& crew, void (*work)(Bodies&, std::span<const std::uint32_t>));
     void solve(Real dt, Crew& crew);
+    void sweep(Real dt, Crew& crew);
     void recordCollisions(Crew& crew);
     void breakJoints(Real dt);
     void findAwake();
