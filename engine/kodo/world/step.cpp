@@ -67,7 +67,7 @@ void World::gatherForces(Real dt, Crew& crew) {
         rest_.wakeTouched(bodies_, contacts_, tolerances_);
         rest_.wakeJointed(bodies_, contacts_, joints_);
     }
-    refreshAwake(bodies_);
+    joints_.findBusy(bodies_, refreshAwake(bodies_));
     frozen_.clear();
     if (!gatherAccelerations(bodies_, fields_, dt)) {
         freezeUnsoundForces();
@@ -82,7 +82,7 @@ void World::gatherForces(Real dt, Crew& crew) {
 void World::sweep(Real dt, Crew& crew) {
     contacts_.coverMoves(bodies_, tolerances_, crew);
     if (mayWake() && rest_.wakeRunOver(bodies_, contacts_, tolerances_)) {
-        refreshAwake(bodies_);
+        joints_.findBusy(bodies_, refreshAwake(bodies_));
     }
     if (!contacts_.contacts().empty()) {
         sweep_.run(bodies_, contacts_, settings_, tolerances_, dt, crew);
@@ -129,7 +129,9 @@ void World::findAwake() {
             }
         }
     }
-    if (refreshAwake(bodies_) && (rest_.anyResting() || region_)) {
+    const bool changed = refreshAwake(bodies_);
+    joints_.findBusy(bodies_, changed);
+    if (changed && (rest_.anyResting() || region_)) {
         contacts_.activityChanged();
     }
 }
