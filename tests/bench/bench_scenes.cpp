@@ -47,7 +47,7 @@ std::span<const Recipe> recipes() {
         {"joints", "a sheet of pinned balls hangs and swings", "balls along a side", 40, 300,
          joints},
         {"spinner", "a driven bar stirs balls, boxes and polygons", "bodies", 1000, 600, spinner},
-        {"resting", "boxes on shelves, at rest before the clock starts", "boxes", 10000, 600,
+        {"resting", "boxes on shelves, at rest before the clock starts", "boxes", 10000, 6000,
          resting},
         {"empty", "nothing", "", 1, 100000, empty},
         {"smallroom", "a ball bounces between ten walls", "", 1, 60000, smallRoom},

@@ -113,6 +113,10 @@ TEST_P(EveryPair, HasAContactWithinTheMargin) {
             ASSERT_LE(manifold.points[k].separation, kMargin);
             ASSERT_GE(manifold.points[k].separation, manifold.points[0].separation);
         }
+        if (manifold.count == 2) { // two places, and not one twice
+            ASSERT_NE(manifold.points[0].armA, manifold.points[1].armA) << "pose " << i;
+            ASSERT_NE(manifold.points[0].feature, manifold.points[1].feature) << "pose " << i;
+        }
     }
 }
 

@@ -104,6 +104,23 @@ TEST(Manifold, OfABoxStandingOnACornerHasOnePoint) {
     EXPECT_LT(manifold.points[0].separation, 0);
 }
 
+// C4: where no more than a corner lies over a face, or a face goes on where the other ends, there
+// is one place to push at, and not the same one twice.
+TEST(Manifold, OfBoxesThatMeetAtACornerHasOnePoint) {
+    const Box box{1, 1};
+    for (const Vec2 place : {Vec2{Real(1.002), Real(1.003)}, Vec2{Real(1.005), 1},
+                             Vec2{Real(-1.005), 1}, Vec2{-1, Real(-1.005)}}) {
+        for (const Real angle : {Real(0), Real(0.3), Real(2)}) {
+            SCOPED_TRACE(testing::Message() << place.x << ", " << place.y << " at " << angle);
+            const Transform turn = at(3, -2, angle);
+            const Manifold manifold =
+                meet(box, turn, box, turn * at(place.x, place.y), Real(1) / 64);
+            ASSERT_EQ(manifold.count, 1);
+            EXPECT_LE(manifold.points[0].separation, Real(0.005) + kTolerance);
+        }
+    }
+}
+
 // The gap counts up to the margin, and the margin itself still does.
 TEST(Manifold, AppearsWithinTheMarginOnly) {
     const Box box{2, 2};

@@ -26,7 +26,7 @@ Contact contactOf(Real separation) {
 
 std::vector<CollisionRecord> recordsOf(Contact contact) {
     std::vector<CollisionRecord> records;
-    finishContact(contact, kTolerances);
+    finishContact(contact, touches(contact, kTolerances));
     recordContact(contact, records);
     return records;
 }

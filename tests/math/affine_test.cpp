@@ -72,5 +72,31 @@ TEST(Affine, InvertsATinyScale) {
     EXPECT_TRUE(support::nearShare(inverse->x.x, 1e6L, 4 * kEpsilon));
 }
 
+// B2: a map whose determinant is beyond the range of a Real, though its inverse is not, has one all
+// the same; and one whose inverse is beyond it has none. Never a NaN.
+TEST(Affine, InvertsAsFarAsTheNumbersReach) {
+    const Real large = support::byPrecision(1e25, 1e200);
+    for (const auto& [sx, sy] : {std::pair(large, large), std::pair(1 / large, 1 / large),
+                                 std::pair(large, 1 / large), std::pair(-large, Real(3))}) {
+        SCOPED_TRACE(testing::Message() << sx << ", " << sy);
+        const auto inverse =
+            (Affine::from(Transform{{}, {Real(0.6), Real(0.8)}}) * Affine::scale(sx, sy)).inverse();
+        ASSERT_TRUE(inverse.has_value());
+        EXPECT_TRUE(support::nearShare(inverse->x.x * sx, 0.6L, 8 * kEpsilon));
+        EXPECT_TRUE(support::nearShare(inverse->y.x * sx, 0.8L, 8 * kEpsilon));
+        EXPECT_TRUE(support::nearShare(inverse->x.y * sy, -0.8L, 8 * kEpsilon));
+        EXPECT_TRUE(support::nearShare(inverse->y.y * sy, 0.6L, 8 * kEpsilon));
+    }
+    const Real infinite = std::numeric_limits<Real>::infinity();
+    const Real least = std::numeric_limits<Real>::denorm_min();
+    for (const Affine& map :
+         {Affine::scale(infinite, infinite), Affine::scale(infinite, 1),
+          Affine{{infinite, 1}, {1, 1}, {}}, Affine::scale(least, least),
+          Affine{{1, 0}, {0, 1}, {infinite, 0}},
+          Affine{{1 / large, 0}, {0, 1}, {support::byPrecision(1e30, 1e150), 0}}}) {
+        EXPECT_FALSE(map.inverse().has_value());
+    }
+}
+
 } // namespace
 } // namespace kodo

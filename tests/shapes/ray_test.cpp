@@ -69,7 +69,13 @@ TEST(RayCast, IsThereAlreadyWhenItStartsInside) {
     expectHit(square(), out, 0, {});
     expectHit(BasicBox<Wide>{2, 2, {0, 0}, {}}, out, 0, {});
     expectHit(BasicPlane<Wide>{{1, 0}, 1}, out, 0, {});
-    expectHit(BasicSegment<Wide>{{-1, 0}, {1, 0}, false, {}, {}}, out, 0, {});
+    const BasicSegment<Wide> segment{{-1, 0}, {1, 0}, false, {}, {}};
+    expectHit(segment, out, 0, {});
+    expectHit(segment, {{0, 0}, {0, 5}}, 0, {}); // across it
+    expectHit(segment, {{0, 0}, {3, -5}}, 0, {});
+    expectHit(segment, {{1, 0}, {1, 5}}, 0, {}); // from an end
+    expectHit(segment, {{0, 0}, {0, 0}}, 0, {});
+    expectHit(BasicSegment<Wide>{{-1, 0}, {1, 0}, true, {}, {}}, {{0, 0}, {0, -5}}, 0, {});
 }
 
 TEST(RayCast, AlongASegmentMeetsItsNearerEnd) {
@@ -129,6 +135,43 @@ TEST(RayCast, EntersWhereFineSamplingDoes) {
                ray);
         tryOne(Plane{random.rotation().xAxis(), random.between(-1, 1)}, ray);
     }
+}
+
+// A segment is crossed by a ray whose ends lie on either side of it, if its own lie on either side
+// of the ray; and one with a front only by a ray that comes from there. Where two lie so near to
+// one line that it takes more digits to tell, either answer will do.
+TEST(RayCast, CrossesASegmentWhereEachPartsTheEndsOfTheOther) {
+    support::RandomNumbers random(152);
+    const auto wide = [](Vec2 v) {
+        return WideVec{static_cast<Wide>(v.x), static_cast<Wide>(v.y)};
+    };
+    int hits = 0;
+    for (int i = 0; i < 10000; ++i) {
+        const Ray ray{random.point(3), random.point(3)};
+        Segment segment = support::randomSegment(random);
+        segment.oneSided = i % 2 == 0;
+        const WideVec along = wide(segment.to) - wide(segment.from);
+        const WideVec way = wide(ray.to) - wide(ray.from);
+        const Wide start = cross(along, wide(ray.from) - wide(segment.from));
+        const Wide end = cross(along, wide(ray.to) - wide(segment.from));
+        const Wide from = cross(way, wide(segment.from) - wide(ray.from));
+        const Wide to = cross(way, wide(segment.to) - wide(ray.from));
+        if (std::min({std::abs(start), std::abs(end), std::abs(from), std::abs(to)}) <
+            64 * static_cast<Wide>(support::kEpsilon)) {
+            continue;
+        }
+        const bool crosses = (start > 0) != (end > 0) && (from > 0) != (to > 0);
+        const auto hit = rayCast(segment, ray);
+        ASSERT_EQ(hit.has_value(), crosses && (start > 0 || !segment.oneSided)) << "ray " << i;
+        if (hit) {
+            ++hits;
+            // A flat angle makes more of the way out of the same rounding.
+            const auto off = cross(along, wide(ray.at(hit->fraction)) - wide(segment.from));
+            ASSERT_LT(std::abs(off), 64 * static_cast<Wide>(support::kEpsilon)) << "ray " << i;
+            ASSERT_LT(dot(hit->normal, ray.way()), 0) << "ray " << i;
+        }
+    }
+    EXPECT_GT(hits, 500);
 }
 
 } // namespace

@@ -128,6 +128,32 @@ TEST(ContactBlocks, GiveEachContactItsOwnImpulseBack) {
     }
 }
 
+// A contact in a lane has touched if one of its points is near enough, or was pushed.
+TEST(ContactBlocks, TellWhoTouched) {
+    constexpr Real kSlop = Real(0.004);
+    Crowd crowd(7, 200, 600);
+    for (std::size_t i = 0; i < crowd.contacts.size(); ++i) {
+        Manifold& manifold = crowd.contacts[i].manifold;
+        manifold.points[0].separation = i % 3 == 0 ? kSlop : 2 * kSlop;
+        manifold.points[1].separation =
+            i % 3 == 1 ? -kSlop : 2 * kSlop; // of two points, or of none
+    }
+    ContactBlocks blocks;
+    const ContactPassArguments pass = crowd.arrange(blocks);
+    for (std::size_t i = 0; i < crowd.contacts.size(); i += 5) {
+        const std::uint32_t row = crowd.contacts[i].seat.row;
+        pass.blocks[row / ContactBlock::kContacts]
+            .points[0]
+            .largest[row % ContactBlock::kContacts] = 1;
+    }
+    Crew alone;
+    blocks.noteTouching(kSlop, alone);
+    for (std::size_t i = 0; i < crowd.contacts.size(); ++i) {
+        const bool near = i % 3 == 0 || (i % 3 == 1 && crowd.contacts[i].manifold.count == 2);
+        EXPECT_EQ(blocks.touches(crowd.contacts[i]), near || i % 5 == 0) << i;
+    }
+}
+
 // Contacts with what cannot be pushed come last, so that they have the last word.
 TEST(ContactBlocks, WhatIsLockedComesLast) {
     Crowd crowd(11, 100, 400);
@@ -163,14 +189,14 @@ TEST(ContactBlocks, StaySoundAsContactsComeAndGo) {
         refreshMass(some.bodies, body);
         std::vector<std::uint8_t> colours;
         for (Contact& contact : some.contacts) {
-            colours.push_back(contact.seat.colour);
             const bool same = contact.key.bodyA != body && contact.key.bodyB != body;
             contact.carried = contact.carried && same;
+            colours.push_back(contact.carried ? contact.seat.colour : ContactSeat::kNoColour);
         }
         expectNoBodyTwice(some, blocks, some.arrange(blocks));
         EXPECT_EQ(blocks.size(), some.contacts.size());
         for (std::size_t i = 0; i < some.contacts.size(); ++i) {
-            if (some.contacts[i].carried && colours[i] != ContactSeat::kNoColour) {
+            if (colours[i] != ContactSeat::kNoColour) {
                 EXPECT_EQ(some.contacts[i].seat.colour, colours[i]);
             }
         }

@@ -119,6 +119,7 @@ inline long double signedDistance(const kodo::Convex& shapeA, const kodo::Transf
 struct Passage {
     enum class End { Hits, Misses, Grazes } end = End::Grazes; // grazes: too near to call
     long double fraction = 0;                                  // of the move, where it hits
+    LongPoint normal{}; // unit, from what was met to what moved; none where they overlap already
 };
 
 /// The nearest point of a hull to p.
@@ -144,14 +145,16 @@ inline Passage passageOf(const std::vector<LongPoint>& differences, long double 
         return {Passage::End::Hits, 0};
     }
     long double t = 0;
+    LongPoint normal; // the last that rounding leaves something of
     for (int round = 0; round < 1000 && t <= 1; ++round) {
         const LongPoint p = -t * move;
         const LongPoint arm = p - nearestOn(differences, p);
         const long double gap = length(arm) - radius;
         const long double closing = dot(arm, move) / length(arm);
+        normal = length(arm) > 1e-12L ? -(1 / length(arm)) * arm : normal;
         if (gap < 1e-17L) {
             const bool steep = closing > 1e-3L * speed;
-            return {steep ? Passage::End::Hits : Passage::End::Grazes, t};
+            return {steep ? Passage::End::Hits : Passage::End::Grazes, t, normal};
         }
         if (closing <= 0) {
             return {gap > 1e-4L ? Passage::End::Misses : Passage::End::Grazes, 0};
@@ -172,12 +175,29 @@ inline Passage passageOf(const kodo::Convex& moving, const kodo::Transform& from
     const kodo::Transform& at = target.isPlane() ? t : from;
     const long double side = target.isPlane() ? 1 : -1; // the plane comes to the target instead
     const long double gap = signedDistance(moving, from, target, t);
-    const long double fall =
-        -side * dot(placed({{}, at.rotation}, plane.normals[0]), widened(move));
+    const LongPoint normal = side * placed({{}, at.rotation}, plane.normals[0]);
+    const long double fall = -dot(normal, widened(move));
     if (gap <= 0) {
         return {Passage::End::Hits, 0};
     }
-    return {fall >= gap ? Passage::End::Hits : Passage::End::Misses, fall > 0 ? gap / fall : 0};
+    return {fall >= gap ? Passage::End::Hits : Passage::End::Misses, fall > 0 ? gap / fall : 0,
+            normal};
+}
+
+/// The same where one-sided lines are met from their front alone, by what does not overlap them
+/// from the start; whatever comes another way passes.
+inline Passage frontPassageOf(const kodo::Convex& moving, const kodo::Transform& from,
+                              kodo::Vec2 move, const kodo::Convex& target,
+                              const kodo::Transform& t) {
+    const Passage passage = passageOf(moving, from, move, target, t);
+    const auto passes = [&](const kodo::Convex& line, kodo::Rot rotation, LongPoint away) {
+        return line.oneSided && dot(placed({{}, rotation}, line.normals[1]), away) <= 0;
+    };
+    if (passage.end == Passage::End::Hits && (passes(target, t.rotation, passage.normal) ||
+                                              passes(moving, from.rotation, -passage.normal))) {
+        return {Passage::End::Misses, 0};
+    }
+    return passage;
 }
 
 } // namespace support

@@ -203,6 +203,40 @@ TEST(GoodBody, MayBeAtTheLimits) {
     EXPECT_NO_THROW(world.add(def));
 }
 
+// What parts that are within the bounds make together is within them too, or it is refused, as one
+// definition or bit by bit: in float two heavy discs far apart would have an inertia without end.
+TEST(RefusedBody, PartsThatAreTooMuchTogether) {
+    World world({.lengthUnit = Real(1e6)});
+    const Real farthest = kFarthest * world.tolerances().unit() / 2;
+    int refused = 0;
+    for (const Real share : {Real(0), Real(1e-9), Real(1e-3), Real(0.1), Real(1)}) {
+        SCOPED_TRACE(share);
+        const Circle left{Real(5e3), {-share * farthest, 0}};
+        const Circle right{Real(5e3), {share * farthest, 0}}; // 8e16 kg
+        BodyDef def{.shape = Compound{{left, right}}, .density = kHighestDensity};
+        const bool fits = !check(def, world.tolerances().unit());
+        refused += fits ? 0 : 1;
+        if (fits) {
+            EXPECT_LE(world[world.add(def)].inertia(), kHeaviest * kHeaviest);
+        }
+        def.shape = left;
+        const BodyId whole = world.add(def);
+        const auto weldsShape = [&] { world.weld(whole, right, {}, kHighestDensity); };
+        def.shape = Circle{Real(5e3)};
+        def.position = right.center;
+        const BodyId part = world.add(def);
+        const auto weldsBody = [&] { world.weld(world.clone(whole, {}), part); };
+        if (fits) {
+            EXPECT_NO_THROW(weldsShape());
+        } else {
+            EXPECT_THROW(weldsShape(), BadDefinition);
+            EXPECT_THROW(weldsBody(), BadDefinition);
+            EXPECT_TRUE(world.contains(part));
+        }
+    }
+    EXPECT_EQ(refused, sizeof(Real) == 4 ? 2 : 0); // of 1e100 kg nothing is too much so soon
+}
+
 // Why it was refused can be read: the value is in the sentence.
 TEST(RefusedBodySentence, HoldsFieldAndValue) {
     BodyDef def;

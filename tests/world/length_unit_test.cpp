@@ -161,8 +161,9 @@ void expectScalesExactly(const Scale& scale, const StepSettings& settings) {
     }
 }
 
-constexpr Scale kPowersOfTwo[] = {{2, 1},    {Real(1) / 8, Real(1) / 64},      {1024, 1},
-                                  {1, 4096}, {Real(1) / 1024, Real(1) / 1024}, {65536, 64}};
+constexpr Scale kPowersOfTwo[] = {{2, 1},        {Real(1) / 8, Real(1) / 64},      {1024, 1},
+                                  {1, 4096},     {Real(1) / 1024, Real(1) / 1024}, {65536, 64},
+                                  {524288, 4096}};
 
 TEST(LengthUnit, APowerOfTwoGivesTheSameBits) {
     for (const Scale& scale : kPowersOfTwo) {
@@ -186,12 +187,36 @@ struct Unit {
 };
 constexpr Unit kUnits[] = {
     {"millimetres", 1000}, {"metres", 1}, {"kilometres", 0.001}, {"pixels", 50}};
+constexpr Unit kExtremeUnits[] = {{"micrometres", 1e6}, {"megametres", 1e-6}};
 
 /// A World told in some unit, of bodies of one kilogram per square metre.
 Builder inUnit(const Unit& unit) {
     Builder build({static_cast<Real>(unit.perMetre), 1}, {});
     build.add({.position = {0, Real(-0.5)}, .flags = kLocked}, Box{60, 1});
     return build;
+}
+
+// What counts as too fast goes with the unit too: bodies as large and as fast in it as any others
+// fall for three seconds, and are as fast as they should be then.
+TEST(LengthUnit, ABodyFallsOnInTheSmallestAndTheLargestUnit) {
+    for (const Unit& unit : kExtremeUnits) {
+        SCOPED_TRACE(unit.name);
+        const auto mass = static_cast<Real>(unit.perMetre); // so that no density is out of range
+        Builder build({static_cast<Real>(unit.perMetre), mass * mass}, {});
+        const BodyId ball = build.add({.velocity = {0, -90}}, Circle{Real(0.5)});
+        for (int i = 0; i < 180; ++i) {
+            build.world.step(support::kDt);
+            ASSERT_TRUE(build.world.frozenBodies().empty()) << "step " << i;
+        }
+        // 180 sums, each rounded by half a unit in the last place at the most.
+        EXPECT_TRUE(support::nearShare(build.world[ball].velocity().y / build.length(1), -120.0L,
+                                       90 * support::kEpsilon));
+        build.world[ball].setVelocity({build.length(kHighestSpeed), 0});
+        EXPECT_THROW(build.world[ball].setVelocity({build.length(Real(1.01) * kHighestSpeed), 0}),
+                     BadDefinition);
+        EXPECT_THROW(build.world[ball].setAngularVelocity(Real(1.01) * kHighestSpeed),
+                     BadDefinition); // an angle has no unit of length
+    }
 }
 
 // The unit that a scene is told in does not show, but for rounding: units that are not powers of

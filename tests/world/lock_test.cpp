@@ -37,6 +37,34 @@ TEST(Lock, LockRotateMovesButDoesNotTurn) {
     EXPECT_EQ(world[beam].velocity(), (Vec2{0, 2}));
 }
 
+// R8, R7: what cannot turn, by a lock or since turning is left out, is braked by what it lands flat
+// on like anything else: by mu (1 + e) of the speed that it lands with.
+TEST(Lock, FrictionBrakesWhatLandsFlatAndCannotTurn) {
+    for (const Strategy strategy : {Strategy::SoftStep, Strategy::Propagation}) {
+        for (const bool leftOut : {false, true}) {
+            for (const Real restitution : {Real(0), Real(0.5)}) {
+                SCOPED_TRACE(testing::Message() << static_cast<int>(strategy) << ", " << leftOut
+                                                << ", e " << restitution);
+                WorldDef def;
+                def.settings = strategy == Strategy::Propagation ? thesis2006() : StepSettings{};
+                def.settings.leaveOut = leftOut ? static_cast<std::uint8_t>(Feature::Rotation) : 0;
+                World world(def);
+                const Material material = withFriction(Real(0.5), restitution);
+                support::addFloor(world, material);
+                BodyDef box = boxDef({0, Real(0.5)}, 1, 1, material);
+                box.velocity = {10, -5};
+                box.flags = leftOut ? 0 : kLockRotate;
+                const BodyId id = world.add(box);
+                support::run(world, 2);
+                const Real kept = 10 - Real(0.5) * (1 + restitution) * 5;
+                EXPECT_TRUE(near(world[id].velocity(), Vec2{kept, 5 * restitution},
+                                 32 * support::kEpsilon)); // roundings of 10 m/s
+                EXPECT_EQ(world[id].angularVelocity(), 0);
+            }
+        }
+    }
+}
+
 TEST(Lock, LockedMovesOnlyAsItIsTold) {
     World world({.gravity = support::kEarth});
     BodyDef def = boxDef({0, 0}, 1, 1);

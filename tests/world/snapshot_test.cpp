@@ -52,6 +52,29 @@ void expectToGoOnAlike(World& world, World& other, int steps) {
     }
 }
 
+// What a step leaves for later, until somebody asks for it, is the same whether anybody does.
+TEST(Snapshot, WhoAsksChangesNothing) {
+    for (const StepSettings& settings : {StepSettings{}, thesis2006()}) {
+        World asked = busyWorld(settings);
+        World left = asked;
+        for (int i = 0; i < 300; ++i) {
+            asked.step(kDt);
+            left.step(kDt);
+            const std::size_t records = asked.collisions().size();
+            if (i % 3 == 0) {
+                ASSERT_FALSE(toBytes(asked).empty());
+            }
+            if (i % 7 == 0) {
+                ASSERT_EQ(left.collisions().size(), records) << "step " << i;
+            }
+            if (i % 50 == 49) {
+                ASSERT_EQ(asked.stateHash(), left.stateHash()) << "step " << i;
+                ASSERT_TRUE(sameRecords(asked, left)) << "step " << i;
+            }
+        }
+    }
+}
+
 StepSettings withShock() {
     StepSettings settings = thesis2006();
     settings.shockPasses = 3;
@@ -72,6 +95,35 @@ TEST(Snapshot, GoesOnAlikeFromAnyMoment) {
             World loaded = reloaded(world, ownFields());
             expectToGoOnAlike(original, loaded, 300);
         }
+    }
+}
+
+// R2: in a World of another length unit everything may be as large, as far and as fast in that.
+TEST(Snapshot, GoesOnAlikeInAnotherLengthUnit) {
+    for (const Real unit : {Real(1000), Real(1) / 1000}) {
+        SCOPED_TRACE(unit);
+        World world({.gravity = unit * support::kEarth, .lengthUnit = unit});
+        BodyDef ball = support::ballDef({}, unit / 2);
+        ball.density = 1 / (unit * unit);
+        std::vector<BodyId> balls;
+        for (int i = 0; i < 4; ++i) {
+            ball.position = {static_cast<Real>(i) * 20 * unit, 0};
+            ball.velocity = {0, kHighestSpeed / 4 * unit};
+            balls.push_back(world.add(ball));
+        }
+        const Real most = kFarthest / 2 * unit;
+        world.add(Spring{.ends = {.a = balls[0], .b = balls[1], .anchorA = {0, most}},
+                         .length = most,
+                         .hertz = 1,
+                         .limits = Range{0, most}});
+        world.add(Slider{.ends = {.a = balls[2], .b = balls[3]},
+                         .axis = {1, 0},
+                         .limits = Range{-most, most},
+                         .motorSpeed = kHighestSpeed / 4 * unit,
+                         .motorForce = unit});
+        run(world, 2);
+        World loaded = reloaded(world);
+        expectToGoOnAlike(world, loaded, 20);
     }
 }
 

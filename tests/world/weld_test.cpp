@@ -33,7 +33,7 @@ TEST(Weld, TwoSquaresMakeABox) {
 BodyDef randomDef(support::RandomNumbers& random) {
     BodyDef def;
     const Real size = random.between(0.3, 1.5);
-    switch (random.below(4)) {
+    switch (random.below(6)) {
     case 0:
         def.shape = Circle{size, random.point(0.5)};
         break;
@@ -42,6 +42,12 @@ BodyDef randomDef(support::RandomNumbers& random) {
         break;
     case 2:
         def.shape = Polygon{{{0, 0}, {size, 0}, {0, size}}};
+        break;
+    case 3:
+        def.shape = Point{random.point(0.5)};
+        break;
+    case 4:
+        def.shape = Segment{random.point(0.5), {size, 1}, false, {}, {}};
         break;
     default:
         def.shape = Compound{{Circle{size}, Box{1, size, {1, 0}}}};
@@ -83,6 +89,24 @@ TEST(Weld, KeepsMassAndBothMomenta) {
         ASSERT_TRUE(near(after.momentum, before.momentum, tolerance));
         ASSERT_TRUE(near(after.spin, before.spin, tolerance));
         ASSERT_LE(after.kinetic, before.kinetic * (1 + static_cast<long double>(tolerance)));
+    }
+}
+
+// R5: a particle has no inertia of its own, but what it becomes a part of has, and takes over the
+// spin of the pair; unless it is not to turn.
+TEST(Weld, OntoAParticleKeepsTheSpinOfThePair) {
+    for (const bool locked : {false, true}) {
+        World world;
+        BodyDef particle{.shape = Point{}, .flags = locked ? kLockRotate : 0};
+        const BodyId id = world.add(particle);
+        BodyDef box = boxDef({2, 0}, 1, 1);
+        box.velocity = {0, 3};
+        box.angularVelocity = 6;
+        world.weld(id, world.add(box)); // both of 1 kg
+        EXPECT_EQ(world[id].velocity(), (Vec2{0, Real(1.5)}));
+        // About the middle: I w of the box, 1 m from there at 3 m/s, over I of both.
+        const long double spin = (1.0L / 6 * 6 + 3) / (1.0L / 6 + 2);
+        EXPECT_TRUE(near(world[id].angularVelocity(), locked ? 0 : spin, 8 * kEpsilon));
     }
 }
 

@@ -24,21 +24,16 @@ void pause(int spins) {
 
 } // namespace
 
-Crew::Crew(Executor* executor)
-    : executor_(executor != nullptr && executor->helpers() > 0 ? executor : nullptr) {
-    if (executor_ != nullptr) {
-        shared_.emplace();
-        shared_->count =
-            std::min(kMostShares, static_cast<std::uint32_t>(executor_->helpers()) + 1);
-        executor_->begin([](void* crew) { static_cast<Crew*>(crew)->help(); }, this);
-    }
+void Crew::gather(Executor& executor) {
+    executor_ = &executor;
+    shared_.emplace();
+    shared_->count = std::min(kMostShares, static_cast<std::uint32_t>(executor.helpers()) + 1);
+    executor.begin([](void* crew) { static_cast<Crew*>(crew)->help(); }, this);
 }
 
-Crew::~Crew() {
-    if (executor_ != nullptr) {
-        shared_->over.store(true, std::memory_order_release);
-        executor_->end();
-    }
+void Crew::dismiss() noexcept {
+    shared_->over.store(true, std::memory_order_release);
+    executor_->end();
 }
 
 void Crew::share(const Job& job) noexcept {

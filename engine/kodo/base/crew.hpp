@@ -22,10 +22,18 @@ public:
     /// Nobody helps.
     Crew() = default;
     /// The executor's threads help; nullptr: nobody does.
-    explicit Crew(Executor* executor);
+    explicit Crew(Executor* executor) {
+        if (executor != nullptr && executor->helpers() > 0) {
+            gather(*executor);
+        }
+    }
     Crew(const Crew&) = delete;
     Crew& operator=(const Crew&) = delete;
-    ~Crew();
+    ~Crew() {
+        if (executor_ != nullptr) {
+            dismiss();
+        }
+    }
 
     bool alone() const { return executor_ == nullptr; }
 
@@ -49,8 +57,9 @@ public:
     // with a World; std::atomic_ref is not in every library Kodo is built with.
 
     /// Sets a mark that another piece may set at the same time.
-    static void mark(std::uint8_t& shared) {
-        __atomic_store_n(&shared, std::uint8_t{1}, __ATOMIC_RELAXED);
+    template <typename Mark>
+    static void mark(Mark& shared) {
+        __atomic_store_n(&shared, Mark{1}, __ATOMIC_RELAXED);
     }
     /// The same. True for one of those who set it.
     bool markFirst(std::uint8_t& shared) const {
@@ -99,6 +108,8 @@ private:
     };
     static constexpr std::uint32_t kMostShares = 16;
 
+    void gather(Executor& executor);
+    void dismiss() noexcept;
     void share(const Job& job) noexcept;
     void help() noexcept;
     template <typename Ready>

@@ -15,12 +15,9 @@ std::string number(Real value) {
 
 } // namespace
 
-std::optional<Problem> checkRange(const char* field, Real value, Real low, Real high) {
-    if (!(value >= low && value <= high)) { // false for NaN
-        return Problem{field, "must be from " + number(low) + " to " + number(high) + ", but is " +
-                                  number(value)};
-    }
-    return std::nullopt;
+Problem outOfRange(const char* field, Real value, Real low, Real high) {
+    return {field,
+            "must be from " + number(low) + " to " + number(high) + ", but is " + number(value)};
 }
 
 std::optional<Problem> checkPositive(const char* field, Real value, Real most) {

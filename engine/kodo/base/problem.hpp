@@ -37,7 +37,11 @@ inline void refuse(const std::optional<Problem>& problem) {
 }
 
 // The checks that fields of all kinds share. Each names the field that it was given.
-std::optional<Problem> checkRange(const char* field, Real value, Real low, Real high);
+Problem outOfRange(const char* field, Real value, Real low, Real high);
+inline std::optional<Problem> checkRange(const char* field, Real value, Real low, Real high) {
+    const bool inside = value >= low && value <= high; // false for NaN
+    return inside ? std::nullopt : std::optional(outOfRange(field, value, low, high));
+}
 /// Greater than 0, and at most that.
 std::optional<Problem> checkPositive(const char* field, Real value, Real most);
 /// x and y of a vector of length 1, to half of a thousandth.

@@ -92,25 +92,7 @@ void freeze(Bodies& bodies, std::uint32_t body) {
     bodies.awakeStale = true;
 }
 
-bool isSound(const Motion& motion) {
-    constexpr Real kMost = kHighestSpeed;
-    return lengthSquared(motion.velocity) <= kMost * kMost && // false for NaN
-           std::abs(motion.angularVelocity) <= kMost &&
-           lengthSquared(motion.move) <= kMost * kMost && // in a second at the most
-           std::abs(motion.turn) <= kMost;
-}
-
-bool isSound(const Acceleration& acceleration) {
-    return isFinite(acceleration.linear) && std::isfinite(acceleration.angular);
-}
-
-bool refreshAwake(Bodies& bodies) {
-    for (const std::uint32_t body : bodies.awake) {
-        bodies.awakeStale = bodies.awakeStale || !bodies.active(body);
-    }
-    if (!bodies.awakeStale) {
-        return false;
-    }
+void listAwake(Bodies& bodies) {
     bodies.awakeStale = false;
     bodies.awake.clear();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -118,7 +100,6 @@ bool refreshAwake(Bodies& bodies) {
             bodies.awake.push_back(static_cast<std::uint32_t>(i));
         }
     }
-    return true;
 }
 
 void setForm(Bodies& bodies, std::uint32_t index, std::shared_ptr<const Form> form) {
@@ -158,10 +139,10 @@ void weldBodies(Bodies& bodies, std::uint32_t into, std::uint32_t part) {
     } else { // the centre moves within a body that goes on as it did
         motion.velocity = velocityAt(motion, center - bodies.pose[into].position);
     }
-    if (motion.invInertia > 0) {
+    setForm(bodies, into, form);
+    if (motion.invInertia > 0) { // now: a particle has got some inertia
         motion.angularVelocity = spin / form->mass.inertia;
     }
-    setForm(bodies, into, form);
 }
 
 void refreshMass(Bodies& bodies, std::uint32_t index) {

@@ -4,6 +4,7 @@
 #include <kodo/base/id_pool.hpp>
 #include <kodo/bodies/form.hpp>
 
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -84,9 +85,9 @@ struct Bodies {
     /// What a step works on, in order: all that can be pushed and does not rest, and of the locked
     /// bodies those that move. Everything else costs nothing.
     std::vector<std::uint32_t> awake;
-    bool awakeStale = true;
-    bool anyRests = true; // at the time of the solver; false: nobody needs to be asked
-    bool turns = true;    // false: nothing can be turned; see Feature::Rotation
+    bool awakeStale = true; // whoever makes a body active or idle says so here
+    bool anyRests = true;   // at the time of the solver; false: nobody needs to be asked
+    bool turns = true;      // false: nothing can be turned; see Feature::Rotation
 
     BodyId idAt(std::size_t index) const {
         return {static_cast<std::uint32_t>(index), ids.generationAt(index)};
@@ -142,13 +143,30 @@ BodyId unweldPart(Bodies& bodies, std::uint32_t body, std::size_t part, Flags fl
 /// for that one step, whether the body can be pushed in it or not.
 void addForce(Bodies& bodies, std::uint32_t body, Vec2 force, Real torque);
 
-/// Stops a body for good that has become unsound: not finite, or faster than kHighestSpeed.
+/// Stops a body for good that has become unsound: not finite, or faster than kHighestSpeed in a
+/// World of that length unit.
 void freeze(Bodies& bodies, std::uint32_t body);
-bool isSound(const Motion& motion);
-bool isSound(const Acceleration& acceleration);
+inline bool isSound(const Motion& motion, Real lengthUnit) {
+    const Real most = kHighestSpeed * lengthUnit;
+    return lengthSquared(motion.velocity) <= most * most && // false for NaN
+           std::abs(motion.angularVelocity) <= kHighestSpeed &&
+           lengthSquared(motion.move) <= most * most && // in a second at the most
+           std::abs(motion.turn) <= kHighestSpeed;
+}
+inline bool isSound(const Acceleration& acceleration) {
+    return isFinite(acceleration.linear) && std::isfinite(acceleration.angular);
+}
 
-/// Brings `awake` up to date. True if it has changed.
-bool refreshAwake(Bodies& bodies);
+/// Finds who is awake.
+void listAwake(Bodies& bodies);
+/// The same, if the list is out of date. True if it was.
+inline bool refreshAwake(Bodies& bodies) {
+    const bool stale = bodies.awakeStale;
+    if (stale) {
+        listAwake(bodies);
+    }
+    return stale;
+}
 
 /// Reciprocals of mass and inertia after a change of form or lock flags.
 void refreshMass(Bodies& bodies, std::uint32_t index);

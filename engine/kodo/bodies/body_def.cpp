@@ -22,11 +22,12 @@ std::optional<Problem> checkPosition(const char* field, Vec2 value, Real lengthU
     return checkRange(field, value.y, -most, most);
 }
 
-std::optional<Problem> checkVelocity(const char* field, Vec2 value) {
-    if (auto problem = checkRange(field, value.x, -kHighestSpeed, kHighestSpeed)) {
+std::optional<Problem> checkVelocity(const char* field, Vec2 value, Real lengthUnit) {
+    const Real most = kHighestSpeed * lengthUnit;
+    if (auto problem = checkRange(field, value.x, -most, most)) {
         return problem;
     }
-    return checkRange(field, value.y, -kHighestSpeed, kHighestSpeed);
+    return checkRange(field, value.y, -most, most);
 }
 
 std::optional<Problem> checkFlags(const char* field, Flags value) {
@@ -66,7 +67,7 @@ std::optional<Problem> check(const BodyDef& def, Real lengthUnit) {
     if (auto problem = checkRotation("rotation", def.rotation)) {
         return problem;
     }
-    if (auto problem = checkVelocity("velocity", def.velocity)) {
+    if (auto problem = checkVelocity("velocity", def.velocity, lengthUnit)) {
         return problem;
     }
     if (auto problem =

@@ -35,7 +35,7 @@ struct BodyDef {
 /// No body may lie farther than this from the origin, or be larger (m, times the length unit of the
 /// World): beyond it a Real resolves less than 1 % of the unit.
 inline constexpr Real kFarthest = sizeof(Real) == 4 ? Real(1e5) : Real(1e13);
-inline constexpr Real kHighestSpeed = Real(1e7);   // m/s or rad/s
+inline constexpr Real kHighestSpeed = Real(1e7);   // m/s, times the length unit; or rad/s
 inline constexpr Real kLowestDensity = Real(1e-9); // kg/m^2
 inline constexpr Real kHighestDensity = Real(1e9); // kg/m^2
 /// The mass (kg) of a body and of each of its parts lies between 1 / kHeaviest and kHeaviest, its
@@ -48,7 +48,7 @@ std::optional<Problem> check(const BodyDef& def, Real lengthUnit = 1);
 // The checks behind it, for the setters. Each names the field it was given.
 std::optional<Problem> checkPosition(const char* field, Vec2 value, Real lengthUnit = 1);
 std::optional<Problem> checkRotation(const char* field, Rot value);
-std::optional<Problem> checkVelocity(const char* field, Vec2 value);
+std::optional<Problem> checkVelocity(const char* field, Vec2 value, Real lengthUnit = 1);
 std::optional<Problem> checkFlags(const char* field, Flags value);
 /// Of a body with something in it that may need to be locked.
 std::optional<Problem> checkLock(const Shape& shape, Flags flags);

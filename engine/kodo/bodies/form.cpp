@@ -38,6 +38,8 @@ std::optional<Problem> checkOfShape(const char* what, Real value, Real low, Real
     return problem;
 }
 
+} // namespace
+
 std::optional<Problem> checkMass(const Mass& mass) {
     if (auto problem = checkOfShape("mass (kg)", mass.mass, 1 / kHeaviest, kHeaviest)) {
         return problem;
@@ -49,10 +51,8 @@ std::optional<Problem> checkMass(const Mass& mass) {
     return checkOfShape("moment of inertia (kg m^2)", mass.inertia, 1 / kMost, kMost);
 }
 
-} // namespace
-
 std::optional<Problem> checkBuild(std::span<const Part> parts, Real lengthUnit) {
-    Real sum = 0;
+    Mass sum;
     for (const Part& part : parts) {
         const Real extent = extentOf(part.primitive);
         if (auto problem = checkOfShape("reach (m)", extent, 0, kFarthest * lengthUnit)) {
@@ -65,9 +65,9 @@ std::optional<Problem> checkBuild(std::span<const Part> parts, Real lengthUnit) 
         if (auto problem = checkMass(mass)) {
             return problem;
         }
-        sum += mass.mass;
+        sum = combine(sum, mass);
     }
-    return checkOfShape("mass (kg)", sum, 0, kHeaviest);
+    return sum.mass > 0 ? checkMass(sum) : std::nullopt;
 }
 
 std::vector<Part> partsOf(const BodyDef& def) {

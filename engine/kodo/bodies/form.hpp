@@ -32,6 +32,9 @@ struct Form {
 /// The parts of a valid definition: one, or one for each part of a compound.
 std::vector<Part> partsOf(const BodyDef& def);
 
+/// What is wrong with the mass or the moment of inertia of a body or a part, or nothing.
+std::optional<Problem> checkMass(const Mass& mass);
+
 /// What is wrong with the size or the mass of parts that are to be one body, or nothing.
 std::optional<Problem> checkBuild(std::span<const Part> parts, Real lengthUnit);
 

@@ -9,10 +9,11 @@ namespace kodo::inline KODO_PRECISION {
 
 /// The accelerations of this step, from the fields and from the forces that were applied since the
 /// last one, which are then forgotten [Thesis06, 4.1.3]. Forces that brake are taken implicitly
-/// over dt; see Push.
-void gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Real dt);
+/// over dt; see Push. False if one of them is not sound.
+bool gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Real dt);
 
-/// Forgets the motion that the bodies in the list had in the last step.
+/// Forgets the motion that the bodies in the list had in the last step. A locked one that has come
+/// to a stand is awake no more. Several threads call it at once.
 void beginMotion(Bodies& bodies, std::span<const std::uint32_t> list);
 
 /// What a body may be pushed by within a step.
@@ -33,6 +34,9 @@ void integrateVelocities(Bodies& bodies, std::span<const std::uint32_t> list, Re
 /// so that free fall has no error but rounding, whatever the step. `holds` is by body.
 void integrateMoves(Bodies& bodies, std::span<const std::uint32_t> list,
                     std::span<const Hold> holds, Real h);
+
+/// Both at once, for bodies that nothing holds.
+void moveFreely(Bodies& bodies, std::span<const std::uint32_t> list, Real h);
 
 /// Puts the bodies in the list where their motion has taken them.
 void movePoses(Bodies& bodies, std::span<const std::uint32_t> list);

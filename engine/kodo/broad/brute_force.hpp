@@ -29,8 +29,10 @@ public:
             }
         }
         for (const std::uint32_t m : moved.list) {
+            packed_.hide(m); // or each would meet itself, and most meet nobody else
             packed_.forEachOverlap(bounds[m], 0, count,
                                    [&](std::uint32_t i) { addPair(m, i, moved, accept, out); });
+            packed_.set(m, bounds[m]);
         }
     }
 

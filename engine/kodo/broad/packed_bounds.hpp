@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace kodo::inline KODO_PRECISION {
@@ -22,6 +23,11 @@ public:
         lowerY_[i] = box.lower.y;
         upperX_[i] = box.upper.x;
         upperY_[i] = box.upper.y;
+    }
+    /// From now on they overlap nothing.
+    void hide(std::size_t i) {
+        constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+        set(i, {{kInfinity, kInfinity}, {-kInfinity, -kInfinity}});
     }
 
     /// Calls meet(i) for all places from `first` on, before `last`, whose bounds overlap the box.

@@ -38,7 +38,9 @@ public:
                 noteSweep(count);
             }
         }
-        sorter_.sort(out, count);
+        if (out.size() > 1) {
+            sorter_.sort(out, count);
+        }
     }
 
     /// From now on in this way alone; nothing: in the cheapest.

@@ -51,7 +51,9 @@ Hit rayAgainstSkin(const Convex& shape, const Ray& ray, Real radius) {
     }
     for (const Vec2 vertex : shape.vertices) {
         const Hit hit = rayCast(Circle{radius, vertex}, ray);
-        if (hit && (!shape.oneSided || dot(hit->normal, shape.normals[1]) > 0)) {
+        // Of one side alone: not from within the skin either, which a ray enters from behind.
+        if (hit && (!shape.oneSided || (dot(hit->normal, shape.normals[1]) > 0 &&
+                                        dot(hit->normal, vertex - shape.middle) >= 0))) {
             keepFirst(best, hit);
         }
     }
@@ -109,8 +111,10 @@ Hit facesAgainst(const Convex& target, const Convex& moving, const Transform& at
         cutByEnds(clip, moving, target, back, backMove, true);
     }
     const Hit hit = clip.hit();
-    const bool front = !target.oneSided || (hit && dot(hit->normal, target.normals[1]) > 0);
-    return front ? hit : Hit{};
+    const bool passes =
+        hit && ((target.oneSided && !(dot(hit->normal, target.normals[1]) > 0)) ||
+                (moving.oneSided && !(dot(hit->normal, at.rotation * moving.normals[1]) < 0)));
+    return passes ? Hit{} : hit;
 }
 
 Hit againstPlane(const Convex& plane, const Convex& moving, const Transform& at, Vec2 move) {
@@ -118,7 +122,11 @@ Hit againstPlane(const Convex& plane, const Convex& moving, const Transform& at,
     const std::size_t lowest = supportVertex(moving, unrotate(at.rotation, -normal), 0);
     const Vec2 start = at * moving.vertices[lowest];
     const Real offset = dot(normal, plane.vertices[0]) + moving.radius;
-    return rayCast(Plane{normal, offset}, Ray{start, start + move});
+    const Hit hit = rayCast(Plane{normal, offset}, Ray{start, start + move});
+    const bool passes = hit && moving.oneSided &&
+                        (hit->normal == Vec2{} || // they overlap from the start
+                         dot(normal, at.rotation * moving.normals[1]) > 0);
+    return passes ? Hit{} : hit;
 }
 
 /// In the frame of the target, where the moving outline is at `at`. Swaps the two where only the

@@ -2,6 +2,7 @@
 #include <kodo/collide/faces.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
@@ -25,6 +26,13 @@ bool clip(Edge& edge, Vec2 axis, Real limit) {
         edge.end += (end / (end - start)) * (edge.start - edge.end);
     }
     return true;
+}
+
+/// Are two points, clipped to a face, one but for rounding?
+bool areOne(Vec2 p, Vec2 q, Vec2 faceStart, Vec2 faceEnd) {
+    constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();
+    const Real size = std::max(lengthSquared(faceStart), lengthSquared(faceEnd));
+    return lengthSquared(q - p) <= kRounding * kRounding * size;
 }
 
 std::size_t nextVertex(const Convex& shape, std::size_t vertex) {
@@ -92,9 +100,10 @@ Manifold clipAgainstFace(Placed a, Placed b, const Transform& ab, const FaceAxis
     if (points[1].separation < points[0].separation) {
         std::swap(points[0], points[1]);
     }
-    for (LocalPoint& p : points) {
-        const bool same = manifold.count > 0 && p.point == points[0].point;
-        if (p.separation <= margin && !same) {
+    const bool same = areOne(points[0].point, points[1].point, first, second);
+    for (std::size_t i = 0; i < (same ? 1u : 2u); ++i) {
+        LocalPoint& p = points[i];
+        if (p.separation <= margin) {
             p.point -= (p.separation / 2) * normal;
             add(manifold, p, a.at, b.at);
         }

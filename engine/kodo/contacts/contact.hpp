@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kodo/bodies/body_def.hpp>
+#include <kodo/broad/broad_phase.hpp>
 #include <kodo/collide/manifold.hpp>
 #include <kodo/contacts/collision_record.hpp>
 
@@ -36,33 +37,34 @@ struct ContactSeat {
     std::uint8_t colour = kNoColour; // no other contact of it pushes the same body
     bool fixedA = false;             // a could not be pushed when it got the colour
     bool fixedB = false;
+    bool lent = false; // the lane has the impulses, and those of the contact are out of date
 };
 
 /// Two parts that touch or are near each other, from when their grown bounds meet until they part.
 /// In each step all are gone through several times, so what every one of these passes needs comes
-/// first, within the first 64 bytes (float), and the manifold ends within the next.
-struct alignas(64) Contact {
+/// first, within the first 64 bytes (float). What follows the place of the manifold, after 128, is
+/// left alone while the solver has lent the impulses.
+struct alignas(128) Contact {
     ContactKey key;
-    std::uint32_t proxyA = 0; // place of the parts' bounds in the ContactSet
-    std::uint32_t proxyB = 0;
     std::uint32_t jumpsA = 0; // of the bodies, when the manifold was found
     std::uint32_t jumpsB = 0;
     Real drift = 0; // m, that they went against each other since then, at most
     ContactSeat seat;
     Real approachSpeed = 0;   // m/s, before the solver
     bool near = false;        // the bounds of the parts, grown by the margin, meet
-    bool carried = false;     // the solver has it, and its manifold is that of the last step
+    bool carried = false;     // the solver has it, with this manifold
     bool bounces = false;     // has restitution
     bool sensor = false;      // is only noticed
     bool passing = false;     // through a one-sided line from behind; see letPass
     bool hidden = false;      // in this step, under the surface that carries the body; see Seams
     bool touching = false;    // in this step
     bool wasTouching = false; // in the last step; equal to touching between steps
+    bool struck = false;      // what was pushed in one step only is not 0
     std::optional<TouchPhase> phase; // of the last step; nothing: it did not touch
 
     Manifold manifold;
-
     Vec2 centerA; // m, world: where armA of the manifold starts
+
     std::array<PointImpulse, 2> impulse;
     Real friction = 0; // N s, along perp(normal), of both points, of one substep
     Real rolling = 0;  // N m s, of one substep
@@ -73,6 +75,15 @@ struct alignas(64) Contact {
 
     /// Do the bodies push each other?
     bool responds() const { return manifold.count > 0 && !sensor && !hidden; }
+};
+
+/// What tells most stages that there is nothing to do for a contact, without a look at it.
+struct ContactHead {
+    BoundsPair proxies; // places of the bounds of both parts
+    std::uint32_t bodyA = 0;
+    std::uint32_t bodyB = 0;
+    bool sensor = false;
+    bool idle = false; // far apart, and nothing came of it in the last step
 };
 
 /// How many contacts ahead a loop over all of them prefetches what it will read.

@@ -18,32 +18,25 @@ CollisionRecord endOf(const Contact& contact) {
     return record;
 }
 
-namespace {
-
-void sumUp(Contact& contact, const Tolerances& tolerances) {
+bool touches(const Contact& contact, const Tolerances& tolerances) {
     if (contact.sensor) {
-        contact.touching = contact.touching || (contact.manifold.count > 0 &&
-                                                contact.manifold.points[0].separation <= 0);
-        return;
+        return contact.manifold.count > 0 && contact.manifold.points[0].separation <= 0;
     }
-    if (contact.hidden) {
-        return;
+    if (!contact.near || contact.hidden) {
+        return false;
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
-        PointImpulse& impulse = contact.impulse[i];
-        impulse.largest = std::max(impulse.largest, impulse.impact);
-        contact.total += impulse.impact;
-        contact.touching = contact.touching || impulse.largest > 0 ||
-                           contact.manifold.points[i].separation <= tolerances.slop;
+        const PointImpulse& impulse = contact.impulse[i];
+        if (impulse.largest > 0 || impulse.impact > 0 ||
+            contact.manifold.points[i].separation <= tolerances.slop) {
+            return true;
+        }
     }
+    return false;
 }
 
-} // namespace
-
-void finishContact(Contact& contact, const Tolerances& tolerances) {
-    if (contact.near || contact.sensor) {
-        sumUp(contact, tolerances);
-    }
+void finishContact(Contact& contact, bool touches) {
+    contact.touching = contact.touching || touches;
     contact.phase.reset();
     if (contact.touching) {
         contact.phase = contact.wasTouching ? TouchPhase::Persist : TouchPhase::Begin;
@@ -67,8 +60,11 @@ void recordContact(const Contact& contact, std::vector<CollisionRecord>& out) {
     record.approachSpeed = contact.approachSpeed;
     record.totalImpulse = contact.total;
     for (std::size_t i = 0; i < record.pointCount; ++i) {
-        if (contact.impulse[i].largest > record.maxImpulse) {
-            record.maxImpulse = contact.impulse[i].largest;
+        const PointImpulse& impulse = contact.impulse[i];
+        record.totalImpulse += impulse.impact;
+        const Real largest = std::max(impulse.largest, impulse.impact);
+        if (largest > record.maxImpulse) {
+            record.maxImpulse = largest;
             record.point = contact.centerA + contact.manifold.points[i].armA;
         }
     }

@@ -10,10 +10,14 @@
 
 namespace kodo::inline KODO_PRECISION {
 
-/// Sums up a step for one contact: did it touch, in which phase, and how hard.
-void finishContact(Contact& contact, const Tolerances& tolerances);
+/// Did two that have no lane in the solver touch in this step?
+bool touches(const Contact& contact, const Tolerances& tolerances);
 
-/// Appends what a finished contact did in its step, if it did anything.
+/// Ends a step for one contact: did it touch, and in which phase?
+void finishContact(Contact& contact, bool touches);
+
+/// Appends what a finished contact did in its step, if it did anything. Its impulses must not be
+/// lent.
 void recordContact(const Contact& contact, std::vector<CollisionRecord>& out);
 
 /// Puts records of contacts that are gone among those of a step, in order.

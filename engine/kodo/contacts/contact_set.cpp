@@ -8,6 +8,13 @@
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
+namespace {
+
+ContactHead headOf(const Contact& contact, BoundsPair proxies) {
+    return {proxies, contact.key.bodyA, contact.key.bodyB, contact.sensor, false};
+}
+
+} // namespace
 
 void ContactSet::noteEnd(const Contact& contact) {
     if (contact.wasTouching) {
@@ -15,27 +22,19 @@ void ContactSet::noteEnd(const Contact& contact) {
     }
 }
 
-std::span<const CollisionRecord> ContactSet::records() const {
-    writeRecords();
-    return records_;
-}
-
+/// Before a contact goes.
 void ContactSet::writeRecords() const {
-    if (!std::exchange(recordsDue_, false)) {
-        return;
-    }
-    records_.reserve(contacts_.capacity() + endedInStep_.size());
-    for (const Place& place : order_) {
-        recordContact(contacts_[place.slot], records_);
-    }
-    addEnds(endedInStep_, records_);
+    records([](const Contact& contact) -> const Contact& { return contact; });
 }
 
 void ContactSet::forgetUnsound(const Bodies& bodies, const Tolerances& tolerances) {
+    lookAtAll();
     for (Contact& contact : contacts_) {
         if (!isSound(contact)) {
             clearContact(contact);
-            refreshContact(contact, bodies, tolerances);
+            followContact(contact, bodies, tolerances);
+            findContact(contact, bodies, tolerances);
+            kodo::measureApproach(contact, bodies);
         }
     }
 }
@@ -54,9 +53,15 @@ void ContactSet::eraseIf(Gone gone) {
     fillHoles();
 }
 
+/// Contacts came, went, or have other places.
+void ContactSet::changed() {
+    contactsChanged_ = true;
+    liveStale_ = true;
+}
+
 /// Moves the last contacts into the slots that are free.
 void ContactSet::fillHoles() {
-    contactsChanged_ = true;
+    changed();
     if (holes_.empty()) {
         return;
     }
@@ -74,6 +79,7 @@ void ContactSet::fillHoles() {
             continue;
         }
         movedTo[slot - kept] = holes_[hole];
+        heads_[holes_[hole]] = heads_[slot];
         contacts_[holes_[hole++]] = contacts_[slot];
     }
     for (Place& place : order_) {
@@ -82,6 +88,7 @@ void ContactSet::fillHoles() {
         }
     }
     contacts_.resize(kept);
+    heads_.resize(kept);
 }
 
 void ContactSet::drop(std::uint32_t body) {
@@ -146,7 +153,7 @@ void ContactSet::putBack(std::span<const Contact> contacts) {
 
 /// Makes the order anew from the contacts.
 void ContactSet::orderContacts() {
-    contactsChanged_ = true;
+    changed();
     order_.resize(contacts_.size());
     for (std::uint32_t slot = 0; slot < order_.size(); ++slot) {
         order_[slot].slot = slot;
@@ -160,22 +167,22 @@ void ContactSet::orderContacts() {
 
 /// Finds the bounds of all contacts again.
 void ContactSet::renewPlaces() {
+    heads_.resize(contacts_.size());
     for (Place& place : order_) {
-        Contact& contact = contacts_[place.slot];
-        contact.proxyA = bounds_.indexOf(contact.key.bodyA, contact.key.partA);
-        contact.proxyB = bounds_.indexOf(contact.key.bodyB, contact.key.partB);
-        place.pair = {contact.proxyA, contact.proxyB};
+        const auto& [bodyA, partA, bodyB, partB] = contacts_[place.slot].key;
+        place.pair = {bounds_.indexOf(bodyA, partA), bounds_.indexOf(bodyB, partB)};
+        heads_[place.slot] = headOf(contacts_[place.slot], place.pair);
     }
 }
 
 /// After bodies came, went or changed.
 void ContactSet::renew(const Bodies& bodies, const Tolerances& tolerances) {
-    contactsChanged_ = true;
+    changed();
     bounds_.renew(bodies, tolerances);
-    renewPlaces();
     for (Contact& contact : contacts_) {
         describeContact(contact, bodies);
     }
+    renewPlaces();
 }
 
 void ContactSet::updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt,
@@ -203,7 +210,9 @@ void ContactSet::refreshPairs(const Bodies& bodies, Crew& crew) {
         return;
     }
     findPairs(bodies, crew);
-    mergePairs(bodies);
+    if (!pairs_.empty() || !order_.empty()) {
+        mergePairs(bodies);
+    }
     bounds_.clearChanged();
 }
 
@@ -234,8 +243,6 @@ Contact ContactSet::makeContact(const Bodies& bodies, BoundsPair pair) const {
     const PartBounds::Part& b = bounds_.part(pair.second);
     Contact contact;
     contact.key = {a.body, a.part, b.body, b.part};
-    contact.proxyA = pair.first;
-    contact.proxyB = pair.second;
     describeContact(contact, bodies);
     return contact;
 }
@@ -268,16 +275,22 @@ void ContactSet::mergePairs(const Bodies& bodies) {
         }
     }
     addUpTo(nullptr);
+    if (added_.empty() && holes_.empty()) {
+        return;
+    }
     std::swap(order_, newOrder_);
     for (const std::uint32_t at : added_) {
         if (holes_.empty()) {
             order_[at].slot = static_cast<std::uint32_t>(contacts_.size());
             contacts_.emplace_back();
+            heads_.emplace_back();
         } else {
             order_[at].slot = holes_.back();
             holes_.pop_back();
         }
-        contacts_[order_[at].slot] = makeContact(bodies, order_[at].pair);
+        Contact& contact = contacts_[order_[at].slot];
+        contact = makeContact(bodies, order_[at].pair);
+        heads_[order_[at].slot] = headOf(contact, order_[at].pair);
     }
     fillHoles();
 }
@@ -290,30 +303,79 @@ void ContactSet::measureApproach(const Bodies& bodies) {
     }
 }
 
-void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances, Crew& crew) {
-    fastestApproach_ = 0;
-    crew.forEach(contacts_.size(), kContactsAPiece, [&](std::size_t first, std::size_t last) {
-        Real fastest = 0;
-        for (std::size_t i = first; i < last; ++i) {
-            prefetch<2>(contacts(), i + kContactsAhead);
-            Contact& contact = contacts_[i];
-            const auto near = [&] {
-                return overlap(bounds_.tight(contact.proxyA).grown(tolerances.margin),
-                               bounds_.tight(contact.proxyB));
-            };
-            if (contact.carried || near()) {
-                refreshContact(contact, bodies, tolerances);
-                fastest = std::max(fastest, contact.approachSpeed);
-            } else if (contact.near || contact.hidden || contact.manifold.count > 0) {
-                clearContact(contact);
+std::span<const std::uint32_t> ContactSet::live() {
+    if (std::exchange(liveStale_, false)) {
+        live_.clear();
+        for (std::uint32_t i = 0; i < heads_.size(); ++i) {
+            if (!heads_[i].idle) {
+                live_.push_back(i);
             }
         }
-        Crew::raise(fastestApproach_, fastest);
-    });
-    if (std::exchange(contactsChanged_, false)) {
-        seams_.link(bodies, contacts_);
     }
-    seams_.hide(bodies, contacts_, tolerances);
+    return live_;
+}
+
+void ContactSet::lookAtAll() {
+    for (ContactHead& head : heads_) {
+        head.idle = false;
+    }
+    liveStale_ = true;
+}
+
+void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances,
+                                 const std::function<void(Contact&)>& fetch, Crew& crew) {
+    fastestApproach_ = 0;
+    if (contacts_.empty() && !contactsChanged_) {
+        return;
+    }
+    live_.clear();
+    found_.gather(crew, contacts_.size(), kContactsAPiece, live_,
+                  [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
+                      Real fastest = 0;
+                      for (std::size_t i = first; i < last; ++i) {
+                          if (const std::size_t ahead = i + kContactsAhead;
+                              ahead < last && !heads_[ahead].idle) {
+                              prefetch<2>(contacts(), ahead);
+                          }
+                          if ((!heads_[i].idle || boundsMeet(i, tolerances)) &&
+                              updateManifold(bodies, tolerances, i, fetch)) {
+                              found.push_back(static_cast<std::uint32_t>(i));
+                              fastest = std::max(fastest, contacts_[i].approachSpeed);
+                          }
+                      }
+                      Crew::raise(fastestApproach_, fastest);
+                  });
+    liveStale_ = false;
+    if (std::exchange(contactsChanged_, false)) {
+        seams_.link(bodies, heads_);
+    }
+    seams_.hide(bodies, contacts_, heads_, tolerances);
+}
+
+/// Do the bounds of the parts of a contact meet, grown by the margin?
+bool ContactSet::boundsMeet(std::size_t i, const Tolerances& tolerances) const {
+    const BoundsPair& proxies = heads_[i].proxies;
+    return overlap(bounds_.tight(proxies.first).grown(tolerances.margin),
+                   bounds_.tight(proxies.second));
+}
+
+/// Of one contact. True if anything may come of it in this step.
+bool ContactSet::updateManifold(const Bodies& bodies, const Tolerances& tolerances, std::size_t i,
+                                const std::function<void(Contact&)>& fetch) {
+    Contact& contact = contacts_[i];
+    if (contact.carried || boundsMeet(i, tolerances)) {
+        if (!followContact(contact, bodies, tolerances)) {
+            fetch(contact);
+            findContact(contact, bodies, tolerances);
+        }
+        kodo::measureApproach(contact, bodies);
+    } else if (contact.near || contact.hidden || contact.manifold.count > 0) {
+        clearContact(contact);
+    }
+    // Its end is still to be told, or was and is to be forgotten.
+    const bool ends = contact.wasTouching || contact.phase;
+    heads_[i].idle = !(contact.near || ends || contact.sensor);
+    return !heads_[i].idle;
 }
 
 } // namespace kodo::inline KODO_PRECISION

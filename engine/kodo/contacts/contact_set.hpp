@@ -12,6 +12,7 @@
 #include <kodo/contacts/part_bounds.hpp>
 #include <kodo/contacts/seams.hpp>
 
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -41,8 +42,10 @@ public:
     void updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt, Crew& crew);
     /// Pairs of bodies, in order, that may not touch although their flags say so: jointed ones.
     void setApart(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
-    /// Finds where the pairs touch, now, and how fast they approach.
-    void updateManifolds(const Bodies& bodies, const Tolerances& tolerances, Crew& crew);
+    /// Finds where the pairs touch, now, and how fast they approach. fetch(contact) is called for
+    /// those whose impulses go on to new points, since they may be lent. Several threads call it.
+    void updateManifolds(const Bodies& bodies, const Tolerances& tolerances,
+                         const std::function<void(Contact&)>& fetch, Crew& crew);
     /// Measures the approach again, since bodies have got other speeds.
     void measureApproach(const Bodies& bodies);
     /// m/s, of those that updateManifolds looked at.
@@ -62,20 +65,26 @@ public:
     /// In an order of their own, which does not change while no pair comes or goes.
     std::span<Contact> contacts() { return contacts_; }
     std::span<const Contact> contacts() const { return contacts_; }
-    /// Sums up a step. fetch(contact) is called for each, to hand its impulses out. Lists the
-    /// bodies that touch, for which noteFirst(body) is true, each once and in any order. Several
-    /// threads call these.
-    template <typename Fetch, typename NoteFirst>
-    void finishStep(const Tolerances& tolerances, bool wantRecords, Crew& crew, Fetch fetch,
-                    NoteFirst noteFirst, std::vector<std::uint32_t>& touching) {
-        touching_.gather(
-            crew, contacts_.size(), kContactsAPiece, touching,
+    /// Of each contact, in the same order.
+    std::span<const ContactHead> heads() const { return heads_; }
+    /// Places of those that anything may come of in this step, in order; the others are far apart
+    /// and were before. To be asked for anew after the list of contacts may have changed.
+    std::span<const std::uint32_t> live();
+    /// Something may come of all of them in this step: who asks for more than live() brings them
+    /// into contact by itself.
+    void lookAtAll();
+    /// Sums up a step, in which touched(contact) tells who touched. Lists the bodies that did, for
+    /// which noteFirst(body) is true, each once and in any order. Several threads call these.
+    template <typename Touched, typename NoteFirst>
+    void sumUp(Crew& crew, Touched touched, NoteFirst noteFirst,
+               std::vector<std::uint32_t>& touching) {
+        found_.gather(
+            crew, live().size(), kContactsAPiece, touching,
             [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
                 for (std::size_t i = first; i < last; ++i) {
-                    prefetch<3>(contacts(), i + kContactsAhead);
-                    Contact& contact = contacts_[i];
-                    fetch(contact);
-                    finishContact(contact, tolerances);
+                    prefetch<1>(contacts(), live_, i + kContactsAhead);
+                    Contact& contact = contacts_[live_[i]];
+                    finishContact(contact, touched(contact));
                     if (!contact.touching) {
                         continue;
                     }
@@ -86,15 +95,33 @@ public:
                     }
                 }
             });
+    }
+    /// The last of a step: what is recorded from now on belongs to the next.
+    void finishStep(bool wantRecords) {
         records_.clear();
         endedInStep_.clear();
-        std::swap(ended_, endedInStep_);
-        ended_.reserve(endedInStep_.capacity()); // the two take turns
+        if (!ended_.empty()) {
+            std::swap(ended_, endedInStep_);
+            ended_.reserve(endedInStep_.capacity()); // the two take turns
+        }
         recordsDue_ = wantRecords;
     }
     /// Of the last step, in order. They are written when they are first asked for, or before a
-    /// contact goes, so that those who ask for none pay for none.
-    std::span<const CollisionRecord> records() const;
+    /// contact goes, so that those who ask for none pay for none. current(contact) is a contact
+    /// whose impulses are not lent.
+    template <typename Current>
+    std::span<const CollisionRecord> records(Current current) const {
+        if (std::exchange(recordsDue_, false)) {
+            records_.reserve(contacts_.capacity() + endedInStep_.size());
+            for (const Place& place : order_) {
+                if (contacts_[place.slot].phase) {
+                    recordContact(current(contacts_[place.slot]), records_);
+                }
+            }
+            addEnds(endedInStep_, records_);
+        }
+        return records_;
+    }
 
 private:
     friend class SnapshotFields;
@@ -115,6 +142,10 @@ private:
     void findPairs(const Bodies& bodies, Crew& crew);
     void mergePairs(const Bodies& bodies);
     Contact makeContact(const Bodies& bodies, BoundsPair pair) const;
+    void changed();
+    bool boundsMeet(std::size_t i, const Tolerances& tolerances) const;
+    bool updateManifold(const Bodies& bodies, const Tolerances& tolerances, std::size_t i,
+                        const std::function<void(Contact&)>& fetch);
     template <typename Gone>
     void eraseIf(Gone gone);
     void fillHoles();
@@ -128,7 +159,9 @@ private:
     std::vector<Place> newOrder_;      // spare, so that merging allocates nothing
     std::vector<std::uint32_t> holes_; // slots whose contact is gone, while merging
     std::vector<std::uint32_t> added_; // places in the order whose contact is new, while merging
-    Findings<std::uint32_t> touching_;
+    std::vector<ContactHead> heads_;
+    std::vector<std::uint32_t> live_;
+    Findings<std::uint32_t> found_;
     std::vector<std::uint32_t> slots_; // where the contacts of the last slots went
     std::vector<Contact> idle_;        // that takeIdle gave
     // Of contacts that ended because they lost a body or the nearness of their parts.
@@ -141,6 +174,7 @@ private:
     bool stale_ = true;
     bool pairsStale_ = true;
     bool contactsChanged_ = true; // in number, in place, or in what is locked
+    bool liveStale_ = true;
 };
 
 } // namespace kodo::inline KODO_PRECISION

@@ -13,6 +13,10 @@ namespace {
 /// by the same features.
 void replaceManifold(Contact& contact, const Manifold& manifold) {
     const Manifold& old = contact.manifold;
+    if (old.count == 0 && manifold.count == 0) {
+        contact.manifold = manifold;
+        return;
+    }
     std::array<PointImpulse, 2> impulse{};
     for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
         for (std::size_t k = 0; k < static_cast<std::size_t>(old.count); ++k) {
@@ -94,8 +98,18 @@ void spreadConcentric(Manifold& manifold, const Convex& a, const Convex& b, std:
     point.armB += shift;
 }
 
-/// Finds the manifold anew.
-void find(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) {
+/// What belongs to one step begins anew.
+void beginStep(Contact& contact) {
+    contact.touching = false;
+    contact.hidden = false;
+    if (contact.struck) {
+        forgetBlows(contact);
+    }
+}
+
+} // namespace
+
+void findContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) {
     const ContactKey& key = contact.key;
     // Which face carries a contact of parallel faces must not flicker with rounding.
     const Real preference = tolerances.slop / 8;
@@ -111,15 +125,6 @@ void find(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) 
     contact.jumpsB = bodies.jumps[key.bodyB];
 }
 
-/// What belongs to one step begins anew.
-void beginStep(Contact& contact) {
-    contact.touching = false;
-    contact.hidden = false;
-    forgetBlows(contact);
-}
-
-} // namespace
-
 void measureApproach(Contact& contact, const Bodies& bodies) {
     const Motion& a = bodies.motion[contact.key.bodyA];
     const Motion& b = bodies.motion[contact.key.bodyB];
@@ -133,6 +138,7 @@ void measureApproach(Contact& contact, const Bodies& bodies) {
 }
 
 void forgetBlows(Contact& contact) {
+    contact.struck = false;
     contact.total = 0;
     contact.approachSpeed = 0;
     for (PointImpulse& impulse : contact.impulse) {
@@ -152,16 +158,13 @@ void describeContact(Contact& contact, const Bodies& bodies) {
     contact.bounces = contact.material.restitution > 0;
 }
 
-void refreshContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) {
+bool followContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) {
     beginStep(contact);
     contact.near = true;
     contact.centerA = bodies.pose[contact.key.bodyA].position;
     const bool known = addDrift(bodies, contact);
     contact.carried = known && carry(bodies, contact, tolerances);
-    if (!contact.carried && !(known && staysApart(contact, tolerances))) {
-        find(contact, bodies, tolerances);
-    }
-    measureApproach(contact, bodies);
+    return contact.carried || (known && staysApart(contact, tolerances));
 }
 
 bool isSound(const Contact& contact) {
@@ -176,6 +179,7 @@ bool isSound(const Contact& contact) {
 
 void clearContact(Contact& contact) {
     beginStep(contact);
+    forgetBlows(contact);
     contact.near = false;
     contact.manifold.count = 0;
     contact.manifold.points[0].separation = 0; // how far apart is not known

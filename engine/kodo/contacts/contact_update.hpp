@@ -10,9 +10,13 @@ namespace kodo::inline KODO_PRECISION {
 /// Fills in what follows from its key and the definitions of its bodies.
 void describeContact(Contact& contact, const Bodies& bodies);
 
-/// Finds where two parts that are near each other touch, at the start of a step, and how fast they
-/// approach. Motion still holds the moves of the last step.
-void refreshContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances);
+/// Begins a step with the manifold of the last one, whose moves Motion still holds, of two parts
+/// that are near each other. False if it does not do any more and must be found anew.
+bool followContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances);
+
+/// Finds where they touch. The impulses of the contact must not be lent: they go on to the new
+/// points.
+void findContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances);
 
 /// How fast its bodies approach now (m/s), for the record and for the impacts.
 void measureApproach(Contact& contact, const Bodies& bodies);

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <utility>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -32,7 +30,6 @@ void PartBounds::number(const Bodies& bodies) {
     tight_.resize(parts_.size());
     grown_.resize(parts_.size());
     isChanged_.assign(parts_.size(), 0);
-    grew_.assign(parts_.size(), 0);
     changed_.clear();
 }
 
@@ -48,14 +45,14 @@ void PartBounds::renew(const Bodies& bodies, const Tolerances& tolerances) {
 
 void PartBounds::listAll() {
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-        list(i);
+        list(i, changed_);
     }
 }
 
-void PartBounds::list(std::size_t i) {
+void PartBounds::list(std::size_t i, std::vector<std::uint32_t>& changed) {
     if (isChanged_[i] == 0) {
         isChanged_[i] = 1;
-        changed_.push_back(static_cast<std::uint32_t>(i));
+        changed.push_back(static_cast<std::uint32_t>(i));
     }
 }
 
@@ -66,73 +63,58 @@ void PartBounds::clearChanged() {
     changed_.clear();
 }
 
-/// Gives new bounds to those parts of awake bodies for which outgrown(body, convex, i) tells some;
-/// several threads call it at once.
-template <typename Outgrown>
-void PartBounds::outgrow(const Bodies& bodies, Crew& crew, Outgrown outgrown) {
-    std::uint8_t any = 0;
-    crew.forEach(bodies.awake.size(), kBodiesAPiece, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k) {
-            const std::uint32_t body = bodies.awake[k];
-            std::size_t i = firstPart_[body];
-            for (const auto& part : bodies.form(body).parts) {
-                if (const std::optional<Aabb> bounds = outgrown(body, part.convex, i)) {
-                    grown_[i] = *bounds;
-                    grew_[i] = 1;
-                    Crew::mark(any);
-                }
-                ++i;
-            }
-        }
-    });
-    if (any == 0) {
-        return;
-    }
-    for (const std::uint32_t body : bodies.awake) {
-        for (std::size_t i = firstPart_[body]; i < parts_.size() && parts_[i].body == body; ++i) {
-            if (std::exchange(grew_[i], std::uint8_t{0}) != 0) {
-                list(i);
-            }
-        }
-    }
+/// Lists the parts of awake bodies for which outgrow(body, convex, i) is true, since it
+/// gave them new bounds; several threads call it at once.
+template <typename Outgrow>
+void PartBounds::listOutgrown(const Bodies& bodies, Crew& crew, Outgrow outgrow) {
+    outgrown_.gather(crew, bodies.awake.size(), kBodiesAPiece, changed_,
+                     [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& changed) {
+                         for (std::size_t k = first; k < last; ++k) {
+                             const std::uint32_t body = bodies.awake[k];
+                             std::size_t i = firstPart_[body];
+                             for (const auto& part : bodies.form(body).parts) {
+                                 if (outgrow(body, part.convex, i)) {
+                                     list(i, changed);
+                                 }
+                                 ++i;
+                             }
+                         }
+                     });
 }
 
 void PartBounds::foresee(const Bodies& bodies, const Tolerances& tolerances, Real dt, Crew& crew) {
-    outgrow(bodies, crew,
-            [&](std::uint32_t body, const Convex& convex, std::size_t i) -> std::optional<Aabb> {
-                const Motion& motion = bodies.motion[body];
-                const Extent& extent = bodies.extent[body];
-                const Vec2 ahead = dt * motion.velocity;
-                const Real swing = dt * std::abs(motion.angularVelocity) * extent.reach;
-                tight_[i] = boundsOf(convex, bodies.pose[body]);
-                const Aabb needed =
-                    unite(tight_[i], moved(tight_[i], ahead)).grown(tolerances.margin + swing);
-                if (grown_[i].contains(needed)) {
-                    return std::nullopt;
-                }
-                const Real slack = std::min(tolerances.grown, extent.inside / 4);
-                return unite(needed, moved(needed, ahead)).grown(slack);
-            });
+    listOutgrown(bodies, crew, [&](std::uint32_t body, const Convex& convex, std::size_t i) {
+        const Motion& motion = bodies.motion[body];
+        const Extent& extent = bodies.extent[body];
+        const Vec2 ahead = dt * motion.velocity;
+        const Real swing = dt * std::abs(motion.angularVelocity) * extent.reach;
+        tight_[i] = boundsOf(convex, bodies.pose[body]);
+        const Aabb needed =
+            unite(tight_[i], moved(tight_[i], ahead)).grown(tolerances.margin + swing);
+        if (grown_[i].contains(needed)) {
+            return false;
+        }
+        const Real slack = std::min(tolerances.grown, extent.inside / 4);
+        grown_[i] = unite(needed, moved(needed, ahead)).grown(slack);
+        return true;
+    });
 }
 
 void PartBounds::coverMoves(const Bodies& bodies, const Tolerances& tolerances, Crew& crew) {
-    outgrow(bodies, crew,
-            [&](std::uint32_t body, const Convex& convex, std::size_t i) -> std::optional<Aabb> {
-                const Motion& motion = bodies.motion[body];
-                if (!isSound(motion)) {
-                    return std::nullopt; // it is about to be stopped where it is
-                }
-                const Real way =
-                    length(motion.move) + std::abs(motion.turn) * bodies.extent[body].reach;
-                if (grown_[i].contains(tight_[i].grown(way))) {
-                    return std::nullopt;
-                }
-                const Aabb after = boundsAfter(convex, bodies.pose[body], motion);
-                if (grown_[i].contains(after)) {
-                    return std::nullopt;
-                }
-                return unite(tight_[i], after).grown(tolerances.margin);
-            });
+    listOutgrown(bodies, crew, [&](std::uint32_t body, const Convex& convex, std::size_t i) {
+        const Motion& motion = bodies.motion[body];
+        const Real swing = std::abs(motion.turn) * bodies.extent[body].reach;
+        if (grown_[i].contains(moved(tight_[i], motion.move).grown(swing)) ||
+            !isSound(motion, tolerances.unit())) {
+            return false; // as foreseen; or it is about to be stopped where it is
+        }
+        const Aabb after = boundsAfter(convex, bodies.pose[body], motion);
+        if (grown_[i].contains(after)) {
+            return false;
+        }
+        grown_[i] = unite(tight_[i], after).grown(tolerances.margin);
+        return true;
+    });
 }
 
 } // namespace kodo::inline KODO_PRECISION

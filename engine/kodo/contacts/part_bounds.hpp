@@ -45,9 +45,9 @@ private:
     friend class SnapshotFields;
     static constexpr std::size_t kBodiesAPiece = 128;
 
-    void list(std::size_t i);
-    template <typename Outgrown>
-    void outgrow(const Bodies& bodies, Crew& crew, Outgrown outgrown);
+    void list(std::size_t i, std::vector<std::uint32_t>& changed);
+    template <typename Outgrow>
+    void listOutgrown(const Bodies& bodies, Crew& crew, Outgrow outgrow);
 
     std::vector<Part> parts_;
     std::vector<std::uint32_t> firstPart_; // by body
@@ -55,7 +55,7 @@ private:
     std::vector<Aabb> grown_;
     std::vector<std::uint32_t> changed_;
     std::vector<std::uint8_t> isChanged_;
-    std::vector<std::uint8_t> grew_; // while bounds are looked at
+    Findings<std::uint32_t> outgrown_;
 };
 
 } // namespace kodo::inline KODO_PRECISION

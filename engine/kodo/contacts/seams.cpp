@@ -42,18 +42,17 @@ bool liesUnder(const Convex& outline, const Transform& pose, Vec2 normal, Vec2 p
 
 } // namespace
 
-void Seams::link(const Bodies& bodies, std::span<const Contact> contacts) {
+void Seams::link(const Bodies& bodies, std::span<const ContactHead> heads) {
     first_.assign(bodies.size(), kEnd);
-    next_.resize(contacts.size());
+    next_.resize(heads.size());
     onPieces_.clear();
-    for (std::size_t i = contacts.size(); i-- > 0;) {
-        prefetch<1>(contacts, i - kContactsAhead);
-        const ContactKey& key = contacts[i].key;
+    for (std::size_t i = heads.size(); i-- > 0;) {
+        const ContactHead& head = heads[i];
         next_[i] = kEnd;
-        if (contacts[i].sensor || bodies.locked(key.bodyA) == bodies.locked(key.bodyB)) {
+        if (head.sensor || bodies.locked(head.bodyA) == bodies.locked(head.bodyB)) {
             continue;
         }
-        const std::uint32_t body = bodies.locked(key.bodyA) ? key.bodyB : key.bodyA;
+        const std::uint32_t body = bodies.locked(head.bodyA) ? head.bodyB : head.bodyA;
         if (first_[body] != kEnd && next_[first_[body]] == kEnd) {
             onPieces_.push_back(body);
         }
@@ -62,7 +61,7 @@ void Seams::link(const Bodies& bodies, std::span<const Contact> contacts) {
     }
 }
 
-void Seams::hide(const Bodies& bodies, std::span<Contact> contacts,
+void Seams::hide(const Bodies& bodies, std::span<Contact> contacts, std::span<ContactHead> heads,
                  const Tolerances& tolerances) const {
     for (const std::uint32_t body : onPieces_) {
         for (std::uint32_t i = first_[body]; i != kEnd; i = next_[i]) {
@@ -82,6 +81,7 @@ void Seams::hide(const Bodies& bodies, std::span<Contact> contacts,
                     liesUnder(bodies.form(ground.body).parts[ground.part].convex,
                               bodies.pose[ground.body], carrying.normal, point, tolerances.slop)) {
                     other.hidden = true;
+                    heads[k].idle = false;
                 }
             }
         }

@@ -20,8 +20,8 @@ namespace kodo::inline KODO_PRECISION {
 class Seams {
 public:
     /// After contacts came, went or changed places, or something was locked or set free.
-    void link(const Bodies& bodies, std::span<const Contact> contacts);
-    void hide(const Bodies& bodies, std::span<Contact> contacts,
+    void link(const Bodies& bodies, std::span<const ContactHead> heads);
+    void hide(const Bodies& bodies, std::span<Contact> contacts, std::span<ContactHead> heads,
               const Tolerances& tolerances) const;
 
 private:

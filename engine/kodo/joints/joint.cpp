@@ -80,10 +80,10 @@ std::optional<Problem> checkKind(const Slider& slider, Real unit) {
     if (auto problem = checkUnit("axis", slider.axis.x, slider.axis.y)) {
         return problem;
     }
-    if (auto problem =
-            checkFields({{"reference", slider.reference, -kAngle, kAngle},
-                         {"motorSpeed", slider.motorSpeed, -kHighestSpeed, kHighestSpeed},
-                         {"motorForce", slider.motorForce, 0, kMost}})) {
+    if (auto problem = checkFields(
+            {{"reference", slider.reference, -kAngle, kAngle},
+             {"motorSpeed", slider.motorSpeed, -kHighestSpeed * unit, kHighestSpeed * unit},
+             {"motorForce", slider.motorForce, 0, kMost}})) {
         return problem;
     }
     return checkLimits(slider.limits, -kFarthest * unit, kFarthest * unit);

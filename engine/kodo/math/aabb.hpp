@@ -21,7 +21,8 @@ struct BasicAabb {
         return lower.x <= p.x && p.x <= upper.x && lower.y <= p.y && p.y <= upper.y;
     }
     constexpr bool contains(const BasicAabb& other) const {
-        return contains(other.lower) && contains(other.upper);
+        return lower.x <= other.lower.x && lower.y <= other.lower.y && other.upper.x <= upper.x &&
+               other.upper.y <= upper.y;
     }
     /// Grown by a margin on every side.
     constexpr BasicAabb grown(T margin) const {

@@ -3,6 +3,7 @@
 
 #include <kodo/math/transform.hpp>
 
+#include <algorithm>
 #include <optional>
 
 namespace kodo::inline KODO_PRECISION {
@@ -32,14 +33,28 @@ struct BasicAffine {
     /// By how much the map multiplies areas; negative when it mirrors.
     constexpr T determinant() const { return cross(x, y); }
 
-    /// Empty when the map is singular: it flattens the plane, and nothing can undo that.
-    constexpr std::optional<BasicAffine> inverse() const {
-        const T d = determinant();
-        if (!(d < 0 || d > 0)) {
+    /// Empty when the map is singular: it flattens the plane, and nothing can undo that; or when
+    /// the inverse has numbers that are not finite. How large the map's own are does not matter,
+    /// since each column is first divided by its larger entry.
+    std::optional<BasicAffine> inverse() const {
+        const T sizeX = largerOf(x);
+        const T sizeY = largerOf(y);
+        const BasicVec2<T> u = x / sizeX;
+        const BasicVec2<T> v = y / sizeY;
+        const T d = cross(u, v);
+        if (!(d < 0 || d > 0)) { // nor for NaN
             return std::nullopt;
         }
-        const BasicAffine linear{{y.y / d, -x.y / d}, {-y.x / d, x.x / d}, {}};
-        return BasicAffine{linear.x, linear.y, -(linear * origin)};
+        const BasicAffine linear{
+            {v.y / d / sizeX, -u.y / d / sizeY}, {-v.x / d / sizeX, u.x / d / sizeY}, {}};
+        const BasicAffine result{linear.x, linear.y, -(linear * origin)};
+        const bool finite = isFinite(result.x) && isFinite(result.y) && isFinite(result.origin);
+        return finite ? std::optional(result) : std::nullopt;
+    }
+
+private:
+    static constexpr T largerOf(BasicVec2<T> v) {
+        return std::max(v.x < 0 ? -v.x : v.x, v.y < 0 ? -v.y : v.y);
     }
 };
 

@@ -106,7 +106,7 @@ Convex convexOf(const Primitive& primitive, Vec2 origin) {
     return convex;
 }
 
-Aabb boundsOf(const Convex& convex, const Transform& t) {
+Aabb boundsOfAngular(const Convex& convex, const Transform& t) {
     const Vec2 first = t * convex.vertices[0];
     if (convex.isPlane()) {
         const Vec2 normal = t.rotation * convex.normals[0];

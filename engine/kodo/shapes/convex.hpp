@@ -47,7 +47,14 @@ Convex convexOf(const Primitive& primitive, Vec2 origin);
 
 /// Bounds of the outline placed at t. Those of a plane end on its surface where they can, and else
 /// at kEndless.
-Aabb boundsOf(const Convex& convex, const Transform& t);
+Aabb boundsOfAngular(const Convex& convex, const Transform& t); // of any that is not round
+inline Aabb boundsOf(const Convex& convex, const Transform& t) {
+    if (!convex.isRound()) {
+        return boundsOfAngular(convex, t);
+    }
+    const Vec2 center = t * convex.vertices[0];
+    return Aabb{center, center}.grown(convex.radius);
+}
 inline constexpr Real kEndless = sizeof(Real) == 4 ? Real(1e12) : Real(1e20); // m
 
 /// World point inside or on the outline placed at t? On a line only what lies exactly on it is.

@@ -46,8 +46,8 @@ void dropFlatCorners(std::vector<Vec2>& hull) {
 std::variant<Polygon, Problem> convexHull(std::span<const Vec2> points) {
     std::vector<Vec2> sorted(points.begin(), points.end());
     for (std::size_t i = 0; i < sorted.size(); ++i) {
-        if (!isFinite(sorted[i])) {
-            return Problem{"points[" + std::to_string(i) + "]", "must be finite"};
+        if (const auto problem = check(Primitive(Point{sorted[i]}))) {
+            return Problem{"points[" + std::to_string(i) + "]", problem->reason};
         }
     }
     std::sort(sorted.begin(), sorted.end(), // total order: equal ones are the same point

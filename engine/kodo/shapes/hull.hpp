@@ -9,7 +9,8 @@
 namespace kodo::inline KODO_PRECISION {
 
 /// The smallest convex polygon around points in any order, or why there is none: fewer than three
-/// distinct points, all on one line, one that is not finite, more than kMaxCorners corners.
+/// distinct points, all on one line, one that is not finite or beyond kLargest, more than
+/// kMaxCorners corners.
 ///
 /// Points inside, repeated points and points along a side are no corners. Nor is a corner so flat
 /// that check() would refuse it for lying on the line of its neighbours; the outline loses no more

@@ -158,12 +158,15 @@ std::optional<BasicRayHit<T>> rayCast(const BasicSegment<T>& segment, const Basi
     const BasicVec2<T> d = ray.way();
     const BasicVec2<T> gap = segment.from - ray.from;
     const T turn = cross(d, along); // > 0: comes from the left, the front
+    if (segment.oneSided && turn <= 0) {
+        return std::nullopt;
+    }
+    if (contains(segment, ray.from)) {
+        return BasicRayHit<T>{};
+    }
     if (turn == 0) {
-        if (segment.oneSided || cross(gap, along) != 0 || cross(gap, d) != 0) {
+        if (cross(gap, along) != 0 || cross(gap, d) != 0) {
             return std::nullopt;
-        }
-        if (contains(segment, ray.from)) {
-            return BasicRayHit<T>{};
         }
         // On one line: the ray meets the nearer end.
         const BasicVec2<T> end = dot(d, along) > 0 ? segment.from : segment.to;
@@ -171,8 +174,7 @@ std::optional<BasicRayHit<T>> rayCast(const BasicSegment<T>& segment, const Basi
     }
     const T fraction = cross(gap, along) / turn;
     const T place = cross(gap, d) / turn;
-    if (!(fraction >= 0 && fraction <= 1 && place >= 0 && place <= 1) ||
-        (segment.oneSided && turn < 0)) {
+    if (!(fraction >= 0 && fraction <= 1 && place >= 0 && place <= 1)) {
         return std::nullopt;
     }
     return BasicRayHit<T>{fraction, normalize(turn > 0 ? perp(along) : -perp(along))};

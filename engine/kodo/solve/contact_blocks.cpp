@@ -4,34 +4,24 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
-namespace {
 
-constexpr std::size_t kBlocksAPiece = 32;
-
-constexpr std::size_t blockOf(std::uint32_t row) {
-    return row / ContactBlock::kContacts;
-}
-constexpr std::size_t laneOf(std::uint32_t row) {
-    return row % ContactBlock::kContacts;
-}
-constexpr std::uint8_t maskOf(std::uint32_t row) {
-    return static_cast<std::uint8_t>(1u << laneOf(row));
-}
-
-} // namespace
-
-void ContactBlocks::refine(int parts) {
-    const auto now = static_cast<Real>(parts);
-    anew_ = std::exchange(parts_, now) != now || anew_;
+void ContactBlocks::refine(int parts, std::span<Contact> contacts) {
+    if (const auto now = static_cast<Real>(parts); now != parts_) {
+        reclaimAll(contacts);
+        parts_ = now;
+        anew_ = true;
+    }
 }
 
 void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, bool friction,
                           bool rolling, Crew& crew) {
     colours_.resize(bodies.size());
     if (order_.size() > singles_ + kBins + rows_ / 4) { // most lanes are empty
+        reclaimAll(contacts);
         forgetLanes();
     }
     singles_ = 0;
@@ -125,8 +115,10 @@ bool ContactBlocks::take(const Bodies& bodies, Contact& contact) {
         taken_[seat.row] = 1;
         block.points[0].separation[laneOf(seat.row)] = contact.manifold.points[0].separation;
         block.points[1].separation[laneOf(seat.row)] = contact.manifold.points[1].separation;
+        seat.lent = true;
         return true;
     }
+    reclaim(contact);
     if (!keepsColour(bodies, contact)) {
         return false;
     }
@@ -158,6 +150,11 @@ void ContactBlocks::freeLanes(const Bodies& bodies) {
                     static_cast<std::uint32_t>(std::countr_zero(rest)));
         }
     }
+}
+
+void ContactBlocks::releaseAll(const Bodies& bodies) {
+    std::fill(taken_.begin(), taken_.end(), std::uint8_t{0});
+    freeLanes(bodies);
 }
 
 /// The lanes of a block that are in use, but were not taken in this step.
@@ -278,15 +275,15 @@ void ContactBlocks::sit(Contact& contact, std::uint32_t bin) {
 /// Lists the blocks in use by bin.
 void ContactBlocks::orderBlocks() {
     std::array<std::uint32_t, kBins + 1> next{};
+    std::uint32_t lowest = kGroups; // two bins each
     for (const Shelf& shelf : shelves_) {
         next[shelf.bin + 1] += shelf.used != 0 ? 1 : 0;
+        lowest = std::min(lowest, shelf.bin / 2);
     }
-    for (std::size_t bin = 1; bin <= kBins; ++bin) {
-        next[bin] += next[bin - 1];
-    }
+    std::partial_sum(next.begin() + 2 * lowest, next.end(), next.begin() + 2 * lowest);
     order_.resize(next[kBins]);
     byColour_.clear();
-    for (std::uint32_t group = 0; group < kGroups; ++group) { // two bins each
+    for (std::uint32_t group = lowest; group < kGroups; ++group) {
         const std::uint32_t count = next[2 * group + 2] - next[2 * group];
         if (count > 0) {
             byColour_.push_back({count, isSingle(2 * group)});
@@ -320,6 +317,7 @@ void ContactBlocks::arrange(const Bodies& bodies, std::span<Contact> contacts,
     }
     setPushSpeeds(crowd, pushSpeed);
     anew_ = false;
+    lent_ = true;
 }
 
 void ContactBlocks::setPushSpeeds(std::span<const std::uint16_t> crowd, Real pushSpeed) {
@@ -339,14 +337,10 @@ void ContactBlocks::setPushSpeeds(std::span<const std::uint16_t> crowd, Real pus
     }
 }
 
-void ContactBlocks::fill(const Bodies& bodies, const Contact& contact) {
+void ContactBlocks::fill(const Bodies& bodies, Contact& contact) {
     const std::size_t lane = laneOf(contact.seat.row);
     ContactBlock& block = blocks_[blockOf(contact.seat.row)];
-    fillLane(block, lane, bodies, contact, pushSpeed_);
-    for (ContactBlock::Point& point : block.points) {
-        point.impulse[lane] /= parts_;
-    }
-    block.friction[lane] /= parts_;
+    fillLane(block, lane, bodies, contact, pushSpeed_, parts_);
     std::int32_t& place = use_[blockOf(contact.seat.row)].rolling;
     const bool rolls = rollingOn_ && contact.material.rollingResistance > 0;
     if (rolls && place < 0) {
@@ -354,10 +348,10 @@ void ContactBlocks::fill(const Bodies& bodies, const Contact& contact) {
         rolling_.emplace_back();
     }
     if (place >= 0) {
-        RollingBlock& own = rolling_[static_cast<std::size_t>(place)];
-        fillLane(own, lane, bodies, contact);
-        own.impulse[lane] /= parts_;
+        fillLane(rolling_[static_cast<std::size_t>(place)], lane, bodies, contact, parts_);
     }
+    contact.carried = true;
+    contact.seat.lent = true;
 }
 
 ContactPassArguments ContactBlocks::pass(Bodies& bodies, const PassSettings& settings) {
@@ -377,24 +371,6 @@ std::size_t ContactBlocks::listDeeper(Real separation, std::vector<std::uint32_t
         }
     }
     return rows;
-}
-
-void ContactBlocks::fetch(Contact& contact) const {
-    if (contact.seat.row == kNone) {
-        return;
-    }
-    const ContactBlock& block = blocks_[blockOf(contact.seat.row)];
-    const std::size_t lane = laneOf(contact.seat.row);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
-        contact.impulse[i].normal = parts_ * block.points[i].impulse[lane];
-        contact.impulse[i].largest = parts_ * block.points[i].largest[lane];
-    }
-    contact.carried = true;
-    contact.friction = parts_ * block.friction[lane];
-    contact.total = block.total[lane];
-    const std::int32_t rolling = use_[blockOf(contact.seat.row)].rolling;
-    contact.rolling =
-        rolling < 0 ? Real(0) : parts_ * rolling_[static_cast<std::size_t>(rolling)].impulse[lane];
 }
 
 } // namespace kodo::inline KODO_PRECISION

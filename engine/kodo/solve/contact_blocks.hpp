@@ -26,7 +26,7 @@ public:
 
     /// Substeps are divided into so many parts from now on, a power of two. The impulses that
     /// contacts keep are those of a whole one.
-    void refine(int parts);
+    void refine(int parts, std::span<Contact> contacts);
     /// Before the contacts of a step are taken, of which some may be gone. With friction, with
     /// rolling resistance?
     void begin(const Bodies& bodies, std::span<Contact> contacts, bool friction, bool rolling,
@@ -41,6 +41,9 @@ public:
                  std::span<const std::uint32_t> newcomers, std::span<const std::uint16_t> crowd,
                  Real pushSpeed);
 
+    /// Instead of all that, for a step in which no contact responds.
+    void releaseAll(const Bodies& bodies);
+
     ContactPassArguments pass(Bodies& bodies, const PassSettings& settings);
     /// Blocks that may be solved at once, since no two contacts of them push the same body: so
     /// many, in the order of the pass. Colours come one after the other.
@@ -54,8 +57,17 @@ public:
     /// pass. How many such contacts there are.
     std::size_t listDeeper(Real separation, std::vector<std::uint32_t>& list) const;
 
-    /// Hands the impulses of the step to a contact, if it was taken.
+    /// After the passes, for touches(): a point that is not farther apart than `slop` (m) touches.
+    void noteTouching(Real slop, Crew& crew);
+    /// Did a contact that has a lane touch in the last step?
+    bool touches(const Contact& contact) const { return touching_[contact.seat.row] != 0; }
+
+    /// Hands the impulses that the next step starts from to a contact, if they are lent.
+    void reclaim(Contact& contact) const;
+    /// And what the last step pushed, for its record.
     void fetch(Contact& contact) const;
+    /// Fetches all, unless that was done since the last step.
+    void fetchAll(std::span<Contact> contacts);
 
 private:
     static constexpr std::uint32_t kFreeColours = 48;
@@ -64,6 +76,7 @@ private:
     static constexpr std::uint32_t kGroups = kColours + 2;
     static constexpr std::uint32_t kBins = 2 * kGroups; // with one point, with two
     static constexpr std::uint32_t kNone = ContactSeat::kNone;
+    static constexpr std::size_t kBlocksAPiece = 32;
 
     /// Where a block belongs, and what its lanes hold.
     struct Shelf {
@@ -74,6 +87,14 @@ private:
         std::uint8_t fixedB = 0;
     };
 
+    /// Rows are numbered through all blocks.
+    static constexpr std::size_t blockOf(std::uint32_t row) {
+        return row / ContactBlock::kContacts;
+    }
+    static constexpr std::size_t laneOf(std::uint32_t row) { return row % ContactBlock::kContacts; }
+    static constexpr std::uint8_t maskOf(std::uint32_t row) {
+        return static_cast<std::uint8_t>(1u << laneOf(row));
+    }
     /// What found no colour: its blocks hold one contact each.
     static bool isSingle(std::uint32_t bin) {
         return bin / 2 == kFreeColours || bin / 2 == kGroups - 1;
@@ -86,6 +107,7 @@ private:
     bool needsRolling(const Contact& contact) const;
     std::uint8_t goneFrom(std::uint32_t block) const;
     void seatAll(std::span<Contact> contacts);
+    void reclaimAll(std::span<Contact> contacts);
     void forgetLanes();
     void freeLanes(const Bodies& bodies);
     void colourNewcomer(const Bodies& bodies, Contact& contact);
@@ -95,7 +117,7 @@ private:
     void empty(std::uint32_t row);
     void orderBlocks();
     void setPushSpeeds(std::span<const std::uint16_t> crowd, Real pushSpeed);
-    void fill(const Bodies& bodies, const Contact& contact);
+    void fill(const Bodies& bodies, Contact& contact);
 
     std::vector<std::uint64_t> colours_; // by body: those that it has
     std::vector<ContactBlock> blocks_;
@@ -104,7 +126,8 @@ private:
     std::vector<std::uint32_t> order_; // of the blocks, by bin
     std::vector<RollingBlock> rolling_;
     std::vector<Colour> byColour_;
-    std::vector<std::uint8_t> taken_; // by row: in this step
+    std::vector<std::uint8_t> taken_;    // by row: in this step
+    std::vector<std::uint8_t> touching_; // by row: in the last step
     std::array<std::uint32_t, kBins> open_{};
     std::size_t rows_ = 0;    // lanes in use
     std::size_t singles_ = 0; // of those, without a colour
@@ -112,6 +135,7 @@ private:
     Real pushSpeed_ = 0;
     Real parts_ = 1;      // of a substep
     bool shared_ = false; // some lanes have less than pushSpeed_
+    bool lent_ = false;   // the impulses of some contacts
     bool frictionOn_ = true;
     bool rollingOn_ = false;
     bool anew_ = true;    // what the lanes hold is of no use in this step

@@ -31,7 +31,7 @@ void writePoint(ContactBlock::Point& point, std::size_t lane, const PointValues&
 } // namespace
 
 void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const Contact& contact,
-              Real pushSpeed) {
+              Real pushSpeed, Real parts) {
     const Motion& a = bodies.motion[contact.key.bodyA];
     const Motion& b = bodies.motion[contact.key.bodyB];
     const Manifold& manifold = contact.manifold;
@@ -48,7 +48,7 @@ void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const
         const Real leverB = leverOf(p.armB, n);
         writePoint(block.points[i], lane,
                    {leverA, leverB, effectiveMass(a, b, leverA, leverB), p.separation,
-                    contact.impulse[i].normal});
+                    contact.impulse[i].normal / parts});
     };
     setPoint(0);
     Vec2 meanA = manifold.points[0].armA;
@@ -64,20 +64,36 @@ void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const
     block.tangentLeverB[lane] = cross(meanB, perp(n));
     block.tangentMass[lane] =
         effectiveMass(a, b, block.tangentLeverA[lane], block.tangentLeverB[lane]);
-    block.friction[lane] = contact.friction;
+    block.friction[lane] = contact.friction / parts;
     block.staticFriction[lane] = contact.material.staticFriction;
     block.kineticFriction[lane] = contact.material.kineticFriction;
     block.pushSpeed[lane] = pushSpeed;
     block.total[lane] = 0;
 }
 
-void fillLane(RollingBlock& block, std::size_t lane, const Bodies& bodies, const Contact& contact) {
+void fillLane(RollingBlock& block, std::size_t lane, const Bodies& bodies, const Contact& contact,
+              Real parts) {
     const Motion& a = bodies.motion[contact.key.bodyA];
     const Motion& b = bodies.motion[contact.key.bodyB];
     const bool rolls = contact.material.rollingResistance > 0 && a.invInertia + b.invInertia > 0;
     block.lever[lane] = rollingLever(contact, a, b);
     block.mass[lane] = rolls ? 1 / (a.invInertia + b.invInertia) : Real(0);
-    block.impulse[lane] = rolls ? contact.rolling : Real(0);
+    block.impulse[lane] = rolls ? contact.rolling / parts : Real(0);
+}
+
+void readImpulses(const ContactBlock& block, std::size_t lane, Contact& contact, Real parts) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        contact.impulse[i].normal = parts * block.points[i].impulse[lane];
+    }
+    contact.friction = parts * block.friction[lane];
+}
+
+void readBlows(const ContactBlock& block, std::size_t lane, Contact& contact, Real parts) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        contact.impulse[i].largest = parts * block.points[i].largest[lane];
+    }
+    contact.total = block.total[lane];
+    contact.struck = true;
 }
 
 void clearLane(ContactBlock& block, std::size_t lane) {

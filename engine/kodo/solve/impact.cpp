@@ -49,6 +49,7 @@ struct Impact {
         b.angularVelocity +=
             b.invInertia * (leverOf(armB, normal()) * jn + leverOf(armB, tangent()) * jt);
         contact.impulse[i].impact += jn;
+        contact.struck = true;
     }
 };
 
@@ -117,6 +118,13 @@ void rub(const Impact& hit, std::size_t i, Real jn) {
     hit.push(i, 0, sticks ? stick : std::clamp(stick, -limit, limit));
 }
 
+void rubBoth(const Impact& hit, Real j1, Real j2) {
+    if (!hit.frictionless && hit.contact.material.staticFriction > 0) {
+        rub(hit, 0, j1);
+        rub(hit, 1, j2);
+    }
+}
+
 /// Both points at once, so that a box that lands flat rises flat. False when one of them would have
 /// to pull; then they must be hit singly.
 bool hitBoth(const Impact& hit) {
@@ -134,8 +142,10 @@ bool hitBoth(const Impact& hit) {
             return false;
         }
         // It cannot turn: both points are as one.
-        hit.push(0, w1 / (2 * k11), 0);
-        hit.push(1, w1 / (2 * k11), 0);
+        const Real half = w1 / (2 * k11);
+        hit.push(0, half, 0);
+        hit.push(1, half, 0);
+        rubBoth(hit, half, half);
         return true;
     }
     if (k12 < 0 && determinant * kHardest < k11 * k22) {
@@ -148,10 +158,7 @@ bool hitBoth(const Impact& hit) {
     }
     hit.push(0, j1, 0);
     hit.push(1, j2, 0);
-    if (!hit.frictionless && hit.contact.material.staticFriction > 0) {
-        rub(hit, 0, j1);
-        rub(hit, 1, j2);
-    }
+    rubBoth(hit, j1, j2);
     return true;
 }
 
@@ -224,18 +231,20 @@ bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,
     return hitContact(hit, tolerances, restSpeedOf(bodies, contact, dt));
 }
 
-void ImpactStage::solve(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
+void ImpactStage::solve(Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,
                         const Tolerances& tolerances, Real dt) {
     if (!settings.has(Feature::Restitution)) {
         return;
     }
+    const std::span<Contact> contacts = contactSet.contacts();
+    const std::span<const std::uint32_t> live = contactSet.live();
     wasHit_.assign(bodies.size(), 0);
     bool any = true;
     for (int pass = 0; pass < settings.impactPasses && any; ++pass) {
         any = false;
-        for (std::size_t i = 0; i < contacts.size(); ++i) {
-            prefetch<1>(contacts, i + kContactsAhead);
-            Contact& contact = contacts[i];
+        for (std::size_t i = 0; i < live.size(); ++i) {
+            prefetch<1>(contacts, live, i + kContactsAhead);
+            Contact& contact = contacts[live[i]];
             if (pass > 0 && !contact.bounces) {
                 continue; // the contact half goes on from here
             }

@@ -3,10 +3,9 @@
 
 #include <kodo/bodies/bodies.hpp>
 #include <kodo/bodies/tolerances.hpp>
-#include <kodo/contacts/contact.hpp>
+#include <kodo/contacts/contact_set.hpp>
 #include <kodo/solve/settings.hpp>
 
-#include <span>
 #include <vector>
 
 namespace kodo::inline KODO_PRECISION {
@@ -25,7 +24,7 @@ namespace kodo::inline KODO_PRECISION {
 /// forces alone cause within one step is left to the contact half, since it is rest.
 class ImpactStage {
 public:
-    void solve(Bodies& bodies, std::span<Contact> contacts, const StepSettings& settings,
+    void solve(Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,
                const Tolerances& tolerances, Real dt);
 
 private:

@@ -271,6 +271,7 @@ void Propagation::store(std::span<Contact> contacts) {
     for (Contact& contact : contacts) {
         contact.carried = false;
         contact.seat = {}; // the lanes of the other solver know nothing of this
+        contact.struck = true;
         contact.friction = 0;
         contact.rolling = 0;
         for (PointImpulse& impulse : contact.impulse) {

@@ -25,7 +25,7 @@ constexpr int kMostRefined = 8;
 ///
 /// of what cannot be pushed by a quarter of that. Stiffer ones need shorter substeps. Impulses are
 /// kept as of a whole substep; a power of two changes no digit of them.
-int SoftStep::refinement(const Bodies& bodies, std::span<const Contact> contacts, Real hertz,
+int SoftStep::refinement(const Bodies& bodies, ContactSet& contactSet, Real hertz,
                          const Tolerances& tolerances) {
     Real lightest = 0; // as 1/kg
     Real heaviest = std::numeric_limits<Real>::max();
@@ -43,7 +43,8 @@ int SoftStep::refinement(const Bodies& bodies, std::span<const Contact> contacts
         return 1;
     }
     Real load = 0; // m/s^2
-    for (const Contact& contact : contacts) {
+    for (const std::uint32_t place : contactSet.live()) {
+        const Contact& contact = contactSet.contacts()[place];
         if (!contact.responds() || contact.manifold.points[0].separation > tolerances.slop) {
             continue;
         }

@@ -111,9 +111,6 @@ void RestStage::disturb(Bodies& bodies, ContactSet& contacts, const JointSet& jo
 }
 
 void RestStage::wakeTouched(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances) {
-    if (!anyResting()) {
-        return;
-    }
     std::size_t i = 0;
     while (i < contacts.contacts().size()) {
         const Contact& contact = contacts.contacts()[i++];
@@ -131,9 +128,6 @@ void RestStage::wakeTouched(Bodies& bodies, ContactSet& contacts, const Toleranc
 }
 
 void RestStage::wakeJointed(Bodies& bodies, ContactSet& contacts, const JointSet& joints) {
-    if (!anyResting()) {
-        return;
-    }
     joints.forEach([&](const JointSet::Joint& joint) {
         const std::uint32_t a = firstBody(joint.def).index;
         const std::uint32_t b = secondBody(joint.def).index;
@@ -147,7 +141,7 @@ void RestStage::wakeJointed(Bodies& bodies, ContactSet& contacts, const JointSet
 
 bool RestStage::wakeRunOver(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances) {
     const auto drives = [&](std::uint32_t body) { return bodies.drives(body); };
-    if (!anyResting() || std::none_of(bodies.awake.begin(), bodies.awake.end(), drives)) {
+    if (std::none_of(bodies.awake.begin(), bodies.awake.end(), drives)) {
         return false;
     }
     members_.clear();
@@ -301,10 +295,10 @@ void RestStage::putToRest(Bodies& bodies, std::span<const std::uint32_t> members
     islands_[island].bodies.assign(members.begin(), members.end());
 }
 
-void RestStage::settle(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
-                       const StepSettings& settings, const Tolerances& tolerances, Real dt) {
-    if (!settings.has(Feature::Resting) || !countCalm(bodies, settings, tolerances, dt)) {
-        return;
+bool RestStage::findRest(Bodies& bodies, const ContactSet& contacts, const JointSet& joints,
+                         const StepSettings& settings, const Tolerances& tolerances, Real dt) {
+    if (!countCalm(bodies, settings, tolerances, dt)) {
+        return false;
     }
     countSupports(bodies, contacts, joints);
     restartTipping(bodies, dt);
@@ -317,9 +311,10 @@ void RestStage::settle(Bodies& bodies, ContactSet& contacts, const JointSet& joi
             resting_.emplace_back(root, body);
         }
     }
-    if (resting_.empty()) {
-        return;
-    }
+    return !resting_.empty();
+}
+
+void RestStage::settle(Bodies& bodies, ContactSet& contacts) {
     std::sort(resting_.begin(), resting_.end()); // total order: bodies are unique
     members_.clear();
     for (std::size_t i = 0; i < resting_.size(); ++i) {

@@ -34,9 +34,11 @@ public:
     /// that the sweep can push them along. To be called when the motions are known. True if any
     /// did.
     bool wakeRunOver(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances);
-    /// Counts calm steps and puts islands to rest.
-    void settle(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
-                const StepSettings& settings, const Tolerances& tolerances, Real dt);
+    /// Counts calm steps. True if some islands have been calm for long enough to settle().
+    bool findRest(Bodies& bodies, const ContactSet& contacts, const JointSet& joints,
+                  const StepSettings& settings, const Tolerances& tolerances, Real dt);
+    /// Puts them to rest, with their contacts, whose impulses must not be lent.
+    void settle(Bodies& bodies, ContactSet& contacts);
 
     /// Wakes the island of one body, if it rests.
     void wake(Bodies& bodies, ContactSet& contacts, std::uint32_t body);

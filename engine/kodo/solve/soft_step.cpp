@@ -70,8 +70,10 @@ void SoftStep::clearMarks(const Bodies& bodies, const JointSet& joints) {
 /// Besides the blocks: which bodies are held by something, and which are crowded. A body in the
 /// middle of a heap is pushed by all of it, and those behind push on; together they must not exceed
 /// the speed that one of them may push with, or the heap would burst.
-void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const JointSet& joints,
+void SoftStep::collect(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
                        const Step& step) {
+    const std::span<Contact> contacts = contactSet.contacts();
+    const std::span<const std::uint32_t> live = contactSet.live();
     const StepSettings& settings = step.settings;
     const Tolerances& tolerances = step.tolerances;
     Crew& crew = step.crew;
@@ -82,14 +84,15 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
     int deep = 0;
     int rows = 0;
     newcomers_.clear();
-    found_.gather(crew, contacts.size(), kNewcomersAPiece, newcomers_,
+    found_.gather(crew, live.size(), kNewcomersAPiece, newcomers_,
                   [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& newcomers) {
                       int ownDeep = 0;
                       int ownRows = 0;
                       for (std::size_t i = first; i < last; ++i) {
-                          prefetch<2>(contacts, i + kContactsAhead);
-                          Contact& contact = contacts[i];
+                          prefetch<2>(contacts, live, i + kContactsAhead);
+                          Contact& contact = contacts[live[i]];
                           if (!needsRow(bodies, contact, settings, tolerances)) {
+                              blocks_.reclaim(contact);
                               contact.seat = {};
                               contact.carried = false;
                               continue;
@@ -98,7 +101,7 @@ void SoftStep::collect(const Bodies& bodies, std::span<Contact> contacts, const 
                               contact.friction = 0; // kept from when there was some
                           }
                           if (!blocks_.take(bodies, contact)) {
-                              newcomers.push_back(static_cast<std::uint32_t>(i));
+                              newcomers.push_back(live[i]);
                           }
                           const Real separation = contact.manifold.points[0].separation;
                           std::vector<std::uint8_t>& marks =
@@ -209,26 +212,18 @@ void SoftStep::forBound(Crew& crew, const Work& work) {
 }
 
 /// Whether no contact needs a row; none has one then.
-bool SoftStep::noneNeedsRow(const Bodies& bodies, std::span<Contact> contacts,
+bool SoftStep::noneNeedsRow(const Bodies& bodies, ContactSet& contactSet,
                             const StepSettings& settings, const Tolerances& tolerances) {
-    for (Contact& contact : contacts) {
+    for (const std::uint32_t place : contactSet.live()) {
+        Contact& contact = contactSet.contacts()[place];
         if (needsRow(bodies, contact, settings, tolerances)) {
             return false;
         }
+        blocks_.reclaim(contact);
         contact.seat = {};
         contact.carried = false;
     }
     return true;
-}
-
-/// What moveFree does when nothing can push any body.
-void SoftStep::moveAllFree(Bodies& bodies, Real dt) {
-    holds_.resize(bodies.size());
-    for (const std::uint32_t body : bodies.awake) {
-        holds_[body] = Hold::Free;
-    }
-    integrateVelocities(bodies, bodies.awake, dt);
-    integrateMoves(bodies, bodies.awake, holds_, dt);
 }
 
 /// Bodies that nothing can push go all their way at once, so that their flight does not depend on
@@ -241,8 +236,7 @@ void SoftStep::moveFree(Bodies& bodies, Real dt) {
         holds_[body] = touched_[body] != 0 ? Hold::Touched : near;
         (holds_[body] == Hold::Free ? free_ : bound_).push_back(body);
     }
-    integrateVelocities(bodies, free_, dt);
-    integrateMoves(bodies, free_, holds_, dt);
+    moveFreely(bodies, free_, dt);
 }
 
 /// Forces begin to act.
@@ -282,23 +276,30 @@ void SoftStep::nextSubstep(Bodies& bodies, Real h, Crew& crew) {
     });
 }
 
-void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints,
-                     const Step& step) {
-    const auto& [settings, tolerances, dt, crew] = step;
-    visits_ = 0;
-    if (blocks_.size() == 0 && joints.size() == 0 &&
-        noneNeedsRow(bodies, contacts, settings, tolerances)) {
-        moveAllFree(bodies, dt);
-        return;
+void SoftStep::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step) {
+    if (joints.size() == 0 && noneNeedsRow(bodies, contactSet, step.settings, step.tolerances)) {
+        if (blocks_.size() > 0) {
+            blocks_.releaseAll(bodies);
+        }
+        moveFreely(bodies, bodies.awake, step.dt);
+        visits_ = 0;
+    } else {
+        solveHeld(bodies, contactSet, joints, step);
     }
+}
+
+/// What solve() does where something may hold some bodies.
+void SoftStep::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joints,
+                         const Step& step) {
+    const auto& [settings, tolerances, dt, crew] = step;
     const Real whole = dt / static_cast<Real>(settings.substeps);
     const auto hertzOf = [](Real hertz, Real h) { return std::min(hertz, Real(0.25) / h); };
     const int parts =
-        refinement(bodies, contacts, hertzOf(settings.contactHertz, whole), tolerances);
+        refinement(bodies, contactSet, hertzOf(settings.contactHertz, whole), tolerances);
     const Real h = whole / static_cast<Real>(parts);
-    blocks_.refine(parts);
-    collect(bodies, contacts, joints, step);
-    blocks_.arrange(bodies, contacts, newcomers_,
+    blocks_.refine(parts, contactSet.contacts());
+    collect(bodies, contactSet, joints, step);
+    blocks_.arrange(bodies, contactSet.contacts(), newcomers_,
                     crowded_ != 0 ? std::span<const std::uint16_t>(crowd_)
                                   : std::span<const std::uint16_t>(),
                     settings.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit);
@@ -321,6 +322,7 @@ void SoftStep::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& join
         runSubstep(bodies, joints, pass, jointPass, substep == 0, crew);
     }
     joints.scaleImpulses(static_cast<Real>(parts));
+    blocks_.noteTouching(tolerances.slop, crew);
     visits_ = blocks_.size() * static_cast<std::size_t>(substeps * 2) +
               settled * static_cast<std::size_t>(substeps * settling_);
 }

@@ -5,7 +5,7 @@
 #include <kodo/bodies/bodies.hpp>
 #include <kodo/bodies/integrate.hpp>
 #include <kodo/bodies/tolerances.hpp>
-#include <kodo/contacts/contact.hpp>
+#include <kodo/contacts/contact_set.hpp>
 #include <kodo/joints/joint_set.hpp>
 #include <kodo/solve/contact_blocks.hpp>
 #include <kodo/solve/settings.hpp>
@@ -38,11 +38,12 @@ public:
         Crew& crew;
     };
 
-    void solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints, const Step& step);
+    void solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step);
     /// How often the last step looked at a contact.
     std::size_t visits() const { return visits_; }
-    /// Hands the impulses of the last step to a contact, if the solver had it.
-    void fetch(Contact& contact) const { blocks_.fetch(contact); }
+    /// Where the impulses of contacts are between two steps.
+    const ContactBlocks& blocks() const { return blocks_; }
+    ContactBlocks& blocks() { return blocks_; }
 
 private:
     struct Velocity {
@@ -50,12 +51,12 @@ private:
         Real angular = 0;
     };
 
-    void collect(const Bodies& bodies, std::span<Contact> contacts, const JointSet& joints,
+    void collect(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
                  const Step& step);
     void clearMarks(const Bodies& bodies, const JointSet& joints);
     void noteCrowd(const Bodies& bodies, const Contact& contact, std::uint16_t& most,
                    const Crew& crew);
-    static int refinement(const Bodies& bodies, std::span<const Contact> contacts, Real hertz,
+    static int refinement(const Bodies& bodies, ContactSet& contactSet, Real hertz,
                           const Tolerances& tolerances);
     static Velocity velocityOf(const Motion& motion) {
         return {motion.velocity, motion.angularVelocity};
@@ -67,9 +68,9 @@ private:
     void settle(const ContactPassArguments& pass, Crew& crew);
     template <typename Work>
     void forBound(Crew& crew, const Work& work);
-    static bool noneNeedsRow(const Bodies& bodies, std::span<Contact> contacts,
-                             const StepSettings& settings, const Tolerances& tolerances);
-    void moveAllFree(Bodies& bodies, Real dt);
+    void solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step);
+    bool noneNeedsRow(const Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,
+                      const Tolerances& tolerances);
     void moveFree(Bodies& bodies, Real dt);
     void beginSubsteps(Bodies& bodies, Real h, Crew& crew);
     void nextSubstep(Bodies& bodies, Real h, Crew& crew);

@@ -2,6 +2,7 @@
 #include <kodo/base/prefetch.hpp>
 #include <kodo/collide/collide.hpp>
 #include <kodo/collide/time_of_impact.hpp>
+#include <kodo/solve/relative_motion.hpp>
 #include <kodo/solve/sweep.hpp>
 
 #include <algorithm>
@@ -22,44 +23,6 @@ constexpr Real kTaken = -1; // instead of its time: the impact has happened
 /// the origin in float, and up to 3e8 m in double; beyond, what is stopped may overlap by a
 /// rounding.
 constexpr Real kStopShort = sizeof(Real) == 4 ? Real(1) / 1024 : Real(1) / 65536;
-
-/// How far a body goes at most as seen from a locked one, which nothing stops: what lies still on a
-/// turning floor goes nowhere.
-Real motionSeenFrom(const Bodies& bodies, std::uint32_t locked, std::uint32_t other, Real reach) {
-    const Motion& floor = bodies.motion[locked];
-    const Motion& motion = bodies.motion[other];
-    const Vec2 arm = bodies.pose[other].position - bodies.pose[locked].position;
-    const Vec2 carried = floor.move + cross(floor.turn, arm);
-    const Real bend = floor.turn * floor.turn / 2 * length(arm); // what a chord leaves of an arc
-    return length(motion.move - carried) + bend + std::abs(motion.turn - floor.turn) * reach;
-}
-
-/// One of two that may meet.
-struct Mover {
-    std::uint32_t body;
-    Real reach;      // m, of its outline
-    Real stopAt = 1; // share of the step
-};
-
-/// How far two outlines go at most towards each other within the step. What moves along with the
-/// other goes hardly anywhere.
-Real relativeMotion(const Bodies& bodies, const Mover& moverA, const Mover& moverB) {
-    const auto& [bodyA, reachA, stopA] = moverA;
-    const auto& [bodyB, reachB, stopB] = moverB;
-    const Motion& a = bodies.motion[bodyA];
-    const Motion& b = bodies.motion[bodyB];
-    if (a.locked()) {
-        return motionSeenFrom(bodies, bodyA, bodyB, reachB);
-    }
-    if (b.locked()) {
-        return motionSeenFrom(bodies, bodyB, bodyA, reachA);
-    }
-    const Real alone = stopA == stopB  ? 0
-                       : stopA > stopB ? (stopA - stopB) * length(a.move)
-                                       : (stopB - stopA) * length(b.move);
-    return std::min(stopA, stopB) * length(b.move - a.move) + alone +
-           stopA * std::abs(a.turn) * reachA + stopB * std::abs(b.turn) * reachB;
-}
 
 Real gapOf(const Contact& contact, const Tolerances& tolerances) {
     return contact.manifold.count > 0 ? contact.manifold.points[0].separation : tolerances.margin;
@@ -138,14 +101,20 @@ void stop(Bodies& bodies, std::uint32_t body, Real share, Vec2 push, Real dt) {
 
 } // namespace
 
-/// For each body, more than any point of it moves.
-void SweepStage::measureWays(const Bodies& bodies, Crew& crew) {
+/// For each body, more than any point of it moves. Two that are not swift need no sweep: they do
+/// not close a gap that is wider than the slop, and a narrower one they close by less than half of
+/// their inner radii.
+void SweepStage::measureWays(const Bodies& bodies, const Tolerances& tolerances, Crew& crew) {
     ways_.resize(bodies.size(), 0); // of the others it is 0 from step to step
+    swift_.resize(bodies.size(), 0);
     crew.forEach(bodies.awake.size(), kWaysAPiece, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             const std::uint32_t body = bodies.awake[k];
             const Motion& motion = bodies.motion[body];
-            ways_[body] = length(motion.move) + std::abs(motion.turn) * bodies.extent[body].reach;
+            const Extent& extent = bodies.extent[body];
+            const Real way = length(motion.move) + std::abs(motion.turn) * extent.reach;
+            ways_[body] = way;
+            swift_[body] = way > 0 && !(way <= tolerances.slop / 2 && way < extent.inside / 4);
         }
     });
 }
@@ -156,10 +125,11 @@ void SweepStage::run(Bodies& bodies, ContactSet& contactSet, const StepSettings&
     if (contacts.empty()) {
         return;
     }
-    measureWays(bodies, crew);
+    measureWays(bodies, tolerances, crew);
     const bool sensors = findCandidates(bodies, contactSet, tolerances, crew);
     for (const std::uint32_t body : bodies.awake) {
         ways_[body] = 0;
+        swift_[body] = 0;
     }
     if (candidates_.empty() && !sensors) {
         return;
@@ -194,40 +164,51 @@ void SweepStage::run(Bodies& bodies, ContactSet& contactSet, const StepSettings&
 bool SweepStage::findCandidates(const Bodies& bodies, const ContactSet& contactSet,
                                 const Tolerances& tolerances, Crew& crew) {
     const std::span<const Contact> contacts = contactSet.contacts();
+    const std::span<const ContactHead> heads = contactSet.heads();
     candidates_.clear();
     std::uint8_t sensors = 0;
-    found_.gather(crew, contacts.size(), kCrossingsAPiece, candidates_,
+    const auto isSwift = [&](const ContactHead& head) {
+        return (swift_[head.bodyA] | swift_[head.bodyB]) != 0;
+    };
+    found_.gather(crew, heads.size(), kCrossingsAPiece, candidates_,
                   [&](std::size_t first, std::size_t last, std::vector<Candidate>& found) {
-                      const Real* const ways = ways_.data();
                       for (std::size_t i = first; i < last; ++i) {
-                          prefetch<1>(contacts, i + kContactsAhead);
-                          const Contact& contact = contacts[i];
-                          if (contact.sensor) {
-                              Crew::mark(sensors);
-                              continue;
+                          const std::size_t ahead = std::min(i + kContactsAhead, last - 1);
+                          if (isSwift(heads[ahead])) {
+                              prefetch<1>(contacts, ahead);
                           }
-                          const auto [a, partA, b, partB] = contact.key;
-                          const Extent& extentA = bodies.extent[a];
-                          const Extent& extentB = bodies.extent[b];
-                          const auto needsSweep = [&](Real motion) {
-                              return mayNeedSweep(contact, motion, extentA.inside, extentB.inside,
-                                                  tolerances);
-                          };
-                          // One of them may be stopped by something else, and the other go all its
-                          // way.
-                          if (const Real way = ways[a] + ways[b]; way > 0 && needsSweep(way)) {
-                              const Mover moverA{a, extentA.reach};
-                              const Mover moverB{b, extentB.reach};
-                              const bool closes =
-                                  needsSweep(relativeMotion(bodies, moverA, moverB)) &&
-                                  mayMeet(bodies, moverA, contactSet.bounds().tight(contact.proxyA),
-                                          moverB, contactSet.bounds().tight(contact.proxyB),
-                                          tolerances);
-                              found.push_back({static_cast<std::uint32_t>(i), a, b, closes});
+                          if (heads[i].sensor) {
+                              Crew::mark(sensors);
+                          } else if (isSwift(heads[i])) {
+                              findCandidate(bodies, contactSet, tolerances,
+                                            static_cast<std::uint32_t>(i), found);
                           }
                       }
                   });
     return sensors != 0;
+}
+
+/// Lists one pair if it may need a sweep. One of them may be stopped by something else, and the
+/// other go all its way.
+void SweepStage::findCandidate(const Bodies& bodies, const ContactSet& contactSet,
+                               const Tolerances& tolerances, std::uint32_t i,
+                               std::vector<Candidate>& found) const {
+    const Contact& contact = contactSet.contacts()[i];
+    const auto& [proxies, a, b, sensor, idle] = contactSet.heads()[i];
+    const auto needsSweep = [&](Real motion) {
+        return mayNeedSweep(contact, motion, bodies.extent[a].inside, bodies.extent[b].inside,
+                            tolerances);
+    };
+    if (!needsSweep(ways_[a] + ways_[b])) {
+        return;
+    }
+    const PartBounds& bounds = contactSet.bounds();
+    const Mover moverA{a, bodies.extent[a].reach};
+    const Mover moverB{b, bodies.extent[b].reach};
+    const bool closes = needsSweep(relativeMotion(bodies, moverA, moverB)) &&
+                        mayMeet(bodies, moverA, bounds.tight(proxies.first), moverB,
+                                bounds.tight(proxies.second), tolerances);
+    found.push_back({i, a, b, closes});
 }
 
 /// Makes the candidates of a body known.

@@ -54,9 +54,12 @@ private:
         bool driven; // something locked moves
     };
 
-    void measureWays(const Bodies& bodies, Crew& crew);
+    void measureWays(const Bodies& bodies, const Tolerances& tolerances, Crew& crew);
     bool findCandidates(const Bodies& bodies, const ContactSet& contactSet,
                         const Tolerances& tolerances, Crew& crew);
+    void findCandidate(const Bodies& bodies, const ContactSet& contactSet,
+                       const Tolerances& tolerances, std::uint32_t i,
+                       std::vector<Candidate>& found) const;
     void linkCandidates(std::size_t bodies);
     void findTime(const Step& step, std::uint32_t candidate);
     void expect(std::uint32_t candidate);
@@ -73,9 +76,10 @@ private:
     void noticeOnTheWay(const Bodies& bodies, Contact& contact, Real share,
                         const Tolerances& tolerances) const;
 
-    std::vector<Real> ways_;   // m, by body: how far its outermost point goes at most
-    std::vector<Real> stopAt_; // share of the step, by body
-    std::vector<Vec2> push_;   // m, over a whole step, by body: by what is locked and moves
+    std::vector<Real> ways_;          // m, by body: how far its outermost point goes at most
+    std::vector<std::uint8_t> swift_; // by body: is that so far that a pair with it needs a look?
+    std::vector<Real> stopAt_;        // share of the step, by body
+    std::vector<Vec2> push_;          // m, over a whole step, by body: by what is locked and moves
     std::vector<std::uint32_t> stopped_; // bodies
     std::vector<Candidate> candidates_;
     Findings<Candidate> found_;

@@ -99,7 +99,7 @@ void BodyRef::thaw() {
 }
 
 void BodyRef::wake() {
-    world_->rest_.wake(world_->bodies_, world_->contacts_, index());
+    world_->wake(index());
 }
 
 void BodyRef::pushed() {
@@ -130,7 +130,7 @@ void BodyRef::setRotation(Rot rotation) {
 }
 
 void BodyRef::setVelocity(Vec2 velocity) {
-    refuse(checkVelocity("velocity", velocity));
+    refuse(checkVelocity("velocity", velocity, unit()));
     thaw();
     motion().velocity = velocity;
     pushed();
@@ -154,7 +154,7 @@ void BodyRef::moveTo(Vec2 position, Rot rotation, Real dt) {
     const Vec2 target = position + rotation * bodies().form(index()).mass.center;
     const Vec2 velocity = (target - center()) / dt;
     const Real spin = (rotation * this->rotation().inverse()).angle() / dt;
-    refuse(checkVelocity("velocity", velocity));
+    refuse(checkVelocity("velocity", velocity, unit()));
     refuse(checkRange("angularVelocity", spin, -kHighestSpeed, kHighestSpeed));
     thaw();
     motion().velocity = velocity;
@@ -197,7 +197,7 @@ void BodyRef::strikeFrom(Vec2 arm, Vec2 impulse) {
     refuse(isFinite(impulse) ? std::nullopt : std::optional(Problem{"impulse", "must be finite"}));
     Motion after = bodies().motion[index()];
     kodo::applyImpulse(after, arm, impulse);
-    refuse(checkVelocity("velocity after the impulse", after.velocity));
+    refuse(checkVelocity("velocity after the impulse", after.velocity, unit()));
     refuse(checkRange("angularVelocity after the impulse", after.angularVelocity, -kHighestSpeed,
                       kHighestSpeed));
     motion() = after;

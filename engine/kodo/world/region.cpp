@@ -25,7 +25,7 @@ void World::setRegion(std::optional<Aabb> region) {
         }
     });
     for (const std::uint32_t body : touched) {
-        rest_.wake(bodies_, contacts_, body);
+        wake(body);
     }
     bodies_.awakeStale = true;
     contacts_.activityChanged();
@@ -42,6 +42,7 @@ bool World::askRegion(std::uint32_t body) {
         bodies_.motion[body].halt();
     }
     bodies_.jumped(body);
+    bodies_.awakeStale = true;
     return !inside && !waited;
 }
 
@@ -56,6 +57,7 @@ void World::placeInRegion(std::uint32_t body) {
 /// Contacts of which no body takes part since one waits are put aside, and come back when one does
 /// again: meanwhile they neither end nor begin.
 void World::putContactsAside() {
+    fetchImpulses();
     const auto waits = [&](std::uint32_t body) {
         return (bodies_.record[body].filter.flags & kOutside) != 0;
     };
@@ -87,6 +89,7 @@ void World::takeBack(Which which) {
 
 void World::takeBackContactsOf(std::uint32_t body) {
     if (!aside_.empty()) {
+        fetchImpulses();
         takeBack([=](const Contact& contact) {
             return contact.key.bodyA == body || contact.key.bodyB == body;
         });

@@ -249,10 +249,10 @@ void SnapshotFields::completeContact(Contact& contact, const Bodies& bodies) {
 /// there must be.
 void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
     // The way pairs are found changes what that costs and not what is found, so it begins anew.
-    auto& [bounds, pairs, finder, seams, contacts, order, newOrder, holes, added, touching, slots,
-           idle, ended, endedInStep, records, recordsDue, apart, fastestApproach, stale, pairsStale,
-           contactsChanged] = set;
-    auto& [parts, firstPart, tight, grown, changed, isChanged, grew] = bounds;
+    auto& [bounds, pairs, finder, seams, contacts, order, newOrder, holes, added, heads, live,
+           found, slots, idle, ended, endedInStep, records, recordsDue, apart, fastestApproach,
+           stale, pairsStale, contactsChanged, liveStale] = set;
+    auto& [parts, firstPart, tight, grown, changed, isChanged, outgrown] = bounds;
     set.writeRecords();
     if (!reads() && stale) {
         bounds.number(bodies);
@@ -308,7 +308,7 @@ void SnapshotFields::rest(RestStage& stage, Bodies& bodies) {
     }
 }
 
-void SnapshotFields::joints(JointSet& set, const Bodies& bodies) {
+void SnapshotFields::joints(JointSet& set, const Bodies& bodies, Real lengthUnit) {
     auto& [ids, joints, live, apart, broken, trees, held, treesStale] = set;
     one(ids);
     joints.resize(ids.capacity());
@@ -320,7 +320,7 @@ void SnapshotFields::joints(JointSet& set, const Bodies& bodies) {
         if (!reads()) {
             continue;
         }
-        require(check(joints[i].def));
+        require(check(joints[i].def, lengthUnit));
         for (const BodyId body : {firstBody(joints[i].def), secondBody(joints[i].def)}) {
             require(bodies.ids.alive(body.index, body.generation),
                     "a joint holds a body that is not there");
@@ -333,12 +333,13 @@ void SnapshotFields::world(World& world) {
     auto& [settings, tolerances, stepCount, count, bodies, fields, contacts, impacts, softStep,
            propagation, contactVisits, sweep, rest, joints, broken, frozen, region, held, aside,
            returning, colliding, collidedBefore, isColliding, wasColliding, lastForm] = world;
+    softStep.blocks().fetchAll(contacts.contacts());
     all(settings, tolerances, stepCount);
     bodies.turns = settings.has(Feature::Rotation);
     forms(world);
     all(bodies, lastForm, fields);
     require(ownFields_.empty(), "more force fields were given than it holds of your own");
-    this->joints(joints, bodies);
+    this->joints(joints, bodies, tolerances.unit());
     if (reads()) {
         contacts.setApart(joints.apart());
     }

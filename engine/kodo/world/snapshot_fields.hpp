@@ -177,7 +177,7 @@ private:
     void one(Mouse& mouse);
     void one(JointSet::Joint& joint);
     void one(BrokenJoint& broken);
-    void joints(JointSet& set, const Bodies& bodies);
+    void joints(JointSet& set, const Bodies& bodies, Real lengthUnit);
 
     void one(StepSettings& settings);
     void one(Tolerances& tolerances);

@@ -108,18 +108,19 @@ void SnapshotFields::one(PointImpulse& impulse) {
 
 /// Where a contact has its lane decides nothing.
 void SnapshotFields::one(ContactSeat& seat) {
-    auto& [row, colour, fixedA, fixedB] = seat;
+    auto& [row, colour, fixedA, fixedB, lent] = seat;
     all(colour, fixedA, fixedB);
     require(colour < 64 || colour == ContactSeat::kNoColour, "there is no such colour");
 }
 
 void SnapshotFields::one(Contact& contact) {
-    auto& [key, proxyA, proxyB, jumpsA, jumpsB, drift, seat, approachSpeed, near, carried, bounces,
-           sensor, passing, hidden, touching, wasTouching, phase, manifold, centerA, impulse,
-           friction, rolling, total, a, b, material] = contact; // the phase is in the records
+    auto& [key, jumpsA, jumpsB, drift, seat, approachSpeed, near, carried, bounces, sensor, passing,
+           hidden, touching, wasTouching, struck, phase, manifold, centerA, impulse, friction,
+           rolling, total, a, b, material] = contact; // the phase is in the records
     all(key, centerA, manifold, jumpsA, jumpsB, drift, impulse, seat, friction, rolling,
         approachSpeed, total);
     all(near, carried, passing, hidden, touching, wasTouching);
+    struck = true; // for all that is known
 }
 
 void SnapshotFields::one(CollisionRecord& record) {

@@ -42,7 +42,7 @@ std::uint64_t World::stateHash() const {
         }
     };
     for (const Contact& contact : contacts_.contacts()) {
-        addContact(contact);
+        addContact(current(contact));
     }
     rest_.forEachContact(addContact);
     std::for_each(aside_.begin(), aside_.end(), addContact);

@@ -27,14 +27,20 @@ void World::step(Real dt, const StepAids& aids) {
     Crew crew(bodies_.awake.size() >= kWorthHelp ? aids.executor : nullptr);
     contacts_.updatePairs(bodies_, tolerances_, dt, crew);
     enter(StepStage::Narrow);
-    contacts_.updateManifolds(bodies_, tolerances_, crew);
+    contacts_.updateManifolds(
+        bodies_, tolerances_, [this](Contact& contact) { softStep_.blocks().reclaim(contact); },
+        crew);
     enter(StepStage::Forces);
     forAwake(crew, beginMotion);
-    rest_.wakeTouched(bodies_, contacts_, tolerances_);
-    rest_.wakeJointed(bodies_, contacts_, joints_);
+    if (mayWake()) {
+        rest_.wakeTouched(bodies_, contacts_, tolerances_);
+        rest_.wakeJointed(bodies_, contacts_, joints_);
+    }
     refreshAwake(bodies_);
-    gatherAccelerations(bodies_, fields_, dt);
-    freezeUnsoundForces();
+    frozen_.clear();
+    if (!gatherAccelerations(bodies_, fields_, dt)) {
+        freezeUnsoundForces();
+    }
     if (region_) {
         holdWhatWaits();
     }
@@ -44,19 +50,33 @@ void World::step(Real dt, const StepAids& aids) {
     enter(StepStage::Sweep);
     if (settings_.has(Feature::Sweep)) {
         contacts_.coverMoves(bodies_, tolerances_, crew);
-        if (rest_.wakeRunOver(bodies_, contacts_, tolerances_)) {
+        if (mayWake() && rest_.wakeRunOver(bodies_, contacts_, tolerances_)) {
             refreshAwake(bodies_);
         }
-        sweep_.run(bodies_, contacts_, settings_, tolerances_, dt, crew);
+        if (!contacts_.contacts().empty()) {
+            sweep_.run(bodies_, contacts_, settings_, tolerances_, dt, crew);
+        }
     }
     enter(StepStage::Record);
     releaseWhatWaits();
-    freezeUnsoundMotion();
+    if (!allSound()) {
+        freezeUnsoundMotion();
+    }
     forAwake(crew, movePoses);
-    recordCollisions(crew);
-    breakJoints(dt);
+    if (!contacts_.contacts().empty() || !colliding_.empty()) {
+        recordCollisions(crew);
+    }
+    contacts_.finishStep(settings_.has(Feature::Records));
+    broken_.clear();
+    if (joints_.size() > 0) {
+        breakJoints(dt);
+    }
     enter(StepStage::Rest);
-    rest_.settle(bodies_, contacts_, joints_, settings_, tolerances_, dt);
+    if (settings_.has(Feature::Resting) && !bodies_.awake.empty() &&
+        rest_.findRest(bodies_, contacts_, joints_, settings_, tolerances_, dt)) {
+        fetchImpulses();
+        rest_.settle(bodies_, contacts_);
+    }
     ++stepCount_;
     if (aids.watch != nullptr) {
         aids.watch->leave();
@@ -70,16 +90,18 @@ void World::forAwake(Crew& crew, void (*work)(Bodies&, std::span<const std::uint
 }
 
 void World::solve(Real dt, Crew& crew) {
-    const std::span<Contact> contacts = contacts_.contacts();
     if (settings_.strategy == Strategy::Propagation) {
-        propagation_.solve(bodies_, contacts, joints_, {settings_, tolerances_, dt, stepCount_});
+        contacts_.lookAtAll(); // it foresees contacts within the step
+        propagation_.solve(bodies_, contacts_.contacts(), joints_,
+                           {settings_, tolerances_, dt, stepCount_});
         contactVisits_ = propagation_.visits();
         return;
     }
-    if (contacts_.fastestApproach() > leastRestSpeed(bodies_, dt)) {
-        impacts_.solve(bodies_, contacts, settings_, tolerances_, dt);
+    const Real fastest = contacts_.fastestApproach();
+    if (fastest > 0 && fastest > leastRestSpeed(bodies_, dt)) {
+        impacts_.solve(bodies_, contacts_, settings_, tolerances_, dt);
     }
-    softStep_.solve(bodies_, contacts, joints_, {settings_, tolerances_, dt, crew});
+    softStep_.solve(bodies_, contacts_, joints_, {settings_, tolerances_, dt, crew});
     contactVisits_ = softStep_.visits();
 }
 
@@ -98,13 +120,22 @@ void World::findAwake() {
 }
 
 void World::freezeUnsoundForces() {
-    frozen_.clear();
     for (const std::uint32_t body : bodies_.awake) {
         if (!isSound(bodies_.acceleration[body])) {
             freeze(bodies_, body);
             frozen_.push_back(bodies_.idAt(body));
+            contacts_.bodiesChanged(); // what froze is a piece of ground now
         }
     }
+}
+
+bool World::allSound() const {
+    for (const std::uint32_t body : bodies_.awake) {
+        if (!isSound(bodies_.motion[body], tolerances_.unit())) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /// What a body that became unsound did to its neighbours within the step cannot be told apart any
@@ -113,7 +144,7 @@ void World::freezeUnsoundMotion() {
     const std::size_t before = frozen_.size();
     for (const std::uint32_t body : bodies_.awake) {
         Motion& motion = bodies_.motion[body];
-        if (isSound(motion)) {
+        if (isSound(motion, tolerances_.unit())) {
             continue;
         }
         if (isFinite(motion.velocity) && std::isfinite(motion.angularVelocity)) {
@@ -127,24 +158,19 @@ void World::freezeUnsoundMotion() {
     }
     if (frozen_.size() > before) {
         for (Motion& motion : bodies_.motion) { // of what stands too: 0 times infinity is no number
-            if (!isSound(motion)) {
+            if (!isSound(motion, tolerances_.unit())) {
                 motion.stand();
             }
         }
-        for (Contact& contact : contacts_.contacts()) {
-            softStep_.fetch(contact);
-        }
+        fetchImpulses();
         contacts_.forgetUnsound(bodies_, tolerances_);
         joints_.forgetUnsound();
-        contacts_.bodiesChanged(); // what froze is a piece of ground now
+        contacts_.bodiesChanged();
+        bodies_.awakeStale = true;
     }
 }
 
 void World::breakJoints(Real dt) {
-    broken_.clear();
-    if (joints_.size() == 0) {
-        return;
-    }
     const std::span<const BrokenJoint> broken = joints_.endStep(dt);
     broken_.assign(broken.begin(), broken.end());
     if (!broken_.empty()) {
@@ -152,21 +178,24 @@ void World::breakJoints(Real dt) {
     }
 }
 
-/// Sums up the contacts of the step, and brings kColliding up to date: only those for which it
-/// changes are touched.
+/// Sums up the contacts of the step, and brings kColliding up to date: only those bodies for which
+/// it changes are touched.
 void World::recordCollisions(Crew& crew) {
     std::swap(colliding_, collidedBefore_);
+    colliding_.clear();
     isColliding_.resize(bodies_.size());
     wasColliding_.resize(bodies_.size());
+    contacts_.sumUp(
+        crew,
+        [&](const Contact& contact) {
+            return contact.seat.row != ContactSeat::kNone ? softStep_.blocks().touches(contact)
+                                                          : touches(contact, tolerances_);
+        },
+        [&](std::uint32_t body) { return crew.markFirst(isColliding_[body]); }, colliding_);
+    collidedBefore_.reserve(colliding_.capacity()); // the two take turns
     for (const std::uint32_t body : collidedBefore_) {
         wasColliding_[body] = 1;
     }
-    colliding_.clear();
-    colliding_.reserve(collidedBefore_.capacity()); // the two take turns
-    contacts_.finishStep(
-        tolerances_, settings_.has(Feature::Records), crew,
-        [&](Contact& contact) { softStep_.fetch(contact); },
-        [&](std::uint32_t body) { return crew.markFirst(isColliding_[body]); }, colliding_);
     for (const std::uint32_t body : colliding_) {
         if (wasColliding_[body] == 0) {
             bodies_.record[body].filter.flags |= kColliding;

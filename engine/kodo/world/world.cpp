@@ -13,14 +13,22 @@ bool sameBuild(const std::vector<Part>& a, const std::vector<Part>& b) {
     });
 }
 
-/// May the parts of both be one body?
-std::optional<Problem> checkTogether(const Form& into, const Form& part) {
+/// May the parts of both be one body? `place` is where the frame of the other's shape lies.
+std::optional<Problem> checkTogether(const Form& into, const Form& part, const Transform& place) {
     if (into.parts.size() + part.parts.size() > kMaxParts) {
         return Problem{"part", "must not give the body more than " + std::to_string(kMaxParts) +
                                    " parts, but they would be " +
                                    std::to_string(into.parts.size() + part.parts.size())};
     }
-    return checkRange("part.mass", part.mass.mass, 0, kHeaviest - into.mass.mass);
+    Mass added = part.mass;
+    added.center = place * added.center;
+    const Mass sum = combine(into.mass, added);
+    auto problem = sum.mass > 0 ? checkMass(sum) : std::nullopt; // two planes have none
+    if (problem) {
+        problem->field = "part";
+        problem->reason = "makes a body that cannot be: " + problem->reason;
+    }
+    return problem;
 }
 
 // What rests may do so because of these.
@@ -32,10 +40,10 @@ constexpr auto kHoldsAtRest = static_cast<std::uint8_t>(Feature::Friction) |
 } // namespace
 
 std::optional<Problem> check(const WorldDef& def) {
-    if (auto problem = checkVelocity("gravity", def.gravity)) {
+    if (auto problem = checkRange("lengthUnit", def.lengthUnit, Real(1e-6), Real(1e6))) {
         return problem;
     }
-    if (auto problem = checkRange("lengthUnit", def.lengthUnit, Real(1e-6), Real(1e6))) {
+    if (auto problem = checkVelocity("gravity", def.gravity, def.lengthUnit)) {
         return problem;
     }
     return check(def.settings);
@@ -76,8 +84,30 @@ BodyId World::add(const BodyDef& def) {
     return id;
 }
 
+/// With the impulses that the solver has of it.
+Contact World::current(const Contact& contact) const {
+    Contact copy = contact;
+    softStep_.blocks().fetch(copy);
+    return copy;
+}
+
+std::span<const CollisionRecord> World::collisions() const {
+    return contacts_.records([this](const Contact& contact) { return current(contact); });
+}
+
+void World::wake(std::uint32_t body) {
+    fetchImpulses();
+    rest_.wake(bodies_, contacts_, body);
+}
+
+void World::wakeAll() {
+    fetchImpulses();
+    rest_.wakeAll(bodies_, contacts_);
+}
+
 /// It goes, jumps or changes: what leans on it, or hangs on it by a joint, wakes.
 void World::disturb(std::uint32_t body) {
+    fetchImpulses();
     takeBackContactsOf(body);
     rest_.disturb(bodies_, contacts_, joints_, body);
 }
@@ -132,12 +162,13 @@ std::size_t World::weld(BodyId into, BodyId part) {
     for (const Part& added : bodies_.form(part.index).parts) {
         refuse(checkLock(added.primitive, bodies_.record[into.index].filter.flags));
     }
-    refuse(checkTogether(bodies_.form(into.index), bodies_.form(part.index)));
-    disturb(into.index);
-    const std::size_t firstPart = bodies_.form(into.index).parts.size();
     const Transform frame{bodies_.originOf(into.index), bodies_.pose[into.index].rotation};
     const Transform other{bodies_.originOf(part.index), bodies_.pose[part.index].rotation};
-    joints_.transfer(part, into, between(frame, other));
+    const Transform place = between(frame, other);
+    refuse(checkTogether(bodies_.form(into.index), bodies_.form(part.index), place));
+    disturb(into.index);
+    const std::size_t firstPart = bodies_.form(into.index).parts.size();
+    joints_.transfer(part, into, place);
     weldBodies(bodies_, into.index, part.index);
     placeInRegion(into.index);
     remove(part);
@@ -155,8 +186,8 @@ void World::requireAlive(JointId id) const {
 
 /// Its bodies wake, and whether they may touch is asked again.
 void World::jointsChanged(const JointDef& def) {
-    rest_.wake(bodies_, contacts_, firstBody(def).index);
-    rest_.wake(bodies_, contacts_, secondBody(def).index);
+    wake(firstBody(def).index);
+    wake(secondBody(def).index);
     contacts_.setApart(joints_.apart());
 }
 
@@ -204,7 +235,7 @@ Real World::jointTorque(JointId id) const {
 void World::addField(FieldEntry entry) {
     refuse(entry.field ? std::nullopt : std::optional(Problem{"field", "must not be null"}));
     fields_.push_back(std::move(entry));
-    rest_.wakeAll(bodies_, contacts_);
+    wakeAll();
 }
 
 void World::setFields(std::vector<FieldEntry> fields) {
@@ -212,7 +243,7 @@ void World::setFields(std::vector<FieldEntry> fields) {
         refuse(entry.field ? std::nullopt : std::optional(Problem{"field", "must not be null"}));
     }
     fields_ = std::move(fields);
-    rest_.wakeAll(bodies_, contacts_);
+    wakeAll();
 }
 
 std::size_t World::weld(BodyId into, const Primitive& shape, const Material& material,
@@ -224,7 +255,7 @@ std::size_t World::weld(BodyId into, const Primitive& shape, const Material& mat
     refuse(checkLock(shape, bodies_.record[into.index].filter.flags));
     const Part part{shape, material, density};
     refuse(checkBuild({&part, 1}, tolerances_.unit()));
-    refuse(checkTogether(bodies_.form(into.index), *makeForm({part})));
+    refuse(checkTogether(bodies_.form(into.index), *makeForm({part}), {}));
     disturb(into.index);
     std::vector<Part> parts = bodies_.form(into.index).parts;
     parts.push_back(part);
@@ -277,8 +308,9 @@ void World::setSettings(const StepSettings& settings) {
     refuse(check(settings));
     const auto held = static_cast<std::uint8_t>(settings_.leaveOut ^ settings.leaveOut);
     if ((held & kHoldsAtRest) != 0) {
-        rest_.wakeAll(bodies_, contacts_);
+        wakeAll();
     }
+    fetchImpulses();
     settings_ = settings;
     if (!settings.has(Feature::Friction)) {
         for (Contact& contact : contacts_.contacts()) {

@@ -95,7 +95,7 @@ public:
     /// whatever is added, removed or welded meanwhile. Pairs that rest, or wait outside the region,
     /// have no records until they go on; they have not ended. The first call after a step writes
     /// the list, so that one must not come from two threads at once.
-    std::span<const CollisionRecord> collisions() const { return contacts_.records(); }
+    std::span<const CollisionRecord> collisions() const;
 
     /// Only bodies whose bounds meet the region (m, world) take part in steps; the others wait
     /// where they are. Nothing: all do. Throws BadDefinition unless lower <= upper along both axes.
@@ -136,6 +136,10 @@ private:
     void requireAlive(BodyId id) const;
     void requireAlive(JointId id) const;
     void jointsChanged(const JointDef& def);
+    Contact current(const Contact& contact) const;
+    void fetchImpulses() { softStep_.blocks().fetchAll(contacts_.contacts()); }
+    void wake(std::uint32_t body);
+    void wakeAll();
     void disturb(std::uint32_t body);
     bool askRegion(std::uint32_t body);
     void placeInRegion(std::uint32_t body);
@@ -153,6 +157,9 @@ private:
     void breakJoints(Real dt);
     void findAwake();
     void freezeUnsoundForces();
+    /// Is there somebody who could wake somebody?
+    bool mayWake() const { return rest_.anyResting() && !bodies_.awake.empty(); }
+    bool allSound() const;
     void freezeUnsoundMotion();
 
     StepSettings settings_;

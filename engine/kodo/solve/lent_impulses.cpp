@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// What ContactBlocks hands back to contacts.
+#include <kodo/solve/contact_blocks.hpp>
+#include <kodo/solve/contact_lane.hpp>
+
+#include <utility>
+
+namespace kodo::inline KODO_PRECISION {
+
+void ContactBlocks::noteTouching(Real slop, Crew& crew) {
+    touching_.resize(taken_.size());
+    crew.forEach(order_.size(), kBlocksAPiece, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) {
+            const ContactBlock& block = blocks_[order_[k]];
+            std::uint8_t* const touching =
+                &touching_[order_[k] * std::size_t{ContactBlock::kContacts}];
+            const auto touches = [&](const ContactBlock::Point& point, std::size_t lane) {
+                return point.separation[lane] <= slop || point.largest[lane] > 0;
+            };
+            const bool two = use_[order_[k]].twoPoints;
+            for (std::size_t lane = 0; lane < ContactBlock::kContacts; ++lane) {
+                touching[lane] =
+                    touches(block.points[0], lane) || (two && touches(block.points[1], lane));
+            }
+        }
+    });
+}
+
+void ContactBlocks::reclaim(Contact& contact) const {
+    if (!std::exchange(contact.seat.lent, false)) {
+        return;
+    }
+    const std::size_t block = blockOf(contact.seat.row);
+    const std::size_t lane = laneOf(contact.seat.row);
+    readImpulses(blocks_[block], lane, contact, parts_);
+    const std::int32_t rolling = use_[block].rolling;
+    contact.rolling =
+        rolling < 0 ? Real(0) : parts_ * rolling_[static_cast<std::size_t>(rolling)].impulse[lane];
+}
+
+void ContactBlocks::reclaimAll(std::span<Contact> contacts) {
+    for (Contact& contact : contacts) {
+        reclaim(contact);
+    }
+}
+
+void ContactBlocks::fetch(Contact& contact) const {
+    if (contact.seat.lent) {
+        reclaim(contact);
+        const std::uint32_t row = contact.seat.row;
+        readBlows(blocks_[blockOf(row)], laneOf(row), contact, parts_);
+    }
+}
+
+void ContactBlocks::fetchAll(std::span<Contact> contacts) {
+    if (std::exchange(lent_, false)) {
+        for (Contact& contact : contacts) {
+            fetch(contact);
+        }
+    }
+}
+
+} // namespace kodo::inline KODO_PRECISION
