@@ -99,7 +99,7 @@ TEST(Shots, HitWhereGeometrySays) {
     for (const Real speed : {Real(400), Real(1e4), Real(1e6)}) {
         SCOPED_TRACE(speed);
         World world;
-        const Real nearly = 2 * world.tolerances().slop / byPrecision(1024, 65536);
+        const Real nearly = 2 * world.tolerances().slop / support::byPrecision(1024, 65536);
         const BodyId wall = support::addWall(world, 5, Real(0.02), slippery(1));
         BodyDef def = support::ballDef({0, 0}, Real(0.1), slippery(1));
         def.velocity = {speed, 0};

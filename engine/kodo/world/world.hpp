@@ -157,7 +157,10 @@ private:
     std::shared_ptr<const Form> formFor(const BodyDef& def);
 
     void forAwake(Crew& crew, void (*work)(Bodies&, std::span<const std::uint32_t>));
+    void gatherForces(Real dt, Crew& crew);
     void solve(Real dt, Crew& crew);
+    void sweep(Real dt, Crew& crew);
+    void finishMoves(Crew& crew);
     void recordCollisions(Crew& crew);
     void breakJoints(Real dt);
     void findAwake();
