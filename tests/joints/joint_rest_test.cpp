@@ -6,6 +6,7 @@
 namespace kodo {
 namespace {
 
+using joints::gapOf;
 using joints::Rig;
 using support::ballDef;
 using support::boxDef;
@@ -81,6 +82,38 @@ TEST(JointRest, KeepsItsForce) {
     ASSERT_LE(support::stepsUntilRest(rig.world, bob, 120), 120);
     run(rig.world, 60);
     EXPECT_TRUE(nearShare(rig.world.jointForce(pin).y, rig.weightOf(bob), 1e-3));
+}
+
+// O3: joints of what rests cost nothing, and each costs again as soon as one of its bodies goes on,
+// be it only the wall it hangs on.
+TEST(JointRest, AHundredJointsOfWhatRestsAreNotLookedAt) {
+    Rig rig;
+    std::vector<BodyId> bobs;
+    for (int i = 0; i < 100; ++i) {
+        const auto x = static_cast<Real>(i);
+        bobs.push_back(rig.addBob({x, -2}));
+        rig.world.add(
+            Pin{.ends = {.a = rig.post, .b = bobs.back(), .anchorA = {x, 0}, .anchorB = {0, 2}}});
+    }
+    rig.world.step(kDt);
+    EXPECT_EQ(rig.world.jointVisits(), 100u);
+    run(rig.world, 240);
+    ASSERT_EQ(rig.world.bodyVisits(), 0u);
+    EXPECT_EQ(rig.world.jointVisits(), 0u);
+    rig.world[bobs[70]].applyImpulse({Real(0.1), 0});
+    rig.world.step(kDt);
+    EXPECT_EQ(rig.world.jointVisits(), 1u);
+    rig.world.remove(bobs[70]);
+    EXPECT_EQ(rig.world.jointVisits(), 0u);
+    rig.world[rig.post].setVelocity({Real(0.1), 0});
+    rig.world.step(kDt);
+    EXPECT_EQ(rig.world.jointVisits(), 99u);
+    EXPECT_EQ(rig.world.bodyVisits(), 100u);
+    run(rig.world, 10);
+    for (const JointId id : rig.world.joints()) {
+        EXPECT_LT(length(gapOf(rig.world, std::get<Pin>(rig.world.joint(id)).ends)),
+                  rig.world.tolerances().slop);
+    }
 }
 
 // F1: a driven body does not rest while it moves, nor what stands on it.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -201,20 +202,34 @@ void JointSet::refreshLists() {
             def);
     }
     std::sort(apart_.begin(), apart_.end()); // total order: equal pairs are the same
+    std::erase_if(busy_, [&](std::uint32_t index) { return !ids_.aliveAt(index); });
+    busyStale_ = true;
+}
+
+void JointSet::findBusy(const Bodies& bodies, bool changed) {
+    if (!changed && !busyStale_) {
+        return;
+    }
+    busyStale_ = false;
+    busy_.clear();
+    for (const std::uint32_t index : live_) {
+        if (!idle(bodies, joints_[index].def)) {
+            busy_.push_back(index);
+        }
+    }
 }
 
 void JointSet::beginStep() {
     treesStale_ = true;
-    for (const std::uint32_t index : live_) {
+    for (const std::uint32_t index : busy_) {
         Joint& joint = joints_[index];
         joint.pushSum = {};
         joint.turnSum = 0;
-        joint.solved = false;
     }
 }
 
 void JointSet::scaleImpulses(Real by) {
-    for (const std::uint32_t index : live_) {
+    for (const std::uint32_t index : busy_) {
         Joint& joint = joints_[index];
         joint.point *= by;
         for (Real& impulse : joint.axes) {
@@ -227,7 +242,7 @@ void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
     if (treesStale_) {
         findTrees(bodies);
     }
-    for (const std::uint32_t index : live_) {
+    for (const std::uint32_t index : busy_) {
         if (idle(bodies, joints_[index].def)) {
             continue;
         }
@@ -251,7 +266,7 @@ void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
 void JointSet::findTrees(const Bodies& bodies) {
     treesStale_ = false;
     held_.clear();
-    for (const std::uint32_t index : live_) {
+    for (const std::uint32_t index : busy_) {
         const JointDef& def = joints_[index].def;
         if (!idle(bodies, def) && mayBeHeld(bodies, def)) {
             held_.push_back({index, firstBody(def).index, secondBody(def).index});
@@ -261,7 +276,7 @@ void JointSet::findTrees(const Bodies& bodies) {
 }
 
 void JointSet::solve(Bodies& bodies, const JointPass& pass) {
-    for (const std::uint32_t index : live_) {
+    for (const std::uint32_t index : busy_) {
         Joint& joint = joints_[index];
         if (idle(bodies, joint.def)) {
             continue;
@@ -329,9 +344,9 @@ void JointSet::forgetUnsound() {
 
 std::span<const BrokenJoint> JointSet::endStep(Real dt) {
     broken_.clear();
-    for (const std::uint32_t index : live_) {
+    for (const std::uint32_t index : busy_) {
         Joint& joint = joints_[index];
-        if (!joint.solved) {
+        if (!std::exchange(joint.solved, false)) {
             continue; // it goes on holding what it held
         }
         joint.force = joint.pushSum / dt;

@@ -44,6 +44,11 @@ public:
     /// Pairs of bodies that a joint forbids to touch, in order.
     std::span<const std::pair<std::uint32_t, std::uint32_t>> apart() const { return apart_; }
 
+    /// Lists the joints that a step works on: those of which a body takes part in it. To be called
+    /// when the list of these bodies was made, and told if it has changed; else it costs nothing.
+    void findBusy(const Bodies& bodies, bool changed);
+    std::size_t busyCount() const { return busy_.size(); }
+
     void beginStep();
     /// Joints start from the impulses of a substep that was so many times as long.
     void scaleImpulses(Real by);
@@ -58,6 +63,13 @@ public:
     template <typename Visit>
     void forEach(Visit visit) const {
         for (const std::uint32_t index : live_) {
+            visit(joints_[index]);
+        }
+    }
+    /// The same of those that findBusy has listed.
+    template <typename Visit>
+    void forEachBusy(Visit visit) const {
+        for (const std::uint32_t index : busy_) {
             visit(joints_[index]);
         }
     }
@@ -94,6 +106,8 @@ private:
     JointTrees trees_;                   // of this step
     std::vector<JointTrees::Edge> held_; // joints that may belong to one
     bool treesStale_ = true;
+    std::vector<std::uint32_t> busy_; // in order; may have some that have become idle since
+    bool busyStale_ = true;
 
     void refreshLists();
     void findTrees(const Bodies& bodies);

@@ -260,7 +260,7 @@ void Propagation::markHeld(const Bodies& bodies, const JointSet& joints) {
             holds_[row.a] = holds_[row.b] = Hold::Touched;
         }
     }
-    joints.forEach([&](const JointSet::Joint& joint) {
+    joints.forEachBusy([&](const JointSet::Joint& joint) {
         holds_[firstBody(joint.def).index] = Hold::Touched;
         holds_[secondBody(joint.def).index] = Hold::Touched;
     });

@@ -128,7 +128,7 @@ void RestStage::wakeTouched(Bodies& bodies, ContactSet& contacts, const Toleranc
 }
 
 void RestStage::wakeJointed(Bodies& bodies, ContactSet& contacts, const JointSet& joints) {
-    joints.forEach([&](const JointSet::Joint& joint) {
+    joints.forEachBusy([&](const JointSet::Joint& joint) {
         const std::uint32_t a = firstBody(joint.def).index;
         const std::uint32_t b = secondBody(joint.def).index;
         if (bodies.active(a) && bodies.resting(b)) {
@@ -219,7 +219,7 @@ void RestStage::countSupports(const Bodies& bodies, const ContactSet& contacts,
             supports_[key.bodyB] += points;
         }
     }
-    joints.forEach([&](const JointSet::Joint& joint) {
+    joints.forEachBusy([&](const JointSet::Joint& joint) {
         supports_[firstBody(joint.def).index] += 2;
         supports_[secondBody(joint.def).index] += 2;
     });
@@ -261,7 +261,7 @@ void RestStage::joinTouching(const Bodies& bodies, const ContactSet& contacts,
             join(key.bodyA, key.bodyB);
         }
     }
-    joints.forEach([&](const JointSet::Joint& joint) {
+    joints.forEachBusy([&](const JointSet::Joint& joint) {
         const std::uint32_t a = firstBody(joint.def).index;
         const std::uint32_t b = secondBody(joint.def).index;
         if (bodies.active(a) && bodies.active(b)) {

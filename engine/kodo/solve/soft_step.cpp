@@ -61,7 +61,7 @@ void SoftStep::clearMarks(const Bodies& bodies, const JointSet& joints) {
         touched_[body] = 0;
         crowd_[body] = 0;
     }
-    joints.forEach([&](const JointSet::Joint& joint) {
+    joints.forEachBusy([&](const JointSet::Joint& joint) {
         touched_[firstBody(joint.def).index] = 1;
         touched_[secondBody(joint.def).index] = 1;
     });
@@ -139,7 +139,7 @@ void SoftStep::noteCrowd(const Bodies& bodies, const Contact& contact, std::uint
 /// Lists the bodies of joints, each once.
 void SoftStep::findJointed(const JointSet& joints) {
     jointed_.clear();
-    joints.forEach([&](const JointSet::Joint& joint) {
+    joints.forEachBusy([&](const JointSet::Joint& joint) {
         jointed_.push_back(firstBody(joint.def).index);
         jointed_.push_back(secondBody(joint.def).index);
     });
@@ -277,7 +277,8 @@ void SoftStep::nextSubstep(Bodies& bodies, Real h, Crew& crew) {
 }
 
 void SoftStep::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step) {
-    if (joints.size() == 0 && noneNeedsRow(bodies, contactSet, step.settings, step.tolerances)) {
+    if (joints.busyCount() == 0 &&
+        noneNeedsRow(bodies, contactSet, step.settings, step.tolerances)) {
         if (blocks_.size() > 0) {
             blocks_.releaseAll(bodies);
         }

@@ -111,7 +111,7 @@ void World::holdWhatWaits() {
         hold(contact.key.bodyA);
         hold(contact.key.bodyB);
     }
-    joints_.forEach([&](const JointSet::Joint& joint) {
+    joints_.forEachBusy([&](const JointSet::Joint& joint) {
         hold(firstBody(joint.def).index);
         hold(secondBody(joint.def).index);
     });

@@ -31,38 +31,15 @@ void World::step(Real dt, const StepAids& aids) {
         bodies_, tolerances_, [this](Contact& contact) { softStep_.blocks().reclaim(contact); },
         crew);
     enter(StepStage::Forces);
-    forAwake(crew, beginMotion);
-    if (mayWake()) {
-        rest_.wakeTouched(bodies_, contacts_, tolerances_);
-        rest_.wakeJointed(bodies_, contacts_, joints_);
-    }
-    refreshAwake(bodies_);
-    frozen_.clear();
-    if (!gatherAccelerations(bodies_, fields_, dt)) {
-        freezeUnsoundForces();
-    }
-    if (region_) {
-        holdWhatWaits();
-    }
-    bodies_.anyRests = rest_.anyResting();
+    gatherForces(dt, crew);
     enter(StepStage::Solve);
     solve(dt, crew);
     enter(StepStage::Sweep);
     if (settings_.has(Feature::Sweep)) {
-        contacts_.coverMoves(bodies_, tolerances_, crew);
-        if (mayWake() && rest_.wakeRunOver(bodies_, contacts_, tolerances_)) {
-            refreshAwake(bodies_);
-        }
-        if (!contacts_.contacts().empty()) {
-            sweep_.run(bodies_, contacts_, settings_, tolerances_, dt, crew);
-        }
+        sweep(dt, crew);
     }
     enter(StepStage::Record);
-    releaseWhatWaits();
-    if (!allSound()) {
-        freezeUnsoundMotion();
-    }
-    forAwake(crew, movePoses);
+    finishMoves(crew);
     if (!contacts_.contacts().empty() || !colliding_.empty()) {
         recordCollisions(crew);
     }
@@ -81,6 +58,44 @@ void World::step(Real dt, const StepAids& aids) {
     if (aids.watch != nullptr) {
         aids.watch->leave();
     }
+}
+
+/// Wakes who is touched, and finds what will speed up whom.
+void World::gatherForces(Real dt, Crew& crew) {
+    forAwake(crew, beginMotion);
+    if (mayWake()) {
+        rest_.wakeTouched(bodies_, contacts_, tolerances_);
+        rest_.wakeJointed(bodies_, contacts_, joints_);
+    }
+    joints_.findBusy(bodies_, refreshAwake(bodies_));
+    frozen_.clear();
+    if (!gatherAccelerations(bodies_, fields_, dt)) {
+        freezeUnsoundForces();
+    }
+    if (region_) {
+        holdWhatWaits();
+    }
+    bodies_.anyRests = rest_.anyResting();
+}
+
+/// Cuts moves short where bodies would first touch.
+void World::sweep(Real dt, Crew& crew) {
+    contacts_.coverMoves(bodies_, tolerances_, crew);
+    if (mayWake() && rest_.wakeRunOver(bodies_, contacts_, tolerances_)) {
+        joints_.findBusy(bodies_, refreshAwake(bodies_));
+    }
+    if (!contacts_.contacts().empty()) {
+        sweep_.run(bodies_, contacts_, settings_, tolerances_, dt, crew);
+    }
+}
+
+/// Puts bodies where their moves lead; those whose motion is unsound freeze where they are.
+void World::finishMoves(Crew& crew) {
+    releaseWhatWaits();
+    if (!allSound()) {
+        freezeUnsoundMotion();
+    }
+    forAwake(crew, movePoses);
 }
 
 void World::forAwake(Crew& crew, void (*work)(Bodies&, std::span<const std::uint32_t>)) {
@@ -114,7 +129,9 @@ void World::findAwake() {
             }
         }
     }
-    if (refreshAwake(bodies_) && (rest_.anyResting() || region_)) {
+    const bool changed = refreshAwake(bodies_);
+    joints_.findBusy(bodies_, changed);
+    if (changed && (rest_.anyResting() || region_)) {
         contacts_.activityChanged();
     }
 }

@@ -38,7 +38,9 @@ public:
 
     /// Throws BadDefinition with what check(def) says.
     BodyId add(const BodyDef& def);
-    /// Throws BadBodyId for an id that is not alive, as everything here does.
+    /// Throws BadBodyId for an id that is not alive, as everything here does. What leans on the
+    /// body wakes, and its joints go. Takes a time that grows with the contacts and joints of the
+    /// World and the piles that rest in it.
     void remove(BodyId id);
     /// A body like this one in all but its id and its place (m, world: of the shape's frame).
     BodyId clone(BodyId id, Vec2 position);
@@ -120,6 +122,9 @@ public:
     /// How many bodies the last step worked on: what rests, stands locked or waits is not among
     /// them.
     std::size_t bodyVisits() const { return bodies_.awake.size(); }
+    /// How many joints the last step worked on: those of whose bodies none took part are not among
+    /// them.
+    std::size_t jointVisits() const { return joints_.busyCount(); }
 
     /// ps that the search for pairs has taken in all steps so far, by what it had to do and what
     /// that takes on one machine: its cost, free of any clock. See PairWork.
@@ -152,7 +157,10 @@ private:
     std::shared_ptr<const Form> formFor(const BodyDef& def);
 
     void forAwake(Crew& crew, void (*work)(Bodies&, std::span<const std::uint32_t>));
+    void gatherForces(Real dt, Crew& crew);
     void solve(Real dt, Crew& crew);
+    void sweep(Real dt, Crew& crew);
+    void finishMoves(Crew& crew);
     void recordCollisions(Crew& crew);
     void breakJoints(Real dt);
     void findAwake();
