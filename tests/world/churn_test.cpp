@@ -131,6 +131,10 @@ TEST(Churn, AddsAndRemovesInAPinnedHeapAgreeWithAModel) {
         ASSERT_NO_FATAL_FAILURE(expectToAgree(world, model));
     }
     world.step(support::kDt);
+    for (const CollisionRecord& record : world.collisions()) {
+        EXPECT_EQ(record.phase, TouchPhase::End);
+    }
+    world.step(support::kDt);
     EXPECT_TRUE(world.collisions().empty());
     EXPECT_EQ(world.bodyVisits() + world.jointVisits() + world.contactVisits(), 0u);
 }
