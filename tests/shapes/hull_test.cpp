@@ -116,12 +116,14 @@ TEST(ConvexHull, SaysWhyThereIsNone) {
     EXPECT_EQ(problemOf({{1, 1}, {2, 2}, {1, 1}, {2, 2}}),
               "points: must have at least 3 distinct ones among them, but have 2");
     EXPECT_EQ(problemOf({{0, 0}, {1, 1}, {2, 2}, {3, 3}}), "points: lie on one line, to rounding");
-    const std::string beyond = "must be finite, and neither of its coordinates beyond " +
-                               std::string(sizeof(Real) == 4 ? "1e11 m" : "1e19 m");
+    const bool isFloat = sizeof(Real) == 4;
+    const std::string beyond = std::string("must be from ") +
+                               (isFloat ? "-1e+11 to 1e+11" : "-1e+19 to 1e+19") + ", but is ";
     EXPECT_EQ(problemOf({{0, 0}, {1, 1}, {0, std::numeric_limits<Real>::infinity()}}),
-              "points[2]: " + beyond);
+              "points[2]: " + beyond + "inf");
     const Real far = 2 * kLargest;
-    EXPECT_EQ(problemOf({{0, 0}, {far, 0}, {0, far}}), "points[1]: " + beyond);
+    EXPECT_EQ(problemOf({{0, 0}, {far, 0}, {0, far}}),
+              "points[1]: " + beyond + (isFloat ? "2e+11" : "2e+19"));
 }
 
 TEST(ConvexHull, OfACircleOfTooManyPointsIsRefused) {
