@@ -38,7 +38,8 @@ expect 0 "^endless:7:3, seed 5: " \
     "$program" bot --level endless:7:3 --seed 5 --ticks 900 --record endless.replay
 expect 0 'All 15 hashes agree' "$program" verify endless.replay
 expect 0 '"level": "endless:9:1", "seed": 9' "$program" bot --level endless --seed 9 --ticks 10 --json
-expect 2 'no level endless:7:0|no name of a level' "$program" bot --level endless:7:0
+expect 2 'endless:7:0.*SEED from 0 to 4294967295 and a NUMBER from 1' "$program" bot --level endless:7:0
+expect 2 '/nowhere: there are no levels in it' env APART_ASSETS=/nowhere "$program" levels
 
 expect 0 'All 1 levels pass' "$program" lint first_light
 expect 0 '"passed": true' "$program" lint first_light endless:7:3 --json

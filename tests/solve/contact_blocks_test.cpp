@@ -141,7 +141,7 @@ TEST(ContactBlocks, TellWhoTouched) {
     ContactBlocks blocks;
     const ContactPassArguments pass = crowd.arrange(blocks);
     for (std::size_t i = 0; i < crowd.contacts.size(); i += 5) {
-        const std::uint32_t row = crowd.contacts[i].seat.row;
+        const std::uint32_t row = crowd.contacts[i].row.index;
         pass.blocks[row / ContactBlock::kContacts]
             .points[0]
             .largest[row % ContactBlock::kContacts] = 1;
@@ -191,13 +191,13 @@ TEST(ContactBlocks, StaySoundAsContactsComeAndGo) {
         for (Contact& contact : some.contacts) {
             const bool same = contact.key.bodyA != body && contact.key.bodyB != body;
             contact.carried = contact.carried && same;
-            colours.push_back(contact.carried ? contact.seat.colour : ContactSeat::kNoColour);
+            colours.push_back(contact.carried ? contact.row.colour : ContactRow::kNoColour);
         }
         expectNoBodyTwice(some, blocks, some.arrange(blocks));
         EXPECT_EQ(blocks.size(), some.contacts.size());
         for (std::size_t i = 0; i < some.contacts.size(); ++i) {
-            if (colours[i] != ContactSeat::kNoColour) {
-                EXPECT_EQ(some.contacts[i].seat.colour, colours[i]);
+            if (colours[i] != ContactRow::kNoColour) {
+                EXPECT_EQ(some.contacts[i].row.colour, colours[i]);
             }
         }
         for (Contact& contact : some.contacts) {

@@ -54,7 +54,10 @@ def options():
     parser.add_argument("--repeat", type=int, default=5)
     parser.add_argument("--no-growth", dest="growth", action="store_false")
     parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--check-options", action="store_true")
     chosen = parser.parse_args()
+    if chosen.check_options:
+        sys.exit(0)
     chosen.engines = chosen.engines or ["kodo", "kodo64"]
     if chosen.quick:
         chosen.repeat, chosen.growth = 1, False

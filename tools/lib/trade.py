@@ -106,7 +106,10 @@ def options():
     parser.add_argument("--scenes", nargs="+", choices=names, default=names)
     parser.add_argument("--repeat", type=int, default=3)
     parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--check-options", action="store_true")
     chosen = parser.parse_args()
+    if chosen.check_options:
+        sys.exit(0)
     if chosen.quick:
         chosen.repeat = 1
     return chosen

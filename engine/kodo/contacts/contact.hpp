@@ -29,11 +29,11 @@ struct PointImpulse {
 };
 
 /// Where the solver keeps a contact from step to step; see ContactBlocks.
-struct ContactSeat {
+struct ContactRow {
     static constexpr std::uint32_t kNone = ~std::uint32_t{};
     static constexpr std::uint8_t kNoColour = 255;
 
-    std::uint32_t row = kNone;       // block * 8 + lane
+    std::uint32_t index = kNone;     // block * 8 + lane
     std::uint8_t colour = kNoColour; // no other contact of it pushes the same body
     bool fixedA = false;             // a could not be pushed when it got the colour
     bool fixedB = false;
@@ -49,7 +49,7 @@ struct alignas(128) Contact {
     std::uint32_t jumpsA = 0; // of the bodies, when the manifold was found
     std::uint32_t jumpsB = 0;
     Real drift = 0; // m, that they went against each other since then, at most
-    ContactSeat seat;
+    ContactRow row;
     Real approachSpeed = 0;   // m/s, before the solver
     bool near = false;        // the bounds of the parts, grown by the margin, meet
     bool carried = false;     // the solver has it, with this manifold

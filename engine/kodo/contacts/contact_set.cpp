@@ -129,7 +129,7 @@ std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies) {
         const bool gone = !bodies.active(contact.key.bodyA) && !bodies.active(contact.key.bodyB);
         if (gone) {
             idle_.push_back(contact);
-            idle_.back().seat = {};
+            idle_.back().row = {};
             forgetBlows(idle_.back()); // or a step that it comes back in would report them again
         }
         return gone;

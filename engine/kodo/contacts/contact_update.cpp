@@ -188,7 +188,7 @@ void clearContact(Contact& contact) {
     contact.rolling = 0;
     contact.carried = false;
     contact.passing = false;
-    contact.seat = {}; // what its lane holds is to be forgotten, too
+    contact.row = {}; // what its lane holds is to be forgotten, too
 }
 
 } // namespace kodo::inline KODO_PRECISION

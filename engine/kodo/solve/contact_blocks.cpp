@@ -25,8 +25,8 @@ void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, boo
         forgetLanes();
     }
     singles_ = 0;
-    if (!seated_) {
-        seatAll(contacts);
+    if (!rowsAssigned_) {
+        assignRows(contacts);
     }
     anew_ = anew_ || friction != frictionOn_;
     frictionOn_ = friction;
@@ -55,28 +55,28 @@ void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, boo
 
 /// Gives lanes to all contacts that have a colour: they were read from a snapshot, or the lanes
 /// are dealt out anew.
-void ContactBlocks::seatAll(std::span<Contact> contacts) {
+void ContactBlocks::assignRows(std::span<Contact> contacts) {
     open_.fill(kNone);
     for (Contact& contact : contacts) {
-        ContactSeat& seat = contact.seat;
-        seat.row = kNone;
-        if (seat.colour == ContactSeat::kNoColour) {
+        ContactRow& row = contact.row;
+        row.index = kNone;
+        if (row.colour == ContactRow::kNoColour) {
             continue;
         }
-        const std::uint64_t colour = std::uint64_t{1} << seat.colour;
-        const std::uint64_t colourA = seat.fixedA ? 0 : colour;
-        const std::uint64_t colourB = seat.fixedB ? 0 : colour;
+        const std::uint64_t colour = std::uint64_t{1} << row.colour;
+        const std::uint64_t colourA = row.fixedA ? 0 : colour;
+        const std::uint64_t colourB = row.fixedB ? 0 : colour;
         std::uint64_t& ofA = colours_[contact.key.bodyA];
         std::uint64_t& ofB = colours_[contact.key.bodyB];
         if (((ofA & colourA) | (ofB & colourB)) != 0) {
-            seat = {}; // only where a snapshot was forged
+            row = {}; // only where a snapshot was forged
             continue;
         }
         ofA |= colourA;
         ofB |= colourB;
-        sit(contact, binOf(seat.colour, contact));
+        giveLane(contact, binOf(row.colour, contact));
     }
-    seated_ = true;
+    rowsAssigned_ = true;
     anew_ = true;
 }
 
@@ -84,46 +84,46 @@ void ContactBlocks::forgetLanes() {
     colours_.assign(colours_.size(), 0);
     blocks_.clear();
     use_.clear();
-    shelves_.clear();
+    states_.clear();
     rolling_.clear();
     order_.clear();
     rows_ = 0;
     orderStale_ = true;
-    seated_ = false;
+    rowsAssigned_ = false;
 }
 
 /// Does the colour that it has still suit the contact?
 bool ContactBlocks::keepsColour(const Bodies& bodies, const Contact& contact) const {
-    const ContactSeat& seat = contact.seat;
+    const ContactRow& row = contact.row;
     const Motion& a = bodies.motion[contact.key.bodyA];
     const Motion& b = bodies.motion[contact.key.bodyB];
     const bool onLocked = a.invMass == 0 || b.invMass == 0;
-    return seat.colour != ContactSeat::kNoColour && (seat.colour >= kFreeColours) == onLocked &&
-           seat.fixedA == a.locked() && seat.fixedB == b.locked();
+    return row.colour != ContactRow::kNoColour && (row.colour >= kFreeColours) == onLocked &&
+           row.fixedA == a.locked() && row.fixedB == b.locked();
 }
 
 /// Has it rolling resistance for which its block has no room yet?
 bool ContactBlocks::needsRolling(const Contact& contact) const {
     return rollingOn_ && contact.material.rollingResistance > 0 &&
-           use_[blockOf(contact.seat.row)].rolling < 0;
+           use_[blockOf(contact.row.index)].rolling < 0;
 }
 
 bool ContactBlocks::take(const Bodies& bodies, Contact& contact) {
-    ContactSeat& seat = contact.seat;
-    if (seat.colour != ContactSeat::kNoColour && contact.carried && !anew_) {
-        ContactBlock& block = blocks_[blockOf(seat.row)];
-        taken_[seat.row] = 1;
-        block.points[0].separation[laneOf(seat.row)] = contact.manifold.points[0].separation;
-        block.points[1].separation[laneOf(seat.row)] = contact.manifold.points[1].separation;
-        seat.lent = true;
+    ContactRow& row = contact.row;
+    if (row.colour != ContactRow::kNoColour && contact.carried && !anew_) {
+        ContactBlock& block = blocks_[blockOf(row.index)];
+        taken_[row.index] = 1;
+        block.points[0].separation[laneOf(row.index)] = contact.manifold.points[0].separation;
+        block.points[1].separation[laneOf(row.index)] = contact.manifold.points[1].separation;
+        row.lent = true;
         return true;
     }
     reclaim(contact);
     if (!keepsColour(bodies, contact)) {
         return false;
     }
-    taken_[seat.row] = 1;
-    if (shelves_[blockOf(seat.row)].bin != binOf(seat.colour, contact) || needsRolling(contact)) {
+    taken_[row.index] = 1;
+    if (states_[blockOf(row.index)].bin != binOf(row.colour, contact) || needsRolling(contact)) {
         return false;
     }
     fill(bodies, contact);
@@ -136,7 +136,7 @@ void ContactBlocks::freeLanes(const Bodies& bodies) {
     if (std::exchange(spare_, bodies.spare()) != bodies.spare()) {
         for (std::size_t i = 0; i < blocks_.size(); ++i) {
             for (std::size_t lane = 0; lane < ContactBlock::kContacts; ++lane) {
-                if ((shelves_[i].used >> lane & 1) == 0) {
+                if ((states_[i].used >> lane & 1) == 0) {
                     blocks_[i].a[lane] = blocks_[i].b[lane] = spare_;
                 }
             }
@@ -161,7 +161,7 @@ void ContactBlocks::releaseAll(const Bodies& bodies) {
 std::uint8_t ContactBlocks::goneFrom(std::uint32_t block) const {
     constexpr std::size_t kContacts = ContactBlock::kContacts;
     const std::uint8_t* const taken = &taken_[block * kContacts];
-    std::uint32_t gone = shelves_[block].used;
+    std::uint32_t gone = states_[block].used;
     for (std::uint32_t lane = 0; lane < kContacts; ++lane) {
         gone &= ~(std::uint32_t{taken[lane]} << lane);
     }
@@ -171,24 +171,24 @@ std::uint8_t ContactBlocks::goneFrom(std::uint32_t block) const {
 /// Gives up a lane and the colour of its contact.
 void ContactBlocks::release(std::uint32_t row) {
     const ContactBlock& block = blocks_[blockOf(row)];
-    const Shelf& shelf = shelves_[blockOf(row)];
-    const std::uint32_t group = shelf.bin / 2;
-    if (!isSingle(shelf.bin)) {
+    const BlockState& state = states_[blockOf(row)];
+    const std::uint32_t group = state.bin / 2;
+    if (!isSingle(state.bin)) {
         const std::uint64_t colour = std::uint64_t{1} << (group - (group > kFreeColours ? 1 : 0));
-        colours_[block.a[laneOf(row)]] &= ~((shelf.fixedA & maskOf(row)) != 0 ? 0 : colour);
-        colours_[block.b[laneOf(row)]] &= ~((shelf.fixedB & maskOf(row)) != 0 ? 0 : colour);
+        colours_[block.a[laneOf(row)]] &= ~((state.fixedA & maskOf(row)) != 0 ? 0 : colour);
+        colours_[block.b[laneOf(row)]] &= ~((state.fixedB & maskOf(row)) != 0 ? 0 : colour);
     }
     empty(row);
 }
 
 /// Makes a lane a free one.
 void ContactBlocks::empty(std::uint32_t row) {
-    Shelf& shelf = shelves_[blockOf(row)];
-    if (shelf.used == 0xff || isSingle(shelf.bin)) {
-        shelf.nextOpen = std::exchange(open_[shelf.bin], static_cast<std::uint32_t>(blockOf(row)));
+    BlockState& state = states_[blockOf(row)];
+    if (state.used == 0xff || isSingle(state.bin)) {
+        state.nextOpen = std::exchange(open_[state.bin], static_cast<std::uint32_t>(blockOf(row)));
     }
-    shelf.used &= static_cast<std::uint8_t>(~maskOf(row));
-    orderStale_ = orderStale_ || shelf.used == 0;
+    state.used &= static_cast<std::uint8_t>(~maskOf(row));
+    orderStale_ = orderStale_ || state.used == 0;
     --rows_;
     ContactBlock& block = blocks_[blockOf(row)];
     const std::size_t lane = laneOf(row);
@@ -208,23 +208,23 @@ void ContactBlocks::colourNewcomer(const Bodies& bodies, Contact& contact) {
     const Motion& motionA = bodies.motion[a];
     const Motion& motionB = bodies.motion[b];
     const bool onLocked = motionA.invMass == 0 || motionB.invMass == 0;
-    ContactSeat& seat = contact.seat;
-    seat = {};
-    seat.fixedA = motionA.locked();
-    seat.fixedB = motionB.locked();
+    ContactRow& row = contact.row;
+    row = {};
+    row.fixedA = motionA.locked();
+    row.fixedB = motionB.locked();
     constexpr std::uint64_t kFree = (std::uint64_t{1} << kFreeColours) - 1;
-    const std::uint64_t taken = (seat.fixedA ? 0 : colours_[a]) | (seat.fixedB ? 0 : colours_[b]) |
+    const std::uint64_t taken = (row.fixedA ? 0 : colours_[a]) | (row.fixedB ? 0 : colours_[b]) |
                                 (onLocked ? kFree : ~kFree);
     const auto colour = static_cast<std::uint32_t>(std::countr_one(taken));
     if (colour == kColours || (colour >= kFreeColours && !onLocked)) {
         const std::uint32_t group = onLocked ? kGroups - 1 : kFreeColours;
         ++singles_;
-        sit(contact, 2 * group + (contact.manifold.count == 2 ? 1 : 0));
+        giveLane(contact, 2 * group + (contact.manifold.count == 2 ? 1 : 0));
     } else {
-        seat.colour = static_cast<std::uint8_t>(colour);
-        colours_[a] |= seat.fixedA ? 0 : std::uint64_t{1} << colour;
-        colours_[b] |= seat.fixedB ? 0 : std::uint64_t{1} << colour;
-        sit(contact, binOf(colour, contact));
+        row.colour = static_cast<std::uint8_t>(colour);
+        colours_[a] |= row.fixedA ? 0 : std::uint64_t{1} << colour;
+        colours_[b] |= row.fixedB ? 0 : std::uint64_t{1} << colour;
+        giveLane(contact, binOf(colour, contact));
     }
 }
 
@@ -235,39 +235,39 @@ std::uint32_t ContactBlocks::openBlock(std::uint32_t bin) {
     }
     const auto block = static_cast<std::uint32_t>(blocks_.size());
     ContactBlock& lanes = blocks_.emplace_back();
-    shelves_.reserve(blocks_.capacity());
+    states_.reserve(blocks_.capacity());
     taken_.resize(blocks_.capacity() * ContactBlock::kContacts);
     use_.reserve(blocks_.capacity());
     order_.reserve(blocks_.capacity());
     std::fill_n(lanes.a, ContactBlock::kContacts, spare_);
     std::fill_n(lanes.b, ContactBlock::kContacts, spare_);
-    shelves_.push_back({bin, kNone, 0, 0, 0});
+    states_.push_back({bin, kNone, 0, 0, 0});
     use_.push_back({-1, bin % 2 == 1, bin / 2 > kFreeColours, 0, 0});
     open_[bin] = block;
     return block;
 }
 
 /// Gives the contact a lane.
-void ContactBlocks::sit(Contact& contact, std::uint32_t bin) {
+void ContactBlocks::giveLane(Contact& contact, std::uint32_t bin) {
     const std::uint32_t block = openBlock(bin);
-    Shelf& shelf = shelves_[block];
-    const auto lane = static_cast<std::uint32_t>(std::countr_one(shelf.used));
-    orderStale_ = orderStale_ || shelf.used == 0;
+    BlockState& state = states_[block];
+    const auto lane = static_cast<std::uint32_t>(std::countr_one(state.used));
+    orderStale_ = orderStale_ || state.used == 0;
     const auto mask = static_cast<std::uint8_t>(1u << lane);
-    shelf.used |= mask;
+    state.used |= mask;
     const auto put = [&](std::uint8_t& lanes, bool value) {
         lanes = static_cast<std::uint8_t>(value ? lanes | mask : lanes & ~mask);
     };
-    put(shelf.fixedA, contact.seat.fixedA);
-    put(shelf.fixedB, contact.seat.fixedB);
-    put(use_[block].movesA, !contact.seat.fixedA);
-    put(use_[block].movesB, !contact.seat.fixedB);
-    if (shelf.used == 0xff || isSingle(bin)) {
-        open_[bin] = shelf.nextOpen;
+    put(state.fixedA, contact.row.fixedA);
+    put(state.fixedB, contact.row.fixedB);
+    put(use_[block].movesA, !contact.row.fixedA);
+    put(use_[block].movesB, !contact.row.fixedB);
+    if (state.used == 0xff || isSingle(bin)) {
+        open_[bin] = state.nextOpen;
     }
     ++rows_;
-    contact.seat.row = block * ContactBlock::kContacts + lane;
-    taken_[contact.seat.row] = 1;
+    contact.row.index = block * ContactBlock::kContacts + lane;
+    taken_[contact.row.index] = 1;
     blocks_[block].a[lane] = contact.key.bodyA;
     blocks_[block].b[lane] = contact.key.bodyB;
 }
@@ -276,9 +276,9 @@ void ContactBlocks::sit(Contact& contact, std::uint32_t bin) {
 void ContactBlocks::orderBlocks() {
     std::array<std::uint32_t, kBins + 1> next{};
     std::uint32_t lowest = kGroups; // two bins each
-    for (const Shelf& shelf : shelves_) {
-        next[shelf.bin + 1] += shelf.used != 0 ? 1 : 0;
-        lowest = std::min(lowest, shelf.bin / 2);
+    for (const BlockState& state : states_) {
+        next[state.bin + 1] += state.used != 0 ? 1 : 0;
+        lowest = std::min(lowest, state.bin / 2);
     }
     std::partial_sum(next.begin() + 2 * lowest, next.end(), next.begin() + 2 * lowest);
     order_.resize(next[kBins]);
@@ -289,9 +289,9 @@ void ContactBlocks::orderBlocks() {
             byColour_.push_back({count, isSingle(2 * group)});
         }
     }
-    for (std::uint32_t i = 0; i < shelves_.size(); ++i) {
-        if (shelves_[i].used != 0) {
-            order_[next[shelves_[i].bin]++] = i;
+    for (std::uint32_t i = 0; i < states_.size(); ++i) {
+        if (states_[i].used != 0) {
+            order_[next[states_[i].bin]++] = i;
         }
     }
     orderStale_ = false;
@@ -305,10 +305,10 @@ void ContactBlocks::arrange(const Bodies& bodies, std::span<Contact> contacts,
         Contact& contact = contacts[place];
         if (!keepsColour(bodies, contact)) {
             colourNewcomer(bodies, contact);
-        } else if (const std::uint32_t bin = binOf(contact.seat.colour, contact);
-                   shelves_[blockOf(contact.seat.row)].bin != bin) {
-            empty(contact.seat.row);
-            sit(contact, bin);
+        } else if (const std::uint32_t bin = binOf(contact.row.colour, contact);
+                   states_[blockOf(contact.row.index)].bin != bin) {
+            empty(contact.row.index);
+            giveLane(contact, bin);
         }
         fill(bodies, contact);
     }
@@ -328,7 +328,7 @@ void ContactBlocks::setPushSpeeds(std::span<const std::uint16_t> crowd, Real pus
     shared_ = !crowd.empty();
     for (const std::uint32_t i : order_) {
         ContactBlock& block = blocks_[i];
-        for (std::uint32_t used = shelves_[i].used; used != 0; used &= used - 1) {
+        for (std::uint32_t used = states_[i].used; used != 0; used &= used - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(used));
             const int crowded = shared_ ? std::max(crowd[block.a[lane]], crowd[block.b[lane]]) : 0;
             block.pushSpeed[lane] =
@@ -338,10 +338,10 @@ void ContactBlocks::setPushSpeeds(std::span<const std::uint16_t> crowd, Real pus
 }
 
 void ContactBlocks::fill(const Bodies& bodies, Contact& contact) {
-    const std::size_t lane = laneOf(contact.seat.row);
-    ContactBlock& block = blocks_[blockOf(contact.seat.row)];
+    const std::size_t lane = laneOf(contact.row.index);
+    ContactBlock& block = blocks_[blockOf(contact.row.index)];
     fillLane(block, lane, bodies, contact, pushSpeed_, parts_);
-    std::int32_t& place = use_[blockOf(contact.seat.row)].rolling;
+    std::int32_t& place = use_[blockOf(contact.row.index)].rolling;
     const bool rolls = rollingOn_ && contact.material.rollingResistance > 0;
     if (rolls && place < 0) {
         place = static_cast<std::int32_t>(rolling_.size());
@@ -351,7 +351,7 @@ void ContactBlocks::fill(const Bodies& bodies, Contact& contact) {
         fillLane(rolling_[static_cast<std::size_t>(place)], lane, bodies, contact, parts_);
     }
     contact.carried = true;
-    contact.seat.lent = true;
+    contact.row.lent = true;
 }
 
 ContactPassArguments ContactBlocks::pass(Bodies& bodies, const PassSettings& settings) {

@@ -60,7 +60,7 @@ public:
     /// After the passes, for touches(): a point that is not farther apart than `slop` (m) touches.
     void noteTouching(Real slop, Crew& crew);
     /// Did a contact that has a lane touch in the last step?
-    bool touches(const Contact& contact) const { return touching_[contact.seat.row] != 0; }
+    bool touches(const Contact& contact) const { return touching_[contact.row.index] != 0; }
 
     /// Hands the impulses that the next step starts from to a contact, if they are lent.
     void reclaim(Contact& contact) const;
@@ -75,11 +75,11 @@ private:
     // What finds no colour has a block to itself; those come behind the colours of their kind.
     static constexpr std::uint32_t kGroups = kColours + 2;
     static constexpr std::uint32_t kBins = 2 * kGroups; // with one point, with two
-    static constexpr std::uint32_t kNone = ContactSeat::kNone;
+    static constexpr std::uint32_t kNone = ContactRow::kNone;
     static constexpr std::size_t kBlocksAPiece = 32;
 
     /// Where a block belongs, and what its lanes hold.
-    struct Shelf {
+    struct BlockState {
         std::uint32_t bin = 0;
         std::uint32_t nextOpen = kNone; // of those of the bin that have a free lane
         std::uint8_t used = 0;          // by lane
@@ -106,13 +106,13 @@ private:
     bool keepsColour(const Bodies& bodies, const Contact& contact) const;
     bool needsRolling(const Contact& contact) const;
     std::uint8_t goneFrom(std::uint32_t block) const;
-    void seatAll(std::span<Contact> contacts);
+    void assignRows(std::span<Contact> contacts);
     void reclaimAll(std::span<Contact> contacts);
     void forgetLanes();
     void freeLanes(const Bodies& bodies);
     void colourNewcomer(const Bodies& bodies, Contact& contact);
     std::uint32_t openBlock(std::uint32_t bin);
-    void sit(Contact& contact, std::uint32_t bin);
+    void giveLane(Contact& contact, std::uint32_t bin);
     void release(std::uint32_t row);
     void empty(std::uint32_t row);
     void orderBlocks();
@@ -122,7 +122,7 @@ private:
     std::vector<std::uint64_t> colours_; // by body: those that it has
     std::vector<ContactBlock> blocks_;
     std::vector<BlockUse> use_;
-    std::vector<Shelf> shelves_;       // of the blocks
+    std::vector<BlockState> states_;   // of the blocks
     std::vector<std::uint32_t> order_; // of the blocks, by bin
     std::vector<RollingBlock> rolling_;
     std::vector<Colour> byColour_;
@@ -138,8 +138,8 @@ private:
     bool lent_ = false;   // the impulses of some contacts
     bool frictionOn_ = true;
     bool rollingOn_ = false;
-    bool anew_ = true;    // what the lanes hold is of no use in this step
-    bool seated_ = false; // contacts that have a colour have a lane
+    bool anew_ = true;          // what the lanes hold is of no use in this step
+    bool rowsAssigned_ = false; // contacts that have a colour have a lane
     bool orderStale_ = true;
 };
 

@@ -27,11 +27,11 @@ void ContactBlocks::noteTouching(Real slop, Crew& crew) {
 }
 
 void ContactBlocks::reclaim(Contact& contact) const {
-    if (!std::exchange(contact.seat.lent, false)) {
+    if (!std::exchange(contact.row.lent, false)) {
         return;
     }
-    const std::size_t block = blockOf(contact.seat.row);
-    const std::size_t lane = laneOf(contact.seat.row);
+    const std::size_t block = blockOf(contact.row.index);
+    const std::size_t lane = laneOf(contact.row.index);
     readImpulses(blocks_[block], lane, contact, parts_);
     const std::int32_t rolling = use_[block].rolling;
     contact.rolling =
@@ -45,9 +45,9 @@ void ContactBlocks::reclaimAll(std::span<Contact> contacts) {
 }
 
 void ContactBlocks::fetch(Contact& contact) const {
-    if (contact.seat.lent) {
+    if (contact.row.lent) {
         reclaim(contact);
-        const std::uint32_t row = contact.seat.row;
+        const std::uint32_t row = contact.row.index;
         readBlows(blocks_[blockOf(row)], laneOf(row), contact, parts_);
     }
 }

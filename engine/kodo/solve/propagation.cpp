@@ -270,7 +270,7 @@ void Propagation::markHeld(const Bodies& bodies, const JointSet& joints) {
 void Propagation::store(std::span<Contact> contacts) {
     for (Contact& contact : contacts) {
         contact.carried = false;
-        contact.seat = {}; // the lanes of the other solver know nothing of this
+        contact.row = {}; // the lanes of the other solver know nothing of this
         contact.struck = true;
         contact.friction = 0;
         contact.rolling = 0;

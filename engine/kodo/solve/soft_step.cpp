@@ -93,7 +93,7 @@ void SoftStep::collect(const Bodies& bodies, ContactSet& contactSet, const Joint
                           Contact& contact = contacts[live[i]];
                           if (!needsRow(bodies, contact, settings, tolerances)) {
                               blocks_.reclaim(contact);
-                              contact.seat = {};
+                              contact.row = {};
                               contact.carried = false;
                               continue;
                           }
@@ -220,7 +220,7 @@ bool SoftStep::noneNeedsRow(const Bodies& bodies, ContactSet& contactSet,
             return false;
         }
         blocks_.reclaim(contact);
-        contact.seat = {};
+        contact.row = {};
         contact.carried = false;
     }
     return true;

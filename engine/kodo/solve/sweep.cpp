@@ -194,7 +194,9 @@ void SweepStage::findCandidate(const Bodies& bodies, const ContactSet& contactSe
                                const Tolerances& tolerances, std::uint32_t i,
                                std::vector<Candidate>& found) const {
     const Contact& contact = contactSet.contacts()[i];
-    const auto& [proxies, a, b, sensor, idle] = contactSet.heads()[i];
+    const ContactHead& head = contactSet.heads()[i];
+    const std::uint32_t a = head.bodyA;
+    const std::uint32_t b = head.bodyB;
     const auto needsSweep = [&](Real motion) {
         return mayNeedSweep(contact, motion, bodies.extent[a].inside, bodies.extent[b].inside,
                             tolerances);
@@ -206,8 +208,8 @@ void SweepStage::findCandidate(const Bodies& bodies, const ContactSet& contactSe
     const Mover moverA{a, bodies.extent[a].reach};
     const Mover moverB{b, bodies.extent[b].reach};
     const bool closes = needsSweep(relativeMotion(bodies, moverA, moverB)) &&
-                        mayMeet(bodies, moverA, bounds.tight(proxies.first), moverB,
-                                bounds.tight(proxies.second), tolerances);
+                        mayMeet(bodies, moverA, bounds.tight(head.proxies.first), moverB,
+                                bounds.tight(head.proxies.second), tolerances);
     found.push_back({i, a, b, closes});
 }
 

@@ -154,7 +154,7 @@ private:
     void one(ManifoldPoint& point);
     void one(Manifold& manifold);
     void one(PointImpulse& impulse);
-    void one(ContactSeat& seat);
+    void one(ContactRow& row);
     void one(Contact& contact);
     void one(CollisionRecord& record);
     void one(RestStage::Island& island);

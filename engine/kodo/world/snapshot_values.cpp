@@ -107,17 +107,17 @@ void SnapshotFields::one(PointImpulse& impulse) {
 }
 
 /// Where a contact has its lane decides nothing.
-void SnapshotFields::one(ContactSeat& seat) {
-    auto& [row, colour, fixedA, fixedB, lent] = seat;
+void SnapshotFields::one(ContactRow& row) {
+    auto& [index, colour, fixedA, fixedB, lent] = row;
     all(colour, fixedA, fixedB);
-    require(colour < 64 || colour == ContactSeat::kNoColour, "there is no such colour");
+    require(colour < 64 || colour == ContactRow::kNoColour, "there is no such colour");
 }
 
 void SnapshotFields::one(Contact& contact) {
-    auto& [key, jumpsA, jumpsB, drift, seat, approachSpeed, near, carried, bounces, sensor, passing,
+    auto& [key, jumpsA, jumpsB, drift, row, approachSpeed, near, carried, bounces, sensor, passing,
            hidden, touching, wasTouching, struck, phase, manifold, centerA, impulse, friction,
            rolling, total, a, b, material] = contact; // the phase is in the records
-    all(key, centerA, manifold, jumpsA, jumpsB, drift, impulse, seat, friction, rolling,
+    all(key, centerA, manifold, jumpsA, jumpsB, drift, impulse, row, friction, rolling,
         approachSpeed, total);
     all(near, carried, passing, hidden, touching, wasTouching);
     struck = true; // for all that is known

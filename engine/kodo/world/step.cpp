@@ -205,7 +205,7 @@ void World::recordCollisions(Crew& crew) {
     contacts_.sumUp(
         crew,
         [&](const Contact& contact) {
-            return contact.seat.row != ContactSeat::kNone ? softStep_.blocks().touches(contact)
+            return contact.row.index != ContactRow::kNone ? softStep_.blocks().touches(contact)
                                                           : touches(contact, tolerances_);
         },
         [&](std::uint32_t body) { return crew.markFirst(isColliding_[body]); }, colliding_);

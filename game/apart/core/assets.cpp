@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -85,12 +86,18 @@ std::string noSuchLevel(const std::string& name) {
     for (const std::string& other : levelNames()) {
         sentence += (sentence.ends_with("are") ? " " : ", ") + other;
     }
-    return sentence + ", and endless:SEED:NUMBER";
+    return sentence + ", and endless[:SEED[:NUMBER]]";
 }
 
 Read<Level> loadLevel(const std::string& name) {
     if (const std::optional<EndlessName> endless = parseEndless(name)) {
         return endlessLevel(*endless);
+    }
+    if (name.starts_with("endless:")) {
+        return FileProblem{name, 0,
+                           "is no endless level: endless:SEED:NUMBER has a SEED from 0 to " +
+                               std::to_string(std::numeric_limits<std::uint32_t>::max()) +
+                               " and a NUMBER from 1 to " + std::to_string(kMostEndless)};
     }
     if (!isName(name)) {
         return FileProblem{name, 0,

@@ -58,11 +58,7 @@ CLI::Option* addChoice(CLI::App& command, const std::string& option, std::option
 int playBot(const BotOptions& options) {
     std::string name = options.level;
     if (name.empty()) {
-        const std::vector<std::string> names = levelNames();
-        if (names.empty()) {
-            throw Refusal{assetsFolder().string() + ": there are no levels in it"};
-        }
-        name = names.front();
+        name = namesOfLevels().front();
     } else if (name == "endless") {
         name = EndlessName{options.seed}.text(); // one seed for the levels and the game
     }
@@ -150,12 +146,8 @@ int verify(const std::string& file, bool json) {
 }
 
 int listLevels() {
-    for (const std::string& name : levelNames()) {
-        const Read<Level> level = loadLevel(name);
-        if (const auto* problem = std::get_if<FileProblem>(&level)) {
-            throw Refusal{problem->text()};
-        }
-        const Level& found = std::get<Level>(level);
+    for (const std::string& name : namesOfLevels()) {
+        const Level found = valueOrRefuse(loadLevel(name));
         fmt::print("{:<16} {:<12} {}: {}\n", name,
                    kThemeNames[static_cast<std::size_t>(found.theme)], found.title, found.idea);
     }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <apart/core/assets.hpp>
 #include <apart/core/text_file.hpp>
 
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace apart {
 
@@ -20,6 +22,15 @@ T valueOrRefuse(Read<T> read) {
         throw Refusal{problem->text()};
     }
     return std::get<T>(std::move(read));
+}
+
+/// Names of all levels. Refuses where there are none.
+inline std::vector<std::string> namesOfLevels() {
+    std::vector<std::string> names = levelNames();
+    if (names.empty()) {
+        throw Refusal{assetsFolder().string() + ": there are no levels in it"};
+    }
+    return names;
 }
 
 } // namespace apart
