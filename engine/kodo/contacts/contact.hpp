@@ -42,8 +42,8 @@ struct ContactRow {
 
 /// Two parts that touch or are near each other, from when their grown bounds meet until they part.
 /// In each step all are gone through several times, so what every one of these passes needs comes
-/// first, within the first 64 bytes (float). What follows the place of the manifold, after 128, is
-/// left alone while the solver has lent the impulses.
+/// first, within the first 64 bytes (float). What follows the manifold and its place, after 128, is
+/// left alone while the impulses are lent.
 struct alignas(128) Contact {
     ContactKey key;
     std::uint32_t jumpsA = 0; // of the bodies, when the manifold was found

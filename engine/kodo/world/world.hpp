@@ -91,7 +91,9 @@ public:
     void applyTorqueToAll(Real torque, CollisionFilter which = {});
 
     /// Moves everything on by dt seconds, kShortestStep to kLongestStep. Throws BadDefinition for
-    /// any other dt. What helps or watches changes nothing of the outcome.
+    /// any other dt. Best is one dt for all steps: contacts and joints start from the impulses of
+    /// the step before, which those of another length would not want. What helps or watches
+    /// changes nothing of the outcome.
     void step(Real dt, const StepAids& aids = {});
     /// What touched in the last step, ordered by bodies and parts. Valid until the next step,
     /// whatever is added, removed or welded meanwhile. Pairs that rest, or wait outside the region,
