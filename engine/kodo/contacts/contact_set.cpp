@@ -323,7 +323,7 @@ void ContactSet::lookAtAll() {
 }
 
 void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances,
-                                 const std::function<void(Contact&)>& fetch, Crew& crew) {
+                                 const std::function<void(Contact&)>& reclaim, Crew& crew) {
     fastestApproach_ = 0;
     if (contacts_.empty() && !contactsChanged_) {
         return;
@@ -338,7 +338,7 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
                               prefetch<2>(contacts(), ahead);
                           }
                           if ((!heads_[i].idle || boundsMeet(i, tolerances)) &&
-                              updateManifold(bodies, tolerances, i, fetch)) {
+                              updateManifold(bodies, tolerances, i, reclaim)) {
                               found.push_back(static_cast<std::uint32_t>(i));
                               fastest = std::max(fastest, contacts_[i].approachSpeed);
                           }
@@ -361,11 +361,11 @@ bool ContactSet::boundsMeet(std::size_t i, const Tolerances& tolerances) const {
 
 /// Of one contact. True if anything may come of it in this step.
 bool ContactSet::updateManifold(const Bodies& bodies, const Tolerances& tolerances, std::size_t i,
-                                const std::function<void(Contact&)>& fetch) {
+                                const std::function<void(Contact&)>& reclaim) {
     Contact& contact = contacts_[i];
     if (contact.carried || boundsMeet(i, tolerances)) {
         if (!followContact(contact, bodies, tolerances)) {
-            fetch(contact);
+            reclaim(contact);
             findContact(contact, bodies, tolerances);
         }
         kodo::measureApproach(contact, bodies);

@@ -42,10 +42,11 @@ public:
     void updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt, Crew& crew);
     /// Pairs of bodies, in order, that may not touch although their flags say so: jointed ones.
     void setApart(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
-    /// Finds where the pairs touch, now, and how fast they approach. fetch(contact) is called for
-    /// those whose impulses go on to new points, since they may be lent. Several threads call it.
+    /// Finds where the pairs touch, now, and how fast they approach. reclaim(contact) is called
+    /// for those whose impulses go on to new points, since they may be lent. Several threads call
+    /// it.
     void updateManifolds(const Bodies& bodies, const Tolerances& tolerances,
-                         const std::function<void(Contact&)>& fetch, Crew& crew);
+                         const std::function<void(Contact&)>& reclaim, Crew& crew);
     /// Measures the approach again, since bodies have got other speeds.
     void measureApproach(const Bodies& bodies);
     /// m/s, of those that updateManifolds looked at.
@@ -145,7 +146,7 @@ private:
     void changed();
     bool boundsMeet(std::size_t i, const Tolerances& tolerances) const;
     bool updateManifold(const Bodies& bodies, const Tolerances& tolerances, std::size_t i,
-                        const std::function<void(Contact&)>& fetch);
+                        const std::function<void(Contact&)>& reclaim);
     template <typename Gone>
     void eraseIf(Gone gone);
     void fillHoles();

@@ -13,8 +13,8 @@ namespace kodo::inline KODO_PRECISION {
 namespace {
 
 constexpr std::uint64_t kPassesPerStep = 1u << 20; // more than a step makes, but for huge settings
-constexpr Real kSteep =
-    Real(0.25); // of the pull: a normal with less than this along it does not carry
+// A normal with less than this share along the pull does not carry.
+constexpr Real kSteep = Real(0.25);
 
 bool bounces(const Contact& contact, const StepSettings& settings) {
     return contact.material.restitution > 0 && settings.has(Feature::Restitution);

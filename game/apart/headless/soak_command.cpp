@@ -214,7 +214,11 @@ void printAll(const std::vector<Tally>& tallies, const Tally& total, bool json) 
 
 int runSoak(const SoakCommand& command) {
     std::vector<std::shared_ptr<const Level>> levels;
-    for (const std::string& name : command.levels.empty() ? levelNames() : command.levels) {
+    std::vector<std::string> names = command.levels;
+    if (names.empty()) {
+        names = command.endless > 0 ? levelNames() : namesOfLevels();
+    }
+    for (const std::string& name : names) {
         levels.push_back(std::make_shared<const Level>(valueOrRefuse(loadLevel(name))));
     }
     std::vector<Tally> tallies;
@@ -223,9 +227,6 @@ int runSoak(const SoakCommand& command) {
     }
     if (command.endless > 0) {
         tallies.push_back({.level = "endless"});
-    }
-    if (tallies.empty()) {
-        throw Refusal{assetsFolder().string() + ": there are no levels in it"};
     }
     Tally total{.level = "all"};
     Progress progress;
