@@ -39,9 +39,8 @@ struct Crowd {
     }
 
     ContactPassArguments arrange(ContactBlocks& blocks) {
-        Crew alone;
         std::vector<std::uint32_t> newcomers;
-        blocks.begin(bodies, contacts, true, true, alone);
+        blocks.begin(bodies, contacts, true, true);
         for (std::uint32_t i = 0; i < contacts.size(); ++i) {
             if (!blocks.take(bodies, contacts[i])) {
                 newcomers.push_back(i);
@@ -70,8 +69,8 @@ void expectNoBodyTwice(const Crowd& crowd, const ContactBlocks& blocks,
                 EXPECT_TRUE(!free || pushed.insert(body).second) << "block " << i;
             };
             for (std::size_t lane = 0; lane < ContactBlock::kContacts; ++lane) {
-                expectNew(block.a[lane], (use.movesA >> lane & 1) != 0);
-                expectNew(block.b[lane], (use.movesB >> lane & 1) != 0);
+                expectNew(bodyAt(block.a[lane]), (use.movesA >> lane & 1) != 0);
+                expectNew(bodyAt(block.b[lane]), (use.movesB >> lane & 1) != 0);
             }
         }
     }
@@ -150,8 +149,10 @@ TEST(ContactBlocks, TellWhoTouched) {
     blocks.noteTouching(kSlop, alone);
     for (std::size_t i = 0; i < crowd.contacts.size(); ++i) {
         const bool near = i % 3 == 0 || (i % 3 == 1 && crowd.contacts[i].manifold.count == 2);
-        EXPECT_EQ(blocks.touches(crowd.contacts[i]), near || i % 5 == 0) << i;
+        EXPECT_EQ(blocks.touches(crowd.contacts[i].row.index), near || i % 5 == 0) << i;
     }
+    EXPECT_FALSE(blocks.touches(ContactRow::kNone));
+    EXPECT_FALSE(ContactBlocks().touches(ContactRow::kNone));
 }
 
 // Contacts with what cannot be pushed come last, so that they have the last word.

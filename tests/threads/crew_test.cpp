@@ -58,7 +58,7 @@ TEST(Crew, MarksCountsAndRaisesTogether) {
     std::vector<std::uint32_t> places(5000, 0);
     crew.forEach(places.size(), 16, [&](std::size_t first, std::size_t last) {
         Crew::mark(seen);
-        firsts[first / 16] = crew.markFirst(first == 0 ? only : once);
+        firsts[first / 16] = crew.markFirst(first == 0 ? only : once, true);
         for (std::size_t i = first; i < last; ++i) {
             places[crew.count(count)] = static_cast<std::uint32_t>(i);
             Crew::raise(largest, static_cast<Real>(i % 4999));

@@ -57,7 +57,7 @@ struct alignas(128) Contact {
     bool sensor = false;      // is only noticed
     bool passing = false;     // through a one-sided line from behind; see letPass
     bool hidden = false;      // in this step, under the surface that carries the body; see Seams
-    bool touching = false;    // in this step
+    bool touching = false;    // in the last step; of sensors, in this one
     bool wasTouching = false; // in the last step; equal to touching between steps
     bool struck = false;      // what was pushed in one step only is not 0
     std::optional<TouchPhase> phase; // of the last step; nothing: it did not touch
@@ -82,8 +82,23 @@ struct ContactHead {
     BoundsPair proxies; // places of the bounds of both parts
     std::uint32_t bodyA = 0;
     std::uint32_t bodyB = 0;
+    std::uint32_t row = ContactRow::kNone; // the index of its row
+    Real approachSpeed = 0;                // m/s, that of the contact
+    Real separation = 0;                   // m, of the first point, if there is a manifold
     bool sensor = false;
-    bool idle = false; // far apart, and nothing came of it in the last step
+    bool bounces = false;
+    bool idle = false;     // far apart, and nothing came of it in the last step
+    bool asks = false;     // has a manifold or is a sensor: may touch without a row, too
+    bool touching = false; // that of the contact
+    bool steady = false;   // the contact stays as it is if it touches, or not, once more
+
+    /// To be called when something of that has changed.
+    void note(const Contact& contact) {
+        row = contact.row.index;
+        approachSpeed = contact.approachSpeed;
+        separation = contact.manifold.points[0].separation;
+        asks = contact.manifold.count > 0 || contact.sensor;
+    }
 };
 
 /// How many contacts ahead a loop over all of them prefetches what it will read.

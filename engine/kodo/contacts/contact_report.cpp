@@ -36,7 +36,7 @@ bool touches(const Contact& contact, const Tolerances& tolerances) {
 }
 
 void finishContact(Contact& contact, bool touches) {
-    contact.touching = contact.touching || touches;
+    contact.touching = (contact.sensor && contact.touching) || touches;
     contact.phase.reset();
     if (contact.touching) {
         contact.phase = contact.wasTouching ? TouchPhase::Persist : TouchPhase::Begin;

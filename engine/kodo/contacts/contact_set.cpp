@@ -11,7 +11,13 @@ namespace kodo::inline KODO_PRECISION {
 namespace {
 
 ContactHead headOf(const Contact& contact, BoundsPair proxies) {
-    return {proxies, contact.key.bodyA, contact.key.bodyB, contact.sensor, false};
+    ContactHead head{.proxies = proxies,
+                     .bodyA = contact.key.bodyA,
+                     .bodyB = contact.key.bodyB,
+                     .sensor = contact.sensor,
+                     .bounces = contact.bounces};
+    head.note(contact);
+    return head;
 }
 
 } // namespace
@@ -29,12 +35,14 @@ void ContactSet::writeRecords() const {
 
 void ContactSet::forgetUnsound(const Bodies& bodies, const Tolerances& tolerances) {
     lookAtAll();
-    for (Contact& contact : contacts_) {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        Contact& contact = contacts_[i];
         if (!isSound(contact)) {
             clearContact(contact);
             followContact(contact, bodies, tolerances);
             findContact(contact, bodies, tolerances);
             kodo::measureApproach(contact, bodies);
+            heads_[i].note(contact);
         }
     }
 }
@@ -293,89 +301,6 @@ void ContactSet::mergePairs(const Bodies& bodies) {
         heads_[order_[at].slot] = headOf(contact, order_[at].pair);
     }
     fillHoles();
-}
-
-void ContactSet::measureApproach(const Bodies& bodies) {
-    fastestApproach_ = 0;
-    for (Contact& contact : contacts_) {
-        kodo::measureApproach(contact, bodies);
-        fastestApproach_ = std::max(fastestApproach_, contact.approachSpeed);
-    }
-}
-
-std::span<const std::uint32_t> ContactSet::live() {
-    if (std::exchange(liveStale_, false)) {
-        live_.clear();
-        for (std::uint32_t i = 0; i < heads_.size(); ++i) {
-            if (!heads_[i].idle) {
-                live_.push_back(i);
-            }
-        }
-    }
-    return live_;
-}
-
-void ContactSet::lookAtAll() {
-    for (ContactHead& head : heads_) {
-        head.idle = false;
-    }
-    liveStale_ = true;
-}
-
-void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances,
-                                 const std::function<void(Contact&)>& reclaim, Crew& crew) {
-    fastestApproach_ = 0;
-    if (contacts_.empty() && !contactsChanged_) {
-        return;
-    }
-    live_.clear();
-    found_.gather(crew, contacts_.size(), kContactsAPiece, live_,
-                  [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
-                      Real fastest = 0;
-                      for (std::size_t i = first; i < last; ++i) {
-                          if (const std::size_t ahead = i + kContactsAhead;
-                              ahead < last && !heads_[ahead].idle) {
-                              prefetch<2>(contacts(), ahead);
-                          }
-                          if ((!heads_[i].idle || boundsMeet(i, tolerances)) &&
-                              updateManifold(bodies, tolerances, i, reclaim)) {
-                              found.push_back(static_cast<std::uint32_t>(i));
-                              fastest = std::max(fastest, contacts_[i].approachSpeed);
-                          }
-                      }
-                      Crew::raise(fastestApproach_, fastest);
-                  });
-    liveStale_ = false;
-    if (std::exchange(contactsChanged_, false)) {
-        seams_.link(bodies, heads_);
-    }
-    seams_.hide(bodies, contacts_, heads_, tolerances);
-}
-
-/// Do the bounds of the parts of a contact meet, grown by the margin?
-bool ContactSet::boundsMeet(std::size_t i, const Tolerances& tolerances) const {
-    const BoundsPair& proxies = heads_[i].proxies;
-    return overlap(bounds_.tight(proxies.first).grown(tolerances.margin),
-                   bounds_.tight(proxies.second));
-}
-
-/// Of one contact. True if anything may come of it in this step.
-bool ContactSet::updateManifold(const Bodies& bodies, const Tolerances& tolerances, std::size_t i,
-                                const std::function<void(Contact&)>& reclaim) {
-    Contact& contact = contacts_[i];
-    if (contact.carried || boundsMeet(i, tolerances)) {
-        if (!followContact(contact, bodies, tolerances)) {
-            reclaim(contact);
-            findContact(contact, bodies, tolerances);
-        }
-        kodo::measureApproach(contact, bodies);
-    } else if (contact.near || contact.hidden || contact.manifold.count > 0) {
-        clearContact(contact);
-    }
-    // Its end is still to be told, or was and is to be forgotten.
-    const bool ends = contact.wasTouching || contact.phase;
-    heads_[i].idle = !(contact.near || ends || contact.sensor);
-    return !heads_[i].idle;
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -74,28 +74,38 @@ public:
     /// Something may come of all of them in this step: who asks for more than live() brings them
     /// into contact by itself.
     void lookAtAll();
-    /// Sums up a step, in which touched(contact) tells who touched. Lists the bodies that did, for
-    /// which noteFirst(body) is true, each once and in any order. Several threads call these.
+    /// To be called by who then found manifolds by itself.
+    void noteManifolds();
+    /// False if no contact is a sensor's.
+    bool mayHaveSensors() const { return anySensors_ || contactsChanged_; }
+    /// The solver gave a contact a row, or took it. Several threads call it.
+    void noteRow(std::uint32_t place) { heads_[place].row = contacts_[place].row.index; }
+    /// Sums up a step, in which touched(row) tells who touched of those that have a row; of no row
+    /// it is false. Lists the bodies that did, for which noteFirst(body, touches) is true, each
+    /// once and in any order. Several threads call these. Contacts that go on as they were are left
+    /// alone, as most of a pile; who touches is hard to foresee, so nothing else branches by it.
     template <typename Touched, typename NoteFirst>
-    void sumUp(Crew& crew, Touched touched, NoteFirst noteFirst,
+    void sumUp(const Tolerances& tolerances, Crew& crew, Touched touched, NoteFirst noteFirst,
                std::vector<std::uint32_t>& touching) {
-        found_.gather(
-            crew, live().size(), kContactsAPiece, touching,
-            [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
-                for (std::size_t i = first; i < last; ++i) {
-                    prefetch<1>(contacts(), live_, i + kContactsAhead);
-                    Contact& contact = contacts_[live_[i]];
-                    finishContact(contact, touched(contact));
-                    if (!contact.touching) {
-                        continue;
-                    }
-                    for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
-                        if (noteFirst(body)) {
-                            found.push_back(body);
-                        }
-                    }
-                }
-            });
+        touching.reserve(2 * contacts_.capacity()); // or it would grow in some later step
+        found_.gather(crew, live().size(), kContactsAPiece, touching,
+                      [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
+                          std::size_t count = found.size();
+                          found.resize(count + 2 * (last - first));
+                          for (std::size_t i = first; i < last; ++i) {
+                              ContactHead& head = heads_[live_[i]];
+                              bool touches = touched(head.row);
+                              const bool asks = head.asks & (head.row == ContactRow::kNone);
+                              if (asks | !head.steady | (touches != head.touching)) {
+                                  touches = finishContact(live_[i], touches, tolerances);
+                              }
+                              for (const std::uint32_t body : {head.bodyA, head.bodyB}) {
+                                  found[count] = body;
+                                  count += noteFirst(body, touches) ? 1 : 0;
+                              }
+                          }
+                          found.resize(count);
+                      });
     }
     /// The last of a step: what is recorded from now on belongs to the next.
     void finishStep(bool wantRecords) {
@@ -145,11 +155,12 @@ private:
     Contact makeContact(const Bodies& bodies, BoundsPair pair) const;
     void changed();
     bool boundsMeet(std::size_t i, const Tolerances& tolerances) const;
-    bool updateManifold(const Bodies& bodies, const Tolerances& tolerances, std::size_t i,
+    void updateManifold(const Bodies& bodies, const Tolerances& tolerances, std::size_t i,
                         const std::function<void(Contact&)>& reclaim);
     template <typename Gone>
     void eraseIf(Gone gone);
     void fillHoles();
+    bool finishContact(std::uint32_t place, bool touchesInRow, const Tolerances& tolerances);
 
     PartBounds bounds_;
     std::vector<BoundsPair> pairs_;
@@ -176,6 +187,7 @@ private:
     bool pairsStale_ = true;
     bool contactsChanged_ = true; // in number, in place, or in what is locked
     bool liveStale_ = true;
+    bool anySensors_ = false; // when contacts changed last
 };
 
 } // namespace kodo::inline KODO_PRECISION

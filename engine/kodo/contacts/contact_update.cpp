@@ -61,7 +61,7 @@ bool staysApart(const Contact& contact, const Tolerances& tolerances) {
 /// Keeps a manifold while its bodies have not gone far against each other since it was found: only
 /// the separations follow the last step, to first order in the turn. This saves most of the work in
 /// a pile, also in one that moves as a whole, and a point of contact that stays where it is
-/// steadies it. False if it must be found anew.
+/// steadies it. Measures the approach by the same levers. False if it must be found anew.
 bool carry(const Bodies& bodies, Contact& contact, const Tolerances& tolerances) {
     const Real most = (contact.bounces ? kKeptToBounce : kKept) * tolerances.slop;
     if (!contact.carried || contact.drift > most) {
@@ -71,8 +71,16 @@ bool carry(const Bodies& bodies, Contact& contact, const Tolerances& tolerances)
     const Motion& motionB = bodies.motion[contact.key.bodyB];
     const Vec2 n = contact.manifold.normal;
     const Real moved = dot(n, motionB.move - motionA.move);
-    for (ManifoldPoint& p : contact.manifold.points) {
-        p.separation += moved + (cross(p.armB, n) * motionB.turn - cross(p.armA, n) * motionA.turn);
+    const Real speed = dot(n, motionB.velocity - motionA.velocity);
+    contact.approachSpeed = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        ManifoldPoint& p = contact.manifold.points[i];
+        const Real leverA = cross(p.armA, n);
+        const Real leverB = cross(p.armB, n);
+        p.separation += moved + (leverB * motionB.turn - leverA * motionA.turn);
+        const Real apart =
+            speed + (leverB * motionB.angularVelocity - leverA * motionA.angularVelocity);
+        contact.approachSpeed = std::max(contact.approachSpeed, -apart);
     }
     return true;
 }
@@ -100,8 +108,10 @@ void spreadConcentric(Manifold& manifold, const Convex& a, const Convex& b, std:
 
 /// What belongs to one step begins anew.
 void beginStep(Contact& contact) {
-    contact.touching = false;
     contact.hidden = false;
+    if (contact.sensor) {
+        contact.touching = false;
+    }
     if (contact.struck) {
         forgetBlows(contact);
     }
@@ -180,6 +190,7 @@ bool isSound(const Contact& contact) {
 void clearContact(Contact& contact) {
     beginStep(contact);
     forgetBlows(contact);
+    contact.touching = false;
     contact.near = false;
     contact.manifold.count = 0;
     contact.manifold.points[0].separation = 0; // how far apart is not known

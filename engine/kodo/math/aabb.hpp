@@ -36,8 +36,9 @@ using Aabb = BasicAabb<Real>;
 /// Touching counts.
 template <std::floating_point T>
 constexpr bool overlap(const BasicAabb<T>& a, const BasicAabb<T>& b) {
-    return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y &&
-           b.lower.y <= a.upper.y;
+    // which of the four fails is hard to foresee, so none of them is left out
+    return (a.lower.x <= b.upper.x) & (b.lower.x <= a.upper.x) & (a.lower.y <= b.upper.y) &
+           (b.lower.y <= a.upper.y);
 }
 
 template <std::floating_point T>

@@ -70,10 +70,9 @@ KODO_LANES_INLINE Lanes loadPair(const Real* low, const Real* high) {
     return __builtin_shufflevector(loadHalf(low), loadHalf(high), 0, 1, 2, 3, 4, 5, 6, 7);
 }
 KODO_LANES_INLINE void storePair(Real* low, Real* high, Lanes lanes) {
-    const Half first = __builtin_shufflevector(lanes, lanes, 0, 1, 2, 3);
-    const Half second = __builtin_shufflevector(lanes, lanes, 4, 5, 6, 7);
-    std::memcpy(low, &first, sizeof first);
-    std::memcpy(high, &second, sizeof second);
+    // As halves of memory: of a shuffle, GCC 12 makes an instruction more.
+    std::memcpy(low, &lanes, sizeof(Half));
+    std::memcpy(high, reinterpret_cast<const char*>(&lanes) + sizeof(Half), sizeof(Half));
 }
 /// Turns rows of four into columns, in both halves.
 KODO_LANES_INLINE Quad transpose(Lanes r0, Lanes r1, Lanes r2, Lanes r3) {
@@ -93,15 +92,14 @@ KODO_LANES_INLINE Couple loadPairs(const Real* from) {
     return {__builtin_shufflevector(low, high, 0, 2, 4, 6, 8, 10, 12, 14),
             __builtin_shufflevector(low, high, 1, 3, 5, 7, 9, 11, 13, 15)};
 }
-/// Reads four numbers from each base + stride * index.
-KODO_LANES_INLINE Quad gather(const Real* base, std::size_t stride, const std::uint32_t* index) {
-    const auto at = [&](int i) { return base + stride * index[i]; };
+/// Reads four numbers from each base + index.
+KODO_LANES_INLINE Quad gather(const Real* base, const std::uint32_t* index) {
+    const auto at = [&](int i) { return base + index[i]; };
     return transpose(loadPair(at(0), at(4)), loadPair(at(1), at(5)), loadPair(at(2), at(6)),
                      loadPair(at(3), at(7)));
 }
-KODO_LANES_INLINE void scatter(Real* base, std::size_t stride, const std::uint32_t* index,
-                               const Quad& quad) {
-    const auto at = [&](int i) { return base + stride * index[i]; };
+KODO_LANES_INLINE void scatter(Real* base, const std::uint32_t* index, const Quad& quad) {
+    const auto at = [&](int i) { return base + index[i]; };
     const Quad rows = transpose(quad.x, quad.y, quad.z, quad.w);
     storePair(at(0), at(4), rows.x);
     storePair(at(1), at(5), rows.y);
@@ -123,13 +121,12 @@ KODO_LANES_INLINE Couple loadPairs(const Real* from) {
     return {__builtin_shufflevector(low, high, 0, 2, 4, 6),
             __builtin_shufflevector(low, high, 1, 3, 5, 7)};
 }
-KODO_LANES_INLINE Quad gather(const Real* base, std::size_t stride, const std::uint32_t* index) {
-    const auto at = [&](int i) { return load(base + stride * index[i]); };
+KODO_LANES_INLINE Quad gather(const Real* base, const std::uint32_t* index) {
+    const auto at = [&](int i) { return load(base + index[i]); };
     return transpose(at(0), at(1), at(2), at(3));
 }
-KODO_LANES_INLINE void scatter(Real* base, std::size_t stride, const std::uint32_t* index,
-                               const Quad& quad) {
-    const auto at = [&](int i) { return base + stride * index[i]; };
+KODO_LANES_INLINE void scatter(Real* base, const std::uint32_t* index, const Quad& quad) {
+    const auto at = [&](int i) { return base + index[i]; };
     const Quad rows = transpose(quad.x, quad.y, quad.z, quad.w);
     store(at(0), rows.x);
     store(at(1), rows.y);
@@ -142,15 +139,14 @@ KODO_LANES_INLINE Couple loadPairs(const Real* from) {
     const Lanes high = load(from + kLanes);
     return {__builtin_shufflevector(low, high, 0, 2), __builtin_shufflevector(low, high, 1, 3)};
 }
-KODO_LANES_INLINE Quad gather(const Real* base, std::size_t stride, const std::uint32_t* index) {
-    const Real* const p = base + stride * index[0];
-    const Real* const q = base + stride * index[1];
+KODO_LANES_INLINE Quad gather(const Real* base, const std::uint32_t* index) {
+    const Real* const p = base + index[0];
+    const Real* const q = base + index[1];
     return {Lanes{p[0], q[0]}, Lanes{p[1], q[1]}, Lanes{p[2], q[2]}, Lanes{p[3], q[3]}};
 }
-KODO_LANES_INLINE void scatter(Real* base, std::size_t stride, const std::uint32_t* index,
-                               const Quad& quad) {
+KODO_LANES_INLINE void scatter(Real* base, const std::uint32_t* index, const Quad& quad) {
     for (int i = 0; i < kLanes; ++i) {
-        Real* const to = base + stride * index[i];
+        Real* const to = base + index[i];
         to[0] = quad.x[i];
         to[1] = quad.y[i];
         to[2] = quad.z[i];
@@ -159,12 +155,13 @@ KODO_LANES_INLINE void scatter(Real* base, std::size_t stride, const std::uint32
 }
 #endif
 
-/// Writes those of the structures whose bit is set.
-KODO_LANES_INLINE void scatter(Real* base, std::size_t stride, const std::uint32_t* index,
-                               const Quad& quad, unsigned which) {
+/// Writes those of the structures whose bit is set. Not in line: it is rare, and would have the
+/// compiler keep numbers apart that are only needed here.
+[[maybe_unused, gnu::noinline]] void scatter(Real* base, const std::uint32_t* index,
+                                             const Quad& quad, unsigned which) {
     for (int i = 0; i < kLanes; ++i) {
         if ((which >> i & 1) != 0) {
-            Real* const to = base + stride * index[i];
+            Real* const to = base + index[i];
             to[0] = quad.x[i];
             to[1] = quad.y[i];
             to[2] = quad.z[i];

@@ -51,10 +51,16 @@ BasicRot<T> normalize(BasicRot<T> q) {
     return {scale * q.c, scale * q.s};
 }
 
-/// q after turning by a small or large angle (rad), exact on the circle. By none it stays as it is.
+/// q after turning by a small or large angle (rad). By none it stays as it is. A step of Newton's
+/// method keeps it on the circle, from which both are off by roundings only.
 template <std::floating_point T>
 BasicRot<T> turned(BasicRot<T> q, T radians) {
-    return radians == 0 ? q : normalize(BasicRot<T>::fromAngle(radians) * q);
+    if (radians == 0) {
+        return q;
+    }
+    const BasicRot<T> next = BasicRot<T>::fromAngle(radians) * q;
+    const T scale = T(1.5) - T(0.5) * (next.c * next.c + next.s * next.s);
+    return {scale * next.c, scale * next.s};
 }
 
 } // namespace kodo::inline KODO_PRECISION

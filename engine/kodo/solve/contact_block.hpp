@@ -8,6 +8,15 @@
 
 namespace kodo::inline KODO_PRECISION {
 
+/// Where the Motion of a body begins, in Reals, so that the passes need not multiply.
+constexpr std::uint32_t motionOf(std::uint32_t body) {
+    return body * static_cast<std::uint32_t>(sizeof(Motion) / sizeof(Real));
+}
+/// Whose Motion begins there.
+constexpr std::uint32_t bodyAt(std::uint32_t motion) {
+    return motion / static_cast<std::uint32_t>(sizeof(Motion) / sizeof(Real));
+}
+
 /// Eight contacts as the passes of the solver see them, side by side. No two of them push the same
 /// body, so they are solved at once. Everything is found before the passes, which only multiply and
 /// add. Arms are fixed for the step: a separation follows the motion to first order in the turn.
@@ -17,7 +26,7 @@ struct alignas(64) ContactBlock {
     static constexpr int kContacts = 8;
     using Each = Real[kContacts];
 
-    std::uint32_t a[kContacts];
+    std::uint32_t a[kContacts]; // where the Motion of a begins, in Reals; see motionOf
     std::uint32_t b[kContacts];
     Each normalX;
     Each normalY;
@@ -63,6 +72,7 @@ struct PassSettings {
     Softness onLocked;
     Real invH;
     bool friction;
+    Real kept;        // 1, but 0 in the first substep: of what was summed up so far
     Real settleBelow; // m; settling passes are for contacts with less separation than this
 };
 

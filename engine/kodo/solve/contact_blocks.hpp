@@ -29,8 +29,7 @@ public:
     void refine(int parts, std::span<Contact> contacts);
     /// Before the contacts of a step are taken, of which some may be gone. With friction, with
     /// rolling resistance?
-    void begin(const Bodies& bodies, std::span<Contact> contacts, bool friction, bool rolling,
-               Crew& crew);
+    void begin(const Bodies& bodies, std::span<Contact> contacts, bool friction, bool rolling);
     /// Takes a contact that responds. False if it needs another lane and has to be given one by
     /// arrange(). Several threads may take contacts at once.
     bool take(const Bodies& bodies, Contact& contact);
@@ -59,8 +58,10 @@ public:
 
     /// After the passes, for touches(): a point that is not farther apart than `slop` (m) touches.
     void noteTouching(Real slop, Crew& crew);
-    /// Did a contact that has a lane touch in the last step?
-    bool touches(const Contact& contact) const { return touching_[contact.row.index] != 0; }
+    /// Did the contact of a row touch in the last step? No, if it is none.
+    bool touches(std::uint32_t row) const {
+        return touching_[std::min<std::size_t>(row, touching_.size() - 1)] != 0;
+    }
 
     /// Hands the impulses that the next step starts from to a contact, if they are lent.
     void reclaim(Contact& contact) const;
@@ -126,8 +127,8 @@ private:
     std::vector<std::uint32_t> order_; // of the blocks, by bin
     std::vector<RollingBlock> rolling_;
     std::vector<Colour> byColour_;
-    std::vector<std::uint8_t> taken_;    // by row: in this step
-    std::vector<std::uint8_t> touching_; // by row: in the last step
+    std::vector<std::uint8_t> taken_;          // by row: in this step
+    std::vector<std::uint8_t> touching_ = {0}; // by row: in the last step; behind the last, false
     std::array<std::uint32_t, kBins> open_{};
     std::size_t rows_ = 0;    // lanes in use
     std::size_t singles_ = 0; // of those, without a colour

@@ -7,8 +7,6 @@
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
-constexpr std::size_t kStride = sizeof(Motion) / sizeof(Real);
-
 /// The first half of Motion: velocity x, y, angular velocity, 1/mass.
 KODO_LANES_INLINE Real* speeds(Motion* motion) {
     return &motion->velocity.x;
@@ -24,20 +22,17 @@ struct Pair {
     Quad b;
     Lanes inertiaA; // 1/inertia
     Lanes inertiaB;
-    Lanes normalX;
-    Lanes normalY;
 };
 
-/// Adds an impulse p and the moments spinA, spinB of it.
-KODO_LANES_INLINE void push(Pair& pair, Lanes px, Lanes py, Lanes spinA, Lanes spinB) {
+/// Adds an impulse p, but for its moment.
+KODO_LANES_INLINE void push(Pair& pair, Lanes px, Lanes py) {
     pair.a.x -= pair.a.w * px;
     pair.a.y -= pair.a.w * py;
-    pair.a.z -= pair.inertiaA * spinA;
     pair.b.x += pair.b.w * px;
     pair.b.y += pair.b.w * py;
-    pair.b.z += pair.inertiaB * spinB;
 }
 
+/// Adds the moments of an impulse.
 KODO_LANES_INLINE void spin(Pair& pair, Lanes spinA, Lanes spinB) {
     pair.a.z -= pair.inertiaA * spinA;
     pair.b.z += pair.inertiaB * spinB;
@@ -49,60 +44,74 @@ enum class Task {
     Relax,  // the same, with friction; the last of the substep, so it sums up
 };
 
-/// The softness of overlap in one pass.
-struct Push {
+/// What all contacts of a block share.
+struct Rules {
     Real biasRate;
     Real massScale;
-    Real impulseScale;
     Real invH;
+    Real kept;
 };
 
-/// lambda = -m (s v_n + s bias) - c lambda_sum, lambda_sum >= 0, for one point of each contact.
-/// `along` is the relative speed of the centres along the normal, `moved` their relative move.
-template <Task task>
-KODO_LANES_INLINE Lanes solvePoint(ContactBlock::Point& point, int at, Pair& pair, Lanes& along,
-                                   Lanes moved, const Quad& moveA, const Quad& moveB,
-                                   Lanes pushSpeed, Lanes takesPart, const Push& soft) {
+/// How far one point of each contact is apart by now, and its levers. `moved` is the move of the
+/// centres against each other.
+struct Gap {
+    Lanes s;
+    Lanes leverA;
+    Lanes leverB;
+};
+
+KODO_LANES_INLINE Gap gapOf(const ContactBlock::Point& point, int at, Lanes moved,
+                            const Quad& moveA, const Quad& moveB) {
     const Lanes leverA = load(point.leverA + at);
     const Lanes leverB = load(point.leverB + at);
+    return {load(point.separation + at) + moved + (leverB * moveB.z - leverA * moveA.z), leverA,
+            leverB};
+}
+
+/// One point of each contact, whose centres have the relative speed `along` the normal. Gives the
+/// change of
+///
+///   lambda = mass_scale (lambda_sum - m (v_n + bias)) >= 0,
+///
+/// which is that of Softness, since its two scales add up to 1; mass_scale is 1 for a gap.
+template <Task task>
+KODO_LANES_INLINE Lanes solvePoint(ContactBlock::Point& point, int at, Pair& pair, Lanes along,
+                                   const Gap& gap, Lanes pushSpeed, Lanes takesPart,
+                                   const Rules& rules) {
     const Lanes impulse = load(point.impulse + at);
-    const Lanes s = load(point.separation + at) + moved + (leverB * moveB.z - leverA * moveA.z);
-    const Lanes speed = along + (leverB * pair.b.z - leverA * pair.a.z);
-    const auto apart = s > Lanes{};
-    const Lanes close = s * all(soft.invH); // may close the gap within the substep, and no more
-    Lanes wanted;
+    const Lanes speed = along + (gap.leverB * pair.b.z - gap.leverA * pair.a.z);
+    const Lanes close = gap.s * all(rules.invH); // may close the gap within the substep, no more
+    Lanes next;
     if constexpr (task == Task::Push) {
-        const Lanes bias = apart ? close : larger(all(soft.biasRate) * s, -pushSpeed);
-        const Lanes scale = apart ? all(1) : all(soft.massScale);
-        const Lanes back = apart ? Lanes{} : all(soft.impulseScale) * impulse;
-        wanted = impulse - load(point.mass + at) * (scale * (speed + bias)) - back;
+        // of these two the larger is that of the gap where there is one, else that of the overlap
+        const Lanes bias = larger(larger(all(rules.biasRate) * gap.s, close), -pushSpeed);
+        const Lanes rigid = gap.s > Lanes{} ? all(1) : Lanes{};
+        next = larger(rigid, all(rules.massScale)) *
+               larger(impulse - load(point.mass + at) * (speed + bias), Lanes{});
     } else {
-        wanted = impulse - load(point.mass + at) * (speed + (apart ? close : Lanes{}));
+        next = larger(impulse - load(point.mass + at) * (speed + larger(close, Lanes{})), Lanes{});
     }
-    Lanes next = larger(wanted, Lanes{});
     if constexpr (task == Task::Settle) {
         next = takesPart > Lanes{} ? next : impulse;
     }
-    const Lanes change = next - impulse;
     store(point.impulse + at, next);
     if constexpr (task == Task::Relax) {
-        store(point.largest + at, larger(load(point.largest + at), next));
+        store(point.largest + at, larger(rules.kept * load(point.largest + at), next));
     }
-    along += (pair.a.w + pair.b.w) * change;
-    spin(pair, leverA * change, leverB * change);
+    const Lanes change = next - impulse;
+    spin(pair, gap.leverA * change, gap.leverB * change);
     return change;
 }
 
 /// Both points share one friction: |friction| <= mu (sum of normal impulses), static while that
-/// holds it, kinetic from there on.
-KODO_LANES_INLINE void solveFriction(ContactBlock& block, int at, Pair& pair, Lanes pressed) {
-    const Lanes tx = -pair.normalY;
-    const Lanes ty = pair.normalX;
+/// holds it, kinetic from there on. `along` is the relative speed of the centres along the tangent.
+/// Gives the change.
+KODO_LANES_INLINE Lanes solveFriction(ContactBlock& block, int at, Pair& pair, Lanes along,
+                                      Lanes pressed) {
     const Lanes leverA = load(block.tangentLeverA + at);
     const Lanes leverB = load(block.tangentLeverB + at);
     const Lanes friction = load(block.friction + at);
-    const Lanes speed = tx * (pair.b.x - pair.a.x) + ty * (pair.b.y - pair.a.y) +
-                        (leverB * pair.b.z - leverA * pair.a.z);
+    const Lanes speed = along + (leverB * pair.b.z - leverA * pair.a.z);
     const Lanes stick = friction - load(block.tangentMass + at) * speed;
     const Lanes hold = load(block.staticFriction + at) * pressed;
     const Lanes slip = load(block.kineticFriction + at) * pressed;
@@ -110,7 +119,8 @@ KODO_LANES_INLINE void solveFriction(ContactBlock& block, int at, Pair& pair, La
     const Lanes next = slides ? larger(smaller(stick, slip), -slip) : stick;
     const Lanes change = next - friction;
     store(block.friction + at, next);
-    push(pair, change * tx, change * ty, leverA * change, leverB * change);
+    spin(pair, leverA * change, leverB * change);
+    return change;
 }
 
 KODO_LANES_INLINE void solveRolling(RollingBlock& block, int at, Pair& pair, Lanes pressed,
@@ -140,51 +150,60 @@ KODO_LANES_INLINE void putBack(Motion* motion, const std::uint32_t* index, const
     constexpr unsigned kAll = (1u << kLanes) - 1;
     const unsigned which = static_cast<unsigned>(moves) >> at & kAll;
     if (which == kAll) {
-        scatter(speeds(motion), kStride, index, speed);
+        scatter(speeds(motion), index, speed);
     } else {
-        scatter(speeds(motion), kStride, index, speed, which);
+        scatter(speeds(motion), index, speed, which);
     }
 }
 
 template <Task task, int points>
 KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, int at,
-                                  Motion* motion, const Push& soft,
-                                  const PassSettings& settings, const BlockUse& use) {
-    const Quad moveA = gather(moves(motion), kStride, block.a + at);
-    const Quad moveB = gather(moves(motion), kStride, block.b + at);
-    Pair pair{gather(speeds(motion), kStride, block.a + at),
-              gather(speeds(motion), kStride, block.b + at),
-              moveA.w,
-              moveB.w,
-              load(block.normalX + at),
-              load(block.normalY + at)};
-    const Lanes nx = pair.normalX;
-    const Lanes ny = pair.normalY;
+                                  Motion* motion, const Rules& rules, const PassSettings& settings,
+                                  const BlockUse& use) {
+    const Lanes nx = load(block.normalX + at);
+    const Lanes ny = load(block.normalY + at);
+    const Quad moveA = gather(moves(motion), block.a + at);
+    const Quad moveB = gather(moves(motion), block.b + at);
     const Lanes moved = nx * (moveB.x - moveA.x) + ny * (moveB.y - moveA.y);
-    Lanes along = nx * (pair.b.x - pair.a.x) + ny * (pair.b.y - pair.a.y);
+    const Gap gap1 = gapOf(block.points[0], at, moved, moveA, moveB);
+    Gap gap2{};
+    if constexpr (points == 2) {
+        gap2 = gapOf(block.points[1], at, moved, moveA, moveB);
+    }
+    Pair pair{gather(speeds(motion), block.a + at), gather(speeds(motion), block.b + at), moveA.w,
+              moveB.w};
+    const Lanes dx = pair.b.x - pair.a.x;
+    const Lanes dy = pair.b.y - pair.a.y;
+    Lanes along = nx * dx + ny * dy;
     const Lanes pushSpeed = load(block.pushSpeed + at);
     Lanes takesPart = all(1);
     if constexpr (task == Task::Settle) {
         const auto settled = load(block.points[0].separation + at) < all(settings.settleBelow);
         takesPart = settled ? takesPart : Lanes{};
     }
-    Lanes change = solvePoint<task>(block.points[0], at, pair, along, moved, moveA, moveB,
-                                    pushSpeed, takesPart, soft);
+    Lanes change =
+        solvePoint<task>(block.points[0], at, pair, along, gap1, pushSpeed, takesPart, rules);
     Lanes sum = load(block.points[0].impulse + at);
     if constexpr (points == 2) {
-        change += solvePoint<task>(block.points[1], at, pair, along, moved, moveA, moveB, pushSpeed,
-                                   takesPart, soft);
+        along += (pair.a.w + pair.b.w) * change;
+        change +=
+            solvePoint<task>(block.points[1], at, pair, along, gap2, pushSpeed, takesPart, rules);
         sum += load(block.points[1].impulse + at);
     }
-    push(pair, change * nx, change * ny, Lanes{}, Lanes{});
+    Lanes px = change * nx;
+    Lanes py = change * ny;
     if (task == Task::Relax && settings.friction) {
-        solveFriction(block, at, pair, sum);
+        // what is pushed along the normal leaves the speed of the centres along the tangent
+        const Lanes rub = solveFriction(block, at, pair, nx * dy - ny * dx, sum);
+        px -= rub * ny;
+        py += rub * nx;
     }
+    push(pair, px, py);
     if (rolling != nullptr) {
         solveRolling(*rolling, at, pair, sum, takesPart);
     }
     if constexpr (task == Task::Relax) {
-        store(block.total + at, load(block.total + at) + sum);
+        store(block.total + at, rules.kept * load(block.total + at) + sum);
     }
     putBack(motion, block.a + at, pair.a, use.movesA, at);
     putBack(motion, block.b + at, pair.b, use.movesB, at);
@@ -202,13 +221,13 @@ void solveBlocks(const ContactPassArguments& pass) {
             use.movesB &= settled;
         }
         const Softness& soft = use.onLocked ? settings.onLocked : settings.soft;
-        const Push push{soft.biasRate, soft.massScale, soft.impulseScale, settings.invH};
+        const Rules rules{soft.biasRate, soft.massScale, settings.invH, settings.kept};
         RollingBlock* const rolling = use.rolling < 0 ? nullptr : pass.rolling + use.rolling;
         for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
             if (use.twoPoints) {
-                solveLanes<task, 2>(pass.blocks[i], rolling, at, pass.motion, push, settings, use);
+                solveLanes<task, 2>(pass.blocks[i], rolling, at, pass.motion, rules, settings, use);
             } else {
-                solveLanes<task, 1>(pass.blocks[i], rolling, at, pass.motion, push, settings, use);
+                solveLanes<task, 1>(pass.blocks[i], rolling, at, pass.motion, rules, settings, use);
             }
         }
     }
@@ -221,12 +240,12 @@ void warmStartBlocks(const ContactPassArguments& pass) {
         const RollingBlock* const rolling =
             pass.use[i].rolling < 0 ? nullptr : pass.rolling + pass.use[i].rolling;
         for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
-            Pair pair{gather(speeds(pass.motion), kStride, block.a + at),
-                      gather(speeds(pass.motion), kStride, block.b + at),
-                      gather(moves(pass.motion), kStride, block.a + at).w,
-                      gather(moves(pass.motion), kStride, block.b + at).w,
-                      load(block.normalX + at),
-                      load(block.normalY + at)};
+            Pair pair{gather(speeds(pass.motion), block.a + at),
+                      gather(speeds(pass.motion), block.b + at),
+                      gather(moves(pass.motion), block.a + at).w,
+                      gather(moves(pass.motion), block.b + at).w};
+            const Lanes nx = load(block.normalX + at);
+            const Lanes ny = load(block.normalY + at);
             const Lanes friction = load(block.friction + at);
             const Lanes first = load(block.points[0].impulse + at);
             const Lanes second = load(block.points[1].impulse + at);
@@ -236,9 +255,8 @@ void warmStartBlocks(const ContactPassArguments& pass) {
                 return load(lever1 + at) * first + load(lever2 + at) * second +
                        load(tangent + at) * friction + roll;
             };
-            push(pair, sum * pair.normalX - friction * pair.normalY,
-                 sum * pair.normalY + friction * pair.normalX,
-                 moment(block.points[0].leverA, block.points[1].leverA, block.tangentLeverA),
+            push(pair, sum * nx - friction * ny, sum * ny + friction * nx);
+            spin(pair, moment(block.points[0].leverA, block.points[1].leverA, block.tangentLeverA),
                  moment(block.points[0].leverB, block.points[1].leverB, block.tangentLeverB));
             putBack(pass.motion, block.a + at, pair.a, pass.use[i].movesA, at);
             putBack(pass.motion, block.b + at, pair.b, pass.use[i].movesB, at);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/base/prefetch.hpp>
 #include <kodo/solve/impact.hpp>
 #include <kodo/solve/leverage.hpp>
 
@@ -204,8 +203,8 @@ bool isFast(const Bodies& bodies, const Contact& contact, Real dt) {
     return speed > 0 && speed * speed > kNearly * (dt * dt) * accelerationSquared(bodies, contact);
 }
 
-} // namespace
-
+/// No contact that approaches more slowly than that is hit: forces alone do as much to every body
+/// within the step. Rounding aside, which solveImpact judges.
 Real leastRestSpeed(const Bodies& bodies, Real dt) {
     Real least = std::numeric_limits<Real>::max();
     for (const std::uint32_t body : bodies.awake) {
@@ -215,6 +214,8 @@ Real leastRestSpeed(const Bodies& bodies, Real dt) {
     }
     return kNearly * dt * std::sqrt(least);
 }
+
+} // namespace
 
 bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,
                  const Tolerances& tolerances, Real dt) {
@@ -233,29 +234,38 @@ bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,
 
 void ImpactStage::solve(Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,
                         const Tolerances& tolerances, Real dt) {
-    if (!settings.has(Feature::Restitution)) {
+    if (!settings.has(Feature::Restitution) || !(contactSet.fastestApproach() > 0)) {
+        return;
+    }
+    const Real restSpeed = leastRestSpeed(bodies, dt);
+    if (!(contactSet.fastestApproach() > restSpeed)) {
         return;
     }
     const std::span<Contact> contacts = contactSet.contacts();
     const std::span<const std::uint32_t> live = contactSet.live();
+    const std::span<const ContactHead> heads = contactSet.heads();
     wasHit_.assign(bodies.size(), 0);
     bool any = true;
     for (int pass = 0; pass < settings.impactPasses && any; ++pass) {
         any = false;
-        for (std::size_t i = 0; i < live.size(); ++i) {
-            prefetch<1>(contacts, live, i + kContactsAhead);
-            Contact& contact = contacts[live[i]];
-            if (pass > 0 && !contact.bounces) {
+        for (const std::uint32_t place : live) {
+            const ContactHead& head = heads[place];
+            std::uint8_t& wasHitA = wasHit_[head.bodyA];
+            std::uint8_t& wasHitB = wasHit_[head.bodyB];
+            if (pass > 0 && !head.bounces) {
                 continue; // the contact half goes on from here
             }
-            std::uint8_t& wasHitA = wasHit_[contact.key.bodyA];
-            std::uint8_t& wasHitB = wasHit_[contact.key.bodyB];
-            if (pass == 0 && (wasHitA | wasHitB) == 0 && !isFast(bodies, contact, dt)) {
-                continue; // nothing has changed for it since the approach was measured
+            const bool asMeasured = pass == 0 && (wasHitA | wasHitB) == 0;
+            if (asMeasured && !(head.approachSpeed > restSpeed)) {
+                continue;
+            }
+            Contact& contact = contacts[place];
+            if (asMeasured && !isFast(bodies, contact, dt)) {
+                continue;
             }
             if (solveImpact(bodies, contact, settings, tolerances, dt)) {
-                wasHitA = bodies.locked(contact.key.bodyA) ? 0 : 1;
-                wasHitB = bodies.locked(contact.key.bodyB) ? 0 : 1;
+                wasHitA = bodies.locked(head.bodyA) ? 0 : 1;
+                wasHitB = bodies.locked(head.bodyB) ? 0 : 1;
                 any = true;
             }
         }

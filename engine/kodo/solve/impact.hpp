@@ -31,10 +31,6 @@ private:
     std::vector<std::uint8_t> wasHit_; // by body, in this step
 };
 
-/// No contact that approaches more slowly than that is hit (m/s): forces alone do as much to every
-/// body within the step. Rounding aside, which ImpactStage judges.
-Real leastRestSpeed(const Bodies& bodies, Real dt);
-
 /// Hits one contact once, if it touches and approaches. True if it did. Adds to what the
 /// contact counts as impact.
 bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,

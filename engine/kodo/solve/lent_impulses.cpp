@@ -8,7 +8,8 @@
 namespace kodo::inline KODO_PRECISION {
 
 void ContactBlocks::noteTouching(Real slop, Crew& crew) {
-    touching_.resize(taken_.size());
+    touching_.resize(taken_.size() + 1); // the last one is false
+    touching_.back() = 0;
     crew.forEach(order_.size(), kBlocksAPiece, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             const ContactBlock& block = blocks_[order_[k]];

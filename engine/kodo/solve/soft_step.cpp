@@ -78,7 +78,7 @@ void SoftStep::collect(const Bodies& bodies, ContactSet& contactSet, const Joint
     const Tolerances& tolerances = step.tolerances;
     Crew& crew = step.crew;
     const bool friction = settings.has(Feature::Friction);
-    blocks_.begin(bodies, contacts, friction, settings.has(Feature::RollingResistance), crew);
+    blocks_.begin(bodies, contacts, friction, settings.has(Feature::RollingResistance));
     clearMarks(bodies, joints);
     std::uint16_t most = 1; // that overlap one body
     int deep = 0;
@@ -95,12 +95,15 @@ void SoftStep::collect(const Bodies& bodies, ContactSet& contactSet, const Joint
                               blocks_.reclaim(contact);
                               contact.row = {};
                               contact.carried = false;
+                              contactSet.noteRow(live[i]);
                               continue;
                           }
                           if (!friction) {
                               contact.friction = 0; // kept from when there was some
                           }
-                          if (!blocks_.take(bodies, contact)) {
+                          if (blocks_.take(bodies, contact)) {
+                              contactSet.noteRow(live[i]);
+                          } else {
                               newcomers.push_back(live[i]);
                           }
                           const Real separation = contact.manifold.points[0].separation;
@@ -222,6 +225,7 @@ bool SoftStep::noneNeedsRow(const Bodies& bodies, ContactSet& contactSet,
         blocks_.reclaim(contact);
         contact.row = {};
         contact.carried = false;
+        contactSet.noteRow(place);
     }
     return true;
 }
@@ -304,6 +308,9 @@ void SoftStep::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joint
                     crowded_ != 0 ? std::span<const std::uint16_t>(crowd_)
                                   : std::span<const std::uint16_t>(),
                     settings.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit);
+    for (const std::uint32_t place : newcomers_) {
+        contactSet.noteRow(place);
+    }
     const bool some = settling_ > 0 && !settlesAll_;
     const Real settleBelow = some ? -kDeep * tolerances.slop : std::numeric_limits<Real>::max();
     const std::size_t settled = some ? blocks_.listDeeper(settleBelow, deep_) : blocks_.size();
@@ -311,7 +318,7 @@ void SoftStep::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joint
     const ContactPassArguments pass =
         blocks_.pass(bodies, {Softness::from(hertz, settings.contactDamping, h),
                               Softness::from(2 * hertz, settings.contactDamping, h), 1 / h,
-                              settings.has(Feature::Friction), settleBelow});
+                              settings.has(Feature::Friction), 1, settleBelow});
     JointPass jointPass{h,
                         Softness::from(hertzOf(settings.jointHertz, h), settings.jointDamping, h)};
     joints.beginStep();
@@ -349,7 +356,9 @@ void SoftStep::runSubstep(Bodies& bodies, JointSet& joints, const ContactPassArg
     jointPass.biased = false;
     passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
     settle(pass, crew);
-    passContacts(passes.relax, pass, crew);
+    ContactPassArguments last = pass;
+    last.settings.kept = first ? Real(0) : Real(1);
+    passContacts(passes.relax, last, crew);
 }
 
 } // namespace kodo::inline KODO_PRECISION

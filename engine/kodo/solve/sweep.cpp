@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/base/prefetch.hpp>
 #include <kodo/collide/collide.hpp>
 #include <kodo/collide/time_of_impact.hpp>
 #include <kodo/solve/relative_motion.hpp>
@@ -61,13 +60,13 @@ std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Re
 
 /// Could a pair need a sweep that goes so far towards each other? Told by its bodies as wholes,
 /// since a part is no thinner than the thinnest of its body; stoppingGap tells it exactly.
-bool mayNeedSweep(const Contact& contact, Real motion, Real insideA, Real insideB,
+bool mayNeedSweep(const ContactHead& head, Real motion, Real insideA, Real insideB,
                   const Tolerances& tolerances) {
     const bool far = motion > std::min(insideA, insideB) / 2;
-    if (!far && !contact.bounces) {
+    if (!far && !head.bounces) {
         return false; // as in most of a pile
     }
-    const Real gap = gapOf(contact, tolerances);
+    const Real gap = head.asks ? head.separation : tolerances.margin;
     return motion >= gap && (gap > tolerances.slop ||
                              (far && motion >= (insideA + insideB) / 2 && gap >= -tolerances.slop));
 }
@@ -103,8 +102,9 @@ void stop(Bodies& bodies, std::uint32_t body, Real share, Vec2 push, Real dt) {
 
 /// For each body, more than any point of it moves. Two that are not swift need no sweep: they do
 /// not close a gap that is wider than the slop, and a narrower one they close by less than half of
-/// their inner radii.
-void SweepStage::measureWays(const Bodies& bodies, const Tolerances& tolerances, Crew& crew) {
+/// their inner radii. False if nobody is.
+bool SweepStage::measureWays(const Bodies& bodies, const Tolerances& tolerances, Crew& crew) {
+    std::uint8_t anySwift = 0;
     ways_.resize(bodies.size(), 0); // of the others it is 0 from step to step
     swift_.resize(bodies.size(), 0);
     crew.forEach(bodies.awake.size(), kWaysAPiece, [&](std::size_t first, std::size_t last) {
@@ -114,9 +114,13 @@ void SweepStage::measureWays(const Bodies& bodies, const Tolerances& tolerances,
             const Extent& extent = bodies.extent[body];
             const Real way = length(motion.move) + std::abs(motion.turn) * extent.reach;
             ways_[body] = way;
-            swift_[body] = way > 0 && !(way <= tolerances.slop / 2 && way < extent.inside / 4);
+            if (way > 0 && !(way <= tolerances.slop / 2 && way < extent.inside / 4)) {
+                swift_[body] = 1;
+                Crew::mark(anySwift);
+            }
         }
     });
+    return anySwift != 0;
 }
 
 void SweepStage::run(Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,
@@ -125,8 +129,11 @@ void SweepStage::run(Bodies& bodies, ContactSet& contactSet, const StepSettings&
     if (contacts.empty()) {
         return;
     }
-    measureWays(bodies, tolerances, crew);
-    const bool sensors = findCandidates(bodies, contactSet, tolerances, crew);
+    candidates_.clear();
+    bool sensors = false;
+    if (measureWays(bodies, tolerances, crew) || contactSet.mayHaveSensors()) {
+        sensors = findCandidates(bodies, contactSet, tolerances, crew);
+    }
     for (const std::uint32_t body : bodies.awake) {
         ways_[body] = 0;
         swift_[body] = 0;
@@ -138,7 +145,7 @@ void SweepStage::run(Bodies& bodies, ContactSet& contactSet, const StepSettings&
     push_.resize(bodies.size());      // likewise 0
     const bool driven = std::any_of(bodies.awake.begin(), bodies.awake.end(),
                                     [&](std::uint32_t body) { return bodies.drives(body); });
-    const Step step{bodies, contacts, settings, tolerances, driven};
+    const Step step{bodies, contacts, contactSet.heads(), settings, tolerances, driven};
     findImpacts(step, crew);
     if (!events_.empty()) {
         stopInOrder(step);
@@ -163,9 +170,7 @@ void SweepStage::run(Bodies& bodies, ContactSet& contactSet, const StepSettings&
 /// Lists the pairs that may need a sweep. True if there are sensors among all.
 bool SweepStage::findCandidates(const Bodies& bodies, const ContactSet& contactSet,
                                 const Tolerances& tolerances, Crew& crew) {
-    const std::span<const Contact> contacts = contactSet.contacts();
     const std::span<const ContactHead> heads = contactSet.heads();
-    candidates_.clear();
     std::uint8_t sensors = 0;
     const auto isSwift = [&](const ContactHead& head) {
         return (swift_[head.bodyA] | swift_[head.bodyB]) != 0;
@@ -173,10 +178,6 @@ bool SweepStage::findCandidates(const Bodies& bodies, const ContactSet& contactS
     found_.gather(crew, heads.size(), kCrossingsAPiece, candidates_,
                   [&](std::size_t first, std::size_t last, std::vector<Candidate>& found) {
                       for (std::size_t i = first; i < last; ++i) {
-                          const std::size_t ahead = std::min(i + kContactsAhead, last - 1);
-                          if (isSwift(heads[ahead])) {
-                              prefetch<1>(contacts, ahead);
-                          }
                           if (heads[i].sensor) {
                               Crew::mark(sensors);
                           } else if (isSwift(heads[i])) {
@@ -193,12 +194,11 @@ bool SweepStage::findCandidates(const Bodies& bodies, const ContactSet& contactS
 void SweepStage::findCandidate(const Bodies& bodies, const ContactSet& contactSet,
                                const Tolerances& tolerances, std::uint32_t i,
                                std::vector<Candidate>& found) const {
-    const Contact& contact = contactSet.contacts()[i];
     const ContactHead& head = contactSet.heads()[i];
     const std::uint32_t a = head.bodyA;
     const std::uint32_t b = head.bodyB;
     const auto needsSweep = [&](Real motion) {
-        return mayNeedSweep(contact, motion, bodies.extent[a].inside, bodies.extent[b].inside,
+        return mayNeedSweep(head, motion, bodies.extent[a].inside, bodies.extent[b].inside,
                             tolerances);
     };
     if (!needsSweep(ways_[a] + ways_[b])) {

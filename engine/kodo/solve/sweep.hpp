@@ -49,12 +49,13 @@ private:
     struct Step {
         const Bodies& bodies;
         std::span<const Contact> contacts;
+        std::span<const ContactHead> heads;
         const StepSettings& settings;
         const Tolerances& tolerances;
         bool driven; // something locked moves
     };
 
-    void measureWays(const Bodies& bodies, const Tolerances& tolerances, Crew& crew);
+    bool measureWays(const Bodies& bodies, const Tolerances& tolerances, Crew& crew);
     bool findCandidates(const Bodies& bodies, const ContactSet& contactSet,
                         const Tolerances& tolerances, Crew& crew);
     void findCandidate(const Bodies& bodies, const ContactSet& contactSet,

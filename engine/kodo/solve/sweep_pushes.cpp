@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // How what is locked and moves pushes along what has been stopped in front of it.
-#include <kodo/base/prefetch.hpp>
 #include <kodo/collide/collide.hpp>
 #include <kodo/solve/sweep.hpp>
 
@@ -31,10 +30,10 @@ void holdBack(Vec2& push, Vec2 normal) {
 void SweepStage::findPushes(const Step& step) {
     againstLocked_.clear();
     for (std::uint32_t i = 0; i < step.contacts.size(); ++i) {
-        prefetch<2>(step.contacts, i + kContactsAhead);
-        const Contact& contact = step.contacts[i];
-        if (!contact.bounces && contact.responds() &&
-            step.bodies.locked(contact.key.bodyA) != step.bodies.locked(contact.key.bodyB)) {
+        const ContactHead& head = step.heads[i];
+        if (head.asks && !head.bounces &&
+            step.bodies.locked(head.bodyA) != step.bodies.locked(head.bodyB) &&
+            step.contacts[i].responds()) {
             againstLocked_.push_back(i);
         }
     }

@@ -251,7 +251,7 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
     // The way pairs are found changes what that costs and not what is found, so it begins anew.
     auto& [bounds, pairs, finder, seams, contacts, order, newOrder, holes, added, heads, live,
            found, slots, idle, ended, endedInStep, records, recordsDue, apart, fastestApproach,
-           stale, pairsStale, contactsChanged, liveStale] = set;
+           stale, pairsStale, contactsChanged, liveStale, anySensors] = set;
     auto& [parts, firstPart, tight, grown, changed, isChanged, outgrown] = bounds;
     set.writeRecords();
     if (!reads() && stale) {

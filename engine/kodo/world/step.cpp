@@ -109,13 +109,11 @@ void World::solve(Real dt, Crew& crew) {
         contacts_.lookAtAll(); // it foresees contacts within the step
         propagation_.solve(bodies_, contacts_.contacts(), joints_,
                            {settings_, tolerances_, dt, stepCount_});
+        contacts_.noteManifolds();
         contactVisits_ = propagation_.visits();
         return;
     }
-    const Real fastest = contacts_.fastestApproach();
-    if (fastest > 0 && fastest > leastRestSpeed(bodies_, dt)) {
-        impacts_.solve(bodies_, contacts_, settings_, tolerances_, dt);
-    }
+    impacts_.solve(bodies_, contacts_, settings_, tolerances_, dt);
     softStep_.solve(bodies_, contacts_, joints_, {settings_, tolerances_, dt, crew});
     contactVisits_ = softStep_.visits();
 }
@@ -203,12 +201,11 @@ void World::recordCollisions(Crew& crew) {
     isColliding_.resize(bodies_.size());
     wasColliding_.resize(bodies_.size());
     contacts_.sumUp(
-        crew,
-        [&](const Contact& contact) {
-            return contact.row.index != ContactRow::kNone ? softStep_.blocks().touches(contact)
-                                                          : touches(contact, tolerances_);
+        tolerances_, crew, [&](std::uint32_t row) { return softStep_.blocks().touches(row); },
+        [&](std::uint32_t body, bool touches) {
+            return crew.markFirst(isColliding_[body], touches);
         },
-        [&](std::uint32_t body) { return crew.markFirst(isColliding_[body]); }, colliding_);
+        colliding_);
     collidedBefore_.reserve(colliding_.capacity()); // the two take turns
     for (const std::uint32_t body : collidedBefore_) {
         wasColliding_[body] = 1;

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// What a step does with the contacts that a ContactSet has.
+#include <kodo/base/prefetch.hpp>
+#include <kodo/contacts/contact_set.hpp>
+#include <kodo/contacts/contact_update.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace kodo::inline KODO_PRECISION {
+
+void ContactSet::measureApproach(const Bodies& bodies) {
+    fastestApproach_ = 0;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        kodo::measureApproach(contacts_[i], bodies);
+        heads_[i].note(contacts_[i]);
+        fastestApproach_ = std::max(fastestApproach_, heads_[i].approachSpeed);
+    }
+}
+
+/// Does it touch, after all?
+bool ContactSet::finishContact(std::uint32_t place, bool touchesInRow,
+                               const Tolerances& tolerances) {
+    ContactHead& head = heads_[place];
+    Contact& contact = contacts_[place];
+    kodo::finishContact(contact, head.row == ContactRow::kNone ? touches(contact, tolerances)
+                                                               : touchesInRow);
+    head.touching = contact.touching;
+    head.steady = !contact.phase || contact.phase == TouchPhase::Persist;
+    return head.touching;
+}
+
+std::span<const std::uint32_t> ContactSet::live() {
+    if (std::exchange(liveStale_, false)) {
+        live_.clear();
+        for (std::uint32_t i = 0; i < heads_.size(); ++i) {
+            if (!heads_[i].idle) {
+                live_.push_back(i);
+            }
+        }
+    }
+    return live_;
+}
+
+void ContactSet::lookAtAll() {
+    for (ContactHead& head : heads_) {
+        head.idle = false;
+    }
+    liveStale_ = true;
+}
+
+void ContactSet::noteManifolds() {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        heads_[i].note(contacts_[i]);
+    }
+}
+
+void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances,
+                                 const std::function<void(Contact&)>& reclaim, Crew& crew) {
+    fastestApproach_ = 0;
+    if (contacts_.empty() && !contactsChanged_) {
+        return;
+    }
+    live_.clear();
+    live_.reserve(contacts_.capacity());
+    found_.gather(crew, contacts_.size(), kContactsAPiece, live_,
+                  [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
+                      Real fastest = 0;
+                      std::size_t count = found.size();
+                      found.resize(count + (last - first));
+                      for (std::size_t i = first; i < last; ++i) {
+                          if (const std::size_t ahead = i + kContactsAhead;
+                              ahead < last && !heads_[ahead].idle) {
+                              prefetch<2>(contacts(), ahead);
+                          }
+                          const ContactHead& head = heads_[i];
+                          if (!head.idle || boundsMeet(i, tolerances)) {
+                              updateManifold(bodies, tolerances, i, reclaim);
+                              fastest = std::max(fastest, head.approachSpeed);
+                              found[count] = static_cast<std::uint32_t>(i);
+                              count += head.idle ? 0 : 1;
+                          }
+                      }
+                      found.resize(count);
+                      Crew::raise(fastestApproach_, fastest);
+                  });
+    liveStale_ = false;
+    if (std::exchange(contactsChanged_, false)) {
+        seams_.link(bodies, heads_);
+        anySensors_ = std::any_of(heads_.begin(), heads_.end(),
+                                  [](const ContactHead& head) { return head.sensor; });
+    }
+    seams_.hide(bodies, contacts_, heads_, tolerances);
+}
+
+/// Do the bounds of the parts of a contact meet, grown by the margin?
+bool ContactSet::boundsMeet(std::size_t i, const Tolerances& tolerances) const {
+    const BoundsPair& proxies = heads_[i].proxies;
+    return overlap(bounds_.tight(proxies.first).grown(tolerances.margin),
+                   bounds_.tight(proxies.second));
+}
+
+/// Of one contact, and whether anything may come of it in this step.
+void ContactSet::updateManifold(const Bodies& bodies, const Tolerances& tolerances, std::size_t i,
+                                const std::function<void(Contact&)>& reclaim) {
+    Contact& contact = contacts_[i];
+    if (contact.carried || boundsMeet(i, tolerances)) {
+        if (!followContact(contact, bodies, tolerances)) {
+            reclaim(contact);
+            findContact(contact, bodies, tolerances);
+        }
+        if (!contact.carried) {
+            kodo::measureApproach(contact, bodies);
+        }
+    } else if (contact.near || contact.hidden || contact.manifold.count > 0) {
+        clearContact(contact);
+    }
+    // Its end is still to be told, or was and is to be forgotten.
+    const bool ends = contact.wasTouching || contact.phase;
+    heads_[i].idle = !(contact.near | ends | contact.sensor);
+    heads_[i].note(contact);
+}
+
+} // namespace kodo::inline KODO_PRECISION
