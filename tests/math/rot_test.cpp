@@ -63,8 +63,8 @@ TEST(Rot, NormalizeBringsBackToUnitLength) {
     EXPECT_TRUE(near(normalize(Rot{3, 4}).c, 0.6L, kEpsilon));
 }
 
-// B3: ten million turns by an uneven angle. 1e-6 is what the thesis's user may rely on; we
-// normalise each time, so only the last rounding is left.
+// B3: ten million turns by an uneven angle. 1e-6 is what the thesis's user may rely on; what
+// each turn adds is taken out again, so only the last rounding is left.
 TEST(Rot, StaysUnitLengthOverTenMillionTurns) {
     Rot q;
     for (int i = 0; i < support::draws(10000000); ++i) {
@@ -87,6 +87,19 @@ TEST(Rot, TurnsByALargeAngleExactlyOnTheCircle) {
     const Rot q = turned(Rot{}, Real(7));
     EXPECT_TRUE(near(q.c, std::cos(7.0L), 4 * kEpsilon));
     EXPECT_TRUE(near(q.s, std::sin(7.0L), 4 * kEpsilon));
+}
+
+// By however large an angle, up to the highest speed: then the direction means little, but it still
+// is one. From a vector that is as far off the circle as a snapshot may hold, three turns lead back.
+TEST(Rot, TurnsOntoTheCircleFromWhereverItIs) {
+    for (const Real radians : {Real(1e5), Real(-1e6), Real(1e7)}) {
+        EXPECT_TRUE(near(norm(turned(Rot{}, radians)), 1, 1e-6)) << radians;
+    }
+    Rot q{Real(1.001), 0};
+    for (int i = 0; i < 3; ++i) {
+        q = turned(q, Real(0.1));
+    }
+    EXPECT_TRUE(near(norm(q), 1, 4 * kEpsilon));
 }
 
 } // namespace

@@ -69,8 +69,8 @@ void expectNoBodyTwice(const Crowd& crowd, const ContactBlocks& blocks,
                 EXPECT_TRUE(!free || pushed.insert(body).second) << "block " << i;
             };
             for (std::size_t lane = 0; lane < ContactBlock::kContacts; ++lane) {
-                expectNew(bodyAt(block.a[lane]), (use.movesA >> lane & 1) != 0);
-                expectNew(bodyAt(block.b[lane]), (use.movesB >> lane & 1) != 0);
+                expectNew(bodyOfPlace(block.a[lane]), (use.movesA >> lane & 1) != 0);
+                expectNew(bodyOfPlace(block.b[lane]), (use.movesB >> lane & 1) != 0);
             }
         }
     }

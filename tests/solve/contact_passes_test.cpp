@@ -58,8 +58,8 @@ struct Blocks {
 
     void fill(support::RandomNumbers& random, std::size_t i, std::size_t lane) {
         ContactBlock& block = blocks[i];
-        block.a[lane] = motionOf(addBody(random, use[i].onLocked));
-        block.b[lane] = motionOf(addBody(random, false));
+        block.a[lane] = placeOfMotion(addBody(random, use[i].onLocked));
+        block.b[lane] = placeOfMotion(addBody(random, false));
         const Rot normal = random.rotation();
         block.normalX[lane] = normal.c;
         block.normalY[lane] = normal.s;
@@ -143,8 +143,8 @@ TEST(ContactPasses, KeepMomentum) {
     std::size_t pushed = 0;
     for (std::size_t i = 0; i < kBlocks; ++i) {
         for (std::size_t lane = 0; lane < kContacts && !blocks.use[i].onLocked; ++lane) {
-            const std::uint32_t a = bodyAt(blocks.blocks[i].a[lane]);
-            const std::uint32_t b = bodyAt(blocks.blocks[i].b[lane]);
+            const std::uint32_t a = bodyOfPlace(blocks.blocks[i].a[lane]);
+            const std::uint32_t b = bodyOfPlace(blocks.blocks[i].b[lane]);
             const auto momentum = [&](const std::vector<Motion>& motion) {
                 return motion[a].velocity / motion[a].invMass +
                        motion[b].velocity / motion[b].invMass;
@@ -180,8 +180,8 @@ struct Alone {
     Vec2 normal;
 
     Alone(const std::vector<Motion>& motion, const ContactBlock& block, std::size_t lane)
-        : a(motion[bodyAt(block.a[lane])]),
-          b(motion[bodyAt(block.b[lane])]),
+        : a(motion[bodyOfPlace(block.a[lane])]),
+          b(motion[bodyOfPlace(block.b[lane])]),
           normal{block.normalX[lane], block.normalY[lane]} {}
 
     double speed(Vec2 direction, Real leverA, Real leverB) const {
@@ -319,7 +319,8 @@ TEST(ContactPasses, SettleThoseThatAreDeepAndNoOther) {
                 const bool settles = own.points[0].separation[lane] < kSettleBelow;
                 deep += settles ? 1 : 0;
                 const Blocks& expected = settles ? all : before;
-                for (const std::uint32_t body : {bodyAt(own.a[lane]), bodyAt(own.b[lane])}) {
+                for (const std::uint32_t body :
+                     {bodyOfPlace(own.a[lane]), bodyOfPlace(own.b[lane])}) {
                     EXPECT_EQ(some.motion[body].velocity, expected.motion[body].velocity);
                     EXPECT_EQ(some.motion[body].angularVelocity,
                               expected.motion[body].angularVelocity);

@@ -100,8 +100,8 @@ Drift driftOf(const StepSettings& settings, int base) {
     return drift;
 }
 
-// W6: stride order leaves no bias to one side. Where one pyramid goes, others need not; of eight, a
-// third of the mean way is far more than boxes that wander at random would share.
+// W6: stride order leaves no bias to one side. The boxes of one pyramid go together, by a fifth of
+// their way in the mean, but to which side is chance: eight of them share a fourteenth.
 TEST(Strategies, ASymmetricPyramidDriftsToNoSide) {
     for (const StepSettings& settings : {propagation(4, 4), propagation(10, 10)}) {
         constexpr int kSmallest = 6;

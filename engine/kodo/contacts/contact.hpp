@@ -57,7 +57,7 @@ struct alignas(128) Contact {
     bool sensor = false;      // is only noticed
     bool passing = false;     // through a one-sided line from behind; see letPass
     bool hidden = false;      // in this step, under the surface that carries the body; see Seams
-    bool touching = false;    // in the last step; of sensors, in this one
+    bool touching = false;    // as summed up last, but not once it is far apart; of sensors, by now
     bool wasTouching = false; // in the last step; equal to touching between steps
     bool struck = false;      // what was pushed in one step only is not 0
     std::optional<TouchPhase> phase; // of the last step; nothing: it did not touch
@@ -87,17 +87,17 @@ struct ContactHead {
     Real separation = 0;                   // m, of the first point, if there is a manifold
     bool sensor = false;
     bool bounces = false;
-    bool idle = false;     // far apart, and nothing came of it in the last step
-    bool asks = false;     // has a manifold or is a sensor: may touch without a row, too
-    bool touching = false; // that of the contact
-    bool steady = false;   // the contact stays as it is if it touches, or not, once more
+    bool idle = false;        // far apart, and nothing came of it in the last step
+    bool meets = false;       // has a manifold, or is a sensor, which may find one on its way
+    bool wasTouching = false; // as summed up last
+    bool steady = false;      // the contact stays as it is if it touches, or not, once more
 
-    /// To be called when something of that has changed.
+    /// To be called when the row, the manifold or the approach has changed, but of sensors.
     void note(const Contact& contact) {
         row = contact.row.index;
         approachSpeed = contact.approachSpeed;
         separation = contact.manifold.points[0].separation;
-        asks = contact.manifold.count > 0 || contact.sensor;
+        meets = contact.manifold.count > 0 || contact.sensor;
     }
 };
 

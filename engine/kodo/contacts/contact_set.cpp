@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/base/prefetch.hpp>
 #include <kodo/contacts/contact_set.hpp>
 #include <kodo/contacts/contact_update.hpp>
 

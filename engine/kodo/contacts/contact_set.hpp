@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/base/assert.hpp>
 #include <kodo/base/crew.hpp>
-#include <kodo/base/prefetch.hpp>
 #include <kodo/bodies/bodies.hpp>
 #include <kodo/bodies/tolerances.hpp>
 #include <kodo/broad/pair_finder.hpp>
@@ -83,7 +83,8 @@ public:
     /// Sums up a step, in which touched(row) tells who touched of those that have a row; of no row
     /// it is false. Lists the bodies that did, for which noteFirst(body, touches) is true, each
     /// once and in any order. Several threads call these. Contacts that go on as they were are left
-    /// alone, as most of a pile; who touches is hard to foresee, so nothing else branches by it.
+    /// alone, as most of a pile; who touches is hard to foresee, so one thread alone does not
+    /// branch by it.
     template <typename Touched, typename NoteFirst>
     void sumUp(const Tolerances& tolerances, Crew& crew, Touched touched, NoteFirst noteFirst,
                std::vector<std::uint32_t>& touching) {
@@ -95,8 +96,9 @@ public:
                           for (std::size_t i = first; i < last; ++i) {
                               ContactHead& head = heads_[live_[i]];
                               bool touches = touched(head.row);
-                              const bool asks = head.asks & (head.row == ContactRow::kNone);
-                              if (asks | !head.steady | (touches != head.touching)) {
+                              KODO_ASSERT(isTrue(live_[i]));
+                              const bool asks = head.meets & (head.row == ContactRow::kNone);
+                              if (asks | !head.steady | (touches != head.wasTouching)) {
                                   touches = finishContact(live_[i], touches, tolerances);
                               }
                               for (const std::uint32_t body : {head.bodyA, head.bodyB}) {
@@ -160,6 +162,7 @@ private:
     template <typename Gone>
     void eraseIf(Gone gone);
     void fillHoles();
+    bool isTrue(std::uint32_t place) const;
     bool finishContact(std::uint32_t place, bool touchesInRow, const Tolerances& tolerances);
 
     PartBounds bounds_;

@@ -11,7 +11,8 @@ namespace kodo::inline KODO_PRECISION {
 void describeContact(Contact& contact, const Bodies& bodies);
 
 /// Begins a step with the manifold of the last one, whose moves Motion still holds, of two parts
-/// that are near each other. False if it does not do any more and must be found anew.
+/// that are near each other. False if it does not do any more and must be found anew. Where it
+/// carries the manifold on, it also measures the approach, by the levers that it needs anyway.
 bool followContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances);
 
 /// Finds where they touch. The impulses of the contact must not be lent: they go on to the new

@@ -18,6 +18,15 @@ void ContactSet::measureApproach(const Bodies& bodies) {
     }
 }
 
+/// Does the head of a contact tell what the contact does?
+bool ContactSet::isTrue(std::uint32_t place) const {
+    const ContactHead& head = heads_[place];
+    const Contact& contact = contacts_[place];
+    const bool meets = contact.manifold.count > 0 || contact.sensor;
+    return contact.sensor || (head.row == contact.row.index && head.meets == meets &&
+                              (!head.steady || head.wasTouching == contact.wasTouching));
+}
+
 /// Does it touch, after all?
 bool ContactSet::finishContact(std::uint32_t place, bool touchesInRow,
                                const Tolerances& tolerances) {
@@ -25,9 +34,9 @@ bool ContactSet::finishContact(std::uint32_t place, bool touchesInRow,
     Contact& contact = contacts_[place];
     kodo::finishContact(contact, head.row == ContactRow::kNone ? touches(contact, tolerances)
                                                                : touchesInRow);
-    head.touching = contact.touching;
+    head.wasTouching = contact.touching;
     head.steady = !contact.phase || contact.phase == TouchPhase::Persist;
-    return head.touching;
+    return head.wasTouching;
 }
 
 std::span<const std::uint32_t> ContactSet::live() {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/base/prefetch.hpp>
 #include <kodo/contacts/seams.hpp>
 
 namespace kodo::inline KODO_PRECISION {

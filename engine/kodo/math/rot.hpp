@@ -51,15 +51,19 @@ BasicRot<T> normalize(BasicRot<T> q) {
     return {scale * q.c, scale * q.s};
 }
 
-/// q after turning by a small or large angle (rad). By none it stays as it is. A step of Newton's
-/// method keeps it on the circle, from which both are off by roundings only.
+/// q after turning by a small or large angle (rad), back on the circle. By none it stays as it is.
+/// As a rule all are off the circle by roundings, which a step of Newton's method mends.
 template <std::floating_point T>
 BasicRot<T> turned(BasicRot<T> q, T radians) {
     if (radians == 0) {
         return q;
     }
     const BasicRot<T> next = BasicRot<T>::fromAngle(radians) * q;
-    const T scale = T(1.5) - T(0.5) * (next.c * next.c + next.s * next.s);
+    const T square = next.c * next.c + next.s * next.s;
+    if (!(square > T(0.99) && square < T(1.01))) {
+        return normalize(next); // as of an angle too large for its sine to be known
+    }
+    const T scale = T(1.5) - T(0.5) * square;
     return {scale * next.c, scale * next.s};
 }
 

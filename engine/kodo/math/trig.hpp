@@ -28,9 +28,9 @@ SinCos<T> sinCos(T angle) {
     constexpr T kQuarterHigh = sizeof(T) == 4 ? T(1.5703125) : T(1.57079632673412561417e+00);
     constexpr T kQuarterLow =
         sizeof(T) == 4 ? T(4.83826794896619e-4) : T(6.07710050650619224932e-11);
-    const T nearest = angle * (2 / std::numbers::pi_v<T>)+T(0.5);
-    const bool first = nearest >= 0 && nearest < 1; // as of most angles; floor may be a call
-    const T turns = first ? T(0) : std::floor(nearest);
+    const T quarters = angle * (2 / std::numbers::pi_v<T>)+T(0.5);
+    const bool small = quarters >= 0 && quarters < 1; // as most angles are; floor may be a call
+    const T turns = small ? T(0) : std::floor(quarters);
     const T r = (angle - turns * kQuarterHigh) - turns * kQuarterLow;
     const T q = r * r;
     T tailS = T(1) / 362880; // the series from r^9 and q^5 on, divided by what stands before it
@@ -42,7 +42,7 @@ SinCos<T> sinCos(T angle) {
     const T s = r + r * q * (T(-1) / 6 + q * (T(1) / 120 + q * (T(-1) / 5040 + q * tailS)));
     const T c =
         1 + q * (T(-1) / 2 + q * (T(1) / 24 + q * (T(-1) / 720 + q * (T(1) / 40320 + q * tailC))));
-    const T quadrant = first ? T(0) : turns - 4 * std::floor(turns / 4);
+    const T quadrant = small ? T(0) : turns - 4 * std::floor(turns / 4);
     if (quadrant == 0) {
         return {s, c};
     }

@@ -8,13 +8,14 @@
 
 namespace kodo::inline KODO_PRECISION {
 
+static_assert(sizeof(Motion) % sizeof(Real) == 0);
 /// Where the Motion of a body begins, in Reals, so that the passes need not multiply.
-constexpr std::uint32_t motionOf(std::uint32_t body) {
+constexpr std::uint32_t placeOfMotion(std::uint32_t body) {
     return body * static_cast<std::uint32_t>(sizeof(Motion) / sizeof(Real));
 }
 /// Whose Motion begins there.
-constexpr std::uint32_t bodyAt(std::uint32_t motion) {
-    return motion / static_cast<std::uint32_t>(sizeof(Motion) / sizeof(Real));
+constexpr std::uint32_t bodyOfPlace(std::uint32_t place) {
+    return place / static_cast<std::uint32_t>(sizeof(Motion) / sizeof(Real));
 }
 
 /// Eight contacts as the passes of the solver see them, side by side. No two of them push the same
@@ -26,7 +27,7 @@ struct alignas(64) ContactBlock {
     static constexpr int kContacts = 8;
     using Each = Real[kContacts];
 
-    std::uint32_t a[kContacts]; // where the Motion of a begins, in Reals; see motionOf
+    std::uint32_t a[kContacts]; // see placeOfMotion
     std::uint32_t b[kContacts];
     Each normalX;
     Each normalY;

@@ -127,7 +127,7 @@ void ContactBlocks::freeLanes(const Bodies& bodies) {
         for (std::size_t i = 0; i < blocks_.size(); ++i) {
             for (std::size_t lane = 0; lane < ContactBlock::kContacts; ++lane) {
                 if ((states_[i].used >> lane & 1) == 0) {
-                    blocks_[i].a[lane] = blocks_[i].b[lane] = motionOf(spare_);
+                    blocks_[i].a[lane] = blocks_[i].b[lane] = placeOfMotion(spare_);
                 }
             }
         }
@@ -165,8 +165,10 @@ void ContactBlocks::release(std::uint32_t row) {
     const std::uint32_t group = state.bin / 2;
     if (!isSingle(state.bin)) {
         const std::uint64_t colour = std::uint64_t{1} << (group - (group > kFreeColours ? 1 : 0));
-        colours_[bodyAt(block.a[laneOf(row)])] &= ~((state.fixedA & maskOf(row)) != 0 ? 0 : colour);
-        colours_[bodyAt(block.b[laneOf(row)])] &= ~((state.fixedB & maskOf(row)) != 0 ? 0 : colour);
+        colours_[bodyOfPlace(block.a[laneOf(row)])] &=
+            ~((state.fixedA & maskOf(row)) != 0 ? 0 : colour);
+        colours_[bodyOfPlace(block.b[laneOf(row)])] &=
+            ~((state.fixedB & maskOf(row)) != 0 ? 0 : colour);
     }
     empty(row);
 }
@@ -183,7 +185,7 @@ void ContactBlocks::empty(std::uint32_t row) {
     ContactBlock& block = blocks_[blockOf(row)];
     const std::size_t lane = laneOf(row);
     clearLane(block, lane);
-    block.a[lane] = block.b[lane] = motionOf(spare_);
+    block.a[lane] = block.b[lane] = placeOfMotion(spare_);
     use_[blockOf(row)].movesA &= static_cast<std::uint8_t>(~maskOf(row));
     use_[blockOf(row)].movesB &= static_cast<std::uint8_t>(~maskOf(row));
     if (const std::int32_t rolling = use_[blockOf(row)].rolling; rolling >= 0) {
@@ -229,8 +231,8 @@ std::uint32_t ContactBlocks::openBlock(std::uint32_t bin) {
     taken_.resize(blocks_.capacity() * ContactBlock::kContacts);
     use_.reserve(blocks_.capacity());
     order_.reserve(blocks_.capacity());
-    std::fill_n(lanes.a, ContactBlock::kContacts, motionOf(spare_));
-    std::fill_n(lanes.b, ContactBlock::kContacts, motionOf(spare_));
+    std::fill_n(lanes.a, ContactBlock::kContacts, placeOfMotion(spare_));
+    std::fill_n(lanes.b, ContactBlock::kContacts, placeOfMotion(spare_));
     states_.push_back({bin, kNone, 0, 0, 0});
     use_.push_back({-1, bin % 2 == 1, bin / 2 > kFreeColours, 0, 0});
     open_[bin] = block;
@@ -258,8 +260,8 @@ void ContactBlocks::giveLane(Contact& contact, std::uint32_t bin) {
     ++rows_;
     contact.row.index = block * ContactBlock::kContacts + lane;
     taken_[contact.row.index] = 1;
-    blocks_[block].a[lane] = motionOf(contact.key.bodyA);
-    blocks_[block].b[lane] = motionOf(contact.key.bodyB);
+    blocks_[block].a[lane] = placeOfMotion(contact.key.bodyA);
+    blocks_[block].b[lane] = placeOfMotion(contact.key.bodyB);
 }
 
 /// Lists the blocks in use by bin.
@@ -320,8 +322,9 @@ void ContactBlocks::setPushSpeeds(std::span<const std::uint16_t> crowd, Real pus
         ContactBlock& block = blocks_[i];
         for (std::uint32_t used = states_[i].used; used != 0; used &= used - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(used));
-            const int crowded =
-                shared_ ? std::max(crowd[bodyAt(block.a[lane])], crowd[bodyAt(block.b[lane])]) : 0;
+            const int crowded = shared_ ? std::max(crowd[bodyOfPlace(block.a[lane])],
+                                                   crowd[bodyOfPlace(block.b[lane])])
+                                        : 0;
             block.pushSpeed[lane] =
                 pushSpeed / static_cast<Real>(std::max(1, crowded + 1 - kNeighbours));
         }

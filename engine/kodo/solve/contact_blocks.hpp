@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/base/assert.hpp>
 #include <kodo/base/crew.hpp>
 #include <kodo/contacts/contact.hpp>
 #include <kodo/solve/contact_block.hpp>
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -60,6 +62,7 @@ public:
     void noteTouching(Real slop, Crew& crew);
     /// Did the contact of a row touch in the last step? No, if it is none.
     bool touches(std::uint32_t row) const {
+        KODO_ASSERT(row == kNone || row + 1 < touching_.size());
         return touching_[std::min<std::size_t>(row, touching_.size() - 1)] != 0;
     }
 

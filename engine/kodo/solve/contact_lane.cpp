@@ -100,8 +100,9 @@ void clearLane(ContactBlock& block, std::size_t lane) {
     for (ContactBlock::Point& point : block.points) {
         writePoint(point, lane, {});
     }
-    for (ContactBlock::Each* each : {&block.normalX, &block.normalY, &block.tangentLeverA,
-                                     &block.tangentLeverB, &block.tangentMass, &block.friction}) {
+    for (ContactBlock::Each* each :
+         {&block.normalX, &block.normalY, &block.tangentLeverA, &block.tangentLeverB,
+          &block.tangentMass, &block.friction, &block.total}) {
         (*each)[lane] = 0;
     }
 }

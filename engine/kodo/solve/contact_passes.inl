@@ -48,8 +48,14 @@ enum class Task {
 struct Rules {
     Real biasRate;
     Real massScale;
-    Real invH;
-    Real kept;
+    const PassSettings& settings;
+};
+
+/// kLanes contacts of a block, from `at` on.
+struct Lot {
+    int at;
+    Lanes pushSpeed; // m/s at most, to part them
+    Lanes takesPart; // 1, or 0 where the pass leaves the contact alone
 };
 
 /// How far one point of each contact is apart by now, and its levers. `moved` is the move of the
@@ -73,18 +79,20 @@ KODO_LANES_INLINE Gap gapOf(const ContactBlock::Point& point, int at, Lanes move
 ///
 ///   lambda = mass_scale (lambda_sum - m (v_n + bias)) >= 0,
 ///
-/// which is that of Softness, since its two scales add up to 1; mass_scale is 1 for a gap.
+/// which is that of Softness, since its two scales add up to 1. A gap of s has a mass_scale of 1
+/// and the bias s/h, by which it may close within the substep and no more; an overlap, s < 0, has
+/// max(bias_rate s, -push_speed) where it is pushed apart, and else 1 and none.
 template <Task task>
-KODO_LANES_INLINE Lanes solvePoint(ContactBlock::Point& point, int at, Pair& pair, Lanes along,
-                                   const Gap& gap, Lanes pushSpeed, Lanes takesPart,
-                                   const Rules& rules) {
+KODO_LANES_INLINE Lanes solvePoint(ContactBlock::Point& point, const Lot& lot, Pair& pair,
+                                   Lanes along, const Gap& gap, const Rules& rules) {
+    const int at = lot.at;
     const Lanes impulse = load(point.impulse + at);
     const Lanes speed = along + (gap.leverB * pair.b.z - gap.leverA * pair.a.z);
-    const Lanes close = gap.s * all(rules.invH); // may close the gap within the substep, no more
+    const Lanes close = gap.s * all(rules.settings.invH);
     Lanes next;
     if constexpr (task == Task::Push) {
-        // of these two the larger is that of the gap where there is one, else that of the overlap
-        const Lanes bias = larger(larger(all(rules.biasRate) * gap.s, close), -pushSpeed);
+        // bias_rate < 1/h, so of these two that of a gap is the larger, and else that of an overlap
+        const Lanes bias = larger(larger(all(rules.biasRate) * gap.s, close), -lot.pushSpeed);
         const Lanes rigid = gap.s > Lanes{} ? all(1) : Lanes{};
         next = larger(rigid, all(rules.massScale)) *
                larger(impulse - load(point.mass + at) * (speed + bias), Lanes{});
@@ -92,11 +100,11 @@ KODO_LANES_INLINE Lanes solvePoint(ContactBlock::Point& point, int at, Pair& pai
         next = larger(impulse - load(point.mass + at) * (speed + larger(close, Lanes{})), Lanes{});
     }
     if constexpr (task == Task::Settle) {
-        next = takesPart > Lanes{} ? next : impulse;
+        next = lot.takesPart > Lanes{} ? next : impulse;
     }
     store(point.impulse + at, next);
     if constexpr (task == Task::Relax) {
-        store(point.largest + at, larger(rules.kept * load(point.largest + at), next));
+        store(point.largest + at, larger(rules.settings.kept * load(point.largest + at), next));
     }
     const Lanes change = next - impulse;
     spin(pair, gap.leverA * change, gap.leverB * change);
@@ -158,8 +166,8 @@ KODO_LANES_INLINE void putBack(Motion* motion, const std::uint32_t* index, const
 
 template <Task task, int points>
 KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, int at,
-                                  Motion* motion, const Rules& rules, const PassSettings& settings,
-                                  const BlockUse& use) {
+                                  Motion* motion, const Rules& rules, const BlockUse& use) {
+    const PassSettings& settings = rules.settings;
     const Lanes nx = load(block.normalX + at);
     const Lanes ny = load(block.normalY + at);
     const Quad moveA = gather(moves(motion), block.a + at);
@@ -175,19 +183,16 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
     const Lanes dx = pair.b.x - pair.a.x;
     const Lanes dy = pair.b.y - pair.a.y;
     Lanes along = nx * dx + ny * dy;
-    const Lanes pushSpeed = load(block.pushSpeed + at);
-    Lanes takesPart = all(1);
+    Lot lot{at, load(block.pushSpeed + at), all(1)};
     if constexpr (task == Task::Settle) {
         const auto settled = load(block.points[0].separation + at) < all(settings.settleBelow);
-        takesPart = settled ? takesPart : Lanes{};
+        lot.takesPart = settled ? lot.takesPart : Lanes{};
     }
-    Lanes change =
-        solvePoint<task>(block.points[0], at, pair, along, gap1, pushSpeed, takesPart, rules);
+    Lanes change = solvePoint<task>(block.points[0], lot, pair, along, gap1, rules);
     Lanes sum = load(block.points[0].impulse + at);
     if constexpr (points == 2) {
         along += (pair.a.w + pair.b.w) * change;
-        change +=
-            solvePoint<task>(block.points[1], at, pair, along, gap2, pushSpeed, takesPart, rules);
+        change += solvePoint<task>(block.points[1], lot, pair, along, gap2, rules);
         sum += load(block.points[1].impulse + at);
     }
     Lanes px = change * nx;
@@ -200,10 +205,10 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
     }
     push(pair, px, py);
     if (rolling != nullptr) {
-        solveRolling(*rolling, at, pair, sum, takesPart);
+        solveRolling(*rolling, at, pair, sum, lot.takesPart);
     }
     if constexpr (task == Task::Relax) {
-        store(block.total + at, rules.kept * load(block.total + at) + sum);
+        store(block.total + at, settings.kept * load(block.total + at) + sum);
     }
     putBack(motion, block.a + at, pair.a, use.movesA, at);
     putBack(motion, block.b + at, pair.b, use.movesB, at);
@@ -221,13 +226,13 @@ void solveBlocks(const ContactPassArguments& pass) {
             use.movesB &= settled;
         }
         const Softness& soft = use.onLocked ? settings.onLocked : settings.soft;
-        const Rules rules{soft.biasRate, soft.massScale, settings.invH, settings.kept};
+        const Rules rules{soft.biasRate, soft.massScale, settings};
         RollingBlock* const rolling = use.rolling < 0 ? nullptr : pass.rolling + use.rolling;
         for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
             if (use.twoPoints) {
-                solveLanes<task, 2>(pass.blocks[i], rolling, at, pass.motion, rules, settings, use);
+                solveLanes<task, 2>(pass.blocks[i], rolling, at, pass.motion, rules, use);
             } else {
-                solveLanes<task, 1>(pass.blocks[i], rolling, at, pass.motion, rules, settings, use);
+                solveLanes<task, 1>(pass.blocks[i], rolling, at, pass.motion, rules, use);
             }
         }
     }

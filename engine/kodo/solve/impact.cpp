@@ -187,20 +187,21 @@ bool hitContact(const Impact& hit, const Tolerances& tolerances, Real restSpeed)
 
 constexpr Real kNearly = Real(0.999); // makes up for rounding
 
-Real accelerationSquared(const Bodies& bodies, const Contact& contact) {
-    return std::max(lengthSquared(bodies.acceleration[contact.key.bodyA].linear),
-                    lengthSquared(bodies.acceleration[contact.key.bodyB].linear));
+Real accelerationSquared(const Bodies& bodies, std::uint32_t bodyA, std::uint32_t bodyB) {
+    return std::max(lengthSquared(bodies.acceleration[bodyA].linear),
+                    lengthSquared(bodies.acceleration[bodyB].linear));
 }
 
 /// The speed that forces alone give within the step.
 Real restSpeedOf(const Bodies& bodies, const Contact& contact, Real dt) {
-    return dt * std::sqrt(accelerationSquared(bodies, contact));
+    return dt * std::sqrt(accelerationSquared(bodies, contact.key.bodyA, contact.key.bodyB));
 }
 
 /// Was it measured to approach faster than that? Rounding aside, which solveImpact judges.
-bool isFast(const Bodies& bodies, const Contact& contact, Real dt) {
-    const Real speed = contact.approachSpeed;
-    return speed > 0 && speed * speed > kNearly * (dt * dt) * accelerationSquared(bodies, contact);
+bool isFast(const Bodies& bodies, const ContactHead& head, Real dt) {
+    const Real speed = head.approachSpeed;
+    return speed > 0 && speed * speed > kNearly * (dt * dt) *
+                                            accelerationSquared(bodies, head.bodyA, head.bodyB);
 }
 
 /// No contact that approaches more slowly than that is hit: forces alone do as much to every body
@@ -256,14 +257,10 @@ void ImpactStage::solve(Bodies& bodies, ContactSet& contactSet, const StepSettin
                 continue; // the contact half goes on from here
             }
             const bool asMeasured = pass == 0 && (wasHitA | wasHitB) == 0;
-            if (asMeasured && !(head.approachSpeed > restSpeed)) {
+            if (asMeasured && !(head.approachSpeed > restSpeed && isFast(bodies, head, dt))) {
                 continue;
             }
-            Contact& contact = contacts[place];
-            if (asMeasured && !isFast(bodies, contact, dt)) {
-                continue;
-            }
-            if (solveImpact(bodies, contact, settings, tolerances, dt)) {
+            if (solveImpact(bodies, contacts[place], settings, tolerances, dt)) {
                 wasHitA = bodies.locked(head.bodyA) ? 0 : 1;
                 wasHitB = bodies.locked(head.bodyB) ? 0 : 1;
                 any = true;

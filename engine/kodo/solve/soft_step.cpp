@@ -356,9 +356,9 @@ void SoftStep::runSubstep(Bodies& bodies, JointSet& joints, const ContactPassArg
     jointPass.biased = false;
     passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
     settle(pass, crew);
-    ContactPassArguments last = pass;
-    last.settings.kept = first ? Real(0) : Real(1);
-    passContacts(passes.relax, last, crew);
+    ContactPassArguments relax = pass;
+    relax.settings.kept = first ? Real(0) : Real(1);
+    passContacts(passes.relax, relax, crew);
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -31,7 +31,7 @@ void SweepStage::findPushes(const Step& step) {
     againstLocked_.clear();
     for (std::uint32_t i = 0; i < step.contacts.size(); ++i) {
         const ContactHead& head = step.heads[i];
-        if (head.asks && !head.bounces &&
+        if (head.meets && !head.bounces &&
             step.bodies.locked(head.bodyA) != step.bodies.locked(head.bodyB) &&
             step.contacts[i].responds()) {
             againstLocked_.push_back(i);
