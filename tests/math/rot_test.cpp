@@ -90,7 +90,8 @@ TEST(Rot, TurnsByALargeAngleExactlyOnTheCircle) {
 }
 
 // By however large an angle, up to the highest speed: then the direction means little, but it still
-// is one. From a vector that is as far off the circle as a snapshot may hold, three turns lead back.
+// is one. From a vector that is as far off the circle as a snapshot may hold, three turns lead
+// back.
 TEST(Rot, TurnsOntoTheCircleFromWhereverItIs) {
     for (const Real radians : {Real(1e5), Real(-1e6), Real(1e7)}) {
         EXPECT_TRUE(near(norm(turned(Rot{}, radians)), 1, 1e-6)) << radians;
