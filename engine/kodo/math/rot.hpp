@@ -63,8 +63,8 @@ BasicRot<T> turned(BasicRot<T> q, T radians) {
     if (!(square > T(0.99) && square < T(1.01))) {
         return normalize(next); // as of an angle too large for its sine to be known
     }
-    const T scale = T(1.5) - T(0.5) * square;
-    return {scale * next.c, scale * next.s};
+    const T missing = (1 - square) / 2;
+    return {next.c + missing * next.c, next.s + missing * next.s};
 }
 
 } // namespace kodo::inline KODO_PRECISION
