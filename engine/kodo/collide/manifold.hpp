@@ -28,6 +28,11 @@ struct Manifold {
     bool fromBehind = false; // of a one-sided line; then count is 0. See letPass
 };
 
+/// m, of both points; that of one that the manifold does not have means nothing.
+inline std::array<Real, 2> separationsOf(const Manifold& manifold) {
+    return {manifold.points[0].separation, manifold.points[1].separation};
+}
+
 /// A contact point found in A's frame, around A's centre; the last step turns it to world axes. So
 /// nothing is lost far from the origin.
 struct LocalPoint {

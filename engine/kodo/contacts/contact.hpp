@@ -84,20 +84,22 @@ struct ContactHead {
     std::uint32_t bodyB = 0;
     std::uint32_t row = ContactRow::kNone; // the index of its row
     Real approachSpeed = 0;                // m/s, that of the contact
-    Real separation = 0;                   // m, of the first point, if there is a manifold
+    std::array<Real, 2> separation{};      // m, of the points that the manifold has
     bool sensor = false;
     bool bounces = false;
     bool idle = false;        // far apart, and nothing came of it in the last step
     bool meets = false;       // has a manifold, or is a sensor, which may find one on its way
     bool wasTouching = false; // as summed up last
     bool steady = false;      // the contact stays as it is if it touches, or not, once more
+    bool kept = false; // pushes, and its lane has all of its manifold but how far apart it is
 
     /// To be called when the row, the manifold or the approach has changed, but of sensors.
     void note(const Contact& contact) {
         row = contact.row.index;
         approachSpeed = contact.approachSpeed;
-        separation = contact.manifold.points[0].separation;
+        separation = separationsOf(contact.manifold);
         meets = contact.manifold.count > 0 || contact.sensor;
+        kept = contact.carried && !contact.hidden && contact.row.colour != ContactRow::kNoColour;
     }
 };
 

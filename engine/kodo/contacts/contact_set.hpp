@@ -151,9 +151,10 @@ private:
     void renew(const Bodies& bodies, const Tolerances& tolerances);
     void orderContacts();
     void renewPlaces();
-    void refreshPairs(const Bodies& bodies, Crew& crew);
-    void findPairs(const Bodies& bodies, Crew& crew);
-    void mergePairs(const Bodies& bodies);
+    void refreshPairs(const Bodies& bodies, bool wishesChanged, Crew& crew);
+    bool isWanted(const Bodies& bodies, BoundsPair pair) const;
+    void findPairs(const Bodies& bodies, bool onlyWanted, Crew& crew);
+    void mergePairs(const Bodies& bodies, bool onlyWanted);
     Contact makeContact(const Bodies& bodies, BoundsPair pair) const;
     void changed();
     bool boundsMeet(std::size_t i, const Tolerances& tolerances) const;

@@ -104,6 +104,10 @@ void PartBounds::coverMoves(const Bodies& bodies, const Tolerances& tolerances, 
     listOutgrown(bodies, crew, [&](std::uint32_t body, const Convex& convex, std::size_t i) {
         const Motion& motion = bodies.motion[body];
         const Real swing = std::abs(motion.turn) * bodies.extent[body].reach;
+        const Real way = std::max(std::abs(motion.move.x), std::abs(motion.move.y)) + swing;
+        if (way < tolerances.margin / 2) {
+            return false; // as most of a pile: the bounds are grown by the margin, at least
+        }
         if (grown_[i].contains(moved(tight_[i], motion.move).grown(swing)) ||
             !isSound(motion, tolerances.unit())) {
             return false; // as foreseen; or it is about to be stopped where it is

@@ -81,6 +81,7 @@ void Seams::hide(const Bodies& bodies, std::span<Contact> contacts, std::span<Co
                               bodies.pose[ground.body], carrying.normal, point, tolerances.slop)) {
                     other.hidden = true;
                     heads[k].idle = false;
+                    heads[k].kept = false;
                 }
             }
         }

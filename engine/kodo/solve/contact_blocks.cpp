@@ -101,10 +101,7 @@ bool ContactBlocks::needsRolling(const Contact& contact) const {
 bool ContactBlocks::take(const Bodies& bodies, Contact& contact) {
     ContactRow& row = contact.row;
     if (row.colour != ContactRow::kNoColour && contact.carried && !anew_) {
-        ContactBlock& block = blocks_[blockOf(row.index)];
-        taken_[row.index] = 1;
-        block.points[0].separation[laneOf(row.index)] = contact.manifold.points[0].separation;
-        block.points[1].separation[laneOf(row.index)] = contact.manifold.points[1].separation;
+        keep(row.index, separationsOf(contact.manifold));
         row.lent = true;
         return true;
     }

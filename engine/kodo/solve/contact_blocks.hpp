@@ -35,6 +35,16 @@ public:
     /// Takes a contact that responds. False if it needs another lane and has to be given one by
     /// arrange(). Several threads may take contacts at once.
     bool take(const Bodies& bodies, Contact& contact);
+    /// What take() does with a contact whose lane has all of it but how far apart it is (m).
+    void keep(std::uint32_t row, const std::array<Real, 2>& separation) {
+        ContactBlock& block = blocks_[blockOf(row)];
+        taken_[row] = 1;
+        block.points[0].separation[laneOf(row)] = separation[0];
+        block.points[1].separation[laneOf(row)] = separation[1];
+    }
+    /// May contacts that are kept be left to keep()? Their lanes have their impulses, and what is
+    /// in them goes for this step as well.
+    bool keepsLanes() const { return lent_ && !anew_; }
     /// After the last one, with the places of those that need lanes, in order. `pushSpeed` (m/s) is
     /// shared out among those who crowd a body, if there are more than kNeighbours of them; `crowd`
     /// is by body, and empty when nobody is crowded.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/base/prefetch.hpp>
 #include <kodo/bodies/integrate.hpp>
 #include <kodo/solve/soft_step.hpp>
 
@@ -25,16 +24,16 @@ constexpr int kMostSettling = 10;
 constexpr int kLargeCrowd = 600; // of passes times bodies
 
 /// A row is needed once the bodies are near enough to touch within the step. Those that bounce must
-/// not be braked before they touch, or they would lose the speed they bounce with.
-bool needsRow(const Bodies& bodies, const Contact& contact, const StepSettings& settings,
+/// not be braked before they touch, or they would lose the speed they bounce with. Does one that
+/// pushes need it?
+bool needsRow(const Bodies& bodies, const ContactHead& head, const StepSettings& settings,
               const Tolerances& tolerances) {
     // What rests is woken by a touch, not by what comes near.
-    if (!contact.responds() || (bodies.anyRests && (bodies.resting(contact.key.bodyA) ||
-                                                    bodies.resting(contact.key.bodyB)))) {
+    if (bodies.anyRests && (bodies.resting(head.bodyA) || bodies.resting(head.bodyB))) {
         return false;
     }
-    const bool bounces = contact.bounces && settings.has(Feature::Restitution);
-    return !bounces || contact.manifold.points[0].separation <= tolerances.slop;
+    const bool bounces = head.bounces && settings.has(Feature::Restitution);
+    return !bounces || head.separation[0] <= tolerances.slop;
 }
 
 /// How many passes more settle so many deep contacts; `crowd` is the most that overlap one body.
@@ -67,18 +66,37 @@ void SoftStep::clearMarks(const Bodies& bodies, const JointSet& joints) {
     });
 }
 
+/// Takes a contact into the solver that was found anew. False if it needs another lane.
+bool SoftStep::takeAnew(const Bodies& bodies, Contact& contact, bool friction) {
+    if (!friction) {
+        contact.friction = 0; // kept from when there was some
+    }
+    return blocks_.take(bodies, contact);
+}
+
+/// Takes a contact out of the solver.
+void SoftStep::giveUpRow(ContactSet& contactSet, std::uint32_t place) {
+    Contact& contact = contactSet.contacts()[place];
+    blocks_.reclaim(contact);
+    contact.row = {};
+    contact.carried = false;
+    contactSet.noteRow(place);
+}
+
 /// Besides the blocks: which bodies are held by something, and which are crowded. A body in the
 /// middle of a heap is pushed by all of it, and those behind push on; together they must not exceed
 /// the speed that one of them may push with, or the heap would burst.
 void SoftStep::collect(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
                        const Step& step) {
     const std::span<Contact> contacts = contactSet.contacts();
+    const std::span<const ContactHead> heads = contactSet.heads();
     const std::span<const std::uint32_t> live = contactSet.live();
     const StepSettings& settings = step.settings;
     const Tolerances& tolerances = step.tolerances;
     Crew& crew = step.crew;
     const bool friction = settings.has(Feature::Friction);
     blocks_.begin(bodies, contacts, friction, settings.has(Feature::RollingResistance));
+    const bool keepsLanes = friction && blocks_.keepsLanes();
     clearMarks(bodies, joints);
     std::uint16_t most = 1; // that overlap one body
     int deep = 0;
@@ -89,30 +107,30 @@ void SoftStep::collect(const Bodies& bodies, ContactSet& contactSet, const Joint
                       int ownDeep = 0;
                       int ownRows = 0;
                       for (std::size_t i = first; i < last; ++i) {
-                          prefetch<2>(contacts, live, i + kContactsAhead);
-                          Contact& contact = contacts[live[i]];
-                          if (!needsRow(bodies, contact, settings, tolerances)) {
-                              blocks_.reclaim(contact);
-                              contact.row = {};
-                              contact.carried = false;
-                              contactSet.noteRow(live[i]);
+                          const std::uint32_t place = live[i];
+                          const ContactHead& head = heads[place];
+                          if (keepsLanes && !head.meets && head.row == ContactRow::kNone) {
+                              continue; // as before
+                          }
+                          const bool needed = needsRow(bodies, head, settings, tolerances);
+                          if (keepsLanes && head.kept && needed) {
+                              KODO_ASSERT(contacts[place].carried && contacts[place].row.lent);
+                              blocks_.keep(head.row, head.separation);
+                          } else if (!needed || !contacts[place].responds()) {
+                              giveUpRow(contactSet, place);
                               continue;
-                          }
-                          if (!friction) {
-                              contact.friction = 0; // kept from when there was some
-                          }
-                          if (blocks_.take(bodies, contact)) {
-                              contactSet.noteRow(live[i]);
+                          } else if (takeAnew(bodies, contacts[place], friction)) {
+                              contactSet.noteRow(place);
                           } else {
-                              newcomers.push_back(live[i]);
+                              newcomers.push_back(place);
                           }
-                          const Real separation = contact.manifold.points[0].separation;
+                          const Real separation = head.separation[0];
                           std::vector<std::uint8_t>& marks =
                               separation <= tolerances.slop ? touched_ : near_;
-                          Crew::mark(marks[contact.key.bodyA]);
-                          Crew::mark(marks[contact.key.bodyB]);
+                          Crew::mark(marks[head.bodyA]);
+                          Crew::mark(marks[head.bodyB]);
                           if (separation < -4 * tolerances.slop) {
-                              noteCrowd(bodies, contact, most, crew);
+                              noteCrowd(bodies, head, most, crew);
                           }
                           ownDeep += separation < -kDeep * tolerances.slop ? 1 : 0;
                           ++ownRows;
@@ -125,9 +143,9 @@ void SoftStep::collect(const Bodies& bodies, ContactSet& contactSet, const Joint
 }
 
 /// Counts two that overlap deeply for each other. `most` is the largest count so far.
-void SoftStep::noteCrowd(const Bodies& bodies, const Contact& contact, std::uint16_t& most,
+void SoftStep::noteCrowd(const Bodies& bodies, const ContactHead& head, std::uint16_t& most,
                          const Crew& crew) {
-    for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
+    for (const std::uint32_t body : {head.bodyA, head.bodyB}) {
         if (bodies.locked(body)) {
             continue;
         }
@@ -218,14 +236,11 @@ void SoftStep::forBound(Crew& crew, const Work& work) {
 bool SoftStep::noneNeedsRow(const Bodies& bodies, ContactSet& contactSet,
                             const StepSettings& settings, const Tolerances& tolerances) {
     for (const std::uint32_t place : contactSet.live()) {
-        Contact& contact = contactSet.contacts()[place];
-        if (needsRow(bodies, contact, settings, tolerances)) {
+        if (contactSet.contacts()[place].responds() &&
+            needsRow(bodies, contactSet.heads()[place], settings, tolerances)) {
             return false;
         }
-        blocks_.reclaim(contact);
-        contact.row = {};
-        contact.carried = false;
-        contactSet.noteRow(place);
+        giveUpRow(contactSet, place);
     }
     return true;
 }

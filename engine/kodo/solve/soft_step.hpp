@@ -54,7 +54,9 @@ private:
     void collect(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
                  const Step& step);
     void clearMarks(const Bodies& bodies, const JointSet& joints);
-    void noteCrowd(const Bodies& bodies, const Contact& contact, std::uint16_t& most,
+    bool takeAnew(const Bodies& bodies, Contact& contact, bool friction);
+    void giveUpRow(ContactSet& contactSet, std::uint32_t place);
+    void noteCrowd(const Bodies& bodies, const ContactHead& head, std::uint16_t& most,
                    const Crew& crew);
     static int refinement(const Bodies& bodies, ContactSet& contactSet, Real hertz,
                           const Tolerances& tolerances);

@@ -66,7 +66,7 @@ bool mayNeedSweep(const ContactHead& head, Real motion, Real insideA, Real insid
     if (!far && !head.bounces) {
         return false; // as in most of a pile
     }
-    const Real gap = head.meets ? head.separation : tolerances.margin;
+    const Real gap = head.meets ? head.separation[0] : tolerances.margin;
     return motion >= gap && (gap > tolerances.slop ||
                              (far && motion >= (insideA + insideB) / 2 && gap >= -tolerances.slop));
 }
