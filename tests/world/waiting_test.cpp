@@ -147,6 +147,28 @@ TEST(Waiting, ASnapshotKeepsContactsThatWait) {
     EXPECT_EQ(restored.stateHash(), tower.world.stateHash());
 }
 
+// What is changed while its contacts wait is changed in them, too: a sensor carries nothing and
+// falls, also beside one that comes later.
+TEST(Waiting, WhatBecameASensorMeanwhileFalls) {
+    for (const bool another : {false, true}) {
+        World world(support::wakeful());
+        addFloor(world);
+        const BodyId box = world.add(boxDef({0, Real(0.5)}, 1, 1));
+        run(world, 20);
+        world.setRegion(Aabb{{100, 100}, {101, 101}});
+        world[box].setFlags(kSensor);
+        world.setRegion(Aabb{{100, 100}, {102, 102}});
+        world.step(kDt);
+        world.setRegion(std::nullopt);
+        run(world, 10);
+        if (another) {
+            world.add(boxDef({5, Real(0.5)}, 1, 1));
+        }
+        run(world, 50);
+        EXPECT_LT(world[box].position().y, Real(-4)); // 5 m in a second
+    }
+}
+
 // While a region wanders over a heap, every Begin is still followed by one End, and nothing falls
 // through what waits.
 TEST(Waiting, PhasesStayPairedWhileTheRegionWanders) {

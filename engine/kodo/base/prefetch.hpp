@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 
 namespace kodo {
@@ -19,14 +18,6 @@ void prefetch(std::span<T> list, std::size_t place) {
         for (std::size_t i = 0; i < lines; ++i) {
             __builtin_prefetch(element + i * kLine);
         }
-    }
-}
-
-/// The same of the element that is named at a place of a list of such places.
-template <std::size_t lines, typename T>
-void prefetch(std::span<T> list, std::span<const std::uint32_t> places, std::size_t place) {
-    if (place < places.size()) {
-        prefetch<lines>(list, places[place]);
     }
 }
 

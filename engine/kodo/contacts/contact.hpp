@@ -93,13 +93,14 @@ struct ContactHead {
     bool steady = false;      // the contact stays as it is if it touches, or not, once more
     bool kept = false; // pushes, and its lane has all of its manifold but how far apart it is
 
-    /// To be called when the row, the manifold or the approach has changed, but of sensors.
+    /// To be called when the row, the manifold, the approach, or whether the contact is carried or
+    /// hidden has changed, but of sensors.
     void note(const Contact& contact) {
         row = contact.row.index;
         approachSpeed = contact.approachSpeed;
         separation = separationsOf(contact.manifold);
         meets = contact.manifold.count > 0 || contact.sensor;
-        kept = contact.carried && !contact.hidden && contact.row.colour != ContactRow::kNoColour;
+        kept = contact.carried && contact.responds() && contact.row.colour != ContactRow::kNoColour;
     }
 };
 

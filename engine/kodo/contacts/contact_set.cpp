@@ -195,31 +195,30 @@ void ContactSet::renew(const Bodies& bodies, const Tolerances& tolerances) {
 void ContactSet::updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt,
                              Crew& crew) {
     recordsDue_ = false; // nobody asked
-    const bool renewed = std::exchange(stale_, false);
-    const bool wishesChanged = std::exchange(pairsStale_, false) || renewed;
-    if (renewed) {
+    if (std::exchange(stale_, false)) {
         renew(bodies, tolerances);
-    } else if (wishesChanged) {
+        pairsStale_ = false;
+    }
+    if (std::exchange(pairsStale_, false)) {
         bounds_.listAll();
     }
     bounds_.foresee(bodies, tolerances, dt, crew);
-    refreshPairs(bodies, wishesChanged, crew);
+    refreshPairs(bodies, crew);
 }
 
 void ContactSet::coverMoves(const Bodies& bodies, const Tolerances& tolerances, Crew& crew) {
     bounds_.coverMoves(bodies, tolerances, crew);
-    refreshPairs(bodies, false, crew);
+    refreshPairs(bodies, crew);
 }
 
-/// Looks for the pairs of those whose bounds are new. A pair that has a contact is wanted, as long
-/// as the wishes are those of before, so only the others are asked whether they are.
-void ContactSet::refreshPairs(const Bodies& bodies, bool wishesChanged, Crew& crew) {
+/// Looks for the pairs of those whose bounds are new.
+void ContactSet::refreshPairs(const Bodies& bodies, Crew& crew) {
     if (bounds_.changed().empty()) {
         return;
     }
-    findPairs(bodies, wishesChanged, crew);
+    findPairs(bodies, crew);
     if (!pairs_.empty() || !order_.empty()) {
-        mergePairs(bodies, wishesChanged);
+        mergePairs(bodies);
     }
     bounds_.clearChanged();
 }
@@ -229,23 +228,18 @@ void ContactSet::setApart(std::span<const std::pair<std::uint32_t, std::uint32_t
     pairsStale_ = true;
 }
 
-/// May the two meet, by their flags?
-bool ContactSet::isWanted(const Bodies& bodies, BoundsPair pair) const {
-    const std::uint32_t a = bounds_.part(pair.first).body;
-    const std::uint32_t b = bounds_.part(pair.second).body;
-    const Flags flagsA = bodies.record[a].filter.flags;
-    const Flags flagsB = bodies.record[b].filter.flags;
-    const bool sensor = ((flagsA ^ flagsB) & kSensor) != 0; // one of them, not both
-    return a != b && (sensor || !(bodies.locked(a) && bodies.locked(b))) &&
-           (sensor || ((flagsA & flagsB) & kSensor) == 0) &&
-           (bodies.active(a) || bodies.active(b)) &&
-           shouldCollide(bodies.record[a].filter, bodies.record[b].filter) &&
-           !std::binary_search(apart_.begin(), apart_.end(), std::pair(a, b));
-}
-
-void ContactSet::findPairs(const Bodies& bodies, bool onlyWanted, Crew& crew) {
+void ContactSet::findPairs(const Bodies& bodies, Crew& crew) {
     const auto accept = [&](std::uint32_t i, std::uint32_t j) {
-        return onlyWanted ? isWanted(bodies, {i, j}) : bounds_.part(i).body != bounds_.part(j).body;
+        const std::uint32_t a = bounds_.part(i).body;
+        const std::uint32_t b = bounds_.part(j).body;
+        const Flags flagsA = bodies.record[a].filter.flags;
+        const Flags flagsB = bodies.record[b].filter.flags;
+        const bool sensor = ((flagsA ^ flagsB) & kSensor) != 0; // one of them, not both
+        return a != b && (sensor || !(bodies.locked(a) && bodies.locked(b))) &&
+               (sensor || ((flagsA & flagsB) & kSensor) == 0) &&
+               (bodies.active(a) || bodies.active(b)) &&
+               shouldCollide(bodies.record[a].filter, bodies.record[b].filter) &&
+               !std::binary_search(apart_.begin(), apart_.end(), std::pair(a, b));
     };
     pairs_.clear();
     finder_.pairs(bounds_.grown(), {bounds_.changed(), bounds_.isChanged()}, accept, pairs_, crew);
@@ -261,9 +255,8 @@ Contact ContactSet::makeContact(const Bodies& bodies, BoundsPair pair) const {
 }
 
 /// Both lists are in the order of the keys, so one walk over both keeps what stays, drops what is
-/// gone and adds what is new, if it is wanted. Only pairs with one whose bounds are new can be
-/// either.
-void ContactSet::mergePairs(const Bodies& bodies, bool onlyWanted) {
+/// gone and adds what is new. Only pairs with one whose bounds are new can be either.
+void ContactSet::mergePairs(const Bodies& bodies) {
     newOrder_.clear();
     newOrder_.reserve(order_.capacity()); // the two take turns
     holes_.clear();
@@ -272,10 +265,8 @@ void ContactSet::mergePairs(const Bodies& bodies, bool onlyWanted) {
     auto pair = pairs_.begin();
     const auto addUpTo = [&](const BoundsPair* end) {
         for (; pair != pairs_.end() && (end == nullptr || *pair < *end); ++pair) {
-            if (onlyWanted || isWanted(bodies, *pair)) {
-                added_.push_back(static_cast<std::uint32_t>(newOrder_.size()));
-                newOrder_.push_back({*pair, 0});
-            }
+            added_.push_back(static_cast<std::uint32_t>(newOrder_.size()));
+            newOrder_.push_back({*pair, 0});
         }
     };
     for (const Place& place : order_) {

@@ -79,7 +79,10 @@ public:
     /// False if no contact is a sensor's.
     bool mayHaveSensors() const { return anySensors_ || contactsChanged_; }
     /// The solver gave a contact a row, or took it. Several threads call it.
-    void noteRow(std::uint32_t place) { heads_[place].row = contacts_[place].row.index; }
+    void noteRow(std::uint32_t place) {
+        heads_[place].row = contacts_[place].row.index;
+        heads_[place].kept = heads_[place].kept && contacts_[place].carried;
+    }
     /// Sums up a step, in which touched(row) tells who touched of those that have a row; of no row
     /// it is false. Lists the bodies that did, for which noteFirst(body, touches) is true, each
     /// once and in any order. Several threads call these. Contacts that go on as they were are left
@@ -151,10 +154,9 @@ private:
     void renew(const Bodies& bodies, const Tolerances& tolerances);
     void orderContacts();
     void renewPlaces();
-    void refreshPairs(const Bodies& bodies, bool wishesChanged, Crew& crew);
-    bool isWanted(const Bodies& bodies, BoundsPair pair) const;
-    void findPairs(const Bodies& bodies, bool onlyWanted, Crew& crew);
-    void mergePairs(const Bodies& bodies, bool onlyWanted);
+    void refreshPairs(const Bodies& bodies, Crew& crew);
+    void findPairs(const Bodies& bodies, Crew& crew);
+    void mergePairs(const Bodies& bodies);
     Contact makeContact(const Bodies& bodies, BoundsPair pair) const;
     void changed();
     bool boundsMeet(std::size_t i, const Tolerances& tolerances) const;

@@ -42,6 +42,9 @@ public:
         block.points[0].separation[laneOf(row)] = separation[0];
         block.points[1].separation[laneOf(row)] = separation[1];
     }
+    /// What the lanes hold is of no use in the next step: contacts have changed, or what bodies
+    /// can be pushed.
+    void startAnew() { anew_ = true; }
     /// May contacts that are kept be left to keep()? Their lanes have their impulses, and what is
     /// in them goes for this step as well.
     bool keepsLanes() const { return lent_ && !anew_; }

@@ -23,9 +23,9 @@ constexpr int kNotMany = 256;
 constexpr int kMostSettling = 10;
 constexpr int kLargeCrowd = 600; // of passes times bodies
 
-/// A row is needed once the bodies are near enough to touch within the step. Those that bounce must
-/// not be braked before they touch, or they would lose the speed they bounce with. Does one that
-/// pushes need it?
+/// Of a contact that pushes: a row is needed once the bodies are near enough to touch within the
+/// step. Those that bounce must not be braked before they touch, or they would lose the speed they
+/// bounce with.
 bool needsRow(const Bodies& bodies, const ContactHead& head, const StepSettings& settings,
               const Tolerances& tolerances) {
     // What rests is woken by a touch, not by what comes near.
@@ -34,6 +34,12 @@ bool needsRow(const Bodies& bodies, const ContactHead& head, const StepSettings&
     }
     const bool bounces = head.bounces && settings.has(Feature::Restitution);
     return !bounces || head.separation[0] <= tolerances.slop;
+}
+
+/// Does the head of a contact that is kept tell what the contact does?
+[[maybe_unused]] bool isKept(const Contact& contact, const ContactHead& head) {
+    return contact.carried && contact.responds() && contact.row.lent &&
+           contact.row.index == head.row && separationsOf(contact.manifold) == head.separation;
 }
 
 /// How many passes more settle so many deep contacts; `crowd` is the most that overlap one body.
@@ -66,7 +72,7 @@ void SoftStep::clearMarks(const Bodies& bodies, const JointSet& joints) {
     });
 }
 
-/// Takes a contact into the solver that was found anew. False if it needs another lane.
+/// Takes a contact into the solver that keep() will not do for. False if it needs another lane.
 bool SoftStep::takeAnew(const Bodies& bodies, Contact& contact, bool friction) {
     if (!friction) {
         contact.friction = 0; // kept from when there was some
@@ -114,7 +120,7 @@ void SoftStep::collect(const Bodies& bodies, ContactSet& contactSet, const Joint
                           }
                           const bool needed = needsRow(bodies, head, settings, tolerances);
                           if (keepsLanes && head.kept && needed) {
-                              KODO_ASSERT(contacts[place].carried && contacts[place].row.lent);
+                              KODO_ASSERT(isKept(contacts[place], head));
                               blocks_.keep(head.row, head.separation);
                           } else if (!needed || !contacts[place].responds()) {
                               giveUpRow(contactSet, place);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/contacts/contact_update.hpp>
 #include <kodo/world/world.hpp>
 
 #include <utility>
@@ -81,6 +82,7 @@ void World::takeBack(Which which) {
         const bool back = which(contact);
         if (back) {
             returning_.push_back(contact);
+            describeContact(returning_.back(), bodies_); // its bodies may have changed since
         }
         return back;
     });

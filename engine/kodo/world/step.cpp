@@ -140,6 +140,7 @@ void World::freezeUnsoundForces() {
             freeze(bodies_, body);
             frozen_.push_back(bodies_.idAt(body));
             contacts_.bodiesChanged(); // what froze is a piece of ground now
+            softStep_.blocks().startAnew();
         }
     }
 }

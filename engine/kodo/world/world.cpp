@@ -313,6 +313,7 @@ void World::setSettings(const StepSettings& settings) {
     fetchImpulses();
     settings_ = settings;
     if (!settings.has(Feature::Friction)) {
+        softStep_.blocks().startAnew();
         for (Contact& contact : contacts_.contacts()) {
             contact.friction = 0; // or it would go on from step to step
         }

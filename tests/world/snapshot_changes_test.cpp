@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// R2 of what was changed between two steps: a World that goes on keeps what its solver had, one
+// that was restored finds it anew, and both must come to the same.
+#include <kodo/world/snapshot.hpp>
+#include <support/scenes.hpp>
+
+#include <limits>
+#include <string>
+
+namespace kodo {
+namespace {
+
+using support::kDt;
+using support::run;
+
+/// Does a step of a copy that went through bytes end like one of the World itself?
+bool stepsLikeItsSnapshot(World& world) {
+    World restored = fromBytes(toBytes(world));
+    restored.step(kDt);
+    world.step(kDt);
+    return restored.stateHash() == world.stateHash();
+}
+
+// Without friction contacts forget what it held, also where no step is made in between.
+TEST(Snapshot, GoesOnAlikeAfterFrictionWasOffAndOn) {
+    World world(support::wakeful());
+    const Rot slope = Rot::fromAngle(Real(0.3));
+    world.add({.shape = Box{20, 1}, .rotation = slope, .flags = kLocked});
+    const BodyId box =
+        world.add({.shape = Box{1, 1}, .position = {Real(-0.3), Real(1.1)}, .rotation = slope});
+    run(world, 40);
+    ASSERT_LT(length(world[box].velocity()), Real(1e-4)); // friction holds it
+    const StepSettings with = world.settings();
+    StepSettings without = with;
+    without.leaveOut |= static_cast<std::uint8_t>(Feature::Friction);
+    world.setSettings(without);
+    world.setSettings(with);
+    EXPECT_TRUE(stepsLikeItsSnapshot(world));
+}
+
+// What freezes by its forces does so within a step, after its contacts were carried on.
+TEST(Snapshot, GoesOnAlikeAfterABodyFroze) {
+    World world(support::wakeful());
+    support::addFloor(world);
+    const BodyId lower = world.add({.shape = Box{1, 1}, .position = {0, Real(0.5)}});
+    world.add({.shape = Box{1, 1}, .position = {0, Real(1.5)}});
+    run(world, 40);
+    for (int i = 0; i < 2; ++i) {
+        world[lower].applyForce({std::numeric_limits<Real>::max(), 0});
+    }
+    EXPECT_TRUE(stepsLikeItsSnapshot(world));
+    EXPECT_EQ(world.frozenBodies().size(), 1u);
+    EXPECT_TRUE(stepsLikeItsSnapshot(world));
+}
+
+/// A heap in a trough, to which all kinds of things are done.
+class Heap {
+public:
+    explicit Heap(std::uint64_t seed) : random_(seed), world_({.gravity = support::kEarth}) {
+        world_.add({.shape = Box{40, 1}, .position = {0, Real(-0.5)}, .flags = kLocked | 1});
+        for (const Real x : {Real(-6), Real(6)}) {
+            world_.add({.shape = Box{1, 20}, .position = {x, 10}, .flags = kLocked | 1});
+        }
+        for (int i = 0; i < 30; ++i) {
+            addOne();
+        }
+    }
+    World& world() { return world_; }
+
+    /// Changes something, and tells what.
+    std::size_t change() {
+        const std::vector<BodyId> bodies = world_.bodies();
+        const BodyId id = bodies[random_.below(bodies.size())];
+        BodyRef body = world_[id];
+        const std::size_t what = random_.below(11);
+        switch (what) {
+        case 0:
+            body.setFlags(someFlags());
+            break;
+        case 1:
+            body.setPosition({random_.between(-5, 5), random_.between(1, 8)});
+            break;
+        case 2:
+            body.setVelocity(random_.point(5));
+            break;
+        case 3:
+            toggle(static_cast<std::uint8_t>(1u << random_.below(7)));
+            break;
+        case 4:
+            setStrategy();
+            break;
+        case 5:
+            setRegion();
+            break;
+        case 6:
+            body.applyForce({random_.below(8) == 0 ? std::numeric_limits<Real>::max() : 50, 0});
+            break;
+        case 7:
+            body.setMaterial(
+                {.restitution = random_.between(0, 1), .rollingResistance = Real(0.2)});
+            break;
+        case 8:
+            addOne();
+            break;
+        case 9:
+            if (bodies.size() > 25) {
+                world_.remove(id);
+            }
+            break;
+        default:
+            world_.setSettings(substeps());
+            break;
+        }
+        return what;
+    }
+    bool oneIn(std::size_t count) { return random_.below(count) == 0; }
+
+private:
+    Flags someFlags() {
+        Flags flags = 1u << random_.below(3);
+        flags |= oneIn(8) ? kLocked : 0;
+        flags |= oneIn(8) ? kSensor : 0;
+        flags |= oneIn(8) ? kLockRotate : 0;
+        return flags;
+    }
+    void addOne() {
+        BodyDef def = oneIn(2) ? support::ballDef({}, random_.between(0.2, 0.5))
+                               : support::boxDef({}, random_.between(0.3, 1), 1);
+        def.position = {random_.between(-5, 5), random_.between(1, 8)};
+        def.flags = someFlags();
+        world_.add(def);
+    }
+    void toggle(std::uint8_t feature) {
+        StepSettings settings = world_.settings();
+        settings.leaveOut ^= feature;
+        world_.setSettings(settings);
+    }
+    void setStrategy() {
+        StepSettings settings = world_.settings();
+        settings.strategy = oneIn(3) ? Strategy::Propagation : Strategy::SoftStep;
+        world_.setSettings(settings);
+    }
+    void setRegion() {
+        if (oneIn(2)) {
+            world_.setRegion(std::nullopt);
+        } else {
+            const Vec2 lower{random_.between(-6, 0), -2};
+            world_.setRegion(Aabb{lower, {random_.between(1, 6), random_.between(2, 9)}});
+        }
+    }
+    StepSettings substeps() {
+        StepSettings settings = world_.settings();
+        settings.substeps = 1 + static_cast<int>(random_.below(6));
+        return settings;
+    }
+
+    support::RandomNumbers random_;
+    World world_;
+};
+
+// R2, whatever is done to a World between two steps.
+TEST(Snapshot, GoesOnAlikeWhateverIsChanged) {
+    for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        Heap heap(seed);
+        std::string changes;
+        for (int step = 0; step < 150; ++step) {
+            for (int more = 0; heap.oneIn(3) && more < 3; ++more) {
+                changes += " " + std::to_string(heap.change());
+            }
+            ASSERT_TRUE(stepsLikeItsSnapshot(heap.world())) << "step " << step << changes;
+        }
+    }
+}
+
+} // namespace
+} // namespace kodo
