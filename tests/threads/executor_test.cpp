@@ -64,6 +64,33 @@ TEST(Executor, ChangesNoBit) {
     }
 }
 
+/// Towers of a thousand contacts of each colour, so that the passes of the solver are shared.
+World towers() {
+    World world(support::wakeful());
+    support::addFloor(world);
+    for (int x = 0; x < 200; ++x) {
+        for (int y = 0; y < 40; ++y) {
+            world.add(support::boxDef(
+                {Real(1.5) * static_cast<Real>(x - 100), static_cast<Real>(y) + Real(0.5)}, 1, 1));
+        }
+    }
+    return world;
+}
+
+// Nor where the passes are shared, for so long that the lanes are dealt out anew.
+TEST(Executor, ChangesNoBitOfAThousandContactsOfAColour) {
+    World alone = towers();
+    World helped = alone;
+    ThreadPool pool(1);
+    for (int step = 1; step <= 70; ++step) {
+        alone.step(support::kDt);
+        helped.step(support::kDt, {.executor = &pool});
+        if (step % 10 == 0) {
+            ASSERT_EQ(helped.stateHash(), alone.stateHash()) << step;
+        }
+    }
+}
+
 // A World that goes on with other helpers, or with none, is the same World.
 TEST(Executor, MayComeAndGo) {
     World world = bigWorld(Strategy::SoftStep);

@@ -66,6 +66,13 @@ public:
     /// In an order of their own, which does not change while no pair comes or goes.
     std::span<Contact> contacts() { return contacts_; }
     std::span<const Contact> contacts() const { return contacts_; }
+    /// Calls visit(contact) for all of them in the order of their keys, which is that of bodies.
+    template <typename Visit>
+    void forEachInOrder(Visit visit) {
+        for (const Place& place : order_) {
+            visit(contacts_[place.slot]);
+        }
+    }
     /// Of each contact, in the same order.
     std::span<const ContactHead> heads() const { return heads_; }
     /// Places of those that anything may come of in this step, in order; the others are far apart

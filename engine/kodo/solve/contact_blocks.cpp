@@ -48,26 +48,40 @@ void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, boo
 void ContactBlocks::assignRows(std::span<Contact> contacts) {
     open_.fill(kNone);
     for (Contact& contact : contacts) {
-        ContactRow& row = contact.row;
-        row.index = kNone;
-        if (row.colour == ContactRow::kNoColour) {
-            continue;
-        }
-        const std::uint64_t colour = std::uint64_t{1} << row.colour;
-        const std::uint64_t colourA = row.fixedA ? 0 : colour;
-        const std::uint64_t colourB = row.fixedB ? 0 : colour;
-        std::uint64_t& ofA = colours_[contact.key.bodyA];
-        std::uint64_t& ofB = colours_[contact.key.bodyB];
-        if (((ofA & colourA) | (ofB & colourB)) != 0) {
-            row = {}; // only where a snapshot was forged
-            continue;
-        }
-        ofA |= colourA;
-        ofB |= colourB;
-        giveLane(contact, binOf(row.colour, contact));
+        assignRow(contact);
     }
     rowsAssigned_ = true;
     anew_ = true;
+}
+
+void ContactBlocks::dealAnew(const Bodies& bodies, ContactSet& contacts) {
+    colours_.resize(bodies.size());
+    reclaimAll(contacts.contacts());
+    forgetLanes();
+    open_.fill(kNone);
+    contacts.forEachInOrder([&](Contact& contact) { assignRow(contact); });
+    rowsAssigned_ = true;
+    anew_ = true;
+}
+
+void ContactBlocks::assignRow(Contact& contact) {
+    ContactRow& row = contact.row;
+    row.index = kNone;
+    if (row.colour == ContactRow::kNoColour) {
+        return;
+    }
+    const std::uint64_t colour = std::uint64_t{1} << row.colour;
+    const std::uint64_t colourA = row.fixedA ? 0 : colour;
+    const std::uint64_t colourB = row.fixedB ? 0 : colour;
+    std::uint64_t& ofA = colours_[contact.key.bodyA];
+    std::uint64_t& ofB = colours_[contact.key.bodyB];
+    if (((ofA & colourA) | (ofB & colourB)) != 0) {
+        row = {}; // only where a snapshot was forged
+        return;
+    }
+    ofA |= colourA;
+    ofB |= colourB;
+    giveLane(contact, binOf(row.colour, contact));
 }
 
 void ContactBlocks::forgetLanes() {

@@ -3,7 +3,7 @@
 
 #include <kodo/base/assert.hpp>
 #include <kodo/base/crew.hpp>
-#include <kodo/contacts/contact.hpp>
+#include <kodo/contacts/contact_set.hpp>
 #include <kodo/solve/contact_block.hpp>
 
 #include <algorithm>
@@ -32,6 +32,10 @@ public:
     /// Before the contacts of a step are taken, of which some may be gone. With friction, with
     /// rolling resistance?
     void begin(const Bodies& bodies, std::span<Contact> contacts, bool friction, bool rolling);
+    /// Before begin(): deals the lanes out anew, in the order of bodies. So threads that each take
+    /// a part of the blocks push bodies of their own, for the most part; as contacts come and go,
+    /// that gets lost.
+    void dealAnew(const Bodies& bodies, ContactSet& contacts);
     /// Takes a contact that responds. False if it needs another lane and has to be given one by
     /// arrange(). Several threads may take contacts at once.
     bool take(const Bodies& bodies, Contact& contact);
@@ -66,6 +70,9 @@ public:
         bool inTurn = false; // but these one by one
     };
     std::span<const Colour> colours() const { return byColour_; }
+    /// Are colours so large that threads win more by sharing a pass than they lose by waiting for
+    /// each other at the end of each colour, and by pushing the same bodies in turn?
+    bool worthSharing() const { return order_.size() >= kWorthSharing * byColour_.size(); }
     std::size_t size() const { return rows_; }
     /// Lists the blocks that hold contacts with less separation (m) than that, in the order of the
     /// pass. How many such contacts there are.
@@ -94,6 +101,7 @@ private:
     static constexpr std::uint32_t kBins = 2 * kGroups; // with one point, with two
     static constexpr std::uint32_t kNone = ContactRow::kNone;
     static constexpr std::size_t kBlocksAPiece = 32;
+    static constexpr std::size_t kWorthSharing = 256; // blocks of a colour, in the mean
 
     /// Where a block belongs, and what its lanes hold.
     struct BlockState {
@@ -124,6 +132,7 @@ private:
     bool needsRolling(const Contact& contact) const;
     std::uint8_t goneFrom(std::uint32_t block) const;
     void assignRows(std::span<Contact> contacts);
+    void assignRow(Contact& contact);
     void reclaimAll(std::span<Contact> contacts);
     void forgetLanes();
     void freeLanes(const Bodies& bodies);

@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t kNewcomersAPiece = 128;
 constexpr std::size_t kBlocksAPiece = 8;
 constexpr std::size_t kBodiesAPiece = 256;
+constexpr std::uint32_t kDealtFor = 64; // steps with help, until lanes are dealt out anew
 // Overlaps of more than so many slops are deep, as when bodies are put on one place. The speed that
 // their pushes give is taken out again by more passes, two for one of them and one more for each
 // further one, up to so many: over all contacts where one of eight is deep or there are not many,
@@ -101,6 +102,9 @@ void SoftStep::collect(const Bodies& bodies, ContactSet& contactSet, const Joint
     const Tolerances& tolerances = step.tolerances;
     Crew& crew = step.crew;
     const bool friction = settings.has(Feature::Friction);
+    if (!crew.alone() && blocks_.worthSharing() && ++helped_ % kDealtFor == 0) {
+        blocks_.dealAnew(bodies, contactSet);
+    }
     blocks_.begin(bodies, contacts, friction, settings.has(Feature::RollingResistance));
     const bool keepsLanes = friction && blocks_.keepsLanes();
     clearMarks(bodies, joints);
@@ -347,8 +351,10 @@ void SoftStep::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joint
     findJointed(joints);
     moveFree(bodies, dt);
     const int substeps = parts * settings.substeps;
+    Crew nobody;
+    Crew& helpers = blocks_.worthSharing() ? crew : nobody;
     for (int substep = 0; substep < substeps; ++substep) {
-        runSubstep(bodies, joints, pass, jointPass, substep == 0, crew);
+        runSubstep(bodies, joints, pass, jointPass, substep == 0, helpers);
     }
     joints.scaleImpulses(static_cast<Real>(parts));
     blocks_.noteTouching(tolerances.slop, crew);
