@@ -66,6 +66,8 @@ public:
     /// In an order of their own, which does not change while no pair comes or goes.
     std::span<Contact> contacts() { return contacts_; }
     std::span<const Contact> contacts() const { return contacts_; }
+    /// Of each contact, in the same order.
+    std::span<const ContactHead> heads() const { return heads_; }
     /// Calls visit(contact) for all of them in the order of their keys, which is that of bodies.
     template <typename Visit>
     void forEachInOrder(Visit visit) {
@@ -73,8 +75,6 @@ public:
             visit(contacts_[place.slot]);
         }
     }
-    /// Of each contact, in the same order.
-    std::span<const ContactHead> heads() const { return heads_; }
     /// Places of those that anything may come of in this step, in order; the others are far apart
     /// and were before. To be asked for anew after the list of contacts may have changed.
     std::span<const std::uint32_t> live();

@@ -88,7 +88,7 @@ private:
     std::vector<std::uint16_t> crowd_; // by body: how many overlap it deeply
     std::uint8_t crowded_ = 0;         // too many overlap some body
     int settling_ = 0;                 // passes more that take out what pushes gave
-    std::uint32_t helped_ = 0;         // steps that had help
+    std::uint32_t helped_ = 0;         // steps whose passes had help
     bool settlesAll_ = false;          // of all contacts; else of the blocks in deep_
     std::vector<std::uint32_t> deep_;
     std::size_t visits_ = 0;
