@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// R2 of what was changed between two steps: a World that goes on keeps what its solver had, one
-// that was restored finds it anew, and both must come to the same.
+// What was changed between two steps, whatever it is. R2: a World that goes on keeps what its
+// solver had, one that was restored finds it anew, and both must come to the same. And what a step
+// keeps up to date only where it changes must be as if it were found anew.
 #include <kodo/world/snapshot.hpp>
 #include <support/scenes.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -170,6 +172,45 @@ TEST(Snapshot, GoesOnAlikeWhateverIsChanged) {
             }
             ASSERT_TRUE(stepsLikeItsSnapshot(heap.world())) << "step " << step << changes;
         }
+    }
+}
+
+/// Does each body have kColliding that a record of the last step says is touched, and no other?
+testing::AssertionResult flagsTellWhoTouches(const World& world) {
+    std::vector<BodyId> touched;
+    for (const CollisionRecord& record : world.collisions()) {
+        if (record.phase != TouchPhase::End) {
+            touched.insert(touched.end(), {record.a, record.b});
+        }
+    }
+    for (const BodyId id : world.bodies()) {
+        const bool flag = (world[id].flags() & kColliding) != 0;
+        const bool touches = std::find(touched.begin(), touched.end(), id) != touched.end();
+        if (flag != touches) {
+            return testing::AssertionFailure() << "body " << id.index << ": kColliding is " << flag;
+        }
+    }
+    return testing::AssertionSuccess();
+}
+
+// R8, whatever is done to a World between two steps.
+TEST(CollidingFlag, TellsWhoTouchesWhateverIsChanged) {
+    for (std::uint64_t seed = 101; seed <= 124; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        Heap heap(seed);
+        std::string changes;
+        std::size_t touched = 0;
+        for (int step = 0; step < 150; ++step) {
+            for (int more = 0; heap.oneIn(3) && more < 3; ++more) {
+                changes += " " + std::to_string(heap.change());
+            }
+            heap.world().step(kDt);
+            if (heap.world().settings().has(Feature::Records)) {
+                ASSERT_TRUE(flagsTellWhoTouches(heap.world())) << "step " << step << changes;
+                touched += heap.world().collisions().size();
+            }
+        }
+        EXPECT_GT(touched, 0u);
     }
 }
 

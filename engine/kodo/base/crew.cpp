@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/base/crew.hpp>
+#include <kodo/base/spin.hpp>
 
 #include <algorithm>
-#include <thread>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -10,17 +10,6 @@ namespace {
 // A piece of somebody else's share costs more than it saves, since its data are in the other's
 // cache: so who has done his own waits a little first. A spin takes some tens of nanoseconds.
 constexpr int kPatience = 100;
-constexpr int kSpins = 2000; // before a core is given up, for there may be more threads than cores
-
-void pause(int spins) {
-    if (spins >= kSpins) {
-        std::this_thread::yield();
-        return;
-    }
-#if defined(__x86_64__) || defined(__i386__)
-    __builtin_ia32_pause();
-#endif
-}
 
 } // namespace
 
@@ -58,7 +47,7 @@ void Crew::help() noexcept {
 
 template <typename Ready>
 void Crew::workUntil(std::uint32_t own, Ready ready) {
-    for (int spins = 0; !ready(); spins = std::min(spins + 1, kSpins)) {
+    for (int spins = 0; !ready(); ++spins) {
         while (takePieceOf(shared_->shares[own])) {
             spins = 0;
         }
@@ -69,7 +58,7 @@ void Crew::workUntil(std::uint32_t own, Ready ready) {
                 break;
             }
         }
-        pause(spins);
+        pauseSpin(spins);
     }
 }
 

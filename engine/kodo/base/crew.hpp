@@ -61,18 +61,6 @@ public:
     static void mark(Mark& shared) {
         __atomic_store_n(&shared, Mark{1}, __ATOMIC_RELAXED);
     }
-    /// The same, if it is wanted. True for one of those who set it.
-    bool markFirst(std::uint8_t& shared, bool wanted) const {
-        if (alone()) { // without a branch: whether it is wanted may be hard to foresee
-            const bool first = wanted & (shared == 0);
-            shared |= static_cast<std::uint8_t>(wanted);
-            return first;
-        }
-        if (!wanted || __atomic_load_n(&shared, __ATOMIC_RELAXED) != 0) {
-            return false;
-        }
-        return __atomic_exchange_n(&shared, std::uint8_t{1}, __ATOMIC_RELAXED) == 0;
-    }
     /// Counts so many more, and returns how many there were before.
     template <typename Count>
     Count count(Count& shared, Count more = 1) const {

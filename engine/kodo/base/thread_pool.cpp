@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/base/problem.hpp>
+#include <kodo/base/spin.hpp>
 #include <kodo/base/thread_pool.hpp>
 
 namespace kodo::inline KODO_PRECISION {
+namespace {
+
+// To be woken takes longer than to wait for a helper that is about to leave, or for the next step
+// of a program that does nothing else.
+constexpr int kSpins = 2000;
+
+} // namespace
 
 ThreadPool::ThreadPool(int helpers) {
     if (helpers < 0 || helpers > kMost) {
@@ -48,6 +56,9 @@ void ThreadPool::begin(void (*task)(void*), void* data) {
 void ThreadPool::end() {
     std::unique_lock lock(mutex_);
     task_ = nullptr;
+    lock.unlock();
+    spinUntil(kSpins, [&] { return working_ == 0; });
+    lock.lock();
     idle_.wait(lock, [&] { return working_ == 0; });
 }
 
@@ -55,6 +66,9 @@ void ThreadPool::work() {
     std::uint64_t seen = 0;
     std::unique_lock lock(mutex_);
     for (;;) {
+        lock.unlock();
+        spinUntil(kSpins, [&] { return closing_ || round_ != seen; });
+        lock.lock();
         begun_.wait(lock, [&] { return closing_ || (task_ != nullptr && round_ != seen); });
         if (closing_) {
             return;

@@ -3,6 +3,7 @@
 
 #include <kodo/base/executor.hpp>
 
+#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
@@ -11,8 +12,8 @@
 
 namespace kodo::inline KODO_PRECISION {
 
-/// Threads that wait until a World has work for them. One pool may serve many Worlds, but only one
-/// step at a time.
+/// Threads that wait until a World has work for them: for some hundredths of a millisecond awake,
+/// then asleep. One pool may serve many Worlds, but only one step at a time.
 class ThreadPool final : public Executor {
 public:
     /// Starts `helpers` threads, 0 to kMost; throws BadDefinition for another number, and
@@ -38,9 +39,10 @@ private:
     std::condition_variable idle_;
     void (*task_)(void*) = nullptr; // nullptr: none, or it has ended
     void* data_ = nullptr;
-    std::uint64_t round_ = 0; // how often there was a task
-    int working_ = 0;
-    bool closing_ = false;
+    // Changed under the mutex, and read without it by who spins.
+    std::atomic<std::uint64_t> round_{0}; // how often there was a task
+    std::atomic<int> working_{0};
+    std::atomic<bool> closing_{false};
 };
 
 } // namespace kodo::inline KODO_PRECISION

@@ -22,8 +22,8 @@ struct Push {
 };
 
 /// A rule that pushes bodies: gravity, wind, a magnet. Write your own by deriving from it. It must
-/// depend on its arguments alone, since a copy of a World shares it and a replay repeats it; and it
-/// must not call the World that asks it.
+/// depend on its arguments alone, since a copy of a World shares it, a replay repeats it, and the
+/// threads that help a step ask it at once; and it must not call the World that asks it.
 class ForceField {
 public:
     ForceField() = default;

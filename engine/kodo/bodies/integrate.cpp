@@ -1,48 +1,61 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/base/crew.hpp>
 #include <kodo/bodies/integrate.hpp>
 
 namespace kodo::inline KODO_PRECISION {
 
-bool gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Real dt) {
+namespace {
+
+constexpr std::size_t kBodiesAPiece = 128;
+
+Acceleration accelerationOf(const Bodies& bodies, std::uint32_t i,
+                            std::span<const FieldEntry> fields, Real dt) {
+    const BodyRecord& record = bodies.record[i];
+    const Motion& motion = bodies.motion[i];
+    if (motion.locked()) {
+        return {};
+    }
+    Push push{record.force, record.torque};
+    Real effort = length(push.force);
+    for (const FieldEntry& entry : fields) {
+        if (accepts(entry.which, record.filter.flags)) {
+            const Push more = entry.field->at(bodies, i, dt);
+            push.force += more.force;
+            effort += length(more.force);
+            push.torque += more.torque;
+            push.drag += more.drag;
+            push.spinDrag += more.spinDrag;
+        }
+    }
+    return {motion.invMass / (1 + dt * push.drag * motion.invMass) * push.force,
+            motion.invInertia / (1 + dt * push.spinDrag * motion.invInertia) * push.torque,
+            motion.invMass * effort};
+}
+
+} // namespace
+
+bool gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Real dt, Crew& crew) {
     if (fields.empty() && bodies.forced.empty()) {
         for (const std::uint32_t i : bodies.awake) {
             bodies.acceleration[i] = {};
         }
         return true;
     }
-    bool sound = true;
-    for (const std::uint32_t i : bodies.awake) {
-        const BodyRecord& record = bodies.record[i];
-        const Motion& motion = bodies.motion[i];
-        if (motion.locked()) {
-            bodies.acceleration[i] = {};
-            continue;
-        }
-        Push push{record.force, record.torque};
-        Real effort = length(push.force);
-        for (const FieldEntry& entry : fields) {
-            if (accepts(entry.which, record.filter.flags)) {
-                const Push more = entry.field->at(bodies, i, dt);
-                push.force += more.force;
-                effort += length(more.force);
-                push.torque += more.torque;
-                push.drag += more.drag;
-                push.spinDrag += more.spinDrag;
+    std::uint8_t unsound = 0;
+    crew.forEach(bodies.awake.size(), kBodiesAPiece, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) {
+            const std::uint32_t i = bodies.awake[k];
+            bodies.acceleration[i] = accelerationOf(bodies, i, fields, dt);
+            if (!isSound(bodies.acceleration[i])) {
+                Crew::mark(unsound);
             }
         }
-        bodies.acceleration[i] = {
-            motion.invMass / (1 + dt * push.drag * motion.invMass) * push.force,
-            motion.invInertia / (1 + dt * push.spinDrag * motion.invInertia) * push.torque,
-            motion.invMass * effort};
-        sound = sound && isSound(bodies.acceleration[i]);
-    }
+    });
     for (const std::uint32_t i : bodies.forced) { // also of what took no part in this step
         bodies.record[i].force = {};
         bodies.record[i].torque = 0;
     }
     bodies.forced.clear();
-    return sound;
+    return unsound == 0;
 }
 
 void beginMotion(Bodies& bodies, std::span<const std::uint32_t> list) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/base/crew.hpp>
 #include <kodo/bodies/force_field.hpp>
 
 #include <span>
@@ -10,7 +11,7 @@ namespace kodo::inline KODO_PRECISION {
 /// The accelerations of this step, from the fields and from the forces that were applied since the
 /// last one, which are then forgotten [Thesis06, 4.1.3]. Forces that brake are taken implicitly
 /// over dt; see Push. False if one of them is not sound.
-bool gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Real dt);
+bool gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Real dt, Crew& crew);
 
 /// Forgets the motion that the bodies in the list had in the last step. A locked one that has come
 /// to a stand is awake no more. Several threads call it at once.

@@ -24,6 +24,32 @@ ContactHead headOf(const Contact& contact, BoundsPair proxies) {
 void ContactSet::noteEnd(const Contact& contact) {
     if (contact.wasTouching) {
         ended_.push_back(endOf(contact));
+        countTouch(contact, false);
+    }
+}
+
+/// Its bodies have a contact more that touches them, or one less.
+void ContactSet::countTouch(const Contact& contact, bool touches) {
+    for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
+        touches_[body] += touches ? 1u : ~0u;
+        touchChanges_.push_back(body);
+    }
+}
+
+/// Counts them all, of a World that was just read. What kColliding does not tell yet is a change.
+void ContactSet::countTouches(const Bodies& bodies) {
+    touches_.assign(bodies.size(), 0);
+    for (const Contact& contact : contacts_) {
+        if (contact.wasTouching) {
+            ++touches_[contact.key.bodyA];
+            ++touches_[contact.key.bodyB];
+        }
+    }
+    touchChanges_.clear();
+    for (std::uint32_t body = 0; body < bodies.size(); ++body) {
+        if (((bodies.record[body].filter.flags & kColliding) != 0) != isTouched(body)) {
+            touchChanges_.push_back(body);
+        }
     }
 }
 
@@ -137,6 +163,9 @@ std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies) {
         if (gone) {
             idle_.push_back(contact);
             idle_.back().row = {};
+            if (contact.wasTouching) {
+                countTouch(contact, false);
+            }
             forgetBlows(idle_.back()); // or a step that it comes back in would report them again
         }
         return gone;
@@ -153,6 +182,9 @@ void ContactSet::putBack(std::span<const Contact> contacts) {
             [&](const Place& at, const ContactKey& key) { return keyOf(at) < key; });
         if (place == order_.end() || keyOf(*place) != contact.key) {
             contacts_.push_back(contact);
+            if (contact.wasTouching) {
+                countTouch(contact, true);
+            }
         }
     }
     orderContacts();
@@ -186,6 +218,7 @@ void ContactSet::renewPlaces() {
 void ContactSet::renew(const Bodies& bodies, const Tolerances& tolerances) {
     changed();
     bounds_.renew(bodies, tolerances);
+    touches_.resize(bodies.size());
     for (Contact& contact : contacts_) {
         describeContact(contact, bodies);
     }

@@ -91,34 +91,30 @@ public:
         heads_[place].kept = heads_[place].kept && contacts_[place].carried;
     }
     /// Sums up a step, in which touched(row) tells who touched of those that have a row; of no row
-    /// it is false. Lists the bodies that did, for which noteFirst(body, touches) is true, each
-    /// once and in any order. Several threads call these. Contacts that go on as they were are left
-    /// alone, as most of a pile; who touches is hard to foresee, so one thread alone does not
-    /// branch by it.
-    template <typename Touched, typename NoteFirst>
-    void sumUp(const Tolerances& tolerances, Crew& crew, Touched touched, NoteFirst noteFirst,
-               std::vector<std::uint32_t>& touching) {
-        touching.reserve(2 * contacts_.capacity()); // or it would grow in some later step
-        found_.gather(crew, live().size(), kContactsAPiece, touching,
+    /// it is false. Several threads call that. Contacts that go on as they were are left alone, as
+    /// most of a pile.
+    template <typename Touched>
+    void sumUp(const Tolerances& tolerances, Crew& crew, Touched touched) {
+        touchChanges_.reserve(2 * contacts_.capacity()); // or it would grow in some later step
+        found_.gather(crew, live().size(), kContactsAPiece, touchChanges_,
                       [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
-                          std::size_t count = found.size();
-                          found.resize(count + 2 * (last - first));
+                          found.reserve(found.size() + 2 * (last - first));
                           for (std::size_t i = first; i < last; ++i) {
-                              ContactHead& head = heads_[live_[i]];
-                              bool touches = touched(head.row);
+                              const ContactHead& head = heads_[live_[i]];
+                              const bool touches = touched(head.row);
                               KODO_ASSERT(isTrue(live_[i]));
                               const bool asks = head.meets & (head.row == ContactRow::kNone);
                               if (asks | !head.steady | (touches != head.wasTouching)) {
-                                  touches = finishContact(live_[i], touches, tolerances);
-                              }
-                              for (const std::uint32_t body : {head.bodyA, head.bodyB}) {
-                                  found[count] = body;
-                                  count += noteFirst(body, touches) ? 1 : 0;
+                                  finishContact(live_[i], touches, tolerances, crew, found);
                               }
                           }
-                          found.resize(count);
                       });
     }
+    /// Bodies for which isTouched may have changed since clearTouchChanges, some more than once.
+    std::span<const std::uint32_t> touchChanges() const { return touchChanges_; }
+    void clearTouchChanges() { touchChanges_.clear(); }
+    /// Does a contact touch the body, as summed up last?
+    bool isTouched(std::uint32_t body) const { return touches_[body] > 0; }
     /// The last of a step: what is recorded from now on belongs to the next.
     void finishStep(bool wantRecords) {
         records_.clear();
@@ -158,6 +154,8 @@ private:
 
     void writeRecords() const;
     void noteEnd(const Contact& contact);
+    void countTouch(const Contact& contact, bool touches);
+    void countTouches(const Bodies& bodies);
     void renew(const Bodies& bodies, const Tolerances& tolerances);
     void orderContacts();
     void renewPlaces();
@@ -173,7 +171,8 @@ private:
     void eraseIf(Gone gone);
     void fillHoles();
     bool isTrue(std::uint32_t place) const;
-    bool finishContact(std::uint32_t place, bool touchesInRow, const Tolerances& tolerances);
+    void finishContact(std::uint32_t place, bool touchesInRow, const Tolerances& tolerances,
+                       const Crew& crew, std::vector<std::uint32_t>& changes);
 
     PartBounds bounds_;
     std::vector<BoundsPair> pairs_;
@@ -187,8 +186,10 @@ private:
     std::vector<ContactHead> heads_;
     std::vector<std::uint32_t> live_;
     Findings<std::uint32_t> found_;
-    std::vector<std::uint32_t> slots_; // where the contacts of the last slots went
-    std::vector<Contact> idle_;        // that takeIdle gave
+    std::vector<std::uint32_t> slots_;   // where the contacts of the last slots went
+    std::vector<Contact> idle_;          // that takeIdle gave
+    std::vector<std::uint32_t> touches_; // by body: how many contacts touch it, as summed up last
+    std::vector<std::uint32_t> touchChanges_;
     // Of contacts that ended because they lost a body or the nearness of their parts.
     std::vector<CollisionRecord> ended_;       // since the last step
     std::vector<CollisionRecord> endedInStep_; // before it

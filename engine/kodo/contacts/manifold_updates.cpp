@@ -27,16 +27,22 @@ bool ContactSet::isTrue(std::uint32_t place) const {
                               (!head.steady || head.wasTouching == contact.wasTouching));
 }
 
-/// Does it touch, after all?
-bool ContactSet::finishContact(std::uint32_t place, bool touchesInRow,
-                               const Tolerances& tolerances) {
+/// Does it touch, after all? Adds its bodies to the changes if it did not, or did, a step ago.
+void ContactSet::finishContact(std::uint32_t place, bool touchesInRow, const Tolerances& tolerances,
+                               const Crew& crew, std::vector<std::uint32_t>& changes) {
     ContactHead& head = heads_[place];
     Contact& contact = contacts_[place];
+    const bool before = contact.wasTouching;
     kodo::finishContact(contact, head.row == ContactRow::kNone ? touches(contact, tolerances)
                                                                : touchesInRow);
     head.wasTouching = contact.touching;
     head.steady = !contact.phase || contact.phase == TouchPhase::Persist;
-    return head.wasTouching;
+    if (contact.touching != before) {
+        for (const std::uint32_t body : {head.bodyA, head.bodyB}) {
+            crew.count(touches_[body], before ? ~0u : 1u);
+            changes.push_back(body);
+        }
+    }
 }
 
 std::span<const std::uint32_t> ContactSet::live() {

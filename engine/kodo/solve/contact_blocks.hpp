@@ -101,7 +101,7 @@ private:
     static constexpr std::uint32_t kBins = 2 * kGroups; // with one point, with two
     static constexpr std::uint32_t kNone = ContactRow::kNone;
     static constexpr std::size_t kBlocksAPiece = 32;
-    static constexpr std::size_t kWorthSharing = 256; // blocks of a colour, in the mean
+    static constexpr std::size_t kWorthSharing = 64; // blocks of a colour, in the mean
 
     /// Where a block belongs, and what its lanes hold.
     struct BlockState {

@@ -250,8 +250,8 @@ void SnapshotFields::completeContact(Contact& contact, const Bodies& bodies) {
 void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
     // The way pairs are found changes what that costs and not what is found, so it begins anew.
     auto& [bounds, pairs, finder, seams, contacts, order, newOrder, holes, added, heads, live,
-           found, slots, idle, ended, endedInStep, records, recordsDue, apart, fastestApproach,
-           stale, pairsStale, contactsChanged, liveStale, anySensors] = set;
+           found, slots, idle, touches, touchChanges, ended, endedInStep, records, recordsDue,
+           apart, fastestApproach, stale, pairsStale, contactsChanged, liveStale, anySensors] = set;
     auto& [parts, firstPart, tight, grown, changed, isChanged, outgrown] = bounds;
     set.writeRecords();
     if (!reads() && stale) {
@@ -275,6 +275,7 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
         completeContact(contact, bodies);
     }
     set.orderContacts();
+    set.countTouches(bodies);
     const auto before = [&all = contacts](const auto& a, const auto& b) {
         return all[a.slot].key < all[b.slot].key;
     };
@@ -332,7 +333,7 @@ void SnapshotFields::joints(JointSet& set, const Bodies& bodies, Real lengthUnit
 void SnapshotFields::world(World& world) {
     auto& [settings, tolerances, stepCount, count, bodies, fields, contacts, impacts, softStep,
            propagation, contactVisits, sweep, rest, joints, broken, frozen, region, held, aside,
-           returning, colliding, collidedBefore, isColliding, wasColliding, lastForm] = world;
+           returning, lastForm] = world;
     softStep.blocks().fetchAll(contacts.contacts());
     all(settings, tolerances, stepCount);
     bodies.turns = settings.has(Feature::Rotation);
@@ -357,12 +358,8 @@ void SnapshotFields::world(World& world) {
                 "the region is inside out");
     }
     count = 0;
-    colliding.clear();
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
         count += bodies.ids.aliveAt(i) ? 1 : 0;
-        if ((bodies.record[i].filter.flags & kColliding) != 0) {
-            colliding.push_back(i);
-        }
     }
 }
 

@@ -40,7 +40,7 @@ void World::step(Real dt, const StepAids& aids) {
     }
     enter(StepStage::Record);
     finishMoves(crew);
-    if (!contacts_.contacts().empty() || !colliding_.empty()) {
+    if (!contacts_.contacts().empty() || !contacts_.touchChanges().empty()) {
         recordCollisions(crew);
     }
     contacts_.finishStep(settings_.has(Feature::Records));
@@ -69,7 +69,7 @@ void World::gatherForces(Real dt, Crew& crew) {
     }
     joints_.findBusy(bodies_, refreshAwake(bodies_));
     frozen_.clear();
-    if (!gatherAccelerations(bodies_, fields_, dt)) {
+    if (!gatherAccelerations(bodies_, fields_, dt, crew)) {
         freezeUnsoundForces();
     }
     if (region_) {
@@ -197,34 +197,13 @@ void World::breakJoints(Real dt) {
 /// Sums up the contacts of the step, and brings kColliding up to date: only those bodies for which
 /// it changes are touched.
 void World::recordCollisions(Crew& crew) {
-    std::swap(colliding_, collidedBefore_);
-    colliding_.clear();
-    isColliding_.resize(bodies_.size());
-    wasColliding_.resize(bodies_.size());
-    contacts_.sumUp(
-        tolerances_, crew, [&](std::uint32_t row) { return softStep_.blocks().touches(row); },
-        [&](std::uint32_t body, bool touches) {
-            return crew.markFirst(isColliding_[body], touches);
-        },
-        colliding_);
-    collidedBefore_.reserve(colliding_.capacity()); // the two take turns
-    for (const std::uint32_t body : collidedBefore_) {
-        wasColliding_[body] = 1;
+    contacts_.sumUp(tolerances_, crew,
+                    [&](std::uint32_t row) { return softStep_.blocks().touches(row); });
+    for (const std::uint32_t body : contacts_.touchChanges()) {
+        Flags& flags = bodies_.record[body].filter.flags;
+        flags = contacts_.isTouched(body) ? flags | kColliding : flags & ~kColliding;
     }
-    for (const std::uint32_t body : colliding_) {
-        if (wasColliding_[body] == 0) {
-            bodies_.record[body].filter.flags |= kColliding;
-        }
-    }
-    for (const std::uint32_t body : collidedBefore_) {
-        wasColliding_[body] = 0;
-        if (isColliding_[body] == 0) {
-            bodies_.record[body].filter.flags &= ~kColliding;
-        }
-    }
-    for (const std::uint32_t body : colliding_) {
-        isColliding_[body] = 0;
-    }
+    contacts_.clearTouchChanges();
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -119,7 +119,6 @@ void World::remove(BodyId id) {
     joints_.dropBody(id);
     contacts_.setApart(joints_.apart());
     removeBody(bodies_, id.index);
-    std::erase(colliding_, id.index);
     --count_;
 }
 

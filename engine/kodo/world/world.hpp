@@ -192,11 +192,7 @@ private:
     std::vector<std::pair<std::uint32_t, Motion>> held_; // what waits, while the solver runs
     std::vector<Contact> aside_;                         // of what waits; see putContactsAside
     std::vector<Contact> returning_;                     // spare, so that a step allocates nothing
-    std::vector<std::uint32_t> colliding_;               // bodies with kColliding
-    std::vector<std::uint32_t> collidedBefore_;          // the same, a step ago
-    std::vector<std::uint8_t> isColliding_;              // by body: marks, 0 between steps
-    std::vector<std::uint8_t> wasColliding_;
-    std::shared_ptr<const Form> lastForm_; // equal bodies are usually added in a row
+    std::shared_ptr<const Form> lastForm_;               // equal bodies are usually added in a row
 };
 
 } // namespace kodo::inline KODO_PRECISION
