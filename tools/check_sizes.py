@@ -203,8 +203,9 @@ def cpp_files():
     """Yields (path, name from the root of the repository) of every C++ file."""
     root = pathlib.Path(__file__).resolve().parent.parent
     for top in ("engine", "game", "tests", "tools"):
-        for path in sorted((root / top).rglob("*.[hc]pp")):
-            yield path, path.relative_to(root)
+        for path in sorted((root / top).rglob("*.*")):
+            if path.suffix in (".hpp", ".cpp", ".inl"):
+                yield path, path.relative_to(root)
 
 
 def run(what, check, description):

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/joints/joint_set.hpp>
+#include <support/random_numbers.hpp>
+
 #include <joints/rig.hpp>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace kodo {
 namespace {
@@ -51,6 +58,48 @@ struct Everything : Rig {
         }
     }
 };
+
+/// A pin of two out of twelve bodies, which may touch or not.
+Pin somePin(support::RandomNumbers& random) {
+    const auto a = static_cast<std::uint32_t>(random.below(12));
+    const auto b = static_cast<std::uint32_t>((a + 1 + random.below(11)) % 12);
+    Pin pin;
+    pin.ends = {.a = {a, 0}, .b = {b, 0}};
+    pin.ends.collide = random.below(3) == 0;
+    return pin;
+}
+
+// What is kept up to date as joints come and go is as if it was made anew.
+TEST(JointSet, KeepsItsListsInOrder) {
+    support::RandomNumbers random(5);
+    JointSet set;
+    for (int i = 0; i < 3000; ++i) {
+        const std::vector<JointId> ids = set.ids();
+        const std::size_t what = random.below(ids.size() > 40 ? 6 : 4);
+        if (what < 3 || ids.empty()) {
+            set.add(somePin(random));
+        } else if (what == 3) {
+            set.setDef(ids[random.below(ids.size())], somePin(random));
+        } else {
+            set.remove(ids[random.below(ids.size())]);
+        }
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> apart;
+        set.forEach([&](const JointSet::Joint& joint) {
+            const JointEnds& ends = std::get<Pin>(joint.def).ends;
+            if (!ends.collide) {
+                apart.push_back(std::minmax({ends.a.index, ends.b.index}));
+            }
+        });
+        std::sort(apart.begin(), apart.end());
+        ASSERT_TRUE(std::equal(apart.begin(), apart.end(), set.apart().begin(), set.apart().end()))
+            << i;
+        const std::vector<JointId> now = set.ids();
+        ASSERT_EQ(now.size(), set.size());
+        for (std::size_t k = 1; k < now.size(); ++k) {
+            ASSERT_LT(now[k - 1].index, now[k].index) << i;
+        }
+    }
+}
 
 // R2, F1: a copy goes on alike, joints and all, and so does one of it that is rewound.
 TEST(JointSet, ACopyGoesOnAlike) {

@@ -257,8 +257,10 @@ void ContactSet::refreshPairs(const Bodies& bodies, Crew& crew) {
 }
 
 void ContactSet::setApart(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) {
-    apart_.assign(pairs.begin(), pairs.end());
-    pairsStale_ = true;
+    if (!std::equal(apart_.begin(), apart_.end(), pairs.begin(), pairs.end())) {
+        apart_.assign(pairs.begin(), pairs.end());
+        pairsStale_ = true;
+    }
 }
 
 void ContactSet::findPairs(const Bodies& bodies, Crew& crew) {

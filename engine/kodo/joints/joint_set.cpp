@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
@@ -13,16 +14,11 @@ Vec2 armOf(const Bodies& bodies, std::uint32_t body, Rot rotation, Vec2 anchor) 
     return rotation * (anchor - bodies.form(body).mass.center);
 }
 
-Rot rotationNow(const Bodies& bodies, std::uint32_t body) {
-    const Real turn = bodies.motion[body].turn;
-    return turn == 0 ? bodies.pose[body].rotation : turned(bodies.pose[body].rotation, turn);
-}
-
-JointFrame frameOf(Bodies& bodies, const JointEnds& ends) {
+JointFrame frameOf(Bodies& bodies, TurnedBodies& turned, const JointEnds& ends) {
     const std::uint32_t a = ends.a.index;
     const std::uint32_t b = ends.b.index;
-    JointFrame frame{bodies.motion[a],       bodies.motion[b],      {}, {}, {},
-                     rotationNow(bodies, a), rotationNow(bodies, b)};
+    JointFrame frame{bodies.motion[a],           bodies.motion[b],          {}, {}, {},
+                     turned.rotation(bodies, a), turned.rotation(bodies, b)};
     frame.armA = armOf(bodies, a, frame.rotationA, ends.anchorA);
     frame.armB = armOf(bodies, b, frame.rotationB, ends.anchorB);
     frame.gap = (bodies.pose[b].position - bodies.pose[a].position) +
@@ -31,9 +27,9 @@ JointFrame frameOf(Bodies& bodies, const JointEnds& ends) {
 }
 
 /// A hand counts as a body that nothing moves.
-JointFrame frameOf(Bodies& bodies, const Mouse& mouse, Motion& hand) {
+JointFrame frameOf(Bodies& bodies, TurnedBodies& turned, const Mouse& mouse, Motion& hand) {
     const std::uint32_t b = mouse.body.index;
-    JointFrame frame{hand, bodies.motion[b], {}, {}, {}, {}, rotationNow(bodies, b)};
+    JointFrame frame{hand, bodies.motion[b], {}, {}, {}, {}, turned.rotation(bodies, b)};
     frame.armB = armOf(bodies, b, frame.rotationB, mouse.anchor);
     frame.gap = bodies.pose[b].position + frame.b.move + frame.armB - mouse.target;
     return frame;
@@ -41,7 +37,8 @@ JointFrame frameOf(Bodies& bodies, const Mouse& mouse, Motion& hand) {
 
 /// Calls visit(frame, constraint, impulse, relax) for all constraints of a joint.
 template <typename Visit>
-void forConstraints(JointSet::Joint& joint, Bodies& bodies, const JointPass& pass, Visit visit) {
+void forConstraints(JointSet::Joint& joint, Bodies& bodies, TurnedBodies& turned,
+                    const JointPass& pass, Visit visit) {
     const auto list = [&](const JointFrame& frame, const auto& kind) {
         const auto one = [&](const auto& constraint, auto& impulse, Relax relax) {
             visit(frame, constraint, impulse, relax);
@@ -51,10 +48,10 @@ void forConstraints(JointSet::Joint& joint, Bodies& bodies, const JointPass& pas
     std::visit(
         [&](const auto& kind) {
             if constexpr (requires { kind.ends; }) {
-                list(frameOf(bodies, kind.ends), kind);
+                list(frameOf(bodies, turned, kind.ends), kind);
             } else {
                 Motion hand;
-                list(frameOf(bodies, kind, hand), kind);
+                list(frameOf(bodies, turned, kind, hand), kind);
             }
         },
         joint.def);
@@ -115,6 +112,20 @@ Foresight gainFrom(const JointFrame& frame, const AxisConstraint& axis, Real imp
             frame.b.invInertia * axis.leverB * impulse};
 }
 
+/// The two bodies, in order, that a joint forbids to touch.
+std::optional<std::pair<std::uint32_t, std::uint32_t>> apartBy(const JointDef& def) {
+    return std::visit(
+        [](const auto& kind) -> std::optional<std::pair<std::uint32_t, std::uint32_t>> {
+            if constexpr (requires { kind.ends; }) {
+                if (!kind.ends.collide) {
+                    return std::minmax({kind.ends.a.index, kind.ends.b.index});
+                }
+            }
+            return std::nullopt;
+        },
+        def);
+}
+
 struct Overload {
     Real force;
     Real torque;
@@ -141,13 +152,31 @@ JointId JointSet::add(const JointDef& def) {
     }
     joints_[slot.index] = {};
     joints_[slot.index].def = def;
-    refreshLists();
+    live_.insert(std::lower_bound(live_.begin(), live_.end(), slot.index), slot.index);
+    if (const auto pair = apartBy(def)) {
+        apart_.insert(std::lower_bound(apart_.begin(), apart_.end(), *pair), *pair);
+    }
+    busyStale_ = true;
     return {slot.index, slot.generation};
 }
 
 void JointSet::remove(JointId id) {
     ids_.release(id.index);
-    refreshLists();
+    std::erase(live_, id.index);
+    std::erase(busy_, id.index);
+    if (const auto pair = apartBy(def(id))) { // one of them: other joints may say the same
+        apart_.erase(std::lower_bound(apart_.begin(), apart_.end(), *pair));
+    }
+    busyStale_ = true;
+}
+
+void JointSet::setDef(JointId id, const JointDef& def) {
+    const auto before = apartBy(joints_[id.index].def);
+    joints_[id.index].def = def;
+    if (apartBy(def) != before) {
+        refreshLists();
+    }
+    busyStale_ = true;
 }
 
 void JointSet::dropBody(BodyId body) {
@@ -190,16 +219,9 @@ void JointSet::refreshLists() {
             continue;
         }
         live_.push_back(index);
-        const JointDef& def = joints_[index].def;
-        std::visit(
-            [&](const auto& kind) {
-                if constexpr (requires { kind.ends; }) {
-                    if (!kind.ends.collide) {
-                        apart_.push_back(std::minmax({kind.ends.a.index, kind.ends.b.index}));
-                    }
-                }
-            },
-            def);
+        if (const auto pair = apartBy(joints_[index].def)) {
+            apart_.push_back(*pair);
+        }
     }
     std::sort(apart_.begin(), apart_.end()); // total order: equal pairs are the same
     std::erase_if(busy_, [&](std::uint32_t index) { return !ids_.aliveAt(index); });
@@ -248,7 +270,7 @@ void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
         }
         const bool inTree = trees_.rowsOf(index) != nullptr;
         forConstraints(
-            joints_[index], bodies, {pass.h, pass.stiff, pass.biased, inTree},
+            joints_[index], bodies, turned_, {pass.h, pass.stiff, pass.biased, inTree},
             [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
                 const bool held = inTree && relax == Relax::Rigid && isHeld(constraint);
                 if (inTree) {
@@ -287,7 +309,7 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
             *rows = {.pull = joint.force};
         }
         forConstraints(
-            joint, bodies,
+            joint, bodies, turned_,
             {pass.h, pass.stiff, pass.biased, rows != nullptr,
              rows != nullptr ? trees_.foreseen(index, pass.h) : Foresight{}},
             [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {

@@ -3,6 +3,7 @@
 
 #include <kodo/base/id_pool.hpp>
 #include <kodo/joints/joint_trees.hpp>
+#include <kodo/joints/turned_bodies.hpp>
 
 #include <array>
 #include <span>
@@ -28,10 +29,7 @@ public:
     /// Removes the joints of one body.
     void dropBody(BodyId body);
     const JointDef& def(JointId id) const { return joints_[id.index].def; }
-    void setDef(JointId id, const JointDef& def) {
-        joints_[id.index].def = def;
-        refreshLists();
-    }
+    void setDef(JointId id, const JointDef& def);
     Vec2 force(JointId id) const { return joints_[id.index].force; }   // N, on b
     Real torque(JointId id) const { return joints_[id.index].torque; } // N m, on b
     std::vector<JointId> ids() const;
@@ -105,6 +103,7 @@ private:
     std::vector<BrokenJoint> broken_;
     JointTrees trees_;                   // of this step
     std::vector<JointTrees::Edge> held_; // joints that may belong to one
+    TurnedBodies turned_;
     bool treesStale_ = true;
     std::vector<std::uint32_t> busy_; // in order; may have some that have become idle since
     bool busyStale_ = true;
