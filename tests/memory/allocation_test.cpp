@@ -153,6 +153,67 @@ TEST(Allocation, GoingToRestAndWakingAllocatesNothing) {
     }
 }
 
+/// Balls in a row, each on a tile of its own, and as many tiles far below.
+struct TilesAndBalls {
+    World world{support::wakeful()};
+    std::vector<BodyId> balls;
+
+    explicit TilesAndBalls(int count) {
+        for (int i = 0; i < count; ++i) {
+            for (const int y : {-1, -61}) {
+                world.add({.shape = Box{1, 1}, .position = at(i, y), .flags = kLocked});
+            }
+            balls.push_back(world.add(support::ballDef(at(i, 0), Real(0.5))));
+        }
+    }
+    static Vec2 at(int i, int y) {
+        return {static_cast<Real>(4 * i), static_cast<Real>(y) + Real(0.5)};
+    }
+    void put(int i, int y) {
+        BodyRef ball = world[balls[static_cast<std::size_t>(i)]];
+        ball.setPosition(at(i, y));
+        ball.setVelocity({});
+    }
+};
+
+// Who leaves one and meets another in the same step is told twice that it is touched or not.
+TEST(Allocation, ChangingPartnersAllocatesNothing) {
+    constexpr int kBalls = 16;
+    TilesAndBalls scene(kBalls);
+    for (int cycle = 0; cycle < 6; ++cycle) {
+        for (const int y : {60, 0}) {
+            for (int i = 0; i < kBalls; ++i) {
+                scene.put(i, y);
+            }
+            support::run(scene.world, 10);
+        }
+    }
+    for (int i = 0; i < kBalls; ++i) {
+        for (const int y : {-60, 0}) {
+            scene.put(i, y);
+            const std::size_t before = allocationCount();
+            support::run(scene.world, 10);
+            EXPECT_EQ(allocationCount(), before) << "ball " << i << ", to " << y;
+        }
+    }
+}
+
+// What happens while nobody steps is not remembered one by one.
+TEST(Allocation, ARegionThatGoesAboutInAPausedWorldHoldsNoMoreMemory) {
+    TilesAndBalls scene(100);
+    support::run(scene.world, 20);
+    const auto goAbout = [&](int times) {
+        for (int i = 0; i < times; ++i) {
+            scene.world.setRegion(Aabb{{-900, 30}, {900, 40}});
+            scene.world.setRegion(std::nullopt);
+        }
+    };
+    goAbout(20);
+    const std::size_t before = bench::liveBytes();
+    goAbout(500);
+    EXPECT_LE(bench::liveBytes(), before);
+}
+
 // A pile from which the oldest body goes whenever a new one falls on it holds, after 1000 of them,
 // no more memory than after 300. What a single body takes, kept, would make 400 KB; there may be 64
 // KB more (128 KB in double), since the pile is not the same and one list may have doubled its

@@ -30,7 +30,8 @@ public:
     }
 };
 
-/// A few bodies that touch, one of them at rest, a joint and a field: all lists, and few bytes.
+/// A few bodies that touch, one of them at rest and one that waits outside the region, a joint and
+/// a field: all lists, and few bytes.
 World smallWorld() {
     World world({.gravity = {0, -10}});
     world.addField({std::make_shared<Drag>(DragLaw{Real(0.25), 0}), {kMatchAny, 1}});
@@ -43,7 +44,10 @@ World smallWorld() {
     world.remove(world.add({.shape = Compound{{Circle{1}, Point{}}}, .position = {0, 50}}));
     world.add({.shape = Segment{{-1, 0}, {1, 0}, true, {}, {}}, .position = {0, 9}});
     world[a].applyImpulse({0, 1});
+    world.add(support::boxDef({-40, Real(0.5)}, 1, 1));
     run(world, 2);
+    world.setRegion(Aabb{{-20, -100}, {20, 100}});
+    run(world, 1);
     return world;
 }
 
@@ -120,6 +124,12 @@ bool refusedOrSound(const Bytes& bytes) {
     }
     World world = fromBytes(bytes);
     for (int step = 0; step < 8; ++step) {
+        if (step == 4) { // all that rests or waits takes part
+            world.setRegion(std::nullopt);
+            for (const BodyId id : world.bodies()) {
+                world[id].setVelocity({});
+            }
+        }
         world.step(kDt);
         for (const BodyId id : world.bodies()) {
             const Transform& place = world[id].placement();
@@ -146,6 +156,9 @@ TEST(SnapshotRefused, EveryByteChangedAndSealedIsRefusedOrSound) {
             ++(refusedOrSound(changed(good, i, value)) ? taken : refused);
             ASSERT_FALSE(HasFailure());
         }
+        SCOPED_TRACE(testing::Message() << "byte " << i << " set to a colour of what is locked");
+        ++(refusedOrSound(changed(changed(good, i, 50), i + 1, 1)) ? taken : refused);
+        ASSERT_FALSE(HasFailure());
     }
     EXPECT_GT(taken, 0);
     EXPECT_GT(refused, 0);

@@ -47,7 +47,7 @@ void Crew::help() noexcept {
 
 template <typename Ready>
 void Crew::workUntil(std::uint32_t own, Ready ready) {
-    for (int spins = 0; !ready(); ++spins) {
+    for (int spins = 0; !ready(); spins = std::min(spins + 1, kManySpins)) {
         while (takePieceOf(shared_->shares[own])) {
             spins = 0;
         }

@@ -5,11 +5,12 @@
 
 namespace kodo {
 
-/// Waits for some tens of nanoseconds, after so many such spins in a row. Who has waited long gives
-/// the core up, for there may be more threads than cores.
+/// Spins in a row after which the core is given up, for there may be more threads than cores.
+constexpr int kManySpins = 2000;
+
+/// Waits a moment, after so many spins in a row: on x86 some tens of nanoseconds.
 inline void pauseSpin(int spins) {
-    constexpr int kLong = 2000; // spins
-    if (spins >= kLong) {
+    if (spins >= kManySpins) {
         std::this_thread::yield();
         return;
     }

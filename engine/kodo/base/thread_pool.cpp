@@ -8,7 +8,7 @@ namespace {
 
 // To be woken takes longer than to wait for a helper that is about to leave, or for the next step
 // of a program that does nothing else.
-constexpr int kSpins = 2000;
+constexpr int kSpins = kManySpins;
 
 } // namespace
 
@@ -69,11 +69,14 @@ void ThreadPool::work() {
         lock.unlock();
         spinUntil(kSpins, [&] { return closing_ || round_ != seen; });
         lock.lock();
-        begun_.wait(lock, [&] { return closing_ || (task_ != nullptr && round_ != seen); });
+        begun_.wait(lock, [&] { return closing_ || round_ != seen; });
         if (closing_) {
             return;
         }
         seen = round_;
+        if (task_ == nullptr) {
+            continue; // it came when all was done
+        }
         ++working_;
         void (*const task)(void*) = task_;
         void* const data = data_;

@@ -12,8 +12,8 @@
 
 namespace kodo::inline KODO_PRECISION {
 
-/// Threads that wait until a World has work for them: for some hundredths of a millisecond awake,
-/// then asleep. One pool may serve many Worlds, but only one step at a time.
+/// Threads that wait until a World has work for them: for a moment awake, then asleep. One pool may
+/// serve many Worlds, but only one step at a time.
 class ThreadPool final : public Executor {
 public:
     /// Starts `helpers` threads, 0 to kMost; throws BadDefinition for another number, and

@@ -34,7 +34,8 @@ public:
     /// Asked once a step of dt (s), before it, for every body that takes part and can be pushed. A
     /// force that depends on the place of the body should be found at midStep. It must not throw:
     /// that would leave a step half done. A force that is no finite number stops the body for good
-    /// instead; see World::frozenBodies.
+    /// instead; see World::frozenBodies. Bodies::acceleration is what is being found: it tells
+    /// nothing yet.
     virtual Push at(const Bodies& bodies, std::uint32_t body, Real dt) const = 0;
 };
 

@@ -31,8 +31,15 @@ void ContactSet::noteEnd(const Contact& contact) {
 /// Its bodies have a contact more that touches them, or one less.
 void ContactSet::countTouch(const Contact& contact, bool touches) {
     for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
-        touches_[body] += touches ? 1u : ~0u;
+        touches_[body] += touches ? 1u : kOneLess;
         touchChanges_.push_back(body);
+    }
+    const std::size_t many = 4 * touches_.size();
+    if (touchChanges_.size() > many) { // as when a region goes about between two steps
+        // total order: equal numbers are the same
+        std::sort(touchChanges_.begin(), touchChanges_.end());
+        touchChanges_.erase(std::unique(touchChanges_.begin(), touchChanges_.end()),
+                            touchChanges_.end());
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <kodo/base/assert.hpp>
 #include <kodo/base/crew.hpp>
+#include <kodo/base/refill.hpp>
 #include <kodo/bodies/bodies.hpp>
 #include <kodo/bodies/tolerances.hpp>
 #include <kodo/broad/pair_finder.hpp>
@@ -95,7 +96,7 @@ public:
     /// most of a pile.
     template <typename Touched>
     void sumUp(const Tolerances& tolerances, Crew& crew, Touched touched) {
-        touchChanges_.reserve(2 * contacts_.capacity()); // or it would grow in some later step
+        makeRoom(touchChanges_, touchChanges_.size() + 2 * contacts_.capacity());
         found_.gather(crew, live().size(), kContactsAPiece, touchChanges_,
                       [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
                           found.reserve(found.size() + 2 * (last - first));
@@ -145,6 +146,7 @@ public:
 private:
     friend class SnapshotFields;
     static constexpr std::size_t kContactsAPiece = 128;
+    static constexpr std::uint32_t kOneLess = ~std::uint32_t{}; // added to a count, since it wraps
 
     /// Where a contact is, by the bounds of its parts, which are in the order of keys.
     struct Place {

@@ -27,7 +27,7 @@ bool ContactSet::isTrue(std::uint32_t place) const {
                               (!head.steady || head.wasTouching == contact.wasTouching));
 }
 
-/// Does it touch, after all? Adds its bodies to the changes if it did not, or did, a step ago.
+/// Does it touch, after all? Adds its bodies to the changes if that is not as a step ago.
 void ContactSet::finishContact(std::uint32_t place, bool touchesInRow, const Tolerances& tolerances,
                                const Crew& crew, std::vector<std::uint32_t>& changes) {
     ContactHead& head = heads_[place];
@@ -39,7 +39,7 @@ void ContactSet::finishContact(std::uint32_t place, bool touchesInRow, const Tol
     head.steady = !contact.phase || contact.phase == TouchPhase::Persist;
     if (contact.touching != before) {
         for (const std::uint32_t body : {head.bodyA, head.bodyB}) {
-            crew.count(touches_[body], before ? ~0u : 1u);
+            crew.count(touches_[body], before ? kOneLess : 1u);
             changes.push_back(body);
         }
     }

@@ -175,7 +175,8 @@ void SnapshotFields::checkAwake(const Bodies& bodies) {
     for (std::uint32_t i = 0; i < bodies.size() && !bodies.awakeStale; ++i) {
         const bool listed = next < bodies.awake.size() && bodies.awake[next] == i;
         next += listed ? 1 : 0;
-        require(listed || !bodies.ids.aliveAt(i) || !bodies.active(i), sentence);
+        const bool alive = bodies.ids.aliveAt(i);
+        require(listed ? alive : !alive || !bodies.active(i), sentence);
     }
 }
 
@@ -301,6 +302,7 @@ void SnapshotFields::rest(RestStage& stage, Bodies& bodies) {
         }
         for (Contact& contact : islands[island].contacts) {
             completeContact(contact, bodies);
+            contact.row = {}; // only those of the list have one
         }
         restingIslands += islands[island].bodies.empty() ? 0 : 1;
     }
@@ -352,6 +354,7 @@ void SnapshotFields::world(World& world) {
     if (reads()) {
         for (Contact& contact : aside) {
             completeContact(contact, bodies);
+            contact.row = {};
         }
     }
     if (region) {
