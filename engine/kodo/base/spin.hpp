@@ -19,16 +19,13 @@ inline void pauseSpin(int spins) {
 #endif
 }
 
-/// Spins until ready(), but so many times at most. False if it is not by then.
+/// Spins until ready(), but no more than that: who then still has to wait should sleep. To be woken
+/// takes about as long.
 template <typename Ready>
-bool spinUntil(int most, Ready ready) {
-    for (int spins = 0; !ready(); ++spins) {
-        if (spins == most) {
-            return false;
-        }
+void spinUntil(Ready ready) {
+    for (int spins = 0; spins < kManySpins && !ready(); ++spins) {
         pauseSpin(spins);
     }
-    return true;
 }
 
 } // namespace kodo

@@ -4,13 +4,6 @@
 #include <kodo/base/thread_pool.hpp>
 
 namespace kodo::inline KODO_PRECISION {
-namespace {
-
-// To be woken takes longer than to wait for a helper that is about to leave, or for the next step
-// of a program that does nothing else.
-constexpr int kSpins = kManySpins;
-
-} // namespace
 
 ThreadPool::ThreadPool(int helpers) {
     if (helpers < 0 || helpers > kMost) {
@@ -57,7 +50,7 @@ void ThreadPool::end() {
     std::unique_lock lock(mutex_);
     task_ = nullptr;
     lock.unlock();
-    spinUntil(kSpins, [&] { return working_ == 0; });
+    spinUntil([&] { return working_ == 0; }); // a helper leaves at once
     lock.lock();
     idle_.wait(lock, [&] { return working_ == 0; });
 }
@@ -67,7 +60,7 @@ void ThreadPool::work() {
     std::unique_lock lock(mutex_);
     for (;;) {
         lock.unlock();
-        spinUntil(kSpins, [&] { return closing_ || round_ != seen; });
+        spinUntil([&] { return closing_ || round_ != seen; }); // the next step may follow at once
         lock.lock();
         begun_.wait(lock, [&] { return closing_ || round_ != seen; });
         if (closing_) {

@@ -2,7 +2,6 @@
 #include <kodo/bodies/integrate.hpp>
 
 namespace kodo::inline KODO_PRECISION {
-
 namespace {
 
 constexpr std::size_t kBodiesAPiece = 128;
