@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/contacts/contact_update.hpp>
 #include <kodo/solve/contact_blocks.hpp>
 #include <support/random_numbers.hpp>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -24,6 +26,7 @@ struct Crowd {
             addBody(bodies, def, form);
         }
         refreshAwake(bodies);
+        noteStart(bodies);
         for (std::size_t i = 0; i < pairs; ++i) {
             const auto a = static_cast<std::uint32_t>(random.below(count));
             const auto b = static_cast<std::uint32_t>(random.below(count));
@@ -97,7 +100,7 @@ TEST(ContactBlocks, AreFilledAgainWhenMostLanesAreEmpty) {
     crowd.arrange(blocks);
     std::vector<Contact> few;
     for (std::size_t i = 0; i < crowd.contacts.size(); i += 10) {
-        blocks.fetch(crowd.contacts[i]);
+        blocks.fetch(crowd.contacts[i], crowd.bodies);
         few.push_back(crowd.contacts[i]);
     }
     crowd.contacts = few;
@@ -120,11 +123,61 @@ TEST(ContactBlocks, GiveEachContactItsOwnImpulseBack) {
         contact.impulse = {};
     }
     for (Contact& contact : after) {
-        blocks.fetch(contact);
+        blocks.fetch(contact, crowd.bodies);
     }
     for (std::size_t i = 0; i < after.size(); ++i) {
         EXPECT_EQ(after[i].impulse[0].normal, static_cast<Real>(i));
     }
+}
+
+// Eight at a time in their lanes, or one by one, contacts go on alike, to the bit.
+TEST(ContactBlocks, CarryContactsOnAsTheyGoOnByThemselves) {
+    const Tolerances tolerances = Tolerances::forUnit(1);
+    std::size_t outdated = 0;
+    for (const std::uint64_t seed : {3u, 14u, 15u}) {
+        SCOPED_TRACE(seed);
+        support::RandomNumbers random(seed);
+        Crowd crowd(seed, 300, 900);
+        for (Contact& contact : crowd.contacts) {
+            for (ManifoldPoint& p : contact.manifold.points) {
+                p.separation = random.between(-0.01, 0.01);
+                p.armA = random.below(4) == 0 ? contact.manifold.normal : random.point(0.5);
+                p.armB = random.below(4) == 0 ? -contact.manifold.normal : random.point(0.5);
+            }
+            contact.drift = 3 * random.between(0, tolerances.slop);
+            contact.bounces = random.below(2) == 0;
+        }
+        ContactBlocks blocks;
+        crowd.arrange(blocks);
+        for (std::size_t i = 1; i < crowd.bodies.size(); ++i) {
+            Motion& motion = crowd.bodies.motion[i];
+            motion.velocity = random.point(1);
+            motion.angularVelocity = random.between(-2, 2);
+            motion.move = random.point(0.002);
+            motion.turn = random.between(-0.002, 0.002);
+        }
+        Crew nobody;
+        blocks.carry(crowd.bodies, nobody);
+        for (const Contact& contact : crowd.contacts) {
+            Contact alone = contact;
+            alone.row.lent = false;
+            const bool stays = followContact(alone, crowd.bodies, tolerances, false);
+            Contact lent = contact;
+            blocks.reclaim(lent, crowd.bodies);
+            ASSERT_EQ(followContact(lent, crowd.bodies, tolerances, true), stays);
+            ASSERT_EQ(lent.drift, alone.drift);
+            outdated += stays ? 0 : 1;
+            for (int i = 0; stays && i < contact.manifold.count; ++i) {
+                const auto at = static_cast<std::size_t>(i);
+                ASSERT_EQ(lent.manifold.points[at].separation,
+                          alone.manifold.points[at].separation);
+                ASSERT_EQ(lent.approachSpeed, alone.approachSpeed);
+                ASSERT_FALSE(std::signbit(lent.approachSpeed)); // 0 has a sign, too
+            }
+        }
+    }
+    EXPECT_GT(outdated, 100u);
+    EXPECT_LT(outdated, 2000u);
 }
 
 // A contact in a lane has touched if one of its points is near enough, or was pushed.
@@ -202,7 +255,7 @@ TEST(ContactBlocks, StaySoundAsContactsComeAndGo) {
             }
         }
         for (Contact& contact : some.contacts) {
-            blocks.fetch(contact);
+            blocks.fetch(contact, some.bodies);
         }
     }
 }

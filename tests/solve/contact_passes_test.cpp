@@ -21,6 +21,8 @@ constexpr Real kSettleBelow = Real(-0.01); // m; two of five contacts
 /// some apart, some deep, some between a body and one that cannot be pushed.
 struct Blocks {
     std::vector<Motion> motion;
+    std::vector<Extent> extent;
+    std::vector<Carried> carried = std::vector<Carried>(kBlocks * kContacts);
     std::vector<ContactBlock> blocks = std::vector<ContactBlock>(kBlocks);
     std::vector<RollingBlock> rolling;
     std::vector<BlockUse> use = std::vector<BlockUse>(kBlocks);
@@ -53,6 +55,7 @@ struct Blocks {
         body.turn = random.between(-0.01, 0.01);
         body.invInertia = locked ? 0 : random.between(0.1, 9);
         motion.push_back(body);
+        extent.push_back({random.between(0.1, 2), 0});
         return static_cast<std::uint32_t>(motion.size() - 1);
     }
 
@@ -98,7 +101,7 @@ struct Blocks {
             {Softness::from(60, 10, h), Softness::from(120, 10, h), 1 / h, true, 1, kSettleBelow}};
     }
 
-    /// A whole substep, and another.
+    /// A whole substep, and another, and to the next step.
     void run(const ContactPasses& passes) {
         ContactPassArguments pass = this->pass();
         for (int substep = 0; substep < 2; ++substep) {
@@ -108,6 +111,8 @@ struct Blocks {
             passes.settle(pass);
             passes.relax(pass);
         }
+        passes.carry({blocks.data(), carried.data(), use.data(), order.data(), kBlocks,
+                      motion.data(), extent.data()});
     }
 };
 
@@ -130,6 +135,7 @@ TEST(ContactPasses, ForAllMachinesAndForAvx2GiveTheSameBits) {
         EXPECT_TRUE(sameBits(wide.motion, narrow.motion));
         EXPECT_TRUE(sameBits(wide.blocks, narrow.blocks));
         EXPECT_TRUE(sameBits(wide.rolling, narrow.rolling));
+        EXPECT_TRUE(sameBits(wide.carried, narrow.carried));
     }
 }
 

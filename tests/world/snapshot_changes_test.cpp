@@ -55,6 +55,29 @@ TEST(Snapshot, GoesOnAlikeAfterABodyFroze) {
     EXPECT_TRUE(stepsLikeItsSnapshot(world));
 }
 
+// What rests waits outside a region, comes back, which is a leap, and is woken within a step: its
+// contacts are not carried on in their lanes as if nothing had been.
+TEST(Snapshot, GoesOnAlikeAfterWhatLeaptAtRestIsWoken) {
+    World world({.gravity = support::kEarth});
+    support::addFloor(world);
+    const BodyId box = world.add({.shape = Box{1, 1}, .position = {0, Real(0.5)}});
+    run(world, 120);
+    ASSERT_TRUE(world[box].flags() & kResting);
+    world.setRegion(Aabb{{10, -10}, {20, 10}});
+    run(world, 1);
+    world.setRegion(std::nullopt);
+    BodyDef ball = support::ballDef({Real(-1.5), Real(0.5)}, Real(0.5));
+    ball.velocity = {Real(0.5), 0};
+    world.add(ball);
+    int resting = 0;
+    for (int step = 0; step < 120; ++step) {
+        resting += (world[box].flags() & kResting) != 0 ? 1 : 0;
+        ASSERT_TRUE(stepsLikeItsSnapshot(world)) << "step " << step;
+    }
+    EXPECT_GT(resting, 10);
+    EXPECT_LT(resting, 110);
+}
+
 /// A heap in a trough, to which all kinds of things are done.
 class Heap {
 public:

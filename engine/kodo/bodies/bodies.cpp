@@ -94,11 +94,27 @@ void freeze(Bodies& bodies, std::uint32_t body) {
 
 void listAwake(Bodies& bodies) {
     bodies.awakeStale = false;
+    bodies.startStale = true; // those that are awake no more have moved until now
     bodies.awake.clear();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.ids.aliveAt(i) && bodies.active(i)) {
             bodies.awake.push_back(static_cast<std::uint32_t>(i));
         }
+    }
+}
+
+void noteStart(Bodies& bodies) {
+    if (bodies.startStale || bodies.anyJumped || bodies.start.size() != bodies.size()) {
+        bodies.start.resize(bodies.size());
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            bodies.start[i] = bodies.pose[i].position;
+        }
+        bodies.startStale = false;
+        bodies.anyJumped = false;
+        return;
+    }
+    for (const std::uint32_t i : bodies.awake) {
+        bodies.start[i] = bodies.pose[i].position;
     }
 }
 

@@ -76,9 +76,10 @@ struct Bodies {
     std::vector<Motion> motion = std::vector<Motion>(1); // and a spare one at the end
     std::vector<Transform> pose;                         // of the centre of mass
     std::vector<Acceleration> acceleration;
-    std::vector<Extent> extent;
+    std::vector<Extent> extent = std::vector<Extent>(1); // likewise with a spare one
     /// How often each was put elsewhere or built anew: see jumped().
     std::vector<std::uint32_t> jumps;
+    std::vector<Vec2> start; // m, of the centre of mass: where each was when the last step began
     std::vector<BodyRecord> record;
     std::vector<RestState> rest;
     std::vector<std::uint32_t> forced; // bodies with a force, some perhaps twice
@@ -88,6 +89,8 @@ struct Bodies {
     bool awakeStale = true; // whoever makes a body active or idle says so here
     bool anyRests = true;   // at the time of the solver; false: nobody needs to be asked
     bool turns = true;      // false: nothing can be turned; see Feature::Rotation
+    bool startStale = true; // also of bodies that are not awake
+    bool anyJumped = false; // since the last step began, or before a contact of it came back
 
     BodyId idAt(std::size_t index) const {
         return {static_cast<std::uint32_t>(index), ids.generationAt(index)};
@@ -111,7 +114,10 @@ struct Bodies {
                m.move == Vec2{} && m.turn == 0;
     }
     /// What was known of where it touches others is out of date.
-    void jumped(std::size_t index) { ++jumps[index]; }
+    void jumped(std::size_t index) {
+        ++jumps[index];
+        anyJumped = true;
+    }
 
     /// Takes part in a step.
     bool active(std::size_t index) const {
@@ -167,6 +173,9 @@ inline bool refreshAwake(Bodies& bodies) {
     }
     return stale;
 }
+
+/// A step begins where the bodies are.
+void noteStart(Bodies& bodies);
 
 /// Reciprocals of mass and inertia after a change of form or lock flags.
 void refreshMass(Bodies& bodies, std::uint32_t index);

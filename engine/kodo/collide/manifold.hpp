@@ -4,8 +4,10 @@
 #include <kodo/math/transform.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
@@ -31,6 +33,16 @@ struct Manifold {
 /// m, of both points; that of one that the manifold does not have means nothing.
 inline std::array<Real, 2> separationsOf(const Manifold& manifold) {
     return {manifold.points[0].separation, manifold.points[1].separation};
+}
+
+/// How far the line through the end of an arm along a unit normal passes by where the arm starts
+/// (m; > 0: a push along the normal turns counter-clockwise). What is but a rounding of the arm is
+/// none, so that a push through the centre of a circle never turns it.
+inline Real leverOf(Vec2 arm, Vec2 normal) {
+    const Real lever = cross(arm, normal);
+    const Real rounding =
+        4 * std::numeric_limits<Real>::epsilon() * (std::abs(arm.x) + std::abs(arm.y));
+    return std::abs(lever) > rounding ? lever : 0;
 }
 
 /// A contact point found in A's frame, around A's centre; the last step turns it to world axes. So

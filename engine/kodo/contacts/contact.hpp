@@ -37,7 +37,15 @@ struct ContactRow {
     std::uint8_t colour = kNoColour; // no other contact of it pushes the same body
     bool fixedA = false;             // a could not be pushed when it got the colour
     bool fixedB = false;
-    bool lent = false; // the lane has the impulses, and those of the contact are out of date
+    bool lent = false; // the lane has all that steps change, and the contact is out of date
+};
+
+/// How a contact whose manifold is kept goes on from step to step.
+struct Carried {
+    std::array<Real, 2> separation{}; // m, at the start of the step, of the points that there are
+    Real approachSpeed = 0;           // m/s, before the solver
+    Real drift =
+        0; // m, that the bodies went against each other since the manifold was found, at most
 };
 
 /// Two parts that touch or are near each other, from when their grown bounds meet until they part.
@@ -48,7 +56,7 @@ struct alignas(128) Contact {
     ContactKey key;
     std::uint32_t jumpsA = 0; // of the bodies, when the manifold was found
     std::uint32_t jumpsB = 0;
-    Real drift = 0; // m, that they went against each other since then, at most
+    Real drift = 0; // m; see Carried
     ContactRow row;
     Real approachSpeed = 0;   // m/s, before the solver
     bool near = false;        // the bounds of the parts, grown by the margin, meet
@@ -75,6 +83,10 @@ struct alignas(128) Contact {
 
     /// Do the bodies push each other?
     bool responds() const { return manifold.count > 0 && !sensor && !hidden; }
+    /// Has its lane all of it, and the same one in the next step, with nothing to be forgotten?
+    bool isKept() const {
+        return row.lent && carried && responds() && !struck && row.colour != ContactRow::kNoColour;
+    }
 };
 
 /// What tells most stages that there is nothing to do for a contact, without a look at it.
@@ -91,7 +103,7 @@ struct ContactHead {
     bool meets = false;       // has a manifold, or is a sensor, which may find one on its way
     bool wasTouching = false; // as summed up last
     bool steady = false;      // the contact stays as it is if it touches, or not, once more
-    bool kept = false; // pushes, and its lane has all of its manifold but how far apart it is
+    bool kept = false;        // see Contact::isKept
 
     /// To be called when the row, the manifold, the approach, or whether the contact is carried or
     /// hidden has changed, but of sensors.
@@ -100,7 +112,7 @@ struct ContactHead {
         approachSpeed = contact.approachSpeed;
         separation = separationsOf(contact.manifold);
         meets = contact.manifold.count > 0 || contact.sensor;
-        kept = contact.carried && contact.responds() && contact.row.colour != ContactRow::kNoColour;
+        kept = contact.isKept();
     }
 };
 

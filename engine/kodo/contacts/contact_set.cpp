@@ -71,7 +71,7 @@ void ContactSet::forgetUnsound(const Bodies& bodies, const Tolerances& tolerance
         Contact& contact = contacts_[i];
         if (!isSound(contact)) {
             clearContact(contact);
-            followContact(contact, bodies, tolerances);
+            followContact(contact, bodies, tolerances, false);
             findContact(contact, bodies, tolerances);
             kodo::measureApproach(contact, bodies);
             heads_[i].note(contact);
@@ -173,6 +173,7 @@ std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies) {
             if (contact.wasTouching) {
                 countTouch(contact, false);
             }
+            idle_.back().approachSpeed = 0;
             forgetBlows(idle_.back()); // or a step that it comes back in would report them again
         }
         return gone;
@@ -180,7 +181,7 @@ std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies) {
     return idle_;
 }
 
-void ContactSet::putBack(std::span<const Contact> contacts) {
+void ContactSet::putBack(std::span<const Contact> contacts, Bodies& bodies) {
     writeRecords();
     const auto keyOf = [&](const Place& place) { return contacts_[place.slot].key; };
     for (const Contact& contact : contacts) {
@@ -189,6 +190,10 @@ void ContactSet::putBack(std::span<const Contact> contacts) {
             [&](const Place& at, const ContactKey& key) { return keyOf(at) < key; });
         if (place == order_.end() || keyOf(*place) != contact.key) {
             contacts_.push_back(contact);
+            // What happened to its bodies meanwhile is news to the contact.
+            bodies.anyJumped = bodies.anyJumped ||
+                               contact.jumpsA != bodies.jumps[contact.key.bodyA] ||
+                               contact.jumpsB != bodies.jumps[contact.key.bodyB];
             if (contact.wasTouching) {
                 countTouch(contact, true);
             }
@@ -217,7 +222,13 @@ void ContactSet::renewPlaces() {
     for (Place& place : order_) {
         const auto& [bodyA, partA, bodyB, partB] = contacts_[place.slot].key;
         place.pair = {bounds_.indexOf(bodyA, partA), bounds_.indexOf(bodyB, partB)};
-        heads_[place.slot] = headOf(contacts_[place.slot], place.pair);
+        ContactHead& head = heads_[place.slot];
+        const ContactHead before = head;
+        head = headOf(contacts_[place.slot], place.pair);
+        if (contacts_[place.slot].row.lent) { // the contact is out of date
+            head.approachSpeed = before.approachSpeed;
+            head.separation = before.separation;
+        }
     }
 }
 
@@ -319,7 +330,11 @@ void ContactSet::mergePairs(const Bodies& bodies) {
         if (found | !asked) { // as for most; what of it holds is hard to foresee
             newOrder_.push_back(place);
         } else {
-            noteEnd(contacts_[place.slot]);
+            Contact& gone = contacts_[place.slot];
+            if (gone.row.lent) {
+                gone.centerA = bodies.start[gone.key.bodyA];
+            }
+            noteEnd(gone);
             holes_.push_back(place.slot);
         }
     }

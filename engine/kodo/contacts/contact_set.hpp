@@ -20,6 +20,14 @@
 
 namespace kodo::inline KODO_PRECISION {
 
+/// Whom contacts are lent to from step to step.
+struct ContactKeeper {
+    /// By row, and up to date with the poses that the step begins with; empty if nothing is lent.
+    std::span<const Carried> carried;
+    /// Gives a contact back, if it is lent. Several threads call it.
+    const std::function<void(Contact&)>& reclaim;
+};
+
 /// All contacts of a World, with the bounds they are found by.
 class ContactSet {
 public:
@@ -37,18 +45,17 @@ public:
     /// next call.
     std::span<const Contact> takeIdle(const Bodies& bodies);
     /// Puts contacts back that takeIdle once gave. One that is in the list by now stays as it is.
-    void putBack(std::span<const Contact> contacts);
+    void putBack(std::span<const Contact> contacts, Bodies& bodies);
 
     /// Brings the list up to date before a step of dt: the pairs that may meet within it, in order.
     void updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt, Crew& crew);
     /// Pairs of bodies, in order, that may not touch although their flags say so: jointed ones.
     void setApart(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
-    /// Finds where the pairs touch, now, and how fast they approach. reclaim(contact) is called
-    /// for those whose impulses go on to new points, since they may be lent. Several threads call
-    /// it.
+    /// Finds where the pairs touch, now, and how fast they approach. Of those that are lent and go
+    /// on as they are, only the heads are told.
     void updateManifolds(const Bodies& bodies, const Tolerances& tolerances,
-                         const std::function<void(Contact&)>& reclaim, Crew& crew);
-    /// Measures the approach again, since bodies have got other speeds.
+                         const ContactKeeper& keeper, Crew& crew);
+    /// Measures the approach again, since bodies have got other speeds. Nothing may be lent.
     void measureApproach(const Bodies& bodies);
     /// m/s, of those that updateManifolds looked at.
     Real fastestApproach() const { return fastestApproach_; }
@@ -86,10 +93,11 @@ public:
     void noteManifolds();
     /// False if no contact is a sensor's.
     bool mayHaveSensors() const { return anySensors_ || contactsChanged_; }
-    /// The solver gave a contact a row, or took it. Several threads call it.
+    /// The solver gave a contact a row, or took it, or gave the contact back. Several threads call
+    /// it.
     void noteRow(std::uint32_t place) {
         heads_[place].row = contacts_[place].row.index;
-        heads_[place].kept = heads_[place].kept && contacts_[place].carried;
+        heads_[place].kept = contacts_[place].isKept();
     }
     /// Sums up a step, in which touched(row) tells who touched of those that have a row; of no row
     /// it is false. Several threads call that. Contacts that go on as they were are left alone, as
@@ -167,8 +175,9 @@ private:
     Contact makeContact(const Bodies& bodies, BoundsPair pair) const;
     void changed();
     bool boundsMeet(std::size_t i, const Tolerances& tolerances) const;
+    bool staysKept(std::size_t i, const Tolerances& tolerances, std::span<const Carried> carried);
     void updateManifold(const Bodies& bodies, const Tolerances& tolerances, std::size_t i,
-                        const std::function<void(Contact&)>& reclaim);
+                        const ContactKeeper& keeper);
     template <typename Gone>
     void eraseIf(Gone gone);
     void fillHoles();

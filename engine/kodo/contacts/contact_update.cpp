@@ -63,8 +63,7 @@ bool staysApart(const Contact& contact, const Tolerances& tolerances) {
 /// a pile, also in one that moves as a whole, and a point of contact that stays where it is
 /// steadies it. Measures the approach by the same levers. False if it must be found anew.
 bool carry(const Bodies& bodies, Contact& contact, const Tolerances& tolerances) {
-    const Real most = (contact.bounces ? kKeptToBounce : kKept) * tolerances.slop;
-    if (!contact.carried || contact.drift > most) {
+    if (!contact.carried || isOutdated(contact.drift, contact.bounces, tolerances)) {
         return false;
     }
     const Motion& motionA = bodies.motion[contact.key.bodyA];
@@ -75,8 +74,8 @@ bool carry(const Bodies& bodies, Contact& contact, const Tolerances& tolerances)
     contact.approachSpeed = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
         ManifoldPoint& p = contact.manifold.points[i];
-        const Real leverA = cross(p.armA, n);
-        const Real leverB = cross(p.armB, n);
+        const Real leverA = leverOf(p.armA, n);
+        const Real leverB = leverOf(p.armB, n);
         p.separation += moved + (leverB * motionB.turn - leverA * motionA.turn);
         const Real apart =
             speed + (leverB * motionB.angularVelocity - leverA * motionA.angularVelocity);
@@ -150,7 +149,6 @@ void measureApproach(Contact& contact, const Bodies& bodies) {
 void forgetBlows(Contact& contact) {
     contact.struck = false;
     contact.total = 0;
-    contact.approachSpeed = 0;
     for (PointImpulse& impulse : contact.impulse) {
         impulse.impact = 0;
         impulse.largest = 0;
@@ -168,10 +166,19 @@ void describeContact(Contact& contact, const Bodies& bodies) {
     contact.bounces = contact.material.restitution > 0;
 }
 
-bool followContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) {
+bool isOutdated(Real drift, bool bounces, const Tolerances& tolerances) {
+    return drift > (bounces ? kKeptToBounce : kKept) * tolerances.slop;
+}
+
+bool followContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances,
+                   bool wentOn) {
     beginStep(contact);
     contact.near = true;
     contact.centerA = bodies.pose[contact.key.bodyA].position;
+    if (wentOn) {
+        contact.carried = !isOutdated(contact.drift, contact.bounces, tolerances);
+        return contact.carried;
+    }
     const bool known = addDrift(bodies, contact);
     contact.carried = known && carry(bodies, contact, tolerances);
     return contact.carried || (known && staysApart(contact, tolerances));
@@ -190,6 +197,7 @@ bool isSound(const Contact& contact) {
 void clearContact(Contact& contact) {
     beginStep(contact);
     forgetBlows(contact);
+    contact.approachSpeed = 0;
     contact.touching = false;
     contact.near = false;
     contact.manifold.count = 0;

@@ -12,8 +12,14 @@ void describeContact(Contact& contact, const Bodies& bodies);
 
 /// Begins a step with the manifold of the last one, whose moves Motion still holds, of two parts
 /// that are near each other. False if it does not do any more and must be found anew. Where it
-/// carries the manifold on, it also measures the approach, by the levers that it needs anyway.
-bool followContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances);
+/// carries the manifold on, it also measures the approach, by the levers that it needs anyway; but
+/// if the contact `wentOn` while it was lent, both has been done.
+bool followContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances,
+                   bool wentOn);
+
+/// Have the bodies of a contact gone so far (m) against each other that its manifold must be found
+/// anew?
+bool isOutdated(Real drift, bool bounces, const Tolerances& tolerances);
 
 /// Finds where they touch. The impulses of the contact must not be lent: they go on to the new
 /// points.

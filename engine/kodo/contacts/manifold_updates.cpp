@@ -70,8 +70,21 @@ void ContactSet::noteManifolds() {
     }
 }
 
+/// Does its lane carry it on for this step, too? Then brings its head up to date.
+bool ContactSet::staysKept(std::size_t i, const Tolerances& tolerances,
+                           std::span<const Carried> carried) {
+    ContactHead& head = heads_[i];
+    if (!head.kept || carried.empty()) {
+        return false;
+    }
+    const Carried& now = carried[head.row];
+    head.separation = now.separation;
+    head.approachSpeed = now.approachSpeed;
+    return !isOutdated(now.drift, head.bounces, tolerances);
+}
+
 void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances,
-                                 const std::function<void(Contact&)>& reclaim, Crew& crew) {
+                                 const ContactKeeper& keeper, Crew& crew) {
     fastestApproach_ = 0;
     if (contacts_.empty() && !contactsChanged_) {
         return;
@@ -85,16 +98,19 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
                       found.resize(count + (last - first));
                       for (std::size_t i = first; i < last; ++i) {
                           if (const std::size_t ahead = i + kContactsAhead;
-                              ahead < last && !heads_[ahead].idle) {
+                              ahead < last && !(heads_[ahead].idle | heads_[ahead].kept)) {
                               prefetch<2>(contacts(), ahead);
                           }
                           const ContactHead& head = heads_[i];
-                          if (!head.idle || boundsMeet(i, tolerances)) {
-                              updateManifold(bodies, tolerances, i, reclaim);
-                              fastest = std::max(fastest, head.approachSpeed);
-                              found[count] = static_cast<std::uint32_t>(i);
-                              count += head.idle ? 0 : 1;
+                          if (!staysKept(i, tolerances, keeper.carried)) {
+                              if (head.idle && !boundsMeet(i, tolerances)) {
+                                  continue;
+                              }
+                              updateManifold(bodies, tolerances, i, keeper);
                           }
+                          fastest = std::max(fastest, head.approachSpeed);
+                          found[count] = static_cast<std::uint32_t>(i);
+                          count += head.idle ? 0 : 1;
                       }
                       found.resize(count);
                       Crew::raise(fastestApproach_, fastest);
@@ -117,11 +133,13 @@ bool ContactSet::boundsMeet(std::size_t i, const Tolerances& tolerances) const {
 
 /// Of one contact, and whether anything may come of it in this step.
 void ContactSet::updateManifold(const Bodies& bodies, const Tolerances& tolerances, std::size_t i,
-                                const std::function<void(Contact&)>& reclaim) {
+                                const ContactKeeper& keeper) {
     Contact& contact = contacts_[i];
     if (contact.carried || boundsMeet(i, tolerances)) {
-        if (!followContact(contact, bodies, tolerances)) {
-            reclaim(contact);
+        const bool wentOn = contact.row.lent;
+        KODO_ASSERT(!wentOn || !keeper.carried.empty());
+        keeper.reclaim(contact);
+        if (!followContact(contact, bodies, tolerances, wentOn)) {
             findContact(contact, bodies, tolerances);
         }
         if (!contact.carried) {

@@ -65,8 +65,7 @@ void Seams::hide(const Bodies& bodies, std::span<Contact> contacts, std::span<Co
     for (const std::uint32_t body : onPieces_) {
         for (std::uint32_t i = first_[body]; i != kEnd; i = next_[i]) {
             const Contact& carrier = contacts[i];
-            if (carrier.hidden || !carrier.responds() ||
-                carrier.manifold.points[0].separation > tolerances.slop) {
+            if (carrier.hidden || !carrier.responds() || heads[i].separation[0] > tolerances.slop) {
                 continue;
             }
             const Ground carrying = groundOf(bodies, carrier);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kodo/bodies/bodies.hpp>
+#include <kodo/contacts/contact.hpp>
 #include <kodo/math/softness.hpp>
 
 #include <cstdint>
@@ -88,15 +89,29 @@ struct ContactPassArguments {
     PassSettings settings;
 };
 
+/// Carries the contacts of `count` blocks on to the start of a step, whose Motion still has the
+/// moves of the last one.
+struct CarryArguments {
+    ContactBlock* blocks;
+    Carried* carried; // by row
+    const BlockUse* use;
+    const std::uint32_t* order;
+    std::size_t count;
+    const Motion* motion; // by body
+    const Extent* extent; // by body
+};
+
 /// The passes, as made for one kind of machine. All kinds give the same bits.
 struct ContactPasses {
     using Pass = void (*)(const ContactPassArguments&);
+    using Carry = void (*)(const CarryArguments&);
 
     const char* name; // for tests
     Pass warmStart;   // pushes with the impulses so far
     Pass solve;       // pushes overlaps apart like stiff springs
     Pass settle;      // without that push, which takes its speed out again
     Pass relax;       // the same, with friction, if wanted; sums up what was pushed
+    Carry carry;
 
     static const ContactPasses& baseline();
     /// Nothing where neither the build nor the machine has it.

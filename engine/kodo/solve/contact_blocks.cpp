@@ -9,9 +9,9 @@
 
 namespace kodo::inline KODO_PRECISION {
 
-void ContactBlocks::refine(int parts, std::span<Contact> contacts) {
+void ContactBlocks::refine(int parts, std::span<Contact> contacts, const Bodies& bodies) {
     if (const auto now = static_cast<Real>(parts); now != parts_) {
-        reclaimAll(contacts);
+        reclaimAll(contacts, bodies);
         parts_ = now;
         anew_ = true;
     }
@@ -21,7 +21,7 @@ void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, boo
                           bool rolling) {
     colours_.resize(bodies.size());
     if (order_.size() > singles_ + kBins + rows_ / 4) { // most lanes are empty
-        reclaimAll(contacts);
+        reclaimAll(contacts, bodies);
         forgetLanes();
     }
     singles_ = 0;
@@ -56,7 +56,7 @@ void ContactBlocks::assignRows(std::span<Contact> contacts) {
 
 void ContactBlocks::dealAnew(const Bodies& bodies, ContactSet& contacts) {
     colours_.resize(bodies.size());
-    reclaimAll(contacts.contacts());
+    reclaimAll(contacts.contacts(), bodies);
     forgetLanes();
     open_.fill(kNone);
     contacts.forEachInOrder([&](Contact& contact) { assignRow(contact); });
@@ -115,11 +115,13 @@ bool ContactBlocks::needsRolling(const Contact& contact) const {
 bool ContactBlocks::take(const Bodies& bodies, Contact& contact) {
     ContactRow& row = contact.row;
     if (row.colour != ContactRow::kNoColour && contact.carried && !anew_) {
-        keep(row.index, separationsOf(contact.manifold));
-        row.lent = true;
+        keep(row.index);
+        if (!row.lent) {
+            lend(contact);
+        }
         return true;
     }
-    reclaim(contact);
+    reclaim(contact, bodies);
     if (!keepsColour(bodies, contact)) {
         return false;
     }
@@ -240,6 +242,7 @@ std::uint32_t ContactBlocks::openBlock(std::uint32_t bin) {
     ContactBlock& lanes = blocks_.emplace_back();
     states_.reserve(blocks_.capacity());
     taken_.resize(blocks_.capacity() * ContactBlock::kContacts);
+    carried_.resize(taken_.size());
     use_.reserve(blocks_.capacity());
     order_.reserve(blocks_.capacity());
     std::fill_n(lanes.a, ContactBlock::kContacts, placeOfMotion(spare_));
@@ -356,7 +359,7 @@ void ContactBlocks::fill(const Bodies& bodies, Contact& contact) {
         fillLane(rolling_[static_cast<std::size_t>(place)], lane, bodies, contact, parts_);
     }
     contact.carried = true;
-    contact.row.lent = true;
+    lend(contact);
 }
 
 ContactPassArguments ContactBlocks::pass(Bodies& bodies, const PassSettings& settings) {

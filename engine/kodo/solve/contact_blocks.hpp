@@ -28,10 +28,16 @@ public:
 
     /// Substeps are divided into so many parts from now on, a power of two. The impulses that
     /// contacts keep are those of a whole one.
-    void refine(int parts, std::span<Contact> contacts);
+    void refine(int parts, std::span<Contact> contacts, const Bodies& bodies);
     /// Before the contacts of a step are taken, of which some may be gone. With friction, with
     /// rolling resistance?
     void begin(const Bodies& bodies, std::span<Contact> contacts, bool friction, bool rolling);
+    /// Before all that, carries the contacts that are lent on to the start of a step.
+    void carry(const Bodies& bodies, Crew& crew);
+    /// Where they are, by row; empty if nothing is lent.
+    std::span<const Carried> carried() const {
+        return lent_ ? std::span<const Carried>(carried_) : std::span<const Carried>();
+    }
     /// Before begin(): deals the lanes out anew, in the order of bodies. So threads that each take
     /// a part of the blocks push bodies of their own, for the most part; as contacts come and go,
     /// that gets lost.
@@ -39,18 +45,13 @@ public:
     /// Takes a contact that responds. False if it needs another lane and has to be given one by
     /// arrange(). Several threads may take contacts at once.
     bool take(const Bodies& bodies, Contact& contact);
-    /// What take() does with a contact whose lane has all of it but how far apart it is (m).
-    void keep(std::uint32_t row, const std::array<Real, 2>& separation) {
-        ContactBlock& block = blocks_[blockOf(row)];
-        taken_[row] = 1;
-        block.points[0].separation[laneOf(row)] = separation[0];
-        block.points[1].separation[laneOf(row)] = separation[1];
-    }
+    /// What take() does with a contact whose lane has all of it.
+    void keep(std::uint32_t row) { taken_[row] = 1; }
     /// What the lanes hold is of no use in the next step: contacts have changed, or what bodies
     /// can be pushed.
     void startAnew() { anew_ = true; }
-    /// May contacts that are kept be left to keep()? Their lanes have their impulses, and what is
-    /// in them goes for this step as well.
+    /// May contacts that are kept be left to keep()? What is in their lanes goes for this step,
+    /// too.
     bool keepsLanes() const { return lent_ && !anew_; }
     /// After the last one, with the places of those that need lanes, in order. `pushSpeed` (m/s) is
     /// shared out among those who crowd a body, if there are more than kNeighbours of them; `crowd`
@@ -86,12 +87,12 @@ public:
         return touching_[std::min<std::size_t>(row, touching_.size() - 1)] != 0;
     }
 
-    /// Hands the impulses that the next step starts from to a contact, if they are lent.
-    void reclaim(Contact& contact) const;
+    /// Gives a contact back all that the next step starts from, if it is lent.
+    void reclaim(Contact& contact, const Bodies& bodies) const;
     /// And what the last step pushed, for its record.
-    void fetch(Contact& contact) const;
+    void fetch(Contact& contact, const Bodies& bodies) const;
     /// Fetches all, unless that was done since the last step.
-    void fetchAll(std::span<Contact> contacts);
+    void fetchAll(std::span<Contact> contacts, const Bodies& bodies);
 
 private:
     static constexpr std::uint32_t kFreeColours = 48;
@@ -131,9 +132,10 @@ private:
     bool keepsColour(const Bodies& bodies, const Contact& contact) const;
     bool needsRolling(const Contact& contact) const;
     std::uint8_t goneFrom(std::uint32_t block) const;
+    void lend(Contact& contact);
     void assignRows(std::span<Contact> contacts);
     void assignRow(Contact& contact);
-    void reclaimAll(std::span<Contact> contacts);
+    void reclaimAll(std::span<Contact> contacts, const Bodies& bodies);
     void forgetLanes();
     void freeLanes(const Bodies& bodies);
     void colourNewcomer(const Bodies& bodies, Contact& contact);
@@ -152,6 +154,7 @@ private:
     std::vector<std::uint32_t> order_; // of the blocks, by bin
     std::vector<RollingBlock> rolling_;
     std::vector<Colour> byColour_;
+    std::vector<Carried> carried_;             // by row
     std::vector<std::uint8_t> taken_;          // by row: in this step
     std::vector<std::uint8_t> touching_ = {0}; // by row: in the last step; behind the last, false
     std::array<std::uint32_t, kBins> open_{};
@@ -161,7 +164,7 @@ private:
     Real pushSpeed_ = 0;
     Real parts_ = 1;      // of a substep
     bool shared_ = false; // some lanes have less than pushSpeed_
-    bool lent_ = false;   // the impulses of some contacts
+    bool lent_ = false;   // some contacts are
     bool frictionOn_ = true;
     bool rollingOn_ = false;
     bool anew_ = true;          // what the lanes hold is of no use in this step

@@ -40,12 +40,12 @@ void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const
     block.normalY[lane] = n.y;
     const auto setPoint = [&](std::size_t i) {
         const ManifoldPoint& p = manifold.points[i];
-        if (isBlocked(bodies, contact, i)) {
-            writePoint(block.points[i], lane, {.separation = p.separation});
-            return;
-        }
         const Real leverA = leverOf(p.armA, n);
         const Real leverB = leverOf(p.armB, n);
+        if (isBlocked(bodies, contact, i)) { // no mass: nothing is pushed there
+            writePoint(block.points[i], lane, {leverA, leverB, 0, p.separation, 0});
+            return;
+        }
         writePoint(block.points[i], lane,
                    {leverA, leverB, effectiveMass(a, b, leverA, leverB), p.separation,
                     contact.impulse[i].normal / parts});

@@ -4,8 +4,12 @@
 namespace kodo::inline KODO_PRECISION {
 
 const ContactPasses& ContactPasses::baseline() {
-    static constexpr ContactPasses kPasses{"baseline", warmStartBlocks, solveBlocks<Task::Push>,
-                                           solveBlocks<Task::Settle>, solveBlocks<Task::Relax>};
+    static constexpr ContactPasses kPasses{"baseline",
+                                           warmStartBlocks,
+                                           solveBlocks<Task::Push>,
+                                           solveBlocks<Task::Settle>,
+                                           solveBlocks<Task::Relax>,
+                                           carryBlocks};
     return kPasses;
 }
 

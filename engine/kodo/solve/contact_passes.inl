@@ -16,6 +16,12 @@ KODO_LANES_INLINE const Real* moves(const Motion* motion) {
     return &motion->move.x;
 }
 
+/// The first of the Carried of a row.
+KODO_LANES_INLINE Real* numbers(Carried* carried) {
+    return carried->separation.data();
+}
+static_assert(sizeof(Carried) == 4 * sizeof(Real));
+
 /// kLanes contacts of a block with their two bodies each.
 struct Pair {
     Quad a; // x, y: velocity, z: angular velocity, w: 1/mass
@@ -265,6 +271,63 @@ void warmStartBlocks(const ContactPassArguments& pass) {
                  moment(block.points[0].leverB, block.points[1].leverB, block.tangentLeverB));
             putBack(pass.motion, block.a + at, pair.a, pass.use[i].movesA, at);
             putBack(pass.motion, block.b + at, pair.b, pass.use[i].movesB, at);
+        }
+    }
+}
+
+/// How far bodies have turned, times how far their farthest points are from their centres.
+KODO_LANES_INLINE Lanes swingOf(const Extent* extent, const std::uint32_t* places, Lanes turn) {
+    Lanes reach;
+    for (int i = 0; i < kLanes; ++i) {
+        reach[i] = extent[bodyOfPlace(places[i])].reach;
+    }
+    return larger(turn, -turn) * reach;
+}
+
+/// What carry() in contact_update.cpp does with one contact, to the bit.
+template <int points>
+KODO_LANES_INLINE void carryLanes(const CarryArguments& all, ContactBlock& block, Carried* carried,
+                                  int at) {
+    static constexpr std::uint32_t kRows[] = {0, 4, 8, 12, 16, 20, 24, 28};
+    Motion* const motion = const_cast<Motion*>(all.motion);
+    const Lanes nx = load(block.normalX + at);
+    const Lanes ny = load(block.normalY + at);
+    const Quad moveA = gather(moves(motion), block.a + at);
+    const Quad moveB = gather(moves(motion), block.b + at);
+    const Quad speedA = gather(speeds(motion), block.a + at);
+    const Quad speedB = gather(speeds(motion), block.b + at);
+    const Lanes dx = moveB.x - moveA.x;
+    const Lanes dy = moveB.y - moveA.y;
+    const Lanes moved = nx * dx + ny * dy;
+    const Lanes speed = nx * (speedB.x - speedA.x) + ny * (speedB.y - speedA.y);
+    Quad now = gather(numbers(carried + at), kRows); // x, y: separation, z: approach, w: drift
+    now.w += larger(dx, -dx) + larger(dy, -dy) + swingOf(all.extent, block.a + at, moveA.z) +
+             swingOf(all.extent, block.b + at, moveB.z);
+    const auto carry = [&](ContactBlock::Point& point, Lanes& separation) {
+        const Lanes leverA = load(point.leverA + at);
+        const Lanes leverB = load(point.leverB + at);
+        separation += moved + (leverB * moveB.z - leverA * moveA.z);
+        store(point.separation + at, separation);
+        now.z = larger(-(speed + (leverB * speedB.z - leverA * speedA.z)), now.z); // no -0
+    };
+    now.z = Lanes{};
+    carry(block.points[0], now.x);
+    if constexpr (points == 2) {
+        carry(block.points[1], now.y);
+    }
+    scatter(numbers(carried + at), kRows, now);
+}
+
+void carryBlocks(const CarryArguments& all) {
+    for (std::size_t k = 0; k < all.count; ++k) {
+        const std::size_t i = all.order[k];
+        Carried* const carried = all.carried + i * ContactBlock::kContacts;
+        for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
+            if (all.use[i].twoPoints) {
+                carryLanes<2>(all, all.blocks[i], carried, at);
+            } else {
+                carryLanes<1>(all, all.blocks[i], carried, at);
+            }
         }
     }
 }

@@ -6,8 +6,12 @@ namespace kodo::inline KODO_PRECISION {
 
 const ContactPasses* ContactPasses::avx2() {
 #ifdef __AVX2__
-    static constexpr ContactPasses kPasses{"AVX2", warmStartBlocks, solveBlocks<Task::Push>,
-                                           solveBlocks<Task::Settle>, solveBlocks<Task::Relax>};
+    static constexpr ContactPasses kPasses{"AVX2",
+                                           warmStartBlocks,
+                                           solveBlocks<Task::Push>,
+                                           solveBlocks<Task::Settle>,
+                                           solveBlocks<Task::Relax>,
+                                           carryBlocks};
     return __builtin_cpu_supports("avx2") ? &kPasses : nullptr;
 #else
     return nullptr;

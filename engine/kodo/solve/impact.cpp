@@ -233,8 +233,8 @@ bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,
     return hitContact(hit, tolerances, restSpeedOf(bodies, contact, dt));
 }
 
-void ImpactStage::solve(Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,
-                        const Tolerances& tolerances, Real dt) {
+void ImpactStage::solve(Bodies& bodies, ContactSet& contactSet, const ContactBlocks& blocks,
+                        const StepSettings& settings, const Tolerances& tolerances, Real dt) {
     if (!settings.has(Feature::Restitution) || !(contactSet.fastestApproach() > 0)) {
         return;
     }
@@ -260,6 +260,8 @@ void ImpactStage::solve(Bodies& bodies, ContactSet& contactSet, const StepSettin
             if (asMeasured && !(head.approachSpeed > restSpeed && isFast(bodies, head, dt))) {
                 continue;
             }
+            blocks.reclaim(contacts[place], bodies);
+            contactSet.noteRow(place);
             if (solveImpact(bodies, contacts[place], settings, tolerances, dt)) {
                 wasHitA = bodies.locked(head.bodyA) ? 0 : 1;
                 wasHitB = bodies.locked(head.bodyB) ? 0 : 1;

@@ -4,6 +4,7 @@
 #include <kodo/bodies/bodies.hpp>
 #include <kodo/bodies/tolerances.hpp>
 #include <kodo/contacts/contact_set.hpp>
+#include <kodo/solve/contact_blocks.hpp>
 #include <kodo/solve/settings.hpp>
 
 #include <vector>
@@ -24,8 +25,8 @@ namespace kodo::inline KODO_PRECISION {
 /// forces alone cause within one step is left to the contact half, since it is rest.
 class ImpactStage {
 public:
-    void solve(Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,
-               const Tolerances& tolerances, Real dt);
+    void solve(Bodies& bodies, ContactSet& contactSet, const ContactBlocks& blocks,
+               const StepSettings& settings, const Tolerances& tolerances, Real dt);
 
 private:
     std::vector<std::uint8_t> wasHit_; // by body, in this step

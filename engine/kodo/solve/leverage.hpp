@@ -5,20 +5,9 @@
 #include <kodo/contacts/contact.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace kodo::inline KODO_PRECISION {
-
-/// How far the line through the end of an arm along a unit normal passes by where the arm starts
-/// (m; > 0: a push along the normal turns counter-clockwise). What is but a rounding of the arm is
-/// none, so that a push through the centre of a circle never turns it.
-inline Real leverOf(Vec2 arm, Vec2 normal) {
-    const Real lever = cross(arm, normal);
-    const Real rounding =
-        4 * std::numeric_limits<Real>::epsilon() * (std::abs(arm.x) + std::abs(arm.y));
-    return std::abs(lever) > rounding ? lever : 0;
-}
 
 /// Do the bodies of a contact not give way at this point? Two that cannot be moved, but turned, do
 /// so only by a lever. The shorter that is, the heavier they seem, and hit straight towards its

@@ -44,14 +44,13 @@ int SoftStep::refinement(const Bodies& bodies, ContactSet& contactSet, Real hert
     }
     Real load = 0; // m/s^2
     for (const std::uint32_t place : contactSet.live()) {
-        const Contact& contact = contactSet.contacts()[place];
-        if (!contact.responds() || contact.manifold.points[0].separation > tolerances.slop) {
+        const ContactHead& head = contactSet.heads()[place];
+        if (!contactSet.contacts()[place].responds() || head.separation[0] > tolerances.slop) {
             continue;
         }
-        const Real a = bodies.motion[contact.key.bodyA].invMass;
-        const Real b = bodies.motion[contact.key.bodyB].invMass;
-        for (const auto& [own, body] :
-             {std::pair(a, contact.key.bodyA), std::pair(b, contact.key.bodyB)}) {
+        const Real a = bodies.motion[head.bodyA].invMass;
+        const Real b = bodies.motion[head.bodyB].invMass;
+        for (const auto& [own, body] : {std::pair(a, head.bodyA), std::pair(b, head.bodyB)}) {
             if (own > 0) {
                 load = std::max(load, (a + b) / own * length(bodies.acceleration[body].linear));
             }

@@ -67,7 +67,7 @@ void RestStage::wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t i
         bodies.motion[body].halt();
         bodies.acceleration[body] = {};
     }
-    contacts.putBack(woken.contacts);
+    contacts.putBack(woken.contacts, bodies);
     woken.bodies.clear(); // keeps its memory for the next island
     woken.contacts.clear();
     contacts.activityChanged();
@@ -113,8 +113,9 @@ void RestStage::disturb(Bodies& bodies, ContactSet& contacts, const JointSet& jo
 void RestStage::wakeTouched(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances) {
     std::size_t i = 0;
     while (i < contacts.contacts().size()) {
-        const Contact& contact = contacts.contacts()[i++];
-        if (!contact.responds() || contact.manifold.points[0].separation > tolerances.slop) {
+        const Contact& contact = contacts.contacts()[i];
+        const Real separation = contacts.heads()[i++].separation[0];
+        if (!contact.responds() || separation > tolerances.slop) {
             continue;
         }
         for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
@@ -331,7 +332,7 @@ void RestStage::settle(Bodies& bodies, ContactSet& contacts) {
         // What froze in this step neither rests nor takes part; its end is yet to be told.
         keep(island != kNoIsland ? islands_[island].contacts : standing_, contact);
     }
-    contacts.putBack(standing_);
+    contacts.putBack(standing_, bodies);
     bodies.awakeStale = true;
     contacts.activityChanged();
 }

@@ -39,8 +39,7 @@ bool needsRow(const Bodies& bodies, const ContactHead& head, const StepSettings&
 
 /// Does the head of a contact that is kept tell what the contact does?
 [[maybe_unused]] bool isKept(const Contact& contact, const ContactHead& head) {
-    return contact.carried && contact.responds() && contact.row.lent &&
-           contact.row.index == head.row && separationsOf(contact.manifold) == head.separation;
+    return contact.isKept() && contact.row.index == head.row;
 }
 
 /// How many passes more settle so many deep contacts; `crowd` is the most that overlap one body.
@@ -82,9 +81,9 @@ bool SoftStep::takeAnew(const Bodies& bodies, Contact& contact, bool friction) {
 }
 
 /// Takes a contact out of the solver.
-void SoftStep::giveUpRow(ContactSet& contactSet, std::uint32_t place) {
+void SoftStep::giveUpRow(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place) {
     Contact& contact = contactSet.contacts()[place];
-    blocks_.reclaim(contact);
+    blocks_.reclaim(contact, bodies);
     contact.row = {};
     contact.carried = false;
     contactSet.noteRow(place);
@@ -125,9 +124,9 @@ void SoftStep::collect(const Bodies& bodies, ContactSet& contactSet, const Joint
                           const bool needed = needsRow(bodies, head, settings, tolerances);
                           if (keepsLanes && head.kept && needed) {
                               KODO_ASSERT(isKept(contacts[place], head));
-                              blocks_.keep(head.row, head.separation);
+                              blocks_.keep(head.row);
                           } else if (!needed || !contacts[place].responds()) {
-                              giveUpRow(contactSet, place);
+                              giveUpRow(bodies, contactSet, place);
                               continue;
                           } else if (takeAnew(bodies, contacts[place], friction)) {
                               contactSet.noteRow(place);
@@ -250,7 +249,7 @@ bool SoftStep::noneNeedsRow(const Bodies& bodies, ContactSet& contactSet,
             needsRow(bodies, contactSet.heads()[place], settings, tolerances)) {
             return false;
         }
-        giveUpRow(contactSet, place);
+        giveUpRow(bodies, contactSet, place);
     }
     return true;
 }
@@ -327,7 +326,7 @@ void SoftStep::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joint
     const int parts =
         refinement(bodies, contactSet, hertzOf(settings.contactHertz, whole), tolerances);
     const Real h = whole / static_cast<Real>(parts);
-    blocks_.refine(parts, contactSet.contacts());
+    blocks_.refine(parts, contactSet.contacts(), bodies);
     collect(bodies, contactSet, joints, step);
     blocks_.arrange(bodies, contactSet.contacts(), newcomers_,
                     crowded_ != 0 ? std::span<const std::uint16_t>(crowd_)

@@ -55,7 +55,7 @@ private:
                  const Step& step);
     void clearMarks(const Bodies& bodies, const JointSet& joints);
     bool takeAnew(const Bodies& bodies, Contact& contact, bool friction);
-    void giveUpRow(ContactSet& contactSet, std::uint32_t place);
+    void giveUpRow(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place);
     void noteCrowd(const Bodies& bodies, const ContactHead& head, std::uint16_t& most,
                    const Crew& crew);
     static int refinement(const Bodies& bodies, ContactSet& contactSet, Real hertz,

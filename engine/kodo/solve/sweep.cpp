@@ -251,7 +251,8 @@ void SweepStage::findTime(const Step& step, std::uint32_t candidate) {
             stoppingGap(step.bodies, contact, gap, motion, step.settings, step.tolerances);
         return target ? impactTime(step.bodies, contact, *target) : Real(1);
     };
-    const Real gap = gapOf(contact, step.tolerances);
+    const ContactHead& head = step.heads[candidates_[candidate].contact];
+    const Real gap = head.meets ? head.separation[0] : step.tolerances.margin;
     Real& time = times_[candidate];
     time = timeFrom(gap);
     // They as good as touch already, corner at corner, where the manifold sees a gap or nothing.

@@ -58,7 +58,7 @@ void World::placeInRegion(std::uint32_t body) {
 /// Contacts of which no body takes part since one waits are put aside, and come back when one does
 /// again: meanwhile they neither end nor begin.
 void World::putContactsAside() {
-    fetchImpulses();
+    fetchContacts();
     const auto waits = [&](std::uint32_t body) {
         return (bodies_.record[body].filter.flags & kOutside) != 0;
     };
@@ -71,7 +71,7 @@ void World::putContactsAside() {
         const bool aside = waits(contact.key.bodyA) || waits(contact.key.bodyB);
         (aside ? aside_ : returning_).push_back(contact);
     }
-    contacts_.putBack(returning_);
+    contacts_.putBack(returning_, bodies_);
 }
 
 /// Puts back the contacts that which(contact) names.
@@ -86,12 +86,12 @@ void World::takeBack(Which which) {
         }
         return back;
     });
-    contacts_.putBack(returning_);
+    contacts_.putBack(returning_, bodies_);
 }
 
 void World::takeBackContactsOf(std::uint32_t body) {
     if (!aside_.empty()) {
-        fetchImpulses();
+        fetchContacts();
         takeBack([=](const Contact& contact) {
             return contact.key.bodyA == body || contact.key.bodyB == body;
         });
@@ -118,6 +118,7 @@ void World::holdWhatWaits() {
         hold(secondBody(joint.def).index);
     });
     if (!held_.empty()) {
+        fetchContacts();
         contacts_.measureApproach(bodies_); // it was measured with the speeds that they keep
     }
 }

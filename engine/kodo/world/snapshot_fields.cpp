@@ -119,15 +119,15 @@ void SnapshotFields::one(IdPool& pool) {
 }
 
 void SnapshotFields::one(Bodies& bodies) {
-    auto& [ids, motion, pose, acceleration, extent, jumps, record, rest, forced, awake, awakeStale,
-           anyRests, turns] = bodies;
+    auto& [ids, motion, pose, acceleration, extent, jumps, start, record, rest, forced, awake,
+           awakeStale, anyRests, turns, startStale, anyJumped] = bodies;
     one(ids);
     if (reads()) {
         const std::size_t count = ids.capacity();
         motion.resize(count + 1);
         pose.resize(count);
         acceleration.resize(count);
-        extent.resize(count);
+        extent.resize(count + 1);
         jumps.resize(count);
         record.resize(count);
         rest.resize(count);
@@ -337,7 +337,7 @@ void SnapshotFields::world(World& world) {
     auto& [settings, tolerances, stepCount, count, bodies, fields, contacts, impacts, softStep,
            propagation, contactVisits, sweep, rest, joints, broken, frozen, region, held, aside,
            returning, lastForm] = world;
-    softStep.blocks().fetchAll(contacts.contacts());
+    softStep.blocks().fetchAll(contacts.contacts(), bodies);
     all(settings, tolerances, stepCount);
     bodies.turns = settings.has(Feature::Rotation);
     forms(world);

@@ -27,9 +27,7 @@ void World::step(Real dt, const StepAids& aids) {
     Crew crew(bodies_.awake.size() >= kWorthHelp ? aids.executor : nullptr);
     contacts_.updatePairs(bodies_, tolerances_, dt, crew);
     enter(StepStage::Narrow);
-    contacts_.updateManifolds(
-        bodies_, tolerances_, [this](Contact& contact) { softStep_.blocks().reclaim(contact); },
-        crew);
+    updateManifolds(crew);
     enter(StepStage::Forces);
     gatherForces(dt, crew);
     enter(StepStage::Solve);
@@ -51,13 +49,26 @@ void World::step(Real dt, const StepAids& aids) {
     enter(StepStage::Rest);
     if (settings_.has(Feature::Resting) && !bodies_.awake.empty() &&
         rest_.findRest(bodies_, contacts_, joints_, settings_, tolerances_, dt)) {
-        fetchImpulses();
+        fetchContacts();
         rest_.settle(bodies_, contacts_);
     }
     ++stepCount_;
     if (aids.watch != nullptr) {
         aids.watch->leave();
     }
+}
+
+/// Finds where bodies touch. Where some were put elsewhere, no contact is carried on unseen.
+void World::updateManifolds(Crew& crew) {
+    ContactBlocks& blocks = softStep_.blocks();
+    if (bodies_.anyJumped) {
+        fetchContacts();
+    }
+    noteStart(bodies_);
+    blocks.carry(bodies_, crew);
+    contacts_.updateManifolds(
+        bodies_, tolerances_,
+        {blocks.carried(), [&](Contact& contact) { blocks.reclaim(contact, bodies_); }}, crew);
 }
 
 /// Wakes who is touched, and finds what will speed up whom.
@@ -113,7 +124,7 @@ void World::solve(Real dt, Crew& crew) {
         contactVisits_ = propagation_.visits();
         return;
     }
-    impacts_.solve(bodies_, contacts_, settings_, tolerances_, dt);
+    impacts_.solve(bodies_, contacts_, softStep_.blocks(), settings_, tolerances_, dt);
     softStep_.solve(bodies_, contacts_, joints_, {settings_, tolerances_, dt, crew});
     contactVisits_ = softStep_.visits();
 }
@@ -178,7 +189,7 @@ void World::freezeUnsoundMotion() {
                 motion.stand();
             }
         }
-        fetchImpulses();
+        fetchContacts();
         contacts_.forgetUnsound(bodies_, tolerances_);
         joints_.forgetUnsound();
         contacts_.bodiesChanged();

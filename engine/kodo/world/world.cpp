@@ -87,7 +87,7 @@ BodyId World::add(const BodyDef& def) {
 /// With the impulses that the solver has of it.
 Contact World::current(const Contact& contact) const {
     Contact copy = contact;
-    softStep_.blocks().fetch(copy);
+    softStep_.blocks().fetch(copy, bodies_);
     return copy;
 }
 
@@ -96,18 +96,18 @@ std::span<const CollisionRecord> World::collisions() const {
 }
 
 void World::wake(std::uint32_t body) {
-    fetchImpulses();
+    fetchContacts();
     rest_.wake(bodies_, contacts_, body);
 }
 
 void World::wakeAll() {
-    fetchImpulses();
+    fetchContacts();
     rest_.wakeAll(bodies_, contacts_);
 }
 
 /// It goes, jumps or changes: what leans on it, or hangs on it by a joint, wakes.
 void World::disturb(std::uint32_t body) {
-    fetchImpulses();
+    fetchContacts();
     takeBackContactsOf(body);
     rest_.disturb(bodies_, contacts_, joints_, body);
 }
@@ -309,7 +309,7 @@ void World::setSettings(const StepSettings& settings) {
     if ((held & kHoldsAtRest) != 0) {
         wakeAll();
     }
-    fetchImpulses();
+    fetchContacts();
     settings_ = settings;
     if (!settings.has(Feature::Friction)) {
         softStep_.blocks().startAnew();

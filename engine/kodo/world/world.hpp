@@ -144,7 +144,7 @@ private:
     void requireAlive(JointId id) const;
     void jointsChanged(const JointDef& def);
     Contact current(const Contact& contact) const;
-    void fetchImpulses() { softStep_.blocks().fetchAll(contacts_.contacts()); }
+    void fetchContacts() { softStep_.blocks().fetchAll(contacts_.contacts(), bodies_); }
     void wake(std::uint32_t body);
     void wakeAll();
     void disturb(std::uint32_t body);
@@ -159,6 +159,7 @@ private:
     std::shared_ptr<const Form> formFor(const BodyDef& def);
 
     void forAwake(Crew& crew, void (*work)(Bodies&, std::span<const std::uint32_t>));
+    void updateManifolds(Crew& crew);
     void gatherForces(Real dt, Crew& crew);
     void solve(Real dt, Crew& crew);
     void sweep(Real dt, Crew& crew);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What ContactBlocks hands back to contacts.
+// What ContactBlocks has of contacts from step to step, and gives back to them.
 #include <kodo/solve/contact_blocks.hpp>
 #include <kodo/solve/contact_lane.hpp>
 
@@ -27,10 +27,39 @@ void ContactBlocks::noteTouching(Real slop, Crew& crew) {
     });
 }
 
-void ContactBlocks::reclaim(Contact& contact) const {
+void ContactBlocks::carry(const Bodies& bodies, Crew& crew) {
+    if (!lent_) {
+        return;
+    }
+    crew.forEach(order_.size(), kBlocksAPiece, [&](std::size_t first, std::size_t last) {
+        ContactPasses::best().carry({blocks_.data(), carried_.data(), use_.data(),
+                                     order_.data() + first, last - first, bodies.motion.data(),
+                                     bodies.extent.data()});
+    });
+}
+
+/// From now on its lane has what steps change of it.
+void ContactBlocks::lend(Contact& contact) {
+    const std::uint32_t row = contact.row.index;
+    ContactBlock& block = blocks_[blockOf(row)];
+    carried_[row] = {separationsOf(contact.manifold), contact.approachSpeed, contact.drift};
+    for (std::size_t i = 0; i < carried_[row].separation.size(); ++i) {
+        block.points[i].separation[laneOf(row)] = carried_[row].separation[i];
+    }
+    contact.row.lent = true;
+}
+
+void ContactBlocks::reclaim(Contact& contact, const Bodies& bodies) const {
     if (!std::exchange(contact.row.lent, false)) {
         return;
     }
+    const Carried& carried = carried_[contact.row.index];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        contact.manifold.points[i].separation = carried.separation[i];
+    }
+    contact.approachSpeed = carried.approachSpeed;
+    contact.drift = carried.drift;
+    contact.centerA = bodies.start[contact.key.bodyA];
     const std::size_t block = blockOf(contact.row.index);
     const std::size_t lane = laneOf(contact.row.index);
     readImpulses(blocks_[block], lane, contact, parts_);
@@ -39,24 +68,24 @@ void ContactBlocks::reclaim(Contact& contact) const {
         rolling < 0 ? Real(0) : parts_ * rolling_[static_cast<std::size_t>(rolling)].impulse[lane];
 }
 
-void ContactBlocks::reclaimAll(std::span<Contact> contacts) {
+void ContactBlocks::reclaimAll(std::span<Contact> contacts, const Bodies& bodies) {
     for (Contact& contact : contacts) {
-        reclaim(contact);
+        reclaim(contact, bodies);
     }
 }
 
-void ContactBlocks::fetch(Contact& contact) const {
+void ContactBlocks::fetch(Contact& contact, const Bodies& bodies) const {
     if (contact.row.lent) {
-        reclaim(contact);
+        reclaim(contact, bodies);
         const std::uint32_t row = contact.row.index;
         readBlows(blocks_[blockOf(row)], laneOf(row), contact, parts_);
     }
 }
 
-void ContactBlocks::fetchAll(std::span<Contact> contacts) {
+void ContactBlocks::fetchAll(std::span<Contact> contacts, const Bodies& bodies) {
     if (std::exchange(lent_, false)) {
         for (Contact& contact : contacts) {
-            fetch(contact);
+            fetch(contact, bodies);
         }
     }
 }
