@@ -217,7 +217,9 @@ public:
     std::optional<std::uint64_t> pairWork() const override { return scene_.world.pairWork(); }
     std::optional<ContactBytes> contactBytes() const override {
         constexpr std::size_t kRow = sizeof(kodo::ContactBlock) / kodo::ContactBlock::kContacts;
-        return ContactBytes{sizeof(kodo::Contact) + sizeof(kodo::ContactHead) + kRow, kRow};
+        constexpr std::size_t kRest =
+            sizeof(kodo::Contact) + sizeof(kodo::ContactHead) + sizeof(kodo::Carried);
+        return ContactBytes{kRest + kRow, kRow};
     }
     std::vector<StageTime> stages() const override { return stages_.times(); }
 

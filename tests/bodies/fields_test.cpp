@@ -64,6 +64,45 @@ TEST(ForceField, OfAUserPushesTheBodiesThatItsFilterAccepts) {
     EXPECT_EQ(world[other].velocity(), Vec2{});
 }
 
+/// Counts how often it is asked.
+class CountedPull final : public ForceField {
+public:
+    CountedPull(bool steady, int& asked) : steady_(steady), asked_(asked) {}
+    Push at(const Bodies& bodies, std::uint32_t body, Real) const override {
+        ++asked_;
+        return {bodies.form(body).mass.mass * Vec2{0, -10}};
+    }
+    bool steady() const override { return steady_; }
+
+private:
+    bool steady_;
+    int& asked_;
+};
+
+// What is steady need not be asked again until something changes; the bodies fall the same way.
+TEST(ForceField, ThatIsSteadyIsAskedOnlyAfterAChange) {
+    int steady = 0;
+    int each = 0;
+    World first = worldWith({{std::make_shared<CountedPull>(true, steady)}});
+    World second = worldWith({{std::make_shared<CountedPull>(false, each)}});
+    for (World* const world : {&first, &second}) {
+        const BodyId body = world->add(disc({}));
+        run(*world, 1);
+        (*world)[body].applyForce({1, 0}); // in one step, and not in the next
+        run(*world, 1);
+        (*world)[body].setFlags(kMarked);
+        run(*world, 1);
+        world->add(disc({10, 0}));
+        run(*world, 1);
+        world->addField(
+            {std::make_shared<CountedPull>(world == &first, world == &first ? steady : each)});
+        run(*world, 1);
+    }
+    EXPECT_EQ(steady, 1 + 2 + 1 + 2 + 4);
+    EXPECT_EQ(each, 3 * 60 + 2 * 60 + 4 * 60);
+    EXPECT_EQ(first.stateHash(), second.stateHash());
+}
+
 TEST(ForceField, GravityAndAForceOfTheUserAddUp) {
     World world = worldWith({}, {0, -10});
     const BodyId body = world.add(disc({}));

@@ -144,7 +144,7 @@ TEST(ContactBlocks, CarryContactsOnAsTheyGoOnByThemselves) {
                 p.armA = random.below(4) == 0 ? contact.manifold.normal : random.point(0.5);
                 p.armB = random.below(4) == 0 ? -contact.manifold.normal : random.point(0.5);
             }
-            contact.drift = 3 * random.between(0, tolerances.slop);
+            contact.drift = random.between(0, 3) * tolerances.slop;
             contact.bounces = random.below(2) == 0;
         }
         ContactBlocks blocks;

@@ -2,12 +2,15 @@
 // What was changed between two steps, whatever it is. R2: a World that goes on keeps what its
 // solver had, one that was restored finds it anew, and both must come to the same. And what a step
 // keeps up to date only where it changes must be as if it were found anew.
+#include <kodo/bodies/fields.hpp>
 #include <kodo/world/snapshot.hpp>
 #include <support/scenes.hpp>
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <string>
+#include <utility>
 
 namespace kodo {
 namespace {
@@ -97,7 +100,7 @@ public:
         const std::vector<BodyId> bodies = world_.bodies();
         const BodyId id = bodies[random_.below(bodies.size())];
         BodyRef body = world_[id];
-        const std::size_t what = random_.below(11);
+        const std::size_t what = random_.below(12);
         switch (what) {
         case 0:
             body.setFlags(someFlags());
@@ -131,6 +134,9 @@ public:
             if (bodies.size() > 25) {
                 world_.remove(id);
             }
+            break;
+        case 10:
+            setFields();
             break;
         default:
             world_.setSettings(substeps());
@@ -172,6 +178,18 @@ private:
             const Vec2 lower{random_.between(-6, 0), -2};
             world_.setRegion(Aabb{lower, {random_.between(1, 6), random_.between(2, 9)}});
         }
+    }
+    /// Gravity for all or for some, and now and then air.
+    void setFields() {
+        const Vec2 pull{random_.between(-3, 3), -9};
+        const auto gravity = std::make_shared<Gravity>(pull);
+        const auto some = static_cast<std::uint16_t>(1u << random_.below(3));
+        std::vector<FieldEntry> fields{
+            {gravity, oneIn(2) ? CollisionFilter{} : CollisionFilter{kMatchAny, some}}};
+        if (oneIn(3)) {
+            fields.push_back({std::make_shared<Drag>(DragLaw{1, 1})});
+        }
+        world_.setFields(std::move(fields));
     }
     StepSettings substeps() {
         StepSettings settings = world_.settings();

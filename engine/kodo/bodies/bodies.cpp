@@ -79,6 +79,7 @@ void addForce(Bodies& bodies, std::uint32_t body, Vec2 force, Real torque) {
     BodyRecord& record = bodies.record[body];
     if (record.force == Vec2{} && record.torque == 0) {
         bodies.forced.push_back(body);
+        bodies.pushesStale = true;
     }
     record.force += force;
     record.torque += torque;
@@ -95,6 +96,7 @@ void freeze(Bodies& bodies, std::uint32_t body) {
 void listAwake(Bodies& bodies) {
     bodies.awakeStale = false;
     bodies.startStale = true; // those that are awake no more have moved until now
+    bodies.pushesStale = true;
     bodies.awake.clear();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.ids.aliveAt(i) && bodies.active(i)) {
@@ -169,6 +171,7 @@ void refreshMass(Bodies& bodies, std::uint32_t index) {
     const bool free = bodies.turns && (flags & (kLockRotate | kFrozen)) == 0;
     const bool turns = free && mass.inertia > 0;
     bodies.motion[index].invInertia = turns ? 1 / mass.inertia : 0;
+    bodies.pushesStale = true;
 }
 
 void setTurns(Bodies& bodies, bool turns) {

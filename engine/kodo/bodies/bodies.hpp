@@ -86,11 +86,12 @@ struct Bodies {
     /// What a step works on, in order: all that can be pushed and does not rest, and of the locked
     /// bodies those that move. Everything else costs nothing.
     std::vector<std::uint32_t> awake;
-    bool awakeStale = true; // whoever makes a body active or idle says so here
-    bool anyRests = true;   // at the time of the solver; false: nobody needs to be asked
-    bool turns = true;      // false: nothing can be turned; see Feature::Rotation
-    bool startStale = true; // also of bodies that are not awake
-    bool anyJumped = false; // since the last step began, or before a contact of it came back
+    bool awakeStale = true;  // whoever makes a body active or idle says so here
+    bool anyRests = true;    // at the time of the solver; false: nobody needs to be asked
+    bool turns = true;       // false: nothing can be turned; see Feature::Rotation
+    bool startStale = true;  // also of bodies that are not awake
+    bool pushesStale = true; // what accelerates whom is not what it was in the last step
+    bool anyJumped = false;  // since the last step began, or before a contact of it came back
 
     BodyId idAt(std::size_t index) const {
         return {static_cast<std::uint32_t>(index), ids.generationAt(index)};

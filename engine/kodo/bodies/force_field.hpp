@@ -31,12 +31,16 @@ public:
     ForceField& operator=(const ForceField&) = delete;
     virtual ~ForceField() = default;
 
-    /// Asked once a step of dt (s), before it, for every body that takes part and can be pushed. A
-    /// force that depends on the place of the body should be found at midStep. It must not throw:
-    /// that would leave a step half done. A force that is no finite number stops the body for good
-    /// instead; see World::frozenBodies. Bodies::acceleration is what is being found: it tells
-    /// nothing yet.
+    /// Asked once a step of dt (s), before it, for every body that takes part and can be pushed,
+    /// but a steady field not again until something has changed. A force that depends on the place
+    /// of the body should be found at midStep. It must not throw: that would leave a step half
+    /// done. A force that is no finite number stops the body for good instead; see
+    /// World::frozenBodies. Bodies::acceleration is what is being found: it tells nothing yet.
     virtual Push at(const Bodies& bodies, std::uint32_t body, Real dt) const = 0;
+
+    /// Does it push a body alike in each step, without drag, wherever that is and whatever it does,
+    /// as long as its form and flags stay? Then it is not asked again until something has changed.
+    virtual bool steady() const { return false; }
 };
 
 /// Where a body will be half way through a step of dt if nothing pushes it. A force found there
@@ -49,6 +53,7 @@ class Gravity final : public ForceField {
 public:
     explicit Gravity(Vec2 acceleration) : acceleration_(acceleration) {} // m/s^2
     Push at(const Bodies& bodies, std::uint32_t body, Real dt) const override;
+    bool steady() const override { return true; }
     Vec2 acceleration() const { return acceleration_; }
 
 private:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/bodies/integrate.hpp>
 
+#include <algorithm>
+
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
@@ -33,6 +35,13 @@ Acceleration accelerationOf(const Bodies& bodies, std::uint32_t i,
 } // namespace
 
 bool gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Real dt, Crew& crew) {
+    if (!bodies.pushesStale) {
+        return true;
+    }
+    bodies.pushesStale = !bodies.forced.empty() ||
+                         std::any_of(fields.begin(), fields.end(), [](const FieldEntry& entry) {
+                             return !entry.field->steady();
+                         });
     if (fields.empty() && bodies.forced.empty()) {
         for (const std::uint32_t i : bodies.awake) {
             bodies.acceleration[i] = {};

@@ -97,9 +97,11 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
                       std::size_t count = found.size();
                       found.resize(count + (last - first));
                       for (std::size_t i = first; i < last; ++i) {
-                          if (const std::size_t ahead = i + kContactsAhead;
-                              ahead < last && !(heads_[ahead].idle | heads_[ahead].kept)) {
-                              prefetch<2>(contacts(), ahead);
+                          if (const std::size_t ahead = i + kContactsAhead; ahead < last) {
+                              const ContactHead& next = heads_[ahead];
+                              if (!(next.idle | next.kept)) {
+                                  prefetch<2>(contacts(), ahead);
+                              }
                           }
                           const ContactHead& head = heads_[i];
                           if (!staysKept(i, tolerances, keeper.carried)) {

@@ -33,6 +33,9 @@ SinCos<T> sinCos(T angle) {
     const T turns = small ? T(0) : std::floor(quarters);
     const T r = (angle - turns * kQuarterHigh) - turns * kQuarterLow;
     const T q = r * r;
+    if (small && q < (sizeof(T) == 4 ? T(1e-7) : T(1e-16))) {
+        return {r, 1 - q / 2}; // the rest is below their rounding
+    }
     T tailS = T(1) / 362880; // the series from r^9 and q^5 on, divided by what stands before it
     T tailC = T(-1) / 3628800;
     if constexpr (sizeof(T) > 4) {

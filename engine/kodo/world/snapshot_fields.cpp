@@ -120,7 +120,7 @@ void SnapshotFields::one(IdPool& pool) {
 
 void SnapshotFields::one(Bodies& bodies) {
     auto& [ids, motion, pose, acceleration, extent, jumps, start, record, rest, forced, awake,
-           awakeStale, anyRests, turns, startStale, anyJumped] = bodies;
+           awakeStale, anyRests, turns, startStale, pushesStale, anyJumped] = bodies;
     one(ids);
     if (reads()) {
         const std::size_t count = ids.capacity();

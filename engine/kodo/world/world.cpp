@@ -234,6 +234,7 @@ Real World::jointTorque(JointId id) const {
 void World::addField(FieldEntry entry) {
     refuse(entry.field ? std::nullopt : std::optional(Problem{"field", "must not be null"}));
     fields_.push_back(std::move(entry));
+    bodies_.pushesStale = true;
     wakeAll();
 }
 
@@ -242,6 +243,7 @@ void World::setFields(std::vector<FieldEntry> fields) {
         refuse(entry.field ? std::nullopt : std::optional(Problem{"field", "must not be null"}));
     }
     fields_ = std::move(fields);
+    bodies_.pushesStale = true;
     wakeAll();
 }
 
