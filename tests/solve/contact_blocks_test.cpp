@@ -141,15 +141,17 @@ TEST(ContactBlocks, CarryContactsOnAsTheyGoOnByThemselves) {
         for (Contact& contact : crowd.contacts) {
             for (ManifoldPoint& p : contact.manifold.points) {
                 p.separation = random.between(-0.01, 0.01);
-                p.armA = random.below(4) == 0 ? contact.manifold.normal : random.point(0.5);
-                p.armB = random.below(4) == 0 ? -contact.manifold.normal : random.point(0.5);
+                p.armA = random.below(4) == 0 ? random.between(0.1, 0.5) * contact.manifold.normal
+                                              : random.point(0.5);
+                p.armB = random.below(4) == 0 ? random.between(-0.5, -0.1) * contact.manifold.normal
+                                              : random.point(0.5);
             }
             contact.drift = random.between(0, 3) * tolerances.slop;
             contact.bounces = random.below(2) == 0;
         }
         ContactBlocks blocks;
         crowd.arrange(blocks);
-        for (std::size_t i = 1; i < crowd.bodies.size(); ++i) {
+        for (std::size_t i = 1; i < crowd.bodies.size(); i += 1 + random.below(2)) { // some stand
             Motion& motion = crowd.bodies.motion[i];
             motion.velocity = random.point(1);
             motion.angularVelocity = random.between(-2, 2);

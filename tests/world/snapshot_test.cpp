@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/base/bytes.hpp>
+#include <support/same_records.hpp>
 #include <support/scenes.hpp>
 
 #include <world/snapshot_scenes.hpp>
@@ -19,25 +20,13 @@ using support::busyWorld;
 using support::kDt;
 using support::ownFields;
 using support::run;
+using support::sameRecords;
 
 using support::Bytes;
 
 /// Of a world with these fields of the user's own.
 World reloaded(const World& world, const support::OwnFields& own = {}) {
     return fromBytes(toBytes(world), own);
-}
-
-bool sameRecords(const World& a, const World& b) {
-    const auto same = [](const CollisionRecord& r, const CollisionRecord& s) {
-        const auto all = [](const CollisionRecord& x) {
-            return std::tuple(x.a, x.b, x.partA, x.partB, x.phase, x.pointCount, x.point.x,
-                              x.point.y, x.normal.x, x.normal.y, x.separation, x.approachSpeed,
-                              x.maxImpulse, x.totalImpulse);
-        };
-        return all(r) == all(s);
-    };
-    return std::equal(a.collisions().begin(), a.collisions().end(), b.collisions().begin(),
-                      b.collisions().end(), same);
 }
 
 /// Steps both and compares: what the engine calls the state, what it reports, and now and then

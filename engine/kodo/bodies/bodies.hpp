@@ -91,7 +91,7 @@ struct Bodies {
     bool turns = true;       // false: nothing can be turned; see Feature::Rotation
     bool startStale = true;  // also of bodies that are not awake
     bool pushesStale = true; // what accelerates whom is not what it was in the last step
-    bool anyJumped = false;  // since the last step began, or before a contact of it came back
+    bool anyJumped = false;  // since the last step began; or a contact came back whose body had
 
     BodyId idAt(std::size_t index) const {
         return {static_cast<std::uint32_t>(index), ids.generationAt(index)};

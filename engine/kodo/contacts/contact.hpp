@@ -44,14 +44,14 @@ struct ContactRow {
 struct Carried {
     std::array<Real, 2> separation{}; // m, at the start of the step, of the points that there are
     Real approachSpeed = 0;           // m/s, before the solver
-    Real drift =
-        0; // m, that the bodies went against each other since the manifold was found, at most
+    /// m, that the bodies went against each other since the manifold was found, at most.
+    Real drift = 0;
 };
 
 /// Two parts that touch or are near each other, from when their grown bounds meet until they part.
 /// In each step all are gone through several times, so what every one of these passes needs comes
 /// first, within the first 64 bytes (float). What follows the manifold and its place, after 128, is
-/// left alone while the impulses are lent.
+/// left alone while the contact is lent.
 struct alignas(128) Contact {
     ContactKey key;
     std::uint32_t jumpsA = 0; // of the bodies, when the manifold was found

@@ -173,8 +173,9 @@ std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies) {
             if (contact.wasTouching) {
                 countTouch(contact, false);
             }
+            // Or a step that it comes back in would report them again.
             idle_.back().approachSpeed = 0;
-            forgetBlows(idle_.back()); // or a step that it comes back in would report them again
+            forgetBlows(idle_.back());
         }
         return gone;
     });
@@ -191,9 +192,10 @@ void ContactSet::putBack(std::span<const Contact> contacts, Bodies& bodies) {
         if (place == order_.end() || keyOf(*place) != contact.key) {
             contacts_.push_back(contact);
             // What happened to its bodies meanwhile is news to the contact.
-            bodies.anyJumped = bodies.anyJumped ||
-                               contact.jumpsA != bodies.jumps[contact.key.bodyA] ||
-                               contact.jumpsB != bodies.jumps[contact.key.bodyB];
+            if (contact.jumpsA != bodies.jumps[contact.key.bodyA] ||
+                contact.jumpsB != bodies.jumps[contact.key.bodyB]) {
+                bodies.anyJumped = true;
+            }
             if (contact.wasTouching) {
                 countTouch(contact, true);
             }

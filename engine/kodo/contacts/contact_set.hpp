@@ -136,7 +136,7 @@ public:
     }
     /// Of the last step, in order. They are written when they are first asked for, or before a
     /// contact goes, so that those who ask for none pay for none. current(contact) is a contact
-    /// whose impulses are not lent.
+    /// that is not lent.
     template <typename Current>
     std::span<const CollisionRecord> records(Current current) const {
         if (std::exchange(recordsDue_, false)) {

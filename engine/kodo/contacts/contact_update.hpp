@@ -21,8 +21,7 @@ bool followContact(Contact& contact, const Bodies& bodies, const Tolerances& tol
 /// anew?
 bool isOutdated(Real drift, bool bounces, const Tolerances& tolerances);
 
-/// Finds where they touch. The impulses of the contact must not be lent: they go on to the new
-/// points.
+/// Finds where they touch. The contact must not be lent: its impulses go on to the new points.
 void findContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances);
 
 /// How fast its bodies approach now (m/s), for the record and for the impacts.

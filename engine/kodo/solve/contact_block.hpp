@@ -97,7 +97,7 @@ struct CarryArguments {
     const BlockUse* use;
     const std::uint32_t* order;
     std::size_t count;
-    const Motion* motion; // by body
+    Motion* motion;       // by body; left as it is
     const Extent* extent; // by body
 };
 

@@ -86,6 +86,7 @@ void ContactBlocks::assignRow(Contact& contact) {
 
 void ContactBlocks::forgetLanes() {
     colours_.assign(colours_.size(), 0);
+    carried_.assign(carried_.size(), {});
     blocks_.clear();
     use_.clear();
     states_.clear();
@@ -198,6 +199,7 @@ void ContactBlocks::empty(std::uint32_t row) {
     ContactBlock& block = blocks_[blockOf(row)];
     const std::size_t lane = laneOf(row);
     clearLane(block, lane);
+    carried_[row] = {}; // or carry() would bring back how far apart the two were
     block.a[lane] = block.b[lane] = placeOfMotion(spare_);
     use_[blockOf(row)].movesA &= static_cast<std::uint8_t>(~maskOf(row));
     use_[blockOf(row)].movesB &= static_cast<std::uint8_t>(~maskOf(row));

@@ -33,7 +33,7 @@ public:
     /// rolling resistance?
     void begin(const Bodies& bodies, std::span<Contact> contacts, bool friction, bool rolling);
     /// Before all that, carries the contacts that are lent on to the start of a step.
-    void carry(const Bodies& bodies, Crew& crew);
+    void carry(Bodies& bodies, Crew& crew);
     /// Where they are, by row; empty if nothing is lent.
     std::span<const Carried> carried() const {
         return lent_ ? std::span<const Carried>(carried_) : std::span<const Carried>();
@@ -89,6 +89,7 @@ public:
 
     /// Gives a contact back all that the next step starts from, if it is lent.
     void reclaim(Contact& contact, const Bodies& bodies) const;
+    void reclaimAll(std::span<Contact> contacts, const Bodies& bodies);
     /// And what the last step pushed, for its record.
     void fetch(Contact& contact, const Bodies& bodies) const;
     /// Fetches all, unless that was done since the last step.
@@ -135,7 +136,6 @@ private:
     void lend(Contact& contact);
     void assignRows(std::span<Contact> contacts);
     void assignRow(Contact& contact);
-    void reclaimAll(std::span<Contact> contacts, const Bodies& bodies);
     void forgetLanes();
     void freeLanes(const Bodies& bodies);
     void colourNewcomer(const Bodies& bodies, Contact& contact);

@@ -286,10 +286,10 @@ KODO_LANES_INLINE Lanes swingOf(const Extent* extent, const std::uint32_t* place
 
 /// What carry() in contact_update.cpp does with one contact, to the bit.
 template <int points>
-KODO_LANES_INLINE void carryLanes(const CarryArguments& all, ContactBlock& block, Carried* carried,
+KODO_LANES_INLINE void carryLanes(const CarryArguments& pass, ContactBlock& block, Carried* carried,
                                   int at) {
     static constexpr std::uint32_t kRows[] = {0, 4, 8, 12, 16, 20, 24, 28};
-    Motion* const motion = const_cast<Motion*>(all.motion);
+    Motion* const motion = pass.motion;
     const Lanes nx = load(block.normalX + at);
     const Lanes ny = load(block.normalY + at);
     const Quad moveA = gather(moves(motion), block.a + at);
@@ -301,8 +301,9 @@ KODO_LANES_INLINE void carryLanes(const CarryArguments& all, ContactBlock& block
     const Lanes moved = nx * dx + ny * dy;
     const Lanes speed = nx * (speedB.x - speedA.x) + ny * (speedB.y - speedA.y);
     Quad now = gather(numbers(carried + at), kRows); // x, y: separation, z: approach, w: drift
-    now.w += larger(dx, -dx) + larger(dy, -dy) + swingOf(all.extent, block.a + at, moveA.z) +
-             swingOf(all.extent, block.b + at, moveB.z);
+    now.z = Lanes{};
+    now.w += larger(dx, -dx) + larger(dy, -dy) + swingOf(pass.extent, block.a + at, moveA.z) +
+             swingOf(pass.extent, block.b + at, moveB.z);
     const auto carry = [&](ContactBlock::Point& point, Lanes& separation) {
         const Lanes leverA = load(point.leverA + at);
         const Lanes leverB = load(point.leverB + at);
@@ -310,7 +311,6 @@ KODO_LANES_INLINE void carryLanes(const CarryArguments& all, ContactBlock& block
         store(point.separation + at, separation);
         now.z = larger(-(speed + (leverB * speedB.z - leverA * speedA.z)), now.z); // no -0
     };
-    now.z = Lanes{};
     carry(block.points[0], now.x);
     if constexpr (points == 2) {
         carry(block.points[1], now.y);
@@ -318,15 +318,15 @@ KODO_LANES_INLINE void carryLanes(const CarryArguments& all, ContactBlock& block
     scatter(numbers(carried + at), kRows, now);
 }
 
-void carryBlocks(const CarryArguments& all) {
-    for (std::size_t k = 0; k < all.count; ++k) {
-        const std::size_t i = all.order[k];
-        Carried* const carried = all.carried + i * ContactBlock::kContacts;
+void carryBlocks(const CarryArguments& pass) {
+    for (std::size_t k = 0; k < pass.count; ++k) {
+        const std::size_t i = pass.order[k];
+        Carried* const carried = pass.carried + i * ContactBlock::kContacts;
         for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
-            if (all.use[i].twoPoints) {
-                carryLanes<2>(all, all.blocks[i], carried, at);
+            if (pass.use[i].twoPoints) {
+                carryLanes<2>(pass, pass.blocks[i], carried, at);
             } else {
-                carryLanes<1>(all, all.blocks[i], carried, at);
+                carryLanes<1>(pass, pass.blocks[i], carried, at);
             }
         }
     }

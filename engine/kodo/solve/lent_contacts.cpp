@@ -27,7 +27,7 @@ void ContactBlocks::noteTouching(Real slop, Crew& crew) {
     });
 }
 
-void ContactBlocks::carry(const Bodies& bodies, Crew& crew) {
+void ContactBlocks::carry(Bodies& bodies, Crew& crew) {
     if (!lent_) {
         return;
     }
@@ -69,8 +69,10 @@ void ContactBlocks::reclaim(Contact& contact, const Bodies& bodies) const {
 }
 
 void ContactBlocks::reclaimAll(std::span<Contact> contacts, const Bodies& bodies) {
-    for (Contact& contact : contacts) {
-        reclaim(contact, bodies);
+    if (std::exchange(lent_, false)) {
+        for (Contact& contact : contacts) {
+            reclaim(contact, bodies);
+        }
     }
 }
 

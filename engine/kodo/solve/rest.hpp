@@ -37,7 +37,7 @@ public:
     /// Counts calm steps. True if some islands have been calm for long enough to settle().
     bool findRest(Bodies& bodies, const ContactSet& contacts, const JointSet& joints,
                   const StepSettings& settings, const Tolerances& tolerances, Real dt);
-    /// Puts them to rest, with their contacts, whose impulses must not be lent.
+    /// Puts them to rest, with their contacts, which must not be lent.
     void settle(Bodies& bodies, ContactSet& contacts);
 
     /// Wakes the island of one body, if it rests.

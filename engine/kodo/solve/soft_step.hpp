@@ -41,7 +41,7 @@ public:
     void solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step);
     /// How often the last step looked at a contact.
     std::size_t visits() const { return visits_; }
-    /// Where the impulses of contacts are between two steps.
+    /// Whom contacts are lent to between two steps.
     const ContactBlocks& blocks() const { return blocks_; }
     ContactBlocks& blocks() { return blocks_; }
 

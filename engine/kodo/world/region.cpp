@@ -67,7 +67,12 @@ void World::putContactsAside() {
     });
     // Contacts of what froze go back into the list: that they end is yet to be recorded.
     returning_.clear();
-    for (const Contact& contact : contacts_.takeIdle(bodies_)) {
+    const std::span<const Contact> idle = contacts_.takeIdle(bodies_);
+    const auto byKey = [](const Contact& a, const Contact& b) { return a.key < b.key; };
+    std::erase_if(aside_, [&](const Contact& old) { // one that was found again meanwhile
+        return std::binary_search(idle.begin(), idle.end(), old, byKey);
+    });
+    for (const Contact& contact : idle) {
         const bool aside = waits(contact.key.bodyA) || waits(contact.key.bodyB);
         (aside ? aside_ : returning_).push_back(contact);
     }
@@ -118,7 +123,7 @@ void World::holdWhatWaits() {
         hold(secondBody(joint.def).index);
     });
     if (!held_.empty()) {
-        fetchContacts();
+        softStep_.blocks().reclaimAll(contacts_.contacts(), bodies_);
         contacts_.measureApproach(bodies_); // it was measured with the speeds that they keep
     }
 }

@@ -84,7 +84,7 @@ BodyId World::add(const BodyDef& def) {
     return id;
 }
 
-/// With the impulses that the solver has of it.
+/// With all that the solver has of it.
 Contact World::current(const Contact& contact) const {
     Contact copy = contact;
     softStep_.blocks().fetch(copy, bodies_);
@@ -96,7 +96,9 @@ std::span<const CollisionRecord> World::collisions() const {
 }
 
 void World::wake(std::uint32_t body) {
-    fetchContacts();
+    if (bodies_.rest[body].island != RestState::kNoIsland) {
+        fetchContacts();
+    }
     rest_.wake(bodies_, contacts_, body);
 }
 
