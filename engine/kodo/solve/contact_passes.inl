@@ -277,7 +277,7 @@ void warmStartBlocks(const ContactPassArguments& pass) {
 
 /// How far bodies have turned, times how far their farthest points are from their centres.
 KODO_LANES_INLINE Lanes swingOf(const Extent* extent, const std::uint32_t* places, Lanes turn) {
-    Lanes reach;
+    Lanes reach{};
     for (int i = 0; i < kLanes; ++i) {
         reach[i] = extent[bodyOfPlace(places[i])].reach;
     }
