@@ -140,7 +140,9 @@ void ContactSet::updateManifold(const Bodies& bodies, const Tolerances& toleranc
     if (contact.carried || boundsMeet(i, tolerances)) {
         const bool wentOn = contact.row.lent;
         KODO_ASSERT(!wentOn || !keeper.carried.empty());
-        keeper.reclaim(contact);
+        if (wentOn) {
+            keeper.reclaim(contact);
+        }
         if (!followContact(contact, bodies, tolerances, wentOn)) {
             findContact(contact, bodies, tolerances);
         }

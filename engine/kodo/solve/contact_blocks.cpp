@@ -159,6 +159,7 @@ void ContactBlocks::freeLanes(const Bodies& bodies) {
 void ContactBlocks::releaseAll(const Bodies& bodies) {
     std::fill(taken_.begin(), taken_.end(), std::uint8_t{0});
     freeLanes(bodies);
+    lent_ = false; // so that no step carries empty lanes on
 }
 
 /// The lanes of a block that are in use, but were not taken in this step.

@@ -4,12 +4,7 @@
 namespace kodo::inline KODO_PRECISION {
 
 const ContactPasses& ContactPasses::baseline() {
-    static constexpr ContactPasses kPasses{"baseline",
-                                           warmStartBlocks,
-                                           solveBlocks<Task::Push>,
-                                           solveBlocks<Task::Settle>,
-                                           solveBlocks<Task::Relax>,
-                                           carryBlocks};
+    static constexpr ContactPasses kPasses = passesNamed("baseline");
     return kPasses;
 }
 

@@ -332,5 +332,15 @@ void carryBlocks(const CarryArguments& pass) {
     }
 }
 
+/// Those of this kind of machine.
+[[maybe_unused]] constexpr ContactPasses passesNamed(const char* name) {
+    return {name,
+            warmStartBlocks,
+            solveBlocks<Task::Push>,
+            solveBlocks<Task::Settle>,
+            solveBlocks<Task::Relax>,
+            carryBlocks};
+}
+
 } // namespace
 } // namespace kodo::inline KODO_PRECISION

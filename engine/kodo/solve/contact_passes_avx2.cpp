@@ -6,12 +6,7 @@ namespace kodo::inline KODO_PRECISION {
 
 const ContactPasses* ContactPasses::avx2() {
 #ifdef __AVX2__
-    static constexpr ContactPasses kPasses{"AVX2",
-                                           warmStartBlocks,
-                                           solveBlocks<Task::Push>,
-                                           solveBlocks<Task::Settle>,
-                                           solveBlocks<Task::Relax>,
-                                           carryBlocks};
+    static constexpr ContactPasses kPasses = passesNamed("AVX2");
     return __builtin_cpu_supports("avx2") ? &kPasses : nullptr;
 #else
     return nullptr;

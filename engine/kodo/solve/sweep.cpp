@@ -27,6 +27,11 @@ Real gapOf(const Contact& contact, const Tolerances& tolerances) {
     return contact.manifold.count > 0 ? contact.manifold.points[0].separation : tolerances.margin;
 }
 
+/// The same of a pair without a sensor, told by its head.
+Real gapOf(const ContactHead& head, const Tolerances& tolerances) {
+    return head.meets ? head.separation[0] : tolerances.margin;
+}
+
 /// The gap at which a pair is to be stopped that is `gap` apart and goes so far towards each other,
 /// or nothing if it needs no sweep: it cannot come so close within the step, or it would not
 /// matter.
@@ -66,7 +71,7 @@ bool mayNeedSweep(const ContactHead& head, Real motion, Real insideA, Real insid
     if (!far && !head.bounces) {
         return false; // as in most of a pile
     }
-    const Real gap = head.meets ? head.separation[0] : tolerances.margin;
+    const Real gap = gapOf(head, tolerances);
     return motion >= gap && (gap > tolerances.slop ||
                              (far && motion >= (insideA + insideB) / 2 && gap >= -tolerances.slop));
 }
@@ -251,8 +256,7 @@ void SweepStage::findTime(const Step& step, std::uint32_t candidate) {
             stoppingGap(step.bodies, contact, gap, motion, step.settings, step.tolerances);
         return target ? impactTime(step.bodies, contact, *target) : Real(1);
     };
-    const ContactHead& head = step.heads[candidates_[candidate].contact];
-    const Real gap = head.meets ? head.separation[0] : step.tolerances.margin;
+    const Real gap = gapOf(step.heads[candidates_[candidate].contact], step.tolerances);
     Real& time = times_[candidate];
     time = timeFrom(gap);
     // They as good as touch already, corner at corner, where the manifold sees a gap or nothing.
