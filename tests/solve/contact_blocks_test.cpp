@@ -241,7 +241,7 @@ TEST(ContactBlocks, StaySoundAsContactsComeAndGo) {
             some.contacts.push_back(contact);
         }
         const auto body = static_cast<std::uint32_t>(random.below(some.bodies.size()));
-        some.bodies.record[body].filter.flags ^= kLocked;
+        some.bodies.filter[body].flags ^= kLocked;
         refreshMass(some.bodies, body);
         std::vector<std::uint8_t> colours;
         for (Contact& contact : some.contacts) {

@@ -11,6 +11,7 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const Form> f
         bodies.acceleration.emplace_back();
         bodies.extent.emplace_back();
         bodies.jumps.emplace_back();
+        bodies.filter.emplace_back();
         bodies.record.emplace_back();
         bodies.rest.emplace_back();
     }
@@ -24,10 +25,9 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const Form> f
     bodies.extent[slot.index] = {form->reach, form->inside};
     BodyRecord record;
     record.form = std::move(form);
-    record.filter = {def.flags, def.required};
     record.userData = def.userData;
-    record.filter.flags &= ~kStatusFlags;
     bodies.record[slot.index] = std::move(record);
+    bodies.filter[slot.index] = {def.flags & ~kStatusFlags, def.required};
     bodies.rest[slot.index] = {};
     bodies.rest[slot.index].since = bodies.pose[slot.index];
     bodies.awakeStale = true;
@@ -40,6 +40,7 @@ void removeBody(Bodies& bodies, std::uint32_t index) {
     bodies.motion[index] = {};
     bodies.pose[index] = {};
     bodies.acceleration[index] = {};
+    bodies.filter[index] = {};
     bodies.record[index] = {};
     bodies.rest[index] = {};
     bodies.awakeStale = true;
@@ -86,7 +87,7 @@ void addForce(Bodies& bodies, std::uint32_t body, Vec2 force, Real torque) {
 }
 
 void freeze(Bodies& bodies, std::uint32_t body) {
-    bodies.record[body].filter.flags |= kFrozen;
+    bodies.filter[body].flags |= kFrozen;
     bodies.motion[body] = {};
     bodies.acceleration[body] = {};
     bodies.jumped(body);
@@ -165,7 +166,7 @@ void weldBodies(Bodies& bodies, std::uint32_t into, std::uint32_t part) {
 
 void refreshMass(Bodies& bodies, std::uint32_t index) {
     const Mass& mass = bodies.form(index).mass;
-    const Flags flags = bodies.record[index].filter.flags;
+    const Flags flags = bodies.filter[index].flags;
     bodies.motion[index].invMass = (flags & (kLockMove | kFrozen)) != 0 ? 0 : 1 / mass.mass;
     // Nothing can turn a particle: it has no inertia, but no arm either.
     const bool free = bodies.turns && (flags & (kLockRotate | kFrozen)) == 0;
@@ -182,7 +183,7 @@ void setTurns(Bodies& bodies, bool turns) {
         }
         refreshMass(bodies, index);
         bodies.jumped(index);
-        if (!turns && (bodies.record[index].filter.flags & kLockRotate) == 0) {
+        if (!turns && (bodies.filter[index].flags & kLockRotate) == 0) {
             bodies.motion[index].angularVelocity = 0;
         }
     }

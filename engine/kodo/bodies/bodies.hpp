@@ -46,7 +46,6 @@ struct Acceleration {
 /// The rest of a body: read once or twice a step.
 struct BodyRecord {
     std::shared_ptr<const Form> form;
-    CollisionFilter filter;
     std::uint64_t userData = 0;
     Vec2 force;      // N, since the last step; see addForce
     Real torque = 0; // N m
@@ -80,6 +79,8 @@ struct Bodies {
     /// How often each was put elsewhere or built anew: see jumped().
     std::vector<std::uint32_t> jumps;
     std::vector<Vec2> start; // m, of the centre of mass: where each was when the last step began
+    /// By themselves, since who looks for pairs asks for them all over the World.
+    std::vector<CollisionFilter> filter;
     std::vector<BodyRecord> record;
     std::vector<RestState> rest;
     std::vector<std::uint32_t> forced; // bodies with a force, some perhaps twice
@@ -107,7 +108,7 @@ struct Bodies {
     bool locked(std::size_t index) const { return motion[index].locked(); }
     /// Is it locked, and does it move? Nothing stops it, then.
     bool drives(std::size_t index) const { return locked(index) && !motion[index].halted(); }
-    bool resting(std::size_t index) const { return (record[index].filter.flags & kResting) != 0; }
+    bool resting(std::size_t index) const { return (filter[index].flags & kResting) != 0; }
     /// Locked, and neither moving nor having moved in the last step.
     bool stands(std::size_t index) const {
         const Motion& m = motion[index];
@@ -122,7 +123,7 @@ struct Bodies {
 
     /// Takes part in a step.
     bool active(std::size_t index) const {
-        return (record[index].filter.flags & (kResting | kOutside)) == 0 && !stands(index);
+        return (filter[index].flags & (kResting | kOutside)) == 0 && !stands(index);
     }
     /// Position of the shape's frame, whose origin need not be the centre of mass.
     Vec2 originOf(std::size_t index) const {

@@ -18,7 +18,7 @@ Acceleration accelerationOf(const Bodies& bodies, std::uint32_t i,
     Push push{record.force, record.torque};
     Real effort = length(push.force);
     for (const FieldEntry& entry : fields) {
-        if (accepts(entry.which, record.filter.flags)) {
+        if (accepts(entry.which, bodies.filter[i].flags)) {
             const Push more = entry.field->at(bodies, i, dt);
             push.force += more.force;
             effort += length(more.force);

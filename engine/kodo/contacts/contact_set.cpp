@@ -54,7 +54,7 @@ void ContactSet::countTouches(const Bodies& bodies) {
     }
     touchChanges_.clear();
     for (std::uint32_t body = 0; body < bodies.size(); ++body) {
-        if (((bodies.record[body].filter.flags & kColliding) != 0) != isTouched(body)) {
+        if (((bodies.filter[body].flags & kColliding) != 0) != isTouched(body)) {
             touchChanges_.push_back(body);
         }
     }
@@ -287,13 +287,13 @@ void ContactSet::findPairs(const Bodies& bodies, Crew& crew) {
     const auto accept = [&](std::uint32_t i, std::uint32_t j) {
         const std::uint32_t a = bounds_.part(i).body;
         const std::uint32_t b = bounds_.part(j).body;
-        const Flags flagsA = bodies.record[a].filter.flags;
-        const Flags flagsB = bodies.record[b].filter.flags;
+        const Flags flagsA = bodies.filter[a].flags;
+        const Flags flagsB = bodies.filter[b].flags;
         const bool sensor = ((flagsA ^ flagsB) & kSensor) != 0; // one of them, not both
         return a != b && (sensor || !(bodies.locked(a) && bodies.locked(b))) &&
                (sensor || ((flagsA & flagsB) & kSensor) == 0) &&
                (bodies.active(a) || bodies.active(b)) &&
-               shouldCollide(bodies.record[a].filter, bodies.record[b].filter) &&
+               shouldCollide(bodies.filter[a], bodies.filter[b]) &&
                !std::binary_search(apart_.begin(), apart_.end(), std::pair(a, b));
     };
     pairs_.clear();

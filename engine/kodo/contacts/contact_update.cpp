@@ -160,7 +160,7 @@ void describeContact(Contact& contact, const Bodies& bodies) {
     contact.a = bodies.idAt(bodyA);
     contact.b = bodies.idAt(bodyB);
     contact.sensor =
-        ((bodies.record[bodyA].filter.flags | bodies.record[bodyB].filter.flags) & kSensor) != 0;
+        ((bodies.filter[bodyA].flags | bodies.filter[bodyB].flags) & kSensor) != 0;
     contact.material =
         mix(bodies.form(bodyA).parts[partA].material, bodies.form(bodyB).parts[partB].material);
     contact.bounces = contact.material.restitution > 0;

@@ -1,43 +1,101 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/contacts/part_bounds.hpp>
+#include <kodo/math/lanes.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
-/// Bounds of a part moved by the motion of its body within this step.
-Aabb boundsAfter(const Convex& convex, const Transform& pose, const Motion& motion) {
-    return boundsOf(convex, {pose.position + motion.move, turned(pose.rotation, motion.turn)});
+constexpr std::size_t kGroup = 4; // corners; whole lanes on any machine
+static_assert(kGroup % kLanes == 0);
+
+/// Of outlines with corners: of all of them, where they are.
+Aabb boundsOfCorners(std::span<const Vec2> corners, const Transform& t) {
+    const Lanes c = all(t.rotation.c);
+    const Lanes s = all(t.rotation.s);
+    Lanes left = all(std::numeric_limits<Real>::infinity());
+    Lanes bottom = left;
+    Lanes right = -left;
+    Lanes top = -left;
+    for (std::size_t i = 0; i < corners.size(); i += kLanes) {
+        const Couple corner = loadPairs(&corners[i].x);
+        const Lanes x = c * corner.x - s * corner.y + all(t.position.x);
+        const Lanes y = s * corner.x + c * corner.y + all(t.position.y);
+        left = smaller(left, x);
+        bottom = smaller(bottom, y);
+        right = larger(right, x);
+        top = larger(top, y);
+    }
+    Aabb box{{left[0], bottom[0]}, {right[0], top[0]}};
+    for (int i = 1; i < kLanes; ++i) {
+        box = unite(box, {{left[i], bottom[i]}, {right[i], top[i]}});
+    }
+    return box;
+}
+
+/// Where the motion of its body leads within this step.
+Transform poseAfter(const Transform& pose, const Motion& motion) {
+    return {pose.position + motion.move, turned(pose.rotation, motion.turn)};
 }
 
 } // namespace
 
 void PartBounds::number(const Bodies& bodies) {
     parts_.clear();
-    firstPart_.assign(bodies.size(), 0);
+    outlines_.clear();
+    corners_.clear();
+    firstPart_.resize(bodies.size() + 1);
     for (std::size_t body = 0; body < bodies.size(); ++body) {
+        firstPart_[body] = static_cast<std::uint32_t>(parts_.size());
         if (!bodies.ids.aliveAt(body)) {
             continue;
         }
-        firstPart_[body] = static_cast<std::uint32_t>(parts_.size());
-        const std::size_t parts = bodies.form(body).parts.size();
-        for (std::size_t part = 0; part < parts; ++part) {
-            parts_.push_back({static_cast<std::uint32_t>(body), static_cast<std::uint16_t>(part)});
+        std::uint16_t number = 0;
+        for (const auto& part : bodies.form(body).parts) {
+            parts_.push_back({static_cast<std::uint32_t>(body), number++});
+            addOutline(part.convex);
         }
     }
+    firstPart_[bodies.size()] = static_cast<std::uint32_t>(parts_.size());
     tight_.resize(parts_.size());
     grown_.resize(parts_.size());
     isChanged_.assign(parts_.size(), 0);
     changed_.clear();
 }
 
+void PartBounds::addOutline(const Convex& convex) {
+    const std::size_t first = corners_.size();
+    if (!convex.isPlane()) {
+        corners_.insert(corners_.end(), convex.vertices.begin(), convex.vertices.end());
+    }
+    while (!convex.isRound() && (corners_.size() - first) % kGroup != 0) {
+        corners_.push_back(convex.vertices[0]);
+    }
+    outlines_.push_back({static_cast<std::uint32_t>(first),
+                         static_cast<std::uint32_t>(corners_.size() - first), convex.radius});
+}
+
+/// What boundsOf() gives for the outline of a part.
+Aabb PartBounds::boundsAt(const Bodies& bodies, std::size_t i, const Transform& pose) const {
+    const Outline& outline = outlines_[i];
+    if (outline.count == 0) {
+        return boundsOf(bodies.outline(parts_[i].body, parts_[i].part), pose);
+    }
+    const Vec2* const corners = &corners_[outline.first];
+    if (outline.count == 1) {
+        const Vec2 center = pose * corners[0];
+        return Aabb{center, center}.grown(outline.radius);
+    }
+    return boundsOfCorners({corners, outline.count}, pose).grown(outline.radius);
+}
+
 void PartBounds::renew(const Bodies& bodies, const Tolerances& tolerances) {
     number(bodies);
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-        const auto& [body, part] = parts_[i];
-        tight_[i] = boundsOf(bodies.form(body).parts[part].convex, bodies.pose[body]);
+        tight_[i] = boundsAt(bodies, i, bodies.pose[parts_[i].body]);
         grown_[i] = tight_[i].grown(tolerances.margin);
     }
     listAll();
@@ -63,32 +121,31 @@ void PartBounds::clearChanged() {
     changed_.clear();
 }
 
-/// Lists the parts of awake bodies for which outgrow(body, convex, i) is true, since it
-/// gave them new bounds; several threads call it at once.
+/// Lists the parts of awake bodies for which outgrow(body, i) is true, since it gave them new
+/// bounds; several threads call it at once.
 template <typename Outgrow>
 void PartBounds::listOutgrown(const Bodies& bodies, Crew& crew, Outgrow outgrow) {
     outgrown_.gather(crew, bodies.awake.size(), kBodiesAPiece, changed_,
                      [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& changed) {
                          for (std::size_t k = first; k < last; ++k) {
                              const std::uint32_t body = bodies.awake[k];
-                             std::size_t i = firstPart_[body];
-                             for (const auto& part : bodies.form(body).parts) {
-                                 if (outgrow(body, part.convex, i)) {
+                             const std::uint32_t end = firstPart_[body + 1];
+                             for (std::uint32_t i = firstPart_[body]; i < end; ++i) {
+                                 if (outgrow(body, i)) {
                                      list(i, changed);
                                  }
-                                 ++i;
                              }
                          }
                      });
 }
 
 void PartBounds::foresee(const Bodies& bodies, const Tolerances& tolerances, Real dt, Crew& crew) {
-    listOutgrown(bodies, crew, [&](std::uint32_t body, const Convex& convex, std::size_t i) {
+    listOutgrown(bodies, crew, [&](std::uint32_t body, std::size_t i) {
         const Motion& motion = bodies.motion[body];
         const Extent& extent = bodies.extent[body];
         const Vec2 ahead = dt * motion.velocity;
         const Real swing = dt * std::abs(motion.angularVelocity) * extent.reach;
-        tight_[i] = boundsOf(convex, bodies.pose[body]);
+        tight_[i] = boundsAt(bodies, i, bodies.pose[body]);
         const Aabb needed =
             unite(tight_[i], moved(tight_[i], ahead)).grown(tolerances.margin + swing);
         if (grown_[i].contains(needed)) {
@@ -101,7 +158,7 @@ void PartBounds::foresee(const Bodies& bodies, const Tolerances& tolerances, Rea
 }
 
 void PartBounds::coverMoves(const Bodies& bodies, const Tolerances& tolerances, Crew& crew) {
-    listOutgrown(bodies, crew, [&](std::uint32_t body, const Convex& convex, std::size_t i) {
+    listOutgrown(bodies, crew, [&](std::uint32_t body, std::size_t i) {
         const Motion& motion = bodies.motion[body];
         const Real swing = std::abs(motion.turn) * bodies.extent[body].reach;
         const Real way = std::max(std::abs(motion.move.x), std::abs(motion.move.y)) + swing;
@@ -112,7 +169,7 @@ void PartBounds::coverMoves(const Bodies& bodies, const Tolerances& tolerances, 
             !isSound(motion, tolerances.unit())) {
             return false; // as foreseen; or it is about to be stopped where it is
         }
-        const Aabb after = boundsAfter(convex, bodies.pose[body], motion);
+        const Aabb after = boundsAt(bodies, i, poseAfter(bodies.pose[body], motion));
         if (grown_[i].contains(after)) {
             return false;
         }

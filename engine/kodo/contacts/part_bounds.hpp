@@ -45,12 +45,24 @@ private:
     friend class SnapshotFields;
     static constexpr std::size_t kBodiesAPiece = 128;
 
+    /// What the bounds of a part are found from. Those of all parts lie one behind the other, since
+    /// the way to a form leads through memory that no step has at hand.
+    struct Outline {
+        std::uint32_t first; // of its corners
+        std::uint32_t count; // of them, filled up to whole groups; 1: round; 0: it is a plane
+        Real radius;         // m
+    };
+
+    void addOutline(const Convex& convex);
+    Aabb boundsAt(const Bodies& bodies, std::size_t i, const Transform& pose) const;
     void list(std::size_t i, std::vector<std::uint32_t>& changed);
     template <typename Outgrow>
     void listOutgrown(const Bodies& bodies, Crew& crew, Outgrow outgrow);
 
     std::vector<Part> parts_;
-    std::vector<std::uint32_t> firstPart_; // by body
+    std::vector<std::uint32_t> firstPart_; // by body; and behind the last
+    std::vector<Outline> outlines_;
+    std::vector<Vec2> corners_;
     std::vector<Aabb> tight_;
     std::vector<Aabb> grown_;
     std::vector<std::uint32_t> changed_;

@@ -152,7 +152,7 @@ void JointTrees::grow(const Bodies& bodies, std::span<const Edge> edges, std::ui
     }
     bool fit = true;
     for (std::size_t i = members; i < members_.size(); ++i) {
-        const Flags flags = bodies.record[members_[i].body].filter.flags;
+        const Flags flags = bodies.filter[members_[i].body].flags;
         const bool isTree = growFrom(bodies, edges, static_cast<std::uint32_t>(i));
         fit = fit && isTree && (anchored || (flags & kColliding) == 0);
     }

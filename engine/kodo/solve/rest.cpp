@@ -61,7 +61,7 @@ void RestStage::wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t i
     Island& woken = islands_[island];
     --restingIslands_;
     for (const std::uint32_t body : woken.bodies) {
-        bodies.record[body].filter.flags &= ~kResting;
+        bodies.filter[body].flags &= ~kResting;
         bodies.rest[body] = {};
         bodies.rest[body].since = bodies.pose[body];
         bodies.motion[body].halt();
@@ -188,7 +188,7 @@ bool RestStage::countCalm(Bodies& bodies, const StepSettings& settings,
         RestState& rest = bodies.rest[body];
         const Form& form = bodies.form(body);
         const Real energy = kineticEnergy(bodies.motion[body], form.mass);
-        const bool calm = (bodies.record[body].filter.flags & kNeverRest) == 0 &&
+        const bool calm = (bodies.filter[body].flags & kNeverRest) == 0 &&
                           energy <= energyOfForces(bodies.acceleration[body], form.mass, dt) &&
                           !crept(bodies.pose[body], rest.since, form.reach, tolerances.slop / 4);
         if (calm) {
@@ -288,7 +288,7 @@ void RestStage::putToRest(Bodies& bodies, std::span<const std::uint32_t> members
         islands_.emplace_back();
     }
     for (const std::uint32_t body : members) {
-        bodies.record[body].filter.flags |= kResting;
+        bodies.filter[body].flags |= kResting;
         bodies.rest[body].island = island;
         bodies.motion[body].stand();
     }

@@ -12,7 +12,7 @@
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
-constexpr std::uint32_t kNoCandidate = ~std::uint32_t{};
+constexpr std::uint32_t kNoContact = ~std::uint32_t{};
 constexpr std::size_t kCrossingsAPiece = 256;
 constexpr std::size_t kWaysAPiece = 256;
 constexpr std::size_t kCandidatesAPiece = 64;
@@ -76,6 +76,21 @@ bool mayNeedSweep(const ContactHead& head, Real motion, Real insideA, Real insid
                              (far && motion >= (insideA + insideB) / 2 && gap >= -tolerances.slop));
 }
 
+/// Could a pair that does not bounce need a sweep? Told without a root, as for most of what moves
+/// along with each other.
+bool mayGoFar(const Bodies& bodies, const ContactHead& head) {
+    const Motion& a = bodies.motion[head.bodyA];
+    const Motion& b = bodies.motion[head.bodyB];
+    const Extent& extentA = bodies.extent[head.bodyA];
+    const Extent& extentB = bodies.extent[head.bodyB];
+    if (a.locked() || b.locked()) {
+        return true; // seen from what is locked all is otherwise
+    }
+    const Real swing = std::abs(a.turn) * extentA.reach + std::abs(b.turn) * extentB.reach;
+    const Real room = std::min(extentA.inside, extentB.inside) / 2 - swing;
+    return room < 0 || lengthSquared(b.move - a.move) > room * room;
+}
+
 /// Do the bounds of two outlines meet on their way, if nobody is stopped?
 bool mayMeet(const Bodies& bodies, const Mover& a, const Aabb& boundsA, const Mover& b,
              const Aabb& boundsB, const Tolerances& tolerances) {
@@ -86,10 +101,26 @@ bool mayMeet(const Bodies& bodies, const Mover& a, const Aabb& boundsA, const Mo
     return overlap(boundsA.grown(swing + tolerances.slop), way);
 }
 
+/// Could a pair meet in this step, if nobody is stopped?
+bool closes(const Bodies& bodies, const PartBounds& bounds, const ContactHead& head,
+            const Tolerances& tolerances) {
+    if (!head.bounces && !mayGoFar(bodies, head)) {
+        return false;
+    }
+    const Extent& extentA = bodies.extent[head.bodyA];
+    const Extent& extentB = bodies.extent[head.bodyB];
+    const Mover a{head.bodyA, extentA.reach};
+    const Mover b{head.bodyB, extentB.reach};
+    return mayNeedSweep(head, relativeMotion(bodies, a, b), extentA.inside, extentB.inside,
+                        tolerances) &&
+           mayMeet(bodies, a, bounds.tight(head.proxies.first), b,
+                   bounds.tight(head.proxies.second), tolerances);
+}
+
 /// The heap's order: the earliest on top, of equal ones the first in the list.
 template <typename Event>
 bool later(const Event& e, const Event& f) {
-    return e.time > f.time || (e.time == f.time && e.candidate > f.candidate);
+    return e.time > f.time || (e.time == f.time && e.contact > f.contact);
 }
 
 /// Cuts a body's motion off, but for where it is pushed. The velocity loses what the forces gave it
@@ -105,20 +136,18 @@ void stop(Bodies& bodies, std::uint32_t body, Real share, Vec2 push, Real dt) {
 
 } // namespace
 
-/// For each body, more than any point of it moves. Two that are not swift need no sweep: they do
+/// Tells who is swift: two that are not swift need no sweep: they do
 /// not close a gap that is wider than the slop, and a narrower one they close by less than half of
 /// their inner radii. False if nobody is.
 bool SweepStage::measureWays(const Bodies& bodies, const Tolerances& tolerances, Crew& crew) {
     std::uint8_t anySwift = 0;
-    ways_.resize(bodies.size(), 0); // of the others it is 0 from step to step
-    swift_.resize(bodies.size(), 0);
+    swift_.resize(bodies.size(), 0); // of the others it is 0 from step to step
     crew.forEach(bodies.awake.size(), kWaysAPiece, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             const std::uint32_t body = bodies.awake[k];
             const Motion& motion = bodies.motion[body];
             const Extent& extent = bodies.extent[body];
             const Real way = length(motion.move) + std::abs(motion.turn) * extent.reach;
-            ways_[body] = way;
             if (way > 0 && !(way <= tolerances.slop / 2 && way < extent.inside / 4)) {
                 swift_[body] = 1;
                 Crew::mark(anySwift);
@@ -130,34 +159,34 @@ bool SweepStage::measureWays(const Bodies& bodies, const Tolerances& tolerances,
 
 void SweepStage::run(Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,
                      const Tolerances& tolerances, Real dt, Crew& crew) {
-    const std::span<Contact> contacts = contactSet.contacts();
-    if (contacts.empty()) {
-        return;
-    }
     candidates_.clear();
     bool sensors = false;
     if (measureWays(bodies, tolerances, crew) || contactSet.mayHaveSensors()) {
         sensors = findCandidates(bodies, contactSet, tolerances, crew);
     }
+    if (!candidates_.empty() || sensors) {
+        stopAt_.resize(bodies.size(), 1); // of the others it is 1 from step to step
+        push_.resize(bodies.size());      // likewise 0
+        const bool driven = std::any_of(bodies.awake.begin(), bodies.awake.end(),
+                                        [&](std::uint32_t body) { return bodies.drives(body); });
+        const std::span<Contact> contacts = contactSet.contacts();
+        const Step step{bodies, contacts, contactSet.heads(), settings, tolerances, driven};
+        findImpacts(step, crew);
+        if (!events_.empty()) {
+            stopInOrder(step);
+        }
+        if (sensors) {
+            noticeSensors(bodies, contacts, settings, tolerances);
+        }
+        finish(bodies, driven, dt);
+    }
     for (const std::uint32_t body : bodies.awake) {
-        ways_[body] = 0;
         swift_[body] = 0;
     }
-    if (candidates_.empty() && !sensors) {
-        return;
-    }
-    stopAt_.resize(bodies.size(), 1); // of the others it is 1 from step to step
-    push_.resize(bodies.size());      // likewise 0
-    const bool driven = std::any_of(bodies.awake.begin(), bodies.awake.end(),
-                                    [&](std::uint32_t body) { return bodies.drives(body); });
-    const Step step{bodies, contacts, contactSet.heads(), settings, tolerances, driven};
-    findImpacts(step, crew);
-    if (!events_.empty()) {
-        stopInOrder(step);
-    }
-    if (sensors) {
-        noticeSensors(bodies, contacts, settings, tolerances);
-    }
+}
+
+/// Cuts the motions off of those that were stopped.
+void SweepStage::finish(Bodies& bodies, bool driven, Real dt) {
     for (const std::uint32_t body : bodies.awake) {
         if (stopAt_[body] < 1) {
             stop(bodies, body, stopAt_[body], push_[body], dt);
@@ -172,59 +201,35 @@ void SweepStage::run(Bodies& bodies, ContactSet& contactSet, const StepSettings&
     stopped_.clear();
 }
 
-/// Lists the pairs that may need a sweep. True if there are sensors among all.
+/// Lists the pairs that could meet if nobody is stopped. True if there are sensors among all.
 bool SweepStage::findCandidates(const Bodies& bodies, const ContactSet& contactSet,
                                 const Tolerances& tolerances, Crew& crew) {
     const std::span<const ContactHead> heads = contactSet.heads();
     std::uint8_t sensors = 0;
-    const auto isSwift = [&](const ContactHead& head) {
-        return (swift_[head.bodyA] | swift_[head.bodyB]) != 0;
-    };
     found_.gather(crew, heads.size(), kCrossingsAPiece, candidates_,
-                  [&](std::size_t first, std::size_t last, std::vector<Candidate>& found) {
+                  [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
                       for (std::size_t i = first; i < last; ++i) {
-                          if (heads[i].sensor) {
+                          const ContactHead& head = heads[i];
+                          if (head.sensor) {
                               Crew::mark(sensors);
-                          } else if (isSwift(heads[i])) {
-                              findCandidate(bodies, contactSet, tolerances,
-                                            static_cast<std::uint32_t>(i), found);
+                          } else if (isSwift(head) &&
+                                     closes(bodies, contactSet.bounds(), head, tolerances)) {
+                              found.push_back(static_cast<std::uint32_t>(i));
                           }
                       }
                   });
     return sensors != 0;
 }
 
-/// Lists one pair if it may need a sweep. One of them may be stopped by something else, and the
-/// other go all its way.
-void SweepStage::findCandidate(const Bodies& bodies, const ContactSet& contactSet,
-                               const Tolerances& tolerances, std::uint32_t i,
-                               std::vector<Candidate>& found) const {
-    const ContactHead& head = contactSet.heads()[i];
-    const std::uint32_t a = head.bodyA;
-    const std::uint32_t b = head.bodyB;
-    const auto needsSweep = [&](Real motion) {
-        return mayNeedSweep(head, motion, bodies.extent[a].inside, bodies.extent[b].inside,
-                            tolerances);
-    };
-    if (!needsSweep(ways_[a] + ways_[b])) {
-        return;
-    }
-    const PartBounds& bounds = contactSet.bounds();
-    const Mover moverA{a, bodies.extent[a].reach};
-    const Mover moverB{b, bodies.extent[b].reach};
-    const bool closes = needsSweep(relativeMotion(bodies, moverA, moverB)) &&
-                        mayMeet(bodies, moverA, bounds.tight(head.proxies.first), moverB,
-                                bounds.tight(head.proxies.second), tolerances);
-    found.push_back({i, a, b, closes});
-}
-
-/// Makes the candidates of a body known.
-void SweepStage::linkCandidates(std::size_t bodies) {
-    first_.assign(bodies, kNoCandidate);
-    next_.resize(candidates_.size());
-    for (std::uint32_t i = 0; i < candidates_.size(); ++i) {
-        next_[i] = {std::exchange(first_[candidates_[i].bodyA], i),
-                    std::exchange(first_[candidates_[i].bodyB], i)};
+/// Makes the contacts of each body known of which one is swift.
+void SweepStage::linkContacts(const Step& step) {
+    first_.assign(step.bodies.size(), kNoContact);
+    next_.resize(step.heads.size());
+    for (std::uint32_t i = 0; i < step.heads.size(); ++i) {
+        const ContactHead& head = step.heads[i];
+        if (!head.sensor && isSwift(head)) {
+            next_[i] = {std::exchange(first_[head.bodyA], i), std::exchange(first_[head.bodyB], i)};
+        }
     }
 }
 
@@ -248,16 +253,16 @@ Real SweepStage::impactTime(const Bodies& bodies, const Contact& contact, Real g
 }
 
 /// When a pair meets, as far as it is known by now which bodies are stopped.
-void SweepStage::findTime(const Step& step, std::uint32_t candidate) {
-    const Contact& contact = step.contacts[candidates_[candidate].contact];
+void SweepStage::findTime(const Step& step, std::uint32_t i) {
+    const Contact& contact = step.contacts[i];
     const Real motion = motionOf(step.bodies, contact);
     const auto timeFrom = [&](Real gap) {
         const auto target =
             stoppingGap(step.bodies, contact, gap, motion, step.settings, step.tolerances);
         return target ? impactTime(step.bodies, contact, *target) : Real(1);
     };
-    const Real gap = gapOf(step.heads[candidates_[candidate].contact], step.tolerances);
-    Real& time = times_[candidate];
+    const Real gap = gapOf(step.heads[i], step.tolerances);
+    Real& time = times_[i];
     time = timeFrom(gap);
     // They as good as touch already, corner at corner, where the manifold sees a gap or nothing.
     // No contact will hold these two in the next step, so to stop them here would be to hold them
@@ -267,10 +272,10 @@ void SweepStage::findTime(const Step& step, std::uint32_t candidate) {
     }
 }
 
-/// Lists the impact of a candidate, if it has one.
-void SweepStage::expect(std::uint32_t candidate) {
-    if (const Real time = times_[candidate]; time < 1) {
-        events_.push_back({time, candidate});
+/// Lists the impact of a pair, if it has one.
+void SweepStage::expect(std::uint32_t contact) {
+    if (const Real time = times_[contact]; time < 1) {
+        events_.push_back({time, contact});
         std::push_heap(events_.begin(), events_.end(), later<Event>);
     }
 }
@@ -278,23 +283,21 @@ void SweepStage::expect(std::uint32_t candidate) {
 /// Lists the impacts that there are while nobody is stopped.
 void SweepStage::findImpacts(const Step& step, Crew& crew) {
     events_.clear();
-    times_.assign(candidates_.size(), 1);
+    times_.assign(step.contacts.size(), 1);
     crew.forEach(candidates_.size(), kCandidatesAPiece, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            if (candidates_[i].closes) {
-                findTime(step, static_cast<std::uint32_t>(i));
-            }
+        for (std::size_t k = first; k < last; ++k) {
+            findTime(step, candidates_[k]);
         }
     });
-    for (std::uint32_t i = 0; i < candidates_.size(); ++i) {
-        expect(i);
+    for (const std::uint32_t contact : candidates_) {
+        expect(contact);
     }
 }
 
 /// Takes the impacts in the order of their time. Each changes the ways of its two bodies, so the
 /// later impacts of these are found anew.
 void SweepStage::stopInOrder(const Step& step) {
-    linkCandidates(step.bodies.size());
+    linkContacts(step);
     if (step.driven) {
         findPushes(step);
     }
@@ -302,16 +305,16 @@ void SweepStage::stopInOrder(const Step& step) {
         std::pop_heap(events_.begin(), events_.end(), later<Event>);
         const Event event = events_.back();
         events_.pop_back();
-        if (times_[event.candidate] != event.time) {
+        if (times_[event.contact] != event.time) {
             continue; // it has happened, or was found anew since
         }
-        times_[event.candidate] = kTaken;
-        const Candidate& first = candidates_[event.candidate];
+        times_[event.contact] = kTaken;
+        const ContactHead& head = step.heads[event.contact];
         if (step.driven) {
-            takePush(step, step.contacts[first.contact], event.time);
+            takePush(step, step.contacts[event.contact], event.time);
         }
-        cutShort(step, first.bodyA, event.time);
-        cutShort(step, first.bodyB, event.time);
+        cutShort(step, head.bodyA, event.time);
+        cutShort(step, head.bodyB, event.time);
     }
 }
 
@@ -325,12 +328,12 @@ void SweepStage::cutShort(const Step& step, std::uint32_t body, Real time) {
         stopped_.push_back(body);
     }
     stopAt_[body] = time;
-    for (std::uint32_t i = first_[body]; i != kNoCandidate;) {
+    for (std::uint32_t i = first_[body]; i != kNoContact;) {
         if (times_[i] != kTaken) {
             findTime(step, i);
             expect(i);
         }
-        i = next_[i][candidates_[i].bodyA == body ? 0 : 1];
+        i = next_[i][step.heads[i].bodyA == body ? 0 : 1];
     }
 }
 

@@ -33,17 +33,10 @@ public:
              const Tolerances& tolerances, Real dt, Crew& crew);
 
 private:
-    /// A pair whose ways are long enough to meet, whoever is stopped by something else.
-    struct Candidate {
-        std::uint32_t contact;
-        std::uint32_t bodyA;
-        std::uint32_t bodyB;
-        bool closes; // also if nobody is stopped: what moves along with the other does not
-    };
-    /// An impact as it was found once; out of date if the candidate has another time by now.
+    /// An impact as it was found once; out of date if the contact has another time by now.
     struct Event {
         Real time;
-        std::uint32_t candidate;
+        std::uint32_t contact;
     };
     /// What all of it is about.
     struct Step {
@@ -58,12 +51,12 @@ private:
     bool measureWays(const Bodies& bodies, const Tolerances& tolerances, Crew& crew);
     bool findCandidates(const Bodies& bodies, const ContactSet& contactSet,
                         const Tolerances& tolerances, Crew& crew);
-    void findCandidate(const Bodies& bodies, const ContactSet& contactSet,
-                       const Tolerances& tolerances, std::uint32_t i,
-                       std::vector<Candidate>& found) const;
-    void linkCandidates(std::size_t bodies);
-    void findTime(const Step& step, std::uint32_t candidate);
-    void expect(std::uint32_t candidate);
+    bool isSwift(const ContactHead& head) const {
+        return (swift_[head.bodyA] | swift_[head.bodyB]) != 0;
+    }
+    void linkContacts(const Step& step);
+    void findTime(const Step& step, std::uint32_t contact);
+    void expect(std::uint32_t contact);
     void findImpacts(const Step& step, Crew& crew);
     void stopInOrder(const Step& step);
     Sweep sweepOf(const Bodies& bodies, std::uint32_t body) const;
@@ -72,20 +65,20 @@ private:
     void findPushes(const Step& step);
     void takePush(const Step& step, const Contact& contact, Real time);
     void cutShort(const Step& step, std::uint32_t body, Real time);
+    void finish(Bodies& bodies, bool driven, Real dt);
     void noticeSensors(const Bodies& bodies, std::span<Contact> contacts,
                        const StepSettings& settings, const Tolerances& tolerances);
     void noticeOnTheWay(const Bodies& bodies, Contact& contact, Real share,
                         const Tolerances& tolerances) const;
 
-    std::vector<Real> ways_;          // m, by body: how far its outermost point goes at most
-    std::vector<std::uint8_t> swift_; // by body: is that so far that a pair with it needs a look?
+    std::vector<std::uint8_t> swift_; // by body: does it go so far that a pair needs a look?
     std::vector<Real> stopAt_;        // share of the step, by body
     std::vector<Vec2> push_;          // m, over a whole step, by body: by what is locked and moves
     std::vector<std::uint32_t> stopped_; // bodies
-    std::vector<Candidate> candidates_;
-    Findings<Candidate> found_;
-    std::vector<Real> times_; // by candidate: share of the step; 1: they do not meet in it
-    // By body, and by candidate for its first and its second body: another candidate of that body.
+    std::vector<std::uint32_t> candidates_; // contacts that could meet if nobody is stopped
+    Findings<std::uint32_t> found_;
+    std::vector<Real> times_; // by contact: share of the step; 1: they do not meet in it
+    // By body, and by contact for its first and its second body: another contact of that body.
     std::vector<std::uint32_t> first_;
     std::vector<std::array<std::uint32_t, 2>> next_;
     std::vector<std::uint32_t> againstLocked_; // contacts

@@ -40,10 +40,10 @@ Real BodyView::area() const {
     return bodies().form(index()).area;
 }
 Flags BodyView::flags() const {
-    return bodies().record[index()].filter.flags;
+    return bodies().filter[index()].flags;
 }
 std::uint16_t BodyView::required() const {
-    return bodies().record[index()].filter.required;
+    return bodies().filter[index()].required;
 }
 std::uint64_t BodyView::userData() const {
     return bodies().record[index()].userData;
@@ -90,7 +90,7 @@ void BodyRef::changed() {
 }
 
 void BodyRef::thaw() {
-    Flags& flags = world_->bodies_.record[index()].filter.flags;
+    Flags& flags = world_->bodies_.filter[index()].flags;
     if ((flags & kFrozen) != 0) {
         flags &= ~kFrozen;
         refreshMass(world_->bodies_, index());
@@ -210,13 +210,13 @@ void BodyRef::setFlags(Flags flags) {
     }
     refuse(checkFlags("flags", flags));
     changed();
-    Flags& own = world_->bodies_.record[index()].filter.flags;
+    Flags& own = world_->bodies_.filter[index()].flags;
     own = (flags & ~kStatusFlags) | (own & kStatusFlags);
     refreshMass(world_->bodies_, index());
 }
 
 void BodyRef::setRequired(std::uint16_t required) {
-    world_->bodies_.record[index()].filter.required = required;
+    world_->bodies_.filter[index()].required = required;
     changed();
 }
 

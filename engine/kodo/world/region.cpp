@@ -35,7 +35,7 @@ void World::setRegion(std::optional<Aabb> region) {
 /// Asks anew whether a body takes part in steps or waits, since it or the region has changed. True
 /// if it has just left.
 bool World::askRegion(std::uint32_t body) {
-    Flags& flags = bodies_.record[body].filter.flags;
+    Flags& flags = bodies_.filter[body].flags;
     const bool waited = (flags & kOutside) != 0;
     const bool inside = !region_ || overlap(*region_, boundsOfBody(bodies_, body));
     flags = inside ? flags & ~kOutside : flags | kOutside;
@@ -60,7 +60,7 @@ void World::placeInRegion(std::uint32_t body) {
 void World::putContactsAside() {
     fetchContacts();
     const auto waits = [&](std::uint32_t body) {
-        return (bodies_.record[body].filter.flags & kOutside) != 0;
+        return (bodies_.filter[body].flags & kOutside) != 0;
     };
     takeBack([&](const Contact& contact) {
         return bodies_.active(contact.key.bodyA) || bodies_.active(contact.key.bodyB);
@@ -110,7 +110,7 @@ void World::holdWhatWaits() {
         Motion& motion = bodies_.motion[body];
         const bool still =
             bodies_.locked(body) && motion.velocity == Vec2{} && motion.angularVelocity == 0;
-        if ((bodies_.record[body].filter.flags & kOutside) != 0 && !still) {
+        if ((bodies_.filter[body].flags & kOutside) != 0 && !still) {
             held_.emplace_back(body, std::exchange(motion, {}));
         }
     };

@@ -119,7 +119,7 @@ void SnapshotFields::one(IdPool& pool) {
 }
 
 void SnapshotFields::one(Bodies& bodies) {
-    auto& [ids, motion, pose, acceleration, extent, jumps, start, record, rest, forced, awake,
+    auto& [ids, motion, pose, acceleration, extent, jumps, start, filter, record, rest, forced, awake,
            awakeStale, anyRests, turns, startStale, pushesStale, anyJumped] = bodies;
     one(ids);
     if (reads()) {
@@ -129,13 +129,16 @@ void SnapshotFields::one(Bodies& bodies) {
         acceleration.resize(count);
         extent.resize(count + 1);
         jumps.resize(count);
+        filter.resize(count);
         record.resize(count);
         rest.resize(count);
     }
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
         one(jumps[i]); // goes on where it was when the slot is used again
         if (ids.aliveAt(i)) {
-            all(record[i], pose[i], motion[i], acceleration[i], rest[i]);
+            auto& [form, userData, force, torque] = record[i];
+            all(form, filter[i], userData, force, torque, pose[i], motion[i], acceleration[i],
+                rest[i]);
             if (reads()) {
                 completeBody(bodies, i);
             }
@@ -153,7 +156,7 @@ void SnapshotFields::completeBody(Bodies& bodies, std::uint32_t body) {
     require(record.form != nullptr, "a body has no form");
     const Form& form = *record.form;
     for (const Part& part : form.parts) {
-        require(checkLock(part.primitive, record.filter.flags));
+        require(checkLock(part.primitive, bodies.filter[body].flags));
     }
     const Transform& pose = bodies.pose[body];
     const Motion& motion = bodies.motion[body];
@@ -253,7 +256,7 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
     auto& [bounds, pairs, finder, seams, contacts, order, newOrder, holes, added, heads, live,
            found, slots, idle, touches, touchChanges, ended, endedInStep, records, recordsDue,
            apart, fastestApproach, stale, pairsStale, contactsChanged, liveStale, anySensors] = set;
-    auto& [parts, firstPart, tight, grown, changed, isChanged, outgrown] = bounds;
+    auto& [parts, firstPart, outlines, corners, tight, grown, changed, isChanged, outgrown] = bounds;
     set.writeRecords();
     if (!reads() && stale) {
         bounds.number(bodies);

@@ -133,7 +133,6 @@ private:
     void one(CollisionFilter& filter);
     void one(Motion& motion);
     void one(Acceleration& acceleration);
-    void one(BodyRecord& record);
     void one(RestState& rest);
     void one(IdPool& pool);
     void one(Bodies& bodies);

@@ -59,11 +59,6 @@ void SnapshotFields::one(Acceleration& acceleration) {
     all(linear, angular, effort);
 }
 
-void SnapshotFields::one(BodyRecord& record) {
-    auto& [form, filter, userData, force, torque] = record;
-    all(form, filter, userData, force, torque);
-}
-
 void SnapshotFields::one(RestState& rest) {
     auto& [calmSteps, island, since, leastEnergy] = rest;
     all(calmSteps, since, leastEnergy);

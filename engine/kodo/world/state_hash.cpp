@@ -24,8 +24,8 @@ std::uint64_t World::stateHash() const {
             hash.add(value);
         }
         hash.add(bodies_.rest[i].calmSteps);
-        hash.add(record.filter.flags);
-        hash.add(record.filter.required);
+        hash.add(bodies_.filter[i].flags);
+        hash.add(bodies_.filter[i].required);
         hash.add(static_cast<std::uint32_t>(record.form->parts.size()));
     }
     const auto addContact = [&](const Contact& contact) {

@@ -211,7 +211,7 @@ void World::recordCollisions(Crew& crew) {
     contacts_.sumUp(tolerances_, crew,
                     [&](std::uint32_t row) { return softStep_.blocks().touches(row); });
     for (const std::uint32_t body : contacts_.touchChanges()) {
-        Flags& flags = bodies_.record[body].filter.flags;
+        Flags& flags = bodies_.filter[body].flags;
         flags = contacts_.isTouched(body) ? flags | kColliding : flags & ~kColliding;
     }
     contacts_.clearTouchChanges();

@@ -161,7 +161,7 @@ std::size_t World::weld(BodyId into, BodyId part) {
         throw BadDefinition({"part", "is the body that it is to be welded to"});
     }
     for (const Part& added : bodies_.form(part.index).parts) {
-        refuse(checkLock(added.primitive, bodies_.record[into.index].filter.flags));
+        refuse(checkLock(added.primitive, bodies_.filter[into.index].flags));
     }
     const Transform frame{bodies_.originOf(into.index), bodies_.pose[into.index].rotation};
     const Transform other{bodies_.originOf(part.index), bodies_.pose[part.index].rotation};
@@ -255,7 +255,7 @@ std::size_t World::weld(BodyId into, const Primitive& shape, const Material& mat
     refuse(check(shape));
     refuse(check(material));
     refuse(checkRange("density", density, kLowestDensity, kHighestDensity));
-    refuse(checkLock(shape, bodies_.record[into.index].filter.flags));
+    refuse(checkLock(shape, bodies_.filter[into.index].flags));
     const Part part{shape, material, density};
     refuse(checkBuild({&part, 1}, tolerances_.unit()));
     refuse(checkTogether(bodies_.form(into.index), *makeForm({part}), {}));
@@ -293,7 +293,7 @@ BodyId World::unweld(BodyId body, std::size_t part, Flags flags) {
 
 void World::applyForceToAll(Vec2 force, CollisionFilter which) {
     for (const BodyId id : bodies()) {
-        if (accepts(which, bodies_.record[id.index].filter.flags)) {
+        if (accepts(which, bodies_.filter[id.index].flags)) {
             (*this)[id].applyForce(force);
         }
     }
@@ -301,7 +301,7 @@ void World::applyForceToAll(Vec2 force, CollisionFilter which) {
 
 void World::applyTorqueToAll(Real torque, CollisionFilter which) {
     for (const BodyId id : bodies()) {
-        if (accepts(which, bodies_.record[id.index].filter.flags)) {
+        if (accepts(which, bodies_.filter[id.index].flags)) {
             (*this)[id].applyTorque(torque);
         }
     }
