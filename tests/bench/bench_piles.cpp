@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 
 #include "bench_scenes.hpp"
 
@@ -133,6 +135,25 @@ Scene resting(int size, std::uint64_t) {
     }
     scene.rest = true;
     scene.warmUp = 120;
+    return scene;
+}
+
+Scene shots(int size, std::uint64_t seed) {
+    Scene scene = resting(size, seed);
+    scene.def.name = "shots";
+    scene.every = 1;
+    scene.actIsTimed = true;
+    const auto last = std::make_shared<std::optional<std::size_t>>();
+    const double above = 3 * std::ceil(std::sqrt(static_cast<double>(size))) + 10;
+    scene.act = [=](Stage& stage, int) {
+        if (*last) {
+            stage.remove(**last);
+        }
+        *last = stage.placeOfNext();
+        BodyDef shot = scenes::ball(0.25, {0, above});
+        shot.velocity = {20, 0};
+        stage.add(shot);
+    };
     return scene;
 }
 

@@ -49,6 +49,8 @@ std::span<const Recipe> recipes() {
         {"spinner", "a driven bar stirs balls, boxes and polygons", "bodies", 1000, 600, spinner},
         {"resting", "boxes on shelves, at rest before the clock starts", "boxes", 10000, 6000,
          resting},
+        {"shots", "the same, and a ball comes over them and goes in every step", "boxes", 10000,
+         600, shots},
         {"empty", "nothing", "", 1, 100000, empty},
         {"smallroom", "a ball bounces between ten walls", "", 1, 60000, smallRoom},
         {"forces", "ten boxes, the top one heavy: what each contact carries", "times the density",

@@ -73,6 +73,7 @@ Scene debris(int size, std::uint64_t seed);
 Scene stack(int size, std::uint64_t seed);
 Scene massRatio(int size, std::uint64_t seed);
 Scene resting(int size, std::uint64_t seed);
+Scene shots(int size, std::uint64_t seed);
 // bench_machines.cpp
 Scene tumbler(int size, std::uint64_t seed);
 Scene breakout(int size, std::uint64_t seed);

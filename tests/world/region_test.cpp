@@ -187,5 +187,23 @@ TEST(Region, RefusesOneThatIsInsideOut) {
     EXPECT_FALSE(world.region());
 }
 
+// A velocity for one of two that wait on each other does not make them go on, as it once did: the
+// pair was then solved and reported in every step.
+TEST(Region, WhatGetsAVelocityWhileItWaitsGoesOnWaiting) {
+    World world({.gravity = support::kEarth});
+    const BodyId floor =
+        world.add({.shape = Box{40, 1}, .position = {0, Real(-0.5)}, .flags = kLocked});
+    world.add({.shape = Box{1, 1}, .position = {0, Real(0.5)}, .flags = kNeverRest});
+    support::run(world, 30);
+    world.setRegion(Aabb{{100, 0}, {110, 5}});
+    support::run(world, 2);
+    world[floor].setVelocity({1, 0});
+    for (int step = 0; step < 4; ++step) {
+        world.step(support::kDt);
+        EXPECT_TRUE(world.collisions().empty()) << "step " << step;
+        EXPECT_EQ(world.contactVisits(), 0u);
+    }
+}
+
 } // namespace
 } // namespace kodo

@@ -127,6 +127,18 @@ TEST(Snapshot, OfAPairThatWasPutAsideTwiceHasItOnce) {
     EXPECT_TRUE(stepsLikeItsSnapshot(world));
 }
 
+// What rests in a World that was read leans on the same as before.
+TEST(Snapshot, OfAWorldAtRestWakesWhoLosesTheFloor) {
+    World world({.gravity = support::kEarth});
+    const BodyId floor = support::addFloor(world);
+    const BodyId box = world.add(support::boxDef({0, Real(0.5)}, 1, 1));
+    run(world, 60);
+    ASSERT_NE(world[box].flags() & kResting, 0u);
+    World read = fromBytes(toBytes(world));
+    read.remove(floor);
+    EXPECT_EQ(read[box].flags() & kResting, 0u);
+}
+
 /// A heap in a trough, to which all kinds of things are done.
 class Heap {
 public:

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/bodies/bodies.hpp>
 
+#include <algorithm>
+#include <utility>
+
 namespace kodo::inline KODO_PRECISION {
 
 BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const Form> form) {
@@ -11,6 +14,7 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const Form> f
         bodies.acceleration.emplace_back();
         bodies.extent.emplace_back();
         bodies.jumps.emplace_back();
+        bodies.hasJumped.emplace_back();
         bodies.filter.emplace_back();
         bodies.record.emplace_back();
         bodies.rest.emplace_back();
@@ -107,17 +111,18 @@ void listAwake(Bodies& bodies) {
 }
 
 void noteStart(Bodies& bodies) {
-    if (bodies.startStale || bodies.anyJumped || bodies.start.size() != bodies.size()) {
-        bodies.start.resize(bodies.size());
+    bodies.start.resize(bodies.size());
+    if (std::exchange(bodies.startStale, false)) {
         for (std::size_t i = 0; i < bodies.size(); ++i) {
             bodies.start[i] = bodies.pose[i].position;
         }
-        bodies.startStale = false;
-        bodies.anyJumped = false;
-        return;
+    } else {
+        for (const std::uint32_t i : bodies.awake) {
+            bodies.start[i] = bodies.pose[i].position;
+        }
     }
-    for (const std::uint32_t i : bodies.awake) {
-        bodies.start[i] = bodies.pose[i].position;
+    if (std::exchange(bodies.anyJumped, false)) {
+        std::fill(bodies.hasJumped.begin(), bodies.hasJumped.end(), std::uint8_t{0});
     }
 }
 

@@ -78,6 +78,8 @@ struct Bodies {
     std::vector<Extent> extent = std::vector<Extent>(1); // likewise with a spare one
     /// How often each was put elsewhere or built anew: see jumped().
     std::vector<std::uint32_t> jumps;
+    /// Since the last step began; or a contact came back that was away while it did.
+    std::vector<std::uint8_t> hasJumped;
     std::vector<Vec2> start; // m, of the centre of mass: where each was when the last step began
     /// By themselves, since who looks for pairs asks for them all over the World.
     std::vector<CollisionFilter> filter;
@@ -92,7 +94,7 @@ struct Bodies {
     bool turns = true;       // false: nothing can be turned; see Feature::Rotation
     bool startStale = true;  // also of bodies that are not awake
     bool pushesStale = true; // what accelerates whom is not what it was in the last step
-    bool anyJumped = false;  // since the last step began; or a contact came back whose body had
+    bool anyJumped = false;  // since the last step began
 
     BodyId idAt(std::size_t index) const {
         return {static_cast<std::uint32_t>(index), ids.generationAt(index)};
@@ -118,6 +120,10 @@ struct Bodies {
     /// What was known of where it touches others is out of date.
     void jumped(std::size_t index) {
         ++jumps[index];
+        noteJump(index);
+    }
+    void noteJump(std::size_t index) {
+        hasJumped[index] = 1;
         anyJumped = true;
     }
 

@@ -36,7 +36,7 @@ public:
         }
     }
 
-    /// Some bounds have moved without it being asked for their pairs.
+    /// Some bounds have moved without it being asked for their pairs, or are in another order.
     void forget() { packedCount_ = 0; }
     /// Memory for so many bounds.
     void reserve(std::size_t bounds) { packed_.reserve(bounds); }

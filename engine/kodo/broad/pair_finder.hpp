@@ -43,6 +43,8 @@ public:
         }
     }
 
+    /// The bounds are others than those of the last call, or in another order.
+    void forget() { bruteForce_.forget(); }
     /// From now on in this way alone; nothing: in the cheapest.
     void use(std::optional<PairSearch> only) { only_ = only; }
     PairSearch way() const { return way_; } // of the last call; for tests

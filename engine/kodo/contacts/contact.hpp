@@ -105,6 +105,16 @@ struct ContactHead {
     bool steady = false;      // the contact stays as it is if it touches, or not, once more
     bool kept = false;        // see Contact::isKept
 
+    /// Of a contact that is new, or of which all may have changed.
+    static ContactHead of(const Contact& contact, BoundsPair proxies) {
+        ContactHead head{.proxies = proxies,
+                         .bodyA = contact.key.bodyA,
+                         .bodyB = contact.key.bodyB,
+                         .sensor = contact.sensor,
+                         .bounces = contact.bounces};
+        head.note(contact);
+        return head;
+    }
     /// To be called when the row, the manifold, the approach, or whether the contact is carried or
     /// hidden has changed, but of sensors.
     void note(const Contact& contact) {

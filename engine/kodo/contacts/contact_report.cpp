@@ -70,11 +70,11 @@ void recordContact(const Contact& contact, std::vector<CollisionRecord>& out) {
     }
 }
 
-void addEnds(std::span<const CollisionRecord> ended, std::vector<CollisionRecord>& records) {
-    if (ended.empty()) {
+void addInOrder(std::span<const CollisionRecord> more, std::vector<CollisionRecord>& records) {
+    if (more.empty()) {
         return;
     }
-    records.insert(records.end(), ended.begin(), ended.end());
+    records.insert(records.end(), more.begin(), more.end());
     const auto key = [](const CollisionRecord& r) {
         return std::make_tuple(r.a, r.partA, r.b, r.partB, r.phase != TouchPhase::End);
     };

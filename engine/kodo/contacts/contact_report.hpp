@@ -20,8 +20,8 @@ void finishContact(Contact& contact, bool touches);
 /// lent.
 void recordContact(const Contact& contact, std::vector<CollisionRecord>& out);
 
-/// Puts records of contacts that are gone among those of a step, in order.
-void addEnds(std::span<const CollisionRecord> ended, std::vector<CollisionRecord>& records);
+/// Puts more records, of contacts that are gone, among those of a step, in order.
+void addInOrder(std::span<const CollisionRecord> more, std::vector<CollisionRecord>& records);
 
 /// The last record of a contact that touched and does so no more.
 CollisionRecord endOf(const Contact& contact);

@@ -7,19 +7,6 @@
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
-namespace {
-
-ContactHead headOf(const Contact& contact, BoundsPair proxies) {
-    ContactHead head{.proxies = proxies,
-                     .bodyA = contact.key.bodyA,
-                     .bodyB = contact.key.bodyB,
-                     .sensor = contact.sensor,
-                     .bounces = contact.bounces};
-    head.note(contact);
-    return head;
-}
-
-} // namespace
 
 void ContactSet::noteEnd(const Contact& contact) {
     if (contact.wasTouching) {
@@ -79,20 +66,6 @@ void ContactSet::forgetUnsound(const Bodies& bodies, const Tolerances& tolerance
     }
 }
 
-/// Takes out the contacts that gone(contact) names, in the order of keys.
-template <typename Gone>
-void ContactSet::eraseIf(Gone gone) {
-    holes_.clear();
-    std::erase_if(order_, [&](const Place& place) {
-        const bool erased = gone(contacts_[place.slot]);
-        if (erased) {
-            holes_.push_back(place.slot);
-        }
-        return erased;
-    });
-    fillHoles();
-}
-
 /// Contacts came, went, or have other places.
 void ContactSet::changed() {
     contactsChanged_ = true;
@@ -131,130 +104,11 @@ void ContactSet::fillHoles() {
     heads_.resize(kept);
 }
 
-void ContactSet::drop(std::uint32_t body) {
-    writeRecords();
-    eraseIf([&](const Contact& contact) {
-        const bool gone = contact.key.bodyA == body || contact.key.bodyB == body;
-        if (gone) {
-            noteEnd(contact);
-        }
-        return gone;
-    });
-    stale_ = true;
-}
-
-void ContactSet::partRemoved(std::uint32_t body, std::size_t part) {
-    writeRecords();
-    eraseIf([&](Contact& contact) {
-        bool gone = false;
-        for (const bool isA : {true, false}) {
-            std::uint16_t& own = isA ? contact.key.partA : contact.key.partB;
-            if ((isA ? contact.key.bodyA : contact.key.bodyB) == body && own >= part) {
-                gone = own == part;
-                own = static_cast<std::uint16_t>(gone ? own : own - 1);
-            }
-        }
-        if (gone) {
-            noteEnd(contact);
-        }
-        return gone;
-    });
-    stale_ = true;
-}
-
-std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies) {
-    writeRecords();
-    idle_.clear();
-    eraseIf([&](const Contact& contact) {
-        const bool gone = !bodies.active(contact.key.bodyA) && !bodies.active(contact.key.bodyB);
-        if (gone) {
-            idle_.push_back(contact);
-            idle_.back().row = {};
-            if (contact.wasTouching) {
-                countTouch(contact, false);
-            }
-            // Or a step that it comes back in would report them again.
-            idle_.back().approachSpeed = 0;
-            forgetBlows(idle_.back());
-        }
-        return gone;
-    });
-    return idle_;
-}
-
-void ContactSet::putBack(std::span<const Contact> contacts, Bodies& bodies) {
-    writeRecords();
-    const auto keyOf = [&](const Place& place) { return contacts_[place.slot].key; };
-    for (const Contact& contact : contacts) {
-        const auto place = std::lower_bound(
-            order_.begin(), order_.end(), contact.key,
-            [&](const Place& at, const ContactKey& key) { return keyOf(at) < key; });
-        if (place == order_.end() || keyOf(*place) != contact.key) {
-            contacts_.push_back(contact);
-            // What happened to its bodies meanwhile is news to the contact.
-            if (contact.jumpsA != bodies.jumps[contact.key.bodyA] ||
-                contact.jumpsB != bodies.jumps[contact.key.bodyB]) {
-                bodies.anyJumped = true;
-            }
-            if (contact.wasTouching) {
-                countTouch(contact, true);
-            }
-        }
-    }
-    orderContacts();
-}
-
-/// Makes the order anew from the contacts.
-void ContactSet::orderContacts() {
-    changed();
-    order_.resize(contacts_.size());
-    for (std::uint32_t slot = 0; slot < order_.size(); ++slot) {
-        order_[slot].slot = slot;
-    }
-    std::sort(order_.begin(), order_.end(), // total order: keys are unique
-              [&](const Place& a, const Place& b) {
-                  return contacts_[a.slot].key < contacts_[b.slot].key;
-              });
-    renewPlaces();
-}
-
-/// Finds the bounds of all contacts again.
-void ContactSet::renewPlaces() {
-    heads_.resize(contacts_.size());
-    for (Place& place : order_) {
-        const auto& [bodyA, partA, bodyB, partB] = contacts_[place.slot].key;
-        place.pair = {bounds_.indexOf(bodyA, partA), bounds_.indexOf(bodyB, partB)};
-        ContactHead& head = heads_[place.slot];
-        const ContactHead before = head;
-        head = headOf(contacts_[place.slot], place.pair);
-        if (contacts_[place.slot].row.lent) { // the contact is out of date
-            head.approachSpeed = before.approachSpeed;
-            head.separation = before.separation;
-        }
-    }
-}
-
-/// After bodies came, went or changed.
-void ContactSet::renew(const Bodies& bodies, const Tolerances& tolerances) {
-    changed();
-    bounds_.renew(bodies, tolerances);
-    touches_.resize(bodies.size());
-    for (Contact& contact : contacts_) {
-        describeContact(contact, bodies);
-    }
-    renewPlaces();
-}
-
 void ContactSet::updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt,
                              Crew& crew) {
     recordsDue_ = false; // nobody asked
-    if (std::exchange(stale_, false)) {
-        renew(bodies, tolerances);
-        pairsStale_ = false;
-    }
-    if (std::exchange(pairsStale_, false)) {
-        bounds_.listAll();
-    }
+    dropped_.clear();
+    applyChanges(bodies, tolerances);
     bounds_.foresee(bodies, tolerances, dt, crew);
     refreshPairs(bodies, crew);
 }
@@ -356,7 +210,7 @@ void ContactSet::mergePairs(const Bodies& bodies) {
         }
         Contact& contact = contacts_[order_[at].slot];
         contact = makeContact(bodies, order_[at].pair);
-        heads_[order_[at].slot] = headOf(contact, order_[at].pair);
+        heads_[order_[at].slot] = ContactHead::of(contact, order_[at].pair);
     }
     fillHoles();
 }

@@ -31,14 +31,19 @@ struct ContactKeeper {
 /// All contacts of a World, with the bounds they are found by.
 class ContactSet {
 public:
-    /// A body came, went, jumped, or changed its form or filter: look at all of them again.
+    /// A body came, went, jumped, or changed its form or filter: look at its pairs again.
+    void bodyChanged(std::uint32_t body);
+    /// Many of them: look at all.
     void bodiesChanged() { stale_ = true; }
-    /// Forgets the contacts of one body. Those that touched end in the next record.
-    void drop(std::uint32_t body);
+    /// Forgets the contacts of one body, to each of which it calls fetch(contact) before. Those
+    /// that touched end in the next record.
+    void drop(std::uint32_t body, const std::function<void(Contact&)>& fetch);
 
     /// A part of a body is about to go; those behind it move up by one.
     void partRemoved(std::uint32_t body, std::size_t part);
-    /// Some body fell asleep, woke up, or a locked one began or ceased to move.
+    /// A body fell asleep or woke up, or a locked one began or ceased to move.
+    void activityChanged(std::uint32_t body) { stirred_.push_back(body); }
+    /// Many of them.
     void activityChanged() { pairsStale_ = true; }
 
     /// Takes out the contacts between bodies that take no part in a step, in order. Valid until the
@@ -47,6 +52,8 @@ public:
     /// Puts contacts back that takeIdle once gave. One that is in the list by now stays as it is.
     void putBack(std::span<const Contact> contacts, Bodies& bodies);
 
+    /// Brings all that follows from the bodies up to date with them, but for the pairs.
+    void applyChanges(const Bodies& bodies, const Tolerances& tolerances);
     /// Brings the list up to date before a step of dt: the pairs that may meet within it, in order.
     void updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt, Crew& crew);
     /// Pairs of bodies, in order, that may not touch although their flags say so: jointed ones.
@@ -140,13 +147,14 @@ public:
     template <typename Current>
     std::span<const CollisionRecord> records(Current current) const {
         if (std::exchange(recordsDue_, false)) {
-            records_.reserve(contacts_.capacity() + endedInStep_.size());
+            records_.reserve(contacts_.capacity() + dropped_.size() + endedInStep_.size());
             for (const Place& place : order_) {
                 if (contacts_[place.slot].phase) {
                     recordContact(current(contacts_[place.slot]), records_);
                 }
             }
-            addEnds(endedInStep_, records_);
+            addInOrder(dropped_, records_);
+            addInOrder(endedInStep_, records_);
         }
         return records_;
     }
@@ -167,7 +175,9 @@ private:
     void countTouch(const Contact& contact, bool touches);
     void countTouches(const Bodies& bodies);
     void renew(const Bodies& bodies, const Tolerances& tolerances);
+    void renewChanged(const Bodies& bodies, const Tolerances& tolerances);
     void orderContacts();
+    void renewHead(std::uint32_t slot);
     void renewPlaces();
     void refreshPairs(const Bodies& bodies, Crew& crew);
     void findPairs(const Bodies& bodies, Crew& crew);
@@ -197,9 +207,14 @@ private:
     std::vector<ContactHead> heads_;
     std::vector<std::uint32_t> live_;
     Findings<std::uint32_t> found_;
-    std::vector<std::uint32_t> slots_;   // where the contacts of the last slots went
-    std::vector<Contact> idle_;          // that takeIdle gave
-    std::vector<std::uint32_t> touches_; // by body: how many contacts touch it, as summed up last
+    std::vector<std::uint32_t> slots_; // where the contacts of the last slots went
+    std::vector<Contact> idle_;        // that takeIdle gave
+    // Of the last step, of contacts that have gone with their bodies since.
+    std::vector<CollisionRecord> dropped_;
+    std::vector<std::uint32_t> changes_;   // bodies: see bodyChanged
+    std::vector<std::uint8_t> hasChanged_; // by body: is it one of these?
+    std::vector<std::uint32_t> stirred_;   // bodies, some perhaps twice: see activityChanged
+    std::vector<std::uint32_t> touches_;   // by body: how many contacts touch it, as summed up last
     std::vector<std::uint32_t> touchChanges_;
     // Of contacts that ended because they lost a body or the nearness of their parts.
     std::vector<CollisionRecord> ended_;       // since the last step

@@ -159,8 +159,7 @@ void describeContact(Contact& contact, const Bodies& bodies) {
     const auto& [bodyA, partA, bodyB, partB] = contact.key;
     contact.a = bodies.idAt(bodyA);
     contact.b = bodies.idAt(bodyB);
-    contact.sensor =
-        ((bodies.filter[bodyA].flags | bodies.filter[bodyB].flags) & kSensor) != 0;
+    contact.sensor = ((bodies.filter[bodyA].flags | bodies.filter[bodyB].flags) & kSensor) != 0;
     contact.material =
         mix(bodies.form(bodyA).parts[partA].material, bodies.form(bodyB).parts[partB].material);
     contact.bounces = contact.material.restitution > 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -47,6 +48,7 @@ void PartBounds::number(const Bodies& bodies) {
     parts_.clear();
     outlines_.clear();
     corners_.clear();
+    leftOver_ = 0;
     firstPart_.resize(bodies.size() + 1);
     for (std::size_t body = 0; body < bodies.size(); ++body) {
         firstPart_[body] = static_cast<std::uint32_t>(parts_.size());
@@ -67,15 +69,24 @@ void PartBounds::number(const Bodies& bodies) {
 }
 
 void PartBounds::addOutline(const Convex& convex) {
-    const std::size_t first = corners_.size();
-    if (!convex.isPlane()) {
-        corners_.insert(corners_.end(), convex.vertices.begin(), convex.vertices.end());
+    outlines_.push_back({});
+    setOutline(outlines_.size() - 1, convex);
+}
+
+void PartBounds::setOutline(std::size_t i, const Convex& convex) {
+    const std::size_t corners = convex.isPlane() ? 0 : convex.vertices.size();
+    const std::size_t filled = corners > 1 ? (corners + kGroup - 1) / kGroup * kGroup : corners;
+    Outline& outline = outlines_[i];
+    if (outline.count != filled) {
+        leftOver_ += outline.count;
+        outline.first = static_cast<std::uint32_t>(corners_.size());
+        outline.count = static_cast<std::uint32_t>(filled);
+        corners_.resize(corners_.size() + filled);
     }
-    while (!convex.isRound() && (corners_.size() - first) % kGroup != 0) {
-        corners_.push_back(convex.vertices[0]);
+    outline.radius = convex.radius;
+    for (std::size_t k = 0; k < filled; ++k) {
+        corners_[outline.first + k] = convex.vertices[k < corners ? k : 0];
     }
-    outlines_.push_back({static_cast<std::uint32_t>(first),
-                         static_cast<std::uint32_t>(corners_.size() - first), convex.radius});
 }
 
 /// What boundsOf() gives for the outline of a part.
@@ -99,6 +110,100 @@ void PartBounds::renew(const Bodies& bodies, const Tolerances& tolerances) {
         grown_[i] = tight_[i].grown(tolerances.margin);
     }
     listAll();
+}
+
+/// In place of those of the bodies that have changed in number, empty ones; the others stay.
+bool PartBounds::renumber(const Bodies& bodies, std::span<const std::uint32_t> changed) {
+    const auto partsNow = [&](std::uint32_t body) {
+        return bodies.ids.aliveAt(body) ? bodies.form(body).parts.size() : 0;
+    };
+    firstPart_.resize(bodies.size() + 1, static_cast<std::uint32_t>(parts_.size()));
+    firstBefore_ = firstPart_;
+    replaced_.clear();
+    for (const std::uint32_t body : changed) {
+        const Replaced parts{firstPart_[body], firstPart_[body + 1], partsNow(body)};
+        if (parts.last - parts.first == parts.count) {
+            continue;
+        }
+        replaced_.push_back(parts);
+        for (std::size_t i = parts.first; i < parts.last; ++i) {
+            leftOver_ += outlines_[i].count;
+        }
+    }
+    if (replaced_.empty()) {
+        return false;
+    }
+    replace(parts_);
+    replace(tight_);
+    replace(grown_);
+    replace(isChanged_);
+    replace(outlines_);
+    firstPart_[0] = 0;
+    auto next = changed.begin();
+    for (std::uint32_t body = 0; body < bodies.size(); ++body) {
+        std::size_t parts = firstBefore_[body + 1] - firstBefore_[body];
+        if (next != changed.end() && *next == body) {
+            ++next;
+            parts = partsNow(body);
+        }
+        firstPart_[body + 1] = firstPart_[body] + static_cast<std::uint32_t>(parts);
+    }
+    changed_.clear();
+    for (std::uint32_t i = 0; i < parts_.size(); ++i) {
+        if (isChanged_[i] != 0) {
+            changed_.push_back(i);
+        }
+    }
+    return true;
+}
+
+/// Puts as many new elements as are wanted in place of those that are replaced.
+template <typename T>
+void PartBounds::replace(std::vector<T>& list) const {
+    std::vector<T> next;
+    next.reserve(list.capacity());
+    const auto copy = [&](std::size_t first, std::size_t last) {
+        next.insert(next.end(), list.begin() + static_cast<std::ptrdiff_t>(first),
+                    list.begin() + static_cast<std::ptrdiff_t>(last));
+    };
+    std::size_t from = 0;
+    for (const Replaced& parts : replaced_) {
+        copy(from, parts.first);
+        next.resize(next.size() + parts.count);
+        from = parts.last;
+    }
+    copy(from, list.size());
+    list = std::move(next);
+}
+
+bool PartBounds::renew(const Bodies& bodies, const Tolerances& tolerances,
+                       std::span<const std::uint32_t> changed) {
+    const bool renumbered = renumber(bodies, changed);
+    for (const std::uint32_t body : changed) {
+        const std::uint32_t first = firstPart_[body];
+        for (std::uint32_t i = first; i < firstPart_[body + 1]; ++i) {
+            parts_[i] = {body, static_cast<std::uint16_t>(i - first)};
+            setOutline(i, bodies.outline(body, i - first));
+            tight_[i] = boundsAt(bodies, i, bodies.pose[body]);
+            grown_[i] = tight_[i].grown(tolerances.margin);
+            list(i, changed_);
+        }
+    }
+    if (leftOver_ > corners_.size() / 2) {
+        leftOver_ = 0;
+        corners_.clear();
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            outlines_[i] = {};
+            setOutline(i, bodies.outline(parts_[i].body, parts_[i].part));
+        }
+    }
+    return renumbered;
+}
+
+void PartBounds::listBody(std::uint32_t body) {
+    for (std::uint32_t i = firstPart_[body]; i < firstPart_[body + 1]; ++i) {
+        list(i, changed_);
+    }
 }
 
 void PartBounds::listAll() {

@@ -32,8 +32,18 @@ public:
     void number(const Bodies& bodies);
     /// Numbers the parts, finds their bounds, and lists them all.
     void renew(const Bodies& bodies, const Tolerances& tolerances);
+    /// The same where only these bodies did, in order: the bounds of the others stay. True if some
+    /// have other numbers now.
+    bool renew(const Bodies& bodies, const Tolerances& tolerances,
+               std::span<const std::uint32_t> changed);
+    /// By its index before: that of a part of a body that has not changed.
+    std::uint32_t indexNow(std::uint32_t before, std::uint32_t body) const {
+        return before - firstBefore_[body] + firstPart_[body];
+    }
     /// Lists them all.
     void listAll();
+    /// Lists those of one body.
+    void listBody(std::uint32_t body);
     /// Before a step of dt: grows the bounds of what will leave them if nothing pushes it.
     void foresee(const Bodies& bodies, const Tolerances& tolerances, Real dt, Crew& crew);
     /// Grows the bounds of what the solver sent out of them.
@@ -48,21 +58,35 @@ private:
     /// What the bounds of a part are found from. Those of all parts lie one behind the other, since
     /// the way to a form leads through memory that no step has at hand.
     struct Outline {
-        std::uint32_t first; // of its corners
-        std::uint32_t count; // of them, filled up to whole groups; 1: round; 0: it is a plane
-        Real radius;         // m
+        std::uint32_t first = 0; // of its corners
+        std::uint32_t count = 0; // of them, filled up to whole groups; 1: round; 0: it is a plane
+        Real radius = 0;         // m
+    };
+
+    /// Of parts, in place of which there will be `count` others.
+    struct Replaced {
+        std::size_t first;
+        std::size_t last; // the one behind them
+        std::size_t count;
     };
 
     void addOutline(const Convex& convex);
+    void setOutline(std::size_t i, const Convex& convex);
+    bool renumber(const Bodies& bodies, std::span<const std::uint32_t> changed);
+    template <typename T>
+    void replace(std::vector<T>& list) const;
     Aabb boundsAt(const Bodies& bodies, std::size_t i, const Transform& pose) const;
     void list(std::size_t i, std::vector<std::uint32_t>& changed);
     template <typename Outgrow>
     void listOutgrown(const Bodies& bodies, Crew& crew, Outgrow outgrow);
 
     std::vector<Part> parts_;
-    std::vector<std::uint32_t> firstPart_; // by body; and behind the last
+    std::vector<std::uint32_t> firstPart_;   // by body; and behind the last
+    std::vector<std::uint32_t> firstBefore_; // the same, before parts were renumbered last
+    std::vector<Replaced> replaced_;
     std::vector<Outline> outlines_;
     std::vector<Vec2> corners_;
+    std::size_t leftOver_ = 0; // of the corners: of outlines that are gone
     std::vector<Aabb> tight_;
     std::vector<Aabb> grown_;
     std::vector<std::uint32_t> changed_;

@@ -34,9 +34,9 @@ struct TwoPoints {
     Real k22;
 
     std::array<Real, 2> solve(Real speed1, Real speed2) const {
-        constexpr Real kSingular = sizeof(Real) == 4 ? Real(1e-5) : Real(1e-12);
+        constexpr Real kSingularPoints = sizeof(Real) == 4 ? Real(1e-5) : Real(1e-12);
         const Real determinant = k11 * k22 - k12 * k12;
-        if (determinant > kSingular * k11 * k22) {
+        if (determinant > kSingularPoints * k11 * k22) {
             const Real x1 = (k12 * speed2 - k22 * speed1) / determinant;
             const Real x2 = (k12 * speed1 - k11 * speed2) / determinant;
             if (x1 >= 0 && x2 >= 0) {

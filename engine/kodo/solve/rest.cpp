@@ -28,16 +28,17 @@ Real energyOfForces(const Acceleration& acceleration, const Mass& mass, Real dt)
 }
 
 /// Adds a contact to those of an island, in the order of keys. One that is there already is from
-/// before a neighbour woke.
-void keep(std::vector<Contact>& held, const Contact& contact) {
+/// before a neighbour woke. True if it was not.
+bool keep(std::vector<Contact>& held, const Contact& contact) {
     const auto place =
         std::lower_bound(held.begin(), held.end(), contact,
                          [](const Contact& a, const Contact& b) { return a.key < b.key; });
     if (place != held.end() && place->key == contact.key) {
         *place = contact;
-    } else {
-        held.insert(place, contact);
+        return false;
     }
+    held.insert(place, contact);
+    return true;
 }
 
 /// Has any point of the body moved farther than that since `since`?
@@ -57,6 +58,20 @@ void startCounting(RestState& rest, const Transform& pose) {
 
 } // namespace
 
+/// An island has got a contact more, or one less.
+void RestStage::countLeaning(const Contact& contact, bool leans) {
+    for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
+        if (body >= leaning_.size()) {
+            leaning_.resize(body + std::size_t{1}, 0);
+        }
+        if (leans) {
+            ++leaning_[body];
+        } else {
+            --leaning_[body];
+        }
+    }
+}
+
 void RestStage::wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t island) {
     Island& woken = islands_[island];
     --restingIslands_;
@@ -68,9 +83,14 @@ void RestStage::wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t i
         bodies.acceleration[body] = {};
     }
     contacts.putBack(woken.contacts, bodies);
+    for (const Contact& contact : woken.contacts) {
+        countLeaning(contact, false);
+    }
+    for (const std::uint32_t body : woken.bodies) {
+        contacts.activityChanged(body);
+    }
     woken.bodies.clear(); // keeps its memory for the next island
     woken.contacts.clear();
-    contacts.activityChanged();
     bodies.awakeStale = true;
 }
 
@@ -99,7 +119,10 @@ void RestStage::disturb(Bodies& bodies, ContactSet& contacts, const JointSet& jo
             wake(bodies, contacts, a == body ? b : a);
         }
     });
-    for (std::uint32_t island = 0; island < islands_.size(); ++island) {
+    if (body >= leaning_.size()) {
+        return;
+    }
+    for (std::uint32_t island = 0; island < islands_.size() && leaning_[body] > 0; ++island) {
         const std::vector<Contact>& held = islands_[island].contacts;
         const bool leans = std::any_of(held.begin(), held.end(), [&](const Contact& contact) {
             return contact.key.bodyA == body || contact.key.bodyB == body;
@@ -330,11 +353,14 @@ void RestStage::settle(Bodies& bodies, ContactSet& contacts) {
         const std::uint32_t a = bodies.rest[contact.key.bodyA].island;
         const std::uint32_t island = a != kNoIsland ? a : bodies.rest[contact.key.bodyB].island;
         // What froze in this step neither rests nor takes part; its end is yet to be told.
-        keep(island != kNoIsland ? islands_[island].contacts : standing_, contact);
+        if (island == kNoIsland) {
+            keep(standing_, contact);
+        } else if (keep(islands_[island].contacts, contact)) {
+            countLeaning(contact, true);
+        }
     }
     contacts.putBack(standing_, bodies);
     bodies.awakeStale = true;
-    contacts.activityChanged();
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -67,6 +67,7 @@ private:
     };
 
     void wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t island);
+    void countLeaning(const Contact& contact, bool leans);
     void putToRest(Bodies& bodies, std::span<const std::uint32_t> members);
     std::uint32_t find(std::uint32_t body);
     bool countCalm(Bodies& bodies, const StepSettings& settings, const Tolerances& tolerances,
@@ -77,6 +78,7 @@ private:
 
     std::vector<Island> islands_;
     std::size_t restingIslands_ = 0;
+    std::vector<std::uint32_t> leaning_;   // by body: how many contacts of islands touch it
     std::vector<std::uint32_t> parent_;    // union-find over body indices
     std::vector<std::uint32_t> leastCalm_; // by root
     std::vector<std::uint32_t> supports_;  // points that each body touches something with

@@ -136,10 +136,10 @@ void stop(Bodies& bodies, std::uint32_t body, Real share, Vec2 push, Real dt) {
 
 } // namespace
 
-/// Tells who is swift: two that are not swift need no sweep: they do
-/// not close a gap that is wider than the slop, and a narrower one they close by less than half of
-/// their inner radii. False if nobody is.
-bool SweepStage::measureWays(const Bodies& bodies, const Tolerances& tolerances, Crew& crew) {
+/// Marks who is swift. Two that are not need no sweep: they do not close a gap that is wider than
+/// the slop, and a narrower one they close by less than half of their inner radii. False if nobody
+/// is.
+bool SweepStage::markSwift(const Bodies& bodies, const Tolerances& tolerances, Crew& crew) {
     std::uint8_t anySwift = 0;
     swift_.resize(bodies.size(), 0); // of the others it is 0 from step to step
     crew.forEach(bodies.awake.size(), kWaysAPiece, [&](std::size_t first, std::size_t last) {
@@ -161,7 +161,7 @@ void SweepStage::run(Bodies& bodies, ContactSet& contactSet, const StepSettings&
                      const Tolerances& tolerances, Real dt, Crew& crew) {
     candidates_.clear();
     bool sensors = false;
-    if (measureWays(bodies, tolerances, crew) || contactSet.mayHaveSensors()) {
+    if (markSwift(bodies, tolerances, crew) || contactSet.mayHaveSensors()) {
         sensors = findCandidates(bodies, contactSet, tolerances, crew);
     }
     if (!candidates_.empty() || sensors) {

@@ -48,7 +48,7 @@ private:
         bool driven; // something locked moves
     };
 
-    bool measureWays(const Bodies& bodies, const Tolerances& tolerances, Crew& crew);
+    bool markSwift(const Bodies& bodies, const Tolerances& tolerances, Crew& crew);
     bool findCandidates(const Bodies& bodies, const ContactSet& contactSet,
                         const Tolerances& tolerances, Crew& crew);
     bool isSwift(const ContactHead& head) const {
@@ -74,11 +74,12 @@ private:
     std::vector<std::uint8_t> swift_; // by body: does it go so far that a pair needs a look?
     std::vector<Real> stopAt_;        // share of the step, by body
     std::vector<Vec2> push_;          // m, over a whole step, by body: by what is locked and moves
-    std::vector<std::uint32_t> stopped_; // bodies
+    std::vector<std::uint32_t> stopped_;    // bodies
     std::vector<std::uint32_t> candidates_; // contacts that could meet if nobody is stopped
     Findings<std::uint32_t> found_;
     std::vector<Real> times_; // by contact: share of the step; 1: they do not meet in it
-    // By body, and by contact for its first and its second body: another contact of that body.
+    // Lists of the contacts of each body: where that of a body begins, and where that of the first
+    // and of the second body of a contact goes on.
     std::vector<std::uint32_t> first_;
     std::vector<std::array<std::uint32_t, 2>> next_;
     std::vector<std::uint32_t> againstLocked_; // contacts

@@ -84,7 +84,7 @@ Motion& BodyRef::motion() {
 void BodyRef::changed() {
     world_->disturb(index());
     world_->placeInRegion(index());
-    world_->contacts_.bodiesChanged();
+    world_->contacts_.bodyChanged(index());
     world_->bodies_.jumped(index());
     world_->bodies_.awakeStale = true;
 }
@@ -110,6 +110,9 @@ void BodyRef::pushed() {
     const Motion& own = bodies().motion[index()];
     if (own.move == Vec2{} && own.turn == 0) { // it stood, and may begin to move what lies on it
         world_->disturb(index());
+        if ((bodies().filter[index()].flags & kOutside) != 0) {
+            world_->putContactsAside(); // again: it goes on waiting
+        }
     }
     world_->bodies_.awakeStale = true;
 }

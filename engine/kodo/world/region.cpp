@@ -50,7 +50,7 @@ bool World::askRegion(std::uint32_t body) {
 /// The same for one that may have contacts.
 void World::placeInRegion(std::uint32_t body) {
     if (askRegion(body)) {
-        contacts_.bodiesChanged(); // its bounds are to be those of where it waits
+        contacts_.bodyChanged(body); // its bounds are to be those of where it waits
         putContactsAside();
     }
 }

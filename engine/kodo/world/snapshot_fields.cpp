@@ -119,8 +119,8 @@ void SnapshotFields::one(IdPool& pool) {
 }
 
 void SnapshotFields::one(Bodies& bodies) {
-    auto& [ids, motion, pose, acceleration, extent, jumps, start, filter, record, rest, forced, awake,
-           awakeStale, anyRests, turns, startStale, pushesStale, anyJumped] = bodies;
+    auto& [ids, motion, pose, acceleration, extent, jumps, hasJumped, start, filter, record, rest,
+           forced, awake, awakeStale, anyRests, turns, startStale, pushesStale, anyJumped] = bodies;
     one(ids);
     if (reads()) {
         const std::size_t count = ids.capacity();
@@ -129,6 +129,7 @@ void SnapshotFields::one(Bodies& bodies) {
         acceleration.resize(count);
         extent.resize(count + 1);
         jumps.resize(count);
+        hasJumped.resize(count);
         filter.resize(count);
         record.resize(count);
         rest.resize(count);
@@ -249,19 +250,20 @@ void SnapshotFields::completeContact(Contact& contact, const Bodies& bodies) {
 }
 
 /// The bounds of what does not move are from when it last did, so they do not follow from the
-/// bodies. Those that are to be found anew are written too, as zeros: the bytes then say how many
-/// there must be.
-void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
+/// bodies.
+void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Tolerances& tolerances) {
     // The way pairs are found changes what that costs and not what is found, so it begins anew.
     auto& [bounds, pairs, finder, seams, contacts, order, newOrder, holes, added, heads, live,
-           found, slots, idle, touches, touchChanges, ended, endedInStep, records, recordsDue,
-           apart, fastestApproach, stale, pairsStale, contactsChanged, liveStale, anySensors] = set;
-    auto& [parts, firstPart, outlines, corners, tight, grown, changed, isChanged, outgrown] = bounds;
+           found, slots, idle, dropped, changes, hasChanged, stirred, touches, touchChanges, ended,
+           endedInStep, records, recordsDue, apart, fastestApproach, stale, pairsStale,
+           contactsChanged, liveStale, anySensors] = set;
+    auto& [parts, firstPart, firstBefore, replaced, outlines, corners, leftOver, tight, grown,
+           changed, isChanged, outgrown] = bounds;
     set.writeRecords();
-    if (!reads() && stale) {
-        bounds.number(bodies);
+    if (!reads()) {
+        set.applyChanges(bodies, tolerances);
     }
-    all(contacts, ended, records, stale, pairsStale, tight, grown);
+    all(contacts, ended, records, tight, grown, changed);
     if (!reads()) {
         return;
     }
@@ -272,9 +274,17 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
             "the bounds do not fit the bodies");
     std::vector<Aabb> tightAsRead = std::move(tight);
     std::vector<Aabb> grownAsRead = std::move(grown);
+    const std::vector<std::uint32_t> changedAsRead = std::move(changed);
     bounds.number(bodies);
     tight = std::move(tightAsRead);
     grown = std::move(grownAsRead);
+    for (const std::uint32_t i : changedAsRead) {
+        require(i < tight.size() && isChanged[i] == 0,
+                "the list of the bounds that are new is wrong");
+        bounds.list(i, changed);
+    }
+    stale = false;
+    pairsStale = false;
     for (Contact& contact : contacts) {
         completeContact(contact, bodies);
     }
@@ -288,8 +298,8 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies) {
 }
 
 void SnapshotFields::rest(RestStage& stage, Bodies& bodies) {
-    auto& [islands, restingIslands, parent, leastCalm, supports, resting, members, standing] =
-        stage;
+    auto& [islands, restingIslands, leaning, parent, leastCalm, supports, resting, members,
+           standing] = stage;
     all(islands);
     if (!reads()) {
         return;
@@ -306,7 +316,9 @@ void SnapshotFields::rest(RestStage& stage, Bodies& bodies) {
         for (Contact& contact : islands[island].contacts) {
             completeContact(contact, bodies);
             contact.row = {}; // only those of the list have one
+            stage.countLeaning(contact, true);
         }
+        require(!islands[island].bodies.empty() || islands[island].contacts.empty(), sentence);
         restingIslands += islands[island].bodies.empty() ? 0 : 1;
     }
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
@@ -339,7 +351,7 @@ void SnapshotFields::joints(JointSet& set, const Bodies& bodies, Real lengthUnit
 void SnapshotFields::world(World& world) {
     auto& [settings, tolerances, stepCount, count, bodies, fields, contacts, impacts, softStep,
            propagation, contactVisits, sweep, rest, joints, broken, frozen, region, held, aside,
-           returning, lastForm] = world;
+           returning, wereAwake, switched, lastForm] = world;
     softStep.blocks().fetchAll(contacts.contacts(), bodies);
     all(settings, tolerances, stepCount);
     bodies.turns = settings.has(Feature::Rotation);
@@ -350,7 +362,7 @@ void SnapshotFields::world(World& world) {
     if (reads()) {
         contacts.setApart(joints.apart());
     }
-    this->contacts(contacts, bodies);
+    this->contacts(contacts, bodies, tolerances);
     this->rest(rest, bodies);
     as<std::uint64_t>(contactVisits);
     all(broken, frozen, region, aside);

@@ -157,7 +157,7 @@ private:
     void one(Contact& contact);
     void one(CollisionRecord& record);
     void one(RestStage::Island& island);
-    void contacts(ContactSet& set, const Bodies& bodies);
+    void contacts(ContactSet& set, const Bodies& bodies, const Tolerances& tolerances);
     void rest(RestStage& stage, Bodies& bodies);
     static void completeContact(Contact& contact, const Bodies& bodies);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -61,14 +62,27 @@ void World::step(Real dt, const StepAids& aids) {
 /// Finds where bodies touch. Where some were put elsewhere, no contact is carried on unseen.
 void World::updateManifolds(Crew& crew) {
     ContactBlocks& blocks = softStep_.blocks();
-    if (bodies_.anyJumped) {
-        fetchContacts();
-    }
+    reclaimJumped();
     noteStart(bodies_);
     blocks.carry(bodies_, crew);
     contacts_.updateManifolds(
         bodies_, tolerances_,
         {blocks.carried(), [&](Contact& contact) { blocks.reclaim(contact, bodies_); }}, crew);
+}
+
+/// The contacts of who jumped are not carried on unseen.
+void World::reclaimJumped() {
+    if (!bodies_.anyJumped) {
+        return;
+    }
+    const std::span<const ContactHead> heads = contacts_.heads();
+    for (std::uint32_t i = 0; i < heads.size(); ++i) {
+        if (heads[i].row != ContactRow::kNone &&
+            (bodies_.hasJumped[heads[i].bodyA] | bodies_.hasJumped[heads[i].bodyB]) != 0) {
+            softStep_.blocks().reclaim(contacts_.contacts()[i], bodies_);
+            contacts_.noteRow(i);
+        }
+    }
 }
 
 /// Wakes who is touched, and finds what will speed up whom.
@@ -138,10 +152,20 @@ void World::findAwake() {
             }
         }
     }
-    const bool changed = refreshAwake(bodies_);
-    joints_.findBusy(bodies_, changed);
-    if (changed && (rest_.anyResting() || region_)) {
-        contacts_.activityChanged();
+    if (!bodies_.awakeStale) {
+        joints_.findBusy(bodies_, false);
+        return;
+    }
+    wereAwake_.assign(bodies_.awake.begin(), bodies_.awake.end());
+    refreshAwake(bodies_);
+    joints_.findBusy(bodies_, true);
+    if (rest_.anyResting() || region_) {
+        switched_.clear();
+        std::set_symmetric_difference(wereAwake_.begin(), wereAwake_.end(), bodies_.awake.begin(),
+                                      bodies_.awake.end(), std::back_inserter(switched_));
+        for (const std::uint32_t body : switched_) {
+            contacts_.activityChanged(body);
+        }
     }
 }
 

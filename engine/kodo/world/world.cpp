@@ -79,7 +79,7 @@ BodyId World::add(const BodyDef& def) {
     refuse(check(def, tolerances_.unit()));
     const BodyId id = addBody(bodies_, def, formFor(def));
     askRegion(id.index);
-    contacts_.bodiesChanged();
+    contacts_.bodyChanged(id.index);
     ++count_;
     return id;
 }
@@ -109,7 +109,9 @@ void World::wakeAll() {
 
 /// It goes, jumps or changes: what leans on it, or hangs on it by a joint, wakes.
 void World::disturb(std::uint32_t body) {
-    fetchContacts();
+    if (rest_.anyResting()) {
+        fetchContacts();
+    }
     takeBackContactsOf(body);
     rest_.disturb(bodies_, contacts_, joints_, body);
 }
@@ -117,7 +119,7 @@ void World::disturb(std::uint32_t body) {
 void World::remove(BodyId id) {
     requireAlive(id);
     disturb(id.index);
-    contacts_.drop(id.index);
+    contacts_.drop(id.index, [&](Contact& contact) { softStep_.blocks().fetch(contact, bodies_); });
     joints_.dropBody(id);
     contacts_.setApart(joints_.apart());
     removeBody(bodies_, id.index);
@@ -138,7 +140,7 @@ BodyId World::clone(BodyId id, Vec2 position) {
     def.userData = source.userData();
     const BodyId copy = addBody(bodies_, def, bodies_.record[id.index].form);
     askRegion(copy.index);
-    contacts_.bodiesChanged();
+    contacts_.bodyChanged(copy.index);
     ++count_;
     return copy;
 }
@@ -167,11 +169,13 @@ std::size_t World::weld(BodyId into, BodyId part) {
     const Transform other{bodies_.originOf(part.index), bodies_.pose[part.index].rotation};
     const Transform place = between(frame, other);
     refuse(checkTogether(bodies_.form(into.index), bodies_.form(part.index), place));
+    fetchContacts();
     disturb(into.index);
     const std::size_t firstPart = bodies_.form(into.index).parts.size();
     joints_.transfer(part, into, place);
     weldBodies(bodies_, into.index, part.index);
     placeInRegion(into.index);
+    contacts_.bodyChanged(into.index);
     remove(part);
     return firstPart;
 }
@@ -259,6 +263,7 @@ std::size_t World::weld(BodyId into, const Primitive& shape, const Material& mat
     const Part part{shape, material, density};
     refuse(checkBuild({&part, 1}, tolerances_.unit()));
     refuse(checkTogether(bodies_.form(into.index), *makeForm({part}), {}));
+    fetchContacts();
     disturb(into.index);
     std::vector<Part> parts = bodies_.form(into.index).parts;
     parts.push_back(part);
@@ -267,7 +272,7 @@ std::size_t World::weld(BodyId into, const Primitive& shape, const Material& mat
     Motion& motion = bodies_.motion[into.index];
     motion.velocity = velocityAt(motion, bodies_.pose[into.index].position - center);
     placeInRegion(into.index);
-    contacts_.bodiesChanged();
+    contacts_.bodyChanged(into.index);
     return bodies_.form(into.index).parts.size() - 1;
 }
 
@@ -281,12 +286,13 @@ BodyId World::unweld(BodyId body, std::size_t part, Flags flags) {
     }
     refuse(checkLock(parts[part].primitive, flags));
     refuse(checkFlags("flags", flags));
+    fetchContacts();
     disturb(body.index);
     contacts_.partRemoved(body.index, part);
     const BodyId freed = unweldPart(bodies_, body.index, part, flags & ~kStatusFlags);
     placeInRegion(body.index);
     askRegion(freed.index);
-    contacts_.bodiesChanged();
+    contacts_.bodyChanged(freed.index);
     ++count_;
     return freed;
 }

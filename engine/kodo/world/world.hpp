@@ -160,6 +160,7 @@ private:
 
     void forAwake(Crew& crew, void (*work)(Bodies&, std::span<const std::uint32_t>));
     void updateManifolds(Crew& crew);
+    void reclaimJumped();
     void gatherForces(Real dt, Crew& crew);
     void solve(Real dt, Crew& crew);
     void sweep(Real dt, Crew& crew);
@@ -193,6 +194,8 @@ private:
     std::vector<std::pair<std::uint32_t, Motion>> held_; // what waits, while the solver runs
     std::vector<Contact> aside_;                         // of what waits; see putContactsAside
     std::vector<Contact> returning_;                     // spare, so that a step allocates nothing
+    std::vector<std::uint32_t> wereAwake_;               // likewise: before the list was made anew
+    std::vector<std::uint32_t> switched_;                // likewise: who began or ceased to be
     std::shared_ptr<const Form> lastForm_;               // equal bodies are usually added in a row
 };
 

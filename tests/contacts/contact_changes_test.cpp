@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/contacts/contact_set.hpp>
+#include <support/random_numbers.hpp>
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <utility>
+
+namespace kodo {
+namespace {
+
+constexpr Tolerances kUsual = Tolerances::forUnit(1);
+
+/// Bodies to which everything happens that a World may do between two steps.
+class Crowd {
+public:
+    explicit Crowd(std::uint64_t seed) : random_(seed) {
+        for (int i = 0; i < 20; ++i) {
+            add();
+        }
+    }
+
+    void change() {
+        switch (random_.below(7)) {
+        case 0:
+        case 1:
+            add();
+            break;
+        case 2:
+            remove(any());
+            break;
+        case 3: // jumps
+            touch([&](std::uint32_t body) { bodies_.pose[body].position = place(); });
+            break;
+        case 4: // has other flags
+            touch([&](std::uint32_t body) { bodies_.filter[body].flags ^= 1u; });
+            break;
+        case 5: // has other parts
+            touch([&](std::uint32_t body) { setForm(bodies_, body, form()); });
+            break;
+        default:
+            rest(any());
+        }
+    }
+    void updatePairs() {
+        refreshAwake(bodies_);
+        contacts_.updatePairs(bodies_, kUsual, Real(1) / 60, crew_);
+    }
+    /// Less than bounds have room for, so that they hold what falls asleep.
+    void move() {
+        for (const std::uint32_t body : bodies_.awake) {
+            bodies_.pose[body].position += random_.point(static_cast<double>(kUsual.margin) / 2);
+        }
+    }
+
+    /// Whatever is near each other and may meet has a contact, in order and with the right places;
+    /// nothing else has one that is nowhere near.
+    void expectAllPairs() {
+        const PartBounds& bounds = contacts_.bounds();
+        std::set<std::pair<std::uint32_t, std::uint32_t>> there;
+        ContactKey last;
+        contacts_.forEachInOrder([&](const Contact& contact) {
+            EXPECT_TRUE(there.empty() || last < contact.key);
+            last = contact.key;
+            const auto& [bodyA, partA, bodyB, partB] = contact.key;
+            EXPECT_TRUE(bodies_.ids.aliveAt(bodyA) && bodies_.ids.aliveAt(bodyB));
+            EXPECT_EQ(contact.a, bodies_.idAt(bodyA));
+            EXPECT_EQ(contact.b, bodies_.idAt(bodyB));
+            there.emplace(bounds.indexOf(bodyA, partA), bounds.indexOf(bodyB, partB));
+        });
+        std::set<std::pair<std::uint32_t, std::uint32_t>> headed;
+        for (const ContactHead& head : contacts_.heads()) {
+            EXPECT_EQ(bounds.part(head.proxies.first).body, head.bodyA);
+            EXPECT_EQ(bounds.part(head.proxies.second).body, head.bodyB);
+            headed.emplace(head.proxies.first, head.proxies.second);
+        }
+        EXPECT_EQ(there, headed);
+        for (std::uint32_t i = 0; i < bounds.grown().size(); ++i) {
+            const PartBounds::Part& part = bounds.part(i);
+            const Aabb tight =
+                boundsOf(bodies_.outline(part.body, part.part), bodies_.pose[part.body]);
+            EXPECT_TRUE(bounds.grown()[i].contains(tight));
+            for (std::uint32_t k = 0; k < i; ++k) {
+                const bool near = overlap(bounds.tight(i).grown(kUsual.margin), bounds.tight(k));
+                EXPECT_FALSE(near && mayMeet(k, i) && !there.contains({k, i})) << k << " " << i;
+                EXPECT_FALSE(there.contains({k, i}) &&
+                             !overlap(bounds.grown()[i], bounds.grown()[k]));
+            }
+        }
+    }
+
+private:
+    BodyDef def() {
+        BodyDef def{.shape = Circle{Real(0.5)}, .position = place()};
+        if (random_.below(2) == 0) {
+            def.shape = Compound{{Box{1, Real(0.25)}, Circle{Real(0.25), {Real(0.75), 0}}}};
+        } else if (random_.below(4) == 0) {
+            def.shape = Polygon{{{0, 0}, {1, 0}, {1, 1}, {Real(0.5), Real(1.5)}, {0, 1}}};
+        }
+        return def;
+    }
+    std::shared_ptr<const Form> form() { return makeForm(partsOf(def())); }
+    Vec2 place() { return random_.point(6); }
+    std::uint32_t any() {
+        std::uint32_t body = 0;
+        do {
+            body = static_cast<std::uint32_t>(random_.below(bodies_.size()));
+        } while (!bodies_.ids.aliveAt(body));
+        return body;
+    }
+    void add() {
+        const BodyDef made = def();
+        contacts_.bodyChanged(addBody(bodies_, made, makeForm(partsOf(made))).index);
+        ++count_;
+    }
+    void remove(std::uint32_t body) {
+        if (count_ < 5) {
+            return;
+        }
+        contacts_.drop(body, [](Contact&) {});
+        removeBody(bodies_, body);
+        --count_;
+    }
+    template <typename Change>
+    void touch(Change change) {
+        const std::uint32_t body = any();
+        contacts_.drop(body, [](Contact&) {}); // parts may go
+        change(body);
+        contacts_.bodyChanged(body);
+    }
+    /// Falls asleep, or wakes.
+    void rest(std::uint32_t body) {
+        bodies_.filter[body].flags ^= kResting;
+        bodies_.awakeStale = true;
+        contacts_.activityChanged(body);
+    }
+    bool mayMeet(std::uint32_t i, std::uint32_t k) const {
+        const std::uint32_t a = contacts_.bounds().part(i).body;
+        const std::uint32_t b = contacts_.bounds().part(k).body;
+        return a != b && (bodies_.active(a) || bodies_.active(b)) &&
+               shouldCollide(bodies_.filter[a], bodies_.filter[b]);
+    }
+
+    support::RandomNumbers random_;
+    Bodies bodies_;
+    ContactSet contacts_;
+    Crew crew_{nullptr};
+    int count_ = 0;
+};
+
+// Bodies come, go, jump, get other parts and flags, fall asleep and wake: only their pairs are
+// looked for again, and yet none is missing.
+TEST(ContactSet, HasAllPairsWhateverHappensToBodies) {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        Crowd crowd(seed);
+        for (std::uint64_t step = 0; step < 60 && !testing::Test::HasFailure(); ++step) {
+            SCOPED_TRACE(testing::Message() << "step " << step);
+            for (std::uint64_t change = 0; change < (seed + step) % 4; ++change) {
+                crowd.change();
+            }
+            crowd.updatePairs();
+            crowd.expectAllPairs();
+            crowd.move();
+        }
+    }
+}
+
+} // namespace
+} // namespace kodo

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include <support/resting.hpp>
+#include <support/same_records.hpp>
+
+namespace kodo {
+namespace {
+
+constexpr int kBodies = 1000;
+constexpr int kSteps = 30;
+constexpr Vec2 kAway{0, 500};
+
+/// A heap of discs, in which nothing may rest, and one disc far away from it.
+struct Heap {
+    World world{support::wakeful()};
+    BodyId apart;
+
+    Heap() {
+        support::addFloor(world);
+        for (int i = 0; i < kBodies; ++i) {
+            const auto column = static_cast<Real>(i % 50);
+            const auto row = static_cast<Real>(i / 50);
+            world.add(support::ballDef({column - 25, row + Real(0.5)}, Real(0.5)));
+        }
+        apart = addApart();
+        support::run(world, 20);
+    }
+    BodyId addApart() {
+        BodyDef def = support::ballDef(kAway, Real(0.5));
+        def.flags = kLockMove | kLockRotate;
+        return world.add(def);
+    }
+    /// ps that the search for pairs takes in a step, in the mean; `change` comes before each.
+    template <typename Change>
+    std::uint64_t pairWork(Change change) {
+        const std::uint64_t before = world.pairWork();
+        for (int step = 0; step < kSteps; ++step) {
+            change();
+            world.step(support::kDt);
+        }
+        return (world.pairWork() - before) / kSteps;
+    }
+};
+
+// One body that jumps, comes or goes does not make a step look for the pairs of all others, as it
+// once did: it took three times as long then.
+TEST(OneChange, DoesNotMakeAStepLookForAllPairs) {
+    Heap still;
+    Heap jumping;
+    Heap coming;
+    const std::uint64_t none = still.pairWork([] {});
+    const std::uint64_t jumps =
+        jumping.pairWork([&] { jumping.world[jumping.apart].setPosition(kAway); });
+    const std::uint64_t comes = coming.pairWork([&] {
+        coming.world.remove(coming.apart);
+        coming.apart = coming.addApart();
+    });
+    constexpr std::uint64_t kOne = 2000 * kBodies; // ps: it is compared with all, twice at most
+    EXPECT_LE(jumps, none + none / 10 + kOne);
+    EXPECT_LE(comes, none + none / 10 + kOne);
+}
+
+// Nor does what is shot over a World that rests.
+TEST(OneChange, LeavesAWorldThatRestsAlone) {
+    World world(WorldDef{.gravity = support::kEarth});
+    support::addFloor(world);
+    for (int i = 0; i < kBodies; ++i) {
+        world.add(support::boxDef({static_cast<Real>(i - kBodies / 2) / 2, Real(0.125)}, Real(0.25),
+                                  Real(0.25)));
+    }
+    support::run(world, 200);
+    ASSERT_EQ(support::countResting(world), static_cast<std::size_t>(kBodies));
+    const std::uint64_t before = world.pairWork();
+    for (int step = 0; step < kSteps; ++step) {
+        BodyDef def = support::ballDef({-20, 500}, Real(0.5));
+        def.velocity = {10, 0};
+        const BodyId shot = world.add(def);
+        world.step(support::kDt);
+        EXPECT_EQ(world.bodyVisits(), 1u);
+        world.remove(shot);
+    }
+    EXPECT_LE(world.pairWork() - before, std::uint64_t{4000} * kBodies * kSteps);
+    EXPECT_EQ(support::countResting(world), static_cast<std::size_t>(kBodies));
+}
+
+// S2: what touched in the last step is told alike whether a body of it has gone meanwhile or not.
+TEST(OneChange, LeavesTheRecordsOfTheLastStep) {
+    Heap heap;
+    const World before = heap.world;
+    ASSERT_GT(before.collisions().size(), std::size_t{kBodies});
+    const std::vector<BodyId> all = heap.world.bodies();
+    for (std::size_t i = 1; i < all.size(); i += 7) {
+        heap.world.remove(all[i]);
+    }
+    EXPECT_TRUE(support::sameRecords(before, heap.world));
+}
+
+// What touched a body that has gone is told to end once, in the next step; who touched nobody else
+// is no longer touched.
+TEST(OneChange, EndsWhatTouchedWhoHasGone) {
+    World world(support::wakeful());
+    support::addFloor(world);
+    const std::vector<BodyId> stack = support::addStack(world, 3);
+    support::run(world, 30);
+    world.remove(stack[1]);
+    world.add(support::boxDef({50, 50}, 1, 1)); // takes its slot
+    world.step(support::kDt);
+    std::size_t ends = 0;
+    for (const CollisionRecord& record : world.collisions()) {
+        ends += record.phase == TouchPhase::End ? 1u : 0u;
+    }
+    EXPECT_EQ(ends, 2u);
+    EXPECT_EQ(world[stack[2]].flags() & kColliding, 0u);
+    EXPECT_NE(world[stack[0]].flags() & kColliding, 0u);
+}
+
+} // namespace
+} // namespace kodo
