@@ -35,6 +35,7 @@ SCENES = [
     Wanted("joints", 40),
     Wanted("spinner", 1000),
     Wanted("resting", 10000),
+    Wanted("shots", 10000),
     Wanted("smallroom", 1),
     Wanted("empty", 1),
 ]
