@@ -59,7 +59,7 @@ void World::step(Real dt, const StepAids& aids) {
     }
 }
 
-/// Finds where bodies touch. Where some were put elsewhere, no contact is carried on unseen.
+/// Finds where bodies touch.
 void World::updateManifolds(Crew& crew) {
     ContactBlocks& blocks = softStep_.blocks();
     reclaimJumped();
@@ -70,7 +70,7 @@ void World::updateManifolds(Crew& crew) {
         {blocks.carried(), [&](Contact& contact) { blocks.reclaim(contact, bodies_); }}, crew);
 }
 
-/// The contacts of who jumped are not carried on unseen.
+/// Where some were put elsewhere, their contacts are not carried on unseen.
 void World::reclaimJumped() {
     if (!bodies_.anyJumped) {
         return;
