@@ -49,7 +49,7 @@ std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Re
         return std::nullopt;
     }
     const Real thinner = std::min(shapeA.inside, shapeB.inside);
-    const bool far = motion > thinner / 2;
+    const bool far = motion > thinner;
     if (gap > tolerances.slop) {
         const bool bounces = contact.bounces && settings.has(Feature::Restitution);
         return bounces || contact.sensor || far ? std::optional(kStopShort * tolerances.slop)
@@ -67,7 +67,7 @@ std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Re
 /// since a part is no thinner than the thinnest of its body; stoppingGap tells it exactly.
 bool mayNeedSweep(const ContactHead& head, Real motion, Real insideA, Real insideB,
                   const Tolerances& tolerances) {
-    const bool far = motion > std::min(insideA, insideB) / 2;
+    const bool far = motion > std::min(insideA, insideB);
     if (!far && !head.bounces) {
         return false; // as in most of a pile
     }
@@ -87,7 +87,7 @@ bool mayGoFar(const Bodies& bodies, const ContactHead& head) {
         return true; // seen from what is locked all is otherwise
     }
     const Real swing = std::abs(a.turn) * extentA.reach + std::abs(b.turn) * extentB.reach;
-    const Real room = std::min(extentA.inside, extentB.inside) / 2 - swing;
+    const Real room = std::min(extentA.inside, extentB.inside) - swing;
     return room < 0 || lengthSquared(b.move - a.move) > room * room;
 }
 
