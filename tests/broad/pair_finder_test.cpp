@@ -39,20 +39,21 @@ struct SomeMoved {
 };
 
 /// Sizes over four powers of ten, with a ground, an endless plane and an escaped body.
-std::vector<Aabb> mixedScene(support::RandomNumbers& random, std::size_t count) {
-    std::vector<Aabb> bounds = randomScene(random, count);
+std::vector<Octagon> mixedScene(support::RandomNumbers& random, std::size_t count) {
+    std::vector<Octagon> bounds = randomScene(random, count);
     for (std::size_t i = 0; i < bounds.size(); i += 5) {
         const Real size = std::pow(Real(10), random.between(-2, 2));
-        bounds[i].upper = bounds[i].lower + Vec2{size, size};
+        const auto [x, y] = bounds[i].box().lower;
+        bounds[i] = boxAt(x, y, size, size);
     }
     bounds.push_back(boxAt(-500, -1, 1000, 1));
-    bounds.push_back({{Real(-1e9), Real(-1e9)}, {Real(1e9), -5}});
+    bounds.push_back(Octagon::of(Aabb{{Real(-1e9), Real(-1e9)}, {Real(1e9), -5}}));
     bounds.push_back(boxAt(Real(1e6), Real(-1e6)));
     return bounds;
 }
 
 template <typename Finder>
-void findPairs(Finder& finder, std::span<const Aabb> bounds, const Moved& moved,
+void findPairs(Finder& finder, std::span<const Octagon> bounds, const Moved& moved,
                std::vector<BoundsPair>& pairs) {
     if constexpr (std::is_same_v<Finder, SortAndSweep>) {
         finder.pairs(bounds, moved, acceptAll, pairs);
@@ -69,12 +70,12 @@ void expectWhatBruteForceFinds(std::uint64_t seed) {
     std::size_t found = 0;
     for (int scene = 0; scene < 200; ++scene) {
         SCOPED_TRACE(scene);
-        std::vector<Aabb> bounds = mixedScene(random, random.below(150));
+        std::vector<Octagon> bounds = mixedScene(random, random.below(150));
         for (int frame = 0; frame < 4; ++frame) {
             const SomeMoved moved(random, bounds.size(),
                                   frame == 0 ? 1 : 4); // all are new at first
             for (const std::uint32_t i : moved.list) {
-                bounds[i] = kodo::moved(bounds[i], random.point(0.5));
+                bounds[i] = bounds[i].moved(random.point(0.5));
             }
             std::vector<BoundsPair> pairs;
             findPairs(finder, bounds, moved, pairs);
@@ -102,13 +103,13 @@ TEST(PairFinder, FindsWhatBruteForceFinds) {
 // What one way keeps from call to call must not be out of date when another had its turn.
 TEST(PairFinder, FindsTheSameWhicheverHasItsTurn) {
     support::RandomNumbers random(64);
-    std::vector<Aabb> bounds = mixedScene(random, 100);
+    std::vector<Octagon> bounds = mixedScene(random, 100);
     PairFinder finder;
     for (int frame = 0; frame < 100; ++frame) {
         SCOPED_TRACE(frame);
         const SomeMoved moved(random, bounds.size(), frame == 0 ? 1 : 4);
         for (const std::uint32_t i : moved.list) {
-            bounds[i] = kodo::moved(bounds[i], random.point(0.5));
+            bounds[i] = bounds[i].moved(random.point(0.5));
         }
         finder.use(static_cast<PairSearch>(random.below(3)));
         std::vector<BoundsPair> pairs;
@@ -117,8 +118,8 @@ TEST(PairFinder, FindsTheSameWhicheverHasItsTurn) {
     }
 }
 
-std::vector<Aabb> square(int side) {
-    std::vector<Aabb> bounds;
+std::vector<Octagon> square(int side) {
+    std::vector<Octagon> bounds;
     for (int i = 0; i < side * side; ++i) {
         bounds.push_back(boxAt(static_cast<Real>(i % side), static_cast<Real>(i / side), Real(0.99),
                                Real(0.99)));
@@ -126,7 +127,7 @@ std::vector<Aabb> square(int side) {
     return bounds;
 }
 
-std::size_t gridTests(const std::vector<Aabb>& bounds) {
+std::size_t gridTests(const std::vector<Octagon>& bounds) {
     Grid grid;
     std::vector<BoundsPair> pairs;
     findPairs(grid, bounds, AllMoved(bounds.size()), pairs);
@@ -143,13 +144,13 @@ TEST(Grid, TestsAsManyForEachInALargeSceneAsInASmallOne) {
 // One body that left for a million metres must not spread the cells so wide that all the others
 // share one.
 TEST(Grid, AnEscapedBodyCostsNothing) {
-    std::vector<Aabb> bounds = square(50);
+    std::vector<Octagon> bounds = square(50);
     const std::size_t before = gridTests(bounds);
     bounds.push_back(boxAt(Real(1e6), Real(-3e5)));
     EXPECT_LE(gridTests(bounds), before + before / 4);
 }
 
-PairSearch wayAfter(const std::vector<Aabb>& bounds, const Moved& moved, int calls) {
+PairSearch wayAfter(const std::vector<Octagon>& bounds, const Moved& moved, int calls) {
     PairFinder finder;
     for (int i = 0; i < calls; ++i) {
         std::vector<BoundsPair> pairs;
@@ -161,11 +162,11 @@ PairSearch wayAfter(const std::vector<Aabb>& bounds, const Moved& moved, int cal
 // O2: few, or few that have moved: brute force. A flat row, where sweeping tests nothing: sort and
 // sweep. A pile, where it tests whole columns: the grid.
 TEST(PairFinder, TakesTheCheapestWay) {
-    std::vector<Aabb> row;
+    std::vector<Octagon> row;
     for (int i = 0; i < 500; ++i) {
         row.push_back(boxAt(static_cast<Real>(2 * i), 0));
     }
-    const std::vector<Aabb> pile = square(40);
+    const std::vector<Octagon> pile = square(40);
     EXPECT_EQ(wayAfter(square(5), AllMoved(25), 200), PairSearch::BruteForce);
     EXPECT_EQ(wayAfter(row, AllMoved(500), 200), PairSearch::SortAndSweep);
     EXPECT_EQ(wayAfter(pile, AllMoved(1600), 200), PairSearch::Grid);
@@ -177,13 +178,13 @@ TEST(PairFinder, TakesTheCheapestWay) {
 
 // A row that falls together into a pile, and a pile that is drawn out into a row.
 TEST(PairFinder, FollowsTheScene) {
-    std::vector<Aabb> row;
+    std::vector<Octagon> row;
     for (int i = 0; i < 1600; ++i) {
         row.push_back(boxAt(static_cast<Real>(2 * i), 0));
     }
     const AllMoved moved(row.size());
     PairFinder finder;
-    const auto wayIn = [&](const std::vector<Aabb>& bounds) {
+    const auto wayIn = [&](const std::vector<Octagon>& bounds) {
         for (int i = 0; i < 600; ++i) {
             std::vector<BoundsPair> pairs;
             findPairs(finder, bounds, moved, pairs);
@@ -199,7 +200,7 @@ TEST(PairFinder, FollowsTheScene) {
 // A turn of the idle one is paid from what has been spent since its last: 1/16 for the two of them,
 // and a half more for the first, which are guesses.
 TEST(PairFinder, TurnsOfTheIdleCostLittle) {
-    const std::vector<Aabb> pile = square(60);
+    const std::vector<Octagon> pile = square(60);
     const AllMoved moved(pile.size());
     PairFinder chosen;
     PairFinder grid;
@@ -216,7 +217,7 @@ TEST(PairFinder, TurnsOfTheIdleCostLittle) {
 }
 
 TEST(PairFinder, KeepsToTheWayItIsTold) {
-    const std::vector<Aabb> pile = square(10);
+    const std::vector<Octagon> pile = square(10);
     for (const PairSearch way :
          {PairSearch::BruteForce, PairSearch::Grid, PairSearch::SortAndSweep}) {
         PairFinder finder;

@@ -9,7 +9,7 @@ namespace {
 
 using namespace bounds_scenes;
 
-std::vector<BoundsPair> bySweep(SortAndSweep& sweep, const std::vector<Aabb>& bounds) {
+std::vector<BoundsPair> bySweep(SortAndSweep& sweep, const std::vector<Octagon>& bounds) {
     std::vector<BoundsPair> pairs;
     sweep.pairs(bounds, AllMoved(bounds.size()), acceptAll, pairs);
     PairSorter().sort(pairs, bounds.size());
@@ -23,13 +23,12 @@ TEST(SortAndSweep, FindsWhatBruteForceFinds) {
     std::size_t found = 0;
     for (int scene = 0; scene < 300; ++scene) {
         SCOPED_TRACE(scene);
-        std::vector<Aabb> bounds = randomScene(random, random.below(120));
+        std::vector<Octagon> bounds = randomScene(random, random.below(120));
         for (int frame = 0; frame < 4; ++frame) {
             ASSERT_EQ(bySweep(sweep, bounds), byBruteForce(bounds));
             found += byBruteForce(bounds).size();
-            for (Aabb& box : bounds) {
-                const Vec2 move = random.point(0.5);
-                box = {box.lower + move, box.upper + move};
+            for (Octagon& each : bounds) {
+                each = each.moved(random.point(0.5));
             }
         }
     }
@@ -38,7 +37,7 @@ TEST(SortAndSweep, FindsWhatBruteForceFinds) {
 
 TEST(SortAndSweep, FindsTouchingAndEqualBounds) {
     SortAndSweep sweep;
-    const std::vector<Aabb> bounds{boxAt(0, 0), boxAt(1, 1), boxAt(0, 0), boxAt(5, 5, 0, 0)};
+    const std::vector<Octagon> bounds{boxAt(0, 0), boxAt(1, 1), boxAt(0, 0), boxAt(5, 5, 0, 0)};
     EXPECT_EQ(bySweep(sweep, bounds), byBruteForce(bounds));
     EXPECT_EQ(byBruteForce(bounds).size(), 3u);
 }
@@ -51,7 +50,7 @@ TEST(SortAndSweep, FindsNothingAmongNone) {
 
 TEST(SortAndSweep, AsksBeforeItReports) {
     SortAndSweep sweep;
-    const std::vector<Aabb> bounds{boxAt(0, 0), boxAt(0, 0), boxAt(0, 0)};
+    const std::vector<Octagon> bounds{boxAt(0, 0), boxAt(0, 0), boxAt(0, 0)};
     std::vector<BoundsPair> pairs;
     sweep.pairs(
         bounds, AllMoved(bounds.size()),
@@ -62,8 +61,8 @@ TEST(SortAndSweep, AsksBeforeItReports) {
 // O1: the thesis's flat row of ten boxes (5.1): brute force makes 45 tests, a sweep along the row
 // none, one across it all 45 again.
 TEST(SortAndSweep, NeedsNoTestForAFlatRow) {
-    std::vector<Aabb> along;
-    std::vector<Aabb> upright;
+    std::vector<Octagon> along;
+    std::vector<Octagon> upright;
     for (int i = 0; i < 10; ++i) {
         along.push_back(boxAt(static_cast<Real>(2 * i), 0));
         upright.push_back(boxAt(0, static_cast<Real>(2 * i)));
@@ -79,8 +78,8 @@ TEST(SortAndSweep, NeedsNoTestForAFlatRow) {
 }
 
 /// n boxes on the diagonal of a field of that width and height.
-std::vector<Aabb> spread(std::size_t n, Real width, Real height) {
-    std::vector<Aabb> bounds;
+std::vector<Octagon> spread(std::size_t n, Real width, Real height) {
+    std::vector<Octagon> bounds;
     for (std::size_t i = 0; i < n; ++i) {
         const Real share = static_cast<Real>(i) / static_cast<Real>(n);
         bounds.push_back(boxAt(width * share, height * share, Real(0.1), Real(0.1)));
@@ -91,8 +90,8 @@ std::vector<Aabb> spread(std::size_t n, Real width, Real height) {
 // O1: a scene that turns from flat to tall swaps the axis, after some calls at most.
 TEST(SortAndSweep, SwapsTheAxisWhenTheOtherIsBetter) {
     SortAndSweep sweep;
-    std::vector<Aabb> flat;
-    std::vector<Aabb> tall;
+    std::vector<Octagon> flat;
+    std::vector<Octagon> tall;
     for (int i = 0; i < 40; ++i) {
         const Real at = static_cast<Real>(i);
         flat.push_back(boxAt(3 * at, 0));
@@ -110,13 +109,13 @@ TEST(SortAndSweep, SwapsTheAxisWhenTheOtherIsBetter) {
 // O1, hysteresis: two axes of equal worth never swap, whichever is in use.
 TEST(SortAndSweep, KeepsTheAxisWhileBothAreAlike) {
     SortAndSweep sweep;
-    const std::vector<Aabb> diagonal = spread(40, 100, 100);
+    const std::vector<Octagon> diagonal = spread(40, 100, 100);
     for (int call = 0; call < 200; ++call) {
         bySweep(sweep, diagonal);
         ASSERT_TRUE(sweep.alongX());
     }
     SortAndSweep tall;
-    std::vector<Aabb> column;
+    std::vector<Octagon> column;
     for (int i = 0; i < 40; ++i) {
         column.push_back(boxAt(0, static_cast<Real>(3 * i)));
     }

@@ -80,7 +80,7 @@ public:
             const PartBounds::Part& part = bounds.part(i);
             const Aabb tight =
                 boundsOf(bodies_.outline(part.body, part.part), bodies_.pose[part.body]);
-            EXPECT_TRUE(bounds.grown()[i].contains(tight));
+            EXPECT_TRUE(bounds.grown()[i].box().contains(tight));
             for (std::uint32_t k = 0; k < i; ++k) {
                 const bool near = overlap(bounds.tight(i).grown(kUsual.margin), bounds.tight(k));
                 EXPECT_FALSE(near && mayMeet(k, i) && !there.contains({k, i})) << k << " " << i;

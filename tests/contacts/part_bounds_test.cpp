@@ -34,7 +34,7 @@ struct Discs {
     }
     /// Is there room for the first and its margin?
     bool hold(Vec2 move) const {
-        return bounds.grown()[0].contains(moved(bounds.tight(0), move).grown(kDistances.margin));
+        return bounds.grown()[0].contains(bounds.tight(0).moved(move).grown(kDistances.margin));
     }
 };
 

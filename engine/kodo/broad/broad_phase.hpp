@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/math/aabb.hpp>
+#include <kodo/math/octagon.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -65,14 +65,18 @@ struct Moved {
     bool has(std::uint32_t i) const { return flags[i] != 0; }
 };
 
-/// Adds the pair of one that has moved and another that it overlaps, if `accept(first, second)`
-/// lets it through and it is not to be found from the other's side.
+/// Does one that has moved overlap another, that is to be found from its side? Their boxes do. All
+/// of it is hard to foresee, so nothing is left out.
+inline bool meets(std::uint32_t m, std::uint32_t other, std::span<const Octagon> bounds,
+                  const Moved& moved) {
+    const bool metAlready = moved.has(other) & (other <= m);
+    return !metAlready & overlap(bounds[m], bounds[other]);
+}
+
+/// Adds the pair of one that has moved and another that it meets, if `accept(first, second)` lets
+/// it through.
 template <typename Accept>
-void addPair(std::uint32_t m, std::uint32_t other, const Moved& moved, Accept accept,
-             std::vector<BoundsPair>& out) {
-    if (other == m || (moved.has(other) && other < m)) {
-        return; // itself, or met already
-    }
+void addPair(std::uint32_t m, std::uint32_t other, Accept accept, std::vector<BoundsPair>& out) {
     const BoundsPair pair = other < m ? BoundsPair{other, m} : BoundsPair{m, other};
     if (accept(pair.first, pair.second)) {
         out.push_back(pair);

@@ -15,24 +15,26 @@ public:
     /// Every pair of overlapping bounds, of which at least one has moved, that
     /// `accept(first, second)` lets through, each once, in any order.
     template <typename Accept>
-    void pairs(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
+    void pairs(std::span<const Octagon> bounds, const Moved& moved, Accept accept,
                std::vector<BoundsPair>& out) {
         const auto count = static_cast<std::uint32_t>(bounds.size());
         if (std::exchange(packedCount_, count) != count) {
             packed_.resize(count);
             for (std::uint32_t i = 0; i < count; ++i) {
-                packed_.set(i, bounds[i]);
+                packed_.set(i, bounds[i].box());
             }
         } else {
             for (const std::uint32_t m : moved.list) {
-                packed_.set(m, bounds[m]);
+                packed_.set(m, bounds[m].box());
             }
         }
         for (const std::uint32_t m : moved.list) {
             packed_.hide(m); // or each would meet itself, and most meet nobody else
-            packed_.forEachOverlap(bounds[m], 0, count,
-                                   [&](std::uint32_t i) { addPair(m, i, moved, accept, out); });
-            packed_.set(m, bounds[m]);
+            packed_.forEachOverlap(
+                bounds[m].box(), 0, count,
+                [&](std::uint32_t i) { return meets(m, i, bounds, moved); },
+                [&](std::uint32_t i) { addPair(m, i, accept, out); });
+            packed_.set(m, bounds[m].box());
         }
     }
 

@@ -12,8 +12,9 @@ constexpr Real kLevelStep = 4;              // each level's cells are so many ti
 constexpr std::size_t kLevels = 16;         // at most; the last takes all that is left
 constexpr Real kCellsPerBounds = 4;         // at most, so that clearing them costs little
 
-Real sizeOf(const Aabb& box) {
-    return std::max(box.extent().x, box.extent().y);
+Real sizeOf(const Octagon& bounds) {
+    const Vec2 extent = bounds.box().extent();
+    return std::max(extent.x, extent.y);
 }
 
 } // namespace
@@ -29,20 +30,20 @@ void Grid::reserve(std::size_t bounds) {
 }
 
 /// The lowest level takes three quarters of the bounds.
-void Grid::chooseCell(std::span<const Aabb> bounds) {
+void Grid::chooseCell(std::span<const Octagon> bounds) {
     sizes_.clear();
-    for (const Aabb& box : bounds) {
-        sizes_.push_back(sizeOf(box));
+    for (const Octagon& each : bounds) {
+        sizes_.push_back(sizeOf(each));
     }
     const auto place = sizes_.begin() + static_cast<std::ptrdiff_t>(sizes_.size() * 3 / 4);
     std::nth_element(sizes_.begin(), place, sizes_.end()); // total order: equal sizes are the same
     cell_ = std::max(*place, Real(1e-30));
 }
 
-void Grid::assignLevels(std::span<const Aabb> bounds) {
+void Grid::assignLevels(std::span<const Octagon> bounds) {
     Real largest = 0;
-    for (const Aabb& box : bounds) {
-        largest = std::max(largest, sizeOf(box));
+    for (const Octagon& each : bounds) {
+        largest = std::max(largest, sizeOf(each));
     }
     levels_.clear();
     for (Real cell = cell_; levels_.empty() || levels_.back().cell < largest; cell *= kLevelStep) {
@@ -56,7 +57,7 @@ void Grid::assignLevels(std::span<const Aabb> bounds) {
             ++at;
         }
         Level& level = levels_[at];
-        const Vec2 center = bounds[i].center();
+        const Vec2 center = bounds[i].box().center();
         const Aabb all = level.count == 0 ? Aabb{center, center} : level.centers;
         level.centers = unite(all, {center, center});
         ++level.count;
@@ -65,7 +66,7 @@ void Grid::assignLevels(std::span<const Aabb> bounds) {
 }
 
 /// All of the level where there are cells enough for that, else about the middle of what is in it.
-void Grid::chooseWindow(Level& level, std::span<const Aabb> bounds) {
+void Grid::chooseWindow(Level& level, std::span<const Octagon> bounds) {
     level.perCell = 1 / level.cell;
     const Vec2 wanted = level.perCell * level.centers.extent() + Vec2{1, 1};
     const Real most = kCellsPerBounds * static_cast<Real>(level.count);
@@ -87,11 +88,11 @@ void Grid::chooseWindow(Level& level, std::span<const Aabb> bounds) {
 }
 
 /// The median of the centres of a level, along one axis.
-Real Grid::middle(const Level& level, std::span<const Aabb> bounds, Real Vec2::*axis) {
+Real Grid::middle(const Level& level, std::span<const Octagon> bounds, Real Vec2::*axis) {
     sizes_.clear();
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         if (&levels_[levelOf_[i]] == &level) {
-            sizes_.push_back(bounds[i].center().*axis);
+            sizes_.push_back(bounds[i].box().center().*axis);
         }
     }
     const auto place = sizes_.begin() + static_cast<std::ptrdiff_t>(sizes_.size() / 2);
@@ -100,7 +101,7 @@ Real Grid::middle(const Level& level, std::span<const Aabb> bounds, Real Vec2::*
     return *place;
 }
 
-void Grid::build(std::span<const Aabb> bounds) {
+void Grid::build(std::span<const Octagon> bounds) {
     if (levelOf_.size() != bounds.size() || calls_ % kCellInterval == 0) {
         chooseCell(bounds);
     }
@@ -120,7 +121,7 @@ void Grid::build(std::span<const Aabb> bounds) {
     cellOf_.resize(bounds.size());
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         const Level& level = levels_[levelOf_[i]];
-        const Vec2 center = bounds[i].center();
+        const Vec2 center = bounds[i].box().center();
         const std::int32_t cell =
             rowOf(level, center.y) * level.columns + columnOf(level, center.x);
         cellOf_[i] = level.begin + static_cast<std::uint32_t>(cell);
@@ -135,7 +136,7 @@ void Grid::build(std::span<const Aabb> bounds) {
     index_.resize(bounds.size());
     for (std::size_t i = bounds.size(); i-- > 0;) {
         const std::uint32_t place = --starts_[cellOf_[i]];
-        packed_.set(place, bounds[i]);
+        packed_.set(place, bounds[i].box());
         index_[place] = static_cast<std::uint32_t>(i);
     }
     std::erase_if(levels_, [](const Level& level) { return level.count == 0; });

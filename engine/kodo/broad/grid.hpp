@@ -22,7 +22,7 @@ public:
     /// Every pair of overlapping bounds, of which at least one has moved, that
     /// `accept(first, second)` lets through, each once, in any order. Several threads call it.
     template <typename Accept>
-    void pairs(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
+    void pairs(std::span<const Octagon> bounds, const Moved& moved, Accept accept,
                std::vector<BoundsPair>& out, Crew& crew) {
         work_ = {};
         build(bounds);
@@ -83,17 +83,19 @@ private:
 
     /// The pairs of one that has moved.
     template <typename Accept>
-    void meetAll(std::span<const Aabb> bounds, const Moved& moved, std::uint32_t m, Accept accept,
+    void meetAll(std::span<const Octagon> bounds, const Moved& moved, std::uint32_t m, Accept accept,
                  std::vector<BoundsPair>& found, Looked& looked) const {
-        const Aabb box = bounds[m];
-        const auto meet = [&](std::uint32_t i) { addPair(m, index_[i], moved, accept, found); };
+        const Aabb box = bounds[m].box();
+        const auto isMet = [&](std::uint32_t i) { return meets(m, index_[i], bounds, moved); };
+        const auto meet = [&](std::uint32_t i) { addPair(m, index_[i], accept, found); };
         for (const Level& level : levels_) {
-            forEachNear(level, box, meet, looked);
+            forEachNear(level, box, isMet, meet, looked);
         }
     }
 
-    template <typename Meet>
-    void forEachNear(const Level& level, const Aabb& box, Meet meet, Looked& looked) const {
+    template <typename IsMet, typename Meet>
+    void forEachNear(const Level& level, const Aabb& box, IsMet isMet, Meet meet,
+                     Looked& looked) const {
         const Real half = level.cell / 2;
         const std::int32_t left = columnOf(level, box.lower.x - half);
         const std::int32_t right = columnOf(level, box.upper.x + half);
@@ -105,15 +107,15 @@ private:
                 starts_.data() + level.begin + static_cast<std::ptrdiff_t>(row) * level.columns;
             const std::uint32_t end = starts[right + 1];
             looked.tests += end - starts[left];
-            packed_.forEachOverlap(box, starts[left], end, meet);
+            packed_.forEachOverlap(box, starts[left], end, isMet, meet);
         }
     }
 
-    void build(std::span<const Aabb> bounds);
-    void chooseCell(std::span<const Aabb> bounds);
-    void assignLevels(std::span<const Aabb> bounds);
-    void chooseWindow(Level& level, std::span<const Aabb> bounds);
-    Real middle(const Level& level, std::span<const Aabb> bounds, Real Vec2::*axis);
+    void build(std::span<const Octagon> bounds);
+    void chooseCell(std::span<const Octagon> bounds);
+    void assignLevels(std::span<const Octagon> bounds);
+    void chooseWindow(Level& level, std::span<const Octagon> bounds);
+    Real middle(const Level& level, std::span<const Octagon> bounds, Real Vec2::*axis);
 
     Real cell_ = 0; // m, of the lowest level
     std::uint32_t calls_ = 0;

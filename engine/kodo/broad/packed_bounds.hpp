@@ -30,12 +30,19 @@ public:
         set(i, {{kInfinity, kInfinity}, {-kInfinity, -kInfinity}});
     }
 
-    /// Calls meet(i) for all places from `first` on, before `last`, whose bounds overlap the box.
-    template <typename Meet>
-    void forEachOverlap(const Aabb& box, std::uint32_t first, std::uint32_t last, Meet meet) const {
+    /// Calls meet(i) for all places from `first` on, before `last`, whose bounds overlap the box
+    /// and for which isMet(i) is true.
+    template <typename IsMet, typename Meet>
+    void forEachOverlap(const Aabb& box, std::uint32_t first, std::uint32_t last, IsMet isMet,
+                        Meet meet) const {
         for (; first < last; first += kMostHits) {
             Hits hits;
-            const std::size_t count = find(box, first, std::min(last, first + kMostHits), hits);
+            const std::size_t found = find(box, first, std::min(last, first + kMostHits), hits);
+            std::size_t count = 0;
+            for (std::size_t k = 0; k < found; ++k) {
+                hits[count] = hits[k];
+                count += isMet(hits[k]) ? 1 : 0;
+            }
             for (std::size_t k = 0; k < count; ++k) {
                 meet(hits[k]);
             }

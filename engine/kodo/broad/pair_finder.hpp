@@ -19,7 +19,7 @@ public:
     /// Every pair of overlapping bounds, of which at least one has moved, that
     /// `accept(first, second)` lets through, in order.
     template <typename Accept>
-    void pairs(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
+    void pairs(std::span<const Octagon> bounds, const Moved& moved, Accept accept,
                std::vector<BoundsPair>& out, Crew& crew) {
         const std::size_t count = bounds.size();
         ++calls_;

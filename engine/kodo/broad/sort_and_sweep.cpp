@@ -16,16 +16,17 @@ constexpr Real kWorthSwapping = Real(1.25);  // the other axis must tag that man
 /// Cuts both axes into as many cells as there are bounds and tags those in which one begins or
 /// ends: the axis with more of them tagged spreads the bounds better [Thesis06, 5.1.1]. True when
 /// the other axis is so much better that sorting anew pays.
-bool SortAndSweep::chooseAxis(std::span<const Aabb> bounds) {
-    Aabb all = bounds[0];
-    for (const Aabb& box : bounds) {
-        all = unite(all, box);
+bool SortAndSweep::chooseAxis(std::span<const Octagon> bounds) {
+    Aabb all = bounds[0].box();
+    for (const Octagon& each : bounds) {
+        all = unite(all, each.box());
     }
     const auto tagged = [&](Real low, Real high, auto from, auto to) {
         cells_.assign(bounds.size(), false);
         const Real scale = static_cast<Real>(bounds.size()) / std::max(high - low, Real(1e-30));
         std::size_t count = 0;
-        for (const Aabb& box : bounds) {
+        for (const Octagon& each : bounds) {
+            const Aabb box = each.box();
             for (const Real at : {from(box), to(box)}) {
                 const Real cell = (at - low) * scale;
                 const std::size_t k = std::min(static_cast<std::size_t>(cell), cells_.size() - 1);
@@ -50,7 +51,7 @@ bool SortAndSweep::chooseAxis(std::span<const Aabb> bounds) {
     return true;
 }
 
-void SortAndSweep::sort(std::span<const Aabb> bounds) {
+void SortAndSweep::sort(std::span<const Octagon> bounds) {
     bool anew = entries_.size() != bounds.size();
     if (anew) {
         entries_.resize(bounds.size());
@@ -63,7 +64,7 @@ void SortAndSweep::sort(std::span<const Aabb> bounds) {
         anew = chooseAxis(bounds) || anew;
     }
     for (Entry& e : entries_) {
-        const Aabb& box = bounds[e.index];
+        const Aabb box = bounds[e.index].box();
         e.low = alongX_ ? box.lower.x : box.lower.y;
         e.high = alongX_ ? box.upper.x : box.upper.y;
     }

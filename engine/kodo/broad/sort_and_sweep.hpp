@@ -17,7 +17,7 @@ public:
     /// Every pair of overlapping bounds, of which at least one has moved, that
     /// `accept(first, second)` lets through, each once, in any order.
     template <typename Accept>
-    void pairs(std::span<const Aabb> bounds, const Moved& moved, Accept accept,
+    void pairs(std::span<const Octagon> bounds, const Moved& moved, Accept accept,
                std::vector<BoundsPair>& out) {
         work_ = {};
         sort(bounds);
@@ -62,10 +62,10 @@ private:
         }
     };
 
-    void sort(std::span<const Aabb> bounds);
+    void sort(std::span<const Octagon> bounds);
     bool insertAll();
     void sortAnew();
-    bool chooseAxis(std::span<const Aabb> bounds);
+    bool chooseAxis(std::span<const Octagon> bounds);
 
     std::vector<Entry> entries_;
     std::vector<bool> cells_;

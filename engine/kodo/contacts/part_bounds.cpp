@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/contacts/part_bounds.hpp>
-#include <kodo/math/lanes.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -9,33 +8,6 @@
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
-
-constexpr std::size_t kGroup = 4; // corners; whole lanes on any machine
-static_assert(kGroup % kLanes == 0);
-
-/// Of outlines with corners: of all of them, where they are.
-Aabb boundsOfCorners(std::span<const Vec2> corners, const Transform& t) {
-    const Lanes c = all(t.rotation.c);
-    const Lanes s = all(t.rotation.s);
-    Lanes left = all(std::numeric_limits<Real>::infinity());
-    Lanes bottom = left;
-    Lanes right = -left;
-    Lanes top = -left;
-    for (std::size_t i = 0; i < corners.size(); i += kLanes) {
-        const Couple corner = loadPairs(&corners[i].x);
-        const Lanes x = c * corner.x - s * corner.y + all(t.position.x);
-        const Lanes y = s * corner.x + c * corner.y + all(t.position.y);
-        left = smaller(left, x);
-        bottom = smaller(bottom, y);
-        right = larger(right, x);
-        top = larger(top, y);
-    }
-    Aabb box{{left[0], bottom[0]}, {right[0], top[0]}};
-    for (int i = 1; i < kLanes; ++i) {
-        box = unite(box, {{left[i], bottom[i]}, {right[i], top[i]}});
-    }
-    return box;
-}
 
 /// Where the motion of its body leads within this step.
 Transform poseAfter(const Transform& pose, const Motion& motion) {
@@ -75,32 +47,29 @@ void PartBounds::addOutline(const Convex& convex) {
 
 void PartBounds::setOutline(std::size_t i, const Convex& convex) {
     const std::size_t corners = convex.isPlane() ? 0 : convex.vertices.size();
-    const std::size_t filled = corners > 1 ? (corners + kGroup - 1) / kGroup * kGroup : corners;
     Outline& outline = outlines_[i];
-    if (outline.count != filled) {
+    if (outline.count != corners) {
         leftOver_ += outline.count;
         outline.first = static_cast<std::uint32_t>(corners_.size());
-        outline.count = static_cast<std::uint32_t>(filled);
-        corners_.resize(corners_.size() + filled);
+        outline.count = static_cast<std::uint32_t>(corners);
+        corners_.resize(corners_.size() + corners);
     }
     outline.radius = convex.radius;
-    for (std::size_t k = 0; k < filled; ++k) {
-        corners_[outline.first + k] = convex.vertices[k < corners ? k : 0];
+    for (std::size_t k = 0; k < corners; ++k) {
+        corners_[outline.first + k] = convex.vertices[k];
     }
 }
 
-/// What boundsOf() gives for the outline of a part.
-Aabb PartBounds::boundsAt(const Bodies& bodies, std::size_t i, const Transform& pose) const {
+Octagon PartBounds::boundsAt(const Bodies& bodies, std::size_t i, const Transform& pose) const {
     const Outline& outline = outlines_[i];
     if (outline.count == 0) {
-        return boundsOf(bodies.outline(parts_[i].body, parts_[i].part), pose);
+        return Octagon::of(boundsOf(bodies.outline(parts_[i].body, parts_[i].part), pose));
     }
     const Vec2* const corners = &corners_[outline.first];
     if (outline.count == 1) {
-        const Vec2 center = pose * corners[0];
-        return Aabb{center, center}.grown(outline.radius);
+        return Octagon::of(pose * corners[0], outline.radius);
     }
-    return boundsOfCorners({corners, outline.count}, pose).grown(outline.radius);
+    return Octagon::of({corners, outline.count}, pose).grown(outline.radius);
 }
 
 void PartBounds::renew(const Bodies& bodies, const Tolerances& tolerances) {
@@ -251,13 +220,13 @@ void PartBounds::foresee(const Bodies& bodies, const Tolerances& tolerances, Rea
         const Vec2 ahead = dt * motion.velocity;
         const Real swing = dt * std::abs(motion.angularVelocity) * extent.reach;
         tight_[i] = boundsAt(bodies, i, bodies.pose[body]);
-        const Aabb needed =
-            unite(tight_[i], moved(tight_[i], ahead)).grown(tolerances.margin + swing);
+        const Octagon needed =
+            unite(tight_[i], tight_[i].moved(ahead)).grown(tolerances.margin + swing);
         if (grown_[i].contains(needed)) {
             return false;
         }
-        const Real slack = std::min(tolerances.grown, extent.inside / 4);
-        grown_[i] = unite(needed, moved(needed, ahead)).grown(slack);
+        const Real slack = std::min(tolerances.grown, extent.inside / 8);
+        grown_[i] = unite(needed, needed.moved(ahead)).grown(slack);
         return true;
     });
 }
@@ -270,11 +239,11 @@ void PartBounds::coverMoves(const Bodies& bodies, const Tolerances& tolerances, 
         if (way < tolerances.margin / 2) {
             return false; // as most of a pile: the bounds are grown by the margin, at least
         }
-        if (grown_[i].contains(moved(tight_[i], motion.move).grown(swing)) ||
+        if (grown_[i].contains(tight_[i].moved(motion.move).grown(swing)) ||
             !isSound(motion, tolerances.unit())) {
             return false; // as foreseen; or it is about to be stopped where it is
         }
-        const Aabb after = boundsAt(bodies, i, poseAfter(bodies.pose[body], motion));
+        const Octagon after = boundsAt(bodies, i, poseAfter(bodies.pose[body], motion));
         if (grown_[i].contains(after)) {
             return false;
         }

@@ -4,6 +4,7 @@
 #include <kodo/base/crew.hpp>
 #include <kodo/bodies/bodies.hpp>
 #include <kodo/bodies/tolerances.hpp>
+#include <kodo/math/octagon.hpp>
 
 #include <span>
 #include <vector>
@@ -23,8 +24,8 @@ public:
     std::uint32_t indexOf(std::uint32_t body, std::uint16_t part) const {
         return firstPart_[body] + part;
     }
-    const Aabb& tight(std::size_t i) const { return tight_[i]; }
-    std::span<const Aabb> grown() const { return grown_; }
+    const Octagon& tight(std::size_t i) const { return tight_[i]; }
+    std::span<const Octagon> grown() const { return grown_; }
     std::span<const std::uint32_t> changed() const { return changed_; }
     std::span<const std::uint8_t> isChanged() const { return isChanged_; }
 
@@ -59,7 +60,7 @@ private:
     /// the way to a form leads through memory that no step has at hand.
     struct Outline {
         std::uint32_t first = 0; // of its corners
-        std::uint32_t count = 0; // of them, filled up to whole groups; 1: round; 0: it is a plane
+        std::uint32_t count = 0; // of them; 1: it may be round; 0: it is a plane
         Real radius = 0;         // m
     };
 
@@ -75,7 +76,7 @@ private:
     bool renumber(const Bodies& bodies, std::span<const std::uint32_t> changed);
     template <typename T>
     void replace(std::vector<T>& list) const;
-    Aabb boundsAt(const Bodies& bodies, std::size_t i, const Transform& pose) const;
+    Octagon boundsAt(const Bodies& bodies, std::size_t i, const Transform& pose) const;
     void list(std::size_t i, std::vector<std::uint32_t>& changed);
     template <typename Outgrow>
     void listOutgrown(const Bodies& bodies, Crew& crew, Outgrow outgrow);
@@ -87,8 +88,8 @@ private:
     std::vector<Outline> outlines_;
     std::vector<Vec2> corners_;
     std::size_t leftOver_ = 0; // of the corners: of outlines that are gone
-    std::vector<Aabb> tight_;
-    std::vector<Aabb> grown_;
+    std::vector<Octagon> tight_;
+    std::vector<Octagon> grown_;
     std::vector<std::uint32_t> changed_;
     std::vector<std::uint8_t> isChanged_;
     Findings<std::uint32_t> outgrown_;

@@ -32,6 +32,13 @@ Real gapOf(const ContactHead& head, const Tolerances& tolerances) {
     return head.meets ? head.separation[0] : tolerances.margin;
 }
 
+/// m: a pair whose parts are so thin may go so far towards each other without a sweep. Then the
+/// middle of the thinner one is still outside of the other, and contact points will part the two
+/// the right way; what is locked does not give way, and only half as much is let into it.
+Real farFor(Real insideA, Real insideB, bool againstLocked) {
+    return std::min(insideA, insideB) * (againstLocked ? Real(0.5) : Real(1));
+}
+
 /// The gap at which a pair is to be stopped that is `gap` apart and goes so far towards each other,
 /// or nothing if it needs no sweep: it cannot come so close within the step, or it would not
 /// matter.
@@ -40,16 +47,17 @@ Real gapOf(const ContactHead& head, const Tolerances& tolerances) {
 /// far that its contact points cannot hold all of it, is stopped before it is through.
 std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Real gap, Real motion,
                                 const StepSettings& settings, const Tolerances& tolerances) {
+    const auto& [bodyA, partA, bodyB, partB] = contact.key;
     if (contact.hidden || contact.passing) {
         return std::nullopt;
     }
-    const Convex& shapeA = bodies.outline(contact.key.bodyA, contact.key.partA);
-    const Convex& shapeB = bodies.outline(contact.key.bodyB, contact.key.partB);
+    const Convex& shapeA = bodies.outline(bodyA, partA);
+    const Convex& shapeB = bodies.outline(bodyB, partB);
     if (motion < gap) {
         return std::nullopt;
     }
-    const Real thinner = std::min(shapeA.inside, shapeB.inside);
-    const bool far = motion > thinner;
+    const bool againstLocked = bodies.locked(bodyA) || bodies.locked(bodyB);
+    const bool far = motion > farFor(shapeA.inside, shapeB.inside, againstLocked);
     if (gap > tolerances.slop) {
         const bool bounces = contact.bounces && settings.has(Feature::Restitution);
         return bounces || contact.sensor || far ? std::optional(kStopShort * tolerances.slop)
@@ -63,56 +71,49 @@ std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Re
     return holds || gap < -deepest / 4 ? std::nullopt : std::optional(-deepest);
 }
 
-/// Could a pair need a sweep that goes so far towards each other? Told by its bodies as wholes,
-/// since a part is no thinner than the thinnest of its body; stoppingGap tells it exactly.
-bool mayNeedSweep(const ContactHead& head, Real motion, Real insideA, Real insideB,
-                  const Tolerances& tolerances) {
-    const bool far = motion > std::min(insideA, insideB);
-    if (!far && !head.bounces) {
-        return false; // as in most of a pile
-    }
-    const Real gap = gapOf(head, tolerances);
-    return motion >= gap && (gap > tolerances.slop ||
-                             (far && motion >= (insideA + insideB) / 2 && gap >= -tolerances.slop));
-}
-
-/// Could a pair that does not bounce need a sweep? Told without a root, as for most of what moves
-/// along with each other.
-bool mayGoFar(const Bodies& bodies, const ContactHead& head) {
+/// Could a pair of which neither is locked go farther than that against each other? Told without a
+/// root, as for most of what moves along with each other.
+bool mayGoFarther(const Bodies& bodies, const ContactHead& head, Real far) {
     const Motion& a = bodies.motion[head.bodyA];
     const Motion& b = bodies.motion[head.bodyB];
-    const Extent& extentA = bodies.extent[head.bodyA];
-    const Extent& extentB = bodies.extent[head.bodyB];
-    if (a.locked() || b.locked()) {
-        return true; // seen from what is locked all is otherwise
-    }
-    const Real swing = std::abs(a.turn) * extentA.reach + std::abs(b.turn) * extentB.reach;
-    const Real room = std::min(extentA.inside, extentB.inside) - swing;
+    const Real swing = std::abs(a.turn) * bodies.extent[head.bodyA].reach +
+                       std::abs(b.turn) * bodies.extent[head.bodyB].reach;
+    const Real room = far - swing;
     return room < 0 || lengthSquared(b.move - a.move) > room * room;
 }
 
 /// Do the bounds of two outlines meet on their way, if nobody is stopped?
-bool mayMeet(const Bodies& bodies, const Mover& a, const Aabb& boundsA, const Mover& b,
-             const Aabb& boundsB, const Tolerances& tolerances) {
+bool mayMeet(const Bodies& bodies, const Mover& a, const Octagon& boundsA, const Mover& b,
+             const Octagon& boundsB, const Tolerances& tolerances) {
     const Motion& motionA = bodies.motion[a.body];
     const Motion& motionB = bodies.motion[b.body];
     const Real swing = std::abs(motionA.turn) * a.reach + std::abs(motionB.turn) * b.reach;
-    const Aabb way = unite(boundsB, moved(boundsB, motionB.move - motionA.move));
+    const Octagon way = unite(boundsB, boundsB.moved(motionB.move - motionA.move));
     return overlap(boundsA.grown(swing + tolerances.slop), way);
 }
 
-/// Could a pair meet in this step, if nobody is stopped?
+/// Could a pair meet in this step, if nobody is stopped? Told by its bodies as wholes, since a part
+/// is no thinner than the thinnest of its body; stoppingGap tells it exactly.
 bool closes(const Bodies& bodies, const PartBounds& bounds, const ContactHead& head,
             const Tolerances& tolerances) {
-    if (!head.bounces && !mayGoFar(bodies, head)) {
-        return false;
-    }
     const Extent& extentA = bodies.extent[head.bodyA];
     const Extent& extentB = bodies.extent[head.bodyB];
+    const bool againstLocked = bodies.locked(head.bodyA) || bodies.locked(head.bodyB);
+    const Real far = farFor(extentA.inside, extentB.inside, againstLocked);
+    // Seen from what is locked all is otherwise.
+    if (!head.bounces && !againstLocked && !mayGoFarther(bodies, head, far)) {
+        return false; // as in most of a pile
+    }
     const Mover a{head.bodyA, extentA.reach};
     const Mover b{head.bodyB, extentB.reach};
-    return mayNeedSweep(head, relativeMotion(bodies, a, b), extentA.inside, extentB.inside,
-                        tolerances) &&
+    const Real motion = relativeMotion(bodies, a, b);
+    const Real gap = gapOf(head, tolerances);
+    if (motion < gap || (motion <= far && !head.bounces)) {
+        return false;
+    }
+    const bool mayBeThrough = motion > far && motion >= (extentA.inside + extentB.inside) / 2 &&
+                              gap >= -tolerances.slop;
+    return (gap > tolerances.slop || mayBeThrough) &&
            mayMeet(bodies, a, bounds.tight(head.proxies.first), b,
                    bounds.tight(head.proxies.second), tolerances);
 }

@@ -21,9 +21,13 @@ bool bounded(Real value) {
 bool bounded(Vec2 v) {
     return bounded(v.x) && bounded(v.y);
 }
-bool bounded(const Aabb& box) {
-    return bounded(box.lower) && bounded(box.upper) && box.lower.x <= box.upper.x &&
-           box.lower.y <= box.upper.y;
+bool bounded(const Octagon& bounds) {
+    bool good = true;
+    for (int i = 0; i < 4; ++i) {
+        good = good && bounded(bounds.lower[i]) && bounded(bounds.upper[i]) &&
+               bounds.lower[i] <= bounds.upper[i];
+    }
+    return good;
 }
 
 bool inOrder(std::span<const std::uint32_t> bodies, std::size_t count) {
@@ -267,13 +271,13 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
     if (!reads()) {
         return;
     }
-    const auto good = [](const Aabb& box) { return bounded(box); };
+    const auto good = [](const Octagon& octagon) { return bounded(octagon); };
     require(tight.size() == partCount(bodies) && grown.size() == tight.size() &&
                 std::all_of(tight.begin(), tight.end(), good) &&
                 std::all_of(grown.begin(), grown.end(), good),
             "the bounds do not fit the bodies");
-    std::vector<Aabb> tightAsRead = std::move(tight);
-    std::vector<Aabb> grownAsRead = std::move(grown);
+    std::vector<Octagon> tightAsRead = std::move(tight);
+    std::vector<Octagon> grownAsRead = std::move(grown);
     const std::vector<std::uint32_t> changedAsRead = std::move(changed);
     bounds.number(bodies);
     tight = std::move(tightAsRead);

@@ -113,6 +113,17 @@ private:
         all(lower, upper);
     }
 
+    void one(Octagon& octagon) {
+        auto& [lower, upper] = octagon;
+        for (Octagon::Each* each : {&lower, &upper}) {
+            for (int i = 0; i < 4; ++i) {
+                Real value = (*each)[i];
+                one(value);
+                (*each)[i] = value;
+            }
+        }
+    }
+
     // Shapes and forms.
     void one(Circle& circle);
     void one(Box& box);

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/math/octagon.hpp>
+#include <support/random_numbers.hpp>
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace kodo {
+namespace {
+
+/// A polygon's corners, not in any order, and somewhere.
+struct Placed {
+    std::vector<Vec2> corners;
+    Transform at;
+
+    Placed(support::RandomNumbers& random, double far) {
+        for (std::size_t i = 0; i < 1 + random.below(8); ++i) {
+            corners.push_back(random.point(1));
+        }
+        at = {random.point(far), Rot::fromAngle(random.between(-3, 3))};
+    }
+    Octagon octagon() const { return Octagon::of(corners, at); }
+    /// Of random weights.
+    Vec2 pointInside(support::RandomNumbers& random) const {
+        Vec2 sum{};
+        Real all = 0;
+        for (const Vec2 corner : corners) {
+            const Real weight = random.between(Real(0.01), 1);
+            sum += weight * corner;
+            all += weight;
+        }
+        return at * ((1 / all) * sum);
+    }
+};
+
+/// Is a world point in it, but for roundings of its coordinates?
+bool holds(const Octagon& octagon, Vec2 p) {
+    const Real rounding = 2 * std::numeric_limits<Real>::epsilon() *
+                          (std::abs(p.x) + std::abs(p.y) + 1);
+    return octagon.grown(rounding).contains(Octagon::of(p, 0));
+}
+
+TEST(Octagon, HoldsAllOfAPolygonWhereverItIs) {
+    support::RandomNumbers random(71);
+    for (const double far : {0.0, 10.0, 1e3, 1e5}) {
+        SCOPED_TRACE(far);
+        for (int i = 0; i < 5000; ++i) {
+            const Placed placed(random, far);
+            EXPECT_TRUE(holds(placed.octagon(), placed.pointInside(random)));
+        }
+    }
+}
+
+// At a side of each of its directions there is a corner, so nothing smaller will do.
+TEST(Octagon, OfPointsIsTight) {
+    support::RandomNumbers random(72);
+    for (int i = 0; i < 2000; ++i) {
+        const Placed placed(random, 0);
+        const Octagon octagon = placed.octagon();
+        for (int k = 0; k < 4; ++k) {
+            Real least = 10;
+            Real largest = -10;
+            for (const Vec2 corner : placed.corners) {
+                const Vec2 p = placed.at.rotation * corner;
+                const Real along[] = {p.x, p.y, p.x + p.y, p.y - p.x};
+                least = std::min(least, along[k]);
+                largest = std::max(largest, along[k]);
+            }
+            EXPECT_NEAR(octagon.lower[k], least, 1e-6);
+            EXPECT_NEAR(octagon.upper[k], largest, 1e-6);
+        }
+    }
+}
+
+TEST(Octagon, OfADiscTouchesItOnAllSides) {
+    const Octagon octagon = Octagon::of(Vec2{3, -2}, 2);
+    for (int eighth = 0; eighth < 8; ++eighth) {
+        const Vec2 out = Rot::fromAngle(Real(eighth) * Real(0.785398163)) * Vec2{1, 0};
+        EXPECT_TRUE(holds(octagon, Vec2{3, -2} + 2 * out));
+        EXPECT_FALSE(holds(octagon, Vec2{3, -2} + Real(2.00001) * out));
+    }
+}
+
+// What has a point in common overlaps, even far from the origin, where sums are rounded coarsely.
+TEST(Octagon, OverlapsWhatSharesAPoint) {
+    support::RandomNumbers random(73);
+    for (const double far : {1.0, 1e3, 1e5}) {
+        SCOPED_TRACE(far);
+        for (int i = 0; i < 5000; ++i) {
+            const Placed a(random, far);
+            Placed b(random, 0);
+            const Vec2 shared = a.pointInside(random);
+            b.at.position = shared - b.at.rotation * b.corners[0];
+            const Real coordinate = std::numeric_limits<Real>::epsilon() * Real(far + 2);
+            EXPECT_TRUE(overlap(a.octagon().grown(4 * coordinate), b.octagon()));
+            EXPECT_TRUE(overlap(b.octagon(), a.octagon().grown(4 * coordinate)));
+        }
+    }
+}
+
+// Two boxes that stand on a corner beside each other: their boxes overlap by far, they do not.
+TEST(Octagon, TellsApartWhatLiesAslant) {
+    const std::vector<Vec2> corners{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    const Octagon a = Octagon::of(corners, {{0, 0}, {}});
+    EXPECT_FALSE(overlap(a, Octagon::of(corners, {{Real(1.1), 1}, {}})));
+    EXPECT_TRUE(overlap(a, Octagon::of(corners, {{1, 1}, {}}))); // touching counts
+    EXPECT_TRUE(overlap(a.box(), Octagon::of(corners, {{Real(1.1), 1}, {}}).box()));
+}
+
+// O1, O2: whoever is found by boxes alone is found by the octagons that are made of them.
+TEST(Octagon, OfABoxTellsNoMoreThanTheBox) {
+    support::RandomNumbers random(74);
+    const auto box = [&] {
+        const Vec2 lower = random.point(3);
+        return Aabb{lower, lower + Vec2{random.between(0, 2), random.between(0, 2)}};
+    };
+    for (int i = 0; i < 10000; ++i) {
+        const Aabb a = box();
+        const Aabb b = box();
+        EXPECT_EQ(overlap(Octagon::of(a), Octagon::of(b)), overlap(a, b));
+    }
+}
+
+TEST(Octagon, FollowsAMoveAndHoldsAllOfIt) {
+    support::RandomNumbers random(75);
+    for (int i = 0; i < 5000; ++i) {
+        const Placed placed(random, 5);
+        const Vec2 move = random.point(3);
+        const Octagon from = placed.octagon();
+        const Octagon way = unite(from, from.moved(move));
+        const Vec2 on = placed.pointInside(random) + random.between(0, 1) * move;
+        EXPECT_TRUE(holds(way, on));
+        EXPECT_TRUE(way.contains(from));
+        EXPECT_TRUE(way.grown(1).contains(way));
+        EXPECT_FALSE(way.contains(way.grown(Real(0.01))));
+        EXPECT_TRUE(holds(way.grown(1), on + Rot::fromAngle(random.between(-3, 3)) * Vec2{1, 0}));
+    }
+}
+
+} // namespace
+} // namespace kodo
