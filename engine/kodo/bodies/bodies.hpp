@@ -5,6 +5,7 @@
 #include <kodo/bodies/form.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -40,9 +41,29 @@ struct Motion {
 struct Acceleration {
     Vec2 linear;      // m/s^2
     Real angular = 0; // rad/s^2
-    Real effort = 0;  // m/s^2, the sum of the sizes of all forces, also of those that cancel out
+    /// m/s^2, the sum of the sizes of all forces, also of those that cancel out. Finite, so that
+    /// none of it is 0.
+    Real effort = 0;
 };
 
+/// Four numbers that lie side by side, to be counted with at once. Each is what it would be alone.
+using Four = Real __attribute__((vector_size(4 * sizeof(Real)), aligned(sizeof(Real)), may_alias));
+
+/// Velocity x, y, angular velocity, 1/mass.
+inline Four& speeds(Motion& motion) {
+    static_assert(offsetof(Motion, velocity) == 0 && offsetof(Motion, move) == sizeof(Four));
+    return reinterpret_cast<Four&>(motion.velocity);
+}
+/// Move x, y, turn, 1/inertia.
+inline Four& moves(Motion& motion) {
+    static_assert(sizeof(Motion) == 2 * sizeof(Four));
+    return reinterpret_cast<Four&>(motion.move);
+}
+/// Acceleration x, y, angular acceleration, effort.
+inline const Four& rates(const Acceleration& acceleration) {
+    static_assert(sizeof(Acceleration) == sizeof(Four));
+    return reinterpret_cast<const Four&>(acceleration);
+}
 /// The rest of a body: read once or twice a step.
 struct BodyRecord {
     std::shared_ptr<const Form> form;

@@ -2,6 +2,7 @@
 #include <kodo/bodies/integrate.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -29,7 +30,7 @@ Acceleration accelerationOf(const Bodies& bodies, std::uint32_t i,
     }
     return {motion.invMass / (1 + dt * push.drag * motion.invMass) * push.force,
             motion.invInertia / (1 + dt * push.spinDrag * motion.invInertia) * push.torque,
-            motion.invMass * effort};
+            std::min(std::numeric_limits<Real>::max(), motion.invMass * effort)}; // not NaN either
 }
 
 } // namespace
@@ -76,36 +77,35 @@ void beginMotion(Bodies& bodies, std::span<const std::uint32_t> list) {
 }
 
 void integrateVelocities(Bodies& bodies, std::span<const std::uint32_t> list, Real h) {
+    const Four time{h, h, h, 0};
     for (const std::uint32_t i : list) {
-        Motion& motion = bodies.motion[i];
-        motion.velocity += h * bodies.acceleration[i].linear;
-        motion.angularVelocity += h * bodies.acceleration[i].angular;
+        speeds(bodies.motion[i]) += time * rates(bodies.acceleration[i]);
     }
 }
 
 void integrateMoves(Bodies& bodies, std::span<const std::uint32_t> list,
                     std::span<const Hold> holds, Real h) {
     const Real half = h * h / 2;
+    const Four time{h, h, h, 0};
+    const Four bend{half, half, half, 0};
     for (const std::uint32_t i : list) {
         Motion& motion = bodies.motion[i];
-        motion.move += h * motion.velocity;
-        motion.turn += h * motion.angularVelocity;
+        moves(motion) += time * speeds(motion);
         if (holds[i] != Hold::Touched) {
-            motion.move -= half * bodies.acceleration[i].linear;
-            motion.turn -= half * bodies.acceleration[i].angular;
+            moves(motion) -= bend * rates(bodies.acceleration[i]);
         }
     }
 }
 
 void moveFreely(Bodies& bodies, std::span<const std::uint32_t> list, Real h) {
     const Real half = h * h / 2;
+    const Four time{h, h, h, 0};
+    const Four bend{half, half, half, 0};
     for (const std::uint32_t i : list) {
         Motion& motion = bodies.motion[i];
-        const Acceleration& acceleration = bodies.acceleration[i];
-        motion.velocity += h * acceleration.linear;
-        motion.angularVelocity += h * acceleration.angular;
-        motion.move += h * motion.velocity - half * acceleration.linear;
-        motion.turn += h * motion.angularVelocity - half * acceleration.angular;
+        const Four& rate = rates(bodies.acceleration[i]);
+        speeds(motion) += time * rate;
+        moves(motion) += time * speeds(motion) - bend * rate;
     }
 }
 

@@ -181,18 +181,16 @@ void SoftStep::findJointed(const JointSet& joints) {
 
 /// Runs a pass over the joints and adds up what it gives to their bodies.
 template <typename Pass>
-void SoftStep::passJoints(const Bodies& bodies, Pass pass) {
+void SoftStep::passJoints(Bodies& bodies, Pass pass) {
     if (jointed_.empty()) {
         return;
     }
     for (std::size_t k = 0; k < jointed_.size(); ++k) {
-        beforeJoints_[k] = velocityOf(bodies.motion[jointed_[k]]);
+        beforeJoints_[k].speeds = speeds(bodies.motion[jointed_[k]]);
     }
     pass();
     for (std::size_t k = 0; k < jointed_.size(); ++k) {
-        const Velocity after = velocityOf(bodies.motion[jointed_[k]]);
-        fromJoints_[k].linear += after.linear - beforeJoints_[k].linear;
-        fromJoints_[k].angular += after.angular - beforeJoints_[k].angular;
+        fromJoints_[k].speeds += speeds(bodies.motion[jointed_[k]]) - beforeJoints_[k].speeds;
     }
 }
 
@@ -274,7 +272,7 @@ void SoftStep::beginSubsteps(Bodies& bodies, Real h, Crew& crew) {
     forBound(crew, [&](std::span<const std::uint32_t> list) {
         integrateVelocities(bodies, list, h);
         for (const std::uint32_t i : list) {
-            before_[i] = velocityOf(bodies.motion[i]);
+            before_[i].speeds = speeds(bodies.motion[i]);
         }
     });
 }
@@ -284,22 +282,17 @@ void SoftStep::beginSubsteps(Bodies& bodies, Real h, Crew& crew) {
 /// own impulses.
 void SoftStep::nextSubstep(Bodies& bodies, Real h, Crew& crew) {
     for (std::size_t k = 0; k < jointed_.size(); ++k) {
-        Velocity& before = before_[jointed_[k]];
-        before.linear += fromJoints_[k].linear;
-        before.angular += fromJoints_[k].angular;
+        before_[jointed_[k]].speeds += fromJoints_[k].speeds;
         fromJoints_[k] = {};
     }
+    const Four time{h, h, h, 0};
     forBound(crew, [&](std::span<const std::uint32_t> list) {
         for (const std::uint32_t i : list) {
-            Motion& motion = bodies.motion[i];
-            const Acceleration& acceleration = bodies.acceleration[i];
-            Velocity& before = before_[i];
-            const Vec2 gained = motion.velocity - before.linear;
-            const Real gainedSpin = motion.angularVelocity - before.angular;
-            before.linear = motion.velocity + h * acceleration.linear;
-            before.angular = motion.angularVelocity + h * acceleration.angular;
-            motion.velocity = before.linear + gained;
-            motion.angularVelocity = before.angular + gainedSpin;
+            Four& speed = speeds(bodies.motion[i]);
+            Four& before = before_[i].speeds;
+            const Four gained = speed - before;
+            before = speed + time * rates(bodies.acceleration[i]);
+            speed = before + gained;
         }
     });
 }

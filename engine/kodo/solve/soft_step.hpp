@@ -46,9 +46,9 @@ public:
     ContactBlocks& blocks() { return blocks_; }
 
 private:
+    /// speeds() at some time, or a change of them; 1/mass goes along and never changes.
     struct Velocity {
-        Vec2 linear;
-        Real angular = 0;
+        Four speeds{};
     };
 
     void collect(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
@@ -60,12 +60,9 @@ private:
                    const Crew& crew);
     static int refinement(const Bodies& bodies, ContactSet& contactSet, Real hertz,
                           const Tolerances& tolerances);
-    static Velocity velocityOf(const Motion& motion) {
-        return {motion.velocity, motion.angularVelocity};
-    }
     void findJointed(const JointSet& joints);
     template <typename Pass>
-    void passJoints(const Bodies& bodies, Pass pass);
+    void passJoints(Bodies& bodies, Pass pass);
     void passContacts(ContactPasses::Pass pass, const ContactPassArguments& arguments, Crew& crew);
     void settle(const ContactPassArguments& pass, Crew& crew);
     template <typename Work>
@@ -92,7 +89,7 @@ private:
     bool settlesAll_ = false;          // of all contacts; else of the blocks in deep_
     std::vector<std::uint32_t> deep_;
     std::size_t visits_ = 0;
-    std::vector<Velocity> before_;     // by body: with the forces of the substep, without contacts
+    std::vector<Velocity> before_;         // by body: with the forces of the substep, without contacts
     std::vector<std::uint32_t> free_;  // bodies that nothing can push in this step
     std::vector<std::uint32_t> bound_; // and the others
     std::vector<std::uint32_t> jointed_; // bodies, in order; the next two are in the same order
