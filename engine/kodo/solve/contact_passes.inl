@@ -157,6 +157,22 @@ KODO_LANES_INLINE std::uint8_t settledLanes(const ContactBlock& block, Real sett
     return static_cast<std::uint8_t>(lanes);
 }
 
+/// Blocks are so large that most of them lie in a far cache, and come in no order that the machine
+/// could foresee: so they are asked for that many ahead.
+constexpr std::size_t kBlocksAhead = 6;
+
+template <typename Arguments>
+KODO_LANES_INLINE void askForBlock(const Arguments& pass, std::size_t k) {
+    constexpr std::size_t kLine = 64; // bytes
+    if (k + kBlocksAhead < pass.count) {
+        const auto* const next =
+            reinterpret_cast<const char*>(pass.blocks + pass.order[k + kBlocksAhead]);
+        for (std::size_t at = 0; at < sizeof(ContactBlock); at += kLine) {
+            __builtin_prefetch(next + at);
+        }
+    }
+}
+
 /// Writes the speeds back of those that can be pushed. The others are left alone: another thread
 /// may be reading them.
 KODO_LANES_INLINE void putBack(Motion* motion, const std::uint32_t* index, const Quad& speed,
@@ -224,6 +240,7 @@ template <Task task>
 void solveBlocks(const ContactPassArguments& pass) {
     const PassSettings& settings = pass.settings;
     for (std::size_t k = 0; k < pass.count; ++k) {
+        askForBlock(pass, k);
         const std::size_t i = pass.order[k];
         BlockUse use = pass.use[i];
         if constexpr (task == Task::Settle) {
@@ -246,6 +263,7 @@ void solveBlocks(const ContactPassArguments& pass) {
 
 void warmStartBlocks(const ContactPassArguments& pass) {
     for (std::size_t k = 0; k < pass.count; ++k) {
+        askForBlock(pass, k);
         const std::size_t i = pass.order[k];
         ContactBlock& block = pass.blocks[i];
         const RollingBlock* const rolling =
@@ -320,6 +338,7 @@ KODO_LANES_INLINE void carryLanes(const CarryArguments& pass, ContactBlock& bloc
 
 void carryBlocks(const CarryArguments& pass) {
     for (std::size_t k = 0; k < pass.count; ++k) {
+        askForBlock(pass, k);
         const std::size_t i = pass.order[k];
         Carried* const carried = pass.carried + i * ContactBlock::kContacts;
         for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
