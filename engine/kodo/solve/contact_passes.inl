@@ -38,10 +38,16 @@ KODO_LANES_INLINE void push(Pair& pair, Lanes px, Lanes py) {
     pair.b.y += pair.b.w * py;
 }
 
-/// Adds the moments of an impulse.
-KODO_LANES_INLINE void spin(Pair& pair, Lanes spinA, Lanes spinB) {
-    pair.a.z -= pair.inertiaA * spinA;
-    pair.b.z += pair.inertiaB * spinB;
+/// Of impulses about the centres of the two, N m s.
+struct Moments {
+    Lanes a;
+    Lanes b;
+};
+
+/// Adds the moments of impulses.
+KODO_LANES_INLINE void spin(Pair& pair, const Moments& moments) {
+    pair.a.z -= pair.inertiaA * moments.a;
+    pair.b.z += pair.inertiaB * moments.b;
 }
 
 enum class Task {
@@ -80,30 +86,29 @@ KODO_LANES_INLINE Gap gapOf(const ContactBlock::Point& point, int at, Lanes move
             leverB};
 }
 
-/// One point of each contact, whose centres have the relative speed `along` the normal. Gives the
-/// change of
+/// One point of each contact, whose relative speed along the normal is `speed`. Gives the change of
 ///
 ///   lambda = mass_scale (lambda_sum - m (v_n + bias)) >= 0,
 ///
 /// which is that of Softness, since its two scales add up to 1. A gap of s has a mass_scale of 1
 /// and the bias s/h, by which it may close within the substep and no more; an overlap, s < 0, has
-/// max(bias_rate s, -push_speed) where it is pushed apart, and else 1 and none.
+/// max(bias_rate s, -push_speed) where it is pushed apart, and else 1 and none. The speed is known
+/// last, so all else is done before.
 template <Task task>
-KODO_LANES_INLINE Lanes solvePoint(ContactBlock::Point& point, const Lot& lot, Pair& pair,
-                                   Lanes along, const Gap& gap, const Rules& rules) {
+KODO_LANES_INLINE Lanes solvePoint(ContactBlock::Point& point, const Lot& lot, Lanes speed,
+                                   const Gap& gap, const Rules& rules) {
     const int at = lot.at;
     const Lanes impulse = load(point.impulse + at);
-    const Lanes speed = along + (gap.leverB * pair.b.z - gap.leverA * pair.a.z);
+    const Lanes mass = load(point.mass + at);
     const Lanes close = gap.s * all(rules.settings.invH);
     Lanes next;
     if constexpr (task == Task::Push) {
         // bias_rate < 1/h, so of these two that of a gap is the larger, and else that of an overlap
         const Lanes bias = larger(larger(all(rules.biasRate) * gap.s, close), -lot.pushSpeed);
-        const Lanes rigid = gap.s > Lanes{} ? all(1) : Lanes{};
-        next = larger(rigid, all(rules.massScale)) *
-               larger(impulse - load(point.mass + at) * (speed + bias), Lanes{});
+        const Lanes scale = gap.s > Lanes{} ? all(1) : all(rules.massScale);
+        next = larger((scale * impulse - (scale * mass) * bias) - (scale * mass) * speed, Lanes{});
     } else {
-        next = larger(impulse - load(point.mass + at) * (speed + larger(close, Lanes{})), Lanes{});
+        next = larger((impulse - mass * larger(close, Lanes{})) - mass * speed, Lanes{});
     }
     if constexpr (task == Task::Settle) {
         next = lot.takesPart > Lanes{} ? next : impulse;
@@ -112,20 +117,19 @@ KODO_LANES_INLINE Lanes solvePoint(ContactBlock::Point& point, const Lot& lot, P
     if constexpr (task == Task::Relax) {
         store(point.largest + at, larger(rules.settings.kept * load(point.largest + at), next));
     }
-    const Lanes change = next - impulse;
-    spin(pair, gap.leverA * change, gap.leverB * change);
-    return change;
+    return next - impulse;
 }
 
 /// Both points share one friction: |friction| <= mu (sum of normal impulses), static while that
-/// holds it, kinetic from there on. `along` is the relative speed of the centres along the tangent.
-/// Gives the change.
-KODO_LANES_INLINE Lanes solveFriction(ContactBlock& block, int at, Pair& pair, Lanes along,
-                                      Lanes pressed) {
+/// holds it, kinetic from there on. `along` is the relative speed of the centres along the tangent,
+/// `moments` what is yet to spin the two. Gives the change, and adds its moments to those.
+KODO_LANES_INLINE Lanes solveFriction(ContactBlock& block, int at, const Pair& pair, Lanes along,
+                                      Lanes pressed, Moments& moments) {
     const Lanes leverA = load(block.tangentLeverA + at);
     const Lanes leverB = load(block.tangentLeverB + at);
     const Lanes friction = load(block.friction + at);
-    const Lanes speed = along + (leverB * pair.b.z - leverA * pair.a.z);
+    const Lanes speed = (along + (leverB * pair.b.z - leverA * pair.a.z)) +
+                        ((leverB * pair.inertiaB) * moments.b + (leverA * pair.inertiaA) * moments.a);
     const Lanes stick = friction - load(block.tangentMass + at) * speed;
     const Lanes hold = load(block.staticFriction + at) * pressed;
     const Lanes slip = load(block.kineticFriction + at) * pressed;
@@ -133,7 +137,8 @@ KODO_LANES_INLINE Lanes solveFriction(ContactBlock& block, int at, Pair& pair, L
     const Lanes next = slides ? larger(smaller(stick, slip), -slip) : stick;
     const Lanes change = next - friction;
     store(block.friction + at, next);
-    spin(pair, leverA * change, leverB * change);
+    moments.a += leverA * change;
+    moments.b += leverB * change;
     return change;
 }
 
@@ -145,7 +150,7 @@ KODO_LANES_INLINE void solveRolling(RollingBlock& block, int at, Pair& pair, Lan
     const Lanes held = larger(smaller(wanted, limit), -limit);
     const Lanes next = takesPart > Lanes{} ? held : impulse;
     store(block.impulse + at, next);
-    spin(pair, next - impulse, next - impulse);
+    spin(pair, {next - impulse, next - impulse});
 }
 
 /// By lane: is its contact one of those that the settling passes are for?
@@ -204,28 +209,41 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
               moveB.w};
     const Lanes dx = pair.b.x - pair.a.x;
     const Lanes dy = pair.b.y - pair.a.y;
-    Lanes along = nx * dx + ny * dy;
+    const Lanes along = nx * dx + ny * dy;
     Lot lot{at, load(block.pushSpeed + at), all(1)};
     if constexpr (task == Task::Settle) {
         const auto settled = load(block.points[0].separation + at) < all(settings.settleBelow);
         lot.takesPart = settled ? lot.takesPart : Lanes{};
     }
-    Lanes change = solvePoint<task>(block.points[0], lot, pair, along, gap1, rules);
+    const auto speedAt = [&](const Gap& gap) {
+        return along + (gap.leverB * pair.b.z - gap.leverA * pair.a.z);
+    };
+    Lanes change = solvePoint<task>(block.points[0], lot, speedAt(gap1), gap1, rules);
     Lanes sum = load(block.points[0].impulse + at);
+    Moments moments{gap1.leverA * change, gap1.leverB * change};
     if constexpr (points == 2) {
-        along += (pair.a.w + pair.b.w) * change;
-        change += solvePoint<task>(block.points[1], lot, pair, along, gap2, rules);
+        // What the first push does at the second point, by how they are coupled: that is known
+        // before the push, so that as little as possible waits for it.
+        const Lanes coupling = (pair.a.w + pair.b.w) +
+                               (pair.inertiaA * (gap1.leverA * gap2.leverA) +
+                                pair.inertiaB * (gap1.leverB * gap2.leverB));
+        const Lanes second = solvePoint<task>(block.points[1], lot,
+                                              speedAt(gap2) + coupling * change, gap2, rules);
+        moments.a += gap2.leverA * second;
+        moments.b += gap2.leverB * second;
+        change += second;
         sum += load(block.points[1].impulse + at);
     }
     Lanes px = change * nx;
     Lanes py = change * ny;
     if (task == Task::Relax && settings.friction) {
         // what is pushed along the normal leaves the speed of the centres along the tangent
-        const Lanes rub = solveFriction(block, at, pair, nx * dy - ny * dx, sum);
+        const Lanes rub = solveFriction(block, at, pair, nx * dy - ny * dx, sum, moments);
         px -= rub * ny;
         py += rub * nx;
     }
     push(pair, px, py);
+    spin(pair, moments);
     if (rolling != nullptr) {
         solveRolling(*rolling, at, pair, sum, lot.takesPart);
     }
@@ -280,13 +298,14 @@ void warmStartBlocks(const ContactPassArguments& pass) {
             const Lanes second = load(block.points[1].impulse + at);
             const Lanes roll = rolling == nullptr ? Lanes{} : load(rolling->impulse + at);
             const Lanes sum = first + second;
-            const auto moment = [&](const auto& lever1, const auto& lever2, const auto& tangent) {
+            const auto momentBy = [&](const auto& lever1, const auto& lever2, const auto& tangent) {
                 return load(lever1 + at) * first + load(lever2 + at) * second +
                        load(tangent + at) * friction + roll;
             };
             push(pair, sum * nx - friction * ny, sum * ny + friction * nx);
-            spin(pair, moment(block.points[0].leverA, block.points[1].leverA, block.tangentLeverA),
-                 moment(block.points[0].leverB, block.points[1].leverB, block.tangentLeverB));
+            spin(pair,
+                 {momentBy(block.points[0].leverA, block.points[1].leverA, block.tangentLeverA),
+                  momentBy(block.points[0].leverB, block.points[1].leverB, block.tangentLeverB)});
             putBack(pass.motion, block.a + at, pair.a, pass.use[i].movesA, at);
             putBack(pass.motion, block.b + at, pair.b, pass.use[i].movesB, at);
         }
