@@ -27,6 +27,7 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const Form> f
     bodies.pose[slot.index] = {def.position + rotation * form->mass.center, rotation};
     bodies.acceleration[slot.index] = {};
     bodies.extent[slot.index] = {form->reach, form->inside};
+    bodies.thinnest = std::min(bodies.thinnest, form->inside);
     BodyRecord record;
     record.form = std::move(form);
     record.userData = def.userData;
@@ -103,8 +104,13 @@ void listAwake(Bodies& bodies) {
     bodies.startStale = true; // those that are awake no more have moved until now
     bodies.pushesStale = true;
     bodies.awake.clear();
+    bodies.thinnest = std::numeric_limits<Real>::max();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (bodies.ids.aliveAt(i) && bodies.active(i)) {
+        if (!bodies.ids.aliveAt(i)) {
+            continue;
+        }
+        bodies.thinnest = std::min(bodies.thinnest, bodies.extent[i].inside);
+        if (bodies.active(i)) {
             bodies.awake.push_back(static_cast<std::uint32_t>(i));
         }
     }
@@ -131,6 +137,7 @@ void setForm(Bodies& bodies, std::uint32_t index, std::shared_ptr<const Form> fo
     Transform& pose = bodies.pose[index];
     pose.position = origin + pose.rotation * form->mass.center;
     bodies.extent[index] = {form->reach, form->inside};
+    bodies.thinnest = std::min(bodies.thinnest, form->inside);
     bodies.record[index].form = std::move(form);
     bodies.jumped(index);
     refreshMass(bodies, index);

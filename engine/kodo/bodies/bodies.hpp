@@ -110,6 +110,7 @@ struct Bodies {
     /// What a step works on, in order: all that can be pushed and does not rest, and of the locked
     /// bodies those that move. Everything else costs nothing.
     std::vector<std::uint32_t> awake;
+    Real thinnest = 0;       // m; no Extent::inside of a body is less
     bool awakeStale = true;  // whoever makes a body active or idle says so here
     bool anyRests = true;    // at the time of the solver; false: nobody needs to be asked
     bool turns = true;       // false: nothing can be turned; see Feature::Rotation

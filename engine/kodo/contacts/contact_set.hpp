@@ -100,6 +100,8 @@ public:
     void noteManifolds();
     /// False if no contact is a sensor's.
     bool mayHaveSensors() const { return anySensors_ || contactsChanged_; }
+    /// False if no contact bounces.
+    bool mayBounce() const { return anyBounces_ || contactsChanged_; }
     /// The solver gave a contact a row, or took it, or gave the contact back. Several threads call
     /// it.
     void noteRow(std::uint32_t place) {
@@ -228,6 +230,7 @@ private:
     bool contactsChanged_ = true; // in number, in place, or in what is locked
     bool liveStale_ = true;
     bool anySensors_ = false; // when contacts changed last
+    bool anyBounces_ = false; // likewise
 };
 
 } // namespace kodo::inline KODO_PRECISION

@@ -120,8 +120,12 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
     liveStale_ = false;
     if (std::exchange(contactsChanged_, false)) {
         seams_.link(bodies, heads_);
-        anySensors_ = std::any_of(heads_.begin(), heads_.end(),
-                                  [](const ContactHead& head) { return head.sensor; });
+        anySensors_ = false;
+        anyBounces_ = false;
+        for (const ContactHead& head : heads_) {
+            anySensors_ |= head.sensor;
+            anyBounces_ |= head.bounces;
+        }
     }
     seams_.hide(bodies, contacts_, heads_, tolerances);
 }

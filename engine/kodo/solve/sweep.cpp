@@ -138,9 +138,11 @@ void stop(Bodies& bodies, std::uint32_t body, Real share, Vec2 push, Real dt) {
 } // namespace
 
 /// Marks who is swift. Two that are not need no sweep: they do not close a gap that is wider than
-/// the slop, and a narrower one they close by less than half of their inner radii. False if nobody
-/// is.
-bool SweepStage::markSwift(const Bodies& bodies, const Tolerances& tolerances, Crew& crew) {
+/// the slop, and a narrower one they close by less than half of their inner radii; or they do not
+/// bounce, and go less far than that of the thinnest body lets any pair go. False if nobody is.
+bool SweepStage::markSwift(const Bodies& bodies, bool mayBounce, const Tolerances& tolerances,
+                           Crew& crew) {
+    const Real unseen = mayBounce ? Real(0) : farFor(bodies.thinnest, bodies.thinnest, true) / 2;
     std::uint8_t anySwift = 0;
     swift_.resize(bodies.size(), 0); // of the others it is 0 from step to step
     crew.forEach(bodies.awake.size(), kWaysAPiece, [&](std::size_t first, std::size_t last) {
@@ -149,7 +151,7 @@ bool SweepStage::markSwift(const Bodies& bodies, const Tolerances& tolerances, C
             const Motion& motion = bodies.motion[body];
             const Extent& extent = bodies.extent[body];
             const Real way = length(motion.move) + std::abs(motion.turn) * extent.reach;
-            if (way > 0 && !(way <= tolerances.slop / 2 && way < extent.inside / 4)) {
+            if (way > unseen && !(way <= tolerances.slop / 2 && way < extent.inside / 4)) {
                 swift_[body] = 1;
                 Crew::mark(anySwift);
             }
@@ -162,7 +164,8 @@ void SweepStage::run(Bodies& bodies, ContactSet& contactSet, const StepSettings&
                      const Tolerances& tolerances, Real dt, Crew& crew) {
     candidates_.clear();
     bool sensors = false;
-    if (markSwift(bodies, tolerances, crew) || contactSet.mayHaveSensors()) {
+    if (markSwift(bodies, contactSet.mayBounce(), tolerances, crew) ||
+        contactSet.mayHaveSensors()) {
         sensors = findCandidates(bodies, contactSet, tolerances, crew);
     }
     if (!candidates_.empty() || sensors) {

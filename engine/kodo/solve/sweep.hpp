@@ -48,7 +48,7 @@ private:
         bool driven; // something locked moves
     };
 
-    bool markSwift(const Bodies& bodies, const Tolerances& tolerances, Crew& crew);
+    bool markSwift(const Bodies& bodies, bool mayBounce, const Tolerances& tolerances, Crew& crew);
     bool findCandidates(const Bodies& bodies, const ContactSet& contactSet,
                         const Tolerances& tolerances, Crew& crew);
     bool isSwift(const ContactHead& head) const {

@@ -124,7 +124,7 @@ void SnapshotFields::one(IdPool& pool) {
 
 void SnapshotFields::one(Bodies& bodies) {
     auto& [ids, motion, pose, acceleration, extent, jumps, hasJumped, start, filter, record, rest,
-           forced, awake, awakeStale, anyRests, turns, startStale, pushesStale, anyJumped] = bodies;
+           forced, awake, thinnest, awakeStale, anyRests, turns, startStale, pushesStale, anyJumped] = bodies;
     one(ids);
     if (reads()) {
         const std::size_t count = ids.capacity();
@@ -260,7 +260,7 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
     auto& [bounds, pairs, finder, seams, contacts, order, newOrder, holes, added, heads, live,
            found, slots, idle, dropped, changes, hasChanged, stirred, touches, touchChanges, ended,
            endedInStep, records, recordsDue, apart, fastestApproach, stale, pairsStale,
-           contactsChanged, liveStale, anySensors] = set;
+           contactsChanged, liveStale, anySensors, anyBounces] = set;
     auto& [parts, firstPart, firstBefore, replaced, outlines, corners, leftOver, tight, grown,
            changed, isChanged, outgrown] = bounds;
     set.writeRecords();
