@@ -27,14 +27,12 @@ constexpr int kLargeCrowd = 600; // of passes times bodies
 /// Of a contact that pushes: a row is needed once the bodies are near enough to touch within the
 /// step. Those that bounce must not be braked before they touch, or they would lose the speed they
 /// bounce with.
-bool needsRow(const Bodies& bodies, const ContactHead& head, const StepSettings& settings,
-              const Tolerances& tolerances) {
+bool needsRow(const Bodies& bodies, const ContactHead& head, bool restitution, Real slop) {
     // What rests is woken by a touch, not by what comes near.
     if (bodies.anyRests && (bodies.resting(head.bodyA) || bodies.resting(head.bodyB))) {
         return false;
     }
-    const bool bounces = head.bounces && settings.has(Feature::Restitution);
-    return !bounces || head.separation[0] <= tolerances.slop;
+    return !(head.bounces && restitution) || head.separation[0] <= slop;
 }
 
 /// Does the head of a contact that is kept tell what the contact does?
@@ -101,6 +99,7 @@ void SoftStep::collect(const Bodies& bodies, ContactSet& contactSet, const Joint
     const Tolerances& tolerances = step.tolerances;
     Crew& crew = step.crew;
     const bool friction = settings.has(Feature::Friction);
+    const bool restitution = settings.has(Feature::Restitution);
     if (!crew.alone() && blocks_.worthSharing() && ++helped_ % kDealtFor == 0) {
         blocks_.dealAnew(bodies, contactSet);
     }
@@ -113,16 +112,25 @@ void SoftStep::collect(const Bodies& bodies, ContactSet& contactSet, const Joint
     newcomers_.clear();
     found_.gather(crew, live.size(), kNewcomersAPiece, newcomers_,
                   [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& newcomers) {
+                      // Copies: for all that the compiler knows, each byte that is written may be
+                      // in one of them.
+                      const bool keeps = keepsLanes;
+                      const bool bounces = restitution;
+                      const Real slop = tolerances.slop;
+                      const ContactHead* const headOf = heads.data();
+                      const std::uint32_t* const placeOf = live.data();
+                      std::uint8_t* const touched = touched_.data();
+                      std::uint8_t* const near = near_.data();
                       int ownDeep = 0;
                       int ownRows = 0;
                       for (std::size_t i = first; i < last; ++i) {
-                          const std::uint32_t place = live[i];
-                          const ContactHead& head = heads[place];
-                          if (keepsLanes && !head.meets && head.row == ContactRow::kNone) {
+                          const std::uint32_t place = placeOf[i];
+                          const ContactHead& head = headOf[place];
+                          if (keeps && !head.meets && head.row == ContactRow::kNone) {
                               continue; // as before
                           }
-                          const bool needed = needsRow(bodies, head, settings, tolerances);
-                          if (keepsLanes && head.kept && needed) {
+                          const bool needed = needsRow(bodies, head, bounces, slop);
+                          if (keeps && head.kept && needed) {
                               KODO_ASSERT(isKept(contacts[place], head));
                               blocks_.keep(head.row);
                           } else if (!needed || !contacts[place].responds()) {
@@ -134,14 +142,13 @@ void SoftStep::collect(const Bodies& bodies, ContactSet& contactSet, const Joint
                               newcomers.push_back(place);
                           }
                           const Real separation = head.separation[0];
-                          std::vector<std::uint8_t>& marks =
-                              separation <= tolerances.slop ? touched_ : near_;
+                          std::uint8_t* const marks = separation <= slop ? touched : near;
                           Crew::mark(marks[head.bodyA]);
                           Crew::mark(marks[head.bodyB]);
-                          if (separation < -4 * tolerances.slop) {
+                          if (separation < -4 * slop) {
                               noteCrowd(bodies, head, most, crew);
                           }
-                          ownDeep += separation < -kDeep * tolerances.slop ? 1 : 0;
+                          ownDeep += separation < -kDeep * slop ? 1 : 0;
                           ++ownRows;
                       }
                       crew.count(deep, ownDeep);
@@ -244,7 +251,8 @@ bool SoftStep::noneNeedsRow(const Bodies& bodies, ContactSet& contactSet,
                             const StepSettings& settings, const Tolerances& tolerances) {
     for (const std::uint32_t place : contactSet.live()) {
         if (contactSet.contacts()[place].responds() &&
-            needsRow(bodies, contactSet.heads()[place], settings, tolerances)) {
+            needsRow(bodies, contactSet.heads()[place], settings.has(Feature::Restitution),
+                     tolerances.slop)) {
             return false;
         }
         giveUpRow(bodies, contactSet, place);
