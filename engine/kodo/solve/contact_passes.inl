@@ -166,15 +166,24 @@ KODO_LANES_INLINE std::uint8_t settledLanes(const ContactBlock& block, Real sett
 /// could foresee: so they are asked for that many ahead.
 constexpr std::size_t kBlocksAhead = 6;
 
-template <typename Arguments>
-KODO_LANES_INLINE void askForBlock(const Arguments& pass, std::size_t k) {
+KODO_LANES_INLINE void askFor(const void* from, const void* end) {
     constexpr std::size_t kLine = 64; // bytes
+    for (const char* at = static_cast<const char*>(from); at < end; at += kLine) {
+        __builtin_prefetch(at);
+    }
+}
+
+/// Asks for a block to come; with what friction needs?
+template <typename Arguments>
+KODO_LANES_INLINE void askForBlock(const Arguments& pass, std::size_t k, bool friction) {
     if (k + kBlocksAhead < pass.count) {
-        const auto* const next =
-            reinterpret_cast<const char*>(pass.blocks + pass.order[k + kBlocksAhead]);
-        for (std::size_t at = 0; at < sizeof(ContactBlock); at += kLine) {
-            __builtin_prefetch(next + at);
+        const std::size_t i = pass.order[k + kBlocksAhead];
+        const ContactBlock& next = pass.blocks[i];
+        askFor(&next, &next.points[1]);
+        if (pass.use[i].twoPoints) {
+            askFor(&next.points[1], &next.tangentLeverA);
         }
+        askFor(friction ? &next.tangentLeverA : &next.pushSpeed, &next + 1);
     }
 }
 
@@ -258,7 +267,7 @@ template <Task task>
 void solveBlocks(const ContactPassArguments& pass) {
     const PassSettings& settings = pass.settings;
     for (std::size_t k = 0; k < pass.count; ++k) {
-        askForBlock(pass, k);
+        askForBlock(pass, k, task == Task::Relax);
         const std::size_t i = pass.order[k];
         BlockUse use = pass.use[i];
         if constexpr (task == Task::Settle) {
@@ -281,7 +290,7 @@ void solveBlocks(const ContactPassArguments& pass) {
 
 void warmStartBlocks(const ContactPassArguments& pass) {
     for (std::size_t k = 0; k < pass.count; ++k) {
-        askForBlock(pass, k);
+        askForBlock(pass, k, true);
         const std::size_t i = pass.order[k];
         ContactBlock& block = pass.blocks[i];
         const RollingBlock* const rolling =
@@ -357,7 +366,7 @@ KODO_LANES_INLINE void carryLanes(const CarryArguments& pass, ContactBlock& bloc
 
 void carryBlocks(const CarryArguments& pass) {
     for (std::size_t k = 0; k < pass.count; ++k) {
-        askForBlock(pass, k);
+        askForBlock(pass, k, false);
         const std::size_t i = pass.order[k];
         Carried* const carried = pass.carried + i * ContactBlock::kContacts;
         for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
