@@ -41,8 +41,7 @@ inline Octagon boxAt(Real x, Real y, Real width = 1, Real height = 1) {
     return Octagon::of(Aabb{{x, y}, {x + width, y + height}});
 }
 
-/// Boxes of which each diagonal is cut off by up to a half.
-
+/// Boxes of which each diagonal is cut off by up to a half at either end.
 inline std::vector<Octagon> randomScene(support::RandomNumbers& random, std::size_t count) {
     const double wide = static_cast<double>(random.between(1, 40));
     const double high = static_cast<double>(random.between(1, 40));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/collide/collide.hpp>
 #include <kodo/contacts/contact_set.hpp>
 #include <support/random_numbers.hpp>
 
@@ -78,11 +79,17 @@ public:
         EXPECT_EQ(there, headed);
         for (std::uint32_t i = 0; i < bounds.grown().size(); ++i) {
             const PartBounds::Part& part = bounds.part(i);
-            const Aabb tight =
-                boundsOf(bodies_.outline(part.body, part.part), bodies_.pose[part.body]);
-            EXPECT_TRUE(bounds.grown()[i].box().contains(tight));
+            const Convex& outline = bodies_.outline(part.body, part.part);
+            const Transform& pose = bodies_.pose[part.body];
+            for (const Vec2 vertex : outline.vertices) {
+                const Octagon corner = Octagon::of(pose * vertex, outline.radius);
+                EXPECT_TRUE(bounds.grown()[i].contains(corner));
+            }
             for (std::uint32_t k = 0; k < i; ++k) {
-                const bool near = overlap(bounds.tight(i).grown(kUsual.margin), bounds.tight(k));
+                const PartBounds::Part& other = bounds.part(k);
+                const bool near = collide(bodies_.outline(other.body, other.part),
+                                          bodies_.pose[other.body], outline, pose, kUsual.margin, 0)
+                                      .count > 0;
                 EXPECT_FALSE(near && mayMeet(k, i) && !there.contains({k, i})) << k << " " << i;
                 EXPECT_FALSE(there.contains({k, i}) &&
                              !overlap(bounds.grown()[i], bounds.grown()[k]));

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace kodo {
@@ -15,7 +18,8 @@ struct Placed {
     Transform at;
 
     Placed(support::RandomNumbers& random, double far) {
-        for (std::size_t i = 0; i < 1 + random.below(8); ++i) {
+        const std::size_t count = 1 + random.below(8);
+        for (std::size_t i = 0; i < count; ++i) {
             corners.push_back(random.point(1));
         }
         at = {random.point(far), Rot::fromAngle(random.between(-3, 3))};
@@ -26,7 +30,7 @@ struct Placed {
         Vec2 sum{};
         Real all = 0;
         for (const Vec2 corner : corners) {
-            const Real weight = random.between(Real(0.01), 1);
+            const Real weight = random.between(0.01, 1);
             sum += weight * corner;
             all += weight;
         }
@@ -36,8 +40,8 @@ struct Placed {
 
 /// Is a world point in it, but for roundings of its coordinates?
 bool holds(const Octagon& octagon, Vec2 p) {
-    const Real rounding = 2 * std::numeric_limits<Real>::epsilon() *
-                          (std::abs(p.x) + std::abs(p.y) + 1);
+    const Real rounding =
+        2 * std::numeric_limits<Real>::epsilon() * (std::abs(p.x) + std::abs(p.y) + 1);
     return octagon.grown(rounding).contains(Octagon::of(p, 0));
 }
 
@@ -67,8 +71,10 @@ TEST(Octagon, OfPointsIsTight) {
                 least = std::min(least, along[k]);
                 largest = std::max(largest, along[k]);
             }
-            EXPECT_NEAR(octagon.lower[k], least, 1e-6);
-            EXPECT_NEAR(octagon.upper[k], largest, 1e-6);
+            // sums of four products of numbers up to 1.5, each rounded in another order
+            const Real rounding = 16 * std::numeric_limits<Real>::epsilon();
+            EXPECT_NEAR(octagon.lower[k], least, rounding);
+            EXPECT_NEAR(octagon.upper[k], largest, rounding);
         }
     }
 }
@@ -78,7 +84,17 @@ TEST(Octagon, OfADiscTouchesItOnAllSides) {
     for (int eighth = 0; eighth < 8; ++eighth) {
         const Vec2 out = Rot::fromAngle(Real(eighth) * Real(0.785398163)) * Vec2{1, 0};
         EXPECT_TRUE(holds(octagon, Vec2{3, -2} + 2 * out));
-        EXPECT_FALSE(holds(octagon, Vec2{3, -2} + Real(2.00001) * out));
+        EXPECT_FALSE(holds(octagon, Vec2{3, -2} + Real(2.00001) * out)); // 10 roundings farther
+    }
+}
+
+// Along the diagonals a margin counts for no less than the root of 2 of it.
+TEST(Octagon, GrowsByAllOfAMargin) {
+    const Octagon octagon = Octagon::of(Vec2{}, 0).grown(1);
+    for (const int diagonal : {2, 3}) {
+        EXPECT_GE(octagon.upper[diagonal] * octagon.upper[diagonal], 2);
+        EXPECT_LT(octagon.upper[diagonal] * octagon.upper[diagonal], Real(2.000001));
+        EXPECT_EQ(octagon.lower[diagonal], -octagon.upper[diagonal]);
     }
 }
 

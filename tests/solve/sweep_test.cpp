@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <support/random_numbers.hpp>
 #include <support/scenes.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace kodo {
 namespace {
@@ -131,6 +133,128 @@ TEST(Sweep, WhatBouncesOffAMovingWallIsNotCarriedByIt) {
     EXPECT_EQ(world[ball].velocity().x, kBall);
     world.step(support::kDt / 2);
     EXPECT_TRUE(support::near(world[ball].velocity().x, 2 * kWall - kBall, Real(1e-4)));
+}
+
+/// Two discs without restitution, which come towards each other along x.
+struct HeadOn {
+    World world;
+    BodyId left;
+    BodyId right;
+
+    /// `way` is how far they go towards each other in a step, in radii of the smaller.
+    HeadOn(Real radiusA, Real radiusB, Real start, Real way) {
+        const Real speed = way * std::min(radiusA, radiusB) / (2 * support::kDt);
+        BodyDef def = support::ballDef({-radiusA - start / 2, 0}, radiusA);
+        def.velocity = {speed, 0};
+        left = world.add(def);
+        def = support::ballDef({radiusB + start / 2, 0}, radiusB);
+        def.velocity = {-speed, 0};
+        right = world.add(def);
+    }
+    Real gap() const {
+        return world[right].position().x - world[right].bounds().extent().x / 2 -
+               (world[left].position().x + world[left].bounds().extent().x / 2);
+    }
+};
+
+// Loose bodies may go into each other by less than the smaller one's inner radius within a step, so
+// that its middle stays outside; whoever would go farther is stopped. Either way they part to the
+// sides that they came from, and momentum is kept, however fast they are.
+TEST(Sweep, LooseBodiesPartToTheSidesTheyCameFrom) {
+    support::RandomNumbers random(81);
+    Real deepestOfAll = 0; // in radii
+    for (int i = 0; i < 300; ++i) {
+        const Real way = random.between(0.1, i % 2 == 0 ? 1 : 30);
+        const Real radiusA = random.between(0.1, 1);
+        const Real radiusB = random.between(0.1, 1);
+        SCOPED_TRACE(testing::Message()
+                     << way << " radii a step, radii " << radiusA << " and " << radiusB << " m");
+        HeadOn pair(radiusA, radiusB, random.between(0.05, 1), way);
+        const auto momentum = [&] {
+            return pair.world[pair.left].mass() * pair.world[pair.left].velocity().x +
+                   pair.world[pair.right].mass() * pair.world[pair.right].velocity().x;
+        };
+        const Real before = momentum();
+        const Real push = pair.world[pair.left].mass() * pair.world[pair.left].velocity().x;
+        Real deepest = 0;
+        for (int step = 0; step < 120; ++step) {
+            pair.world.step(support::kDt);
+            deepest = std::max(deepest, -pair.gap());
+            ASSERT_LT(pair.world[pair.left].position().x, pair.world[pair.right].position().x);
+        }
+        EXPECT_LT(deepest, std::min(radiusA, radiusB));
+        deepestOfAll = std::max(deepestOfAll, deepest / std::min(radiusA, radiusB));
+        EXPECT_GT(pair.gap(), -pair.world.tolerances().slop);
+        // By roundings of the push, of which there are some in each of 600 substeps.
+        const Real rounding = 600 * std::numeric_limits<Real>::epsilon();
+        EXPECT_NEAR(momentum(), before, std::max(push, Real(1)) * rounding);
+    }
+    EXPECT_GT(deepestOfAll, Real(0.5)) << "nobody went as far as a sweep lets them";
+}
+
+// What is locked does not give way, so only half of that is let into it.
+TEST(Sweep, NobodyGoesFarIntoWhatIsLocked) {
+    constexpr Real kRadius = Real(0.5);
+    const Real kNearly = 8 * std::numeric_limits<Real>::epsilon(); // m, of places about 1 m
+    support::RandomNumbers random(82);
+    for (int i = 0; i < 300; ++i) {
+        const Real way = random.between(0.01, i % 2 == 0 ? 0.6 : 20); // m a step
+        SCOPED_TRACE(testing::Message() << way << " m a step");
+        World world;
+        world.add({.shape = Box{1, 10}, .position = {Real(0.5), 0}, .flags = kLocked});
+        BodyDef def = support::ballDef({-kRadius - random.between(0.05, 1), 0}, kRadius);
+        def.velocity = {way / support::kDt, 0};
+        const BodyId ball = world.add(def);
+        for (int step = 0; step < 120; ++step) {
+            world.step(support::kDt);
+            const Real depth = world[ball].position().x + kRadius;
+            ASSERT_LE(depth, kRadius / 2 + kNearly) << "step " << step;
+        }
+    }
+}
+
+/// Something thin in the way of a box, and how it came into the World.
+enum class Thin { Locked, Part, Later };
+
+void expectStopped(Thin thin, Real way, Real start) {
+    constexpr Real kThickness = Real(0.02); // m
+    constexpr Real kSide = Real(0.4);       // of the box
+    World world;
+    const Box slab{kThickness, 6};
+    BodyDef def{.shape = slab, .flags = kLocked};
+    if (thin == Thin::Part) {
+        def.shape = Compound{{slab, Box{.width = 4, .height = 4, .center = {0, 9}}}};
+    }
+    if (thin != Thin::Later) {
+        world.add(def);
+    }
+    BodyDef thrown = support::boxDef({start - (kSide + kThickness) / 2, 0}, kSide, kSide);
+    thrown.velocity = {way / support::kDt, 0};
+    const BodyId box = world.add(thrown);
+    world.step(support::kDt);
+    if (thin == Thin::Later) {
+        world.add(def);
+    }
+    for (int step = 0; step < 100; ++step) {
+        world.step(support::kDt);
+        const Real depth = world[box].position().x + (kSide + kThickness) / 2;
+        // half of the thinner one's inner radius, which is half of the thickness
+        ASSERT_LT(depth, kThickness / 4 + world.tolerances().slop) << "step " << step;
+    }
+}
+
+// Where nothing bounces, who is too slow for the thinnest of all bodies is not looked at: that may
+// be a locked one, which takes no part in a step, a part of a larger one, or one that came later.
+TEST(Sweep, SeesWhatIsThinWhoeverItBelongsTo) {
+    for (const Thin thin : {Thin::Locked, Thin::Part, Thin::Later}) {
+        for (const Real way : {Real(0.03), Real(0.045), Real(0.1), Real(0.4)}) { // m a step
+            for (const Real start : {Real(-1), Real(-1.01), Real(-1.02), Real(-1.03)}) {
+                SCOPED_TRACE(testing::Message() << static_cast<int>(thin) << ", " << way
+                                                << " m a step from " << start << " m");
+                expectStopped(thin, way, start);
+            }
+        }
+    }
 }
 
 } // namespace

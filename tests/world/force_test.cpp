@@ -216,6 +216,39 @@ public:
 };
 
 // W2: one written by the user, beside the others; each adds its part.
+/// As strong as a number can be, so that its square is none any more.
+class StrongField final : public ForceField {
+public:
+    explicit StrongField(Real force) : force_(force) {}
+    Push at(const Bodies&, std::uint32_t, Real) const override { return {.force = {force_, 0}}; }
+
+private:
+    Real force_;
+};
+
+// Two fields that cancel out leave a body as it is, although the sum of their sizes is no number.
+TEST(Force, WhatCancelsOutLeavesMassAsItIs) {
+    const Real strong = std::numeric_limits<Real>::max() / 2;
+    World world;
+    world.addField({std::make_shared<StrongField>(strong)});
+    world.addField({std::make_shared<StrongField>(-strong)});
+    const BodyId flying = world.add(boxDef({0, 5}, 2, 2));
+    const BodyId lying = world.add(boxDef({0, 0}, 2, 2));
+    const BodyId onTop = world.add(boxDef({0, 2}, 2, 2)); // touches it, so that it goes by substeps
+    for (int step = 0; step < 3; ++step) {
+        world.step(kDt);
+    }
+    EXPECT_TRUE(world.frozenBodies().empty());
+    for (const BodyId body : {flying, lying, onTop}) {
+        EXPECT_EQ(world[body].mass(), 4);
+        EXPECT_EQ(world[body].velocity(), Vec2{});
+        EXPECT_EQ(world[body].angularVelocity(), 0);
+    }
+    world[lying].setVelocity({1, 0});
+    world.step(kDt);
+    EXPECT_GT(world[lying].position().x, 0);
+}
+
 TEST(Force, AUserWritesAField) {
     World world({.gravity = support::kEarth});
     world.addField({std::make_shared<OddField>()});

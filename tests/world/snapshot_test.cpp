@@ -227,6 +227,27 @@ TEST(Snapshot, IdsAreReusedAlike) {
     EXPECT_EQ(loaded.stateHash(), world.stateHash());
 }
 
+// Who is looked at by the sweep goes by the thinnest of all bodies, which is found only when the
+// list of who is awake is: a plank that comes to a peg that turns is stopped in both Worlds or in
+// none. It goes farther in a step than contacts are foreseen, and less far than anybody looks.
+TEST(Snapshot, GoesOnAlikeWhereSomethingThinTurns) {
+    for (int i = 0; i < 16; ++i) {
+        World world;
+        BodyDef peg{.shape = Circle{Real(0.1)}, .flags = kLocked};
+        peg.angularVelocity = 12;
+        world.add(peg);
+        BodyDef plank{.shape = Box{4, Real(0.2)}};
+        plank.position = {0, Real(0.35) + Real(i) / 512};
+        plank.velocity = {0, Real(-1.3)};
+        world.add(plank);
+        run(world, 2);
+        World loaded = reloaded(world);
+        run(world, 20);
+        run(loaded, 20);
+        EXPECT_EQ(loaded.stateHash(), world.stateHash()) << "start " << i;
+    }
+}
+
 TEST(Snapshot, FormsThatAreSharedStayShared) {
     World world;
     Compound many;
@@ -236,8 +257,9 @@ TEST(Snapshot, FormsThatAreSharedStayShared) {
     const BodyId first = world.add({.shape = many});
     const std::size_t one = toBytes(world).size();
     const BodyId second = world.clone(first, {0, 10});
-    // Two bounds for each part, and no second list of parts, each of which takes 8 numbers.
-    EXPECT_LT(toBytes(world).size() - one, std::size_t{100} * (8 + 2) * sizeof(Real));
+    // Two bounds of eight numbers for each part, and no second list of parts, each of which takes
+    // as many as one of them.
+    EXPECT_LT(toBytes(world).size() - one, std::size_t{100} * (16 + 2) * sizeof(Real));
     const World loaded = reloaded(world);
     EXPECT_EQ(&loaded[first].part(7), &loaded[second].part(7));
     EXPECT_EQ(loaded[second].mass(), world[second].mass());
@@ -349,8 +371,8 @@ TEST(Snapshot, TheBytesOfAFixedWorldAreThoseOfThisFormat) {
     ASSERT_NE(world[world.bodies()[3]].flags() & kResting, 0u);
     const Bytes bytes = toBytes(world);
     const bool isFloat = sizeof(Real) == 4;
-    EXPECT_EQ(bytes.size(), isFloat ? 2050u : 3522u);
-    EXPECT_EQ(checksumOf(bytes), isFloat ? 0x9893d61d387c761du : 0xfa2c4a56c4939e5cu)
+    EXPECT_EQ(bytes.size(), isFloat ? 2278u : 3978u);
+    EXPECT_EQ(checksumOf(bytes), isFloat ? 0x7879f58dc6c41009u : 0xf6be52e7983ac1a4u)
         << std::hex << checksumOf(bytes);
 }
 

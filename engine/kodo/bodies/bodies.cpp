@@ -104,16 +104,16 @@ void listAwake(Bodies& bodies) {
     bodies.startStale = true; // those that are awake no more have moved until now
     bodies.pushesStale = true;
     bodies.awake.clear();
-    bodies.thinnest = std::numeric_limits<Real>::max();
+    Real thinnest = std::numeric_limits<Real>::max();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (!bodies.ids.aliveAt(i)) {
-            continue;
-        }
-        bodies.thinnest = std::min(bodies.thinnest, bodies.extent[i].inside);
-        if (bodies.active(i)) {
-            bodies.awake.push_back(static_cast<std::uint32_t>(i));
+        if (bodies.ids.aliveAt(i)) {
+            thinnest = std::min(thinnest, bodies.extent[i].inside);
+            if (bodies.active(i)) {
+                bodies.awake.push_back(static_cast<std::uint32_t>(i));
+            }
         }
     }
+    bodies.thinnest = thinnest;
 }
 
 void noteStart(Bodies& bodies) {

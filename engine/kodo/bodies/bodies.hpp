@@ -42,7 +42,7 @@ struct Acceleration {
     Vec2 linear;      // m/s^2
     Real angular = 0; // rad/s^2
     /// m/s^2, the sum of the sizes of all forces, also of those that cancel out. Finite, so that
-    /// none of it is 0.
+    /// 0 times it is 0.
     Real effort = 0;
 };
 
@@ -52,7 +52,10 @@ using Four = Real __attribute__((vector_size(4 * sizeof(Real)), aligned(sizeof(R
 /// Velocity x, y, angular velocity, 1/mass.
 inline Four& speeds(Motion& motion) {
     static_assert(offsetof(Motion, velocity) == 0 && offsetof(Motion, move) == sizeof(Four));
-    return reinterpret_cast<Four&>(motion.velocity);
+    return reinterpret_cast<Four&>(motion);
+}
+inline const Four& speeds(const Motion& motion) {
+    return reinterpret_cast<const Four&>(motion);
 }
 /// Move x, y, turn, 1/inertia.
 inline Four& moves(Motion& motion) {
@@ -64,6 +67,7 @@ inline const Four& rates(const Acceleration& acceleration) {
     static_assert(sizeof(Acceleration) == sizeof(Four));
     return reinterpret_cast<const Four&>(acceleration);
 }
+
 /// The rest of a body: read once or twice a step.
 struct BodyRecord {
     std::shared_ptr<const Form> form;
@@ -110,7 +114,9 @@ struct Bodies {
     /// What a step works on, in order: all that can be pushed and does not rest, and of the locked
     /// bodies those that move. Everything else costs nothing.
     std::vector<std::uint32_t> awake;
-    Real thinnest = 0;       // m; no Extent::inside of a body is less
+    /// m; no Extent::inside of a body is less. Who sweeps depends on it, and so may the outcome, by
+    /// a little; one line or point, which is 0 thick, has all that moves looked at.
+    Real thinnest = 0;
     bool awakeStale = true;  // whoever makes a body active or idle says so here
     bool anyRests = true;    // at the time of the solver; false: nobody needs to be asked
     bool turns = true;       // false: nothing can be turned; see Feature::Rotation

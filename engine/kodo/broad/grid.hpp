@@ -83,8 +83,8 @@ private:
 
     /// The pairs of one that has moved.
     template <typename Accept>
-    void meetAll(std::span<const Octagon> bounds, const Moved& moved, std::uint32_t m, Accept accept,
-                 std::vector<BoundsPair>& found, Looked& looked) const {
+    void meetAll(std::span<const Octagon> bounds, const Moved& moved, std::uint32_t m,
+                 Accept accept, std::vector<BoundsPair>& found, Looked& looked) const {
         const Aabb box = bounds[m].box();
         const auto isMet = [&](std::uint32_t i) { return meets(m, index_[i], bounds, moved); };
         const auto meet = [&](std::uint32_t i) { addPair(m, index_[i], accept, found); };

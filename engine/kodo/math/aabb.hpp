@@ -41,11 +41,6 @@ constexpr bool overlap(const BasicAabb<T>& a, const BasicAabb<T>& b) {
            (b.lower.y <= a.upper.y);
 }
 
-template <std::floating_point T>
-constexpr BasicAabb<T> moved(const BasicAabb<T>& box, BasicVec2<T> by) {
-    return {box.lower + by, box.upper + by};
-}
-
 /// The smallest that holds both.
 template <std::floating_point T>
 constexpr BasicAabb<T> unite(const BasicAabb<T>& a, const BasicAabb<T>& b) {

@@ -13,9 +13,9 @@
 
 namespace kodo::inline KODO_PRECISION {
 
-/// Bounds along four directions instead of two, a polytope of eight sides with fixed normals
-/// [Klosowski98]. What lies aslant, or goes so, fills half of its box and nearly all of its
-/// octagon: in a heap of boxes half of the pairs whose boxes meet are told apart by it.
+/// Bounds along four directions instead of two: a polytope of eight sides with fixed normals, which
+/// [Klosowski98] calls an 8-DOP. What lies aslant, or goes so, fills half of its box and nearly all
+/// of its octagon: in a heap of boxes half of the pairs whose boxes meet are told apart by it.
 ///
 /// Along the diagonals a distance counts for sqrt(2) of it, so that nothing needs to be divided.
 struct alignas(4 * sizeof(Real)) Octagon {
@@ -28,7 +28,7 @@ struct alignas(4 * sizeof(Real)) Octagon {
 
     /// Grown by a margin on every side.
     Octagon grown(Real margin) const {
-        const Real slant = Real(1.41421357) * margin; // not less than the root of 2
+        const Real slant = Real(1.4142137) * margin; // more than the root of 2
         const Each by{margin, margin, slant, slant};
         return {lower - by, upper + by};
     }
@@ -83,7 +83,8 @@ struct alignas(4 * sizeof(Real)) Octagon {
     }
 
 private:
-    /// m, of sums of coordinates: beside their size those of a shape are small.
+    /// m, of sums of coordinates. Those of a shape itself are for the margin of who asks, as with a
+    /// box.
     static Real roundingAt(Vec2 p) {
         return 2 * std::numeric_limits<Real>::epsilon() * (std::abs(p.x) + std::abs(p.y));
     }

@@ -8,11 +8,11 @@ namespace kodo::inline KODO_PRECISION {
 namespace {
 
 /// The first half of Motion: velocity x, y, angular velocity, 1/mass.
-KODO_LANES_INLINE Real* speeds(Motion* motion) {
+KODO_LANES_INLINE Real* firstHalf(Motion* motion) {
     return &motion->velocity.x;
 }
 /// The second half: move x, y, turn, 1/inertia.
-KODO_LANES_INLINE const Real* moves(const Motion* motion) {
+KODO_LANES_INLINE const Real* secondHalf(const Motion* motion) {
     return &motion->move.x;
 }
 
@@ -69,6 +69,16 @@ struct Lot {
     Lanes pushSpeed; // m/s at most, to part them
     Lanes takesPart; // 1, or 0 where the pass leaves the contact alone
 };
+
+template <Task task>
+KODO_LANES_INLINE Lot lotOf(const ContactBlock& block, int at, const PassSettings& settings) {
+    Lot lot{at, load(block.pushSpeed + at), all(1)};
+    if constexpr (task == Task::Settle) {
+        const auto settled = load(block.points[0].separation + at) < all(settings.settleBelow);
+        lot.takesPart = settled ? lot.takesPart : Lanes{};
+    }
+    return lot;
+}
 
 /// How far one point of each contact is apart by now, and its levers. `moved` is the move of the
 /// centres against each other.
@@ -128,8 +138,9 @@ KODO_LANES_INLINE Lanes solveFriction(ContactBlock& block, int at, const Pair& p
     const Lanes leverA = load(block.tangentLeverA + at);
     const Lanes leverB = load(block.tangentLeverB + at);
     const Lanes friction = load(block.friction + at);
-    const Lanes speed = (along + (leverB * pair.b.z - leverA * pair.a.z)) +
-                        ((leverB * pair.inertiaB) * moments.b + (leverA * pair.inertiaA) * moments.a);
+    const Lanes speed =
+        (along + (leverB * pair.b.z - leverA * pair.a.z)) +
+        ((leverB * pair.inertiaB) * moments.b + (leverA * pair.inertiaA) * moments.a);
     const Lanes stick = friction - load(block.tangentMass + at) * speed;
     const Lanes hold = load(block.staticFriction + at) * pressed;
     const Lanes slip = load(block.kineticFriction + at) * pressed;
@@ -163,27 +174,26 @@ KODO_LANES_INLINE std::uint8_t settledLanes(const ContactBlock& block, Real sett
 }
 
 /// Blocks are so large that most of them lie in a far cache, and come in no order that the machine
-/// could foresee: so they are asked for that many ahead.
+/// could foresee: so they are fetched that many ahead (4 or 8 are as good).
 constexpr std::size_t kBlocksAhead = 6;
 
-KODO_LANES_INLINE void askFor(const void* from, const void* end) {
-    constexpr std::size_t kLine = 64; // bytes
-    for (const char* at = static_cast<const char*>(from); at < end; at += kLine) {
+KODO_LANES_INLINE void prefetchLines(const void* from, const void* end) {
+    for (const char* at = static_cast<const char*>(from); at < end; at += 64) { // bytes a line
         __builtin_prefetch(at);
     }
 }
 
-/// Asks for a block to come; with what friction needs?
+/// Of a block to come what a pass reads: its points, and from `tail` on, if that is not null.
 template <typename Arguments>
-KODO_LANES_INLINE void askForBlock(const Arguments& pass, std::size_t k, bool friction) {
+KODO_LANES_INLINE void prefetchBlock(const Arguments& pass, std::size_t k,
+                                     ContactBlock::Each ContactBlock::*tail) {
     if (k + kBlocksAhead < pass.count) {
         const std::size_t i = pass.order[k + kBlocksAhead];
         const ContactBlock& next = pass.blocks[i];
-        askFor(&next, &next.points[1]);
-        if (pass.use[i].twoPoints) {
-            askFor(&next.points[1], &next.tangentLeverA);
+        prefetchLines(&next, next.points + (pass.use[i].twoPoints ? 2 : 1));
+        if (tail != nullptr) {
+            prefetchLines(&(next.*tail), &next + 1);
         }
-        askFor(friction ? &next.tangentLeverA : &next.pushSpeed, &next + 1);
     }
 }
 
@@ -194,9 +204,9 @@ KODO_LANES_INLINE void putBack(Motion* motion, const std::uint32_t* index, const
     constexpr unsigned kAll = (1u << kLanes) - 1;
     const unsigned which = static_cast<unsigned>(moves) >> at & kAll;
     if (which == kAll) {
-        scatter(speeds(motion), index, speed);
+        scatter(firstHalf(motion), index, speed);
     } else {
-        scatter(speeds(motion), index, speed, which);
+        scatter(firstHalf(motion), index, speed, which);
     }
 }
 
@@ -206,24 +216,20 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
     const PassSettings& settings = rules.settings;
     const Lanes nx = load(block.normalX + at);
     const Lanes ny = load(block.normalY + at);
-    const Quad moveA = gather(moves(motion), block.a + at);
-    const Quad moveB = gather(moves(motion), block.b + at);
+    const Quad moveA = gather(secondHalf(motion), block.a + at);
+    const Quad moveB = gather(secondHalf(motion), block.b + at);
     const Lanes moved = nx * (moveB.x - moveA.x) + ny * (moveB.y - moveA.y);
     const Gap gap1 = gapOf(block.points[0], at, moved, moveA, moveB);
     Gap gap2{};
     if constexpr (points == 2) {
         gap2 = gapOf(block.points[1], at, moved, moveA, moveB);
     }
-    Pair pair{gather(speeds(motion), block.a + at), gather(speeds(motion), block.b + at), moveA.w,
-              moveB.w};
+    Pair pair{gather(firstHalf(motion), block.a + at), gather(firstHalf(motion), block.b + at),
+              moveA.w, moveB.w};
     const Lanes dx = pair.b.x - pair.a.x;
     const Lanes dy = pair.b.y - pair.a.y;
     const Lanes along = nx * dx + ny * dy;
-    Lot lot{at, load(block.pushSpeed + at), all(1)};
-    if constexpr (task == Task::Settle) {
-        const auto settled = load(block.points[0].separation + at) < all(settings.settleBelow);
-        lot.takesPart = settled ? lot.takesPart : Lanes{};
-    }
+    const Lot lot = lotOf<task>(block, at, settings);
     const auto speedAt = [&](const Gap& gap) {
         return along + (gap.leverB * pair.b.z - gap.leverA * pair.a.z);
     };
@@ -233,11 +239,11 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
     if constexpr (points == 2) {
         // What the first push does at the second point, by how they are coupled: that is known
         // before the push, so that as little as possible waits for it.
-        const Lanes coupling = (pair.a.w + pair.b.w) +
-                               (pair.inertiaA * (gap1.leverA * gap2.leverA) +
-                                pair.inertiaB * (gap1.leverB * gap2.leverB));
-        const Lanes second = solvePoint<task>(block.points[1], lot,
-                                              speedAt(gap2) + coupling * change, gap2, rules);
+        const Lanes coupling =
+            (pair.a.w + pair.b.w) + (pair.inertiaA * (gap1.leverA * gap2.leverA) +
+                                     pair.inertiaB * (gap1.leverB * gap2.leverB));
+        const Lanes second =
+            solvePoint<task>(block.points[1], lot, speedAt(gap2) + coupling * change, gap2, rules);
         moments.a += gap2.leverA * second;
         moments.b += gap2.leverB * second;
         change += second;
@@ -267,7 +273,8 @@ template <Task task>
 void solveBlocks(const ContactPassArguments& pass) {
     const PassSettings& settings = pass.settings;
     for (std::size_t k = 0; k < pass.count; ++k) {
-        askForBlock(pass, k, task == Task::Relax);
+        prefetchBlock(pass, k,
+                      task == Task::Push ? &ContactBlock::pushSpeed : &ContactBlock::tangentLeverA);
         const std::size_t i = pass.order[k];
         BlockUse use = pass.use[i];
         if constexpr (task == Task::Settle) {
@@ -290,16 +297,16 @@ void solveBlocks(const ContactPassArguments& pass) {
 
 void warmStartBlocks(const ContactPassArguments& pass) {
     for (std::size_t k = 0; k < pass.count; ++k) {
-        askForBlock(pass, k, true);
+        prefetchBlock(pass, k, &ContactBlock::tangentLeverA);
         const std::size_t i = pass.order[k];
         ContactBlock& block = pass.blocks[i];
         const RollingBlock* const rolling =
             pass.use[i].rolling < 0 ? nullptr : pass.rolling + pass.use[i].rolling;
         for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
-            Pair pair{gather(speeds(pass.motion), block.a + at),
-                      gather(speeds(pass.motion), block.b + at),
-                      gather(moves(pass.motion), block.a + at).w,
-                      gather(moves(pass.motion), block.b + at).w};
+            Pair pair{gather(firstHalf(pass.motion), block.a + at),
+                      gather(firstHalf(pass.motion), block.b + at),
+                      gather(secondHalf(pass.motion), block.a + at).w,
+                      gather(secondHalf(pass.motion), block.b + at).w};
             const Lanes nx = load(block.normalX + at);
             const Lanes ny = load(block.normalY + at);
             const Lanes friction = load(block.friction + at);
@@ -338,10 +345,10 @@ KODO_LANES_INLINE void carryLanes(const CarryArguments& pass, ContactBlock& bloc
     Motion* const motion = pass.motion;
     const Lanes nx = load(block.normalX + at);
     const Lanes ny = load(block.normalY + at);
-    const Quad moveA = gather(moves(motion), block.a + at);
-    const Quad moveB = gather(moves(motion), block.b + at);
-    const Quad speedA = gather(speeds(motion), block.a + at);
-    const Quad speedB = gather(speeds(motion), block.b + at);
+    const Quad moveA = gather(secondHalf(motion), block.a + at);
+    const Quad moveB = gather(secondHalf(motion), block.b + at);
+    const Quad speedA = gather(firstHalf(motion), block.a + at);
+    const Quad speedB = gather(firstHalf(motion), block.b + at);
     const Lanes dx = moveB.x - moveA.x;
     const Lanes dy = moveB.y - moveA.y;
     const Lanes moved = nx * dx + ny * dy;
@@ -366,7 +373,7 @@ KODO_LANES_INLINE void carryLanes(const CarryArguments& pass, ContactBlock& bloc
 
 void carryBlocks(const CarryArguments& pass) {
     for (std::size_t k = 0; k < pass.count; ++k) {
-        askForBlock(pass, k, false);
+        prefetchBlock(pass, k, nullptr);
         const std::size_t i = pass.order[k];
         Carried* const carried = pass.carried + i * ContactBlock::kContacts;
         for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {

@@ -70,12 +70,19 @@ void SoftStep::clearMarks(const Bodies& bodies, const JointSet& joints) {
     });
 }
 
-/// Takes a contact into the solver that keep() will not do for. False if it needs another lane.
-bool SoftStep::takeAnew(const Bodies& bodies, Contact& contact, bool friction) {
+/// Takes a contact into the solver that keep() will not do for. Those that need another lane are
+/// listed.
+void SoftStep::takeAnew(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place,
+                        bool friction, std::vector<std::uint32_t>& newcomers) {
+    Contact& contact = contactSet.contacts()[place];
     if (!friction) {
         contact.friction = 0; // kept from when there was some
     }
-    return blocks_.take(bodies, contact);
+    if (blocks_.take(bodies, contact)) {
+        contactSet.noteRow(place);
+    } else {
+        newcomers.push_back(place);
+    }
 }
 
 /// Takes a contact out of the solver.
@@ -87,6 +94,18 @@ void SoftStep::giveUpRow(const Bodies& bodies, ContactSet& contactSet, std::uint
     contactSet.noteRow(place);
 }
 
+/// Before the contacts of a step are collected.
+void SoftStep::beginCollecting(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
+                               const Step& step) {
+    if (!step.crew.alone() && blocks_.worthSharing() && ++helped_ % kDealtFor == 0) {
+        blocks_.dealAnew(bodies, contactSet);
+    }
+    blocks_.begin(bodies, contactSet.contacts(), step.settings.has(Feature::Friction),
+                  step.settings.has(Feature::RollingResistance));
+    clearMarks(bodies, joints);
+    newcomers_.clear();
+}
+
 /// Besides the blocks: which bodies are held by something, and which are crowded. A body in the
 /// middle of a heap is pushed by all of it, and those behind push on; together they must not exceed
 /// the speed that one of them may push with, or the heap would burst.
@@ -95,28 +114,20 @@ void SoftStep::collect(const Bodies& bodies, ContactSet& contactSet, const Joint
     const std::span<Contact> contacts = contactSet.contacts();
     const std::span<const ContactHead> heads = contactSet.heads();
     const std::span<const std::uint32_t> live = contactSet.live();
-    const StepSettings& settings = step.settings;
-    const Tolerances& tolerances = step.tolerances;
     Crew& crew = step.crew;
-    const bool friction = settings.has(Feature::Friction);
-    const bool restitution = settings.has(Feature::Restitution);
-    if (!crew.alone() && blocks_.worthSharing() && ++helped_ % kDealtFor == 0) {
-        blocks_.dealAnew(bodies, contactSet);
-    }
-    blocks_.begin(bodies, contacts, friction, settings.has(Feature::RollingResistance));
+    const bool friction = step.settings.has(Feature::Friction);
+    const bool withRestitution = step.settings.has(Feature::Restitution);
+    beginCollecting(bodies, contactSet, joints, step);
     const bool keepsLanes = friction && blocks_.keepsLanes();
-    clearMarks(bodies, joints);
     std::uint16_t most = 1; // that overlap one body
     int deep = 0;
     int rows = 0;
-    newcomers_.clear();
     found_.gather(crew, live.size(), kNewcomersAPiece, newcomers_,
                   [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& newcomers) {
-                      // Copies: for all that the compiler knows, each byte that is written may be
-                      // in one of them.
+                      // copies, since a byte that is written may be in one of the others
                       const bool keeps = keepsLanes;
-                      const bool bounces = restitution;
-                      const Real slop = tolerances.slop;
+                      const bool restitution = withRestitution;
+                      const Real slop = step.tolerances.slop;
                       const ContactHead* const headOf = heads.data();
                       const std::uint32_t* const placeOf = live.data();
                       std::uint8_t* const touched = touched_.data();
@@ -129,17 +140,15 @@ void SoftStep::collect(const Bodies& bodies, ContactSet& contactSet, const Joint
                           if (keeps && !head.meets && head.row == ContactRow::kNone) {
                               continue; // as before
                           }
-                          const bool needed = needsRow(bodies, head, bounces, slop);
+                          const bool needed = needsRow(bodies, head, restitution, slop);
                           if (keeps && head.kept && needed) {
                               KODO_ASSERT(isKept(contacts[place], head));
                               blocks_.keep(head.row);
                           } else if (!needed || !contacts[place].responds()) {
                               giveUpRow(bodies, contactSet, place);
                               continue;
-                          } else if (takeAnew(bodies, contacts[place], friction)) {
-                              contactSet.noteRow(place);
                           } else {
-                              newcomers.push_back(place);
+                              takeAnew(bodies, contactSet, place, friction, newcomers);
                           }
                           const Real separation = head.separation[0];
                           std::uint8_t* const marks = separation <= slop ? touched : near;
@@ -188,7 +197,7 @@ void SoftStep::findJointed(const JointSet& joints) {
 
 /// Runs a pass over the joints and adds up what it gives to their bodies.
 template <typename Pass>
-void SoftStep::passJoints(Bodies& bodies, Pass pass) {
+void SoftStep::passJoints(const Bodies& bodies, Pass pass) {
     if (jointed_.empty()) {
         return;
     }

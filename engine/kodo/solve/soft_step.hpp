@@ -54,7 +54,10 @@ private:
     void collect(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
                  const Step& step);
     void clearMarks(const Bodies& bodies, const JointSet& joints);
-    bool takeAnew(const Bodies& bodies, Contact& contact, bool friction);
+    void beginCollecting(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
+                         const Step& step);
+    void takeAnew(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place, bool friction,
+                  std::vector<std::uint32_t>& newcomers);
     void giveUpRow(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place);
     void noteCrowd(const Bodies& bodies, const ContactHead& head, std::uint16_t& most,
                    const Crew& crew);
@@ -62,7 +65,7 @@ private:
                           const Tolerances& tolerances);
     void findJointed(const JointSet& joints);
     template <typename Pass>
-    void passJoints(Bodies& bodies, Pass pass);
+    void passJoints(const Bodies& bodies, Pass pass);
     void passContacts(ContactPasses::Pass pass, const ContactPassArguments& arguments, Crew& crew);
     void settle(const ContactPassArguments& pass, Crew& crew);
     template <typename Work>
@@ -89,7 +92,7 @@ private:
     bool settlesAll_ = false;          // of all contacts; else of the blocks in deep_
     std::vector<std::uint32_t> deep_;
     std::size_t visits_ = 0;
-    std::vector<Velocity> before_;         // by body: with the forces of the substep, without contacts
+    std::vector<Velocity> before_;     // by body: with the forces of the substep, without contacts
     std::vector<std::uint32_t> free_;  // bodies that nothing can push in this step
     std::vector<std::uint32_t> bound_; // and the others
     std::vector<std::uint32_t> jointed_; // bodies, in order; the next two are in the same order

@@ -111,8 +111,8 @@ bool closes(const Bodies& bodies, const PartBounds& bounds, const ContactHead& h
     if (motion < gap || (motion <= far && !head.bounces)) {
         return false;
     }
-    const bool mayBeThrough = motion > far && motion >= (extentA.inside + extentB.inside) / 2 &&
-                              gap >= -tolerances.slop;
+    const bool mayBeThrough =
+        motion > far && motion >= (extentA.inside + extentB.inside) / 2 && gap >= -tolerances.slop;
     return (gap > tolerances.slop || mayBeThrough) &&
            mayMeet(bodies, a, bounds.tight(head.proxies.first), b,
                    bounds.tight(head.proxies.second), tolerances);
@@ -138,8 +138,8 @@ void stop(Bodies& bodies, std::uint32_t body, Real share, Vec2 push, Real dt) {
 } // namespace
 
 /// Marks who is swift. Two that are not need no sweep: they do not close a gap that is wider than
-/// the slop, and a narrower one they close by less than half of their inner radii; or they do not
-/// bounce, and go less far than that of the thinnest body lets any pair go. False if nobody is.
+/// the slop, and a narrower one they close by less than half of their inner radii; or nothing
+/// bounces, and each goes at most half as far as a pair of the thinnest may. False if nobody is.
 bool SweepStage::markSwift(const Bodies& bodies, bool mayBounce, const Tolerances& tolerances,
                            Crew& crew) {
     const Real unseen = mayBounce ? Real(0) : farFor(bodies.thinnest, bodies.thinnest, true) / 2;

@@ -16,7 +16,8 @@ namespace kodo::inline KODO_PRECISION {
 
 /// Stops bodies where they would first touch within the step, so that nothing passes through
 /// anything, however fast and thin. A pair is looked at when its motion could close its gap, and it
-/// bounces or moves by more than half of the thinner one's inner radius.
+/// bounces or moves by more than the thinner one's inner radius; by more than half of that where
+/// one of the two is locked.
 ///
 /// Sensors stop nothing; one that was passed through within the step is marked as touched, with
 /// where and how fast.

@@ -124,7 +124,8 @@ void SnapshotFields::one(IdPool& pool) {
 
 void SnapshotFields::one(Bodies& bodies) {
     auto& [ids, motion, pose, acceleration, extent, jumps, hasJumped, start, filter, record, rest,
-           forced, awake, thinnest, awakeStale, anyRests, turns, startStale, pushesStale, anyJumped] = bodies;
+           forced, awake, thinnest, awakeStale, anyRests, turns, startStale, pushesStale,
+           anyJumped] = bodies;
     one(ids);
     if (reads()) {
         const std::size_t count = ids.capacity();
@@ -149,10 +150,20 @@ void SnapshotFields::one(Bodies& bodies) {
             }
         }
     }
-    all(awake, awakeStale);
+    all(awake, awakeStale, thinnest);
     if (reads()) {
         checkAwake(bodies);
+        checkThinnest(bodies);
     }
+}
+
+/// It may be less than the least, of a body that is gone.
+void SnapshotFields::checkThinnest(const Bodies& bodies) {
+    bool good = bodies.thinnest >= 0;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        good = good && (!bodies.ids.aliveAt(i) || bodies.thinnest <= bodies.extent[i].inside);
+    }
+    require(good, "a body is thinner than the thinnest");
 }
 
 /// What follows from its form and flags.
