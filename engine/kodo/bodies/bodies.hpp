@@ -46,7 +46,8 @@ struct Acceleration {
     Real effort = 0;
 };
 
-/// Four numbers that lie side by side, to be counted with at once. Each is what it would be alone.
+/// Four numbers that lie side by side, to be counted with at once. Each comes out with the bits
+/// that it would have alone.
 using Four = Real __attribute__((vector_size(4 * sizeof(Real)), aligned(sizeof(Real)), may_alias));
 
 /// Velocity x, y, angular velocity, 1/mass.
@@ -114,8 +115,8 @@ struct Bodies {
     /// What a step works on, in order: all that can be pushed and does not rest, and of the locked
     /// bodies those that move. Everything else costs nothing.
     std::vector<std::uint32_t> awake;
-    /// m; no Extent::inside of a body is less. Who sweeps depends on it, and so may the outcome, by
-    /// a little; one line or point, which is 0 thick, has all that moves looked at.
+    /// m, at most the least Extent::inside of all bodies. It decides who is looked at by the sweep,
+    /// so it is part of a snapshot. One line or point makes it 0: then all that moves is looked at.
     Real thinnest = 0;
     bool awakeStale = true;  // whoever makes a body active or idle says so here
     bool anyRests = true;    // at the time of the solver; false: nobody needs to be asked

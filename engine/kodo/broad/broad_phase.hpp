@@ -65,8 +65,9 @@ struct Moved {
     bool has(std::uint32_t i) const { return flags[i] != 0; }
 };
 
-/// Does one that has moved overlap another, that is to be found from its side? Their boxes do. All
-/// of it is hard to foresee, so nothing is left out.
+/// Do the bounds of m, which has moved, overlap those of another? Their boxes do. Of two that have
+/// moved only the one with the lower place finds the other. Without a branch, since nobody could
+/// foresee it.
 inline bool meets(std::uint32_t m, std::uint32_t other, std::span<const Octagon> bounds,
                   const Moved& moved) {
     const bool metAlready = moved.has(other) & (other <= m);

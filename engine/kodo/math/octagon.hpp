@@ -13,11 +13,11 @@
 
 namespace kodo::inline KODO_PRECISION {
 
-/// Bounds along four directions instead of two: a polytope of eight sides with fixed normals, which
+/// Bounds along four directions instead of two: a polygon of eight sides with fixed normals, which
 /// [Klosowski98] calls an 8-DOP. What lies aslant, or goes so, fills half of its box and nearly all
-/// of its octagon: in a heap of boxes half of the pairs whose boxes meet are told apart by it.
+/// of its octagon: of the pairs in a heap of boxes whose boxes meet, half are told apart by it.
 ///
-/// Along the diagonals a distance counts for sqrt(2) of it, so that nothing needs to be divided.
+/// Along a diagonal all is sqrt(2) times as long as in metres, so that nothing needs to be divided.
 struct alignas(4 * sizeof(Real)) Octagon {
     using Each = Real __attribute__((vector_size(4 * sizeof(Real))));
 
@@ -83,8 +83,8 @@ struct alignas(4 * sizeof(Real)) Octagon {
     }
 
 private:
-    /// m, of sums of coordinates. Those of a shape itself are for the margin of who asks, as with a
-    /// box.
+    /// m, by which a sum of coordinates may be rounded. For roundings of the shape itself whoever
+    /// asks has a margin, as with a box.
     static Real roundingAt(Vec2 p) {
         return 2 * std::numeric_limits<Real>::epsilon() * (std::abs(p.x) + std::abs(p.y));
     }

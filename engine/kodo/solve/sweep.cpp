@@ -139,7 +139,8 @@ void stop(Bodies& bodies, std::uint32_t body, Real share, Vec2 push, Real dt) {
 
 /// Marks who is swift. Two that are not need no sweep: they do not close a gap that is wider than
 /// the slop, and a narrower one they close by less than half of their inner radii; or nothing
-/// bounces, and each goes at most half as far as a pair of the thinnest may. False if nobody is.
+/// bounces, and each goes at most half as far as the thinnest may go into what is locked. False if
+/// nobody is.
 bool SweepStage::markSwift(const Bodies& bodies, bool mayBounce, const Tolerances& tolerances,
                            Crew& crew) {
     const Real unseen = mayBounce ? Real(0) : farFor(bodies.thinnest, bodies.thinnest, true) / 2;

@@ -157,7 +157,7 @@ void SnapshotFields::one(Bodies& bodies) {
     }
 }
 
-/// It may be less than the least, of a body that is gone.
+/// It may be that of a body that is gone.
 void SnapshotFields::checkThinnest(const Bodies& bodies) {
     bool good = bodies.thinnest >= 0;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
