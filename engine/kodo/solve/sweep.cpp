@@ -100,7 +100,7 @@ bool closes(const Bodies& bodies, const PartBounds& bounds, const ContactHead& h
     const Extent& extentB = bodies.extent[head.bodyB];
     const bool againstLocked = bodies.locked(head.bodyA) || bodies.locked(head.bodyB);
     const Real far = farFor(extentA.inside, extentB.inside, againstLocked);
-    // Seen from what is locked all is otherwise.
+    // Where one is locked, relativeMotion() goes by how the other moves as seen from it.
     if (!head.bounces && !againstLocked && !mayGoFarther(bodies, head, far)) {
         return false; // as in most of a pile
     }
