@@ -46,6 +46,15 @@ struct Acceleration {
     Real effort = 0;
 };
 
+/// Of those awake that can be moved, how much their masses differ and what forces do to them.
+struct Loads {
+    Real lightest = 0; // 1/kg, as the next
+    Real heaviest = std::numeric_limits<Real>::max();
+    Real strongest = 0; // (m/s^2)^2, as the next, which is also of those that can only turn
+    Real weakest = std::numeric_limits<Real>::max();
+    bool driven = false; // some are locked, and move
+};
+
 /// Four numbers that lie side by side, to be counted with at once. Each comes out with the bits
 /// that it would have alone.
 using Four = Real __attribute__((vector_size(4 * sizeof(Real)), aligned(sizeof(Real)), may_alias));
@@ -62,6 +71,9 @@ inline const Four& speeds(const Motion& motion) {
 inline Four& moves(Motion& motion) {
     static_assert(sizeof(Motion) == 2 * sizeof(Four));
     return reinterpret_cast<Four&>(motion.move);
+}
+inline const Four& moves(const Motion& motion) {
+    return reinterpret_cast<const Four&>(motion.move);
 }
 /// Acceleration x, y, angular acceleration, effort.
 inline const Four& rates(const Acceleration& acceleration) {
@@ -107,8 +119,7 @@ struct Bodies {
     /// Since the last step began; or a contact came back that was away while it did.
     std::vector<std::uint8_t> hasJumped;
     std::vector<Vec2> start; // m, of the centre of mass: where each was when the last step began
-    /// By themselves, since who looks for pairs asks for them all over the World.
-    std::vector<CollisionFilter> filter;
+    std::vector<CollisionFilter> filter; // apart, since who looks for pairs asks all over the World
     std::vector<BodyRecord> record;
     std::vector<RestState> rest;
     std::vector<std::uint32_t> forced; // bodies with a force, some perhaps twice
@@ -118,6 +129,7 @@ struct Bodies {
     /// m, at most the least Extent::inside of all bodies. It decides who is looked at by the sweep,
     /// so it is part of a snapshot. One line or point makes it 0: then all that moves is looked at.
     Real thinnest = 0;
+    Loads loads;             // see noteLoads
     bool awakeStale = true;  // whoever makes a body active or idle says so here
     bool anyRests = true;    // at the time of the solver; false: nobody needs to be asked
     bool turns = true;       // false: nothing can be turned; see Feature::Rotation

@@ -67,6 +67,24 @@ bool gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Rea
     return unsound == 0;
 }
 
+void noteLoads(Bodies& bodies) {
+    Loads loads;
+    for (const std::uint32_t body : bodies.awake) {
+        if (bodies.locked(body)) {
+            loads.driven = true;
+            continue;
+        }
+        const Real square = lengthSquared(bodies.acceleration[body].linear);
+        loads.weakest = std::min(loads.weakest, square);
+        if (const Real invMass = bodies.motion[body].invMass; invMass > 0) {
+            loads.lightest = std::max(loads.lightest, invMass);
+            loads.heaviest = std::min(loads.heaviest, invMass);
+            loads.strongest = std::max(loads.strongest, square);
+        }
+    }
+    bodies.loads = loads;
+}
+
 void beginMotion(Bodies& bodies, std::span<const std::uint32_t> list) {
     for (const std::uint32_t i : list) {
         bodies.motion[i].halt();

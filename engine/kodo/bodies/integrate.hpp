@@ -13,6 +13,10 @@ namespace kodo::inline KODO_PRECISION {
 /// over dt; see Push. False if one of them is not sound.
 bool gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Real dt, Crew& crew);
 
+/// Finds Bodies::loads, after accelerations, masses or who is awake have changed: see
+/// Bodies::pushesStale.
+void noteLoads(Bodies& bodies);
+
 /// Forgets the motion that the bodies in the list had in the last step. A locked one that has come
 /// to a stand is awake no more. Several threads call it at once.
 void beginMotion(Bodies& bodies, std::span<const std::uint32_t> list);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t kCellInterval = 64; // calls between two looks at the sizes
 constexpr Real kLevelStep = 4;              // each level's cells are so many times wider
-constexpr std::size_t kLevels = 16;         // at most; the last takes all that is left
+constexpr std::size_t kLevels = 16;         // those that nothing is in go again
 constexpr Real kCellsPerBounds = 4;         // at most, so that clearing them costs little
 
 Real sizeOf(const Octagon& bounds) {
@@ -41,22 +41,19 @@ void Grid::chooseCell(std::span<const Octagon> bounds) {
 }
 
 void Grid::assignLevels(std::span<const Octagon> bounds) {
-    Real largest = 0;
-    for (const Octagon& each : bounds) {
-        largest = std::max(largest, sizeOf(each));
-    }
     levels_.clear();
-    for (Real cell = cell_; levels_.empty() || levels_.back().cell < largest; cell *= kLevelStep) {
-        const bool last = levels_.size() + 1 == kLevels;
-        levels_.push_back({last ? std::max(cell, largest) : cell});
+    for (Real cell = cell_; levels_.size() < kLevels; cell *= kLevelStep) {
+        levels_.push_back({cell});
     }
     levelOf_.resize(bounds.size());
     for (std::size_t i = 0; i < bounds.size(); ++i) {
+        const Real size = sizeOf(bounds[i]);
         std::uint8_t at = 0;
-        while (sizeOf(bounds[i]) > levels_[at].cell) {
+        while (at + 1u < kLevels && size > levels_[at].cell) {
             ++at;
         }
         Level& level = levels_[at];
+        level.cell = std::max(level.cell, size); // the last level takes larger ones, too
         const Vec2 center = bounds[i].box().center();
         const Aabb all = level.count == 0 ? Aabb{center, center} : level.centers;
         level.centers = unite(all, {center, center});

@@ -125,7 +125,7 @@ void ContactSet::refreshPairs(const Bodies& bodies, Crew& crew) {
     }
     findPairs(bodies, crew);
     if (!pairs_.empty() || !order_.empty()) {
-        mergePairs(bodies);
+        mergePairs(bodies, crew);
     }
     bounds_.clearChanged();
 }
@@ -163,56 +163,92 @@ Contact ContactSet::makeContact(const Bodies& bodies, BoundsPair pair) const {
     return contact;
 }
 
-/// Both lists are in the order of the keys, so one walk over both keeps what stays, drops what is
-/// gone and adds what is new. Only pairs with one whose bounds are new can be either.
-void ContactSet::mergePairs(const Bodies& bodies) {
+/// Both lists are in the order of the keys, so one walk over both finds what is gone and what is
+/// new. Only pairs with one whose bounds are new can be either.
+void ContactSet::findNews(Crew& crew) {
+    news_.clear();
+    newsFound_.gather(
+        crew, order_.size(), kContactsAPiece, news_,
+        [&](std::size_t first, std::size_t last, std::vector<News>& news) {
+            const std::uint8_t* const isChanged = bounds_.isChanged().data();
+            const Place* const order = order_.data();
+            const auto from = [&](std::size_t at) {
+                return std::lower_bound(pairs_.begin(), pairs_.end(), order_[at].pair);
+            };
+            auto pair = first == 0 ? pairs_.begin() : from(first);
+            const auto end = last == order_.size() ? pairs_.end() : from(last);
+            for (std::size_t at = first; at < last; ++at) {
+                const BoundsPair own = order[at].pair;
+                for (; pair != end && *pair < own; ++pair) {
+                    news.push_back({*pair, static_cast<std::uint32_t>(at), true});
+                }
+                const bool found = pair != end && *pair == own;
+                const bool asked = (isChanged[own.first] | isChanged[own.second]) != 0;
+                pair += found ? 1 : 0;
+                if (asked & !found) { // hardly ever; what of it holds is hard to foresee
+                    news.push_back({own, static_cast<std::uint32_t>(at), false});
+                }
+            }
+            for (; pair != end; ++pair) {
+                news.push_back({*pair, static_cast<std::uint32_t>(last), true});
+            }
+        });
+}
+
+/// Keeps what stays, drops what is gone and adds what is new.
+void ContactSet::mergePairs(const Bodies& bodies, Crew& crew) {
+    findNews(crew);
+    if (news_.empty()) {
+        return;
+    }
     newOrder_.clear();
     newOrder_.reserve(order_.capacity()); // the two take turns
     holes_.clear();
     added_.clear();
-    const std::span<const std::uint8_t> isChanged = bounds_.isChanged();
-    auto pair = pairs_.begin();
-    const auto addUpTo = [&](const BoundsPair* end) {
-        for (; pair != pairs_.end() && (end == nullptr || *pair < *end); ++pair) {
-            added_.push_back(static_cast<std::uint32_t>(newOrder_.size()));
-            newOrder_.push_back({*pair, 0});
-        }
+    std::size_t next = 0;
+    const auto keepUpTo = [&](std::size_t end) {
+        newOrder_.insert(newOrder_.end(), order_.begin() + static_cast<std::ptrdiff_t>(next),
+                         order_.begin() + static_cast<std::ptrdiff_t>(end));
+        next = end;
     };
-    for (const Place& place : order_) {
-        addUpTo(&place.pair);
-        const bool found = pair != pairs_.end() && *pair == place.pair;
-        const bool asked = (isChanged[place.pair.first] | isChanged[place.pair.second]) != 0;
-        pair += found ? 1 : 0;
-        if (found | !asked) { // as for most; what of it holds is hard to foresee
-            newOrder_.push_back(place);
+    for (const News& news : news_) {
+        keepUpTo(news.at);
+        if (news.comes) {
+            added_.push_back(static_cast<std::uint32_t>(newOrder_.size()));
+            newOrder_.push_back({news.pair, 0});
         } else {
-            Contact& gone = contacts_[place.slot];
-            if (gone.row.lent) {
-                gone.centerA = bodies.start[gone.key.bodyA];
-            }
-            noteEnd(gone);
-            holes_.push_back(place.slot);
+            holes_.push_back(order_[next++].slot);
+            dismiss(contacts_[holes_.back()], bodies);
         }
     }
-    addUpTo(nullptr);
-    if (added_.empty() && holes_.empty()) {
-        return;
-    }
+    keepUpTo(order_.size());
     std::swap(order_, newOrder_);
     for (const std::uint32_t at : added_) {
-        if (holes_.empty()) {
-            order_[at].slot = static_cast<std::uint32_t>(contacts_.size());
-            contacts_.emplace_back();
-            heads_.emplace_back();
-        } else {
-            order_[at].slot = holes_.back();
-            holes_.pop_back();
-        }
-        Contact& contact = contacts_[order_[at].slot];
-        contact = makeContact(bodies, order_[at].pair);
-        heads_[order_[at].slot] = ContactHead::of(contact, order_[at].pair);
+        addContact(bodies, order_[at]);
     }
     fillHoles();
+}
+
+/// Before a contact goes whose bounds have parted.
+void ContactSet::dismiss(Contact& gone, const Bodies& bodies) {
+    if (gone.row.lent) {
+        gone.centerA = bodies.start[gone.key.bodyA];
+    }
+    noteEnd(gone);
+}
+
+/// Makes a contact for a pair, in the last hole if there is one.
+void ContactSet::addContact(const Bodies& bodies, Place& place) {
+    if (holes_.empty()) {
+        place.slot = static_cast<std::uint32_t>(contacts_.size());
+        contacts_.emplace_back();
+        heads_.emplace_back();
+    } else {
+        place.slot = holes_.back();
+        holes_.pop_back();
+    }
+    contacts_[place.slot] = makeContact(bodies, place.pair);
+    heads_[place.slot] = ContactHead::of(contacts_[place.slot], place.pair);
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -171,6 +171,12 @@ private:
         BoundsPair pair;
         std::uint32_t slot;
     };
+    /// A pair that has come or gone, and where it is in order_ or goes before.
+    struct News {
+        BoundsPair pair;
+        std::uint32_t at;
+        bool comes;
+    };
 
     void writeRecords() const;
     void noteEnd(const Contact& contact);
@@ -183,7 +189,10 @@ private:
     void renewPlaces();
     void refreshPairs(const Bodies& bodies, Crew& crew);
     void findPairs(const Bodies& bodies, Crew& crew);
-    void mergePairs(const Bodies& bodies);
+    void findNews(Crew& crew);
+    void mergePairs(const Bodies& bodies, Crew& crew);
+    void dismiss(Contact& gone, const Bodies& bodies);
+    void addContact(const Bodies& bodies, Place& place);
     Contact makeContact(const Bodies& bodies, BoundsPair pair) const;
     void changed();
     bool boundsMeet(std::size_t i, const Tolerances& tolerances) const;
@@ -202,8 +211,10 @@ private:
     PairFinder finder_;
     Seams seams_;
     std::vector<Contact> contacts_;
-    std::vector<Place> order_;         // of the contacts, by key
-    std::vector<Place> newOrder_;      // spare, so that merging allocates nothing
+    std::vector<Place> order_;    // of the contacts, by key
+    std::vector<Place> newOrder_; // spare, so that merging allocates nothing
+    std::vector<News> news_;      // while merging
+    Findings<News> newsFound_;
     std::vector<std::uint32_t> holes_; // slots whose contact is gone, while merging
     std::vector<std::uint32_t> added_; // places in the order whose contact is new, while merging
     std::vector<ContactHead> heads_;

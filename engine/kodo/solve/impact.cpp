@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -185,6 +184,7 @@ bool hitContact(const Impact& hit, const Tolerances& tolerances, Real restSpeed)
     return true;
 }
 
+constexpr std::size_t kContactsAPiece = 512;
 constexpr Real kNearly = Real(0.999); // makes up for rounding
 
 Real accelerationSquared(const Bodies& bodies, std::uint32_t bodyA, std::uint32_t bodyB) {
@@ -202,18 +202,6 @@ bool isFast(const Bodies& bodies, const ContactHead& head, Real dt) {
     const Real speed = head.approachSpeed;
     return speed > 0 && speed * speed > kNearly * (dt * dt) *
                                             accelerationSquared(bodies, head.bodyA, head.bodyB);
-}
-
-/// No contact that approaches more slowly than that is hit: forces alone do as much to every body
-/// within the step. Rounding aside, which solveImpact judges.
-Real leastRestSpeed(const Bodies& bodies, Real dt) {
-    Real least = std::numeric_limits<Real>::max();
-    for (const std::uint32_t body : bodies.awake) {
-        if (!bodies.locked(body)) {
-            least = std::min(least, lengthSquared(bodies.acceleration[body].linear));
-        }
-    }
-    return kNearly * dt * std::sqrt(least);
 }
 
 } // namespace
@@ -234,22 +222,42 @@ bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,
 }
 
 void ImpactStage::solve(Bodies& bodies, ContactSet& contactSet, const ContactBlocks& blocks,
-                        const StepSettings& settings, const Tolerances& tolerances, Real dt) {
+                        const Step& step) {
+    const StepSettings& settings = step.settings;
+    const Tolerances& tolerances = step.tolerances;
+    const Real dt = step.dt;
     if (!settings.has(Feature::Restitution) || !(contactSet.fastestApproach() > 0)) {
         return;
     }
-    const Real restSpeed = leastRestSpeed(bodies, dt);
+    // No contact that approaches more slowly than that is hit: forces alone do as much to every
+    // body within the step. Rounding aside, which solveImpact judges.
+    const Real restSpeed = kNearly * dt * std::sqrt(bodies.loads.weakest);
     if (!(contactSet.fastestApproach() > restSpeed)) {
         return;
     }
     const std::span<Contact> contacts = contactSet.contacts();
     const std::span<const std::uint32_t> live = contactSet.live();
     const std::span<const ContactHead> heads = contactSet.heads();
+    const auto maybeHit = [&](const ContactHead& head) {
+        return head.approachSpeed > restSpeed && isFast(bodies, head, dt);
+    };
+    std::size_t left = 0; // from the first that is fast to the end; in a pile there is none
+    step.crew.forEach(live.size(), kContactsAPiece, [&](std::size_t first, std::size_t last) {
+        const auto fast = std::find_if(live.begin() + static_cast<std::ptrdiff_t>(first),
+                                       live.begin() + static_cast<std::ptrdiff_t>(last),
+                                       [&](std::uint32_t place) { return maybeHit(heads[place]); });
+        if (fast != live.begin() + static_cast<std::ptrdiff_t>(last)) {
+            Crew::raise(left, static_cast<std::size_t>(live.end() - fast));
+        }
+    });
+    if (left == 0) {
+        return;
+    }
     wasHit_.assign(bodies.size(), 0);
     bool any = true;
     for (int pass = 0; pass < settings.impactPasses && any; ++pass) {
         any = false;
-        for (const std::uint32_t place : live) {
+        for (const std::uint32_t place : pass == 0 ? live.last(left) : live) {
             const ContactHead& head = heads[place];
             std::uint8_t& wasHitA = wasHit_[head.bodyA];
             std::uint8_t& wasHitB = wasHit_[head.bodyB];
@@ -257,7 +265,7 @@ void ImpactStage::solve(Bodies& bodies, ContactSet& contactSet, const ContactBlo
                 continue; // the contact half goes on from here
             }
             const bool asMeasured = pass == 0 && (wasHitA | wasHitB) == 0;
-            if (asMeasured && !(head.approachSpeed > restSpeed && isFast(bodies, head, dt))) {
+            if (asMeasured && !maybeHit(head)) {
                 continue;
             }
             blocks.reclaim(contacts[place], bodies);

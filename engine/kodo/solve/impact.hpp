@@ -25,8 +25,15 @@ namespace kodo::inline KODO_PRECISION {
 /// forces alone cause within one step is left to the contact half, since it is rest.
 class ImpactStage {
 public:
+    struct Step {
+        const StepSettings& settings;
+        const Tolerances& tolerances;
+        Real dt; // s
+        Crew& crew;
+    };
+
     void solve(Bodies& bodies, ContactSet& contactSet, const ContactBlocks& blocks,
-               const StepSettings& settings, const Tolerances& tolerances, Real dt);
+               const Step& step);
 
 private:
     std::vector<std::uint8_t> wasHit_; // by body, in this step

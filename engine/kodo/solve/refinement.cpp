@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -27,19 +26,10 @@ constexpr int kMostRefined = 8;
 /// kept as of a whole substep; a power of two changes no digit of them.
 int SoftStep::refinement(const Bodies& bodies, ContactSet& contactSet, Real hertz,
                          const Tolerances& tolerances) {
-    Real lightest = 0; // as 1/kg
-    Real heaviest = std::numeric_limits<Real>::max();
-    Real strongest = 0; // (m/s^2)^2
-    for (const std::uint32_t body : bodies.awake) {
-        if (const Real invMass = bodies.motion[body].invMass; invMass > 0) {
-            lightest = std::max(lightest, invMass);
-            heaviest = std::min(heaviest, invMass);
-            strongest = std::max(strongest, lengthSquared(bodies.acceleration[body].linear));
-        }
-    }
+    const Loads& loads = bodies.loads;
     const Real omega = 2 * std::numbers::pi_v<Real> * hertz;
     const Real most = kMostGive * tolerances.slop * omega * omega; // m/s^2
-    if ((1 + lightest / heaviest) * std::sqrt(strongest) <= most) {
+    if ((1 + loads.lightest / loads.heaviest) * std::sqrt(loads.strongest) <= most) {
         return 1;
     }
     Real load = 0; // m/s^2

@@ -124,7 +124,7 @@ void SnapshotFields::one(IdPool& pool) {
 
 void SnapshotFields::one(Bodies& bodies) {
     auto& [ids, motion, pose, acceleration, extent, jumps, hasJumped, start, filter, record, rest,
-           forced, awake, thinnest, awakeStale, anyRests, turns, startStale, pushesStale,
+           forced, awake, thinnest, loads, awakeStale, anyRests, turns, startStale, pushesStale,
            anyJumped] = bodies;
     one(ids);
     if (reads()) {
@@ -268,10 +268,10 @@ void SnapshotFields::completeContact(Contact& contact, const Bodies& bodies) {
 /// bodies.
 void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Tolerances& tolerances) {
     // The way pairs are found changes what that costs and not what is found, so it begins anew.
-    auto& [bounds, pairs, finder, seams, contacts, order, newOrder, holes, added, heads, live,
-           found, slots, idle, dropped, changes, hasChanged, stirred, touches, touchChanges, ended,
-           endedInStep, records, recordsDue, apart, fastestApproach, stale, pairsStale,
-           contactsChanged, liveStale, anySensors, anyBounces] = set;
+    auto& [bounds, pairs, finder, seams, contacts, order, newOrder, news, newsFound, holes, added,
+           heads, live, found, slots, idle, dropped, changes, hasChanged, stirred, touches,
+           touchChanges, ended, endedInStep, records, recordsDue, apart, fastestApproach, stale,
+           pairsStale, contactsChanged, liveStale, anySensors, anyBounces] = set;
     auto& [parts, firstPart, firstBefore, replaced, outlines, corners, leftOver, tight, grown,
            changed, isChanged, outgrown] = bounds;
     set.writeRecords();

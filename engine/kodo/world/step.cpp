@@ -94,8 +94,12 @@ void World::gatherForces(Real dt, Crew& crew) {
     }
     joints_.findBusy(bodies_, refreshAwake(bodies_));
     frozen_.clear();
+    const bool changed = bodies_.pushesStale;
     if (!gatherAccelerations(bodies_, fields_, dt, crew)) {
         freezeUnsoundForces();
+    }
+    if (changed) {
+        noteLoads(bodies_);
     }
     if (region_) {
         holdWhatWaits();
@@ -117,7 +121,7 @@ void World::sweep(Real dt, Crew& crew) {
 /// Puts bodies where their moves lead; those whose motion is unsound freeze where they are.
 void World::finishMoves(Crew& crew) {
     releaseWhatWaits();
-    if (!allSound()) {
+    if (!allSound(crew)) {
         freezeUnsoundMotion();
     }
     forAwake(crew, movePoses);
@@ -138,7 +142,7 @@ void World::solve(Real dt, Crew& crew) {
         contactVisits_ = propagation_.visits();
         return;
     }
-    impacts_.solve(bodies_, contacts_, softStep_.blocks(), settings_, tolerances_, dt);
+    impacts_.solve(bodies_, contacts_, softStep_.blocks(), {settings_, tolerances_, dt, crew});
     softStep_.solve(bodies_, contacts_, joints_, {settings_, tolerances_, dt, crew});
     contactVisits_ = softStep_.visits();
 }
@@ -180,13 +184,25 @@ void World::freezeUnsoundForces() {
     }
 }
 
-bool World::allSound() const {
-    for (const std::uint32_t body : bodies_.awake) {
-        if (!isSound(bodies_.motion[body], tolerances_.unit())) {
-            return false;
+bool World::allSound(Crew& crew) const {
+    // Nearly always all are slow, which four numbers at a time can tell.
+    const Real slow = kHighestSpeed * std::min(tolerances_.unit(), Real(1)) / 2;
+    const Four bound{slow, slow, slow, 0}; // the last number is no speed
+    std::uint8_t fast = 0;
+    crew.forEach(bodies_.awake.size(), kBodiesAPiece, [&](std::size_t first, std::size_t last) {
+        auto within = bound == bound;
+        for (std::size_t k = first; k < last; ++k) {
+            const Motion& motion = bodies_.motion[bodies_.awake[k]];
+            within &= (speeds(motion) <= bound) & (speeds(motion) >= -bound) &
+                      (moves(motion) <= bound) & (moves(motion) >= -bound);
         }
-    }
-    return true;
+        if ((within[0] & within[1] & within[2]) == 0) {
+            Crew::mark(fast);
+        }
+    });
+    return fast == 0 || std::all_of(bodies_.awake.begin(), bodies_.awake.end(), [&](auto body) {
+               return isSound(bodies_.motion[body], tolerances_.unit());
+           });
 }
 
 /// What a body that became unsound did to its neighbours within the step cannot be told apart any

@@ -171,7 +171,7 @@ private:
     void freezeUnsoundForces();
     /// Is there somebody who could wake somebody?
     bool mayWake() const { return rest_.anyResting() && !bodies_.awake.empty(); }
-    bool allSound() const;
+    bool allSound(Crew& crew) const;
     void freezeUnsoundMotion();
 
     StepSettings settings_;
