@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <vector>
 
 namespace kodo {
@@ -44,6 +45,33 @@ TEST(Crew, CutsByTheGrainAlone) {
     std::size_t calls = 0;
     crew.forEach(30, 30, [&](std::size_t, std::size_t last) { calls += last; });
     EXPECT_EQ(calls, 30u);
+}
+
+// Each share does its turns in their order, each once, and nobody begins an even one before all
+// have done the even one before it; whoever helps, and if nobody does.
+TEST(Crew, TakesTurns) {
+    constexpr std::uint32_t kTurns = 41;
+    for (const int helpers : {0, 1, 2, 5}) {
+        ThreadPool pool(helpers);
+        Crew crew(&pool);
+        ASSERT_EQ(crew.shares(), static_cast<std::uint32_t>(helpers) + 1);
+        for (int round = 0; round < 50; ++round) {
+            std::vector<std::atomic<std::uint32_t>> done(crew.shares());
+            std::atomic<int> wrong{0};
+            crew.inTurns(kTurns, [&](std::uint32_t share, std::uint32_t turn) {
+                wrong += done[share].load() != turn ? 1 : 0;
+                for (const std::atomic<std::uint32_t>& other : done) {
+                    wrong += turn % 2 == 0 && other.load() + 1 < turn ? 1 : 0;
+                }
+                done[share].store(turn + 1);
+            });
+            EXPECT_EQ(wrong.load(), 0);
+            for (const std::atomic<std::uint32_t>& each : done) {
+                EXPECT_EQ(each.load(), kTurns);
+            }
+        }
+        crew.inTurns(0, [](std::uint32_t, std::uint32_t) { ADD_FAILURE(); });
+    }
 }
 
 // What pieces write to the same place.

@@ -91,6 +91,73 @@ TEST(Executor, ChangesNoBitOfAThousandContactsOfAColour) {
     }
 }
 
+/// A heap of 4,000 balls, in no order, that lie on each other and roll with resistance; some are in
+/// one place. A plank on top and a drum that only turns, both with large ids, have more contacts
+/// than there are colours. With `links`, something drives and something is pinned, too: then
+/// threads wait for each other in each substep.
+World crowd(bool links) {
+    World world(support::wakeful());
+    support::addFloor(world);
+    support::RandomNumbers random(31);
+    std::vector<int> places(4000);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        places[i] = static_cast<int>(i);
+        std::swap(places[i], places[random.below(i + 1)]);
+    }
+    for (const int place : places) {
+        BodyDef ball = support::ballDef({static_cast<Real>(place % 100) * Real(0.5) - 25,
+                                         static_cast<Real>(place / 100) * Real(0.47) + Real(0.3)},
+                                        random.between(0.23, 0.25));
+        ball.material.rollingResistance = Real(0.1);
+        world.add(ball);
+    }
+    for (int i = 0; i < 12; ++i) {
+        world.add(support::ballDef({Real(10), Real(25)}, Real(0.3)));
+    }
+    world.add(support::boxDef({0, Real(19.5)}, 40, Real(0.5)));
+    BodyDef drum = support::ballDef({-10, 6}, 4);
+    drum.flags = kLockMove;
+    drum.angularVelocity = 1;
+    world.add(drum);
+    if (links) {
+        world.add({.shape = Box{4, Real(0.5)},
+                   .position = {20, 6},
+                   .velocity = {Real(0.5), -1},
+                   .flags = kLocked});
+        const BodyId bob = world.add(support::ballDef({5, 10}, Real(0.3)));
+        world.add(Pin{.ends = {world.bodies().front(), bob, {5, 12}, {0, 2}}});
+    }
+    return world;
+}
+
+/// What a game may do between two steps.
+void meddle(World& world, int step) {
+    const std::vector<BodyId> bodies = world.bodies();
+    const auto at = static_cast<std::size_t>(step);
+    world.remove(bodies[at * 8]);
+    world.add(support::ballDef({Real(step) / 10, 21}, Real(0.4)));
+    BodyRef body = world[bodies[at * 16 + 1]];
+    body.setFlags(body.flags() ^ kLocked);
+}
+
+// Nor where the substeps of all threads run on by themselves, or meet, as contacts come and go.
+TEST(Executor, ChangesNoBitOfACrowd) {
+    for (const int threads : {2, 3, 8}) {
+        World alone = crowd(threads == 3);
+        World helped = alone;
+        ThreadPool pool(threads - 1);
+        for (int step = 1; step <= 50; ++step) {
+            alone.step(support::kDt);
+            helped.step(support::kDt, {.executor = step % 20 == 0 ? nullptr : &pool});
+            ASSERT_EQ(helped.stateHash(), alone.stateHash()) << threads << " threads " << step;
+            if (step % 8 == 0) {
+                meddle(alone, step);
+                meddle(helped, step);
+            }
+        }
+    }
+}
+
 // A World that goes on with other helpers, or with none, is the same World.
 TEST(Executor, MayComeAndGo) {
     World world = bigWorld(Strategy::SoftStep);
@@ -130,6 +197,13 @@ TEST(Executor, MayComeTooLate) {
     Latecomers late;
     EXPECT_EQ(hashes(Strategy::SoftStep, &late), hashes(Strategy::SoftStep, nullptr));
     EXPECT_EQ(late.rounds(), 90);
+    World alone = towers();
+    World helped = alone;
+    for (int step = 1; step <= 5; ++step) {
+        alone.step(support::kDt);
+        helped.step(support::kDt, {.executor = &late});
+    }
+    EXPECT_EQ(helped.stateHash(), alone.stateHash());
 }
 
 // A step with hardly anything to do is not worth anybody's help.

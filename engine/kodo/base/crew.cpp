@@ -3,13 +3,14 @@
 #include <kodo/base/spin.hpp>
 
 #include <algorithm>
+#include <span>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
 // A piece of somebody else's share costs more than it saves, since its data are in the other's
 // cache: so who has done his own waits a little first. A spin takes some tens of nanoseconds.
-constexpr int kPatience = 100;
+constexpr int kPatience = 30;
 
 } // namespace
 
@@ -38,6 +39,23 @@ void Crew::share(const Job& job) noexcept {
     workUntil(0, [&] { return shared_->done.load(std::memory_order_acquire) == pieces; });
 }
 
+void Crew::shareTurns(const Job& job) noexcept {
+    const std::span<Share> shares = std::span(shared_->shares).first(shared_->count);
+    shared_->job = job;
+    for (Share& share : shares) { // or one might seem to have done them all
+        share.turn.store(kNotYet, std::memory_order_relaxed);
+    }
+    for (Share& share : shares) {
+        share.turn.store(0, std::memory_order_release);
+    }
+    shares[0].owned.store(true, std::memory_order_relaxed);
+    workUntil(0, [&] {
+        return std::all_of(shares.begin(), shares.end(), [](const Share& share) {
+            return share.turn.load(std::memory_order_acquire) == kNoTurn;
+        });
+    });
+}
+
 void Crew::help() noexcept {
     const std::uint32_t own =
         (1 + shared_->came.fetch_add(1, std::memory_order_relaxed)) % shared_->count;
@@ -48,13 +66,13 @@ void Crew::help() noexcept {
 template <typename Ready>
 void Crew::workUntil(std::uint32_t own, Ready ready) {
     for (int spins = 0; !ready(); spins = std::min(spins + 1, kManySpins)) {
-        while (takePieceOf(shared_->shares[own])) {
+        while (takePieceOf(shared_->shares[own]) || takeTurnsOf(shared_->shares[own])) {
             spins = 0;
         }
         for (std::uint32_t i = 1; i < shared_->count; ++i) {
             Share& other = shared_->shares[(own + i) % shared_->count];
             const bool leave = spins < kPatience && other.owned.load(std::memory_order_relaxed);
-            if (!leave && takePieceOf(other)) {
+            if (!leave && (takePieceOf(other) || takeTurnsOf(other))) {
                 break;
             }
         }
@@ -78,6 +96,36 @@ bool Crew::takePieceOf(Share& share) noexcept {
                       std::min(first + shared_->job.grain, shared_->job.count));
     shared_->done.fetch_add(1, std::memory_order_release);
     return true;
+}
+
+/// Have all shares done the turn before that it has to wait for?
+bool Crew::mayBegin(std::int32_t turn) const noexcept {
+    const auto all = std::span(shared_->shares).first(shared_->count);
+    return turn % 2 == 1 || std::all_of(all.begin(), all.end(), [&](const Share& other) {
+               return other.turn.load(std::memory_order_acquire) > turn - 2;
+           });
+}
+
+/// As many turns of the share as may be done, if nobody else is at it.
+bool Crew::takeTurnsOf(Share& share) noexcept {
+    const auto next = [&] { return share.turn.load(std::memory_order_acquire); };
+    const auto any = [&](std::int32_t turn) {
+        return turn != kNoTurn && turn != kNotYet && mayBegin(turn);
+    };
+    if (!any(next()) || share.busy.exchange(true, std::memory_order_acquire)) {
+        return false;
+    }
+    const auto own = static_cast<std::size_t>(&share - shared_->shares.data());
+    bool done = false;
+    for (std::int32_t turn = next(); any(turn); turn = next()) {
+        const std::size_t turns = shared_->job.count;
+        const auto number = static_cast<std::size_t>(turn);
+        shared_->job.call(shared_->job.work, own, number);
+        share.turn.store(number + 1 == turns ? kNoTurn : turn + 1, std::memory_order_release);
+        done = true;
+    }
+    share.busy.store(false, std::memory_order_release);
+    return done;
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -19,6 +20,8 @@ namespace kodo::inline KODO_PRECISION {
 /// open, so a piece must touch nothing that another one changes.
 class Crew {
 public:
+    static constexpr std::uint32_t kMostShares = 16;
+
     /// Nobody helps.
     Crew() = default;
     /// The executor's threads help; nullptr: nobody does.
@@ -53,6 +56,28 @@ public:
                count, grain});
     }
 
+    /// Shares that inTurns() cuts work into: one for each thread that may come, and the caller's.
+    std::uint32_t shares() const { return alone() ? 1 : shared_->count; }
+    /// Calls work(share, turn) for all shares and for the turns 0..turns-1 of each, in their order.
+    /// An even turn begins when all shares have done the even one before it; an odd one waits for
+    /// nobody. So what shares have in common belongs into even turns, and what each has for itself
+    /// into odd ones, during which the others may catch up. Work must not throw where others help.
+    template <typename Work>
+    void inTurns(std::uint32_t turns, const Work& work) {
+        if (alone()) {
+            for (std::uint32_t turn = 0; turn < turns; ++turn) {
+                work(std::uint32_t{0}, turn);
+            }
+        } else if (turns > 0) {
+            shareTurns({&work,
+                        [](const void* of, std::size_t share, std::size_t turn) {
+                            (*static_cast<const Work*>(of))(static_cast<std::uint32_t>(share),
+                                                            static_cast<std::uint32_t>(turn));
+                        },
+                        turns, 1});
+        }
+    }
+
     // For what several pieces write all the same. These work on plain numbers, which can be copied
     // with a World; std::atomic_ref is not in every library Kodo is built with.
 
@@ -84,8 +109,9 @@ public:
 private:
     struct Job {
         const void* work = nullptr;
+        /// Of a piece; or with a share and a turn of it.
         void (*call)(const void* work, std::size_t first, std::size_t last) = nullptr;
-        std::size_t count = 0;
+        std::size_t count = 0; // or the number of turns
         std::size_t grain = 1;
     };
 
@@ -93,17 +119,23 @@ private:
     /// behind the last in the upper. One number, so that who takes a piece takes it of this job.
     struct alignas(64) Share {
         std::atomic<std::uint64_t> left{0};
-        std::atomic<bool> owned{false}; // somebody has come who does it
+        std::atomic<bool> owned{false};                      // somebody has come who does it
+        std::atomic<bool> busy{false};                       // somebody does turns of it
+        alignas(64) std::atomic<std::int32_t> turn{kNoTurn}; // that comes next
     };
-    static constexpr std::uint32_t kMostShares = 16;
+    static constexpr std::int32_t kNotYet = -1; // is there to be begun
+    static constexpr std::int32_t kNoTurn = std::numeric_limits<std::int32_t>::max();
 
     void gather(Executor& executor);
     void dismiss() noexcept;
     void share(const Job& job) noexcept;
+    void shareTurns(const Job& job) noexcept;
     void help() noexcept;
     template <typename Ready>
     void workUntil(std::uint32_t own, Ready ready);
     bool takePieceOf(Share& share) noexcept;
+    bool takeTurnsOf(Share& share) noexcept;
+    bool mayBegin(std::int32_t turn) const noexcept;
 
     /// What is there only when somebody helps, so that a small step does not pay for it.
     struct Shared {

@@ -3,6 +3,7 @@
 #include <kodo/solve/contact_lane.hpp>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <numeric>
 #include <utility>
@@ -20,11 +21,12 @@ void ContactBlocks::refine(int parts, std::span<Contact> contacts, const Bodies&
 void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, bool friction,
                           bool rolling) {
     colours_.resize(bodies.size());
-    if (order_.size() > singles_ + kBins + rows_ / 4) { // most lanes are empty
+    if (order_.size() > singles_ + kBins * cuts_.size() + rows_ / 4) { // most lanes are empty
         reclaimAll(contacts, bodies);
         forgetLanes();
     }
     singles_ = 0;
+    ++lanesState_;
     if (!rowsAssigned_) {
         assignRows(contacts);
     }
@@ -41,60 +43,6 @@ void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, boo
         orderBlocks();
     }
     std::fill(taken_.begin(), taken_.end(), std::uint8_t{0});
-}
-
-/// Gives lanes to all contacts that have a colour: they were read from a snapshot, or the lanes
-/// are dealt out anew.
-void ContactBlocks::assignRows(std::span<Contact> contacts) {
-    open_.fill(kNone);
-    for (Contact& contact : contacts) {
-        assignRow(contact);
-    }
-    rowsAssigned_ = true;
-    anew_ = true;
-}
-
-void ContactBlocks::dealAnew(const Bodies& bodies, ContactSet& contacts) {
-    colours_.resize(bodies.size());
-    reclaimAll(contacts.contacts(), bodies);
-    forgetLanes();
-    open_.fill(kNone);
-    contacts.forEachInOrder([&](Contact& contact) { assignRow(contact); });
-    rowsAssigned_ = true;
-    anew_ = true;
-}
-
-void ContactBlocks::assignRow(Contact& contact) {
-    ContactRow& row = contact.row;
-    row.index = kNone;
-    if (row.colour == ContactRow::kNoColour) {
-        return;
-    }
-    const std::uint64_t colour = std::uint64_t{1} << row.colour;
-    const std::uint64_t colourA = row.fixedA ? 0 : colour;
-    const std::uint64_t colourB = row.fixedB ? 0 : colour;
-    std::uint64_t& ofA = colours_[contact.key.bodyA];
-    std::uint64_t& ofB = colours_[contact.key.bodyB];
-    if (((ofA & colourA) | (ofB & colourB)) != 0) {
-        row = {}; // only where a snapshot was forged
-        return;
-    }
-    ofA |= colourA;
-    ofB |= colourB;
-    giveLane(contact, binOf(row.colour, contact));
-}
-
-void ContactBlocks::forgetLanes() {
-    colours_.assign(colours_.size(), 0);
-    carried_.assign(carried_.size(), {});
-    blocks_.clear();
-    use_.clear();
-    states_.clear();
-    rolling_.clear();
-    order_.clear();
-    rows_ = 0;
-    orderStale_ = true;
-    rowsAssigned_ = false;
 }
 
 /// Does the colour that it has still suit the contact?
@@ -166,11 +114,12 @@ void ContactBlocks::releaseAll(const Bodies& bodies) {
 std::uint8_t ContactBlocks::goneFrom(std::uint32_t block) const {
     constexpr std::size_t kContacts = ContactBlock::kContacts;
     const std::uint8_t* const taken = &taken_[block * kContacts];
-    std::uint32_t gone = states_[block].used;
+    std::uint64_t marks = 0; // the byte of a lane is 0 or 1
     for (std::uint32_t lane = 0; lane < kContacts; ++lane) {
-        gone &= ~(std::uint32_t{taken[lane]} << lane);
+        marks |= std::uint64_t{taken[lane]} << (8 * lane);
     }
-    return static_cast<std::uint8_t>(gone);
+    const std::uint64_t mask = (marks * 0x0102040810204080) >> 56; // the bit of a lane
+    return static_cast<std::uint8_t>(states_[block].used & ~mask);
 }
 
 /// Gives up a lane and the colour of its contact.
@@ -178,7 +127,7 @@ void ContactBlocks::release(std::uint32_t row) {
     const ContactBlock& block = blocks_[blockOf(row)];
     const BlockState& state = states_[blockOf(row)];
     const std::uint32_t group = state.bin / 2;
-    if (!isSingle(state.bin)) {
+    if (!isSingleBin(state.bin)) {
         const std::uint64_t colour = std::uint64_t{1} << (group - (group > kFreeColours ? 1 : 0));
         colours_[bodyOfPlace(block.a[laneOf(row)])] &=
             ~((state.fixedA & maskOf(row)) != 0 ? 0 : colour);
@@ -191,8 +140,9 @@ void ContactBlocks::release(std::uint32_t row) {
 /// Makes a lane a free one.
 void ContactBlocks::empty(std::uint32_t row) {
     BlockState& state = states_[blockOf(row)];
-    if (state.used == 0xff || isSingle(state.bin)) {
-        state.nextOpen = std::exchange(open_[state.bin], static_cast<std::uint32_t>(blockOf(row)));
+    if (state.used == 0xff || isSingleBin(state.bin)) {
+        state.nextOpen =
+            std::exchange(openOf(state.bin, state.share), static_cast<std::uint32_t>(blockOf(row)));
     }
     state.used &= static_cast<std::uint8_t>(~maskOf(row));
     orderStale_ = orderStale_ || state.used == 0;
@@ -237,9 +187,10 @@ void ContactBlocks::colourNewcomer(const Bodies& bodies, Contact& contact) {
 }
 
 /// A block of a bin that has a free lane.
-std::uint32_t ContactBlocks::openBlock(std::uint32_t bin) {
-    if (open_[bin] != kNone) {
-        return open_[bin];
+std::uint32_t ContactBlocks::openBlock(std::uint32_t bin, std::uint8_t share) {
+    std::uint32_t& open = openOf(bin, share);
+    if (open != kNone) {
+        return open;
     }
     const auto block = static_cast<std::uint32_t>(blocks_.size());
     ContactBlock& lanes = blocks_.emplace_back();
@@ -250,15 +201,17 @@ std::uint32_t ContactBlocks::openBlock(std::uint32_t bin) {
     order_.reserve(blocks_.capacity());
     std::fill_n(lanes.a, ContactBlock::kContacts, placeOfMotion(spare_));
     std::fill_n(lanes.b, ContactBlock::kContacts, placeOfMotion(spare_));
-    states_.push_back({bin, kNone, 0, 0, 0});
+    states_.push_back({bin, kNone, 0, 0, 0, share});
     use_.push_back({-1, bin % 2 == 1, bin / 2 > kFreeColours, 0, 0});
-    open_[bin] = block;
+    open = block;
     return block;
 }
 
 /// Gives the contact a lane.
 void ContactBlocks::giveLane(Contact& contact, std::uint32_t bin) {
-    const std::uint32_t block = openBlock(bin);
+    // The order of those that go one by one decides the outcome, so shares must not.
+    const std::uint8_t share = isSingleBin(bin) ? 0 : shareOfBody(contact.key.bodyA);
+    const std::uint32_t block = openBlock(bin, share);
     BlockState& state = states_[block];
     const auto lane = static_cast<std::uint32_t>(std::countr_one(state.used));
     orderStale_ = orderStale_ || state.used == 0;
@@ -271,8 +224,8 @@ void ContactBlocks::giveLane(Contact& contact, std::uint32_t bin) {
     put(state.fixedB, contact.row.fixedB);
     put(use_[block].movesA, !contact.row.fixedA);
     put(use_[block].movesB, !contact.row.fixedB);
-    if (state.used == 0xff || isSingle(bin)) {
-        open_[bin] = state.nextOpen;
+    if (state.used == 0xff || isSingleBin(bin)) {
+        openOf(bin, share) = state.nextOpen;
     }
     ++rows_;
     contact.row.index = block * ContactBlock::kContacts + lane;
@@ -295,7 +248,7 @@ void ContactBlocks::orderBlocks() {
     for (std::uint32_t group = lowest; group < kGroups; ++group) {
         const std::uint32_t count = next[2 * group + 2] - next[2 * group];
         if (count > 0) {
-            byColour_.push_back({count, isSingle(2 * group)});
+            byColour_.push_back({count, isSingleBin(2 * group)});
         }
     }
     for (std::uint32_t i = 0; i < states_.size(); ++i) {

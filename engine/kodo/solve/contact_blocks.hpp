@@ -7,7 +7,6 @@
 #include <kodo/solve/contact_block.hpp>
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <vector>
 
@@ -19,7 +18,7 @@ namespace kodo::inline KODO_PRECISION {
 ///
 /// A contact keeps its colour and its lane from step to step; what is kept there as well, as long
 /// as its manifold is, saves most of the work. Only colours decide the outcome, not lanes: so a
-/// snapshot holds those alone.
+/// snapshot holds those alone. What finds no colour gets a lane of its own, anew in each step.
 class ContactBlocks {
 public:
     /// So many bodies may overlap one deeply before their pushes are shared out: no more fit around
@@ -38,10 +37,17 @@ public:
     std::span<const Carried> carried() const {
         return lent_ ? std::span<const Carried>(carried_) : std::span<const Carried>();
     }
-    /// Before begin(): deals the lanes out anew, in the order of bodies. So threads that each take
-    /// a part of the blocks push bodies of their own, for the most part; as contacts come and go,
-    /// that gets lost.
-    void dealAnew(const Bodies& bodies, ContactSet& contacts);
+    /// Before begin(): deals the lanes out anew, to so many shares, in the order of bodies. So
+    /// threads that each take a share push bodies of their own, for the most part; as bodies change
+    /// places, that gets lost.
+    void dealAnew(const Bodies& bodies, ContactSet& contacts, std::uint32_t shares);
+    std::uint32_t shares() const { return static_cast<std::uint32_t>(cuts_.size()); }
+    /// The share that a block belongs to.
+    std::uint8_t shareOf(std::size_t block) const { return states_[block].share; }
+    std::uint8_t shareOfBody(std::uint32_t body) const {
+        return static_cast<std::uint8_t>(std::upper_bound(cuts_.begin(), cuts_.end(), body) -
+                                         cuts_.begin() - 1);
+    }
     /// Takes a contact that responds. False if it needs another lane and has to be given one by
     /// arrange(). Several threads may take contacts at once.
     bool take(const Bodies& bodies, Contact& contact);
@@ -71,10 +77,16 @@ public:
         bool inTurn = false; // but these one by one
     };
     std::span<const Colour> colours() const { return byColour_; }
-    /// Are colours so large that threads win more by sharing a pass than they lose by waiting for
-    /// each other at the end of each colour, and by pushing the same bodies in turn?
-    bool worthSharing() const { return order_.size() >= kWorthSharing * byColour_.size(); }
+    /// Are there so many contacts of a colour that threads win more by sharing a pass than they
+    /// lose by waiting for what they have in common, and by pushing the same bodies in turn?
+    bool worthSharing() const { return rows_ > kWorthSharing * byColour_.size(); }
     std::size_t size() const { return rows_; }
+    std::size_t blockCount() const { return blocks_.size(); }
+    /// Does the block hold one contact alone, which found no colour?
+    bool isSingle(std::size_t block) const { return isSingleBin(states_[block].bin); }
+    /// Grows by 1 with each begin(), and by more when the lanes are dealt out anew. If it has grown
+    /// by 1, only the newcomers of arrange() have other lanes than before.
+    std::uint64_t lanesState() const { return lanesState_; }
     /// Lists the blocks that hold contacts with less separation (m) than that, in the order of the
     /// pass. How many such contacts there are.
     std::size_t listDeeper(Real separation, std::vector<std::uint32_t>& list) const;
@@ -103,7 +115,7 @@ private:
     static constexpr std::uint32_t kBins = 2 * kGroups; // with one point, with two
     static constexpr std::uint32_t kNone = ContactRow::kNone;
     static constexpr std::size_t kBlocksAPiece = 32;
-    static constexpr std::size_t kWorthSharing = 64; // blocks of a colour, in the mean
+    static constexpr std::size_t kWorthSharing = 128; // contacts of a colour, in the mean
 
     /// Where a block belongs, and what its lanes hold.
     struct BlockState {
@@ -112,6 +124,7 @@ private:
         std::uint8_t used = 0;          // by lane
         std::uint8_t fixedA = 0;        // at the time it was taken, a could not be pushed
         std::uint8_t fixedB = 0;
+        std::uint8_t share = 0; // body A of all its contacts is of that share
     };
 
     /// Rows are numbered through all blocks.
@@ -123,7 +136,7 @@ private:
         return static_cast<std::uint8_t>(1u << laneOf(row));
     }
     /// What found no colour: its blocks hold one contact each.
-    static bool isSingle(std::uint32_t bin) {
+    static bool isSingleBin(std::uint32_t bin) {
         return bin / 2 == kFreeColours || bin / 2 == kGroups - 1;
     }
     static std::uint32_t binOf(std::uint32_t colour, const Contact& contact) {
@@ -139,7 +152,11 @@ private:
     void forgetLanes();
     void freeLanes(const Bodies& bodies);
     void colourNewcomer(const Bodies& bodies, Contact& contact);
-    std::uint32_t openBlock(std::uint32_t bin);
+    void findCuts(const Bodies& bodies, ContactSet& contacts, std::uint32_t shares);
+    std::uint32_t& openOf(std::uint32_t bin, std::uint32_t share) {
+        return open_[share * kBins + bin];
+    }
+    std::uint32_t openBlock(std::uint32_t bin, std::uint8_t share);
     void giveLane(Contact& contact, std::uint32_t bin);
     void release(std::uint32_t row);
     void empty(std::uint32_t row);
@@ -157,9 +174,11 @@ private:
     std::vector<Carried> carried_;             // by row
     std::vector<std::uint8_t> taken_;          // by row: in this step
     std::vector<std::uint8_t> touching_ = {0}; // by row: in the last step; behind the last, false
-    std::array<std::uint32_t, kBins> open_{};
-    std::size_t rows_ = 0;    // lanes in use
-    std::size_t singles_ = 0; // of those, without a colour
+    std::vector<std::uint32_t> open_;          // by share and bin: a block that has a free lane
+    std::vector<std::uint32_t> cuts_ = {0};    // by share: its first body
+    std::size_t rows_ = 0;                     // lanes in use
+    std::size_t singles_ = 0;                  // of those, without a colour
+    std::uint64_t lanesState_ = 0;
     std::uint32_t spare_ = 0;
     Real pushSpeed_ = 0;
     Real parts_ = 1;      // of a substep

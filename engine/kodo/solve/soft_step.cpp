@@ -10,8 +10,7 @@ namespace kodo::inline KODO_PRECISION {
 namespace {
 
 constexpr std::size_t kNewcomersAPiece = 128;
-constexpr std::size_t kBlocksAPiece = 8;
-constexpr std::size_t kBodiesAPiece = 256;
+constexpr std::size_t kMany = 8;        // one of so many: then what all have is cleared as a whole
 constexpr std::uint32_t kDealtFor = 64; // steps with help, until lanes are dealt out anew
 // Overlaps of more than so many slops are deep, as when bodies are put on one place. The speed that
 // their pushes give is taken out again by more passes, two for one of them and one more for each
@@ -56,13 +55,19 @@ void SoftStep::clearMarks(const Bodies& bodies, const JointSet& joints) {
     near_.resize(bodies.size());
     touched_.resize(bodies.size());
     crowd_.resize(bodies.size());
-    if (std::exchange(crowded_, std::uint8_t{0}) != 0) { // also of what does not take part any more
+    const bool most = kMany * bodies.awake.size() > bodies.size();
+    if (std::exchange(crowded_, std::uint8_t{0}) != 0 || most) { // also what takes no part any more
         std::fill(crowd_.begin(), crowd_.end(), std::uint16_t{0});
     }
-    for (const std::uint32_t body : bodies.awake) {
-        near_[body] = 0;
-        touched_[body] = 0;
-        crowd_[body] = 0;
+    if (most) {
+        std::fill(near_.begin(), near_.end(), std::uint8_t{0});
+        std::fill(touched_.begin(), touched_.end(), std::uint8_t{0});
+    } else {
+        for (const std::uint32_t body : bodies.awake) {
+            near_[body] = 0;
+            touched_[body] = 0;
+            crowd_[body] = 0;
+        }
     }
     joints.forEachBusy([&](const JointSet::Joint& joint) {
         touched_[firstBody(joint.def).index] = 1;
@@ -97,8 +102,13 @@ void SoftStep::giveUpRow(const Bodies& bodies, ContactSet& contactSet, std::uint
 /// Before the contacts of a step are collected.
 void SoftStep::beginCollecting(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
                                const Step& step) {
-    if (!step.crew.alone() && blocks_.worthSharing() && ++helped_ % kDealtFor == 0) {
-        blocks_.dealAnew(bodies, contactSet);
+    const std::uint32_t shares = step.crew.shares();
+    if (shares > 1 && blocks_.worthSharing() &&
+        (blocks_.shares() != shares || ++helped_ >= kDealtFor ||
+         blocks_.size() > dealt_ + dealt_ / 4)) {
+        helped_ = 0;
+        dealt_ = blocks_.size();
+        blocks_.dealAnew(bodies, contactSet, shares);
     }
     blocks_.begin(bodies, contactSet.contacts(), step.settings.has(Feature::Friction),
                   step.settings.has(Feature::RollingResistance));
@@ -195,66 +205,6 @@ void SoftStep::findJointed(const JointSet& joints) {
     beforeJoints_.resize(jointed_.size());
 }
 
-/// Runs a pass over the joints and adds up what it gives to their bodies.
-template <typename Pass>
-void SoftStep::passJoints(const Bodies& bodies, Pass pass) {
-    if (jointed_.empty()) {
-        return;
-    }
-    for (std::size_t k = 0; k < jointed_.size(); ++k) {
-        beforeJoints_[k].speeds = speeds(bodies.motion[jointed_[k]]);
-    }
-    pass();
-    for (std::size_t k = 0; k < jointed_.size(); ++k) {
-        fromJoints_[k].speeds += speeds(bodies.motion[jointed_[k]]) - beforeJoints_[k].speeds;
-    }
-}
-
-/// One pass over all contacts, colour by colour.
-void SoftStep::passContacts(ContactPasses::Pass pass, const ContactPassArguments& arguments,
-                            Crew& crew) {
-    if (arguments.count == 0) {
-        return;
-    }
-    if (crew.alone()) {
-        pass(arguments);
-        return;
-    }
-    const std::uint32_t* order = arguments.order;
-    for (const ContactBlocks::Colour& colour : blocks_.colours()) {
-        const std::size_t grain = colour.inTurn ? colour.count : kBlocksAPiece;
-        crew.forEach(colour.count, grain, [&](std::size_t first, std::size_t last) {
-            ContactPassArguments piece = arguments;
-            piece.order = order + first;
-            piece.count = last - first;
-            pass(piece);
-        });
-        order += colour.count;
-    }
-}
-
-/// The passes that take the speed of deep pushes out again.
-void SoftStep::settle(const ContactPassArguments& pass, Crew& crew) {
-    ContactPassArguments deep = pass;
-    deep.order = deep_.data();
-    deep.count = deep_.size();
-    for (int again = 0; again < settling_; ++again) {
-        if (settlesAll_) {
-            passContacts(ContactPasses::best().settle, pass, crew);
-        } else {
-            ContactPasses::best().settle(deep); // a few: not worth sharing
-        }
-    }
-}
-
-/// Calls work(bodies) for pieces of the list of those that something can push.
-template <typename Work>
-void SoftStep::forBound(Crew& crew, const Work& work) {
-    crew.forEach(bound_.size(), kBodiesAPiece, [&](std::size_t first, std::size_t last) {
-        work(std::span<const std::uint32_t>(bound_).subspan(first, last - first));
-    });
-}
-
 /// Whether no contact needs a row; none has one then.
 bool SoftStep::noneNeedsRow(const Bodies& bodies, ContactSet& contactSet,
                             const StepSettings& settings, const Tolerances& tolerances) {
@@ -272,46 +222,21 @@ bool SoftStep::noneNeedsRow(const Bodies& bodies, ContactSet& contactSet,
 /// Bodies that nothing can push go all their way at once, so that their flight does not depend on
 /// the substeps, not even by a rounding. The others are listed.
 void SoftStep::moveFree(Bodies& bodies, Real dt) {
-    free_.clear();
-    bound_.clear();
+    free_.resize(bodies.awake.size());
+    bound_.resize(bodies.awake.size());
+    std::size_t free = 0;
+    std::size_t bound = 0;
     for (const std::uint32_t body : bodies.awake) {
         const Hold near = near_[body] != 0 ? Hold::Near : Hold::Free;
-        holds_[body] = touched_[body] != 0 ? Hold::Touched : near;
-        (holds_[body] == Hold::Free ? free_ : bound_).push_back(body);
+        const Hold hold = touched_[body] != 0 ? Hold::Touched : near;
+        holds_[body] = hold;
+        free_[free] = bound_[bound] = body; // only one of the two goes on to the next
+        free += hold == Hold::Free ? 1 : 0;
+        bound += hold == Hold::Free ? 0 : 1;
     }
+    free_.resize(free);
+    bound_.resize(bound);
     moveFreely(bodies, free_, dt);
-}
-
-/// Forces begin to act.
-void SoftStep::beginSubsteps(Bodies& bodies, Real h, Crew& crew) {
-    before_.resize(bodies.size());
-    std::fill(fromJoints_.begin(), fromJoints_.end(), Velocity{});
-    forBound(crew, [&](std::span<const std::uint32_t> list) {
-        integrateVelocities(bodies, list, h);
-        for (const std::uint32_t i : list) {
-            before_[i].speeds = speeds(bodies.motion[i]);
-        }
-    });
-}
-
-/// From one substep to the next, which begins with the forces and with what the contacts gave. That
-/// is what the joints did not: the arms of these do turn within a step, so they start from their
-/// own impulses.
-void SoftStep::nextSubstep(Bodies& bodies, Real h, Crew& crew) {
-    for (std::size_t k = 0; k < jointed_.size(); ++k) {
-        before_[jointed_[k]].speeds += fromJoints_[k].speeds;
-        fromJoints_[k] = {};
-    }
-    const Four time{h, h, h, 0};
-    forBound(crew, [&](std::span<const std::uint32_t> list) {
-        for (const std::uint32_t i : list) {
-            Four& speed = speeds(bodies.motion[i]);
-            Four& before = before_[i].speeds;
-            const Four gained = speed - before;
-            before = speed + time * rates(bodies.acceleration[i]);
-            speed = before + gained;
-        }
-    });
 }
 
 void SoftStep::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step) {
@@ -361,40 +286,17 @@ void SoftStep::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joint
     moveFree(bodies, dt);
     const int substeps = parts * settings.substeps;
     Crew nobody;
-    Crew& helpers = blocks_.worthSharing() ? crew : nobody;
-    for (int substep = 0; substep < substeps; ++substep) {
-        runSubstep(bodies, joints, pass, jointPass, substep == 0, helpers);
+    const bool helped = blocks_.worthSharing() && blocks_.shares() == crew.shares();
+    Substeps run{bodies, joints, pass, jointPass, helped ? crew : nobody};
+    if (!run.crew.alone()) {
+        shares_.deal({blocks_, pass, contactSet.contacts(), newcomers_, bound_, bodies.size()},
+                     run.crew);
     }
+    runSubsteps(run, substeps);
     joints.scaleImpulses(static_cast<Real>(parts));
     blocks_.noteTouching(tolerances.slop, crew);
     visits_ = blocks_.size() * static_cast<std::size_t>(substeps * 2) +
               settled * static_cast<std::size_t>(substeps * settling_);
-}
-
-void SoftStep::runSubstep(Bodies& bodies, JointSet& joints, const ContactPassArguments& pass,
-                          JointPass& jointPass, bool first, Crew& crew) {
-    const ContactPasses& passes = ContactPasses::best();
-    if (first) {
-        beginSubsteps(bodies, jointPass.h, crew);
-    } else {
-        nextSubstep(bodies, jointPass.h, crew);
-    }
-    passJoints(bodies, [&] { joints.warmStart(bodies, jointPass); });
-    if (first) {
-        passContacts(passes.warmStart, pass, crew);
-    }
-    jointPass.biased = true;
-    passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
-    passContacts(passes.solve, pass, crew);
-    forBound(crew, [&](std::span<const std::uint32_t> list) {
-        integrateMoves(bodies, list, holds_, jointPass.h);
-    });
-    jointPass.biased = false;
-    passJoints(bodies, [&] { joints.solve(bodies, jointPass); });
-    settle(pass, crew);
-    ContactPassArguments relax = pass;
-    relax.settings.kept = first ? Real(0) : Real(1);
-    passContacts(passes.relax, relax, crew);
 }
 
 } // namespace kodo::inline KODO_PRECISION

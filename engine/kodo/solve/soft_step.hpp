@@ -7,6 +7,7 @@
 #include <kodo/bodies/tolerances.hpp>
 #include <kodo/contacts/contact_set.hpp>
 #include <kodo/joints/joint_set.hpp>
+#include <kodo/solve/block_shares.hpp>
 #include <kodo/solve/contact_blocks.hpp>
 #include <kodo/solve/settings.hpp>
 
@@ -51,6 +52,24 @@ private:
         Four speeds{};
     };
 
+    /// What all substeps of a step work on.
+    struct Substeps {
+        Bodies& bodies;
+        JointSet& joints;
+        const ContactPassArguments& pass;
+        JointPass& jointPass;
+        Crew& crew;
+    };
+    /// One part of a substep: a pass over all blocks, or else work on all bodies that can be
+    /// pushed.
+    struct Phase {
+        ContactPasses::Pass pass = nullptr;
+        PassSettings settings{};
+        void (SoftStep::*work)(Bodies& bodies, std::span<const std::uint32_t> list,
+                               Real h) = nullptr;
+        std::uint32_t turn = 0; // its first; see Crew::inTurns
+    };
+
     void collect(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
                  const Step& step);
     void clearMarks(const Bodies& bodies, const JointSet& joints);
@@ -64,22 +83,24 @@ private:
     static int refinement(const Bodies& bodies, ContactSet& contactSet, Real hertz,
                           const Tolerances& tolerances);
     void findJointed(const JointSet& joints);
-    template <typename Pass>
-    void passJoints(const Bodies& bodies, Pass pass);
-    void passContacts(ContactPasses::Pass pass, const ContactPassArguments& arguments, Crew& crew);
-    void settle(const ContactPassArguments& pass, Crew& crew);
-    template <typename Work>
-    void forBound(Crew& crew, const Work& work);
     void solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step);
     bool noneNeedsRow(const Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,
                       const Tolerances& tolerances);
     void moveFree(Bodies& bodies, Real dt);
-    void beginSubsteps(Bodies& bodies, Real h, Crew& crew);
-    void nextSubstep(Bodies& bodies, Real h, Crew& crew);
-    void runSubstep(Bodies& bodies, JointSet& joints, const ContactPassArguments& pass,
-                    JointPass& jointPass, bool first, Crew& crew);
+    template <typename Pass>
+    void passJoints(Substeps& run, Pass pass);
+    void runSubsteps(Substeps& run, int substeps);
+    void runSubstep(Substeps& run, bool first);
+    void settle(Substeps& run);
+    void beginVelocities(Bodies& bodies, std::span<const std::uint32_t> list, Real h);
+    void nextVelocities(Bodies& bodies, std::span<const std::uint32_t> list, Real h);
+    void move(Bodies& bodies, std::span<const std::uint32_t> list, Real h);
+    void addPhase(Substeps& run, const Phase& phase);
+    void runPhases(Substeps& run);
 
     ContactBlocks blocks_;
+    BlockShares shares_;
+    std::vector<Phase> phases_;            // that are yet to be run, by all threads
     std::vector<std::uint32_t> newcomers_; // places of contacts that have no lane yet
     Findings<std::uint32_t> found_;
     std::vector<Hold> holds_;        // by body
@@ -88,7 +109,8 @@ private:
     std::vector<std::uint16_t> crowd_; // by body: how many overlap it deeply
     std::uint8_t crowded_ = 0;         // too many overlap some body
     int settling_ = 0;                 // passes more that take out what pushes gave
-    std::uint32_t helped_ = 0;         // steps whose passes had help
+    std::uint32_t helped_ = 0;         // steps with help since lanes were dealt out anew
+    std::size_t dealt_ = 0;            // lanes in use at that time
     bool settlesAll_ = false;          // of all contacts; else of the blocks in deep_
     std::vector<std::uint32_t> deep_;
     std::size_t visits_ = 0;
