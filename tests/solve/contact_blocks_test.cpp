@@ -63,7 +63,7 @@ void expectNoBodyTwice(const Crowd& crowd, const ContactBlocks& blocks,
         for (std::size_t k = 0; k < colour.count; ++k, ++i) {
             const ContactBlock& block = pass.blocks[pass.order[i]];
             const BlockUse& use = pass.use[pass.order[i]];
-            if (colour.inTurn) {
+            if (colour.oneByOne) {
                 pushed.clear();
             }
             const auto expectNew = [&](std::uint32_t body, bool moves) {

@@ -56,7 +56,8 @@ public:
                count, grain});
     }
 
-    /// Shares that inTurns() cuts work into: one for each thread that may come, and the caller's.
+    /// Shares that inTurns() cuts work into: one for each thread that may come, and the caller's;
+    /// at most kMostShares.
     std::uint32_t shares() const { return alone() ? 1 : shared_->count; }
     /// Calls work(share, turn) for all shares and for the turns 0..turns-1 of each, in their order.
     /// An even turn begins when all shares have done the even one before it; an odd one waits for
@@ -123,7 +124,7 @@ private:
         std::atomic<bool> busy{false};                       // somebody does turns of it
         alignas(64) std::atomic<std::int32_t> turn{kNoTurn}; // that comes next
     };
-    static constexpr std::int32_t kNotYet = -1; // is there to be begun
+    static constexpr std::int32_t kNotYet = -1; // before all shares are there to be begun
     static constexpr std::int32_t kNoTurn = std::numeric_limits<std::int32_t>::max();
 
     void gather(Executor& executor);

@@ -46,7 +46,7 @@ struct Acceleration {
     Real effort = 0;
 };
 
-/// Of those awake that can be moved, how much their masses differ and what forces do to them.
+/// How much the masses of those awake differ that can be moved, and what forces do to them.
 struct Loads {
     Real lightest = 0; // 1/kg, as the next
     Real heaviest = std::numeric_limits<Real>::max();
@@ -134,7 +134,7 @@ struct Bodies {
     bool anyRests = true;    // at the time of the solver; false: nobody needs to be asked
     bool turns = true;       // false: nothing can be turned; see Feature::Rotation
     bool startStale = true;  // also of bodies that are not awake
-    bool pushesStale = true; // what accelerates whom is not what it was in the last step
+    bool pushesStale = true; // what accelerates whom, a mass, or who is awake has changed
     bool anyJumped = false;  // since the last step began
 
     BodyId idAt(std::size_t index) const {

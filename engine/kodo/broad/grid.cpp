@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t kCellInterval = 64; // calls between two looks at the sizes
 constexpr Real kLevelStep = 4;              // each level's cells are so many times wider
-constexpr std::size_t kLevels = 16;         // those that nothing is in go again
+constexpr std::size_t kLevels = 16;         // at most: those that nothing is in are dropped
 constexpr Real kCellsPerBounds = 4;         // at most, so that clearing them costs little
 
 Real sizeOf(const Octagon& bounds) {

@@ -27,8 +27,8 @@ void forEachPushed(const ContactPassArguments& pass, std::uint32_t block, const 
 
 } // namespace
 
-/// Whom a block pushes that is not of its share. Who is pushed by those that go one by one is
-/// pushed in the order of those, whoever has it.
+/// Marks whom a block pushes that is not of its share. What goes one by one is done by the first
+/// share, so whom it pushes counts as pushed by others, even in its own share.
 void BlockShares::notePushed(const Step& step, std::uint32_t block) {
     const bool single = step.blocks.isSingle(block);
     const std::uint8_t share = step.blocks.shareOf(block);
@@ -96,7 +96,7 @@ void BlockShares::listBlocks(const Step& step) {
         const std::uint32_t end = first + static_cast<std::uint32_t>(colour.count);
         std::array<std::uint32_t, 2 * Crew::kMostShares + 1> next{};
         const auto groupOf = [&](std::uint32_t block) {
-            return colour.inTurn ? 0u : 2u * step.blocks.shareOf(block) + 1u - common_[block];
+            return colour.oneByOne ? 0u : 2u * step.blocks.shareOf(block) + 1u - common_[block];
         };
         for (std::uint32_t k = first; k < end; ++k) {
             ++next[groupOf(order[k]) + 1];

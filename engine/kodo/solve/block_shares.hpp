@@ -56,7 +56,7 @@ private:
     void listBlocks(const Step& step);
     void listBodies(const Step& step);
 
-    std::vector<std::uint8_t> pushedByOthers_; // by body: a share that it is not of pushes it
+    std::vector<std::uint8_t> pushedByOthers_; // by body: since all was dealt
     std::vector<std::uint8_t> common_;         // by block
     std::vector<std::uint32_t> listed_;        // the order of the pass that order_ was made from
     std::vector<std::uint32_t> order_;

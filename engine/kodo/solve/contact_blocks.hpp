@@ -74,7 +74,7 @@ public:
     /// many, in the order of the pass. Colours come one after the other.
     struct Colour {
         std::size_t count = 0;
-        bool inTurn = false; // but these one by one
+        bool oneByOne = false; // these, and in that order
     };
     std::span<const Colour> colours() const { return byColour_; }
     /// Are there so many contacts of a colour that threads win more by sharing a pass than they
@@ -124,7 +124,7 @@ private:
         std::uint8_t used = 0;          // by lane
         std::uint8_t fixedA = 0;        // at the time it was taken, a could not be pushed
         std::uint8_t fixedB = 0;
-        std::uint8_t share = 0; // body A of all its contacts is of that share
+        std::uint8_t share = 0; // that of body A of all its contacts; 0 for those without a colour
     };
 
     /// Rows are numbered through all blocks.

@@ -185,7 +185,8 @@ void World::freezeUnsoundForces() {
 }
 
 bool World::allSound(Crew& crew) const {
-    // Nearly always all are slow, which four numbers at a time can tell.
+    // Nearly always all are slow, which four numbers at a time can tell; isSound judges moves like
+    // speeds. Two components below a half make a length below the whole.
     const Real slow = kHighestSpeed * std::min(tolerances_.unit(), Real(1)) / 2;
     const Four bound{slow, slow, slow, 0}; // the last number is no speed
     std::uint8_t fast = 0;
