@@ -38,6 +38,7 @@ TEST(Form, OfACompoundAddsItsParts) {
     EXPECT_TRUE(nearShare(form->mass.inertia, 2 * (one / 2 + one * 9), 8 * kEpsilon));
     EXPECT_TRUE(nearShare(form->area, one, 4 * kEpsilon));
     EXPECT_EQ(form->reach, 4);
+    EXPECT_EQ(form->swing, 4);
     EXPECT_EQ(form->inside, 1);
 }
 
@@ -55,6 +56,7 @@ TEST(Form, ReachAndInsideAreBounds) {
             for (const Vec2 vertex : part.convex.vertices) {
                 ASSERT_LE(length(vertex) + part.convex.radius, form->reach * (1 + 4 * kEpsilon));
             }
+            ASSERT_LE(part.convex.swing(), form->swing);
             ASSERT_LE(form->inside, part.convex.inside);
             ASSERT_GT(part.convex.inside, 0);
         }

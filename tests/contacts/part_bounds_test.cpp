@@ -51,6 +51,21 @@ TEST(PartBounds, AreNewOnlyWhenOutgrown) {
     }
 }
 
+// A disc that spins about its middle stays within its bounds; what swings needs others.
+TEST(PartBounds, AreNotOutgrownByTheSpinOfADisc) {
+    Discs discs;
+    discs.bodies.motion[0].angularVelocity = 100;
+    discs.bodies.motion[0].turn = 1;
+    for (const Real swing : {Real(0), Real(0.5)}) {
+        EXPECT_TRUE(swing > 0 || discs.bodies.extent[0].swing == 0);
+        discs.bodies.extent[0].swing = swing;
+        discs.bounds.foresee(discs.bodies, kDistances, kDt, discs.crew);
+        EXPECT_EQ(discs.renewed(), swing > 0);
+        discs.bounds.coverMoves(discs.bodies, kDistances, discs.crew);
+        EXPECT_FALSE(discs.renewed()); // the disc itself has not gone anywhere
+    }
+}
+
 // R10: what the solver sends out of them gets new ones, what it moves within them does not.
 TEST(PartBounds, CoverWhatTheSolverDid) {
     Discs discs;

@@ -4,6 +4,10 @@
 #include <support/near.hpp>
 #include <support/random_shapes.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace kodo {
 namespace {
 
@@ -19,6 +23,7 @@ TEST(Convex, OfACircleIsOneVertexWithASkin) {
     EXPECT_EQ(convex.vertices[0], (Vec2{0, 1}));
     EXPECT_TRUE(convex.normals.empty());
     EXPECT_EQ(convex.reach, 3);
+    EXPECT_EQ(convex.swing(), 3);
     EXPECT_EQ(convex.inside, 2);
 }
 
@@ -54,6 +59,29 @@ TEST(Convex, NormalsPointOutward) {
             ASSERT_LE(length(vertex), convex.reach * (1 + 4 * support::kEpsilon));
         }
     }
+}
+
+// In no direction does the support line go farther than that; a disc in the middle goes nowhere.
+TEST(Convex, TurnedItGoesNoFartherThanItsSwingTimesTheAngle) {
+    support::RandomNumbers random(35);
+    int still = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const support::Kind kind = support::kAllKinds[random.below(3)];
+        const Primitive primitive = support::randomPrimitive(random, kind);
+        const bool inTheMiddle = random.below(4) == 0;
+        const Vec2 origin = inTheMiddle ? convexOf(primitive, {}).vertices[0] : random.point(2);
+        const Convex convex = convexOf(primitive, origin);
+        const Real angle = random.between(-0.5, 0.5);
+        const Rot turned = random.rotation();
+        const Aabb before = boundsOf(convex, {{}, turned});
+        const Aabb after = boundsOf(convex, {{}, Rot::fromAngle(angle) * turned});
+        const Real way = convex.swing() * std::abs(angle) + kTolerance;
+        ASSERT_TRUE(before.grown(way).contains(after));
+        ASSERT_TRUE(after.grown(way).contains(before));
+        still += convex.swing() == 0 ? 1 : 0;
+    }
+    EXPECT_GT(still, 100);
+    EXPECT_LT(still, 300);
 }
 
 // P1: contains, against the distance to the outline; 1e-4 m from the edge either answer will do.

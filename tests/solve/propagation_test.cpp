@@ -5,6 +5,8 @@
 #include <scenes/impacts.hpp>
 #include <solve/strategy_scenes.hpp>
 
+#include <limits>
+
 namespace {
 
 using namespace kodo;
@@ -61,6 +63,26 @@ TEST(Propagation, SlidesAsFarWith4PassesAsWith40AndWhateverTheRestitution) {
     EXPECT_TRUE(nearShare(elastic, many, 0.01));
     EXPECT_TRUE(nearShare(shocked, many, 0.01));
     EXPECT_TRUE(nearShare(many, 2.5, 0.02)); // the last bit of a step's length is lost
+}
+
+// A box that falls along a wall flies, and what underflow leaves of a speed towards the wall does
+// not count as being held by it.
+TEST(Propagation, WhatTouchesWithoutPushingFlies) {
+    constexpr Real kLeast = std::numeric_limits<Real>::denorm_min();
+    const auto fallenAlongAWall = [](Real towards) {
+        World world({.gravity = {0, -10}, .settings = thesis2006()});
+        BodyDef wall{.shape = Box{1, 100}, .position = {Real(1), 0}};
+        wall.flags |= kLocked;
+        world.add(wall);
+        const BodyId box = world.add({.shape = Box{1, 1}, .velocity = {towards, 0}});
+        for (int i = 0; i < 30; ++i) {
+            world.step(kStep);
+        }
+        EXPECT_EQ(world.collisions().size(), 1u);
+        return world[box].position().y;
+    };
+    EXPECT_EQ(fallenAlongAWall(64 * kLeast), fallenAlongAWall(0));
+    EXPECT_TRUE(near(fallenAlongAWall(0), -10 * 0.5 * 0.5 / 2, byPrecision(1e-5, 1e-14)));
 }
 
 // Free flight is exact, and a bounce turns the velocity round: no energy is lost or made.

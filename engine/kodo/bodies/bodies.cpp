@@ -26,7 +26,7 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const Form> f
     const Rot rotation = normalize(def.rotation);
     bodies.pose[slot.index] = {def.position + rotation * form->mass.center, rotation};
     bodies.acceleration[slot.index] = {};
-    bodies.extent[slot.index] = {form->reach, form->inside};
+    bodies.extent[slot.index] = {form->swing, form->inside};
     bodies.thinnest = std::min(bodies.thinnest, form->inside);
     BodyRecord record;
     record.form = std::move(form);
@@ -136,7 +136,7 @@ void setForm(Bodies& bodies, std::uint32_t index, std::shared_ptr<const Form> fo
     const Vec2 origin = bodies.originOf(index);
     Transform& pose = bodies.pose[index];
     pose.position = origin + pose.rotation * form->mass.center;
-    bodies.extent[index] = {form->reach, form->inside};
+    bodies.extent[index] = {form->swing, form->inside};
     bodies.thinnest = std::min(bodies.thinnest, form->inside);
     bodies.record[index].form = std::move(form);
     bodies.jumped(index);

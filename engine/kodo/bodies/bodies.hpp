@@ -102,7 +102,7 @@ struct RestState {
 
 /// Of the form of a body, at hand for loops over many.
 struct Extent {
-    Real reach = 0;  // m; no point of the body is farther from the centre of mass
+    Real swing = 0;  // m; a turn by 1 rad takes no outline farther: see Convex
     Real inside = 0; // m; the inner radius of the thinnest part
 };
 

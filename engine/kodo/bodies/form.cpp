@@ -88,6 +88,7 @@ std::shared_ptr<const Form> makeForm(std::vector<Part> parts) {
     for (Part& part : parts) {
         part.convex = convexOf(part.primitive, form->mass.center);
         form->reach = std::max(form->reach, part.convex.reach);
+        form->swing = std::max(form->swing, part.convex.swing());
         form->inside = std::min(form->inside, part.convex.inside);
         form->area += std::visit([](const auto& kind) { return areaOf(kind); }, part.primitive);
     }

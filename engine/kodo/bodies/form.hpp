@@ -26,6 +26,7 @@ struct Form {
     Mass mass;       // centre in the frame of the shape
     Real area = 0;   // m^2; parts that overlap count twice
     Real reach = 0;  // m; no point of the body is farther from the centre of mass
+    Real swing = 0;  // m; the largest of all parts: see Convex
     Real inside = 0; // m; the thinnest part's
 };
 

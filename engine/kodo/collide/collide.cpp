@@ -42,9 +42,7 @@ Manifold collideFacesRound(const Convex& sided, const Transform& a, const Convex
     manifold.normal = a.rotation * axis.normal;
     const Vec2 point = center - (circle.radius + gap / 2) * axis.normal;
     add(manifold, {point, gap, static_cast<std::uint32_t>(axis.feature)}, a, b);
-    // From its own centre, and not by way of a's, which may lie far away.
-    manifold.points[0].armB =
-        b.rotation * circle.vertices[0] - (circle.radius + gap / 2) * manifold.normal;
+    armFromOwnCenter(manifold, circle, b);
     return manifold;
 }
 
@@ -83,6 +81,9 @@ Manifold collidePlane(const Convex& plane, const Transform& a, const Convex& oth
             const Vec2 point = p - (other.radius + gap / 2) * normal;
             add(manifold, {point, gap, static_cast<std::uint32_t>(vertices[i])}, a, b);
         }
+    }
+    if (other.isRound() && manifold.count > 0) {
+        armFromOwnCenter(manifold, other, b);
     }
     return manifold;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/collide/faces.hpp>
 #include <kodo/collide/one_sided.hpp>
+#include <kodo/collide/round.hpp>
 #include <kodo/collide/sat.hpp>
 
 #include <algorithm>
@@ -89,6 +90,7 @@ Manifold collideWithRound(const Convex& line, const Transform& a, const Convex& 
     add(manifold,
         {center - (circle.radius + gap / 2) * normal, gap, static_cast<std::uint32_t>(nearest)}, a,
         b);
+    armFromOwnCenter(manifold, circle, b);
     return manifold;
 }
 

@@ -25,18 +25,13 @@ struct Mover {
 /// How fast turning alone can bring any point of the outline nearer (m per step). Only that part of
 /// a plane counts which the other outline can reach.
 Real turningBound(Mover mover, Mover other) {
-    const Convex& shape = mover.shape;
-    // A circle around the centre of mass looks the same however it is turned.
-    if (mover.sweep.turn == 0 || (shape.isRound() && shape.vertices[0] == Vec2{})) {
-        return 0;
-    }
-    Real reach = shape.reach;
-    if (shape.isPlane()) {
-        reach = length(other.sweep.start.position - mover.sweep.start.position) +
+    Real swing = mover.shape.swing();
+    if (mover.shape.isPlane()) {
+        swing = length(other.sweep.start.position - mover.sweep.start.position) +
                 length(other.sweep.move) + length(mover.sweep.move) + length(other.sweep.push) +
                 other.shape.reach;
     }
-    return reach * std::abs(mover.sweep.turn);
+    return swing * std::abs(mover.sweep.turn);
 }
 
 /// Conservative advancement with any measure of separation that is never more than the distance.

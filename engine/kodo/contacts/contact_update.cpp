@@ -47,8 +47,8 @@ bool addDrift(const Bodies& bodies, Contact& contact) {
     const Motion& motionB = bodies.motion[b];
     const Vec2 between = motionB.move - motionA.move;
     contact.drift += std::abs(between.x) + std::abs(between.y) +
-                     std::abs(motionA.turn) * bodies.extent[a].reach +
-                     std::abs(motionB.turn) * bodies.extent[b].reach;
+                     std::abs(motionA.turn) * bodies.extent[a].swing +
+                     std::abs(motionB.turn) * bodies.extent[b].swing;
     return contact.jumpsA == bodies.jumps[a] && contact.jumpsB == bodies.jumps[b];
 }
 
@@ -59,7 +59,8 @@ bool staysApart(const Contact& contact, const Tolerances& tolerances) {
 }
 
 /// Keeps a manifold while its bodies have not gone far against each other since it was found: only
-/// the separations follow the last step, to first order in the turn. This saves most of the work in
+/// the separations follow the last step, to first order in the turn, which is none of what is round
+/// and turns about its middle: that has no lever. This saves most of the work in
 /// a pile, also in one that moves as a whole, and a point of contact that stays where it is
 /// steadies it. Measures the approach by the same levers. False if it must be found anew.
 bool carry(const Bodies& bodies, Contact& contact, const Tolerances& tolerances) {

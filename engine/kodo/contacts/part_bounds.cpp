@@ -218,7 +218,7 @@ void PartBounds::foresee(const Bodies& bodies, const Tolerances& tolerances, Rea
         const Motion& motion = bodies.motion[body];
         const Extent& extent = bodies.extent[body];
         const Vec2 ahead = dt * motion.velocity;
-        const Real swing = dt * std::abs(motion.angularVelocity) * extent.reach;
+        const Real swing = dt * std::abs(motion.angularVelocity) * extent.swing;
         tight_[i] = boundsAt(bodies, i, bodies.pose[body]);
         const Octagon needed =
             unite(tight_[i], tight_[i].moved(ahead)).grown(tolerances.margin + swing);
@@ -234,7 +234,7 @@ void PartBounds::foresee(const Bodies& bodies, const Tolerances& tolerances, Rea
 void PartBounds::coverMoves(const Bodies& bodies, const Tolerances& tolerances, Crew& crew) {
     listOutgrown(bodies, crew, [&](std::uint32_t body, std::size_t i) {
         const Motion& motion = bodies.motion[body];
-        const Real swing = std::abs(motion.turn) * bodies.extent[body].reach;
+        const Real swing = std::abs(motion.turn) * bodies.extent[body].swing;
         const Real way = std::max(std::abs(motion.move.x), std::abs(motion.move.y)) + swing;
         if (way < tolerances.margin / 2) {
             return false; // as most of a pile: the bounds are grown by the margin, at least

@@ -37,6 +37,9 @@ struct Convex {
     OutlineKind kind = OutlineKind::Round;
     bool oneSided = false;
 
+    /// m; a turn by 1 rad about the frame's origin takes no point of the outline farther. A disc in
+    /// the middle looks alike however it is turned.
+    Real swing() const { return isRound() && vertices[0] == Vec2{} ? 0 : reach; }
     bool isRound() const { return kind == OutlineKind::Round; }
     bool isLine() const { return kind == OutlineKind::Line; }
     bool isPlane() const { return kind == OutlineKind::Half; }

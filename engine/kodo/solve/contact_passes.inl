@@ -328,13 +328,13 @@ void warmStartBlocks(const ContactPassArguments& pass) {
     }
 }
 
-/// How far bodies have turned, times how far their farthest points are from their centres.
+/// How far turns have taken the outlines of bodies, at most: see Convex::swing.
 KODO_LANES_INLINE Lanes swingOf(const Extent* extent, const std::uint32_t* places, Lanes turn) {
-    Lanes reach{};
+    Lanes swing{};
     for (int i = 0; i < kLanes; ++i) {
-        reach[i] = extent[bodyOfPlace(places[i])].reach;
+        swing[i] = extent[bodyOfPlace(places[i])].swing;
     }
-    return larger(turn, -turn) * reach;
+    return larger(turn, -turn) * swing;
 }
 
 /// What carry() in contact_update.cpp does with one contact, to the bit.

@@ -15,6 +15,9 @@ namespace {
 constexpr std::uint64_t kPassesPerStep = 1u << 20; // more than a step makes, but for huge settings
 // A normal with less than this share along the pull does not carry.
 constexpr Real kSteep = Real(0.25);
+// A row that parts its bodies by less than this share of the slop within h holds nobody: it may be
+// what is left of a speed that underflowed, which other units would round to nothing.
+constexpr Real kLeastHold = Real(1e-9);
 
 bool bounces(const Contact& contact, const StepSettings& settings) {
     return contact.material.restitution > 0 && settings.has(Feature::Restitution);
@@ -159,6 +162,8 @@ void Propagation::findLevels(const Bodies& bodies) {
     std::uint32_t nodes = 0;
     immovable_.clear();
     supports_.clear();
+    makeRoom(immovable_, 2 * rows_.size());
+    makeRoom(supports_, rows_.size());
     for (const PropagationRow& row : rows_) {
         for (const std::uint32_t body : {row.a, row.b}) {
             if (node_[body] == kNoNode) {
@@ -249,14 +254,19 @@ void Propagation::separate(Bodies& bodies, const Step& step, Real h) {
     }
 }
 
-/// What a row has pushed moves as its velocity says; the rest flies.
-void Propagation::markHeld(const Bodies& bodies, const JointSet& joints) {
+/// What a row has pushed noticeably moves as its velocity says; the rest flies.
+void Propagation::markHeld(const Bodies& bodies, const JointSet& joints, Real h, Real slop) {
     holds_.resize(bodies.size());
     for (const std::uint32_t body : bodies.awake) {
         holds_[body] = Hold::Free;
     }
     for (const PropagationRow& row : rows_) {
-        if (row.load() > 0) {
+        const RowMasses masses = massesOf(bodies, row, false, false);
+        Real parted = 0; // m/s
+        for (std::size_t i = 0; i < row.count; ++i) {
+            parted += row.impulse[i] * masses.response(row.points[i].leverA, row.points[i].leverB);
+        }
+        if (h * parted > kLeastHold * slop) {
             holds_[row.a] = holds_[row.b] = Hold::Touched;
         }
     }
@@ -315,7 +325,7 @@ void Propagation::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& j
             propagateShock(bodies, settings, 1 / h);
         }
         separate(bodies, step, h);
-        markHeld(bodies, joints);
+        markHeld(bodies, joints, h, step.tolerances.slop);
         integrateMoves(bodies, bodies.awake, holds_, h);
         pass.biased = false;
         joints.solve(bodies, pass);

@@ -63,7 +63,7 @@ private:
     void sortByLevel(std::uint32_t highest);
     void propagateShock(Bodies& bodies, const StepSettings& settings, Real invH);
     void separate(Bodies& bodies, const Step& step, Real h);
-    void markHeld(const Bodies& bodies, const JointSet& joints);
+    void markHeld(const Bodies& bodies, const JointSet& joints, Real h, Real slop);
     void store(std::span<Contact> contacts);
 
     template <typename Visit>

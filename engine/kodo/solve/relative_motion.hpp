@@ -8,7 +8,7 @@ namespace kodo::inline KODO_PRECISION {
 /// One of two that may meet.
 struct Mover {
     std::uint32_t body;
-    Real reach;      // m, of its outline
+    Real swing;      // m, of its outline: see Convex
     Real stopAt = 1; // share of the step
 };
 

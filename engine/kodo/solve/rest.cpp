@@ -177,7 +177,7 @@ bool RestStage::wakeRunOver(Bodies& bodies, ContactSet& contacts, const Toleranc
             continue;
         }
         const Motion& motion = bodies.motion[wall];
-        const Real way = length(motion.move) + std::abs(motion.turn) * bodies.extent[wall].reach;
+        const Real way = length(motion.move) + std::abs(motion.turn) * bodies.extent[wall].swing;
         if (way <= std::min(bodies.extent[bodyA].inside, bodies.extent[bodyB].inside) / 2) {
             continue; // the contact of the next step will do
         }

@@ -83,6 +83,10 @@ void ShockLevels::assignLevels() {
 std::span<const std::uint32_t> ShockLevels::find(std::uint32_t bodyCount,
                                                  std::span<const std::uint32_t> immovable,
                                                  std::span<const SupportEdge> edges) {
+    for (std::vector<std::uint32_t>* list : {&first_, &waiting_, &levels_, &order_, &queue_}) {
+        makeRoom(*list, std::size_t{bodyCount} + 1);
+    }
+    makeRoom(uppers_, edges.size());
     groupByLower(bodyCount, edges);
     reach(immovable);
     assignLevels();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/base/refill.hpp>
 #include <kodo/collide/collide.hpp>
 #include <kodo/collide/time_of_impact.hpp>
 #include <kodo/solve/relative_motion.hpp>
@@ -76,8 +77,8 @@ std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Re
 bool mayGoFarther(const Bodies& bodies, const ContactHead& head, Real far) {
     const Motion& a = bodies.motion[head.bodyA];
     const Motion& b = bodies.motion[head.bodyB];
-    const Real swing = std::abs(a.turn) * bodies.extent[head.bodyA].reach +
-                       std::abs(b.turn) * bodies.extent[head.bodyB].reach;
+    const Real swing = std::abs(a.turn) * bodies.extent[head.bodyA].swing +
+                       std::abs(b.turn) * bodies.extent[head.bodyB].swing;
     const Real room = far - swing;
     return room < 0 || lengthSquared(b.move - a.move) > room * room;
 }
@@ -87,7 +88,7 @@ bool mayMeet(const Bodies& bodies, const Mover& a, const Octagon& boundsA, const
              const Octagon& boundsB, const Tolerances& tolerances) {
     const Motion& motionA = bodies.motion[a.body];
     const Motion& motionB = bodies.motion[b.body];
-    const Real swing = std::abs(motionA.turn) * a.reach + std::abs(motionB.turn) * b.reach;
+    const Real swing = std::abs(motionA.turn) * a.swing + std::abs(motionB.turn) * b.swing;
     const Octagon way = unite(boundsB, boundsB.moved(motionB.move - motionA.move));
     return overlap(boundsA.grown(swing + tolerances.slop), way);
 }
@@ -104,8 +105,8 @@ bool closes(const Bodies& bodies, const PartBounds& bounds, const ContactHead& h
     if (!head.bounces && !againstLocked && !mayGoFarther(bodies, head, far)) {
         return false; // as in most of a pile
     }
-    const Mover a{head.bodyA, extentA.reach};
-    const Mover b{head.bodyB, extentB.reach};
+    const Mover a{head.bodyA, extentA.swing};
+    const Mover b{head.bodyB, extentB.swing};
     const Real motion = relativeMotion(bodies, a, b);
     const Real gap = gapOf(head, tolerances);
     if (motion < gap || (motion <= far && !head.bounces)) {
@@ -151,7 +152,7 @@ bool SweepStage::markSwift(const Bodies& bodies, bool mayBounce, const Tolerance
             const std::uint32_t body = bodies.awake[k];
             const Motion& motion = bodies.motion[body];
             const Extent& extent = bodies.extent[body];
-            const Real way = length(motion.move) + std::abs(motion.turn) * extent.reach;
+            const Real way = length(motion.move) + std::abs(motion.turn) * extent.swing;
             if (way > unseen && !(way <= tolerances.slop / 2 && way < extent.inside / 4)) {
                 swift_[body] = 1;
                 Crew::mark(anySwift);
@@ -245,7 +246,7 @@ Sweep SweepStage::sweepOf(const Bodies& bodies, std::uint32_t body) const {
 
 Real SweepStage::motionOf(const Bodies& bodies, const Contact& contact) const {
     const auto moverOf = [&](std::uint32_t body, std::uint16_t part) {
-        return Mover{body, bodies.outline(body, part).reach, stopAt_[body]};
+        return Mover{body, bodies.outline(body, part).swing(), stopAt_[body]};
     };
     const auto [bodyA, partA, bodyB, partB] = contact.key;
     return relativeMotion(bodies, moverOf(bodyA, partA), moverOf(bodyB, partB));
@@ -288,7 +289,7 @@ void SweepStage::expect(std::uint32_t contact) {
 /// Lists the impacts that there are while nobody is stopped.
 void SweepStage::findImpacts(const Step& step, Crew& crew) {
     events_.clear();
-    times_.assign(step.contacts.size(), 1);
+    refill(times_, step.contacts.size(), Real(1));
     crew.forEach(candidates_.size(), kCandidatesAPiece, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             findTime(step, candidates_[k]);

@@ -180,7 +180,7 @@ void SnapshotFields::completeBody(Bodies& bodies, std::uint32_t body) {
                 bounded(motion.move) && bounded(motion.turn),
             "a body is out of all bounds");
     require(checkRotation("rotation", pose.rotation));
-    bodies.extent[body] = {form.reach, form.inside};
+    bodies.extent[body] = {form.swing, form.inside};
     if (record.force != Vec2{} || record.torque != 0) {
         bodies.forced.push_back(body);
     }
