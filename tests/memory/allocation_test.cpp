@@ -116,6 +116,21 @@ TEST(Allocation, AStepOfAStirredPileAllocatesNothing) {
     }
 }
 
+// Each way to look for pairs has its first turn at some time.
+TEST(Allocation, TheFirstTurnOfASearchForPairsAllocatesNothing) {
+    for (const PairSearch way : {PairSearch::Grid, PairSearch::SortAndSweep}) {
+        SCOPED_TRACE(static_cast<int>(way));
+        Scene scene(settingsOf(Strategy::SoftStep, false));
+        scene.world.setPairSearch(PairSearch::BruteForce);
+        scene.stir(1500, 3);
+        scene.stir(600, Real(0.5));
+        scene.world.setPairSearch(way);
+        const std::uint64_t before = allocationCount();
+        scene.stir(60, Real(0.5));
+        EXPECT_EQ(allocationCount(), before);
+    }
+}
+
 // Nor does one of a pile that rests, with the platform still, and the joints at work.
 TEST(Allocation, AStepOfARestingPileAllocatesNothing) {
     for (const Strategy strategy : kStrategies) {

@@ -10,7 +10,8 @@ namespace {
 constexpr std::uint32_t kCellInterval = 64; // calls between two looks at the sizes
 constexpr Real kLevelStep = 4;              // each level's cells are so many times wider
 constexpr std::size_t kLevels = 16;         // at most: those that nothing is in are dropped
-constexpr Real kCellsPerBounds = 4;         // at most, so that clearing them costs little
+constexpr std::size_t kFiledAPiece = 512;
+constexpr Real kCellsPerBounds = 4; // at most, so that clearing them costs little
 
 Real sizeOf(const Octagon& bounds) {
     const Vec2 extent = bounds.box().extent();
@@ -21,8 +22,9 @@ Real sizeOf(const Octagon& bounds) {
 
 void Grid::reserve(std::size_t bounds) {
     levels_.reserve(kLevels);
+    levelsOfPieces_.reserve(kLevels * (bounds / kFiledAPiece + 1));
     levelOf_.reserve(bounds);
-    cellOf_.reserve(bounds);
+    placeOf_.reserve(bounds);
     starts_.reserve(static_cast<std::size_t>(kCellsPerBounds) * bounds + kLevels + 1);
     packed_.reserve(bounds);
     index_.reserve(bounds);
@@ -40,25 +42,41 @@ void Grid::chooseCell(std::span<const Octagon> bounds) {
     cell_ = std::max(*place, Real(1e-30));
 }
 
-void Grid::assignLevels(std::span<const Octagon> bounds) {
-    levels_.clear();
-    for (Real cell = cell_; levels_.size() < kLevels; cell *= kLevelStep) {
-        levels_.push_back({cell});
-    }
-    levelOf_.resize(bounds.size());
-    for (std::size_t i = 0; i < bounds.size(); ++i) {
+/// Finds the levels of a piece of the bounds, and what these make of the levels.
+void Grid::findLevels(std::span<const Octagon> bounds, std::size_t first, std::size_t last,
+                      std::span<Level> levels) {
+    for (std::size_t i = first; i < last; ++i) {
         const Real size = sizeOf(bounds[i]);
         std::uint8_t at = 0;
-        while (at + 1u < kLevels && size > levels_[at].cell) {
+        while (at + 1u < kLevels && size > levels[at].cell) {
             ++at;
         }
-        Level& level = levels_[at];
+        Level& level = levels[at];
         level.cell = std::max(level.cell, size); // the last level takes larger ones, too
         const Vec2 center = bounds[i].box().center();
-        const Aabb all = level.count == 0 ? Aabb{center, center} : level.centers;
-        level.centers = unite(all, {center, center});
+        level.centers = unite(level.centers, {center, center});
         ++level.count;
         levelOf_[i] = at;
+    }
+}
+
+void Grid::assignLevels(std::span<const Octagon> bounds, Crew& crew) {
+    levels_.clear();
+    for (Real cell = cell_; levels_.size() < kLevels; cell *= kLevelStep) {
+        levels_.push_back({.cell = cell});
+    }
+    levelOf_.resize(bounds.size());
+    levelsOfPieces_.clear();
+    levelsFound_.gather(crew, bounds.size(), kFiledAPiece, levelsOfPieces_,
+                        [&](std::size_t first, std::size_t last, std::vector<Level>& found) {
+                            found.insert(found.end(), levels_.begin(), levels_.end());
+                            findLevels(bounds, first, last, std::span(found).last(kLevels));
+                        });
+    for (std::size_t i = 0; i < levelsOfPieces_.size(); ++i) {
+        Level& level = levels_[i % kLevels];
+        level.cell = std::max(level.cell, levelsOfPieces_[i].cell);
+        level.count += levelsOfPieces_[i].count;
+        level.centers = unite(level.centers, levelsOfPieces_[i].centers);
     }
 }
 
@@ -98,13 +116,13 @@ Real Grid::middle(const Level& level, std::span<const Octagon> bounds, Real Vec2
     return *place;
 }
 
-void Grid::build(std::span<const Octagon> bounds) {
+void Grid::build(std::span<const Octagon> bounds, Crew& crew) {
     if (levelOf_.size() != bounds.size() || calls_ % kCellInterval == 0) {
         chooseCell(bounds);
     }
     ++calls_;
     work_.addFiled(bounds.size());
-    assignLevels(bounds);
+    assignLevels(bounds, crew);
     std::size_t cells = 0;
     for (Level& level : levels_) {
         if (level.count > 0) {
@@ -114,29 +132,42 @@ void Grid::build(std::span<const Octagon> bounds) {
         }
     }
     work_.addCells(cells);
+    fillCells(bounds, cells, crew);
+    std::erase_if(levels_, [](const Level& level) { return level.count == 0; });
+}
+
+/// Puts the bounds into the cells, of which there are so many.
+void Grid::fillCells(std::span<const Octagon> bounds, std::size_t cells, Crew& crew) {
+    placeOf_.resize(bounds.size());
+    crew.forEach(bounds.size(), kFiledAPiece, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Level& level = levels_[levelOf_[i]];
+            const Vec2 center = bounds[i].box().center();
+            const std::int32_t cell =
+                rowOf(level, center.y) * level.columns + columnOf(level, center.x);
+            placeOf_[i] = level.begin + static_cast<std::uint32_t>(cell);
+        }
+    });
     refill(starts_, cells + 1, 0u);
-    cellOf_.resize(bounds.size());
-    for (std::size_t i = 0; i < bounds.size(); ++i) {
-        const Level& level = levels_[levelOf_[i]];
-        const Vec2 center = bounds[i].box().center();
-        const std::int32_t cell =
-            rowOf(level, center.y) * level.columns + columnOf(level, center.x);
-        cellOf_[i] = level.begin + static_cast<std::uint32_t>(cell);
-        ++starts_[cellOf_[i]];
+    for (const std::uint32_t cell : placeOf_) {
+        ++starts_[cell];
     }
     std::uint32_t sum = 0;
     for (std::uint32_t& start : starts_) {
         sum += start;
         start = sum; // the end of the cell, until its entries are in
     }
+    for (std::size_t i = bounds.size(); i-- > 0;) {
+        placeOf_[i] = --starts_[placeOf_[i]];
+    }
     packed_.resize(bounds.size());
     index_.resize(bounds.size());
-    for (std::size_t i = bounds.size(); i-- > 0;) {
-        const std::uint32_t place = --starts_[cellOf_[i]];
-        packed_.set(place, bounds[i].box());
-        index_[place] = static_cast<std::uint32_t>(i);
-    }
-    std::erase_if(levels_, [](const Level& level) { return level.count == 0; });
+    crew.forEach(bounds.size(), kFiledAPiece, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            packed_.set(placeOf_[i], bounds[i].box());
+            index_[placeOf_[i]] = static_cast<std::uint32_t>(i);
+        }
+    });
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
 namespace kodo::inline KODO_PRECISION {
 
@@ -25,7 +26,7 @@ public:
     void pairs(std::span<const Octagon> bounds, const Moved& moved, Accept accept,
                std::vector<BoundsPair>& out, Crew& crew) {
         work_ = {};
-        build(bounds);
+        build(bounds, crew);
         built_ = work_;
         tests_ = 0;
         std::size_t rows = 0;
@@ -54,6 +55,10 @@ public:
 private:
     static constexpr std::size_t kBoundsAPiece = 64;
 
+    static constexpr Aabb kEmpty{
+        {std::numeric_limits<Real>::max(), std::numeric_limits<Real>::max()},
+        {std::numeric_limits<Real>::lowest(), std::numeric_limits<Real>::lowest()}};
+
     /// What a search has looked at: rows of cells, and bounds in them.
     struct Looked {
         std::size_t rows = 0;
@@ -63,7 +68,7 @@ private:
         Real cell = 0; // m; no bounds in it are larger
         Real perCell = 0;
         std::uint32_t count = 0; // of its bounds
-        Aabb centers{};          // all of them are in here
+        Aabb centers = kEmpty;   // all of them are in here
         Vec2 origin{};           // m, lower left corner of the cells
         std::int32_t columns = 0;
         std::int32_t rows = 0;
@@ -111,9 +116,12 @@ private:
         }
     }
 
-    void build(std::span<const Octagon> bounds);
+    void build(std::span<const Octagon> bounds, Crew& crew);
+    void fillCells(std::span<const Octagon> bounds, std::size_t cells, Crew& crew);
     void chooseCell(std::span<const Octagon> bounds);
-    void assignLevels(std::span<const Octagon> bounds);
+    void findLevels(std::span<const Octagon> bounds, std::size_t first, std::size_t last,
+                    std::span<Level> levels);
+    void assignLevels(std::span<const Octagon> bounds, Crew& crew);
     void chooseWindow(Level& level, std::span<const Octagon> bounds);
     Real middle(const Level& level, std::span<const Octagon> bounds, Real Vec2::*axis);
 
@@ -121,11 +129,13 @@ private:
     std::uint32_t calls_ = 0;
     std::vector<Level> levels_;
     std::vector<std::uint8_t> levelOf_;
-    std::vector<std::uint32_t> cellOf_;
-    std::vector<std::uint32_t> starts_; // by cell: its first entry; one more at the end
-    PackedBounds packed_;               // cell by cell
-    std::vector<std::uint32_t> index_;  // of those
-    std::vector<Real> sizes_;           // or centres, to find the middle one
+    std::vector<std::uint32_t> placeOf_; // its cell, and then where in packed_ it is
+    std::vector<std::uint32_t> starts_;  // by cell: its first entry; one more at the end
+    PackedBounds packed_;                // cell by cell
+    std::vector<std::uint32_t> index_;   // of those
+    std::vector<Real> sizes_;            // or centres, to find the middle one
+    std::vector<Level> levelsOfPieces_;  // while levels are assigned
+    Findings<Level> levelsFound_;
     Findings<BoundsPair> found_;
     std::size_t tests_ = 0;
     PairWork work_;

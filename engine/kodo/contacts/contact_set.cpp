@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/base/refill.hpp>
 #include <kodo/contacts/contact_set.hpp>
 #include <kodo/contacts/contact_update.hpp>
 
@@ -7,6 +8,11 @@
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
+namespace {
+
+constexpr std::size_t kNewAPiece = 32; // contacts
+
+} // namespace
 
 void ContactSet::noteEnd(const Contact& contact) {
     if (contact.wasTouching) {
@@ -82,7 +88,7 @@ void ContactSet::fillHoles() {
     std::sort(holes_.begin(), holes_.end()); // total order: slots are unique
     // Of the slots beyond the new end, those that are no holes move down, the lowest first.
     std::vector<std::uint32_t>& movedTo = slots_;
-    movedTo.assign(holes_.size(), 0);
+    refill(movedTo, holes_.size(), 0u);
     std::size_t hole = 0;
     std::size_t beyond = static_cast<std::size_t>(
         std::lower_bound(holes_.begin(), holes_.end(), kept) - holes_.begin());
@@ -154,15 +160,6 @@ void ContactSet::findPairs(const Bodies& bodies, Crew& crew) {
     finder_.pairs(bounds_.grown(), {bounds_.changed(), bounds_.isChanged()}, accept, pairs_, crew);
 }
 
-Contact ContactSet::makeContact(const Bodies& bodies, BoundsPair pair) const {
-    const PartBounds::Part& a = bounds_.part(pair.first);
-    const PartBounds::Part& b = bounds_.part(pair.second);
-    Contact contact;
-    contact.key = {a.body, a.part, b.body, b.part};
-    describeContact(contact, bodies);
-    return contact;
-}
-
 /// Both lists are in the order of the keys, so one walk over both finds what is gone and what is
 /// new. Only pairs with one whose bounds are new can be either.
 void ContactSet::findNews(Crew& crew) {
@@ -223,9 +220,7 @@ void ContactSet::mergePairs(const Bodies& bodies, Crew& crew) {
     }
     keepUpTo(order_.size());
     std::swap(order_, newOrder_);
-    for (const std::uint32_t at : added_) {
-        addContact(bodies, order_[at]);
-    }
+    addContacts(bodies, crew);
     fillHoles();
 }
 
@@ -237,18 +232,30 @@ void ContactSet::dismiss(Contact& gone, const Bodies& bodies) {
     noteEnd(gone);
 }
 
-/// Makes a contact for a pair, in the last hole if there is one.
-void ContactSet::addContact(const Bodies& bodies, Place& place) {
-    if (holes_.empty()) {
-        place.slot = static_cast<std::uint32_t>(contacts_.size());
-        contacts_.emplace_back();
-        heads_.emplace_back();
-    } else {
-        place.slot = holes_.back();
-        holes_.pop_back();
+/// Makes contacts for the pairs that are new, in the last holes as long as there are some.
+void ContactSet::addContacts(const Bodies& bodies, Crew& crew) {
+    auto slots = static_cast<std::uint32_t>(contacts_.size());
+    for (const std::uint32_t at : added_) {
+        if (holes_.empty()) {
+            order_[at].slot = slots++;
+        } else {
+            order_[at].slot = holes_.back();
+            contacts_[holes_.back()] = {};
+            holes_.pop_back();
+        }
     }
-    contacts_[place.slot] = makeContact(bodies, place.pair);
-    heads_[place.slot] = ContactHead::of(contacts_[place.slot], place.pair);
+    contacts_.resize(slots);
+    heads_.resize(slots);
+    crew.forEach(added_.size(), kNewAPiece, [&](std::size_t first, std::size_t last) {
+        for (const std::uint32_t at : std::span(added_).subspan(first, last - first)) {
+            const auto& [pair, slot] = order_[at];
+            const PartBounds::Part& a = bounds_.part(pair.first);
+            const PartBounds::Part& b = bounds_.part(pair.second);
+            contacts_[slot].key = {a.body, a.part, b.body, b.part};
+            describeContact(contacts_[slot], bodies);
+            heads_[slot] = ContactHead::of(contacts_[slot], pair);
+        }
+    });
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -99,9 +99,9 @@ public:
     /// To be called by who then found manifolds by itself.
     void noteManifolds();
     /// False if no contact is a sensor's.
-    bool mayHaveSensors() const { return anySensors_ || contactsChanged_; }
+    bool mayHaveSensors() const { return anySensors_ != 0 || contactsChanged_; }
     /// False if no contact bounces.
-    bool mayBounce() const { return anyBounces_ || contactsChanged_; }
+    bool mayBounce() const { return anyBounces_ != 0 || contactsChanged_; }
     /// The solver gave a contact a row, or took it, or gave the contact back. Several threads call
     /// it.
     void noteRow(std::uint32_t place) {
@@ -192,9 +192,9 @@ private:
     void findNews(Crew& crew);
     void mergePairs(const Bodies& bodies, Crew& crew);
     void dismiss(Contact& gone, const Bodies& bodies);
-    void addContact(const Bodies& bodies, Place& place);
-    Contact makeContact(const Bodies& bodies, BoundsPair pair) const;
+    void addContacts(const Bodies& bodies, Crew& crew);
     void changed();
+    void noteKinds(const Bodies& bodies, Crew& crew);
     bool boundsMeet(std::size_t i, const Tolerances& tolerances) const;
     bool staysKept(std::size_t i, const Tolerances& tolerances, std::span<const Carried> carried);
     void updateManifold(const Bodies& bodies, const Tolerances& tolerances, std::size_t i,
@@ -220,8 +220,9 @@ private:
     std::vector<ContactHead> heads_;
     std::vector<std::uint32_t> live_;
     Findings<std::uint32_t> found_;
-    std::vector<std::uint32_t> slots_; // where the contacts of the last slots went
-    std::vector<Contact> idle_;        // that takeIdle gave
+    std::vector<std::uint32_t> onGround_; // places: while seams are linked
+    std::vector<std::uint32_t> slots_;    // where the contacts of the last slots went
+    std::vector<Contact> idle_;           // that takeIdle gave
     // Of the last step, of contacts that have gone with their bodies since.
     std::vector<CollisionRecord> dropped_;
     std::vector<std::uint32_t> changes_;   // bodies: see bodyChanged
@@ -240,8 +241,8 @@ private:
     bool pairsStale_ = true;
     bool contactsChanged_ = true; // in number, in place, or in what is locked
     bool liveStale_ = true;
-    bool anySensors_ = false; // when contacts changed last
-    bool anyBounces_ = false; // likewise
+    std::uint8_t anySensors_ = 0; // when contacts changed last
+    std::uint8_t anyBounces_ = 0; // likewise
 };
 
 } // namespace kodo::inline KODO_PRECISION

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a step does with the contacts that a ContactSet has.
 #include <kodo/base/prefetch.hpp>
+#include <kodo/base/refill.hpp>
 #include <kodo/contacts/contact_set.hpp>
 #include <kodo/contacts/contact_update.hpp>
 
@@ -119,15 +120,38 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
                   });
     liveStale_ = false;
     if (std::exchange(contactsChanged_, false)) {
-        seams_.link(bodies, heads_);
-        anySensors_ = false;
-        anyBounces_ = false;
-        for (const ContactHead& head : heads_) {
-            anySensors_ |= head.sensor;
-            anyBounces_ |= head.bounces;
-        }
+        noteKinds(bodies, crew);
+        seams_.link(bodies, heads_, onGround_);
     }
     seams_.hide(bodies, contacts_, heads_, tolerances);
+}
+
+/// What kinds of contacts there are, and which of them are on the ground: see Seams.
+void ContactSet::noteKinds(const Bodies& bodies, Crew& crew) {
+    anySensors_ = 0;
+    anyBounces_ = 0;
+    onGround_.clear();
+    makeRoom(onGround_, heads_.size());
+    found_.gather(crew, heads_.size(), kContactsAPiece, onGround_,
+                  [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
+                      bool sensors = false;
+                      bool bounces = false;
+                      for (std::size_t i = first; i < last; ++i) {
+                          const ContactHead& head = heads_[i];
+                          sensors |= head.sensor;
+                          bounces |= head.bounces;
+                          if (!head.sensor &&
+                              bodies.locked(head.bodyA) != bodies.locked(head.bodyB)) {
+                              found.push_back(static_cast<std::uint32_t>(i));
+                          }
+                      }
+                      if (sensors) {
+                          Crew::mark(anySensors_);
+                      }
+                      if (bounces) {
+                          Crew::mark(anyBounces_);
+                      }
+                  });
 }
 
 /// Do the bounds of the parts of a contact meet, grown by the margin?

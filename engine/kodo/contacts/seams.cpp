@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/contacts/seams.hpp>
 
+#include <utility>
+
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
@@ -41,22 +43,18 @@ bool liesUnder(const Convex& outline, const Transform& pose, Vec2 normal, Vec2 p
 
 } // namespace
 
-void Seams::link(const Bodies& bodies, std::span<const ContactHead> heads) {
+void Seams::link(const Bodies& bodies, std::span<const ContactHead> heads,
+                 std::span<const std::uint32_t> onGround) {
     first_.assign(bodies.size(), kEnd);
     next_.resize(heads.size());
     onPieces_.clear();
-    for (std::size_t i = heads.size(); i-- > 0;) {
-        const ContactHead& head = heads[i];
-        next_[i] = kEnd;
-        if (head.sensor || bodies.locked(head.bodyA) == bodies.locked(head.bodyB)) {
-            continue;
-        }
+    for (auto i = onGround.rbegin(); i != onGround.rend(); ++i) {
+        const ContactHead& head = heads[*i];
         const std::uint32_t body = bodies.locked(head.bodyA) ? head.bodyB : head.bodyA;
         if (first_[body] != kEnd && next_[first_[body]] == kEnd) {
             onPieces_.push_back(body);
         }
-        next_[i] = first_[body];
-        first_[body] = static_cast<std::uint32_t>(i);
+        next_[*i] = std::exchange(first_[body], *i);
     }
 }
 

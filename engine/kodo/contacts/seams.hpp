@@ -19,8 +19,10 @@ namespace kodo::inline KODO_PRECISION {
 /// may well be under that surface, as a fork over a wall is, and is not concerned.
 class Seams {
 public:
-    /// After contacts came, went or changed places, or something was locked or set free.
-    void link(const Bodies& bodies, std::span<const ContactHead> heads);
+    /// After contacts came, went or changed places, or something was locked or set free; with the
+    /// places of those between something locked and what can be pushed, in order, without sensors.
+    void link(const Bodies& bodies, std::span<const ContactHead> heads,
+              std::span<const std::uint32_t> onGround);
     void hide(const Bodies& bodies, std::span<Contact> contacts, std::span<ContactHead> heads,
               const Tolerances& tolerances) const;
 
@@ -28,7 +30,7 @@ private:
     static constexpr std::uint32_t kEnd = ~std::uint32_t{};
 
     std::vector<std::uint32_t> first_;    // by body: its first contact with something locked
-    std::vector<std::uint32_t> next_;     // by contact
+    std::vector<std::uint32_t> next_;     // by contact, of those
     std::vector<std::uint32_t> onPieces_; // bodies with two of these or more
 };
 

@@ -112,7 +112,8 @@ void BlockShares::listBlocks(const Step& step) {
         }
         first = end;
     }
-    listed_.assign(order, order + step.pass.count);
+    listed_.resize(step.pass.count);
+    std::copy(order, order + step.pass.count, listed_.begin());
 }
 
 void BlockShares::listBodies(const Step& step) {

@@ -199,6 +199,7 @@ std::uint32_t ContactBlocks::openBlock(std::uint32_t bin, std::uint8_t share) {
     carried_.resize(taken_.size());
     use_.reserve(blocks_.capacity());
     order_.reserve(blocks_.capacity());
+    inUse_.reserve(blocks_.capacity());
     std::fill_n(lanes.a, ContactBlock::kContacts, placeOfMotion(spare_));
     std::fill_n(lanes.b, ContactBlock::kContacts, placeOfMotion(spare_));
     states_.push_back({bin, kNone, 0, 0, 0, share});
@@ -234,7 +235,7 @@ void ContactBlocks::giveLane(Contact& contact, std::uint32_t bin) {
     blocks_[block].b[lane] = placeOfMotion(contact.key.bodyB);
 }
 
-/// Lists the blocks in use by bin.
+/// Lists the blocks in use, by bin and as they lie in memory.
 void ContactBlocks::orderBlocks() {
     std::array<std::uint32_t, kBins + 1> next{};
     std::uint32_t lowest = kGroups; // two bins each
@@ -251,9 +252,11 @@ void ContactBlocks::orderBlocks() {
             byColour_.push_back({count, isSingleBin(2 * group)});
         }
     }
+    inUse_.clear();
     for (std::uint32_t i = 0; i < states_.size(); ++i) {
         if (states_[i].used != 0) {
             order_[next[states_[i].bin]++] = i;
+            inUse_.push_back(i);
         }
     }
     orderStale_ = false;

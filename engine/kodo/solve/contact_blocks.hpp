@@ -169,6 +169,7 @@ private:
     std::vector<BlockUse> use_;
     std::vector<BlockState> states_;   // of the blocks
     std::vector<std::uint32_t> order_; // of the blocks, by bin
+    std::vector<std::uint32_t> inUse_; // the same, as they lie in memory
     std::vector<RollingBlock> rolling_;
     std::vector<Colour> byColour_;
     std::vector<Carried> carried_;             // by row

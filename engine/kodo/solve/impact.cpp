@@ -184,6 +184,17 @@ bool hitContact(const Impact& hit, const Tolerances& tolerances, Real restSpeed)
     return true;
 }
 
+/// Does it touch and approach, so that solveImpact may hit it? Told by the separations of its head,
+/// so that a contact that is lent can stay so.
+bool approaches(const Impact& hit, const ContactHead& head, Real slop, Real restSpeed) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(hit.contact.manifold.count); ++i) {
+        if (head.separation[i] <= slop && approach(hit, i, restSpeed) > 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 constexpr std::size_t kContactsAPiece = 512;
 constexpr Real kNearly = Real(0.999); // makes up for rounding
 
@@ -202,6 +213,22 @@ bool isFast(const Bodies& bodies, const ContactHead& head, Real dt) {
     const Real speed = head.approachSpeed;
     return speed > 0 && speed * speed > kNearly * (dt * dt) *
                                             accelerationSquared(bodies, head.bodyA, head.bodyB);
+}
+
+/// How many there are from the first that was measured to be fast to the end; in a pile none.
+template <typename WasFast>
+std::size_t countFromFirst(std::span<const std::uint32_t> live, std::span<const ContactHead> heads,
+                           Crew& crew, WasFast wasFast) {
+    std::size_t left = 0;
+    crew.forEach(live.size(), kContactsAPiece, [&](std::size_t first, std::size_t last) {
+        while (first < last && !wasFast(heads[live[first]])) {
+            ++first;
+        }
+        if (first < last) {
+            Crew::raise(left, live.size() - first);
+        }
+    });
+    return left;
 }
 
 } // namespace
@@ -238,18 +265,10 @@ void ImpactStage::solve(Bodies& bodies, ContactSet& contactSet, const ContactBlo
     const std::span<Contact> contacts = contactSet.contacts();
     const std::span<const std::uint32_t> live = contactSet.live();
     const std::span<const ContactHead> heads = contactSet.heads();
-    const auto maybeHit = [&](const ContactHead& head) {
+    const auto wasFast = [&](const ContactHead& head) {
         return head.approachSpeed > restSpeed && isFast(bodies, head, dt);
     };
-    std::size_t left = 0; // from the first that is fast to the end; in a pile there is none
-    step.crew.forEach(live.size(), kContactsAPiece, [&](std::size_t first, std::size_t last) {
-        const auto fast = std::find_if(live.begin() + static_cast<std::ptrdiff_t>(first),
-                                       live.begin() + static_cast<std::ptrdiff_t>(last),
-                                       [&](std::uint32_t place) { return maybeHit(heads[place]); });
-        if (fast != live.begin() + static_cast<std::ptrdiff_t>(last)) {
-            Crew::raise(left, static_cast<std::size_t>(live.end() - fast));
-        }
-    });
+    const std::size_t left = countFromFirst(live, heads, step.crew, wasFast);
     if (left == 0) {
         return;
     }
@@ -265,12 +284,18 @@ void ImpactStage::solve(Bodies& bodies, ContactSet& contactSet, const ContactBlo
                 continue; // the contact half goes on from here
             }
             const bool asMeasured = pass == 0 && (wasHitA | wasHitB) == 0;
-            if (asMeasured && !maybeHit(head)) {
+            if (asMeasured && !wasFast(head)) {
                 continue;
             }
-            blocks.reclaim(contacts[place], bodies);
+            Contact& contact = contacts[place];
+            const Impact hit{bodies, contact, bodies.motion[head.bodyA], bodies.motion[head.bodyB],
+                             !settings.has(Feature::Friction)};
+            if (!approaches(hit, head, tolerances.slop, restSpeedOf(bodies, contact, dt))) {
+                continue;
+            }
+            blocks.reclaim(contact, bodies);
             contactSet.noteRow(place);
-            if (solveImpact(bodies, contacts[place], settings, tolerances, dt)) {
+            if (solveImpact(bodies, contact, settings, tolerances, dt)) {
                 wasHitA = bodies.locked(head.bodyA) ? 0 : 1;
                 wasHitB = bodies.locked(head.bodyB) ? 0 : 1;
                 any = true;

@@ -81,6 +81,7 @@ void ContactBlocks::forgetLanes() {
     states_.clear();
     rolling_.clear();
     order_.clear();
+    inUse_.clear();
     rows_ = 0;
     lanesState_ += 2;
     orderStale_ = true;

@@ -10,15 +10,15 @@ namespace kodo::inline KODO_PRECISION {
 void ContactBlocks::noteTouching(Real slop, Crew& crew) {
     touching_.resize(taken_.size() + 1); // the last one is false
     touching_.back() = 0;
-    crew.forEach(order_.size(), kBlocksAPiece, [&](std::size_t first, std::size_t last) {
+    crew.forEach(inUse_.size(), kBlocksAPiece, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
-            const ContactBlock& block = blocks_[order_[k]];
+            const ContactBlock& block = blocks_[inUse_[k]];
             std::uint8_t* const touching =
-                &touching_[order_[k] * std::size_t{ContactBlock::kContacts}];
+                &touching_[inUse_[k] * std::size_t{ContactBlock::kContacts}];
             const auto touches = [&](const ContactBlock::Point& point, std::size_t lane) {
                 return point.separation[lane] <= slop || point.largest[lane] > 0;
             };
-            const bool two = use_[order_[k]].twoPoints;
+            const bool two = use_[inUse_[k]].twoPoints;
             for (std::size_t lane = 0; lane < ContactBlock::kContacts; ++lane) {
                 touching[lane] =
                     touches(block.points[0], lane) || (two && touches(block.points[1], lane));
@@ -31,9 +31,9 @@ void ContactBlocks::carry(Bodies& bodies, Crew& crew) {
     if (!lent_) {
         return;
     }
-    crew.forEach(order_.size(), kBlocksAPiece, [&](std::size_t first, std::size_t last) {
+    crew.forEach(inUse_.size(), kBlocksAPiece, [&](std::size_t first, std::size_t last) {
         ContactPasses::best().carry({blocks_.data(), carried_.data(), use_.data(),
-                                     order_.data() + first, last - first, bodies.motion.data(),
+                                     inUse_.data() + first, last - first, bodies.motion.data(),
                                      bodies.extent.data()});
     });
 }

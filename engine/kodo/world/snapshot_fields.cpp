@@ -269,9 +269,9 @@ void SnapshotFields::completeContact(Contact& contact, const Bodies& bodies) {
 void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Tolerances& tolerances) {
     // The way pairs are found changes what that costs and not what is found, so it begins anew.
     auto& [bounds, pairs, finder, seams, contacts, order, newOrder, news, newsFound, holes, added,
-           heads, live, found, slots, idle, dropped, changes, hasChanged, stirred, touches,
-           touchChanges, ended, endedInStep, records, recordsDue, apart, fastestApproach, stale,
-           pairsStale, contactsChanged, liveStale, anySensors, anyBounces] = set;
+           heads, live, found, onGround, slots, idle, dropped, changes, hasChanged, stirred,
+           touches, touchChanges, ended, endedInStep, records, recordsDue, apart, fastestApproach,
+           stale, pairsStale, contactsChanged, liveStale, anySensors, anyBounces] = set;
     auto& [parts, firstPart, firstBefore, replaced, outlines, corners, leftOver, tight, grown,
            changed, isChanged, outgrown] = bounds;
     set.writeRecords();
