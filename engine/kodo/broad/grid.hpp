@@ -54,7 +54,7 @@ public:
 
 private:
     static constexpr std::size_t kBoundsAPiece = 64;
-
+    /// Holds nothing: united with a point it is that point.
     static constexpr Aabb kEmpty{
         {std::numeric_limits<Real>::max(), std::numeric_limits<Real>::max()},
         {std::numeric_limits<Real>::lowest(), std::numeric_limits<Real>::lowest()}};

@@ -25,6 +25,9 @@ struct Mover {
 /// How fast turning alone can bring any point of the outline nearer (m per step). Only that part of
 /// a plane counts which the other outline can reach.
 Real turningBound(Mover mover, Mover other) {
+    if (mover.sweep.turn == 0) {
+        return 0; // like most of the ground
+    }
     Real swing = mover.shape.swing();
     if (mover.shape.isPlane()) {
         swing = length(other.sweep.start.position - mover.sweep.start.position) +

@@ -59,10 +59,10 @@ bool staysApart(const Contact& contact, const Tolerances& tolerances) {
 }
 
 /// Keeps a manifold while its bodies have not gone far against each other since it was found: only
-/// the separations follow the last step, to first order in the turn, which is none of what is round
-/// and turns about its middle: that has no lever. This saves most of the work in
-/// a pile, also in one that moves as a whole, and a point of contact that stays where it is
-/// steadies it. Measures the approach by the same levers. False if it must be found anew.
+/// the separations follow the last step, to first order in the turn. What is round and turns about
+/// its middle has no lever, so its turn counts for nothing. This saves most of the work in a pile,
+/// also in one that moves as a whole, and a point of contact that stays where it is steadies it.
+/// Measures the approach by the same levers. False if it must be found anew.
 bool carry(const Bodies& bodies, Contact& contact, const Tolerances& tolerances) {
     if (!contact.carried || isOutdated(contact.drift, contact.bounces, tolerances)) {
         return false;
