@@ -204,10 +204,10 @@ TEST(ContactBlocks, TellWhoTouched) {
     blocks.noteTouching(kSlop, alone);
     for (std::size_t i = 0; i < crowd.contacts.size(); ++i) {
         const bool near = i % 3 == 0 || (i % 3 == 1 && crowd.contacts[i].manifold.count == 2);
-        EXPECT_EQ(blocks.touches(crowd.contacts[i].row.index), near || i % 5 == 0) << i;
+        EXPECT_EQ(blocks.touched()[crowd.contacts[i].row.index] != 0, near || i % 5 == 0) << i;
     }
-    EXPECT_FALSE(blocks.touches(ContactRow::kNone));
-    EXPECT_FALSE(ContactBlocks().touches(ContactRow::kNone));
+    EXPECT_EQ(blocks.touched().back(), 0);
+    EXPECT_EQ(ContactBlocks().touched().back(), 0);
 }
 
 // Contacts with what cannot be pushed come last, so that they have the last word.

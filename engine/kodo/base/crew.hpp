@@ -3,6 +3,7 @@
 
 #include <kodo/base/executor.hpp>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -153,6 +154,14 @@ private:
     Executor* executor_ = nullptr;
     std::optional<Shared> shared_;
 };
+
+/// Calls work(from, to) for pieces of first..last, `grain` each, in their order.
+template <typename Work>
+void forPieces(std::size_t first, std::size_t last, std::size_t grain, const Work& work) {
+    for (std::size_t from = first; from < last; from += grain) {
+        work(from, std::min(from + grain, last));
+    }
+}
 
 /// What the pieces of a loop find, put together in their order.
 template <typename T>

@@ -126,7 +126,4 @@ struct ContactHead {
     }
 };
 
-/// How many contacts ahead a loop over all of them prefetches what it will read.
-constexpr std::size_t kContactsAhead = 6;
-
 } // namespace kodo::inline KODO_PRECISION

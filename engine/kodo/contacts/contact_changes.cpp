@@ -88,6 +88,7 @@ void ContactSet::putBack(std::span<const Contact> contacts, Bodies& bodies) {
             [&](const Place& at, const ContactKey& key) { return keyOf(at) < key; });
         if (place == order_.end() || keyOf(*place) != contact.key) {
             contacts_.push_back(contact);
+            ++disorder_.strayed;
             // What happened to its bodies meanwhile is news to the contact.
             const auto& [bodyA, partA, bodyB, partB] = contact.key;
             if (contact.jumpsA != bodies.jumps[bodyA] || contact.jumpsB != bodies.jumps[bodyB]) {

@@ -101,6 +101,7 @@ void ContactSet::fillHoles() {
         heads_[holes_[hole]] = heads_[slot];
         contacts_[holes_[hole++]] = contacts_[slot];
     }
+    disorder_.strayed += hole;
     for (Place& place : order_) {
         if (place.slot >= kept) {
             place.slot = movedTo[place.slot - kept];
@@ -110,11 +111,38 @@ void ContactSet::fillHoles() {
     heads_.resize(kept);
 }
 
+/// Moves the contacts into the order of their keys, so that who goes through them comes to bodies
+/// in their order, too. Goes round each cycle of the permutation, with one contact put aside.
+void ContactSet::sortContacts() {
+    disorder_ = {};
+    for (std::uint32_t start = 0; start < order_.size(); ++start) {
+        if (order_[start].slot == start) {
+            continue;
+        }
+        changed();
+        const Contact contact = contacts_[start];
+        const ContactHead head = heads_[start];
+        std::uint32_t to = start;
+        for (std::uint32_t from = order_[to].slot; from != start; from = order_[to].slot) {
+            contacts_[to] = contacts_[from];
+            heads_[to] = heads_[from];
+            order_[to].slot = to;
+            to = from;
+        }
+        contacts_[to] = contact;
+        heads_[to] = head;
+        order_[to].slot = to;
+    }
+}
+
 void ContactSet::updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt,
                              Crew& crew) {
     recordsDue_ = false; // nobody asked
     dropped_.clear();
     applyChanges(bodies, tolerances);
+    if (disorder_.countStep(contacts_.size())) {
+        sortContacts();
+    }
     bounds_.foresee(bodies, tolerances, dt, crew);
     refreshPairs(bodies, crew);
 }
@@ -234,6 +262,7 @@ void ContactSet::dismiss(Contact& gone, const Bodies& bodies) {
 
 /// Makes contacts for the pairs that are new, in the last holes as long as there are some.
 void ContactSet::addContacts(const Bodies& bodies, Crew& crew) {
+    disorder_.strayed += added_.size();
     auto slots = static_cast<std::uint32_t>(contacts_.size());
     for (const std::uint32_t at : added_) {
         if (holes_.empty()) {

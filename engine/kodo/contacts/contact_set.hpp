@@ -3,6 +3,7 @@
 
 #include <kodo/base/assert.hpp>
 #include <kodo/base/crew.hpp>
+#include <kodo/base/disorder.hpp>
 #include <kodo/base/refill.hpp>
 #include <kodo/bodies/bodies.hpp>
 #include <kodo/bodies/tolerances.hpp>
@@ -78,7 +79,7 @@ public:
     PairFinder& pairFinder() { return finder_; }
     const PairFinder& pairFinder() const { return finder_; }
 
-    /// In an order of their own, which does not change while no pair comes or goes.
+    /// In an order of their own, which does not change within a step while no pair comes or goes.
     std::span<Contact> contacts() { return contacts_; }
     std::span<const Contact> contacts() const { return contacts_; }
     /// Of each contact, in the same order.
@@ -108,26 +109,9 @@ public:
         heads_[place].row = contacts_[place].row.index;
         heads_[place].kept = contacts_[place].isKept();
     }
-    /// Sums up a step, in which touched(row) tells who touched of those that have a row; of no row
-    /// it is false. Several threads call that. Contacts that go on as they were are left alone, as
-    /// most of a pile.
-    template <typename Touched>
-    void sumUp(const Tolerances& tolerances, Crew& crew, Touched touched) {
-        makeRoom(touchChanges_, touchChanges_.size() + 2 * contacts_.capacity());
-        found_.gather(crew, live().size(), kContactsAPiece, touchChanges_,
-                      [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
-                          found.reserve(found.size() + 2 * (last - first));
-                          for (std::size_t i = first; i < last; ++i) {
-                              const ContactHead& head = heads_[live_[i]];
-                              const bool touches = touched(head.row);
-                              KODO_ASSERT(isTrue(live_[i]));
-                              const bool asks = head.meets & (head.row == ContactRow::kNone);
-                              if (asks | !head.steady | (touches != head.wasTouching)) {
-                                  finishContact(live_[i], touches, tolerances, crew, found);
-                              }
-                          }
-                      });
-    }
+    /// Sums up a step. `touched` tells by row whether the contact of a row touched, and last, what
+    /// holds of no row: false. Contacts that go on as they were are left alone, as most of a pile.
+    void sumUp(std::span<const std::uint8_t> touched, const Tolerances& tolerances, Crew& crew);
     /// Bodies for which isTouched may have changed since clearTouchChanges, some more than once.
     std::span<const std::uint32_t> touchChanges() const { return touchChanges_; }
     void clearTouchChanges() { touchChanges_.clear(); }
@@ -166,6 +150,12 @@ private:
     static constexpr std::size_t kContactsAPiece = 128;
     static constexpr std::uint32_t kOneLess = ~std::uint32_t{}; // added to a count, since it wraps
 
+    /// Some contacts, and the end of those that one thread goes through.
+    struct Piece {
+        std::size_t first;
+        std::size_t last; // the one behind them
+        std::size_t end;
+    };
     /// Where a contact is, by the bounds of its parts, which are in the order of keys.
     struct Place {
         BoundsPair pair;
@@ -197,11 +187,15 @@ private:
     void noteKinds(const Bodies& bodies, Crew& crew);
     bool boundsMeet(std::size_t i, const Tolerances& tolerances) const;
     bool staysKept(std::size_t i, const Tolerances& tolerances, std::span<const Carried> carried);
+    void updatePiece(const Bodies& bodies, const Tolerances& tolerances,
+                     const ContactKeeper& keeper, const Piece& piece);
+    Real listLive(std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) const;
     void updateManifold(const Bodies& bodies, const Tolerances& tolerances, std::size_t i,
                         const ContactKeeper& keeper);
     template <typename Gone>
     void eraseIf(Gone gone);
     void fillHoles();
+    void sortContacts();
     bool isTrue(std::uint32_t place) const;
     void finishContact(std::uint32_t place, bool touchesInRow, const Tolerances& tolerances,
                        const Crew& crew, std::vector<std::uint32_t>& changes);
@@ -237,6 +231,7 @@ private:
     mutable bool recordsDue_ = false;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> apart_;
     Real fastestApproach_ = 0;
+    Disorder disorder_; // of the contacts, which are best off in the order of their keys
     bool stale_ = true;
     bool pairsStale_ = true;
     bool contactsChanged_ = true; // in number, in place, or in what is locked

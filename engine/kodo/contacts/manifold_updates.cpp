@@ -9,6 +9,12 @@
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
+namespace {
+
+constexpr std::size_t kFar = 65536; // so many contacts: what belongs to them is in no near cache
+constexpr std::size_t kHeadsAhead = 16; // then what these lead to is asked for beforehand
+
+} // namespace
 
 void ContactSet::measureApproach(const Bodies& bodies) {
     fastestApproach_ = 0;
@@ -84,6 +90,76 @@ bool ContactSet::staysKept(std::size_t i, const Tolerances& tolerances,
     return !isOutdated(now.drift, head.bounces, tolerances);
 }
 
+/// Of some contacts: tells by their heads, and by what these lead to, which have to be looked at,
+/// and then looks at those.
+void ContactSet::updatePiece(const Bodies& bodies, const Tolerances& tolerances,
+                             const ContactKeeper& keeper, const Piece& piece) {
+    const auto& [first, last, end] = piece;
+    const bool far = heads_.size() >= kFar;
+    Places<kContactsAPiece> asked;
+    for (std::size_t i = first; i < last; ++i) {
+        if (far && i + kHeadsAhead < end) {
+            const ContactHead& next = heads_[i + kHeadsAhead];
+            if (next.idle) {
+                prefetch(bounds_.tight(next.proxies.first));
+                prefetch(bounds_.tight(next.proxies.second));
+            } else if (next.row < keeper.carried.size()) {
+                prefetch(keeper.carried[next.row]);
+            }
+        }
+        if (!staysKept(i, tolerances, keeper.carried) &&
+            !(heads_[i].idle && !boundsMeet(i, tolerances))) {
+            asked.add(static_cast<std::uint32_t>(i));
+        }
+    }
+    visitAhead<2>(asked.list(), contacts(),
+                  [&](std::uint32_t place) { updateManifold(bodies, tolerances, place, keeper); });
+}
+
+/// Adds those of some contacts that anything may come of. Gives their fastest approach, m/s.
+Real ContactSet::listLive(std::size_t first, std::size_t last,
+                          std::vector<std::uint32_t>& found) const {
+    Real fastest = 0;
+    std::size_t count = found.size();
+    found.resize(count + (last - first));
+    for (std::size_t i = first; i < last; ++i) {
+        const ContactHead& head = heads_[i];
+        fastest = std::max(fastest, head.idle ? Real(0) : head.approachSpeed);
+        found[count] = static_cast<std::uint32_t>(i);
+        count += head.idle ? 0 : 1;
+    }
+    found.resize(count);
+    return fastest;
+}
+
+void ContactSet::sumUp(std::span<const std::uint8_t> touched, const Tolerances& tolerances,
+                       Crew& crew) {
+    const std::uint8_t* const touchedOf = touched.data();
+    const std::size_t none = touched.size() - 1;
+    const auto touches = [=](const ContactHead& head) {
+        KODO_ASSERT(head.row == ContactRow::kNone || head.row < none);
+        return touchedOf[std::min<std::size_t>(head.row, none)] != 0;
+    };
+    makeRoom(touchChanges_, touchChanges_.size() + 2 * contacts_.capacity());
+    found_.gather(
+        crew, live().size(), kContactsAPiece, touchChanges_,
+        [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
+            found.reserve(found.size() + 2 * (last - first));
+            forPieces(first, last, kContactsAPiece, [&](std::size_t from, std::size_t to) {
+                Places<kContactsAPiece> asked;
+                for (std::size_t i = from; i < to; ++i) {
+                    const ContactHead& head = heads_[live_[i]];
+                    KODO_ASSERT(isTrue(live_[i]));
+                    const bool asks = head.meets & (head.row == ContactRow::kNone);
+                    asked.add(live_[i], asks | !head.steady | (touches(head) != head.wasTouching));
+                }
+                visitAhead<1>(asked.list(), contacts(), [&](std::uint32_t place) {
+                    finishContact(place, touches(heads_[place]), tolerances, crew, found);
+                });
+            });
+        });
+}
+
 void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances,
                                  const ContactKeeper& keeper, Crew& crew) {
     fastestApproach_ = 0;
@@ -94,28 +170,12 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
     live_.reserve(contacts_.capacity());
     found_.gather(crew, contacts_.size(), kContactsAPiece, live_,
                   [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
+                      found.reserve(found.size() + (last - first));
                       Real fastest = 0;
-                      std::size_t count = found.size();
-                      found.resize(count + (last - first));
-                      for (std::size_t i = first; i < last; ++i) {
-                          if (const std::size_t ahead = i + kContactsAhead; ahead < last) {
-                              const ContactHead& next = heads_[ahead];
-                              if (!(next.idle | next.kept)) {
-                                  prefetch<2>(contacts(), ahead);
-                              }
-                          }
-                          const ContactHead& head = heads_[i];
-                          if (!staysKept(i, tolerances, keeper.carried)) {
-                              if (head.idle && !boundsMeet(i, tolerances)) {
-                                  continue;
-                              }
-                              updateManifold(bodies, tolerances, i, keeper);
-                          }
-                          fastest = std::max(fastest, head.approachSpeed);
-                          found[count] = static_cast<std::uint32_t>(i);
-                          count += head.idle ? 0 : 1;
-                      }
-                      found.resize(count);
+                      forPieces(first, last, kContactsAPiece, [&](auto from, auto to) {
+                          updatePiece(bodies, tolerances, keeper, {from, to, last});
+                          fastest = std::max(fastest, listLive(from, to, found));
+                      });
                       Crew::raise(fastestApproach_, fastest);
                   });
     liveStale_ = false;

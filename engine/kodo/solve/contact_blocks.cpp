@@ -189,9 +189,11 @@ void ContactBlocks::colourNewcomer(const Bodies& bodies, Contact& contact) {
 /// A block of a bin that has a free lane.
 std::uint32_t ContactBlocks::openBlock(std::uint32_t bin, std::uint8_t share) {
     std::uint32_t& open = openOf(bin, share);
-    if (open != kNone) {
-        return open;
-    }
+    return open != kNone ? open : open = addBlock(bin, share);
+}
+
+/// A block with no contact yet.
+std::uint32_t ContactBlocks::addBlock(std::uint32_t bin, std::uint8_t share) {
     const auto block = static_cast<std::uint32_t>(blocks_.size());
     ContactBlock& lanes = blocks_.emplace_back();
     states_.reserve(blocks_.capacity());
@@ -204,7 +206,6 @@ std::uint32_t ContactBlocks::openBlock(std::uint32_t bin, std::uint8_t share) {
     std::fill_n(lanes.b, ContactBlock::kContacts, placeOfMotion(spare_));
     states_.push_back({bin, kNone, 0, 0, 0, share});
     use_.push_back({-1, bin % 2 == 1, bin / 2 > kFreeColours, 0, 0});
-    open = block;
     return block;
 }
 
@@ -229,6 +230,7 @@ void ContactBlocks::giveLane(Contact& contact, std::uint32_t bin) {
         openOf(bin, share) = state.nextOpen;
     }
     ++rows_;
+    disorder_.strayed += isSingleBin(bin) ? 0 : 1; // what has no colour gets its lane anew anyhow
     contact.row.index = block * ContactBlock::kContacts + lane;
     taken_[contact.row.index] = 1;
     blocks_[block].a[lane] = placeOfMotion(contact.key.bodyA);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/base/assert.hpp>
 #include <kodo/base/crew.hpp>
+#include <kodo/base/disorder.hpp>
 #include <kodo/contacts/contact_set.hpp>
 #include <kodo/solve/contact_block.hpp>
 
@@ -37,10 +37,14 @@ public:
     std::span<const Carried> carried() const {
         return lent_ ? std::span<const Carried>(carried_) : std::span<const Carried>();
     }
-    /// Before begin(): deals the lanes out anew, to so many shares, in the order of bodies. So
-    /// threads that each take a share push bodies of their own, for the most part; as bodies change
-    /// places, that gets lost.
+    /// Before begin(): deals the lanes out anew, to so many shares, in the order of bodies, with
+    /// the blocks of a colour one behind the other. So a pass goes through memory as it lies, and
+    /// threads that each take a share push bodies of their own, for the most part. As contacts come
+    /// and go, that gets lost.
     void dealAnew(const Bodies& bodies, ContactSet& contacts, std::uint32_t shares);
+    /// Counts a step: is it time to deal them out anew? That changes how long a step takes, and
+    /// nothing else.
+    bool countDisorder() { return disorder_.countStep(rows_); }
     std::uint32_t shares() const { return static_cast<std::uint32_t>(cuts_.size()); }
     /// The share that a block belongs to.
     std::uint8_t shareOf(std::size_t block) const { return states_[block].share; }
@@ -91,13 +95,10 @@ public:
     /// pass. How many such contacts there are.
     std::size_t listDeeper(Real separation, std::vector<std::uint32_t>& list) const;
 
-    /// After the passes, for touches(): a point that is not farther apart than `slop` (m) touches.
+    /// After the passes, for touched(): a point that is not farther apart than `slop` (m) touches.
     void noteTouching(Real slop, Crew& crew);
-    /// Did the contact of a row touch in the last step? No, if it is none.
-    bool touches(std::uint32_t row) const {
-        KODO_ASSERT(row == kNone || row + 1 < touching_.size());
-        return touching_[std::min<std::size_t>(row, touching_.size() - 1)] != 0;
-    }
+    /// By row: did its contact touch in the last step? Behind the last row: no.
+    std::span<const std::uint8_t> touched() const { return touching_; }
 
     /// Gives a contact back all that the next step starts from, if it is lent.
     void reclaim(Contact& contact, const Bodies& bodies) const;
@@ -149,6 +150,7 @@ private:
     void lend(Contact& contact);
     void assignRows(std::span<Contact> contacts);
     void assignRow(Contact& contact);
+    void finishDealing();
     void forgetLanes();
     void freeLanes(const Bodies& bodies);
     void colourNewcomer(const Bodies& bodies, Contact& contact);
@@ -156,6 +158,8 @@ private:
     std::uint32_t& openOf(std::uint32_t bin, std::uint32_t share) {
         return open_[share * kBins + bin];
     }
+    void layOut(std::span<const Contact> contacts);
+    std::uint32_t addBlock(std::uint32_t bin, std::uint8_t share);
     std::uint32_t openBlock(std::uint32_t bin, std::uint8_t share);
     void giveLane(Contact& contact, std::uint32_t bin);
     void release(std::uint32_t row);
@@ -177,6 +181,7 @@ private:
     std::vector<std::uint8_t> touching_ = {0}; // by row: in the last step; behind the last, false
     std::vector<std::uint32_t> open_;          // by share and bin: a block that has a free lane
     std::vector<std::uint32_t> cuts_ = {0};    // by share: its first body
+    Disorder disorder_;                        // of lanes that have a colour
     std::size_t rows_ = 0;                     // lanes in use
     std::size_t singles_ = 0;                  // of those, without a colour
     std::uint64_t lanesState_ = 0;

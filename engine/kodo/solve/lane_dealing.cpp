@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <utility>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
@@ -13,15 +14,20 @@ constexpr std::size_t kCutBins = 256; // that bodies are counted in, to find whe
 
 } // namespace
 
-/// Gives lanes to all contacts that have a colour: they were read from a snapshot, or the lanes
-/// are dealt out anew.
+/// Gives lanes to all contacts that have a colour: they were read from a snapshot, or most lanes
+/// were empty.
 void ContactBlocks::assignRows(std::span<Contact> contacts) {
-    open_.assign(kBins * cuts_.size(), kNone);
+    layOut(contacts);
     for (Contact& contact : contacts) {
         assignRow(contact);
     }
+    finishDealing();
+}
+
+void ContactBlocks::finishDealing() {
     rowsAssigned_ = true;
     anew_ = true;
+    disorder_ = {};
 }
 
 /// Cuts the bodies, in their order, so that each share has about as many contacts.
@@ -42,15 +48,35 @@ void ContactBlocks::findCuts(const Bodies& bodies, ContactSet& contacts, std::ui
     }
 }
 
+/// Opens as many blocks as the contacts need, those of a share and a colour one behind the other,
+/// as a pass goes through them.
+void ContactBlocks::layOut(std::span<const Contact> contacts) {
+    open_.assign(kBins * cuts_.size(), 0); // at first, how many contacts there are
+    for (const Contact& contact : contacts) {
+        if (contact.row.colour != ContactRow::kNoColour) {
+            ++openOf(binOf(contact.row.colour, contact), shareOfBody(contact.key.bodyA));
+        }
+    }
+    for (std::uint32_t place = 0; place < open_.size(); ++place) {
+        const std::size_t count = std::exchange(open_[place], kNone);
+        std::uint32_t before = kNone;
+        for (std::size_t first = 0; first < count; first += ContactBlock::kContacts) {
+            const std::uint32_t block =
+                addBlock(place % kBins, static_cast<std::uint8_t>(place / kBins));
+            (before == kNone ? open_[place] : states_[before].nextOpen) = block;
+            before = block;
+        }
+    }
+}
+
 void ContactBlocks::dealAnew(const Bodies& bodies, ContactSet& contacts, std::uint32_t shares) {
     findCuts(bodies, contacts, shares);
     colours_.resize(bodies.size());
     reclaimAll(contacts.contacts(), bodies);
     forgetLanes();
-    open_.assign(kBins * shares, kNone);
+    layOut(contacts.contacts());
     contacts.forEachInOrder([&](Contact& contact) { assignRow(contact); });
-    rowsAssigned_ = true;
-    anew_ = true;
+    finishDealing();
 }
 
 void ContactBlocks::assignRow(Contact& contact) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/base/prefetch.hpp>
 #include <kodo/bodies/integrate.hpp>
 #include <kodo/solve/soft_step.hpp>
 
@@ -10,8 +11,7 @@ namespace kodo::inline KODO_PRECISION {
 namespace {
 
 constexpr std::size_t kNewcomersAPiece = 128;
-constexpr std::size_t kMany = 8;        // one of so many: then what all have is cleared as a whole
-constexpr std::uint32_t kDealtFor = 64; // steps with help, until lanes are dealt out anew
+constexpr std::size_t kMany = 8; // one of so many: then what all have is cleared as a whole
 // Overlaps of more than so many slops are deep, as when bodies are put on one place. The speed that
 // their pushes give is taken out again by more passes, two for one of them and one more for each
 // further one, up to so many: over all contacts where one of eight is deep or there are not many,
@@ -103,12 +103,9 @@ void SoftStep::giveUpRow(const Bodies& bodies, ContactSet& contactSet, std::uint
 void SoftStep::beginCollecting(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
                                const Step& step) {
     const std::uint32_t shares = step.crew.shares();
-    if (shares > 1 && blocks_.worthSharing() &&
-        (blocks_.shares() != shares || ++helped_ >= kDealtFor ||
-         blocks_.size() > dealt_ + dealt_ / 4)) {
-        helped_ = 0;
-        dealt_ = blocks_.size();
-        blocks_.dealAnew(bodies, contactSet, shares);
+    const bool shared = shares > 1 && blocks_.worthSharing();
+    if (blocks_.countDisorder() || (shared && blocks_.shares() != shares)) {
+        blocks_.dealAnew(bodies, contactSet, shared ? shares : 1);
     }
     blocks_.begin(bodies, contactSet.contacts(), step.settings.has(Feature::Friction),
                   step.settings.has(Feature::RollingResistance));
@@ -121,60 +118,72 @@ void SoftStep::beginCollecting(const Bodies& bodies, ContactSet& contactSet, con
 /// the speed that one of them may push with, or the heap would burst.
 void SoftStep::collect(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
                        const Step& step) {
-    const std::span<Contact> contacts = contactSet.contacts();
-    const std::span<const ContactHead> heads = contactSet.heads();
     const std::span<const std::uint32_t> live = contactSet.live();
-    Crew& crew = step.crew;
-    const bool friction = step.settings.has(Feature::Friction);
-    const bool withRestitution = step.settings.has(Feature::Restitution);
     beginCollecting(bodies, contactSet, joints, step);
-    const bool keepsLanes = friction && blocks_.keepsLanes();
-    std::uint16_t most = 1; // that overlap one body
-    int deep = 0;
-    int rows = 0;
-    found_.gather(crew, live.size(), kNewcomersAPiece, newcomers_,
+    Collected all;
+    found_.gather(step.crew, live.size(), kNewcomersAPiece, newcomers_,
                   [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& newcomers) {
-                      // copies, since a byte that is written may be in one of the others
-                      const bool keeps = keepsLanes;
-                      const bool restitution = withRestitution;
-                      const Real slop = step.tolerances.slop;
-                      const ContactHead* const headOf = heads.data();
-                      const std::uint32_t* const placeOf = live.data();
-                      std::uint8_t* const touched = touched_.data();
-                      std::uint8_t* const near = near_.data();
-                      int ownDeep = 0;
-                      int ownRows = 0;
-                      for (std::size_t i = first; i < last; ++i) {
-                          const std::uint32_t place = placeOf[i];
-                          const ContactHead& head = headOf[place];
-                          if (keeps && !head.meets && head.row == ContactRow::kNone) {
-                              continue; // as before
-                          }
-                          const bool needed = needsRow(bodies, head, restitution, slop);
-                          if (keeps && head.kept && needed) {
-                              KODO_ASSERT(isKept(contacts[place], head));
-                              blocks_.keep(head.row);
-                          } else if (!needed || !contacts[place].responds()) {
-                              giveUpRow(bodies, contactSet, place);
-                              continue;
-                          } else {
-                              takeAnew(bodies, contactSet, place, friction, newcomers);
-                          }
-                          const Real separation = head.separation[0];
-                          std::uint8_t* const marks = separation <= slop ? touched : near;
-                          Crew::mark(marks[head.bodyA]);
-                          Crew::mark(marks[head.bodyB]);
-                          if (separation < -4 * slop) {
-                              noteCrowd(bodies, head, most, crew);
-                          }
-                          ownDeep += separation < -kDeep * slop ? 1 : 0;
-                          ++ownRows;
-                      }
-                      crew.count(deep, ownDeep);
-                      crew.count(rows, ownRows);
+                      Collected own;
+                      forPieces(first, last, kNewcomersAPiece, [&](auto from, auto to) {
+                          collectPiece({bodies, contactSet, step, own},
+                                       live.subspan(from, to - from), newcomers);
+                      });
+                      step.crew.count(all.deep, own.deep);
+                      step.crew.count(all.rows, own.rows);
+                      Crew::raise(all.most, own.most);
                   });
-    settling_ = settlingOf(deep, most);
-    settlesAll_ = kSomeDeep * deep >= rows || rows <= kNotMany;
+    settling_ = settlingOf(all.deep, all.most);
+    settlesAll_ = kSomeDeep * all.deep >= all.rows || all.rows <= kNotMany;
+}
+
+/// First those that are kept, by their heads alone, and then the others, if anything has changed.
+void SoftStep::collectPiece(const Collecting& run, std::span<const std::uint32_t> places,
+                            std::vector<std::uint32_t>& newcomers) {
+    const Bodies& bodies = run.bodies;
+    ContactSet& contactSet = run.contactSet;
+    const Step& step = run.step;
+    const std::span<Contact> contacts = contactSet.contacts();
+    // copies, since a byte that is written may be in one of the others
+    const ContactHead* const headOf = contactSet.heads().data();
+    const bool friction = step.settings.has(Feature::Friction);
+    const bool restitution = step.settings.has(Feature::Restitution);
+    const bool keeps = friction && blocks_.keepsLanes();
+    const Real slop = step.tolerances.slop;
+    Collected own = run.own;
+    Places<kNewcomersAPiece> asked;
+    for (const std::uint32_t place : places) {
+        const ContactHead& head = headOf[place];
+        if (keeps && head.kept && needsRow(bodies, head, restitution, slop)) {
+            KODO_ASSERT(isKept(contacts[place], head));
+            blocks_.keep(head.row);
+            noteHold(bodies, head, slop, own, step.crew);
+        } else if (!keeps || head.meets || head.row != ContactRow::kNone) {
+            asked.add(place);
+        }
+    }
+    visitAhead<4>(asked.list(), contacts, [&](std::uint32_t place) {
+        if (needsRow(bodies, headOf[place], restitution, slop) && contacts[place].responds()) {
+            takeAnew(bodies, contactSet, place, friction, newcomers);
+            noteHold(bodies, headOf[place], slop, own, step.crew);
+        } else {
+            giveUpRow(bodies, contactSet, place);
+        }
+    });
+    run.own = own;
+}
+
+/// Its two bodies are held, or have somebody near.
+void SoftStep::noteHold(const Bodies& bodies, const ContactHead& head, Real slop, Collected& own,
+                        const Crew& crew) {
+    const Real separation = head.separation[0];
+    std::uint8_t* const marks = separation <= slop ? touched_.data() : near_.data();
+    Crew::mark(marks[head.bodyA]);
+    Crew::mark(marks[head.bodyB]);
+    if (separation < -4 * slop) {
+        noteCrowd(bodies, head, own.most, crew);
+    }
+    own.deep += separation < -kDeep * slop ? 1 : 0;
+    ++own.rows;
 }
 
 /// Counts two that overlap deeply for each other. `most` is the largest count so far.
@@ -185,7 +194,7 @@ void SoftStep::noteCrowd(const Bodies& bodies, const ContactHead& head, std::uin
             continue;
         }
         const auto count = static_cast<std::uint16_t>(crew.count(crowd_[body]) + 1);
-        Crew::raise(most, count);
+        most = std::max(most, count);
         if (count > ContactBlocks::kNeighbours) {
             Crew::mark(crowded_);
         }

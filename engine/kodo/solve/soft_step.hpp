@@ -70,8 +70,26 @@ private:
         std::uint32_t turn = 0; // its first; see Crew::inTurns
     };
 
+    /// What collect() counts.
+    struct Collected {
+        std::uint16_t most = 1; // overlap one body deeply
+        int deep = 0;           // contacts
+        int rows = 0;
+    };
+    /// What it goes by.
+    struct Collecting {
+        const Bodies& bodies;
+        ContactSet& contactSet;
+        const Step& step;
+        Collected& own;
+    };
+
     void collect(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
                  const Step& step);
+    void collectPiece(const Collecting& run, std::span<const std::uint32_t> places,
+                      std::vector<std::uint32_t>& newcomers);
+    void noteHold(const Bodies& bodies, const ContactHead& head, Real slop, Collected& own,
+                  const Crew& crew);
     void clearMarks(const Bodies& bodies, const JointSet& joints);
     void beginCollecting(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
                          const Step& step);
@@ -109,8 +127,6 @@ private:
     std::vector<std::uint16_t> crowd_; // by body: how many overlap it deeply
     std::uint8_t crowded_ = 0;         // too many overlap some body
     int settling_ = 0;                 // passes more that take out what pushes gave
-    std::uint32_t helped_ = 0;         // steps with help since lanes were dealt out anew
-    std::size_t dealt_ = 0;            // lanes in use at that time
     bool settlesAll_ = false;          // of all contacts; else of the blocks in deep_
     std::vector<std::uint32_t> deep_;
     std::size_t visits_ = 0;

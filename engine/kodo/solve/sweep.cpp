@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/base/prefetch.hpp>
 #include <kodo/base/refill.hpp>
 #include <kodo/collide/collide.hpp>
 #include <kodo/collide/time_of_impact.hpp>
@@ -291,9 +292,8 @@ void SweepStage::findImpacts(const Step& step, Crew& crew) {
     events_.clear();
     refill(times_, step.contacts.size(), Real(1));
     crew.forEach(candidates_.size(), kCandidatesAPiece, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k) {
-            findTime(step, candidates_[k]);
-        }
+        visitAhead<2>(std::span<const std::uint32_t>(candidates_).subspan(first, last - first),
+                      step.contacts, [&](std::uint32_t contact) { findTime(step, contact); });
     });
     for (const std::uint32_t contact : candidates_) {
         expect(contact);

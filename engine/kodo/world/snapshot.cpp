@@ -8,7 +8,7 @@ namespace kodo::inline KODO_PRECISION {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x6f646f4b; // "Kodo"
-constexpr std::uint32_t kFormat = 4;         // to be raised whenever the list of fields changes
+constexpr std::uint32_t kFormat = 5;         // to be raised whenever the list of fields changes
 constexpr std::size_t kChecksumSize = sizeof(std::uint64_t);
 
 void refuseUnless(bool good, const std::string& sentence) {

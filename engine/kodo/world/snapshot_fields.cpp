@@ -271,14 +271,14 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
     auto& [bounds, pairs, finder, seams, contacts, order, newOrder, news, newsFound, holes, added,
            heads, live, found, onGround, slots, idle, dropped, changes, hasChanged, stirred,
            touches, touchChanges, ended, endedInStep, records, recordsDue, apart, fastestApproach,
-           stale, pairsStale, contactsChanged, liveStale, anySensors, anyBounces] = set;
+           disorder, stale, pairsStale, contactsChanged, liveStale, anySensors, anyBounces] = set;
     auto& [parts, firstPart, firstBefore, replaced, outlines, corners, leftOver, tight, grown,
            changed, isChanged, outgrown] = bounds;
     set.writeRecords();
     if (!reads()) {
         set.applyChanges(bodies, tolerances);
     }
-    all(contacts, ended, records, tight, grown, changed);
+    all(contacts, ended, records, tight, grown, changed, disorder);
     if (!reads()) {
         return;
     }

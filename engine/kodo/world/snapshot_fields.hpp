@@ -53,6 +53,10 @@ private:
         stream_.number(stored);
         value = static_cast<Value>(stored);
     }
+    void one(Disorder& disorder) {
+        auto& [strayed, cost] = disorder;
+        all(strayed, cost);
+    }
     template <typename Value>
     void one(std::vector<Value>& list) {
         std::uint32_t length = lengthOf(list.size());

@@ -249,8 +249,7 @@ void World::breakJoints(Real dt) {
 /// Sums up the contacts of the step, and brings kColliding up to date: only those bodies for which
 /// it changes are touched.
 void World::recordCollisions(Crew& crew) {
-    contacts_.sumUp(tolerances_, crew,
-                    [&](std::uint32_t row) { return softStep_.blocks().touches(row); });
+    contacts_.sumUp(softStep_.blocks().touched(), tolerances_, crew);
     for (const std::uint32_t body : contacts_.touchChanges()) {
         Flags& flags = bodies_.filter[body].flags;
         flags = contacts_.isTouched(body) ? flags | kColliding : flags & ~kColliding;
