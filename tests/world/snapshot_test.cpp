@@ -88,27 +88,25 @@ TEST(Snapshot, GoesOnAlikeFromAnyMoment) {
 }
 
 // R2: so many contacts are put in order now and then, which decides the order they are solved in.
+// A bar stirs them, so that many come in each step, and order is due within each hundred of them.
 TEST(Snapshot, GoesOnAlikeWhileContactsArePutInOrder) {
     World world({.gravity = support::kEarth});
     world.add({.shape = Box{64, 1}, .position = {0, Real(-0.5)}, .flags = kLocked});
     for (const Real side : {Real(-17), Real(17)}) {
         world.add({.shape = Box{1, 80}, .position = {side, 40}, .flags = kLocked});
     }
+    world.add({.shape = Box{20, 1}, .position = {0, 11}, .angularVelocity = 2, .flags = kLocked});
     support::RandomNumbers random(31);
     for (int i = 0; i < 1600; ++i) {
         const Vec2 place{static_cast<Real>(i % 40 - 20) * Real(0.8),
                          static_cast<Real>(i / 40) * Real(0.8) + 1};
         world.add(support::ballDef(place + random.point(0.05), Real(0.37)));
     }
-    run(world, 100);
+    run(world, 150);
     ASSERT_GT(world.collisions().size(), Disorder::kMany);
-    for (int moment = 0; moment < 4; ++moment) {
-        SCOPED_TRACE(moment);
-        World original = world;
-        World loaded = reloaded(world);
-        expectToGoOnAlike(original, loaded, 40);
-        run(world, 17);
-    }
+    World original = world;
+    World loaded = reloaded(world);
+    expectToGoOnAlike(original, loaded, 150);
 }
 
 // R2: in a World of another length unit everything may be as large, as far and as fast in that.
