@@ -25,7 +25,7 @@ kodo::StepSettings profileOf(const std::string& name) {
     }
     if (name == "accurate") {
         settings.substeps = 16;
-        settings.contactHertz = 240;
+        settings.contactHertz = 192;
         settings.impactPasses = 64;
         return settings;
     }

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <solve/strategy_scenes.hpp>
 
+#include <algorithm>
+
 namespace {
 
 using namespace kodo;
@@ -125,6 +127,26 @@ TEST(Strategies, PropagationWithShockPropagationStands) {
             EXPECT_TRUE(outcome.yes) << trial.scene.name;
             EXPECT_LT(outcome.depth, Real(0.005)) << trial.scene.name;
         }
+    }
+}
+
+// Contacts as stiff as their substeps bear them: a pile that was just put up shakes itself to rest,
+// instead of creeping apart.
+TEST(Strategies, APyramidShakesItselfToRestWithFewSubstepsOrMany) {
+    for (const int substeps : {2, 3, 8}) {
+        SCOPED_TRACE(substeps);
+        StepSettings settings;
+        settings.substeps = substeps;
+        settings.contactHertz = 1000;
+        scenes::KodoScene scene = inKodo(scenes::pyramid(16), awake(settings));
+        for (int i = 0; i < 600; ++i) {
+            scene.world.step(kStep);
+        }
+        Real fastest = 0;
+        for (const BodyId id : scene.ids) {
+            fastest = std::max(fastest, length(scene.world[id].velocity()));
+        }
+        EXPECT_LT(fastest, Real(0.01));
     }
 }
 

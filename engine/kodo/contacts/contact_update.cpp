@@ -9,20 +9,79 @@
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
-/// Takes a new manifold, and hands the impulses of the old points on to the new ones that are made
-/// by the same features.
-void replaceManifold(Contact& contact, const Manifold& manifold) {
+// A point made by other features than before is the same one if it is within so many slops and
+// within so much of the inner radius of the thinner part, and if the normal is the same, nearly.
+constexpr Real kSamePlace = 16;
+constexpr Real kSameShare = Real(0.5);
+constexpr Real kSameNormal = Real(0.9); // at least, the cosine of its turn
+constexpr int kNoPoint = -1;
+
+/// m; how far the places of two points are from each other, on the body where that is less.
+Real distanceOf(const ManifoldPoint& p, const ManifoldPoint& q) {
+    return std::min(length(p.armA - q.armA), length(p.armB - q.armB));
+}
+
+/// Of each point of a new manifold, which of the old one it was, made by the same features.
+std::array<int, 2> matchFeatures(const Manifold& manifold, const Manifold& old) {
+    std::array<int, 2> former{kNoPoint, kNoPoint};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
+        for (std::size_t k = 0; k < static_cast<std::size_t>(old.count); ++k) {
+            if (manifold.points[i].feature == old.points[k].feature) {
+                former[i] = static_cast<int>(k);
+            }
+        }
+    }
+    return former;
+}
+
+/// The same for points that no old feature made, by their places, the nearest first. Of two faces
+/// that lie on each other the one or the other may carry the contact, which gives other features to
+/// the same places. Not in an overlap of more than `near` (m), where it may mean that the shortest
+/// way out is another by now; so a line, which is 0 thick, has features alone.
+void matchPlaces(const Manifold& manifold, const Manifold& old, Real near,
+                 std::array<int, 2>& former) {
+    // By the new depth alone: only contacts that were lent know how deep the old one has become.
+    if (dot(manifold.normal, old.normal) < kSameNormal || manifold.points[0].separation < -near) {
+        return;
+    }
+    for (int round = 0; round < manifold.count; ++round) {
+        std::size_t place = former.size();
+        int match = kNoPoint;
+        Real least = near;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
+            for (int k = 0; k < old.count; ++k) {
+                if (former[i] != kNoPoint || former[0] == k || former[1] == k) {
+                    continue; // as most are, by their features
+                }
+                const Real distance =
+                    distanceOf(manifold.points[i], old.points[static_cast<std::size_t>(k)]);
+                if (distance <= least) {
+                    place = i;
+                    match = k;
+                    least = distance;
+                }
+            }
+        }
+        if (match != kNoPoint) {
+            former[place] = match;
+        }
+    }
+}
+
+/// Takes a new manifold, and hands the impulses of the old points on to those that they became,
+/// within `near` (m).
+void replaceManifold(Contact& contact, const Manifold& manifold, Real near) {
     const Manifold& old = contact.manifold;
     if (old.count == 0 && manifold.count == 0) {
         contact.manifold = manifold;
         return;
     }
+    std::array<int, 2> former = matchFeatures(manifold, old);
+    matchPlaces(manifold, old, near, former);
     std::array<PointImpulse, 2> impulse{};
-    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
-        for (std::size_t k = 0; k < static_cast<std::size_t>(old.count); ++k) {
-            if (manifold.points[i].feature == old.points[k].feature) {
-                impulse[i].normal = contact.impulse[k].normal;
-            }
+    for (std::size_t i = 0; i < impulse.size(); ++i) {
+        if (former[i] != kNoPoint) {
+            impulse[i].normal = contact.impulse[static_cast<std::size_t>(former[i])].normal;
         }
     }
     contact.impulse = impulse;
@@ -129,7 +188,10 @@ void findContact(Contact& contact, const Bodies& bodies, const Tolerances& toler
     spreadConcentric(manifold, bodies.outline(key.bodyA, key.partA),
                      bodies.outline(key.bodyB, key.partB), key.bodyB);
     contact.passing = letPass(contact.passing, manifold);
-    replaceManifold(contact, manifold);
+    const Real thinner = std::min(bodies.outline(key.bodyA, key.partA).inside,
+                                  bodies.outline(key.bodyB, key.partB).inside);
+    replaceManifold(contact, manifold,
+                    std::min(kSamePlace * tolerances.slop, kSameShare * thinner));
     contact.drift = 0;
     contact.jumpsA = bodies.jumps[key.bodyA];
     contact.jumpsB = bodies.jumps[key.bodyB];

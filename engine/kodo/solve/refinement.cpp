@@ -11,7 +11,7 @@ namespace kodo::inline KODO_PRECISION {
 namespace {
 
 // Contacts may give by so many slops, and a quarter more in substeps, before these get finer.
-constexpr Real kMostGive = Real(1.75);
+constexpr Real kMostGive = Real(1.6);
 constexpr int kMostRefined = 8;
 
 } // namespace

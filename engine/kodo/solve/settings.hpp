@@ -42,9 +42,9 @@ struct StepSettings {
     int impactPasses = 16;     // 0..1000; rounds of restitution through bodies that touch
     int contactPasses = 10;    // 1..1000; of Propagation, in each substep
     int shockPasses = 0;       // 0..1000; of Propagation, in each level; 0: no shock propagation
-    Real contactHertz = 60;    // > 0, up to 1e9; stiffness of contacts; substep rate / 4 at most
+    Real contactHertz = 60;    // > 0, up to 1e9; stiffness of contacts; substep rate * 0.21 at most
     Real contactDamping = 10;  // > 0, up to 1e6; damping ratio of contacts; 1 is critical
-    Real jointHertz = 60;      // > 0, up to 1e9; the same for joints in loops
+    Real jointHertz = 60;      // > 0, up to 1e9; of joints in loops; substep rate / 4 at most
     Real jointDamping = 1;     // > 0, up to 1e6; damping ratio of these
     Real pushSpeed = 3;        // > 0, up to 1e7; length units/s at most, when overlaps are parted
     int restSteps = 30;        // 1..1000000; calm steps in a row before an island is put to rest

@@ -22,6 +22,10 @@ constexpr int kSomeDeep = 8;
 constexpr int kNotMany = 256;
 constexpr int kMostSettling = 10;
 constexpr int kLargeCrowd = 600; // of passes times bodies
+// Springs swing through so much of a cycle in a substep at most. With a quarter of one in contacts
+// piles shake for long, and creep apart; with a fifth they come to rest.
+constexpr Real kMostCycles = Real(0.21);
+constexpr Real kMostJointCycles = Real(0.25);
 
 /// Of a contact that pushes: a row is needed once the bodies are near enough to touch within the
 /// step. Those that bounce must not be braked before they touch, or they would lose the speed they
@@ -266,9 +270,8 @@ void SoftStep::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joint
                          const Step& step) {
     const auto& [settings, tolerances, dt, crew] = step;
     const Real whole = dt / static_cast<Real>(settings.substeps);
-    const auto hertzOf = [](Real hertz, Real h) { return std::min(hertz, Real(0.25) / h); };
-    const int parts =
-        refinement(bodies, contactSet, hertzOf(settings.contactHertz, whole), tolerances);
+    const int parts = refinement(bodies, contactSet,
+                                 std::min(settings.contactHertz, kMostCycles / whole), tolerances);
     const Real h = whole / static_cast<Real>(parts);
     blocks_.refine(parts, contactSet.contacts(), bodies);
     collect(bodies, contactSet, joints, step);
@@ -282,13 +285,13 @@ void SoftStep::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joint
     const bool some = settling_ > 0 && !settlesAll_;
     const Real settleBelow = some ? -kDeep * tolerances.slop : std::numeric_limits<Real>::max();
     const std::size_t settled = some ? blocks_.listDeeper(settleBelow, deep_) : blocks_.size();
-    const Real hertz = hertzOf(settings.contactHertz * static_cast<Real>(parts), h);
+    const Real hertz = std::min(settings.contactHertz * static_cast<Real>(parts), kMostCycles / h);
     const ContactPassArguments pass =
         blocks_.pass(bodies, {Softness::from(hertz, settings.contactDamping, h),
                               Softness::from(2 * hertz, settings.contactDamping, h), 1 / h,
                               settings.has(Feature::Friction), 1, settleBelow});
-    JointPass jointPass{h,
-                        Softness::from(hertzOf(settings.jointHertz, h), settings.jointDamping, h)};
+    const Real jointHertz = std::min(settings.jointHertz, kMostJointCycles / h);
+    JointPass jointPass{h, Softness::from(jointHertz, settings.jointDamping, h)};
     joints.beginStep();
     joints.scaleImpulses(1 / static_cast<Real>(parts));
     findJointed(joints);

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/contacts/contact_update.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace kodo {
+namespace {
+
+constexpr Tolerances kScale = Tolerances::forUnit(1);
+
+/// A box on another, and their contact.
+class Boxes {
+public:
+    explicit Boxes(Real width = 1, Real height = 1) {
+        const BodyDef def{.shape = Box{width, height}};
+        const auto form = makeForm(partsOf(def));
+        addBody(bodies_, def, form);
+        addBody(bodies_, def, form);
+        place({0, height}, 0);
+        contact.key = {0, 0, 1, 0};
+        findContact(contact, bodies_, kScale);
+        contact.carried = true;
+    }
+
+    /// Puts the upper one elsewhere, and finds the contact there.
+    void findAt(Vec2 position, Real turn) {
+        place(position, turn);
+        findContact(contact, bodies_, kScale);
+    }
+    /// A step that takes the upper one so far. Is the manifold kept?
+    bool keepsAfter(Vec2 move, Real turn = 0) {
+        Motion& motion = bodies_.motion[1];
+        motion.move = move;
+        motion.turn = turn;
+        angle_ += turn;
+        place(bodies_.pose[1].position + move, angle_);
+        return followContact(contact, bodies_, kScale, false);
+    }
+
+    Contact contact;
+
+private:
+    void place(Vec2 position, Real turn) {
+        angle_ = turn;
+        bodies_.pose[1] = {position, Rot::fromAngle(turn)};
+    }
+
+    Bodies bodies_;
+    Real angle_ = 0;
+};
+
+// Whether they slide or turn.
+TEST(ContactUpdate, FindsAManifoldAnewOnceBodiesHaveGoneEightSlops) {
+    Boxes slides;
+    int steps = 0;
+    while (slides.keepsAfter({kScale.slop, 0})) {
+        ASSERT_LT(++steps, 10);
+    }
+    EXPECT_GE(steps, 7);
+
+    Boxes turns;
+    const Real swing = std::sqrt(Real(0.5)); // m, to a corner
+    steps = 0;
+    while (turns.keepsAfter({}, kScale.slop / swing)) {
+        ASSERT_LT(++steps, 10);
+    }
+    EXPECT_GE(steps, 7);
+}
+
+// Of two faces that lie on each other it is the one or the other that carries the contact, and of
+// two points now the one is deeper and now the other.
+TEST(ContactUpdate, ImpulsesStayWhereTheyAreWhenTheOtherFaceCarriesThem) {
+    for (const Real width : {Real(1), Real(0.2), Real(0.05), Real(0.03)}) {
+        SCOPED_TRACE(width);
+        constexpr Real kTurn = Real(0.004); // rad
+        Boxes boxes(width);
+        boxes.findAt({0, Real(0.998)}, kTurn);
+        ASSERT_EQ(boxes.contact.manifold.count, 2);
+        for (std::size_t i = 0; i < 2; ++i) {
+            ManifoldPoint& point = boxes.contact.manifold.points[i];
+            boxes.contact.impulse[i].normal = point.armA.x < 0 ? 3 : 4;
+            point.feature ^= 0xffff; // as if the other face had carried it
+        }
+        boxes.findAt({0, Real(0.998)}, -kTurn);
+        ASSERT_EQ(boxes.contact.manifold.count, 2);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const bool left = boxes.contact.manifold.points[i].armA.x < 0;
+            EXPECT_EQ(boxes.contact.impulse[i].normal, left ? 3 : 4);
+        }
+    }
+}
+
+// A box that rocks from its one corner to the other begins there with nothing, however small it is.
+TEST(ContactUpdate, ImpulsesDoNotGoToTheOtherCorner) {
+    for (const Real size : {Real(1), Real(0.1), Real(0.05)}) {
+        SCOPED_TRACE(size);
+        constexpr Real kTurn = Real(0.1);        // rad
+        const Real height = Real(1.0475) * size; // m, of a box that stands on a corner, nearly
+        Boxes boxes(size, size);
+        boxes.findAt({0, height}, kTurn);
+        ASSERT_GE(boxes.contact.manifold.count, 1);
+        const bool right = boxes.contact.manifold.points[0].armA.x > 0;
+        boxes.contact.impulse[0].normal = 3;
+        boxes.contact.impulse[1].normal = 0;
+        boxes.findAt({0, height}, -kTurn);
+        ASSERT_GE(boxes.contact.manifold.count, 1);
+        EXPECT_NE(boxes.contact.manifold.points[0].armA.x > 0, right);
+        EXPECT_EQ(boxes.contact.impulse[0].normal, 0);
+    }
+}
+
+// One is known by its features, the other by its place; and of one point that becomes two, the one
+// that is near goes on.
+TEST(ContactUpdate, ImpulsesGoByFeaturesFirstAndThenByPlace) {
+    Boxes boxes;
+    boxes.findAt({0, Real(0.998)}, 0);
+    ASSERT_EQ(boxes.contact.manifold.count, 2);
+    const Manifold before = boxes.contact.manifold;
+    boxes.contact.impulse[0].normal = 3;
+    boxes.contact.impulse[1].normal = 4;
+    boxes.contact.manifold.points[0].feature ^= 0xffff;
+    boxes.findAt({0, Real(0.998)}, 0);
+    EXPECT_EQ(boxes.contact.impulse[0].normal, 3);
+    EXPECT_EQ(boxes.contact.impulse[1].normal, 4);
+
+    boxes.contact.manifold = before;
+    boxes.contact.manifold.points[0] = before.points[1];
+    boxes.contact.manifold.points[0].feature ^= 0xffff;
+    boxes.contact.manifold.count = 1;
+    boxes.contact.impulse[0].normal = 5;
+    boxes.findAt({0, Real(0.998)}, 0);
+    EXPECT_EQ(boxes.contact.impulse[0].normal, 0);
+    EXPECT_EQ(boxes.contact.impulse[1].normal, 5);
+}
+
+// Both old points are within reach: it is the nearer one.
+TEST(ContactUpdate, ImpulsesGoToTheNearestPlace) {
+    Boxes boxes;
+    boxes.findAt({0, Real(0.998)}, 0);
+    ASSERT_EQ(boxes.contact.manifold.count, 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        ManifoldPoint& point = boxes.contact.manifold.points[i];
+        point = boxes.contact.manifold.points[0];
+        point.feature = static_cast<std::uint32_t>(0xffff0 + i);
+        boxes.contact.impulse[i].normal = static_cast<Real>(3 + i);
+    }
+    boxes.contact.manifold.points[0].armA.x += 4 * kScale.slop;
+    boxes.contact.manifold.points[0].armB.x += 4 * kScale.slop;
+    boxes.findAt({0, Real(0.998)}, 0);
+    EXPECT_EQ(boxes.contact.impulse[0].normal, 4);
+    EXPECT_EQ(boxes.contact.impulse[1].normal, 0);
+}
+
+// Past another's corner the normal turns, and what held the one way does not hold the other.
+TEST(ContactUpdate, ImpulsesDoNotTurnWithTheNormal) {
+    Boxes boxes;
+    boxes.findAt({Real(0.98), Real(0.99)}, 0);
+    ASSERT_EQ(boxes.contact.manifold.count, 2);
+    ASSERT_NEAR(boxes.contact.manifold.normal.y, 1, 1e-3);
+    boxes.contact.impulse[0].normal = 3;
+    boxes.contact.impulse[1].normal = 4;
+    for (ManifoldPoint& point : boxes.contact.manifold.points) {
+        point.feature ^= 0xffff;
+    }
+    boxes.findAt({Real(0.99), Real(0.98)}, 0);
+    ASSERT_NEAR(boxes.contact.manifold.normal.x, 1, 1e-3);
+    for (const PointImpulse& impulse : boxes.contact.impulse) {
+        EXPECT_EQ(impulse.normal, 0);
+    }
+}
+
+// Nor in a deep overlap, where other features may mean that another way out is the shortest by now.
+TEST(ContactUpdate, ImpulsesOfADeepOverlapGoByFeaturesAlone) {
+    Boxes boxes;
+    boxes.findAt({0, Real(0.9)}, 0);
+    ASSERT_EQ(boxes.contact.manifold.count, 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        boxes.contact.impulse[i].normal = 3;
+    }
+    boxes.contact.manifold.points[0].feature ^= 0xffff;
+    const std::uint32_t known = boxes.contact.manifold.points[1].feature;
+    boxes.findAt({0, Real(0.9)}, 0);
+    ASSERT_EQ(boxes.contact.manifold.count, 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const bool isKnown = boxes.contact.manifold.points[i].feature == known;
+        EXPECT_EQ(boxes.contact.impulse[i].normal, isKnown ? 3 : 0);
+    }
+}
+
+} // namespace
+} // namespace kodo
