@@ -141,6 +141,17 @@ TEST(Grid, TestsAsManyForEachInALargeSceneAsInASmallOne) {
     EXPECT_LE(gridTests(square(100)), 9u * 10000u);
 }
 
+// What is a little larger than most shares their cells, and its neighbours are looked for no
+// farther than it reaches: 3.6 x 3.6 cells in the mean, with one each.
+TEST(Grid, ThoseThatAreLargerThanMostCostLittle) {
+    std::vector<Octagon> bounds = square(100);
+    for (std::size_t i = 0; i < bounds.size(); i += 5) {
+        const auto [x, y] = bounds[i].box().lower;
+        bounds[i] = boxAt(x, y, Real(1.5), Real(1.5));
+    }
+    EXPECT_LE(gridTests(bounds), 16u * bounds.size());
+}
+
 // One body that left for a million metres must not spread the cells so wide that all the others
 // share one.
 TEST(Grid, AnEscapedBodyCostsNothing) {

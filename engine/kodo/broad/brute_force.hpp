@@ -30,10 +30,12 @@ public:
         }
         for (const std::uint32_t m : moved.list) {
             packed_.hide(m); // or each would meet itself, and most meet nobody else
-            packed_.forEachOverlap(
-                bounds[m].box(), 0, count,
-                [&](std::uint32_t i) { return meets(m, i, bounds, moved); },
-                [&](std::uint32_t i) { addPair(m, i, accept, out); });
+            PackedBounds::Hits hits;
+            for (std::uint32_t next = 0; next < count;) {
+                next = packed_.find(bounds[m].box(), next, count, hits);
+                hits.meetAll([&](std::uint32_t i) { return meets(m, i, bounds, moved); },
+                             [&](std::uint32_t i) { addPair(m, i, accept, out); });
+            }
             packed_.set(m, bounds[m].box());
         }
     }

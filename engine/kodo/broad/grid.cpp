@@ -3,14 +3,18 @@
 #include <kodo/broad/grid.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
 constexpr std::uint32_t kCellInterval = 64; // calls between two looks at the sizes
 constexpr Real kLevelStep = 4;              // each level's cells are so many times wider
+constexpr Real kWidest = 2;                 // what is wider than so many cells is not in the level
 constexpr std::size_t kLevels = 16;         // at most: those that nothing is in are dropped
 constexpr std::size_t kFiledAPiece = 512;
+// Reaches are lengthened by it, or a rounding could hide what just touches.
+constexpr Real kRounded = 1 + 4 * std::numeric_limits<Real>::epsilon();
 constexpr Real kCellsPerBounds = 4; // at most, so that clearing them costs little
 
 Real sizeOf(const Octagon& bounds) {
@@ -31,7 +35,7 @@ void Grid::reserve(std::size_t bounds) {
     sizes_.reserve(bounds);
 }
 
-/// The lowest level takes three quarters of the bounds.
+/// Three quarters of the bounds are no larger than a cell of the lowest level.
 void Grid::chooseCell(std::span<const Octagon> bounds) {
     sizes_.clear();
     for (const Octagon& each : bounds) {
@@ -48,13 +52,14 @@ void Grid::findLevels(std::span<const Octagon> bounds, std::size_t first, std::s
     for (std::size_t i = first; i < last; ++i) {
         const Real size = sizeOf(bounds[i]);
         std::uint8_t at = 0;
-        while (at + 1u < kLevels && size > levels[at].cell) {
+        while (at + 1u < kLevels && size > kWidest * levels[at].cell) {
             ++at;
         }
         Level& level = levels[at];
-        level.cell = std::max(level.cell, size); // the last level takes larger ones, too
-        const Vec2 center = bounds[i].box().center();
+        const Aabb box = bounds[i].box();
+        const Vec2 center = box.center();
         level.centers = unite(level.centers, {center, center});
+        level.reach = unite(level.reach, {box.lower - center, box.upper - center});
         ++level.count;
         levelOf_[i] = at;
     }
@@ -74,9 +79,9 @@ void Grid::assignLevels(std::span<const Octagon> bounds, Crew& crew) {
                         });
     for (std::size_t i = 0; i < levelsOfPieces_.size(); ++i) {
         Level& level = levels_[i % kLevels];
-        level.cell = std::max(level.cell, levelsOfPieces_[i].cell);
         level.count += levelsOfPieces_[i].count;
         level.centers = unite(level.centers, levelsOfPieces_[i].centers);
+        level.reach = unite(level.reach, levelsOfPieces_[i].reach);
     }
 }
 
@@ -127,6 +132,7 @@ void Grid::build(std::span<const Octagon> bounds, Crew& crew) {
     for (Level& level : levels_) {
         if (level.count > 0) {
             chooseWindow(level, bounds);
+            level.reach = {kRounded * level.reach.lower, kRounded * level.reach.upper};
             level.begin = static_cast<std::uint32_t>(cells);
             cells += static_cast<std::size_t>(level.columns) * static_cast<std::size_t>(level.rows);
         }

@@ -11,10 +11,10 @@
 
 namespace kodo::inline KODO_PRECISION {
 
-/// Sorts bounds into square cells by their centres. A level of cells holds bounds up to the size of
-/// a cell; larger ones go to a level of larger cells. Whoever looks for what overlaps a box looks
-/// into the cells that it reaches, grown by half a cell, row by row, where they lie side by side in
-/// memory.
+/// Sorts bounds into square cells by their centres. A level of cells holds bounds up to twice the
+/// size of a cell; larger ones go to a level of larger cells. Whoever looks for what overlaps a box
+/// looks into the cells that it reaches, grown to each side by as far as bounds of that level reach
+/// from their centres, row by row, where they lie side by side in memory.
 ///
 /// The cells cover where most of the bounds are. What lies outside counts to the cells at the edge,
 /// so an escaped body costs nothing but the time of that cell.
@@ -65,10 +65,11 @@ private:
         std::size_t tests = 0;
     };
     struct Level {
-        Real cell = 0; // m; no bounds in it are larger
+        Real cell = 0; // m
         Real perCell = 0;
         std::uint32_t count = 0; // of its bounds
         Aabb centers = kEmpty;   // all of them are in here
+        Aabb reach{};            // m; holds each of them, as seen from its own centre
         Vec2 origin{};           // m, lower left corner of the cells
         std::int32_t columns = 0;
         std::int32_t rows = 0;
@@ -93,27 +94,44 @@ private:
         const Aabb box = bounds[m].box();
         const auto isMet = [&](std::uint32_t i) { return meets(m, index_[i], bounds, moved); };
         const auto meet = [&](std::uint32_t i) { addPair(m, index_[i], accept, found); };
+        PackedBounds::Hits hits;
         for (const Level& level : levels_) {
-            forEachNear(level, box, isMet, meet, looked);
+            lookInto(level, box, isMet, meet, hits, looked);
+        }
+        hits.meetAll(isMet, meet);
+    }
+
+    /// Adds what overlaps a box to the hits, and asks for them whenever they are full.
+    template <typename IsMet, typename Meet>
+    void lookInto(const Level& level, const Aabb& box, IsMet isMet, Meet meet,
+                  PackedBounds::Hits& hits, Looked& looked) const {
+        const Range near = cellsNear(level, box);
+        looked.rows += static_cast<std::size_t>(near.top - near.bottom + 1);
+        for (std::int32_t row = near.bottom; row <= near.top; ++row) {
+            const std::uint32_t* const starts =
+                starts_.data() + level.begin + static_cast<std::ptrdiff_t>(row) * level.columns;
+            const std::uint32_t end = starts[near.right + 1];
+            looked.tests += end - starts[near.left];
+            for (std::uint32_t next = starts[near.left]; next < end;) {
+                next = packed_.find(box, next, end, hits);
+                if (hits.isFull()) {
+                    hits.meetAll(isMet, meet);
+                }
+            }
         }
     }
 
-    template <typename IsMet, typename Meet>
-    void forEachNear(const Level& level, const Aabb& box, IsMet isMet, Meet meet,
-                     Looked& looked) const {
-        const Real half = level.cell / 2;
-        const std::int32_t left = columnOf(level, box.lower.x - half);
-        const std::int32_t right = columnOf(level, box.upper.x + half);
-        const std::int32_t bottom = rowOf(level, box.lower.y - half);
-        const std::int32_t top = rowOf(level, box.upper.y + half);
-        looked.rows += static_cast<std::size_t>(top - bottom + 1);
-        for (std::int32_t row = bottom; row <= top; ++row) {
-            const std::uint32_t* const starts =
-                starts_.data() + level.begin + static_cast<std::ptrdiff_t>(row) * level.columns;
-            const std::uint32_t end = starts[right + 1];
-            looked.tests += end - starts[left];
-            packed_.forEachOverlap(box, starts[left], end, isMet, meet);
-        }
+    struct Range {
+        std::int32_t left;
+        std::int32_t right;
+        std::int32_t bottom;
+        std::int32_t top;
+    };
+    /// Of a level: in which the centres may be of what overlaps a box.
+    Range cellsNear(const Level& level, const Aabb& box) const {
+        const auto& [lower, upper] = level.reach;
+        return {columnOf(level, box.lower.x - upper.x), columnOf(level, box.upper.x - lower.x),
+                rowOf(level, box.lower.y - upper.y), rowOf(level, box.upper.y - lower.y)};
     }
 
     void build(std::span<const Octagon> bounds, Crew& crew);

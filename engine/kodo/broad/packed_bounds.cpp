@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/base/assert.hpp>
 #include <kodo/broad/packed_bounds.hpp>
 #include <kodo/math/lanes.hpp>
 
@@ -8,8 +9,6 @@
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
-
-constexpr std::uint32_t kGroup = 16; // bounds that are compared before anybody looks who was hit
 
 using Word = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
 
@@ -27,14 +26,15 @@ void PackedBounds::resize(std::size_t count) {
     }
 }
 
-std::size_t PackedBounds::find(const Aabb& box, std::uint32_t first, std::uint32_t last,
-                               Hits& hits) const {
+std::uint32_t PackedBounds::find(const Aabb& box, std::uint32_t first, std::uint32_t last,
+                                 Hits& hits) const {
     const Lanes left = all(box.lower.x);
     const Lanes bottom = all(box.lower.y);
     const Lanes right = all(box.upper.x);
     const Lanes top = all(box.upper.y);
-    std::size_t count = 0;
-    for (; first < last; first += kGroup) {
+    KODO_ASSERT(!hits.isFull()); // or it would get nowhere
+    std::size_t count = hits.count_;
+    for (; first < last && count <= Hits::kFull; first += kGroup) {
         std::array<Word, kGroup> overlaps; // -1: yes
         std::uint64_t any = 0;
         for (std::uint32_t i = 0; i < kGroup; i += kLanes) {
@@ -53,11 +53,12 @@ std::size_t PackedBounds::find(const Aabb& box, std::uint32_t first, std::uint32
         }
         const std::uint32_t end = std::min(kGroup, last - first);
         for (std::uint32_t i = 0; i < end; ++i) {
-            hits[count] = first + i;
+            hits.places_[count] = first + i;
             count -= static_cast<std::size_t>(overlaps[i]);
         }
     }
-    return count;
+    hits.count_ = count;
+    return std::min(first, last);
 }
 
 } // namespace kodo::inline KODO_PRECISION

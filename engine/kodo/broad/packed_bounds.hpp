@@ -15,6 +15,9 @@ namespace kodo::inline KODO_PRECISION {
 /// Bounds in four columns, so that a box is compared with several of them at once and without a
 /// branch: whether two bounds overlap is hardly ever foreseen by the processor.
 class PackedBounds {
+    /// So many are compared before anybody looks who was hit.
+    static constexpr std::uint32_t kGroup = 16;
+
 public:
     void reserve(std::size_t count);
     void resize(std::size_t count);
@@ -30,32 +33,38 @@ public:
         set(i, {{kInfinity, kInfinity}, {-kInfinity, -kInfinity}});
     }
 
-    /// Calls meet(i) for all places from `first` on, before `last`, whose bounds overlap the box
-    /// and for which isMet(i) is true.
-    template <typename IsMet, typename Meet>
-    void forEachOverlap(const Aabb& box, std::uint32_t first, std::uint32_t last, IsMet isMet,
-                        Meet meet) const {
-        for (; first < last; first += kMostHits) {
-            Hits hits;
-            const std::size_t found = find(box, first, std::min(last, first + kMostHits), hits);
-            std::size_t count = 0;
-            for (std::size_t k = 0; k < found; ++k) {
-                hits[count] = hits[k];
-                count += isMet(hits[k]) ? 1 : 0;
+    /// Places of bounds that were found to overlap a box, until somebody asks for them.
+    class Hits {
+    public:
+        bool isFull() const { return count_ > kFull; }
+        /// Calls meet(i) for those for which isMet(i) is true, and forgets them all.
+        template <typename IsMet, typename Meet>
+        void meetAll(IsMet isMet, Meet meet) {
+            std::size_t met = 0;
+            for (std::size_t k = 0; k < count_; ++k) {
+                const std::uint32_t place = places_[k];
+                places_[met] = place;
+                met += isMet(place) ? 1 : 0;
             }
-            for (std::size_t k = 0; k < count; ++k) {
-                meet(hits[k]);
+            count_ = 0;
+            for (std::size_t k = 0; k < met; ++k) {
+                meet(places_[k]);
             }
         }
-    }
+
+    private:
+        friend class PackedBounds;
+        static constexpr std::size_t kFull = 64; // with more than that, nothing is added
+
+        std::size_t count_ = 0;
+        std::array<std::uint32_t, kFull + kGroup> places_; // those of a group may come on top
+    };
+
+    /// Adds the places from `first` on, before `last`, whose bounds overlap the box, until all are
+    /// looked at or the hits, which are not full before, are. Gives where it stopped.
+    std::uint32_t find(const Aabb& box, std::uint32_t first, std::uint32_t last, Hits& hits) const;
 
 private:
-    static constexpr std::uint32_t kMostHits = 64;
-    using Hits = std::array<std::uint32_t, kMostHits>;
-
-    /// Writes the places of those that overlap the box, and tells how many.
-    std::size_t find(const Aabb& box, std::uint32_t first, std::uint32_t last, Hits& hits) const;
-
     // Each with some more behind the last, which may be read.
     std::vector<Real> lowerX_;
     std::vector<Real> lowerY_;
