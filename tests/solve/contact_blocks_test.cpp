@@ -242,7 +242,7 @@ TEST(ContactBlocks, StaySoundAsContactsComeAndGo) {
         }
         const auto body = static_cast<std::uint32_t>(random.below(some.bodies.size()));
         some.bodies.filter[body].flags ^= kLocked;
-        refreshMass(some.bodies, body);
+        refreshBuild(some.bodies, body);
         std::vector<std::uint8_t> colours;
         for (Contact& contact : some.contacts) {
             const bool same = contact.key.bodyA != body && contact.key.bodyB != body;

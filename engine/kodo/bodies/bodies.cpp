@@ -17,6 +17,7 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const Form> f
         bodies.hasJumped.emplace_back();
         bodies.filter.emplace_back();
         bodies.record.emplace_back();
+        bodies.parts.emplace_back();
         bodies.rest.emplace_back();
     }
     Motion motion;
@@ -26,7 +27,6 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const Form> f
     const Rot rotation = normalize(def.rotation);
     bodies.pose[slot.index] = {def.position + rotation * form->mass.center, rotation};
     bodies.acceleration[slot.index] = {};
-    bodies.extent[slot.index] = {form->swing, form->inside};
     bodies.thinnest = std::min(bodies.thinnest, form->inside);
     BodyRecord record;
     record.form = std::move(form);
@@ -36,7 +36,7 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const Form> f
     bodies.rest[slot.index] = {};
     bodies.rest[slot.index].since = bodies.pose[slot.index];
     bodies.awakeStale = true;
-    refreshMass(bodies, slot.index);
+    refreshBuild(bodies, slot.index);
     return {slot.index, slot.generation};
 }
 
@@ -47,6 +47,7 @@ void removeBody(Bodies& bodies, std::uint32_t index) {
     bodies.acceleration[index] = {};
     bodies.filter[index] = {};
     bodies.record[index] = {};
+    bodies.parts[index] = nullptr;
     bodies.rest[index] = {};
     bodies.awakeStale = true;
 }
@@ -136,11 +137,10 @@ void setForm(Bodies& bodies, std::uint32_t index, std::shared_ptr<const Form> fo
     const Vec2 origin = bodies.originOf(index);
     Transform& pose = bodies.pose[index];
     pose.position = origin + pose.rotation * form->mass.center;
-    bodies.extent[index] = {form->swing, form->inside};
     bodies.thinnest = std::min(bodies.thinnest, form->inside);
     bodies.record[index].form = std::move(form);
     bodies.jumped(index);
-    refreshMass(bodies, index);
+    refreshBuild(bodies, index);
 }
 
 void weldBodies(Bodies& bodies, std::uint32_t into, std::uint32_t part) {
@@ -176,8 +176,11 @@ void weldBodies(Bodies& bodies, std::uint32_t into, std::uint32_t part) {
     }
 }
 
-void refreshMass(Bodies& bodies, std::uint32_t index) {
-    const Mass& mass = bodies.form(index).mass;
+void refreshBuild(Bodies& bodies, std::uint32_t index) {
+    const Form& form = bodies.form(index);
+    bodies.extent[index] = {form.swing, form.inside};
+    bodies.parts[index] = form.parts.data();
+    const Mass& mass = form.mass;
     const Flags flags = bodies.filter[index].flags;
     bodies.motion[index].invMass = (flags & (kLockMove | kFrozen)) != 0 ? 0 : 1 / mass.mass;
     // Nothing can turn a particle: it has no inertia, but no arm either.
@@ -193,7 +196,7 @@ void setTurns(Bodies& bodies, bool turns) {
         if (!bodies.ids.aliveAt(index)) {
             continue;
         }
-        refreshMass(bodies, index);
+        refreshBuild(bodies, index);
         bodies.jumped(index);
         if (!turns && (bodies.filter[index].flags & kLockRotate) == 0) {
             bodies.motion[index].angularVelocity = 0;

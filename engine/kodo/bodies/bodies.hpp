@@ -114,13 +114,13 @@ struct Bodies {
     std::vector<Transform> pose;                         // of the centre of mass
     std::vector<Acceleration> acceleration;
     std::vector<Extent> extent = std::vector<Extent>(1); // likewise with a spare one
-    /// How often each was put elsewhere or built anew: see jumped().
-    std::vector<std::uint32_t> jumps;
+    std::vector<std::uint32_t> jumps; // how often each was put elsewhere or built anew: jumped()
     /// Since the last step began; or a contact came back that was away while it did.
     std::vector<std::uint8_t> hasJumped;
     std::vector<Vec2> start; // m, of the centre of mass: where each was when the last step began
     std::vector<CollisionFilter> filter; // apart, since who looks for pairs asks all over the World
     std::vector<BodyRecord> record;
+    std::vector<const Part*> parts; // of the form of each, which is farther away
     std::vector<RestState> rest;
     std::vector<std::uint32_t> forced; // bodies with a force, some perhaps twice
     /// What a step works on, in order: all that can be pushed and does not rest, and of the locked
@@ -146,7 +146,7 @@ struct Bodies {
 
     const Form& form(std::size_t index) const { return *record[index].form; }
     const Convex& outline(std::size_t index, std::size_t part) const {
-        return form(index).parts[part].convex;
+        return parts[index][part].convex;
     }
     bool locked(std::size_t index) const { return motion[index].locked(); }
     /// Is it locked, and does it move? Nothing stops it, then.
@@ -226,8 +226,8 @@ inline bool refreshAwake(Bodies& bodies) {
 /// A step begins where the bodies are.
 void noteStart(Bodies& bodies);
 
-/// Reciprocals of mass and inertia after a change of form or lock flags.
-void refreshMass(Bodies& bodies, std::uint32_t index);
+/// After a change of form or lock flags: what is told by these, and is at hand for loops over many.
+void refreshBuild(Bodies& bodies, std::uint32_t index);
 
 /// Lets bodies turn, or makes all act as if they had kLockRotate and forget their spin.
 void setTurns(Bodies& bodies, bool turns);

@@ -224,7 +224,7 @@ void describeContact(Contact& contact, const Bodies& bodies) {
     contact.b = bodies.idAt(bodyB);
     contact.sensor = ((bodies.filter[bodyA].flags | bodies.filter[bodyB].flags) & kSensor) != 0;
     contact.material =
-        mix(bodies.form(bodyA).parts[partA].material, bodies.form(bodyB).parts[partB].material);
+        mix(bodies.parts[bodyA][partA].material, bodies.parts[bodyB][partB].material);
     contact.bounces = contact.material.restitution > 0;
 }
 

@@ -74,8 +74,8 @@ void Seams::hide(const Bodies& bodies, std::span<Contact> contacts, std::span<Co
                 const bool sameWay =
                     other.manifold.count > 0 && dot(ground.normal, carrying.normal) > Real(0.99999);
                 if (k != i && !sameWay && ground.carried == carrying.carried &&
-                    liesUnder(bodies.form(ground.body).parts[ground.part].convex,
-                              bodies.pose[ground.body], carrying.normal, point, tolerances.slop)) {
+                    liesUnder(bodies.outline(ground.body, ground.part), bodies.pose[ground.body],
+                              carrying.normal, point, tolerances.slop)) {
                     other.hidden = true;
                     heads[k].idle = false;
                     heads[k].kept = false;

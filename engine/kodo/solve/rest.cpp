@@ -236,8 +236,8 @@ void RestStage::countSupports(const Bodies& bodies, const ContactSet& contacts,
     for (const Contact& contact : contacts.contacts()) {
         const ContactKey& key = contact.key;
         if (contact.touching && !contact.sensor) {
-            const bool round = bodies.form(key.bodyA).parts[key.partA].convex.isRound() ||
-                               bodies.form(key.bodyB).parts[key.partB].convex.isRound();
+            const bool round = bodies.outline(key.bodyA, key.partA).isRound() ||
+                               bodies.outline(key.bodyB, key.partB).isRound();
             const auto points = static_cast<std::uint32_t>(round ? 2 : contact.manifold.count);
             supports_[key.bodyA] += points;
             supports_[key.bodyB] += points;

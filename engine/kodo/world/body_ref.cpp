@@ -93,7 +93,7 @@ void BodyRef::thaw() {
     Flags& flags = world_->bodies_.filter[index()].flags;
     if ((flags & kFrozen) != 0) {
         flags &= ~kFrozen;
-        refreshMass(world_->bodies_, index());
+        refreshBuild(world_->bodies_, index());
         changed();
     }
 }
@@ -215,7 +215,7 @@ void BodyRef::setFlags(Flags flags) {
     changed();
     Flags& own = world_->bodies_.filter[index()].flags;
     own = (flags & ~kStatusFlags) | (own & kStatusFlags);
-    refreshMass(world_->bodies_, index());
+    refreshBuild(world_->bodies_, index());
 }
 
 void BodyRef::setRequired(std::uint16_t required) {

@@ -123,9 +123,9 @@ void SnapshotFields::one(IdPool& pool) {
 }
 
 void SnapshotFields::one(Bodies& bodies) {
-    auto& [ids, motion, pose, acceleration, extent, jumps, hasJumped, start, filter, record, rest,
-           forced, awake, thinnest, loads, awakeStale, anyRests, turns, startStale, pushesStale,
-           anyJumped] = bodies;
+    auto& [ids, motion, pose, acceleration, extent, jumps, hasJumped, start, filter, record, parts,
+           rest, forced, awake, thinnest, loads, awakeStale, anyRests, turns, startStale,
+           pushesStale, anyJumped] = bodies;
     one(ids);
     if (reads()) {
         const std::size_t count = ids.capacity();
@@ -137,6 +137,7 @@ void SnapshotFields::one(Bodies& bodies) {
         hasJumped.resize(count);
         filter.resize(count);
         record.resize(count);
+        parts.resize(count);
         rest.resize(count);
     }
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
@@ -170,8 +171,7 @@ void SnapshotFields::checkThinnest(const Bodies& bodies) {
 void SnapshotFields::completeBody(Bodies& bodies, std::uint32_t body) {
     const BodyRecord& record = bodies.record[body];
     require(record.form != nullptr, "a body has no form");
-    const Form& form = *record.form;
-    for (const Part& part : form.parts) {
+    for (const Part& part : record.form->parts) {
         require(checkLock(part.primitive, bodies.filter[body].flags));
     }
     const Transform& pose = bodies.pose[body];
@@ -180,11 +180,10 @@ void SnapshotFields::completeBody(Bodies& bodies, std::uint32_t body) {
                 bounded(motion.move) && bounded(motion.turn),
             "a body is out of all bounds");
     require(checkRotation("rotation", pose.rotation));
-    bodies.extent[body] = {form.swing, form.inside};
     if (record.force != Vec2{} || record.torque != 0) {
         bodies.forced.push_back(body);
     }
-    refreshMass(bodies, body);
+    refreshBuild(bodies, body);
 }
 
 void SnapshotFields::checkAwake(const Bodies& bodies) {
