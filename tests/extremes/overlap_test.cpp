@@ -72,6 +72,31 @@ TEST(Overlap, AFewBodiesOnOnePointPart) {
     }
 }
 
+// S4: How a heap parts changes by no bit, whatever parts far off.
+TEST(Overlap, WhatPartsDoesNotDependOnWhatPartsElsewhere) {
+    const auto heapBeside = [](int others) {
+        World world(support::wakeful());
+        support::addFloor(world);
+        std::vector<BodyId> own;
+        for (int i = 0; i < 5; ++i) {
+            own.push_back(world.add(support::boxDef({Real(0.2) * Real(i), Real(0.6)}, 1, 1)));
+        }
+        for (int i = 0; i < others; ++i) {
+            world.add(support::boxDef({100, 5}, 1, 1));
+        }
+        support::run(world, 120);
+        std::vector<Vec2> states;
+        for (const BodyId id : own) {
+            states.push_back(world[id].position());
+            states.push_back(world[id].velocity());
+        }
+        return states;
+    };
+    const std::vector<Vec2> alone = heapBeside(0);
+    EXPECT_EQ(heapBeside(30), alone);
+    EXPECT_EQ(heapBeside(100), alone);
+}
+
 // Circles on one point get directions by their numbers, so that they part to all sides, and not
 // along a line on which each would push the next.
 TEST(Overlap, CirclesOnOnePointPartToAllSides) {

@@ -1,120 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/solve/contact_block.hpp>
-#include <support/random_numbers.hpp>
-
 #include <gtest/gtest.h>
+#include <solve/random_blocks.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <vector>
 
 namespace kodo {
 namespace {
-
-constexpr int kContacts = ContactBlock::kContacts;
-constexpr std::size_t kBlocks = 40;
-constexpr Real kSettleBelow = Real(-0.01); // m; two of five contacts
-
-/// Blocks of contacts between bodies of their own, some without rolling, some with one point only,
-/// some apart, some deep, some between a body and one that cannot be pushed.
-struct Blocks {
-    std::vector<Motion> motion;
-    std::vector<Extent> extent;
-    std::vector<Carried> carried = std::vector<Carried>(kBlocks * kContacts);
-    std::vector<ContactBlock> blocks = std::vector<ContactBlock>(kBlocks);
-    std::vector<RollingBlock> rolling;
-    std::vector<BlockUse> use = std::vector<BlockUse>(kBlocks);
-    std::vector<std::uint32_t> order;
-
-    explicit Blocks(std::uint64_t seed) {
-        support::RandomNumbers random(seed);
-        for (std::size_t i = 0; i < kBlocks; ++i) {
-            order.push_back(static_cast<std::uint32_t>(i));
-            use[i].twoPoints = random.below(2) == 0;
-            use[i].onLocked = random.below(4) == 0;
-            use[i].movesA = use[i].onLocked ? 0 : 0xff;
-            use[i].movesB = 0xff;
-            if (random.below(3) == 0) {
-                use[i].rolling = static_cast<std::int32_t>(rolling.size());
-                rolling.emplace_back();
-            }
-            for (std::size_t lane = 0; lane < kContacts; ++lane) {
-                fill(random, i, lane);
-            }
-        }
-    }
-
-    std::uint32_t addBody(support::RandomNumbers& random, bool locked) {
-        Motion body;
-        body.velocity = random.point(5);
-        body.angularVelocity = random.between(-3, 3);
-        body.invMass = locked ? 0 : random.between(0.1, 4);
-        body.move = random.point(0.01);
-        body.turn = random.between(-0.01, 0.01);
-        body.invInertia = locked ? 0 : random.between(0.1, 9);
-        motion.push_back(body);
-        extent.push_back({random.between(0.1, 2), 0});
-        return static_cast<std::uint32_t>(motion.size() - 1);
-    }
-
-    void fill(support::RandomNumbers& random, std::size_t i, std::size_t lane) {
-        ContactBlock& block = blocks[i];
-        block.a[lane] = placeOfMotion(addBody(random, use[i].onLocked));
-        block.b[lane] = placeOfMotion(addBody(random, false));
-        const Rot normal = random.rotation();
-        block.normalX[lane] = normal.c;
-        block.normalY[lane] = normal.s;
-        for (std::size_t k = 0; k < (use[i].twoPoints ? 2u : 1u); ++k) {
-            ContactBlock::Point& point = block.points[k];
-            point.leverA[lane] = random.between(-0.5, 0.5);
-            point.leverB[lane] = random.between(-0.5, 0.5);
-            point.mass[lane] = random.between(0.1, 2);
-            point.separation[lane] = random.between(-0.03, 0.02);
-            point.impulse[lane] = random.below(3) == 0 ? 0 : random.between(0, 2);
-        }
-        block.tangentLeverA[lane] = random.between(-0.5, 0.5);
-        block.tangentLeverB[lane] = random.between(-0.5, 0.5);
-        block.tangentMass[lane] = random.between(0.1, 2);
-        block.friction[lane] = random.between(-1, 1);
-        block.staticFriction[lane] = random.between(0, 1);
-        block.kineticFriction[lane] = Real(0.8) * block.staticFriction[lane];
-        block.pushSpeed[lane] = 3;
-        if (use[i].rolling >= 0) {
-            RollingBlock& own = rolling[static_cast<std::size_t>(use[i].rolling)];
-            own.lever[lane] = random.between(0, 0.1);
-            own.mass[lane] = random.between(0.1, 2);
-            own.impulse[lane] = random.between(-0.1, 0.1);
-        }
-    }
-
-    ContactPassArguments pass() {
-        const Real h = Real(1) / 240;
-        return {
-            blocks.data(),
-            rolling.data(),
-            use.data(),
-            order.data(),
-            kBlocks,
-            motion.data(),
-            {Softness::from(60, 10, h), Softness::from(120, 10, h), 1 / h, true, 1, kSettleBelow}};
-    }
-
-    /// A whole substep, and another, and to the next step.
-    void run(const ContactPasses& passes) {
-        ContactPassArguments pass = this->pass();
-        for (int substep = 0; substep < 2; ++substep) {
-            pass.settings.kept = substep == 0 ? Real(0) : Real(1);
-            passes.warmStart(pass);
-            passes.solve(pass);
-            passes.settle(pass);
-            passes.relax(pass);
-        }
-        passes.carry({blocks.data(), carried.data(), use.data(), order.data(), kBlocks,
-                      motion.data(), extent.data()});
-    }
-};
 
 template <typename T>
 bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
@@ -128,8 +22,8 @@ TEST(ContactPasses, ForAllMachinesAndForAvx2GiveTheSameBits) {
     }
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE(seed);
-        Blocks wide(seed);
-        Blocks narrow(seed);
+        RandomBlocks wide(seed);
+        RandomBlocks narrow(seed);
         wide.run(*avx2);
         narrow.run(ContactPasses::baseline());
         EXPECT_TRUE(sameBits(wide.motion, narrow.motion));
@@ -142,7 +36,7 @@ TEST(ContactPasses, ForAllMachinesAndForAvx2GiveTheSameBits) {
 // Impulses act between two bodies, so whatever the passes do, no momentum is made: to the rounding
 // of some hundred operations on numbers of size 10.
 TEST(ContactPasses, KeepMomentum) {
-    Blocks blocks(7);
+    RandomBlocks blocks(7);
     const std::vector<Motion> before = blocks.motion;
     blocks.run(ContactPasses::best());
     constexpr double kRounding = sizeof(Real) == 4 ? 1e-4 : 1e-12;
@@ -165,7 +59,7 @@ TEST(ContactPasses, KeepMomentum) {
 
 // After the passes contacts only push, and friction stays within the static cone.
 TEST(ContactPasses, PushAndNeverPull) {
-    Blocks blocks(9);
+    RandomBlocks blocks(9);
     blocks.run(ContactPasses::best());
     for (const ContactBlock& block : blocks.blocks) {
         for (std::size_t lane = 0; lane < kContacts; ++lane) {
@@ -204,8 +98,8 @@ struct Alone {
 
 // The passes take the two scales of Softness for one. To the rounding of numbers of up to 50.
 TEST(ContactPasses, PushAsSoftnessSays) {
-    const Blocks before(13);
-    Blocks after(13);
+    const RandomBlocks before(13);
+    RandomBlocks after(13);
     const ContactPassArguments pass = after.pass();
     ContactPasses::best().solve(pass);
     constexpr double kRounding = sizeof(Real) == 4 ? 1e-4 : 1e-12;
@@ -239,7 +133,7 @@ TEST(ContactPasses, PushAsSoftnessSays) {
 // Friction that holds leaves no speed along the tangent, although it is found from the speeds of
 // before the push along the normal.
 TEST(ContactPasses, FrictionThatHoldsStopsAllSliding) {
-    Blocks blocks(15);
+    RandomBlocks blocks(15);
     for (ContactBlock& block : blocks.blocks) {
         for (std::size_t lane = 0; lane < kContacts; ++lane) {
             const Alone alone(blocks.motion, block, lane);
@@ -274,7 +168,7 @@ TEST(ContactPasses, FrictionThatHoldsStopsAllSliding) {
 
 // The first substep of a step begins the sums anew, whatever the last step left there.
 TEST(ContactPasses, SumUpFromTheFirstSubstepOn) {
-    Blocks blocks(19);
+    RandomBlocks blocks(19);
     for (ContactBlock& block : blocks.blocks) {
         for (std::size_t lane = 0; lane < kContacts; ++lane) {
             block.points[0].largest[lane] = block.points[1].largest[lane] = Real(1e6);
@@ -303,40 +197,6 @@ TEST(ContactPasses, SumUpFromTheFirstSubstepOn) {
                     << "block " << i << ", " << lane;
             }
         }
-    }
-}
-
-// A settling pass is for the contacts with less separation than it is told, in whatever lanes they
-// are: of the others it changes no bit, and of those as much as if it had been for all.
-TEST(ContactPasses, SettleThoseThatAreDeepAndNoOther) {
-    for (const ContactPasses* passes : {&ContactPasses::baseline(), &ContactPasses::best()}) {
-        SCOPED_TRACE(passes->name);
-        const Blocks before(11);
-        Blocks some(11);
-        Blocks all(11);
-        passes->settle(some.pass());
-        ContactPassArguments forAll = all.pass();
-        forAll.settings.settleBelow = std::numeric_limits<Real>::max();
-        passes->settle(forAll);
-        std::size_t deep = 0;
-        for (std::size_t i = 0; i < kBlocks; ++i) {
-            const ContactBlock& own = some.blocks[i];
-            for (std::size_t lane = 0; lane < kContacts; ++lane) {
-                const bool settles = own.points[0].separation[lane] < kSettleBelow;
-                deep += settles ? 1 : 0;
-                const Blocks& expected = settles ? all : before;
-                for (const std::uint32_t body :
-                     {bodyOfPlace(own.a[lane]), bodyOfPlace(own.b[lane])}) {
-                    EXPECT_EQ(some.motion[body].velocity, expected.motion[body].velocity);
-                    EXPECT_EQ(some.motion[body].angularVelocity,
-                              expected.motion[body].angularVelocity);
-                }
-                EXPECT_EQ(own.points[0].impulse[lane], expected.blocks[i].points[0].impulse[lane]);
-                EXPECT_EQ(own.points[1].impulse[lane], expected.blocks[i].points[1].impulse[lane]);
-            }
-        }
-        EXPECT_GT(deep, 0u);
-        EXPECT_LT(deep, kBlocks * kContacts);
     }
 }
 

@@ -74,8 +74,7 @@ struct PassSettings {
     Softness onLocked;
     Real invH;
     bool friction;
-    Real kept;        // 1, but 0 in the first substep: of what was summed up so far
-    Real settleBelow; // m; settling passes are for contacts with less separation than this
+    Real kept; // 1, but 0 in the first substep: of what was summed up so far
 };
 
 /// One pass over `count` blocks, in an order. `motion` is that of the bodies.
@@ -109,8 +108,8 @@ struct ContactPasses {
     const char* name; // for tests
     Pass warmStart;   // pushes with the impulses so far
     Pass solve;       // pushes overlaps apart like stiff springs
-    Pass settle;      // without that push, which takes its speed out again
-    Pass relax;       // the same, with friction, if wanted; sums up what was pushed
+    Pass settle;      // without that push, which takes its speed out again along the normal
+    Pass relax;       // likewise, with friction, if wanted; sums up what was pushed
     Carry carry;
 
     static const ContactPasses& baseline();

@@ -328,18 +328,4 @@ ContactPassArguments ContactBlocks::pass(Bodies& bodies, const PassSettings& set
             order_.size(),  bodies.motion.data(), settings};
 }
 
-std::size_t ContactBlocks::listDeeper(Real separation, std::vector<std::uint32_t>& list) const {
-    list.clear();
-    std::size_t rows = 0;
-    for (const std::uint32_t i : order_) {
-        const ContactBlock::Each& each = blocks_[i].points[0].separation; // the deepest comes first
-        if (*std::min_element(each, each + ContactBlock::kContacts) < separation) {
-            list.push_back(i);
-            rows += static_cast<std::size_t>(std::count_if(
-                each, each + ContactBlock::kContacts, [&](Real own) { return own < separation; }));
-        }
-    }
-    return rows;
-}
-
 } // namespace kodo::inline KODO_PRECISION

@@ -91,9 +91,6 @@ public:
     /// Grows by 1 with each begin(), and by more when the lanes are dealt out anew. If it has grown
     /// by 1, only the newcomers of arrange() have other lanes than before.
     std::uint64_t lanesState() const { return lanesState_; }
-    /// Lists the blocks that hold contacts with less separation (m) than that, in the order of the
-    /// pass. How many such contacts there are.
-    std::size_t listDeeper(Real separation, std::vector<std::uint32_t>& list) const;
 
     /// After the passes, for touched(): a point that is not farther apart than `slop` (m) touches.
     void noteTouching(Real slop, Crew& crew);

@@ -52,8 +52,8 @@ KODO_LANES_INLINE void spin(Pair& pair, const Moments& moments) {
 
 enum class Task {
     Push,   // pushes overlaps apart
-    Settle, // takes the speed of that out again
-    Relax,  // the same, with friction; the last of the substep, so it sums up
+    Settle, // takes the speed of that out again, along the normal alone
+    Relax,  // likewise, with friction and rolling resistance; the last, so it sums up
 };
 
 /// What all contacts of a block share.
@@ -67,18 +67,7 @@ struct Rules {
 struct Lot {
     int at;
     Lanes pushSpeed; // m/s at most, to part them
-    Lanes takesPart; // 1, or 0 where the pass leaves the contact alone
 };
-
-template <Task task>
-KODO_LANES_INLINE Lot lotOf(const ContactBlock& block, int at, const PassSettings& settings) {
-    Lot lot{at, load(block.pushSpeed + at), all(1)};
-    if constexpr (task == Task::Settle) {
-        const auto settled = load(block.points[0].separation + at) < all(settings.settleBelow);
-        lot.takesPart = settled ? lot.takesPart : Lanes{};
-    }
-    return lot;
-}
 
 /// How far one point of each contact is apart by now, and its levers. `moved` is the move of the
 /// centres against each other.
@@ -120,9 +109,6 @@ KODO_LANES_INLINE Lanes solvePoint(ContactBlock::Point& point, const Lot& lot, L
     } else {
         next = larger((impulse - mass * larger(close, Lanes{})) - mass * speed, Lanes{});
     }
-    if constexpr (task == Task::Settle) {
-        next = lot.takesPart > Lanes{} ? next : impulse;
-    }
     store(point.impulse + at, next);
     if constexpr (task == Task::Relax) {
         store(point.largest + at, larger(rules.settings.kept * load(point.largest + at), next));
@@ -153,24 +139,13 @@ KODO_LANES_INLINE Lanes solveFriction(ContactBlock& block, int at, const Pair& p
     return change;
 }
 
-KODO_LANES_INLINE void solveRolling(RollingBlock& block, int at, Pair& pair, Lanes pressed,
-                                    Lanes takesPart) {
+KODO_LANES_INLINE void solveRolling(RollingBlock& block, int at, Pair& pair, Lanes pressed) {
     const Lanes impulse = load(block.impulse + at);
     const Lanes limit = load(block.lever + at) * pressed;
     const Lanes wanted = impulse - load(block.mass + at) * (pair.b.z - pair.a.z);
-    const Lanes held = larger(smaller(wanted, limit), -limit);
-    const Lanes next = takesPart > Lanes{} ? held : impulse;
+    const Lanes next = larger(smaller(wanted, limit), -limit);
     store(block.impulse + at, next);
     spin(pair, {next - impulse, next - impulse});
-}
-
-/// By lane: is its contact one of those that the settling passes are for?
-KODO_LANES_INLINE std::uint8_t settledLanes(const ContactBlock& block, Real settleBelow) {
-    unsigned lanes = 0;
-    for (unsigned lane = 0; lane < ContactBlock::kContacts; ++lane) {
-        lanes |= (block.points[0].separation[lane] < settleBelow ? 1u : 0u) << lane;
-    }
-    return static_cast<std::uint8_t>(lanes);
 }
 
 /// Blocks are so large that most of them lie in a far cache, and come in no order that the machine
@@ -229,7 +204,7 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
     const Lanes dx = pair.b.x - pair.a.x;
     const Lanes dy = pair.b.y - pair.a.y;
     const Lanes along = nx * dx + ny * dy;
-    const Lot lot = lotOf<task>(block, at, settings);
+    const Lot lot{at, load(block.pushSpeed + at)};
     const auto speedAt = [&](const Gap& gap) {
         return along + (gap.leverB * pair.b.z - gap.leverA * pair.a.z);
     };
@@ -259,8 +234,8 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
     }
     push(pair, px, py);
     spin(pair, moments);
-    if (rolling != nullptr) {
-        solveRolling(*rolling, at, pair, sum, lot.takesPart);
+    if (task != Task::Settle && rolling != nullptr) {
+        solveRolling(*rolling, at, pair, sum);
     }
     if constexpr (task == Task::Relax) {
         store(block.total + at, settings.kept * load(block.total + at) + sum);
@@ -269,19 +244,26 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
     putBack(motion, block.b + at, pair.b, use.movesB, at);
 }
 
+/// What a pass reads behind the points.
+constexpr ContactBlock::Each ContactBlock::*tailOf(Task task) {
+    switch (task) {
+    case Task::Push:
+        return &ContactBlock::pushSpeed;
+    case Task::Settle:
+        return nullptr;
+    case Task::Relax:
+        return &ContactBlock::tangentLeverA;
+    }
+    return nullptr;
+}
+
 template <Task task>
 void solveBlocks(const ContactPassArguments& pass) {
     const PassSettings& settings = pass.settings;
     for (std::size_t k = 0; k < pass.count; ++k) {
-        prefetchBlock(pass, k,
-                      task == Task::Push ? &ContactBlock::pushSpeed : &ContactBlock::tangentLeverA);
+        prefetchBlock(pass, k, tailOf(task));
         const std::size_t i = pass.order[k];
-        BlockUse use = pass.use[i];
-        if constexpr (task == Task::Settle) {
-            const std::uint8_t settled = settledLanes(pass.blocks[i], settings.settleBelow);
-            use.movesA &= settled;
-            use.movesB &= settled;
-        }
+        const BlockUse& use = pass.use[i];
         const Softness& soft = use.onLocked ? settings.onLocked : settings.soft;
         const Rules rules{soft.biasRate, soft.massScale, settings};
         RollingBlock* const rolling = use.rolling < 0 ? nullptr : pass.rolling + use.rolling;

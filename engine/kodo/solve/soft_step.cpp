@@ -4,7 +4,6 @@
 #include <kodo/solve/soft_step.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace kodo::inline KODO_PRECISION {
@@ -12,16 +11,6 @@ namespace {
 
 constexpr std::size_t kNewcomersAPiece = 128;
 constexpr std::size_t kMany = 8; // one of so many: then what all have is cleared as a whole
-// Overlaps of more than so many slops are deep, as when bodies are put on one place. The speed that
-// their pushes give is taken out again by more passes, two for one of them and one more for each
-// further one, up to so many: over all contacts where one of eight is deep or there are not many,
-// else over those alone, although what they push may push on others.
-// In a large crowd the push is shared out, and there are many contacts: fewer passes will do.
-constexpr Real kDeep = 8;
-constexpr int kSomeDeep = 8;
-constexpr int kNotMany = 256;
-constexpr int kMostSettling = 10;
-constexpr int kLargeCrowd = 600; // of passes times bodies
 // Springs swing through so much of a cycle in a substep at most. With a quarter of one in contacts
 // piles shake for long, and creep apart; with a fifth they come to rest.
 constexpr Real kMostCycles = Real(0.21);
@@ -43,14 +32,6 @@ bool needsRow(const Bodies& bodies, const ContactHead& head, bool restitution, R
     return contact.isKept() && contact.row.index == head.row;
 }
 
-/// How many passes more settle so many deep contacts; `crowd` is the most that overlap one body.
-int settlingOf(int deep, int crowd) {
-    if (deep == 0) {
-        return 0;
-    }
-    return std::min({1 + deep, kMostSettling, 1 + kLargeCrowd / crowd});
-}
-
 } // namespace
 
 /// Nobody is touched yet but by joints.
@@ -59,6 +40,7 @@ void SoftStep::clearMarks(const Bodies& bodies, const JointSet& joints) {
     near_.resize(bodies.size());
     touched_.resize(bodies.size());
     crowd_.resize(bodies.size());
+    anyDeep_ = 0;
     const bool most = kMany * bodies.awake.size() > bodies.size();
     if (std::exchange(crowded_, std::uint8_t{0}) != 0 || most) { // also what takes no part any more
         std::fill(crowd_.begin(), crowd_.end(), std::uint16_t{0});
@@ -124,20 +106,13 @@ void SoftStep::collect(const Bodies& bodies, ContactSet& contactSet, const Joint
                        const Step& step) {
     const std::span<const std::uint32_t> live = contactSet.live();
     beginCollecting(bodies, contactSet, joints, step);
-    Collected all;
-    found_.gather(step.crew, live.size(), kNewcomersAPiece, newcomers_,
-                  [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& newcomers) {
-                      Collected own;
-                      forPieces(first, last, kNewcomersAPiece, [&](auto from, auto to) {
-                          collectPiece({bodies, contactSet, step, own},
-                                       live.subspan(from, to - from), newcomers);
-                      });
-                      step.crew.count(all.deep, own.deep);
-                      step.crew.count(all.rows, own.rows);
-                      Crew::raise(all.most, own.most);
-                  });
-    settling_ = settlingOf(all.deep, all.most);
-    settlesAll_ = kSomeDeep * all.deep >= all.rows || all.rows <= kNotMany;
+    found_.gather(
+        step.crew, live.size(), kNewcomersAPiece, newcomers_,
+        [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& newcomers) {
+            forPieces(first, last, kNewcomersAPiece, [&](auto from, auto to) {
+                collectPiece({bodies, contactSet, step}, live.subspan(from, to - from), newcomers);
+            });
+        });
 }
 
 /// First those that are kept, by their heads alone, and then the others, if anything has changed.
@@ -153,14 +128,13 @@ void SoftStep::collectPiece(const Collecting& run, std::span<const std::uint32_t
     const bool restitution = step.settings.has(Feature::Restitution);
     const bool keeps = friction && blocks_.keepsLanes();
     const Real slop = step.tolerances.slop;
-    Collected own = run.own;
     Places<kNewcomersAPiece> asked;
     for (const std::uint32_t place : places) {
         const ContactHead& head = headOf[place];
         if (keeps && head.kept && needsRow(bodies, head, restitution, slop)) {
             KODO_ASSERT(isKept(contacts[place], head));
             blocks_.keep(head.row);
-            noteHold(bodies, head, slop, own, step.crew);
+            noteHold(bodies, head, slop, step.crew);
         } else if (!keeps || head.meets || head.row != ContactRow::kNone) {
             asked.add(place);
         }
@@ -168,37 +142,35 @@ void SoftStep::collectPiece(const Collecting& run, std::span<const std::uint32_t
     visitAhead<4>(asked.list(), contacts, [&](std::uint32_t place) {
         if (needsRow(bodies, headOf[place], restitution, slop) && contacts[place].responds()) {
             takeAnew(bodies, contactSet, place, friction, newcomers);
-            noteHold(bodies, headOf[place], slop, own, step.crew);
+            noteHold(bodies, headOf[place], slop, step.crew);
         } else {
             giveUpRow(bodies, contactSet, place);
         }
     });
-    run.own = own;
 }
 
 /// Its two bodies are held, or have somebody near.
-void SoftStep::noteHold(const Bodies& bodies, const ContactHead& head, Real slop, Collected& own,
+void SoftStep::noteHold(const Bodies& bodies, const ContactHead& head, Real slop,
                         const Crew& crew) {
     const Real separation = head.separation[0];
     std::uint8_t* const marks = separation <= slop ? touched_.data() : near_.data();
     Crew::mark(marks[head.bodyA]);
     Crew::mark(marks[head.bodyB]);
     if (separation < -4 * slop) {
-        noteCrowd(bodies, head, own.most, crew);
+        noteCrowd(bodies, head, crew);
     }
-    own.deep += separation < -kDeep * slop ? 1 : 0;
-    ++own.rows;
+    if (separation < Settling::deepBelow(slop)) {
+        Crew::mark(anyDeep_);
+    }
 }
 
-/// Counts two that overlap deeply for each other. `most` is the largest count so far.
-void SoftStep::noteCrowd(const Bodies& bodies, const ContactHead& head, std::uint16_t& most,
-                         const Crew& crew) {
+/// Counts two that overlap by more than four slops for each other.
+void SoftStep::noteCrowd(const Bodies& bodies, const ContactHead& head, const Crew& crew) {
     for (const std::uint32_t body : {head.bodyA, head.bodyB}) {
         if (bodies.locked(body)) {
             continue;
         }
         const auto count = static_cast<std::uint16_t>(crew.count(crowd_[body]) + 1);
-        most = std::max(most, count);
         if (count > ContactBlocks::kNeighbours) {
             Crew::mark(crowded_);
         }
@@ -282,14 +254,16 @@ void SoftStep::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joint
     for (const std::uint32_t place : newcomers_) {
         contactSet.noteRow(place);
     }
-    const bool some = settling_ > 0 && !settlesAll_;
-    const Real settleBelow = some ? -kDeep * tolerances.slop : std::numeric_limits<Real>::max();
-    const std::size_t settled = some ? blocks_.listDeeper(settleBelow, deep_) : blocks_.size();
     const Real hertz = std::min(settings.contactHertz * static_cast<Real>(parts), kMostCycles / h);
     const ContactPassArguments pass =
         blocks_.pass(bodies, {Softness::from(hertz, settings.contactDamping, h),
                               Softness::from(2 * hertz, settings.contactDamping, h), 1 / h,
-                              settings.has(Feature::Friction), 1, settleBelow});
+                              settings.has(Feature::Friction), 1});
+    if (anyDeep_ != 0) {
+        settling_.find({pass, blocks_.colours(), Settling::deepBelow(tolerances.slop), crowd_});
+    } else {
+        settling_.clear();
+    }
     const Real jointHertz = std::min(settings.jointHertz, kMostJointCycles / h);
     JointPass jointPass{h, Softness::from(jointHertz, settings.jointDamping, h)};
     joints.beginStep();
@@ -307,8 +281,7 @@ void SoftStep::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joint
     runSubsteps(run, substeps);
     joints.scaleImpulses(static_cast<Real>(parts));
     blocks_.noteTouching(tolerances.slop, crew);
-    visits_ = blocks_.size() * static_cast<std::size_t>(substeps * 2) +
-              settled * static_cast<std::size_t>(substeps * settling_);
+    visits_ = (2 * blocks_.size() + settling_.visits()) * static_cast<std::size_t>(substeps);
 }
 
 } // namespace kodo::inline KODO_PRECISION

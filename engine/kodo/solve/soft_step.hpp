@@ -10,6 +10,7 @@
 #include <kodo/solve/block_shares.hpp>
 #include <kodo/solve/contact_blocks.hpp>
 #include <kodo/solve/settings.hpp>
+#include <kodo/solve/settling.hpp>
 
 #include <span>
 #include <vector>
@@ -19,7 +20,7 @@ namespace kodo::inline KODO_PRECISION {
 /// Contacts and joints, in substeps [Catto24]. Each moves velocities by the forces, starts
 /// from the impulses of the substep before, makes one pass that pushes overlaps apart like stiff
 /// springs, moves the bodies, and makes one pass without that push, which takes its speed out
-/// again; more than one while bodies overlap deeply. Substeps are divided while a weight presses on
+/// again; more for those that overlap deeply. Substeps are divided while a weight presses on
 /// something far lighter, or forces are very large.
 ///
 ///   lambda = -m (s v_n + bias) - c lambda_sum,  lambda_sum >= 0;  |friction| <= mu lambda_sum
@@ -70,34 +71,25 @@ private:
         std::uint32_t turn = 0; // its first; see Crew::inTurns
     };
 
-    /// What collect() counts.
-    struct Collected {
-        std::uint16_t most = 1; // overlap one body deeply
-        int deep = 0;           // contacts
-        int rows = 0;
-    };
-    /// What it goes by.
+    /// What collect() goes by.
     struct Collecting {
         const Bodies& bodies;
         ContactSet& contactSet;
         const Step& step;
-        Collected& own;
     };
 
     void collect(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
                  const Step& step);
     void collectPiece(const Collecting& run, std::span<const std::uint32_t> places,
                       std::vector<std::uint32_t>& newcomers);
-    void noteHold(const Bodies& bodies, const ContactHead& head, Real slop, Collected& own,
-                  const Crew& crew);
+    void noteHold(const Bodies& bodies, const ContactHead& head, Real slop, const Crew& crew);
     void clearMarks(const Bodies& bodies, const JointSet& joints);
     void beginCollecting(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
                          const Step& step);
     void takeAnew(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place, bool friction,
                   std::vector<std::uint32_t>& newcomers);
     void giveUpRow(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place);
-    void noteCrowd(const Bodies& bodies, const ContactHead& head, std::uint16_t& most,
-                   const Crew& crew);
+    void noteCrowd(const Bodies& bodies, const ContactHead& head, const Crew& crew);
     static int refinement(const Bodies& bodies, ContactSet& contactSet, Real hertz,
                           const Tolerances& tolerances);
     void findJointed(const JointSet& joints);
@@ -124,11 +116,10 @@ private:
     std::vector<Hold> holds_;        // by body
     std::vector<std::uint8_t> near_; // by body: marks, from which the holds follow
     std::vector<std::uint8_t> touched_;
-    std::vector<std::uint16_t> crowd_; // by body: how many overlap it deeply
+    std::vector<std::uint16_t> crowd_; // by body: how many overlap it by four slops
     std::uint8_t crowded_ = 0;         // too many overlap some body
-    int settling_ = 0;                 // passes more that take out what pushes gave
-    bool settlesAll_ = false;          // of all contacts; else of the blocks in deep_
-    std::vector<std::uint32_t> deep_;
+    std::uint8_t anyDeep_ = 0;         // some overlap so deeply that they must settle
+    Settling settling_;
     std::size_t visits_ = 0;
     std::vector<Velocity> before_;     // by body: with the forces of the substep, without contacts
     std::vector<std::uint32_t> free_;  // bodies that nothing can push in this step

@@ -98,20 +98,12 @@ void SoftStep::passJoints(Substeps& run, Pass pass) {
     }
 }
 
-/// The passes that take the speed of deep pushes out again.
+/// The passes that take the speed of deep pushes out again: as a rule few, so the caller makes them
+/// alone.
 void SoftStep::settle(Substeps& run) {
-    ContactPassArguments deep = run.pass;
-    deep.order = deep_.data();
-    deep.count = deep_.size();
-    const auto pass = ContactPasses::best().settle;
-    for (int again = 0; again < settling_ && settlesAll_; ++again) {
-        addPhase(run, {pass, run.pass.settings});
-    }
-    if (settling_ > 0 && !settlesAll_) {
+    if (!settling_.empty()) {
         runPhases(run);
-        for (int again = 0; again < settling_; ++again) {
-            pass(deep); // a few: not worth sharing
-        }
+        settling_.settle(run.pass);
     }
 }
 

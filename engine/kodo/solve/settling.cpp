@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/base/assert.hpp>
+#include <kodo/solve/settling.hpp>
+
+#include <algorithm>
+#include <bit>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+/// The contacts of a block that have somebody to push.
+unsigned pushed(const BlockUse& use) {
+    return use.movesA | use.movesB;
+}
+
+/// Calls work(lane, bodyA, bodyB) for some contacts of a block. For a body that cannot be pushed
+/// the other stands in.
+template <typename Work>
+void forPairs(const ContactBlock& block, const BlockUse& use, unsigned lanes, Work work) {
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const auto lane = static_cast<std::uint8_t>(std::countr_zero(lanes));
+        KODO_ASSERT((pushed(use) >> lane & 1) != 0);
+        const std::uint32_t a = bodyOfPlace(block.a[lane]);
+        const std::uint32_t b = bodyOfPlace(block.b[lane]);
+        work(lane, (use.movesA >> lane & 1) != 0 ? a : b, (use.movesB >> lane & 1) != 0 ? b : a);
+    }
+}
+
+unsigned deeperLanes(const ContactBlock& block, Real separation) {
+    unsigned lanes = 0;
+    for (unsigned lane = 0; lane < ContactBlock::kContacts; ++lane) {
+        const Real own = block.points[0].separation[lane]; // the deepest, when they were found
+        lanes |= (own < separation ? 1u : 0u) << lane;
+    }
+    return lanes;
+}
+
+void copyPoint(const ContactBlock::Point& from, std::size_t lane, ContactBlock::Point& to,
+               std::size_t toLane) {
+    to.leverA[toLane] = from.leverA[lane];
+    to.leverB[toLane] = from.leverB[lane];
+    to.mass[toLane] = from.mass[lane];
+    to.separation[toLane] = from.separation[lane];
+}
+
+} // namespace
+
+/// Two for one deep contact, and one more for each further one. In a large crowd the push is shared
+/// out, and there are many contacts: fewer will do.
+int Settling::passesOf(const Member& root) {
+    return std::min({1 + root.deepContacts, kMostPasses, 1 + kLargeCrowd / root.crowd});
+}
+
+std::uint32_t Settling::rootOf(std::uint32_t body) {
+    while (members_[body].next != body) {
+        Member& member = members_[body];
+        body = member.next = members_[member.next].next;
+    }
+    return body;
+}
+
+/// The least number of a cluster is its root, in whatever order they are joined.
+void Settling::join(std::uint32_t bodyA, std::uint32_t bodyB) {
+    for (const std::uint32_t body : {bodyA, bodyB}) {
+        if (members_[body].next == kNone) {
+            members_[body].next = body;
+            marks_[body] = 1;
+            joined_.push_back(body);
+        }
+    }
+    const auto [root, other] = std::minmax({rootOf(bodyA), rootOf(bodyB)});
+    members_[other].next = root;
+}
+
+void Settling::clear() {
+    for (const std::uint32_t body : joined_) {
+        members_[body] = {};
+        marks_[body] = 0;
+    }
+    joined_.clear();
+    deepLanes_.clear();
+    copied_.clear();
+    blocks_.clear();
+    use_.clear();
+    parts_.clear();
+    order_.clear();
+    passes_ = 0;
+    visits_ = 0;
+}
+
+void Settling::begin(std::size_t bodies) {
+    clear();
+    members_.resize(bodies);
+    marks_.resize(bodies + 1);
+    joined_.reserve(kBlocks * ContactBlock::kContacts);
+    deepLanes_.reserve(kBlocks);
+    copied_.reserve(kBlocks * ContactBlock::kContacts);
+    blocks_.reserve(kBlocks);
+    use_.reserve(kBlocks);
+    parts_.reserve(kBlocks);
+}
+
+void Settling::findClusters(const Contacts& contacts) {
+    const ContactPassArguments& all = contacts.all;
+    for (std::size_t k = 0; k < all.count; ++k) {
+        const std::uint32_t i = all.order[k];
+        const BlockUse& use = all.use[i];
+        const unsigned lanes = deeperLanes(all.blocks[i], contacts.deepBelow) & pushed(use);
+        if (lanes != 0) {
+            deepLanes_.push_back({i, lanes});
+            forPairs(all.blocks[i], use, lanes,
+                     [&](std::uint8_t, std::uint32_t a, std::uint32_t b) { join(a, b); });
+        }
+    }
+    for (const BlockLanes& deep : deepLanes_) {
+        forPairs(
+            all.blocks[deep.block], all.use[deep.block], deep.lanes,
+            [&](std::uint8_t, std::uint32_t a, std::uint32_t b) {
+                Member& root = members_[rootOf(a)];
+                ++root.deepContacts;
+                root.crowd = std::max({root.crowd, int{contacts.crowd[a]}, int{contacts.crowd[b]}});
+            });
+    }
+}
+
+/// The contacts of a block whose bodies that can be pushed are in clusters. It asks for the marks
+/// of all of them, many in a step, so these are bytes.
+unsigned Settling::inClusters(const ContactBlock& block, const BlockUse& use) const {
+    unsigned a = 0;
+    unsigned b = 0;
+    for (unsigned lane = 0; lane < ContactBlock::kContacts; ++lane) {
+        a |= static_cast<unsigned>(marks_[bodyOfPlace(block.a[lane])]) << lane;
+        b |= static_cast<unsigned>(marks_[bodyOfPlace(block.b[lane])]) << lane;
+    }
+    const unsigned movesA = use.movesA;
+    const unsigned movesB = use.movesB;
+    return (a | ~movesA) & (b | ~movesB) & pushed(use);
+}
+
+/// Calls work(lane, passes) for the contacts of a block that lie within a cluster, and counts them.
+template <typename Work>
+void Settling::forTogether(const ContactBlock& block, const BlockUse& use, Work work) {
+    forPairs(block, use, inClusters(block, use),
+             [&](std::uint8_t lane, std::uint32_t a, std::uint32_t b) {
+                 const std::uint32_t root = rootOf(a);
+                 if (root == rootOf(b)) {
+                     const int passes = passesOf(members_[root]);
+                     visits_ += static_cast<std::size_t>(passes);
+                     work(lane, passes);
+                 }
+             });
+}
+
+void Settling::addPart(std::uint32_t block, bool isCopy, int passes) {
+    parts_.push_back({block, isCopy, static_cast<std::uint8_t>(passes)});
+    passes_ = std::max(passes_, passes);
+}
+
+/// Its lanes lie between the spare body and itself.
+std::uint32_t Settling::openBlock(bool twoPoints, int passes) {
+    const auto i = static_cast<std::uint32_t>(blocks_.size());
+    ContactBlock& block = blocks_.emplace_back();
+    const std::uint32_t spare = placeOfMotion(static_cast<std::uint32_t>(members_.size()));
+    std::fill_n(block.a, ContactBlock::kContacts, spare);
+    std::fill_n(block.b, ContactBlock::kContacts, spare);
+    use_.emplace_back().twoPoints = twoPoints;
+    addPart(i, true, passes);
+    return i;
+}
+
+/// All but what a pass changes.
+void Settling::copyLane(const ContactPassArguments& all, const Copied& copied) {
+    const ContactBlock& from = all.blocks[copied.block];
+    ContactBlock& to = blocks_[copied.copyBlock];
+    const std::size_t lane = copied.lane;
+    const std::size_t toLane = copied.copyLane;
+    to.a[toLane] = from.a[lane];
+    to.b[toLane] = from.b[lane];
+    to.normalX[toLane] = from.normalX[lane];
+    to.normalY[toLane] = from.normalY[lane];
+    copyPoint(from.points[0], lane, to.points[0], toLane);
+    copyPoint(from.points[1], lane, to.points[1], toLane);
+    const auto moves = [&](std::uint8_t lanes) {
+        return static_cast<std::uint8_t>((lanes >> lane & 1) << toLane);
+    };
+    use_[copied.copyBlock].movesA |= moves(all.use[copied.block].movesA);
+    use_[copied.copyBlock].movesB |= moves(all.use[copied.block].movesB);
+}
+
+void Settling::copyLanes(const ContactPassArguments& all, std::uint32_t block, Open& open) {
+    const BlockUse& use = all.use[block];
+    forTogether(all.blocks[block], use, [&](std::uint8_t lane, int passes) {
+        std::uint32_t& at = open[use.twoPoints ? 1 : 0][static_cast<std::size_t>(passes)];
+        if (at == kNone) {
+            at = openBlock(use.twoPoints, passes);
+        }
+        const Copied copied{block, at, lane,
+                            static_cast<std::uint8_t>(std::popcount(pushed(use_[at])))};
+        copied_.push_back(copied);
+        copyLane(all, copied);
+        if (copied.copyLane + 1 == ContactBlock::kContacts) {
+            at = kNone;
+        }
+    });
+}
+
+void Settling::find(const Contacts& contacts) {
+    begin(contacts.crowd.size());
+    findClusters(contacts);
+    const ContactPassArguments& all = contacts.all;
+    const std::uint32_t* next = all.order;
+    for (const ContactBlocks::Colour& colour : contacts.colours) {
+        Open open;
+        for (auto& blocks : open) {
+            blocks.fill(kNone);
+        }
+        for (const std::uint32_t* const end = next + colour.count; next != end; ++next) {
+            if (colour.oneByOne) {
+                forTogether(all.blocks[*next], all.use[*next],
+                            [&](std::uint8_t, int passes) { addPart(*next, false, passes); });
+            } else {
+                copyLanes(all, *next, open);
+            }
+        }
+    }
+    KODO_ASSERT(next == all.order + all.count);
+    order_.reserve(parts_.capacity());
+}
+
+/// Over copies and others by turns.
+void Settling::pass(const ContactPassArguments& all, int number) {
+    for (auto part = parts_.begin(); part != parts_.end();) {
+        const bool copies = part->isCopy;
+        order_.clear();
+        for (; part != parts_.end() && part->isCopy == copies; ++part) {
+            if (number < part->passes) {
+                order_.push_back(part->block);
+            }
+        }
+        ContactPassArguments some = all;
+        some.blocks = copies ? blocks_.data() : all.blocks;
+        some.use = copies ? use_.data() : all.use;
+        some.order = order_.data();
+        some.count = order_.size();
+        ContactPasses::best().settle(some);
+    }
+}
+
+void Settling::settle(const ContactPassArguments& all) {
+    for (const Copied& copied : copied_) {
+        for (int point = 0; point < 2; ++point) {
+            blocks_[copied.copyBlock].points[point].impulse[copied.copyLane] =
+                all.blocks[copied.block].points[point].impulse[copied.lane];
+        }
+    }
+    for (int number = 0; number < passes_; ++number) {
+        pass(all, number);
+    }
+    for (const Copied& copied : copied_) {
+        for (int point = 0; point < 2; ++point) {
+            all.blocks[copied.block].points[point].impulse[copied.lane] =
+                blocks_[copied.copyBlock].points[point].impulse[copied.copyLane];
+        }
+    }
+}
+
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/solve/contact_block.hpp>
+#include <support/random_numbers.hpp>
+
+#include <vector>
+
+namespace kodo {
+
+inline constexpr int kContacts = ContactBlock::kContacts;
+inline constexpr std::size_t kBlocks = 40;
+
+/// Blocks of contacts between bodies of their own, some without rolling, some with one point only,
+/// some apart, some deep, some between a body and one that cannot be pushed.
+struct RandomBlocks {
+    std::vector<Motion> motion;
+    std::vector<Extent> extent;
+    std::vector<Carried> carried = std::vector<Carried>(kBlocks * kContacts);
+    std::vector<ContactBlock> blocks = std::vector<ContactBlock>(kBlocks);
+    std::vector<RollingBlock> rolling;
+    std::vector<BlockUse> use = std::vector<BlockUse>(kBlocks);
+    std::vector<std::uint32_t> order;
+
+    explicit RandomBlocks(std::uint64_t seed) {
+        support::RandomNumbers random(seed);
+        for (std::size_t i = 0; i < kBlocks; ++i) {
+            order.push_back(static_cast<std::uint32_t>(i));
+            use[i].twoPoints = random.below(2) == 0;
+            use[i].onLocked = random.below(4) == 0;
+            use[i].movesA = use[i].onLocked ? 0 : 0xff;
+            use[i].movesB = 0xff;
+            if (random.below(3) == 0) {
+                use[i].rolling = static_cast<std::int32_t>(rolling.size());
+                rolling.emplace_back();
+            }
+            for (std::size_t lane = 0; lane < kContacts; ++lane) {
+                fill(random, i, lane);
+            }
+        }
+    }
+
+    std::uint32_t addBody(support::RandomNumbers& random, bool locked) {
+        Motion body;
+        body.velocity = random.point(5);
+        body.angularVelocity = random.between(-3, 3);
+        body.invMass = locked ? 0 : random.between(0.1, 4);
+        body.move = random.point(0.01);
+        body.turn = random.between(-0.01, 0.01);
+        body.invInertia = locked ? 0 : random.between(0.1, 9);
+        motion.push_back(body);
+        extent.push_back({random.between(0.1, 2), 0});
+        return static_cast<std::uint32_t>(motion.size() - 1);
+    }
+
+    void fill(support::RandomNumbers& random, std::size_t i, std::size_t lane) {
+        ContactBlock& block = blocks[i];
+        block.a[lane] = placeOfMotion(addBody(random, use[i].onLocked));
+        block.b[lane] = placeOfMotion(addBody(random, false));
+        const Rot normal = random.rotation();
+        block.normalX[lane] = normal.c;
+        block.normalY[lane] = normal.s;
+        for (std::size_t k = 0; k < (use[i].twoPoints ? 2u : 1u); ++k) {
+            ContactBlock::Point& point = block.points[k];
+            point.leverA[lane] = random.between(-0.5, 0.5);
+            point.leverB[lane] = random.between(-0.5, 0.5);
+            point.mass[lane] = random.between(0.1, 2);
+            point.separation[lane] = random.between(-0.03, 0.02);
+            point.impulse[lane] = random.below(3) == 0 ? 0 : random.between(0, 2);
+        }
+        block.tangentLeverA[lane] = random.between(-0.5, 0.5);
+        block.tangentLeverB[lane] = random.between(-0.5, 0.5);
+        block.tangentMass[lane] = random.between(0.1, 2);
+        block.friction[lane] = random.between(-1, 1);
+        block.staticFriction[lane] = random.between(0, 1);
+        block.kineticFriction[lane] = Real(0.8) * block.staticFriction[lane];
+        block.pushSpeed[lane] = 3;
+        if (use[i].rolling >= 0) {
+            RollingBlock& own = rolling[static_cast<std::size_t>(use[i].rolling)];
+            own.lever[lane] = random.between(0, 0.1);
+            own.mass[lane] = random.between(0.1, 2);
+            own.impulse[lane] = random.between(-0.1, 0.1);
+        }
+    }
+
+    ContactPassArguments pass() {
+        const Real h = Real(1) / 240;
+        return {blocks.data(),
+                rolling.data(),
+                use.data(),
+                order.data(),
+                kBlocks,
+                motion.data(),
+                {Softness::from(60, 10, h), Softness::from(120, 10, h), 1 / h, true, 1}};
+    }
+
+    /// A whole substep, and another, and to the next step.
+    void run(const ContactPasses& passes) {
+        ContactPassArguments pass = this->pass();
+        for (int substep = 0; substep < 2; ++substep) {
+            pass.settings.kept = substep == 0 ? Real(0) : Real(1);
+            passes.warmStart(pass);
+            passes.solve(pass);
+            passes.settle(pass);
+            passes.relax(pass);
+        }
+        passes.carry({blocks.data(), carried.data(), use.data(), order.data(), kBlocks,
+                      motion.data(), extent.data()});
+    }
+};
+
+} // namespace kodo
