@@ -4,16 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <vector>
 
 namespace kodo {
 namespace {
-
-template <typename T>
-bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
-}
 
 TEST(ContactPasses, ForAllMachinesAndForAvx2GiveTheSameBits) {
     const ContactPasses* const avx2 = ContactPasses::avx2();

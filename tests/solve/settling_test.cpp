@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <solve/random_blocks.hpp>
 
-#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -133,7 +132,7 @@ TEST(Settling, TakesItsContactsFromAnyLanes) {
     std::vector<bool> deep;
     for (std::size_t i = 0; i < 2; ++i) {
         line.addBlock();
-        for (std::size_t lane = 0; lane < ContactBlock::kContacts; ++lane) {
+        for (std::size_t lane = 0; lane < kContacts; ++lane) {
             speeds.push_back(random.between(0, 3));
             deep.push_back(random.below(3) != 0);
             const std::uint32_t a = line.addBody(-speeds.back());
@@ -153,9 +152,9 @@ TEST(Settling, TakesItsContactsFromAnyLanes) {
         const Real rounding = deep[i] ? 3 * std::numeric_limits<Real>::epsilon() : 0;
         EXPECT_NEAR(line.speed(a), taken - speeds[i], rounding);
         EXPECT_NEAR(line.speed(a + 1), speeds[i] - taken, rounding);
-        EXPECT_NEAR(line.impulse(i / 8, i % 8), 4 - taken, rounding);
+        EXPECT_NEAR(line.impulse(i / kContacts, i % kContacts), 4 - taken, rounding);
     }
-    EXPECT_GT(pairs, 8u); // more than a block of copies holds
+    EXPECT_GT(pairs, std::size_t{kContacts}); // more than a block of copies holds
     EXPECT_LT(pairs, speeds.size());
     EXPECT_EQ(line.settling.visits(), 2 * pairs);
 }
@@ -244,9 +243,6 @@ TEST(Settling, GivesTheBitsOfPassesOverTheBlocksThemselves) {
     const std::vector<Motion> before = all.motion;
     ContactPasses::best().settle(all.pass());
     ContactPasses::best().settle(all.pass());
-    const auto sameBits = [](const auto& a, const auto& b) {
-        return std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
-    };
     EXPECT_TRUE(sameBits(some.motion, all.motion));
     EXPECT_TRUE(sameBits(some.blocks, all.blocks));
     EXPECT_TRUE(sameBits(some.rolling, all.rolling));

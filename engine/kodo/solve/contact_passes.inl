@@ -244,24 +244,12 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
     putBack(motion, block.b + at, pair.b, use.movesB, at);
 }
 
-/// What a pass reads behind the points.
-constexpr ContactBlock::Each ContactBlock::*tailOf(Task task) {
-    switch (task) {
-    case Task::Push:
-        return &ContactBlock::pushSpeed;
-    case Task::Settle:
-        return nullptr;
-    case Task::Relax:
-        return &ContactBlock::tangentLeverA;
-    }
-    return nullptr;
-}
-
 template <Task task>
 void solveBlocks(const ContactPassArguments& pass) {
     const PassSettings& settings = pass.settings;
     for (std::size_t k = 0; k < pass.count; ++k) {
-        prefetchBlock(pass, k, tailOf(task));
+        prefetchBlock(pass, k,
+                      task == Task::Push ? &ContactBlock::pushSpeed : &ContactBlock::tangentLeverA);
         const std::size_t i = pass.order[k];
         const BlockUse& use = pass.use[i];
         const Softness& soft = use.onLocked ? settings.onLocked : settings.soft;

@@ -195,14 +195,6 @@ bool RestStage::wakeRunOver(Bodies& bodies, ContactSet& contacts, const Toleranc
     return !members_.empty();
 }
 
-std::uint32_t RestStage::find(std::uint32_t body) {
-    while (parent_[body] != body) {
-        parent_[body] = parent_[parent_[body]];
-        body = parent_[body];
-    }
-    return body;
-}
-
 /// True if some body has been calm for long enough, so that islands are worth looking at.
 bool RestStage::countCalm(Bodies& bodies, const StepSettings& settings,
                           const Tolerances& tolerances, Real dt) {
@@ -267,36 +259,31 @@ void RestStage::restartTipping(Bodies& bodies, Real dt) {
 
 void RestStage::joinTouching(const Bodies& bodies, const ContactSet& contacts,
                              const JointSet& joints) {
-    parent_.resize(bodies.size());
+    touching_.resize(bodies.size());
     leastCalm_.resize(bodies.size());
     for (const std::uint32_t body : bodies.awake) {
-        parent_[body] = body;
+        touching_.makeSet(body);
     }
-    const auto join = [&](std::uint32_t a, std::uint32_t b) {
-        const std::uint32_t rootA = find(a);
-        const std::uint32_t rootB = find(b);
-        parent_[std::max(rootA, rootB)] = std::min(rootA, rootB);
-    };
     for (const Contact& contact : contacts.contacts()) {
         const ContactKey& key = contact.key;
         if (contact.touching && !contact.sensor && bodies.active(key.bodyA) &&
             bodies.active(key.bodyB)) {
             // A locked body that moves joins what it carries: none of it rests meanwhile.
-            join(key.bodyA, key.bodyB);
+            touching_.join(key.bodyA, key.bodyB);
         }
     }
     joints.forEachBusy([&](const JointSet::Joint& joint) {
         const std::uint32_t a = firstBody(joint.def).index;
         const std::uint32_t b = secondBody(joint.def).index;
         if (bodies.active(a) && bodies.active(b)) {
-            join(a, b);
+            touching_.join(a, b);
         }
     });
     for (const std::uint32_t body : bodies.awake) {
         leastCalm_[body] = bodies.locked(body) ? 0 : bodies.rest[body].calmSteps;
     }
     for (const std::uint32_t body : bodies.awake) {
-        std::uint32_t& least = leastCalm_[find(body)];
+        std::uint32_t& least = leastCalm_[touching_.rootOf(body)];
         const std::uint32_t own = bodies.locked(body) ? 0 : bodies.rest[body].calmSteps;
         least = std::min(least, own);
     }
@@ -330,7 +317,7 @@ bool RestStage::findRest(Bodies& bodies, const ContactSet& contacts, const Joint
     const auto enough = static_cast<std::uint32_t>(settings.restSteps);
     resting_.clear();
     for (const std::uint32_t body : bodies.awake) {
-        const std::uint32_t root = find(body);
+        const std::uint32_t root = touching_.rootOf(body);
         if (leastCalm_[root] >= enough) {
             resting_.emplace_back(root, body);
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/base/disjoint_sets.hpp>
 #include <kodo/bodies/bodies.hpp>
 #include <kodo/bodies/tolerances.hpp>
 #include <kodo/contacts/contact_set.hpp>
@@ -69,7 +70,6 @@ private:
     void wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t island);
     void countLeaning(const Contact& contact, bool leans);
     void putToRest(Bodies& bodies, std::span<const std::uint32_t> members);
-    std::uint32_t find(std::uint32_t body);
     bool countCalm(Bodies& bodies, const StepSettings& settings, const Tolerances& tolerances,
                    Real dt);
     void joinTouching(const Bodies& bodies, const ContactSet& contacts, const JointSet& joints);
@@ -79,7 +79,7 @@ private:
     std::vector<Island> islands_;
     std::size_t restingIslands_ = 0;
     std::vector<std::uint32_t> leaning_;   // by body: how many contacts of islands touch it
-    std::vector<std::uint32_t> parent_;    // union-find over body indices
+    DisjointSets touching_;                // of bodies that are awake
     std::vector<std::uint32_t> leastCalm_; // by root
     std::vector<std::uint32_t> supports_;  // points that each body touches something with
     std::vector<std::pair<std::uint32_t, std::uint32_t>> resting_; // root and body

@@ -47,38 +47,15 @@ void copyPoint(const ContactBlock::Point& from, std::size_t lane, ContactBlock::
 
 /// Two for one deep contact, and one more for each further one. In a large crowd the push is shared
 /// out, and there are many contacts: fewer will do.
-int Settling::passesOf(const Member& root) {
-    return std::min({1 + root.deepContacts, kMostPasses, 1 + kLargeCrowd / root.crowd});
-}
-
-std::uint32_t Settling::rootOf(std::uint32_t body) {
-    while (members_[body].next != body) {
-        Member& member = members_[body];
-        body = member.next = members_[member.next].next;
-    }
-    return body;
-}
-
-/// The least number of a cluster is its root, in whatever order they are joined.
-void Settling::join(std::uint32_t bodyA, std::uint32_t bodyB) {
-    for (const std::uint32_t body : {bodyA, bodyB}) {
-        if (members_[body].next == kNone) {
-            members_[body].next = body;
-            marks_[body] = 1;
-            joined_.push_back(body);
-        }
-    }
-    const auto [root, other] = std::minmax({rootOf(bodyA), rootOf(bodyB)});
-    members_[other].next = root;
+int Settling::passesOf(const Cluster& cluster) {
+    return std::min({1 + cluster.deepContacts, kMostPasses, 1 + kLargeCrowd / cluster.crowd});
 }
 
 void Settling::clear() {
     for (const std::uint32_t body : joined_) {
-        members_[body] = {};
-        marks_[body] = 0;
+        sets_.drop(body);
     }
     joined_.clear();
-    deepLanes_.clear();
     copied_.clear();
     blocks_.clear();
     use_.clear();
@@ -90,47 +67,52 @@ void Settling::clear() {
 
 void Settling::begin(std::size_t bodies) {
     clear();
-    members_.resize(bodies);
-    marks_.resize(bodies + 1);
+    sets_.resize(bodies + 1);
+    clusters_.resize(bodies);
     joined_.reserve(kBlocks * ContactBlock::kContacts);
-    deepLanes_.reserve(kBlocks);
     copied_.reserve(kBlocks * ContactBlock::kContacts);
     blocks_.reserve(kBlocks);
     use_.reserve(kBlocks);
     parts_.reserve(kBlocks);
 }
 
+/// Two that overlap deeply.
+void Settling::join(std::uint32_t bodyA, std::uint32_t bodyB,
+                    std::span<const std::uint16_t> crowd) {
+    for (const std::uint32_t body : {bodyA, bodyB}) {
+        if (!sets_.contains(body)) {
+            sets_.makeSet(body);
+            joined_.push_back(body);
+            clusters_[body] = {0, std::max(1, int{crowd[body]})};
+        }
+    }
+    const auto [root, other] = sets_.join(bodyA, bodyB);
+    Cluster& cluster = clusters_[root];
+    if (other != root) {
+        cluster.deepContacts += clusters_[other].deepContacts;
+        cluster.crowd = std::max(cluster.crowd, clusters_[other].crowd);
+    }
+    ++cluster.deepContacts;
+}
+
 void Settling::findClusters(const Contacts& contacts) {
     const ContactPassArguments& all = contacts.all;
     for (std::size_t k = 0; k < all.count; ++k) {
-        const std::uint32_t i = all.order[k];
-        const BlockUse& use = all.use[i];
-        const unsigned lanes = deeperLanes(all.blocks[i], contacts.deepBelow) & pushed(use);
-        if (lanes != 0) {
-            deepLanes_.push_back({i, lanes});
-            forPairs(all.blocks[i], use, lanes,
-                     [&](std::uint8_t, std::uint32_t a, std::uint32_t b) { join(a, b); });
-        }
-    }
-    for (const BlockLanes& deep : deepLanes_) {
+        const ContactBlock& block = all.blocks[all.order[k]];
+        const BlockUse& use = all.use[all.order[k]];
         forPairs(
-            all.blocks[deep.block], all.use[deep.block], deep.lanes,
-            [&](std::uint8_t, std::uint32_t a, std::uint32_t b) {
-                Member& root = members_[rootOf(a)];
-                ++root.deepContacts;
-                root.crowd = std::max({root.crowd, int{contacts.crowd[a]}, int{contacts.crowd[b]}});
-            });
+            block, use, deeperLanes(block, contacts.deepBelow) & pushed(use),
+            [&](std::uint8_t, std::uint32_t a, std::uint32_t b) { join(a, b, contacts.crowd); });
     }
 }
 
-/// The contacts of a block whose bodies that can be pushed are in clusters. It asks for the marks
-/// of all of them, many in a step, so these are bytes.
+/// The contacts of a block whose bodies that can be pushed are in clusters.
 unsigned Settling::inClusters(const ContactBlock& block, const BlockUse& use) const {
     unsigned a = 0;
     unsigned b = 0;
     for (unsigned lane = 0; lane < ContactBlock::kContacts; ++lane) {
-        a |= static_cast<unsigned>(marks_[bodyOfPlace(block.a[lane])]) << lane;
-        b |= static_cast<unsigned>(marks_[bodyOfPlace(block.b[lane])]) << lane;
+        a |= (sets_.contains(bodyOfPlace(block.a[lane])) ? 1u : 0u) << lane;
+        b |= (sets_.contains(bodyOfPlace(block.b[lane])) ? 1u : 0u) << lane;
     }
     const unsigned movesA = use.movesA;
     const unsigned movesB = use.movesB;
@@ -142,9 +124,9 @@ template <typename Work>
 void Settling::forTogether(const ContactBlock& block, const BlockUse& use, Work work) {
     forPairs(block, use, inClusters(block, use),
              [&](std::uint8_t lane, std::uint32_t a, std::uint32_t b) {
-                 const std::uint32_t root = rootOf(a);
-                 if (root == rootOf(b)) {
-                     const int passes = passesOf(members_[root]);
+                 const std::uint32_t root = sets_.rootOf(a);
+                 if (root == sets_.rootOf(b)) {
+                     const int passes = passesOf(clusters_[root]);
                      visits_ += static_cast<std::size_t>(passes);
                      work(lane, passes);
                  }
@@ -160,7 +142,7 @@ void Settling::addPart(std::uint32_t block, bool isCopy, int passes) {
 std::uint32_t Settling::openBlock(bool twoPoints, int passes) {
     const auto i = static_cast<std::uint32_t>(blocks_.size());
     ContactBlock& block = blocks_.emplace_back();
-    const std::uint32_t spare = placeOfMotion(static_cast<std::uint32_t>(members_.size()));
+    const std::uint32_t spare = placeOfMotion(static_cast<std::uint32_t>(clusters_.size()));
     std::fill_n(block.a, ContactBlock::kContacts, spare);
     std::fill_n(block.b, ContactBlock::kContacts, spare);
     use_.emplace_back().twoPoints = twoPoints;
@@ -246,22 +228,23 @@ void Settling::pass(const ContactPassArguments& all, int number) {
     }
 }
 
-void Settling::settle(const ContactPassArguments& all) {
+/// Calls work(own, copy) for the impulses of all that are copied.
+template <typename Work>
+void Settling::forImpulses(const ContactPassArguments& all, Work work) {
     for (const Copied& copied : copied_) {
         for (int point = 0; point < 2; ++point) {
-            blocks_[copied.copyBlock].points[point].impulse[copied.copyLane] =
-                all.blocks[copied.block].points[point].impulse[copied.lane];
+            work(all.blocks[copied.block].points[point].impulse[copied.lane],
+                 blocks_[copied.copyBlock].points[point].impulse[copied.copyLane]);
         }
     }
+}
+
+void Settling::settle(const ContactPassArguments& all) {
+    forImpulses(all, [](Real own, Real& copy) { copy = own; });
     for (int number = 0; number < passes_; ++number) {
         pass(all, number);
     }
-    for (const Copied& copied : copied_) {
-        for (int point = 0; point < 2; ++point) {
-            all.blocks[copied.block].points[point].impulse[copied.lane] =
-                blocks_[copied.copyBlock].points[point].impulse[copied.copyLane];
-        }
-    }
+    forImpulses(all, [](Real& own, Real copy) { own = copy; });
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/base/disjoint_sets.hpp>
 #include <kodo/solve/contact_blocks.hpp>
 
 #include <array>
@@ -46,16 +47,9 @@ private:
     static constexpr int kLargeCrowd = 600;    // bodies on one, times the passes beyond the first
     static constexpr std::size_t kBlocks = 64; // room from the first: later steps seldom allocate
 
-    /// A body. Those of a cluster lead to its root, directly or by way of others.
-    struct Member {
-        std::uint32_t next = kNone; // itself: the root; kNone: in no cluster
-        int deepContacts = 0;       // of the cluster, at the root
-        int crowd = 1;              // the largest of a body, at the root
-    };
-    /// Some contacts of a block.
-    struct BlockLanes {
-        std::uint32_t block;
-        unsigned lanes; // a bit for each
+    struct Cluster {
+        int deepContacts = 0;
+        int crowd = 1; // the largest of its bodies
     };
     /// A contact of all, and where its copy is.
     struct Copied {
@@ -73,10 +67,9 @@ private:
     /// By number of points and of passes: a block of copies that has a free lane.
     using Open = std::array<std::array<std::uint32_t, kMostPasses + 1>, 2>;
 
-    static int passesOf(const Member& root);
-    std::uint32_t rootOf(std::uint32_t body);
-    void join(std::uint32_t bodyA, std::uint32_t bodyB);
+    static int passesOf(const Cluster& cluster);
     void begin(std::size_t bodies);
+    void join(std::uint32_t bodyA, std::uint32_t bodyB, std::span<const std::uint16_t> crowd);
     void findClusters(const Contacts& contacts);
     unsigned inClusters(const ContactBlock& block, const BlockUse& use) const;
     template <typename Work>
@@ -86,11 +79,12 @@ private:
     void copyLane(const ContactPassArguments& all, const Copied& copied);
     void copyLanes(const ContactPassArguments& all, std::uint32_t block, Open& open);
     void pass(const ContactPassArguments& all, int number);
+    template <typename Work>
+    void forImpulses(const ContactPassArguments& all, Work work);
 
-    std::vector<Member> members_;       // by body
-    std::vector<std::uint8_t> marks_;   // by body, and for the spare one: is it in a cluster?
-    std::vector<std::uint32_t> joined_; // bodies that are
-    std::vector<BlockLanes> deepLanes_; // that overlap deeply
+    DisjointSets sets_;                 // bodies of clusters; the spare one is never in any
+    std::vector<std::uint32_t> joined_; // those that are in one
+    std::vector<Cluster> clusters_;     // by root
     std::vector<Copied> copied_;
     std::vector<ContactBlock> blocks_; // copies
     std::vector<BlockUse> use_;

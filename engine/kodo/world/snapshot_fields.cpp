@@ -312,7 +312,7 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
 }
 
 void SnapshotFields::rest(RestStage& stage, Bodies& bodies) {
-    auto& [islands, restingIslands, leaning, parent, leastCalm, supports, resting, members,
+    auto& [islands, restingIslands, leaning, touching, leastCalm, supports, resting, members,
            standing] = stage;
     all(islands);
     if (!reads()) {
