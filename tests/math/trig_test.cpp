@@ -51,9 +51,8 @@ TEST(SinCos, IsOddAndEven) {
         const Real angle = random.between(0, 10);
         const SinCos<Real> plus = sinCos(angle);
         const SinCos<Real> minus = sinCos(-angle);
-        // Where the angle lies exactly between two quarters, the two may round differently.
-        EXPECT_TRUE(near(plus.sin, -minus.sin, kEpsilon));
-        EXPECT_TRUE(near(plus.cos, minus.cos, kEpsilon));
+        EXPECT_EQ(plus.sin, -minus.sin);
+        EXPECT_EQ(plus.cos, minus.cos);
     }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/bodies/integrate.hpp>
+#include <kodo/math/lane_turns.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -31,6 +32,26 @@ Acceleration accelerationOf(const Bodies& bodies, std::uint32_t i,
     return {motion.invMass / (1 + dt * push.drag * motion.invMass) * push.force,
             motion.invInertia / (1 + dt * push.spinDrag * motion.invInertia) * push.torque,
             std::min(std::numeric_limits<Real>::max(), motion.invMass * effort)}; // not NaN either
+}
+
+/// Moves kLanes bodies as movePoses does one, to the bit.
+void movePosesAside(Bodies& bodies, const std::uint32_t* list) {
+    std::uint32_t motionAt[kLanes];
+    std::uint32_t poseAt[kLanes];
+    for (int i = 0; i < kLanes; ++i) {
+        motionAt[i] = list[i] * static_cast<std::uint32_t>(sizeof(Motion) / sizeof(Real));
+        poseAt[i] = list[i] * static_cast<std::uint32_t>(sizeof(Transform) / sizeof(Real));
+    }
+    const Quad moved = gather(&bodies.motion[0].move.x, motionAt);
+    Quad pose = gather(&bodies.pose[0].position.x, poseAt);
+    pose.x += moved.x;
+    pose.y += moved.y;
+    const Vectors next = turnedBy(cosSin(moved.z), {pose.z, pose.w});
+    const Lanes missing = (all(1) - (next.x * next.x + next.y * next.y)) * all(Real(0.5));
+    const auto stays = moved.z == Lanes{};
+    pose.z = stays ? pose.z : next.x + missing * next.x;
+    pose.w = stays ? pose.w : next.y + missing * next.y;
+    scatter(&bodies.pose[0].position.x, poseAt, pose);
 }
 
 } // namespace
@@ -128,7 +149,12 @@ void moveFreely(Bodies& bodies, std::span<const std::uint32_t> list, Real h) {
 }
 
 void movePoses(Bodies& bodies, std::span<const std::uint32_t> list) {
-    for (const std::uint32_t i : list) {
+    constexpr auto kSide = static_cast<std::size_t>(kLanes);
+    std::size_t k = 0;
+    for (; k + kSide <= list.size(); k += kSide) {
+        movePosesAside(bodies, list.data() + k);
+    }
+    for (const std::uint32_t i : list.subspan(k)) {
         const Motion& motion = bodies.motion[i];
         bodies.pose[i].position += motion.move;
         if (motion.turn != 0) {

@@ -52,18 +52,14 @@ BasicRot<T> normalize(BasicRot<T> q) {
 }
 
 /// q after turning by a small or large angle (rad), back on the circle. By none it stays as it is.
-/// As a rule all are off the circle by roundings, which a step of Newton's method mends.
+/// All are off the circle by roundings, which a step of Newton's method mends.
 template <std::floating_point T>
 BasicRot<T> turned(BasicRot<T> q, T radians) {
     if (radians == 0) {
         return q;
     }
     const BasicRot<T> next = BasicRot<T>::fromAngle(radians) * q;
-    const T square = next.c * next.c + next.s * next.s;
-    if (!(square > T(0.99) && square < T(1.01))) {
-        return normalize(next); // as of an angle too large for its sine to be known
-    }
-    const T missing = (1 - square) / 2;
+    const T missing = (1 - (next.c * next.c + next.s * next.s)) / 2;
     return {next.c + missing * next.c, next.s + missing * next.s};
 }
 

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/math/lanes.hpp>
+#include <kodo/math/trig.hpp>
+
+#include <cstdint>
+#include <cstring>
+#include <numbers>
+
+/// Turns, side by side. Internal linkage throughout, for the reason that lanes.hpp gives.
+namespace kodo::inline KODO_PRECISION {
+namespace { // NOLINT: see above
+
+/// A vector in each lane.
+struct Vectors {
+    Lanes x;
+    Lanes y;
+};
+
+/// Is a comparison true in any lane?
+template <typename Mask>
+KODO_LANES_INLINE bool any(const Mask& mask) {
+    std::uint64_t words[kLaneBytes / sizeof(std::uint64_t)];
+    std::memcpy(words, &mask, sizeof words);
+    std::uint64_t all = 0;
+    for (const std::uint64_t word : words) {
+        all |= word;
+    }
+    return all != 0;
+}
+
+/// As sinCos, to the bit, but for the sign of a zero.
+KODO_LANES_INLINE Vectors cosSin(Lanes angle) {
+    const auto far = larger(angle, -angle) > all(std::numbers::pi_v<Real> / 4);
+    const SinCosOf<Lanes> both = any(far) ? sinCosFar<Real>(angle) : sinCosNear<Real>(angle);
+    return {both.cos, both.sin};
+}
+
+KODO_LANES_INLINE Vectors turnedBy(const Vectors& rotation, const Vectors& v) {
+    return {rotation.x * v.x - rotation.y * v.y, rotation.y * v.x + rotation.x * v.y};
+}
+
+} // namespace
+} // namespace kodo::inline KODO_PRECISION
