@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is driven, or never comes to rest; and the two smallest worlds.
+#include <scenes/nets.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -201,22 +203,13 @@ Scene rain(int size, std::uint64_t seed) {
 Scene joints(int size, std::uint64_t) {
     Scene scene;
     scene.def = {"joints", scenes::kDown, {}};
-    for (int i = 0; i < size * size; ++i) {
-        const int column = i % size;
-        const int row = i / size;
-        BodyDef ball = scenes::ball(0.4, {static_cast<double>(column), -static_cast<double>(row)});
-        ball.locked = row == 0 && column >= size / 2 - 3 && column <= size / 2 + 3;
-        ball.kind = kBall;
-        ball.meets = kWall; // of which there is none
-        scene.def.bodies.push_back(ball);
-        const auto body = static_cast<std::size_t>(i);
-        if (column > 0) {
-            scene.def.pins.push_back({body - 1, body, ball.position + Vec2{-0.5, 0}});
-        }
-        if (row > 0) {
-            const std::size_t above = body - static_cast<std::size_t>(size);
-            scene.def.pins.push_back({above, body, ball.position + Vec2{0, 0.5}});
-        }
+    BodyDef knot = scenes::ball(0.4, {});
+    knot.kind = kBall;
+    knot.meets = kWall; // of which there is none
+    scenes::addNet(scene.def, size, knot, {});
+    for (int column = std::max(0, size / 2 - 3); column <= std::min(size - 1, size / 2 + 3);
+         ++column) {
+        scene.def.bodies[static_cast<std::size_t>(column)].locked = true;
     }
     scene.error = {"pins apart, most", "mm", [def = scene.def](const Stage& stage, const Depths&) {
                        return 1000 * widestPin(def, stage.engine());

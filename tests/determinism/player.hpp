@@ -6,6 +6,7 @@
 
 #include <scenes/crowds.hpp>
 #include <scenes/in_kodo.hpp>
+#include <scenes/nets.hpp>
 #include <scenes/piles.hpp>
 #include <scenes/slides.hpp>
 
@@ -47,6 +48,7 @@ inline std::span<const Recipe> recipes() {
         {"incline", [] { return scenes::incline(); }, false},
         {"bullets", [] { return scenes::fastBalls(); }, false},
         {"churn", emptyBin, true},
+        {"nets", [] { return scenes::nets(); }, false},
     };
     return kRecipes;
 }

@@ -7,7 +7,7 @@ namespace kodo {
 namespace {
 
 /// A heap of more bodies than a step must have before it is helped, with fast balls that bounce, a
-/// sensor, a chain and deep overlaps: every stage of a step has something to do.
+/// sensor, a chain, a ring of pins and deep overlaps: every stage of a step has something to do.
 World bigWorld(Strategy strategy) {
     StepSettings settings = strategy == Strategy::Propagation ? thesis2006() : StepSettings{};
     World world({.gravity = support::kEarth, .settings = settings});
@@ -33,6 +33,15 @@ World bigWorld(Strategy strategy) {
             world.add(support::ballDef({12 + Real(0.5) * static_cast<Real>(i), 20}, Real(0.2)));
         world.add(Pin{.ends = {last, link, {Real(0.25), 0}, {Real(-0.25), 0}}});
         last = link;
+    }
+    std::vector<BodyId> ring; // of four, which falls
+    for (const Vec2 place : {Vec2{-12, 15}, Vec2{-11, 15}, Vec2{-11, 16}, Vec2{-12, 16}}) {
+        ring.push_back(world.add(support::ballDef(place, Real(0.4))));
+    }
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const BodyId next = ring[(i + 1) % ring.size()];
+        const Vec2 half = Real(0.5) * (world[next].position() - world[ring[i]].position());
+        world.add(Pin{.ends = {.a = ring[i], .b = next, .anchorA = half, .anchorB = -half}});
     }
     return world;
 }

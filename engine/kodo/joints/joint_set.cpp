@@ -241,16 +241,44 @@ void JointSet::findBusy(const Bodies& bodies, bool changed) {
     }
 }
 
-void JointSet::beginStep() {
-    treesStale_ = true;
+void JointSet::beginStep(const Bodies& bodies) {
+    own_.clear();
+    lent_.clear();
+    held_.clear();
     for (const std::uint32_t index : busy_) {
         Joint& joint = joints_[index];
         joint.pushSum = {};
         joint.turnSum = 0;
+        if (idle(bodies, joint.def)) {
+            continue;
+        }
+        own_.push_back(index);
+        if (mayBeHeld(bodies, joint.def)) {
+            held_.push_back({index, firstBody(joint.def).index, secondBody(joint.def).index});
+        }
     }
+    trees_.find(bodies, held_);
+}
+
+std::span<const std::uint32_t> JointSet::lendPins() {
+    std::size_t kept = 0;
+    for (const std::uint32_t index : own_) {
+        const Pin* const pin = std::get_if<Pin>(&joints_[index].def);
+        if (pin != nullptr && pin->motorTorque == 0 && !pin->limits &&
+            trees_.rowsOf(index) == nullptr) {
+            lent_.push_back(index);
+        } else {
+            own_[kept++] = index;
+        }
+    }
+    own_.resize(kept);
+    return lent_;
 }
 
 void JointSet::scaleImpulses(Real by) {
+    if (by == 1) {
+        return;
+    }
     for (const std::uint32_t index : busy_) {
         Joint& joint = joints_[index];
         joint.point *= by;
@@ -261,13 +289,7 @@ void JointSet::scaleImpulses(Real by) {
 }
 
 void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
-    if (treesStale_) {
-        findTrees(bodies);
-    }
-    for (const std::uint32_t index : busy_) {
-        if (idle(bodies, joints_[index].def)) {
-            continue;
-        }
+    for (const std::uint32_t index : own_) {
         const bool inTree = trees_.rowsOf(index) != nullptr;
         forConstraints(
             joints_[index], bodies, turned_, {pass.h, pass.stiff, pass.biased, inTree},
@@ -285,24 +307,9 @@ void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
     }
 }
 
-void JointSet::findTrees(const Bodies& bodies) {
-    treesStale_ = false;
-    held_.clear();
-    for (const std::uint32_t index : busy_) {
-        const JointDef& def = joints_[index].def;
-        if (!idle(bodies, def) && mayBeHeld(bodies, def)) {
-            held_.push_back({index, firstBody(def).index, secondBody(def).index});
-        }
-    }
-    trees_.find(bodies, held_);
-}
-
 void JointSet::solve(Bodies& bodies, const JointPass& pass) {
-    for (const std::uint32_t index : busy_) {
+    for (const std::uint32_t index : own_) {
         Joint& joint = joints_[index];
-        if (idle(bodies, joint.def)) {
-            continue;
-        }
         joint.solved = true;
         HeldRows* const rows = trees_.rowsOf(index);
         if (rows != nullptr) {
@@ -374,7 +381,9 @@ std::span<const BrokenJoint> JointSet::endStep(Real dt) {
         joint.force = joint.pushSum / dt;
         joint.torque = joint.turnSum / dt;
         const Overload most = limitsOf(joint.def);
-        if (length(joint.force) > most.force || std::abs(joint.torque) > most.torque) {
+        const bool mayBreak = most.force < kUnbreakable || most.torque < kUnbreakable;
+        if (mayBreak &&
+            (length(joint.force) > most.force || std::abs(joint.torque) > most.torque)) {
             broken_.push_back({{index, ids_.generationAt(index)},
                                firstBody(joint.def),
                                secondBody(joint.def),

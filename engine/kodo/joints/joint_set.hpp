@@ -23,6 +23,27 @@ struct BrokenJoint {
 /// All joints of a World.
 class JointSet {
 public:
+    /// A joint as it is held, with what it has learned.
+    struct Joint {
+        JointDef def;
+        Vec2 point;                 // N s, of one substep
+        std::array<Real, 5> axes{}; // N s or N m s; what each stands for depends on the kind
+        Vec2 pushSum;               // N s, on b, over the step
+        Real turnSum = 0;           // N m s, on b, from angular constraints
+        Vec2 force;                 // N, on b, the mean of the last step that solved it
+        Real torque = 0;            // N m
+        bool solved = false;        // in this step; not if both bodies rest, stand or wait
+
+        /// Impulses by number: 0 and 1 are those of the point, then come the axes.
+        std::size_t slotOf(const Vec2&) const { return 0; }
+        std::size_t slotOf(const Real& axis) const {
+            return 2 + static_cast<std::size_t>(&axis - axes.data());
+        }
+        Real& impulseAt(std::size_t slot) {
+            return slot == 0 ? point.x : slot == 1 ? point.y : axes[slot - 2];
+        }
+    };
+
     JointId add(const JointDef& def);
     void remove(JointId id);
     bool contains(JointId id) const { return ids_.alive(id.index, id.generation); }
@@ -47,7 +68,9 @@ public:
     void findBusy(const Bodies& bodies, bool changed);
     std::size_t busyCount() const { return busy_.size(); }
 
-    void beginStep();
+    void beginStep(const Bodies& bodies);
+    /// Pins without motor and limits that belong to no tree: whoever asks solves them in this step.
+    std::span<const std::uint32_t> lendPins();
     /// Joints start from the impulses of a substep that was so many times as long.
     void scaleImpulses(Real by);
     void warmStart(Bodies& bodies, const JointPass& pass);
@@ -56,6 +79,8 @@ public:
     void forgetUnsound();
     /// Finds the loads of a step of dt and breaks what is overloaded.
     std::span<const BrokenJoint> endStep(Real dt);
+
+    Joint& at(std::uint32_t index) { return joints_[index]; }
 
     /// Visits each joint in order.
     template <typename Visit>
@@ -71,27 +96,13 @@ public:
             visit(joints_[index]);
         }
     }
-
-    /// A joint as it is held, with what it has learned.
-    struct Joint {
-        JointDef def;
-        Vec2 point;                 // N s, of one substep
-        std::array<Real, 5> axes{}; // N s or N m s; what each stands for depends on the kind
-        Vec2 pushSum;               // N s, on b, over the step
-        Real turnSum = 0;           // N m s, on b, from angular constraints
-        Vec2 force;                 // N, on b, the mean of the last step that solved it
-        Real torque = 0;            // N m
-        bool solved = false;        // in this step; not if both bodies rest, stand or wait
-
-        /// Impulses by number: 0 and 1 are those of the point, then come the axes.
-        std::size_t slotOf(const Vec2&) const { return 0; }
-        std::size_t slotOf(const Real& axis) const {
-            return 2 + static_cast<std::size_t>(&axis - axes.data());
+    /// And of those among them that are not lent.
+    template <typename Visit>
+    void forEachOwn(Visit visit) const {
+        for (const std::uint32_t index : own_) {
+            visit(joints_[index]);
         }
-        Real& impulseAt(std::size_t slot) {
-            return slot == 0 ? point.x : slot == 1 ? point.y : axes[slot - 2];
-        }
-    };
+    }
 
 private:
     friend class SnapshotFields;
@@ -104,12 +115,12 @@ private:
     JointTrees trees_;                   // of this step
     std::vector<JointTrees::Edge> held_; // joints that may belong to one
     TurnedBodies turned_;
-    bool treesStale_ = true;
+    std::vector<std::uint32_t> own_;  // of this step, in order: all that are busy and not lent
+    std::vector<std::uint32_t> lent_; // likewise
     std::vector<std::uint32_t> busy_; // in order; may have some that have become idle since
     bool busyStale_ = true;
 
     void refreshLists();
-    void findTrees(const Bodies& bodies);
     void solveTrees(Bodies& bodies, const JointPass& pass);
 };
 

@@ -80,9 +80,10 @@ Foresight JointTrees::foreseen(std::uint32_t joint, Real h) const {
     return node.childIsB ? Foresight{ofParent, ofChild} : Foresight{ofChild, ofParent};
 }
 
+/// A place in members_, should all that is reached be a tree.
 std::uint32_t JointTrees::join(std::uint32_t body) {
-    memberOf_[body] = static_cast<std::uint32_t>(members_.size());
-    members_.emplace_back().body = body;
+    memberOf_[body] = static_cast<std::uint32_t>(members_.size() + reached_.size());
+    reached_.push_back(body);
     return memberOf_[body];
 }
 
@@ -118,12 +119,17 @@ void JointTrees::find(const Bodies& bodies, std::span<const Edge> edges) {
     refill(used_, edges.size(), std::uint8_t{0});
     for (const bool anchored : {true, false}) {
         for (std::uint32_t i = 0; i < edges.size(); ++i) {
+            if (used_[i] != 0) {
+                continue;
+            }
             const Edge& edge = edges[i];
-            const bool fixed = bodies.locked(edge.a) || bodies.locked(edge.b);
-            if (used_[i] == 0 && fixed == anchored) {
+            if ((bodies.locked(edge.a) || bodies.locked(edge.b)) == anchored) {
                 grow(bodies, edges, i);
             }
         }
+    }
+    if (nodes_.empty()) {
+        return;
     }
     std::uint32_t most = 0;
     for (const Edge& edge : edges) {
@@ -139,49 +145,55 @@ void JointTrees::find(const Bodies& bodies, std::span<const Edge> edges) {
 /// and touches something: contacts take turns with its joints, and only joints that give a little
 /// let the two come to rest.
 void JointTrees::grow(const Bodies& bodies, std::span<const Edge> edges, std::uint32_t root) {
-    const std::size_t nodes = nodes_.size();
-    const std::size_t members = members_.size();
+    reached_.clear();
+    links_.clear();
     const Edge& edge = edges[root];
     const bool fromA = bodies.locked(edge.a);
     const bool anchored = fromA || bodies.locked(edge.b);
     if (anchored) {
         used_[root] = 1;
-        nodes_.push_back({edge.joint, edge.a, edge.b, join(fromA ? edge.b : edge.a), kNone, fromA});
+        links_.push_back({root, join(fromA ? edge.b : edge.a), kNone, fromA});
     } else {
-        roots_.push_back(join(edge.a));
+        join(edge.a);
     }
     bool fit = true;
-    for (std::size_t i = members; i < members_.size(); ++i) {
-        const Flags flags = bodies.filter[members_[i].body].flags;
-        const bool isTree = growFrom(bodies, edges, static_cast<std::uint32_t>(i));
+    for (std::size_t i = 0; i < reached_.size(); ++i) {
+        const Flags flags = bodies.filter[reached_[i]].flags;
+        const bool isTree = growFrom(bodies, edges, i);
         fit = fit && isTree && (anchored || (flags & kColliding) == 0);
     }
     if (!fit) {
-        nodes_.resize(nodes, Node{});
-        members_.resize(members, Member{});
-        while (!roots_.empty() && roots_.back() >= members) {
-            roots_.pop_back();
-        }
+        return;
+    }
+    if (!anchored) {
+        roots_.push_back(static_cast<std::uint32_t>(members_.size()));
+    }
+    for (const std::uint32_t body : reached_) {
+        members_.emplace_back().body = body;
+    }
+    for (const Link& link : links_) {
+        const Edge& held = edges[link.edge];
+        nodes_.push_back({held.joint, held.a, held.b, link.child, link.parent, link.childIsB});
     }
 }
 
-/// Adds what hangs on a member. False if that closes a loop.
-bool JointTrees::growFrom(const Bodies& bodies, std::span<const Edge> edges, std::uint32_t member) {
+/// Adds what hangs on a body that was reached. False if that closes a loop.
+bool JointTrees::growFrom(const Bodies& bodies, std::span<const Edge> edges, std::size_t from) {
     bool isTree = true;
-    const std::uint32_t body = members_[member].body;
+    const std::uint32_t body = reached_[from];
+    const auto member = static_cast<std::uint32_t>(members_.size() + from);
     for (std::uint32_t k = first_[body]; k < first_[body + 1]; ++k) {
         const std::uint32_t i = incident_[k];
         if (used_[i] != 0) {
             continue;
         }
         used_[i] = 1;
-        const Edge& edge = edges[i];
-        const bool isA = edge.a == body;
-        const std::uint32_t other = isA ? edge.b : edge.a;
+        const bool isA = edges[i].a == body;
+        const std::uint32_t other = isA ? edges[i].b : edges[i].a;
         if (bodies.locked(other)) {
-            nodes_.push_back({edge.joint, edge.a, edge.b, kNone, member, isA});
+            links_.push_back({i, kNone, member, isA});
         } else if (memberOf_[other] == kNone) {
-            nodes_.push_back({edge.joint, edge.a, edge.b, join(other), member, isA});
+            links_.push_back({i, join(other), member, isA});
         } else {
             isTree = false;
         }

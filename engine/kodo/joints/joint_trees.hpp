@@ -110,9 +110,17 @@ private:
         Triple wanted{};                           // q
     };
 
+    /// An edge on the way to all that hangs together, and what it will be as a Node.
+    struct Link {
+        std::uint32_t edge;
+        std::uint32_t child;
+        std::uint32_t parent;
+        bool childIsB;
+    };
+
     void listEdges(const Bodies& bodies, std::span<const Edge> edges);
     void grow(const Bodies& bodies, std::span<const Edge> edges, std::uint32_t root);
-    bool growFrom(const Bodies& bodies, std::span<const Edge> edges, std::uint32_t member);
+    bool growFrom(const Bodies& bodies, std::span<const Edge> edges, std::size_t from);
     std::uint32_t join(std::uint32_t body);
     void begin(Bodies& bodies, const JointPass& pass);
     void measure(const Bodies& bodies, const JointPass& pass);
@@ -129,6 +137,8 @@ private:
     std::vector<std::uint32_t> first_;    // by body: where its edges begin in incident_
     std::vector<std::uint32_t> incident_; // edges
     std::vector<std::uint8_t> used_;      // by edge
+    std::vector<std::uint32_t> reached_;  // bodies that hang together
+    std::vector<Link> links_;             // and how
 };
 
 } // namespace kodo::inline KODO_PRECISION

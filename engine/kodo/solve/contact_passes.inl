@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Included by contact_passes*.cpp, one for each kind of machine. Internal linkage throughout and
 // no call to an inline function of elsewhere, for the reason that lanes.hpp gives.
-#include <kodo/math/lanes.hpp>
 #include <kodo/solve/contact_block.hpp>
+#include <kodo/solve/motion_lanes.hpp>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
-
-/// The first half of Motion: velocity x, y, angular velocity, 1/mass.
-KODO_LANES_INLINE Real* firstHalf(Motion* motion) {
-    return &motion->velocity.x;
-}
-/// The second half: move x, y, turn, 1/inertia.
-KODO_LANES_INLINE const Real* secondHalf(const Motion* motion) {
-    return &motion->move.x;
-}
 
 /// The first of the Carried of a row.
 KODO_LANES_INLINE Real* numbers(Carried* carried) {
@@ -169,19 +160,6 @@ KODO_LANES_INLINE void prefetchBlock(const Arguments& pass, std::size_t k,
         if (tail != nullptr) {
             prefetchLines(&(next.*tail), &next + 1);
         }
-    }
-}
-
-/// Writes the speeds back of those that can be pushed. The others are left alone: another thread
-/// may be reading them.
-KODO_LANES_INLINE void putBack(Motion* motion, const std::uint32_t* index, const Quad& speed,
-                               std::uint8_t moves, int at) {
-    constexpr unsigned kAll = (1u << kLanes) - 1;
-    const unsigned which = static_cast<unsigned>(moves) >> at & kAll;
-    if (which == kAll) {
-        scatter(firstHalf(motion), index, speed);
-    } else {
-        scatter(firstHalf(motion), index, speed, which);
     }
 }
 

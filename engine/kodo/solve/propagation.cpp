@@ -311,7 +311,7 @@ void Propagation::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& j
     JointPass pass{h, Softness::from(settings.jointHertz, settings.jointDamping, h), true};
     pass_ = step.count * kPassesPerStep;
     visits_ = 0;
-    joints.beginStep();
+    joints.beginStep(bodies);
     for (int part = 0; part < settings.substeps; ++part) {
         predict(bodies, contacts, {step.tolerances, h, settings.has(Feature::Sweep), part == 0});
         resolveCollisions(bodies, contacts, step, h);

@@ -177,10 +177,10 @@ void SoftStep::noteCrowd(const Bodies& bodies, const ContactHead& head, const Cr
     }
 }
 
-/// Lists the bodies of joints, each once.
+/// Lists the bodies of joints that are not lent, each once.
 void SoftStep::findJointed(const JointSet& joints) {
     jointed_.clear();
-    joints.forEachBusy([&](const JointSet::Joint& joint) {
+    joints.forEachOwn([&](const JointSet::Joint& joint) {
         jointed_.push_back(firstBody(joint.def).index);
         jointed_.push_back(secondBody(joint.def).index);
     });
@@ -266,8 +266,9 @@ void SoftStep::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joint
     }
     const Real jointHertz = std::min(settings.jointHertz, kMostJointCycles / h);
     JointPass jointPass{h, Softness::from(jointHertz, settings.jointDamping, h)};
-    joints.beginStep();
+    joints.beginStep(bodies);
     joints.scaleImpulses(1 / static_cast<Real>(parts));
+    pins_.begin(bodies, joints);
     findJointed(joints);
     moveFree(bodies, dt);
     const int substeps = parts * settings.substeps;
@@ -279,6 +280,7 @@ void SoftStep::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joint
                      run.crew);
     }
     runSubsteps(run, substeps);
+    pins_.end(joints);
     joints.scaleImpulses(static_cast<Real>(parts));
     blocks_.noteTouching(tolerances.slop, crew);
     visits_ = (2 * blocks_.size() + settling_.visits()) * static_cast<std::size_t>(substeps);

@@ -9,6 +9,7 @@
 #include <kodo/joints/joint_set.hpp>
 #include <kodo/solve/block_shares.hpp>
 #include <kodo/solve/contact_blocks.hpp>
+#include <kodo/solve/pin_blocks.hpp>
 #include <kodo/solve/settings.hpp>
 #include <kodo/solve/settling.hpp>
 
@@ -110,6 +111,7 @@ private:
 
     ContactBlocks blocks_;
     BlockShares shares_;
+    PinBlocks pins_;
     std::vector<Phase> phases_;            // that are yet to be run, by all threads
     std::vector<std::uint32_t> newcomers_; // places of contacts that have no lane yet
     Findings<std::uint32_t> found_;

@@ -47,7 +47,7 @@ void SoftStep::addPhase(Substeps& run, const Phase& phase) {
         return;
     }
     phases_.push_back(phase);
-    if (run.bodies.loads.driven || !jointed_.empty()) {
+    if (run.bodies.loads.driven || !jointed_.empty() || !pins_.empty()) {
         runPhases(run);
     }
 }
@@ -108,7 +108,8 @@ void SoftStep::settle(Substeps& run) {
 }
 
 /// The arms of joints do turn within a step, so they start from their own impulses in each substep,
-/// and what they gave in the last one does not count as what the contacts gave.
+/// and what they gave in the last one does not count as what the contacts gave. With lent pins,
+/// which are springs, it does: by how little their arms turn in one substep, the next pass mends.
 void SoftStep::runSubstep(Substeps& run, bool first) {
     const ContactPasses& passes = ContactPasses::best();
     Bodies& bodies = run.bodies;
@@ -126,14 +127,19 @@ void SoftStep::runSubstep(Substeps& run, bool first) {
     addPhase(run, {.work = first ? &SoftStep::beginVelocities : &SoftStep::nextVelocities});
     passJoints(run, [&] { joints.warmStart(bodies, jointPass); });
     if (first) {
+        pins_.warmStart(bodies, jointPass);
         addPhase(run, {passes.warmStart, settings});
     }
-    jointPass.biased = true;
-    passJoints(run, [&] { joints.solve(bodies, jointPass); });
+    const auto solveJoints = [&](bool biased) {
+        jointPass.biased = biased;
+        passJoints(run, [&] { joints.solve(bodies, jointPass); });
+        pins_.solve(bodies, jointPass);
+    };
+    solveJoints(true);
     addPhase(run, {passes.solve, settings});
     addPhase(run, {.work = &SoftStep::move});
-    jointPass.biased = false;
-    passJoints(run, [&] { joints.solve(bodies, jointPass); });
+    pins_.turn(bodies);
+    solveJoints(false);
     settle(run);
     PassSettings relax = settings;
     relax.kept = first ? Real(0) : Real(1);

@@ -341,8 +341,7 @@ void SnapshotFields::rest(RestStage& stage, Bodies& bodies) {
 }
 
 void SnapshotFields::joints(JointSet& set, const Bodies& bodies, Real lengthUnit) {
-    auto& [ids, joints, live, apart, broken, trees, held, turned, treesStale, busy, busyStale] =
-        set;
+    auto& [ids, joints, live, apart, broken, trees, held, turned, own, lent, busy, busyStale] = set;
     one(ids);
     joints.resize(ids.capacity());
     for (std::size_t i = 0; i < joints.size(); ++i) {

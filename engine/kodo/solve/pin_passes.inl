@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// Included by pin_passes*.cpp, one for each kind of machine. Internal linkage throughout and no
+// call to an inline function of elsewhere, for the reason that lanes.hpp gives.
+#include <kodo/math/lane_turns.hpp>
+#include <kodo/solve/motion_lanes.hpp>
+#include <kodo/solve/pin_block.hpp>
+
+#include <limits>
+
+namespace kodo::inline KODO_PRECISION {
+namespace {
+
+KODO_LANES_INLINE Vectors load(const PinBlock::Both& from, int at) {
+    return {load(from.x + at), load(from.y + at)};
+}
+KODO_LANES_INLINE void store(PinBlock::Both& to, int at, const Vectors& vectors) {
+    store(to.x + at, vectors.x);
+    store(to.y + at, vectors.y);
+}
+
+/// K^-1, or what stands for it: see PointConstraint::stopping. K is divided by its trace first, so
+/// that the squares of small masses and of large ones are numbers.
+KODO_LANES_INLINE void storeMass(PinBlock& block, int at, Lanes xx, Lanes xy, Lanes yy) {
+    constexpr Real kSingular = 16 * std::numeric_limits<Real>::epsilon();
+    const Lanes trace = xx + yy;
+    const Lanes scale = trace > Lanes{} ? all(1) / trace : Lanes{};
+    xx *= scale;
+    xy *= scale;
+    yy *= scale;
+    const Lanes determinant = xx * yy - xy * xy;
+    const auto regular = determinant > all(kSingular) * (xx * yy);
+    const Lanes by = regular ? scale / determinant : scale;
+    store(block.massXX + at, by * (regular ? yy : xx));
+    store(block.massXY + at, by * (regular ? -xy : xy));
+    store(block.massYY + at, by * (regular ? xx : yy));
+}
+
+void turnPins(const PinPassArguments& pass) {
+    for (std::size_t i = 0; i < pass.count; ++i) {
+        PinBlock& block = pass.blocks[i];
+        for (int at = 0; at < PinBlock::kPins; at += kLanes) {
+            const Quad moveA = gather(secondHalf(pass.motion), block.a + at);
+            const Quad moveB = gather(secondHalf(pass.motion), block.b + at);
+            const Vectors armA = turnedBy(cosSin(moveA.z), load(block.startA, at));
+            const Vectors armB = turnedBy(cosSin(moveB.z), load(block.startB, at));
+            const Vectors between = load(block.between, at);
+            store(block.armA, at, armA);
+            store(block.armB, at, armB);
+            store(block.gap, at,
+                  {(between.x + (moveB.x - moveA.x)) + (armB.x - armA.x),
+                   (between.y + (moveB.y - moveA.y)) + (armB.y - armA.y)});
+            const Lanes mass = load(block.mass + at);
+            const Lanes ia = load(block.inertiaA + at);
+            const Lanes ib = load(block.inertiaB + at);
+            storeMass(block, at, mass + (ia * armA.y * armA.y + ib * armB.y * armB.y),
+                      -(ia * armA.x * armA.y + ib * armB.x * armB.y),
+                      mass + (ia * armA.x * armA.x + ib * armB.x * armB.x));
+        }
+    }
+}
+
+/// kLanes pins with their two bodies each.
+struct PinnedPair {
+    Quad a; // x, y: velocity, z: angular velocity, w: 1/mass
+    Quad b;
+    Vectors armA;
+    Vectors armB;
+};
+
+KODO_LANES_INLINE PinnedPair pairOf(const PinPassArguments& pass, const PinBlock& block, int at) {
+    return {gather(firstHalf(pass.motion), block.a + at),
+            gather(firstHalf(pass.motion), block.b + at), load(block.armA, at),
+            load(block.armB, at)};
+}
+
+/// Pushes with an impulse, and writes the speeds back.
+KODO_LANES_INLINE void pushPins(const PinPassArguments& pass, std::size_t i, int at,
+                                PinnedPair& pair, const Vectors& p) {
+    const PinBlock& block = pass.blocks[i];
+    pair.a.x -= pair.a.w * p.x;
+    pair.a.y -= pair.a.w * p.y;
+    pair.a.z -= load(block.inertiaA + at) * (pair.armA.x * p.y - pair.armA.y * p.x);
+    pair.b.x += pair.b.w * p.x;
+    pair.b.y += pair.b.w * p.y;
+    pair.b.z += load(block.inertiaB + at) * (pair.armB.x * p.y - pair.armB.y * p.x);
+    putBack(pass.motion, block.a + at, pair.a, pass.use[i].movesA, at);
+    putBack(pass.motion, block.b + at, pair.b, pass.use[i].movesB, at);
+}
+
+void warmStartPins(const PinPassArguments& pass) {
+    for (std::size_t i = 0; i < pass.count; ++i) {
+        for (int at = 0; at < PinBlock::kPins; at += kLanes) {
+            PinnedPair pair = pairOf(pass, pass.blocks[i], at);
+            pushPins(pass, i, at, pair, load(pass.blocks[i].impulse, at));
+        }
+    }
+}
+
+/// From the end of the tangent that an anchor moves along to that of its arc: see
+/// JointKinds::anchors.
+KODO_LANES_INLINE Vectors bendOf(Lanes spin, const Vectors& arm, Real h) {
+    const Lanes turn = smaller(all(1), larger(all(-1), all(h) * spin));
+    const Lanes square = turn * turn;
+    const Lanes along = square * all(Real(1) / 24) - all(Real(0.5));
+    const Lanes across = turn * all(Real(1) / 6);
+    return {square * (along * arm.x + across * arm.y), square * (along * arm.y - across * arm.x)};
+}
+
+enum class PinTask { Solve, Relax };
+
+template <PinTask task>
+void solvePins(const PinPassArguments& pass) {
+    const Softness& soft = pass.soft;
+    for (std::size_t i = 0; i < pass.count; ++i) {
+        PinBlock& block = pass.blocks[i];
+        for (int at = 0; at < PinBlock::kPins; at += kLanes) {
+            PinnedPair pair = pairOf(pass, block, at);
+            const auto& [a, b, armA, armB] = pair;
+            Vectors speed{(b.x - a.x) - (b.z * armB.y - a.z * armA.y),
+                          (b.y - a.y) + (b.z * armB.x - a.z * armA.x)};
+            Lanes scale = all(-1);
+            Lanes kept = all(1);
+            if constexpr (task == PinTask::Solve) {
+                const Vectors gap = load(block.gap, at);
+                const Vectors bendA = bendOf(a.z, armA, pass.h);
+                const Vectors bendB = bendOf(b.z, armB, pass.h);
+                speed.x += all(soft.biasRate) * gap.x + (bendB.x - bendA.x) * all(1 / pass.h);
+                speed.y += all(soft.biasRate) * gap.y + (bendB.y - bendA.y) * all(1 / pass.h);
+                scale = all(-soft.massScale);
+                kept = all(1 - soft.impulseScale);
+            }
+            const Lanes xy = load(block.massXY + at);
+            const Vectors impulse = load(block.impulse, at);
+            const Vectors next{
+                kept * impulse.x + scale * (load(block.massXX + at) * speed.x + xy * speed.y),
+                kept * impulse.y + scale * (xy * speed.x + load(block.massYY + at) * speed.y)};
+            store(block.impulse, at, next);
+            if constexpr (task == PinTask::Relax) {
+                const Vectors total = load(block.total, at);
+                store(block.total, at, {total.x + next.x, total.y + next.y});
+            }
+            pushPins(pass, i, at, pair, {next.x - impulse.x, next.y - impulse.y});
+        }
+    }
+}
+
+/// Those of this kind of machine.
+constexpr PinPasses pinPassesNamed(const char* name) {
+    return {name, turnPins, warmStartPins, solvePins<PinTask::Solve>, solvePins<PinTask::Relax>};
+}
+
+} // namespace
+} // namespace kodo::inline KODO_PRECISION

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <scenes/scene_def.hpp>
+
+namespace scenes {
+
+/// Adds a square net of bodies 1 m apart, each pinned to those beside and below it half way between
+/// them, so that its meshes are loops. `corner` is the place of the top left one. Gives the place
+/// of that in the list; the others follow row by row.
+inline std::size_t addNet(SceneDef& scene, int side, const BodyDef& knot, Vec2 corner) {
+    const std::size_t first = scene.bodies.size();
+    for (int i = 0; i < side * side; ++i) {
+        const int column = i % side;
+        const int row = i / side;
+        BodyDef body = knot;
+        body.position = corner + Vec2{static_cast<double>(column), -static_cast<double>(row)};
+        const std::size_t place = scene.bodies.size();
+        scene.bodies.push_back(body);
+        if (column > 0) {
+            scene.pins.push_back({place - 1, place, body.position + Vec2{-0.5, 0}});
+        }
+        if (row > 0) {
+            const std::size_t above = place - static_cast<std::size_t>(side);
+            scene.pins.push_back({above, place, body.position + Vec2{0, 0.5}});
+        }
+    }
+    return first;
+}
+
+/// Everything that pins make: a net hung by its upper corners, into which boxes fall, a chain that
+/// swings, a bar that a motor turns, and a loose net that falls to the ground.
+inline SceneDef nets() {
+    SceneDef scene{"nets", kDown, {ground(60)}};
+    const std::size_t hung = addNet(scene, 9, ball(0.4, {}), {-4, 14});
+    scene.bodies[hung].locked = true;
+    scene.bodies[hung + 8].locked = true;
+    addNet(scene, 5, box(0.8, 0.3, {}), {8, 9});
+    for (int i = 0; i < 6; ++i) {
+        scene.bodies.push_back(box(0.7, 0.5, {-2.0 + 0.8 * i, 16.0 + i}));
+    }
+    std::size_t last = scene.bodies.size();
+    BodyDef post = box(0.5, 0.5, {-16, 12});
+    post.locked = true;
+    scene.bodies.push_back(post);
+    for (int i = 1; i <= 8; ++i) {
+        const double x = -16.0 + i;
+        scene.pins.push_back({last, scene.bodies.size(), {x - 0.5, 12}});
+        last = scene.bodies.size();
+        scene.bodies.push_back(box(0.9, 0.2, {x, 12}));
+    }
+    scene.pins.push_back({0, scene.bodies.size(), {4, 2}, 3, 400});
+    scene.bodies.push_back(box(3.5, 0.3, {4, 2}));
+    return scene;
+}
+
+} // namespace scenes
