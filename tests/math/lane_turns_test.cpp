@@ -18,7 +18,7 @@ void expectSame(Real a, Real b, Real angle) {
 void expectAsAlone(Real angle, Real first) {
     Lanes angles = all(angle);
     angles[0] = first;
-    const Vectors both = cosSin(angles);
+    const Couple both = cosSin(angles);
     for (int i = 0; i < kLanes; ++i) {
         const SinCos<Real> alone = sinCos(static_cast<Real>(angles[i]));
         expectSame(both.x[i], alone.cos, angles[i]);

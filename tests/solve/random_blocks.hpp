@@ -4,7 +4,6 @@
 #include <kodo/solve/contact_block.hpp>
 #include <support/random_numbers.hpp>
 
-#include <cstring>
 #include <vector>
 
 namespace kodo {
@@ -109,10 +108,5 @@ struct RandomBlocks {
                       motion.data(), extent.data()});
     }
 };
-
-template <typename T>
-bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
-}
 
 } // namespace kodo

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/solve/settling.hpp>
+#include <support/same_bits.hpp>
 
 #include <gtest/gtest.h>
 #include <solve/random_blocks.hpp>
@@ -9,6 +10,8 @@
 
 namespace kodo {
 namespace {
+
+using support::sameBits;
 
 // Separations, m.
 constexpr Real kDeepBelow = Real(-0.03);

@@ -46,7 +46,7 @@ void movePosesAside(Bodies& bodies, const std::uint32_t* list) {
     Quad pose = gather(&bodies.pose[0].position.x, poseAt);
     pose.x += moved.x;
     pose.y += moved.y;
-    const Vectors next = turnedBy(cosSin(moved.z), {pose.z, pose.w});
+    const Couple next = turnedBy(cosSin(moved.z), {pose.z, pose.w});
     const Lanes missing = (all(1) - (next.x * next.x + next.y * next.y)) * all(Real(0.5));
     const auto stays = moved.z == Lanes{};
     pose.z = stays ? pose.z : next.x + missing * next.x;

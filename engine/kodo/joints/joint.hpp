@@ -103,4 +103,9 @@ std::optional<Problem> check(const JointDef& def, Real lengthUnit = 1);
 BodyId firstBody(const JointDef& def);
 BodyId secondBody(const JointDef& def);
 
+/// From the centre of mass of a body that is turned so to an anchor in the frame of its shape, m.
+inline Vec2 armOf(const Bodies& bodies, std::uint32_t body, Rot rotation, Vec2 anchor) {
+    return rotation * (anchor - bodies.form(body).mass.center);
+}
+
 } // namespace kodo::inline KODO_PRECISION

@@ -8,8 +8,6 @@ namespace {
 
 // Of 1 / inertia about the centre, at a hinge: a difference of large numbers must stay one.
 constexpr Real kLeastShare = sizeof(Real) == 4 ? Real(1e-4) : Real(1e-9);
-// A determinant this small beside the squares it is the difference of is a rounding.
-constexpr Real kSingularPins = 16 * std::numeric_limits<Real>::epsilon();
 
 } // namespace
 

@@ -11,6 +11,10 @@ namespace kodo::inline KODO_PRECISION {
 /// The building blocks of joints: constraints between two bodies, solved by impulses. All geometry
 /// is of this very moment within the step, in world axes.
 
+/// Of a point's K: a determinant this small beside the squares it is the difference of is a
+/// rounding.
+inline constexpr Real kSingularPins = 16 * std::numeric_limits<Real>::epsilon();
+
 /// Holds two points together: speed = v_b + w_b x r_b - v_a - w_a x r_a is driven to zero, both
 /// coordinates at once [Catto09].
 struct PointConstraint {

@@ -10,10 +10,6 @@
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
-Vec2 armOf(const Bodies& bodies, std::uint32_t body, Rot rotation, Vec2 anchor) {
-    return rotation * (anchor - bodies.form(body).mass.center);
-}
-
 JointFrame frameOf(Bodies& bodies, TurnedBodies& turned, const JointEnds& ends) {
     const std::uint32_t a = ends.a.index;
     const std::uint32_t b = ends.b.index;

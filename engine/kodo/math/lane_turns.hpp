@@ -12,12 +12,6 @@
 namespace kodo::inline KODO_PRECISION {
 namespace { // NOLINT: see above
 
-/// A vector in each lane.
-struct Vectors {
-    Lanes x;
-    Lanes y;
-};
-
 /// Is a comparison true in any lane?
 template <typename Mask>
 KODO_LANES_INLINE bool any(const Mask& mask) {
@@ -31,13 +25,13 @@ KODO_LANES_INLINE bool any(const Mask& mask) {
 }
 
 /// As sinCos, to the bit, but for the sign of a zero.
-KODO_LANES_INLINE Vectors cosSin(Lanes angle) {
+KODO_LANES_INLINE Couple cosSin(Lanes angle) {
     const auto far = larger(angle, -angle) > all(std::numbers::pi_v<Real> / 4);
     const SinCosOf<Lanes> both = any(far) ? sinCosFar<Real>(angle) : sinCosNear<Real>(angle);
     return {both.cos, both.sin};
 }
 
-KODO_LANES_INLINE Vectors turnedBy(const Vectors& rotation, const Vectors& v) {
+KODO_LANES_INLINE Couple turnedBy(const Couple& rotation, const Couple& v) {
     return {rotation.x * v.x - rotation.y * v.y, rotation.y * v.x + rotation.x * v.y};
 }
 

@@ -20,10 +20,6 @@ Vec2 get(const PinBlock::Both& from, std::size_t lane) {
     return {from.x[lane], from.y[lane]};
 }
 
-Vec2 armOf(const Bodies& bodies, std::uint32_t body, Vec2 anchor) {
-    return bodies.pose[body].rotation * (anchor - bodies.form(body).mass.center);
-}
-
 } // namespace
 
 void PinBlocks::begin(Bodies& bodies, JointSet& joints) {
@@ -79,9 +75,11 @@ void PinBlocks::fill(const Bodies& bodies, const JointSet::Joint& joint, std::si
     const std::size_t at = lane % PinBlock::kPins;
     block.a[at] = placeOfMotion(ends.a.index);
     block.b[at] = placeOfMotion(ends.b.index);
-    set(block.startA, at, armOf(bodies, ends.a.index, ends.anchorA));
-    set(block.startB, at, armOf(bodies, ends.b.index, ends.anchorB));
-    set(block.between, at, bodies.pose[ends.b.index].position - bodies.pose[ends.a.index].position);
+    const Transform& poseA = bodies.pose[ends.a.index];
+    const Transform& poseB = bodies.pose[ends.b.index];
+    set(block.startA, at, armOf(bodies, ends.a.index, poseA.rotation, ends.anchorA));
+    set(block.startB, at, armOf(bodies, ends.b.index, poseB.rotation, ends.anchorB));
+    set(block.between, at, poseB.position - poseA.position);
     const Motion& a = bodies.motion[ends.a.index];
     const Motion& b = bodies.motion[ends.b.index];
     block.mass[at] = a.invMass + b.invMass;

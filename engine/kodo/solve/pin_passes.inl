@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Included by pin_passes*.cpp, one for each kind of machine. Internal linkage throughout and no
 // call to an inline function of elsewhere, for the reason that lanes.hpp gives.
+#include <kodo/joints/joint_rows.hpp>
 #include <kodo/math/lane_turns.hpp>
 #include <kodo/solve/motion_lanes.hpp>
 #include <kodo/solve/pin_block.hpp>
 
-#include <limits>
-
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
-KODO_LANES_INLINE Vectors load(const PinBlock::Both& from, int at) {
+KODO_LANES_INLINE Couple load(const PinBlock::Both& from, int at) {
     return {load(from.x + at), load(from.y + at)};
 }
-KODO_LANES_INLINE void store(PinBlock::Both& to, int at, const Vectors& vectors) {
+KODO_LANES_INLINE void store(PinBlock::Both& to, int at, const Couple& vectors) {
     store(to.x + at, vectors.x);
     store(to.y + at, vectors.y);
 }
@@ -21,14 +20,13 @@ KODO_LANES_INLINE void store(PinBlock::Both& to, int at, const Vectors& vectors)
 /// K^-1, or what stands for it: see PointConstraint::stopping. K is divided by its trace first, so
 /// that the squares of small masses and of large ones are numbers.
 KODO_LANES_INLINE void storeMass(PinBlock& block, int at, Lanes xx, Lanes xy, Lanes yy) {
-    constexpr Real kSingular = 16 * std::numeric_limits<Real>::epsilon();
     const Lanes trace = xx + yy;
     const Lanes scale = trace > Lanes{} ? all(1) / trace : Lanes{};
     xx *= scale;
     xy *= scale;
     yy *= scale;
     const Lanes determinant = xx * yy - xy * xy;
-    const auto regular = determinant > all(kSingular) * (xx * yy);
+    const auto regular = determinant > all(kSingularPins) * (xx * yy);
     const Lanes by = regular ? scale / determinant : scale;
     store(block.massXX + at, by * (regular ? yy : xx));
     store(block.massXY + at, by * (regular ? -xy : xy));
@@ -41,9 +39,9 @@ void turnPins(const PinPassArguments& pass) {
         for (int at = 0; at < PinBlock::kPins; at += kLanes) {
             const Quad moveA = gather(secondHalf(pass.motion), block.a + at);
             const Quad moveB = gather(secondHalf(pass.motion), block.b + at);
-            const Vectors armA = turnedBy(cosSin(moveA.z), load(block.startA, at));
-            const Vectors armB = turnedBy(cosSin(moveB.z), load(block.startB, at));
-            const Vectors between = load(block.between, at);
+            const Couple armA = turnedBy(cosSin(moveA.z), load(block.startA, at));
+            const Couple armB = turnedBy(cosSin(moveB.z), load(block.startB, at));
+            const Couple between = load(block.between, at);
             store(block.armA, at, armA);
             store(block.armB, at, armB);
             store(block.gap, at,
@@ -63,8 +61,8 @@ void turnPins(const PinPassArguments& pass) {
 struct PinnedPair {
     Quad a; // x, y: velocity, z: angular velocity, w: 1/mass
     Quad b;
-    Vectors armA;
-    Vectors armB;
+    Couple armA;
+    Couple armB;
 };
 
 KODO_LANES_INLINE PinnedPair pairOf(const PinPassArguments& pass, const PinBlock& block, int at) {
@@ -75,7 +73,7 @@ KODO_LANES_INLINE PinnedPair pairOf(const PinPassArguments& pass, const PinBlock
 
 /// Pushes with an impulse, and writes the speeds back.
 KODO_LANES_INLINE void pushPins(const PinPassArguments& pass, std::size_t i, int at,
-                                PinnedPair& pair, const Vectors& p) {
+                                PinnedPair& pair, const Couple& p) {
     const PinBlock& block = pass.blocks[i];
     pair.a.x -= pair.a.w * p.x;
     pair.a.y -= pair.a.w * p.y;
@@ -98,7 +96,7 @@ void warmStartPins(const PinPassArguments& pass) {
 
 /// From the end of the tangent that an anchor moves along to that of its arc: see
 /// JointKinds::anchors.
-KODO_LANES_INLINE Vectors bendOf(Lanes spin, const Vectors& arm, Real h) {
+KODO_LANES_INLINE Couple bendOf(Lanes spin, const Couple& arm, Real h) {
     const Lanes turn = smaller(all(1), larger(all(-1), all(h) * spin));
     const Lanes square = turn * turn;
     const Lanes along = square * all(Real(1) / 24) - all(Real(0.5));
@@ -116,27 +114,27 @@ void solvePins(const PinPassArguments& pass) {
         for (int at = 0; at < PinBlock::kPins; at += kLanes) {
             PinnedPair pair = pairOf(pass, block, at);
             const auto& [a, b, armA, armB] = pair;
-            Vectors speed{(b.x - a.x) - (b.z * armB.y - a.z * armA.y),
-                          (b.y - a.y) + (b.z * armB.x - a.z * armA.x)};
+            Couple speed{(b.x - a.x) - (b.z * armB.y - a.z * armA.y),
+                         (b.y - a.y) + (b.z * armB.x - a.z * armA.x)};
             Lanes scale = all(-1);
             Lanes kept = all(1);
             if constexpr (task == PinTask::Solve) {
-                const Vectors gap = load(block.gap, at);
-                const Vectors bendA = bendOf(a.z, armA, pass.h);
-                const Vectors bendB = bendOf(b.z, armB, pass.h);
+                const Couple gap = load(block.gap, at);
+                const Couple bendA = bendOf(a.z, armA, pass.h);
+                const Couple bendB = bendOf(b.z, armB, pass.h);
                 speed.x += all(soft.biasRate) * gap.x + (bendB.x - bendA.x) * all(1 / pass.h);
                 speed.y += all(soft.biasRate) * gap.y + (bendB.y - bendA.y) * all(1 / pass.h);
                 scale = all(-soft.massScale);
                 kept = all(1 - soft.impulseScale);
             }
             const Lanes xy = load(block.massXY + at);
-            const Vectors impulse = load(block.impulse, at);
-            const Vectors next{
+            const Couple impulse = load(block.impulse, at);
+            const Couple next{
                 kept * impulse.x + scale * (load(block.massXX + at) * speed.x + xy * speed.y),
                 kept * impulse.y + scale * (xy * speed.x + load(block.massYY + at) * speed.y)};
             store(block.impulse, at, next);
             if constexpr (task == PinTask::Relax) {
-                const Vectors total = load(block.total, at);
+                const Couple total = load(block.total, at);
                 store(block.total, at, {total.x + next.x, total.y + next.y});
             }
             pushPins(pass, i, at, pair, {next.x - impulse.x, next.y - impulse.y});
