@@ -24,7 +24,12 @@ protected:
         const Vec2 position = near + random_.point(reach);
         const Rot rotation = random_.rotation();
         const Vec2 move = random_.point(3);
-        return {{position, rotation}, move, random_.between(-2, 2)};
+        Sweep sweep{{position, rotation}, move, random_.between(-2, 2)};
+        if (random_.below(3) == 0) { // stopped on its way, and perhaps pushed along
+            sweep.stopAt = random_.between(0, 1);
+            sweep.push = random_.below(2) == 0 ? Vec2{} : random_.point(2);
+        }
+        return sweep;
     }
     support::RandomNumbers random_{191};
 };

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/collide/collide.hpp>
 #include <kodo/collide/one_sided.hpp>
+#include <kodo/collide/outlook.hpp>
 #include <kodo/collide/round.hpp>
 #include <kodo/collide/sat.hpp>
 #include <kodo/collide/time_of_impact.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
-// Each round at least halves the gap where shapes are curved or turn; straight flight onto a face
-// needs two. A pair that still creeps towards touching after this many is stopped where it is,
-// which is safe: it has not touched yet.
+// Polygons that fly straight need two rounds, and those that turn some five; with what is round, a
+// round halves the gap at least where nothing turns. Who turns far within a step may need more. A
+// pair that still creeps towards touching after this many is stopped where it is, which is safe: it
+// has not touched yet.
 constexpr int kMostRounds = 40;
-constexpr Real kNever = 2;
+constexpr Real kNever = Course::kNever;
 
 /// One of the two that move.
 struct Mover {
@@ -37,41 +40,80 @@ Real turningBound(Mover mover, Mover other) {
     return swing * std::abs(mover.sweep.turn);
 }
 
-/// Conservative advancement with any measure of separation that is never more than the distance.
-template <typename Measure>
-Real advance(Mover a, Mover b, Real target, Measure separationAt) {
-    const Real turningA = turningBound(a, b);
-    const Real turningB = turningBound(b, a);
+/// How the two go on at t, until one of them is stopped.
+Course courseFrom(Mover a, Mover b, Real t, Real target) {
+    const bool goesA = t < a.sweep.stopAt;
+    const bool goesB = t < b.sweep.stopAt;
+    const Real stopA = goesA ? a.sweep.stopAt : 1;
+    const Real stopB = goesB ? b.sweep.stopAt : 1;
+    return {.towards =
+                (goesA ? a.sweep.move : a.sweep.push) - (goesB ? b.sweep.move : b.sweep.push),
+            .turnA = goesA ? a.sweep.turn : 0,
+            .turnB = goesB ? b.sweep.turn : 0,
+            .turning = (goesA ? turningBound(a, b) : 0) + (goesB ? turningBound(b, a) : 0),
+            .length = std::min({stopA, stopB, Real(1)}) - t,
+            .target = target};
+}
+
+/// Do discs around both, which hold them however they turn, come as near as that on their ways?
+bool discsMeet(Mover a, Mover b, Real target) {
+    if (a.shape.isPlane() || b.shape.isPlane()) {
+        return true; // no disc holds one
+    }
+    // A little more, for roundings.
+    const Real near = Real(1.001) * (a.shape.reach + b.shape.reach + std::max(target, Real(0)));
+    Vec2 apart = b.sweep.start.position - a.sweep.start.position;
+    for (Real t = 0; t < 1;) {
+        const Course course = courseFrom(a, b, t, target);
+        const Vec2 way = -course.length * course.towards;
+        const Real square = lengthSquared(way);
+        const Real along = std::clamp(-dot(apart, way), Real(0), square);
+        const Vec2 nearest = along > 0 ? apart + (along / square) * way : apart;
+        if (lengthSquared(nearest) <= near * near) {
+            return true;
+        }
+        apart += way;
+        t += course.length;
+    }
+    return false;
+}
+
+/// Conservative advancement with any way to look ahead.
+template <typename Look>
+Real advance(Mover a, Mover b, Real target, Look lookAhead) {
     Real t = 0;
+    Real most = 1;
     for (int round = 0; round < kMostRounds; ++round) {
-        const Separation now = separationAt(a.sweep.at(t), b.sweep.at(t));
-        const Real gap = now.distance - target;
-        if (gap <= std::abs(target) / 2) {
-            return t;
-        }
-        const Vec2 moveA = t < a.sweep.stopAt ? a.sweep.move : a.sweep.push;
-        const Vec2 moveB = t < b.sweep.stopAt ? b.sweep.move : b.sweep.push;
-        const Real turning =
-            (t < a.sweep.stopAt ? turningA : 0) + (t < b.sweep.stopAt ? turningB : 0);
-        const Real closing = dot(now.axis, moveA - moveB) + turning;
-        // The bound holds until one of them stops; from there on the other goes on alone.
-        Real until = 1;
-        for (const Sweep* sweep : {&a.sweep, &b.sweep}) {
-            if (t < sweep->stopAt && sweep->stopAt < until) {
-                until = sweep->stopAt;
-            }
-        }
-        const Real free = closing > 0 ? gap / closing : kNever;
-        if (t + free >= until) {
-            if (until >= 1) {
+        Course course = courseFrom(a, b, t, target);
+        const Real left = course.length;
+        course.length = std::min(left, most);
+        const Outlook outlook = lookAhead(a.sweep.at(t), b.sweep.at(t), course);
+        if (outlook.passes(course)) {
+            t += course.length;
+            if (most >= left && t >= 1) {
                 return kNever;
             }
-            t = until;
+            most *= 4;
+        } else if (outlook.distance - target <= std::abs(target) / 2) {
+            return t;
         } else {
-            t += free;
+            t += outlook.last;
+            most = 2 * outlook.last; // an impact is near, and a short way is foreseen better
         }
     }
     return t;
+}
+
+/// The same along one axis at a time.
+template <typename Measure>
+Real advanceAlong(Mover a, Mover b, Real target, Measure separationAt) {
+    return advance(a, b, target,
+                   [&](const Transform& at, const Transform& bt, const Course& course) {
+                       const Separation now = separationAt(at, bt);
+                       Outlook outlook;
+                       outlook.see(now.axis, now.distance, course);
+                       return outlook;
+                   });
 }
 
 /// Of the whole straight line through a one-sided line, along its normal.
@@ -103,7 +145,7 @@ Real impactOnOneSided(Mover line, Mover other, Real target) {
         return aboveLine(line.shape, a, other.shape, b);
     };
     if (above(line.sweep.start, other.sweep.start).distance > target * Real(1.5)) {
-        const Real t = advance(line, other, target, above);
+        const Real t = advanceAlong(line, other, target, above);
         if (t > 1 || collideOneSided(line.shape, line.sweep.at(t), other.shape, other.sweep.at(t),
                                      2 * target, 0)
                              .count > 0) {
@@ -118,7 +160,7 @@ Real impactOnOneSided(Mover line, Mover other, Real target) {
         const auto vertex = [&](const Transform& a, const Transform& b) {
             return fromVertex(line.shape, end, a, other.shape, b);
         };
-        const Real t = advance(line, other, target, vertex);
+        const Real t = advanceAlong(line, other, target, vertex);
         if (t < first) {
             const Transform a = line.sweep.at(t);
             const Vec2 direction = unrotate(a.rotation, vertex(a, other.sweep.at(t)).axis);
@@ -144,15 +186,19 @@ Real timeOfImpact(const Convex& shapeA, const Sweep& a, const Convex& shapeB, co
         (shapeB.oneSided && shapeA.isPlane() && turnsAway(moverB, moverA))) {
         return kNever;
     }
+    if (!discsMeet(moverA, moverB, target)) {
+        return kNever;
+    }
     if (shapeA.oneSided && !shapeB.isPlane()) {
         return impactOnOneSided(moverA, moverB, target);
     }
     if (shapeB.oneSided && !shapeA.isPlane()) {
         return impactOnOneSided(moverB, moverA, target);
     }
-    return advance(moverA, moverB, target, [&](const Transform& at, const Transform& bt) {
-        return separation(shapeA, at, shapeB, bt);
-    });
+    return advance(moverA, moverB, target,
+                   [&](const Transform& at, const Transform& bt, const Course& course) {
+                       return outlookOf(shapeA, at, shapeB, bt, course);
+                   });
 }
 
 } // namespace kodo::inline KODO_PRECISION

@@ -23,10 +23,10 @@ struct Sweep {
 /// The share (0..1) of the step after which two outlines that start apart are `target` (m) apart
 /// for the first time; 1 or more when they never are.
 ///
-/// Conservative advancement [Mirtich96]: along the axis that separates them now, they cannot close
-/// faster than their motion along it plus what their turning adds, so that much of the step is
-/// free. A one-sided line is hit from its front alone, and a chain of them only where it really is,
-/// not on its joints.
+/// Conservative advancement [Mirtich96]: along no axis do they close faster than a bound that their
+/// motion and their turns give, so as much of the step is free as the best of all axes leaves; see
+/// Outlook. A one-sided line is hit from its front alone, and a chain of them only where it really
+/// is, not on its joints.
 ///
 /// The answer is found to half of `target`. A target below zero asks when two outlines that touch
 /// come as deep as that.
