@@ -92,7 +92,7 @@ std::string asJson(const Summary& summary, bool stages) {
     addSettings(json, result);
     json.add("cpuMsPerStep", result.cpuMsPerStep());
     json.add("nsPerBodyStep", result.nsPerBodyStep());
-    json.add("wallMsPerStep", 1e3 * result.wallSeconds / result.steps);
+    json.add("wallMsPerStep", result.wallMsPerStep());
     json.add("runs", summary.runs);
     json.add("spread", summary.spread);
     if (!summary.against.empty()) {
@@ -134,6 +134,9 @@ std::string asText(const Summary& summary, bool stages) {
     std::string text = fmt::format("{} {}, {} {}: {:.4g} ms a step, {:.4g} ns a body and step",
                                    options.scene, result.size, options.engine, options.step.profile,
                                    result.cpuMsPerStep(), result.nsPerBodyStep());
+    if (options.step.threads > 1) { // the others are times of the caller's thread alone
+        text += fmt::format("; {:.4g} ms on the wall", result.wallMsPerStep());
+    }
     if (summary.runs > 1) {
         text += fmt::format(" (median of {}, spread {:.1f} %)", summary.runs, 100 * summary.spread);
     }

@@ -45,6 +45,7 @@ struct Result {
     std::optional<ContactBytes> contactBytes;
 
     double cpuMsPerStep() const { return 1e3 * cpuSeconds / steps; }
+    double wallMsPerStep() const { return 1e3 * wallSeconds / steps; }
     double nsPerBodyStep() const {
         return bodies == 0 ? 0 : 1e9 * cpuSeconds / steps / static_cast<double>(bodies);
     }

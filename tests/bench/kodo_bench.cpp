@@ -27,7 +27,8 @@ void addOptions(CLI::App& app, Options& options) {
         ->check(CLI::IsMember(engineNames()));
     app.add_option("--profile", step.profile, "How Kodo steps")
         ->check(CLI::IsMember(profileNames()));
-    app.add_option("--substeps", step.substeps, "Instead of the profile's");
+    app.add_option("--substeps", step.substeps, "Instead of the profile's")
+        ->check(CLI::Range(1, 64));
     app.add_option("--passes", step.passes, "Velocity iterations of Box2D (8)")
         ->check(CLI::Range(1, 1000));
     app.add_option("--position-passes", step.positionPasses, "Position iterations of Box2D (3)")
@@ -102,8 +103,10 @@ void runAll(const Options& options) {
 int main(int argc, char** argv) {
     CLI::App app("Scenes in Kodo and in Box2D 2.4.1: what a step costs, and how true it is.");
     app.name("kodo-bench");
-    app.footer("Times are CPU times of the thread, of the steps alone. Exit code: 0 done, 1 an "
-               "engine was not\nrepeatable, 2 wrong use.");
+    app.footer(
+        "Times are CPU times of the thread that asks for steps, of these alone; so are those "
+        "by which\n--against tells a ratio. What helpers win shows on the wall. Exit code: 0 "
+        "done, 1 an engine was\nnot repeatable, 2 wrong use.");
     Options options;
     addOptions(app, options);
     try {

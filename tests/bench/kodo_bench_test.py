@@ -11,9 +11,13 @@ WANTED = (
 ).split()
 
 
+def run(*arguments):
+    return subprocess.run([sys.argv[1], *arguments], capture_output=True, text=True, check=False)
+
+
 def bench(*arguments):
     """(exit code, stdout)"""
-    done = subprocess.run([sys.argv[1], *arguments], capture_output=True, text=True, check=False)
+    done = run(*arguments)
     return done.returncode, done.stdout
 
 
@@ -64,6 +68,15 @@ for engine in ("kodo", "kodo64"):
 code, text = bench(*choice)
 check(json.loads(text)["stateHash"] == kodo["stateHash"], "another state in another process")
 
-for wrong in (["--scene", "nowhere"], ["--engine", "nothing"], ["--threads", "0"], ["--nonesuch"]):
-    code, text = bench(*wrong)
-    check(code == 2 and not text, f"{wrong} ends with {code}, not 2")
+for threads in ("1", "2"):
+    code, text = bench("--scene", "debris", "--size", "6", "--steps", "4", "--threads", threads)
+    told = "ms on the wall" in text
+    check(code == 0 and told == (threads == "2"), f"{threads} threads: {text}")
+
+for wrong in (["--scene", "nowhere"], ["--engine", "nothing"], ["--threads", "0"],
+              ["--substeps", "0"], ["--nonesuch"]):
+    done = run(*wrong)
+    check(done.returncode == 2 and not done.stdout, f"{wrong} ends with {done.returncode}, not 2")
+    check(wrong[-1] in done.stderr, f"{wrong} is refused without a word of it: {done.stderr}")
+    if wrong[1:] == ["0"]:
+        check(wrong[0] in done.stderr, f"{wrong} is refused without its name: {done.stderr}")
