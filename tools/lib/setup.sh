@@ -8,7 +8,11 @@
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 cd "$root" || exit 2
 export LC_ALL=C.UTF-8
-export CCACHE_SLOPPINESS=pch_defines,time_macros # what ccache needs for precompiled headers
+# What ccache needs for precompiled headers. They must be told apart by what is in each file: by
+# what the preprocessor leaves, one of before a comment changed is taken for one of now, and then
+# the compiler reads that file twice.
+export CCACHE_SLOPPINESS=pch_defines,time_macros
+export CCACHE_DEPEND=1
 
 # Debian packages; `package:command` is also satisfied by the command from anywhere else.
 # shellcheck disable=SC2034 # used by the commands that source this file

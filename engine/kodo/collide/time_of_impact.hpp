@@ -25,8 +25,10 @@ struct Sweep {
 ///
 /// Conservative advancement [Mirtich96]: along no axis do they close faster than a bound that their
 /// motion and their turns give, so as much of the step is free as the best of all axes leaves; see
-/// Outlook. A one-sided line is hit from its front alone, and a chain of them only where it really
-/// is, not on its joints.
+/// Outlook.
+///
+/// A one-sided line is hit from its front alone, and a chain of them only where it really is, not
+/// on its joints.
 ///
 /// The answer is found to half of `target`. A target below zero asks when two outlines that touch
 /// come as deep as that.
