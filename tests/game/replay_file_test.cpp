@@ -88,6 +88,16 @@ TEST(ReplayFile, OfTheFirstRulesIsReadAndRefusedInOneSentence) {
                            std::to_string(kRulesVersion));
 }
 
+// As the refusal says: without its digest, and with a line handwritten below the seed.
+TEST(ReplayFile, IsTakenAfterAPersonEditedIt) {
+    const std::string head = "apart-replay 2\nlevel first_light\nseed 7\n";
+    const std::string rest = "0 0 - 0\n30 0 - 1\nend 60\n";
+    EXPECT_NE(
+        problemOf(head + rest + "digest 0123456789abcdef\n").find("handwritten below the seed"),
+        std::string::npos);
+    EXPECT_EQ(problemOf(head + "handwritten\n" + rest), "none");
+}
+
 TEST(ReplayFile, HasAForceAndAModeSinceItsSecondFormat) {
     const std::string text = "apart-replay 2\nlevel first_light\nseed 7\npure\nhandwritten\n"
                              "0 0 - 0\n30 0 - 1 pull\n40 0 - 0 push\n50 0 - 0 0\n"

@@ -22,18 +22,20 @@ namespace apart {
 ///   rules 1                          # of the game that recorded it; optional when hand-written
 ///   seed 7
 ///   pure                             # if it is played without the smallest turn at contacts
-///   handwritten                      # instead of the digest at the end
-///   # tick  paddle  target  launch  force   (a line holds until the next; see Input; - is no
-///   #                                        target; force is 0, pull or push, and may be left
-///   out) 0       0       -       0       0 30      0       -       1 140     -127    -       0
-///   pull hash 60 5c1d... 120 91ab...      # state after so many ticks; as many pairs as you like
+///   handwritten                      # if a person wrote it: then there is no digest at the end
+///   # tick  paddle  target  launch  force
+///   0       0       -       0       0
+///   30      0       -       1
+///   140     -127    -       0       pull
+///   hash 60 5c1d... 120 91ab...      # state after so many ticks; as many pairs as you like
 ///   expect 600 blocksLeft <= 20      # tick, field, == != < <= > >=, number or name
 ///   expect 600 shardBroke >= 3       # events of this name up to then
 ///   end 1200                         # always the last line, but for the digest
 ///   digest 77aa...                   # over all bytes before this line
 ///
 /// The line of tick t is the input of the (t + 1)-th tick: it leads from the state after t ticks to
-/// the next. # starts a comment.
+/// the next, and holds until the line after it; see Input. A target of - is none; force is 0, pull
+/// or push, and may be left out. # starts a comment.
 struct InputChange {
     std::uint32_t tick = 0;
     Input input;

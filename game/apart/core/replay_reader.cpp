@@ -110,7 +110,9 @@ private:
         const std::optional<std::int64_t> format =
             words.size() == 2 && words[0] == "apart-replay" ? toNumber(words[1]) : std::nullopt;
         if (!format || *format < 1) {
-            return "not a replay of this game: the first line must be apart-replay 2";
+            return "not a replay of this game: its first line, but for comments, must be "
+                   "apart-replay "
+                   "2";
         }
         if (*format > 2) {
             return "was written by a newer game: it has format " + std::to_string(*format) +
@@ -277,7 +279,7 @@ private:
         }
         if (*digest != digestOf(text_.substr(0, lineStart_))) {
             return "the file was changed after it was recorded: its digest does not fit. Who edits "
-                   "a replay puts a line handwritten in place of the digest";
+                   "a replay takes its digest away and puts a line handwritten below the seed";
         }
         hasDigest_ = true;
         return "";
