@@ -141,4 +141,16 @@ inline kodo::Primitive scaled(const kodo::Primitive& primitive, kodo::Real s) {
     return polygon;
 }
 
+/// A box or a polygon of no more corners than lie within an outline, about its own origin or a
+/// little beside it.
+inline kodo::Convex randomFewCorners(RandomNumbers& random) {
+    for (;;) {
+        const AnyKind kind = random.below(2) == 0 ? AnyKind::Box : AnyKind::Polygon;
+        const kodo::Convex convex = convexOf(randomPrimitive(random, kind), {});
+        if (convex.vertices.size() <= kodo::Convex::kFew) {
+            return convex;
+        }
+    }
+}
+
 } // namespace support
