@@ -262,7 +262,8 @@ Real hardest(const World& world) {
 
 // What is wedged into gaps too small for it has no place to go: two sides press on it, or turn it,
 // against each other. Their impulses grow until the softness of a contact takes back as much in a
-// substep as the push adds, and no further, however long that lasts.
+// substep as the push adds, and no further, however long that lasts. It rocks meanwhile, but never
+// by the 0.2 m that would free it from two of the four.
 TEST(Overlap, WhatIsPinchedIsPressedWithinBounds) {
     for (const Flags flags : {Flags{0}, kLockMove}) {
         SCOPED_TRACE(flags);
@@ -279,9 +280,13 @@ TEST(Overlap, WhatIsPinchedIsPressedWithinBounds) {
         support::run(world, 1000);
         const Real early = hardest(world);
         EXPECT_GT(early, 0);
-        support::run(world, 20000);
+        Real farthest = 0;
+        for (int i = 0; i < 200; ++i) {
+            support::run(world, 100);
+            farthest = std::max(farthest, length(world[wedged].position()));
+        }
         EXPECT_LT(hardest(world), Real(1.01) * early);
-        EXPECT_LT(length(world[wedged].position()), Real(0.1));
+        EXPECT_LT(farthest, Real(0.2));
     }
 }
 

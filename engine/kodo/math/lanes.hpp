@@ -58,6 +58,9 @@ struct Quad {
     Lanes w;
 };
 
+/// In Reals: where rows of four begin that lie one behind the other.
+constexpr std::uint32_t kRowStarts[] = {0, 4, 8, 12, 16, 20, 24, 28};
+
 #if defined(__AVX2__) && !defined(KODO_DOUBLE) // 8 floats
 using Half = Real __attribute__((vector_size(16)));
 
@@ -155,17 +158,27 @@ KODO_LANES_INLINE void scatter(Real* base, const std::uint32_t* index, const Qua
 }
 #endif
 
-/// Writes those of the structures whose bit is set. Not in line: it is rare, and would have the
-/// compiler keep numbers apart that are only needed here.
-[[maybe_unused, gnu::noinline]] void scatter(Real* base, const std::uint32_t* index,
-                                             const Quad& quad, unsigned which) {
+/// Four numbers that lie side by side.
+using Row = Real __attribute__((vector_size(4 * sizeof(Real))));
+
+/// Where kLanes rows begin: at base + index[i].
+struct RowPlaces {
+    Real* base;
+    const std::uint32_t* index;
+};
+
+/// Writes those of the rows whose bit is set, and no others, each in one piece: what is read next
+/// is often one of these, and store forwarding needs one store that covers the load. Not in line,
+/// and without a Quad, or the compiler would keep all numbers in memory for that rare case.
+[[maybe_unused, gnu::noinline]] void scatterSome(RowPlaces places, Lanes x, Lanes y, Lanes z,
+                                                 Lanes w, unsigned which) {
+    alignas(Lanes) Real rows[4 * kLanes];
+    scatter(rows, kRowStarts, {x, y, z, w});
     for (int i = 0; i < kLanes; ++i) {
         if ((which >> i & 1) != 0) {
-            Real* const to = base + index[i];
-            to[0] = quad.x[i];
-            to[1] = quad.y[i];
-            to[2] = quad.z[i];
-            to[3] = quad.w[i];
+            Row row;
+            std::memcpy(&row, rows + 4 * i, sizeof row);
+            std::memcpy(places.base + places.index[i], &row, sizeof row);
         }
     }
 }

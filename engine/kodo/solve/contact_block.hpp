@@ -86,6 +86,7 @@ struct ContactPassArguments {
     std::size_t count;
     Motion* motion;
     PassSettings settings;
+    bool far = false; // blocks lie in a far cache, since there are so many
 };
 
 /// Carries the contacts of `count` blocks on to the start of a step, whose Motion still has the
@@ -98,6 +99,7 @@ struct CarryArguments {
     std::size_t count;
     Motion* motion;       // by body; left as it is
     const Extent* extent; // by body
+    bool far = false;     // as above
 };
 
 /// The passes, as made for one kind of machine. All kinds give the same bits.

@@ -325,7 +325,7 @@ void ContactBlocks::fill(const Bodies& bodies, Contact& contact) {
 
 ContactPassArguments ContactBlocks::pass(Bodies& bodies, const PassSettings& settings) {
     return {blocks_.data(), rolling_.data(),      use_.data(), order_.data(),
-            order_.size(),  bodies.motion.data(), settings};
+            order_.size(),  bodies.motion.data(), settings,    areFar()};
 }
 
 } // namespace kodo::inline KODO_PRECISION

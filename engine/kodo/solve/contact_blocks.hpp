@@ -114,6 +114,9 @@ private:
     static constexpr std::uint32_t kNone = ContactRow::kNone;
     static constexpr std::size_t kBlocksAPiece = 32;
     static constexpr std::size_t kWorthSharing = 128; // contacts of a colour, in the mean
+    // With more than that, most blocks lie in a far cache; from a nearer one the machine fetches
+    // what comes next as fast by itself.
+    static constexpr std::size_t kNearBytes = 3 << 20;
 
     /// Where a block belongs, and what its lanes hold.
     struct BlockState {
@@ -141,6 +144,7 @@ private:
         const std::uint32_t group = colour < kFreeColours ? colour : colour + 1;
         return 2 * group + (contact.manifold.count == 2 ? 1 : 0);
     }
+    bool areFar() const { return blocks_.size() * sizeof(ContactBlock) > kNearBytes; }
     bool keepsColour(const Bodies& bodies, const Contact& contact) const;
     bool needsRolling(const Contact& contact) const;
     std::uint8_t goneFrom(std::uint32_t block) const;

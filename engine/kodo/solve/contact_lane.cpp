@@ -2,13 +2,15 @@
 #include <kodo/solve/contact_lane.hpp>
 #include <kodo/solve/leverage.hpp>
 
+#include <limits>
+
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
 Real effectiveMass(const Motion& a, const Motion& b, Real leverA, Real leverB) {
     const Real k =
         a.invMass + b.invMass + a.invInertia * leverA * leverA + b.invInertia * leverB * leverB;
-    return k > 0 ? 1 / k : 0; // 0: neither can give way
+    return k >= std::numeric_limits<Real>::min() ? 1 / k : 0; // 0: neither can give way
 }
 
 struct PointValues {

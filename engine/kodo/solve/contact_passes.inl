@@ -21,24 +21,45 @@ struct Pair {
     Lanes inertiaB;
 };
 
-/// Adds an impulse p, but for its moment.
-KODO_LANES_INLINE void push(Pair& pair, Lanes px, Lanes py) {
-    pair.a.x -= pair.a.w * px;
-    pair.a.y -= pair.a.w * py;
-    pair.b.x += pair.b.w * px;
-    pair.b.y += pair.b.w * py;
+/// Adds the impulse (x, y) * impulse, N s, but for its moment.
+KODO_LANES_INLINE void push(Pair& pair, Lanes x, Lanes y, Lanes impulse) {
+    pair.a.x -= (pair.a.w * x) * impulse;
+    pair.a.y -= (pair.a.w * y) * impulse;
+    pair.b.x += (pair.b.w * x) * impulse;
+    pair.b.y += (pair.b.w * y) * impulse;
 }
 
-/// Of impulses about the centres of the two, N m s.
-struct Moments {
-    Lanes a;
+/// How an impulse along a line turns the two.
+struct Turning {
+    Lanes leverA; // m, of the line
+    Lanes leverB;
+    Lanes a; // rad/s for 1 N s: lever / inertia
     Lanes b;
 };
 
-/// Adds the moments of impulses.
-KODO_LANES_INLINE void spin(Pair& pair, const Moments& moments) {
-    pair.a.z -= pair.inertiaA * moments.a;
-    pair.b.z += pair.inertiaB * moments.b;
+KODO_LANES_INLINE Turning turning(const Pair& pair, const Real* leverA, const Real* leverB) {
+    const Lanes ofA = load(leverA);
+    const Lanes ofB = load(leverB);
+    return {ofA, ofB, pair.inertiaA * ofA, pair.inertiaB * ofB};
+}
+/// What the turns alone add to the speed along one line, m/s, for 1 N s along the other; the same
+/// both ways.
+KODO_LANES_INLINE Lanes turnCoupling(const Turning& other, const Turning& line) {
+    return line.a * other.leverA + line.b * other.leverB;
+}
+/// m/s, along the line, of the turns of the two against each other.
+KODO_LANES_INLINE Lanes speedOfTurns(const Turning& line, Lanes turnA, Lanes turnB) {
+    return line.leverB * turnB - line.leverA * turnA;
+}
+/// Adds moments.
+KODO_LANES_INLINE void spin(Pair& pair, Lanes ofA, Lanes ofB) {
+    pair.a.z -= pair.inertiaA * ofA;
+    pair.b.z += pair.inertiaB * ofB;
+}
+/// Adds that of an impulse along the line.
+KODO_LANES_INLINE void spin(Pair& pair, const Turning& line, Lanes impulse) {
+    pair.a.z -= line.a * impulse;
+    pair.b.z += line.b * impulse;
 }
 
 enum class Task {
@@ -54,80 +75,68 @@ struct Rules {
     const PassSettings& settings;
 };
 
-/// kLanes contacts of a block, from `at` on.
-struct Lot {
-    int at;
-    Lanes pushSpeed; // m/s at most, to part them
+/// One point of each contact, before anything is pushed.
+struct Approach {
+    Lanes gap;       // m; < 0: an overlap
+    Lanes speed;     // m/s, along the normal; < 0: they approach
+    Lanes pushSpeed; // m/s at most, to part the two
 };
 
-/// How far one point of each contact is apart by now, and its levers. `moved` is the move of the
-/// centres against each other.
-struct Gap {
-    Lanes s;
-    Lanes leverA;
-    Lanes leverB;
+/// An impulse that is not clamped yet, found from the speeds of before anything is pushed.
+struct Unclamped {
+    Lanes impulse; // N s
+    Lanes mass;    // kg: how much each m/s that other pushes add along its line takes off it
 };
 
-KODO_LANES_INLINE Gap gapOf(const ContactBlock::Point& point, int at, Lanes moved,
-                            const Quad& moveA, const Quad& moveB) {
-    const Lanes leverA = load(point.leverA + at);
-    const Lanes leverB = load(point.leverB + at);
-    return {load(point.separation + at) + moved + (leverB * moveB.z - leverA * moveA.z), leverA,
-            leverB};
-}
-
-/// One point of each contact, whose relative speed along the normal is `speed`. Gives the change of
+/// Of one point of each contact:
 ///
-///   lambda = mass_scale (lambda_sum - m (v_n + bias)) >= 0,
+///   lambda = mass_scale (lambda_sum - m (v_n + bias)),
 ///
-/// which is that of Softness, since its two scales add up to 1. A gap of s has a mass_scale of 1
-/// and the bias s/h, by which it may close within the substep and no more; an overlap, s < 0, has
-/// max(bias_rate s, -push_speed) where it is pushed apart, and else 1 and none. The speed is known
-/// last, so all else is done before.
+/// which is that of Softness, since its two scales add up to 1; the mass beside it is mass_scale m.
+/// A gap of s has a mass_scale of 1 and the bias s/h, by which it may close within the substep and
+/// no more; an overlap, s < 0, has max(bias_rate s, -push_speed) where it is pushed apart, and else
+/// 1 and none. The speed is known last, since the block before may just have written it, so all
+/// else is done before.
 template <Task task>
-KODO_LANES_INLINE Lanes solvePoint(ContactBlock::Point& point, const Lot& lot, Lanes speed,
-                                   const Gap& gap, const Rules& rules) {
-    const int at = lot.at;
+KODO_LANES_INLINE Unclamped unclampedAt(const ContactBlock::Point& point, int at,
+                                        const Approach& approach, const Rules& rules) {
     const Lanes impulse = load(point.impulse + at);
     const Lanes mass = load(point.mass + at);
-    const Lanes close = gap.s * all(rules.settings.invH);
-    Lanes next;
+    const Lanes close = approach.gap * all(rules.settings.invH);
     if constexpr (task == Task::Push) {
         // bias_rate < 1/h, so of these two that of a gap is the larger, and else that of an overlap
-        const Lanes bias = larger(larger(all(rules.biasRate) * gap.s, close), -lot.pushSpeed);
-        const Lanes scale = gap.s > Lanes{} ? all(1) : all(rules.massScale);
-        next = larger((scale * impulse - (scale * mass) * bias) - (scale * mass) * speed, Lanes{});
+        const Lanes bias =
+            larger(larger(all(rules.biasRate) * approach.gap, close), -approach.pushSpeed);
+        const Lanes scale = approach.gap > Lanes{} ? all(1) : all(rules.massScale);
+        const Lanes scaled = scale * mass;
+        return {(scale * impulse - scaled * bias) - scaled * approach.speed, scaled};
     } else {
-        next = larger((impulse - mass * larger(close, Lanes{})) - mass * speed, Lanes{});
+        return {(impulse - mass * larger(close, Lanes{})) - mass * approach.speed, mass};
     }
+}
+
+/// Clamps the impulse of a point at 0, and stores it. Gives the change.
+template <Task task>
+KODO_LANES_INLINE Lanes pushPoint(ContactBlock::Point& point, int at, Lanes unclamped, Real kept) {
+    const Lanes impulse = load(point.impulse + at);
+    const Lanes next = larger(unclamped, Lanes{});
     store(point.impulse + at, next);
     if constexpr (task == Task::Relax) {
-        store(point.largest + at, larger(rules.settings.kept * load(point.largest + at), next));
+        store(point.largest + at, larger(kept * load(point.largest + at), next));
     }
     return next - impulse;
 }
 
 /// Both points share one friction: |friction| <= mu (sum of normal impulses), static while that
-/// holds it, kinetic from there on. `along` is the relative speed of the centres along the tangent,
-/// `moments` what is yet to spin the two. Gives the change, and adds its moments to those.
-KODO_LANES_INLINE Lanes solveFriction(ContactBlock& block, int at, const Pair& pair, Lanes along,
-                                      Lanes pressed, Moments& moments) {
-    const Lanes leverA = load(block.tangentLeverA + at);
-    const Lanes leverB = load(block.tangentLeverB + at);
+/// holds it, kinetic from there on. `stick` is what would stop all sliding. Gives the change.
+KODO_LANES_INLINE Lanes rub(ContactBlock& block, int at, Lanes stick, Lanes pressed) {
     const Lanes friction = load(block.friction + at);
-    const Lanes speed =
-        (along + (leverB * pair.b.z - leverA * pair.a.z)) +
-        ((leverB * pair.inertiaB) * moments.b + (leverA * pair.inertiaA) * moments.a);
-    const Lanes stick = friction - load(block.tangentMass + at) * speed;
     const Lanes hold = load(block.staticFriction + at) * pressed;
     const Lanes slip = load(block.kineticFriction + at) * pressed;
     const auto slides = (larger(stick, -stick) > hold);
     const Lanes next = slides ? larger(smaller(stick, slip), -slip) : stick;
-    const Lanes change = next - friction;
     store(block.friction + at, next);
-    moments.a += leverA * change;
-    moments.b += leverB * change;
-    return change;
+    return next - friction;
 }
 
 KODO_LANES_INLINE void solveRolling(RollingBlock& block, int at, Pair& pair, Lanes pressed) {
@@ -136,11 +145,10 @@ KODO_LANES_INLINE void solveRolling(RollingBlock& block, int at, Pair& pair, Lan
     const Lanes wanted = impulse - load(block.mass + at) * (pair.b.z - pair.a.z);
     const Lanes next = larger(smaller(wanted, limit), -limit);
     store(block.impulse + at, next);
-    spin(pair, {next - impulse, next - impulse});
+    spin(pair, next - impulse, next - impulse);
 }
 
-/// Blocks are so large that most of them lie in a far cache, and come in no order that the machine
-/// could foresee: so they are fetched that many ahead (4 or 8 are as good).
+/// Blocks that lie in a far cache are fetched that many ahead (4 or 8 are as good).
 constexpr std::size_t kBlocksAhead = 6;
 
 KODO_LANES_INLINE void prefetchLines(const void* from, const void* end) {
@@ -153,7 +161,7 @@ KODO_LANES_INLINE void prefetchLines(const void* from, const void* end) {
 template <typename Arguments>
 KODO_LANES_INLINE void prefetchBlock(const Arguments& pass, std::size_t k,
                                      ContactBlock::Each ContactBlock::*tail) {
-    if (k + kBlocksAhead < pass.count) {
+    if (pass.far && k + kBlocksAhead < pass.count) {
         const std::size_t i = pass.order[k + kBlocksAhead];
         const ContactBlock& next = pass.blocks[i];
         prefetchLines(&next, next.points + (pass.use[i].twoPoints ? 2 : 1));
@@ -163,6 +171,15 @@ KODO_LANES_INLINE void prefetchBlock(const Arguments& pass, std::size_t k,
     }
 }
 
+/// All is found from the speeds of before. A push of d1 at the first point takes m2 k12 d1 off the
+/// unclamped impulse at the second, and mt k1t d1 off that which would stop all sliding,
+///
+///   k12 = 1/mA + 1/mB + leverA1 leverA2 / IA + leverB1 leverB2 / IB,
+///   k1t = leverA1 leverAt / IA + leverB1 leverBt / IB,
+///
+/// t for the tangent: without 1/m, since that is perpendicular to the normal; likewise a push at
+/// the second. So the outcome is that of pushes in turn, and as little as possible waits for their
+/// strength. In one piece, since the compiler would keep a struct of all this in memory.
 template <Task task, int points>
 KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, int at,
                                   Motion* motion, const Rules& rules, const BlockUse& use) {
@@ -171,47 +188,47 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
     const Lanes ny = load(block.normalY + at);
     const Quad moveA = gather(secondHalf(motion), block.a + at);
     const Quad moveB = gather(secondHalf(motion), block.b + at);
-    const Lanes moved = nx * (moveB.x - moveA.x) + ny * (moveB.y - moveA.y);
-    const Gap gap1 = gapOf(block.points[0], at, moved, moveA, moveB);
-    Gap gap2{};
-    if constexpr (points == 2) {
-        gap2 = gapOf(block.points[1], at, moved, moveA, moveB);
-    }
     Pair pair{gather(firstHalf(motion), block.a + at), gather(firstHalf(motion), block.b + at),
               moveA.w, moveB.w};
+    ContactBlock::Point& point1 = block.points[0];
+    ContactBlock::Point& point2 = block.points[points - 1]; // the same if there is one
+    const Turning line1 = turning(pair, point1.leverA + at, point1.leverB + at);
+    const Turning line2 = turning(pair, point2.leverA + at, point2.leverB + at);
+    const Turning tangent = turning(pair, block.tangentLeverA + at, block.tangentLeverB + at);
+    const Lanes moved = nx * (moveB.x - moveA.x) + ny * (moveB.y - moveA.y);
     const Lanes dx = pair.b.x - pair.a.x;
     const Lanes dy = pair.b.y - pair.a.y;
     const Lanes along = nx * dx + ny * dy;
-    const Lot lot{at, load(block.pushSpeed + at)};
-    const auto speedAt = [&](const Gap& gap) {
-        return along + (gap.leverB * pair.b.z - gap.leverA * pair.a.z);
+    const auto approachAt = [&](const ContactBlock::Point& point, const Turning& line) {
+        return Approach{load(point.separation + at) + moved + speedOfTurns(line, moveA.z, moveB.z),
+                        along + speedOfTurns(line, pair.a.z, pair.b.z), load(block.pushSpeed + at)};
     };
-    Lanes change = solvePoint<task>(block.points[0], lot, speedAt(gap1), gap1, rules);
-    Lanes sum = load(block.points[0].impulse + at);
-    Moments moments{gap1.leverA * change, gap1.leverB * change};
+    const Unclamped first = unclampedAt<task>(point1, at, approachAt(point1, line1), rules);
+    const Unclamped second = unclampedAt<task>(point2, at, approachAt(point2, line2), rules);
+    const Lanes coupling12 = second.mass * ((pair.a.w + pair.b.w) + turnCoupling(line2, line1));
+    const Lanes tangentMass = load(block.tangentMass + at);
+    Lanes stick = load(block.friction + at) -
+                  tangentMass * ((nx * dy - ny * dx) + speedOfTurns(tangent, pair.a.z, pair.b.z));
+    const Lanes coupling1t = tangentMass * turnCoupling(line1, tangent);
+    const Lanes coupling2t = tangentMass * turnCoupling(line2, tangent);
+    Lanes change = pushPoint<task>(point1, at, first.impulse, settings.kept);
+    Lanes sum = load(point1.impulse + at);
+    spin(pair, line1, change);
+    stick -= coupling1t * change;
     if constexpr (points == 2) {
-        // What the first push does at the second point, by how they are coupled: that is known
-        // before the push, so that as little as possible waits for it.
-        const Lanes coupling =
-            (pair.a.w + pair.b.w) + (pair.inertiaA * (gap1.leverA * gap2.leverA) +
-                                     pair.inertiaB * (gap1.leverB * gap2.leverB));
-        const Lanes second =
-            solvePoint<task>(block.points[1], lot, speedAt(gap2) + coupling * change, gap2, rules);
-        moments.a += gap2.leverA * second;
-        moments.b += gap2.leverB * second;
-        change += second;
-        sum += load(block.points[1].impulse + at);
+        const Lanes more =
+            pushPoint<task>(point2, at, second.impulse - coupling12 * change, settings.kept);
+        sum += load(point2.impulse + at);
+        spin(pair, line2, more);
+        stick -= coupling2t * more;
+        change += more;
     }
-    Lanes px = change * nx;
-    Lanes py = change * ny;
+    push(pair, nx, ny, change);
     if (task == Task::Relax && settings.friction) {
-        // what is pushed along the normal leaves the speed of the centres along the tangent
-        const Lanes rub = solveFriction(block, at, pair, nx * dy - ny * dx, sum, moments);
-        px -= rub * ny;
-        py += rub * nx;
+        const Lanes rubbed = rub(block, at, stick, sum);
+        push(pair, -ny, nx, rubbed);
+        spin(pair, tangent, rubbed);
     }
-    push(pair, px, py);
-    spin(pair, moments);
     if (task != Task::Settle && rolling != nullptr) {
         solveRolling(*rolling, at, pair, sum);
     }
@@ -266,10 +283,10 @@ void warmStartBlocks(const ContactPassArguments& pass) {
                 return load(lever1 + at) * first + load(lever2 + at) * second +
                        load(tangent + at) * friction + roll;
             };
-            push(pair, sum * nx - friction * ny, sum * ny + friction * nx);
+            push(pair, sum * nx - friction * ny, sum * ny + friction * nx, all(1));
             spin(pair,
-                 {momentBy(block.points[0].leverA, block.points[1].leverA, block.tangentLeverA),
-                  momentBy(block.points[0].leverB, block.points[1].leverB, block.tangentLeverB)});
+                 momentBy(block.points[0].leverA, block.points[1].leverA, block.tangentLeverA),
+                 momentBy(block.points[0].leverB, block.points[1].leverB, block.tangentLeverB));
             putBack(pass.motion, block.a + at, pair.a, pass.use[i].movesA, at);
             putBack(pass.motion, block.b + at, pair.b, pass.use[i].movesB, at);
         }
@@ -289,7 +306,6 @@ KODO_LANES_INLINE Lanes swingOf(const Extent* extent, const std::uint32_t* place
 template <int points>
 KODO_LANES_INLINE void carryLanes(const CarryArguments& pass, ContactBlock& block, Carried* carried,
                                   int at) {
-    static constexpr std::uint32_t kRows[] = {0, 4, 8, 12, 16, 20, 24, 28};
     Motion* const motion = pass.motion;
     const Lanes nx = load(block.normalX + at);
     const Lanes ny = load(block.normalY + at);
@@ -301,7 +317,7 @@ KODO_LANES_INLINE void carryLanes(const CarryArguments& pass, ContactBlock& bloc
     const Lanes dy = moveB.y - moveA.y;
     const Lanes moved = nx * dx + ny * dy;
     const Lanes speed = nx * (speedB.x - speedA.x) + ny * (speedB.y - speedA.y);
-    Quad now = gather(numbers(carried + at), kRows); // x, y: separation, z: approach, w: drift
+    Quad now = gather(numbers(carried + at), kRowStarts); // x, y: separation, z: approach, w: drift
     now.z = Lanes{};
     now.w += larger(dx, -dx) + larger(dy, -dy) + swingOf(pass.extent, block.a + at, moveA.z) +
              swingOf(pass.extent, block.b + at, moveB.z);
@@ -316,7 +332,7 @@ KODO_LANES_INLINE void carryLanes(const CarryArguments& pass, ContactBlock& bloc
     if constexpr (points == 2) {
         carry(block.points[1], now.y);
     }
-    scatter(numbers(carried + at), kRows, now);
+    scatter(numbers(carried + at), kRowStarts, now);
 }
 
 void carryBlocks(const CarryArguments& pass) {

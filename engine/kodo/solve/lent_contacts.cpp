@@ -34,7 +34,7 @@ void ContactBlocks::carry(Bodies& bodies, Crew& crew) {
     crew.forEach(inUse_.size(), kBlocksAPiece, [&](std::size_t first, std::size_t last) {
         ContactPasses::best().carry({blocks_.data(), carried_.data(), use_.data(),
                                      inUse_.data() + first, last - first, bodies.motion.data(),
-                                     bodies.extent.data()});
+                                     bodies.extent.data(), areFar()});
     });
 }
 

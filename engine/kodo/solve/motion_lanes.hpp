@@ -29,8 +29,8 @@ KODO_LANES_INLINE void putBack(Motion* motion, const std::uint32_t* index, const
     const unsigned which = static_cast<unsigned>(moves) >> at & kAll;
     if (which == kAll) {
         scatter(firstHalf(motion), index, speed);
-    } else {
-        scatter(firstHalf(motion), index, speed, which);
+    } else if (which != 0) {
+        scatterSome({firstHalf(motion), index}, speed.x, speed.y, speed.z, speed.w, which);
     }
 }
 

@@ -224,6 +224,7 @@ void Settling::pass(const ContactPassArguments& all, int number) {
         some.use = copies ? use_.data() : all.use;
         some.order = order_.data();
         some.count = order_.size();
+        some.far = !copies && all.far;
         ContactPasses::best().settle(some);
     }
 }

@@ -13,7 +13,7 @@ namespace apart {
 using kodo::Real;
 
 // Raise it whenever the same inputs no longer give the same game: older replays are then refused.
-inline constexpr std::uint32_t kRulesVersion = 17;
+inline constexpr std::uint32_t kRulesVersion = 18;
 
 inline constexpr int kTicksPerSecond = 120;
 inline constexpr Real kTickSeconds = Real(1) / 120;
