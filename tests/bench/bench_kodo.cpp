@@ -87,6 +87,14 @@ constexpr Number kNumbers[] = {
     {"pushSpeed", setMember<&kodo::StepSettings::pushSpeed>},
 };
 
+std::string namesOfNumbers() {
+    std::string names;
+    for (const Number& number : kNumbers) {
+        names += (names.empty() ? "" : ", ") + std::string(number.name);
+    }
+    return names;
+}
+
 /// "contactHertz=120".
 void setNumber(kodo::StepSettings& settings, const std::string& text) {
     const std::size_t sign = text.find('=');
@@ -94,13 +102,17 @@ void setNumber(kodo::StepSettings& settings, const std::string& text) {
         std::find_if(std::begin(kNumbers), std::end(kNumbers), [&](const Number& candidate) {
             return text.substr(0, sign) == candidate.name;
         });
+    if (number == std::end(kNumbers)) {
+        throw WrongUse("'" + text + "' sets no number of Kodo's settings: these are " +
+                       namesOfNumbers());
+    }
     double value = 0;
     const char* end = text.data() + text.size();
     const char* start = sign == std::string::npos ? end : text.data() + sign + 1;
     const auto read = std::from_chars(start, end, value);
-    if (number == std::end(kNumbers) || read.ec != std::errc() || read.ptr != end ||
-        std::abs(value) > 1e9) {
-        throw WrongUse("'" + text + "' sets no number of Kodo's settings");
+    if (read.ec != std::errc() || read.ptr != end || std::abs(value) > 1e9) {
+        throw WrongUse("'" + text + "' gives " + number->name + " no number; write " +
+                       number->name + "=NUMBER");
     }
     number->set(settings, value);
 }

@@ -155,7 +155,7 @@ std::string asText(const Summary& summary, bool stages) {
         text += fmt::format("\n  {:.0f} bytes a body, with its share of all", result.bytesPerBody);
     }
     if (result.contactBytes) {
-        text += fmt::format("; {} a contact, {} of them its row in the solver",
+        text += fmt::format("\n  {} bytes a contact, {} of them its row in the solver",
                             result.contactBytes->all, result.contactBytes->row);
     }
     if (stages) {

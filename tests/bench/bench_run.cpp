@@ -152,6 +152,9 @@ private:
 
 Result run(const RunOptions& options) {
     const Recipe& recipe = recipeOf(options.scene);
+    if (options.size && *recipe.sizeMeans == '\0' && *options.size != recipe.size) {
+        throw WrongUse("the scene " + options.scene + " has only one size");
+    }
     const int size = options.size.value_or(recipe.size);
     const int steps = options.steps.value_or(recipe.steps);
     const Scene scene = recipe.make(size, options.seed);

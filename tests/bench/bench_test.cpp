@@ -240,6 +240,11 @@ TEST(Options, RefuseWhatAnEngineDoesNotKnow) {
     options.engine = "kodo";
     options.scene = "nowhere";
     EXPECT_THROW(run(options), WrongUse);
+    options.scene = "slide"; // has no size
+    options.size = 1;
+    EXPECT_NO_THROW(run(options));
+    options.size = 2;
+    EXPECT_THROW(run(options), WrongUse);
 }
 
 TEST(Summaries, TakeTheMedianAndTheSpread) {

@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """What tools/trade and tools/bench make of measurements: figures_test.py PATH-OF-TOOLS/lib"""
+import contextlib
+import io
 import pathlib
 import sys
 import tempfile
 import unittest
+import unittest.mock
 import xml.etree.ElementTree
 
 sys.dont_write_bytecode = True  # leave no __pycache__ beside the tools
@@ -80,6 +83,25 @@ class Summaries(unittest.TestCase):
     def test_another_state_stops_everything(self):
         with self.assertRaises(SystemExit):
             measure.summary_of([result(1, 1, stateHash=name) for name in "ab"])
+
+
+class Options(unittest.TestCase):
+    def told(self, *words):
+        """What is said of wrong options, and the exit code."""
+        said = io.StringIO()
+        with contextlib.redirect_stderr(said), unittest.mock.patch("sys.argv", ["", *words]):
+            with self.assertRaises(SystemExit) as stopped:
+                bench.options()
+        return said.getvalue(), stopped.exception.code
+
+    def test_wrong_ones_are_told_in_one_line_before_anything_is_built(self):
+        for words in (["--repeat", "0"], ["--repeat", "1.5"], ["--profiles", "nonesuch"],
+                      ["--scenes", "nowhere"], ["--check"]):
+            said, code = self.told(*words)
+            self.assertEqual(code, 2)
+            self.assertIn(words[-1], said)
+            self.assertTrue(said.startswith("tools/bench: ") and said.count("\n") == 1, said)
+        self.assertEqual(self.told("--repeat", "3", "--check-options"), ("", 0))
 
 
 class Figures(unittest.TestCase):

@@ -43,16 +43,21 @@ void addOptions(CLI::App& app, Options& options) {
     app.add_option("--threads", step.threads, "1 unless given")->check(CLI::Range(1, 64));
     app.add_option("--steps", run.steps, "Steps of 1/60 s, instead of the scene's")
         ->check(CLI::Range(1, 100000000));
-    app.add_option("--size", run.size, "Instead of the scene's")->check(CLI::Range(1, 10000000));
-    app.add_option("--seed", run.seed, "For what is random in a scene");
+    app.add_option("--size", run.size, "Instead of the scene's; what it means, --list tells")
+        ->check(CLI::Range(1, 10000000));
+    app.add_option("--seed", run.seed, "For what is random in a scene")
+        ->check(CLI::Range(0u, 4294967295u)); // -1 would be read as 2^64 - 1
     app.add_flag("--peak", run.peak, "Measure depth in every 20th step (disturbs the caches)");
     app.add_option("--repeat", options.repeat, "Runs; the median of their times counts")
         ->check(CLI::Range(1, 1000));
-    app.add_option("--against", options.against, "Another engine, run in turn, for the ratio")
-        ->check(CLI::IsMember(engineNames()));
+    CLI::Option* against =
+        app.add_option("--against", options.against, "Another engine, run in turn, for the ratio")
+            ->check(CLI::IsMember(engineNames()));
     app.add_option("--against-profile", options.againstProfile, "How the other engine steps")
-        ->check(CLI::IsMember(profileNames()));
-    app.add_flag("--stages", options.run.step.stages, "Also the time of each stage of a step");
+        ->check(CLI::IsMember(profileNames()))
+        ->needs(against);
+    app.add_flag("--stages", options.run.step.stages,
+                 "Also the time of each stage of a step; of Box2D, of the step as a whole");
     app.add_flag("--json", options.json, "Print one JSON object for each engine");
 }
 

@@ -74,9 +74,13 @@ for threads in ("1", "2"):
     check(code == 0 and told == (threads == "2"), f"{threads} threads: {text}")
 
 for wrong in (["--scene", "nowhere"], ["--engine", "nothing"], ["--threads", "0"],
-              ["--substeps", "0"], ["--nonesuch"]):
+              ["--substeps", "0"], ["--seed", "-1"], ["--nonesuch"], ["--set", "mass=3"],
+              ["--set", "contactHertz=abc"], ["--against-profile", "quick"]):
     done = run(*wrong)
     check(done.returncode == 2 and not done.stdout, f"{wrong} ends with {done.returncode}, not 2")
-    check(wrong[-1] in done.stderr, f"{wrong} is refused without a word of it: {done.stderr}")
-    if wrong[1:] == ["0"]:
+    word = wrong[0] if wrong[0].startswith("--against") else wrong[-1]
+    check(word in done.stderr, f"{wrong} is refused without a word of it: {done.stderr}")
+    if wrong[1:] in (["0"], ["-1"]):
         check(wrong[0] in done.stderr, f"{wrong} is refused without its name: {done.stderr}")
+check("contactPasses" in run("--set", "mass=3").stderr, "what --set can set is not told")
+check("NUMBER" in run("--set", "contactHertz=abc").stderr, "a wrong number is told as a wrong name")

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
 """Run by tools/bench, which says what it does."""
-import argparse
 import math
 import pathlib
 import sys
@@ -39,6 +38,7 @@ SCENES = [
     Wanted("smallroom", 1),
     Wanted("empty", 1),
 ]
+PROFILES = ("default", "quick", "accurate", "thesis")
 # 1, 4 and 16 times the bodies; and a hundred thousand. Heaps grow in width, pyramids in height.
 GROWTH = {
     "pyramid": (60, 120, 240),
@@ -48,17 +48,14 @@ GROWTH = {
 
 
 def options():
-    parser = argparse.ArgumentParser(prog="tools/bench", add_help=False)
+    parser = measure.Options("tools/bench")
     parser.add_argument("--scenes", nargs="+", choices=sorted({scene.name for scene in SCENES}))
     parser.add_argument("--engines", nargs="+", choices=["kodo", "kodo64"])
-    parser.add_argument("--profiles", nargs="+", default=["default"])
-    parser.add_argument("--repeat", type=int, default=5)
+    parser.add_argument("--profiles", nargs="+", default=["default"], choices=PROFILES)
+    parser.add_argument("--repeat", type=measure.runs, default=5)
     parser.add_argument("--no-growth", dest="growth", action="store_false")
     parser.add_argument("--quick", action="store_true")
-    parser.add_argument("--check-options", action="store_true")
     chosen = parser.parse_args()
-    if chosen.check_options:
-        sys.exit(0)
     chosen.engines = chosen.engines or ["kodo", "kodo64"]
     if chosen.quick:
         chosen.repeat, chosen.growth = 1, False

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What tools/bench and tools/trade share: kodo-bench run in turn on one core, and its medians."""
+import argparse
 import csv
 import json
 import os
@@ -10,6 +11,32 @@ import sys
 import time
 
 BENCH = pathlib.Path("build/release/bin/kodo-bench")
+
+
+class Options(argparse.ArgumentParser):
+    """A wrong option is told in one line; --help is the shell script's."""
+
+    def __init__(self, prog):
+        super().__init__(prog=prog, add_help=False, allow_abbrev=False)
+        self.add_argument("--check-options", action="store_true")  # says only whether they are right
+
+    def error(self, message):
+        sys.stderr.write(f"{self.prog}: {message}. Try {self.prog} --help.\n")
+        sys.exit(2)
+
+    def parse_args(self, args=None, namespace=None):
+        chosen = super().parse_args(args, namespace)
+        if chosen.check_options:
+            sys.exit(0)
+        return chosen
+
+
+def runs(text):
+    """What --repeat takes."""
+    count = int(text) if text.isdecimal() else 0
+    if not 1 <= count <= 1000:
+        raise argparse.ArgumentTypeError(f"{text} is no number from 1 to 1000")
+    return count
 
 
 class Progress:

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
 """Run by tools/trade, which says what it does."""
-import argparse
 import math
 import pathlib
 import sys
@@ -101,15 +100,12 @@ def settings():
 
 
 def options():
-    parser = argparse.ArgumentParser(prog="tools/trade", add_help=False)
+    parser = measure.Options("tools/trade")
     names = [question.name for question in QUESTIONS]
     parser.add_argument("--scenes", nargs="+", choices=names, default=names)
-    parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--repeat", type=measure.runs, default=3)
     parser.add_argument("--quick", action="store_true")
-    parser.add_argument("--check-options", action="store_true")
     chosen = parser.parse_args()
-    if chosen.check_options:
-        sys.exit(0)
     if chosen.quick:
         chosen.repeat = 1
     return chosen

@@ -2,14 +2,28 @@
 #include <kodo/base/problem.hpp>
 
 #include <cmath>
+#include <limits>
+#include <locale>
 #include <sstream>
 
 namespace kodo::inline KODO_PRECISION {
 namespace {
 
+/// In the fewest digits, six or more, that read back as the same number: one just beyond a limit
+/// must not look like the limit. By a stream, since libc++ 13 has no std::to_chars of float.
 std::string number(Real value) {
-    std::ostringstream text;
-    text << value;
+    std::stringstream text;
+    text.imbue(std::locale::classic()); // a point, whatever the user's language
+    Real back = 0;
+    for (int digits = 6; digits <= std::numeric_limits<Real>::max_digits10; ++digits) {
+        text.str("");
+        text.clear();
+        text.precision(digits);
+        text << value;
+        if (!std::isfinite(value) || (text >> back && back == value)) {
+            break;
+        }
+    }
     return text.str();
 }
 

@@ -297,8 +297,9 @@ private:
                                          : "there is no line seed N";
         }
         if (!replay_.handwritten && (!replay_.levelDigest || !replay_.rules || !hasDigest_)) {
-            return "the file is cut off: a recorded replay has rules, the digest of its level and "
-                   "its own digest at the end";
+            return "the file is cut off or edited: a recorded replay has rules, the digest of its "
+                   "level and its own digest at the end. Who edits a replay takes its digest away "
+                   "and puts a line handwritten below the seed";
         }
         const auto late = [&](const auto& entry) { return entry.tick > replay_.end; };
         if (std::any_of(replay_.hashes.begin(), replay_.hashes.end(), late) ||

@@ -226,7 +226,7 @@ int run(int argc, char** argv) {
     botCommand->add_option("--seed", options.seed, "0..4294967295, 1 unless given")
         ->check(wrongSeed, "");
     botCommand->add_option("--ticks", options.ticks, "Stop after so many ticks, 120 a second")
-        ->check(CLI::Range(std::uint32_t{0}, kLongestReplay));
+        ->check(CLI::Range(std::uint32_t{1}, kLongestReplay));
     botCommand->add_option("--record", options.record, "Write the game to this file, as a replay");
     botCommand->add_option("--hash-every", options.hashEvery, "Ticks between recorded hashes")
         ->check(CLI::Range(std::uint32_t{1}, kLongestReplay));
