@@ -2,6 +2,7 @@
 #include <apart/core/assets.hpp>
 #include <apart/core/lint.hpp>
 #include <apart/core/tuning.hpp>
+#include <support/draws.hpp>
 
 #include <gtest/gtest.h>
 
@@ -66,6 +67,9 @@ double ticksPerLife(const std::vector<Level>& levels, Theme theme) {
 
 // 29 s a life at first and 20 s at last, over 170 games; over these 60 the share is off by a tenth.
 TEST(Levels, GetHarder) {
+    if (support::kSanitized) {
+        GTEST_SKIP() << "games of the bot by the dozen, which other tests let it play one by one";
+    }
     const std::vector<Level> levels = allLevels();
     const double first = ticksPerLife(levels, levels.front().theme);
     const double last = ticksPerLife(levels, levels.back().theme);

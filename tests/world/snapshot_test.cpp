@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/base/bytes.hpp>
+#include <support/draws.hpp>
 #include <support/same_records.hpp>
 #include <support/scenes.hpp>
 
@@ -82,7 +83,7 @@ TEST(Snapshot, GoesOnAlikeFromAnyMoment) {
                                             << ", saved after " << moment << " steps");
             World original = world;
             World loaded = reloaded(world, ownFields());
-            expectToGoOnAlike(original, loaded, 300);
+            expectToGoOnAlike(original, loaded, support::kSanitized ? 100 : 300);
         }
     }
 }
