@@ -32,6 +32,8 @@ TEST(Problem, TellsANumberJustBeyondALimitFromTheLimit) {
               "must be greater than 0 and at most 1e+09, but is -0.1");
     EXPECT_EQ(outOfRange("x", std::numeric_limits<Real>::quiet_NaN(), 0, 1).reason,
               "must be from 0 to 1, but is nan");
+    EXPECT_EQ(outOfRange("x", -std::numeric_limits<Real>::quiet_NaN(), 0, 1).reason,
+              "must be from 0 to 1, but is nan");
     EXPECT_EQ(outOfRange("x", std::numeric_limits<Real>::infinity(), 0, 1).reason,
               "must be from 0 to 1, but is inf");
 }

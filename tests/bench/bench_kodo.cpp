@@ -73,6 +73,9 @@ struct Number {
 template <auto member>
 void setMember(kodo::StepSettings& settings, double value) {
     using Type = std::remove_reference_t<decltype(settings.*member)>;
+    if (std::is_integral_v<Type> && value != std::floor(value)) {
+        throw WrongUse("a number of passes is whole");
+    }
     settings.*member = static_cast<Type>(value);
 }
 
@@ -110,8 +113,8 @@ void setNumber(kodo::StepSettings& settings, const std::string& text) {
     const char* end = text.data() + text.size();
     const char* start = sign == std::string::npos ? end : text.data() + sign + 1;
     const auto read = std::from_chars(start, end, value);
-    if (read.ec != std::errc() || read.ptr != end || std::abs(value) > 1e9) {
-        throw WrongUse("'" + text + "' gives " + number->name + " no number; write " +
+    if (read.ec != std::errc() || read.ptr != end || !(std::abs(value) <= 1e9)) { // or NaN
+        throw WrongUse("'" + text + "' gives " + number->name + " no number up to 1e9; write " +
                        number->name + "=NUMBER");
     }
     number->set(settings, value);

@@ -149,7 +149,8 @@ std::string asText(const Summary& summary, bool stages) {
                         result.drift.sideways, result.drift.down, result.drift.stood, result.bodies,
                         result.escaped.value_or(0), result.kineticEnergy);
     if (result.error) {
-        text += fmt::format("\n  {}: {:.4g} {}", result.errorName, *result.error, result.errorUnit);
+        text += fmt::format("\n  {}: {:.4g}{}{}", result.errorName, *result.error,
+                            result.errorUnit.empty() ? "" : " ", result.errorUnit);
     }
     if (result.bytesPerBody > 0) {
         text += fmt::format("\n  {:.0f} bytes a body, with its share of all", result.bytesPerBody);

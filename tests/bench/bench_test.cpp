@@ -218,8 +218,9 @@ TEST(Options, RefuseWhatAnEngineDoesNotKnow) {
     options.step.leaveOut = {"gravity"};
     EXPECT_THROW(run(options), WrongUse);
     options.step.leaveOut = {};
-    for (const char* wrong : {"contactHertz", "contactHertz=", "contactHertz=12x", "mass=3",
-                              "contactPasses=1e300", "contactHertz=-1"}) {
+    for (const char* wrong :
+         {"contactHertz", "contactHertz=", "contactHertz=12x", "mass=3", "contactPasses=1e300",
+          "contactPasses=nan", "contactPasses=2.5", "contactHertz=inf", "contactHertz=-1"}) {
         options.step.set = {wrong};
         EXPECT_THROW(run(options), WrongUse) << wrong;
     }

@@ -68,6 +68,10 @@ head -c 1000 a.replay >cut.replay
 expect 2 '^apart-headless: cut.replay:[0-9]+: the file is cut off' "$program" verify cut.replay
 sed 's/^seed 7$/seed 8/' a.replay >changed.replay
 expect 2 'changed.replay:[0-9]+: the file was changed' "$program" verify changed.replay
+grep -v '^digest' a.replay >bare.replay
+expect 2 'bare.replay:[0-9]+: .*was edited: .*handwritten' "$program" verify bare.replay
+sed 's/^rules/handwritten\nrules/' a.replay >both.replay
+expect 2 'one that was edited has none' "$program" verify both.replay
 sed -e 's/^seed 7$/seed 8/' -e 's/^digest .*/x/' -e '/^x$/d' -e 's/^rules/handwritten\nrules/' \
     a.replay >other.replay
 expect 1 'tick 60 is the first whose hash differs' "$program" verify other.replay

@@ -10,8 +10,12 @@ namespace kodo::inline KODO_PRECISION {
 namespace {
 
 /// In the fewest digits, six or more, that read back as the same number: one just beyond a limit
-/// must not look like the limit. By a stream, since libc++ 13 has no std::to_chars of float.
+/// must not look like the limit. By a stream, since libc++ 13 has no std::to_chars of float; its
+/// streams do not read subnormal numbers, which get all digits then.
 std::string number(Real value) {
+    if (std::isnan(value)) {
+        return "nan"; // of either sign
+    }
     std::stringstream text;
     text.imbue(std::locale::classic()); // a point, whatever the user's language
     Real back = 0;
@@ -20,7 +24,7 @@ std::string number(Real value) {
         text.clear();
         text.precision(digits);
         text << value;
-        if (!std::isfinite(value) || (text >> back && back == value)) {
+        if (std::isinf(value) || (text >> back && back == value)) {
             break;
         }
     }

@@ -9,6 +9,9 @@ namespace apart {
 
 namespace {
 
+constexpr const char* kHowToEdit =
+    "Who edits a replay takes its digest away and puts a line handwritten below the seed";
+
 using Words = std::vector<std::string_view>;
 
 Words wordsOf(std::string_view line) {
@@ -275,11 +278,12 @@ private:
             words.size() == 2 ? fromHex(words[1]) : std::nullopt;
         if (!ended_ || replay_.handwritten || !digest) {
             return "a digest of 16 hexadecimal digits stands after the end of a recorded replay, "
-                   "and only there";
+                   "and only there; one that was edited has none";
         }
         if (*digest != digestOf(text_.substr(0, lineStart_))) {
-            return "the file was changed after it was recorded: its digest does not fit. Who edits "
-                   "a replay takes its digest away and puts a line handwritten below the seed";
+            return std::string("the file was changed after it was recorded: its digest does not "
+                               "fit. ") +
+                   kHowToEdit;
         }
         hasDigest_ = true;
         return "";
@@ -297,9 +301,9 @@ private:
                                          : "there is no line seed N";
         }
         if (!replay_.handwritten && (!replay_.levelDigest || !replay_.rules || !hasDigest_)) {
-            return "the file is cut off or edited: a recorded replay has rules, the digest of its "
-                   "level and its own digest at the end. Who edits a replay takes its digest away "
-                   "and puts a line handwritten below the seed";
+            return std::string("the file is cut off or was edited: a recorded replay has rules, "
+                               "the digest of its level and its own digest at the end. ") +
+                   kHowToEdit;
         }
         const auto late = [&](const auto& entry) { return entry.tick > replay_.end; };
         if (std::any_of(replay_.hashes.begin(), replay_.hashes.end(), late) ||
