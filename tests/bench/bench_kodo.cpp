@@ -64,19 +64,20 @@ std::optional<kodo::PairSearch> pairSearchOf(const std::string& name) {
     return place == kPairSearches.size() ? std::nullopt : std::optional(kPairSearches[place]);
 }
 
-/// A number of the settings that can be set alone.
+/// A number of the settings that can be set alone; set() tells whether it can have that value.
 struct Number {
     const char* name;
-    void (*set)(kodo::StepSettings&, double);
+    bool (*set)(kodo::StepSettings&, double);
 };
 
 template <auto member>
-void setMember(kodo::StepSettings& settings, double value) {
+bool setMember(kodo::StepSettings& settings, double value) {
     using Type = std::remove_reference_t<decltype(settings.*member)>;
-    if (std::is_integral_v<Type> && value != std::floor(value)) {
-        throw WrongUse("a number of passes is whole");
+    if (!(std::abs(value) <= 1e9) || (std::is_integral_v<Type> && value != std::floor(value))) {
+        return false; // also for NaN
     }
     settings.*member = static_cast<Type>(value);
+    return true;
 }
 
 constexpr Number kNumbers[] = {
@@ -113,11 +114,10 @@ void setNumber(kodo::StepSettings& settings, const std::string& text) {
     const char* end = text.data() + text.size();
     const char* start = sign == std::string::npos ? end : text.data() + sign + 1;
     const auto read = std::from_chars(start, end, value);
-    if (read.ec != std::errc() || read.ptr != end || !(std::abs(value) <= 1e9)) { // or NaN
-        throw WrongUse("'" + text + "' gives " + number->name + " no number up to 1e9; write " +
-                       number->name + "=NUMBER");
+    if (read.ec != std::errc() || read.ptr != end || !number->set(settings, value)) {
+        throw WrongUse("'" + text + "' is not " + number->name +
+                       "=NUMBER, up to 1e9 and whole where passes are counted");
     }
-    number->set(settings, value);
 }
 
 kodo::StepSettings settingsOf(const StepOptions& options) {

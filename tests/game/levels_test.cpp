@@ -72,7 +72,7 @@ TEST(Levels, GetHarder) {
     const std::vector<Level> levels = allLevels();
     const double first = ticksPerLife(levels, levels.front().theme);
     const double last = ticksPerLife(levels, levels.back().theme);
-    EXPECT_GT(first, (support::kSanitized ? 0.5 : 1.3) * last); // a sixth of the games tells little
+    EXPECT_GT(first, 1.3 * last);
     EXPECT_GT(levels.back().ballSpeed, levels.front().ballSpeed);
 }
 

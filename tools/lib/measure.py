@@ -10,19 +10,17 @@ import subprocess
 import sys
 import time
 
+import options
+
 BENCH = pathlib.Path("build/release/bin/kodo-bench")
 
 
-class Options(argparse.ArgumentParser):
-    """A wrong option is told in one line; --help is the shell script's."""
+class Options(options.Options):
+    """Those of a shell script, which has its --help, and asks first whether they are right."""
 
     def __init__(self, prog):
-        super().__init__(prog=prog, add_help=False, allow_abbrev=False)
-        self.add_argument("--check-options", action="store_true")  # says only whether they are right
-
-    def error(self, message):
-        sys.stderr.write(f"{self.prog}: {message}. Try {self.prog} --help.\n")
-        sys.exit(2)
+        super().__init__(prog, add_help=False)
+        self.add_argument("--check-options", action="store_true")
 
     def parse_args(self, args=None, namespace=None):
         chosen = super().parse_args(args, namespace)
