@@ -1,32 +1,49 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Fails when an include points up or sideways, or when the engine or the game core uses what would
-make a result depend on the machine, the clock or the standard library.
+"""Checks the layers: an include must point to a lower layer. The engine and the game core must not
+use anything whose result depends on the machine, the clock or the standard library.
 
-Run it from anywhere: tools/check_layers.py. It looks at engine/, game/, tests/ and tools/."""
+Run it from any folder: tools/check_layers.py. It reads engine/, game/, tests/ and tools/."""
 import re
 import sys
 
 sys.dont_write_bytecode = True  # leave no __pycache__ beside the tools
 from check_sizes import blank_comments_and_strings, run  # noqa: E402
 
-# The folders of the engine, lowest first: each may use those before it.
+# Folders of engine/src, lowest first: each may include the folders before it.
 ENGINE = "base math shapes broad collide bodies contacts joints solve world".split()
-KODO = ["kodo", *(f"kodo/{name}" for name in ENGINE)]
 
-# Folder: what it may include beside itself and the standard library. "kodo" is engine/kodo/*.hpp.
-MAY_USE = {f"engine/kodo/{name}": KODO[1 : i + 1] for i, name in enumerate(ENGINE)}
-MAY_USE["engine/kodo/broad"] = ["kodo/base", "kodo/math"]  # knows bounds, not shapes
-MAY_USE["engine/kodo"] = KODO
-MAY_USE["engine/kodo_sfml"] = KODO
-MAY_USE["game/apart/core"] = KODO
-MAY_USE["game/apart/stage"] = [*KODO, "apart/core"]
-MAY_USE["game/apart/headless"] = [*KODO, "apart/core"]
-MAY_USE["game/apart/sfml"] = [*KODO, "kodo_sfml", "apart/core", "apart/stage"]
+# Public headers, engine/include/kodo/NAME.hpp, by the layer that they belong to. A folder of the
+# engine may include those of its own layer and of lower ones.
+PUBLIC = {
+    "base": "real version export error executor state_hash step_stats",
+    "math": "math affine",
+    "shapes": "shape measure ray convex_shape geometry",
+    "bodies": "body force_field settings collision_record joint",
+    "world": "world query snapshot kodo",
+}
+LAYER_OF = {name: layer for layer, names in PUBLIC.items() for name in names.split()}
 
-# A library from outside stays behind its door.
+# Folder: layers that it may include beside itself. "public": the headers <kodo/...>.
+MAY_USE = {f"engine/src/{name}": ENGINE[:i] for i, name in enumerate(ENGINE)}
+MAY_USE["engine/src/broad"] = ["base", "math"]  # works on bounds, not on shapes
+MAY_USE["engine/include/kodo"] = ["public"]
+MAY_USE["engine/sfml/kodo_sfml"] = ["public"]
+MAY_USE["engine/examples"] = ["public", "kodo_sfml"]
+MAY_USE["game/apart/core"] = ["public"]
+MAY_USE["game/apart/stage"] = ["public", "apart/core"]
+MAY_USE["game/apart/headless"] = ["public", "apart/core"]
+MAY_USE["game/apart/sfml"] = ["public", "kodo_sfml", "apart/core", "apart/stage"]
+
+# Third-party library: the only folders that may include it.
 DOORS = {
-    "SFML/": ("engine/kodo_sfml", "game/apart/sfml", "tests/display", "tools/destructoooor"),
+    "SFML/": (
+        "engine/sfml",
+        "engine/examples",
+        "game/apart/sfml",
+        "tests/display",
+        "tools/destructoooor",
+    ),
     "imgui": ("tools/destructoooor",),
     "box2d/": ("tests/",),
     "gtest/": ("tests/",),
@@ -35,12 +52,12 @@ DOORS = {
     "CLI/": ("game/apart/sfml", "game/apart/headless", "tests/", "tools/"),
 }
 
-# In engine/kodo and game/apart/core: pattern, then the sentence.
+# In engine/src, engine/include and game/apart/core: forbidden pattern, and the message.
 LIBM = (
     "sin cos tan asin acos atan atan2 sinh cosh tanh exp exp2 expm1 log log2 log10 log1p"
     " pow cbrt hypot fmod remainder fma"
 ).replace(" ", "|")
-OWN_MATH = "libm differs between systems: use the functions of kodo/math"
+OWN_MATH = "libm differs between systems: use the functions of math/trig.hpp"
 RANDOM = "no std random: results differ between libraries"
 UNORDERED = "no unordered containers: their order differs between libraries"
 RANGES = "no ranges algorithms or views: clang 14 and emscripten lack them"
@@ -51,8 +68,8 @@ SAME_BITS = [
     (rf"\bstd::({LIBM})[fl]?\b", OWN_MATH),
     (rf"(?<![\w.>:])({LIBM})f\(", OWN_MATH),
     (r"\bstd::(ranges|views)::|#\s*include\s*<ranges>", RANGES),
-    (r"\bstd::(bit_cast|format|pmr|jthread)\b", "not in every library Kodo is built with"),
-    (r"\bstd::c(out|err|log)\b|#\s*include\s*<iostream>", "a library prints nothing"),
+    (r"\bstd::(bit_cast|format|pmr|jthread)\b", "missing in some supported standard libraries"),
+    (r"\bstd::c(out|err|log)\b|#\s*include\s*<iostream>", "a library must not print"),
 ]
 SORTS = re.compile(r"\bstd::(sort|partial_sort|nth_element|make_heap|sort_heap)\b")
 TOTAL_ORDER = re.compile(r"//.*total order", re.IGNORECASE)
@@ -60,37 +77,60 @@ TOTAL_ORDER = re.compile(r"//.*total order", re.IGNORECASE)
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
-def layer_of(include):
-    """'kodo/math/vec2.hpp' -> 'kodo/math'; None for what is not ours."""
-    parts = include.split("/")
-    if parts[0] == "kodo_sfml":
-        return "kodo_sfml"
-    if parts[0] not in ("kodo", "apart") or len(parts) == 1:
-        return None
-    return "/".join(parts[:2]) if len(parts) > 2 else parts[0]
-
-
 def owner_of(folder):
-    """The entry of MAY_USE that holds this folder, or None."""
+    """The entry of MAY_USE that contains this folder, or None."""
     while folder not in MAY_USE and "/" in folder:
         folder = folder.rpartition("/")[0]
     return folder if folder in MAY_USE else None
 
 
+def check_public(owner, mark, include):
+    """The message for a forbidden include of <kodo/...> in the engine itself, or None."""
+    name = include.removeprefix("kodo/").removesuffix(".hpp")
+    own = owner.rpartition("/")[2]
+    if name not in LAYER_OF:
+        return f"<{include}> is not in the table PUBLIC of tools/check_layers.py"
+    if own in ENGINE and ENGINE.index(LAYER_OF[name]) > ENGINE.index(own):
+        return f"{own} must not include <{include}>, a header of {LAYER_OF[name]}"
+    return None if mark == "<" else f'"{include}": write <{include}>'
+
+
+def check_engine(owner, mark, include):
+    """The message for a forbidden include of the engine, or None."""
+    own = owner.rpartition("/")[2]
+    layer = include.partition("/")[0]
+    if include.startswith("kodo/"):
+        return check_public(owner, mark, include)
+    if mark == "<":
+        other = re.search(r"[/.]", include)
+        return f"<{include}>: Kodo may use only the C++ standard library" if other else None
+    if own not in ENGINE:
+        return f'"{include}": a public header includes <kodo/...> and the standard library alone'
+    if layer not in ENGINE or "/" not in include:
+        return f'"{include}": include by the path below engine/src, as in "math/trig.hpp"'
+    allowed = layer == own or layer in MAY_USE[owner]
+    return None if allowed else f"{own} must not include {layer}"
+
+
+def check_user(owner, mark, include):
+    """The message for a forbidden include of what uses the engine, or None."""
+    own = owner.partition("/")[2]
+    if mark == '"':
+        return f'"{include}": include by full path, as in <kodo/world.hpp>'
+    for layer in ("kodo_sfml", "apart/core", "apart/stage", "apart/headless", "apart/sfml"):
+        allowed = layer in MAY_USE[owner] or own.endswith(layer)
+        if include.startswith(f"{layer}/") and not allowed:
+            return f"{own} must not include {layer}"
+    return None
+
+
 def check_include(folder, mark, include):
-    """The sentence that is wrong with this include, or None."""
+    """The message for a forbidden include, or None."""
     owner = owner_of(folder)
-    layer = layer_of(include)
-    if folder.startswith(("engine", "game")):
-        if mark == '"' and layer is None:
-            return f'"{include}": include by full path, as in <kodo/math/vec2.hpp>'
-        if owner is not None and layer is not None:
-            own = owner.partition("/")[2]
-            if layer != own and layer not in MAY_USE[owner]:
-                return f"{own} must not include {layer}"
-        if owner is not None and owner.startswith("engine/kodo") and owner != "engine/kodo_sfml":
-            if layer is None and re.search(r"[/.]", include):
-                return f"<{include}>: Kodo needs the C++ standard library and nothing else"
+    if owner is not None:
+        engine = owner.startswith(("engine/src/", "engine/include/"))
+        if sentence := (check_engine if engine else check_user)(owner, mark, include):
+            return sentence
     for door, folders in DOORS.items():
         if include.startswith(door) and not f"{folder}/".startswith(folders):
             return f"{door.rstrip('/')} only in {' and '.join(folders)}"
@@ -98,7 +138,7 @@ def check_include(folder, mark, include):
 
 
 def check_same_bits(raw, code):
-    """Yields (line number, sentence)."""
+    """Yields (line number, message)."""
     for number, line in enumerate(code, 1):
         for pattern, sentence in SAME_BITS:
             if match := re.search(pattern, line):
@@ -107,18 +147,18 @@ def check_same_bits(raw, code):
             beside = raw[max(number - 2, 0) : number]
             if not any(TOTAL_ORDER.search(text) for text in beside):
                 yield number, (
-                    f"{match.group(0)}: equal keys come out in any order. If no keys are equal, say"
-                    " why in a comment '// total order: ...' on this line or the one before"
+                    f"{match.group(0)}: the order of equal keys is undefined. If no keys are equal,"
+                    " give the reason in a comment '// total order: ...' on this line or the line"
+                    " before"
                 )
 
 
 def check_file(path, name):
-    """Yields (line number, sentence)."""
+    """Yields (line number, message)."""
     folder = name.parent.as_posix()
     text = path.read_text(encoding="utf-8")
     owner = owner_of(folder)
-    unknown = owner is None or owner == "engine/kodo" != folder
-    if unknown and folder.startswith(("engine", "game")):
+    if owner is None and folder.startswith(("engine", "game")):
         yield 1, f"the folder {folder} is not in the table of tools/check_layers.py"
     raw = text.split("\n")
     code = blank_comments_and_strings(text).split("\n")
@@ -126,7 +166,7 @@ def check_file(path, name):
         if (match := INCLUDE.match(line)) and code[number - 1].strip():
             if sentence := check_include(folder, match.group(1), match.group(2)):
                 yield number, sentence
-    if f"{folder}/".startswith(("engine/kodo/", "game/apart/core/")):
+    if f"{folder}/".startswith(("engine/src/", "engine/include/", "game/apart/core/")):
         yield from check_same_bits(raw, code)
 
 

@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Fails when a file, a function, a line or a parameter list is longer than the house style allows:
-header 250 lines, source 400, test 500; function 60 lines (80 outside engine/ and game/apart/core);
-line 100 columns; 6 parameters.
+"""Checks sizes against the limits: header 250 lines (public ones 300), source 400, test 500;
+function 60 lines (80 outside engine/ and game/apart/core); line 100 columns; 6 parameters.
 
-Run it from anywhere: tools/check_sizes.py. It looks at engine/, game/, tests/ and tools/.
-Functions are found by the depth of braces in formatted code, which needs no compiler."""
+Run it from any folder: tools/check_sizes.py. It reads engine/, game/, tests/ and tools/.
+Functions are found by brace depth in formatted code, without a compiler."""
 import argparse
 import pathlib
 import re
@@ -22,7 +21,7 @@ TOKEN = re.compile(
     re.DOTALL | re.VERBOSE,
 )
 PREPROCESSOR = re.compile(r"^[ \t]*#(?:\\\n|[^\n])*", re.MULTILINE)
-# What may stand between the parameters and the body.
+# What may follow the parameters before the body.
 SPECIFIERS = re.compile(
     r"(?:\s*(?:const|volatile|noexcept(?:\s*\([^()]*(?:\([^()]*\)[^()]*)*\))?"
     r"|override|final|mutable|constexpr|try|&&?|requires\b.*|->.*))*\s*$",
@@ -34,7 +33,7 @@ NOT_A_NAME = {"decltype", "noexcept", "explicit", "alignas", "requires", "__attr
 
 
 def blank_comments_and_strings(text):
-    """Same length in lines and columns; includes keep their names."""
+    """Blanks comments and strings; lines and columns stay. The names of includes stay too."""
 
     def blank(match):
         before = text[max(0, match.start() - 20) : match.start()]
@@ -47,7 +46,7 @@ def blank_comments_and_strings(text):
 
 
 def split_at_commas(text):
-    """Parts at bracket depth 0."""
+    """Splits at commas of bracket depth 0."""
     parts, depth, start = [], 0, 0
     for i, c in enumerate(text):
         if c in "(<[{":
@@ -62,7 +61,7 @@ def split_at_commas(text):
 
 
 def parameters_of(head):
-    """(name, number of parameters) of the function whose declaration starts like this, or None."""
+    """(name, number of parameters) of the function that `head` declares, or None."""
     head = re.sub(r"\[\[.*?\]\]", " ", head, flags=re.DOTALL)
     name = r"(operator\s*(?:\(\s*\)|[^\s\w(]+|\w+)|~?[A-Za-z_]\w*)\s*\("
     for match in re.finditer(name, head):
@@ -79,7 +78,7 @@ def parameters_of(head):
 
 
 def is_body(head):
-    """Does the brace after this text open the body of a function?"""
+    """True if the brace after this text opens the body of a function."""
     if CONSTRUCTOR.search(head):  # a: m_{...}, n_(...) {   only the last brace follows ) or }
         return head.rstrip()[-1:] in ")}"
     depth = 0
@@ -91,7 +90,7 @@ def is_body(head):
 
 
 def is_scope(head):
-    """Does the brace after this text open a namespace or a type?"""
+    """True if the brace after this text opens a namespace or a type."""
     noise = r"\btemplate\s*<.*?>|\balignas\s*\(.*?\)|\[\[.*?\]\]"
     head = re.sub(noise, " ", head, flags=re.DOTALL)
     if re.match(r'\s*(inline\s+)?namespace\b|\s*extern\s*""\s*$', head):
@@ -100,7 +99,7 @@ def is_scope(head):
 
 
 def is_declaration(head):
-    """Does the semicolon after this text end the declaration of a function?"""
+    """True if the semicolon after this text ends the declaration of a function."""
     outside, depth = "", 0
     for c in head:
         depth -= c == ")"
@@ -111,19 +110,19 @@ def is_declaration(head):
 
 
 class Scanner:
-    """Walks over code without comments and collects the functions of namespaces and types."""
+    """Collects the functions of namespaces and types from code without comments."""
 
     def __init__(self, text):
         self.code = PREPROCESSOR.sub(
             lambda match: re.sub(r"[^\n]", " ", match.group(0)), blank_comments_and_strings(text)
         )
-        self.functions = []  # (begin, end, name, parameters); begin = end: only declared
+        self.functions = []  # (begin, end, name, parameters); begin = end: a declaration
 
     def line(self, position):
         return self.code.count("\n", 0, position) + 1
 
     def past_brace(self, i):
-        """The position after the brace that closes the one at i."""
+        """The position after the brace that matches the one at i."""
         depth = 0
         while i < len(self.code):
             depth += {"{": 1, "}": -1}.get(self.code[i], 0)
@@ -166,7 +165,7 @@ class Scanner:
 
 
 def functions_of(text):
-    """Yields (first line, lines, name, parameters); lines is 0 for what is only declared."""
+    """Yields (first line, number of lines, name, parameters); 0 lines for a declaration."""
     scanner = Scanner(text)
     for first, end, name, parameters in scanner.scan():
         begin = scanner.line(first)
@@ -174,11 +173,13 @@ def functions_of(text):
 
 
 def check_file(path, name):
-    """Yields (line number, sentence)."""
+    """Yields (line number, message)."""
     text = path.read_text(encoding="utf-8")
     lines = text.splitlines()
     if name.parts[0] == "tests":
         kind, limit = "test", 500
+    elif name.as_posix().startswith("engine/include/"):
+        kind, limit = "public header", 300  # each is one page of the reference
     elif name.suffix == ".hpp":
         kind, limit = "header", 250
     else:
@@ -200,7 +201,7 @@ def check_file(path, name):
 
 
 def cpp_files():
-    """Yields (path, name from the root of the repository) of every C++ file."""
+    """Yields (path, path relative to the root of the repository) of every C++ file."""
     root = pathlib.Path(__file__).resolve().parent.parent
     for top in ("engine", "game", "tests", "tools"):
         for path in sorted((root / top).rglob("*.*")):
@@ -209,7 +210,8 @@ def cpp_files():
 
 
 def run(what, check, description):
-    """The main function of a check: prints what check(path, name) yields; true when bad."""
+    """The main function of a check: prints the messages of check(path, name); true if there are
+    any."""
     argparse.ArgumentParser(
         description=description, formatter_class=argparse.RawDescriptionHelpFormatter
     ).parse_args()

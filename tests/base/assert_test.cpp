@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/base/assert.hpp>
-#include <kodo/base/id_pool.hpp>
+#include "base/assert.hpp"
+#include "base/id_pool.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ private:
     AssertHandler before_ = nullptr;
 };
 
-TEST_F(Assert, TellsTheHandlerConditionAndPlace) {
+TEST_F(Assert, PassesConditionFileAndLineToTheHandler) {
     try {
         KODO_ASSERT(1 + 1 == 3);
         FAIL() << "the handler was not called";
@@ -47,15 +47,15 @@ TEST_F(Assert, TellsTheHandlerConditionAndPlace) {
     }
 }
 
-TEST_F(Assert, SaysNothingWhileTheConditionHolds) {
+TEST_F(Assert, DoesNotCallTheHandlerWhileTheConditionHolds) {
     EXPECT_NO_THROW(KODO_ASSERT(1 + 1 == 2));
 }
 
-TEST_F(Assert, SetHandlerReturnsTheOneBefore) {
+TEST_F(Assert, SetHandlerReturnsThePreviousHandler) {
     EXPECT_EQ(setAssertHandler(&throwBroken), &throwBroken);
 }
 
-TEST_F(Assert, IdPoolRefusesToReleaseWhatIsNotAlive) {
+TEST_F(Assert, IdPoolRefusesToReleaseADeadId) {
     IdPool pool;
     EXPECT_THROW(pool.release(0), Broken);
     const IdPool::Slot slot = pool.allocate();

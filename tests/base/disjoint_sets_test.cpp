@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/base/disjoint_sets.hpp>
 #include <support/random_numbers.hpp>
+
+#include "base/disjoint_sets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@
 namespace kodo {
 namespace {
 
-TEST(DisjointSets, HoldNothingUntilTheyAreMade) {
+TEST(DisjointSets, ContainOnlyElementsOfMadeSets) {
     DisjointSets sets;
     sets.resize(2);
     EXPECT_FALSE(sets.contains(1));
@@ -23,7 +24,7 @@ TEST(DisjointSets, HoldNothingUntilTheyAreMade) {
     EXPECT_FALSE(sets.contains(2));
 }
 
-TEST(DisjointSets, TellTheRootsFromBeforeTheyWereJoined) {
+TEST(DisjointSets, JoinReturnsBothFormerRoots) {
     DisjointSets sets;
     sets.resize(4);
     for (std::uint32_t i = 0; i < 4; ++i) {
@@ -39,9 +40,9 @@ TEST(DisjointSets, TellTheRootsFromBeforeTheyWereJoined) {
     EXPECT_EQ(sets.rootOf(0), 0u);
 }
 
-// Whatever is joined, in whatever order: two have one root if and only if they are connected, and
-// it is the least of all that are. Told by labels that spread through all indices.
-TEST(DisjointSets, HaveTheirLeastIndexAsRoot) {
+// After random joins, two elements have the same root exactly if they are connected. The root is
+// the lowest connected index. The oracle spreads labels over all indices.
+TEST(DisjointSets, HaveTheirLowestIndexAsRoot) {
     constexpr std::uint32_t kCount = 60;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE(seed);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/base/id_pool.hpp>
 #include <support/random_numbers.hpp>
+
+#include "base/id_pool.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@
 namespace kodo {
 namespace {
 
-TEST(IdPool, CountsUpWhileNothingIsFree) {
+TEST(IdPool, AssignsAscendingIndicesWhileNoneIsFree) {
     IdPool pool;
     for (std::uint32_t i = 0; i < 10; ++i) {
         EXPECT_EQ(pool.allocate().index, i);
@@ -18,7 +19,7 @@ TEST(IdPool, CountsUpWhileNothingIsFree) {
     EXPECT_EQ(pool.capacity(), 10u);
 }
 
-TEST(IdPool, ReusesTheLastFreedFirst) {
+TEST(IdPool, ReusesTheLastFreedIndexFirst) {
     IdPool pool;
     for (int i = 0; i < 4; ++i) {
         pool.allocate();
@@ -41,8 +42,8 @@ TEST(IdPool, GenerationZeroIsNeverAlive) {
     EXPECT_FALSE(pool.alive(0, 0));
 }
 
-// R1: 100,000 lives in one slot, and no name of an earlier one ever comes alive again.
-TEST(IdPool, ReuseNeverAliasesAnOldName) {
+// R1: one slot is reused 100,000 times. No earlier id becomes alive again.
+TEST(IdPool, ReuseNeverRevivesAnOldId) {
     IdPool pool;
     std::vector<IdPool::Slot> old;
     for (int life = 0; life < 100000; ++life) {
@@ -57,8 +58,8 @@ TEST(IdPool, ReuseNeverAliasesAnOldName) {
     }
 }
 
-// W1, in small: a map remembers every name ever given out and whether it lives.
-TEST(IdPool, AgreesWithAMapOverAMillionRandomCalls) {
+// W1 on a small scale: lists model every id ever assigned and whether it is alive.
+TEST(IdPool, AgreesWithAModelOverAMillionRandomCalls) {
     constexpr std::uint64_t kSeed = 7;
     support::RandomNumbers random(kSeed);
     SCOPED_TRACE(testing::Message() << "seed " << kSeed);
@@ -86,12 +87,12 @@ TEST(IdPool, AgreesWithAMapOverAMillionRandomCalls) {
     }
     std::map<std::uint32_t, std::uint32_t> owners;
     for (const IdPool::Slot& slot : living) {
-        EXPECT_TRUE(owners.emplace(slot.index, slot.generation).second) << "two own one slot";
+        EXPECT_TRUE(owners.emplace(slot.index, slot.generation).second) << "two ids share a slot";
     }
     EXPECT_LE(pool.capacity(), 500u);
 }
 
-TEST(IdPool, ACopyGivesOutTheSameNames) {
+TEST(IdPool, ACopyAssignsTheSameIds) {
     IdPool pool;
     pool.allocate();
     pool.allocate();

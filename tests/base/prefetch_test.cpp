@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/base/prefetch.hpp>
+#include "base/prefetch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,13 +8,13 @@
 namespace kodo {
 namespace {
 
-TEST(Places, AreGoneThroughAsTheyCame) {
+TEST(PrefetchList, IsVisitedInTheOrderOfInsertion) {
     struct Large {
         char bytes[128];
     };
     const std::vector<Large> list(100);
     for (const std::uint32_t count : {0u, 1u, 5u, 6u, 7u, 20u}) {
-        Places<20> places;
+        PrefetchList<20> places;
         std::vector<std::uint32_t> wanted;
         for (std::uint32_t k = 0; k < count; ++k) {
             places.add(99 - k, k % 3 != 1);
@@ -23,8 +23,8 @@ TEST(Places, AreGoneThroughAsTheyCame) {
             }
         }
         std::vector<std::uint32_t> visited;
-        visitAhead<2>(places.list(), std::span(list),
-                      [&](std::uint32_t place) { visited.push_back(place); });
+        visitPrefetched<2>(places.list(), std::span(list),
+                           [&](std::uint32_t place) { visited.push_back(place); });
         EXPECT_EQ(visited, wanted);
     }
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/base/hash.hpp>
-
+#include <kodo/state_hash.hpp>
 #include <scenes/in_box2d.hpp>
 
 #include "bench_engine.hpp"
@@ -67,7 +66,7 @@ public:
     double mass() const override {
         double sum = 0;
         for (const b2Body* body = world_.GetBodyList(); body != nullptr; body = body->GetNext()) {
-            sum += static_cast<double>(body->GetMass()); // 0 for what is locked
+            sum += static_cast<double>(body->GetMass()); // 0 for static and kinematic bodies
         }
         return sum;
     }

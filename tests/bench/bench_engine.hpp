@@ -12,7 +12,7 @@
 
 namespace bench {
 
-/// Where a body is, as every engine tells it: the frame of its parts, not its centre of mass.
+/// State of a body, common to all engines: the frame of its parts, not its centre of mass.
 struct BodyState {
     scenes::Vec2 position; // m
     scenes::Rot rotation;
@@ -20,39 +20,39 @@ struct BodyState {
     double spin = 0;       // rad/s
 };
 
-/// How an engine is to step. What an engine does not know it refuses, with a WrongUse.
+/// Options for stepping an engine. Options unknown to an engine cause WrongUse.
 struct StepOptions {
     std::string profile = "default"; // see profileNames()
     std::optional<int> substeps{};
-    std::vector<std::string> set{};      // numbers of Kodo's StepSettings, as "contactHertz=120"
+    std::vector<std::string> set{};      // values of Kodo's StepSettings, such as
+                                         // "contactHertz=120"
     std::vector<std::string> leaveOut{}; // features of Kodo, see featureNames()
     std::optional<int> passes{};         // velocity iterations of Box2D
     std::optional<int> positionPasses{}; // position iterations of Box2D
-    std::string pairs = "auto";          // how Kodo looks for pairs: see pairSearchNames()
+    std::string pairs = "auto";          // broad phase of Kodo: see pairSearchNames()
     int threads = 1;
-    bool stages = false; // tell how long each stage takes, which itself takes a little
-    bool rest = false;   // may calm bodies be put to rest? The scene says so, not the user
+    bool stages = false; // measure the time of each stage, at a small cost
+    bool rest = false;   // enable sleep; set by the scene
 };
 
-/// A sentence for the one who asked for what cannot be.
+/// Invalid options, with a message for the user.
 struct WrongUse : std::invalid_argument {
     using std::invalid_argument::invalid_argument;
 };
 
-/// How long a part of all steps took.
+/// Total time of one stage over all steps.
 struct StageTime {
     std::string name;
     double seconds = 0;
 };
 
-/// What a contact takes.
+/// Memory per contact, in bytes.
 struct ContactBytes {
-    std::size_t all = 0; // with its row
-    std::size_t row = 0; // all that the passes of the solver read and write of it
+    std::size_t all = 0; // including its row
+    std::size_t row = 0; // read and written by the solver passes
 };
 
-/// A scene in some engine. Bodies are named by their place in the scene, and those added later by
-/// the places behind it.
+/// A scene in an engine. Bodies are identified by their index in the scene; added bodies follow.
 class Engine {
 public:
     Engine() = default;
@@ -64,20 +64,20 @@ public:
     virtual BodyState state(std::size_t body) const = 0;
     virtual void add(const scenes::BodyDef& body) = 0;
     virtual void remove(std::size_t body) = 0;
-    /// A jump: it keeps its rotation and spin, and has no velocity.
+    /// Teleports a body: keeps rotation and angular velocity, sets the velocity to 0.
     virtual void place(std::size_t body, scenes::Vec2 position) = 0;
-    /// N s along the normal between two bodies in the last step, all points.
+    /// Normal impulse (N s) between two bodies in the last step, summed over all points.
     virtual double impulse(std::size_t a, std::size_t b) const = 0;
     virtual std::size_t bodyCount() const = 0;
-    /// kg, of all bodies that are not locked.
+    /// Total mass (kg) of the dynamic bodies.
     virtual double mass() const = 0;
     virtual std::uint64_t stateHash() const = 0;
-    /// ps that the search for pairs has taken so far, counted and not timed; nothing where an
-    /// engine does not tell.
+    /// Cost of the broad phase so far in ps, by operation counts instead of a clock. Empty if the
+    /// engine provides none.
     virtual std::optional<std::uint64_t> pairWork() const { return std::nullopt; }
-    /// Of its own types; nothing where an engine does not tell.
+    /// Sizes of the engine's own types. Empty if the engine provides none.
     virtual std::optional<ContactBytes> contactBytes() const { return std::nullopt; }
-    /// Stages since the scene was made; none where an engine does not tell them.
+    /// Stages since the creation of the scene. Empty if the engine provides none.
     virtual std::vector<StageTime> stages() const { return {}; }
 };
 
@@ -90,15 +90,15 @@ const std::vector<std::string>& pairSearchNames();
 std::unique_ptr<Engine> makeEngine(const std::string& name, const scenes::SceneDef& scene,
                                    const StepOptions& options);
 
-// The makers behind it. Kodo's is compiled twice, each time against another library.
+// Factories behind makeEngine(). Kodo's is compiled twice, against both libraries.
 namespace f32 {
 std::unique_ptr<Engine> makeKodo(const scenes::SceneDef& scene, const StepOptions& options);
 }
 namespace f64 {
 std::unique_ptr<Engine> makeKodo(const scenes::SceneDef& scene, const StepOptions& options);
 }
-/// The differences undone are those of scenes/in_box2d.hpp. 8 velocity and 3 position iterations
-/// unless the options say other numbers.
+/// Differences to Kodo are removed by scenes/in_box2d.hpp. The default is 8 velocity and 3 position
+/// iterations.
 std::unique_ptr<Engine> makeBox2d(const scenes::SceneDef& scene, const StepOptions& options);
 
 } // namespace bench

@@ -2,6 +2,9 @@
 // Compiled twice: for kodo::kodo into bench::f32, for kodo::kodo64 into bench::f64.
 #include <scenes/in_kodo.hpp>
 
+#include "contacts/contact.hpp"
+#include "solve/contact_block.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -19,14 +22,14 @@ kodo::StepSettings profileOf(const std::string& name) {
         return settings;
     }
     if (name == "quick") {
-        settings.substeps = 2;
-        settings.impactPasses = 4;
+        settings.soft().substeps = 2;
+        settings.soft().impactPasses = 4;
         return settings;
     }
     if (name == "accurate") {
-        settings.substeps = 16;
-        settings.contactHertz = 192;
-        settings.impactPasses = 64;
+        settings.soft().substeps = 16;
+        settings.soft().contactHertz = 192;
+        settings.soft().impactPasses = 64;
         return settings;
     }
     if (name == "thesis") {
@@ -36,7 +39,8 @@ kodo::StepSettings profileOf(const std::string& name) {
 }
 
 constexpr std::array kPairSearches = {kodo::PairSearch::BruteForce, kodo::PairSearch::Grid,
-                                      kodo::PairSearch::SortAndSweep}; // as pairSearchNames()
+                                      kodo::PairSearch::SweepAndPrune}; // same order as
+                                                                        // pairSearchNames()
 
 std::uint8_t featureOf(const std::string& name) {
     const std::vector<std::string>& names = featureNames();
@@ -49,10 +53,10 @@ std::uint8_t featureOf(const std::string& name) {
 static_assert(static_cast<int>(kodo::Feature::Friction) == 1 << 0 &&
               static_cast<int>(kodo::Feature::RollingResistance) == 1 << 1 &&
               static_cast<int>(kodo::Feature::Restitution) == 1 << 2 &&
-              static_cast<int>(kodo::Feature::Sweep) == 1 << 3 &&
+              static_cast<int>(kodo::Feature::ContinuousCollision) == 1 << 3 &&
               static_cast<int>(kodo::Feature::Records) == 1 << 4 &&
-              static_cast<int>(kodo::Feature::Resting) == 1 << 5 &&
-              static_cast<int>(kodo::Feature::Rotation) == 1 << 6); // the order of featureNames()
+              static_cast<int>(kodo::Feature::Sleep) == 1 << 5 &&
+              static_cast<int>(kodo::Feature::Rotation) == 1 << 6); // same order as featureNames()
 
 std::optional<kodo::PairSearch> pairSearchOf(const std::string& name) {
     const std::vector<std::string>& names = pairSearchNames();
@@ -64,31 +68,47 @@ std::optional<kodo::PairSearch> pairSearchOf(const std::string& name) {
     return place == kPairSearches.size() ? std::nullopt : std::optional(kPairSearches[place]);
 }
 
-/// A number of the settings that can be set alone; set() tells whether it can have that value.
+/// A single value of the settings. set() returns false if the value is invalid.
 struct Number {
     const char* name;
     bool (*set)(kodo::StepSettings&, double);
 };
 
-template <auto member>
-bool setMember(kodo::StepSettings& settings, double value) {
-    using Type = std::remove_reference_t<decltype(settings.*member)>;
-    if (!(std::abs(value) <= 1e9) || (std::is_integral_v<Type> && value != std::floor(value))) {
+template <typename Number>
+bool setTo(Number& number, double value) {
+    if (!(std::abs(value) <= 1e9) || (std::is_integral_v<Number> && value != std::floor(value))) {
         return false; // also for NaN
     }
-    settings.*member = static_cast<Type>(value);
+    number = static_cast<Number>(value);
     return true;
 }
 
+template <typename Settings, typename Number>
+Settings settingsWith(Number Settings::*);
+
+template <auto member>
+bool setIn(kodo::StepSettings& settings, double value) {
+    auto* const solver = std::get_if<decltype(settingsWith(member))>(&settings.solver);
+    return solver != nullptr && setTo(solver->*member, value);
+}
+
+/// A value of the solver in the settings. False if the solver has no such value.
+template <auto... members>
+bool setMember(kodo::StepSettings& settings, double value) {
+    return (setIn<members>(settings, value) || ...);
+}
+
+using Soft = kodo::SoftSettings;
+using Propagation = kodo::PropagationSettings;
 constexpr Number kNumbers[] = {
-    {"impactPasses", setMember<&kodo::StepSettings::impactPasses>},
-    {"contactPasses", setMember<&kodo::StepSettings::contactPasses>},
-    {"shockPasses", setMember<&kodo::StepSettings::shockPasses>},
-    {"contactHertz", setMember<&kodo::StepSettings::contactHertz>},
-    {"contactDamping", setMember<&kodo::StepSettings::contactDamping>},
-    {"jointHertz", setMember<&kodo::StepSettings::jointHertz>},
-    {"jointDamping", setMember<&kodo::StepSettings::jointDamping>},
-    {"pushSpeed", setMember<&kodo::StepSettings::pushSpeed>},
+    {"impactPasses", setMember<&Soft::impactPasses, &Propagation::impactPasses>},
+    {"contactPasses", setMember<&Propagation::contactPasses>},
+    {"shockPasses", setMember<&Propagation::shockPasses>},
+    {"contactHertz", setMember<&Soft::contactHertz>},
+    {"contactDamping", setMember<&Soft::contactDamping>},
+    {"jointHertz", setMember<&Soft::jointHertz, &Propagation::jointHertz>},
+    {"jointDamping", setMember<&Soft::jointDamping, &Propagation::jointDamping>},
+    {"pushSpeed", setMember<&Soft::pushSpeed, &Propagation::pushSpeed>},
 };
 
 std::string namesOfNumbers() {
@@ -115,8 +135,10 @@ void setNumber(kodo::StepSettings& settings, const std::string& text) {
     const char* start = sign == std::string::npos ? end : text.data() + sign + 1;
     const auto read = std::from_chars(start, end, value);
     if (read.ec != std::errc() || read.ptr != end || !number->set(settings, value)) {
-        throw WrongUse("'" + text + "' is not " + number->name +
-                       "=NUMBER, up to 1e9 and whole where passes are counted");
+        throw WrongUse(
+            "'" + text + "' is not " + number->name +
+            "=NUMBER, up to 1e9 and whole where passes are counted, for the solver of the "
+            "profile");
     }
 }
 
@@ -125,7 +147,8 @@ kodo::StepSettings settingsOf(const StepOptions& options) {
         throw WrongUse("passes and position passes are Box2D's; for Kodo, set contactPasses");
     }
     kodo::StepSettings settings = profileOf(options.profile);
-    settings.substeps = options.substeps.value_or(settings.substeps);
+    std::visit([&](auto& solver) { solver.substeps = options.substeps.value_or(solver.substeps); },
+               settings.solver);
     for (const std::string& text : options.set) {
         setNumber(settings, text);
     }
@@ -133,7 +156,7 @@ kodo::StepSettings settingsOf(const StepOptions& options) {
         settings.leaveOut |= featureOf(name);
     }
     if (!options.rest) {
-        settings.leaveOut |= static_cast<std::uint8_t>(kodo::Feature::Resting);
+        settings.leaveOut |= static_cast<std::uint8_t>(kodo::Feature::Sleep);
     }
     if (const auto problem = check(settings)) {
         throw WrongUse(problem->field + " " + problem->reason);
@@ -141,8 +164,8 @@ kodo::StepSettings settingsOf(const StepOptions& options) {
     return settings;
 }
 
-/// Adds up how long each stage takes.
-class StageClock final : public kodo::StageWatch {
+/// Sums up the time of each stage.
+class StageClock final : public kodo::StageListener {
 public:
     void enter(kodo::StepStage stage) override {
         leave();
@@ -181,11 +204,12 @@ public:
         : scene_(scenes::inKodo(scene, settingsOf(options))),
           pool_(options.threads - 1),
           timesStages_(options.stages) {
-        scene_.world.setPairSearch(pairSearchOf(options.pairs));
+        setPairSearch(scene_.world, pairSearchOf(options.pairs));
     }
 
     void step(double dt) override {
-        scene_.world.step(static_cast<kodo::Real>(dt), {timesStages_ ? &stages_ : nullptr, &pool_});
+        scene_.world.step(static_cast<kodo::Real>(dt),
+                          {.executor = &pool_, .listener = timesStages_ ? &stages_ : nullptr});
     }
 
     BodyState state(std::size_t body) const override {
@@ -223,17 +247,19 @@ public:
         double sum = 0;
         for (const kodo::BodyId id : scene_.world.bodies()) {
             const kodo::BodyView view = std::as_const(scene_.world)[id];
-            sum += (view.flags() & kodo::kLocked) == kodo::kLocked ? 0 : wide(view.mass());
+            sum += view.type() != kodo::BodyType::Dynamic ? 0 : wide(view.mass());
         }
         return sum;
     }
 
     std::uint64_t stateHash() const override { return scene_.world.stateHash(); }
-    std::optional<std::uint64_t> pairWork() const override { return scene_.world.pairWork(); }
+    std::optional<std::uint64_t> pairWork() const override {
+        return stepStats(scene_.world).pairWork;
+    }
     std::optional<ContactBytes> contactBytes() const override {
         constexpr std::size_t kRow = sizeof(kodo::ContactBlock) / kodo::ContactBlock::kContacts;
         constexpr std::size_t kRest =
-            sizeof(kodo::Contact) + sizeof(kodo::ContactHead) + sizeof(kodo::Carried);
+            sizeof(kodo::Contact) + sizeof(kodo::ContactSummary) + sizeof(kodo::Carried);
         return ContactBytes{kRest + kRow, kRow};
     }
     std::vector<StageTime> stages() const override { return stages_.times(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What has a closed form: the error is how far an engine is from it.
+// Scenes with a closed form, which gives the error of each engine.
 #include <scenes/impacts.hpp>
 #include <scenes/piles.hpp>
 #include <scenes/scene_mass.hpp>
@@ -13,7 +13,7 @@
 
 namespace bench {
 
-// Contact k (from 1, the ground's) carries what stands above it: sum of m g.
+// Contact k (the ground's is 1) carries the sum of m g above it.
 Scene forces(int size, std::uint64_t) {
     Scene scene;
     scene.def = scenes::stack(10);
@@ -41,8 +41,8 @@ Scene slide(int, std::uint64_t) {
     return scene;
 }
 
-// From 5 m with e = 0.8, the third peak is at 5 e^6. A peak is between two steps: from the first
-// step on the way down again it is v^2 / (2 g) above.
+// From 5 m with e = 0.8, the third peak has the height 5 e^6. Peaks lie between two steps: v^2 / (2
+// g) above the position of the first falling step.
 Scene bounce(int, std::uint64_t) {
     struct Peaks {
         bool rising = false;
@@ -68,10 +68,9 @@ Scene bounce(int, std::uint64_t) {
     return scene;
 }
 
-// A bar of 1 m, pinned at its end, let go when level. Kinetic and potential energy stay at 0, and
-// the swing is worth m g / 2. How much is missing sways with the swing, so that the end of a run
-// would tell where the bar is just then. The most counts that is missing or too much, looked at ten
-// times a second.
+// A bar of 1 m with a revolute joint at its end, released horizontally. The total energy stays at
+// 0; the swing has m g / 2. The error oscillates with the swing, so its value at the end would
+// depend on the phase. The maximum magnitude counts, sampled ten times per second.
 Scene pendulum(int, std::uint64_t) {
     const auto worst = std::make_shared<double>(0);
     Scene scene;

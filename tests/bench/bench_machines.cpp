@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is driven, or never comes to rest; and the two smallest worlds.
+// Scenes with motors or permanent motion, and the two smallest worlds.
 #include <scenes/nets.hpp>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ constexpr std::uint16_t kWall = 1;
 constexpr std::uint16_t kBall = 2;
 constexpr std::uint16_t kShard = 4;
 
-/// Locked boxes of 1 m thickness around a disc.
+/// Static boxes of 1 m thickness around a disc.
 std::vector<BodyDef> ring(double radius) {
     constexpr int kSides = 48;
     std::vector<BodyDef> walls;
@@ -38,7 +38,7 @@ std::vector<BodyDef> ring(double radius) {
     return walls;
 }
 
-/// A ball, a box or a polygon, all of about one size.
+/// A ball, box or polygon of the same size.
 BodyDef drop(Dice& dice, std::size_t kind, double radius) {
     BodyDef body;
     if (kind % 3 == 0) {
@@ -52,7 +52,7 @@ BodyDef drop(Dice& dice, std::size_t kind, double radius) {
     return body;
 }
 
-/// Rows of slanting roofs, 10 m apart.
+/// Rows of sloping roofs, 10 m apart.
 std::vector<BodyDef> roofs(double width) {
     std::vector<BodyDef> list;
     for (int row = 0; row < 3; ++row) {
@@ -65,7 +65,7 @@ std::vector<BodyDef> roofs(double width) {
     return list;
 }
 
-/// Ten boxes around a room of 12 by 9 m.
+/// Ten static boxes around a room of 12 by 9 m.
 std::vector<BodyDef> tenWalls(Material material) {
     std::vector<BodyDef> walls;
     for (const double y : {-0.5, 9.5}) {
@@ -95,10 +95,10 @@ std::vector<BodyDef> breakoutRoom(Material material) {
     return room;
 }
 
-/// The farthest that the two points of a pin have come apart (m).
+/// Maximum joint error (m) of all revolute joints.
 double widestPin(const SceneDef& scene, const Engine& engine) {
     const auto now = [&](std::size_t body, Vec2 point) {
-        const BodyDef& def = scene.bodies[body]; // its frame starts unturned
+        const BodyDef& def = scene.bodies[body]; // the initial rotation of the frame is 0
         const BodyState state = engine.state(body);
         return state.position + state.rotation * (point - def.position);
     };
@@ -118,7 +118,7 @@ Scene tumbler(int size, std::uint64_t) {
     scene.def = {"tumbler", scenes::kDown, {}};
     BodyDef drum;
     drum.locked = true;
-    drum.spin = 0.43633231299858238; // 25 degrees a second
+    drum.spin = 0.43633231299858238; // 25 degrees per second
     const double side = width / 2 + 0.5;
     drum.parts = {scenes::Box{width + 2, 1, {0, -side}}, scenes::Box{width + 2, 1, {0, side}},
                   scenes::Box{1, width, {-side, 0}}, scenes::Box{1, width, {side, 0}}};
@@ -159,7 +159,7 @@ Scene breakout(int size, std::uint64_t seed) {
         scene.def.bodies.push_back(body);
     }
     scene.every = 10;
-    scene.act = [=](Stage& stage, int) { // shards come back at the top
+    scene.act = [=](Stage& stage, int) { // shards re-enter at the top
         for (int i = 0; i < size; ++i) {
             const std::size_t body = firstShard + static_cast<std::size_t>(i);
             const Vec2 at = stage.engine().state(body).position;
@@ -205,7 +205,7 @@ Scene joints(int size, std::uint64_t) {
     scene.def = {"joints", scenes::kDown, {}};
     BodyDef knot = scenes::ball(0.4, {});
     knot.kind = kBall;
-    knot.meets = kWall; // of which there is none
+    knot.meets = kWall; // which does not exist here
     scenes::addNet(scene.def, size, knot, {});
     for (int column = std::max(0, size / 2 - 3); column <= std::min(size - 1, size / 2 + 3);
          ++column) {

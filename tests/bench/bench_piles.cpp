@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands, falls into a heap, or rests.
+// Scenes that stand, fall into a heap, or sleep.
 #include <scenes/piles.hpp>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using scenes::BodyDef;
 using scenes::Dice;
 using scenes::SceneDef;
 
-/// A floor and two walls of 1 m around x = -width / 2 .. width / 2, y = 0 .. height.
+/// A floor and two walls of 1 m thickness around x = -width / 2 .. width / 2, y = 0 .. height.
 SceneDef container(const char* name, double width, double height) {
     SceneDef scene{name, scenes::kDown, {}};
     scene.bodies = {wall(width + 2, 1, {0, -0.5}), wall(1, height, {-(width + 1) / 2, height / 2}),
@@ -24,13 +24,13 @@ SceneDef container(const char* name, double width, double height) {
     return scene;
 }
 
-/// How much wider a container must be for `size` bodies instead of `usual`. More of them lie beside
-/// each other and not deeper, so that each has as much to do; fewer form a smaller heap.
+/// Width factor of a container for `size` bodies instead of `usual`. More bodies make the heap
+/// wider, not higher, which keeps the work per body constant. Fewer bodies form a smaller heap.
 double broaden(int size, int usual) {
     return size > usual ? static_cast<double>(size) / usual : stretch(size, usual);
 }
 
-/// Fills a container with bodies in rows, `pitch` (m) apart, a little out of line.
+/// Fills a container with rows of bodies at a distance of `pitch` (m), slightly displaced.
 template <typename Make>
 Scene dropped(const char* name, double width, double pitch, int count, Dice& dice, Make make) {
     const int columns = static_cast<int>((width - 0.2) / pitch);
@@ -49,15 +49,15 @@ Scene dropped(const char* name, double width, double pitch, int count, Dice& dic
     return scene;
 }
 
-/// Two boxes in the form of an L; no corner is farther than `radius` from the middle.
+/// Two boxes in the shape of an L. All corners lie within `radius` of the centre.
 std::vector<scenes::Part> angle(double radius) {
     const double r = radius;
     return {scenes::Box{1.4 * r, 0.45 * r, {0, -0.475 * r}},
             scenes::Box{0.45 * r, 0.95 * r, {-0.475 * r, 0.225 * r}}};
 }
 
-/// The top of a column of unit boxes: how far it is from its place, up or down, as a share of the
-/// height. A column that has come down is all lost.
+/// Vertical displacement of the top of a column of unit boxes, relative to its height. A collapsed
+/// column counts as 1.
 double sunk(const Stage& stage, std::size_t boxes, double height) {
     const double top = static_cast<double>(boxes) - 0.5;
     return std::min(std::abs(top - stage.engine().state(boxes).position.y) / height, 1.0);
@@ -121,7 +121,7 @@ Scene massRatio(int size, std::uint64_t) {
     return scene;
 }
 
-Scene resting(int size, std::uint64_t) {
+Scene asleep(int size, std::uint64_t) {
     Scene scene;
     scene.def = {"resting", scenes::kDown, {}};
     const int shelves = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(size))));
@@ -139,7 +139,7 @@ Scene resting(int size, std::uint64_t) {
 }
 
 Scene shots(int size, std::uint64_t seed) {
-    Scene scene = resting(size, seed);
+    Scene scene = asleep(size, seed);
     scene.def.name = "shots";
     scene.every = 1;
     scene.actIsTimed = true;

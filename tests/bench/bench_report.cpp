@@ -9,7 +9,7 @@
 namespace bench {
 namespace {
 
-/// Writes one JSON object. Names and texts hold no character that JSON would want escaped.
+/// Writes one JSON object. Names and texts need no JSON escapes.
 class JsonObject {
 public:
     void add(const char* name, double value) {
@@ -58,7 +58,7 @@ std::string stagesAsJson(const Result& result) {
     return json.text();
 }
 
-/// What the engine does not tell stage by stage is the step as a whole.
+/// Without stages of the engine, the whole step is one stage.
 Result withStages(Result result) {
     if (result.stages.empty()) {
         result.stages.push_back({"step", result.cpuSeconds});
@@ -104,9 +104,9 @@ std::string asJson(const Summary& summary, bool stages) {
     json.add("depthMeanMm", 1e3 * result.depths.mean);
     json.add("depthPeakMm", result.deepest ? std::optional(1e3 * *result.deepest) : std::nullopt);
     json.add("escaped", result.escaped);
-    json.add("stood", result.drift.stood);
-    json.add("driftSidewaysM", result.drift.sideways);
-    json.add("driftDownM", result.drift.down);
+    json.add("stood", result.displacement.stood);
+    json.add("driftSidewaysM", result.displacement.sideways);
+    json.add("driftDownM", result.displacement.down);
     json.add("kineticEnergyJ", result.kineticEnergy);
     json.add("massKg", result.mass);
     json.add("errorName", result.errorName);
@@ -119,7 +119,7 @@ std::string asJson(const Summary& summary, bool stages) {
     json.add("bytesPerContact", contact ? std::optional(contact->all) : std::nullopt);
     json.add("bytesPerContactRow", contact ? std::optional(contact->row) : std::nullopt);
     json.add("allocationsPerStep", result.options.engine == "box2d"
-                                       ? std::nullopt // it does not go by operator new
+                                       ? std::nullopt // its allocations bypass operator new
                                        : std::optional(result.allocationsPerStep));
     json.add("stateHash", fmt::format("{:016x}", result.stateHash));
     if (stages) {
@@ -134,7 +134,7 @@ std::string asText(const Summary& summary, bool stages) {
     std::string text = fmt::format("{} {}, {} {}: {:.4g} ms a step, {:.4g} ns a body and step",
                                    options.scene, result.size, options.engine, options.step.profile,
                                    result.cpuMsPerStep(), result.nsPerBodyStep());
-    if (options.step.threads > 1) { // the others are times of the caller's thread alone
+    if (options.step.threads > 1) { // the other times cover only the calling thread
         text += fmt::format("; {:.4g} ms on the wall", result.wallMsPerStep());
     }
     if (summary.runs > 1) {
@@ -146,8 +146,9 @@ std::string asText(const Summary& summary, bool stages) {
     text += fmt::format("\n  depth {:.1f} / {:.1f} mm, max / mean of {} overlaps; drift {:.3f} m "
                         "sideways, {:.3f} m down; stood {} of {}; escaped {}; {:.2g} J",
                         1e3 * result.depths.max, 1e3 * result.depths.mean, result.depths.pairs,
-                        result.drift.sideways, result.drift.down, result.drift.stood, result.bodies,
-                        result.escaped.value_or(0), result.kineticEnergy);
+                        result.displacement.sideways, result.displacement.down,
+                        result.displacement.stood, result.bodies, result.escaped.value_or(0),
+                        result.kineticEnergy);
     if (result.error) {
         text += fmt::format("\n  {}: {:.4g}{}{}", result.errorName, *result.error,
                             result.errorUnit.empty() ? "" : " ", result.errorUnit);

@@ -9,27 +9,27 @@
 
 namespace bench {
 
-/// Several runs of the same thing: they differ in nothing but time.
+/// Summary of several equal runs, which differ only in time.
 struct Summary {
-    Result result; // of the run with the median time
+    Result result; // the run with the median time
     int runs = 0;
     double spread = 0; // (slowest - fastest) / median
-    // Beside another engine, run in turn.
+    // Comparison with another engine, run alternately.
     std::string against;
-    double ratio = 0; // of the median times; below 1 is faster than the other
+    double ratio = 0; // of the median times; below 1: faster than the other
 };
 
-/// An engine that ends one scene in two states: no figure of it means anything.
+/// An engine reached different final states in one scene, which invalidates its results.
 struct NotRepeatable : std::logic_error {
     using std::logic_error::logic_error;
 };
 
-/// Of one run or more. Throws NotRepeatable when they end in different states.
+/// Summarises one or more runs. Throws NotRepeatable if their final states differ.
 Summary summaryOf(std::vector<Result> results);
 
-/// One line, one object. A number that is not finite becomes null, as JSON has none.
+/// One line with one object. A number that is not finite becomes null, as JSON has none.
 std::string asJson(const Summary& summary, bool stages);
-/// For people.
+/// Human-readable text.
 std::string asText(const Summary& summary, bool stages);
 
 } // namespace bench

@@ -17,7 +17,7 @@ double secondsOf(clockid_t clock) {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Adds up the time between start() and stop().
+/// Sums up the time between start() and stop().
 class StopWatch {
 public:
     explicit StopWatch(clockid_t clock) : clock_(clock) {}
@@ -31,12 +31,15 @@ private:
     double sum_ = 0;
 };
 
-/// One run from its first step to its last. Steps are taken in stretches, so that a look at the
-/// clock costs nothing: it takes as long as a hundred steps of an empty world.
+/// One run from the first to the last step. Steps are measured in stretches, since reading the
+/// clock takes as long as a hundred steps of an empty world.
 class Run {
 public:
     Run(const Scene& scene, Engine& engine, bool peak)
-        : scene_(scene), stage_(engine, scene.def), apart_(pinnedPairs(scene.def)), peak_(peak) {}
+        : scene_(scene),
+          stage_(engine, scene.def),
+          excludedPairs_(pinnedPairs(scene.def)),
+          peak_(peak) {}
 
     void warmUp() {
         for (int done = 0; done < scene_.warmUp;) {
@@ -64,7 +67,7 @@ public:
             }
             done += taken;
             if (peak_ && done / kPeakEvery > (done - taken) / kPeakEvery) {
-                deepest_ = std::max(deepest_, depthsOf(stage_.bodies(), apart_).max);
+                deepest_ = std::max(deepest_, depthsOf(stage_.bodies(), excludedPairs_).max);
             }
         }
     }
@@ -77,14 +80,14 @@ public:
         result.bodies = stage_.engine().bodyCount() - result.locked;
         result.cpuSeconds = cpu_.seconds();
         result.wallSeconds = wall_.seconds();
-        result.depths = depthsOf(bodies, apart_);
+        result.depths = depthsOf(bodies, excludedPairs_);
         if (peak_) {
             result.deepest = std::max(deepest_, result.depths.max);
         }
         if (scene_.region) {
             result.escaped = escapedFrom(*scene_.region, bodies);
         }
-        result.drift = driftOf(bodies);
+        result.displacement = driftOf(bodies);
         result.kineticEnergy = kineticEnergy(bodies);
         result.mass = stage_.engine().mass();
         result.stateHash = stage_.engine().stateHash();
@@ -105,7 +108,7 @@ public:
     }
 
 private:
-    /// Takes at most `left` steps, up to where something is to be done. Returns how many.
+    /// Takes up to `left` steps, until the next action is due. Returns their number.
     int stretch(int left) {
         int count = left;
         for (const int every : {scene_.every, peak_ ? kPeakEvery : 0}) {
@@ -137,10 +140,10 @@ private:
 
     const Scene& scene_;
     Stage stage_;
-    Apart apart_;
+    Apart excludedPairs_;
     bool peak_;
-    int taken_ = 0; // steps, warm-up and all
-    int steps_ = 0; // steps measured
+    int taken_ = 0; // steps, including the warm-up
+    int steps_ = 0; // measured steps
     std::uint64_t allocations_ = 0;
     std::uint64_t pairWorkBefore_ = 0;
     double deepest_ = 0;

@@ -13,25 +13,25 @@ struct RunOptions {
     std::string scene = "pyramid";
     std::string engine = "kodo";
     StepOptions step{};
-    std::optional<int> size{};  // what the scene's recipe says unless given
-    std::optional<int> steps{}; // likewise
+    std::optional<int> size{};  // default: the size of the recipe
+    std::optional<int> steps{}; // default: the steps of the recipe
     std::uint64_t seed = 1;
-    bool peak = false; // also look for the deepest overlap in every 20th step
+    bool peak = false; // also measure the maximum overlap, every 20 steps
 };
 
-/// What one run of a scene came to.
+/// Results of one run of a scene.
 struct Result {
     RunOptions options;
     int size = 0;
     int steps = 0;
-    std::size_t bodies = 0; // at the end, without the locked ones
+    std::size_t bodies = 0; // dynamic bodies at the end
     std::size_t locked = 0;
-    double cpuSeconds = 0; // of the thread, in the steps alone
+    double cpuSeconds = 0; // of the calling thread, during the measured steps
     double wallSeconds = 0;
     Depths depths;                      // at the end
-    std::optional<double> deepest;      // m, of every 20th step
-    std::optional<std::size_t> escaped; // empty: the scene has no bounds
-    Drift drift;
+    std::optional<double> deepest;      // m, sampled every 20 steps
+    std::optional<std::size_t> escaped; // empty: the scene has no region
+    Drift displacement;
     double kineticEnergy = 0; // J
     double mass = 0;          // kg
     std::uint64_t stateHash = 0;
@@ -40,8 +40,8 @@ struct Result {
     std::optional<double> error;
     std::vector<StageTime> stages;
     std::optional<double> pairWorkPerStep; // ns: see Engine::pairWork()
-    double allocationsPerStep = 0;         // of the later half of the steps
-    double bytesPerBody = 0; // of the heap, for all that the engine holds, locked bodies too
+    double allocationsPerStep = 0;         // during the second half of the steps
+    double bytesPerBody = 0; // of the heap: all memory of the engine, including static bodies
     std::optional<ContactBytes> contactBytes;
 
     double cpuMsPerStep() const { return 1e3 * cpuSeconds / steps; }
@@ -51,7 +51,7 @@ struct Result {
     }
 };
 
-/// Throws WrongUse when the options ask for what is not there.
+/// Throws WrongUse for invalid options.
 Result run(const RunOptions& options);
 
 } // namespace bench

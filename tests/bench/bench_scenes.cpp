@@ -48,7 +48,7 @@ std::span<const Recipe> recipes() {
          joints},
         {"spinner", "a driven bar stirs balls, boxes and polygons", "bodies", 1000, 600, spinner},
         {"resting", "boxes on shelves, at rest before the clock starts", "boxes", 10000, 6000,
-         resting},
+         asleep},
         {"shots", "boxes on shelves, at rest; a ball comes over them and goes in every step",
          "boxes", 10000, 600, shots},
         {"empty", "nothing", "", 1, 100000, empty},

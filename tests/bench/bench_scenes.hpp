@@ -12,7 +12,7 @@
 
 namespace bench {
 
-/// A scene as it runs: the engine, and the definitions of all bodies that it has.
+/// A running scene: the engine and the definitions of all its bodies.
 class Stage {
 public:
     Stage(Engine& engine, const scenes::SceneDef& scene);
@@ -21,7 +21,7 @@ public:
     const Engine& engine() const { return engine_; }
     void add(const scenes::BodyDef& body);
     void remove(std::size_t body);
-    /// Those that are still there.
+    /// The bodies not removed yet.
     std::vector<Placed> bodies() const;
     std::size_t placeOfNext() const { return defs_.size(); }
 
@@ -30,19 +30,19 @@ private:
     std::vector<std::shared_ptr<const scenes::BodyDef>> defs_; // null: removed
 };
 
-/// What a scene is judged by besides depth and drift: 0 is right.
+/// A measure of accuracy besides overlap and displacement; 0 is exact.
 struct Error {
     std::string name;
-    std::string unit; // empty: a share
+    std::string unit; // empty: relative
     std::function<double(const Stage&, const Depths&)> measure;
 };
 
-/// A scene of the benchmark. Made anew for each run, since `act` may remember things.
+/// A scene of the benchmark. Created for each run, since `act` may hold state.
 struct Scene {
     scenes::SceneDef def;
-    int warmUp = 0;    // steps before the clock starts
-    bool rest = false; // may calm bodies be put to rest? Only where the scene is about that
-    /// Called after each `every` steps of 1/60 s, while the clock stands unless `actIsTimed`.
+    int warmUp = 0;    // steps before the measurement
+    bool rest = false; // enable sleep; only for scenes about sleep
+    /// Called every `every` steps of 1/60 s, outside the measured time unless `actIsTimed`.
     int every = 0;
     bool actIsTimed = false;
     std::function<void(Stage&, int steps)> act{};
@@ -50,18 +50,18 @@ struct Scene {
     std::optional<Error> error{};
 };
 
-/// A scene by its name, and its size and length unless told otherwise.
+/// A named scene with its default size and number of steps.
 struct Recipe {
     const char* name;
     const char* about;
-    const char* sizeMeans; // empty: it has only one size
+    const char* sizeMeans; // empty: fixed size
     int size;
     int steps;
     Scene (*make)(int size, std::uint64_t seed);
 };
 
 std::span<const Recipe> recipes();
-/// Throws WrongUse for a name that is not there.
+/// Throws WrongUse for an unknown name.
 const Recipe& recipeOf(const std::string& name);
 
 inline constexpr double kDt = 1.0 / 60; // s
@@ -72,7 +72,7 @@ Scene circles(int size, std::uint64_t seed);
 Scene debris(int size, std::uint64_t seed);
 Scene stack(int size, std::uint64_t seed);
 Scene massRatio(int size, std::uint64_t seed);
-Scene resting(int size, std::uint64_t seed);
+Scene asleep(int size, std::uint64_t seed);
 Scene shots(int size, std::uint64_t seed);
 // bench_machines.cpp
 Scene tumbler(int size, std::uint64_t seed);
@@ -88,17 +88,17 @@ Scene slide(int size, std::uint64_t seed);
 Scene bounce(int size, std::uint64_t seed);
 Scene pendulum(int size, std::uint64_t seed);
 
-/// A locked box.
+/// A static box.
 scenes::BodyDef wall(double width, double height, scenes::Vec2 center,
                      scenes::Material material = {});
-/// A convex polygon of 3 to 7 corners, `radius` (m) from the middle.
+/// A convex polygon of 3 to 7 corners at a distance of `radius` (m) from the centre.
 scenes::Polygon shard(scenes::Dice& dice, double radius);
-/// How much wider a scene must be to keep its form when it has `size` bodies instead of `usual`.
+/// Width factor of a scene that keeps its aspect ratio with `size` bodies instead of `usual`.
 double stretch(int size, int usual);
 
-/// The mean overlap of all pairs, mm.
+/// The mean overlap of all pairs, in mm.
 Error meanDepth();
-/// By how much the speeds of these bodies, as a root of the mean square, differ from `speed` (m/s).
+/// Deviation of the root mean square speed of these bodies from `speed` (m/s).
 Error speedLost(std::vector<std::size_t> bodies, double speed);
 
 } // namespace bench

@@ -9,7 +9,7 @@
 
 namespace bench {
 
-/// How a failing test names it.
+/// Names a recipe in messages of failing tests.
 void PrintTo(const Recipe& recipe, std::ostream* out) {
     *out << recipe.name;
 }
@@ -27,7 +27,7 @@ RunOptions shortRun(const Recipe& recipe, const std::string& engine) {
 
 class EveryScene : public testing::TestWithParam<Recipe> {};
 
-// Box2D keeps masses in float, as Kodo does there: 1e-5 is a hundred roundings.
+// Box2D stores masses in float, like the float build of Kodo: 1e-5 is a hundred roundings.
 TEST_P(EveryScene, HasTheSameBodiesAndMassInEveryEngine) {
     const Result box2d = run(shortRun(GetParam(), "box2d"));
     for (const char* engine : {"kodo", "kodo64"}) {
@@ -49,8 +49,8 @@ TEST_P(EveryScene, EndsInTheSameStateWhenRunAgain) {
 INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(recipes().begin(), recipes().end()),
                          [](const auto& scene) { return std::string(scene.param.name); });
 
-// Figures of other engines compare with these scenes only as long as they are what they say.
-TEST(Scenes, AreAsLargeAsTheyAreSaidToBe) {
+// Results for these scenes in other engines are comparable only with these exact sizes.
+TEST(Scenes, HaveTheirDocumentedSizes) {
     const auto made = [](const char* name, int size) {
         return recipeOf(name).make(size, 1).def.bodies;
     };
@@ -61,7 +61,8 @@ TEST(Scenes, AreAsLargeAsTheyAreSaidToBe) {
     }
     const auto circles = made("circles", 5000);
     EXPECT_EQ(circles.size(), 3u + 5000u);
-    EXPECT_NEAR(circles[2].position.x - circles[1].position.x, 60 + 1, 1e-12); // walls of 1 m
+    EXPECT_NEAR(circles[2].position.x - circles[1].position.x, 60 + 1, 1e-12); // walls are 1 m
+                                                                               // thick
     EXPECT_EQ(std::get<scenes::Circle>(circles[3].parts[0]).radius, 0.25);
     const auto debris = made("debris", 2000);
     EXPECT_NEAR(debris[2].position.x - debris[1].position.x, 50 + 1, 1e-12);
@@ -88,8 +89,7 @@ BodyState at(double x, double y, scenes::Rot rotation = {}) {
     return {{x, y}, rotation, {}, 0};
 }
 
-// What the ruler reads is plain geometry; it computes in long double and returns double, so 1e-12
-// is far above its rounding.
+// Plain geometry in long double with a double result: 1e-12 is far above the rounding.
 TEST(Ruler, MeasuresKnownOverlaps) {
     const scenes::Part unit = scenes::Box{1, 1};
     const scenes::Part disc = scenes::Circle{0.5};
@@ -101,15 +101,15 @@ TEST(Ruler, MeasuresKnownOverlaps) {
     EXPECT_NEAR(overlapOf(unit, at(0, 0), disc, at(0, 0.75)), 0.25, 1e-12);
     EXPECT_NEAR(overlapOf(disc, at(0.8, 0.8), unit, at(0, 0)), 0.5 - 0.3 * std::numbers::sqrt2,
                 1e-12);
-    EXPECT_NEAR(overlapOf(unit, at(0, 0), disc, at(0, 0.25)), 0.75, 1e-12); // its centre inside
+    EXPECT_NEAR(overlapOf(unit, at(0, 0), disc, at(0, 0.25)), 0.75, 1e-12); // centre inside
     EXPECT_NEAR(overlapOf(triangle, at(0, 0), unit, at(0, 1.25)), 0.25, 1e-12);
-    // A quarter turn and a half: the corner of the turned box reaches sqrt(2) / 2 down.
+    // A quarter turn and an eighth: the corner of the rotated box reaches sqrt(2) / 2 down.
     const scenes::Rot turned = scenes::slope(1, 1);
     EXPECT_NEAR(overlapOf(unit, at(0, 0), unit, at(0, 1.1, turned)), std::numbers::sqrt2 / 2 - 0.6,
                 1e-12);
 }
 
-/// Bodies where they are defined.
+/// Bodies at their definition.
 std::vector<Placed> placed(const scenes::SceneDef& scene) {
     std::vector<Placed> list;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -129,7 +129,7 @@ TEST(Ruler, TakesTheMeanOverThePairsThatOverlap) {
     EXPECT_NEAR(depths.mean, 0.02, 1e-12);
 }
 
-TEST(Ruler, LeavesOutWhatDoesNotTouchByDefinition) {
+TEST(Ruler, IgnoresPairsThatCannotCollide) {
     scenes::SceneDef scene;
     scene.bodies = {scenes::box(1, 1, {0, 0}),  scenes::box(1, 1, {0.5, 0}),
                     scenes::box(1, 1, {10, 0}), scenes::box(1, 1, {10.5, 0}),
@@ -143,7 +143,7 @@ TEST(Ruler, LeavesOutWhatDoesNotTouchByDefinition) {
     EXPECT_EQ(depthsOf(placed(scene), pinnedPairs(scene)).pairs, 0u);
 }
 
-TEST(Ruler, CountsWhatStandsAndWhatIsGone) {
+TEST(Ruler, CountsStandingAndEscapedBodies) {
     scenes::SceneDef scene;
     scene.bodies = {scenes::ground(20), scenes::ball(0.5, {0, 1}), scenes::ball(0.5, {2, 1}),
                     scenes::ball(0.5, {4, 1})};
@@ -151,14 +151,14 @@ TEST(Ruler, CountsWhatStandsAndWhatIsGone) {
     bodies[1].state.position = {0.2, 0.1};
     bodies[2].state.position = {2.3, 1};
     bodies[3].state.position = {4, -0.5};
-    const Drift drift = driftOf(bodies);
-    EXPECT_EQ(drift.stood, 1u);
-    EXPECT_NEAR(drift.sideways, 0.3, 1e-12);
-    EXPECT_NEAR(drift.down, 1.5, 1e-12);
+    const Drift displacement = driftOf(bodies);
+    EXPECT_EQ(displacement.stood, 1u);
+    EXPECT_NEAR(displacement.sideways, 0.3, 1e-12);
+    EXPECT_NEAR(displacement.down, 1.5, 1e-12);
     bodies[1].state.position.y = std::nan("");
     EXPECT_EQ(escapedFrom({{-5, 0}, {5, 5}}, bodies), 2u);
-    // Seen from the second, which has turned by a quarter, the third is 1.7 m to the right and 1.5
-    // m up, and the first nowhere.
+    // In the frame of body 2, rotated by a quarter turn, the third body is 1.7 m right and 1.5 m
+    // up. The first body has no finite position.
     bodies[2].state.rotation = {0, -1};
     EXPECT_EQ(escapedFrom({{-1, -1}, {1.6, 1.8}, 2}, bodies), 1u);
     EXPECT_EQ(escapedFrom({{-1, -1}, {1.4, 1.8}, 2}, bodies), 2u);
@@ -170,13 +170,13 @@ TEST(Ruler, AddsUpKineticEnergy) {
     scene.bodies = {scenes::ball(1, {0, 0}), scenes::ground(10)};
     scene.bodies[0].velocity = {2, 0};
     scene.bodies[0].spin = 2;
-    scene.bodies[1].velocity = {5, 0}; // locked: a drive, not an energy
+    scene.bodies[1].velocity = {5, 0}; // kinematic: not part of the energy
     EXPECT_NEAR(kineticEnergy(placed(scene)), 3 * std::numbers::pi, 1e-12);
 }
 
-// Box2D lets each contact overlap by a slop of up to 5 mm and holds polygons two skins of 10 mm
-// apart. With the skin taken off its shapes, a stack of three stays within three slops of its
-// place; with it, the top would be lifted by 45 mm or more.
+// Box2D allows an overlap of 5 mm per contact (slop) and adds a skin of 10 mm to each polygon. With
+// the skin removed, a stack of three stays within three slops of its position. Otherwise the top
+// would be lifted by at least 45 mm.
 TEST(Box2dInTheBench, HasItsSurfacesWhereTheNominalShapesAre) {
     RunOptions options;
     options.scene = "stack";
@@ -184,15 +184,15 @@ TEST(Box2dInTheBench, HasItsSurfacesWhereTheNominalShapesAre) {
     options.size = 3;
     options.steps = 300;
     const Result result = run(options);
-    EXPECT_GT(result.depths.pairs, 0u); // it touches at the nominal surfaces
+    EXPECT_GT(result.depths.pairs, 0u); // touch at the nominal surfaces
     EXPECT_LT(result.depths.max, 0.006);
-    ASSERT_EQ(result.errorName, "top sinks"); // or is lifted, mm
+    ASSERT_EQ(result.errorName, "top sinks"); // or is lifted, in mm
     EXPECT_LT(result.error, 15);
 }
 
-// At most 100 bytes a contact in the passes of the solver, so that those of a large pile stay near
-// the core; in double twice as many.
-TEST(Memory, AContactsRowIsSmall) {
+// At most 100 bytes per contact in the solver passes, twice that in double: a large pile must fit
+// into the caches near the core.
+TEST(Memory, AContactRowIsSmall) {
     RunOptions options;
     options.scene = "stack";
     options.size = 3;
@@ -208,7 +208,7 @@ TEST(Memory, AContactsRowIsSmall) {
     }
 }
 
-TEST(Options, RefuseWhatAnEngineDoesNotKnow) {
+TEST(Options, AreRefusedIfTheEngineDoesNotSupportThem) {
     RunOptions options;
     options.scene = "stack";
     options.steps = 1;
@@ -232,7 +232,7 @@ TEST(Options, RefuseWhatAnEngineDoesNotKnow) {
     options.step.pairs = "auto";
     options.step.substeps = 0;
     EXPECT_THROW(run(options), WrongUse);
-    options.engine = "box2d"; // has no substeps at all
+    options.engine = "box2d"; // no substeps
     options.step.substeps = 4;
     EXPECT_THROW(run(options), WrongUse);
     options.step.substeps = {};
@@ -241,7 +241,7 @@ TEST(Options, RefuseWhatAnEngineDoesNotKnow) {
     options.engine = "kodo";
     options.scene = "nowhere";
     EXPECT_THROW(run(options), WrongUse);
-    options.scene = "slide"; // has no size
+    options.scene = "slide"; // no size
     options.size = 1;
     EXPECT_NO_THROW(run(options));
     options.size = 2;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What tools/trade and tools/bench make of measurements: figures_test.py PATH-OF-TOOLS/lib"""
+"""Tests of the evaluation in tools/trade and tools/bench: figures_test.py PATH-OF-TOOLS/lib"""
 import contextlib
 import io
 import pathlib
@@ -10,7 +10,7 @@ import unittest
 import unittest.mock
 import xml.etree.ElementTree
 
-sys.dont_write_bytecode = True  # leave no __pycache__ beside the tools
+sys.dont_write_bytecode = True  # no __pycache__ beside the tools
 sys.path.insert(0, sys.argv.pop())
 import bench  # noqa: E402
 import chart  # noqa: E402
@@ -38,27 +38,27 @@ def result(time, error, **more):
 
 
 class Fronts(unittest.TestCase):
-    def test_the_front_is_what_nothing_beats(self):
+    def test_the_front_has_no_beaten_result(self):
         fast, good, true = result(1, 100), result(2, 10), result(8, 1)
         beaten = [result(1.5, 200), result(2.1, 10), result(9, 1), result(4, 9.95)]
         self.assertEqual(trade.front_of([true, *beaten, fast, good]), [fast, good, true])
 
-    def test_no_error_at_all_is_as_good_as_rounding(self):
+    def test_an_error_of_zero_equals_rounding(self):
         self.assertEqual(len(trade.front_of([result(1, 1e-4), result(2, 0)])), 1)
 
-    def test_what_has_lost_the_scene_is_on_no_front(self):
+    def test_a_lost_scene_is_on_no_front(self):
         held = result(5, 10)
         self.assertEqual(trade.front_of([result(1, 2e4), held]), [held])
         self.assertEqual(trade.front_of([result(1, 2e4)]), [])
         self.assertIsNone(trade.knee_of([]))
 
-    # On the line between its ends the point at (2, 2) would stand at (2, 31.6): half way in time
-    # is half way in error, both by powers.
+    # On a straight line between the ends in log-log scale, the point at time 2 would have an error
+    # of 31.6.
     def test_the_knee_lies_farthest_below_the_line_between_the_ends(self):
         front = [result(1, 1000), result(1.5, 100), result(2, 2), result(4, 1)]
         self.assertIs(trade.knee_of(front), front[2])
 
-    def test_the_default_is_told_what_beats_it(self):
+    def test_the_verdict_names_a_setting_that_beats_the_default(self):
         question = trade.QUESTIONS[0]
         default = result(2, 10, label="default")
         self.assertIn("nothing", trade.verdict_of(question, [default, result(1, 11)]))
@@ -80,21 +80,21 @@ class Summaries(unittest.TestCase):
         self.assertEqual(summary["spread"], 1)
         self.assertEqual(summary["nsPerBodyStep"], 1e6)
 
-    def test_another_state_stops_everything(self):
+    def test_a_different_state_hash_aborts(self):
         with self.assertRaises(SystemExit):
             measure.summary_of([result(1, 1, stateHash=name) for name in "ab"])
 
 
 class Options(unittest.TestCase):
     def told(self, *words):
-        """What is said of wrong options, and the exit code."""
+        """Returns the error message and the exit code for invalid options."""
         said = io.StringIO()
         with contextlib.redirect_stderr(said), unittest.mock.patch("sys.argv", ["", *words]):
             with self.assertRaises(SystemExit) as stopped:
                 bench.options()
         return said.getvalue(), stopped.exception.code
 
-    def test_wrong_ones_are_told_in_one_line_before_anything_is_built(self):
+    def test_invalid_options_are_refused_in_one_line_before_the_build(self):
         for words in (["--repeat", "0"], ["--repeat", "1.5"], ["--profiles", "nonesuch"],
                       ["--scenes", "nowhere"], ["--check"]):
             said, code = self.told(*words)
@@ -105,20 +105,20 @@ class Options(unittest.TestCase):
 
 
 class Figures(unittest.TestCase):
-    def test_numbers_keep_three_digits_that_count(self):
+    def test_numbers_keep_three_significant_digits(self):
         texts = [bench.number(value) for value in (12345.6, 1.0, 0.0123456, 0, None)]
         self.assertEqual(texts, ["12,346", "1.00", "0.0123", "0", ""])
 
-    def test_a_scale_has_its_ends_and_its_middle_where_they_belong(self):
+    def test_a_log_scale_maps_its_ends_and_its_middle(self):
         scale = chart.LogScale(1, 100, 0, 200)
         self.assertEqual([round(scale(value), 9) for value in (1, 10, 100)], [0, 100, 200])
         self.assertEqual(scale.ticks(), [1, 2, 5, 10, 20, 50, 100])
 
-    def test_n_log_n_is_what_it_says(self):
+    def test_the_allowed_growth_is_n_log_n(self):
         first = {"bodies": 1000, "nsPerBodyStep": 300}
         self.assertAlmostEqual(bench.allowed(first, {"bodies": 1_000_000}), 600)
 
-    def test_what_is_wanted_and_missed_is_named(self):
+    def test_missed_targets_are_named(self):
         wanted = bench.Wanted("stack", 20, ratio=0.2, error=50, stands=True)
         good = result(1, 50, ratio=0.2, depthMeanMm=99, escaped=None, stood=20)
         self.assertEqual(bench.missed(wanted, good), "")
@@ -142,7 +142,7 @@ class Figures(unittest.TestCase):
                 apart = one[2] < other[0] or other[2] < one[0]
                 self.assertTrue(apart or one[3] < other[1] or other[3] < one[1])
 
-    def test_a_page_is_well_formed_whatever_its_words_are(self):
+    def test_a_page_with_markup_characters_is_well_formed(self):
         front = [result(1, 1000), result(2, 2), result(4, 1, label="<&>")]
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "figure.svg"

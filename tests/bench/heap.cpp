@@ -22,7 +22,8 @@ void* allocate(std::size_t size) {
 }
 
 void* allocate(std::size_t size, std::align_val_t alignment) {
-    const auto unit = static_cast<std::size_t>(alignment); // aligned_alloc wants whole units
+    const auto unit = static_cast<std::size_t>(alignment); // aligned_alloc requires a multiple of
+                                                           // the alignment
     return counted(std::aligned_alloc(unit, (size + unit - 1) / unit * unit));
 }
 

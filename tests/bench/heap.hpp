@@ -6,15 +6,14 @@
 
 namespace bench {
 
-/// How often operator new has been called so far. A program that links this has it counted. What
-/// calls malloc itself, as Box2D does, is not seen.
+/// Number of calls of operator new so far, in any program that links this. Direct calls of malloc,
+/// as in Box2D, are not counted.
 std::uint64_t allocationCount();
 
-/// Bytes that operator new has given out and not got back, by the size that malloc really gave.
+/// Bytes allocated by operator new and not freed, by the usable size of the blocks.
 std::size_t liveBytes();
 
-/// Bytes that malloc has given out and not got back, whoever called it; 0 where the C library does
-/// not tell.
+/// Bytes allocated by malloc and not freed, by any caller. 0 if the C library provides no count.
 std::size_t heapBytes();
 
 } // namespace bench

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scenes in Kodo and in Box2D 2.4.1: what a step costs, and how true it is. Exit code: 0 done, 1 an
-// engine was not repeatable, 2 wrong use.
+// Benchmark of Kodo and Box2D 2.4.1: cost and accuracy of a step. Exit code: 0 done, 1 an engine
+// was not repeatable, 2 invalid options.
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -46,7 +46,7 @@ void addOptions(CLI::App& app, Options& options) {
     app.add_option("--size", run.size, "Instead of the scene's; what it means, --list tells")
         ->check(CLI::Range(1, 10000000));
     app.add_option("--seed", run.seed, "For what is random in a scene")
-        ->check(CLI::Range(0u, 4294967295u)); // -1 would be read as 2^64 - 1
+        ->check(CLI::Range(0u, 4294967295u)); // -1 would become 2^64 - 1
     app.add_flag("--peak", run.peak, "Measure depth in every 20th step (disturbs the caches)");
     app.add_option("--repeat", options.repeat, "Runs; the median of their times counts")
         ->check(CLI::Range(1, 1000));
@@ -75,7 +75,7 @@ void list() {
     }
 }
 
-/// The other engine steps as it does by itself: only scene, size, steps and seed are shared.
+/// The other engine has default step options: only scene, size, steps and seed are shared.
 RunOptions opponentOf(const Options& options) {
     RunOptions other = options.run;
     other.engine = options.against;
@@ -126,7 +126,7 @@ int main(int argc, char** argv) {
     } catch (const NotRepeatable& error) {
         fmt::print(stderr, "kodo-bench: {}.\n", error.what());
         return 1;
-    } catch (const std::exception& error) { // WrongUse, or a size that an engine refuses
+    } catch (const std::exception& error) { // WrongUse, or a size rejected by an engine
         fmt::print(stderr, "kodo-bench: {}.\n", error.what());
         return 2;
     }

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The program itself, from the outside: kodo_bench_test.py PATH-OF-KODO-BENCH"""
+"""Command-line tests of kodo-bench: kodo_bench_test.py PATH-OF-KODO-BENCH"""
 import json
 import subprocess
 import sys
@@ -46,7 +46,7 @@ for result in (kodo, box2d):
     check(result["cpuMsPerStep"] > 0 and result["runs"] == 3, f"no times: {result}")
     stages = result["stagesMsPerStep"]
     check(stages and min(stages.values()) >= 0, f"no times of stages: {stages}")
-    # Both by the clock of the thread, and of the same run: the parts lie within the whole.
+    # Same clock and same run: the sum of the stages cannot exceed the whole step.
     check(sum(stages.values()) <= 1.000001 * result["cpuMsPerStep"], f"stages take more: {result}")
 check((kodo["engine"], box2d["engine"]) == ("kodo", "box2d"), "engines out of order")
 check(abs(kodo["ratio"] - kodo["cpuMsPerStep"] / box2d["cpuMsPerStep"]) < 1e-9, "wrong ratio")
@@ -59,10 +59,10 @@ for engine in ("kodo", "kodo64"):
     told = json.loads(text)
     wanted |= {"scene": "debris", "engine": engine, "profile": "quick", "bodies": 6}
     check(wanted.items() <= told.items(), f"asked for {wanted}, told {told}")
-    # A row of at most 100 bytes in float.
+    # At most 100 bytes per row in float.
     check(0 < told["bytesPerContactRow"] <= (100 if engine == "kodo" else 200), f"rows: {told}")
     check(told["bytesPerContact"] > told["bytesPerContactRow"], f"bytes of contacts: {told}")
-    bytes_told = told["bytesPerBody"]  # None where malloc does not tell, as with a sanitizer
+    bytes_told = told["bytesPerBody"]  # None if malloc provides no count, as under a sanitizer
     check(bytes_told is None or bytes_told > 50, f"bytes of bodies: {told}")
 
 code, text = bench(*choice)

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ruler.hpp"
 
-#include <support/convex_oracle.hpp>
-
 #include <scenes/scene_mass.hpp>
+#include <support/convex_oracle.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +13,7 @@ namespace {
 
 using scenes::Vec2;
 
-/// A part where it is, its bounds, and the place of its body in the list.
+/// A part in world coordinates, with its bounds and the index of its body.
 struct PlacedPart {
     support::Outline outline;
     Vec2 lower;
@@ -66,7 +65,7 @@ bool isFinite(const BodyState& state) {
            std::isfinite(state.rotation.c) && std::isfinite(state.rotation.s);
 }
 
-/// By their left ends.
+/// Sorted by their left bounds.
 std::vector<PlacedPart> partsOf(const std::vector<Placed>& bodies) {
     std::vector<PlacedPart> parts;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -138,17 +137,17 @@ double kineticEnergy(const std::vector<Placed>& bodies) {
 }
 
 Drift driftOf(const std::vector<Placed>& bodies) {
-    Drift drift;
+    Drift displacement;
     for (const Placed& body : bodies) {
         if (body.def->locked) {
             continue;
         }
         const Vec2 way = body.state.position - body.def->position;
-        drift.sideways = std::max(drift.sideways, std::abs(way.x));
-        drift.down = std::max(drift.down, -way.y);
-        drift.stood += std::abs(way.x) <= 0.25 && way.y >= -1 ? 1 : 0;
+        displacement.sideways = std::max(displacement.sideways, std::abs(way.x));
+        displacement.down = std::max(displacement.down, -way.y);
+        displacement.stood += std::abs(way.x) <= 0.25 && way.y >= -1 ? 1 : 0;
     }
-    return drift;
+    return displacement;
 }
 
 std::size_t escapedFrom(const Region& region, const std::vector<Placed>& bodies) {

@@ -11,53 +11,53 @@
 
 #include "bench_engine.hpp"
 
-/// One ruler for all engines: it knows the nominal shapes and where an engine says that they are,
-/// and shares nothing with any solver. In long double, by brute force behind a sweep along x.
+/// Overlap measurement common to all engines, from nominal shapes and reported poses, independent
+/// of any solver. In long double, by brute force after a sweep along x.
 namespace bench {
 
-/// A body as it was defined, and where it is now.
+/// A body with its definition and current state.
 struct Placed {
-    std::size_t body = 0; // its place in the scene
+    std::size_t body = 0; // index in the scene
     const scenes::BodyDef* def = nullptr;
     BodyState state;
 };
 
-/// How deep a pair of parts overlaps (m): along the best of all edge normals for polygons, to the
-/// nearest point of the outline for circles; negative when they are apart.
+/// Overlap (m) of two parts: along the best edge normal for polygons, to the nearest boundary point
+/// for circles. Negative if they are separated.
 double overlapOf(const scenes::Part& a, const BodyState& whereA, const scenes::Part& b,
                  const BodyState& whereB);
 
 struct Depths {
-    std::size_t pairs = 0; // of parts that overlap
+    std::size_t pairs = 0; // number of overlapping parts
     double max = 0;        // m
-    double mean = 0;       // m, over those pairs
+    double mean = 0;       // m, over these pairs
 };
 
-/// Pairs of bodies that do not touch by their definition.
+/// Excluded pairs of bodies, which do not collide by definition.
 using Apart = std::set<std::pair<std::size_t, std::size_t>>;
 Apart pinnedPairs(const scenes::SceneDef& scene);
 
-/// Of all parts of different bodies, of which one at least is not locked, that should not overlap.
+/// Overlaps between parts of different bodies that may collide, of which at least one is dynamic.
 Depths depthsOf(const std::vector<Placed>& bodies, const Apart& apart);
 
-/// J, of all bodies that are not locked.
+/// Kinetic energy (J) of the dynamic bodies.
 double kineticEnergy(const std::vector<Placed>& bodies);
 
-/// How far bodies have gone from where their definition put them.
+/// Displacement of bodies from their definition.
 struct Drift {
-    std::size_t stood = 0; // bodies within 0.25 m sideways and 1 m down of their start
-    double sideways = 0;   // m, the farthest
-    double down = 0;       // m, the farthest; 0 if all have risen
+    std::size_t stood = 0; // bodies within 0.25 m horizontally and 1 m downwards of their start
+    double sideways = 0;   // m, maximum
+    double down = 0;       // m, maximum; 0 if all have risen
 };
 Drift driftOf(const std::vector<Placed>& bodies);
 
-/// A rectangle that no body's origin should leave.
+/// A rectangle that should contain the origins of all bodies.
 struct Region {
     scenes::Vec2 lower;
     scenes::Vec2 upper;
-    std::optional<std::size_t> frame{}; // the body that it moves with
+    std::optional<std::size_t> frame{}; // index of the body that carries the rectangle
 };
-/// Bodies that are not locked and are outside, or nowhere: not finite.
+/// Number of dynamic bodies outside the region or without finite state.
 std::size_t escapedFrom(const Region& region, const std::vector<Placed>& bodies);
 
 } // namespace bench

@@ -37,19 +37,17 @@ std::string nameOf(const testing::TestParamInfo<Given>& info) {
     return info.param.name;
 }
 
-/// Turns everything about its centre; written as a user would.
+/// A user-defined field that accelerates every body about its centre.
 class Whirl final : public ForceField {
 public:
-    Push at(const Bodies& bodies, std::uint32_t body, Real) const override {
-        return {{}, bodies.form(body).mass.inertia};
-    }
+    FieldForce at(const BodyView& body, Real) const override { return {{}, body.inertia()}; }
 };
 
-class GivenField : public testing::TestWithParam<Given> {};
+class EveryForceField : public testing::TestWithParam<Given> {};
 
-// W2: every field, given or of the user, acts on the bodies whose flags its filter accepts, and on
-// no others: any, all, equal, no test.
-TEST_P(GivenField, ActsOnTheFlagsItIsFor) {
+// W2: every field, built-in or user-defined, acts exactly on the bodies whose flags its filter
+// accepts: any, all, equal, no test.
+TEST_P(EveryForceField, ActsOnlyOnBodiesItsFilterAccepts) {
     struct Row {
         CollisionFilter which;
         bool acts[4]; // on the flags 0, 01, 10, 11
@@ -80,7 +78,7 @@ TEST_P(GivenField, ActsOnTheFlagsItIsFor) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Fields, GivenField,
+    Fields, EveryForceField,
     testing::Values(
         Given{"Gravity", std::make_shared<Gravity>(Vec2{0, -10})},
         Given{"Drag", std::make_shared<Drag>(DragLaw{1, 1})},
@@ -88,12 +86,12 @@ INSTANTIATE_TEST_SUITE_P(
         Given{"Attractor", std::make_shared<Attractor>(Attractor::Law::InverseSquare, Vec2{}, 9)},
         Given{"Spring", std::make_shared<Attractor>(Attractor::Law::Linear, Vec2{}, 9)},
         Given{"Buoyancy", std::make_shared<Buoyancy>(Buoyancy::Fluid{2, 0}, Vec2{}, Vec2{0, -10})},
-        Given{"OfAUser", std::make_shared<Whirl>()}),
+        Given{"UserDefined", std::make_shared<Whirl>()}),
     nameOf);
 
-// W2: v = v0 / (1 + k v0 t) with k = c d / m: quadratic drag slows down as one over the time.
-// Backward Euler is first order; of 60 steps each brakes by 2 % at the start.
-TEST(FieldLaw, QuadraticDragSlowsAsOneOverTheTime) {
+// W2: v = v0 / (1 + k v0 t) with k = c d / m. Backward Euler is of first order; of 60 steps, each
+// slows by 2 % at the start.
+TEST(FieldLaw, QuadraticDragSlowsAsOneOverTime) {
     World world = worldWith(std::make_shared<Drag>(DragLaw{0, Real(0.1)}));
     BodyDef def = ballDef({}, Real(0.5));
     def.velocity = {8, 6};
@@ -104,8 +102,8 @@ TEST(FieldLaw, QuadraticDragSlowsAsOneOverTheTime) {
     EXPECT_TRUE(near(world[ball].velocity().x * 6, world[ball].velocity().y * 8, Real(1e-4)));
 }
 
-// W2: exponential decay to first order in the step: half the step, half the error.
-TEST(FieldLaw, DragConvergesWithTheStep) {
+// W2: exponential decay, of first order in the time step: half the step, half the error.
+TEST(FieldLaw, DragConvergesLinearlyWithTheTimeStep) {
     const auto error = [](int rate) {
         World world = worldWith(std::make_shared<Drag>(DragLaw{1, 0}));
         BodyDef def = ballDef({}, Real(0.5));
@@ -119,9 +117,9 @@ TEST(FieldLaw, DragConvergesWithTheStep) {
     EXPECT_TRUE(nearShare(error(60) / error(120), 2, 0.05));
 }
 
-// W2: an ellipse: from r = 4 at 0.7 of the speed of the circle it comes in to
-// r = 4 * 0.49 / (2 - 0.49), and back to where it was after T = 2 pi sqrt(a^3 / mu) [Kepler].
-TEST(FieldLaw, AnEllipseClosesAfterItsPeriod) {
+// W2: an ellipse. From r = 4 at 0.7 of the circular speed, the nearest distance is r = 4 * 0.49 /
+// (2 - 0.49). The period is T = 2 pi sqrt(a^3 / mu) [Kepler].
+TEST(FieldLaw, AnEllipticOrbitClosesAfterItsPeriod) {
     const double mu = 16;
     const double nearest = 4 * 0.49 / (2 - 0.49);
     const double period = 2 * kPi * std::sqrt(std::pow((4 + nearest) / 2, 3) / mu);
@@ -138,17 +136,17 @@ TEST(FieldLaw, AnEllipseClosesAfterItsPeriod) {
             world.step(dt);
             closest = std::min(closest, length(world[planet].position()));
         }
-        // A leapfrog keeps the ellipse, but turns it and runs late by (w dt)^2 / 24 at its nearest
-        // point, where w dt = 0.07, an orbit.
+        // A leapfrog integrator keeps the ellipse, but rotates it. It is late by (w dt)^2 / 24 at
+        // its nearest point per orbit, where w dt = 0.07.
         EXPECT_TRUE(near(length(world[planet].position()), 4, 0.01)) << orbit;
         EXPECT_TRUE(near(world[planet].position().y, 0, 0.02 * (orbit + 1))) << orbit;
     }
     EXPECT_TRUE(nearShare(closest, nearest, 0.01));
 }
 
-// W2: a repelling field turns a body back at the distance where its energy is used up:
-// v^2 / 2 = mu / r - mu / R.
-TEST(FieldLaw, ARepellingFieldTurnsABodyBack) {
+// W2: a repulsive field reverses a body at the distance where its energy is used up: v^2 / 2 = mu /
+// r - mu / R.
+TEST(FieldLaw, ARepulsiveFieldReversesABodyAtTheClosedFormDistance) {
     World world =
         worldWith(std::make_shared<Attractor>(Attractor::Law::InverseSquare, Vec2{}, Real(-8)));
     BodyDef def = ballDef({8, 0}, Real(0.1));
@@ -160,12 +158,12 @@ TEST(FieldLaw, ARepellingFieldTurnsABodyBack) {
         closest = std::min(closest, world[ball].position().x);
     }
     EXPECT_TRUE(nearShare(closest, 8.0 / 3, 2e-3));            // 8 / r = 2 + 1
-    EXPECT_TRUE(nearShare(world[ball].velocity().x, 2, 1e-2)); // on its way out, where it was
+    EXPECT_TRUE(nearShare(world[ball].velocity().x, 2, 1e-2)); // outwards, at the start
 }
 
-// W2: a gust across a fall: with linear drag both directions are independent, v_x goes to that of
-// the wind and v_y to m g / (c d).
-TEST(FieldLaw, AFallInTheWindIsTheSumOfBoth) {
+// W2: wind across a fall. With linear drag both axes are independent: v_x approaches the speed of
+// the wind, and v_y approaches m g / (c d).
+TEST(FieldLaw, AFallInWindReachesBothTerminalVelocities) {
     World world({.gravity = support::kEarth});
     world.addField({std::make_shared<Wind>(DragLaw{2, 0}, Vec2{3, 0})});
     const BodyId ball = world.add(ballDef({}, Real(0.5)));
@@ -174,8 +172,8 @@ TEST(FieldLaw, AFallInTheWindIsTheSumOfBoth) {
     EXPECT_TRUE(near(world[ball].velocity(), Vec2{3, -fall}, byPrecision(1e-3, 1e-9)));
 }
 
-// W2, Archimedes: a body floats where the fluid it displaces has its own mass: discs of several
-// densities, each by the area of its segment, found here by bisection.
+// W2, Archimedes: a floating body displaces fluid of its own mass. Discs of several densities; the
+// area of the circular segment is solved by bisection.
 TEST(FieldLaw, ADiscFloatsAtTheDepthOfItsDensity) {
     for (const double density : {0.2, 0.5, 0.8}) {
         World world({.gravity = support::kEarth});
@@ -197,8 +195,8 @@ TEST(FieldLaw, ADiscFloatsAtTheDepthOfItsDensity) {
     }
 }
 
-// W2: a boat of two parts, heavy below, floats upright with its own mass of water displaced.
-TEST(FieldLaw, ACompoundFloatsUprightByItsKeel) {
+// W2: a boat of two parts with a heavy keel floats upright and displaces its own mass.
+TEST(FieldLaw, ACompoundWithAKeelFloatsUpright) {
     World world({.gravity = support::kEarth});
     world.addField({std::make_shared<Buoyancy>(Buoyancy::Fluid{2, 6}, Vec2{}, support::kEarth)});
     BodyDef hull = boxDef({0, 0}, 2, 1);

@@ -44,13 +44,13 @@ void run(World& world, double seconds) {
     }
 }
 
-// W2: a user's own field, and one that is only for some.
+// W2: a user-defined field, filtered by flags.
 class Push1N final : public ForceField {
 public:
-    Push at(const Bodies&, std::uint32_t, Real) const override { return {{1, 0}, 2}; }
+    FieldForce at(const BodyView&, Real) const override { return {{1, 0}, 2}; }
 };
 
-TEST(ForceField, OfAUserPushesTheBodiesThatItsFilterAccepts) {
+TEST(ForceField, UserDefinedActsOnBodiesItsFilterAccepts) {
     World world = worldWith({{std::make_shared<Push1N>(), {kMatchAny, kMarked}}});
     BodyDef def = disc({});
     def.flags = kMarked;
@@ -64,13 +64,13 @@ TEST(ForceField, OfAUserPushesTheBodiesThatItsFilterAccepts) {
     EXPECT_EQ(world[other].velocity(), Vec2{});
 }
 
-/// Counts how often it is asked.
+/// Counts its evaluations.
 class CountedPull final : public ForceField {
 public:
     CountedPull(bool steady, int& asked) : steady_(steady), asked_(asked) {}
-    Push at(const Bodies& bodies, std::uint32_t body, Real) const override {
+    FieldForce at(const BodyView& body, Real) const override {
         ++asked_;
-        return {bodies.form(body).mass.mass * Vec2{0, -10}};
+        return {body.mass() * Vec2{0, -10}};
     }
     bool steady() const override { return steady_; }
 
@@ -79,8 +79,8 @@ private:
     int& asked_;
 };
 
-// What is steady need not be asked again until something changes; the bodies fall the same way.
-TEST(ForceField, ThatIsSteadyIsAskedOnlyAfterAChange) {
+// A steady field is evaluated again only after a change. The bodies fall identically.
+TEST(ForceField, SteadyIsEvaluatedOnlyAfterAChange) {
     int steady = 0;
     int each = 0;
     World first = worldWith({{std::make_shared<CountedPull>(true, steady)}});
@@ -88,7 +88,7 @@ TEST(ForceField, ThatIsSteadyIsAskedOnlyAfterAChange) {
     for (World* const world : {&first, &second}) {
         const BodyId body = world->add(disc({}));
         run(*world, 1);
-        (*world)[body].applyForce({1, 0}); // in one step, and not in the next
+        (*world)[body].applyForce({1, 0}); // acts in one step only
         run(*world, 1);
         (*world)[body].setFlags(kMarked);
         run(*world, 1);
@@ -103,7 +103,7 @@ TEST(ForceField, ThatIsSteadyIsAskedOnlyAfterAChange) {
     EXPECT_EQ(first.stateHash(), second.stateHash());
 }
 
-TEST(ForceField, GravityAndAForceOfTheUserAddUp) {
+TEST(ForceField, GravityAndAnAppliedForceAddUp) {
     World world = worldWith({}, {0, -10});
     const BodyId body = world.add(disc({}));
     world[body].applyForce({0, 10 * world[body].mass()});
@@ -111,9 +111,9 @@ TEST(ForceField, GravityAndAForceOfTheUserAddUp) {
     EXPECT_TRUE(near(world[body].velocity(), Vec2{}, byPrecision(1e-7, 1e-15)));
 }
 
-// v_t = m g / (c d) for linear, sqrt(m g / (c d)) for quadratic drag. Implicit drag ends exactly
-// there, whatever the step.
-TEST(Drag, FallsAtTheTerminalSpeed) {
+// v_t = m g / (c d) for linear drag, sqrt(m g / (c d)) for quadratic drag. Implicit drag converges
+// exactly to it for any time step.
+TEST(Drag, LimitsAFallToTheTerminalSpeed) {
     for (const Real dt : {Real(1) / 240, Real(1) / 60, Real(1) / 4}) {
         World linear = worldWith({{std::make_shared<Drag>(DragLaw{2, 0})}}, {0, -10});
         World quadratic = worldWith({{std::make_shared<Drag>(DragLaw{0, 2})}}, {0, -10});
@@ -124,7 +124,7 @@ TEST(Drag, FallsAtTheTerminalSpeed) {
             quadratic.step(dt);
         }
         const Real expected = linear[a].mass() * 10 / 2; // d = 1 m
-        // A float stops rising when what is left to gain in a step is less than half of its last
+        // The speed stops rising in float when the gain of a step is less than half of its last
         // bit.
         const Real close = byPrecision(1e-4, 1e-9);
         EXPECT_TRUE(nearShare(-linear[a].velocity().y, expected, close));
@@ -132,7 +132,7 @@ TEST(Drag, FallsAtTheTerminalSpeed) {
     }
 }
 
-// v = v0 exp(-c d t / m); backward Euler is off by t c d / m * dt c d / (2 m), here 0.5 %.
+// v = v0 exp(-c d t / m). The error of backward Euler is t c d / m * dt c d / (2 m), here 0.5 %.
 TEST(Drag, SlowsDownExponentially) {
     World world = worldWith({{std::make_shared<Drag>(DragLaw{Real(0.5), 0})}});
     const BodyId body = world.add(disc({}, {8, 0}));
@@ -141,7 +141,7 @@ TEST(Drag, SlowsDownExponentially) {
     EXPECT_TRUE(nearShare(world[body].velocity().x, 8 * std::exp(-rate), 0.005));
 }
 
-TEST(Drag, NeverTurnsABodyBackHoweverStrongItIs) {
+TEST(Drag, NeverReversesABodyAtAnyStrength) {
     for (const Real strength : {Real(1), Real(1e3), Real(1e9)}) {
         World world = worldWith({{std::make_shared<Drag>(DragLaw{strength, strength})}});
         BodyDef def = disc({}, {100, -50});
@@ -150,7 +150,7 @@ TEST(Drag, NeverTurnsABodyBackHoweverStrongItIs) {
         Vec2 before = def.velocity;
         Real spin = def.angularVelocity;
         for (int i = 0; i < 100; ++i) {
-            world.step(kLongestStep);
+            world.step(kMaxTimeStep);
             const Vec2 now = world[body].velocity();
             EXPECT_TRUE(now.x >= 0 && now.x <= before.x && now.y <= 0 && now.y >= before.y);
             EXPECT_TRUE(world[body].angularVelocity() >= 0 &&
@@ -161,7 +161,7 @@ TEST(Drag, NeverTurnsABodyBackHoweverStrongItIs) {
     }
 }
 
-TEST(Drag, BrakesSpinToo) {
+TEST(Drag, SlowsSpinExponentially) {
     World world = worldWith({{std::make_shared<Drag>(DragLaw{Real(0.5), 0})}});
     BodyDef def = disc({});
     def.angularVelocity = 8;
@@ -172,14 +172,14 @@ TEST(Drag, BrakesSpinToo) {
     EXPECT_TRUE(nearShare(world[body].angularVelocity(), 8 * std::exp(-rate), 0.02));
 }
 
-TEST(Wind, CarriesALightBodyAlongUpToItsSpeed) {
+TEST(Wind, AcceleratesALightBodyToItsSpeed) {
     World world = worldWith({{std::make_shared<Wind>(DragLaw{5, 5}, Vec2{3, 0})}});
     const BodyId body = world.add(disc({}));
     run(world, 10);
     EXPECT_TRUE(near(world[body].velocity(), Vec2{3, 0}, 1e-4));
 }
 
-TEST(Wind, IsNotFeltOutsideItsRegion) {
+TEST(Wind, HasNoEffectOutsideItsRegion) {
     const Aabb region{{-1, -1}, {1, 1}};
     World world = worldWith({{std::make_shared<Wind>(DragLaw{5, 0}, Vec2{3, 0}, region)}});
     const BodyId inside = world.add(disc({0, 0}));
@@ -189,8 +189,8 @@ TEST(Wind, IsNotFeltOutsideItsRegion) {
     EXPECT_EQ(world[outside].velocity(), Vec2{});
 }
 
-// Speed sqrt(strength / r), period 2 pi r / v. A leapfrog keeps the radius for ever and is late by
-// a share of (w dt)^2 / 24; Euler's method would spiral out [Thesis06, fig. 4.6].
+// Speed sqrt(strength / r), period 2 pi r / v. A leapfrog integrator keeps the radius and is late
+// by a fraction of (w dt)^2 / 24. Euler's method would spiral outwards [Thesis06, fig. 4.6].
 TEST(Attractor, KeepsACircularOrbit) {
     const Real strength = 16;
     const Real radius = 4;
@@ -204,12 +204,12 @@ TEST(Attractor, KeepsACircularOrbit) {
     }
 }
 
-TEST(Attractor, OfALinearLawMakesAllSwingWithOnePeriod) {
+TEST(Attractor, WithALinearLawGivesAllOscillationsOnePeriod) {
     const Real strength = 4; // period pi
     World world =
         worldWith({{std::make_shared<Attractor>(Attractor::Law::Linear, Vec2{1, 0}, strength)}});
     BodyDef def = disc({2, 5});
-    def.flags = kDisabled; // both pass the centre at one time
+    def.flags = kDisabled; // both pass the centre at the same time
     const BodyId near1 = world.add(def);
     def.position = {11, -5};
     const BodyId far = world.add(def);
@@ -228,9 +228,9 @@ TEST(Attractor, IsFiniteAtItsCentre) {
     }
 }
 
-// Half of a box, turned to stand on its corner, under the line through its centre.
-TEST(Submerged, OfAPolygonIsWhatAClipperLeaves) {
-    const Convex box = convexOf(Box{2, 2}, {});
+// Half of a box, and half of one that stands on its corner, below a line through the centre.
+TEST(Submerged, OfAPolygonIsTheClippedPolygon) {
+    const ConvexShape box = convexShapeOf(Box{2, 2}, {});
     const Transform flat{{0, 0}, {}};
     const Submerged half = submerged(box, flat, {0, 0}, {0, 1});
     EXPECT_TRUE(near(half.area, 2, byPrecision(1e-6, 1e-14)));
@@ -239,7 +239,7 @@ TEST(Submerged, OfAPolygonIsWhatAClipperLeaves) {
     const Transform onCorner{{0, 0}, Rot::fromAngle(kPi / 4)};
     const Submerged triangle = submerged(box, onCorner, {5, 0}, {0, 1});
     EXPECT_TRUE(near(triangle.area, 2, byPrecision(1e-6, 1e-14)));
-    // A third of the height of a triangle as high as half a diagonal.
+    // A third of the height of the triangle, which is half of the diagonal.
     EXPECT_TRUE(
         near(triangle.centroid, Vec2{0, -std::sqrt(Real(2)) / 3}, byPrecision(1e-6, 1e-14)));
 
@@ -251,7 +251,7 @@ TEST(Submerged, OfAPolygonIsWhatAClipperLeaves) {
 // Against 20,000 thin slices.
 TEST(Submerged, OfACircleIsTheSegmentBelowTheLine) {
     const Real radius = Real(0.8);
-    const Convex circle = convexOf(Circle{radius}, {});
+    const ConvexShape circle = convexShapeOf(Circle{radius}, {});
     for (int i = -9; i <= 9; ++i) {
         const double depth = 0.08 * i; // of the centre below the surface
         double area = 0;
@@ -275,7 +275,7 @@ World pool(Real drag) {
     return worldWith({{std::make_shared<Buoyancy>(water, Vec2{0, 1}, Vec2{0, -10})}}, {0, -10});
 }
 
-// Archimedes: a box of density 0.5 in a fluid of density 2 floats with a quarter of it in.
+// Archimedes: a box of density 0.5 in a fluid of density 2 floats with a quarter submerged.
 TEST(Buoyancy, FloatsABoxAtTheDepthOfItsOwnMass) {
     World world = pool(8);
     BodyDef def;
@@ -288,14 +288,14 @@ TEST(Buoyancy, FloatsABoxAtTheDepthOfItsOwnMass) {
     EXPECT_TRUE(near(world[body].velocity(), Vec2{}, 1e-3));
 }
 
-TEST(Buoyancy, FloatsADiscOfHalfItsDensityHalfIn) {
+TEST(Buoyancy, FloatsADiscOfHalfItsDensityHalfSubmerged) {
     World world = pool(8);
     const BodyId body = world.add(disc({0, 0}));
     run(world, 20);
     EXPECT_TRUE(near(world[body].position(), Vec2{0, 1}, 1e-3));
 }
 
-TEST(Buoyancy, RightsALongBoxThatStandsOnEnd) {
+TEST(Buoyancy, TurnsAnUprightLongBoxOntoItsSide) {
     World world = pool(4);
     BodyDef def;
     def.shape = Box{Real(0.5), 3};
@@ -306,7 +306,7 @@ TEST(Buoyancy, RightsALongBoxThatStandsOnEnd) {
     EXPECT_TRUE(near(std::abs(world[body].rotation().s), 1, 1e-3)); // lies on its side
 }
 
-TEST(Buoyancy, LetsSinkWhatIsHeavierAtTheSpeedWhereDragHoldsIt) {
+TEST(Buoyancy, LetsAHeavierBodySinkAtTheTerminalSpeed) {
     World world = pool(4);
     BodyDef def = disc({0, -5});
     def.density = 3;
@@ -316,7 +316,7 @@ TEST(Buoyancy, LetsSinkWhatIsHeavierAtTheSpeedWhereDragHoldsIt) {
     EXPECT_TRUE(nearShare(-world[body].velocity().y, 2.5, 1e-4));
 }
 
-TEST(Buoyancy, BobsWithThePeriodOfASpring) {
+TEST(Buoyancy, LetsABoxOscillateWithThePeriodOfASpring) {
     World world = pool(0);
     BodyDef def;
     def.shape = Box{1, 1};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/bodies/material.hpp>
+#include <kodo/body.hpp>
 #include <support/near.hpp>
 
 namespace kodo {
 namespace {
 
-TEST(Material, WithFrictionIsTheSameAtRestAndInMotion) {
+TEST(Material, WithFrictionSetsStaticAndKineticFriction) {
     constexpr Material material = withFriction(Real(0.5), Real(0.25));
     EXPECT_EQ(material.staticFriction, Real(0.5));
     EXPECT_EQ(material.kineticFriction, Real(0.5));
@@ -14,7 +14,7 @@ TEST(Material, WithFrictionIsTheSameAtRestAndInMotion) {
 }
 
 // S3: the geometric mean, the smaller restitution, the larger rolling resistance.
-TEST(Material, TwoSurfacesMix) {
+TEST(Material, MixingCombinesEachCoefficientByItsRule) {
     const Material a{Real(0.9), Real(0.4), Real(0.3), Real(0.1)};
     const Material b{Real(0.4), Real(0.1), Real(0.8), Real(0.02)};
     const Material both = mix(a, b);
@@ -30,13 +30,13 @@ TEST(Material, MixingIsSymmetric) {
     EXPECT_EQ(mix(a, b), mix(b, a));
 }
 
-TEST(Material, IceMakesEverythingSlippery) {
+TEST(Material, MixingWithZeroFrictionGivesZero) {
     const Material both = mix(withFriction(0), withFriction(100));
     EXPECT_EQ(both.staticFriction, 0);
     EXPECT_EQ(both.kineticFriction, 0);
 }
 
-TEST(Material, DefaultIsGood) {
+TEST(Material, DefaultIsValid) {
     EXPECT_FALSE(check(Material{}).has_value());
     EXPECT_FALSE(check(withFriction(0, 1)).has_value());
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/broad/brute_force.hpp>
 #include <support/random_numbers.hpp>
+
+#include "broad/brute_force.hpp"
 
 #include <numeric>
 
@@ -12,7 +13,7 @@ inline bool acceptAll(std::uint32_t, std::uint32_t) {
     return true;
 }
 
-/// As if all bounds had moved.
+/// Marks all bounds as moved.
 class AllMoved {
 public:
     explicit AllMoved(std::size_t count) : list_(count), flags_(count, 1) {
@@ -41,7 +42,7 @@ inline Octagon boxAt(Real x, Real y, Real width = 1, Real height = 1) {
     return Octagon::of(Aabb{{x, y}, {x + width, y + height}});
 }
 
-/// Boxes of which each diagonal is cut off by up to a half at either end.
+/// Boxes with corners cut off: by up to half of each diagonal extent at either end.
 inline std::vector<Octagon> randomScene(support::RandomNumbers& random, std::size_t count) {
     const double wide = static_cast<double>(random.between(1, 40));
     const double high = static_cast<double>(random.between(1, 40));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/broad/pair_finder.hpp>
+#include "broad/pair_finder.hpp"
 
 #include <broad/bounds_scenes.hpp>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using namespace bounds_scenes;
 
-/// One of so many of a scene, at random.
+/// Marks on average one in `ofSoMany` bounds as moved.
 struct SomeMoved {
     std::vector<std::uint32_t> list;
     std::vector<std::uint8_t> flags;
@@ -38,7 +38,7 @@ struct SomeMoved {
     }
 };
 
-/// Sizes over four powers of ten, with a ground, an endless plane and an escaped body.
+/// Sizes over four powers of ten, with a ground, a half-plane and an escaped body.
 std::vector<Octagon> mixedScene(support::RandomNumbers& random, std::size_t count) {
     std::vector<Octagon> bounds = randomScene(random, count);
     for (std::size_t i = 0; i < bounds.size(); i += 5) {
@@ -55,10 +55,10 @@ std::vector<Octagon> mixedScene(support::RandomNumbers& random, std::size_t coun
 template <typename Finder>
 void findPairs(Finder& finder, std::span<const Octagon> bounds, const Moved& moved,
                std::vector<BoundsPair>& pairs) {
-    if constexpr (std::is_same_v<Finder, SortAndSweep>) {
+    if constexpr (std::is_same_v<Finder, SweepAndPrune>) {
         finder.pairs(bounds, moved, acceptAll, pairs);
     } else {
-        Crew alone;
+        WorkerTeam alone;
         finder.pairs(bounds, moved, acceptAll, pairs, alone);
     }
 }
@@ -89,19 +89,19 @@ void expectWhatBruteForceFinds(std::uint64_t seed) {
     EXPECT_GT(found, 1000u);
 }
 
-// O2: whichever way, the same pairs; from PairFinder in order.
-TEST(Grid, FindsWhatBruteForceFinds) {
+// O2: all algorithms find the same pairs. PairFinder reports them in order.
+TEST(Grid, AgreesWithBruteForce) {
     expectWhatBruteForceFinds<Grid>(61);
 }
-TEST(SortAndSweep, FindsThePairsOfWhatMoved) {
-    expectWhatBruteForceFinds<SortAndSweep>(62);
+TEST(SweepAndPrune, FindsThePairsOfMovedBounds) {
+    expectWhatBruteForceFinds<SweepAndPrune>(62);
 }
-TEST(PairFinder, FindsWhatBruteForceFinds) {
+TEST(PairFinder, AgreesWithBruteForce) {
     expectWhatBruteForceFinds<PairFinder>(63);
 }
 
-// What one way keeps from call to call must not be out of date when another had its turn.
-TEST(PairFinder, FindsTheSameWhicheverHasItsTurn) {
+// State that an algorithm keeps between calls must not be outdated after calls of another one.
+TEST(PairFinder, FindsTheSamePairsAfterAnySwitchOfAlgorithm) {
     support::RandomNumbers random(64);
     std::vector<Octagon> bounds = mixedScene(random, 100);
     PairFinder finder;
@@ -134,16 +134,16 @@ std::size_t gridTests(const std::vector<Octagon>& bounds) {
     return grid.testCount();
 }
 
-// A cell is as large as a box, so a box with half a cell around it reaches 3 x 3 of them: 9 tests
-// each, whatever the number.
-TEST(Grid, TestsAsManyForEachInALargeSceneAsInASmallOne) {
+// A cell is as large as a box. A box with half a cell around it reaches 3 x 3 cells: 9 tests per
+// box for any number of boxes.
+TEST(Grid, TestsPerBoxDoNotGrowWithTheScene) {
     EXPECT_LE(gridTests(square(20)), 9u * 400u);
     EXPECT_LE(gridTests(square(100)), 9u * 10000u);
 }
 
-// What is a little larger than most shares their cells, and its neighbours are looked for no
-// farther than it reaches: 3.6 x 3.6 cells in the mean, with one each.
-TEST(Grid, ThoseThatAreLargerThanMostCostLittle) {
+// Slightly larger boxes share the cells of the others. Their neighbours are searched only within
+// their own extent: on average 3.6 x 3.6 cells with one box each.
+TEST(Grid, LargerBoxesCostLittle) {
     std::vector<Octagon> bounds = square(100);
     for (std::size_t i = 0; i < bounds.size(); i += 5) {
         const auto [x, y] = bounds[i].box().lower;
@@ -152,9 +152,8 @@ TEST(Grid, ThoseThatAreLargerThanMostCostLittle) {
     EXPECT_LE(gridTests(bounds), 16u * bounds.size());
 }
 
-// One body that left for a million metres must not spread the cells so wide that all the others
-// share one.
-TEST(Grid, AnEscapedBodyCostsNothing) {
+// One body a million metres away must not enlarge the cells so much that all others share one.
+TEST(Grid, AnEscapedBodyCostsLittle) {
     std::vector<Octagon> bounds = square(50);
     const std::size_t before = gridTests(bounds);
     bounds.push_back(boxAt(Real(1e6), Real(-3e5)));
@@ -167,19 +166,19 @@ PairSearch wayAfter(const std::vector<Octagon>& bounds, const Moved& moved, int 
         std::vector<BoundsPair> pairs;
         findPairs(finder, bounds, moved, pairs);
     }
-    return finder.way();
+    return finder.algorithm();
 }
 
-// O2: few, or few that have moved: brute force. A flat row, where sweeping tests nothing: sort and
-// sweep. A pile, where it tests whole columns: the grid.
-TEST(PairFinder, TakesTheCheapestWay) {
+// O2: brute force for few bounds or few moved ones. Sweep and prune for a flat row, which it sorts
+// without overlap tests. The grid for a pile, where sweep and prune tests whole columns.
+TEST(PairFinder, ChoosesTheCheapestAlgorithm) {
     std::vector<Octagon> row;
     for (int i = 0; i < 500; ++i) {
         row.push_back(boxAt(static_cast<Real>(2 * i), 0));
     }
     const std::vector<Octagon> pile = square(40);
     EXPECT_EQ(wayAfter(square(5), AllMoved(25), 200), PairSearch::BruteForce);
-    EXPECT_EQ(wayAfter(row, AllMoved(500), 200), PairSearch::SortAndSweep);
+    EXPECT_EQ(wayAfter(row, AllMoved(500), 200), PairSearch::SweepAndPrune);
     EXPECT_EQ(wayAfter(pile, AllMoved(1600), 200), PairSearch::Grid);
     const std::vector<std::uint32_t> one{7};
     std::vector<std::uint8_t> flags(pile.size(), 0);
@@ -187,8 +186,8 @@ TEST(PairFinder, TakesTheCheapestWay) {
     EXPECT_EQ(wayAfter(pile, {one, flags}, 200), PairSearch::BruteForce);
 }
 
-// A row that falls together into a pile, and a pile that is drawn out into a row.
-TEST(PairFinder, FollowsTheScene) {
+// A row collapses into a pile, and the pile is spread into a row.
+TEST(PairFinder, FollowsAChangingScene) {
     std::vector<Octagon> row;
     for (int i = 0; i < 1600; ++i) {
         row.push_back(boxAt(static_cast<Real>(2 * i), 0));
@@ -200,17 +199,17 @@ TEST(PairFinder, FollowsTheScene) {
             std::vector<BoundsPair> pairs;
             findPairs(finder, bounds, moved, pairs);
         }
-        return finder.way();
+        return finder.algorithm();
     };
     for (int round = 0; round < 2; ++round) {
-        EXPECT_EQ(wayIn(row), PairSearch::SortAndSweep);
+        EXPECT_EQ(wayIn(row), PairSearch::SweepAndPrune);
         EXPECT_EQ(wayIn(square(40)), PairSearch::Grid);
     }
 }
 
-// A turn of the idle one is paid from what has been spent since its last: 1/16 for the two of them,
-// and a half more for the first, which are guesses.
-TEST(PairFinder, TurnsOfTheIdleCostLittle) {
+// Trials of the two other algorithms may cost 1/16 of the work since their last trials. The first
+// trials cost half as much again, since their cost is estimated.
+TEST(PairFinder, TrialsOfOtherAlgorithmsCostLittle) {
     const std::vector<Octagon> pile = square(60);
     const AllMoved moved(pile.size());
     PairFinder chosen;
@@ -222,22 +221,22 @@ TEST(PairFinder, TurnsOfTheIdleCostLittle) {
             findPairs(*finder, pile, moved, pairs);
         }
     }
-    EXPECT_EQ(chosen.way(), PairSearch::Grid);
+    EXPECT_EQ(chosen.algorithm(), PairSearch::Grid);
     EXPECT_GT(chosen.work(), grid.work());
     EXPECT_LT(static_cast<double>(chosen.work()), 1.1 * static_cast<double>(grid.work()));
 }
 
-TEST(PairFinder, KeepsToTheWayItIsTold) {
+TEST(PairFinder, KeepsAFixedAlgorithm) {
     const std::vector<Octagon> pile = square(10);
     for (const PairSearch way :
-         {PairSearch::BruteForce, PairSearch::Grid, PairSearch::SortAndSweep}) {
+         {PairSearch::BruteForce, PairSearch::Grid, PairSearch::SweepAndPrune}) {
         PairFinder finder;
         finder.use(way);
         std::vector<BoundsPair> pairs;
         for (int i = 0; i < 100; ++i) {
             pairs.clear();
             findPairs(finder, pile, AllMoved(pile.size()), pairs);
-            ASSERT_EQ(finder.way(), way);
+            ASSERT_EQ(finder.algorithm(), way);
         }
         EXPECT_EQ(pairs, byBruteForce(pile));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/collide/cast.hpp>
+#include <kodo/geometry.hpp>
 #include <support/draws.hpp>
 #include <support/every_shape.hpp>
 #include <support/minkowski_oracle.hpp>
@@ -15,13 +15,13 @@ using support::byPrecision;
 using support::near;
 using support::Passage;
 
-// Ways of up to 8 m, some forty roundings.
+// Paths of up to 8 m, some forty roundings.
 constexpr Real kTolerance = byPrecision(1e-5, 2e-14);
 constexpr int kPoses = support::draws(10000);
 
 class EveryCast : public testing::TestWithParam<std::tuple<AnyKind, AnyKind>> {
 protected:
-    /// They overlap wherever they are: there is nothing to cast.
+    /// True for two planes, which overlap in any pose, so that there is nothing to cast.
     bool bothPlanes() const {
         return std::get<0>(GetParam()) == AnyKind::Plane &&
                std::get<1>(GetParam()) == AnyKind::Plane;
@@ -29,7 +29,8 @@ protected:
     support::RandomNumbers random_{111};
 };
 
-/// Where the cast ends the two touch, it comes from outside, and it is not behind the first touch.
+/// At the end of the cast the shapes touch. It comes from outside, and is not later than the first
+/// touch.
 void expectSame(const Passage& expected, const std::optional<CastHit>& hit, Vec2 move) {
     if (expected.end == Passage::End::Misses) {
         ASSERT_FALSE(hit) << "at " << hit->fraction;
@@ -44,7 +45,7 @@ void expectSame(const Passage& expected, const std::optional<CastHit>& hit, Vec2
             near(expected.fraction * static_cast<long double>(length(move)), 0, kTolerance));
         return;
     }
-    // A flat angle makes more of the way out of the same rounding.
+    // At a flat angle the same rounding is a larger error along the path.
     const Real closing = -dot(hit->normal, move);
     ASSERT_TRUE(near(length(hit->normal), 1, 8 * support::kEpsilon));
     ASSERT_GT(closing, 0);
@@ -52,15 +53,15 @@ void expectSame(const Passage& expected, const std::optional<CastHit>& hit, Vec2
                      kTolerance));
 }
 
-// C1: every kind moving at every other, against the slow advance in long double.
-TEST_P(EveryCast, MeetsTheOtherWhereTheSlowAdvanceDoes) {
+// C1: every kind cast at every other, against conservative advancement in long double.
+TEST_P(EveryCast, AgreesWithTheLongDoubleOracle) {
     int hits = 0;
     for (int i = 0; i < kPoses && !bothPlanes() && !HasFatalFailure(); ++i) {
         SCOPED_TRACE(testing::Message() << "pose " << i);
-        const Convex moving =
-            convexOf(support::randomPrimitive(random_, std::get<0>(GetParam())), {});
-        const Convex target =
-            convexOf(support::randomPrimitive(random_, std::get<1>(GetParam())), {});
+        const ConvexShape moving =
+            convexShapeOf(support::randomPrimitive(random_, std::get<0>(GetParam())), {});
+        const ConvexShape target =
+            convexShapeOf(support::randomPrimitive(random_, std::get<1>(GetParam())), {});
         const Transform t = random_.pose(4);
         const Transform from{t.position + random_.point(4), random_.rotation()};
         const Vec2 move = random_.point(6);
@@ -69,26 +70,26 @@ TEST_P(EveryCast, MeetsTheOtherWhereTheSlowAdvanceDoes) {
         expectSame(expected, hit, move);
         if (hit) {
             const Transform at{from.position + hit->fraction * move, from.rotation};
-            const Convex dot = convexOf(Point{hit->point}, {});
+            const ConvexShape dot = convexShapeOf(Point{hit->point}, {});
             ASSERT_LT(support::signedDistance(target, t, dot, {}), 4 * kTolerance);
             ASSERT_LT(support::signedDistance(moving, at, dot, {}), 4 * kTolerance);
             ++hits;
         }
     }
-    // Two points meet by luck alone, and two planes overlap from the start.
+    // Two points hardly ever hit, and two planes overlap at the start.
     const bool points =
         std::get<0>(GetParam()) == AnyKind::Point && std::get<1>(GetParam()) == AnyKind::Point;
     const bool thin = points || bothPlanes();
     EXPECT_GT(hits, thin ? -1 : kPoses / 100);
 }
 
-// A ray is the way of a point.
-TEST_P(EveryCast, OfAPointIsARay) {
-    const Convex point = convexOf(Point{}, {});
+// A ray is the path of a point.
+TEST_P(EveryCast, RayAgreesWithTheLongDoubleOracle) {
+    const ConvexShape point = convexShapeOf(Point{}, {});
     for (int i = 0; i < kPoses && !bothPlanes() && !HasFatalFailure(); ++i) {
         SCOPED_TRACE(testing::Message() << "pose " << i);
-        const Convex target =
-            convexOf(support::randomPrimitive(random_, std::get<1>(GetParam())), {});
+        const ConvexShape target =
+            convexShapeOf(support::randomPrimitive(random_, std::get<1>(GetParam())), {});
         const Transform t = random_.pose(4);
         const Vec2 from = t.position + random_.point(4);
         const Vec2 to = from + random_.point(6);
@@ -108,10 +109,10 @@ INSTANTIATE_TEST_SUITE_P(AllKinds, EveryCast,
                                     support::nameOf(std::get<1>(row.param));
                          });
 
-// A ball rolled at a corner: the height of the centre over the corner decides, by Pythagoras.
+// A ball moves at a corner: the height of its centre over the corner decides, by Pythagoras.
 TEST(ShapeCast, OfABallAtACornerIsTheClosedForm) {
-    const Convex ball = convexOf(Circle{1}, {});
-    const Convex box = convexOf(Box{2, 2}, {});
+    const ConvexShape ball = convexShapeOf(Circle{1}, {});
+    const ConvexShape box = convexShapeOf(Box{2, 2}, {});
     const auto hit = shapeCast(ball, {{-5, Real(1.6)}, {}}, {4, 0}, box, {});
     ASSERT_TRUE(hit);
     EXPECT_TRUE(near(hit->fraction, (4 - 0.8L) / 4, kTolerance)); // 0.6, 0.8, 1
@@ -119,8 +120,8 @@ TEST(ShapeCast, OfABallAtACornerIsTheClosedForm) {
     EXPECT_TRUE(near(hit->point, Vec2{-1, 1}, kTolerance));
 }
 
-TEST(ShapeCast, OfABoxOntoABoxLandsOnItsFace) {
-    const Convex box = convexOf(Box{2, 2}, {});
+TEST(ShapeCast, OfABoxOntoABoxHitsItsFace) {
+    const ConvexShape box = convexShapeOf(Box{2, 2}, {});
     const auto hit = shapeCast(box, {{Real(0.5), 6}, {}}, {0, -8}, box, {});
     ASSERT_TRUE(hit);
     EXPECT_EQ(hit->fraction, Real(0.5));
@@ -128,10 +129,10 @@ TEST(ShapeCast, OfABoxOntoABoxLandsOnItsFace) {
     EXPECT_EQ(hit->point.y, 1);
 }
 
-TEST(ShapeCast, ThatStartsInOverlapIsThereAlready) {
-    const Convex box = convexOf(Box{2, 2}, {});
-    const Convex ball = convexOf(Circle{1}, {});
-    for (const Convex* moving : {&box, &ball}) {
+TEST(ShapeCast, HitsAtZeroIfItStartsInOverlap) {
+    const ConvexShape box = convexShapeOf(Box{2, 2}, {});
+    const ConvexShape ball = convexShapeOf(Circle{1}, {});
+    for (const ConvexShape* moving : {&box, &ball}) {
         const auto hit = shapeCast(*moving, {{1, 0}, {}}, {9, 0}, box, {});
         ASSERT_TRUE(hit);
         EXPECT_EQ(hit->fraction, 0);
@@ -139,33 +140,33 @@ TEST(ShapeCast, ThatStartsInOverlapIsThereAlready) {
     }
 }
 
-// A one-sided line stops what comes from its front, and nothing else.
+// A one-sided line stops only shapes that come from its front.
 TEST(ShapeCast, PassesAOneSidedLineFromBehind) {
-    const Convex platform = convexOf(Segment{{-2, 0}, {2, 0}, true, {}, {}}, {});
-    const Convex shapes[] = {convexOf(Circle{1}, {}), convexOf(Box{2, 2}, {}),
-                             convexOf(Point{{0, 0}}, {}),
-                             convexOf(Segment{{-1, 0}, {1, 0}, false, {}, {}}, {})};
-    for (const Convex& shape : shapes) {
+    const ConvexShape platform = convexShapeOf(Segment{{-2, 0}, {2, 0}, true, {}, {}}, {});
+    const ConvexShape shapes[] = {convexShapeOf(Circle{1}, {}), convexShapeOf(Box{2, 2}, {}),
+                                  convexShapeOf(Point{{0, 0}}, {}),
+                                  convexShapeOf(Segment{{-1, 0}, {1, 0}, false, {}, {}}, {})};
+    for (const ConvexShape& shape : shapes) {
         EXPECT_TRUE(shapeCast(shape, {{0, 3}, {}}, {0, -6}, platform, {}));
         EXPECT_FALSE(shapeCast(shape, {{0, -3}, {}}, {0, 6}, platform, {}));
     }
     EXPECT_FALSE(shapeCast(shapes[1], {{0, Real(0.5)}, {}}, {0, -6}, platform, {}))
-        << "what overlaps it from the start is passing";
+        << "a shape that overlaps at the start passes";
 }
 
-// A platform that moves itself is no other: it takes along what it meets with its front, and passes
-// what it meets with its back or overlaps.
-TEST(ShapeCast, OfAOneSidedLineMeetsWithItsFrontAlone) {
-    const Convex platform = convexOf(Segment{{-2, 0}, {2, 0}, true, {}, {}}, {});
-    const Convex targets[] = {convexOf(Circle{1}, {}), convexOf(Box{2, 2}, {}),
-                              convexOf(Point{{0, 0}}, {}),
-                              convexOf(Segment{{-1, 0}, {1, 0}, false, {}, {}}, {})};
-    for (const Convex& target : targets) {
+// A moving platform follows the same rule: it hits shapes with its front. It passes shapes that it
+// meets with its back or overlaps.
+TEST(ShapeCast, OfAOneSidedLineHitsOnlyWithItsFront) {
+    const ConvexShape platform = convexShapeOf(Segment{{-2, 0}, {2, 0}, true, {}, {}}, {});
+    const ConvexShape targets[] = {convexShapeOf(Circle{1}, {}), convexShapeOf(Box{2, 2}, {}),
+                                   convexShapeOf(Point{{0, 0}}, {}),
+                                   convexShapeOf(Segment{{-1, 0}, {1, 0}, false, {}, {}}, {})};
+    for (const ConvexShape& target : targets) {
         EXPECT_TRUE(shapeCast(platform, {{0, -3}, {}}, {0, 6}, target, {}));
         EXPECT_FALSE(shapeCast(platform, {{0, 3}, {}}, {0, -6}, target, {}));
     }
     EXPECT_FALSE(shapeCast(platform, {{0, Real(-0.5)}, {}}, {0, 6}, targets[1], {}));
-    const Convex ground = convexOf(Plane{}, {});
+    const ConvexShape ground = convexShapeOf(Plane{}, {});
     const Transform upsideDown{{0, 3}, {-1, 0}};
     EXPECT_TRUE(shapeCast(platform, upsideDown, {0, -6}, ground, {}));
     EXPECT_FALSE(shapeCast(platform, {{0, 3}, {}}, {0, -6}, ground, {}));

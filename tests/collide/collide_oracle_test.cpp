@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/collide/collide.hpp>
+#include <kodo/geometry.hpp>
 #include <support/convex_oracle.hpp>
 #include <support/draws.hpp>
 #include <support/near.hpp>
@@ -22,19 +22,19 @@ constexpr Real kMargin = Real(0.25);
 constexpr int kPoses = support::draws(10000);
 
 struct Pair {
-    Convex shapeA;
-    Convex shapeB;
+    ConvexShape shapeA;
+    ConvexShape shapeB;
     Transform a;
     Transform b;
 };
 
 class CollidePair : public testing::TestWithParam<std::tuple<Kind, Kind>> {
 protected:
-    /// Near each other, so that about half of them overlap.
+    /// A pair near each other: about half of the pairs overlap.
     Pair next() {
         Pair pair;
-        pair.shapeA = convexOf(support::randomPrimitive(random_, std::get<0>(GetParam())), {});
-        pair.shapeB = convexOf(support::randomPrimitive(random_, std::get<1>(GetParam())), {});
+        pair.shapeA = convexShapeOf(support::randomPrimitive(random_, std::get<0>(GetParam())), {});
+        pair.shapeB = convexShapeOf(support::randomPrimitive(random_, std::get<1>(GetParam())), {});
         pair.a = random_.pose(4);
         pair.b = {pair.a.position + random_.point(2.5), random_.rotation()};
         return pair;
@@ -42,7 +42,7 @@ protected:
     support::RandomNumbers random_{71};
 };
 
-// C1: the sign and the value of the separation against the oracle.
+// C1: sign and value of the separation against the oracle.
 TEST_P(CollidePair, SeparationAgreesWithTheOracle) {
     int overlapping = 0;
     for (int i = 0; i < kPoses; ++i) {
@@ -58,8 +58,8 @@ TEST_P(CollidePair, SeparationAgreesWithTheOracle) {
     EXPECT_LT(overlapping, kPoses * 9 / 10);
 }
 
-/// How far apart the pair is along the best axis, and from nearest point to nearest point. The two
-/// differ only where a corner of one polygon lies beyond the end of the other's face.
+/// Distance of the pair along the best axis, and between the nearest points. They differ only where
+/// a corner of one polygon lies beyond the end of the other's face.
 struct Gap {
     long double alongAxis;
     long double straight;
@@ -71,10 +71,10 @@ Gap gapOf(const Outline& a, const Outline& b) {
     return {alongAxis, flat && alongAxis > 0 ? support::distanceOf(a, b) : alongAxis};
 }
 
-// C1: a pair that is nearer than the margin has a contact, one that an axis keeps farther apart has
-// none. Where a corner hangs over the end of a face, the facing edge is cut at that end, and its
-// height there counts: so only half the margin is sure.
-TEST_P(CollidePair, ReportsContactWithinTheMarginOnly) {
+// C1: a pair closer than the margin has a contact. A pair that an axis separates by more has none.
+// Where a corner lies beyond the end of a face, the facing edge is clipped at that end, and its
+// height there counts. So only half of the margin is certain.
+TEST_P(CollidePair, ReportsContactsOnlyWithinTheMargin) {
     for (int i = 0; i < kPoses; ++i) {
         const Pair p = next();
         const Gap gap = gapOf(support::outlineOf(p.shapeA, p.a), support::outlineOf(p.shapeB, p.b));
@@ -88,8 +88,8 @@ TEST_P(CollidePair, ReportsContactWithinTheMarginOnly) {
     }
 }
 
-// C1: two polygons touch when their edges cross or one is in the other, whatever the axes say.
-TEST_P(CollidePair, TouchesWhenEdgesCross) {
+// C1: two polygons touch if their edges cross or one contains the other, independently of axes.
+TEST_P(CollidePair, TouchesExactlyWhenEdgesCross) {
     for (int i = 0; i < kPoses; ++i) {
         const Pair p = next();
         const Outline a = support::outlineOf(p.shapeA, p.a);
@@ -103,8 +103,8 @@ TEST_P(CollidePair, TouchesWhenEdgesCross) {
     }
 }
 
-// C4: moving B by the separation along the normal makes the pair just touch.
-TEST_P(CollidePair, NormalIsTheShortestWayOut) {
+// C4: after B moves by the separation along the normal, the pair just touches.
+TEST_P(CollidePair, NormalIsTheShortestSeparatingTranslation) {
     for (int i = 0; i < kPoses; ++i) {
         Pair p = next();
         const Manifold manifold = collide(p.shapeA, p.a, p.shapeB, p.b, 0, 0);
@@ -118,7 +118,7 @@ TEST_P(CollidePair, NormalIsTheShortestWayOut) {
     }
 }
 
-// C4: one place, seen from both bodies, halfway between the surfaces; the deepest first.
+// C4: both arms lead to the same point, halfway between the surfaces. The deepest point is first.
 TEST_P(CollidePair, PointsLieHalfwayBetweenTheSurfaces) {
     for (int i = 0; i < kPoses; ++i) {
         const Pair p = next();

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/collide/cast.hpp>
-#include <kodo/collide/collide.hpp>
-#include <kodo/collide/distance.hpp>
+#include <kodo/geometry.hpp>
 #include <support/draws.hpp>
 #include <support/every_shape.hpp>
 #include <support/near.hpp>
@@ -24,25 +22,25 @@ struct Pair {
     Pair(const Primitive& first, const Primitive& second)
         : primitiveA(first),
           primitiveB(second),
-          shapeA(convexOf(first, {})),
-          shapeB(convexOf(second, {})) {}
+          shapeA(convexShapeOf(first, {})),
+          shapeB(convexShapeOf(second, {})) {}
 
     Manifold manifold(Real margin = kMargin) const {
         return collide(shapeA, a, shapeB, b, margin, 0);
     }
-    Nearness nearness() const { return distance(shapeA, a, shapeB, b); }
+    ClosestPoints nearness() const { return distance(shapeA, a, shapeB, b); }
     std::optional<CastHit> cast() const { return shapeCast(shapeB, b, move, shapeA, a); }
 
     Primitive primitiveA;
     Primitive primitiveB;
-    Convex shapeA;
-    Convex shapeB;
+    ConvexShape shapeA;
+    ConvexShape shapeB;
     Transform a{};
     Transform b{};
     Vec2 move{}; // of b
 };
 
-// C1: all eight kinds against each other, in both orders.
+// C1: all kinds against each other, in both orders.
 class EveryPairSymmetry : public testing::TestWithParam<std::tuple<AnyKind, AnyKind>> {
 protected:
     template <typename Body>
@@ -60,8 +58,9 @@ protected:
     }
 };
 
-// No body is first by right. Two one-sided lines are the exception: the rules of the first decide.
-TEST_P(EveryPairSymmetry, SwappedArgumentsTurnTheNormal) {
+// The order of the bodies does not matter. Two one-sided lines are an exception: the rules of the
+// first one decide.
+TEST_P(EveryPairSymmetry, SwappedShapesNegateTheNormal) {
     forRandomPairs([](const Pair& p) {
         if (p.shapeA.oneSided && p.shapeB.oneSided) {
             return;
@@ -78,10 +77,10 @@ TEST_P(EveryPairSymmetry, SwappedArgumentsTurnTheNormal) {
     });
 }
 
-// The corners come in the opposite order, so heights are taken from the other end of an edge: equal
-// up to rounding, not to the bit.
+// The corners are in the opposite order, so heights are measured from the other end of an edge.
+// Results are equal up to rounding, not bit-identical.
 TEST_P(EveryPairSymmetry, AMirroredPairHasTheMirroredContact) {
-    // The line that starts at a joint owns it. Mirrored, it is the one that ends there.
+    // A cell owns the vertex at which it starts. Mirrored, the cell that ends there owns it.
     const bool cells =
         std::get<0>(GetParam()) == AnyKind::Cell || std::get<1>(GetParam()) == AnyKind::Cell;
     forRandomPairs([cells](const Pair& p) {
@@ -110,7 +109,7 @@ Transform quarterTurned(const Transform& t) {
     return {perp(t.position), Rot{0, 1} * t.rotation};
 }
 
-// A quarter turn only exchanges coordinates and signs: the same bits.
+// A rotation by 90 degrees only exchanges coordinates and signs: the same bits.
 TEST_P(EveryPairSymmetry, AQuarterTurnChangesNoBit) {
     forRandomPairs([](const Pair& p) {
         Pair q = p;
@@ -138,7 +137,7 @@ TEST_P(EveryPairSymmetry, AQuarterTurnChangesNoBit) {
     });
 }
 
-// No hidden length: a power of two scales every length and changes no other bit.
+// There is no absolute length: a power of two scales every length exactly.
 TEST_P(EveryPairSymmetry, APowerOfTwoScalesExactly) {
     for (const Real s : {Real(1024), Real(1) / 4096}) {
         forRandomPairs([s](const Pair& p) {
@@ -169,9 +168,9 @@ Vec2 onGrid(Vec2 v) {
     return {std::floor(v.x * 256) / 256, std::floor(v.y * 256) / 256};
 }
 
-// Contacts are found from one body's frame, so going far away loses nothing while the positions
-// themselves can be written down: here they lie on a grid of 1/256 m.
-TEST_P(EveryPairSymmetry, AMoveOfBothChangesNoBit) {
+// Contacts are computed in one body's frame, so distance from the origin costs no precision while
+// the positions are representable. Here they are multiples of 1/256 m.
+TEST_P(EveryPairSymmetry, TranslatingBothChangesNoBit) {
     forRandomPairs([](const Pair& p) {
         Pair here = p;
         here.a.position = onGrid(p.a.position);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/collide/collide.hpp>
-#include <kodo/collide/distance.hpp>
+#include <kodo/geometry.hpp>
 #include <support/draws.hpp>
 #include <support/every_shape.hpp>
 #include <support/minkowski_oracle.hpp>
@@ -21,8 +20,8 @@ constexpr Real kMargin = Real(0.25);
 constexpr int kPoses = support::draws(10000);
 
 struct Pair {
-    Convex shapeA;
-    Convex shapeB;
+    ConvexShape shapeA;
+    ConvexShape shapeB;
     Transform a;
     Transform b;
 
@@ -33,14 +32,14 @@ struct Pair {
     bool hasPlane() const { return shapeA.isPlane() || shapeB.isPlane(); }
 };
 
-// C1: every pair of {point, circle, box, polygon, segment, plane}, in both orders; a compound is
+// C1: every pair of {point, circle, box, polygon, segment, plane}, in both orders. A compound is
 // several of them.
 class EveryPair : public testing::TestWithParam<std::tuple<AnyKind, AnyKind>> {
 protected:
     Pair next() {
         Pair pair;
-        pair.shapeA = convexOf(support::randomPrimitive(random_, std::get<0>(GetParam())), {});
-        pair.shapeB = convexOf(support::randomPrimitive(random_, std::get<1>(GetParam())), {});
+        pair.shapeA = convexShapeOf(support::randomPrimitive(random_, std::get<0>(GetParam())), {});
+        pair.shapeB = convexShapeOf(support::randomPrimitive(random_, std::get<1>(GetParam())), {});
         pair.a = random_.pose(4);
         pair.b = {pair.a.position + random_.point(2.5), random_.rotation()};
         return pair;
@@ -52,7 +51,7 @@ protected:
     support::RandomNumbers random_{91};
 };
 
-TEST_P(EveryPair, TouchesExactlyWhenTheDifferencesHoldTheOrigin) {
+TEST_P(EveryPair, TouchesExactlyWhenTheMinkowskiDifferenceContainsTheOrigin) {
     for (int i = 0; i < kPoses && !bothPlanes(); ++i) {
         const Pair p = next();
         const long double expected = p.expected();
@@ -62,9 +61,9 @@ TEST_P(EveryPair, TouchesExactlyWhenTheDifferencesHoldTheOrigin) {
     }
 }
 
-// A separation is the depth in overlap, and never more than the distance; with a circle, a point or
-// a plane it is the distance.
-TEST_P(EveryPair, SeparatesByTheDistanceOrTheDepth) {
+// In overlap the separation is the depth. Otherwise it is at most the distance, and equal to it
+// with a circle, a point or a plane.
+TEST_P(EveryPair, SeparationIsTheDistanceOrTheDepth) {
     for (int i = 0; i < kPoses && !bothPlanes(); ++i) {
         const Pair p = next();
         const long double expected = p.expected();
@@ -79,9 +78,9 @@ TEST_P(EveryPair, SeparatesByTheDistanceOrTheDepth) {
     }
 }
 
-// By how much two are apart that have no contact is never more than the truth, so that nobody who
-// waits until they have gone so far misses one; but of one-sided things it need not be known.
-TEST_P(EveryPair, TellsNoMoreThanTheGapWhereThereIsNoContact) {
+// Without a contact, the reported separation never exceeds the true gap. A pair that is skipped
+// until its bodies have moved that far misses no contact. Of one-sided shapes it may be unknown.
+TEST_P(EveryPair, SeparationWithoutContactIsAtMostTheGap) {
     int known = 0;
     for (int i = 0; i < kPoses && !bothPlanes(); ++i) {
         const Pair p = next();
@@ -104,8 +103,8 @@ TEST_P(EveryPair, HasAContactWithinTheMargin) {
         const Pair p = next();
         const long double expected = p.expected();
         const Manifold manifold = p.manifold(kMargin);
-        // Beyond the end of a face, the height there counts: half the margin is sure, and nothing
-        // of it against a line, which may stand as steeply on a face as it likes.
+        // Beyond the end of a face the height there counts, so half of the margin is certain.
+        // Against a line nothing is, since it may be at any angle to the face.
         if (expected < static_cast<long double>(p.hasLine() ? 0 : kMargin / 2)) {
             ASSERT_GT(manifold.count, 0) << "pose " << i << ": " << expected;
         }
@@ -113,14 +112,14 @@ TEST_P(EveryPair, HasAContactWithinTheMargin) {
             ASSERT_LE(manifold.points[k].separation, kMargin);
             ASSERT_GE(manifold.points[k].separation, manifold.points[0].separation);
         }
-        if (manifold.count == 2) { // two places, and not one twice
+        if (manifold.count == 2) { // two different points
             ASSERT_NE(manifold.points[0].armA, manifold.points[1].armA) << "pose " << i;
             ASSERT_NE(manifold.points[0].feature, manifold.points[1].feature) << "pose " << i;
         }
     }
 }
 
-TEST_P(EveryPair, LeavesByTheNormalAndTheDepth) {
+TEST_P(EveryPair, TranslationByNormalAndDepthEndsTheOverlap) {
     for (int i = 0; i < kPoses && !bothPlanes(); ++i) {
         Pair p = next();
         const Manifold manifold = p.manifold(0);
@@ -131,10 +130,10 @@ TEST_P(EveryPair, LeavesByTheNormalAndTheDepth) {
     }
 }
 
-// Each point lies halfway between two surfaces that are apart by its separation. (A corner beyond
-// the end of a face, not yet touching, has no surface opposite to it.)
-TEST_P(EveryPair, HasItsPointsHalfwayBetweenTheSurfaces) {
-    const Convex dot = convexOf(Point{}, {});
+// Each point lies halfway between two surfaces whose distance is its separation. Corners beyond the
+// end of a face have no opposite surface until they touch.
+TEST_P(EveryPair, PointsLieHalfwayBetweenTheSurfaces) {
+    const ConvexShape dot = convexShapeOf(Point{}, {});
     for (int i = 0; i < kPoses && !bothPlanes(); ++i) {
         const Pair p = next();
         const Manifold manifold = p.manifold(p.hasRound() || p.hasPlane() ? kMargin : 0);
@@ -149,13 +148,13 @@ TEST_P(EveryPair, HasItsPointsHalfwayBetweenTheSurfaces) {
     }
 }
 
-// The true distance, corner to corner, and the two points it lies between.
-TEST_P(EveryPair, IsAsFarApartAsItsNearestPoints) {
-    const Convex dot = convexOf(Point{}, {});
+// The true distance, also corner to corner, and the two closest points.
+TEST_P(EveryPair, DistanceIsThatOfTheClosestPoints) {
+    const ConvexShape dot = convexShapeOf(Point{}, {});
     for (int i = 0; i < kPoses && !bothPlanes(); ++i) {
         const Pair p = next();
         const long double expected = std::max(p.expected(), 0.0L);
-        const Nearness found = distance(p.shapeA, p.a, p.shapeB, p.b);
+        const ClosestPoints found = distance(p.shapeA, p.a, p.shapeB, p.b);
         ASSERT_TRUE(near(found.distance, expected, kTolerance)) << "pose " << i;
         ASSERT_TRUE(near(length(found.onB - found.onA), expected, kTolerance)) << "pose " << i;
         ASSERT_TRUE(near(found.onA + found.distance * found.normal, found.onB, kTolerance));
@@ -174,16 +173,16 @@ INSTANTIATE_TEST_SUITE_P(AllKinds, EveryPair,
                                     support::nameOf(std::get<1>(row.param));
                          });
 
-// Two half-planes are both locked bodies: they never meet.
+// Two half-planes always belong to locked bodies, so they never touch.
 TEST(TwoPlanes, NeverTouch) {
-    const Convex plane = convexOf(Plane{}, {});
+    const ConvexShape plane = convexShapeOf(Plane{}, {});
     EXPECT_EQ(collide(plane, {}, plane, {}, 1, 0).count, 0);
     EXPECT_GT(separation(plane, {}, plane, {}).distance, 0);
 }
 
-// Two lines on one straight line are kept apart by nothing but an end.
+// Only end points separate two collinear lines.
 TEST(TwoSegments, InARowTouchEndToEnd) {
-    const Convex line = convexOf(Segment{{-1, 0}, {1, 0}, false, {}, {}}, {});
+    const ConvexShape line = convexShapeOf(Segment{{-1, 0}, {1, 0}, false, {}, {}}, {});
     const Transform far{{Real(2.125), 0}, {}};
     EXPECT_EQ(collide(line, {}, line, far, Real(0.0625), 0).count, 0);
     EXPECT_EQ(separation(line, {}, line, far).distance, Real(0.125));
@@ -194,10 +193,10 @@ TEST(TwoSegments, InARowTouchEndToEnd) {
     EXPECT_EQ(manifold.points[0].armA, (Vec2{Real(1.0625), 0}));
 }
 
-// A segment has two sides: a ball is pushed out by the one that its centre is on.
-TEST(Segment, PushesToTheSideTheCentreIsOn) {
-    const Convex line = convexOf(Segment{{-1, 0}, {1, 0}, false, {}, {}}, {});
-    const Convex ball = convexOf(Circle{1}, {});
+// A segment has two sides: a ball is separated towards the side of its centre.
+TEST(Segment, NormalPointsToTheSideOfTheCentre) {
+    const ConvexShape line = convexShapeOf(Segment{{-1, 0}, {1, 0}, false, {}, {}}, {});
+    const ConvexShape ball = convexShapeOf(Circle{1}, {});
     for (const Real side : {Real(1), Real(-1)}) {
         const Manifold manifold = collide(line, {}, ball, {{0, side / 4}, {}}, 0, 0);
         ASSERT_EQ(manifold.count, 1);

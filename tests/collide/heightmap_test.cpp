@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/collide/collide.hpp>
-#include <kodo/collide/time_of_impact.hpp>
+#include <kodo/geometry.hpp>
 #include <support/every_shape.hpp>
 #include <support/minkowski_oracle.hpp>
 #include <support/near.hpp>
+
+#include "collide/time_of_impact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,13 +19,13 @@ using support::near;
 
 constexpr Real kMargin = Real(1) / 64;
 constexpr Real kTolerance = byPrecision(1e-5, 2e-14);
-// A joint that bends by less than this sine counts as flush: a normal may be off by as much there.
+// Sine of the bend below which a vertex counts as flush. A normal may be off by as much there.
 constexpr Real kFlush = Real(1e-3);
 
-std::vector<Convex> cellsOf(const Heightmap& map, Vec2 origin = {}) {
-    std::vector<Convex> cells;
+std::vector<ConvexShape> cellsOf(const Heightmap& map, Vec2 origin = {}) {
+    std::vector<ConvexShape> cells;
     for (const Primitive& cell : primitivesOf(Shape(map))) {
-        cells.push_back(convexOf(cell, origin));
+        cells.push_back(convexShapeOf(cell, origin));
     }
     return cells;
 }
@@ -43,11 +44,11 @@ Heightmap hills(support::RandomNumbers& random, double steepest) {
     return map;
 }
 
-/// Signed distance of a point from the ground of cells, negative below.
-long double heightOver(const std::vector<Convex>& cells, LongPoint p) {
+/// Signed distance of a point from the ground, negative below.
+long double heightOver(const std::vector<ConvexShape>& cells, LongPoint p) {
     long double nearest = std::numeric_limits<long double>::infinity();
     bool below = false;
-    for (const Convex& cell : cells) {
+    for (const ConvexShape& cell : cells) {
         const LongPoint from = support::widened(cell.vertices[0]);
         const LongPoint to = support::widened(cell.vertices[1]);
         nearest = std::min(nearest, support::toSegment(p, from, to));
@@ -58,11 +59,11 @@ long double heightOver(const std::vector<Convex>& cells, LongPoint p) {
     return below ? -nearest : nearest;
 }
 
-/// The deepest of all contacts of an outline with the cells.
-Manifold deepest(const std::vector<Convex>& cells, const Convex& other, const Transform& at,
-                 Real margin) {
+/// The deepest contact of a shape with any cell.
+Manifold deepest(const std::vector<ConvexShape>& cells, const ConvexShape& other,
+                 const Transform& at, Real margin) {
     Manifold best;
-    for (const Convex& cell : cells) {
+    for (const ConvexShape& cell : cells) {
         const Manifold manifold = collide(cell, {}, other, at, margin, 0);
         if (manifold.count > 0 &&
             (best.count == 0 || manifold.points[0].separation < best.points[0].separation)) {
@@ -72,22 +73,22 @@ Manifold deepest(const std::vector<Convex>& cells, const Convex& other, const Tr
     return best;
 }
 
-// F2: a ball anywhere over random hills touches as the ground as a whole says, and is pushed
-// straight away from its nearest point. 10,000 places.
-TEST(HeightmapContact, OfABallIsThatOfTheWholeGround) {
+// F2: a ball at 10,000 random places touches exactly as the ground as a whole does. The normal
+// points away from the nearest point of the ground.
+TEST(HeightmapContact, OfABallAgreesWithTheWholeGround) {
     support::RandomNumbers random(131);
     int touching = 0;
     for (int i = 0; i < 10000 && !testing::Test::HasFatalFailure(); ++i) {
         SCOPED_TRACE(testing::Message() << "place " << i);
-        const std::vector<Convex> cells = cellsOf(hills(random, 2));
-        const Convex ball = convexOf(Circle{random.between(0.1, 1)}, {});
-        const Convex& cell = cells[4 + random.below(cells.size() - 8)];
+        const std::vector<ConvexShape> cells = cellsOf(hills(random, 2));
+        const ConvexShape ball = convexShapeOf(Circle{random.between(0.1, 1)}, {});
+        const ConvexShape& cell = cells[4 + random.below(cells.size() - 8)];
         const Transform at{cell.middle + random.between(0, 1) * ball.radius * cell.normals[1] +
                                random.point(0.2),
                            random.rotation()};
         const long double height = heightOver(cells, support::widened(at.position));
         if (height < static_cast<long double>(kTolerance)) {
-            continue; // its centre is in the ground: it is let pass
+            continue; // its centre is below the ground: it passes
         }
         const long double gap = height - static_cast<long double>(ball.radius);
         const Manifold manifold = deepest(cells, ball, at, kMargin);
@@ -105,10 +106,11 @@ TEST(HeightmapContact, OfABallIsThatOfTheWholeGround) {
     EXPECT_GT(touching, 3000);
 }
 
-/// Does the ground itself have this normal: that of a cell, or at a hilltop one between two?
-bool isOfTheGround(const std::vector<Convex>& cells, Vec2 normal) {
+/// True if the ground has this normal: that of a cell, or one between those of two cells at a
+/// hilltop.
+bool isOfTheGround(const std::vector<ConvexShape>& cells, Vec2 normal) {
     const Real slack = kFlush + kTolerance;
-    for (const Convex& cell : cells) {
+    for (const ConvexShape& cell : cells) {
         const Vec2 own = cell.normals[1];
         const Vec2 before = perp(cell.before);
         if (length(normal - own) < slack) {
@@ -122,7 +124,7 @@ bool isOfTheGround(const std::vector<Convex>& cells, Vec2 normal) {
     return false;
 }
 
-/// How high p lies straight above a line from left to right, or +infinity if it is not over it.
+/// Height of p straight above a line from left to right; +infinity if p is not over it.
 long double above(LongPoint p, LongPoint from, LongPoint to) {
     if (p.x < from.x || p.x > to.x || from.x == to.x) {
         return std::numeric_limits<long double>::infinity();
@@ -130,17 +132,17 @@ long double above(LongPoint p, LongPoint from, LongPoint to) {
     return p.y - from.y - (p.x - from.x) / (to.x - from.x) * (to.y - from.y);
 }
 
-/// How far a polygon can be lowered until it touches the ground.
-long double fallOnto(const std::vector<Convex>& cells, const std::vector<LongPoint>& polygon) {
+/// Distance by which a polygon can be lowered until it touches the ground.
+long double fallOnto(const std::vector<ConvexShape>& cells, const std::vector<LongPoint>& polygon) {
     long double fall = std::numeric_limits<long double>::infinity();
-    for (const Convex& cell : cells) {
+    for (const ConvexShape& cell : cells) {
         const LongPoint from = support::widened(cell.vertices[0]);
         const LongPoint to = support::widened(cell.vertices[1]);
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const LongPoint p = polygon[i];
             const LongPoint q = polygon[(i + 1) % polygon.size()];
             fall = std::min(fall, above(p, from, to));
-            // The ground's corner below the polygon's side, seen upside down.
+            // A vertex of the ground below a side of the polygon, mirrored vertically.
             const long double below = -above(from, p.x < q.x ? p : q, p.x < q.x ? q : p);
             fall = std::min(fall,
                             below == -std::numeric_limits<long double>::infinity() ? fall : below);
@@ -149,28 +151,28 @@ long double fallOnto(const std::vector<Convex>& cells, const std::vector<LongPoi
     return fall;
 }
 
-// F2: whatever lies on the ground, however it is turned, no contact has a normal that the ground
-// does not have, and what clearly sinks into it is noticed.
-TEST(HeightmapContact, NeverTiltsANormal) {
+// F2: every contact normal of a shape in any rotation is a normal of the ground. A clear overlap
+// always has a contact.
+TEST(HeightmapContact, HasOnlyNormalsOfTheGround) {
     support::RandomNumbers random(132);
     int touching = 0;
     for (int i = 0; i < 10000 && !testing::Test::HasFatalFailure(); ++i) {
         SCOPED_TRACE(testing::Message() << "place " << i);
-        const std::vector<Convex> cells = cellsOf(hills(random, 0.5));
+        const std::vector<ConvexShape> cells = cellsOf(hills(random, 0.5));
         const support::Kind kind = i % 2 == 0 ? support::Kind::Box : support::Kind::Polygon;
-        const Convex other = convexOf(support::randomPrimitive(random, kind), {});
+        const ConvexShape other = convexShapeOf(support::randomPrimitive(random, kind), {});
         Transform at{{random.between(4, 8), 10}, random.rotation()};
         const Real gap = static_cast<Real>(fallOnto(cells, support::placedCorners(other, at)));
         const Real sunk = random.between(0, 0.01);
         at.position.y -= gap + sunk;
         int found = 0;
-        for (const Convex& cell : cells) {
+        for (const ConvexShape& cell : cells) {
             const Manifold manifold = collide(cell, {}, other, at, kMargin, 0);
             if (manifold.count > 0) {
                 ASSERT_TRUE(isOfTheGround(cells, manifold.normal))
                     << manifold.normal.x << ", " << manifold.normal.y;
-                // Just past a hilltop a corner is under both lines, and deeper under the one
-                // before: for slopes s by sqrt(1 + s^2) / (1 - s^2) at most.
+                // Just past a hilltop a corner is below both lines, and deeper below the previous
+                // one: by a factor of at most sqrt(1 + s^2) / (1 - s^2) for slopes s.
                 ASSERT_GT(manifold.points[0].separation, Real(-1.5) * sunk - kTolerance);
                 ++found;
             }
@@ -181,19 +183,21 @@ TEST(HeightmapContact, NeverTiltsANormal) {
     EXPECT_GT(touching, 10000);
 }
 
-// F2: on flat ground every normal is straight up, wherever the box is over its joints.
-TEST(HeightmapContact, OverAFlushJointIsStraightUp) {
-    const std::vector<Convex> cells = cellsOf(flat(12));
-    const Convex shapes[] = {convexOf(Box{1, 1}, {}), convexOf(Circle{Real(0.5)}, {}),
-                             convexOf(Box{Real(2.5), 1}, {}),
-                             convexOf(Segment{{0, Real(-0.5)}, {0, Real(0.5)}, false, {}, {}}, {})};
-    for (const Convex& shape : shapes) {
+// F2: on flat ground every normal points straight up, wherever the box is over the vertices.
+TEST(HeightmapContact, OverAFlushVertexPointsStraightUp) {
+    const std::vector<ConvexShape> cells = cellsOf(flat(12));
+    const ConvexShape shapes[] = {
+        convexShapeOf(Box{1, 1}, {}), convexShapeOf(Circle{Real(0.5)}, {}),
+        convexShapeOf(Box{Real(2.5), 1}, {}),
+        convexShapeOf(Segment{{0, Real(-0.5)}, {0, Real(0.5)}, false, {}, {}}, {})};
+    for (const ConvexShape& shape : shapes) {
         for (int i = 0; i <= 4096; ++i) {
-            // 4 to 6 m: over two joints, and exactly over them; by turns deep, touching and near.
+            // 4 to 6 m: over two vertices, and exactly over them; alternately overlapping, touching
+            // and near.
             const Real x = 4 + static_cast<Real>(i) / 2048;
             const Real y = Real(0.5) + Real(0.002) * static_cast<Real>(i % 5 - 3);
             int found = 0;
-            for (const Convex& cell : cells) {
+            for (const ConvexShape& cell : cells) {
                 const Manifold manifold = collide(cell, {}, shape, {{x, y}, {}}, kMargin, 0);
                 if (manifold.count > 0) {
                     ASSERT_EQ(manifold.normal, (Vec2{0, 1})) << x;
@@ -206,39 +210,40 @@ TEST(HeightmapContact, OverAFlushJointIsStraightUp) {
     }
 }
 
-// F2: the sweep sees no joint either, but it does see a wall that the ground makes.
-TEST(HeightmapContact, OfASweepStopsAtAWallButAtNoJoint) {
+// F2: the time of impact has no ghost impacts at vertices, but is found at a wall of the ground.
+TEST(HeightmapContact, TimeOfImpactStopsAtAWallButNotAtAFlushVertex) {
     Heightmap map = flat(12);
     map.heights[11] = 5; // a steep end
-    const std::vector<Convex> cells = cellsOf(map);
-    const Convex shapes[] = {convexOf(Box{1, 1}, {}), convexOf(Circle{Real(0.5)}, {})};
+    const std::vector<ConvexShape> cells = cellsOf(map);
+    const ConvexShape shapes[] = {convexShapeOf(Box{1, 1}, {}),
+                                  convexShapeOf(Circle{Real(0.5)}, {})};
     constexpr Real kTarget = Real(1) / 1024;
-    for (const Convex& shape : shapes) {
+    for (const ConvexShape& shape : shapes) {
         for (const Real sunk : {Real(0.002), Real(0), Real(-0.002)}) {
-            const Sweep sliding{{{2, Real(0.5) - sunk}, {}}, {7, 0}};
+            const MotionPath sliding{{{2, Real(0.5) - sunk}, {}}, {7, 0}};
             for (std::size_t i = 3; i + 1 < cells.size(); ++i) {
                 EXPECT_GT(timeOfImpact(cells[i], {}, shape, sliding, kTarget), 1) << i;
             }
             EXPECT_GT(timeOfImpact(cells.back(), {}, shape, sliding, kTarget), 1);
-            const Sweep further{{{2, Real(0.5) - sunk}, {}}, {9, 0}};
+            const MotionPath further{{{2, Real(0.5) - sunk}, {}}, {9, 0}};
             EXPECT_LT(timeOfImpact(cells.back(), {}, shape, further, kTarget), 1);
         }
     }
 }
 
-// F2: a fast wide box is stopped by the tip of a hill that reaches none of its corners.
-TEST(HeightmapContact, OfASweepStopsAtAHilltop) {
-    const std::vector<Convex> cells = cellsOf({{-1, 0}, 1, {-2, 0, -2}});
-    const Convex box = convexOf(Box{4, Real(0.25)}, {});
-    const Convex ball = convexOf(Circle{Real(0.125)}, {});
+// F2: a fast wide box stops at the tip of a hill that hits none of its corners.
+TEST(HeightmapContact, TimeOfImpactStopsAtAHilltop) {
+    const std::vector<ConvexShape> cells = cellsOf({{-1, 0}, 1, {-2, 0, -2}});
+    const ConvexShape box = convexShapeOf(Box{4, Real(0.25)}, {});
+    const ConvexShape ball = convexShapeOf(Circle{Real(0.125)}, {});
     constexpr Real kTarget = Real(1) / 1024;
-    for (const Convex* shape : {&box, &ball}) {
-        const Sweep falling{{{0, 2}, {}}, {0, -8}};
+    for (const ConvexShape* shape : {&box, &ball}) {
+        const MotionPath falling{{{0, 2}, {}}, {0, -8}};
         Real first = 2;
-        for (const Convex& cell : cells) {
+        for (const ConvexShape& cell : cells) {
             first = std::min(first, timeOfImpact(cell, {}, *shape, falling, kTarget));
         }
-        EXPECT_TRUE(near(first, Real(1.875) / 8, kTarget)) << "it came through";
+        EXPECT_TRUE(near(first, Real(1.875) / 8, kTarget)) << "tunnelled";
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/collide/collide.hpp>
+#include <kodo/geometry.hpp>
 #include <support/near.hpp>
 #include <support/random_shapes.hpp>
 
@@ -15,7 +15,7 @@ constexpr Real kTolerance = byPrecision(2e-6, 1e-14);
 
 Manifold meet(const Primitive& a, const Transform& poseA, const Primitive& b,
               const Transform& poseB, Real margin = 0) {
-    return collide(convexOf(a, {}), poseA, convexOf(b, {}), poseB, margin, 0);
+    return collide(convexShapeOf(a, {}), poseA, convexShapeOf(b, {}), poseB, margin, 0);
 }
 
 Transform at(Real x, Real y, Real angle = 0) {
@@ -31,8 +31,8 @@ TEST(Manifold, OfTwoBallsLiesBetweenTheirCentres) {
     EXPECT_EQ(manifold.points[0].armB, (Vec2{0, Real(-1.75)}));
 }
 
-// C1, nested: concentric circles have no direction of their own, but must get one.
-TEST(Manifold, OfConcentricBallsStillHasANormal) {
+// C1, nested: concentric circles define no direction, but the contact needs one.
+TEST(Manifold, OfConcentricBallsHasANormal) {
     const Manifold manifold = meet(Circle{1}, at(3, 3), Circle{2}, at(3, 3));
     ASSERT_EQ(manifold.count, 1);
     EXPECT_EQ(length(manifold.normal), 1);
@@ -48,14 +48,14 @@ TEST(Manifold, OfABallOnABoxIsTheNearestPoint) {
 }
 
 // C2: beyond the end of a side the corner decides, by Pythagoras (3, 4, 5).
-TEST(Manifold, OfABallAtACornerPointsAlongTheDiagonal) {
+TEST(Manifold, OfABallAtACornerPointsFromTheCornerToTheCentre) {
     const Manifold manifold = meet(Box{2, 2}, at(0, 0), Circle{6}, at(4, 5));
     ASSERT_EQ(manifold.count, 1);
     EXPECT_TRUE(near(manifold.normal, Vec2{Real(0.6), Real(0.8)}, kTolerance));
     EXPECT_TRUE(near(manifold.points[0].separation, -1, kTolerance));
 }
 
-TEST(Manifold, OfABallWithItsCentreInsideLeavesByTheNearestSide) {
+TEST(Manifold, OfABallWithItsCentreInsidePointsThroughTheNearestSide) {
     const Manifold manifold =
         meet(Box{4, 4}, at(0, 0), Circle{Real(0.5)}, at(Real(1.75), Real(0.5)));
     ASSERT_EQ(manifold.count, 1);
@@ -63,7 +63,7 @@ TEST(Manifold, OfABallWithItsCentreInsideLeavesByTheNearestSide) {
     EXPECT_TRUE(near(manifold.points[0].separation, -0.75L, kTolerance));
 }
 
-// C4: a box flat on another rests on two points, at the ends of the shorter side.
+// C4: a box lying flat on another has two points, at the ends of the shorter side.
 TEST(Manifold, OfABoxLyingFlatHasTwoPoints) {
     const Manifold manifold = meet(Box{10, 1}, at(0, 0), Box{2, 1}, at(1, Real(0.75)));
     ASSERT_EQ(manifold.count, 2);
@@ -77,7 +77,7 @@ TEST(Manifold, OfABoxLyingFlatHasTwoPoints) {
     EXPECT_EQ(places, (std::set<Real>{0, 2}));
 }
 
-TEST(Manifold, OfABoxHangingOverAnEdgeIsClippedThere) {
+TEST(Manifold, OfAnOverhangingBoxIsClippedAtTheEdge) {
     const Manifold manifold = meet(Box{4, 1}, at(0, 0), Box{2, 1}, at(2, Real(0.75)));
     ASSERT_EQ(manifold.count, 2);
     const Real left = std::min(manifold.points[0].armA.x, manifold.points[1].armA.x);
@@ -92,11 +92,11 @@ TEST(Manifold, OfATiltedBoxHasItsDeepestPointFirst) {
         meet(Box{10, 1}, at(0, 0), Box{2, 2}, at(0, Real(1.4)) * at(0, 0, Real(0.05)));
     ASSERT_EQ(manifold.count, 2);
     EXPECT_LT(manifold.points[0].separation, manifold.points[1].separation);
-    EXPECT_LT(manifold.points[0].armA.x, 0); // turned counter-clockwise: the left corner is low
+    EXPECT_LT(manifold.points[0].armA.x, 0); // rotated counter-clockwise: the left corner is lower
 }
 
-// C4, thesis Fig 3.5: one corner is in, the other end of its edge has come out above the face.
-// That end is no second point.
+// C4, thesis Fig 3.5: one corner is inside. The other end of its edge is above the face, so it is
+// no second point.
 TEST(Manifold, OfABoxStandingOnACornerHasOnePoint) {
     const Manifold manifold = meet(Box{10, 1}, at(0, 0), Box{2, 2}, at(0, Real(1.9), Real(0.7)));
     ASSERT_EQ(manifold.count, 1);
@@ -104,8 +104,8 @@ TEST(Manifold, OfABoxStandingOnACornerHasOnePoint) {
     EXPECT_LT(manifold.points[0].separation, 0);
 }
 
-// C4: where no more than a corner lies over a face, or a face goes on where the other ends, there
-// is one place to push at, and not the same one twice.
+// C4: where only a corner lies over a face, or faces continue each other, there is one point, not
+// the same point twice.
 TEST(Manifold, OfBoxesThatMeetAtACornerHasOnePoint) {
     const Box box{1, 1};
     for (const Vec2 place : {Vec2{Real(1.002), Real(1.003)}, Vec2{Real(1.005), 1},
@@ -121,8 +121,8 @@ TEST(Manifold, OfBoxesThatMeetAtACornerHasOnePoint) {
     }
 }
 
-// The gap counts up to the margin, and the margin itself still does.
-TEST(Manifold, AppearsWithinTheMarginOnly) {
+// A gap of exactly the margin still has a contact.
+TEST(Manifold, AppearsOnlyWithinTheMargin) {
     const Box box{2, 2};
     EXPECT_EQ(meet(box, at(0, 0), box, at(0, Real(2.25)), Real(0.25)).count, 2);
     EXPECT_EQ(meet(box, at(0, 0), box, at(0, Real(2.2500002)), Real(0.125)).count, 0);
@@ -130,8 +130,8 @@ TEST(Manifold, AppearsWithinTheMarginOnly) {
     EXPECT_EQ(meet(Circle{1}, at(0, 0), Circle{1}, at(0, Real(2.5)), Real(0.25)).count, 0);
 }
 
-// C4: without a hit nothing is written but how far apart they are at least, where that is known:
-// from the corner of the box, which is the nearest, to the shape it is less than 70 m.
+// C4: without contact only a lower bound of the distance is set, if known. Between the nearest
+// corner of the box and the shape it is less than 70 m.
 TEST(Manifold, IsEmptyWithoutAHit) {
     for (const support::Kind kind : support::kAllKinds) {
         support::RandomNumbers random(91);
@@ -145,9 +145,9 @@ TEST(Manifold, IsEmptyWithoutAHit) {
     }
 }
 
-// Features tell the solver which point is which from one step to the next: two points never share
-// one, and a small slide changes none.
-TEST(Manifold, FeaturesNameThePoints) {
+// Features identify points from one step to the next. Two points never share a feature, and a small
+// displacement changes none.
+TEST(Manifold, FeaturesIdentifyPointsAcrossSteps) {
     const Box ground{10, 1};
     const Box box{2, 1};
     const Manifold before = meet(ground, at(0, 0), box, at(1, Real(0.9)));
@@ -160,10 +160,10 @@ TEST(Manifold, FeaturesNameThePoints) {
     EXPECT_EQ(first, second);
 }
 
-// A face of A keeps the contact while B's is not clearly better, so that a resting box does not
-// swap its reference face with each rounding.
-TEST(Manifold, PrefersTheFaceOfTheFirst) {
-    const Convex box = convexOf(Box{2, 2}, {});
+// A face of A stays the reference while that of B is not clearly better. So a resting box does not
+// change its reference face with each rounding.
+TEST(Manifold, PrefersTheFaceOfTheFirstShape) {
+    const ConvexShape box = convexShapeOf(Box{2, 2}, {});
     const Transform a{};
     const Transform b = at(0, Real(1.95), Real(0.01)); // B's lower face is deeper by 0.01 or so
     const Manifold without = collide(box, a, box, b, Real(0.1), 0);

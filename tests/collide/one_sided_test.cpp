@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/collide/collide.hpp>
-#include <kodo/collide/one_sided.hpp>
-#include <kodo/collide/time_of_impact.hpp>
+#include <kodo/geometry.hpp>
 #include <support/every_shape.hpp>
 #include <support/minkowski_oracle.hpp>
 #include <support/near.hpp>
+
+#include "collide/one_sided.hpp"
+#include "collide/time_of_impact.hpp"
 
 #include <algorithm>
 
@@ -22,29 +23,30 @@ Segment platform() {
     return {{-2, 0}, {2, 0}, true, {}, {}};
 }
 
-// F2, C1: on random poses, a platform either answers as a line from both sides would, pushing to
-// its front, or not at all; and what has its middle behind is let pass (if it is thin, some way
-// behind: it may lie on the line and have sunk in).
-TEST(OneSided, PushesToItsFrontOrNotAtAll) {
+// F2, C1: in random poses, a platform has the contact of a two-sided line with a normal towards its
+// front, or none. A shape whose middle is behind passes. For a thin shape the limit is some way
+// behind, since it may lie on the line and overlap it.
+TEST(OneSided, HasNormalsTowardsItsFrontOrNoContact) {
     support::RandomNumbers random(121);
     int pushed = 0;
     int passed = 0;
     for (int i = 0; i < 40000 && !testing::Test::HasFatalFailure(); ++i) {
         SCOPED_TRACE(testing::Message() << "pose " << i);
         Segment segment = support::randomSegment(random);
-        const Convex twoSided = convexOf(segment, {});
+        const ConvexShape twoSided = convexShapeOf(segment, {});
         segment.oneSided = true;
-        const Convex line = convexOf(segment, {});
+        const ConvexShape line = convexShapeOf(segment, {});
         constexpr AnyKind kOthers[] = {AnyKind::Circle, AnyKind::Box, AnyKind::Polygon,
                                        AnyKind::Segment};
-        const Convex other = convexOf(support::randomPrimitive(random, kOthers[i % 4]), {});
+        const ConvexShape other =
+            convexShapeOf(support::randomPrimitive(random, kOthers[i % 4]), {});
         const Transform a = random.pose(4);
         const Transform b{a.position + random.point(2), random.rotation()};
         const Manifold both = collide(twoSided, a, other, b, kMargin, 0);
         const Manifold front = collide(line, a, other, b, kMargin, 0);
         const Vec2 normal = a.rotation * line.normals[1];
         const Real height = dot(normal, b * other.middle - a * line.vertices[0]);
-        const Real sink = std::max(kMargin / 4 - other.inside, Real(0)); // of what is thin
+        const Real sink = std::max(kMargin / 4 - other.coreRadius, Real(0)); // of thin shapes
         if (height < -kTolerance - sink) {
             ASSERT_EQ(front.count, 0);
             ASSERT_TRUE(front.fromBehind);
@@ -64,9 +66,9 @@ TEST(OneSided, PushesToItsFrontOrNotAtAll) {
     EXPECT_GT(passed, 10000);
 }
 
-TEST(OneSided, LetsPassWhatStandsOnItsBack) {
-    const Convex line = convexOf(platform(), {});
-    const Convex ball = convexOf(Circle{1}, {});
+TEST(OneSided, LetsShapesBehindItPass) {
+    const ConvexShape line = convexShapeOf(platform(), {});
+    const ConvexShape ball = convexShapeOf(Circle{1}, {});
     for (const Real y : {Real(-3), Real(-1), Real(-0.25)}) {
         const Manifold manifold = collide(line, {}, ball, {{0, y}, {}}, kMargin, 0);
         EXPECT_EQ(manifold.count, 0);
@@ -78,23 +80,24 @@ TEST(OneSided, LetsPassWhatStandsOnItsBack) {
     EXPECT_EQ(over.points[0].separation, Real(-0.25));
 }
 
-// A box that runs against the end of a platform from beside it does not come from its front.
-TEST(OneSided, LetsPassWhatComesFromBeyondAnEnd) {
-    const Convex line = convexOf(platform(), {});
-    const Convex box = convexOf(Box{2, 2}, {});
+// A box that hits the end of a platform from the side does not come from its front.
+TEST(OneSided, LetsShapesFromBeyondAnEndPass) {
+    const ConvexShape line = convexShapeOf(platform(), {});
+    const ConvexShape box = convexShapeOf(Box{2, 2}, {});
     const Manifold beside = collide(line, {}, box, {{Real(2.875), Real(0.5)}, {}}, kMargin, 0);
     EXPECT_EQ(beside.count, 0);
     EXPECT_TRUE(beside.fromBehind);
-    // Sliding on from flush ground, it is as good as on top.
+    // A box that slides on from flush ground counts as above.
     const Manifold onto = collide(line, {}, box, {{Real(2.999), Real(0.995)}, {}}, kMargin, 0);
     EXPECT_FALSE(onto.fromBehind);
     EXPECT_EQ(onto.normal, (Vec2{0, 1}));
 }
 
-// What has come from behind stays free until it is out, although its middle is in front by then.
-TEST(OneSided, RemembersWhatIsPassing) {
-    const Convex line = convexOf(platform(), {});
-    const Convex ball = convexOf(Circle{1}, {});
+// A shape from behind stays free until it no longer overlaps, although its middle is in front by
+// then.
+TEST(OneSided, LetsAPassingShapePassUntilItIsOut) {
+    const ConvexShape line = convexShapeOf(platform(), {});
+    const ConvexShape ball = convexShapeOf(Circle{1}, {});
     bool passing = false;
     const auto at = [&](Real y) {
         Manifold manifold = collide(line, {}, ball, {{0, y}, {}}, kMargin, 0);
@@ -112,42 +115,42 @@ TEST(OneSided, RemembersWhatIsPassing) {
     EXPECT_FALSE(passing);
 }
 
-TEST(OneSided, MeetsAnotherOnlyFrontToFront) {
-    const Convex up = convexOf(platform(), {});
-    const Convex down = convexOf(Segment{{2, 0}, {-2, 0}, true, {}, {}}, {});
+TEST(OneSided, TouchesAnotherOnlyFrontToFront) {
+    const ConvexShape up = convexShapeOf(platform(), {});
+    const ConvexShape down = convexShapeOf(Segment{{2, 0}, {-2, 0}, true, {}, {}}, {});
     const Transform above{{0, kMargin / 2}, {}};
     EXPECT_GT(collide(up, {}, down, above, kMargin, 0).count, 0);
     EXPECT_EQ(collide(up, {}, up, above, kMargin, 0).count, 0);
     EXPECT_TRUE(collide(up, {}, up, above, kMargin, 0).fromBehind);
 }
 
-TEST(OneSided, ShowsAPlaneItsFront) {
-    const Convex plane = convexOf(Plane{}, {});
-    const Convex down = convexOf(Segment{{2, 0}, {-2, 0}, true, {}, {}}, {});
+TEST(OneSided, TouchesAPlaneOnlyWithItsFront) {
+    const ConvexShape plane = convexShapeOf(Plane{}, {});
+    const ConvexShape down = convexShapeOf(Segment{{2, 0}, {-2, 0}, true, {}, {}}, {});
     EXPECT_EQ(collide(plane, {}, down, {}, kMargin, 0).count, 2);
-    const Convex up = convexOf(platform(), {});
+    const ConvexShape up = convexShapeOf(platform(), {});
     EXPECT_EQ(collide(plane, {}, up, {}, kMargin, 0).count, 0);
     EXPECT_TRUE(collide(up, {}, plane, {}, kMargin, 0).fromBehind);
 }
 
-// The moment of impact exists for what comes from the front, and is the closed form.
-TEST(OneSided, IsHitInFlightFromItsFrontOnly) {
-    const Convex line = convexOf(platform(), {});
-    const Convex shapes[] = {convexOf(Circle{1}, {}), convexOf(Box{2, 2}, {})};
+// Only a shape from the front has a time of impact, which is the closed form.
+TEST(OneSided, HasATimeOfImpactOnlyFromItsFront) {
+    const ConvexShape line = convexShapeOf(platform(), {});
+    const ConvexShape shapes[] = {convexShapeOf(Circle{1}, {}), convexShapeOf(Box{2, 2}, {})};
     constexpr Real kTarget = Real(1) / 1024;
-    const Sweep still{};
-    for (const Convex& shape : shapes) {
-        const Sweep falling{{{0, 3}, {}}, {0, -8}};
+    const MotionPath still{};
+    for (const ConvexShape& shape : shapes) {
+        const MotionPath falling{{{0, 3}, {}}, {0, -8}};
         const Real t = timeOfImpact(line, still, shape, falling, kTarget);
         EXPECT_TRUE(near(t, (2 - kTarget) / 8, kTarget / 8));
         EXPECT_EQ(timeOfImpact(shape, falling, line, still, kTarget), t);
-        const Sweep rising{{{0, -3}, {}}, {0, 8}};
+        const MotionPath rising{{{0, -3}, {}}, {0, 8}};
         EXPECT_GT(timeOfImpact(line, still, shape, rising, kTarget), 1);
-        const Sweep beside{{{-6, Real(-0.5)}, {}}, {8, 0}};
+        const MotionPath beside{{{-6, Real(-0.5)}, {}}, {8, 0}};
         EXPECT_GT(timeOfImpact(line, still, shape, beside, kTarget), 1);
     }
-    // At a free end a corner is hit along the direction to the centre.
-    const Sweep atEnd{{{Real(2.6), 3}, {}}, {0, -8}};
+    // At a free end the normal points from the end to the centre.
+    const MotionPath atEnd{{{Real(2.6), 3}, {}}, {0, -8}};
     const Real t = timeOfImpact(line, still, shapes[0], atEnd, kTarget);
     EXPECT_TRUE(near(t, (3 - 0.8L) / 8, kTarget));
 }

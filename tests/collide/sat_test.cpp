@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/collide/sat.hpp>
 #include <support/near.hpp>
 #include <support/random_shapes.hpp>
+
+#include "collide/sat.hpp"
 
 #include <numbers>
 
 namespace kodo {
 namespace {
 
-Real linearSupport(const Convex& convex, Vec2 direction) {
+Real linearSupport(const ConvexShape& convex, Vec2 direction) {
     Real best = dot(direction, convex.vertices[0]);
     for (const Vec2 vertex : convex.vertices) {
         best = std::max(best, dot(direction, vertex));
@@ -16,27 +17,28 @@ Real linearSupport(const Convex& convex, Vec2 direction) {
     return best;
 }
 
-// C3: climbing finds the same height as looking at all corners, from whatever corner it starts.
-TEST(SupportVertex, ClimbsToTheTopOfRandomPolygons) {
+// C3: the climb finds the same height as a search of all corners, from any start.
+TEST(SupportVertex, ClimbFindsTheExtremeVertexOfRandomPolygons) {
     support::RandomNumbers random(61);
     for (int i = 0; i < 3000; ++i) {
         SCOPED_TRACE(i);
         const std::size_t corners = 3 + random.below(62);
-        const Convex convex = convexOf(support::randomPolygon(random, corners), random.point(2));
+        const ConvexShape convex =
+            convexShapeOf(support::randomPolygon(random, corners), random.point(2));
         for (int k = 0; k < 8; ++k) {
             const Vec2 direction = random.rotation().xAxis();
             const std::size_t found = supportVertex(convex, direction, random.below(corners));
             ASSERT_LT(found, corners);
-            // Neighbours within a rounding of each other are as good.
+            // Neighbours that differ by a rounding are equally valid.
             ASSERT_TRUE(support::near(dot(direction, convex.vertices[found]),
                                       linearSupport(convex, direction), 8 * support::kEpsilon));
         }
     }
 }
 
-// Climbing must not end on the first corner of a level edge when the edge rises later, nor circle.
-TEST(SupportVertex, EndsOnALevelEdge) {
-    const Convex box = convexOf(Box{2, 2}, {});
+// The climb must not stop at the first corner of a level edge if the edge rises later, nor loop.
+TEST(SupportVertex, ClimbEndsOnALevelEdge) {
+    const ConvexShape box = convexShapeOf(Box{2, 2}, {});
     for (std::size_t start = 0; start < 4; ++start) {
         for (const Vec2 normal : box.normals) {
             const std::size_t found = supportVertex(box, normal, start);
@@ -45,20 +47,20 @@ TEST(SupportVertex, EndsOnALevelEdge) {
     }
 }
 
-TEST(LeastPenetratingFace, IsTheFaceTowardsTheOther) {
-    const Convex box = convexOf(Box{2, 2}, {});
+TEST(LeastPenetratingFace, FacesTheOtherShape) {
+    const ConvexShape box = convexShapeOf(Box{2, 2}, {});
     const FaceAxis axis = leastPenetratingFace(box, box, {{3, Real(0.5)}, {}}, 100);
     EXPECT_EQ(axis.face, 1u); // the right one
     EXPECT_EQ(axis.separation, 1);
 }
 
-TEST(LeastPenetratingFace, KeepsTheLowerFaceInATie) {
-    const Convex box = convexOf(Box{2, 2}, {});
+TEST(LeastPenetratingFace, IsTheFaceOfLowestIndexInATie) {
+    const ConvexShape box = convexShapeOf(Box{2, 2}, {});
     EXPECT_EQ(leastPenetratingFace(box, box, {}, 100).face, 0u);
     EXPECT_EQ(leastPenetratingFace(box, box, {}, 100).separation, -2);
 }
 
-// C2: any face that is farther than the margin proves it, and the rest need not be looked at.
+// C2: a face separated by more than the margin is sufficient, and the search stops there.
 TEST(LeastPenetratingFace, StopsAtASeparatingFace) {
     std::vector<Vec2> corners;
     for (int i = 0; i < 16; ++i) {
@@ -66,8 +68,8 @@ TEST(LeastPenetratingFace, StopsAtASeparatingFace) {
             Rot::fromAngle((static_cast<Real>(i) + Real(0.5)) * std::numbers::pi_v<Real> / 8) *
             Vec2{1, 0});
     }
-    const Convex round = convexOf(Polygon{corners}, {});
-    const Convex box = convexOf(Box{2, 2}, {});
+    const ConvexShape round = convexShapeOf(Polygon{corners}, {});
+    const ConvexShape box = convexShapeOf(Box{2, 2}, {});
     const Transform place{{5, 0}, {}};
     const FaceAxis any = leastPenetratingFace(round, box, place, 0);
     const FaceAxis most = leastPenetratingFace(round, box, place, 100);
@@ -77,16 +79,16 @@ TEST(LeastPenetratingFace, StopsAtASeparatingFace) {
                 4 * support::kEpsilon);
 }
 
-// C2, counted: of polygons that are apart, a scan looks at the faces in order, up to the first one
-// that proves it: at less than half of them in the mean.
-TEST(LeastPenetratingFace, LooksAtAPartOfTheFacesOfWhatIsApart) {
+// C2, counted: for separated polygons the search tests the faces in order up to the first
+// separating one. On average these are less than half of the faces.
+TEST(LeastPenetratingFace, VisitsFewerThanHalfOfTheFacesOfSeparatedShapes) {
     support::RandomNumbers random(62);
     std::size_t seen = 0;
     std::size_t all = 0;
     for (int i = 0; i < 2000; ++i) {
-        const std::size_t corners = Convex::kFew + 1 + random.below(32);
-        const Convex a = convexOf(support::randomPolygon(random, corners), {});
-        const Convex b = convexOf(support::randomPolygon(random, corners), {});
+        const std::size_t corners = ConvexShape::kFew + 1 + random.below(32);
+        const ConvexShape a = convexShapeOf(support::randomPolygon(random, corners), {});
+        const ConvexShape b = convexShapeOf(support::randomPolygon(random, corners), {});
         const Transform place{Real(6) * random.rotation().xAxis(), random.rotation()};
         const FaceAxis first = leastPenetratingFace(a, b, place, 0);
         if (first.separation > 0) {

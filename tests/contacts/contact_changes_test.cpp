@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/collide/collide.hpp>
-#include <kodo/contacts/contact_set.hpp>
+#include <kodo/geometry.hpp>
 #include <support/random_numbers.hpp>
+
+#include "contacts/contact_set.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@ namespace {
 
 constexpr Tolerances kUsual = Tolerances::forUnit(1);
 
-/// Bodies to which everything happens that a World may do between two steps.
+/// Bodies with all changes that a World permits between two steps.
 class Crowd {
 public:
     explicit Crowd(std::uint64_t seed) : random_(seed) {
@@ -31,14 +32,14 @@ public:
         case 2:
             remove(any());
             break;
-        case 3: // jumps
+        case 3: // teleport
             touch([&](std::uint32_t body) { bodies_.pose[body].position = place(); });
             break;
-        case 4: // has other flags
+        case 4: // other flags
             touch([&](std::uint32_t body) { bodies_.filter[body].flags ^= 1u; });
             break;
-        case 5: // has other parts
-            touch([&](std::uint32_t body) { setForm(bodies_, body, form()); });
+        case 5: // other parts
+            touch([&](std::uint32_t body) { setGeometry(bodies_, body, geometry()); });
             break;
         default:
             rest(any());
@@ -46,17 +47,18 @@ public:
     }
     void updatePairs() {
         refreshAwake(bodies_);
-        contacts_.updatePairs(bodies_, kUsual, Real(1) / 60, crew_);
+        contacts_.updatePairs(bodies_, kUsual, Real(1) / 60, team_);
     }
-    /// Less than bounds have room for, so that they hold what falls asleep.
+    /// Moves bodies by less than the slack of their bounds, which therefore stay valid for bodies
+    /// that fall asleep.
     void move() {
         for (const std::uint32_t body : bodies_.awake) {
             bodies_.pose[body].position += random_.point(static_cast<double>(kUsual.margin) / 2);
         }
     }
 
-    /// Whatever is near each other and may meet has a contact, in order and with the right places;
-    /// nothing else has one that is nowhere near.
+    /// Parts that are near each other and may collide have a contact, in order and with correct
+    /// indices. Parts whose grown bounds do not overlap have none.
     void expectAllPairs() {
         const PartBounds& bounds = contacts_.bounds();
         std::set<std::pair<std::uint32_t, std::uint32_t>> there;
@@ -71,15 +73,15 @@ public:
             there.emplace(bounds.indexOf(bodyA, partA), bounds.indexOf(bodyB, partB));
         });
         std::set<std::pair<std::uint32_t, std::uint32_t>> headed;
-        for (const ContactHead& head : contacts_.heads()) {
-            EXPECT_EQ(bounds.part(head.proxies.first).body, head.bodyA);
-            EXPECT_EQ(bounds.part(head.proxies.second).body, head.bodyB);
-            headed.emplace(head.proxies.first, head.proxies.second);
+        for (const ContactSummary& summary : contacts_.summaries()) {
+            EXPECT_EQ(bounds.part(summary.proxies.first).body, summary.bodyA);
+            EXPECT_EQ(bounds.part(summary.proxies.second).body, summary.bodyB);
+            headed.emplace(summary.proxies.first, summary.proxies.second);
         }
         EXPECT_EQ(there, headed);
         for (std::uint32_t i = 0; i < bounds.grown().size(); ++i) {
             const PartBounds::Part& part = bounds.part(i);
-            const Convex& outline = bodies_.outline(part.body, part.part);
+            const ConvexShape& outline = bodies_.convex(part.body, part.part);
             const Transform& pose = bodies_.pose[part.body];
             for (const Vec2 vertex : outline.vertices) {
                 const Octagon corner = Octagon::of(pose * vertex, outline.radius);
@@ -87,7 +89,7 @@ public:
             }
             for (std::uint32_t k = 0; k < i; ++k) {
                 const PartBounds::Part& other = bounds.part(k);
-                const bool near = collide(bodies_.outline(other.body, other.part),
+                const bool near = collide(bodies_.convex(other.body, other.part),
                                           bodies_.pose[other.body], outline, pose, kUsual.margin, 0)
                                       .count > 0;
                 EXPECT_FALSE(near && mayMeet(k, i) && !there.contains({k, i})) << k << " " << i;
@@ -107,7 +109,7 @@ private:
         }
         return def;
     }
-    std::shared_ptr<const Form> form() { return makeForm(partsOf(def())); }
+    std::shared_ptr<const BodyGeometry> geometry() { return makeGeometry(partsOf(def())); }
     Vec2 place() { return random_.point(6); }
     std::uint32_t any() {
         std::uint32_t body = 0;
@@ -118,7 +120,7 @@ private:
     }
     void add() {
         const BodyDef made = def();
-        contacts_.bodyChanged(addBody(bodies_, made, makeForm(partsOf(made))).index);
+        contacts_.bodyChanged(addBody(bodies_, made, makeGeometry(partsOf(made))).index);
         ++count_;
     }
     void remove(std::uint32_t body) {
@@ -132,13 +134,13 @@ private:
     template <typename Change>
     void touch(Change change) {
         const std::uint32_t body = any();
-        contacts_.drop(body, [](Contact&) {}); // parts may go
+        contacts_.drop(body, [](Contact&) {}); // parts may be removed
         change(body);
         contacts_.bodyChanged(body);
     }
-    /// Falls asleep, or wakes.
+    /// Toggles sleep.
     void rest(std::uint32_t body) {
-        bodies_.filter[body].flags ^= kResting;
+        bodies_.filter[body].flags ^= kAsleep;
         bodies_.awakeStale = true;
         contacts_.activityChanged(body);
     }
@@ -152,13 +154,13 @@ private:
     support::RandomNumbers random_;
     Bodies bodies_;
     ContactSet contacts_;
-    Crew crew_{nullptr};
+    WorkerTeam team_{nullptr};
     int count_ = 0;
 };
 
-// Bodies come, go, jump, get other parts and flags, fall asleep and wake: only their pairs are
-// looked for again, and yet none is missing.
-TEST(ContactSet, HasAllPairsWhateverHappensToBodies) {
+// Bodies are added, removed and teleported. They get other parts and flags, fall asleep and wake.
+// Only their pairs are searched again, but none is missing.
+TEST(ContactSet, HasAllPairsAfterAnyChangeOfBodies) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         Crowd crowd(seed);

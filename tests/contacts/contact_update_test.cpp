@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/contacts/contact_update.hpp>
+#include "contacts/contact_update.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,30 +10,30 @@ namespace {
 
 constexpr Tolerances kScale = Tolerances::forUnit(1);
 
-/// A box on another, and their contact.
+/// A box on another one, and their contact.
 class Boxes {
 public:
     explicit Boxes(Real width = 1, Real height = 1) {
         const BodyDef def{.shape = Box{width, height}};
-        const auto form = makeForm(partsOf(def));
-        addBody(bodies_, def, form);
-        addBody(bodies_, def, form);
+        const auto geometry = makeGeometry(partsOf(def));
+        addBody(bodies_, def, geometry);
+        addBody(bodies_, def, geometry);
         place({0, height}, 0);
         contact.key = {0, 0, 1, 0};
         findContact(contact, bodies_, kScale);
         contact.carried = true;
     }
 
-    /// Puts the upper one elsewhere, and finds the contact there.
+    /// Moves the upper box and finds the contact there.
     void findAt(Vec2 position, Real turn) {
         place(position, turn);
         findContact(contact, bodies_, kScale);
     }
-    /// A step that takes the upper one so far. Is the manifold kept?
+    /// A step with this displacement of the upper box. True if the manifold is kept.
     bool keepsAfter(Vec2 move, Real turn = 0) {
-        Motion& motion = bodies_.motion[1];
-        motion.move = move;
-        motion.turn = turn;
+        BodyVelocity& motion = bodies_.motion[1];
+        motion.deltaPosition = move;
+        motion.deltaAngle = turn;
         angle_ += turn;
         place(bodies_.pose[1].position + move, angle_);
         return followContact(contact, bodies_, kScale, false);
@@ -51,8 +51,8 @@ private:
     Real angle_ = 0;
 };
 
-// Whether they slide or turn.
-TEST(ContactUpdate, FindsAManifoldAnewOnceBodiesHaveGoneEightSlops) {
+// For translation and for rotation.
+TEST(ContactUpdate, FindsTheManifoldAgainAfterADisplacementOfEightSlops) {
     Boxes slides;
     int steps = 0;
     while (slides.keepsAfter({kScale.slop, 0})) {
@@ -61,17 +61,17 @@ TEST(ContactUpdate, FindsAManifoldAnewOnceBodiesHaveGoneEightSlops) {
     EXPECT_GE(steps, 7);
 
     Boxes turns;
-    const Real swing = std::sqrt(Real(0.5)); // m, to a corner
+    const Real rotationReach = std::sqrt(Real(0.5)); // m, to a corner
     steps = 0;
-    while (turns.keepsAfter({}, kScale.slop / swing)) {
+    while (turns.keepsAfter({}, kScale.slop / rotationReach)) {
         ASSERT_LT(++steps, 10);
     }
     EXPECT_GE(steps, 7);
 }
 
-// Of two faces that lie on each other it is the one or the other that carries the contact, and of
-// two points now the one is deeper and now the other.
-TEST(ContactUpdate, ImpulsesStayWhereTheyAreWhenTheOtherFaceCarriesThem) {
+// When two faces lie on each other, either may be the reference face, and either point may be the
+// deeper one.
+TEST(ContactUpdate, ImpulsesKeepTheirPlacesWhenTheReferenceFaceChanges) {
     for (const Real width : {Real(1), Real(0.2), Real(0.05), Real(0.03)}) {
         SCOPED_TRACE(width);
         constexpr Real kTurn = Real(0.004); // rad
@@ -81,7 +81,7 @@ TEST(ContactUpdate, ImpulsesStayWhereTheyAreWhenTheOtherFaceCarriesThem) {
         for (std::size_t i = 0; i < 2; ++i) {
             ManifoldPoint& point = boxes.contact.manifold.points[i];
             boxes.contact.impulse[i].normal = point.armA.x < 0 ? 3 : 4;
-            point.feature ^= 0xffff; // as if the other face had carried it
+            point.feature ^= 0xffff; // as if of the other reference face
         }
         boxes.findAt({0, Real(0.998)}, -kTurn);
         ASSERT_EQ(boxes.contact.manifold.count, 2);
@@ -92,12 +92,12 @@ TEST(ContactUpdate, ImpulsesStayWhereTheyAreWhenTheOtherFaceCarriesThem) {
     }
 }
 
-// A box that rocks from its one corner to the other begins there with nothing, however small it is.
-TEST(ContactUpdate, ImpulsesDoNotGoToTheOtherCorner) {
+// A box that rocks from one corner to the other starts there without impulse, at any size.
+TEST(ContactUpdate, ImpulsesDoNotMoveToTheOtherCorner) {
     for (const Real size : {Real(1), Real(0.1), Real(0.05)}) {
         SCOPED_TRACE(size);
         constexpr Real kTurn = Real(0.1);        // rad
-        const Real height = Real(1.0475) * size; // m, of a box that stands on a corner, nearly
+        const Real height = Real(1.0475) * size; // m, of a box that nearly stands on a corner
         Boxes boxes(size, size);
         boxes.findAt({0, height}, kTurn);
         ASSERT_GE(boxes.contact.manifold.count, 1);
@@ -111,9 +111,9 @@ TEST(ContactUpdate, ImpulsesDoNotGoToTheOtherCorner) {
     }
 }
 
-// One is known by its features, the other by its place; and of one point that becomes two, the one
-// that is near goes on.
-TEST(ContactUpdate, ImpulsesGoByFeaturesFirstAndThenByPlace) {
+// One point is matched by its feature, the other by its place. If one point becomes two, the nearer
+// one takes over the impulse.
+TEST(ContactUpdate, ImpulsesAreMatchedByFeatureAndThenByPlace) {
     Boxes boxes;
     boxes.findAt({0, Real(0.998)}, 0);
     ASSERT_EQ(boxes.contact.manifold.count, 2);
@@ -135,8 +135,8 @@ TEST(ContactUpdate, ImpulsesGoByFeaturesFirstAndThenByPlace) {
     EXPECT_EQ(boxes.contact.impulse[1].normal, 5);
 }
 
-// Both old points are within reach: it is the nearer one.
-TEST(ContactUpdate, ImpulsesGoToTheNearestPlace) {
+// Both old points are in range: the nearer one is matched.
+TEST(ContactUpdate, ImpulsesAreMatchedToTheNearestPlace) {
     Boxes boxes;
     boxes.findAt({0, Real(0.998)}, 0);
     ASSERT_EQ(boxes.contact.manifold.count, 2);
@@ -153,8 +153,8 @@ TEST(ContactUpdate, ImpulsesGoToTheNearestPlace) {
     EXPECT_EQ(boxes.contact.impulse[1].normal, 0);
 }
 
-// Past another's corner the normal turns, and what held the one way does not hold the other.
-TEST(ContactUpdate, ImpulsesDoNotTurnWithTheNormal) {
+// When a box passes a corner, the normal turns by 90 degrees. Old impulses are then invalid.
+TEST(ContactUpdate, ImpulsesAreDroppedWhenTheNormalTurns) {
     Boxes boxes;
     boxes.findAt({Real(0.98), Real(0.99)}, 0);
     ASSERT_EQ(boxes.contact.manifold.count, 2);
@@ -171,8 +171,9 @@ TEST(ContactUpdate, ImpulsesDoNotTurnWithTheNormal) {
     }
 }
 
-// Nor in a deep overlap, where other features may mean that another way out is the shortest by now.
-TEST(ContactUpdate, ImpulsesOfADeepOverlapGoByFeaturesAlone) {
+// In a deep overlap, other features may mean that the shortest separation now has another
+// direction. Impulses are then matched by feature only.
+TEST(ContactUpdate, ImpulsesOfADeepOverlapAreMatchedByFeatureOnly) {
     Boxes boxes;
     boxes.findAt({0, Real(0.9)}, 0);
     ASSERT_EQ(boxes.contact.manifold.count, 2);

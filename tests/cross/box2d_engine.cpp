@@ -10,15 +10,15 @@
 namespace crosscheck {
 namespace {
 
-/// Also keeps what was pushed in the last step.
+/// Also keeps the impulses of the last step.
 class Listener final : public scenes::SmallerRestitution {
 public:
-    struct Push {
+    struct FieldForce {
         const b2Body* a;
         const b2Body* b;
         double impulse;
     };
-    std::vector<Push> pushes;
+    std::vector<FieldForce> pushes;
 
     void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override {
         double sum = 0;
@@ -51,11 +51,11 @@ public:
         b2Body* a = bodies_[link.a];
         b2Body* b = bodies_[link.b];
         const b2Vec2 point(static_cast<float>(link.point.x), static_cast<float>(link.point.y));
-        if (link.kind == Link::Kind::Weld) {
+        if (link.kind == Link::Kind::FixedJoint) {
             b2WeldJointDef def;
             def.Initialize(a, b, point);
             world_.CreateJoint(&def);
-        } else if (link.kind == Link::Kind::Pin) {
+        } else if (link.kind == Link::Kind::RevoluteJoint) {
             b2RevoluteJointDef def;
             def.Initialize(a, b, point);
             def.enableMotor = link.motorTorque > 0;
@@ -86,7 +86,7 @@ public:
 
     double impulse(std::size_t a, std::size_t b) const override {
         double sum = 0;
-        for (const Listener::Push& push : listener_.pushes) {
+        for (const Listener::FieldForce& push : listener_.pushes) {
             if ((push.a == bodies_[a] && push.b == bodies_[b]) ||
                 (push.a == bodies_[b] && push.b == bodies_[a])) {
                 sum += push.impulse;

@@ -12,22 +12,22 @@ namespace {
 using scenes::SceneDef;
 using scenes::Vec2;
 
-/// How far an angle is from a whole number of quarter turns.
+/// Deviation of an angle from the nearest multiple of a quarter turn.
 double offSquare(double angle) {
     return std::abs(std::remainder(angle, kPi / 2));
 }
 
-/// What a blow on a corner leaves behind when runToHit returns.
+/// State after the impact of a corner, when runToHit returns.
 struct Landing {
     Vec2 impulse;
     Vec2 velocity;
     double spin;
 };
 
-/// The impulse J of a corner that lands: K J = (-v_x, -(1 + e) v_y) if it sticks, with K = 1/m and
-/// the turning that an impulse at the arm causes; on the edge of the friction cone if it slips.
-/// The body does not turn before. Gravity is added for the 2.5 steps until runToHit returns (more
-/// or less half a step); a body that does not bounce turns about its corner then.
+/// Impulse J of a landing corner. If it sticks, K J = (-v_x, -(1 + e) v_y) with the effective mass
+/// matrix of 1/m and the lever arm. If it slips, J lies on the edge of the friction cone. There is
+/// no rotation before the impact. Gravity acts for the 2.5 steps (within half a step) until
+/// runToHit returns; a body without restitution rotates about its corner meanwhile.
 Landing land(const Mass& mass, Vec2 arm, double fall, double friction, double restitution) {
     const double k11 = 1 / mass.mass + arm.y * arm.y / mass.inertia;
     const double k22 = 1 / mass.mass + arm.x * arm.x / mass.inertia;
@@ -48,10 +48,10 @@ Landing land(const Mass& mass, Vec2 arm, double fall, double friction, double re
             cross(arm, impulse) / mass.inertia + after * turning};
 }
 
-// What must agree: when it lands (two steps), how fast it turns after the blow (5 % of the closed
-// form for a corner that sticks: gravity has turned it on for up to three steps by then), and that
-// it ends flat, at the same height (1 cm: Box2D's slop is 5 mm) and on the same side. Where it
-// comes to rest along the ground depends on how far it slips; 0.1 m is a tenth of its width.
+// Tolerances: the landing time agrees within two steps, and the spin within 5 % of the closed form
+// for a sticking corner. Gravity has changed the spin for up to three steps by then. The final pose
+// is flat, on the same side, at the same height within 1 cm (Box2D's slop is 5 mm). The final x
+// depends on slipping; 0.1 m is a tenth of the width.
 TEST(CrossDrops, ABoxOnItsCornerTipsOverAndLiesFlat) {
     const SceneDef scene = scenes::boxOnItsCorner();
     const auto figures = inBoth(scene, [](Engine& engine) -> std::vector<double> {
@@ -76,8 +76,8 @@ TEST(CrossDrops, ABoxOnItsCornerTipsOverAndLiesFlat) {
     EXPECT_TRUE(table.holds());
 }
 
-// The same with e = 0.5: the corner sticks while it bounces, and no gravity but free fall follows.
-// Both within 3 %: the fall is up to a step longer or shorter than to the touch.
+// With e = 0.5 the corner sticks while it bounces, and free fall follows. Both agree within 3 %,
+// since the fall is up to one step longer or shorter than to the touch.
 TEST(CrossDrops, ABoxOnItsCornerBouncesWithFriction) {
     const SceneDef scene = scenes::boxOnItsCorner(0.5);
     const auto figures = inBoth(scene, [](Engine& engine) -> std::vector<double> {
@@ -97,21 +97,20 @@ TEST(CrossDrops, ABoxOnItsCornerBouncesWithFriction) {
     EXPECT_TRUE(table.holds());
 }
 
-// Mass and centre by closed form (through the pose: the centre of mass is what State tells), the
-// first touch, the spin after it (the corner slips; 8 %, for gravity turns the body on its edge for
-// up to half a step more or less), and the pose at rest: the long box flat on the ground, its
-// centre of mass where the closed form puts it.
+// Checks mass and centre by closed form, since State holds the centre of mass; the first touch; and
+// the spin after it. The corner slips; 8 % covers half a step of rotation by gravity. At rest, the
+// long box lies flat on the ground, with the centre of mass at its closed form.
 TEST(CrossDrops, ACompoundOfTwoBoxesLandsAndLiesAsOneBody) {
     const SceneDef scene = scenes::compoundDropped();
     const auto figures = inBoth(scene, [](Engine& engine) -> std::vector<double> {
         const State start = engine.state(1);
         const Hit hit = runToHit(engine, 0, 1, 2);
-        const State struck = engine.state(1);
+        const State afterHit = engine.state(1);
         const double rest = runToRest(engine, 1, 1, 8);
         const State end = engine.state(1);
-        return {start.position.x, start.position.y,  hit.time,
-                struck.spin,      struck.velocity.y, rest,
-                end.position.y,   end.angle,         end.position.x};
+        return {start.position.x, start.position.y,    hit.time,
+                afterHit.spin,    afterHit.velocity.y, rest,
+                end.position.y,   end.angle,           end.position.x};
     });
     const scenes::BodyDef& body = scene.bodies[1];
     const Vec2 center = massOf(body).center;
@@ -133,11 +132,11 @@ TEST(CrossDrops, ACompoundOfTwoBoxesLandsAndLiesAsOneBody) {
     EXPECT_TRUE(table.holds());
 }
 
-// A ball among pins is chaotic: each bounce on a round pin multiplies a difference in place by
-// about 2 d / R = 10, so only the first bounce can agree, and it has a closed form (friction apart:
-// the ball does not spin yet, so Coulomb gives the tangent impulse). Of the rest: every ball goes
-// through, in about the same time, and energy never grows.
-TEST(CrossDrops, ABallThroughPinsBouncesAndFallsOut) {
+// A ball among pins is chaotic: each bounce on a round pin multiplies a difference in position by
+// about 2 d / R = 10. Only the first bounce can agree; its closed form uses Coulomb friction on a
+// ball without spin. After that, every ball must fall through in about the same time without a gain
+// of energy.
+TEST(CrossDrops, ABallThroughPegsBouncesAndFallsOut) {
     const SceneDef scene = scenes::ballThroughPins();
     const auto figures = inBoth(scene, [&](Engine& engine) -> std::vector<double> {
         const double start = energy(engine, scene);
@@ -153,19 +152,20 @@ TEST(CrossDrops, ABallThroughPinsBouncesAndFallsOut) {
         return {hit.time,     hit.impulse, bounced.velocity.x, bounced.velocity.y, bounced.spin,
                 most / start, out};
     });
-    // Where the centre is 0.35 m from the pin's, straight above x = 0.15.
+    // The centre is 0.35 m from the pin's centre, vertically above x = 0.15.
     const Vec2 normal = (1 / 0.35) * Vec2{0.15, std::sqrt(0.35 * 0.35 - 0.15 * 0.15)};
     const Vec2 tangent{-normal.y, normal.x};
     const double speed = std::sqrt(2 * 10 * (3 - 0.35 * normal.y));
     const Mass mass = massOf(scene.bodies[0]);
     const double impulse = 1.6 * mass.mass * speed * normal.y;
     const double stick = mass.mass * speed * tangent.y / 3; // of a disc: m_t = m / 3
-    const double rub = std::clamp(stick, -0.3 * impulse, 0.3 * impulse);
-    const Vec2 after = Vec2{0, -speed} + (1 / mass.mass) * (impulse * normal + rub * tangent);
+    const double frictionImpulse = std::clamp(stick, -0.3 * impulse, 0.3 * impulse);
+    const Vec2 after =
+        Vec2{0, -speed} + (1 / mass.mass) * (impulse * normal + frictionImpulse * tangent);
     Comparison table;
     table.witness("first hit [s]", speed / 10, figures[0], 2 * kDt);
     table.judge("impulse [N s]", impulse, figures[1], 0.02 * impulse);
-    // Up to three steps of gravity since.
+    // Up to three steps of gravity since the impact.
     table.judge("after the bounce, x [m/s]", after.x, figures[2], 0.25);
     table.judge("after the bounce, y [m/s]", after.y, figures[3], 0.25 + 3 * 10 * kDt);
     table.agree("after the bounce, x, both [m/s]", figures[2], 0.5);
@@ -173,7 +173,7 @@ TEST(CrossDrops, ABallThroughPinsBouncesAndFallsOut) {
     table.show("largest share of the energy", figures[5]);
     table.show("out below from [s]", figures[6]);
     EXPECT_TRUE(table.holds());
-    EXPECT_LE(figures[5].kodo, 1.001); // what is potential at the start is all there is
+    EXPECT_LE(figures[5].kodo, 1.001); // the initial potential energy is the total
     EXPECT_GT(figures[6].kodo, 0);
     EXPECT_GT(figures[6].box2d, 0);
 }

@@ -10,8 +10,7 @@ namespace {
 
 using scenes::SceneDef;
 
-/// Velocities after a straight blow: momentum is kept, and the bodies part with e times the speed
-/// they met with.
+/// Velocities after a central impact: momentum is conserved, and the relative speed is scaled by e.
 struct Straight {
     double a;
     double b;
@@ -23,7 +22,7 @@ Straight straightBlow(double massA, double va, double massB, double vb, double e
     return {va - impulse / massA, vb + impulse / massB, impulse};
 }
 
-/// Blow along y at a lever: J = (1 + e) v / (1/m + 1/M + L^2/I).
+/// Impulse along y at a lever arm: J = (1 + e) v / (1/m + 1/M + L^2/I).
 double leveredImpulse(double mass, const Mass& bar, double lever, double speed, double e) {
     return (1 + e) * speed / (1 / mass + 1 / bar.mass + lever * lever / bar.inertia);
 }
@@ -33,9 +32,10 @@ std::vector<double> headOn(Engine& engine) {
     return {hit.time, hit.impulse, engine.state(0).velocity.x, engine.state(1).velocity.x};
 }
 
-// Velocities and impulse agree to rounding: one point, one direction, so one pass is exact in both.
-// The time is exact to the two steps that it takes to notice a touch and to deal the blow.
-TEST(CrossImpacts, HeadOnBallsPartAsMomentumAndRestitutionSay) {
+// Velocities and impulse agree to rounding: for one contact point, one pass is exact in both
+// engines. The time is exact within the two steps needed to detect the touch and to apply the
+// impulse.
+TEST(CrossImpacts, HeadOnBallsSeparateByMomentumAndRestitution) {
     for (const double e : {1.0, 0.5}) {
         SCOPED_TRACE(e);
         const SceneDef scene = scenes::headOnBalls(2, 3, e);
@@ -51,9 +51,9 @@ TEST(CrossImpacts, HeadOnBallsPartAsMomentumAndRestitutionSay) {
     }
 }
 
-// Box2D makes a blow below 1 m/s inelastic. Kodo has no such threshold, so the closed form judges;
-// with its threshold at 0 Box2D agrees, which shows that nothing else differs.
-TEST(CrossImpacts, ASlowHeadOnBlowIsAsElasticAsAFastOne) {
+// Box2D treats impacts below 1 m/s as inelastic. Kodo has no such threshold and must match the
+// closed form. With its threshold at 0, Box2D matches too: nothing else differs.
+TEST(CrossImpacts, ASlowHeadOnImpactIsAsElasticAsAFastOne) {
     const SceneDef scene = scenes::headOnBalls(0.4, 1, 1);
     const auto sticking = inBoth(scene, headOn);
     const auto bouncing = inBoth(scene, headOn, 0);
@@ -65,9 +65,9 @@ TEST(CrossImpacts, ASlowHeadOnBlowIsAsElasticAsAFastOne) {
     EXPECT_TRUE(table.holds());
 }
 
-// Exact in both but for where the ball is when the blow is dealt: the lever stays as it is, since
-// the ball flies along the normal, so velocities agree to rounding.
-TEST(CrossImpacts, ABallOffCentreSpinsTheBarByItsLever) {
+// The ball flies along the normal, which keeps the lever arm until the impact. Velocities agree to
+// rounding in both engines.
+TEST(CrossImpacts, AnOffCentreBallSpinsTheBarByItsLeverArm) {
     for (const double e : {1.0, 0.5}) {
         SCOPED_TRACE(e);
         const SceneDef scene = scenes::ballOnBoxOffCentre(0.7, e);
@@ -89,11 +89,11 @@ TEST(CrossImpacts, ABallOffCentreSpinsTheBarByItsLever) {
     }
 }
 
-// The bar reaches the ball when the distance of its middle line is half its width plus the radius:
-// h cos(a) - d sin(a) = 0.35 at the angle a = 2 t, with the lever L = d cos(a) + h sin(a). Kodo
-// deals the blow where they touch; Box2D lets the bar turn on for up to a step (0.033 rad), which
-// moves lever and normal: hence 3 % for it and 1 % for Kodo, whose touch is slop / 4 early.
-TEST(CrossImpacts, ASpinningBarThrowsTheBallByItsLever) {
+// Touch at the angle a = 2 t where h cos(a) - d sin(a) = 0.35, half the bar's width plus the
+// radius. The lever arm is L = d cos(a) + h sin(a). Kodo applies the impulse slop / 4 before the
+// touch: 1 %. In Box2D the bar rotates for up to one more step (0.033 rad), which changes lever arm
+// and normal: 3 %.
+TEST(CrossImpacts, ASpinningBarThrowsTheBallByItsLeverArm) {
     const SceneDef scene = scenes::spinningBarHitsBall();
     const auto figures = inBoth(scene, [](Engine& engine) -> std::vector<double> {
         const Hit hit = runToHit(engine, 0, 1, 2);
@@ -119,8 +119,8 @@ TEST(CrossImpacts, ASpinningBarThrowsTheBallByItsLever) {
     EXPECT_TRUE(table.holds());
 }
 
-// Peak n is h0 e^(2 n), as long as it rises. Both lose or gain up to a step of gravity at a
-// bounce, 0.17 m/s of 8: 4 % of the height a bounce. Both find the impact at its time.
+// Peak n has the height h0 e^(2 n). Both engines find the time of impact, but lose or gain up to
+// one step of gravity per bounce. That is 0.17 m/s of 8, or 4 % of the height.
 TEST(CrossImpacts, ABouncingBallRisesByTheSquareOfItsRestitution) {
     for (const double e : {0.8, 0.5}) {
         SCOPED_TRACE(e);

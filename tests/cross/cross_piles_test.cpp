@@ -18,11 +18,11 @@ double meanForce(Engine& engine, std::size_t a, std::size_t b) {
         engine.step(kDt);
         sum += engine.impulse(a, b);
     }
-    return sum; // N s in one second
+    return sum; // N s during one second
 }
 
-/// The farthest that any body has moved sideways, and turned, since the scene began.
-std::vector<double> drift(const Engine& engine, const SceneDef& scene) {
+/// Maximum horizontal displacement and rotation of all bodies since the start of the scene.
+std::vector<double> displacement(const Engine& engine, const SceneDef& scene) {
     double sideways = 0;
     double turn = 0;
     for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
@@ -33,15 +33,15 @@ std::vector<double> drift(const Engine& engine, const SceneDef& scene) {
     return {sideways, turn};
 }
 
-// Contact k of n carries (n - k) m g. Each contact may sink in by 5 mm, Box2D's slop; Kodo's must
-// not be worse. Nothing moves sideways or turns.
+// Contact k of n carries (n - k) m g. Each contact may overlap by 5 mm, Box2D's slop. There is no
+// horizontal displacement or rotation.
 TEST(CrossPiles, AStackOfFiveStandsAndCarriesItsWeight) {
     const SceneDef scene = scenes::stack(5);
     const auto figures = inBoth(scene, [&](Engine& engine) -> std::vector<double> {
         run(engine, 9);
         const double onGround = meanForce(engine, 0, 1);
         const double onTop = meanForce(engine, 4, 5);
-        const std::vector<double> moved = drift(engine, scene);
+        const std::vector<double> moved = displacement(engine, scene);
         return {onGround, onTop,    engine.state(1).position.y,          engine.state(5).position.y,
                 moved[0], moved[1], std::abs(engine.state(5).velocity.y)};
     });
@@ -56,8 +56,8 @@ TEST(CrossPiles, AStackOfFiveStandsAndCarriesItsWeight) {
     EXPECT_TRUE(table.holds());
 }
 
-// 55 boxes stand for ten seconds: the top has ten contacts below it, each within Box2D's slop; no
-// box leaves its place by a centimetre. The ground carries 55 boxes.
+// 55 boxes stand for ten seconds. The top rests on ten contacts, each within Box2D's slop, and no
+// box moves by 1 cm. The ground carries 55 boxes.
 TEST(CrossPiles, APyramidOfTenRowsStands) {
     const SceneDef scene = scenes::pyramid(10);
     const auto figures = inBoth(scene, [&](Engine& engine) -> std::vector<double> {
@@ -66,7 +66,7 @@ TEST(CrossPiles, APyramidOfTenRowsStands) {
         for (std::size_t i = 1; i <= 10; ++i) {
             onGround += engine.impulse(0, i) / kDt;
         }
-        const std::vector<double> moved = drift(engine, scene);
+        const std::vector<double> moved = displacement(engine, scene);
         return {onGround, engine.state(55).position.y, moved[0], moved[1]};
     });
     Comparison table;
@@ -77,15 +77,15 @@ TEST(CrossPiles, APyramidOfTenRowsStands) {
     EXPECT_TRUE(table.holds());
 }
 
-// The light box carries ten times its weight and the ground eleven times. Nothing is crushed:
-// each contact within 1 cm in Kodo, whose contacts are springs; Box2D pushes apart to its slop.
+// The light box carries ten times its weight, the ground eleven times. Overlap stays within 1 cm
+// per contact in Kodo, whose contacts are soft; Box2D corrects it to its slop.
 TEST(CrossPiles, ALightBoxCarriesOneTenTimesAsHeavy) {
     const SceneDef scene = scenes::heavyOnLight(10);
     const auto figures = inBoth(scene, [&](Engine& engine) -> std::vector<double> {
         run(engine, 9);
         const double onLight = meanForce(engine, 1, 2);
         const double onGround = meanForce(engine, 0, 1);
-        const std::vector<double> moved = drift(engine, scene);
+        const std::vector<double> moved = displacement(engine, scene);
         return {onLight,  onGround, engine.state(1).position.y, engine.state(2).position.y,
                 moved[0], moved[1]};
     });
@@ -99,29 +99,29 @@ TEST(CrossPiles, ALightBoxCarriesOneTenTimesAsHeavy) {
     EXPECT_TRUE(table.holds());
 }
 
-// Every domino strikes the next, in order, and all but the last lie on the one before it. The wave
-// runs at a speed that settles after a few dominoes; the two engines differ by how much a corner
-// slips and sinks in a blow, so 10 % of its time, and 0.05 rad of the lean at rest.
+// Every domino hits the next one in order, and all but the last end up lying on a neighbour. The
+// wave reaches a constant speed after a few dominoes. The engines differ in slip and overlap of
+// corners during impacts: 10 % of the time, 0.05 rad of the final angle.
 TEST(CrossPiles, ADominoRowFallsToTheLast) {
     constexpr int kCount = 10;
     const auto figures =
         inBoth(scenes::dominoRow(kCount), [&](Engine& engine) -> std::vector<double> {
-            std::vector<double> struck(kCount, -1); // the time when i strikes i + 1
+            std::vector<double> hitTimes(kCount, -1); // time of the impact of i on i + 1
             for (int step = 1; step <= 600; ++step) {
                 engine.step(kDt);
                 for (std::size_t i = 1; i < kCount; ++i) {
-                    if (struck[i] < 0 && engine.impulse(i, i + 1) > 0) {
-                        struck[i] = step * kDt;
+                    if (hitTimes[i] < 0 && engine.impulse(i, i + 1) > 0) {
+                        hitTimes[i] = step * kDt;
                     }
                 }
             }
             double inOrder = 1;
             for (std::size_t i = 2; i < kCount; ++i) {
-                inOrder *= struck[i] > struck[i - 1] ? 1 : 0;
+                inOrder *= hitTimes[i] > hitTimes[i - 1] ? 1 : 0;
             }
-            return {struck[1],
-                    struck[5],
-                    struck[9],
+            return {hitTimes[1],
+                    hitTimes[5],
+                    hitTimes[9],
                     inOrder,
                     engine.state(1).angle,
                     engine.state(5).angle,

@@ -10,7 +10,7 @@ namespace {
 
 using scenes::SceneDef;
 
-/// How far body 1 has come (m), and how fast it is (m/s), after so many seconds.
+/// Distance (m) and speed (m/s) of body 1 after a time in seconds.
 std::vector<double> travel(Engine& engine, double seconds) {
     const scenes::Vec2 start = engine.state(1).position;
     run(engine, seconds);
@@ -19,9 +19,9 @@ std::vector<double> travel(Engine& engine, double seconds) {
     return {std::sqrt(dot(way, way)), std::sqrt(dot(end.velocity, end.velocity)), end.spin};
 }
 
-// Distance v^2 / (2 mu g) = 2.5 m and time v / (mu g) = 1 s. An Euler step without its half-step
-// term errs by v dt / 2 = 42 mm, which is what Box2D shows; Kodo steps four times as finely.
-TEST(CrossSlides, ABoxSlidesAsFarAsFrictionLetsIt) {
+// Distance v^2 / (2 mu g) = 2.5 m and time v / (mu g) = 1 s. An Euler step without half-step term
+// errs by v dt / 2 = 42 mm, as Box2D shows. Kodo's substeps are four times shorter.
+TEST(CrossSlides, ABoxStopsAtTheExactDistanceAndTime) {
     const auto figures = inBoth(scenes::slidingBox(0.5), [](Engine& engine) -> std::vector<double> {
         double stopped = -1;
         for (int i = 1; i <= 120; ++i) {
@@ -42,16 +42,15 @@ TEST(CrossSlides, ABoxSlidesAsFarAsFrictionLetsIt) {
     EXPECT_TRUE(table.holds());
 }
 
-// The slope is 3 over 4, so friction 0.75 is the threshold: 1 % above it holds for ten seconds
-// (creep below a millimetre), 1 % below it slips by a t^2 / 2 with a = g (0.6 - 0.8 mu) = 0.06,
-// that is 3 m in ten seconds. Both engines within 5 % of it, since both lose a step or two at the
-// start, when the box settles.
-TEST(CrossSlides, ABoxOnASlopeHoldsExactlyFromTheTangentOn) {
+// On a slope of 3 over 4 the threshold is friction 0.75. At 1 % above, the box sticks for ten
+// seconds with less than 1 mm of creep. At 1 % below, it slips by a t^2 / 2 = 3 m with a = g (0.6 -
+// 0.8 mu) = 0.06. Both engines agree within 5 %, since the box settles during the first steps.
+TEST(CrossSlides, ABoxOnASlopeSticksIfFrictionExceedsTheTangent) {
     const auto tenSeconds = [](Engine& engine) { return travel(engine, 10); };
     const auto holding = inBoth(scenes::boxOnSlope(0.75 * 1.01), tenSeconds);
     const auto slipping = inBoth(scenes::boxOnSlope(0.75 * 0.99), tenSeconds);
     Comparison table;
-    // The way counts the millimetres that a box sinks until it carries its weight.
+    // The distance includes some millimetres of sinking until the contact carries the weight.
     table.witness("way at 1.01 of the threshold [m]", 0, holding[0], 0.007);
     table.witness("speed at 1.01 of the threshold [m/s]", 0, holding[1], 1e-3);
     table.witness("way at 0.99 of the threshold [m]", 3, slipping[0], 0.15);
@@ -59,9 +58,9 @@ TEST(CrossSlides, ABoxOnASlopeHoldsExactlyFromTheTangentOn) {
     EXPECT_TRUE(table.holds());
 }
 
-// a = g (sin - mu cos) = 3.6 m/s^2 at mu = 0.3: v = a t, s = a t^2 / 2. Euler's error in the way
-// is a t dt / 2, 60 mm in two seconds.
-TEST(CrossSlides, ABoxSlipsDownASlopeAsGravityAndFrictionSay) {
+// a = g (sin - mu cos) = 3.6 m/s^2 at mu = 0.3: v = a t, s = a t^2 / 2. Euler's error in the
+// distance is a t dt / 2, 60 mm in two seconds.
+TEST(CrossSlides, ABoxSlipsDownASlopeWithTheExactAcceleration) {
     const auto figures =
         inBoth(scenes::boxOnSlope(0.3), [](Engine& engine) { return travel(engine, 2); });
     Comparison table;
@@ -71,8 +70,9 @@ TEST(CrossSlides, ABoxSlipsDownASlopeAsGravityAndFrictionSay) {
     EXPECT_TRUE(table.holds());
 }
 
-// A disc rolls with a = 2/3 g sin, since friction 0.6 is above tan / 3. Box2D's radius is off by
-// its slop, so its rolling is 0.34 % off at any step; the way also by a t dt / 2 = 43 mm.
+// A rolling disc has a = 2/3 g sin, since friction 0.6 exceeds tan / 3. Box2D's radius is off by
+// its slop, which changes the acceleration by 0.34 % at any step size. Its distance also errs by a
+// t dt / 2 = 43 mm.
 TEST(CrossSlides, ABallRollsDownASlopeWithoutSlipping) {
     const auto figures =
         inBoth(scenes::ballDownSlope(), [](Engine& engine) { return travel(engine, 2); });

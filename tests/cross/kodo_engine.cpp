@@ -6,10 +6,10 @@
 namespace crosscheck {
 namespace {
 
-/// Without rest, since bodies at rest report no impulses.
+/// Without sleep, since sleeping bodies report no impulses.
 kodo::StepSettings settings() {
     kodo::StepSettings result;
-    result.leaveOut = static_cast<std::uint8_t>(kodo::Feature::Resting);
+    result.leaveOut = static_cast<std::uint8_t>(kodo::Feature::Sleep);
     return result;
 }
 
@@ -23,14 +23,15 @@ public:
     void join(const Link& link) override {
         const kodo::JointEnds ends{scene_.ids[link.a], scene_.ids[link.b],
                                    anchor(link.a, link.point), anchor(link.b, link.point)};
-        if (link.kind == Link::Kind::Weld) {
-            scene_.world.add(kodo::Weld{.ends = ends});
-        } else if (link.kind == Link::Kind::Pin) {
-            scene_.world.add(kodo::Pin{.ends = ends,
-                                       .motorSpeed = static_cast<kodo::Real>(link.motorSpeed),
-                                       .motorTorque = static_cast<kodo::Real>(link.motorTorque)});
+        if (link.kind == Link::Kind::FixedJoint) {
+            scene_.world.add(kodo::FixedJoint{.ends = ends});
+        } else if (link.kind == Link::Kind::RevoluteJoint) {
+            scene_.world.add(
+                kodo::RevoluteJoint{.ends = ends,
+                                    .motorSpeed = static_cast<kodo::Real>(link.motorSpeed),
+                                    .motorTorque = static_cast<kodo::Real>(link.motorTorque)});
         } else {
-            kodo::Spring spring{.ends = ends};
+            kodo::DistanceJoint spring{.ends = ends};
             spring.ends.anchorB = anchor(link.b, link.pointB);
             spring.length = length(scenes::toKodo(link.pointB - link.point));
             spring.hertz = static_cast<kodo::Real>(link.hertz);

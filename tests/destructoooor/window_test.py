@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""A1, A2: starts the sandbox on a virtual screen and works it by keys and mouse:
+"""A1, A2: starts the sandbox on a virtual screen and operates it by keys and mouse:
 
     window_test.py build/dev/bin/destructoooor build/dev/report
 

@@ -12,7 +12,7 @@
 namespace determinism {
 namespace {
 
-/// The lines of golden.txt for this recipe and precision: tick to hash, as text.
+/// The lines of golden.txt for this recipe and precision: hash as text by tick.
 std::map<int, std::string> goldenOf(const Recipe& recipe) {
     std::map<int, std::string> golden;
     std::ifstream file(KODO_GOLDEN_FILE);
@@ -43,8 +43,8 @@ std::string nameOf(const testing::TestParamInfo<Recipe>& info) {
 
 class Golden : public testing::TestWithParam<Recipe> {};
 
-// The same bits with every compiler, optimisation and machine. golden.txt was agreed upon by all
-// builds of tools/determinism_engine.
+// The same bits with every compiler, optimisation and machine. tools/determinism_engine compares
+// many builds with golden.txt.
 TEST_P(Golden, EveryBuildGivesTheSameBits) {
     const Recipe& recipe = GetParam();
     const std::map<int, std::string> golden = goldenOf(recipe);
@@ -62,11 +62,12 @@ TEST_P(Golden, EveryBuildGivesTheSameBits) {
         }
     }
     EXPECT_EQ(golden.size(), hashes.size());
-    EXPECT_EQ(differs, 0) << "The first tick of those kept whose hash is not that of\n"
-                          << KODO_GOLDEN_FILE << " is " << differs
-                          << ".\nIf the engine was meant to change, write the file anew with\n"
-                          << "    tools/determinism_engine --golden\nor paste these lines:\n"
-                          << fresh;
+    EXPECT_EQ(differs, 0)
+        << "The first tick whose hash differs from that in\n"
+        << KODO_GOLDEN_FILE << " is " << differs
+        << ".\nAfter an intended change of the engine, write the file again with\n"
+        << "    tools/determinism_engine --golden\nor paste these lines:\n"
+        << fresh;
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::ValuesIn(recipes().begin(), recipes().end()),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Prints "scene precision tick hash" of every recipe, as golden.txt keeps them. Stands alone, so
-// that any compiler for any machine can build it from its one file and those of engine/kodo.
+// Prints "scene precision tick hash" of every recipe, as golden.txt keeps them. Self-contained, so
+// that any compiler for any machine can build it from its one file and those of engine/src.
 #include <determinism/player.hpp>
 
 #include <cinttypes>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/base/hash.hpp>
 #include <kodo/kodo.hpp>
-
+#include <kodo/state_hash.hpp>
 #include <scenes/crowds.hpp>
 #include <scenes/in_kodo.hpp>
 #include <scenes/nets.hpp>
@@ -13,21 +12,22 @@
 #include <ostream>
 #include <span>
 
-namespace determinism::inline KODO_PRECISION {
+namespace determinism {
+inline namespace KODO_PRECISION {
 
 inline constexpr int kTicks = 600;
 inline constexpr int kHashEvery = 60; // ticks between the hashes that golden.txt keeps
 inline constexpr kodo::Real kDt = kodo::Real(1) / 60;
 inline constexpr const char* kPrecision = sizeof(kodo::Real) == 4 ? "float" : "double";
 
-/// A scene and what is done to it while it runs.
+/// A scene, with or without changes while it runs.
 struct Recipe {
     const char* name;
     scenes::SceneDef (*scene)();
-    bool churn; // compounds come, are welded where they touch, are struck and removed
+    bool churn; // compounds are added, welded where they touch, pushed and removed
 };
 
-/// How a failing test names it.
+/// Name in the messages of tests.
 inline void PrintTo(const Recipe& recipe, std::ostream* out) {
     *out << recipe.name;
 }
@@ -53,7 +53,7 @@ inline std::span<const Recipe> recipes() {
     return kRecipes;
 }
 
-/// Plays a recipe tick by tick. A value: a copy plays on as the original does.
+/// Plays a recipe tick by tick. A copy continues as the original does.
 class Player {
 public:
     explicit Player(const Recipe& recipe)
@@ -74,7 +74,7 @@ public:
     const kodo::World& world() const { return scene_.world; }
     int ticks() const { return ticks_; }
 
-    /// The state of the World, and every collision that it ever reported.
+    /// Hash of the state of the World and of every collision record so far.
     std::uint64_t hash() const {
         kodo::StateHash hash = records_;
         hash.add(scene_.world.stateHash());
@@ -133,7 +133,7 @@ private:
         for (const kodo::CollisionRecord& record : scene_.world.collisions()) {
             const auto loose = [&](kodo::BodyId id) {
                 return scene_.world.contains(id) &&
-                       (scene_.world[id].flags() & kodo::kLocked) == 0 &&
+                       scene_.world[id].type() == kodo::BodyType::Dynamic &&
                        scene_.world[id].partCount() < 12;
             };
             if (loose(record.a) && loose(record.b)) {
@@ -148,7 +148,7 @@ private:
         kodo::BodyId id;
         do {
             id = bodies[dice_.below(bodies.size())];
-        } while ((scene_.world[id].flags() & kodo::kLocked) != 0);
+        } while (scene_.world[id].type() != kodo::BodyType::Dynamic);
         return id;
     }
 
@@ -159,7 +159,7 @@ private:
     kodo::StateHash records_;
 };
 
-/// The hash after every kHashEvery ticks.
+/// Hashes after every kHashEvery ticks.
 inline std::vector<std::uint64_t> hashesOf(const Recipe& recipe) {
     std::vector<std::uint64_t> hashes;
     Player player(recipe);
@@ -172,4 +172,5 @@ inline std::vector<std::uint64_t> hashesOf(const Recipe& recipe) {
     return hashes;
 }
 
-} // namespace determinism::inline KODO_PRECISION
+} // namespace KODO_PRECISION
+} // namespace determinism

@@ -18,7 +18,7 @@ std::string nameOfRecipe(const testing::TestParamInfo<Recipe>& info) {
     return info.param.name;
 }
 
-/// Frees blocks of many sizes full of rubbish, for the next World to be built on.
+/// Frees blocks of many sizes filled with a pattern, for the allocations of the next World.
 void dirtyMemory() {
     std::vector<std::unique_ptr<unsigned char[]>> blocks;
     for (std::size_t size = 16; size <= std::size_t{1} << 18; size += size / 4) {
@@ -27,8 +27,9 @@ void dirtyMemory() {
     }
 }
 
-/// Moves the centre of mass by the least possible. Its frame may lie nearer to x = 0, where one
-/// unit is less than the centre can show, so this may take several.
+/// Moves the centre of mass by the smallest possible distance. The origin of the body may be closer
+/// to x = 0, where one unit in the last place is too small to move the centre, so this may take
+/// several.
 void nudge(kodo::BodyRef body) {
     const Real before = body.center().x;
     kodo::Vec2 place = body.position();
@@ -46,8 +47,8 @@ TEST_P(Repeat, ASecondRunInOneProcessGivesTheSameBits) {
     EXPECT_EQ(hashesOf(GetParam()), first);
 }
 
-// The heavy mode: every tick is played by the World and by a copy of it made just before.
-TEST_P(Repeat, ACopyGoesOnAsTheOriginalDoes) {
+// The World and a copy made just before play every tick.
+TEST_P(Repeat, ACopyContinuesWithTheSameBits) {
     Player player(GetParam());
     while (player.ticks() < kTicks) {
         Player copy = player;
@@ -57,8 +58,8 @@ TEST_P(Repeat, ACopyGoesOnAsTheOriginalDoes) {
     }
 }
 
-// The heaviest mode: before every tick the World is taken to bytes and back.
-TEST_P(Repeat, AWorldThatGoesThroughBytesComesToTheSameEnd) {
+// Before every tick, the World is written to bytes and restored.
+TEST_P(Repeat, AWorldRestoredFromBytesContinuesWithTheSameBits) {
     Player player(GetParam());
     Player moved = player;
     while (player.ticks() < kTicks) {
@@ -69,7 +70,7 @@ TEST_P(Repeat, AWorldThatGoesThroughBytesComesToTheSameEnd) {
     }
 }
 
-TEST_P(Repeat, ARewoundWorldComesToTheSameEnd) {
+TEST_P(Repeat, ARewoundWorldEndsWithTheSameBits) {
     Player player(GetParam());
     while (player.ticks() < kTicks / 2) {
         player.tick();
@@ -84,9 +85,9 @@ TEST_P(Repeat, ARewoundWorldComesToTheSameEnd) {
     EXPECT_EQ(saved.hash(), player.hash());
 }
 
-// The hash has teeth: it sees one body moved by one unit in the last place, at once and after the
-// next tick. Only a body that has just gone past a power of two may lose that unit by rounding.
-TEST_P(Repeat, TheHashSeesANudgeOfOneUlp) {
+// The hash detects a displacement of one body by one unit in the last place, at once and after the
+// next tick. Only a body that has just passed a power of two may lose that unit by rounding.
+TEST_P(Repeat, TheHashDetectsADisplacementOfOneUlp) {
     Player before(GetParam());
     while (before.ticks() < 100) {
         before.tick();
@@ -107,7 +108,7 @@ TEST_P(Repeat, TheHashSeesANudgeOfOneUlp) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Repeat, testing::ValuesIn(recipes().begin(), recipes().end()),
                          nameOfRecipe);
 
-/// Pose and motion of a body, to be compared bit by bit (== but for the two zeros).
+/// Pose and velocity of a body, compared bit by bit (== except for the two zeros).
 struct Bits {
     kodo::Vec2 center;
     kodo::Rot rotation;
@@ -122,7 +123,7 @@ Bits bitsOf(const kodo::World& world, BodyId id) {
 
 enum class Where { First, Last };
 
-/// Plays a scene with and without a ball that falls far away, and compares all others.
+/// Plays a scene with and without a ball that falls far away, and compares all other bodies.
 void expectUnmoved(const scenes::SceneDef& scene, Where where) {
     scenes::SceneDef crowded = scene;
     const scenes::BodyDef far = scenes::ball(0.5, {3000, 9000});
@@ -142,9 +143,9 @@ void expectUnmoved(const scenes::SceneDef& scene, Where where) {
     }
 }
 
-// What a body far away adds to the lists must not change the order in which others are solved. The
-// pile of 29 has 32 bodies with its walls: one more, and another way to find pairs takes over.
-TEST(FarAway, ABodyFarAwayChangesNoBitOfTheOthers) {
+// List entries of a distant body must not change the order in which others are solved. The pile of
+// 29 has 32 bodies with its walls: with one more, another algorithm searches pairs.
+TEST(DistantBody, ChangesNoBitOfTheOthers) {
     for (const scenes::SceneDef& scene : {scenes::stack(10), scenes::pyramid(8), scenes::pile(29),
                                           scenes::elasticGas(), scenes::fastBalls()}) {
         expectUnmoved(scene, Where::First);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Walks through the menus by mouse, and starts the game twice: settings must stay.
+"""Tests the menus by mouse. Starts the game twice to check that settings persist:
 
     menus.py build/dev/bin/apart build/dev/report
 
@@ -13,14 +13,14 @@ sys.dont_write_bytecode = True
 from virtual_screen import (Program, Screen, check, difference, judged, skip_without_tools,  # noqa: E402
                             wait_until)
 
-# Pixels a metre, in a window of 1280x800, and where the middle of the picture is (layout.hpp).
+# Pixels per metre in a window of 1280x800, and the height of the picture's centre (layout.hpp).
 SCALE = 1280 / 31.2
 MIDDLE_Y = 9.25
-ROW = 0.98  # m, from item to item of a menu
+ROW = 0.98  # m, between items of a menu
 
 
 def item(top, number):
-    """Pixels of the middle of an item, on the screens that show the field in the middle."""
+    """Pixel position of an item on screens that are centred on the field."""
     return 640, round(400 - SCALE * (top - ROW * number - 0.45 - MIDDLE_Y))
 
 
@@ -29,7 +29,7 @@ def at(x, y):
 
 
 def after(game, report, name, action, least=20000):
-    """The picture once it has changed by what was done."""
+    """Runs an action and returns the picture once it has changed."""
     before = game.picture(report / "before.png")
     action()
     path = report / name
@@ -47,7 +47,7 @@ def first_run(screen, apart, report, profile):
         after(game, report, "menu_title.png", lambda: game.click(*at(-13, 0.7)))
         check("level select and back, by mouse", True)
         after(game, report, "menu_options.png", lambda: game.click(*item(9.4, 4)))
-        game.click(*at(1.75, 13.2 - 0.45))  # the middle of the bar of the sound
+        game.click(*at(1.75, 13.2 - 0.45))  # the middle of the sound bar
         game.key("Escape")
         wait_until("the settings are written", profile.exists)
         check("a click on a bar turns it: half the sound", "sound = 50" in profile.read_text())

@@ -4,7 +4,7 @@
 
     smoke.py build/dev/bin/apart build/dev/report
 
-Pictures of each screen are left in the second folder. Exit code 0: all checks passed, 1: one
+The second folder receives pictures of each screen. Exit code 0: all checks passed, 1: one
 failed, 77: a tool is missing."""
 import pathlib
 import sys
@@ -14,7 +14,7 @@ sys.dont_write_bytecode = True
 from virtual_screen import (Program, Screen, brightest, check, difference, judged,  # noqa: E402
                             run_without_display, skip_without_tools, wait_until)
 
-PADDLE = "1000x90+36+700"  # where the paddle moves, in a window of 1280x800
+PADDLE = "1000x90+36+700"  # area of the paddle in a window of 1280x800
 MENU = "460x34+296+304"  # the first item of the pause screen
 MANY = 1500  # pixels; the paddle alone has about 4000
 
@@ -28,7 +28,7 @@ def check_without_display(apart):
 
 
 def changed(game, report, before, name, area=None, least=MANY):
-    """Waits until the picture differs from an older one; the new one."""
+    """Waits until the picture differs from an older one, and returns the new one."""
     path = report / name
 
     def look():
@@ -38,7 +38,7 @@ def changed(game, report, before, name, area=None, least=MANY):
 
 
 def check_without_window_manager(screen, apart, report):
-    """Nobody gives the window the focus."""
+    """The window receives keys without being given the focus."""
     with Program(screen, "aPart", apart, "--mute", "--level", "first_light", focus=False) as game:
         time.sleep(1.5)
         one = game.picture(report / "alone.png")
@@ -62,7 +62,7 @@ def play(screen, apart, report):
         waiting = changed(game, report, title, "2_serve.png", least=20000)
         check("enter starts a level", True)
 
-        time.sleep(1)  # until all blocks have grown
+        time.sleep(1)  # until all blocks are full size
         waiting = game.picture(waiting)
         game.hold("Right", 0.4)
         right = changed(game, report, waiting, "3_right.png", PADDLE)
@@ -73,7 +73,7 @@ def play(screen, apart, report):
         screen.xdotool("mousemove_relative", 250, 0)
         changed(game, report, report / "4_left.png", "5_mouse.png", PADDLE)
         check("the mouse moves the paddle", True)
-        # More than the window is wide, in all: the mouse must not end at a border.
+        # The sum exceeds the window's width: the mouse must not stop at a border.
         for _ in range(12):
             screen.xdotool("mousemove_relative", 150, 0)
             time.sleep(0.05)
@@ -91,14 +91,14 @@ def play(screen, apart, report):
 
         game.key("p")
         changed(game, report, report / "6_flight.png", "7_paused.png", least=50000)
-        time.sleep(0.3)  # the menu must not move by itself
+        time.sleep(0.3)  # the menu must not be animated
         one = game.picture(report / "7_paused.png")
         time.sleep(0.5)
         two = game.picture(report / "still.png")
         check("P pauses: nothing moves", difference(screen, one, two) == 0)
         two.unlink()
 
-        game.key("p")  # on
+        game.key("p")  # resume
         changed(game, report, report / "7_paused.png", "on.png", least=50000)
         (report / "on.png").unlink()
         screen.xdotool("windowfocus", screen.root())
@@ -110,13 +110,13 @@ def play(screen, apart, report):
 
         screen.xdotool("windowsize", game.window, 800, 760)
         wait_until("the window takes its new size", lambda: game.size() == (800, 760))
-        # The game keeps its shape: above and below it there is night.
+        # The aspect ratio stays the same: the borders above and below are dark.
         wait_until("the picture fits the new size",
                    lambda: brightest(screen, game.picture(report / "8_resized.png"), "800x90+0+0") < 0.15)
         check("the game fits", brightest(screen, report / "8_resized.png", "800x400+0+150") > 0.5)
         check("the window can be resized", True)
 
-        game.key("Escape", "Escape")  # on, and pause again
+        game.key("Escape", "Escape")  # resume and pause again
         game.key("Up", "Return")      # to the title
         game.key("Escape")
         code, output = game.wait_for_end()

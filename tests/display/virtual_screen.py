@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A virtual screen of our own, a program in a window on it, and keys, mouse and pictures."""
+"""A virtual screen, programs in windows on it, and their keys, mouse and pictures."""
 import os
 import shutil
 import subprocess
@@ -7,7 +7,7 @@ import sys
 import tempfile
 import time
 
-SKIPPED = 77  # what ctest takes for "skipped"
+SKIPPED = 77  # exit code that ctest reports as skipped
 TOOLS = {"Xvfb": "xvfb", "xdotool": "xdotool", "import": "imagemagick", "compare": "imagemagick"}
 
 
@@ -25,7 +25,7 @@ def check(what, true):
 
 
 def judged(work, report):
-    """What main() returns: 0 when work() passes all its checks, 1 when one fails."""
+    """Runs work() and returns the exit code: 0 if all checks pass, 1 if one fails."""
     try:
         work()
     except AssertionError as error:
@@ -40,7 +40,7 @@ def run_without_display(*command):
 
 
 def wait_until(what, test, seconds=20.0):
-    """The first true value of test(); fails with a sentence after so many seconds."""
+    """Returns the first true value of test(); fails with `what` after a timeout in seconds."""
     end = time.monotonic() + seconds
     while True:
         value = test()
@@ -52,8 +52,9 @@ def wait_until(what, test, seconds=20.0):
 
 
 class Screen:
-    """An Xvfb that ends with the `with` block. Square: SFML 2.5.1 centres windows by the width.
-    Without -noreset it would be gone for a moment whenever its last client leaves."""
+    """An Xvfb server that ends with the `with` block. The screen is square, since SFML 2.5.1
+    centres windows vertically by the width. -noreset keeps the server running when its last
+    client exits."""
 
     def __enter__(self):
         read, write = os.pipe()
@@ -66,7 +67,7 @@ class Screen:
             number = pipe.readline().strip()
         if not number:
             raise AssertionError("Xvfb did not start")
-        self.config = tempfile.TemporaryDirectory()  # the user's settings are no concern of a test
+        self.config = tempfile.TemporaryDirectory()  # isolated from the user's settings
         self.env = {**os.environ, "DISPLAY": f":{number}", "LIBGL_ALWAYS_SOFTWARE": "1",
                     "XDG_CONFIG_HOME": self.config.name}
         self.env.pop("WAYLAND_DISPLAY", None)
@@ -91,7 +92,8 @@ class Screen:
 
 
 class Program:
-    """A program whose window has that title; ended, if need be, with the `with` block."""
+    """A program with a window of a given title. It is terminated with the `with` block if
+    necessary."""
 
     def __init__(self, screen, title, *command, focus=True):
         self.screen, self.title, self.command, self.focus = screen, title, command, focus
@@ -131,7 +133,7 @@ class Program:
         self.screen.xdotool("click", 1)
 
     def pointer(self):
-        """Where the mouse is, in pixels of the window."""
+        """Position of the mouse in pixels of the window."""
         def values(*words):
             return dict(line.split("=") for line in self.screen.xdotool(*words) if "=" in line)
         mouse = values("getmouselocation", "--shell")
@@ -158,13 +160,13 @@ class Program:
 
 
 def difference(screen, one, other, area=None):
-    """Number of pixels that differ clearly; area is WxH+X+Y."""
+    """Number of clearly different pixels; area is WxH+X+Y."""
     crop = ["-extract", area] if area else []
     result = screen.run("compare", *crop, "-metric", "AE", "-fuzz", "8%", str(one), str(other), "null:")
     return int(float(result.stderr.split()[0]))
 
 
 def brightest(screen, picture, area):
-    """0..1, of all pixels in an area WxH+X+Y."""
+    """Maximum brightness, 0..1, of all pixels in an area WxH+X+Y."""
     result = screen.run("convert", str(picture), "-crop", area, "-format", "%[fx:maxima]", "info:")
     return float(result.stdout)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/solver.hpp"
 #include <support/scenes.hpp>
 
 #include <functional>
@@ -10,7 +11,7 @@ namespace {
 using support::kInf;
 using support::kNan;
 
-/// A world in which things move, touch and hang together.
+/// A World with motion, contacts and a joint.
 struct Scene {
     World world{{.gravity = support::kEarth}};
     BodyId floor;
@@ -22,7 +23,7 @@ struct Scene {
         floor = support::addFloor(world);
         box = world.add(support::boxDef({0, Real(0.5)}, 1, 1));
         ball = world.add(support::ballDef({0, 3}, Real(0.5)));
-        pin = world.add(Pin{.ends = {box, ball, {0, 3}, {0, Real(0.5)}}});
+        pin = world.add(RevoluteJoint{.ends = {box, ball, {0, 3}, {0, Real(0.5)}}});
         support::run(world, 20);
     }
 };
@@ -32,7 +33,7 @@ struct Bad {
     std::function<void(Scene&)> call;
 };
 
-/// Each call is refused with a sentence that names the field, and nothing has changed.
+/// Expects each call to be refused with the field named, without any change of state.
 void expectRefused(const std::vector<Bad>& rows) {
     int number = 0;
     for (const Bad& bad : rows) {
@@ -63,16 +64,16 @@ Bad body(const char* field, Change change) {
             }};
 }
 
-// What bodies cannot be made of, beyond what tests/world shows of each primitive's own numbers:
-// other shapes, sizes, masses and flags that no engine could compute with.
-TEST(BadInput, OfABody) {
+// Invalid shapes, sizes, masses and flags, beyond the numbers of each primitive that tests/world
+// covers.
+TEST(BadInput, InABodyDefIsRefused) {
     const auto shape = [](const char* field, const Shape& bad) {
         return body(field, [=](BodyDef& d) { d.shape = bad; });
     };
     const auto ground = [](const char* field, const Shape& bad) {
         return body(field, [=](BodyDef& d) {
             d.shape = bad;
-            d.flags = kLocked;
+            d.type = BodyType::Static;
         });
     };
     expectRefused({
@@ -90,13 +91,13 @@ TEST(BadInput, OfABody) {
         ground("shape.spacing", Heightmap{{0, 0}, 0, {0, 0}}),
         ground("shape.heights", Heightmap{{0, 0}, 1, {0}}),
         ground("shape.heights[1]", Heightmap{{0, 0}, 1, {0, kNan, 0}}),
-        shape("flags", Plane{{0, 1}, 0}),
-        shape("flags", Heightmap{{0, 0}, 1, {0, 0}}),
-        shape("shape", Circle{2 * kFarthest}),
-        shape("shape", Circle{1, {0, 2 * kFarthest}}),
-        shape("shape", Box{1, 1, {-2 * kFarthest, 0}}),
-        shape("shape", Segment{{0, 0}, {2 * kFarthest, 0}, false, {}, {}}),
-        ground("shape", Plane{{0, 1}, 2 * kFarthest}),
+        shape("type", Plane{{0, 1}, 0}),
+        shape("type", Heightmap{{0, 0}, 1, {0, 0}}),
+        shape("shape", Circle{2 * kMaxCoordinate}),
+        shape("shape", Circle{1, {0, 2 * kMaxCoordinate}}),
+        shape("shape", Box{1, 1, {-2 * kMaxCoordinate, 0}}),
+        shape("shape", Segment{{0, 0}, {2 * kMaxCoordinate, 0}, false, {}, {}}),
+        ground("shape", Plane{{0, 1}, 2 * kMaxCoordinate}),
         shape("shape.radius", Circle{std::numeric_limits<Real>::max()}),
         shape("shape", Circle{std::numeric_limits<Real>::min()}),
         shape("shape", Box{1, std::numeric_limits<Real>::denorm_min()}),
@@ -123,97 +124,97 @@ Bad joint(const char* field, Change change) {
             }};
 }
 
-TEST(BadInput, OfTheEndsOfAJoint) {
+TEST(BadInput, InJointEndsIsRefused) {
     const auto ends = [](const char* field, auto change) {
-        return joint<Weld>(field, [=](Weld& d) { change(d.ends); });
+        return joint<FixedJoint>(field, [=](FixedJoint& d) { change(d.ends); });
     };
     expectRefused({
         ends("ends", [](JointEnds& e) { e.b = e.a; }),
         ends("ends.anchorA", [](JointEnds& e) { e.anchorA.x = kNan; }),
         ends("ends.anchorB", [](JointEnds& e) { e.anchorB.y = -kInf; }),
-        ends("ends.anchorB", [](JointEnds& e) { e.anchorB.y = 2 * kFarthest; }),
+        ends("ends.anchorB", [](JointEnds& e) { e.anchorB.y = 2 * kMaxCoordinate; }),
         ends("ends.breakForce", [](JointEnds& e) { e.breakForce = 0; }),
         ends("ends.breakForce", [](JointEnds& e) { e.breakForce = kNan; }),
         ends("ends.breakTorque", [](JointEnds& e) { e.breakTorque = -1; }),
     });
 }
 
-TEST(BadInput, OfAPinOrAWeld) {
+TEST(BadInput, InARevoluteOrFixedJointIsRefused) {
     expectRefused({
-        joint<Weld>("reference", [](Weld& d) { d.reference = kNan; }),
-        joint<Pin>("reference", [](Pin& d) { d.reference = kInf; }),
-        joint<Pin>("limits.lower",
-                   [](Pin& d) {
-                       d.limits = Range{kNan, 0};
-                   }),
-        joint<Pin>("limits.lower",
-                   [](Pin& d) {
-                       d.limits = Range{-4, 0};
-                   }),
-        joint<Pin>("limits.upper",
-                   [](Pin& d) {
-                       d.limits = Range{1, 0};
-                   }),
-        joint<Pin>("limits.upper",
-                   [](Pin& d) {
-                       d.limits = Range{0, kInf};
-                   }),
-        joint<Pin>("motorSpeed", [](Pin& d) { d.motorSpeed = kNan; }),
-        joint<Pin>("motorSpeed", [](Pin& d) { d.motorSpeed = 2 * kHighestSpeed; }),
-        joint<Pin>("motorTorque", [](Pin& d) { d.motorTorque = -1; }),
-        joint<Pin>("motorTorque", [](Pin& d) { d.motorTorque = kInf; }),
+        joint<FixedJoint>("reference", [](FixedJoint& d) { d.reference = kNan; }),
+        joint<RevoluteJoint>("reference", [](RevoluteJoint& d) { d.reference = kInf; }),
+        joint<RevoluteJoint>("limits.lower",
+                             [](RevoluteJoint& d) {
+                                 d.limits = Range{kNan, 0};
+                             }),
+        joint<RevoluteJoint>("limits.lower",
+                             [](RevoluteJoint& d) {
+                                 d.limits = Range{-4, 0};
+                             }),
+        joint<RevoluteJoint>("limits.upper",
+                             [](RevoluteJoint& d) {
+                                 d.limits = Range{1, 0};
+                             }),
+        joint<RevoluteJoint>("limits.upper",
+                             [](RevoluteJoint& d) {
+                                 d.limits = Range{0, kInf};
+                             }),
+        joint<RevoluteJoint>("motorSpeed", [](RevoluteJoint& d) { d.motorSpeed = kNan; }),
+        joint<RevoluteJoint>("motorSpeed", [](RevoluteJoint& d) { d.motorSpeed = 2 * kMaxSpeed; }),
+        joint<RevoluteJoint>("motorTorque", [](RevoluteJoint& d) { d.motorTorque = -1; }),
+        joint<RevoluteJoint>("motorTorque", [](RevoluteJoint& d) { d.motorTorque = kInf; }),
     });
 }
 
-TEST(BadInput, OfASpringOrASlider) {
+TEST(BadInput, InADistanceOrPrismaticJointIsRefused) {
     expectRefused({
-        joint<Spring>("length", [](Spring& d) { d.length = -1; }),
-        joint<Spring>("length", [](Spring& d) { d.length = kNan; }),
-        joint<Spring>("hertz", [](Spring& d) { d.hertz = -1; }),
-        joint<Spring>("hertz", [](Spring& d) { d.hertz = kInf; }),
-        joint<Spring>("damping", [](Spring& d) { d.damping = kNan; }),
-        joint<Spring>("limits.lower",
-                      [](Spring& d) {
-                          d.limits = Range{-1, 1};
-                      }),
-        joint<Spring>("limits.upper",
-                      [](Spring& d) {
-                          d.limits = Range{2, 1};
-                      }),
-        joint<Slider>("axis",
-                      [](Slider& d) {
-                          d.axis = {1, 1};
-                      }),
-        joint<Slider>("axis",
-                      [](Slider& d) {
-                          d.axis = {kNan, 0};
-                      }),
-        joint<Slider>("reference", [](Slider& d) { d.reference = kNan; }),
-        joint<Slider>("limits.lower",
-                      [](Slider& d) {
-                          d.limits = Range{-kInf, 1};
-                      }),
-        joint<Slider>("limits.upper",
-                      [](Slider& d) {
-                          d.limits = Range{0, kNan};
-                      }),
-        joint<Slider>("motorSpeed", [](Slider& d) { d.motorSpeed = kInf; }),
-        joint<Slider>("motorForce", [](Slider& d) { d.motorForce = -1; }),
+        joint<DistanceJoint>("length", [](DistanceJoint& d) { d.length = -1; }),
+        joint<DistanceJoint>("length", [](DistanceJoint& d) { d.length = kNan; }),
+        joint<DistanceJoint>("hertz", [](DistanceJoint& d) { d.hertz = -1; }),
+        joint<DistanceJoint>("hertz", [](DistanceJoint& d) { d.hertz = kInf; }),
+        joint<DistanceJoint>("damping", [](DistanceJoint& d) { d.damping = kNan; }),
+        joint<DistanceJoint>("limits.lower",
+                             [](DistanceJoint& d) {
+                                 d.limits = Range{-1, 1};
+                             }),
+        joint<DistanceJoint>("limits.upper",
+                             [](DistanceJoint& d) {
+                                 d.limits = Range{2, 1};
+                             }),
+        joint<PrismaticJoint>("axis",
+                              [](PrismaticJoint& d) {
+                                  d.axis = {1, 1};
+                              }),
+        joint<PrismaticJoint>("axis",
+                              [](PrismaticJoint& d) {
+                                  d.axis = {kNan, 0};
+                              }),
+        joint<PrismaticJoint>("reference", [](PrismaticJoint& d) { d.reference = kNan; }),
+        joint<PrismaticJoint>("limits.lower",
+                              [](PrismaticJoint& d) {
+                                  d.limits = Range{-kInf, 1};
+                              }),
+        joint<PrismaticJoint>("limits.upper",
+                              [](PrismaticJoint& d) {
+                                  d.limits = Range{0, kNan};
+                              }),
+        joint<PrismaticJoint>("motorSpeed", [](PrismaticJoint& d) { d.motorSpeed = kInf; }),
+        joint<PrismaticJoint>("motorForce", [](PrismaticJoint& d) { d.motorForce = -1; }),
     });
 }
 
-TEST(BadInput, OfAMotorOrAMouse) {
+TEST(BadInput, InAMotorOrMouseJointIsRefused) {
     expectRefused({
-        joint<Motor>("reference", [](Motor& d) { d.reference = kNan; }),
-        joint<Motor>("force", [](Motor& d) { d.force = -1; }),
-        joint<Motor>("torque", [](Motor& d) { d.torque = kInf; }),
-        joint<Motor>("hertz", [](Motor& d) { d.hertz = 0; }),
-        joint<Motor>("damping", [](Motor& d) { d.damping = -1; }),
-        joint<Mouse>("anchor", [](Mouse& d) { d.anchor.x = kNan; }),
-        joint<Mouse>("target", [](Mouse& d) { d.target.y = kInf; }),
-        joint<Mouse>("force", [](Mouse& d) { d.force = kNan; }),
-        joint<Mouse>("hertz", [](Mouse& d) { d.hertz = 0; }),
-        joint<Mouse>("damping", [](Mouse& d) { d.damping = kNan; }),
+        joint<MotorJoint>("reference", [](MotorJoint& d) { d.reference = kNan; }),
+        joint<MotorJoint>("force", [](MotorJoint& d) { d.force = -1; }),
+        joint<MotorJoint>("torque", [](MotorJoint& d) { d.torque = kInf; }),
+        joint<MotorJoint>("hertz", [](MotorJoint& d) { d.hertz = 0; }),
+        joint<MotorJoint>("damping", [](MotorJoint& d) { d.damping = -1; }),
+        joint<MouseJoint>("anchor", [](MouseJoint& d) { d.anchor.x = kNan; }),
+        joint<MouseJoint>("target", [](MouseJoint& d) { d.target.y = kInf; }),
+        joint<MouseJoint>("force", [](MouseJoint& d) { d.force = kNan; }),
+        joint<MouseJoint>("hertz", [](MouseJoint& d) { d.hertz = 0; }),
+        joint<MouseJoint>("damping", [](MouseJoint& d) { d.damping = kNan; }),
     });
 }
 
@@ -228,33 +229,36 @@ Bad settings(const char* field, Change change) {
             }};
 }
 
-TEST(BadInput, OfTheSettings) {
-    const auto number = [](const char* field, Real StepSettings::*member, Real value) {
-        return settings(field, [=](StepSettings& s) { s.*member = value; });
+TEST(BadInput, InSettingsIsRefused) {
+    const auto number = [](const char* field, Real SoftSettings::*member, Real value) {
+        return settings(field, [=](StepSettings& s) { s.soft().*member = value; });
     };
     std::vector<Bad> rows{
-        settings("settings.strategy", [](StepSettings& s) { s.strategy = Strategy(7); }),
-        settings("settings.substeps", [](StepSettings& s) { s.substeps = -1; }),
-        settings("settings.contactPasses", [](StepSettings& s) { s.contactPasses = 0; }),
-        settings("settings.contactPasses", [](StepSettings& s) { s.contactPasses = 1001; }),
-        settings("settings.shockPasses", [](StepSettings& s) { s.shockPasses = -1; }),
-        settings("settings.shockPasses", [](StepSettings& s) { s.shockPasses = 1001; }),
-        settings("settings.restSteps", [](StepSettings& s) { s.restSteps = 0; }),
-        settings("settings.restSteps", [](StepSettings& s) { s.restSteps = 1000001; }),
+        settings("settings.substeps", [](StepSettings& s) { s.soft().substeps = -1; }),
+        settings("settings.contactPasses",
+                 [](StepSettings& s) { s = thesis2006(), s.propagation().contactPasses = 0; }),
+        settings("settings.contactPasses",
+                 [](StepSettings& s) { s = thesis2006(), s.propagation().contactPasses = 1001; }),
+        settings("settings.shockPasses",
+                 [](StepSettings& s) { s = thesis2006(), s.propagation().shockPasses = -1; }),
+        settings("settings.shockPasses",
+                 [](StepSettings& s) { s = thesis2006(), s.propagation().shockPasses = 1001; }),
+        settings("settings.sleepSteps", [](StepSettings& s) { s.sleepSteps = 0; }),
+        settings("settings.sleepSteps", [](StepSettings& s) { s.sleepSteps = 1000001; }),
         settings("settings.leaveOut", [](StepSettings& s) { s.leaveOut = 128; }),
     };
-    // The largest would overflow in the products of a spring.
+    // The largest number would overflow in the products of a spring.
     for (const Real value : {Real(0), Real(-1), kNan, kInf, std::numeric_limits<Real>::max()}) {
-        rows.push_back(number("settings.contactHertz", &StepSettings::contactHertz, value));
-        rows.push_back(number("settings.contactDamping", &StepSettings::contactDamping, value));
-        rows.push_back(number("settings.jointHertz", &StepSettings::jointHertz, value));
-        rows.push_back(number("settings.jointDamping", &StepSettings::jointDamping, value));
-        rows.push_back(number("settings.pushSpeed", &StepSettings::pushSpeed, value));
+        rows.push_back(number("settings.contactHertz", &SoftSettings::contactHertz, value));
+        rows.push_back(number("settings.contactDamping", &SoftSettings::contactDamping, value));
+        rows.push_back(number("settings.jointHertz", &SoftSettings::jointHertz, value));
+        rows.push_back(number("settings.jointDamping", &SoftSettings::jointDamping, value));
+        rows.push_back(number("settings.pushSpeed", &SoftSettings::pushSpeed, value));
     }
     expectRefused(rows);
 }
 
-TEST(BadInput, OfTheWorldsOtherVerbs) {
+TEST(BadInput, InOtherCallsOfAWorldIsRefused) {
     expectRefused({
         {"region",
          [](Scene& s) {
@@ -280,11 +284,11 @@ TEST(BadInput, OfTheWorldsOtherVerbs) {
          }},
         {"part", [](Scene& s) { s.world.weld(s.ball, s.ball); }},
         {"radius", [](Scene& s) { s.world.weld(s.box, Circle{-1}, {}, 1); }},
-        {"shape", [](Scene& s) { s.world.weld(s.box, Circle{2 * kFarthest}, {}, 1); }},
+        {"shape", [](Scene& s) { s.world.weld(s.box, Circle{2 * kMaxCoordinate}, {}, 1); }},
         {"material.restitution",
          [](Scene& s) { s.world.weld(s.box, Circle{1}, withFriction(1, 2), 1); }},
         {"density", [](Scene& s) { s.world.weld(s.box, Circle{1}, {}, 0); }},
-        {"flags", [](Scene& s) { s.world.weld(s.box, Plane{}, {}, 1); }},
+        {"type", [](Scene& s) { s.world.weld(s.box, Plane{}, {}, 1); }},
         {"part", [](Scene& s) { s.world.unweld(s.box, 0); }},
         {"part", [](Scene& s) { s.world.unweld(s.box, 5); }},
         {"flags", [](Scene& s) { s.world[s.box].setFlags(kMatchAll | kMatchEqual); }},
@@ -294,38 +298,38 @@ TEST(BadInput, OfTheWorldsOtherVerbs) {
          }},
         {"joint",
          [](Scene& s) {
-             s.world.setJoint({}, Weld{.ends = {s.box, s.ball}});
+             s.world.setJoint({}, FixedJoint{.ends = {s.box, s.ball}});
          }},
         {"joint",
          [](Scene& s) {
-             s.world.setJoint(s.pin, Weld{.ends = {s.box, s.ball}});
+             s.world.setJoint(s.pin, FixedJoint{.ends = {s.box, s.ball}});
          }},
         {"joint",
          [](Scene& s) {
-             s.world.setJoint(s.pin, Pin{.ends = {s.ball, s.box}});
+             s.world.setJoint(s.pin, RevoluteJoint{.ends = {s.ball, s.box}});
          }},
         {"motorSpeed",
          [](Scene& s) {
-             s.world.setJoint(s.pin, Pin{.ends = {s.box, s.ball}, .motorSpeed = kNan});
+             s.world.setJoint(s.pin, RevoluteJoint{.ends = {s.box, s.ball}, .motorSpeed = kNan});
          }},
     });
 }
 
-// A joint between bodies that are not there is a matter of their ids.
-TEST(BadInput, AJointOfADeadBody) {
+// A removed body is refused by its id, with BadBodyId.
+TEST(BadInput, AJointOfARemovedBodyIsRefused) {
     Scene scene;
     const BodyId gone = scene.world.add(support::ballDef({20, 5}, 1));
     scene.world.remove(gone);
     const std::uint64_t before = scene.world.stateHash();
-    EXPECT_THROW(scene.world.add(Weld{.ends = {scene.box, gone}}), BadBodyId);
-    EXPECT_THROW(scene.world.add(Weld{.ends = {gone, scene.box}}), BadBodyId);
-    EXPECT_THROW(scene.world.add(Mouse{.body = gone}), BadBodyId);
+    EXPECT_THROW(scene.world.add(FixedJoint{.ends = {scene.box, gone}}), BadBodyId);
+    EXPECT_THROW(scene.world.add(FixedJoint{.ends = {gone, scene.box}}), BadBodyId);
+    EXPECT_THROW(scene.world.add(MouseJoint{.body = gone}), BadBodyId);
     EXPECT_EQ(scene.world.stateHash(), before);
 }
 
-// An outline is never mended in silence. A micrometre beside a metre is flat in float, and refused
-// by the corner that makes it so; in double it is an edge, and the body lies on it.
-TEST(BadInput, AnEdgeOfAMicrometreIsFlatOrAnEdge) {
+// Invalid corners are refused and never corrected. An edge of 1 um beside 1 m is flat in float and
+// refused at its corner. In double it is an edge on which the body lies.
+TEST(BadInput, AnEdgeOfAMicrometreIsRefusedInFloatOnly) {
     World world({.gravity = support::kEarth});
     support::addFloor(world);
     const BodyDef def{.shape = Polygon{{{0, 0}, {1, 0}, {1, Real(1e-6)}, {0, 1}}}};
@@ -339,17 +343,17 @@ TEST(BadInput, AnEdgeOfAMicrometreIsFlatOrAnEdge) {
     const BodyId body = world.add(def);
     EXPECT_EQ(world[body].part(0).convex.vertices.size(), 4u);
     support::run(world, 300);
-    EXPECT_NE(world[body].flags() & kResting, 0u);
+    EXPECT_NE(world[body].flags() & kAsleep, 0u);
     EXPECT_TRUE(support::near(world[body].position().y, 0, world.tolerances().slop));
 }
 
-// The largest and the smallest of everything that is allowed gives numbers, not NaN, in one world.
-TEST(BadInput, WhatIsAllowedIsFinite) {
+// Bodies of the smallest and largest sizes and densities stay finite in one World.
+TEST(BadInput, ExtremesThatAreAllowedStayFinite) {
     World world({.gravity = support::kEarth});
     support::addFloor(world);
     Real x = -40;
     for (const Real size : {Real(1e-4), Real(0.01), Real(1), Real(10)}) {
-        for (const Real density : {kLowestDensity, Real(1), kHighestDensity}) {
+        for (const Real density : {kMinDensity, Real(1), kMaxDensity}) {
             BodyDef def = support::boxDef({x, size}, size, size);
             def.density = density;
             if (check(def)) {

@@ -8,9 +8,9 @@ namespace {
 
 constexpr std::size_t kSixteenBits = 65536;
 
-// More bodies and more contacts than 16 bits can count: balls in rows of 270 that all touch their
-// neighbours. Every pair is found once, under its own names.
-TEST(Counts, BodiesAndContactsPassSixteenBits) {
+// More bodies and contacts than 16 bits can count: 270 rows of 270 balls that touch their
+// neighbours. Every pair is found once, under its own ids.
+TEST(Counts, BodiesAndContactsMayExceedSixteenBits) {
     constexpr std::size_t kRow = 270;
     constexpr std::size_t kPairs = 2 * kRow * (kRow - 1);
     static_assert(kRow * kRow > kSixteenBits && kPairs > 2 * kSixteenBits);
@@ -20,7 +20,7 @@ TEST(Counts, BodiesAndContactsPassSixteenBits) {
         const Vec2 place{static_cast<Real>(i % kRow), static_cast<Real>(i / kRow)};
         ids.push_back(world.add(support::ballDef(place, Real(0.5))));
     }
-    world[ids.back()].setVelocity({-1, 0}); // the last ball strikes the one before
+    world[ids.back()].setVelocity({-1, 0}); // the last ball hits the one before
     world.step(support::kDt);
     ASSERT_EQ(world.collisions().size(), kPairs);
     std::set<std::pair<BodyId, BodyId>> pairs;
@@ -36,12 +36,13 @@ TEST(Counts, BodiesAndContactsPassSixteenBits) {
     EXPECT_EQ(world[ids[ids.size() - 2 - kSixteenBits]].velocity(), Vec2{});
 }
 
-// The largest ground has as many cells as a part's number can tell apart, and the last is its own.
+// The largest heightmap has as many cells as there are part indices, and its last cell has an index
+// of its own.
 TEST(Counts, TheLargestHeightmapIsSolidToItsLastCell) {
     World world({.gravity = support::kEarth});
     Heightmap map{{-1000, 0}, Real(2000) / kMaxHeights, std::vector<Real>(kMaxHeights, 0)};
     map.heights.back() = map.heights[kMaxHeights - 2];
-    const BodyId ground = world.add({.shape = map, .flags = kLocked});
+    const BodyId ground = world.add({.shape = map, .type = BodyType::Static});
     const Real last = -1000 + map.spacing * (static_cast<Real>(kMaxHeights) - Real(1.5));
     const BodyId ball = world.add(support::ballDef({last, Real(0.1)}, Real(0.01)));
     support::run(world, 30);
@@ -50,10 +51,10 @@ TEST(Counts, TheLargestHeightmapIsSolidToItsLastCell) {
     ASSERT_NE(record, nullptr);
     EXPECT_EQ(record->partA, kMaxHeights - 2);
     map.heights.push_back(0);
-    EXPECT_THROW(world.add({.shape = map, .flags = kLocked}), BadDefinition);
+    EXPECT_THROW(world.add({.shape = map, .type = BodyType::Static}), BadDefinition);
 }
 
-// One part more than a part's number can tell apart is refused, by whatever way it comes.
+// One part more than 16-bit part indices allow is refused, by add() and by weld().
 TEST(Counts, MorePartsThanSixteenBitsAreRefused) {
     World world;
     Compound compound{std::vector<Primitive>(kMaxParts + 1, Circle{Real(0.1)})};
@@ -74,7 +75,7 @@ TEST(Counts, MorePartsThanSixteenBitsAreRefused) {
     EXPECT_NO_THROW(world.weld(full, one));
 }
 
-// R1: 16 bits of lives in one slot: a stale name of a body never comes alive again.
+// R1: after more than 2^16 reuses of a slot, a stale id is still invalid.
 TEST(Counts, ABodyIdNeverAliasesAfter16BitsOfReuses) {
     World world;
     const BodyId first = world.add(support::ballDef({}, 1));
@@ -93,11 +94,11 @@ TEST(Counts, AJointIdNeverAliasesAfter16BitsOfReuses) {
     World world;
     const BodyId a = world.add(support::ballDef({}, 1));
     const BodyId b = world.add(support::ballDef({3, 0}, 1));
-    const JointId first = world.add(Spring{.ends = {a, b}});
+    const JointId first = world.add(DistanceJoint{.ends = {a, b}});
     JointId last = first;
     for (std::size_t life = 0; life <= kSixteenBits; ++life) {
         world.remove(last);
-        last = world.add(Spring{.ends = {a, b}});
+        last = world.add(DistanceJoint{.ends = {a, b}});
         ASSERT_EQ(last.index, first.index);
         ASSERT_FALSE(world.contains(first));
     }

@@ -6,14 +6,15 @@
 namespace kodo {
 namespace {
 
-/// A stack of three on a floor, with a ball that rolls, around a place.
+/// A stack of three boxes and a rolling ball on a floor, at a given position.
 struct StackAt {
     World world{{.gravity = support::kEarth}};
     std::vector<BodyId> bodies;
     Vec2 place;
 
     explicit StackAt(Vec2 at) : place(at) {
-        world.add({.shape = Box{40, 1}, .position = at + Vec2{0, Real(-0.5)}, .flags = kLocked});
+        world.add(
+            {.shape = Box{40, 1}, .position = at + Vec2{0, Real(-0.5)}, .type = BodyType::Static});
         for (int i = 0; i < 3; ++i) {
             bodies.push_back(
                 world.add(support::boxDef(at + Vec2{0, Real(0.5) + static_cast<Real>(i)}, 1, 1)));
@@ -25,15 +26,15 @@ struct StackAt {
     Vec2 position(std::size_t i) const { return world[bodies[i]].position() - place; }
 };
 
-/// The distance (m) of two numbers next to each other, so far away.
+/// m, spacing of adjacent numbers at that distance.
 Real gridAt(Real distance) {
     return distance * support::kEpsilon;
 }
 
-// In double everything happens 1e7 m away as it does here, to 1e-6 m: a roll of 5 s has a few
-// hundred steps, each of which may round by 1e-9. In float, where a number at 1000 m is 6e-5 m from
-// the next, to a few tenths of a millimetre a second.
-TEST(FarAway, HappensWhatHappensHere) {
+// In double, motion at 1e7 m agrees with that at the origin within 1e-6 m: 300 steps, each rounded
+// by 1e-9 m. In float, adjacent numbers at 1000 m differ by 6e-5 m, which gives a few tenths of a
+// millimetre per second.
+TEST(FarAway, MotionAgreesWithThatAtTheOrigin) {
     for (const Real far : {support::byPrecision(100, 1e5), support::byPrecision(1000, 1e7)}) {
         SCOPED_TRACE(far);
         StackAt here({0, 0});
@@ -47,14 +48,14 @@ TEST(FarAway, HappensWhatHappensHere) {
     }
 }
 
-/// How high over a slope a smooth disc is after 50 s on it, 100 m from where it begins (m).
+/// m, height of a frictionless disc over a slope after 50 s, 100 m from the origin of the slope.
 Real heightOnSlope(const Rot& slope, bool segment, Real spin) {
     const Vec2 along = slope.xAxis();
     const Vec2 up = slope.yAxis();
     Material smooth;
     smooth.staticFriction = smooth.kineticFriction = 0;
     World world({.gravity = Real(-10) * up});
-    BodyDef ground{.shape = Plane{up, 0}, .flags = kLocked};
+    BodyDef ground{.shape = Plane{up, 0}, .type = BodyType::Static};
     if (segment) {
         ground.shape = Segment{Real(-200) * along, Real(200) * along, true};
     }
@@ -66,10 +67,10 @@ Real heightOnSlope(const Rot& slope, bool segment, Real spin) {
     return dot(up, world[disc].position()) - Real(0.5);
 }
 
-// What is round is not lifted or sunk by its spin: its contact has no lever, although the ground
-// that it is found from begins far away. A lever of 2e-6 m, as a rounding at 100 m, would lift it
-// by 5 mm in that time.
-TEST(FarAway, ADiscThatSpinsOnASlopeStaysWhereItIs) {
+// The spin of a disc does not lift or lower it: its contact has no lever arm, even far from the
+// origin of the ground. A lever arm of 2e-6 m, a rounding at 100 m, would lift it by 5 mm in that
+// time.
+TEST(FarAway, ASpinningDiscOnASlopeKeepsItsHeight) {
     for (const Real degrees : {Real(6), Real(13), Real(22), Real(34)}) {
         const Rot slope = Rot::fromAngle(degrees * std::numbers::pi_v<Real> / 180);
         for (const bool segment : {false, true}) {
@@ -81,9 +82,10 @@ TEST(FarAway, ADiscThatSpinsOnASlopeStaysWhereItIs) {
     }
 }
 
-// At the limit nothing falls through, nothing bursts; a place is not known better than the grid.
+// At the limit no body falls through or is thrown out. Positions are no more accurate than the
+// number spacing.
 TEST(FarAway, AtTheLimitAStackStands) {
-    const Real far = kFarthest - 100;
+    const Real far = kMaxCoordinate - 100;
     StackAt scene({far, far});
     support::run(scene.world, 300);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -92,12 +94,12 @@ TEST(FarAway, AtTheLimitAStackStands) {
     }
 }
 
-// The limit is one of the World's length units, for everything that is given as a place.
-TEST(FarAway, TheLimitGoesWithTheLengthUnit) {
+// The limit of all positions scales with the length unit.
+TEST(FarAway, TheLimitScalesWithTheLengthUnit) {
     for (const Real unit : {Real(0.001), Real(1), Real(1000)}) {
         SCOPED_TRACE(unit);
         World world({.lengthUnit = unit});
-        const Real most = kFarthest * unit;
+        const Real most = kMaxCoordinate * unit;
         BodyDef def;
         def.position = {most, -most};
         const BodyId body = world.add(def);
@@ -110,7 +112,8 @@ TEST(FarAway, TheLimitGoesWithTheLengthUnit) {
         EXPECT_THROW(world.clone(body, beyond), BadDefinition);
         EXPECT_THROW(world[body].setPosition(beyond), BadDefinition);
         EXPECT_THROW(world[body].applyForce({1, 0}, beyond), BadDefinition);
-        EXPECT_THROW(world.add(Mouse{.body = body, .target = beyond, .force = 1}), BadDefinition);
+        EXPECT_THROW(world.add(MouseJoint{.body = body, .target = beyond, .force = 1}),
+                     BadDefinition);
     }
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/solver.hpp"
 #include <support/depth.hpp>
 #include <support/draws.hpp>
 #include <support/scenes.hpp>
@@ -6,11 +7,15 @@
 namespace kodo {
 namespace {
 
+using support::kSolvers;
+using support::settingsOf;
+using support::Solver;
+
 using support::deepest;
 
-/// So many bodies, all with their centre at the origin, without gravity.
-World crowd(int count, const Shape& shape, Strategy strategy) {
-    StepSettings settings = strategy == Strategy::Propagation ? thesis2006() : StepSettings{};
+/// `count` bodies with their centres at the origin, without gravity.
+World crowd(int count, const Shape& shape, Solver strategy) {
+    StepSettings settings = settingsOf(strategy);
     World world({.settings = settings});
     for (int i = 0; i < count; ++i) {
         world.add({.shape = shape});
@@ -30,7 +35,7 @@ Real fastest(const World& world) {
     return speed;
 }
 
-/// The most that anybody was fast in so many steps (m/s).
+/// m/s, largest speed of any body during these steps.
 Real mostSpeedIn(World& world, int steps) {
     Real most = 0;
     for (int i = 0; i < steps; ++i) {
@@ -40,9 +45,9 @@ Real mostSpeedIn(World& world, int steps) {
     return most;
 }
 
-/// What two bodies part with at most (m/s).
+/// m/s, push speed: the largest speed that separates two bodies.
 Real mostSpeed(const World& world) {
-    return world.settings().pushSpeed * world.tolerances().unit();
+    return support::pushSpeedOf(world.settings()) * world.tolerances().unit();
 }
 
 struct Kind {
@@ -55,10 +60,10 @@ const Kind kKinds[] = {
     {"triangle", Polygon{{{Real(-0.5), Real(-0.5)}, {Real(0.5), Real(-0.5)}, {0, Real(0.5)}}}},
 };
 
-// Centres on one point have no direction to part in, and part all the same; nothing is shot out:
-// the outermost of twenty stand on what is pushed that way itself, and are no faster than one.
-TEST(Overlap, AFewBodiesOnOnePointPart) {
-    for (const Strategy strategy : {Strategy::SoftStep, Strategy::Propagation}) {
+// Coinciding centres define no direction, but the bodies separate. No body is shot out: the
+// outermost of twenty is no faster than the push speed of a pair.
+TEST(Overlap, AFewBodiesOnOnePointSeparate) {
+    for (const Solver strategy : kSolvers) {
         for (const Kind& kind : kKinds) {
             for (const int count : {2, 20}) {
                 SCOPED_TRACE(testing::Message() << kind.name << " x " << count << ", strategy "
@@ -72,8 +77,8 @@ TEST(Overlap, AFewBodiesOnOnePointPart) {
     }
 }
 
-// S4: How a heap parts changes by no bit, whatever parts far off.
-TEST(Overlap, WhatPartsDoesNotDependOnWhatPartsElsewhere) {
+// S4: distant overlaps do not change the separation of a heap by any bit.
+TEST(Overlap, SeparationDoesNotDependOnDistantOverlaps) {
     const auto heapBeside = [](int others) {
         World world(support::wakeful());
         support::addFloor(world);
@@ -97,10 +102,10 @@ TEST(Overlap, WhatPartsDoesNotDependOnWhatPartsElsewhere) {
     EXPECT_EQ(heapBeside(100), alone);
 }
 
-// Circles on one point get directions by their numbers, so that they part to all sides, and not
-// along a line on which each would push the next.
-TEST(Overlap, CirclesOnOnePointPartToAllSides) {
-    World world = crowd(20, Circle{Real(0.5)}, Strategy::SoftStep);
+// Coinciding circles get directions from their indices. So they separate in all directions, and not
+// along one line.
+TEST(Overlap, CirclesOnOnePointSeparateInAllDirections) {
+    World world = crowd(20, Circle{Real(0.5)}, Solver::Soft);
     support::run(world, 600);
     Real wide = 0;
     Real high = 0;
@@ -112,13 +117,12 @@ TEST(Overlap, CirclesOnOnePointPartToAllSides) {
     EXPECT_GT(high, 2);
 }
 
-// Sixty part too, and take their time: seventeen seconds. Nobody is pushed faster than one of two
-// is. What they give each other stays in balance: rounding aside, and each of the 1770 contacts
-// rounds in every substep.
-TEST(Overlap, SixtyBodiesOnOnePointPartWithinTwentySeconds) {
+// 60 bodies separate within 17 s, none of them faster than the push speed. Momentum is conserved to
+// the rounding of 1770 contacts in every substep.
+TEST(Overlap, SixtyBodiesOnOnePointSeparateWithinTwentySeconds) {
     for (const Kind& kind : kKinds) {
         SCOPED_TRACE(kind.name);
-        World world = crowd(60, kind.shape, Strategy::SoftStep);
+        World world = crowd(60, kind.shape, Solver::Soft);
         EXPECT_LT(mostSpeedIn(world, 1200), mostSpeed(world));
         EXPECT_LT(deepest(world), Real(0.02));
         EXPECT_TRUE(support::near(support::totalsOf(world).momentum, Vec2{},
@@ -127,13 +131,13 @@ TEST(Overlap, SixtyBodiesOnOnePointPartWithinTwentySeconds) {
     }
 }
 
-// A thousand at one point: half a million contacts. Nothing becomes NaN and nothing is shot out;
-// they part further than where they began. Few steps, for each is dear.
-TEST(Overlap, AThousandBodiesOnOnePointDoNotBurst) {
+// 1000 coinciding bodies have half a million contacts. No number becomes NaN, no body is shot out,
+// and separation begins. The test makes few steps, since each is expensive.
+TEST(Overlap, AThousandBodiesOnOnePointSeparateSlowly) {
     constexpr int kCount = support::kSanitized ? 300 : 1000;
     for (const Kind& kind : {kKinds[0], kKinds[1]}) {
         SCOPED_TRACE(kind.name);
-        World world = crowd(kCount, kind.shape, Strategy::SoftStep);
+        World world = crowd(kCount, kind.shape, Solver::Soft);
         EXPECT_LT(mostSpeedIn(world, 12), mostSpeed(world));
         Real farthest = 0;
         for (const BodyId id : world.bodies()) {
@@ -144,16 +148,14 @@ TEST(Overlap, AThousandBodiesOnOnePointDoNotBurst) {
     }
 }
 
-/// Two unit boxes, the right one three times as heavy, so deep in each other (m).
+/// Two unit boxes with an overlap of `deep` (m); the right one has three times the mass.
 struct Parting {
     World world;
     BodyId light;
     BodyId heavy;
     Real depth;
 
-    Parting(Real deep, Strategy strategy)
-        : world({.settings = strategy == Strategy::Propagation ? thesis2006() : StepSettings{}}),
-          depth(deep) {
+    Parting(Real deep, Solver strategy) : world({.settings = settingsOf(strategy)}), depth(deep) {
         BodyDef def = support::boxDef({}, 1, 1);
         light = world.add(def);
         def.position = {1 - deep, 0};
@@ -161,45 +163,45 @@ struct Parting {
         heavy = world.add(def);
         support::run(world, 60);
     }
-    /// How far the common centre of mass has moved (m).
-    Real drift() const {
+    /// m, displacement of the common centre of mass.
+    Real displacement() const {
         return (world[light].position().x + 3 * (world[heavy].position().x - 1 + depth)) / 4;
     }
     Real apart() const { return length(world[heavy].velocity() - world[light].velocity()); }
 };
 
-// S4, F4: what overlaps is pushed apart by impulses that are taken out again: boxes that lay two
-// centimetres in each other part and stand still, to a fiftieth of the push of 3 m/s, and their
-// common centre stays. The last slop, 4 mm, may be left as it was.
-TEST(Overlap, PartingGivesNoEnergy) {
-    for (const Strategy strategy : {Strategy::SoftStep, Strategy::Propagation}) {
+// S4, F4: relax passes remove the velocity that separates an overlap. Boxes with an overlap of 2 cm
+// separate and stop, within 1/50 of the push speed of 3 m/s. Their common centre stays. An overlap
+// of up to the slop, 4 mm, may remain.
+TEST(Overlap, SeparationAddsNoEnergy) {
+    for (const Solver strategy : kSolvers) {
         SCOPED_TRACE(static_cast<int>(strategy));
         const Parting boxes(Real(0.02), strategy);
-        EXPECT_LT(boxes.apart(), boxes.world.settings().pushSpeed / 50);
-        EXPECT_TRUE(support::near(boxes.drift(), 0, Real(1e-5)));
+        EXPECT_LT(boxes.apart(), support::pushSpeedOf(boxes.world.settings()) / 50);
+        EXPECT_TRUE(support::near(boxes.displacement(), 0, Real(1e-5)));
         EXPECT_LT(deepest(boxes.world), boxes.world.tolerances().slop);
     }
 }
 
-// S4: the same out of 20 cm, as deep as contacts never are by themselves: more passes take the push
-// out again.
-TEST(Overlap, PartingFromDeepWithinGivesNoMore) {
-    for (const Strategy strategy : {Strategy::SoftStep, Strategy::Propagation}) {
+// S4: the same from 20 cm, deeper than contacts ever get by themselves: overlap relaxation adds
+// passes.
+TEST(Overlap, SeparationFromADeepOverlapAddsNoEnergy) {
+    for (const Solver strategy : kSolvers) {
         SCOPED_TRACE(static_cast<int>(strategy));
         const Parting boxes(Real(0.2), strategy);
-        EXPECT_LT(boxes.apart(), boxes.world.settings().pushSpeed / 50);
-        EXPECT_TRUE(support::near(boxes.drift(), 0, Real(1e-5)));
+        EXPECT_LT(boxes.apart(), support::pushSpeedOf(boxes.world.settings()) / 50);
+        EXPECT_TRUE(support::near(boxes.displacement(), 0, Real(1e-5)));
         EXPECT_LT(deepest(boxes.world), boxes.world.tolerances().slop);
     }
 }
 
-// S4: nor does it matter what else is in the world: beside boxes that lie still, or are awake and
-// touch each other in a thousand places, the pair parts as it does alone.
-TEST(Overlap, ALargePileBesideADeepPairDoesNotSpeedItUp) {
+// S4: other contacts do not matter. Beside sleeping or awake boxes with up to 760 contacts, the
+// pair separates as it does alone.
+TEST(Overlap, ALargePileDoesNotAffectTheSeparationOfADeepPair) {
     for (const int rows : {0, 5, 20}) {
         SCOPED_TRACE(rows);
         World world;
-        for (int i = 0; i < rows * rows; ++i) { // with nothing between them
+        for (int i = 0; i < rows * rows; ++i) { // without gaps
             world.add(support::boxDef(
                 {50 + static_cast<Real>(i % rows), static_cast<Real>(i / rows)}, 1, 1));
         }
@@ -207,36 +209,35 @@ TEST(Overlap, ALargePileBesideADeepPairDoesNotSpeedItUp) {
         const BodyId right = world.add(support::boxDef({Real(0.8), 0}, 1, 1));
         support::run(world, 60);
         EXPECT_LT(length(world[right].velocity() - world[left].velocity()),
-                  world.settings().pushSpeed / 50);
+                  support::pushSpeedOf(world.settings()) / 50);
         EXPECT_GT(world[right].position().x - world[left].position().x,
                   1 - world.tolerances().slop);
     }
 }
 
-// S4: the rest test sees the separation: what is still being parted, however slowly, does not rest;
-// once it is out, it does.
-TEST(Overlap, WhatIsBeingPartedDoesNotRest) {
+// S4: a body stays awake while its overlap is being separated, however slowly, and falls asleep
+// afterwards.
+TEST(Overlap, ABodyStaysAwakeDuringSeparation) {
     StepSettings settings;
-    settings.pushSpeed = Real(0.05); // m/s, so that it takes 100 steps
+    settings.soft().pushSpeed = Real(0.05); // m/s; the separation takes 100 steps
     World world({.gravity = support::kEarth, .settings = settings});
     support::addFloor(world);
     const BodyId box = world.add(support::boxDef({0, Real(0.4)}, 1, 1));
     for (int i = 0; i < 300; ++i) {
         world.step(support::kDt);
         if (world[box].position().y < Real(0.5) - 2 * world.tolerances().slop) {
-            ASSERT_EQ(world[box].flags() & kResting, 0u) << "step " << i;
+            ASSERT_EQ(world[box].flags() & kAsleep, 0u) << "step " << i;
         }
     }
-    EXPECT_NE(world[box].flags() & kResting, 0u);
+    EXPECT_NE(world[box].flags() & kAsleep, 0u);
     EXPECT_GT(world[box].position().y, Real(0.5) - world.tolerances().slop);
 }
 
-// S4: the same under gravity: a box that began 10 cm in the floor stands on it, and has not jumped:
-// it has gained no more energy than that of being lifted out.
-TEST(Overlap, PartingUnderGravityDoesNotThrow) {
-    for (const Strategy strategy : {Strategy::SoftStep, Strategy::Propagation}) {
+// S4: a box that starts 10 cm deep in the floor is lifted out and not thrown up.
+TEST(Overlap, SeparationUnderGravityDoesNotThrowABody) {
+    for (const Solver strategy : kSolvers) {
         SCOPED_TRACE(static_cast<int>(strategy));
-        StepSettings settings = strategy == Strategy::Propagation ? thesis2006() : StepSettings{};
+        StepSettings settings = settingsOf(strategy);
         World world({.gravity = support::kEarth, .settings = settings});
         support::addFloor(world);
         const BodyId box = world.add(support::boxDef({0, Real(0.4)}, 1, 1));
@@ -251,7 +252,7 @@ TEST(Overlap, PartingUnderGravityDoesNotThrow) {
     }
 }
 
-/// The largest impulse (N s) of the last step.
+/// N s, largest impulse of the last step.
 Real hardest(const World& world) {
     Real most = 0;
     for (const CollisionRecord& record : world.collisions()) {
@@ -260,22 +261,21 @@ Real hardest(const World& world) {
     return most;
 }
 
-// What is wedged into gaps too small for it has no place to go: two sides press on it, or turn it,
-// against each other. Their impulses grow until the softness of a contact takes back as much in a
-// substep as the push adds, and no further, however long that lasts. It rocks meanwhile, but never
-// by the 0.2 m that would free it from two of the four.
-TEST(Overlap, WhatIsPinchedIsPressedWithinBounds) {
+// A body wedged into a gap too small for it cannot separate: opposite contacts press on it or
+// rotate it. Their impulses grow until softness removes as much per substep as the push adds. The
+// body rocks, but by less than the 0.2 m that would free it from two of the four boxes.
+TEST(Overlap, ImpulsesOnAWedgedBodyStayBounded) {
     for (const Flags flags : {Flags{0}, kLockMove}) {
         SCOPED_TRACE(flags);
         StepSettings settings;
-        settings.leaveOut = static_cast<std::uint8_t>(Feature::Resting);
+        settings.leaveOut = static_cast<std::uint8_t>(Feature::Sleep);
         World world({.settings = settings});
         BodyDef def = support::boxDef({}, 2, 1);
         def.flags = flags;
         const BodyId wedged = world.add(def);
         for (const Vec2 place : {Vec2{Real(0.8), Real(0.8)}, Vec2{Real(-0.8), Real(0.8)},
                                  Vec2{Real(0.8), Real(-0.8)}, Vec2{Real(-0.8), Real(-0.8)}}) {
-            world.add({.shape = Box{1, 1}, .position = place, .flags = kLocked});
+            world.add({.shape = Box{1, 1}, .position = place, .type = BodyType::Static});
         }
         support::run(world, 1000);
         const Real early = hardest(world);

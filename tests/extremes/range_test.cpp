@@ -8,8 +8,8 @@ using support::byPrecision;
 using support::near;
 using support::nearShare;
 
-// dt from the shortest to the longest step: v = g t and y = g t^2 / 2 hold to rounding at all of
-// them, in a thousand steps.
+// From the shortest to the longest dt, v = g t and y = g t^2 / 2 hold to the rounding of 1000
+// steps.
 TEST(StepLength, FreeFallIsExactAtAnyStep) {
     for (const double dt : {1e-7, 1e-5, 1e-3, 0.02, 1.0}) {
         SCOPED_TRACE(dt);
@@ -22,10 +22,10 @@ TEST(StepLength, FreeFallIsExactAtAnyStep) {
     }
 }
 
-// The floor holds at any step: what lies on it stays, and what falls 50 m does not pass it.
-// Contacts are springs as stiff as substeps bear, and these are divided before they give way by two
-// slops; with the ground they are twice as stiff, which leaves half a slop. The bound is one and a
-// quarter (a slop is 4 mm).
+// At any dt a box at rest stays, and a ball that falls 50 m does not tunnel. Contacts are as stiff
+// as substeps allow, and substeps are refined before a contact yields by two slops. Contacts with
+// static bodies are twice as stiff, which leaves half a slop. The bound is 1.25 slops (a slop is 4
+// mm).
 TEST(StepLength, TheFloorHoldsAtAnyStep) {
     for (const double dt : {1e-5, 1e-3, 0.02, 0.1, 0.5, 1.0}) {
         SCOPED_TRACE(dt);
@@ -40,8 +40,7 @@ TEST(StepLength, TheFloorHoldsAtAnyStep) {
     }
 }
 
-// Without gravity nothing moves that was not moved, not by one bit, however it touches or overlaps
-// by less than the slop.
+// Without gravity, bodies that touch or overlap by less than the slop do not move by one bit.
 TEST(Gravity, OfZeroMovesNothing) {
     World world;
     support::addFloor(world);
@@ -53,9 +52,9 @@ TEST(Gravity, OfZeroMovesNothing) {
     }
 }
 
-// A thousand times the Earth's: what is laid down stays there, within the slop, and comes to rest;
-// so does what lies on it, since substeps are divided where forces are so large.
-TEST(Gravity, OfAThousandEarthsHoldsABoxDown) {
+// Under up to a thousand times Earth's gravity, a box stays within the slop and falls asleep. So
+// does a box on top, since large forces refine the substeps.
+TEST(Gravity, OfAThousandEarthsLetsBoxesFallAsleepInPlace) {
     for (const Real g : {Real(100), Real(900), Real(1e3), Real(2e3), Real(1e4)}) {
         SCOPED_TRACE(g);
         World world({.gravity = {0, -g}});
@@ -67,14 +66,14 @@ TEST(Gravity, OfAThousandEarthsHoldsABoxDown) {
         EXPECT_TRUE(near(world[boxes[1]].position().y, 1.5L, 3 * world.tolerances().slop));
         for (const BodyId id : {boxes[0], boxes[1], alone}) {
             EXPECT_LT(length(world[id].velocity()), Real(0.01));
-            EXPECT_NE(world[id].flags() & kResting, 0u);
+            EXPECT_NE(world[id].flags() & kAsleep, 0u);
         }
     }
 }
 
-// No speed up to the limit is cut: the way is v t.
-TEST(Speed, IsNotCappedUpToItsLimit) {
-    for (const Real speed : {Real(100), Real(1e4), Real(1e6), kHighestSpeed}) {
+// No speed up to the limit is reduced: the distance is v t.
+TEST(Speed, IsNotReducedUpToItsLimit) {
+    for (const Real speed : {Real(100), Real(1e4), Real(1e6), kMaxSpeed}) {
         SCOPED_TRACE(speed);
         World world;
         BodyDef def = support::ballDef({}, Real(0.5));
@@ -88,16 +87,16 @@ TEST(Speed, IsNotCappedUpToItsLimit) {
     }
 }
 
-// Beyond the limit a velocity is refused, and a force that leads there is reported, not cut off in
-// silence. Others go on.
+// Beyond the limit, a setter refuses the velocity. A force that leads there freezes the body and
+// reports it. Other bodies continue.
 TEST(Speed, BeyondItsLimitIsRefusedOrReported) {
     World world;
     const BodyId ball = world.add(support::ballDef({}, Real(0.5)));
     const BodyId other = world.add(support::ballDef({0, 50}, Real(0.5)));
     world[other].setVelocity({1, 0});
-    EXPECT_THROW(world[ball].setVelocity({Real(1.01) * kHighestSpeed, 0}), BadDefinition);
-    EXPECT_THROW(world[ball].setAngularVelocity(Real(-1.01) * kHighestSpeed), BadDefinition);
-    world[ball].setVelocity({kHighestSpeed, 0});
+    EXPECT_THROW(world[ball].setVelocity({Real(1.01) * kMaxSpeed, 0}), BadDefinition);
+    EXPECT_THROW(world[ball].setAngularVelocity(Real(-1.01) * kMaxSpeed), BadDefinition);
+    world[ball].setVelocity({kMaxSpeed, 0});
     world[ball].applyForce({Real(1e9), 0});
     world.step(support::kDt);
     ASSERT_EQ(world.frozenBodies().size(), 1u);
@@ -107,15 +106,15 @@ TEST(Speed, BeyondItsLimitIsRefusedOrReported) {
     EXPECT_TRUE(near(world[other].position().x, 1.0L / 60, support::kEpsilon));
 }
 
-// A body that freezes on the ground in the very step in which another comes to rest keeps its
-// contact: it is recorded in that step, and ends when the body goes.
-TEST(Speed, ABodyMayFreezeInTheStepInWhichAnotherComesToRest) {
+// A body freezes on the ground in the step in which another falls asleep. Its contact is recorded
+// in that step and ends when the body is removed.
+TEST(FrozenBody, KeepsItsContactWhileAnotherFallsAsleep) {
     World world({.gravity = support::kEarth});
-    world.setSettings({.restSteps = 5});
+    world.setSettings({.sleepSteps = 5});
     const BodyId floor = support::addFloor(world);
     const BodyId box = world.add(support::boxDef({0, Real(0.5)}, 1, 1));
     BodyDef def = support::boxDef({5, Real(0.5)}, 1, 1);
-    def.flags = kNeverRest;
+    def.flags = kNeverSleep;
     const BodyId other = world.add(def);
     bool rested = false;
     for (int step = 0; step < 60 && !rested; ++step) {
@@ -125,21 +124,20 @@ TEST(Speed, ABodyMayFreezeInTheStepInWhichAnotherComesToRest) {
         copy.step(support::kDt);
         ASSERT_EQ(copy.frozenBodies().size(), 1u);
         ASSERT_NE(support::recordOf(copy, floor, other), nullptr);
-        copy.remove(other); // what has begun ends
+        copy.remove(other); // each Begin needs an End
         copy.step(support::kDt);
         const CollisionRecord* end = support::recordOf(copy, floor, other);
         ASSERT_TRUE(end != nullptr && end->phase == TouchPhase::End) << step;
         world.step(support::kDt);
-        rested = (world[box].flags() & kResting) != 0;
+        rested = (world[box].flags() & kAsleep) != 0;
     }
     EXPECT_TRUE(rested);
 }
 
-// A change of flags does not let a body turn that is frozen.
-TEST(Speed, AFrozenBodyStaysFrozenWhenItsFlagsChange) {
+TEST(FrozenBody, StaysFrozenWhenItsFlagsChange) {
     World world;
     const BodyId box = world.add(support::boxDef({}, 1, 1));
-    world[box].setVelocity({kHighestSpeed, 0});
+    world[box].setVelocity({kMaxSpeed, 0});
     world[box].applyForce({Real(1e9), 0});
     world.step(support::kDt);
     ASSERT_NE(world[box].flags() & kFrozen, 0u);
@@ -147,7 +145,7 @@ TEST(Speed, AFrozenBodyStaysFrozenWhenItsFlagsChange) {
     world[box].applyTorque(100);
     support::run(world, 10);
     EXPECT_EQ(world[box].angularVelocity(), 0);
-    world[box].setVelocity({1, 0}); // thaws
+    world[box].setVelocity({1, 0}); // unfreezes
     world[box].applyTorque(1);
     world.step(support::kDt);
     EXPECT_GT(world[box].angularVelocity(), 0);

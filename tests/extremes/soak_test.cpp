@@ -8,13 +8,13 @@ using support::byPrecision;
 using support::near;
 using support::nearShare;
 
-// What rests does not move in ten million steps, 46 hours, by a single bit.
-TEST(Soak, ARestingStackKeepsItsBits) {
+// A sleeping stack does not change by one bit in 1e7 steps (46 hours).
+TEST(Soak, ASleepingStackKeepsItsBits) {
     World world({.gravity = support::kEarth});
     support::addFloor(world);
     const std::vector<BodyId> boxes = support::addStack(world, 5);
     support::run(world, 600);
-    ASSERT_NE(world[boxes[4]].flags() & kResting, 0u);
+    ASSERT_NE(world[boxes[4]].flags() & kAsleep, 0u);
     const World before = world;
     support::run(world, 10000000);
     for (const BodyId box : boxes) {
@@ -24,11 +24,11 @@ TEST(Soak, ARestingStackKeepsItsBits) {
     }
 }
 
-// Awake, a stack does not creep either: by a millionth of a metre at most in 1e5 steps; in float a
-// place 5 m up is known to 5e-7 m, and the boxes settle on what they come to.
-TEST(Soak, AWakefulStackDoesNotCreep) {
+// An awake stack creeps by at most 1e-6 m in 1e5 steps. In float, positions at 5 m are rounded to
+// 5e-7 m, and the boxes settle on rounded positions.
+TEST(Soak, AnAwakeStackDoesNotCreep) {
     StepSettings settings;
-    settings.leaveOut = static_cast<std::uint8_t>(Feature::Resting);
+    settings.leaveOut = static_cast<std::uint8_t>(Feature::Sleep);
     World world({.gravity = support::kEarth, .settings = settings});
     support::addFloor(world);
     const std::vector<BodyId> boxes = support::addStack(world, 5);
@@ -43,8 +43,8 @@ TEST(Soak, AWakefulStackDoesNotCreep) {
     }
 }
 
-// A rod spins for a million steps, 4.6 hours: its spin keeps its bits, its orientation its length.
-TEST(Soak, ASpinningRodGoesOn) {
+// In 1e6 steps (4.6 hours) the spin of a rod keeps its bits, and its rotation stays a unit vector.
+TEST(Soak, ASpinningRodKeepsItsSpin) {
     World world;
     BodyDef def = support::boxDef({}, 2, Real(0.1));
     def.angularVelocity = Real(7.3);
@@ -56,14 +56,15 @@ TEST(Soak, ASpinningRodGoesOn) {
     EXPECT_TRUE(near(length(Vec2{q.c, q.s}), 1, 4 * support::kEpsilon));
 }
 
-// A rally: a ball between four walls and three pegs, without loss, for a million steps: it keeps
-// its speed, and stays inside. Each of more than 5e4 blows rounds its speed by some epsilons, up or
-// down. To go one way by a tenth of one each time would be seen.
-TEST(Soak, ARallyKeepsItsSpeed) {
+// A lossless ball between four walls and three pegs keeps its speed and stays inside for 1e6 steps.
+// Each of more than 5e4 impacts rounds its speed by some epsilons, up or down. A bias of a tenth of
+// an epsilon per impact would show.
+TEST(Soak, ABallBetweenWallsKeepsItsSpeed) {
     World world;
     const Material bouncing = support::slippery(1);
     const auto addSolid = [&](const Shape& shape, Vec2 position) {
-        world.add({.shape = shape, .position = position, .material = bouncing, .flags = kLocked});
+        world.add(
+            {.shape = shape, .position = position, .material = bouncing, .type = BodyType::Static});
     };
     addSolid(Box{12, 1}, {0, 5});
     addSolid(Box{12, 1}, {0, -5});

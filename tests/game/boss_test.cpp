@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A boss is one body, and its parts break off.
+// A boss is one body whose blocks break off.
 #include <support/near.hpp>
 
 #include "game_access.hpp"
@@ -11,7 +11,7 @@ using kodo::Real;
 using kodo::Vec2;
 using support::near;
 
-// Two arms and a core; below the left arm something that hangs on it alone.
+// Two arms and a core. One block below the left arm is attached to that arm only.
 const std::string kGrid = "g..............\n" + emptyRows(3) + ".....aacaa.....\n.....a.........\n";
 
 Game withBoss(const std::string& drift = "") {
@@ -35,7 +35,7 @@ Vec2 placeOf(const Game& game, const Block& block) {
     return body.position() + body.rotation() * block.local;
 }
 
-/// A ball comes from below to the middle of that block.
+/// Shoots a ball from below at the middle of a block.
 void shootAt(Game& game, int row, int column, Real speed) {
     const Vec2 place = placeOf(game, game.blocks()[indexOf(game, row, column)]);
     GameTestAccess::shoot(game, place - Vec2{0, kCellHeight / 2 + kBallRadius + Real(0.2)},
@@ -50,7 +50,7 @@ int countBoss(const Game& game) {
     return count;
 }
 
-TEST(Boss, IsOneBodyOfAllItsBlocksWhereTheyStandInTheGrid) {
+TEST(Boss, IsOneBodyWithAllItsBlocksAtTheirGridPositions) {
     const Game game = withBoss();
     ASSERT_TRUE(game.boss());
     EXPECT_EQ(game.world()[*game.boss()].partCount(), 6u);
@@ -62,7 +62,7 @@ TEST(Boss, IsOneBodyOfAllItsBlocksWhereTheyStandInTheGrid) {
     }
 }
 
-TEST(Boss, DriftsToBothSidesAndNoFarther) {
+TEST(Boss, DriftsToBothSidesWithinItsLimits) {
     Game game = withBoss("boss = { drift = 2000, speed = 3000 }\n");
     Real left = 0;
     Real right = 0;
@@ -73,11 +73,11 @@ TEST(Boss, DriftsToBothSidesAndNoFarther) {
         left = std::min(left, x);
         right = std::max(right, x);
     }
-    EXPECT_TRUE(near(left, -2, 0.03)); // it turns at the first tick beyond, 25 mm each
+    EXPECT_TRUE(near(left, -2, 0.03)); // reverses at the first tick beyond; 25 mm per tick
     EXPECT_TRUE(near(right, 2, 0.03));
 }
 
-TEST(Boss, LosesTheBlockThatABlowBreaksOff) {
+TEST(Boss, LosesABlockBrokenOffByAnImpact) {
     Game game = withBoss();
     shootAt(game, 4, 9, 12);
     const auto off = playUntil<LetGo>(game, {}, 30);
@@ -88,16 +88,17 @@ TEST(Boss, LosesTheBlockThatABlowBreaksOff) {
     const Block& block = game.blocks()[indexOf(game, 4, 9)];
     EXPECT_EQ(block.hold, Hold::Loose);
     EXPECT_EQ(block.part, 0u);
-    EXPECT_GT(game.world()[block.body].velocity().y, 0); // what of the blow its mount did not take
-    EXPECT_EQ(game.blocksLeft(), 7);                     // it counts until it is gone
+    EXPECT_GT(game.world()[block.body].velocity().y, 0); // the impulse beyond the strength of its
+                                                         // mount
+    EXPECT_EQ(game.blocksLeft(), 7);                     // counts until it is gone
     for (const Block& other : game.blocks()) {
-        EXPECT_EQ(game.findBlock(other.body, other.part), &other); // parts were counted anew
+        EXPECT_EQ(game.findBlock(other.body, other.part), &other); // part indices were renumbered
     }
 }
 
-TEST(Boss, LetsGoWhatNoCoreHoldsAnyMore) {
+TEST(Boss, ReleasesBlocksNotConnectedToACore) {
     Game game = withBoss();
-    shootAt(game, 4, 6, 12); // the left arm's inner block holds two more
+    shootAt(game, 4, 6, 12); // the left arm's inner block supports two more
     ASSERT_TRUE(playUntil<LetGo>(game, {}, 30));
     EXPECT_EQ(countBoss(game), 3); // core and right arm
     EXPECT_EQ(game.blocks()[indexOf(game, 5, 5)].hold, Hold::Loose);
@@ -105,9 +106,9 @@ TEST(Boss, LetsGoWhatNoCoreHoldsAnyMore) {
     EXPECT_EQ(eventOf<BossDown>(game), nullptr);
 }
 
-TEST(Boss, ComesApartWithItsLastCore) {
+TEST(Boss, FallsApartWithItsLastCore) {
     Game game = withBoss();
-    shootAt(game, 4, 7, 20); // 40 N s against 30
+    shootAt(game, 4, 7, 20); // 40 N s against a strength of 30
     ASSERT_TRUE(playUntil<BossDown>(game, {}, 30));
     EXPECT_NE(eventOf<Broke>(game), nullptr);
     EXPECT_FALSE(game.boss());
@@ -115,8 +116,8 @@ TEST(Boss, ComesApartWithItsLastCore) {
     EXPECT_GT(game.shards().size(), 1u);
 }
 
-// A boss whose core was its last piece once went down without a word.
-TEST(Boss, IsDownWithACoreThatWasTheLastOfIt) {
+// Regression: a boss whose core was its last block ended without a BossDown event.
+TEST(Boss, IsDownWhenItsLastBlockIsACore) {
     const std::string core = "[legend.c]\nstuff = \"stone\"\nhold = \"boss\"\ncore = true\n";
     const Level level =
         levelOf("g..............\n" + emptyRows(3) + ".......c.......\n", 12000, "", core);
@@ -138,19 +139,19 @@ TEST(Boss, IsDownWithACoreThatWasTheLastOfIt) {
     EXPECT_FALSE(fallen.boss());
 }
 
-TEST(Boss, IsClearedWhenAllOfItHasFallen) {
+TEST(Boss, IsClearedWhenAllItsBlocksHaveFallen) {
     Game game = withBoss();
     shootAt(game, 4, 7, 20);
     ASSERT_TRUE(playUntil<BossDown>(game, {}, 30));
     for (int tick = 0; tick < 600; ++tick) {
-        GameTestAccess::shoot(game, {-9, 9}, {12, 0}); // out of the way
+        GameTestAccess::shoot(game, {-9, 9}, {12, 0}); // away from the blocks
         game.tick(towards(-9));
     }
     EXPECT_EQ(game.blocksLeft(), 1); // the glass
     EXPECT_EQ(game.blocks().size(), 1u);
 }
 
-TEST(Boss, KeepsMassAndMomentumOfWhatComesOff) {
+TEST(Boss, ConservesMassAndMomentumOfADetachedBlock) {
     Game game = withBoss("boss = { drift = 2000, speed = 3000 }\n");
     for (int tick = 0; tick < 10; ++tick) {
         game.tick({});
@@ -160,7 +161,7 @@ TEST(Boss, KeepsMassAndMomentumOfWhatComesOff) {
     GameTestAccess::letGo(game, index);
     const kodo::BodyView off = game.world()[game.blocks()[index].body];
     EXPECT_TRUE(near(game.world()[*game.boss()].mass() + off.mass(), before, Real(1e-5) * before));
-    EXPECT_TRUE(near(off.velocity(), Vec2{3, 0}, 1e-4)); // it goes on as it was carried
+    EXPECT_TRUE(near(off.velocity(), Vec2{3, 0}, 1e-4)); // keeps the velocity of the boss
 }
 
 } // namespace

@@ -14,7 +14,7 @@ using kodo::Real;
 
 constexpr std::uint32_t kFiveMinutes = 5 * 60 * kTicksPerSecond;
 
-TEST(Bot, IsAFunctionOfTheGame) {
+TEST(Bot, DependsOnTheGameStateAlone) {
     Game game(std::get<Level>(loadLevel("first_light")), 1);
     for (int tick = 0; tick < 500; ++tick) {
         const Game copy = game;
@@ -23,8 +23,8 @@ TEST(Bot, IsAFunctionOfTheGame) {
     }
 }
 
-/// Does the good bot catch the part of a block with this power, which falls at x = 6.4, while the
-/// ball is far away?
+/// True if the skilled bot catches the part of a block with this power. The part falls at x = 6.4
+/// while the ball is far away.
 bool isCaught(const std::string& power) {
     const Level level = levelWith("b.............b\n" + emptyRows(11) + "...........P...\n", "P",
                                   "stuff = \"brick\"\npower = \"" + power + "\"");
@@ -44,7 +44,7 @@ bool isCaught(const std::string& power) {
     return false;
 }
 
-TEST(Bot, CatchesWhatDoesGoodAndLeavesAloneWhatDoesHarm) {
+TEST(Bot, CatchesGoodPowersAndAvoidsHarmfulOnes) {
     for (const char* power : {"heavy", "wings", "magnet", "spring", "weld", "launch"}) {
         EXPECT_TRUE(isCaught(power)) << power;
     }
@@ -53,8 +53,9 @@ TEST(Bot, CatchesWhatDoesGoodAndLeavesAloneWhatDoesHarm) {
     }
 }
 
-// The ball goes up and down between paddle and steel; after six seconds the bot draws at it.
-TEST(Bot, DrawsWithTheFieldOnceNothingHasBeenStruckForLong) {
+// The ball bounces between paddle and steel without damage. After six seconds the bot uses the
+// paddle's field.
+TEST(Bot, PullsWithTheFieldAfterALongTimeWithoutDamage) {
     Game game(levelOf("b.............b\n" + emptyRows(3) + "....XXXXXXX....\n"), 1);
     GameTestAccess::shoot(game, {0, 6}, {0, game.ballSpeed()});
     bool drew = false;
@@ -68,8 +69,8 @@ TEST(Bot, DrawsWithTheFieldOnceNothingHasBeenStruckForLong) {
     EXPECT_TRUE(drew);
 }
 
-// A well bends the way of the ball; the bot is there all the same.
-TEST(Bot, ForeseesWhereABentFlightComesDown) {
+// A well bends the path of the ball; the bot still predicts its arrival.
+TEST(Bot, PredictsTheArrivalOfABallOnACurvedPath) {
     const Level level = levelOf("b.............b\n", 12000, "",
                                 "[[well]]\nx = 6000\ny = 9000\nstrength = 200000\n");
     Game game(level, 1);
@@ -80,11 +81,11 @@ TEST(Bot, ForeseesWhereABentFlightComesDown) {
     while (game.world()[ball].position().y > kPaddleY + domeHeight(0) + kBallRadius) {
         game.tick(towards(-10));
     }
-    // Steps twice as long as those of the game, over a second.
+    // The prediction uses steps twice as long as the game's, over one second.
     EXPECT_NEAR(game.world()[ball].position().x, arrival->x, 0.3);
 }
 
-TEST(Game, IsLostByAPlayerWhoIsAbsent) {
+TEST(Game, IsLostWithoutPaddleInput) {
     Game game(std::get<Level>(loadLevel("first_light")), 1);
     Input launch = towards(-10);
     launch.launch = true;

@@ -14,7 +14,7 @@ namespace {
 
 using namespace apart;
 
-TEST(Endless, NamesAreReadAsTheyAreWritten) {
+TEST(Endless, NamesRoundTripThroughText) {
     const EndlessName name{4294967295u, 12};
     EXPECT_EQ(name.text(), "endless:4294967295:12");
     EXPECT_EQ(parseEndless(name.text()), name);
@@ -27,7 +27,7 @@ TEST(Endless, NamesAreReadAsTheyAreWritten) {
     }
 }
 
-TEST(Endless, TheNameAloneMakesTheLevel) {
+TEST(Endless, TheNameDeterminesTheLevel) {
     const Level one = endlessLevel({7, 3});
     EXPECT_EQ(one, endlessLevel({7, 3}));
     EXPECT_EQ(one, std::get<Level>(loadLevel("endless:7:3")));
@@ -36,8 +36,8 @@ TEST(Endless, TheNameAloneMakesTheLevel) {
     EXPECT_NE(one.cells, endlessLevel({7, 4}).cells);
 }
 
-// The bytes of the first levels, so that another machine, or a change by mistake, is noticed: old
-// replays of endless levels need them.
+// Digests of the first levels detect differences between machines and accidental changes. Old
+// replays of endless levels depend on them.
 TEST(Endless, GoldenDigests) {
     std::vector<std::uint64_t> digests;
     for (std::uint32_t number = 1; number <= 60; ++number) {
@@ -52,7 +52,7 @@ TEST(Endless, GoldenDigests) {
     EXPECT_EQ(toHex(all), "909077dda5acc77b");
 }
 
-TEST(Endless, EveryBlockIsInReachAndThereAreEnough) {
+TEST(Endless, EveryBlockIsReachableAndThereAreEnough) {
     for (int seed = 0; seed < support::draws(40); ++seed) {
         for (const std::uint32_t number : {1u, 5u, 12u, 25u, 999u}) {
             const Level level = endlessLevel({static_cast<std::uint32_t>(seed), number});
@@ -67,7 +67,7 @@ TEST(Endless, EveryBlockIsInReachAndThereAreEnough) {
     }
 }
 
-// Stone and steel instead of glass, and a faster ball.
+// Later levels have stone and steel instead of glass, and a faster ball.
 TEST(Endless, GetsHarder) {
     const auto strengthOf = [](std::uint32_t number) {
         std::int64_t sum = 0;

@@ -22,19 +22,19 @@ TEST(FreeFlight, IsAStraightLineWhileTheServoWorks) {
         Game game(level, 1);
         const Vec2 from{random.between(-4, 4), random.between(8, 10)};
         const Vec2 heading = random.rotation().xAxis();
-        const Real start = random.between(1, 16); // the servo wants 12
+        const Real start = random.between(1, 16); // the servo's target is 12
         const kodo::BodyId ball = GameTestAccess::shoot(game, from, start * heading);
         for (int tick = 0; tick < 36; ++tick) {
             game.tick({});
             const Vec2 way = game.world()[ball].position() - from;
-            // Each of 36 steps and scalings rounds at 10 m to 1e-6 m.
+            // Each of 36 steps and scalings rounds a position of 10 m to 1e-6 m.
             ASSERT_TRUE(near(cross(heading, way), 0, 1e-4));
         }
         EXPECT_TRUE(near(length(game.world()[ball].velocity()), 12, 0.15));
     }
 }
 
-TEST(FreeFlight, GetsFromTheServoWhatTheLedgerSays) {
+TEST(FreeFlight, GainsTheServoWorkOfTheLedger) {
     for (const Real start : {Real(4), Real(20)}) {
         Game game(levelOf("g..............\n"), 1);
         const kodo::BodyId ball = GameTestAccess::shoot(game, {0, 4}, {0, start});
@@ -47,18 +47,18 @@ TEST(FreeFlight, GetsFromTheServoWhatTheLedgerSays) {
     }
 }
 
-// Under the field, below the picture, it once went on flat from wall to wall for seconds.
-TEST(Ball, IsLostAsSoonAsNobodyCanSeeIt) {
+// Regression: below the field and the picture, a flat ball bounced between the walls for seconds.
+TEST(Ball, IsLostAsSoonAsItIsBelowThePicture) {
     Game game(levelOf("g..............\n"), 1);
     GameTestAccess::shoot(game, {-8, Real(-0.3)}, {12, -1});
     const auto lost = playUntil<BallLost>(game, {}, 60);
     ASSERT_TRUE(lost);
-    EXPECT_LT(lost->point.y, -2 * kBallRadius);         // all of it is under the field
+    EXPECT_LT(lost->point.y, -2 * kBallRadius);         // the whole ball is below the field
     EXPECT_GT(lost->point.y, -kLostDepth - Real(0.02)); // one tick of 9 mm
 }
 
-// A ball that a wind pressed against a block crawled along it for seconds.
-TEST(Servo, HoldsABallThatAWindPressesAgainstABlock) {
+// Regression: a ball pressed against a block by the wind crept along it for seconds.
+TEST(Servo, KeepsTheSpeedOfABallThatWindPressesAgainstABlock) {
     const std::string column = ".......X.......\n";
     const Level level =
         levelOf("g..............\n" + column + column + column + column, 12000, "wind = -30000\n");
@@ -70,7 +70,7 @@ TEST(Servo, HoldsABallThatAWindPressesAgainstABlock) {
     EXPECT_GT(length(game.world()[game.balls()[0].body].velocity()), 6);
 }
 
-/// Walls, blocks and paddle of a level, and one ball that nothing governs.
+/// Walls, blocks and paddle of a level, with one ball not controlled by servo or governor.
 struct Range {
     kodo::World world;
     kodo::BodyId ball;
@@ -95,8 +95,8 @@ struct Range {
         };
         return std::all_of(solids.begin(), solids.end(), clear) && clear(paddle);
     }
-    /// Does a straight line of this tick lead through anything solid? 1 cm apart is close enough:
-    /// the ball's middle stays 30 cm away from surfaces.
+    /// True if a straight line crosses a solid body. Samples are 1 cm apart, which suffices: the
+    /// centre of the ball keeps 30 cm from surfaces.
     bool leadsThrough(Vec2 from, Vec2 to) const {
         for (int i = 0; i <= 16; ++i) {
             const Vec2 place = from + (static_cast<Real>(i) / 16) * (to - from);
@@ -110,20 +110,20 @@ struct Range {
     }
 };
 
-/// Height of the ball above the paddle's widest line if it is over or under the paddle, else 0.
+/// Height of the ball relative to the paddle's widest line, or 0 if the ball is beside the paddle.
 Real heightOverPaddle(const Range& range) {
     const Vec2 local = range.world[range.ball].position() - range.world[range.paddle].position();
     return std::abs(local.x) < kPaddleFoot ? local.y : 0;
 }
 
-/// Does everything in it stand still, and from all sides alike, until it breaks?
+/// True if the level has only mounted blocks, without obstructions, wells or wind.
 bool isStill(const Level& level) {
     return level.obstructions.empty() && level.wells.empty() && level.wind == 0 &&
            std::all_of(level.kinds.begin(), level.kinds.end(),
                        [](const BlockKind& kind) { return kind.hold == Hold::Mounted; });
 }
 
-TEST(SweptBall, NeverTunnelsAtFourTimesTheTopSpeedInTenThousandShots) {
+TEST(ContinuousCollision, PreventsTunnellingAtFourTimesTheTopSpeedInTenThousandShots) {
     constexpr std::uint64_t kSeed = 99;
     constexpr int kShots = support::draws(10000);
     support::RandomNumbers random(kSeed);
@@ -166,14 +166,14 @@ TEST(SweptBall, NeverTunnelsAtFourTimesTheTopSpeedInTenThousandShots) {
     }
 }
 
-TEST(SweptBall, KeepsItsSpeedAndMirrorsItsWayAtWallsAndBlocks) {
+TEST(ContinuousCollision, KeepsTheSpeedAndMirrorsThePathAtWallsAndBlocks) {
     Game game(levelOf("XXXXXXXXXXXXXXg\n"), 1);
     const kodo::BodyId ball = GameTestAccess::shoot(game, {0, 10}, {0, 1});
     kodo::World world = game.world();
     world[ball].setVelocity({30, 40});
     for (int tick = 0; tick < 240 && world[ball].position().y > 3; ++tick) {
         world.step(kTickSeconds);
-        // Lossless at every bounce: some rounding errors each of 1e-7.
+        // Lossless at every bounce: a few rounding errors of 1e-7 each.
         ASSERT_TRUE(near(length(world[ball].velocity()), 50, 50 * 1e-5));
         ASSERT_TRUE(near(std::abs(world[ball].velocity().x), 30, 0.01));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Blocks come apart in different ways, by the real blow at its real point.
+// Patterns of fracture and the distribution of the impact impulse among the pieces.
 #include <apart/core/field.hpp>
 #include <apart/core/fracture.hpp>
 #include <apart/core/tuning.hpp>
@@ -34,7 +34,7 @@ struct Break {
     std::vector<Polygon> pieces;
 };
 
-/// Calls `look` with so many random breaks of a block, all patterns in turn.
+/// Calls `look` with `count` random fractures of a block, with all patterns in turn.
 template <typename Look>
 void forRandomBreaks(int count, Look look) {
     support::RandomNumbers random(kSeed);
@@ -51,7 +51,7 @@ void forRandomBreaks(int count, Look look) {
 TEST(Fracture, MakesAtLeastTwoPiecesThatTheEngineAccepts) {
     forRandomBreaks(kBreaks, [](const Break& broken, auto&) {
         EXPECT_GE(broken.pieces.size(), 2u);
-        EXPECT_LE(broken.pieces.size(), 17u); // glass: a hub, 8 wedges, 8 behind the ring
+        EXPECT_LE(broken.pieces.size(), 17u); // glass: a hub, 8 wedges and 8 pieces behind the ring
         for (const Polygon& piece : broken.pieces) {
             const auto problem = kodo::check(kodo::Shape(piece));
             EXPECT_FALSE(problem) << problem->text();
@@ -74,19 +74,19 @@ TEST(Fracture, KeepsTheArea) {
         for (const Polygon& piece : broken.pieces) {
             area += areaOf(piece);
         }
-        // Corners within 2e-5 m become one, which costs a triangle of that base and at most the
-        // length of the block, 1.6e-5 m^2; two of them in one break are the most that was seen.
+        // Corners within 2e-5 m are merged. This removes a triangle of that base and at most the
+        // block's length, 1.6e-5 m^2. At most two per fracture were observed.
         EXPECT_TRUE(near(area, kBlockArea, Real(3.2e-5)));
     });
 }
 
-/// Area that two convex polygons share.
+/// Area of the intersection of two convex polygons.
 Real sharedArea(const Polygon& a, const Polygon& b) {
     Polygon shared = a;
     for (std::size_t i = 0; i < b.corners.size() && !shared.corners.empty(); ++i) {
         const Vec2 corner = b.corners[i];
         const Vec2 next = b.corners[(i + 1) % b.corners.size()];
-        shared = clipped(shared, Line::through(corner, next - corner)); // keeps what is inside b
+        shared = clipped(shared, Line::through(corner, next - corner)); // keeps the part inside b
     }
     return areaOf(shared);
 }
@@ -95,14 +95,14 @@ TEST(Fracture, LeavesNoOverlapOfPieces) {
     forRandomBreaks(kBreaks / 10, [](const Break& broken, auto&) {
         for (std::size_t i = 0; i < broken.pieces.size(); ++i) {
             for (std::size_t k = i + 1; k < broken.pieces.size(); ++k) {
-                // Neighbours share an edge up to rounding: 1e-6 m of some 1 m.
+                // Neighbours share an edge up to rounding: 1e-6 m over about 1 m.
                 EXPECT_LE(sharedArea(broken.pieces[i], broken.pieces[k]), 1e-5);
             }
         }
     });
 }
 
-TEST(Fracture, IsAFunctionOfItsKey) {
+TEST(Fracture, DependsOnItsKeyAlone) {
     const Polygon block = rectangle(kCellWidth, kCellHeight);
     for (const Pattern pattern :
          {Pattern::Halves, Pattern::Slats, Pattern::Bricks, Pattern::Radial, Pattern::Shatter}) {
@@ -114,7 +114,7 @@ TEST(Fracture, IsAFunctionOfItsKey) {
     }
 }
 
-TEST(Fracture, GivesMorePiecesNearTheBlowWhenItShatters) {
+TEST(Fracture, MakesMorePiecesNearTheImpactWhenItShatters) {
     double nearer = 0;
     int count = 0;
     forRandomBreaks(4000, [&](const Break& broken, auto&) {
@@ -127,23 +127,23 @@ TEST(Fracture, GivesMorePiecesNearTheBlowWhenItShatters) {
             ++count;
         }
     });
-    EXPECT_GT(nearer / count, 0.6); // half of them if the blow did not matter
+    EXPECT_GT(nearer / count, 0.6); // 0.5 if the point of impact had no effect
 }
 
-// One break in eight of glass once fell back to halves, where the hub lay close to an edge.
-TEST(Fracture, MakesAStarOfGlassWhereverItIsStruck) {
+// Regression: one glass fracture in eight fell back to halves, when the hub lay close to an edge.
+TEST(Fracture, MakesAStarOfGlassForAnyPointOfImpact) {
     int stars = 0;
     int breaks = 0;
     forRandomBreaks(kBreaks / 10, [&](const Break& broken, auto&) {
         if (broken.pattern == Pattern::Radial) {
             ++breaks;
-            stars += broken.pieces.size() > 3 ? 1 : 0; // halves are three pieces at most
+            stars += broken.pieces.size() > 3 ? 1 : 0; // halves give at most three pieces
         }
     });
     EXPECT_GE(stars, breaks * 99 / 100);
 }
 
-TEST(Fracture, GivesThePiecesTheMomentumOfTheBlowAndItsMoment) {
+TEST(Fracture, GivesThePiecesTheMomentumAndAngularMomentumOfTheImpulse) {
     forRandomBreaks(kBreaks, [](const Break& broken, support::RandomNumbers& random) {
         std::vector<kodo::Mass> masses;
         for (const Polygon& piece : broken.pieces) {
@@ -164,7 +164,7 @@ TEST(Fracture, GivesThePiecesTheMomentumOfTheBlowAndItsMoment) {
     });
 }
 
-TEST(Fracture, GivesThePiecesTheEnergyOfARigidWholeAndNoMoreThanTheBurst) {
+TEST(Fracture, GivesThePiecesTheEnergyOfTheRigidBlockAndAtMostTheBurst) {
     forRandomBreaks(kBreaks, [](const Break& broken, support::RandomNumbers& random) {
         std::vector<kodo::Mass> masses;
         kodo::Mass whole{};
@@ -184,8 +184,9 @@ TEST(Fracture, GivesThePiecesTheEnergyOfARigidWholeAndNoMoreThanTheBurst) {
                            masses[i].inertia * motions[i].spin * motions[i].spin) /
                           2;
             }
-            // Without a burst equal, to the rounding of a dozen floats; the kicks of a burst are
-            // relative to the whole, and what they lose to have no net momentum is theirs alone.
+            // Without a burst the energies are equal to the rounding of a dozen floats. The burst
+            // impulses are relative to the mean, so that their net momentum is 0. This correction
+            // only removes energy from the burst.
             const Real most = whole.mass * burst * burst / 2;
             const Real rounding = Real(1e-5) * (rigid + most);
             EXPECT_GE(energy, rigid - rounding);
@@ -194,13 +195,13 @@ TEST(Fracture, GivesThePiecesTheEnergyOfARigidWholeAndNoMoreThanTheBurst) {
     });
 }
 
-TEST(Fracture, LetsTheMountTakeItsStrengthOfABlow) {
-    EXPECT_EQ(impulseOnPieces({0, 10}, 12, 1), (Vec2{0, 0})); // the mount bears it all
+TEST(Fracture, ReducesAnImpulseByTheStrengthOfTheMount) {
+    EXPECT_EQ(impulseOnPieces({0, 10}, 12, 1), (Vec2{0, 0})); // the mount absorbs the whole impulse
     EXPECT_EQ(impulseOnPieces({0, 14}, 12, 1), (Vec2{0, 2})); // 14 = 12 + 2
     EXPECT_EQ(impulseOnPieces({0, 30}, 12, 1), (Vec2{0, kShardSpeed}));
 }
 
-TEST(Fracture, LeavesPiecesThatDoNotPushEachOther) {
+TEST(Fracture, MakesPiecesThatDoNotPushEachOther) {
     forRandomBreaks(200, [](const Break& broken, auto&) {
         kodo::World world;
         for (const Polygon& piece : broken.pieces) {
@@ -213,11 +214,11 @@ TEST(Fracture, LeavesPiecesThatDoNotPushEachOther) {
     });
 }
 
-TEST(Fracture, GoesOnToTheSizeFloorInEveryPatternAndAllPiecesAreSound) {
+TEST(Fracture, ContinuesToTheSizeFloorInEveryPatternWithValidPieces) {
     int broken = 0;
     forRandomBreaks(kBreaks / 20, [&](const Break& first, support::RandomNumbers& random) {
         std::vector<Polygon> open = first.pieces;
-        Real floor = 0; // area of what breaks no more
+        Real floor = 0; // area of pieces too small to break
         while (!open.empty()) {
             const Polygon piece = open.back();
             open.pop_back();
@@ -237,13 +238,13 @@ TEST(Fracture, GoesOnToTheSizeFloorInEveryPatternAndAllPiecesAreSound) {
                 open.push_back(part);
             }
         }
-        // Some twenty pieces, each with a merged corner or two: see KeepsTheArea.
+        // About twenty pieces, each with one or two merged corners: see KeepsTheArea.
         ASSERT_TRUE(near(floor, kBlockArea, Real(3e-4)));
     });
     EXPECT_GT(broken, kBreaks / 20);
 }
 
-TEST(Pieces, OfEveryKindOfBlockWeighWhatTheBlockWeighs) {
+TEST(Pieces, OfEveryKindOfBlockHaveTheMassOfTheBlock) {
     for (const Power power : {Power::None, Power::Weld, Power::Launch, Power::Split}) {
         const BlockKind kind{'x', Stuff::Brick, power, Pattern::Bricks, 1000};
         kodo::World world;

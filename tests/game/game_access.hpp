@@ -16,15 +16,15 @@
 
 namespace apart {
 
-/// Sets up situations that play would take long to reach.
+/// Sets up states that normal play takes long to reach.
 struct GameTestAccess {
     static kodo::World& world(Game& game) { return game.world_; }
     static std::vector<Weld>& welds(Game& game) { return game.welds_; }
     static void setMeter(Game& game, kodo::Real meter) { game.meter_ = meter; }
-    static void idle(Game& game) { game.watchProgress(); } // a tick in which nothing is damaged
-    static void progress(Game& game) { game.clock_.progress(); } // as if a block took harm
+    static void idle(Game& game) { game.watchProgress(); }       // one tick without damage
+    static void progress(Game& game) { game.clock_.progress(); } // as after damage to a block
     static void letGo(Game& game, std::size_t index) { game.letGo(index, LetGo::Why::Fatigue); }
-    /// As if the part of such a block had been caught.
+    /// Begins a power as if its part had been caught.
     static void give(Game& game, Power power, kodo::Vec2 origin = {0, 9}) {
         game.beginPower(power, {}, origin);
         game.refreshPowers();
@@ -34,7 +34,7 @@ struct GameTestAccess {
     }
     static void weldWings(Game& game) { game.weldWings(); }
 
-    /// The first ball flies from there; the others are gone.
+    /// Removes all balls but the first, which flies with this state.
     static kodo::BodyId shoot(Game& game, kodo::Vec2 from, kodo::Vec2 velocity) {
         while (game.balls_.size() > 1) {
             game.world_.remove(game.balls_.back().body);
@@ -44,7 +44,7 @@ struct GameTestAccess {
         ball.riding = false;
         ball.heading = normalize(velocity);
         kodo::BodyRef body = game.world_[ball.body];
-        body.setFlags(flagsOf(Role::Ball));
+        body.setType(kodo::BodyType::Dynamic);
         body.setPosition(from);
         body.setVelocity(velocity);
         return ball.body;
@@ -52,14 +52,14 @@ struct GameTestAccess {
     static void breakBlock(Game& game, std::size_t index, kodo::Vec2 point, kodo::Vec2 blow) {
         game.breakBlock(index, point, blow);
     }
-    /// As a blow would, from below; it shows in the events of no tick.
+    /// Breaks a block by an impact from below, without events.
     static void breakBlock(Game& game, std::size_t index, kodo::Vec2 blow) {
         const kodo::Vec2 center = game.world_[game.blocks_[index].body].position();
         breakBlock(game, index, center - kodo::Vec2{kCellWidth / 8, kCellHeight / 2}, blow);
     }
 };
 
-/// A level from its text.
+/// Parses a level. Throws if it is invalid.
 inline Level levelFrom(const std::string& text) {
     const Read<Level> level = parseLevel(text, "test", "test.toml");
     if (const auto* problem = std::get_if<FileProblem>(&level)) {
@@ -68,8 +68,8 @@ inline Level levelFrom(const std::string& text) {
     return std::get<Level>(level);
 }
 
-/// A level from its grid, with one letter for each kind: g w b s X glass, wood, brick, stone,
-/// steel; W L S brick that welds, launches, splits. `head` and `tail` are further lines of TOML.
+/// A level from its grid, with one letter per kind. g w b s X: glass, wood, brick, stone, steel. W
+/// L S: brick that welds, launches, splits. `head` and `tail` are additional TOML lines.
 inline Level levelOf(const std::string& grid, int ballSpeed = 12000, const std::string& head = "",
                      const std::string& tail = "") {
     std::string text =
@@ -90,13 +90,13 @@ inline Level levelOf(const std::string& grid, int ballSpeed = 12000, const std::
     return levelFrom(text + tail);
 }
 
-/// The same with one more letter of the legend: a table's lines.
+/// A level with one additional letter in the legend; `lines` is the content of its table.
 inline Level levelWith(const std::string& grid, const std::string& letter,
                        const std::string& lines) {
     return levelOf(grid, 12000, "", "[legend." + letter + "]\n" + lines + "\n");
 }
 
-/// So many empty rows of a grid.
+/// `count` empty rows of a grid.
 inline std::string emptyRows(int count) {
     std::string rows;
     for (int i = 0; i < count; ++i) {
@@ -105,7 +105,7 @@ inline std::string emptyRows(int count) {
     return rows;
 }
 
-/// The first event of this type in the last tick.
+/// The first event of this type in the last tick, or nullptr.
 template <typename T>
 const T* eventOf(const Game& game) {
     for (const Event& event : game.events()) {
@@ -116,7 +116,7 @@ const T* eventOf(const Game& game) {
     return nullptr;
 }
 
-/// Ticks until there is an event of this type, and gives it.
+/// Plays until an event of this type occurs and returns it. Empty after `mostTicks` ticks.
 template <typename T>
 std::optional<T> playUntil(Game& game, const Input& input, int mostTicks) {
     for (int i = 0; i < mostTicks; ++i) {
@@ -128,7 +128,7 @@ std::optional<T> playUntil(Game& game, const Input& input, int mostTicks) {
     return std::nullopt;
 }
 
-/// Where a paddle catches a part that falls at x = 0 beside the ball on it (m).
+/// Position (m) of a paddle that catches a part falling at x = 0 beside the ball riding on it.
 inline constexpr kodo::Real kCatchX = kodo::Real(-1.2);
 
 inline Input towards(kodo::Real x) {

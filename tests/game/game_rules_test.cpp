@@ -10,7 +10,8 @@ using kodo::Real;
 using kodo::Vec2;
 using support::near;
 
-// One block in the middle of row 5, x = 0, y from 13.2 to 14; glass far away keeps the game going.
+// One block in the middle of row 5: x = 0, y from 13.2 to 14. A distant glass block keeps the game
+// running.
 const std::string kBrick = "g..............\n" + emptyRows(4) + ".......b.......\n";
 constexpr Real kUnderside = Real(13.2);
 
@@ -18,18 +19,18 @@ kodo::Real ballMass() {
     return kodo::massOf(kodo::Circle{kBallRadius}, kBallDensity).mass;
 }
 
-/// A ball just below the block, x m from its middle, flying up.
+/// A ball just below the block, x (m) off its centre, flying up.
 Game shotAtBlock(const std::string& grid, Real x, Real speed) {
     Game game(levelOf(grid, static_cast<int>(speed * 1000)), 1);
     GameTestAccess::shoot(game, {x, kUnderside - Real(0.6)}, {0, speed});
     return game;
 }
 
-TEST(Blocks, BreakWhenTheBlowExceedsTheirStrengthAtThePointOfImpact) {
+TEST(Blocks, BreakAtThePointOfImpactIfTheImpulseExceedsTheirStrength) {
     Game game = shotAtBlock(kBrick, Real(0.5), 12);
     const auto broke = playUntil<Broke>(game, {}, 30);
     ASSERT_TRUE(broke);
-    EXPECT_TRUE(near(broke->point, Vec2{Real(0.5), kUnderside}, 0.01)); // the engine's slop: 4 mm
+    EXPECT_TRUE(near(broke->point, Vec2{Real(0.5), kUnderside}, 0.01)); // the engine's slop is 4 mm
     EXPECT_TRUE(near(broke->impulse, 2 * ballMass() * 12, 0.01 * 24));  // head-on, e = 1: 2 m v
     EXPECT_EQ(game.blocksLeft(), 1);
     EXPECT_EQ(static_cast<std::size_t>(broke->shards), game.shards().size());
@@ -37,7 +38,7 @@ TEST(Blocks, BreakWhenTheBlowExceedsTheirStrengthAtThePointOfImpact) {
     EXPECT_EQ(game.score(), broke->points);
 }
 
-TEST(Blocks, CrackByTheImpulseOfASofterBlow) {
+TEST(Blocks, CrackUnderASmallerImpulse) {
     Game game = shotAtBlock(kBrick, 0, 4);
     const auto cracked = playUntil<Cracked>(game, {}, 60);
     ASSERT_TRUE(cracked);
@@ -46,16 +47,16 @@ TEST(Blocks, CrackByTheImpulseOfASofterBlow) {
     EXPECT_TRUE(near(cracked->strengthLeft, (12 - blow) / 12, 0.02));
     EXPECT_EQ(game.blocksLeft(), 2);
     GameTestAccess::shoot(game, {0, kUnderside - Real(0.6)}, {0, 4});
-    EXPECT_TRUE(playUntil<Broke>(game, {}, 60)); // 4 N s are left, and 8 come
+    EXPECT_TRUE(playUntil<Broke>(game, {}, 60)); // 4 N s of strength left, 8 N s of impulse
 }
 
 TEST(Blocks, OfSteelNeverBreak) {
     Game game = shotAtBlock("g..............\n" + emptyRows(4) + ".......X.......\n", 0, 40);
     EXPECT_FALSE(playUntil<Broke>(game, {}, 30));
-    EXPECT_EQ(game.blocksAtStart(), 1); // it does not count
+    EXPECT_EQ(game.blocksAtStart(), 1); // steel does not count
 }
 
-TEST(Blocks, GiveTheirPiecesWhatTheMountDoesNotTake) {
+TEST(Blocks, GiveTheirPiecesTheImpulseBeyondTheirMount) {
     Game game = shotAtBlock(kBrick, Real(0.5), 12);
     const auto broke = playUntil<Broke>(game, {}, 30);
     ASSERT_TRUE(broke);
@@ -66,15 +67,15 @@ TEST(Blocks, GiveTheirPiecesWhatTheMountDoesNotTake) {
         mass += game.world()[shard.body].mass();
     }
     const Vec2 passed = impulseOnPieces({0, broke->impulse}, 12, mass);
-    EXPECT_TRUE(near(momentum, passed, 1e-4)); // a dozen floats around 1
+    EXPECT_TRUE(near(momentum, passed, 1e-4)); // a dozen floats of about 1
     EXPECT_GT(passed.y, 0);
 }
 
-TEST(Shards, FallOffTheScreenAndAreGone) {
+TEST(Shards, AreRemovedBelowTheScreen) {
     Game game = shotAtBlock(kBrick, Real(0.5), 12);
     ASSERT_TRUE(playUntil<Broke>(game, {}, 30));
     for (int tick = 0; tick < 500; ++tick) {
-        GameTestAccess::shoot(game, {-9, 9}, {12, 0}); // out of their way
+        GameTestAccess::shoot(game, {-9, 9}, {12, 0}); // away from the blocks
         game.tick(towards(-9));
     }
     EXPECT_EQ(game.shards().size(), 0u);
@@ -121,7 +122,7 @@ TEST(Serve, DependsOnTheSeedAndIsNeitherSteepNorFlat) {
     }
 }
 
-TEST(Lives, GoWithTheLastBallAndANewOneIsServed) {
+TEST(Lives, FallByOneWithTheLastBallAndANewBallIsServed) {
     Game game(levelOf(kBrick), 1);
     GameTestAccess::shoot(game, {8, 1}, {0, -12});
     ASSERT_TRUE(playUntil<LifeLost>(game, {}, 60));
@@ -130,7 +131,7 @@ TEST(Lives, GoWithTheLastBallAndANewOneIsServed) {
     EXPECT_EQ(game.result(), Result::Playing);
 }
 
-TEST(Lives, LoseTheGameWhenNoneIsLeft) {
+TEST(Lives, EndTheGameWhenNoneIsLeft) {
     Game game(levelOf(kBrick), 1);
     for (int life = 0; life < 3; ++life) {
         GameTestAccess::shoot(game, {8, 1}, {0, -12});
@@ -143,7 +144,7 @@ TEST(Lives, LoseTheGameWhenNoneIsLeft) {
     launch.launch = true;
     const std::int32_t score = game.score();
     for (int tick = 0; tick < 100; ++tick) {
-        game.tick(launch); // still allowed, and nothing counts
+        game.tick(launch); // still allowed, without effect on the score
     }
     EXPECT_EQ(game.score(), score);
     EXPECT_EQ(game.balls().size(), 0u);
@@ -158,7 +159,7 @@ TEST(Lives, AreWorthPointsWhenTheLastBlockBreaks) {
     EXPECT_EQ(cleared->score, kPoints[0] + 3 * kLifePoints);
 }
 
-TEST(Combo, GrowsWithEachBlockUntilThePaddleIsMet) {
+TEST(Combo, GrowsWithEachBlockUntilThePaddleIsHit) {
     Game game(levelOf("g.............g\n" + emptyRows(4) + ".....b...b.....\n"), 1);
     GameTestAccess::breakBlock(game, 2, {0, 24});
     const std::int32_t first = game.score();
@@ -172,8 +173,8 @@ TEST(Combo, GrowsWithEachBlockUntilThePaddleIsMet) {
     EXPECT_EQ(game.combo(), 0);
 }
 
-// A new ball once went on with the combo of the one that was lost.
-TEST(Combo, EndsWithTheLife) {
+// Regression: a new ball continued the combo of the lost one.
+TEST(Combo, EndsWhenALifeIsLost) {
     Game game(levelOf(kBrick), 1);
     GameTestAccess::breakBlock(game, 1, {0, 24});
     ASSERT_EQ(game.combo(), 1);
@@ -182,13 +183,13 @@ TEST(Combo, EndsWithTheLife) {
     EXPECT_EQ(game.combo(), 0);
 }
 
-TEST(Paddle, SendsTheBallWhereItsDomeFaces) {
+TEST(Paddle, ReflectsTheBallAboutTheNormalOfItsDome) {
     for (const Real offset : {Real(-1.5), Real(-0.8), Real(0.8), Real(1.5)}) {
         Game game(levelOf(kBrick), 1);
         GameTestAccess::shoot(game, {offset, 3}, {0, -12});
         ASSERT_TRUE(playUntil<Struck>(game, {}, 30));
-        // Normal of the dome at that place; facets are 1/6 m wide, so it is off by up to 1 degree
-        // or 0.018 rad, and the way out by twice that.
+        // Normal of the dome at that position. Facets are 1/6 m wide, which gives an error of 1
+        // degree or 0.018 rad. The outgoing direction has twice that error.
         const Real sine = offset / (kDomeRadius + kBallRadius);
         const Vec2 normal{sine, std::sqrt(1 - sine * sine)};
         const Vec2 out = Vec2{0, -1} - 2 * dot(Vec2{0, -1}, normal) * normal;

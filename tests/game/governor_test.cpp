@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What keeps a ball in play.
+// The servo and the governor of the ball.
 #include <apart/core/governor.hpp>
 #include <apart/core/tuning.hpp>
 #include <support/near.hpp>
@@ -33,12 +33,12 @@ TEST(SpeedServo, ReachesTheBandFromAnySpeedAndKeepsTheHeading) {
             velocity = held(velocity, heading, 12);
         }
         EXPECT_TRUE(near(length(velocity), 12, 12 * kServoBand * Real(1.01)));
-        // 60 scalings of two floats, each with half a unit in the last place.
+        // 60 scalings of two floats, each with an error of half an ulp.
         EXPECT_TRUE(near(cross(normalize(velocity), heading), 0, 60 * support::kEpsilon));
     }
 }
 
-TEST(SpeedServo, SendsABallThatHaltedAlongItsLastHeading) {
+TEST(SpeedServo, AcceleratesAStoppedBallAlongItsLastHeading) {
     Vec2 velocity{};
     const Vec2 heading{Real(0.6), Real(-0.8)};
     velocity = held(velocity, heading, 12);
@@ -46,7 +46,7 @@ TEST(SpeedServo, SendsABallThatHaltedAlongItsLastHeading) {
     EXPECT_TRUE(near(cross(velocity, heading), 0, 1e-6));
 }
 
-TEST(SmallestTurn, LeavesSteepBallsAlone) {
+TEST(SmallestTurn, DoesNotChangeSteepBalls) {
     const std::array<Vec2, 1> wall{Vec2{1, 0}};
     EXPECT_EQ(turnedFromFlat({8, 6}, wall), (Vec2{8, 6}));
     EXPECT_EQ(turnedFromFlat({0, -6}, wall), (Vec2{0, -6}));
@@ -62,23 +62,23 @@ TEST(SmallestTurn, BringsFlatBallsToTheEdgeOfTheConeAtTheSameSpeed) {
         const Vec2 after = turnedFromFlat(before, wall);
         EXPECT_TRUE(near(length(after), length(before), 1e-5));
         EXPECT_TRUE(near(std::abs(after.y), kFlatSine * length(before), 1e-5));
-        EXPECT_GE(after.y * before.y, 0); // up stays up
+        EXPECT_GE(after.y * before.y, 0); // the vertical direction is kept
         EXPECT_GT(after.x * before.x, 0);
     }
 }
 
 TEST(SmallestTurn, NeverTurnsIntoASurface) {
     const std::array<Vec2, 1> floor{Vec2{0, 1}};
-    EXPECT_GT(turnedFromFlat({10, 0}, floor).y, 0); // down would be nearer to the player
+    EXPECT_GT(turnedFromFlat({10, 0}, floor).y, 0); // downwards would lead to the player sooner
     const std::array<Vec2, 2> gap{Vec2{0, 1}, Vec2{0, -1}};
     EXPECT_EQ(turnedFromFlat({10, 0}, gap), (Vec2{10, 0}));
 }
 
-TEST(Rubble, ThrowsOffABallThatItWouldSwallow) {
+TEST(Rubble, ThrowsOffABallThatWouldGetStuck) {
     const std::array<Vec2, 1> ground{Vec2{0, 1}};
     const Vec2 heading{Real(0.6), Real(-0.8)};
     EXPECT_TRUE(near(throwOff({6, 1}, heading, ground, 10), Vec2{6, 8}, 1e-5));
-    EXPECT_EQ(throwOff({6, 7}, heading, ground, 10), (Vec2{6, 7})); // fast enough
+    EXPECT_EQ(throwOff({6, 7}, heading, ground, 10), (Vec2{6, 7})); // already fast enough
 }
 
 } // namespace

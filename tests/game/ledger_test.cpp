@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What breaks, pulls and kicks is kept or booked.
+// The ledger accounts for momentum and energy of fracture, forces and kicks.
 #include <support/draws.hpp>
 #include <support/random_numbers.hpp>
 
@@ -20,7 +20,7 @@ kodo::BasicVec2<double> inDouble(Vec2 v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y)};
 }
 
-/// Sums over bodies, about the origin; in double, so that only the bodies' own floats round.
+/// Sums over bodies about the origin, in double: only the bodies' own floats round.
 struct Sums {
     double mass = 0;
     double x = 0; // kg m/s
@@ -44,7 +44,7 @@ struct Sums {
     }
 };
 
-/// Of all that has come off blocks.
+/// Sums over everything that came off blocks.
 Sums piecesOf(const Game& game, std::size_t balls) {
     Sums sums;
     for (const Shard& shard : game.shards()) {
@@ -66,8 +66,8 @@ Vec2 onTheRim(support::RandomNumbers& random, Vec2 center) {
                                           : Vec2{along * kCellWidth, side * kCellHeight});
 }
 
-/// Breaks a random block of the game: in every second case one that has come off its mount, and
-/// moves. What was kept and booked must be what was there.
+/// Breaks a random block; in every second case a loose, moving one. The change of the sums must
+/// equal the change of the ledger.
 void breakOne(Game& game, support::RandomNumbers& random) {
     const std::size_t index = random.below(static_cast<std::uint32_t>(game.blocks().size()));
     const bool loose = random.below(2) == 0;
@@ -80,7 +80,7 @@ void breakOne(Game& game, support::RandomNumbers& random) {
     Sums before = piecesOf(game, 1);
     const double mass = before.mass;
     before.add(body);
-    if (!loose) { // locked, its inertia is without end; it stands still
+    if (!loose) { // a mounted block is static: infinite inertia, at rest
         before = piecesOf(game, 1);
     }
     const Vec2 blow = random.point(40);
@@ -95,9 +95,9 @@ void breakOne(Game& game, support::RandomNumbers& random) {
     EXPECT_GT(after.mass - mass, 0.99 * static_cast<double>(whole));
     const double tookX = now.mountImpulseX - booked.mountImpulseX;
     const double tookY = now.mountImpulseY - booked.mountImpulseY;
-    const Vec2 taken = loose ? Vec2{} : blow; // what is loose has had the blow before
-    // Sums of up to 500 floats of some 10 N s, 400 N m s and 100 J, each with half a unit in the
-    // last place, and corners that were merged in cutting: up to 1e-5 of a piece.
+    const Vec2 taken = loose ? Vec2{} : blow; // a loose block has already received the impulse
+    // Sums of up to 500 floats of about 10 N s, 400 N m s and 100 J, each rounded by half an ulp.
+    // Merged corners cost up to 1e-5 of a piece.
     EXPECT_NEAR(after.x - before.x + tookX, static_cast<double>(taken.x), 4e-4);
     EXPECT_NEAR(after.y - before.y + tookY, static_cast<double>(taken.y), 4e-4);
     EXPECT_NEAR(after.moment - before.moment + now.mountTurn - booked.mountTurn,
@@ -107,7 +107,7 @@ void breakOne(Game& game, support::RandomNumbers& random) {
     EXPECT_GE(std::sqrt(tookX * tookX + tookY * tookY), loose ? 0 : least);
 }
 
-TEST(Ledger, HasWhatBreaksDoNotKeep) {
+TEST(Ledger, BooksTheMomentumAndEnergyOfBreaks) {
     constexpr std::uint64_t kPlaySeed = 77;
     support::RandomNumbers random(kPlaySeed);
     const Level level = levelOf("gwbsgwbsgwbsgwb\nWLSgwbsWLSgwbsW\n");
@@ -121,7 +121,7 @@ TEST(Ledger, HasWhatBreaksDoNotKeep) {
     }
 }
 
-TEST(Ledger, ClosesWherePiecesOnlyGrazeEachOther) {
+TEST(Ledger, BalancesIfPiecesOnlyGrazeEachOther) {
     for (const Force force : {Force::None, Force::Pull, Force::Push}) {
         Input input;
         input.force = force;
@@ -137,15 +137,15 @@ TEST(Ledger, ClosesWherePiecesOnlyGrazeEachOther) {
             const Ledger& ledger = game.ledger();
             const double start = sums.mass * static_cast<double>(kGravity * block.y);
             const double works = ledger.breakWork + ledger.fieldWork;
-            // Of some 100 J; where pieces graze each other, contacts eat some hundredths of a J.
-            // The least of the works, the tension of the block, is 1.5 J.
+            // Of about 100 J. Contacts of grazing pieces dissipate a few hundredths of a J. The
+            // smallest work, the tension of the block, is 1.5 J.
             EXPECT_NEAR(sums.kinetic + sums.potential - start, works, 0.05);
             EXPECT_EQ(ledger.fieldWork != 0, force != Force::None);
         }
     }
 }
 
-TEST(Ledger, HasWhatBumpersGiveAndTheServoTakes) {
+TEST(Ledger, BooksTheWorkOfBumpersAndServo) {
     const Level level = levelWith("g..............\n" + emptyRows(6) + ".......o.......\n", "o",
                                   "obstruction = \"bumper\"\nsize = 400\nspeed = 5000");
     Game game(level, 1);
@@ -162,7 +162,7 @@ TEST(Ledger, HasWhatBumpersGiveAndTheServoTakes) {
         game.tick({});
     }
     EXPECT_LT(game.ledger().servoWork, 0);
-    // Of 150 J; the bounce itself is lossless to some 1e-6.
+    // Of 150 J; the bounce itself is lossless to 1e-6.
     EXPECT_NEAR(energy() - start, game.ledger().servoWork + game.ledger().kickWork, 2e-3);
 }
 

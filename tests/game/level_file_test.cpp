@@ -26,7 +26,7 @@ power = "weld"
 stuff = "steel"
 )";
 
-TEST(LevelFile, IsReadAsItIsWritten) {
+TEST(LevelFile, IsParsedIntoALevel) {
     const Read<Level> read = parseLevel(kGood, "test", "test.toml");
     ASSERT_EQ(problemOf(kGood), "none");
     const Level& level = std::get<Level>(read);
@@ -44,7 +44,7 @@ TEST(LevelFile, IsReadAsItIsWritten) {
     EXPECT_FALSE(level.kinds[level.cells[1].kind].breakable());
 }
 
-TEST(LevelFile, NamesTheLineOfWhatIsWrong) {
+TEST(LevelFile, NamesTheLineOfAnError) {
     const std::vector<std::pair<std::string, std::string>> cases = {
         {changed(kGood, "format = 1", "format = 2"), "test.toml:1: format must be a whole number"},
         {changed(kGood, "place = 3", "plaice = 3"), "test.toml:2: unknown key plaice"},
@@ -72,7 +72,7 @@ TEST(LevelFile, NamesTheLineOfWhatIsWrong) {
     }
 }
 
-TEST(LevelFile, RefusesWhatIsTooLarge) {
+TEST(LevelFile, IsRefusedIfItIsTooLarge) {
     EXPECT_NE(problemOf(kGood + std::string(kLargestLevel, '#')), "none");
     std::string rows;
     for (int row = 0; row <= kMostRows; ++row) {
@@ -82,14 +82,14 @@ TEST(LevelFile, RefusesWhatIsTooLarge) {
     EXPECT_EQ(problemOf(tall), "test.toml:21: the grid has more than 15 rows");
 }
 
-TEST(LevelFile, ThatIsNotThereIsNamed) {
+TEST(LevelFile, IsReportedIfItIsMissing) {
     const Read<Level> level = loadLevel("no_such_level");
     ASSERT_TRUE(std::holds_alternative<FileProblem>(level));
     EXPECT_NE(std::get<FileProblem>(level).reason.find("there is no level"), std::string::npos);
     EXPECT_TRUE(std::holds_alternative<FileProblem>(loadLevel("../secrets")));
 }
 
-TEST(Levels, AreAllValidAndEachHasATitleAndAnIdeaOfItsOwn) {
+TEST(Levels, AreAllValidWithUniqueTitlesAndIdeas) {
     std::set<std::string> titles;
     std::set<std::string> ideas;
     for (const std::string& name : levelNames()) {
@@ -104,7 +104,7 @@ TEST(Levels, AreAllValidAndEachHasATitleAndAnIdeaOfItsOwn) {
     EXPECT_EQ(levelNames().front(), "first_light");
 }
 
-TEST(LevelDigest, ChangesWithThePlayAndNotWithTheWords) {
+TEST(LevelDigest, DependsOnTheRulesAndNotOnTheTexts) {
     const Level level = std::get<Level>(parseLevel(kGood, "test", "test.toml"));
     Level other = level;
     other.title = "Another";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The further words of a level: holds, obstructions, hills, wells, unruly things.
+// Optional words of a level: holds, obstructions, hills, wells and paddles that are not rigid.
 #include "level_texts.hpp"
 
 namespace {
@@ -53,7 +53,7 @@ std::string with(const std::string& before, const std::string& after) {
     return changed(kRich, before, after);
 }
 
-TEST(LevelWords, AreReadAsTheyAreWritten) {
+TEST(LevelWords, AreParsedIntoALevel) {
     ASSERT_EQ(problemOf(kRich), "none");
     const Level level = std::get<Level>(parseLevel(kRich, "test", "test.toml"));
     EXPECT_EQ(level.ball, BallKind::Egg);
@@ -69,18 +69,18 @@ TEST(LevelWords, AreReadAsTheyAreWritten) {
     ASSERT_EQ(level.obstructions.size(), 4u); // those of the grid first, row by row
     EXPECT_EQ(level.obstructions[0].kind, ObstructionKind::Motor);
     EXPECT_EQ(level.obstructions[0].speed, -2500);
-    EXPECT_EQ(level.obstructions[0].x, 11200); // the middle of column 14
-    EXPECT_EQ(level.obstructions[0].y, 17600); // and of row 0
+    EXPECT_EQ(level.obstructions[0].x, 11200); // centre of column 14
+    EXPECT_EQ(level.obstructions[0].y, 17600); // centre of row 0
     EXPECT_EQ(level.obstructions[1].size, 650);
     EXPECT_EQ(level.obstructions[2].facing, Facing::Left);
-    EXPECT_EQ(level.obstructions[2].size, 800); // the height of its cell
+    EXPECT_EQ(level.obstructions[2].size, 800); // height of its cell
     EXPECT_EQ(level.obstructions[3].kind, ObstructionKind::Ground);
     EXPECT_EQ(level.obstructions[3].heights, (std::vector<std::int32_t>{900, 300, 0}));
     ASSERT_EQ(level.wells.size(), 1u);
     EXPECT_EQ(level.wells[0].strength, -60000);
 }
 
-TEST(LevelWords, AreRefusedWithTheirLineWhenTheyAreWrong) {
+TEST(LevelWords, AreRefusedByLineIfInvalid) {
     const std::vector<std::pair<std::string, std::string>> cases = {
         {with("\"egg\"", "\"eg\""), "test.toml:4: ball must be one of round, heavy"},
         {with("\"loose\"", "1"), "test.toml:5: paddle must be one of steady"},

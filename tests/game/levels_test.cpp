@@ -23,7 +23,7 @@ std::vector<Level> allLevels() {
     return levels;
 }
 
-TEST(Levels, AreManyInSeveralThemesOneAfterTheOther) {
+TEST(Levels, AreOrderedByThemeWithEnoughInEach) {
     const std::vector<Level> levels = allLevels();
     EXPECT_GE(levels.size(), 24u);
     std::map<Theme, int> count;
@@ -38,7 +38,7 @@ TEST(Levels, AreManyInSeveralThemesOneAfterTheOther) {
     }
 }
 
-TEST(Levels, EachHasATitleAndAnIdeaOfItsOwn) {
+TEST(Levels, HaveUniqueTitlesAndIdeas) {
     std::set<std::string> titles;
     std::set<std::string> ideas;
     const std::vector<Level> levels = allLevels();
@@ -53,7 +53,7 @@ TEST(Levels, EachHasATitleAndAnIdeaOfItsOwn) {
 
 constexpr std::uint32_t kSeeds = support::kSanitized ? 1 : 6;
 
-/// Ticks for each life that a player loses who plays by keys, looks late and misses now and then.
+/// Ticks per life of a simulated keyboard player with slow reactions and occasional misses.
 double ticksPerLife(const std::vector<Level>& levels, Theme theme) {
     double ticks = 0;
     double lives = 0;
@@ -67,7 +67,8 @@ double ticksPerLife(const std::vector<Level>& levels, Theme theme) {
     return ticks / lives;
 }
 
-// 29 s a life at first and 20 s at last, over 170 games; over these 60 the share is off by a tenth.
+// 29 s per life at first and 20 s at last, over 170 games. The share over these 60 games deviates
+// by a tenth.
 TEST(Levels, GetHarder) {
     const std::vector<Level> levels = allLevels();
     const double first = ticksPerLife(levels, levels.front().theme);
@@ -78,8 +79,8 @@ TEST(Levels, GetHarder) {
 
 class EveryLevel : public testing::TestWithParam<std::string> {};
 
-// Every block in reach, won by the bot within five minutes, no fault on the way, not too dear:
-// `apart-headless lint --seeds 20` looks longer.
+// Lint of every level: all blocks reachable, won by the bot within five minutes, no fault, cost
+// within bounds. `apart-headless lint --seeds 20` plays more games.
 TEST_P(EveryLevel, PassesItsCheck) {
     const LintReport report = lint(std::get<Level>(loadLevel(GetParam())));
     for (const std::string& problem : report.problems) {

@@ -13,12 +13,12 @@ constexpr const char* kOpen = "...............\n"
                               ".....X.b.X.....\n"
                               "...............\n";
 
-TEST(Lint, ABallComesIntoAPocketThatIsOpenBelow) {
+TEST(Lint, ABallReachesAPocketThatIsOpenBelow) {
     EXPECT_TRUE(outOfReach(levelOf(kOpen)).empty());
 }
 
-// Steel on all sides but for corners, through which no ball fits.
-TEST(Lint, NamesWhatSteelShutsIn) {
+// Steel on all sides except diagonal gaps, too narrow for a ball.
+TEST(Lint, NamesABlockEnclosedBySteel) {
     const Level level = levelOf("...............\n"
                                 "......XXX......\n"
                                 "......XbX......\n"
@@ -34,8 +34,8 @@ TEST(Lint, NamesWhatSteelShutsIn) {
     EXPECT_EQ(report.problems.front(), "no ball can come to the block in row 3, column 8");
 }
 
-// What is behind blocks is in reach, since they break.
-TEST(Lint, BlocksAreNoObstacleToWhatIsBehindThem) {
+// Blocks behind breakable blocks are reachable.
+TEST(Lint, BlocksBehindBreakableBlocksAreReachable) {
     EXPECT_TRUE(outOfReach(levelOf("XXXXXXXXXXXXXXX\n"
                                    "XgX.........XbX\n"
                                    "XgXXXXXXXXXXXbX\n"
@@ -45,7 +45,7 @@ TEST(Lint, BlocksAreNoObstacleToWhatIsBehindThem) {
                     .empty());
 }
 
-// A gap of one row, 0.8 m, lets a ball of 0.6 m pass; rows are lower than columns are wide.
+// A gap of one row (0.8 m) lets a ball of 0.6 m pass; rows are lower than columns are wide.
 TEST(Lint, ABallPassesAGapOfOneRow) {
     EXPECT_TRUE(outOfReach(levelOf("XXXXXXXXXXXXXXX\n"
                                    "b.............X\n"
@@ -53,7 +53,7 @@ TEST(Lint, ABallPassesAGapOfOneRow) {
                                    "..............X\n"
                                    "XXXXXXXXXXXXXX.\n"
                                    "...............\n"))
-                    .size() == 1); // the last gap is a corner
+                    .size() == 1); // the last gap is diagonal
     EXPECT_TRUE(outOfReach(levelOf("XXXXXXXXXXXXXXX\n"
                                    "b.............X\n"
                                    "XXXXXXXXXXXXX.X\n"
@@ -63,9 +63,9 @@ TEST(Lint, ABallPassesAGapOfOneRow) {
                     .empty());
 }
 
-// Nothing can strike these blocks: their mounts give way one by one, and the level ends in time.
-// The good player does not wait for that, and pulls them off.
-TEST(Lint, TheBoundsHoldWhereNothingCanBeStruck) {
+// No ball can hit these blocks. Their mounts give way one by one, so the level ends in time. The
+// skilled bot does not wait for that and pulls them off.
+TEST(Lint, TheTimeBoundsHoldIfNoBlockCanBeHit) {
     const Level level = levelOf("XXXXXXXXXXXXXXX\n"
                                 "XgXgXgXgXgXgXgX\n"
                                 "XXXXXXXXXXXXXXX\n");

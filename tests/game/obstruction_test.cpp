@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands in the way.
+// Obstructions and hanging blocks.
 #include <support/near.hpp>
 
 #include <array>
@@ -13,7 +13,8 @@ using kodo::Real;
 using kodo::Vec2;
 using support::near;
 
-// A letter o in the middle of row 5: x = 0, y = 13.6. Glass far away keeps the game going.
+// An obstruction, letter o, in the middle of row 5: x = 0, y = 13.6. A distant glass block keeps
+// the game running.
 const std::string kOverGlass = "g..............\n" + emptyRows(4) + ".......o.......\n";
 constexpr Vec2 kMiddle{0, Real(13.6)};
 
@@ -26,13 +27,13 @@ Real speedOf(const Game& game) {
     return length(game.world()[game.balls()[0].body].velocity());
 }
 
-TEST(Bumper, KicksTheBallAndTheServoTakesTheSpeedBack) {
+TEST(Bumper, KicksTheBallAndTheServoRestoresItsSpeed) {
     Game game = with("obstruction = \"bumper\"\nspeed = 6000");
     GameTestAccess::shoot(game, kMiddle - Vec2{0, 2}, {0, 12});
     const auto bumped = playUntil<Bumped>(game, {}, 30);
     ASSERT_TRUE(bumped);
     EXPECT_TRUE(near(bumped->normal, Vec2{0, -1}, 1e-3));
-    EXPECT_TRUE(near(speedOf(game), 12 + 6, 0.05)); // lossless, and the kick
+    EXPECT_TRUE(near(speedOf(game), 12 + 6, 0.05)); // lossless bounce plus the kick
     EXPECT_EQ(game.obstructions()[0].hitTick, game.ticks());
     for (int tick = 0; tick < 40; ++tick) {
         game.tick({});
@@ -51,31 +52,31 @@ TEST(Bumper, KicksShardsToo) {
     EXPECT_EQ(roleOf(game.world()[bumped->body].flags()), Role::Shard);
 }
 
-TEST(Pin, TurnsTheBallAsideWithoutAKick) {
+TEST(Pin, DeflectsTheBallWithoutAKick) {
     Game game = with("obstruction = \"pin\"");
     GameTestAccess::shoot(game, kMiddle - Vec2{Real(0.25), 2}, {0, 12});
     const auto struck = playUntil<Struck>(game, {}, 30);
     ASSERT_TRUE(struck);
     EXPECT_EQ(struck->what, Role::Obstruction);
-    // sin of the angle between the way and the normal = offset / sum of radii
+    // sin of the angle between path and normal = offset / sum of radii
     EXPECT_TRUE(near(struck->normal.x, Real(-0.5), 0.03));
     EXPECT_TRUE(near(speedOf(game), 12, 0.05));
-    EXPECT_LT(game.balls()[0].heading.x, Real(-0.7)); // mirrored at 30 degrees: sin 60
+    EXPECT_LT(game.balls()[0].heading.x, Real(-0.7)); // reflected at 30 degrees: sin 60
 }
 
-TEST(Motor, TurnsItsBarWithItsSpeed) {
+TEST(Motor, RotatesItsBarAtItsSpeed) {
     Game game = with("obstruction = \"motor\"\nspeed = 2000");
     const kodo::BodyId bar = game.obstructions()[0].body;
     for (int tick = 0; tick < 120; ++tick) {
         game.tick({});
     }
     EXPECT_TRUE(near(game.world()[bar].angularVelocity(), 2, 1e-3));
-    // A second at 2 rad/s, but for the first tick, in which the motor speeds it up.
+    // One second at 2 rad/s, except for the first tick of acceleration.
     EXPECT_TRUE(near(game.world()[bar].rotation().angle(), 2, 0.02));
     EXPECT_TRUE(near(game.world()[bar].position(), kMiddle, 1e-3));
 }
 
-TEST(Motor, GivesWayToABlowAndComesBack) {
+TEST(Motor, YieldsToAnImpactAndRecovers) {
     Game game = with("obstruction = \"motor\"\nspeed = 0");
     const kodo::BodyId bar = game.obstructions()[0].body;
     GameTestAccess::shoot(game, kMiddle + Vec2{Real(1.2), -2}, {0, 12});
@@ -87,7 +88,7 @@ TEST(Motor, GivesWayToABlowAndComesBack) {
     EXPECT_TRUE(near(game.world()[bar].angularVelocity(), 0, 1e-3));
 }
 
-TEST(Gate, LetsPassWhatComesFromBehindAndNothingElse) {
+TEST(Gate, LetsBallsPassFromBehindOnly) {
     const std::array<Vec2, 4> fronts{Vec2{0, 1}, Vec2{0, -1}, Vec2{-1, 0}, Vec2{1, 0}};
     for (std::size_t facing = 0; facing < fronts.size(); ++facing) {
         SCOPED_TRACE(kFacingNames[facing]);
@@ -122,12 +123,12 @@ TEST(Ground, BouncesTheBallOffItsSlope) {
     EXPECT_GT(game.world()[ball].velocity().x, 11);
 }
 
-// A block that hangs in the middle of row 5, with its pin 1.6 m above.
+// A hanging block in the middle of row 5, with its pin 1.6 m above.
 Game hung(const std::string& stuff) {
     return with("stuff = \"" + stuff + "\"\nstrength = 900000\nhold = \"hanging\"\narm = 1600");
 }
 
-TEST(HangingBlock, HangsStillUntilItIsStruck) {
+TEST(HangingBlock, HangsStillUntilItIsHit) {
     Game game = hung("stone");
     const Block block = game.blocks()[1];
     EXPECT_EQ(block.hold, Hold::Hanging);
@@ -138,7 +139,7 @@ TEST(HangingBlock, HangsStillUntilItIsStruck) {
     EXPECT_TRUE(near(game.world()[block.pin].position(), kMiddle + Vec2{0, Real(1.6)}, 1e-4));
 }
 
-TEST(HangingBlock, SwingsAboutItsPinWhenItIsStruck) {
+TEST(HangingBlock, SwingsAboutItsPinWhenItIsHit) {
     Game game = hung("stone");
     const Block block = game.blocks()[1];
     GameTestAccess::shoot(game, kMiddle - Vec2{3, 0}, {12, 0});
@@ -148,13 +149,13 @@ TEST(HangingBlock, SwingsAboutItsPinWhenItIsStruck) {
         game.tick({});
         const Vec2 place = game.world()[block.body].position();
         farthest = std::max(farthest, place.x);
-        // The solver's stiff joint gives some mm under a blow.
+        // The soft joint yields by some mm under an impact.
         EXPECT_TRUE(near(length(place - game.world()[block.pin].position()), Real(1.6), 0.02));
     }
     EXPECT_GT(farthest, Real(0.5));
 }
 
-TEST(HangingBlock, GivesItsPiecesItsMotion) {
+TEST(HangingBlock, GivesItsPiecesItsVelocity) {
     for (const char* stuff : {"glass", "wood", "brick", "stone"}) {
         SCOPED_TRACE(stuff);
         Game game = hung(stuff);
@@ -165,7 +166,7 @@ TEST(HangingBlock, GivesItsPiecesItsMotion) {
         const Vec2 center = body.center();
         const Vec2 before = body.mass() * body.velocity();
         const Real spinBefore = body.inertia() * body.angularVelocity();
-        GameTestAccess::breakBlock(game, 1, {0, 24}); // it has the blow in its velocity already
+        GameTestAccess::breakBlock(game, 1, {0, 24}); // its velocity already includes the impulse
         Vec2 momentum;
         Real moment = 0;
         for (const Shard& shard : game.shards()) {
@@ -174,7 +175,7 @@ TEST(HangingBlock, GivesItsPiecesItsMotion) {
             moment += piece.mass() * cross(piece.center() - center, piece.velocity()) +
                       piece.inertia() * piece.angularVelocity();
         }
-        EXPECT_TRUE(near(momentum, before, 2e-5)); // a dozen floats around 1
+        EXPECT_TRUE(near(momentum, before, 2e-5)); // a dozen floats of about 1
         EXPECT_TRUE(near(moment, spinBefore, 2e-5));
         EXPECT_FALSE(game.world().contains(game.blocks()[0].pin));
     }

@@ -22,7 +22,7 @@ Input keys(int paddle) {
     return input;
 }
 
-/// Ticks until the paddle stands at the target, or `most`.
+/// Ticks until the paddle rests at the target, or `most`.
 int ticksTo(Real target, Real mass, int most) {
     Input input;
     input.target = static_cast<std::int16_t>(target * 1000);
@@ -38,13 +38,13 @@ int ticksTo(Real target, Real mass, int most) {
     return most;
 }
 
-TEST(PaddleShape, IsConvexAndWideAsTold) {
+TEST(PaddleShape, IsConvexWithItsNominalWidth) {
     EXPECT_FALSE(kodo::check(kodo::Shape(paddleShape())));
     EXPECT_EQ(domeHeight(kPaddleHalfWidth), 0);
     EXPECT_GT(domeHeight(0), Real(0.3));
 }
 
-TEST(PaddleDrive, SpeedsUpByForceOverMassAndNoFaster) {
+TEST(PaddleDrive, AcceleratesByForceOverMassUpToItsSpeed) {
     EXPECT_TRUE(
         near(drivenSpeed(keys(127), 0, 0, kMass), kPaddleForce / kMass * kTickSeconds, 1e-4));
     Real speed = 0;
@@ -56,8 +56,8 @@ TEST(PaddleDrive, SpeedsUpByForceOverMassAndNoFaster) {
 }
 
 TEST(PaddleDrive, ReachesAMouseTargetQuicklyAndStopsThere) {
-    EXPECT_LE(ticksTo(1, kMass, 200), 14);  // a metre within 0.12 s
-    EXPECT_LE(ticksTo(10, kMass, 200), 50); // ten within 0.42 s
+    EXPECT_LE(ticksTo(1, kMass, 200), 14);  // 1 m within 0.12 s
+    EXPECT_LE(ticksTo(10, kMass, 200), 50); // 10 m within 0.42 s
 }
 
 TEST(PaddleDrive, IsSlowerWhenThePaddleIsHeavier) {

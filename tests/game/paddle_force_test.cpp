@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The paddle's field of force.
+// The paddle's force field.
 #include <support/near.hpp>
 
 #include <array>
@@ -23,7 +23,7 @@ Game fresh() {
     return Game(levelOf("g..............\n" + emptyRows(4) + ".......b.......\n"), 1);
 }
 
-/// Speed of the first ball away from the paddle's middle.
+/// Speed of the first ball away from the centre of the paddle.
 Real awaySpeed(const Game& game) {
     const kodo::BodyView ball = game.world()[game.balls()[0].body];
     return dot(ball.velocity(),
@@ -64,8 +64,8 @@ TEST(Field, ActsOnShardsPartsAndLooseBlocks) {
     EXPECT_EQ(game.world()[mounted].velocity(), Vec2{});
 }
 
-TEST(Field, TakesFromThePaddleWhatItGives) {
-    Game game = fresh(); // the ball rides: nobody governs what is given to shards
+TEST(Field, BooksTheImpulseThatItGives) {
+    Game game = fresh(); // the ball rides: the servo adds no impulse
     GameTestAccess::breakBlock(game, 1, {0, 0});
     for (int tick = 0; tick < 30; ++tick) {
         game.tick({});
@@ -73,7 +73,7 @@ TEST(Field, TakesFromThePaddleWhatItGives) {
     Game still = game;
     game.tick(holding(Force::Pull));
     still.tick({});
-    Vec2 given; // as the world shows it
+    Vec2 given; // momentum measured in the world
     for (const Shard& shard : game.shards()) {
         const kodo::BodyView body = game.world()[shard.body];
         given += body.mass() * (body.velocity() - still.world()[shard.body].velocity());
@@ -90,12 +90,12 @@ TEST(Field, SlowsAPaddleByItsReaction) {
     game.tick(holding(Force::Pull));
     const double given = game.ledger().fieldImpulseX;
     EXPECT_LT(given, 0); // to the left
-    // What the drive does not hold: it may add kPaddleForce for one tick, and that is more.
+    // The drive compensates the reaction: its limit of kPaddleForce per tick is higher.
     EXPECT_LT(std::abs(given), static_cast<double>(kPaddleForce * kTickSeconds));
     EXPECT_TRUE(near(game.world()[game.paddle()].velocity().x, 0, 1e-4));
 }
 
-/// A game in which nothing has been damaged for so long that blocks glow.
+/// A game without damage for so long that blocks glow.
 Game glowing(const std::string& tail = "") {
     Game game(levelOf("gggg...........\n" + emptyRows(4) + ".......s.......\n" + tail), 1);
     GameTestAccess::shoot(game, {8, 9}, {0, 12});
@@ -108,7 +108,7 @@ Game glowing(const std::string& tail = "") {
 /// Ticks of this force until a block is torn off; 0: never.
 int ticksUntilTorn(Game& game, Force force, int most = 240) {
     for (int tick = 1; tick <= most; ++tick) {
-        GameTestAccess::shoot(game, {8, 9}, {0, 12}); // it never gets anywhere
+        GameTestAccess::shoot(game, {8, 9}, {0, 12}); // resets the ball, so that it hits nothing
         game.tick(holding(force));
         const LetGo* let = eventOf<LetGo>(game);
         if (let != nullptr && let->why == LetGo::Why::Torn) {
@@ -130,7 +130,7 @@ TEST(Pull, TearsTheLowestBlockOffOnceBlocksGlow) {
     EXPECT_EQ(ticksUntilTorn(game, Force::Pull), 0);
 }
 
-TEST(Pull, TearsNothingOffWhileThereIsProgressAndPushingNever) {
+TEST(Pull, TearsNoBlockOffDuringProgressAndPushingNeverDoes) {
     Game calm = glowing();
     GameTestAccess::progress(calm);
     EXPECT_EQ(ticksUntilTorn(calm, Force::Pull), 0);
@@ -138,7 +138,7 @@ TEST(Pull, TearsNothingOffWhileThereIsProgressAndPushingNever) {
     EXPECT_EQ(ticksUntilTorn(pushing, Force::Push), 0);
 }
 
-TEST(Pull, GivesBackToThePaddleWhatATiredMountTakes) {
+TEST(Pull, BooksTheImpulseThatAWeakMountAbsorbs) {
     Game game = glowing();
     GameTestAccess::shoot(game, {8, 9}, {0, 12});
     Game calm = game;
@@ -159,14 +159,15 @@ TEST(Meter, DrainsInUseAndRefillsWithTime) {
         game.tick(holding(Force::Push));
         ++lasts;
     } while (game.force() == Force::Push && lasts < 1000);
-    EXPECT_NEAR(lasts, kMeterSeconds * kTicksPerSecond, 2); // a tick of rounding, and the last
+    EXPECT_NEAR(lasts, kMeterSeconds * kTicksPerSecond, 2); // one tick of rounding, and the last
+                                                            // tick
     for (int tick = 0; tick < 120; ++tick) {
         game.tick({});
     }
     EXPECT_TRUE(near(game.meter(), 1 / kRefillSeconds, 0.01));
 }
 
-TEST(Meter, MustFillALittleBeforeTheFieldBegins) {
+TEST(Meter, MustReachAMinimumBeforeTheFieldStarts) {
     Game game = fresh();
     GameTestAccess::setMeter(game, kMeterStart / 2);
     game.tick(holding(Force::Pull));
@@ -178,7 +179,7 @@ TEST(Meter, MustFillALittleBeforeTheFieldBegins) {
     EXPECT_EQ(eventOf<ForceChanged>(game)->force, Force::Pull);
 }
 
-TEST(Meter, IsFedByShardsThatAreDrawnIn) {
+TEST(Meter, IsFilledByCaughtShards) {
     Game game(levelOf("g..............\n" + emptyRows(10) + ".......b.......\n"), 1);
     GameTestAccess::breakBlock(game, 1, {0, 0});
     GameTestAccess::setMeter(game, Real(0.6));
@@ -190,14 +191,14 @@ TEST(Meter, IsFedByShardsThatAreDrawnIn) {
     const ShardCaught* caught = eventOf<ShardCaught>(game);
     ASSERT_NE(caught, nullptr);
     const Real mass = (caught->meter - before + kTickSeconds / kMeterSeconds) / kMeterPerKilogram;
-    EXPECT_GT(mass, Real(0.03)); // the lightest shards of brick weigh so much
+    EXPECT_GT(mass, Real(0.03)); // mass of the lightest brick shards
     EXPECT_GE(static_cast<Real>(game.ledger().removedMass), mass * Real(0.999));
-    Game pushing = fresh(); // who does not pull catches none
+    Game pushing = fresh(); // without a pull no shard is caught
     GameTestAccess::breakBlock(pushing, 1, {0, 0});
     EXPECT_FALSE(playUntil<ShardCaught>(pushing, {}, 200));
 }
 
-TEST(Meter, FillsFasterWhenNothingHasHappenedForLong) {
+TEST(Meter, FillsFasterAfterALongTimeWithoutDamage) {
     Game game = fresh();
     GameTestAccess::shoot(game, {8, 9}, {0, 12});
     for (std::uint32_t tick = 0; tick < kGlowTicks / kLastHurry; ++tick) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts that are caught, and blocks that come apart into balls.
+// Parts that are caught, and blocks that split into balls.
 #include <support/near.hpp>
 
 #include "game_access.hpp"
@@ -11,8 +11,8 @@ using kodo::Real;
 using kodo::Vec2;
 using support::near;
 
-/// A block with a power in the middle of the lowest row, glass and brick above; the block is broken
-/// and the paddle waits below it.
+/// A game with a broken power block in the middle of the lowest row, glass and brick above it, and
+/// the paddle below.
 Game dropped(const std::string& block) {
     const std::string row = std::string(7, '.') + block + std::string(7, '.') + "\n";
     Game game(levelOf("ggggggggggggggg\nbbbbbbbbbbbbbbb\n" + emptyRows(12) + row), 1);
@@ -59,7 +59,7 @@ TEST(WeldedPart, MovesWithThePaddleAndBouncesTheBall) {
     EXPECT_GT(length(game.world()[game.balls()[0].body].velocity()), 11); // lossless like the dome
 }
 
-TEST(WeldedPart, ComesOffWhenBlowsHaveUsedUpItsWeld) {
+TEST(WeldedPart, ComesOffWhenImpactsHaveUsedUpItsWeldStrength) {
     Game game = dropped("W");
     ASSERT_TRUE(playUntil<Welded>(game, towards(kCatchX), 240));
     const Real heavy = game.world()[game.paddle()].mass();
@@ -88,7 +88,7 @@ TEST(LaunchPart, SticksForExactlyOneSecondAndThenFlies) {
     const kodo::BodyId part = game.parts()[0].body;
     const Vec2 offset = game.world()[part].position() - game.world()[game.paddle()].position();
     for (int tick = 0; tick < 119; ++tick) {
-        game.tick(towards(2)); // it is carried along
+        game.tick(towards(2)); // moves with the paddle
         EXPECT_EQ(eventOf<Launched>(game), nullptr);
         const Vec2 now = game.world()[part].position() - game.world()[game.paddle()].position();
         EXPECT_TRUE(near(now, offset, 1e-3));
@@ -99,7 +99,7 @@ TEST(LaunchPart, SticksForExactlyOneSecondAndThenFlies) {
     EXPECT_TRUE(near(game.world()[part].velocity(), Vec2{0, kLaunchSpeed}, 1e-3));
 }
 
-TEST(LaunchPart, DestroysTheBlocksAboveAndLeaves) {
+TEST(LaunchPart, DestroysTheBlocksAboveAndLeavesTheField) {
     Game game = dropped("L");
     const std::int32_t before = game.blocksLeft();
     ASSERT_TRUE(playUntil<Launched>(game, towards(kCatchX), 500));
@@ -110,7 +110,7 @@ TEST(LaunchPart, DestroysTheBlocksAboveAndLeaves) {
     EXPECT_GT(spent->point.y, kFieldHeight);
     EXPECT_TRUE(near(spent->point.x, x, 0.1)); // straight up
     EXPECT_LE(game.blocksLeft(), before - 2);  // glass and brick
-    EXPECT_GE(game.blocksLeft(), before - 4);  // and only what was above it
+    EXPECT_GE(game.blocksLeft(), before - 4);  // only blocks above it
 }
 
 TEST(LaunchPart, FallsOffWhenTheLifeIsLost) {
@@ -122,7 +122,7 @@ TEST(LaunchPart, FallsOffWhenTheLifeIsLost) {
     EXPECT_EQ(game.parts()[0].state, PartState::Loose);
 }
 
-TEST(SplitBlock, BecomesBallsThatPlayOn) {
+TEST(SplitBlock, BecomesSeveralBalls) {
     Game game = dropped("S");
     EXPECT_EQ(game.balls().size(), 1u + kSplitBalls);
     Input launch = towards(kCatchX);

@@ -17,8 +17,8 @@ std::string nameOf(Power power) {
     return std::string(kPowerNames[static_cast<std::size_t>(power)]);
 }
 
-/// A block with a power in the middle of the lowest row, glass and brick above; it is broken and
-/// the paddle waits below.
+/// A game with a broken power block in the middle of the lowest row, glass and brick above it, and
+/// the paddle below.
 Game dropped(Power power) {
     Game game(levelWith("ggggggggggggggg\nbbbbbbbbbbbbbbb\n" + emptyRows(12) + ".......p.......\n",
                         "p", "stuff = \"brick\"\npower = \"" + nameOf(power) + "\""),
@@ -30,7 +30,7 @@ Game dropped(Power power) {
     return game;
 }
 
-/// A game in which that power has just begun.
+/// A game in which a power has just begun.
 Game given(Power power, const std::string& grid = "g..............\n") {
     Game game(levelOf(grid), 1);
     GameTestAccess::give(game, power);
@@ -72,22 +72,22 @@ INSTANTIATE_TEST_SUITE_P(All, LastingPower,
                                          Power::Magnet, Power::Spring, Power::Well, Power::Wind),
                          [](const auto& power) { return nameOf(power.param); });
 
-TEST(HeavyBall, StrikesHarderByItsMass) {
+TEST(HeavyBall, HitsWithAnImpulseProportionalToItsMass) {
     Game game = given(Power::Heavy, "g..............\n" + emptyRows(4) + ".......s.......\n");
     const kodo::BodyId ball = game.balls()[0].body;
     const Real mass = massOf(kodo::Circle{kBallRadius}, kBallDensity).mass;
     EXPECT_TRUE(near(game.world()[ball].mass(), kHeavyFactor * mass, 1e-4));
     GameTestAccess::shoot(game, {0, Real(12.5)}, {0, 12});
-    const auto broke = playUntil<Broke>(game, {}, 30); // 72 N s against 30
+    const auto broke = playUntil<Broke>(game, {}, 30); // 72 N s against a strength of 30
     ASSERT_TRUE(broke);
     EXPECT_TRUE(near(broke->impulse, 2 * kHeavyFactor * mass * 12, 1));
 }
 
-TEST(BallPowers, ChangeEveryBallAndGiveItBackAfterwards) {
+TEST(BallPowers, ChangeEveryBallAndRestoreItAfterwards) {
     Game game = given(Power::Egg);
     EXPECT_EQ(game.ballKind(), BallKind::Egg);
     EXPECT_EQ(game.balls()[0].kind, BallKind::Egg);
-    GameTestAccess::give(game, Power::Heavy); // of one kind at a time
+    GameTestAccess::give(game, Power::Heavy); // only one kind at a time
     EXPECT_EQ(game.ballKind(), BallKind::Heavy);
     EXPECT_EQ(game.effects().size(), 1u);
     const auto changed = playUntil<BallChanged>(game, {}, static_cast<int>(kEffectTicks));
@@ -95,20 +95,21 @@ TEST(BallPowers, ChangeEveryBallAndGiveItBackAfterwards) {
     EXPECT_EQ(changed->kind, BallKind::Round);
     EXPECT_EQ(game.balls()[0].body, changed->now);
     EXPECT_FALSE(game.world().contains(changed->before));
-    EXPECT_TRUE(game.serving()); // it rides as it did
+    EXPECT_TRUE(game.serving()); // still rides
 }
 
-TEST(LopsidedBall, HasItsMassBesideItsMiddleAndIsTurnedByABlow) {
+TEST(LopsidedBall, HasAnOffCentreMassAndSpinsAfterAnImpact) {
     Game game = given(Power::Lopsided);
     const kodo::BodyView ball = firstBall(game);
     EXPECT_GT(length(ball.center() - ball.position()), kBallRadius / 5);
     EXPECT_TRUE(near(ball.mass(), massOf(kodo::Circle{kBallRadius}, kBallDensity).mass, 1e-4));
     GameTestAccess::shoot(game, {-6, 16}, {0, 12});
-    ASSERT_TRUE(playUntil<Struck>(game, {}, 60)); // the top wall, without friction; core aside
+    ASSERT_TRUE(playUntil<Struck>(game, {}, 60)); // the top wall, without friction; the core does
+                                                  // not matter
     EXPECT_GT(std::abs(firstBall(game).angularVelocity()), Real(0.5));
 }
 
-TEST(EggBall, LeavesAWallAtAnotherAngleThanItCame) {
+TEST(EggBall, IsNotMirroredAtAWall) {
     Game game = given(Power::Egg);
     const kodo::BodyId ball = GameTestAccess::shoot(game, {-6, 16}, {0, 12});
     GameTestAccess::world(game)[ball].setRotation(kodo::Rot::fromAngle(Real(0.6)));
@@ -118,7 +119,7 @@ TEST(EggBall, LeavesAWallAtAnotherAngleThanItCame) {
 }
 
 TEST(RoughBall, TakesSpinFromAMovingPaddle) {
-    for (const Power power : {Power::Rough, Power::Heavy}) { // heavy ones are as smooth as usual
+    for (const Power power : {Power::Rough, Power::Heavy}) { // heavy balls have the usual friction
         Game game = given(power);
         for (int tick = 0; tick < 30; ++tick) {
             game.tick(towards(-6));
@@ -136,7 +137,7 @@ TEST(RoughBall, TakesSpinFromAMovingPaddle) {
     }
 }
 
-TEST(Magnet, DrawsABallThatWouldMissThePaddle) {
+TEST(Magnet, PullsABallThatWouldMissThePaddle) {
     for (const bool magnet : {true, false}) {
         Game game(levelOf("g..............\n"), 1);
         if (magnet) {
@@ -146,12 +147,13 @@ TEST(Magnet, DrawsABallThatWouldMissThePaddle) {
         const auto struck = playUntil<Struck>(game, {}, 60);
         EXPECT_EQ(struck.has_value(), magnet);
         if (magnet) {
-            EXPECT_LT(game.ledger().fieldImpulseX, 0); // booked, and the paddle had as much
+            EXPECT_LT(game.ledger().fieldImpulseX, 0); // booked; the paddle received the opposite
+                                                       // impulse
         }
     }
 }
 
-TEST(SpringPaddle, LeapsAtTheButtonAndStrikesTheBallHarder) {
+TEST(SpringPaddle, JumpsOnTheButtonAndAcceleratesTheBall) {
     std::array<Real, 2> speeds{};
     for (const bool leaps : {false, true}) {
         Game game = given(Power::Spring);
@@ -185,12 +187,12 @@ TEST(Wings, WidenThePaddleAsPartsOfItsBody) {
     EXPECT_EQ(game.parts().size(), 0u);
 }
 
-TEST(Wings, AreKnockedOffByOneHardBlowAndFall) {
+TEST(Wings, AreKnockedOffByOneHardImpactAndFall) {
     Game game(levelOf("g..............\n"), 1);
     GameTestAccess::weldWings(game);
     game.tick({});
     const Real heavy = game.world()[game.paddle()].mass();
-    GameTestAccess::give(game, Power::Heavy); // 72 N s against 48
+    GameTestAccess::give(game, Power::Heavy); // 72 N s against a strength of 48
     GameTestAccess::shoot(game, {Real(2.8), 3}, {0, -12});
     const auto off = playUntil<KnockedOff>(game, {}, 60);
     ASSERT_TRUE(off);
@@ -202,11 +204,11 @@ TEST(Wings, AreKnockedOffByOneHardBlowAndFall) {
     for (int tick = 0; tick < 60; ++tick) {
         game.tick({});
     }
-    EXPECT_LT(game.world()[off->shard].center().y, height); // a body that falls
+    EXPECT_LT(game.world()[off->shard].center().y, height); // a falling body
 }
 
-TEST(Well, BendsTheWayOfABallUntilItEnds) {
-    Game game = given(Power::Well); // at 0, 9
+TEST(Well, CurvesThePathOfABallUntilItEnds) {
+    Game game = given(Power::Well); // at (0, 9)
     GameTestAccess::shoot(game, {-4, 5}, {0, 12});
     for (int tick = 0; tick < 60; ++tick) {
         game.tick({});
@@ -223,7 +225,7 @@ TEST(Well, BendsTheWayOfABallUntilItEnds) {
     EXPECT_TRUE(near(game.balls()[0].heading, heading, 1e-5)); // straight again
 }
 
-TEST(Wind, BlowsLightThingsFartherThanBalls) {
+TEST(Wind, AcceleratesShardsMoreThanBalls) {
     Game game = given(Power::Wind, "g..............\n" + emptyRows(4) + ".......b.......\n");
     const Real side = game.windSpeed() > 0 ? Real(1) : Real(-1);
     EXPECT_TRUE(near(std::abs(game.windSpeed()), kWindSpeed, 1e-4));
@@ -247,7 +249,7 @@ TEST(Wind, BlowsLightThingsFartherThanBalls) {
     EXPECT_GT(gained, ofBall);
 }
 
-TEST(Powers, EndWithTheLife) {
+TEST(Powers, EndWhenALifeIsLost) {
     Game game = given(Power::Wind);
     GameTestAccess::give(game, Power::Egg);
     GameTestAccess::shoot(game, {8, 1}, {0, -12});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nobody waits for ever, and no path is bent for it.
+// Bounds on the time without damage, without bending the ball's path.
 #include <apart/core/bot.hpp>
 #include <apart/core/progress.hpp>
 #include <support/near.hpp>
@@ -12,7 +12,7 @@ using namespace apart;
 using kodo::Real;
 using kodo::Vec2;
 
-TEST(ProgressClock, GoesThroughItsStagesAndLetsGoOneBlockAfterTheOther) {
+TEST(ProgressClock, PassesItsStagesAndReleasesBlocksOneByOne) {
     ProgressClock clock;
     std::vector<std::uint32_t> due;
     for (std::uint32_t tick = 1; tick <= kFailTicks + 3 * kFailEvery; ++tick) {
@@ -32,8 +32,8 @@ TEST(ProgressClock, GoesThroughItsStagesAndLetsGoOneBlockAfterTheOther) {
     EXPECT_EQ(clock.patience(), Patience::Calm);
 }
 
-TEST(ProgressClock, GoesFasterWhenHurriedAndMissesNoStage) {
-    for (const std::uint32_t head : {0u, 1u}) { // ticks before the hurry begins
+TEST(ProgressClock, RunsFasterInAHurryAndSkipsNoStage) {
+    for (const std::uint32_t head : {0u, 1u}) { // ticks before the hurry
         ProgressClock clock;
         std::vector<std::uint32_t> due;
         for (std::uint32_t tick = 1; tick <= kFailTicks; ++tick) {
@@ -52,7 +52,7 @@ TEST(ProgressClock, GoesFasterWhenHurriedAndMissesNoStage) {
 std::uint32_t ticksUntilFatigue(const std::string& row) {
     Game game(levelOf(row), 1);
     for (std::uint32_t tick = 1; tick <= kFailTicks + 1; ++tick) {
-        GameTestAccess::shoot(game, {8, 9}, {0, 12}); // it never gets anywhere
+        GameTestAccess::shoot(game, {8, 9}, {0, 12}); // resets the ball, so that it hits nothing
         game.tick({});
         if (eventOf<LetGo>(game) != nullptr) {
             return tick;
@@ -61,12 +61,12 @@ std::uint32_t ticksUntilFatigue(const std::string& row) {
     return 0;
 }
 
-TEST(Mounts, OfTheLastBlocksGiveWaySooner) {
+TEST(Mounts, OfTheLastBlocksFailSooner) {
     EXPECT_EQ(ticksUntilFatigue("gggg...........\n"), kFailTicks);
     EXPECT_EQ(ticksUntilFatigue("ggg............\n"), kFailTicks / kLastHurry);
 }
 
-/// Meetings of a loop of so many, again and again, until the clock notices; 0: never.
+/// Paddle contacts until the clock detects a repeating sequence of `loop` contacts; 0: never.
 int meetingsUntilSeen(int loop, int most) {
     ProgressClock clock;
     for (int i = 0; i < most; ++i) {
@@ -79,13 +79,13 @@ int meetingsUntilSeen(int loop, int most) {
     return 0;
 }
 
-TEST(ProgressClock, SeesALoopAtItsThirdRound) {
+TEST(ProgressClock, DetectsALoopInItsThirdRound) {
     for (const int loop : {1, 2, 4, 6}) {
         EXPECT_EQ(meetingsUntilSeen(loop, 100), 2 * loop + 1) << loop;
     }
 }
 
-TEST(ProgressClock, MovesOnByAStageWhenItSeesALoop) {
+TEST(ProgressClock, AdvancesByAStageWhenItDetectsALoop) {
     ProgressClock clock;
     for (int i = 0; i < 3; ++i) {
         clock.metPaddle({1, 2}, {0, -1}, 1);
@@ -93,12 +93,12 @@ TEST(ProgressClock, MovesOnByAStageWhenItSeesALoop) {
     EXPECT_EQ(clock.patience(), Patience::Glowing);
     clock.metPaddle({1, 2}, {0, -1}, 1);
     EXPECT_EQ(clock.patience(), Patience::Shaking);
-    EXPECT_FALSE(clock.metPaddle({1, 2}, {0, -1}, 1)); // what follows can be seen coming
+    EXPECT_FALSE(clock.metPaddle({1, 2}, {0, -1}, 1)); // the next stage needs the warning time
     clock.progress();
-    EXPECT_FALSE(clock.metPaddle({1, 2}, {0, -1}, 1)); // and all is forgotten
+    EXPECT_FALSE(clock.metPaddle({1, 2}, {0, -1}, 1)); // and the contacts are cleared
 }
 
-TEST(ProgressClock, TakesBallsThatComeInOtherWaysForNoLoop) {
+TEST(ProgressClock, DetectsNoLoopInVaryingPaths) {
     ProgressClock clock;
     for (int i = 0; i < 30; ++i) {
         const auto x = static_cast<Real>(i) * Real(0.6) - 9;
@@ -106,26 +106,26 @@ TEST(ProgressClock, TakesBallsThatComeInOtherWaysForNoLoop) {
     }
 }
 
-TEST(Mounts, GiveWayFromBelowWhenNothingIsDamagedForLong) {
+TEST(Mounts, FailFromBelowAfterALongTimeWithoutDamage) {
     Game game(levelOf("g..............\nb..............\n....b..........\n"), 1);
     GameTestAccess::shoot(game, {8, 9}, {0, 12});
     EXPECT_EQ(game.nextToFall()->key, 2u * kColumns + 4);
     std::vector<std::uint32_t> fell;
     for (std::uint32_t tick = 1; tick <= kFailTicks + 3 * kFailEvery + 240; ++tick) {
-        GameTestAccess::shoot(game, {8, 9}, {0, 12}); // it never gets anywhere
+        GameTestAccess::shoot(game, {8, 9}, {0, 12}); // resets the ball, so that it hits nothing
         game.tick({});
         if (const LetGo* off = eventOf<LetGo>(game)) {
             EXPECT_EQ(off->why, LetGo::Why::Fatigue);
-            EXPECT_TRUE(fell.empty() || off->key < fell.back()); // the lowest first
+            EXPECT_TRUE(fell.empty() || off->key < fell.back()); // lowest first
             fell.push_back(off->key);
         }
     }
     EXPECT_EQ(fell.size(), 3u);
-    EXPECT_EQ(game.blocksLeft(), 0); // they count when they have fallen out of the field
+    EXPECT_EQ(game.blocksLeft(), 0); // blocks count when they have left the field
     EXPECT_EQ(game.result(), Result::Won);
 }
 
-TEST(Mounts, HoldWhileTheBallWaitsToBeServed) {
+TEST(Mounts, HoldBeforeTheServe) {
     Game game(levelOf("g..............\n"), 1);
     for (std::uint32_t tick = 0; tick < 2 * kFailTicks; ++tick) {
         game.tick({});
@@ -134,7 +134,7 @@ TEST(Mounts, HoldWhileTheBallWaitsToBeServed) {
     EXPECT_EQ(game.blocksLeft(), 1);
 }
 
-TEST(LooseBlock, ThatLiesSomewhereCrumblesAndCounts) {
+TEST(LooseBlock, BreaksAndCountsAfterItsTime) {
     Game game(levelOf("g..............\n" + emptyRows(4) + ".......b.......\n.......X.......\n"),
               1);
     GameTestAccess::shoot(game, {8, 9}, {0, 12});
@@ -149,7 +149,7 @@ TEST(LooseBlock, ThatLiesSomewhereCrumblesAndCounts) {
     EXPECT_NE(eventOf<Broke>(game), nullptr);
 }
 
-TEST(LooseBlock, NeitherCrumblesNorCountsAfterTheEnd) {
+TEST(LooseBlock, NeitherBreaksNorCountsAfterTheGame) {
     Game game(levelOf("g..............\n" + emptyRows(4) + ".......b.......\n.......X.......\n"),
               1);
     GameTestAccess::letGo(game, 1);
@@ -166,7 +166,7 @@ TEST(LooseBlock, NeitherCrumblesNorCountsAfterTheEnd) {
     EXPECT_EQ(game.blocksLeft(), 2);
 }
 
-/// Longest time without damage that this player lets pass, in ticks.
+/// Longest time without damage for this player, in ticks.
 template <typename Player>
 std::uint32_t longestWait(const Level& level, std::uint32_t seed, Mode mode, std::uint32_t ticks,
                           Player player) {
@@ -185,12 +185,12 @@ std::uint32_t longestWait(const Level& level, std::uint32_t seed, Mode mode, std
     return longest;
 }
 
-TEST(Waiting, IsBoundedWhoeverPlays) {
-    // One glass block behind steel, that no ball can reach; the bound needs no luck.
+TEST(TimeWithoutDamage, IsBoundedForEveryPlayer) {
+    // A glass block behind steel, out of reach of any ball: the bound does not depend on luck.
     const Level level = levelOf("XXXXXXXXXXXXXXX\n" + std::string("......XgX......\n") +
                                 "......XXX......\n" + emptyRows(2) + "...b...........\n");
     const auto perfect = [](const Game& game) { return bot(game); };
-    const auto lazy = [](const Game& game) { // a wall instead of aim: straight under the ball
+    const auto lazy = [](const Game& game) { // no aim: stays straight under the ball
         Input input = towards(game.world()[game.balls()[0].body].position().x);
         input.launch = game.serving();
         return input;
@@ -204,7 +204,7 @@ TEST(Waiting, IsBoundedWhoeverPlays) {
     }
 }
 
-TEST(PureMode, TurnsNoBounce) {
+TEST(PureMode, ChangesNoBounce) {
     for (const Mode mode : {Mode::Standard, Mode::Pure}) {
         Game game(levelOf("ggggggggggggggg\nbbbbbbbbbbbbbbb\nbbbbbbbbbbbbbbb\n"), 3, mode);
         EXPECT_EQ(game.mode(), mode);
@@ -219,26 +219,26 @@ TEST(PureMode, TurnsNoBounce) {
     }
 }
 
-TEST(PureMode, LetsAFlatBallStayFlat) {
+TEST(PureMode, KeepsAFlatBallFlat) {
     for (const Mode mode : {Mode::Standard, Mode::Pure}) {
         Game game(levelOf("g..............\n"), 1, mode);
         GameTestAccess::shoot(game, {8, 9}, {12, Real(0.5)});
         for (int tick = 0; tick < 60; ++tick) {
-            game.tick({}); // it meets the right wall once
+            game.tick({}); // hits the right wall once
         }
         const Real sine = std::abs(game.balls()[0].heading.y);
         EXPECT_EQ(sine < kFlatSine - Real(0.001), mode == Mode::Pure);
     }
 }
 
-// Where a flat bounce leads to a block that can break, it is of use and nothing turns it.
-TEST(SmallestTurn, IsMadeOnlyWhereNothingCanBreakOnTheWay) {
+// A flat bounce towards a breakable block is useful and stays unchanged.
+TEST(SmallestTurn, IsAppliedOnlyIfNoBreakableBlockIsAhead) {
     for (const char* block : {"b", "X"}) {
         Game game(levelOf("g..............\n" + emptyRows(10) + "......." + block + ".......\n"),
                   1);
-        GameTestAccess::shoot(game, {8, Real(8.8)}, {12, Real(0.2)}); // as high as the block
+        GameTestAccess::shoot(game, {8, Real(8.8)}, {12, Real(0.2)}); // at the height of the block
         for (int tick = 0; tick < 60; ++tick) {
-            game.tick({}); // it meets the right wall once
+            game.tick({}); // hits the right wall once
         }
         const Real sine = std::abs(game.balls()[0].heading.y);
         EXPECT_EQ(sine < kFlatSine - Real(0.001), *block == 'b');

@@ -14,7 +14,7 @@ std::shared_ptr<const Level> firstLight() {
     return std::make_shared<const Level>(std::get<Level>(loadLevel("first_light")));
 }
 
-/// A bot game of so many ticks.
+/// A bot game of `ticks` ticks.
 Replay recorded(std::uint32_t ticks) {
     Game game(firstLight(), 7);
     Recorder recorder(game);
@@ -55,7 +55,7 @@ expect 120 result == playing
 end 120
 )";
 
-TEST(ReplayFile, ReadsBackWhatItWrote) {
+TEST(ReplayFile, RoundTripsThroughText) {
     const Replay replay = recorded(500);
     EXPECT_EQ(replay.hashes.size(), 9u); // 60, 120 .. 480, 500
     const Read<Replay> back = parseReplay(toText(replay), "test.replay");
@@ -75,7 +75,7 @@ TEST(ReplayFile, CanBeWrittenByHand) {
     EXPECT_EQ(std::get<Replay>(parseReplay(toText(replay), "again")).inputs, replay.inputs);
 }
 
-TEST(ReplayFile, OfTheFirstRulesIsReadAndRefusedInOneSentence) {
+TEST(ReplayFile, OfTheFirstRulesIsParsedAndRefusedInOneSentence) {
     std::string old = "apart-replay 1\nlevel first_light 0123456789abcdef\nrules 1\nseed 7\n"
                       "# tick paddle target launch\n0 0 - 0\nhash 60 0123456789abcdef\nend 60\n";
     old += "digest " + toHex(digestOf(std::string_view(old))) + "\n";
@@ -88,8 +88,8 @@ TEST(ReplayFile, OfTheFirstRulesIsReadAndRefusedInOneSentence) {
                            std::to_string(kRulesVersion));
 }
 
-// As the refusal says: without its digest, and with a line handwritten below the seed.
-TEST(ReplayFile, IsTakenAfterAPersonEditedIt) {
+// As the refusal suggests: without the digest, and with the line `handwritten` below the seed.
+TEST(ReplayFile, IsAcceptedAfterManualEditing) {
     const std::string head = "apart-replay 2\nlevel first_light\nseed 7\n";
     const std::string rest = "0 0 - 0\n30 0 - 1\nend 60\n";
     EXPECT_NE(
@@ -98,7 +98,7 @@ TEST(ReplayFile, IsTakenAfterAPersonEditedIt) {
     EXPECT_EQ(problemOf(head + "handwritten\n" + rest), "none");
 }
 
-TEST(ReplayFile, HasAForceAndAModeSinceItsSecondFormat) {
+TEST(ReplayFile, HasForceAndModeInItsSecondFormat) {
     const std::string text = "apart-replay 2\nlevel first_light\nseed 7\npure\nhandwritten\n"
                              "0 0 - 0\n30 0 - 1 pull\n40 0 - 0 push\n50 0 - 0 0\n"
                              "expect 60 forceChanged == 3\nexpect 60 patience == calm\nend 60\n";
@@ -120,7 +120,7 @@ TEST(ReplayFile, HasAForceAndAModeSinceItsSecondFormat) {
     EXPECT_EQ(problemOf(wrong), "test.replay:7: force must be 0, pull or push");
 }
 
-TEST(ReplayFile, IsRefusedWhereverItIsCutOff) {
+TEST(ReplayFile, IsRefusedAtEveryTruncation) {
     const std::string text = toText(recorded(130));
     for (std::size_t size = 0; size < text.size(); ++size) {
         ASSERT_NE(problemOf(text.substr(0, size)), "none") << "cut to " << size << " bytes";
@@ -128,7 +128,7 @@ TEST(ReplayFile, IsRefusedWhereverItIsCutOff) {
     EXPECT_EQ(problemOf(text.substr(0, text.size() / 2)).substr(0, 12), "test.replay:");
 }
 
-TEST(ReplayFile, IsRefusedWhateverBitOfItIsFlipped) {
+TEST(ReplayFile, IsRefusedWithAnyFlippedBit) {
     const std::string text = toText(recorded(70));
     for (std::size_t i = 0; i < text.size(); ++i) {
         for (int bit = 0; bit < 8; ++bit) {
@@ -139,7 +139,7 @@ TEST(ReplayFile, IsRefusedWhateverBitOfItIsFlipped) {
     }
 }
 
-TEST(ReplayFile, NamesTheLineOfWhatIsWrong) {
+TEST(ReplayFile, NamesTheLineOfAnError) {
     const auto with = [](const std::string& before, const std::string& after) {
         std::string changed = kByHand;
         return changed.replace(changed.find(before), before.size(), after);
@@ -183,7 +183,7 @@ TEST(ReplayFile, IsRefusedWhenTheLevelOrTheRulesHaveChanged) {
     EXPECT_NE(refusal(replay, level)->find("of the rules"), std::string::npos);
 }
 
-TEST(Playback, GivesTheRecordedGameToTheBit) {
+TEST(Playback, ReproducesTheRecordedGameBitForBit) {
     const Replay replay = recorded(2000);
     const Playback playback = played(replay);
     EXPECT_FALSE(playback.divergence());
@@ -192,7 +192,7 @@ TEST(Playback, GivesTheRecordedGameToTheBit) {
 
 TEST(Playback, NamesTheFirstTickThatDiffers) {
     Replay replay = recorded(600);
-    // Another input at tick 200: the first hash after it is that of tick 240.
+    // With other input from tick 200 on, the first different hash is that of tick 240.
     for (InputChange& change : replay.inputs) {
         if (change.tick >= 200) {
             change.input.target = 11000;
@@ -204,7 +204,7 @@ TEST(Playback, NamesTheFirstTickThatDiffers) {
     EXPECT_EQ(playback.divergence()->agreed, 180u);
 }
 
-TEST(Playback, ReportsExpectationsThatWereNotMet) {
+TEST(Playback, ReportsFailedExpectations) {
     Replay replay = std::get<Replay>(parseReplay(kByHand, "test.replay"));
     replay.hashes.clear();
     EXPECT_TRUE(played(replay).failures().empty());

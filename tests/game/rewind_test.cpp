@@ -9,7 +9,7 @@ namespace {
 
 using namespace apart;
 
-TEST(Rewind, ACopyGoesOnLikeTheGameItWasTakenFrom) {
+TEST(Rewind, ACopiedGameContinuesWithTheSameBits) {
     for (const std::string& name : levelNames()) {
         SCOPED_TRACE(name);
         Game game(std::get<Level>(loadLevel(name)), 3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shards go on as bodies: they break again, break others, and keep what they had.
+// Shards are bodies: they break, break blocks, and conserve mass and momentum.
 #include <apart/core/bot.hpp>
 #include <support/near.hpp>
 #include <support/random_numbers.hpp>
@@ -13,7 +13,7 @@ using kodo::Real;
 using kodo::Vec2;
 using support::near;
 
-/// ShardSums over all shards, about the origin.
+/// Sums over all shards, about the origin.
 struct ShardSums {
     Real mass = 0;
     Vec2 momentum;
@@ -36,7 +36,7 @@ ShardSums sumsOf(const Game& game) {
     return sums;
 }
 
-TEST(ShardBreak, KeepsMassMomentumAngularMomentumAndEnergy) {
+TEST(ShardBreak, ConservesMassMomentumAngularMomentumAndEnergy) {
     constexpr std::uint64_t kShardSeed = 41;
     support::RandomNumbers random(kShardSeed);
     int breaks = 0;
@@ -58,8 +58,8 @@ TEST(ShardBreak, KeepsMassMomentumAngularMomentumAndEnergy) {
             GameTestAccess::breakShard(game, index, game.world()[body].center() + random.point(1));
             breaks += game.world().contains(body) ? 0 : 1;
             const ShardSums after = sumsOf(game);
-            // Some dozen floats, the moment with arms of up to 15 m; a corner that was merged in
-            // cutting costs up to 1e-5 of a piece.
+            // A few dozen floats; the angular momentum has lever arms of up to 15 m. Each merged
+            // corner costs up to 1e-5 of a piece.
             EXPECT_TRUE(near(after.mass, before.mass, Real(4e-5) * before.mass));
             EXPECT_TRUE(near(after.momentum, before.momentum, 3e-4));
             EXPECT_TRUE(near(after.moment, before.moment, 4e-3));
@@ -80,7 +80,7 @@ TEST(ShardBreak, EndsAtTheSizeFloor) {
     }
     const std::size_t count = game.shards().size();
     EXPECT_GT(count, 12u);
-    EXPECT_LT(count, 25u); // a share of 0.04 each at the least
+    EXPECT_LT(count, 25u); // at least a share of 0.04 each
     for (const Shard& shard : game.shards()) {
         const kodo::BodyView body = game.world()[shard.body];
         EXPECT_GE(body.area(), shardLimits().area * Real(0.999));
@@ -89,7 +89,7 @@ TEST(ShardBreak, EndsAtTheSizeFloor) {
     }
 }
 
-TEST(ShardBreak, FollowsABlowThatIsStrongerThanTheShard) {
+TEST(ShardBreak, HappensIfTheImpulseExceedsTheStrength) {
     Game game(levelOf("g..............\n" + emptyRows(4) + ".......b.......\n", 20000), 1);
     GameTestAccess::breakBlock(game, 1, {0, 0});
     GameTestAccess::shoot(game, {0, 11}, {0, 20});
@@ -101,21 +101,21 @@ TEST(ShardBreak, FollowsABlowThatIsStrongerThanTheShard) {
 }
 
 TEST(ChainReaction, AShardThatHitsABlockHardEnoughBreaksIt) {
-    // Stone falls 8 m onto glass that can bear 1 N s.
+    // Stone falls 8 m onto glass with a strength of 1 N s.
     Game game(levelWith("g..............\n.......s.......\n" + emptyRows(9) + "......fff......\n",
                         "f", "stuff = \"glass\"\nstrength = 1000"),
               1);
     GameTestAccess::breakBlock(game, 1, {0, 0});
     int broken = 0;
     for (int tick = 0; tick < 240; ++tick) {
-        game.tick({}); // the ball rides: whatever breaks is broken by shards
+        game.tick({}); // the ball rides: all damage is caused by shards
         broken += eventOf<Broke>(game) != nullptr ? 1 : 0;
     }
     EXPECT_GE(broken, 1);
     EXPECT_LT(game.blocksLeft(), 4);
 }
 
-TEST(Shards, AreCappedAndTheOldAndSmallGoFirst) {
+TEST(Shards, AreCappedByRemovingOldAndSmallOnesFirst) {
     Game game(levelOf("ggggggggggggggg\nggggggggggggggg\nggggggggggggggg\n"), 1);
     GameTestAccess::breakBlock(game, 0, {0, 0});
     for (int tick = 0; tick < 30; ++tick) {
@@ -134,7 +134,7 @@ TEST(Shards, AreCappedAndTheOldAndSmallGoFirst) {
         more();
     }
     const std::vector<Shard> before(game.shards().begin(), game.shards().end());
-    std::vector<Real> worth; // mass times the time that is left
+    std::vector<Real> worth; // mass times remaining lifetime
     for (const Shard& shard : before) {
         const std::uint32_t age = game.ticks() + 1 - shard.bornTick;
         worth.push_back(game.world()[shard.body].mass() * static_cast<Real>(kShardTicks - age));
@@ -152,7 +152,7 @@ TEST(Shards, AreCappedAndTheOldAndSmallGoFirst) {
     }
     EXPECT_GT(mostOfGone, 0);
     EXPECT_LE(mostOfGone, leastOfKept);
-    // What is gone is booked: sums of 160 floats.
+    // Removed mass is booked: sums of 160 floats.
     EXPECT_NEAR(static_cast<double>(sumsOf(game).mass) + game.ledger().removedMass - removed,
                 static_cast<double>(mass), 1e-3);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Unruly paddles.
+// Paddles that tilt and sag.
 #include <apart/core/bot.hpp>
 #include <support/near.hpp>
 
@@ -16,7 +16,7 @@ Game withPaddle(const std::string& paddle) {
     return Game(levelOf("g..............\n", 12000, "paddle = \"" + paddle + "\"\n"), 1);
 }
 
-/// A ball falls onto the paddle so far from its middle; the paddle's sway at its most.
+/// The maximum sway after a ball falls onto the paddle at an offset from its centre.
 Sway struckAt(Game& game, Real offset) {
     GameTestAccess::shoot(game, {offset, 3}, {0, -12});
     EXPECT_TRUE(playUntil<Struck>(game, {}, 30));
@@ -36,11 +36,11 @@ TEST(SteadyPaddle, NeitherTiltsNorRecoils) {
     EXPECT_EQ(most.lift, 0);
 }
 
-TEST(TiltingPaddle, TurnsToTheSideOfTheBlowAndBack) {
+TEST(TiltingPaddle, TiltsToTheSideOfTheImpactAndReturns) {
     for (const Real offset : {Real(-1.5), Real(1.5)}) {
         Game game = withPaddle("tilting");
         const Sway most = struckAt(game, offset);
-        EXPECT_LT(most.tilt * offset, Real(-0.05)); // clockwise when struck at the right
+        EXPECT_LT(most.tilt * offset, Real(-0.05)); // clockwise after an impact on the right
         EXPECT_LE(std::abs(most.tilt), kMostTilt);
         EXPECT_EQ(most.lift, 0);
         for (int tick = 0; tick < 120; ++tick) {
@@ -51,15 +51,15 @@ TEST(TiltingPaddle, TurnsToTheSideOfTheBlowAndBack) {
     }
 }
 
-TEST(TiltingPaddle, IsWhatTheBallMeets) {
+TEST(TiltingPaddle, CollidesInItsTiltedPose) {
     Game game = withPaddle("tilting");
     struckAt(game, Real(1.5));
     const kodo::BodyView paddle = game.world()[game.paddle()];
-    // The body lags its spring by the tick in which it is moved there.
+    // The body lags its spring by one tick, in which it is moved there.
     EXPECT_TRUE(near(paddle.rotation().angle(), game.sway().tilt, 1e-3));
 }
 
-TEST(RecoilingPaddle, GivesWayByItsMassAndComesBack) {
+TEST(RecoilingPaddle, RecoilsByItsMassAndReturns) {
     Game light = withPaddle("recoiling");
     Game heavy = withPaddle("recoiling");
     GameTestAccess::weldWings(heavy);
@@ -67,7 +67,7 @@ TEST(RecoilingPaddle, GivesWayByItsMassAndComesBack) {
     const Real lightSag = struckAt(light, 0).lift;
     const Real heavySag = struckAt(heavy, 0).lift;
     EXPECT_LT(lightSag, Real(-0.05));
-    EXPECT_GT(heavySag, lightSag); // less deep
+    EXPECT_GT(heavySag, lightSag); // sags less
     EXPECT_EQ(light.sway().tilt, 0);
     for (int tick = 0; tick < 120; ++tick) {
         light.tick({});
@@ -75,15 +75,15 @@ TEST(RecoilingPaddle, GivesWayByItsMassAndComesBack) {
     EXPECT_TRUE(near(light.world()[light.paddle()].position().y, kPaddleY, 0.001));
 }
 
-TEST(LoosePaddle, DoesBoth) {
+TEST(LoosePaddle, TiltsAndRecoils) {
     Game game = withPaddle("loose");
     const Sway most = struckAt(game, 1);
     EXPECT_LT(most.tilt, Real(-0.03));
     EXPECT_LT(most.lift, Real(-0.05));
 }
 
-TEST(LoosePaddle, LosesNoBallThroughItself) {
-    // For two minutes: whatever comes, it leaves below the field or not at all.
+TEST(LoosePaddle, LetsNoBallTunnel) {
+    // For two minutes the ball leaves the field only at the bottom.
     Game game(levelOf("ggggggggggggggg\nbbbWbbbSbbbLbbb\nsssssssssssssss\n", 16000,
                       "paddle = \"loose\"\n"),
               5);

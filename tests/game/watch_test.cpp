@@ -30,7 +30,7 @@ struct Flight {
     kodo::BodyId ball;
 };
 
-TEST(Watch, SeesNothingWrongInAFreeFlight) {
+TEST(Watch, ReportsNoFaultInFreeFlight) {
     Flight flight;
     for (int i = 0; i < 60; ++i) {
         flight.tick();
@@ -40,8 +40,8 @@ TEST(Watch, SeesNothingWrongInAFreeFlight) {
     EXPECT_EQ(flight.watch.seen().longestWait, 61u);
 }
 
-// 0.012 m/s^2 across the path: a thousandth of what pulls at shards.
-TEST(Watch, SeesAFlightThatIsBentALittle) {
+// 0.012 m/s^2 across the path: a thousandth of the acceleration of shards.
+TEST(Watch, ReportsASlightlyCurvedPath) {
     Flight flight;
     for (int i = 0; i < 60; ++i) {
         flight.body().setVelocity(flight.body().velocity() + Vec2{0.0001f, 0});
@@ -50,7 +50,7 @@ TEST(Watch, SeesAFlightThatIsBentALittle) {
     EXPECT_EQ(flight.watch.seen().bends, 60u);
 }
 
-TEST(Watch, SeesABallThatCrawls) {
+TEST(Watch, ReportsACrawlingBallOnce) {
     Flight flight;
     for (int i = 0; i < 130; ++i) {
         const Vec2 velocity = flight.body().velocity();
@@ -61,7 +61,7 @@ TEST(Watch, SeesABallThatCrawls) {
     EXPECT_EQ(flight.watch.seen().bends, 0u);
 }
 
-TEST(Watch, SeesABallOutsideTheField) {
+TEST(Watch, ReportsABallOutsideTheField) {
     Flight flight;
     flight.body().setPosition({0, kFieldHeight + Real(0.5)});
     flight.body().setVelocity({0, flight.game.ballSpeed()});
@@ -69,9 +69,9 @@ TEST(Watch, SeesABallOutsideTheField) {
     EXPECT_GE(flight.watch.seen().escapes, 1u);
 }
 
-// A slice of `apart-headless soak --ticks 10000000`: no halt, no escape, no flight that bends
-// without a touch, over all levels and some that nobody drew.
-TEST(Soak, NoBallHaltsEscapesOrLeavesItsStraightPath) {
+// A short run of `apart-headless soak --ticks 10000000` over all levels and some generated ones. No
+// ball stops, escapes, or bends its path without a contact.
+TEST(Soak, NoBallStopsEscapesOrLeavesItsStraightPath) {
     std::vector<Level> levels;
     for (const std::string& name : levelNames()) {
         levels.push_back(std::get<Level>(loadLevel(name)));

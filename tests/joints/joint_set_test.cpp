@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/joints/joint_set.hpp>
 #include <support/random_numbers.hpp>
+
+#include "joints/joint_set.hpp"
 
 #include <joints/rig.hpp>
 
@@ -36,41 +37,41 @@ struct Everything : Rig {
                                  .anchorB = {Real(-0.5), 0}};
             switch (i) {
             case 0:
-                world.add(Pin{.ends = ends, .limits = Range{-2, 2}});
+                world.add(RevoluteJoint{.ends = ends, .limits = Range{-2, 2}});
                 break;
             case 1:
-                world.add(Weld{.ends = ends});
+                world.add(FixedJoint{.ends = ends});
                 break;
             case 2:
-                world.add(
-                    Spring{.ends = ends, .length = Real(0.2), .hertz = 3, .limits = Range{0, 1}});
+                world.add(DistanceJoint{
+                    .ends = ends, .length = Real(0.2), .hertz = 3, .limits = Range{0, 1}});
                 break;
             case 3:
-                world.add(Slider{.ends = ends, .limits = Range{-1, 1}});
+                world.add(PrismaticJoint{.ends = ends, .limits = Range{-1, 1}});
                 break;
             case 4:
-                world.add(Motor{.ends = ends, .force = 30, .torque = 3});
+                world.add(MotorJoint{.ends = ends, .force = 30, .torque = 3});
                 break;
             default:
-                world.add(Mouse{.body = bodies.back(), .target = {4, 3}, .force = 20});
+                world.add(MouseJoint{.body = bodies.back(), .target = {4, 3}, .force = 20});
             }
             last = bodies.back();
         }
     }
 };
 
-/// A pin of two out of twelve bodies, which may touch or not.
-Pin somePin(support::RandomNumbers& random) {
+/// A revolute joint of two out of twelve bodies, sometimes with `collide`.
+RevoluteJoint somePin(support::RandomNumbers& random) {
     const auto a = static_cast<std::uint32_t>(random.below(12));
     const auto b = static_cast<std::uint32_t>((a + 1 + random.below(11)) % 12);
-    Pin pin;
+    RevoluteJoint pin;
     pin.ends = {.a = {a, 0}, .b = {b, 0}};
     pin.ends.collide = random.below(3) == 0;
     return pin;
 }
 
-// What is kept up to date as joints come and go is as if it was made anew.
-TEST(JointSet, KeepsItsListsInOrder) {
+// Lists that are updated incrementally equal rebuilt ones.
+TEST(JointSet, KeepsItsListsUpToDate) {
     support::RandomNumbers random(5);
     JointSet set;
     for (int i = 0; i < 3000; ++i) {
@@ -85,13 +86,14 @@ TEST(JointSet, KeepsItsListsInOrder) {
         }
         std::vector<std::pair<std::uint32_t, std::uint32_t>> apart;
         set.forEach([&](const JointSet::Joint& joint) {
-            const JointEnds& ends = std::get<Pin>(joint.def).ends;
+            const JointEnds& ends = std::get<RevoluteJoint>(joint.def).ends;
             if (!ends.collide) {
                 apart.push_back(std::minmax({ends.a.index, ends.b.index}));
             }
         });
         std::sort(apart.begin(), apart.end());
-        ASSERT_TRUE(std::equal(apart.begin(), apart.end(), set.apart().begin(), set.apart().end()))
+        ASSERT_TRUE(std::equal(apart.begin(), apart.end(), set.excludedPairs().begin(),
+                               set.excludedPairs().end()))
             << i;
         const std::vector<JointId> now = set.ids();
         ASSERT_EQ(now.size(), set.size());
@@ -101,8 +103,8 @@ TEST(JointSet, KeepsItsListsInOrder) {
     }
 }
 
-// R2, F1: a copy goes on alike, joints and all, and so does one of it that is rewound.
-TEST(JointSet, ACopyGoesOnAlike) {
+// R2, F1: a copied World continues with the same bits, and so does a rewound one.
+TEST(JointSet, ACopiedWorldContinuesWithTheSameBits) {
     Everything scene;
     run(scene.world, 45);
     World copy = scene.world;
@@ -117,7 +119,7 @@ TEST(JointSet, ACopyGoesOnAlike) {
     EXPECT_EQ(copy.stateHash(), scene.world.stateHash());
 }
 
-// The copy has joints of its own: one that goes there stays here.
+// Removal of all joints of the copy does not affect the original.
 TEST(JointSet, ACopySharesNoJoint) {
     Everything scene;
     World copy = scene.world;
@@ -131,8 +133,8 @@ TEST(JointSet, ACopySharesNoJoint) {
     EXPECT_GT(scene.world[scene.bodies[0]].position().y, -2);
 }
 
-// Ids come in order, are never given out twice, and die with one of their bodies.
-TEST(JointSet, JointsDieWithTheirBodies) {
+// Joint ids are in order and never reused. A joint is removed with either of its bodies.
+TEST(JointSet, JointsAreRemovedWithTheirBodies) {
     Everything scene;
     const std::vector<JointId> before = scene.world.joints();
     ASSERT_EQ(before.size(), 6u);
@@ -141,7 +143,7 @@ TEST(JointSet, JointsDieWithTheirBodies) {
               (std::vector<JointId>{before[0], before[1], before[4], before[5]}));
     EXPECT_THROW(scene.world.joint(before[2]), BadDefinition);
     const JointId fresh =
-        scene.world.add(Spring{.ends = {.a = scene.bodies[0], .b = scene.bodies[1]}});
+        scene.world.add(DistanceJoint{.ends = {.a = scene.bodies[0], .b = scene.bodies[1]}});
     for (const JointId id : before) {
         EXPECT_NE(id, fresh);
     }
@@ -150,24 +152,26 @@ TEST(JointSet, JointsDieWithTheirBodies) {
     EXPECT_FALSE(scene.world.contains(before[0]));
 }
 
-// R5, F1: the joints of a welded body hold the whole; where it was turned against it, reference
-// and anchor follow. Those between the two are gone.
-TEST(JointSet, JointsFollowAWeld) {
+// R5, F1: joints of a welded body move to the joined body, with reference and anchor converted.
+// Joints between the two are removed.
+TEST(JointSet, JointsMoveToTheJoinedBodyOfAWeld) {
     Rig rig;
     const BodyId rope = rig.world.add(boxDef({0, -1}, Real(0.25), 2));
     const BodyId body = rig.world.add(boxDef({1, -2}, 1, 1));
     BodyDef def = boxDef({0, -2}, 1, 1);
     def.rotation = Rot{0, 1};
     const BodyId part = rig.world.add(def);
-    const JointId hung = rig.world.add(Weld{.ends = {.a = rope, .b = part, .anchorA = {0, -1}},
-                                            .reference = std::numbers::pi_v<Real> / 2});
-    const JointId top = rig.world.add(Pin{.ends = {.a = rig.post, .b = rope, .anchorB = {0, 1}}});
-    const JointId between = rig.world.add(Pin{.ends = {.a = body, .b = part}});
+    const JointId hung =
+        rig.world.add(FixedJoint{.ends = {.a = rope, .b = part, .anchorA = {0, -1}},
+                                 .reference = std::numbers::pi_v<Real> / 2});
+    const JointId top =
+        rig.world.add(RevoluteJoint{.ends = {.a = rig.post, .b = rope, .anchorB = {0, 1}}});
+    const JointId between = rig.world.add(RevoluteJoint{.ends = {.a = body, .b = part}});
     rig.world.weld(body, part);
     EXPECT_FALSE(rig.world.contains(between));
     ASSERT_TRUE(rig.world.contains(hung));
     EXPECT_EQ(secondBody(rig.world.joint(hung)), body);
-    const Weld weld = std::get<Weld>(rig.world.joint(hung));
+    const FixedJoint weld = std::get<FixedJoint>(rig.world.joint(hung));
     EXPECT_TRUE(near(weld.ends.anchorB, Vec2{-1, 0}, 4 * support::kEpsilon));
     EXPECT_TRUE(near(weld.reference, 0, 4 * support::kEpsilon));
     EXPECT_TRUE(near(joints::gapOf(rig.world, weld.ends), Vec2{}, 8 * support::kEpsilon));
@@ -181,12 +185,13 @@ struct BadJoint {
     std::function<JointDef(JointEnds)> make;
 };
 
-// Bad numbers are refused by name, and nothing has changed; check() says the same beforehand.
-TEST(JointSet, RefusesBadNumbers) {
+// Invalid numbers are refused with the field named, and without any change. check() reports the
+// same.
+TEST(JointSet, RefusesInvalidNumbers) {
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     const auto with = [](JointEnds ends, void (*change)(JointEnds&)) {
         change(ends);
-        return Pin{.ends = ends};
+        return RevoluteJoint{.ends = ends};
     };
     const BadJoint cases[] = {
         {"ends", [&](JointEnds e) { return with(e, [](JointEnds& x) { x.b = x.a; }); }},
@@ -199,27 +204,27 @@ TEST(JointSet, RefusesBadNumbers) {
          [&](JointEnds e) { return with(e, [](JointEnds& x) { x.breakForce = 0; }); }},
         {"ends.breakTorque",
          [&](JointEnds e) { return with(e, [](JointEnds& x) { x.breakTorque = -1; }); }},
-        {"reference", [=](JointEnds e) { return Weld{.ends = e, .reference = nan}; }},
-        {"motorTorque", [](JointEnds e) { return Pin{.ends = e, .motorTorque = -1}; }},
+        {"reference", [=](JointEnds e) { return FixedJoint{.ends = e, .reference = nan}; }},
+        {"motorTorque", [](JointEnds e) { return RevoluteJoint{.ends = e, .motorTorque = -1}; }},
         {"limits.upper",
          [](JointEnds e) {
-             return Pin{.ends = e, .limits = Range{1, 0}};
+             return RevoluteJoint{.ends = e, .limits = Range{1, 0}};
          }},
         {"limits.lower",
          [](JointEnds e) {
-             return Spring{.ends = e, .limits = Range{-1, 0}};
+             return DistanceJoint{.ends = e, .limits = Range{-1, 0}};
          }},
-        {"hertz", [=](JointEnds e) { return Spring{.ends = e, .hertz = nan}; }},
+        {"hertz", [=](JointEnds e) { return DistanceJoint{.ends = e, .hertz = nan}; }},
         {"axis",
          [](JointEnds e) {
-             return Slider{.ends = e, .axis = {1, 1}};
+             return PrismaticJoint{.ends = e, .axis = {1, 1}};
          }},
-        {"motorSpeed", [=](JointEnds e) { return Slider{.ends = e, .motorSpeed = nan}; }},
-        {"force", [](JointEnds e) { return Motor{.ends = e, .force = -1}; }},
-        {"hertz", [](JointEnds e) { return Motor{.ends = e, .hertz = 0}; }},
+        {"motorSpeed", [=](JointEnds e) { return PrismaticJoint{.ends = e, .motorSpeed = nan}; }},
+        {"force", [](JointEnds e) { return MotorJoint{.ends = e, .force = -1}; }},
+        {"hertz", [](JointEnds e) { return MotorJoint{.ends = e, .hertz = 0}; }},
         {"target",
          [=](JointEnds e) {
-             return Mouse{.body = e.a, .target = {nan, 0}};
+             return MouseJoint{.body = e.a, .target = {nan, 0}};
          }},
     };
     Everything scene;
@@ -236,17 +241,18 @@ TEST(JointSet, RefusesBadNumbers) {
     EXPECT_EQ(scene.world.joints().size(), 6u);
 }
 
-TEST(JointSet, RefusesDeadBodiesAndOtherKinds) {
+TEST(JointSet, RefusesRemovedBodiesAndOtherKinds) {
     Everything scene;
     const BodyId dead = scene.bodies[5];
     scene.world.remove(dead);
-    EXPECT_THROW(scene.world.add(Pin{.ends = {.a = scene.post, .b = dead}}), BadBodyId);
-    EXPECT_THROW(scene.world.add(Mouse{.body = dead, .force = 1}), BadBodyId);
+    EXPECT_THROW(scene.world.add(RevoluteJoint{.ends = {.a = scene.post, .b = dead}}), BadBodyId);
+    EXPECT_THROW(scene.world.add(MouseJoint{.body = dead, .force = 1}), BadBodyId);
     const JointId pin = scene.world.joints()[0];
-    const JointEnds ends = std::get<Pin>(scene.world.joint(pin)).ends;
-    EXPECT_THROW(scene.world.setJoint(pin, Weld{.ends = ends}), BadDefinition);
-    EXPECT_THROW(scene.world.setJoint(pin, Pin{.ends = {.a = ends.a, .b = scene.bodies[3]}}),
-                 BadDefinition);
+    const JointEnds ends = std::get<RevoluteJoint>(scene.world.joint(pin)).ends;
+    EXPECT_THROW(scene.world.setJoint(pin, FixedJoint{.ends = ends}), BadDefinition);
+    EXPECT_THROW(
+        scene.world.setJoint(pin, RevoluteJoint{.ends = {.a = ends.a, .b = scene.bodies[3]}}),
+        BadDefinition);
 }
 
 } // namespace

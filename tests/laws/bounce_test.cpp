@@ -8,7 +8,7 @@ using support::ballDef;
 using support::nearShare;
 using support::slippery;
 
-/// Heights (m, of the ball's lowest point) of the peaks of a ball dropped from 5 m.
+/// Peak heights (m, of the ball's lowest point) of a ball dropped from 5 m.
 std::vector<long double> peaksOf(Real restitution, Real rate, std::size_t count) {
     World world({.gravity = support::kEarth});
     support::addFloor(world, slippery(restitution));
@@ -18,7 +18,8 @@ std::vector<long double> peaksOf(Real restitution, Real rate, std::size_t count)
     for (int i = 0; i < static_cast<int>(20 * rate) && peaks.size() < count; ++i) {
         world.step(1 / rate);
         const auto v = static_cast<long double>(world[ball].velocity().y);
-        if (rising && v <= 0) { // between two steps: the energy tells how high the peak was
+        // The peak lies between two steps; its height follows from the energy.
+        if (rising && v <= 0) {
             const auto height = static_cast<long double>(world[ball].position().y) - 0.5L;
             peaks.push_back(height + v * v / 20);
         }
@@ -27,7 +28,8 @@ std::vector<long double> peaksOf(Real restitution, Real rate, std::size_t count)
     return peaks;
 }
 
-// Peak n is h0 e^(2 n). 5 % for the first three, while the rebound is faster than 10 g dt.
+// Peak n has the height h0 e^(2 n). The first three are within 5 % while the rebound is faster than
+// 10 g dt.
 TEST(Bounce, PeaksFallWithTheSquareOfRestitution) {
     for (const Real rate : {Real(60), Real(240)}) {
         for (const Real e : {Real(0.5), Real(0.8), Real(0.9)}) {
@@ -46,10 +48,10 @@ TEST(Bounce, PeaksFallWithTheSquareOfRestitution) {
     }
 }
 
-// The ball strikes the floor when it should: after sqrt(2 h / g) = 1 s, and then after twice
-// the time e v / g of each rise. A blow is dealt in the step after the touch, and the ball waits
-// for it: it comes later by a step a blow at most, never earlier.
-TEST(Bounce, StrikesTheFloorWhenTheFormulaSays) {
+// Impacts occur after sqrt(2 h / g) = 1 s and then after 2 e v / g for each rise. An impact is
+// resolved in the step after the touch and the ball waits for it. Each impact may add a delay of
+// one step, but none is early.
+TEST(Bounce, HitsTheFloorAtTheExactTime) {
     for (const Real rate : {Real(60), Real(120), Real(240), Real(480)}) {
         SCOPED_TRACE(rate);
         World world({.gravity = support::kEarth});
@@ -76,8 +78,8 @@ TEST(Bounce, StrikesTheFloorWhenTheFormulaSays) {
     }
 }
 
-// Without loss the energy stays, for a minute, within 3 %.
-TEST(Bounce, WithoutLossGoesOnForAMinute) {
+// Without loss the energy stays within 3 % for one minute.
+TEST(Bounce, WithoutLossKeepsItsEnergyForAMinute) {
     World world({.gravity = support::kEarth});
     support::addFloor(world, slippery(1));
     const BodyId ball = world.add(ballDef({0, Real(5.5)}, Real(0.5), slippery(1)));
@@ -89,8 +91,8 @@ TEST(Bounce, WithoutLossGoesOnForAMinute) {
     }
 }
 
-// S3, the thesis's rule: the smaller restitution of the two decides.
-TEST(Bounce, TheSmallerRestitutionDecides) {
+// S3, the thesis's rule: the smaller restitution of a pair applies.
+TEST(Bounce, TheSmallerRestitutionApplies) {
     for (const auto& [floor, ball] : {std::pair<Real, Real>{1, Real(0.5)}, {Real(0.5), 1}}) {
         World world({.gravity = support::kEarth});
         support::addFloor(world, slippery(floor));
@@ -102,11 +104,11 @@ TEST(Bounce, TheSmallerRestitutionDecides) {
             world.step(support::kDt);
             fastest = std::max(fastest, world[id].velocity().y);
         }
-        EXPECT_TRUE(nearShare(fastest, 4, 0.05L)); // a step of gravity is 2 % of 8 m/s
+        EXPECT_TRUE(nearShare(fastest, 4, 0.05L)); // gravity in one step is 2 % of 8 m/s
     }
 }
 
-// A box that lands flat with e = 1 rises flat: both corners are hit at once.
+// With e = 1, a box that lands flat rises without rotation: both corners are hit at once.
 TEST(Bounce, ABoxThatLandsFlatRisesFlat) {
     World world({.gravity = support::kEarth});
     support::addFloor(world, slippery(1));
@@ -119,8 +121,8 @@ TEST(Bounce, ABoxThatLandsFlatRisesFlat) {
     EXPECT_LT(world[box].position().y, Real(2.1));
 }
 
-// An e = 0 ball does not bounce at all.
-TEST(Bounce, NoRestitutionNoBounce) {
+// A ball with e = 0 does not bounce.
+TEST(Bounce, DoesNotHappenWithoutRestitution) {
     World world({.gravity = support::kEarth});
     support::addFloor(world, slippery(0));
     const BodyId ball = world.add(ballDef({0, 3}, Real(0.5), slippery(0)));
@@ -129,7 +131,7 @@ TEST(Bounce, NoRestitutionNoBounce) {
         world.step(support::kDt);
         fastest = std::max(fastest, world[ball].velocity().y);
     }
-    EXPECT_LT(fastest, Real(0.01)); // of the 7 m/s with which it lands
+    EXPECT_LT(fastest, Real(0.01)); // of an impact speed of 7 m/s
 }
 
 } // namespace

@@ -8,15 +8,14 @@ using support::byPrecision;
 using support::near;
 using Wide = BasicVec2<long double>;
 
-// Some eight roundings of numbers of some 10 m.
+// About eight roundings of numbers of about 10 m.
 constexpr Real kExact = byPrecision(4e-6, 1e-14);
 
 Wide wide(Vec2 v) {
     return {static_cast<long double>(v.x), static_cast<long double>(v.y)};
 }
 
-/// Where a ray from `from` along `way` meets a circle, as a share of the way:
-/// |from + f way - center| = radius, the smaller root.
+/// Fraction at which a ray meets a circle: the smaller root f of |from + f way - center| = radius.
 std::optional<long double> onCircle(Wide from, Wide way, Wide center, long double radius) {
     const Wide m = from - center;
     const long double a = dot(way, way);
@@ -28,9 +27,9 @@ std::optional<long double> onCircle(Wide from, Wide way, Wide center, long doubl
     return (-b - std::sqrt(discriminant)) / a;
 }
 
-// At a disc, from all sides: by the quadratic formula in long double. Where the ray only
-// grazes it, the root magnifies rounding, so those are left to the next test.
-TEST(Casts, ARayMeetsADiscWhereTheFormulaSays) {
+// Rays at a disc from all sides, against the quadratic formula in long double. Grazing rays are
+// skipped, since the root magnifies rounding there.
+TEST(Casts, ARayHitsADiscAtTheExactPoint) {
     constexpr std::uint64_t kSeed = 15;
     SCOPED_TRACE(testing::Message() << "seed " << kSeed);
     support::RandomNumbers random(kSeed);
@@ -62,9 +61,9 @@ TEST(Casts, ARayMeetsADiscWhereTheFormulaSays) {
     EXPECT_GT(hits, 200);
 }
 
-// A tangent ray touches; one unit in the last place farther out it does not; one that starts
-// inside is there at once, without a normal.
-TEST(Casts, TangentAndInside) {
+// A tangent ray hits; at one epsilon further out it misses. A ray that starts inside hits at
+// fraction 0 without a normal.
+TEST(Casts, ATangentRayHitsAndARayFromInsideHasNoNormal) {
     World world;
     world.add(support::ballDef({2, 0}, 1));
     const auto tangent = rayCast(world, {-4, 1}, {8, 1});
@@ -78,15 +77,15 @@ TEST(Casts, TangentAndInside) {
     EXPECT_EQ(inside->normal, Vec2{});
 }
 
-// At a turned box: the slab that the ray enters last, in the frame of the box.
-TEST(Casts, ARayMeetsATurnedBoxOnItsFace) {
+// Rays at a rotated box hit the face whose slab they enter last.
+TEST(Casts, ARayHitsARotatedBoxOnItsFace) {
     for (const double degrees : {0.0, 17.0, 45.0, 80.0}) {
         SCOPED_TRACE(degrees);
         World world;
         BodyDef def = support::boxDef({1, 2}, 4, 2);
         def.rotation = Rot::fromAngle(static_cast<Real>(degrees * 3.14159265358979 / 180));
         world.add(def);
-        // Towards the middle of the right face, from 5 m before it, a little aslant.
+        // Towards the middle of the right face, from 5 m away, at an oblique angle.
         const Vec2 face = def.position + def.rotation * Vec2{2, Real(0.25)};
         const Vec2 from = face + def.rotation * Vec2{5, 1};
         const auto hit = rayCast(world, from, face - (from - face));
@@ -97,8 +96,8 @@ TEST(Casts, ARayMeetsATurnedBoxOnItsFace) {
     }
 }
 
-// A disc that is pushed at a disc is a ray at the sum of both.
-TEST(Casts, ADiscAtADiscIsARayAtTheirSum) {
+// Casting a disc at a disc equals casting a ray at a disc with the sum of both radii.
+TEST(Casts, ADiscAtADiscEqualsARayAtTheSumOfTheirRadii) {
     constexpr std::uint64_t kSeed = 16;
     SCOPED_TRACE(testing::Message() << "seed " << kSeed);
     support::RandomNumbers random(kSeed);
@@ -106,7 +105,7 @@ TEST(Casts, ADiscAtADiscIsARayAtTheirSum) {
         World world;
         world.add(support::ballDef({}, Real(0.75)));
         const Vec2 from = Real(6) * random.rotation().xAxis();
-        const Vec2 move = Real(-2) * from + random.point(0.8); // well inside of both
+        const Vec2 move = Real(-2) * from + random.point(0.8); // well inside both discs
         const auto hit = shapeCast(world, Circle{Real(0.5)}, {from, {}}, move);
         const auto exact = onCircle(wide(from), wide(move), {}, 1.25L);
         ASSERT_TRUE(hit && exact) << i;

@@ -9,7 +9,8 @@ using support::near;
 using support::nearShare;
 using support::slippery;
 
-/// A first ball flies with 2 m/s at four that rest in a row, with gaps of that share of 1 m.
+/// Ball 0 moves at 2 m/s towards a row of four resting balls. `gap` is the distance between
+/// neighbours relative to the diameter of 1 m.
 struct Cradle {
     World world;
     std::vector<BodyId> balls;
@@ -28,8 +29,8 @@ struct Cradle {
     Real speed(std::size_t i) const { return world[balls[i]].velocity().x; }
 };
 
-// With a gap the hits come one after the other, each exact.
-TEST(Cradle, WithGapsHandsTheBlowOnExactly) {
+// With gaps the impacts are sequential, each one exact.
+TEST(Cradle, WithGapsTransfersTheImpulseExactly) {
     Cradle cradle(Real(0.05));
     const support::Totals before = support::totalsOf(cradle.world);
     support::run(cradle.world, 300);
@@ -43,9 +44,9 @@ TEST(Cradle, WithGapsHandsTheBlowOnExactly) {
     EXPECT_TRUE(near(after.momentum, before.momentum, tolerance));
 }
 
-// Touching, the blow passes through the row within one step; the last leaves with 99 % of the
-// speed at least, and no energy is lost.
-TEST(Cradle, TouchingHandsTheBlowThroughTheRow) {
+// Without gaps the impulse passes through the row within one step. The last ball leaves with at
+// least 99 % of the speed, without energy loss.
+TEST(Cradle, WithoutGapsTransfersTheImpulseThroughTheRow) {
     Cradle cradle(0);
     const support::Totals before = support::totalsOf(cradle.world);
     support::run(cradle.world, 300);
@@ -58,8 +59,8 @@ TEST(Cradle, TouchingHandsTheBlowThroughTheRow) {
     EXPECT_TRUE(near(after.momentum, before.momentum, byPrecision(4e-6, 1e-9)));
 }
 
-// Two balls in, two balls out.
-TEST(Cradle, TwoInTwoOut) {
+// Two balls in give two balls out.
+TEST(Cradle, TwoBallsInGiveTwoBallsOut) {
     Cradle cradle(Real(0.05));
     cradle.world[cradle.balls[1]].setPosition({Real(-0.1), 0});
     cradle.world[cradle.balls[0]].setPosition({Real(-1.2), 0});

@@ -11,8 +11,8 @@ using support::near;
 
 constexpr Real kRates[] = {60, 120, 240, 480}; // Hz
 
-// x = x0 + v t + g t^2 / 2. The drift is exact for a constant force, so only rounding is left:
-// 1e-9 m in double; in float some hundred roundings of 80 m, more of them at higher rates.
+// x = x0 + v t + g t^2 / 2. Integration is exact for a constant force, which leaves rounding: 1e-9
+// m in double. In float about a hundred roundings of 80 m, more at higher rates.
 TEST(FreeFlight, AProjectileFollowsTheParabolaFor4s) {
     for (const Real rate : kRates) {
         SCOPED_TRACE(rate);
@@ -32,7 +32,7 @@ TEST(FreeFlight, AProjectileFollowsTheParabolaFor4s) {
     }
 }
 
-// The velocity is v0 + g t.
+// v = v0 + g t.
 TEST(FreeFlight, AProjectileHasTheRightSpeed) {
     World world({.gravity = {3, -10}});
     BodyDef def = ballDef({}, Real(0.5));
@@ -42,7 +42,7 @@ TEST(FreeFlight, AProjectileHasTheRightSpeed) {
     EXPECT_TRUE(near(world[ball].velocity(), Vec2{19, -21}, byPrecision(1e-4, 1e-12)));
 }
 
-// Free of torque the spin keeps its bits, and so does the flight.
+// Without torque the angular velocity stays bitwise constant, and so does the velocity.
 TEST(FreeFlight, AFreeSpinKeepsItsBits) {
     World world;
     BodyDef def = boxDef({3, 4}, 2, 1);
@@ -56,21 +56,21 @@ TEST(FreeFlight, AFreeSpinKeepsItsBits) {
     EXPECT_TRUE(near(length(Vec2{q.c, q.s}), 1, 4 * support::kEpsilon));
 }
 
-// The angle is omega t. The bound of a first-order rotation would be (omega dt)^3 / 12 a step,
-// 2.3 rad in all; ours turns on the circle, so only rounding is left: 24,000 turns.
+// The angle is omega t. First-order integration would err by (omega dt)^3 / 12 per step, 2.3 rad in
+// total. Rotation on the unit circle leaves only rounding over 24,000 turns.
 TEST(FreeFlight, AFreeSpinKeepsItsPhase) {
     World world;
     BodyDef def = boxDef({}, 2, 1);
     def.angularVelocity = 10;
     const BodyId box = world.add(def);
-    const Real dt = Real(1) / 64; // exact, so the phase is known
+    const Real dt = Real(1) / 64; // exactly representable, so that the phase is known
     support::run(world, 6400, dt);
     // 1000 rad = 159 turns and 1000 - 159 * 2 pi.
     const long double phase = std::remainder(1000.0L, 2 * std::numbers::pi_v<long double>);
     EXPECT_TRUE(near(world[box].rotation().angle(), phase, byPrecision(6400 * 6e-8, 1e-11)));
 }
 
-// R3: an applied force that stays is a constant force too.
+// R3: a persistent applied force acts as a constant force.
 TEST(FreeFlight, AConstantThrustGivesAParabola) {
     World world;
     const BodyId box = world.add(boxDef({}, 2, 2)); // 4 kg
@@ -82,8 +82,8 @@ TEST(FreeFlight, AConstantThrustGivesAParabola) {
     EXPECT_TRUE(near(world[box].velocity(), Vec2{4, 0}, byPrecision(1e-4, 1e-12)));
 }
 
-// R3: so does a constant torque: angle = T t^2 / (2 I). In float 120 turns are rounded to 6e-8
-// each.
+// R3: a persistent torque acts as a constant torque: angle = T t^2 / (2 I). In float, 120 turns are
+// rounded to 6e-8 each.
 TEST(FreeFlight, AConstantTorqueGivesAParabolaOfTheAngle) {
     World world;
     const BodyId box = world.add(boxDef({}, 2, 2)); // I = 8/3 kg m^2

@@ -8,8 +8,8 @@ using support::byPrecision;
 using support::near;
 using support::slippery;
 
-// Rounding only. The float world holds a distance of metres in 24 bits, but the velocities
-// come from two products and a quotient.
+// Rounding only. Distances of metres have 24 bits in float; velocities come from two products and a
+// quotient.
 constexpr Real kRounding = byPrecision(1e-6, 1e-12);
 
 struct Pair {
@@ -18,7 +18,7 @@ struct Pair {
     BodyId second;
 
     Pair(Real massRatio, Real v1, Real v2, Real restitution) {
-        // Equal balls of 1 m^2; the second is massRatio times as heavy.
+        // Balls of equal size; the second has massRatio times the mass of the first.
         const Real radius = Real(0.5);
         BodyDef def = support::ballDef({-2, 0}, radius, slippery(restitution));
         def.density = massRatio < 1 ? 1 : 1 / massRatio;
@@ -46,7 +46,7 @@ TEST(HeadOn, ElasticFollowsTheTextbookAtAnyMassRatio) {
     }
 }
 
-// No threshold: at 0.4 m/s each they bounce as exactly as at 40.
+// There is no restitution threshold: 0.004 m/s bounces as exactly as 400 m/s.
 TEST(HeadOn, SlowIsAsExactAsFast) {
     for (const Real speed : {Real(0.004), Real(0.4), Real(4), Real(400)}) {
         SCOPED_TRACE(speed);
@@ -57,8 +57,8 @@ TEST(HeadOn, SlowIsAsExactAsFast) {
     }
 }
 
-// With loss: the relative speed falls to e of it, the momentum stays.
-TEST(HeadOn, InelasticLosesTheShareThatRestitutionSays) {
+// With loss the relative speed is scaled by e, and momentum is conserved.
+TEST(HeadOn, InelasticScalesTheRelativeSpeedByTheRestitution) {
     for (const Real e : {Real(0), Real(0.3), Real(0.7)}) {
         SCOPED_TRACE(e);
         Pair pair(3, 4, -1, e);
@@ -70,7 +70,7 @@ TEST(HeadOn, InelasticLosesTheShareThatRestitutionSays) {
     }
 }
 
-// A glancing hit keeps the tangential velocities and both sums.
+// An oblique impact keeps the tangential velocities, the momentum and the energy.
 TEST(HeadOn, AGlancingElasticHitKeepsMomentumAndEnergy) {
     for (int i = 0; i < 40; ++i) {
         SCOPED_TRACE(i);

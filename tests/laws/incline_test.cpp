@@ -8,7 +8,7 @@ using support::byPrecision;
 using support::near;
 using support::nearShare;
 
-/// A flat box, which does not tip, on a slope through the origin that rises to the right.
+/// A flat box, which cannot tip over, on a slope through the origin that rises to the right.
 struct Slope {
     World world{support::wakeful()};
     BodyId box;
@@ -22,7 +22,7 @@ struct Slope {
                    .position = -1 * tilt.yAxis(),
                    .rotation = tilt,
                    .material = material,
-                   .flags = kLocked});
+                   .type = BodyType::Static});
         start = Real(0.25) * tilt.yAxis();
         box = world.add({.shape = Box{2, Real(0.5)},
                          .position = start,
@@ -33,7 +33,7 @@ struct Slope {
     Real speed() const { return dot(world[box].velocity(), downhill); }
 };
 
-// R7: it holds while tan(slope) < mu and slips beyond; found to a thousandth.
+// R7: the box sticks while tan(slope) < mu and slips beyond, within 1e-3.
 TEST(Incline, HoldsUpToTheAngleOfFriction) {
     for (const Real degrees : {Real(5), Real(15), Real(30), Real(45), Real(60)}) {
         const Real critical =
@@ -42,14 +42,14 @@ TEST(Incline, HoldsUpToTheAngleOfFriction) {
         Slope slips(degrees, withFriction(critical * Real(0.999)));
         support::run(holds.world, 300);
         support::run(slips.world, 300);
-        // Beyond the threshold it speeds up with 0.001 g sin: 5 s make at least 4 mm/s.
+        // Just beyond the threshold it accelerates with 0.001 g sin: at least 4 mm/s after 5 s.
         EXPECT_LT(holds.speed(), Real(5e-4)) << degrees;
         EXPECT_GT(slips.speed(), Real(3e-3)) << degrees;
     }
 }
 
-// a = g (sin - mu cos); v = a t within 1 %, s = a t^2 / 2 within 3 %, after 2 s.
-TEST(Incline, SlipsWithTheAccelerationLeft) {
+// a = g (sin - mu cos). After 2 s, v = a t within 1 % and s = a t^2 / 2 within 3 %.
+TEST(Incline, SlipsWithTheExactAcceleration) {
     for (const double mu : {0.0, 0.2, 0.4}) {
         SCOPED_TRACE(mu);
         Slope slope(30, withFriction(static_cast<Real>(mu)));
@@ -60,8 +60,8 @@ TEST(Incline, SlipsWithTheAccelerationLeft) {
     }
 }
 
-// What holds does not creep: 20 s within 1e-6 m, once it has settled into its contact. In float
-// each of the 6000 substeps may round by some 3e-9 m.
+// A sticking box does not creep: 1e-6 m in 20 s once the contact is established. In float each of
+// the 6000 substeps may round by 3e-9 m.
 TEST(Incline, DoesNotCreep) {
     Slope slope(20, withFriction(Real(0.6)));
     support::run(slope.world, 60);
@@ -70,7 +70,7 @@ TEST(Incline, DoesNotCreep) {
     EXPECT_TRUE(near(slope.way(), before, byPrecision(2e-5, 1e-6)));
 }
 
-// Nor does it in 4.6 hours: 1e6 steps. A creep of a millionth of a slop a step would be seen.
+// No creep in 1e6 steps (4.6 hours). A creep of a millionth of the slop per step would show.
 TEST(Incline, DoesNotCreepInAMillionSteps) {
     Slope slope(20, withFriction(Real(0.6)));
     support::run(slope.world, 600);
@@ -79,13 +79,13 @@ TEST(Incline, DoesNotCreepInAMillionSteps) {
     EXPECT_TRUE(near(slope.way(), before, byPrecision(2e-5, 1e-6)));
 }
 
-// R7: with both frictions: between the two thresholds a resting box stays and a pushed one slides
-// on.
+// R7: with static and kinetic friction, between the two thresholds a resting box stays and a moving
+// one slides on.
 TEST(Incline, StaysOrSlidesBetweenTheTwoFrictions) {
     const Material material{Real(0.7), Real(0.4), 0, 0}; // tan 30 degrees = 0.577
-    Slope resting(30, material);
-    support::run(resting.world, 120);
-    EXPECT_TRUE(near(resting.speed(), 0, Real(1e-3)));
+    Slope asleep(30, material);
+    support::run(asleep.world, 120);
+    EXPECT_TRUE(near(asleep.speed(), 0, Real(1e-3)));
     Slope pushed(30, material);
     pushed.world[pushed.box].setVelocity(pushed.downhill);
     support::run(pushed.world, 120);

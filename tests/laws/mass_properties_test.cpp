@@ -8,7 +8,7 @@ using support::byPrecision;
 using support::near;
 using support::nearShare;
 
-// The closed forms, as a user reads them from a body. Rounding only.
+// Closed forms of the mass properties read from a body. Rounding only.
 constexpr Real kTextbookExact = byPrecision(2e-6, 1e-12);
 
 BodyView bodyOf(World& world, const Shape& shape, Vec2 position = {}) {
@@ -38,7 +38,8 @@ TEST(MassProperties, OfATriangle) {
     EXPECT_TRUE(near(body.center(), Vec2{1, Real(4) / 3}, kTextbookExact));
 }
 
-// A 1000-gon is a disc to (pi / 1000)^2; compared with its own closed form.
+// A 1000-gon equals a disc within (pi / 1000)^2. The reference is the closed form of the regular
+// polygon.
 TEST(MassProperties, OfRegularPolygons) {
     for (const int n : {5, 6, 12, 1000}) {
         SCOPED_TRACE(n);
@@ -56,7 +57,7 @@ TEST(MassProperties, OfRegularPolygons) {
     }
 }
 
-// R4: parallel axes: the L of a 2 x 1 and a 1 x 1 box.
+// R4: the parallel axis theorem, for an L of a 2 x 1 and a 1 x 1 box.
 TEST(MassProperties, OfAnLCompound) {
     World world;
     const Compound ell{{Box{2, 1, {1, Real(0.5)}}, Box{1, 1, {Real(0.5), Real(1.5)}}}};
@@ -67,7 +68,7 @@ TEST(MassProperties, OfAnLCompound) {
     EXPECT_TRUE(nearShare(body.inertia(), 2 * (1 + 2.0L * 5 / 36 + 5.0L / 9), kTextbookExact));
 }
 
-// Where a body is does not change what it is.
+// Mass properties do not depend on the position of the body.
 TEST(MassProperties, DoNotDependOnThePosition) {
     World world;
     const Compound ell{{Box{2, 1, {1, Real(0.5)}}, Box{1, 1, {Real(0.5), Real(1.5)}}}};
@@ -77,9 +78,9 @@ TEST(MassProperties, DoNotDependOnThePosition) {
     EXPECT_EQ(here.inertia(), there.inertia());
 }
 
-// Shapes given 1000 m from their frame's origin keep their inertia: 1e-9 in double; in float the
-// corners themselves are rounded to 6e-5 m, so the share is 1e-3 at best.
-TEST(MassProperties, SurviveAShapeFarFromItsFrame) {
+// Shapes 1000 m from the origin of their frame keep their inertia: 1e-9 in double. In float the
+// corners are rounded to 6e-5 m, which limits the relative accuracy to 1e-3.
+TEST(MassProperties, AreAccurateForAShapeFarFromItsFrame) {
     World world;
     const auto at = [](Real x, Real y) { return Vec2{1000 + x, -1000 + y}; };
     const Compound ell{{Box{2, 1, at(1, Real(0.5))}, Box{1, 1, at(Real(0.5), Real(1.5))}}};
@@ -90,14 +91,13 @@ TEST(MassProperties, SurviveAShapeFarFromItsFrame) {
     EXPECT_TRUE(nearShare(triangle.inertia(), 12.0L * 50 / 36, byPrecision(1e-5, 1e-9)));
 }
 
-// And a million metres from it in double, where a corner is rounded to 1e-10 m; float has no
-// place so far out, and says so.
-TEST(MassProperties, SurviveAMillionMetresOrAreRefused) {
+// At 1e6 m a corner is rounded to 1e-10 m in double. Float rejects such a position.
+TEST(MassProperties, AreAccurateOrRefusedAtAMillionMetres) {
     World world;
     BodyDef def{.shape = Compound{{Box{2, 1, {Real(1e6) + 1, Real(-1e6) + Real(0.5)}},
                                    Box{1, 1, {Real(1e6) + Real(0.5), Real(-1e6) + Real(1.5)}}}},
                 .density = 2};
-    if (kFarthest < Real(1e6)) {
+    if (kMaxCoordinate < Real(1e6)) {
         EXPECT_THROW(world.add(def), BadDefinition);
         return;
     }
@@ -106,11 +106,11 @@ TEST(MassProperties, SurviveAMillionMetresOrAreRefused) {
     EXPECT_TRUE(nearShare(body.inertia(), 2 * (1 + 2.0L * 5 / 36 + 5.0L / 9), 1e-6L));
 }
 
-// R4: density scales mass and inertia, locked or not.
-TEST(MassProperties, GrowWithDensity) {
+// R4: mass and inertia scale with the density, for dynamic and static bodies.
+TEST(MassProperties, AreProportionalToDensity) {
     World world;
     const BodyId light = world.add({.shape = Box{1, 2}, .density = Real(0.25)});
-    const BodyId heavy = world.add({.shape = Box{1, 2}, .density = 8, .flags = kLocked});
+    const BodyId heavy = world.add({.shape = Box{1, 2}, .density = 8, .type = BodyType::Static});
     EXPECT_EQ(world[heavy].mass(), 32 * world[light].mass());
     EXPECT_TRUE(nearShare(world[heavy].inertia(), 32 * world[light].inertia(), kTextbookExact));
 }

@@ -4,9 +4,9 @@
 namespace kodo {
 namespace {
 
-// Collisions without outer forces keep momentum to rounding: 100 balls and boxes in free space,
-// 300 steps. Each of some thousand hits rounds momenta of up to 10.
-TEST(Momentum, IsKeptToRounding) {
+// Collisions without external forces conserve momentum to rounding: 100 balls and boxes in free
+// space, 300 steps. Each of some thousand impacts rounds momenta of up to 10 kg m/s.
+TEST(Momentum, IsConservedToRounding) {
     constexpr std::uint64_t kSeed = 151;
     support::RandomNumbers random(kSeed);
     World world;

@@ -8,10 +8,11 @@ using support::byPrecision;
 using support::near;
 using support::slippery;
 
-// Rounding only, of some ten operations on speeds of up to 6 m/s.
+// Rounding only: about ten operations on speeds of up to 6 m/s.
 constexpr Real kTolerance = byPrecision(1e-6, 1e-14);
 
-/// A ball of 1 kg flies upwards with 3 m/s at a resting rod of 2 kg, d beside its centre.
+/// A ball of 1 kg flies up at 3 m/s towards a resting rod of 2 kg, at the distance d from its
+/// centre.
 struct Hit {
     World world;
     BodyId rod;
@@ -34,7 +35,7 @@ struct Hit {
     }
 };
 
-// S1: J = (1 + e) v / (1/m + 1/M + d^2/I);  V = J/M,  omega = J d / I,  v' = v - J/m.
+// S1: J = (1 + e) v / (1/m + 1/M + d^2/I),  V = J/M,  omega = J d / I,  v' = v - J/m.
 TEST(OffCentreHit, OnARodFollowsTheFormula) {
     for (const Real d : {Real(0), Real(0.5), Real(1.25), Real(-1.9)}) {
         for (const Real e : {Real(1), Real(0.5)}) {
@@ -53,7 +54,7 @@ TEST(OffCentreHit, OnARodFollowsTheFormula) {
     }
 }
 
-// The record says the same impulse.
+// The record holds the same impulse.
 TEST(OffCentreHit, TheRecordHoldsTheImpulse) {
     Hit hit(Real(1.25), slippery(1));
     hit.run();
@@ -65,12 +66,12 @@ TEST(OffCentreHit, TheRecordHoldsTheImpulse) {
     EXPECT_TRUE(near(record->point.x, 1.25L, kTolerance));
 }
 
-// Two equal discs that meet aslant. Each turns with 2 r^2 / I per m of what they share, so a
-// tangent impulse of m v_t / 6 would stop all sliding; friction gives that, or mu times the normal
-// impulse, whichever is less. Both spin the same way then, and the momentum stays. The discs are
-// stopped a 65536th of the slop before they touch, in float a 1024th, or one and a half times that,
-// so the normal is off by 6e-8 (4e-6) at most, which turns as much of 3 m/s aside.
-TEST(OffCentreHit, TwoDiscsAslantObeyTheFrictionCone) {
+// Oblique impact of two equal discs. A tangential impulse of m v_t / 6 would stop all sliding.
+// Friction applies it, limited by mu times the normal impulse. Both discs get the same spin, and
+// momentum is conserved. Continuous collision stops the discs slop / 65536 before the touch (slop /
+// 1024 in float), or at 1.5 times that. The normal is off by at most 6e-8 (4e-6 in float), which
+// deflects the same share of 3 m/s.
+TEST(OffCentreHit, AnObliqueImpactOfTwoDiscsObeysTheFrictionCone) {
     constexpr Real kAslant = byPrecision(1.2e-5, 2e-7);
     for (const Real e : {Real(0.5), Real(1)}) {
         for (const Real mu : {Real(0), Real(0.1), Real(0.3), Real(1)}) {
@@ -78,28 +79,29 @@ TEST(OffCentreHit, TwoDiscsAslantObeyTheFrictionCone) {
             World world;
             BodyDef def = support::ballDef({-2, -1}, Real(0.5), withFriction(mu, e));
             def.density = 4 / std::numbers::pi_v<Real>; // 1 kg
-            def.velocity = {3,
-                            2}; // meets the other straight to its left, where both tangents are y
+            // They meet at the leftmost point of the other disc, where both tangents are y.
+            def.velocity = {3, 2};
             const BodyId one = world.add(def);
             def.position = {Real(0.5), 0};
             def.velocity = {};
             const BodyId other = world.add(def);
             support::run(world, 60);
             const long double normal = (1 + static_cast<long double>(e)) * 3 / 2;
-            const long double rub = std::min(static_cast<long double>(mu) * normal, 2.0L / 6);
+            const long double frictionImpulse =
+                std::min(static_cast<long double>(mu) * normal, 2.0L / 6);
             EXPECT_TRUE(near(world[other].velocity().x, normal, kAslant));
-            EXPECT_TRUE(near(world[other].velocity().y, rub, kAslant));
+            EXPECT_TRUE(near(world[other].velocity().y, frictionImpulse, kAslant));
             EXPECT_TRUE(near(world[one].velocity().x, 3 - normal, kAslant));
-            EXPECT_TRUE(near(world[one].velocity().y, 2 - rub, kAslant));
-            // w = r J / I = J / (r m / 2)
-            EXPECT_TRUE(near(world[one].angularVelocity(), -4 * rub, 4 * kAslant));
-            EXPECT_TRUE(near(world[other].angularVelocity(), -4 * rub, 4 * kAslant));
+            EXPECT_TRUE(near(world[one].velocity().y, 2 - frictionImpulse, kAslant));
+            // omega = r J / I = J / (r m / 2)
+            EXPECT_TRUE(near(world[one].angularVelocity(), -4 * frictionImpulse, 4 * kAslant));
+            EXPECT_TRUE(near(world[other].angularVelocity(), -4 * frictionImpulse, 4 * kAslant));
         }
     }
 }
 
-// While it slides, the friction impulse is mu times the normal one, whatever the restitution:
-// vx' = vx - mu (1 + e) vy.
+// While sliding, the friction impulse is mu times the normal impulse for any restitution: vx' = vx
+// - mu (1 + e) vy.
 TEST(OffCentreHit, FrictionIsMuTimesTheNormalImpulseWhileItSlides) {
     for (const Real e : {Real(0.5), Real(1)}) {
         for (const Real mu : {Real(0), Real(0.05), Real(0.1)}) {
@@ -118,10 +120,10 @@ TEST(OffCentreHit, FrictionIsMuTimesTheNormalImpulseWhileItSlides) {
     }
 }
 
-// No blow makes energy, whatever the angle, restitution, friction and spin: of a rod that
-// strikes a floor with its end, friction that stopped all sliding at full restitution well could.
-// Blows of both ends in one step add their roundings.
-TEST(OffCentreHit, FrictionAndRestitutionTogetherMakeNoEnergy) {
+// No impact adds energy, for any angle, restitution, friction and spin. Friction that stops all
+// sliding at full restitution could, for a rod that hits the floor with its end. Impacts of both
+// ends in one step add their roundings.
+TEST(OffCentreHit, FrictionAndRestitutionTogetherGainNoEnergy) {
     constexpr std::uint64_t kSeed = 17;
     SCOPED_TRACE(testing::Message() << "seed " << kSeed);
     support::RandomNumbers random(kSeed);

@@ -6,8 +6,8 @@ namespace {
 
 constexpr Real kStepRates[] = {60, 120, 240, 480}; // Hz
 
-/// The error of a figure must fall by a factor of 2^0.9 at least whenever the step is halved, until
-/// it has come down to the floor: what rounding, and reading between two steps, leave of it.
+/// The error must fall at least by a factor of 2^0.9 per halving of the step, down to a floor. The
+/// floor covers rounding and interpolation between two steps.
 template <typename Error>
 void expectFirstOrder(Error errorAt, double floor) {
     double previous = 0;
@@ -22,12 +22,12 @@ void expectFirstOrder(Error errorAt, double floor) {
 
 StepSettings sleepless() {
     StepSettings settings;
-    settings.leaveOut = static_cast<std::uint8_t>(Feature::Resting);
+    settings.leaveOut = static_cast<std::uint8_t>(Feature::Sleep);
     return settings;
 }
 
-// The way on which friction stops a box, v^2 / (2 mu g).
-TEST(Order, OfTheStoppingWay) {
+// Stopping distance of a sliding box, v^2 / (2 mu g).
+TEST(ConvergenceOrder, OfTheStoppingDistance) {
     expectFirstOrder(
         [](Real rate) {
             World world({.gravity = support::kEarth, .settings = sleepless()});
@@ -41,9 +41,9 @@ TEST(Order, OfTheStoppingWay) {
         1e-4);
 }
 
-// The speed and the way of a box that slips down a slope of 3 over 4, with friction 0.3:
-// a = g (0.6 - 0.8 mu) = 3.6 m/s^2, for two seconds.
-TEST(Order, OfASlipDownASlope) {
+// Speed and distance of a box slipping for 2 s down a slope of 3 over 4 with friction 0.3: a = g
+// (0.6 - 0.8 mu) = 3.6 m/s^2.
+TEST(ConvergenceOrder, OfSlidingDownASlope) {
     const auto slip = [](Real rate) {
         World world({.gravity = support::kEarth, .settings = sleepless()});
         const Rot tilt{Real(0.8), Real(-0.6)};
@@ -51,7 +51,7 @@ TEST(Order, OfASlipDownASlope) {
                    .position = -1 * tilt.yAxis(),
                    .rotation = tilt,
                    .material = withFriction(Real(0.3)),
-                   .flags = kLocked});
+                   .type = BodyType::Static});
         BodyDef def =
             support::boxDef(Real(0.1) * tilt.yAxis(), 1, Real(0.2), withFriction(Real(0.3)));
         def.rotation = tilt;
@@ -60,14 +60,14 @@ TEST(Order, OfASlipDownASlope) {
         return std::pair(dot(world[box].velocity(), tilt.xAxis()),
                          dot(world[box].position(), tilt.xAxis()));
     };
-    // The speed is exact but for rounding: in float, 4800 substeps add to a number of size 7.
+    // The speed is exact but for rounding: 4800 substeps accumulate to about 7 m/s in float.
     expectFirstOrder([&](Real rate) { return static_cast<double>(slip(rate).first) - 7.2; },
                      static_cast<double>(support::byPrecision(3e-4, 1e-11)));
     expectFirstOrder([&](Real rate) { return static_cast<double>(slip(rate).second) - 7.2; }, 4e-4);
 }
 
-// The speed of a disc that has slid into rolling: 2/3 of the first.
-TEST(Order, OfTheSpeedThatRollingLeaves) {
+// Final speed of a disc after the transition from sliding to rolling: 2/3 of the initial speed.
+TEST(ConvergenceOrder, OfTheFinalRollingSpeed) {
     expectFirstOrder(
         [](Real rate) {
             World world({.gravity = support::kEarth, .settings = sleepless()});
@@ -81,8 +81,8 @@ TEST(Order, OfTheSpeedThatRollingLeaves) {
         static_cast<double>(support::byPrecision(3e-4, 1e-4)));
 }
 
-// The second peak of a ball dropped from 5 m with e = 0.8: 5 * 0.8^4.
-TEST(Order, OfTheHeightOfABounce) {
+// Second peak of a ball dropped from 5 m with e = 0.8: 5 * 0.8^4.
+TEST(ConvergenceOrder, OfTheHeightOfABounce) {
     expectFirstOrder(
         [](Real rate) {
             World world({.gravity = support::kEarth, .settings = sleepless()});

@@ -10,23 +10,25 @@ using support::nearShare;
 
 constexpr long double kPi = std::numbers::pi_v<long double>;
 
-/// A rod of 1 m on a pin at the origin, let go from so many degrees off the vertical.
+/// A rod of 1 m on a revolute joint at the origin, released at an angle (degrees) from the
+/// vertical.
 struct Pendulum {
     World world{{.gravity = support::kEarth}};
     BodyId rod;
 
     explicit Pendulum(double degrees) {
-        const BodyId hook = world.add({.shape = Circle{Real(0.1)}, .flags = kLocked | kDisabled});
+        const BodyId hook =
+            world.add({.shape = Circle{Real(0.1)}, .type = BodyType::Static, .flags = kDisabled});
         const Rot turn = Rot::fromAngle(static_cast<Real>(degrees * 3.14159265358979 / 180));
         BodyDef def = support::boxDef({}, Real(0.1), 1);
         def.rotation = turn;
         def.position = turn * Vec2{0, Real(-0.5)};
         rod = world.add(def);
-        world.add(Pin{.ends = {hook, rod, {}, {0, Real(0.5)}}});
+        world.add(RevoluteJoint{.ends = {hook, rod, {}, {0, Real(0.5)}}});
     }
     long double angle() const { return static_cast<long double>(world[rod].rotation().angle()); }
     long double spin() const { return static_cast<long double>(world[rod].angularVelocity()); }
-    long double energy() const { // J, from the lowest place
+    long double energy() const { // J, relative to the lowest position
         const BodyView body = world[rod];
         const long double lowest = -0.5L;
         const auto v = static_cast<long double>(length(body.velocity()));
@@ -36,7 +38,7 @@ struct Pendulum {
     }
 };
 
-/// T = 2 pi sqrt((m l^2 + I) / (m g l)) / agm(1, cos(angle / 2)), of a rod of 1 by 0.1 m.
+/// T = 2 pi sqrt((m l^2 + I) / (m g l)) / agm(1, cos(angle / 2)), for a rod of 1 by 0.1 m.
 long double exactPeriod(double degrees) {
     const long double inertia = (1 + 0.01L) / 12;
     long double a = 1;
@@ -49,7 +51,7 @@ long double exactPeriod(double degrees) {
     return 2 * kPi * std::sqrt((0.25L + inertia) / 5) / a;
 }
 
-/// The mean of so many periods, from where the angle passes 0 upwards, between two steps.
+/// Mean of `count` periods, between upward zero crossings of the angle interpolated between steps.
 long double periodOf(Pendulum& pendulum, Real rate, int count) {
     long double first = 0;
     long double last = 0;
@@ -69,9 +71,9 @@ long double periodOf(Pendulum& pendulum, Real rate, int count) {
     return (last - first) / (passes - 1);
 }
 
-// The period is that of the elliptic integral, to 1e-4, even of a swing that almost stands on
-// its head, where dT / T = 17 dE / E.
-TEST(Pendulum, SwingsWithThePeriodOfTheFormula) {
+// The period matches the elliptic integral within 1e-4. The hardest case is a swing close to the
+// upper equilibrium, where dT / T = 17 dE / E.
+TEST(Pendulum, HasTheExactPeriod) {
     for (const double degrees : {10.0, 90.0, 170.0}) {
         SCOPED_TRACE(degrees);
         Pendulum pendulum(degrees);
@@ -79,9 +81,9 @@ TEST(Pendulum, SwingsWithThePeriodOfTheFormula) {
     }
 }
 
-// In a minute at 60 Hz it loses less than 1e-4 of its energy, told where it turns round.
-// Within a swing 0.7 % come and go: half a substep's share of it, since forces act at the start of
-// one.
+// Energy at the turning points stays within 1e-4 for one minute at 60 Hz. Within a swing it
+// oscillates by 0.7 %: forces act at the start of a substep, which shifts the energy by half a
+// substep.
 TEST(Pendulum, KeepsItsEnergyForAMinute) {
     for (const double degrees : {10.0, 90.0, 170.0}) {
         SCOPED_TRACE(degrees);
@@ -93,7 +95,7 @@ TEST(Pendulum, KeepsItsEnergyForAMinute) {
             const long double energy = pendulum.energy();
             pendulum.world.step(support::kDt);
             ASSERT_TRUE(nearShare(pendulum.energy(), before, 0.007)) << "step " << i;
-            if (spin * pendulum.spin() < 0) { // between the two
+            if (spin * pendulum.spin() < 0) { // turning point between two steps
                 const long double share = spin / (spin - pendulum.spin());
                 const long double top = energy + share * (pendulum.energy() - energy);
                 ASSERT_TRUE(nearShare(top, before, 1e-4)) << "step " << i;
@@ -104,8 +106,8 @@ TEST(Pendulum, KeepsItsEnergyForAMinute) {
     }
 }
 
-// The arm keeps its length: what a substep leaves of it is of third order in the angle that it
-// turns by, (w h)^3 l / 6 = 1 um, of the 0.02 rad at the lowest point.
+// The arm keeps its length. The error per substep is of third order in its rotation: (w h)^3 l / 6
+// = 1 um for 0.02 rad at the lowest point.
 TEST(Pendulum, TheArmKeepsItsLength) {
     Pendulum pendulum(90);
     for (int i = 0; i < 600; ++i) {
@@ -114,8 +116,8 @@ TEST(Pendulum, TheArmKeepsItsLength) {
     }
 }
 
-// At finer steps: the error of the period falls as the square of the step does (1.9), until
-// only rounding is left, which in float has more substeps to add up in.
+// The error of the period falls with the square of the step (order 1.9), down to rounding. In
+// float, smaller steps accumulate more rounding.
 TEST(Pendulum, TheErrorOfThePeriodFallsWithTheSquareOfTheStep) {
     constexpr auto kFloor = static_cast<long double>(byPrecision(2e-4, 1e-9));
     for (const double degrees : {90.0, 170.0}) {
@@ -133,14 +135,15 @@ TEST(Pendulum, TheErrorOfThePeriodFallsWithTheSquareOfTheStep) {
     }
 }
 
-/// `count` rods of 1 m, one pinned to the end of the other, hung from the origin.
+/// A chain of `count` rods of 1 m on revolute joints, hanging from the origin.
 struct Chain {
     World world{{.gravity = support::kEarth}};
     std::vector<BodyId> rods;
     std::vector<JointId> pins;
 
     Chain(int count, const std::vector<double>& degrees) {
-        BodyId last = world.add({.shape = Circle{Real(0.1)}, .flags = kLocked | kDisabled});
+        BodyId last =
+            world.add({.shape = Circle{Real(0.1)}, .type = BodyType::Static, .flags = kDisabled});
         Vec2 end{};
         for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
             const double angle = i < degrees.size() ? degrees[i] * 3.14159265358979 / 180 : 0;
@@ -149,12 +152,13 @@ struct Chain {
             def.rotation = turn;
             rods.push_back(world.add(def));
             const Vec2 above = i == 0 ? Vec2{} : Vec2{0, Real(-0.5)};
-            pins.push_back(world.add(Pin{.ends = {last, rods.back(), above, {0, Real(0.5)}}}));
+            pins.push_back(
+                world.add(RevoluteJoint{.ends = {last, rods.back(), above, {0, Real(0.5)}}}));
             end += turn * Vec2{0, -1};
             last = rods.back();
         }
     }
-    /// The widest gap (m) at a pin.
+    /// The largest joint error (m).
     Real widest() const {
         Real gap = 0;
         Vec2 above{};
@@ -168,8 +172,8 @@ struct Chain {
     }
 };
 
-// Ten seconds of a double pendulum, chaotic as it is: its pins hold to a fifth of a
-// millimetre where the lower rod whips round, and its energy stays within 1.5 %.
+// A chaotic double pendulum for 10 s: joint errors stay below 0.2 mm where the lower rod is
+// fastest. Its energy stays within 1.5 %.
 TEST(Pendulum, ADoublePendulumHoldsTogetherAndKeepsItsEnergy) {
     Chain chain(2, {120, 120});
     const auto energy = [&] {
@@ -188,11 +192,11 @@ TEST(Pendulum, ADoublePendulumHoldsTogetherAndKeepsItsEnergy) {
     }
 }
 
-// A chain of ten, at rest or not: no pin gives, and pin k carries the rods below it.
-TEST(Pendulum, AHangingChainCarriesItself) {
+// In a hanging chain of ten, asleep, no joint gives way. Joint k carries the rods below it.
+TEST(Pendulum, AHangingChainCarriesItsWeight) {
     Chain chain(10, {});
     support::run(chain.world, 300);
-    EXPECT_NE(chain.world[chain.rods[0]].flags() & kResting, 0u);
+    EXPECT_NE(chain.world[chain.rods[0]].flags() & kAsleep, 0u);
     EXPECT_LT(chain.widest(), Real(1e-6));
     for (std::size_t k = 0; k < chain.pins.size(); ++k) {
         const double below = static_cast<double>(chain.pins.size() - k); // of 0.1 kg each

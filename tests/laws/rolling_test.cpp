@@ -8,9 +8,9 @@ using support::byPrecision;
 using support::near;
 using support::nearShare;
 
-// A disc that starts sliding rolls at v = 2/3 v0, omega r = v, from t = v0 / (3 mu g) on, after
-// 5 v0^2 / (18 mu g) of way.
-TEST(Rolling, ASlidingDiscComesToRollAtTwoThirds) {
+// A sliding disc rolls from t = v0 / (3 mu g) on, after a distance of 5 v0^2 / (18 mu g). Then v =
+// 2/3 v0 and omega r = v.
+TEST(Rolling, ASlidingDiscRollsAtTwoThirdsOfItsSpeed) {
     World world({.gravity = support::kEarth});
     const Material material = withFriction(Real(0.3));
     support::addFloor(world, material);
@@ -30,12 +30,12 @@ TEST(Rolling, ASlidingDiscComesToRollAtTwoThirds) {
     EXPECT_TRUE(nearShare(world[ball].velocity().x, 4, 1e-3));
     EXPECT_TRUE(nearShare(world[ball].angularVelocity(), -8, 1e-3));
     const double time = 6 / 9.0;
-    EXPECT_TRUE(near(rolls, time, 0.02 * time + 1 / 60.0)); // 2 %, and the step it is seen in
+    EXPECT_TRUE(near(rolls, time, 0.02 * time + 1 / 60.0)); // 2 %, plus one step for detection
     EXPECT_TRUE(near(way, 5 * 36 / (18 * 3.0), 0.02 * 3.33 + 4 / 60.0));
 }
 
-// Down an incline a disc that rolls without slipping accelerates with 2/3 g sin; within 1 %.
-TEST(Rolling, DownAnInclineTakesTwoThirds) {
+// A disc that rolls down an incline without slipping accelerates with 2/3 g sin, within 1 %.
+TEST(Rolling, DownAnInclineHasTwoThirdsOfTheAcceleration) {
     for (const double degrees : {10.0, 30.0}) {
         SCOPED_TRACE(degrees);
         const double angle = degrees * 3.14159265358979 / 180;
@@ -46,7 +46,7 @@ TEST(Rolling, DownAnInclineTakesTwoThirds) {
                    .position = -1 * tilt.yAxis(),
                    .rotation = tilt,
                    .material = material,
-                   .flags = kLocked});
+                   .type = BodyType::Static});
         const BodyId ball =
             world.add(support::ballDef(Real(0.5) * tilt.yAxis(), Real(0.5), material));
         support::run(world, 120);
@@ -56,8 +56,8 @@ TEST(Rolling, DownAnInclineTakesTwoThirds) {
     }
 }
 
-// With less friction than tan / 3 it slips: a = g (sin - mu cos), and it turns with
-// 2 mu g cos / r.
+// With friction below tan / 3 it slips: a = g (sin - mu cos), with an angular acceleration of 2 mu
+// g cos / r.
 TEST(Rolling, DownAnInclineSlipsWithoutEnoughFriction) {
     constexpr double kAngle = 3.14159265358979 / 6;
     constexpr double kFriction = 0.1; // tan / 3 = 0.19
@@ -68,7 +68,7 @@ TEST(Rolling, DownAnInclineSlipsWithoutEnoughFriction) {
                .position = -1 * tilt.yAxis(),
                .rotation = tilt,
                .material = material,
-               .flags = kLocked});
+               .type = BodyType::Static});
     const BodyId ball = world.add(support::ballDef(Real(0.5) * tilt.yAxis(), Real(0.5), material));
     support::run(world, 120);
     const double press = 10 * std::cos(kAngle);
@@ -77,8 +77,8 @@ TEST(Rolling, DownAnInclineSlipsWithoutEnoughFriction) {
     EXPECT_TRUE(nearShare(world[ball].angularVelocity(), -2 * 2 * kFriction * press / 0.5, 0.01));
 }
 
-// R7: rolling without resistance goes on: friction does no work. Where the ball touches is found
-// once a step, while it turns by 0.1 rad in it: a small part of that is lost.
+// R7: rolling without resistance keeps its speed, since friction does no work. The contact point is
+// found once per step, in which the ball rotates by 0.1 rad. This loses a small part of the speed.
 TEST(Rolling, WithoutResistanceKeepsItsSpeed) {
     World world({.gravity = support::kEarth});
     support::addFloor(world);
@@ -90,9 +90,9 @@ TEST(Rolling, WithoutResistanceKeepsItsSpeed) {
     EXPECT_TRUE(near(world[ball].velocity().x, 3, Real(1e-3)));
 }
 
-// R7: resistance c acts as a torque of c r m g. A rolling disc has 3/2 of the inertia of its mass,
-// so it is braked with a = 2/3 c g and stops after v^2 / (2 a); within 2 %.
-TEST(Rolling, WithResistanceComesToAHalt) {
+// R7: rolling resistance c acts as a torque of c r m g. A rolling disc has an effective mass of 3/2
+// m. It brakes with a = 2/3 c g and stops after v^2 / (2 a), within 2 %.
+TEST(Rolling, WithResistanceStopsAtTheExactDistance) {
     World world({.gravity = support::kEarth});
     Material material = withFriction(Real(0.8));
     material.rollingResistance = Real(0.15);

@@ -7,8 +7,8 @@ namespace {
 using support::near;
 using support::slippery;
 
-// Whatever the speed and however thin the wall, nothing passes, with and without bounce.
-TEST(Shots, NothingPassesAThinWall) {
+// No tunnelling through a thin wall at any speed, with and without restitution.
+TEST(Shots, NoBodyTunnelsThroughAThinWall) {
     for (const Real speed :
          {Real(10), Real(30), Real(100), Real(1e3), Real(1e4), Real(1e5), Real(1e6)}) {
         for (const Real thickness : {Real(0.2), Real(0.02)}) {
@@ -33,8 +33,8 @@ TEST(Shots, NothingPassesAThinWall) {
     }
 }
 
-// Two balls that fly at each other do not pass through each other.
-TEST(Shots, BallsDoNotPassThroughEachOther) {
+// Two balls flying towards each other do not tunnel.
+TEST(Shots, BallsDoNotTunnelThroughEachOther) {
     for (const Real speed : {Real(10), Real(100), Real(1e3), Real(1e4), Real(1e5), Real(1e6)}) {
         SCOPED_TRACE(speed);
         World world;
@@ -53,13 +53,13 @@ TEST(Shots, BallsDoNotPassThroughEachOther) {
     }
 }
 
-// A spinning rod does not skip a thin post.
-TEST(Shots, ASpinningRodDoesNotSkipAPost) {
+// A spinning rod does not tunnel through a thin post.
+TEST(Shots, ASpinningRodDoesNotTunnelThroughAPost) {
     for (const Real spin : {Real(20), Real(60), Real(150)}) {
         SCOPED_TRACE(spin);
         World world;
         BodyDef post = support::ballDef({0, Real(1.8)}, Real(0.05), slippery(1));
-        post.flags = kLocked;
+        post.type = BodyType::Static;
         world.add(post);
         BodyDef rod = support::boxDef({0, 0}, 4, Real(0.1), slippery(1));
         rod.flags = kLockMove;
@@ -70,19 +70,18 @@ TEST(Shots, ASpinningRodDoesNotSkipAPost) {
             world.step(support::kDt);
             turns += world[id].angularVelocity() < 0 ? 1 : 0;
         }
-        EXPECT_GT(turns, 10); // it was thrown back, and back again from the other side
+        EXPECT_GT(turns, 10); // thrown back repeatedly, from both sides
         EXPECT_LT(turns, 50);
         EXPECT_TRUE(support::nearShare(std::abs(world[id].angularVelocity()), spin,
                                        support::byPrecision(1e-4, 1e-9)));
     }
 }
 
-// A shot through an open frame hits what is behind it: nothing is stopped that is not in the
-// way.
+// A shot through a gap hits the wall behind: continuous collision does not stop it at the sides.
 TEST(Shots, FlyFreelyThroughAGap) {
     World world;
     for (const Real y : {Real(5.2), Real(-5.2)}) {
-        world.add({.shape = Box{Real(0.1), 10}, .position = {3, y}, .flags = kLocked});
+        world.add({.shape = Box{Real(0.1), 10}, .position = {3, y}, .type = BodyType::Static});
     }
     support::addWall(world, 10, Real(0.1), slippery(1));
     BodyDef def = support::ballDef({0, 0}, Real(0.1), slippery(1)); // the gap is 0.4 m high
@@ -92,10 +91,10 @@ TEST(Shots, FlyFreelyThroughAGap) {
     EXPECT_TRUE(near(world[ball].position().x, 9.9L, Real(0.01)));
 }
 
-// The hit happens where and when geometry says: the ball's face meets the wall after 4.9 m, so
-// after a step it is there, and flies back from there in what is left of the next. It is stopped a
-// 1024th of the slop (in double a 65536th) before it touches; as much again is for roundings.
-TEST(Shots, HitWhereGeometrySays) {
+// The impact has the position and time of the closed form. After one step the ball touches the wall
+// at 4.9 m; in the next step it flies back. Continuous collision stops it slop / 1024 before the
+// touch (slop / 65536 in double). The tolerance doubles that for rounding.
+TEST(Shots, HitAtTheExactTimeAndPoint) {
     for (const Real speed : {Real(400), Real(1e4), Real(1e6)}) {
         SCOPED_TRACE(speed);
         World world;

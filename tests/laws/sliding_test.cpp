@@ -6,7 +6,7 @@ namespace {
 
 using support::nearShare;
 
-/// A flat box of 1 kg on the floor; flat, so that braking hardly shifts its load.
+/// A box of 1 kg on the floor, flat, so that braking hardly shifts its load.
 struct Slide {
     World world;
     BodyId box;
@@ -23,8 +23,8 @@ struct Slide {
     Real speed() const { return world[box].velocity().x; }
 };
 
-// It stops after v^2 / (2 mu g), at v / (mu g); each within 1 %.
-TEST(Sliding, StopsWhereAndWhenFrictionSays) {
+// It stops after a distance of v^2 / (2 mu g) and a time of v / (mu g), each within 1 %.
+TEST(Sliding, StopsAtTheExactDistanceAndTime) {
     for (const double mu : {0.2, 0.5, 0.9}) {
         SCOPED_TRACE(mu);
         Slide slide(withFriction(static_cast<Real>(mu)), 5);
@@ -37,12 +37,12 @@ TEST(Sliding, StopsWhereAndWhenFrictionSays) {
             }
         }
         EXPECT_TRUE(nearShare(slide.way(), 25 / (20 * mu), 0.01));
-        // The step in which it stops is seen as a whole: one step of slack.
+        // One step of slack: the step of the stop is counted as a whole.
         EXPECT_TRUE(support::near(stopped, time, 0.01 * time + 1 / 60.0));
     }
 }
 
-// The distance does not depend on the rate: first order in the step at worst.
+// The distance does not depend on the rate, except for a first-order error in the step.
 TEST(Sliding, StopsAtTheSamePlaceAtAnyRate) {
     for (const Real rate : {Real(120), Real(240), Real(480)}) {
         SCOPED_TRACE(rate);
@@ -52,8 +52,9 @@ TEST(Sliding, StopsAtTheSamePlaceAtAnyRate) {
     }
 }
 
-// A cube, whose load braking shifts to its front edge, stops there too: v^2 / (2 mu g) = 2.5 m.
-TEST(Sliding, ACubeStopsWhereFrictionSays) {
+// A cube, whose load shifts to its front edge while braking, stops after the same distance: v^2 /
+// (2 mu g) = 2.5 m.
+TEST(Sliding, ACubeStopsAtTheExactDistance) {
     World world(support::wakeful());
     support::addFloor(world, withFriction(Real(0.5)));
     BodyDef def = support::boxDef({0, Real(0.5)}, 1, 1, withFriction(Real(0.5)));
@@ -64,10 +65,10 @@ TEST(Sliding, ACubeStopsWhereFrictionSays) {
     EXPECT_TRUE(support::near(world[box].velocity().x, 0, support::byPrecision(1e-5, 1e-9)));
 }
 
-// R7: at rest it takes mu_s m g to break loose; then it slides with mu_k. Each within 1 %.
+// R7: a resting box breaks loose at mu_s m g and then slides with mu_k, each within 1 %.
 TEST(Sliding, BreaksLooseAtTheStaticFriction) {
     const Material material{Real(0.6), Real(0.3), 0, 0};
-    const auto speedAfter = [&](Real share) { // one second of rising force, one of that share
+    const auto speedAfter = [&](Real share) { // the force rises for one second, then stays for one
         Slide slide(material, 0);
         for (int i = 0; i < 120; ++i) {
             const Real risen = std::min(static_cast<Real>(i) / 60, Real(1));
@@ -80,21 +81,21 @@ TEST(Sliding, BreaksLooseAtTheStaticFriction) {
     EXPECT_GT(speedAfter(Real(1.01)), 3); // a = F/m - mu_k g = 3.06 m/s^2
 }
 
-// R7: v - mu_k g t = 2 m/s after a second.
+// R7: v - mu_k g t = 2 m/s after one second.
 TEST(Sliding, SlidesOnWithTheKineticFriction) {
     Slide slide({Real(0.9), Real(0.3), 0, 0}, 5);
     support::run(slide.world, 60);
     EXPECT_TRUE(nearShare(slide.speed(), 2, 0.01));
 }
 
-// S3: friction depends neither on restitution nor on the number of substeps: the thesis's did on
-// both. The same distance within 1 %.
+// S3: friction depends neither on restitution nor on the number of substeps, unlike in the thesis.
+// The distances agree within 1 %.
 TEST(Sliding, DependsNeitherOnRestitutionNorOnSubsteps) {
     for (const Real e : {Real(0), Real(0.5), Real(1)}) {
         for (const int substeps : {4, 40}) {
             SCOPED_TRACE(testing::Message() << "e " << e << ", " << substeps << " substeps");
             WorldDef def{.gravity = support::kEarth};
-            def.settings.substeps = substeps;
+            def.settings.soft().substeps = substeps;
             Slide slide(withFriction(Real(0.5), e), 5, def);
             support::run(slide.world, 120);
             EXPECT_TRUE(nearShare(slide.way(), 2.5L, 0.01L));
@@ -102,8 +103,8 @@ TEST(Sliding, DependsNeitherOnRestitutionNorOnSubsteps) {
     }
 }
 
-// S3: two surfaces share the geometric mean, so ice makes everything slippery.
-TEST(Sliding, TwoSurfacesMakeTheGeometricMean) {
+// S3: the friction of a pair is the geometric mean of both.
+TEST(Sliding, FrictionOfAPairIsTheGeometricMean) {
     World world({.gravity = support::kEarth});
     support::addFloor(world, withFriction(Real(0.9)));
     BodyDef def = support::boxDef({0, Real(0.5)}, 1, 1, withFriction(Real(0.1)));

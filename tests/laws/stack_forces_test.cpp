@@ -9,7 +9,7 @@ using support::kDt;
 using support::nearShare;
 using support::recordOf;
 
-/// Mean force (N) of one body on another over that many steps.
+/// Mean force (N) between two bodies over `steps` steps.
 double forceBetween(World& world, BodyId a, BodyId b, int steps) {
     double sum = 0;
     for (int i = 0; i < steps; ++i) {
@@ -20,9 +20,9 @@ double forceBetween(World& world, BodyId a, BodyId b, int steps) {
     return sum / (steps / 60.0);
 }
 
-// Contact k of a stack of ten carries the (10 - k) boxes above it; within 1 % after 5 s. It
-// sinks by no more than the slop a contact, and after 20 s it lies still.
-TEST(StackForces, EachContactCarriesWhatIsAbove) {
+// Contact k of a stack of ten carries the 10 - k boxes above it, within 1 % after 5 s. It sinks by
+// at most one slop per contact and is at rest after 20 s.
+TEST(StackForces, EachContactCarriesTheWeightAbove) {
     World world(support::wakeful());
     BodyId lower = support::addFloor(world);
     const std::vector<BodyId> boxes = support::addStack(world, 10);
@@ -40,13 +40,13 @@ TEST(StackForces, EachContactCarriesWhatIsAbove) {
     }
 }
 
-// A beam on two supports at x = -2 and 2 with a load at x: the lever rule, within 1 %.
+// A beam on supports at x = -2 and 2 with a load at x obeys the lever rule, within 1 %.
 TEST(StackForces, ABeamSharesItsLoadByTheLeverRule) {
     for (const double x : {0.0, 0.5, 1.5}) {
         SCOPED_TRACE(x);
         World world(support::wakeful());
         BodyDef support = support::ballDef({-2, Real(0.5)}, Real(0.5));
-        support.flags = kLocked;
+        support.type = BodyType::Static;
         const BodyId left = world.add(support);
         support.position.x = 2;
         const BodyId right = world.add(support);
@@ -63,13 +63,13 @@ TEST(StackForces, ABeamSharesItsLoadByTheLeverRule) {
     }
 }
 
-// With three supports the shares are not determined, but their sum and their torque are.
+// With three supports the forces are indeterminate, but their sum and torque are known.
 TEST(StackForces, ThreeSupportsBalanceForceAndTorque) {
     World world(support::wakeful());
     std::vector<BodyId> supports;
     for (const Real x : {Real(-2), Real(0), Real(2)}) {
         BodyDef support = support::ballDef({x, Real(0.5)}, Real(0.5));
-        support.flags = kLocked;
+        support.type = BodyType::Static;
         supports.push_back(world.add(support));
     }
     const BodyId beam = world.add(boxDef({0, Real(1.25)}, 6, Real(0.5)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/math/aabb.hpp>
+#include <kodo/math.hpp>
 #include <support/random_numbers.hpp>
 
 #include <gtest/gtest.h>
@@ -19,13 +19,13 @@ TEST(Aabb, ContainsItsEdge) {
     EXPECT_FALSE(kUnit.contains(kUnit.grown(Real(0.1))));
 }
 
-TEST(Aabb, KnowsItsMiddleAndSize) {
+TEST(Aabb, ReturnsItsCenterAndExtent) {
     const Aabb box{{-1, 2}, {3, 4}};
     EXPECT_EQ(box.center(), (Vec2{1, 3}));
     EXPECT_EQ(box.extent(), (Vec2{4, 2}));
 }
 
-TEST(Aabb, TouchingIsOverlap) {
+TEST(Aabb, TouchingBoxesOverlap) {
     EXPECT_TRUE(overlap(kUnit, {{1, 1}, {2, 2}}));
     EXPECT_TRUE(overlap(kUnit, {{-1, -1}, {2, 2}}));
     EXPECT_FALSE(overlap(kUnit, {{Real(1.001), 0}, {2, 1}}));
@@ -47,7 +47,7 @@ TEST(Aabb, OverlapIsSymmetric) {
     }
 }
 
-TEST(Aabb, OfPointsHoldsThemTightly) {
+TEST(Aabb, OfPointsIsTight) {
     const std::vector<Vec2> points{{1, 5}, {-2, 3}, {0, 7}};
     EXPECT_EQ(aabbOf(std::span<const Vec2>(points)), (Aabb{{-2, 3}, {1, 7}}));
 }

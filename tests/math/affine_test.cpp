@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/math/affine.hpp>
+#include <kodo/affine.hpp>
 #include <support/near.hpp>
 #include <support/random_numbers.hpp>
 
@@ -9,7 +9,7 @@ namespace {
 using support::kEpsilon;
 using support::near;
 
-TEST(Affine, StartsAsTheIdentity) {
+TEST(Affine, DefaultIsTheIdentity) {
     EXPECT_EQ(Affine{} * (Vec2{3, 4}), (Vec2{3, 4}));
     EXPECT_EQ(Affine{}.determinant(), 1);
 }
@@ -20,7 +20,7 @@ TEST(Affine, ScalesAndMirrors) {
 }
 
 // B2: compose.
-TEST(Affine, ProductAppliesTheRightOneFirst) {
+TEST(Affine, ProductAppliesTheRightFactorFirst) {
     const Affine turn = Affine::from(Transform{{1, 0}, {0, 1}});
     const Affine stretch = Affine::scale(2, 1);
     EXPECT_EQ((turn * stretch) * (Vec2{3, 4}), turn * (stretch * (Vec2{3, 4})));
@@ -28,7 +28,7 @@ TEST(Affine, ProductAppliesTheRightOneFirst) {
     EXPECT_EQ((stretch * turn) * (Vec2{3, 4}), (Vec2{-6, 3}));
 }
 
-TEST(Affine, DoesWhatATransformDoes) {
+TEST(Affine, AgreesWithTheTransformItIsMadeFrom) {
     support::RandomNumbers random(9);
     for (int i = 0; i < 1000; ++i) {
         const Transform t = random.pose(10);
@@ -37,7 +37,7 @@ TEST(Affine, DoesWhatATransformDoes) {
     }
 }
 
-// B2: invert. The error grows with the stretch; columns of 1..3 with |determinant| > 0.5 keep it
+// B2: invert. The error grows with the stretch. Columns of 1..3 with |determinant| > 0.5 keep it
 // below some hundred roundings of 10.
 TEST(Affine, InverseUndoesTheMap) {
     support::RandomNumbers random(10);
@@ -56,8 +56,8 @@ TEST(Affine, InverseUndoesTheMap) {
     EXPECT_GT(tried, 5000);
 }
 
-// B2: an error that can be seen, never a NaN.
-TEST(Affine, HasNoInverseWhenItFlattensThePlane) {
+// B2: a singular map has no inverse; the result is never NaN.
+TEST(Affine, HasNoInverseIfSingular) {
     EXPECT_FALSE(Affine::scale(0, 1).inverse().has_value());
     EXPECT_FALSE((Affine{{1, 2}, {2, 4}, {5, 6}}.inverse().has_value()));
     EXPECT_FALSE((Affine{{0, 0}, {0, 0}, {}}.inverse().has_value()));
@@ -65,16 +65,16 @@ TEST(Affine, HasNoInverseWhenItFlattensThePlane) {
     EXPECT_FALSE((Affine{{nan, 0}, {0, 1}, {}}.inverse().has_value()));
 }
 
-// Small is not singular.
+// A small scale is not singular.
 TEST(Affine, InvertsATinyScale) {
     const auto inverse = Affine::scale(Real(1e-6), Real(1e-6)).inverse();
     ASSERT_TRUE(inverse.has_value());
     EXPECT_TRUE(support::nearShare(inverse->x.x, 1e6L, 4 * kEpsilon));
 }
 
-// B2: a map whose determinant is beyond the range of a Real, though its inverse is not, has one all
-// the same; and one whose inverse is beyond it has none. Never a NaN.
-TEST(Affine, InvertsAsFarAsTheNumbersReach) {
+// B2: the determinant may exceed the range of Real although the inverse does not. Then there is an
+// inverse. If the inverse exceeds the range, there is none, and never a NaN.
+TEST(Affine, HasAnInverseExactlyWhenItIsRepresentable) {
     const Real large = support::byPrecision(1e25, 1e200);
     for (const auto& [sx, sy] : {std::pair(large, large), std::pair(1 / large, 1 / large),
                                  std::pair(large, 1 / large), std::pair(-large, Real(3))}) {

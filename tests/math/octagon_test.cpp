@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/math/octagon.hpp>
 #include <support/random_numbers.hpp>
+
+#include "math/octagon.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@
 namespace kodo {
 namespace {
 
-/// A polygon's corners, not in any order, and somewhere.
+/// Corners in no particular order, at a random pose.
 struct Placed {
     std::vector<Vec2> corners;
     Transform at;
@@ -25,7 +26,7 @@ struct Placed {
         at = {random.point(far), Rot::fromAngle(random.between(-3, 3))};
     }
     Octagon octagon() const { return Octagon::of(corners, at); }
-    /// Of random weights.
+    /// A mean of the corners with random weights.
     Vec2 pointInside(support::RandomNumbers& random) const {
         Vec2 sum{};
         Real all = 0;
@@ -38,14 +39,14 @@ struct Placed {
     }
 };
 
-/// Is a world point in it, but for roundings of its coordinates?
+/// True if a world point is inside, up to the rounding of its coordinates.
 bool holds(const Octagon& octagon, Vec2 p) {
     const Real rounding =
         2 * std::numeric_limits<Real>::epsilon() * (std::abs(p.x) + std::abs(p.y) + 1);
     return octagon.grown(rounding).contains(Octagon::of(p, 0));
 }
 
-TEST(Octagon, HoldsAllOfAPolygonWhereverItIs) {
+TEST(Octagon, ContainsItsPolygonAtAnyPose) {
     support::RandomNumbers random(71);
     for (const double far : {0.0, 10.0, 1e3, 1e5}) {
         SCOPED_TRACE(far);
@@ -56,7 +57,7 @@ TEST(Octagon, HoldsAllOfAPolygonWhereverItIs) {
     }
 }
 
-// At a side of each of its directions there is a corner, so nothing smaller will do.
+// Each side of the octagon touches a corner, so no smaller octagon contains them.
 TEST(Octagon, OfPointsIsTight) {
     support::RandomNumbers random(72);
     for (int i = 0; i < 2000; ++i) {
@@ -79,7 +80,7 @@ TEST(Octagon, OfPointsIsTight) {
     }
 }
 
-TEST(Octagon, OfADiscTouchesItOnAllSides) {
+TEST(Octagon, OfADiscTouchesItOnAllEightSides) {
     const Octagon octagon = Octagon::of(Vec2{3, -2}, 2);
     for (int eighth = 0; eighth < 8; ++eighth) {
         const Vec2 out = Rot::fromAngle(Real(eighth) * Real(0.785398163)) * Vec2{1, 0};
@@ -88,8 +89,8 @@ TEST(Octagon, OfADiscTouchesItOnAllSides) {
     }
 }
 
-// Along the diagonals a margin counts for no less than the root of 2 of it.
-TEST(Octagon, GrowsByAllOfAMargin) {
+// Along the diagonals, which are not unit vectors, the margin counts sqrt(2) times.
+TEST(Octagon, GrowsAlongDiagonalsByAtLeastTheMargin) {
     const Octagon octagon = Octagon::of(Vec2{}, 0).grown(1);
     for (const int diagonal : {2, 3}) {
         EXPECT_GE(octagon.upper[diagonal] * octagon.upper[diagonal], 2);
@@ -98,8 +99,8 @@ TEST(Octagon, GrowsByAllOfAMargin) {
     }
 }
 
-// What has a point in common overlaps, even far from the origin, where sums are rounded coarsely.
-TEST(Octagon, OverlapsWhatSharesAPoint) {
+// Polygons with a common point overlap, even far from the origin, where sums are rounded coarsely.
+TEST(Octagon, OverlapsIfThePolygonsShareAPoint) {
     support::RandomNumbers random(73);
     for (const double far : {1.0, 1e3, 1e5}) {
         SCOPED_TRACE(far);
@@ -115,8 +116,8 @@ TEST(Octagon, OverlapsWhatSharesAPoint) {
     }
 }
 
-// Two boxes that stand on a corner beside each other: their boxes overlap by far, they do not.
-TEST(Octagon, TellsApartWhatLiesAslant) {
+// Two squares that stand on a corner beside each other: their boxes overlap, the squares do not.
+TEST(Octagon, SeparatesDiagonalNeighboursWhoseBoxesOverlap) {
     const std::vector<Vec2> corners{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
     const Octagon a = Octagon::of(corners, {{0, 0}, {}});
     EXPECT_FALSE(overlap(a, Octagon::of(corners, {{Real(1.1), 1}, {}})));
@@ -124,8 +125,8 @@ TEST(Octagon, TellsApartWhatLiesAslant) {
     EXPECT_TRUE(overlap(a.box(), Octagon::of(corners, {{Real(1.1), 1}, {}}).box()));
 }
 
-// O1, O2: whoever is found by boxes alone is found by the octagons that are made of them.
-TEST(Octagon, OfABoxTellsNoMoreThanTheBox) {
+// O1, O2: octagons made of boxes overlap exactly if the boxes do.
+TEST(Octagon, OfABoxOverlapsExactlyWhenTheBoxDoes) {
     support::RandomNumbers random(74);
     const auto box = [&] {
         const Vec2 lower = random.point(3);
@@ -138,7 +139,7 @@ TEST(Octagon, OfABoxTellsNoMoreThanTheBox) {
     }
 }
 
-TEST(Octagon, FollowsAMoveAndHoldsAllOfIt) {
+TEST(Octagon, UnitedOverADisplacementContainsThePath) {
     support::RandomNumbers random(75);
     for (int i = 0; i < 5000; ++i) {
         const Placed placed(random, 5);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/math/rot.hpp>
+#include <kodo/math.hpp>
 #include <support/draws.hpp>
 #include <support/near.hpp>
 #include <support/random_numbers.hpp>
@@ -15,12 +15,12 @@ Real norm(Rot q) {
     return length(Vec2{q.c, q.s});
 }
 
-TEST(Rot, StartsUnturned) {
+TEST(Rot, DefaultIsTheIdentity) {
     EXPECT_EQ(Rot{} * (Vec2{3, 4}), (Vec2{3, 4}));
     EXPECT_EQ(Rot{}.angle(), 0);
 }
 
-TEST(Rot, TurnsCounterClockwise) {
+TEST(Rot, RotatesCounterClockwise) {
     const Rot quarter{0, 1};
     EXPECT_EQ(quarter * (Vec2{1, 0}), (Vec2{0, 1}));
     EXPECT_EQ(quarter.xAxis(), (Vec2{0, 1}));
@@ -29,7 +29,8 @@ TEST(Rot, TurnsCounterClockwise) {
                      2 * kEpsilon));
 }
 
-// B1: into and out of an orientation. Two products and a sum each way, of numbers up to 100.
+// B1: into and out of an orientation. Each direction has two products and a sum of numbers up to
+// 100.
 TEST(Rot, UnrotateUndoesRotate) {
     support::RandomNumbers random(4);
     for (int i = 0; i < 10000; ++i) {
@@ -58,14 +59,14 @@ TEST(Rot, AngleUndoesFromAngle) {
     }
 }
 
-TEST(Rot, NormalizeBringsBackToUnitLength) {
+TEST(Rot, NormalizeGivesUnitLength) {
     EXPECT_TRUE(near(norm(normalize(Rot{3, 4})), 1, 2 * kEpsilon));
     EXPECT_TRUE(near(normalize(Rot{3, 4}).c, 0.6L, kEpsilon));
 }
 
-// B3: ten million turns by an uneven angle. 1e-6 is what the thesis's user may rely on; what
-// each turn adds is taken out again, so only the last rounding is left.
-TEST(Rot, StaysUnitLengthOverTenMillionTurns) {
+// B3: ten million rotations by an uneven angle. The thesis permits an error of 1e-6. Each rotation
+// corrects the length, so only the last rounding remains.
+TEST(Rot, KeepsUnitLengthOverTenMillionRotations) {
     Rot q;
     for (int i = 0; i < support::draws(10000000); ++i) {
         q = turned(q, Real(0.0123));
@@ -73,8 +74,8 @@ TEST(Rot, StaysUnitLengthOverTenMillionTurns) {
     EXPECT_TRUE(near(norm(q), 1, 4 * kEpsilon));
 }
 
-// Three hundred steps of 0.01 rad: the error of an angle grows by a rounding with each turn.
-TEST(Rot, TurnsByAsMuchAsItIsTold) {
+// 300 steps of 0.01 rad: each rotation adds a rounding to the error of the angle.
+TEST(Rot, SmallRotationsAddUp) {
     Rot q;
     for (int i = 0; i < 300; ++i) {
         q = turned(q, Real(0.01));
@@ -83,16 +84,15 @@ TEST(Rot, TurnsByAsMuchAsItIsTold) {
                      byPrecision(300 * 1e-7, 300 * 2e-16)));
 }
 
-TEST(Rot, TurnsByALargeAngleExactlyOnTheCircle) {
+TEST(Rot, RotationByALargeAngleIsExact) {
     const Rot q = turned(Rot{}, Real(7));
     EXPECT_TRUE(near(q.c, std::cos(7.0L), 4 * kEpsilon));
     EXPECT_TRUE(near(q.s, std::sin(7.0L), 4 * kEpsilon));
 }
 
-// By however large an angle, up to the highest speed: then the direction means little, but it still
-// is one. From a vector that is as far off the circle as a snapshot may hold, three turns lead
-// back.
-TEST(Rot, TurnsOntoTheCircleFromWhereverItIs) {
+// Angles up to those of the highest speed: the direction is then inaccurate, but its length is 1.
+// Three rotations correct a vector that is as far off the unit circle as a snapshot permits.
+TEST(Rot, RotationRestoresUnitLength) {
     for (const Real radians : {Real(1e5), Real(-1e6), Real(1e7)}) {
         EXPECT_TRUE(near(norm(turned(Rot{}, radians)), 1, 1e-6)) << radians;
     }

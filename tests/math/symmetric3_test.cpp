@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/math/symmetric3.hpp>
 #include <support/near.hpp>
 #include <support/random_numbers.hpp>
+
+#include "math/symmetric3.hpp"
 
 namespace kodo {
 namespace {
@@ -11,14 +12,14 @@ Triple times(const Symmetric3& m, const Triple& v) {
             m.zx * v[0] + m.zy * v[1] + m.zz * v[2]};
 }
 
-TEST(Symmetric3, TheIdentityChangesNothing) {
+TEST(Symmetric3, SolvingWithTheIdentityChangesNothing) {
     EXPECT_EQ(Symmetric3::Factors(Symmetric3{}).solve({1, 2, 3}), (Triple{1, 2, 3}));
 }
 
-// A sum of three squares of random vectors is positive definite; what it makes of a random vector
-// is turned back into that. The squares are 1 to 100 in size and not nearly parallel, so a few
-// hundred roundings are all that may be lost.
-TEST(Symmetric3, SolvesWhatItMultiplied) {
+// A sum of three outer products of random vectors is positive definite. Solving inverts its product
+// with a random vector. The outer products are 1 to 100 in size and not nearly parallel, so at most
+// a few hundred roundings are lost.
+TEST(Symmetric3, SolvingInvertsMultiplication) {
     support::RandomNumbers random(11);
     for (int i = 0; i < 1000; ++i) {
         Symmetric3 m{1, 0, 1, 0, 0, 1};
@@ -40,7 +41,7 @@ TEST(Symmetric3, SolvesWhatItMultiplied) {
     }
 }
 
-// A mass a billion times another beside it loses nothing: each axis is solved by itself.
+// Masses of 1e9 and 1e-9 in one matrix lose no digits, since each axis is solved by itself.
 TEST(Symmetric3, SolvesAxesOfVeryDifferentSize) {
     const Triple found = Symmetric3::Factors({Real(1e9), 0, 1, 0, 0, Real(1e-9)}).solve({1, 1, 1});
     EXPECT_EQ(found, (Triple{1 / Real(1e9), 1, 1 / Real(1e-9)}));

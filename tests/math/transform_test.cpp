@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/math/transform.hpp>
+#include <kodo/math.hpp>
 #include <support/near.hpp>
 #include <support/random_numbers.hpp>
 
@@ -9,7 +9,7 @@ namespace {
 using support::kEpsilon;
 using support::near;
 
-TEST(Transform, TurnsFirstThenMoves) {
+TEST(Transform, RotatesBeforeItTranslates) {
     const Transform t{{10, 20}, {0, 1}};
     EXPECT_EQ(t * (Vec2{3, 0}), (Vec2{10, 23}));
     EXPECT_EQ(toLocal(t, Vec2{10, 23}), (Vec2{3, 0}));
@@ -25,7 +25,7 @@ TEST(Transform, ToLocalUndoesToWorld) {
     }
 }
 
-TEST(Transform, ProductAppliesTheRightOneFirst) {
+TEST(Transform, ProductAppliesTheRightFactorFirst) {
     support::RandomNumbers random(7);
     for (int i = 0; i < 10000; ++i) {
         const Transform a = random.pose(10);
@@ -35,7 +35,7 @@ TEST(Transform, ProductAppliesTheRightOneFirst) {
     }
 }
 
-TEST(Transform, BetweenLeadsFromOneToTheOther) {
+TEST(Transform, BetweenIsTheRelativeTransform) {
     support::RandomNumbers random(8);
     for (int i = 0; i < 10000; ++i) {
         const Transform a = random.pose(10);

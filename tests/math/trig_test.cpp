@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/math/trig.hpp>
 #include <support/near.hpp>
 #include <support/random_numbers.hpp>
+
+#include "math/trig.hpp"
 
 #include <cmath>
 
@@ -18,15 +19,15 @@ void expectSinCos(Real angle, Real tolerance) {
     ASSERT_TRUE(near(both.cos, std::cos(static_cast<long double>(angle)), tolerance)) << angle;
 }
 
-// As promised: within 2 units in the last place of 1.
-TEST(SinCos, AgreesWithTheLibraryUpToAHundred) {
+// The documented accuracy: 2 units in the last place of 1.
+TEST(SinCos, AgreesWithTheCLibraryUpToAHundredRadians) {
     for (int i = -200000; i <= 200000; ++i) {
         expectSinCos(static_cast<Real>(i) * Real(0.0005), 2 * kEpsilon);
     }
 }
 
-// As promised: one bit less for each doubling beyond 100.
-TEST(SinCos, LosesNoMoreThanABitWithEachDoubling) {
+// The documented accuracy beyond 100 rad: one bit less for each doubling.
+TEST(SinCos, LosesAtMostOneBitPerDoublingBeyondAHundredRadians) {
     support::RandomNumbers random(2);
     Real tolerance = 2 * kEpsilon;
     for (double reach = 100; reach < 50000; reach *= 2) {
@@ -37,7 +38,7 @@ TEST(SinCos, LosesNoMoreThanABitWithEachDoubling) {
     }
 }
 
-TEST(SinCos, IsExactWhereItCanBe) {
+TEST(SinCos, IsExactAtZeroAndForTinyAngles) {
     EXPECT_EQ(sinCos(Real(0)).sin, 0);
     EXPECT_EQ(sinCos(Real(0)).cos, 1);
     const Real tiny = Real(1e-20);
@@ -45,7 +46,7 @@ TEST(SinCos, IsExactWhereItCanBe) {
     EXPECT_EQ(sinCos(tiny).cos, 1);
 }
 
-TEST(SinCos, IsOddAndEven) {
+TEST(SinCos, SineIsOddAndCosineIsEven) {
     support::RandomNumbers random(3);
     for (int i = 0; i < 10000; ++i) {
         const Real angle = random.between(0, 10);
@@ -56,8 +57,8 @@ TEST(SinCos, IsOddAndEven) {
     }
 }
 
-// Halving three times, a series of nine terms and a factor of 8: a few roundings of the result.
-TEST(Atan2, AgreesWithTheLibraryAllAround) {
+// Three halvings, a series of nine terms and a factor of 8: a few roundings of the result.
+TEST(Atan2, AgreesWithTheCLibraryInAllDirections) {
     for (int i = -180000; i <= 180000; ++i) {
         const long double angle = static_cast<long double>(i) * 3.14159265358979L / 180000;
         const Real x = static_cast<Real>(3 * std::cos(angle));
@@ -68,7 +69,7 @@ TEST(Atan2, AgreesWithTheLibraryAllAround) {
     }
 }
 
-TEST(Atan2, TakesAnyLength) {
+TEST(Atan2, AcceptsVectorsOfAnyLength) {
     for (const double size : {1e-30, 1e-10, 1.0, 1e10, 1e30}) {
         const Real s = static_cast<Real>(size);
         EXPECT_TRUE(near(kodo::atan2(s, s), std::numbers::pi_v<long double> / 4, 2 * kEpsilon));
@@ -77,7 +78,7 @@ TEST(Atan2, TakesAnyLength) {
     }
 }
 
-TEST(Atan2, KnowsTheAxes) {
+TEST(Atan2, IsExactOnTheAxes) {
     const Real pi = std::numbers::pi_v<Real>;
     EXPECT_EQ(kodo::atan2(Real(0), Real(1)), 0);
     EXPECT_EQ(kodo::atan2(Real(1), Real(0)), pi / 2);

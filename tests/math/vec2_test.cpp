@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/math/vec2.hpp>
+#include <kodo/math.hpp>
 #include <support/near.hpp>
 #include <support/random_numbers.hpp>
 
@@ -8,13 +8,13 @@
 namespace kodo {
 namespace {
 
-// B1: one template for all of them.
+// B1: one template for all number types.
 template <typename T>
 class Vec2Of : public testing::Test {};
 using Numbers = testing::Types<float, double, long double, int>;
 TYPED_TEST_SUITE(Vec2Of, Numbers);
 
-TYPED_TEST(Vec2Of, StartsAtZero) {
+TYPED_TEST(Vec2Of, DefaultIsZero) {
     EXPECT_EQ(BasicVec2<TypeParam>{}, (BasicVec2<TypeParam>{0, 0}));
 }
 
@@ -32,7 +32,7 @@ TYPED_TEST(Vec2Of, AddsSubtractsAndScales) {
     EXPECT_EQ(v, (V{15, -12}));
 }
 
-TYPED_TEST(Vec2Of, MultipliesInThreeWays) {
+TYPED_TEST(Vec2Of, HasDotAndCrossProducts) {
     using V = BasicVec2<TypeParam>;
     EXPECT_EQ(dot(V{2, 3}, V{5, -7}), TypeParam{-11});
     EXPECT_EQ(cross(V{2, 3}, V{5, -7}), TypeParam{-29});
@@ -47,11 +47,11 @@ TYPED_TEST(Vec2Of, PerpIsAQuarterTurnCounterClockwise) {
     EXPECT_GT(cross(V{3, 4}, perp(V{3, 4})), TypeParam{0});
 }
 
-TEST(Vec2, DividesIntegersAsIntegersDo) {
+TEST(Vec2, DividesIntegersTowardsZero) {
     EXPECT_EQ((BasicVec2<int>{7, -9} / 2), (BasicVec2<int>{3, -4}));
 }
 
-// B1: 1/49 is not exact, so multiplying by it would miss; dividing must not.
+// B1: 1/49 is not exact, so a product with the reciprocal would round. A quotient must not.
 TEST(Vec2, DividesExactlyWhereTheReciprocalWouldRound) {
     for (int i = 1; i < 2000; ++i) {
         const Real divisor = static_cast<Real>(i);
@@ -60,7 +60,7 @@ TEST(Vec2, DividesExactlyWhereTheReciprocalWouldRound) {
     }
 }
 
-TEST(Vec2, MeasuresLength) {
+TEST(Vec2, HasEuclideanLength) {
     EXPECT_EQ(length(Vec2{3, -4}), 5);
     EXPECT_EQ(length(Vec2{}), 0);
     EXPECT_EQ(length(BasicVec2<long double>{0.75L, 1}), 1.25L);
@@ -84,7 +84,7 @@ TEST(Vec2, NormalizesTheZeroVectorToItself) {
     EXPECT_EQ(normalize(Vec2{}), Vec2{});
 }
 
-TEST(Vec2, KnowsWhatIsFinite) {
+TEST(Vec2, IsFiniteOnlyIfBothCoordinatesAre) {
     const Real inf = std::numeric_limits<Real>::infinity();
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     EXPECT_TRUE(isFinite(Vec2{1, -2}));

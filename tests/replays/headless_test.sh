@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# headless_test.sh APART_HEADLESS REPLAYS: what a user of apart-headless sees, from another folder.
+# headless_test.sh APART_HEADLESS REPLAYS: command-line tests of apart-headless, run in another
+# folder.
 set -u
 program=$1 replays=$2
 work=$(mktemp -d) || exit 1
@@ -8,7 +9,7 @@ trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 failed=0
 
-# expect CODE PATTERN COMMAND...: exit code, and a line of the output (both streams).
+# expect CODE PATTERN COMMAND...: checks the exit code and one line of the output (both streams).
 expect() {
     code=$1 pattern=$2
     shift 2
@@ -33,7 +34,7 @@ expect 0 "$json, \"hashesChecked\": 15, \"firstDifference\": null\\}\$" \
 expect 0 "$json, \"expectationsFailed\": 0\\}\$" \
     "$program" replay "$replays/keystone_caught.replay" --json
 
-# A level that nobody drew: its name in the replay is all that is needed to play it again.
+# A generated level: its name in the replay suffices to play it again.
 expect 0 "^endless:7:3, seed 5: " \
     "$program" bot --level endless:7:3 --seed 5 --ticks 900 --record endless.replay
 expect 0 'All 15 hashes agree' "$program" verify endless.replay
@@ -52,17 +53,17 @@ expect 0 '^\{"total": .*"ticks": 3000,.*"halts": 0, "escapes": 0, "bends": 0' \
 expect 2 'not in range' "$program" soak --ticks -5
 expect 2 'not in range' "$program" soak --first-seed -5
 
-# A pure game says so in its recording.
+# A recording of a pure game states the mode.
 expect 0 "$json\\}\$" "$program" bot --level first_light --mode pure --ticks 300 --record pure.replay \
     --json
 expect 0 '^pure$' cat pure.replay
 expect 0 'All 5 hashes agree' "$program" verify pure.replay
 
-# The same game twice, to the bit.
+# Two recordings of the same game are bitwise equal.
 "$program" bot --level mitosis --seed 7 --ticks 900 --record b.replay >/dev/null
 cmp -s a.replay b.replay || { echo 'FAILED: two recordings of one game differ'; failed=1; }
 
-# What is wrong is said in one sentence.
+# Each error is reported in one sentence.
 expect 2 'there is no such file' "$program" replay nothing.replay
 head -c 1000 a.replay >cut.replay
 expect 2 '^apart-headless: cut.replay:[0-9]+: the file is cut off' "$program" verify cut.replay

@@ -5,7 +5,7 @@
 
 namespace scenes {
 
-/// Four walls around a room whose lower left corner is the origin: bodies 0 to 3.
+/// Four walls around a room with its lower left corner at the origin: bodies 0 to 3.
 inline std::vector<BodyDef> room(double width, double height, Material material) {
     std::vector<BodyDef> walls{box(width + 2, 1, {width / 2, -0.5}, material),
                                box(width + 2, 1, {width / 2, height + 0.5}, material),
@@ -17,7 +17,8 @@ inline std::vector<BodyDef> room(double width, double height, Material material)
     return walls;
 }
 
-/// 50 smooth, lossless balls of radius 0.25 in a room of 10 by 10 m, up to 5 m/s each way.
+/// 50 balls of radius 0.25 m in a room of 10 by 10 m, frictionless, with restitution 1. Speeds up
+/// to 5 m/s per axis.
 inline SceneDef elasticGas() {
     const Material material{0, 1};
     SceneDef scene{"elastic gas", {}, room(10, 10, material)};
@@ -30,7 +31,8 @@ inline SceneDef elasticGas() {
     return scene;
 }
 
-/// Six balls at 40 m/s in a room of 12 by 9 m with a wall of locked blocks and one of loose ones.
+/// Six balls at 40 m/s in a room of 12 by 9 m, with one wall of static blocks and one of dynamic
+/// blocks.
 inline SceneDef fastBalls() {
     const Material material{0.2, 1};
     SceneDef scene{"fast balls", {}, room(12, 9, material)};

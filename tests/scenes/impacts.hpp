@@ -5,7 +5,7 @@
 
 namespace scenes {
 
-/// Balls of radius 0.5 on the x axis, 2 m of air between them, each flying at the other.
+/// Two balls of radius 0.5 m on the x axis, with a gap of 2 m, flying towards each other.
 inline SceneDef headOnBalls(double speed, double densityRatio, double restitution) {
     SceneDef scene{"head-on balls", {}, {}};
     const Material material{0.6, restitution};
@@ -16,8 +16,8 @@ inline SceneDef headOnBalls(double speed, double densityRatio, double restitutio
     return scene;
 }
 
-/// Body 0, a ball of radius 0.25, flies up at 3 m/s and strikes body 1, a free bar of 2 by 0.5 m
-/// with its lower side at y = 0, `offset` metres right of its centre, without friction.
+/// Body 0, a ball of radius 0.25 m, flies up at 3 m/s and hits body 1 without friction. Body 1 is a
+/// dynamic bar of 2 by 0.5 m, lower side at y = 0. The hit is `offset` (m) right of its centre.
 inline SceneDef ballOnBoxOffCentre(double offset, double restitution) {
     SceneDef scene{"ball on box off-centre", {}, {}};
     const Material material{0, restitution};
@@ -26,7 +26,7 @@ inline SceneDef ballOnBoxOffCentre(double offset, double restitution) {
     return scene;
 }
 
-/// Body 1, a unit box, falls on its corner: turned by 53 degrees, its lowest corner 1 m up.
+/// Body 1, a unit box rotated by 53 degrees, falls on its corner from a height of 1 m.
 inline SceneDef boxOnItsCorner(double restitution = 0) {
     SceneDef scene{"box dropped on its corner", kDown, {}};
     const Material material{0.6, restitution};
@@ -37,7 +37,7 @@ inline SceneDef boxOnItsCorner(double restitution = 0) {
     return scene;
 }
 
-/// Body 1, a ball of radius 0.5, falls 5 m onto the ground.
+/// Body 1, a ball of radius 0.5 m, falls 5 m onto the ground.
 inline SceneDef bouncingBall(double restitution) {
     SceneDef scene{"bouncing ball", kDown, {}};
     const Material material{0.6, restitution};
@@ -45,8 +45,8 @@ inline SceneDef bouncingBall(double restitution) {
     return scene;
 }
 
-/// Body 1, an L of two boxes (2 by 0.5 lying, 0.5 by 1 on its left end), falls from half a metre,
-/// turned by 17 degrees, so that it lands on its right end first.
+/// Body 1, an L of two boxes (2 by 0.5 m lying, 0.5 by 1 m on its left end), falls from 0.5 m.
+/// Rotated by 17 degrees, it lands on its right end first.
 inline SceneDef compoundDropped() {
     SceneDef scene{"two-box compound dropped", kDown, {}};
     BodyDef angle;
@@ -57,7 +57,7 @@ inline SceneDef compoundDropped() {
     return scene;
 }
 
-/// Body 0, a ball of radius 0.2, falls through three rows of round pins: bodies 1 to 15.
+/// Body 0, a ball of radius 0.2 m, falls through three rows of round pins: bodies 1 to 15.
 inline SceneDef ballThroughPins() {
     SceneDef scene{"ball through pins", kDown, {}};
     const Material material{0.3, 0.6};
@@ -73,8 +73,8 @@ inline SceneDef ballThroughPins() {
     return scene;
 }
 
-/// Body 0, a bar of 4 by 0.2 m, spins at 2 rad/s about its centre and sweeps into body 1, a ball
-/// of radius 0.25 at rest at (1.5, 1). Smooth and lossless.
+/// Body 0, a bar of 4 by 0.2 m, spins at 2 rad/s about its centre and hits body 1. Body 1 is a ball
+/// of radius 0.25 m at rest at (1.5, 1). Frictionless, restitution 1.
 inline SceneDef spinningBarHitsBall() {
     SceneDef scene{"spinning bar hits ball", {}, {}};
     const Material material{0, 1};

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <box2d/box2d.h>
 #include <scenes/scene_def.hpp>
 #include <scenes/scene_mass.hpp>
+
+#include <box2d/box2d.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,8 @@ inline b2Vec2 toBox2d(Vec2 v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y)};
 }
 
-/// The outline whose skin of b2_polygonRadius reaches as far as `corners` do: each corner moves
-/// inwards to where the two edges beside it meet after theirs.
+/// Compensates the skin of Box2D, b2_polygonRadius: shape and skin together cover `corners`. Each
+/// corner moves to the intersection of its two edges, both shifted inwards by the skin.
 inline b2PolygonShape inset(const std::vector<Vec2>& corners) {
     const double skin = static_cast<double>(b2_polygonRadius);
     const auto outward = [&](std::size_t i) {
@@ -49,7 +50,7 @@ inline b2CircleShape box2dShape(const Circle& circle) {
     return shape;
 }
 
-/// Pairs get Kodo's rule for restitution, the smaller one, where Box2D takes the larger.
+/// Combines restitutions by Kodo's rule, the minimum; Box2D takes the maximum.
 class SmallerRestitution : public b2ContactListener {
 public:
     void BeginContact(b2Contact* contact) override {
@@ -58,7 +59,7 @@ public:
     }
 };
 
-/// What locked bodies become: those that turn or fly, kinematic ones.
+/// Bodies with infinite mass are kinematic if they move, else static.
 inline b2BodyType box2dType(const BodyDef& body) {
     const bool moves = body.spin != 0 || dot(body.velocity, body.velocity) > 0;
     return !body.locked ? b2_dynamicBody : moves ? b2_kinematicBody : b2_staticBody;
@@ -73,7 +74,7 @@ inline void giveNominalMass(b2Body& body, const BodyDef& source) {
     body.SetMassData(&data);
 }
 
-/// `bounceThreshold`: the speed (m/s) below which nothing bounces.
+/// `bounceThreshold`: the approach speed (m/s) below which restitution is 0.
 inline b2Body* addToBox2d(b2World& world, const BodyDef& source, float bounceThreshold = 1) {
     b2BodyDef def;
     def.type = box2dType(source);

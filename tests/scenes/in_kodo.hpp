@@ -2,14 +2,14 @@
 #pragma once
 
 #include <kodo/kodo.hpp>
-
 #include <scenes/scene_def.hpp>
 
 #include <algorithm>
 #include <vector>
 
-// In the engine's inline namespace, so that one program may build scenes in both precisions.
-namespace scenes::inline KODO_PRECISION {
+// In the engine's inline namespace, so that one program can build scenes in both precisions.
+namespace scenes {
+inline namespace KODO_PRECISION {
 
 inline kodo::Vec2 toKodo(Vec2 v) {
     return {static_cast<kodo::Real>(v.x), static_cast<kodo::Real>(v.y)};
@@ -57,7 +57,11 @@ inline kodo::BodyDef toKodo(const BodyDef& body) {
     def.material = kodo::withFriction(static_cast<kodo::Real>(body.material.friction),
                                       static_cast<kodo::Real>(body.material.restitution));
     def.density = static_cast<kodo::Real>(body.density);
-    def.flags = (body.locked ? kodo::kLocked : 0) | body.kind;
+    const bool moves = def.velocity != kodo::Vec2{} || def.angularVelocity != 0;
+    def.type = !body.locked ? kodo::BodyType::Dynamic
+               : moves      ? kodo::BodyType::Kinematic
+                            : kodo::BodyType::Static;
+    def.flags = body.kind;
     if (body.meets != 0) {
         def.flags |= kodo::kMatchAny;
         def.required = body.meets;
@@ -65,16 +69,16 @@ inline kodo::BodyDef toKodo(const BodyDef& body) {
     return def;
 }
 
-/// The user flag of what gravity pulls, in a scene with bodies that it does not.
+/// User flag of bodies under gravity, for scenes with weightless bodies.
 inline constexpr kodo::Flags kHeavy = 0x8000;
 
-inline kodo::Pin toKodo(const PinDef& pin, const SceneDef& scene,
-                        const std::vector<kodo::BodyId>& ids) {
+inline kodo::RevoluteJoint toKodo(const PinDef& pin, const SceneDef& scene,
+                                  const std::vector<kodo::BodyId>& ids) {
     const auto anchor = [&](const BodyDef& body) {
         const Rot back{body.rotation.c, -body.rotation.s};
         return toKodo(back * (pin.point - body.position));
     };
-    kodo::Pin def;
+    kodo::RevoluteJoint def;
     def.ends.a = ids[pin.a];
     def.ends.b = ids[pin.b];
     def.ends.anchorA = anchor(scene.bodies[pin.a]);
@@ -84,7 +88,7 @@ inline kodo::Pin toKodo(const PinDef& pin, const SceneDef& scene,
     return def;
 }
 
-/// A scene in a World of its own; ids[i] is body i of the scene. A value, as a World is.
+/// A scene in its own World; ids[i] is body i of the scene.
 struct KodoScene {
     kodo::World world;
     std::vector<kodo::BodyId> ids;
@@ -112,4 +116,5 @@ inline KodoScene inKodo(const SceneDef& scene, const kodo::StepSettings& setting
     return result;
 }
 
-} // namespace scenes::inline KODO_PRECISION
+} // namespace KODO_PRECISION
+} // namespace scenes

@@ -5,9 +5,9 @@
 
 namespace scenes {
 
-/// Adds a square net of bodies 1 m apart, each pinned to those beside and below it half way between
-/// them, so that its meshes are loops. `corner` is the place of the top left one. Gives the place
-/// of that in the list; the others follow row by row.
+/// Adds a square net of bodies 1 m apart. Revolute joints connect each body to its neighbours at
+/// the midpoints, so the meshes form loops. `corner` is the position of the top left body. Returns
+/// the index of that body; the others follow row by row.
 inline std::size_t addNet(SceneDef& scene, int side, const BodyDef& knot, Vec2 corner) {
     const std::size_t first = scene.bodies.size();
     for (int i = 0; i < side * side; ++i) {
@@ -28,8 +28,8 @@ inline std::size_t addNet(SceneDef& scene, int side, const BodyDef& knot, Vec2 c
     return first;
 }
 
-/// Everything that pins make: a net hung by its upper corners, into which boxes fall, a chain that
-/// swings, a bar that a motor turns, and a loose net that falls to the ground.
+/// Revolute joints in all configurations: a hanging net hit by boxes, a swinging chain, a
+/// motor-driven bar, and a loose net falling to the ground.
 inline SceneDef nets() {
     SceneDef scene{"nets", kDown, {ground(60)}};
     const std::size_t hung = addNet(scene, 9, ball(0.4, {}), {-4, 14});

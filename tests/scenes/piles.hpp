@@ -5,7 +5,7 @@
 
 namespace scenes {
 
-/// Unit boxes on the ground, one on the other: bodies 1 to `count`, from below.
+/// A stack of unit boxes on the ground: bodies 1 to `count`, from below.
 inline SceneDef stack(int count) {
     SceneDef scene{"stack", kDown, {ground(20)}};
     for (int i = 0; i < count; ++i) {
@@ -14,7 +14,7 @@ inline SceneDef stack(int count) {
     return scene;
 }
 
-/// A pyramid of unit boxes, 0.1 m apart in a row: from below, from the left.
+/// A pyramid of unit boxes with gaps of 0.1 m in a row; order from below and from the left.
 inline SceneDef pyramid(int rows) {
     SceneDef scene{"pyramid", kDown, {ground(60)}};
     for (int row = 0; row < rows; ++row) {
@@ -26,7 +26,7 @@ inline SceneDef pyramid(int rows) {
     return scene;
 }
 
-/// Body 2, `ratio` times as dense, rests on body 1; both are unit boxes.
+/// Body 2 rests on body 1 and has `ratio` times its density. Both are unit boxes.
 inline SceneDef heavyOnLight(double ratio) {
     SceneDef scene = stack(2);
     scene.name = "heavy box on light box";
@@ -34,18 +34,19 @@ inline SceneDef heavyOnLight(double ratio) {
     return scene;
 }
 
-/// Bodies 1 to `count`, dominoes of 0.2 by 1 m, 0.6 m apart; the first is already falling.
+/// Bodies 1 to `count`: dominoes of 0.2 by 1 m, 0.6 m apart. The first one is tipping over.
 inline SceneDef dominoRow(int count) {
     SceneDef scene{"domino row", kDown, {ground(40, {0.5, 0})}};
     for (int i = 0; i < count; ++i) {
         scene.bodies.push_back(box(0.2, 1, {0.6 * i, 0.5}, {0.5, 0}));
     }
-    scene.bodies[1].velocity = {1, 0}; // of the centre, half a metre above the edge it turns on
+    // Velocity of the centre for a rotation about the bottom edge, 0.5 m below.
+    scene.bodies[1].velocity = {1, 0};
     scene.bodies[1].spin = -2;
     return scene;
 }
 
-/// Polygons of 3 to 8 corners, as random in shape as in place, falling between two walls.
+/// Polygons with 3 to 8 corners, random in shape and position, falling between two walls.
 inline SceneDef pile(int count) {
     SceneDef scene{"pile", kDown, {ground(20)}};
     for (const double x : {-4.0, 4.0}) {

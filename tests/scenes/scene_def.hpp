@@ -7,9 +7,9 @@
 #include <variant>
 #include <vector>
 
-/// Scenes as plain data that knows no engine: the tests, the benchmark and the sandbox build the
-/// same scene from it. SI units, x right, y up, polygons counter-clockwise. Only + - * / and sqrt
-/// go into the numbers, so that a scene has the same bits on every machine.
+/// Scenes as plain data, independent of any engine, shared by tests, benchmark and sandbox. SI
+/// units, x right, y up, polygons counter-clockwise. Only + - * / and sqrt are used, so the numbers
+/// are bitwise equal on every machine.
 namespace scenes {
 
 struct Vec2 {
@@ -27,7 +27,7 @@ constexpr double cross(Vec2 a, Vec2 b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// An orientation as (cos, sin) of its angle.
+/// A rotation as (cos, sin) of its angle.
 struct Rot {
     double c = 1;
     double s = 0;
@@ -36,13 +36,14 @@ struct Rot {
     }
 };
 
-/// The direction of a slope that climbs `rise` over `run`.
+/// The rotation of a slope that rises by `rise` over `run`.
 inline Rot slope(double rise, double run) {
     const double size = std::sqrt(rise * rise + run * run);
     return {run / size, rise / size};
 }
 
-/// The orientation whose half angle has this tangent: every angle below half a turn, and no sine.
+/// The rotation by twice the arctangent of `tangentOfHalf`, within half a turn, without
+/// trigonometric functions.
 constexpr Rot turnedBy(double tangentOfHalf) {
     const double t = tangentOfHalf;
     return {(1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)};
@@ -64,7 +65,7 @@ inline std::vector<Vec2> cornersOf(const Box& box) {
 }
 
 struct Polygon {
-    std::vector<Vec2> corners; // counter-clockwise, at most 8, so that every engine takes them
+    std::vector<Vec2> corners; // counter-clockwise; at most 8, the limit of Box2D
 };
 using Part = std::variant<Circle, Box, Polygon>;
 
@@ -75,26 +76,26 @@ struct Material {
 
 struct BodyDef {
     std::vector<Part> parts;
-    Vec2 position{}; // m; of the frame of the parts
+    Vec2 position{}; // m, of the frame of the parts
     Rot rotation{};
     Vec2 velocity{};    // m/s, of the centre of mass
     double spin = 0;    // rad/s, counter-clockwise
     double density = 1; // kg/m^2
     Material material{};
-    bool locked = false;     // nothing moves or turns it but its own velocity and spin
-    bool weightless = false; // gravity does not pull it
-    // Bits, for scenes in which not everything meets. There every body needs a kind.
-    std::uint16_t kind = 0;  // what it is
-    std::uint16_t meets = 0; // the kinds that it touches, if they touch its own; 0: everything
+    bool locked = false;     // static, or kinematic if it has a velocity
+    bool weightless = false; // not affected by gravity
+    // Collision filter bits, for scenes with filtering. There, every body needs a kind.
+    std::uint16_t kind = 0;  // category
+    std::uint16_t meets = 0; // mask; both masks must accept; 0: all
 };
 
-/// Two bodies that stay together at a point and turn about it, perhaps driven. They do not touch.
+/// A revolute joint, optionally with a motor. The two bodies do not collide.
 struct PinDef {
-    std::size_t a = 0; // places in the list of bodies
+    std::size_t a = 0; // indices of bodies
     std::size_t b = 0;
-    Vec2 point{};           // m, world, where the bodies start
+    Vec2 point{};           // m, world, at the start
     double motorSpeed = 0;  // rad/s, of b relative to a
-    double motorTorque = 0; // N m at most; 0: no motor
+    double motorTorque = 0; // N m, maximum; 0: no motor
 };
 
 struct SceneDef {
@@ -104,7 +105,7 @@ struct SceneDef {
     std::vector<PinDef> pins{};
 };
 
-inline constexpr Vec2 kDown{0, -10}; // m/s^2; round, so that closed forms are easy to follow
+inline constexpr Vec2 kDown{0, -10}; // m/s^2, a round number for simple closed forms
 
 inline BodyDef ball(double radius, Vec2 position, Material material = {}) {
     BodyDef def;
@@ -122,7 +123,7 @@ inline BodyDef box(double width, double height, Vec2 position, Material material
     return def;
 }
 
-/// A locked box whose top is at y = 0: the ground, or a slope when it is turned about the origin.
+/// A static box with its top at y = 0: the ground, or a slope if rotated about the origin.
 inline BodyDef ground(double width, Material material = {}, Rot rotation = {}) {
     BodyDef def = box(width, 2, rotation * Vec2{0, -1}, material);
     def.rotation = rotation;
@@ -130,7 +131,7 @@ inline BodyDef ground(double width, Material material = {}, Rot rotation = {}) {
     return def;
 }
 
-/// Numbers that look random and are the same everywhere: SplitMix64.
+/// Pseudorandom numbers, identical on every machine: SplitMix64.
 class Dice {
 public:
     explicit Dice(std::uint64_t seed) : state_(seed) {}
@@ -154,8 +155,9 @@ private:
     std::uint64_t state_;
 };
 
-/// The direction at a share (0..1) of the way around, from the x axis counter-clockwise. Not even
-/// in the angle: tan(45 degrees) is 1, so this fills each quarter without a sine.
+/// A direction at a share (0..1) of the full turn, counter-clockwise from the x axis. Not uniform
+/// in angle: interpolating the tangent of the half angle within each quadrant avoids trigonometric
+/// functions.
 inline Vec2 direction(double share) {
     double quarters = 4 * share;
     Vec2 quarter{1, 0};
@@ -166,8 +168,8 @@ inline Vec2 direction(double share) {
     return Rot{quarter.x, quarter.y} * Vec2{turn.c, turn.s};
 }
 
-/// Convex, `corners` of them on an ellipse around the origin. Corner k lies at the share
-/// (k + jitter) / corners of the way around, so that no two of them meet.
+/// A convex polygon with `corners` corners on an ellipse around the origin. Corner k lies at the
+/// share (k + jitter) / corners of the turn, so no two corners coincide.
 inline Polygon randomPolygon(Dice& dice, std::size_t corners, double width, double height) {
     Polygon polygon;
     for (std::size_t k = 0; k < corners; ++k) {

@@ -7,15 +7,15 @@
 
 namespace scenes {
 
-/// Mass (kg), centre (m) and inertia (kg m^2), by closed forms and the parallel axis theorem: the
-/// oracle of the tests, and the mass that bodies get in Box2D.
+/// Mass (kg), centre (m) and inertia (kg m^2) by closed forms and the parallel axis theorem. It
+/// serves as oracle for Kodo and as mass of bodies in Box2D.
 struct Mass {
     double mass = 0;
     Vec2 center;
-    double inertia = 0; // about the centre
+    double inertia = 0; // about the centre of mass
 };
 
-// Of a part with density 1.
+// Mass of a part with density 1.
 inline Mass massOfPart(const Circle& circle) {
     const double mass = std::numbers::pi * circle.radius * circle.radius;
     return {mass, circle.center, mass * circle.radius * circle.radius / 2};
@@ -26,7 +26,8 @@ inline Mass massOfPart(const Box& box) {
     return {mass, box.center, mass * (box.width * box.width + box.height * box.height) / 12};
 }
 
-/// By triangles (origin, p, q), inertia about the origin moved to the centre at the end.
+/// Sum over the triangles (origin, p, q). The inertia about the origin is shifted to the centre at
+/// the end.
 inline Mass massOfPart(const Polygon& polygon) {
     Mass sum;
     for (std::size_t i = 0; i < polygon.corners.size(); ++i) {

@@ -5,7 +5,7 @@
 
 namespace scenes {
 
-/// Body 1, a box of 1 by 0.5 m, starts along flat ground at 5 m/s.
+/// Body 1, a box of 1 by 0.5 m, slides on flat ground with an initial speed of 5 m/s.
 inline SceneDef slidingBox(double friction) {
     SceneDef scene{"sliding box", kDown, {}};
     const Material material{friction, 0};
@@ -14,7 +14,7 @@ inline SceneDef slidingBox(double friction) {
     return scene;
 }
 
-/// Body 1, a box of 1 by 0.5 m, lies on a slope of 3 over 4: it holds from friction 0.75 on.
+/// Body 1, a box of 1 by 0.5 m, on a slope of 3 over 4. It sticks at friction 0.75 and above.
 inline SceneDef boxOnSlope(double friction) {
     SceneDef scene{"box on a slope", kDown, {}};
     const Material material{friction, 0};
@@ -24,7 +24,7 @@ inline SceneDef boxOnSlope(double friction) {
     return scene;
 }
 
-/// Body 1, a ball of radius 0.5, starts to roll down a slope of 5 over 12.
+/// Body 1, a ball of radius 0.5 m, rolls down a slope of 5 over 12 from rest.
 inline SceneDef ballDownSlope() {
     SceneDef scene{"ball rolls down a slope", kDown, {}};
     const Material material{0.6, 0};
@@ -33,7 +33,7 @@ inline SceneDef ballDownSlope() {
     return scene;
 }
 
-/// One hill, ten bodies side by side along it (2 m apart): boxes of rising friction, then balls.
+/// A slope with ten bodies, 2 m apart: boxes of increasing friction, then balls.
 inline SceneDef incline() {
     SceneDef scene{"incline", kDown, {}};
     const Rot hill = slope(3, 4);

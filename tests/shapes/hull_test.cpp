@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/collide/sat.hpp>
-#include <kodo/shapes/box_fit.hpp>
-#include <kodo/shapes/hull.hpp>
-#include <kodo/shapes/measure.hpp>
+#include <kodo/geometry.hpp>
+#include <kodo/measure.hpp>
 #include <support/every_shape.hpp>
 #include <support/near.hpp>
+
+#include "collide/sat.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,11 +34,12 @@ bool isAPoint(const std::vector<Vec2>& points, Vec2 p) {
     return std::find(points.begin(), points.end(), p) != points.end();
 }
 
-/// By brute force: p is a corner if some line through it has all others strictly on one side.
+/// By brute force: p is a corner if all other points are strictly on one side of some line through
+/// it.
 std::size_t countCorners(const std::vector<Vec2>& points) {
     std::size_t corners = 0;
     for (const Vec2 p : points) {
-        // The widest gap between the directions to all others is at least half a turn.
+        // The widest gap between the directions to the other points is then more than pi.
         std::vector<double> angles;
         for (const Vec2 q : points) {
             if (q != p) {
@@ -57,14 +58,14 @@ std::size_t countCorners(const std::vector<Vec2>& points) {
 }
 
 // P3: every corner is one of the points, every point is inside, and no corner is missing.
-TEST(ConvexHull, IsThatOfBruteForce) {
+TEST(ConvexHull, AgreesWithBruteForce) {
     support::RandomNumbers random(171);
     int hulls = 0;
     for (int i = 0; i < 2000; ++i) {
         const std::vector<Vec2> points = cloud(random, 3 + random.below(20));
         const auto hull = convexHull(points);
         if (!std::holds_alternative<Polygon>(hull)) {
-            continue; // three points nearly on one line
+            continue; // three nearly collinear points
         }
         ++hulls;
         const Polygon& polygon = std::get<Polygon>(hull);
@@ -72,7 +73,7 @@ TEST(ConvexHull, IsThatOfBruteForce) {
         for (const Vec2 corner : polygon.corners) {
             ASSERT_TRUE(isAPoint(points, corner));
         }
-        // A flat corner that was left out may stick out by its height.
+        // An omitted flat corner may protrude by its height.
         const Real slack = 8 * kFlatness * 4;
         for (const Vec2 p : points) {
             for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
@@ -86,15 +87,15 @@ TEST(ConvexHull, IsThatOfBruteForce) {
     EXPECT_GE(hulls, 1999); // of 3 points in 4 x 4 m one in 1e5 is flat by kFlatness
 }
 
-TEST(ConvexHull, DropsDuplicatesAndWhatLiesAlongASide) {
+TEST(ConvexHull, DropsDuplicatesAndCollinearPoints) {
     const std::vector<Vec2> points{{0, 0}, {2, 0}, {1, 0}, {2, 2}, {0, 2}, {0, 0}, {1, 1}, {2, 1}};
     const auto hull = convexHull(points);
     ASSERT_TRUE(std::holds_alternative<Polygon>(hull));
     EXPECT_EQ(std::get<Polygon>(hull).corners, (std::vector<Vec2>{{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
 }
 
-// P3: what bulges by less than a polygon may is no corner, so that the hull is one.
-TEST(ConvexHull, DropsWhatLiesAlongASideToRounding) {
+// P3: a bulge below the flatness limit of polygons is no corner, so the hull is a valid polygon.
+TEST(ConvexHull, DropsNearlyCollinearPoints) {
     const Real bulge = kFlatness / 10;
     const auto hull =
         convexHull(std::vector<Vec2>{{0, 0}, {1, -bulge}, {2, 0}, {2 + bulge, 1}, {2, 2}, {0, 2}});
@@ -111,22 +112,22 @@ TEST(ConvexHull, DoesNotDependOnTheOrderOfThePoints) {
 }
 
 // P3: named errors.
-TEST(ConvexHull, SaysWhyThereIsNone) {
-    EXPECT_EQ(problemOf({}), "points: must have at least 3 distinct ones among them, but have 0");
+TEST(ConvexHull, RefusalNamesTheReason) {
+    EXPECT_EQ(problemOf({}), "points: must contain at least 3 distinct ones, but contain 0");
     EXPECT_EQ(problemOf({{1, 1}, {2, 2}, {1, 1}, {2, 2}}),
-              "points: must have at least 3 distinct ones among them, but have 2");
+              "points: must contain at least 3 distinct ones, but contain 2");
     EXPECT_EQ(problemOf({{0, 0}, {1, 1}, {2, 2}, {3, 3}}), "points: lie on one line, to rounding");
     const bool isFloat = sizeof(Real) == 4;
     const std::string beyond = std::string("must be from ") +
                                (isFloat ? "-1e+11 to 1e+11" : "-1e+19 to 1e+19") + ", but is ";
     EXPECT_EQ(problemOf({{0, 0}, {1, 1}, {0, std::numeric_limits<Real>::infinity()}}),
               "points[2]: " + beyond + "inf");
-    const Real far = 2 * kLargest;
+    const Real far = 2 * kMaxLength;
     EXPECT_EQ(problemOf({{0, 0}, {far, 0}, {0, far}}),
               "points[1]: " + beyond + (isFloat ? "2e+11" : "2e+19"));
 }
 
-TEST(ConvexHull, OfACircleOfTooManyPointsIsRefused) {
+TEST(ConvexHull, IsRefusedAboveTheMaximumNumberOfCorners) {
     std::vector<Vec2> points;
     for (int i = 0; i < 3000; ++i) {
         const double angle = 2 * std::numbers::pi * i / 3000;
@@ -135,7 +136,7 @@ TEST(ConvexHull, OfACircleOfTooManyPointsIsRefused) {
     EXPECT_EQ(problemOf(points), "points: have a hull of 3000 corners; a polygon has at most 1024");
 }
 
-/// The area of the box around points in a frame turned by `angle`.
+/// Area of the box around points, in a frame rotated by `angle` (rad).
 double boxArea(const std::vector<Vec2>& points, double angle) {
     double low[2] = {1e9, 1e9};
     double high[2] = {-1e9, -1e9};
@@ -152,7 +153,8 @@ double boxArea(const std::vector<Vec2>& points, double angle) {
     return (high[0] - low[0]) * (high[1] - low[1]);
 }
 
-// P2: no orientation, tried a tenth of a degree apart, has a smaller box, and it holds all points.
+// P2: no orientation in steps of a tenth of a degree has a smaller box. The box contains all
+// points.
 TEST(FitBox, IsTheSmallestOfAllOrientations) {
     support::RandomNumbers random(173);
     for (int i = 0; i < 300; ++i) {
@@ -178,7 +180,7 @@ TEST(FitBox, IsTheSmallestOfAllOrientations) {
     }
 }
 
-TEST(FitBox, FindsATurnedBoxAgain) {
+TEST(FitBox, RecoversARotatedBox) {
     const Box box{3, 1, {5, -2}, Rot::fromAngle(Real(0.7))};
     const auto fitted = fitBox(polygonOf(box).corners);
     const Real tolerance = support::byPrecision(4e-6, 1e-14);
@@ -186,14 +188,14 @@ TEST(FitBox, FindsATurnedBoxAgain) {
     EXPECT_TRUE(near(std::get<Box>(fitted).center, box.center, tolerance));
 }
 
-TEST(FitBox, SaysWhyThereIsNone) {
+TEST(FitBox, RefusalNamesTheField) {
     const auto fitted = fitBox(std::vector<Vec2>{{1, 1}, {1, 1}});
     ASSERT_TRUE(std::holds_alternative<Problem>(fitted));
     EXPECT_EQ(std::get<Problem>(fitted).field, "points");
 }
 
-// P4: same outline, sharpest corner first, smallest bounds.
-TEST(Arrange, KeepsTheOutline) {
+// P4: the same shape, with the sharpest corner first and the smallest bounds.
+TEST(Arrange, KeepsTheShapeAndPutsTheSharpestCornerFirst) {
     support::RandomNumbers random(174);
     for (int i = 0; i < 500; ++i) {
         const Polygon polygon = support::randomPolygon(random, 3 + random.below(14));
@@ -223,7 +225,7 @@ TEST(Arrange, KeepsTheOutline) {
 }
 
 int climbingSteps(const Polygon& polygon, support::RandomNumbers random) {
-    const Convex convex = convexOf(polygon, {});
+    const ConvexShape convex = convexShapeOf(polygon, {});
     int steps = 0;
     for (int i = 0; i < 500; ++i) {
         steps += climbToSupport(convex, random.rotation().xAxis(), 0).steps;
@@ -231,14 +233,14 @@ int climbingSteps(const Polygon& polygon, support::RandomNumbers random) {
     return steps;
 }
 
-// P4: climbing from the first corner to the extreme one takes fewer steps, counted over random
+// P4: a climb from the first corner to the extreme one takes fewer steps, summed over random
 // polygons and directions.
-TEST(Arrange, SavesStepsOfTheClimb) {
+TEST(Arrange, ShortensHillClimbs) {
     support::RandomNumbers random(175);
     int before = 0;
     int after = 0;
     for (int i = 0; i < 400; ++i) {
-        // Drops: a tip and a round end, with the list of corners starting anywhere.
+        // Drops: a tip and a round end. The list of corners starts at a random one.
         Polygon polygon{{{3, 0}}};
         const int count = 6 + static_cast<int>(random.below(8));
         for (int k = 0; k < count; ++k) {

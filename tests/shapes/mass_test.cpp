@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/shapes/mass.hpp>
+#include <kodo/measure.hpp>
 #include <support/convex_oracle.hpp>
 #include <support/near.hpp>
 #include <support/random_shapes.hpp>
@@ -11,7 +11,7 @@ using support::byPrecision;
 using support::near;
 using support::nearShare;
 
-// R4, P1: closed forms. Some ten roundings of the result itself.
+// R4, P1: closed forms, with some ten roundings of the result.
 constexpr Real kExact = byPrecision(1e-6, 2e-15);
 
 BasicPolygon<long double> widened(const Polygon& polygon) {
@@ -32,7 +32,8 @@ Polygon regular(std::size_t corners, double radius, Vec2 center) {
     return polygon;
 }
 
-/// By the boundary integrals (Green), centred first: not the fan that the engine sums.
+/// Mass by boundary integrals (Green) about the mean corner. The engine sums a triangle fan
+/// instead.
 BasicMass<long double> greenMass(const BasicPolygon<long double>& polygon, long double density) {
     const std::size_t n = polygon.corners.size();
     support::LongVec middle;
@@ -54,7 +55,7 @@ BasicMass<long double> greenMass(const BasicPolygon<long double>& polygon, long 
     return {density * area, middle + center, density * (second - area * dot(center, center))};
 }
 
-TEST(Mass, OfACircle) {
+TEST(Mass, OfACircleIsTheClosedForm) {
     const Mass mass = massOf(Circle{2, {5, -3}}, Real(3));
     const long double expected = 12 * std::numbers::pi_v<long double>;
     EXPECT_TRUE(nearShare(mass.mass, expected, kExact));
@@ -62,7 +63,7 @@ TEST(Mass, OfACircle) {
     EXPECT_EQ(mass.center, (Vec2{5, -3}));
 }
 
-TEST(Mass, OfABoxHoweverItIsTurned) {
+TEST(Mass, OfARotatedBoxIsTheClosedForm) {
     const Mass mass = massOf(Box{3, 4, {1, 2}, Rot::fromAngle(Real(0.7))}, Real(2));
     EXPECT_EQ(mass.mass, 24);
     EXPECT_EQ(mass.inertia, 50); // 24 (9 + 16) / 12
@@ -70,16 +71,16 @@ TEST(Mass, OfABoxHoweverItIsTurned) {
 }
 
 // I = m (a^2 + b^2 + c^2) / 36 with the three sides 3, 4, 5.
-TEST(Mass, OfATriangle) {
+TEST(Mass, OfATriangleIsTheClosedForm) {
     const Mass mass = massOf(Polygon{{{0, 0}, {3, 0}, {0, 4}}}, Real(1));
     EXPECT_TRUE(nearShare(mass.mass, 6, kExact));
     EXPECT_TRUE(nearShare(mass.inertia, 6.0L * 50 / 36, kExact));
     EXPECT_TRUE(near(mass.center, Vec2{1, Real(4) / 3}, 2 * kExact));
 }
 
-// A = n r^2 sin(2 pi / n) / 2,   I = m r^2 (2 + cos(2 pi / n)) / 6. The corners themselves are
-// rounded, each by half an epsilon of its size.
-TEST(Mass, OfARegularPolygon) {
+// A = n r^2 sin(2 pi / n) / 2,   I = m r^2 (2 + cos(2 pi / n)) / 6. The corners are rounded too,
+// each by half an epsilon of its size.
+TEST(Mass, OfARegularPolygonIsTheClosedForm) {
     for (const std::size_t n : {3u, 4u, 5u, 6u, 8u, 17u, 64u, 1000u}) {
         SCOPED_TRACE(n);
         const long double step = 2 * std::numbers::pi_v<long double> / static_cast<long double>(n);
@@ -92,14 +93,14 @@ TEST(Mass, OfARegularPolygon) {
     }
 }
 
-TEST(Mass, APolygonOfABoxIsABox) {
+TEST(Mass, OfABoxAsAPolygonIsThatOfTheBox) {
     const Mass box = massOf(Box{3, 2}, Real(5));
     const Mass polygon = massOf(Polygon{{{-1.5, -1}, {1.5, -1}, {1.5, 1}, {-1.5, 1}}}, Real(5));
     EXPECT_TRUE(nearShare(polygon.mass, box.mass, kExact));
     EXPECT_TRUE(nearShare(polygon.inertia, box.inertia, kExact));
 }
 
-// R4: the exact integral, against another formula in long double on the same rounded corners.
+// R4: the exact integral against another formula in long double, on the same rounded corners.
 TEST(Mass, OfRandomPolygonsAgreesWithTheBoundaryIntegral) {
     support::RandomNumbers random(21);
     for (int i = 0; i < 2000; ++i) {
@@ -112,9 +113,9 @@ TEST(Mass, OfRandomPolygonsAgreesWithTheBoundaryIntegral) {
     }
 }
 
-// 1000 m away a naive sum about the origin loses six digits of the inertia (6.9 % in float
-// for a hexagon). The oracle takes the same rounded corners, so only the algorithm is measured.
-TEST(Mass, KeepsItsDigitsAThousandMetresAway) {
+// At 1000 m, a sum about the origin loses six digits of the inertia (an error of 6.9 % in float for
+// a hexagon). The oracle uses the same rounded corners, so only the algorithm is measured.
+TEST(Mass, KeepsPrecisionAThousandMetresFromTheOrigin) {
     for (const std::size_t n : {3u, 6u, 12u}) {
         SCOPED_TRACE(n);
         const Polygon polygon = regular(n, 1, {1000, -1000});
@@ -126,7 +127,7 @@ TEST(Mass, KeepsItsDigitsAThousandMetresAway) {
     }
 }
 
-// An L of two boxes: 2 x 1 lying, 1 x 1 on its left half. Parallel axis by hand:
+// An L of two boxes: 2 x 1 lying, 1 x 1 on its left half. By the parallel axis theorem:
 // m = 3, centre (5/6, 5/6), I = 2 (4 + 1)/12 + 2 |d1|^2 + 1 (1 + 1)/12 + 1 |d2|^2.
 TEST(Mass, CombinesByTheParallelAxisTheorem) {
     const Mass lying = massOf(Box{2, 1, {1, Real(0.5)}}, Real(1));
@@ -141,7 +142,7 @@ TEST(Mass, CombinesByTheParallelAxisTheorem) {
     EXPECT_TRUE(nearShare(other.inertia, both.inertia, kExact));
 }
 
-TEST(Mass, CutInTwoAndCombinedIsTheWhole) {
+TEST(Mass, OfTwoHalvesCombinesToThatOfTheWhole) {
     support::RandomNumbers random(22);
     for (int i = 0; i < 500; ++i) {
         const Polygon whole = support::randomPolygon(random, 5 + random.below(10));
@@ -160,8 +161,8 @@ TEST(Mass, CutInTwoAndCombinedIsTheWhole) {
     }
 }
 
-// P1: the same templates in long double give what doubles cannot.
-TEST(Mass, InLongDoubleIsTheOracle) {
+// P1: the same templates in long double are more precise than double.
+TEST(Mass, InLongDoubleHasItsPrecision) {
     const BasicMass<long double> disc = massOf(BasicCircle<long double>{1, {}}, 1.0L);
     EXPECT_TRUE(near(disc.mass, std::numbers::pi_v<long double>, 1e-18L));
     EXPECT_TRUE(near(disc.inertia, std::numbers::pi_v<long double> / 2, 1e-18L));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/shapes/measure.hpp>
-#include <kodo/shapes/ray.hpp>
+#include <kodo/measure.hpp>
+#include <kodo/ray.hpp>
 #include <support/every_shape.hpp>
 #include <support/near.hpp>
 
@@ -15,19 +15,19 @@ using support::near;
 using Wide = long double;
 using WideVec = BasicVec2<Wide>;
 
-// Closed forms of a dozen roundings on values near 1.
+// Closed forms with a dozen roundings of values near 1.
 constexpr Wide kDozenRoundings = 1e-17L;
 
 BasicPolygon<Wide> squareFromOrigin() {
     return {{{0, 0}, {2, 0}, {2, 2}, {0, 2}}};
 }
 
-BasicBox<Wide> diamond() { // the square's box, about the same centre, turned by 45 degrees
+BasicBox<Wide> diamond() { // the square rotated by 45 degrees about its centre
     return {2, 2, {1, 1}, {std::sqrt(0.5L), std::sqrt(0.5L)}};
 }
 
-// P1: in long double, since all are templates.
-TEST(Primitives, HaveTheAreasOfTheTextbook) {
+// P1: in long double, which tests the templates.
+TEST(Primitives, HaveTextbookAreas) {
     EXPECT_TRUE(
         near(areaOf(BasicCircle<Wide>{2, {3, 4}}), 4 * std::numbers::pi_v<Wide>, kDozenRoundings));
     EXPECT_EQ(areaOf(BasicAabb<Wide>{{1, 2}, {4, 6}}), 12);
@@ -38,7 +38,7 @@ TEST(Primitives, HaveTheAreasOfTheTextbook) {
     EXPECT_EQ(areaOf(BasicSegment<Wide>{{0, 0}, {3, 4}, false, {}, {}}), 0);
 }
 
-TEST(Primitives, HaveTheirCentroids) {
+TEST(Primitives, HaveTextbookCentroids) {
     EXPECT_EQ(centroidOf(BasicCircle<Wide>{2, {3, 4}}), (WideVec{3, 4}));
     EXPECT_EQ(centroidOf(BasicAabb<Wide>{{1, 2}, {4, 6}}), (WideVec{2.5L, 4}));
     EXPECT_EQ(centroidOf(diamond()), (WideVec{1, 1}));
@@ -50,7 +50,7 @@ TEST(Primitives, HaveTheirCentroids) {
 }
 
 // pi r^4 / 2, b h (b^2 + h^2) / 12, and for a triangle with legs a: a^4 / 18.
-TEST(Primitives, HaveTheirSecondMoments) {
+TEST(Primitives, HaveTextbookSecondMoments) {
     EXPECT_TRUE(near(secondMomentOf(BasicCircle<Wide>{2, {3, 4}}), 8 * std::numbers::pi_v<Wide>,
                      8 * kDozenRoundings));
     EXPECT_TRUE(near(secondMomentOf(BasicAabb<Wide>{{1, 2}, {4, 6}}), 25, 10 * kDozenRoundings));
@@ -60,7 +60,7 @@ TEST(Primitives, HaveTheirSecondMoments) {
                      8 * kDozenRoundings));
 }
 
-TEST(Primitives, HaveTheirBounds) {
+TEST(Primitives, HaveTightBounds) {
     EXPECT_EQ(boundsOf(BasicPoint<Wide>{{3, 4}}), (BasicAabb<Wide>{{3, 4}, {3, 4}}));
     EXPECT_EQ(boundsOf(BasicCircle<Wide>{2, {3, 4}}), (BasicAabb<Wide>{{1, 2}, {5, 6}}));
     EXPECT_EQ(boundsOf(squareFromOrigin()), (BasicAabb<Wide>{{0, 0}, {2, 2}}));
@@ -72,7 +72,7 @@ TEST(Primitives, HaveTheirBounds) {
     EXPECT_TRUE(near(turned.upper, WideVec{1 + reach, 1 + reach}, kDozenRoundings));
 }
 
-TEST(Primitives, ContainTheirEdgesAndNothingBeyond) {
+TEST(Primitives, ContainTheirBoundaryAndNothingOutside) {
     const Wide tiny = 1e-15L;
     EXPECT_TRUE(contains(BasicCircle<Wide>{5, {0, 0}}, WideVec{3, 4}));
     EXPECT_FALSE(contains(BasicCircle<Wide>{5, {0, 0}}, WideVec{3, 4 + tiny}));
@@ -89,12 +89,13 @@ TEST(Primitives, ContainTheirEdgesAndNothingBeyond) {
     EXPECT_TRUE(contains(BasicPoint<Wide>{{1, 2}}, WideVec{1, 2}));
 }
 
-TEST(Primitives, ReachFarthestAlongADirection) {
+TEST(Primitives, SupportIsTheFarthestPointAlongADirection) {
     EXPECT_EQ(supportOf(BasicPoint<Wide>{{1, 2}}, WideVec{5, 5}), (WideVec{1, 2}));
     EXPECT_TRUE(near(supportOf(BasicCircle<Wide>{5, {1, 1}}, WideVec{6, 8}), WideVec{4, 5},
                      kDozenRoundings));
     EXPECT_EQ(supportOf(squareFromOrigin(), WideVec{1, 2}), (WideVec{2, 2}));
-    EXPECT_EQ(supportOf(squareFromOrigin(), WideVec{0, 1}), (WideVec{2, 2})) << "a tie: the first";
+    EXPECT_EQ(supportOf(squareFromOrigin(), WideVec{0, 1}), (WideVec{2, 2}))
+        << "in a tie the first corner";
     EXPECT_EQ(supportOf(BasicAabb<Wide>{{1, 2}, {4, 6}}, WideVec{-1, 2}), (WideVec{1, 6}));
     EXPECT_TRUE(near(supportOf(diamond(), WideVec{0, 1}),
                      WideVec{1, 1 + std::numbers::sqrt2_v<Wide>}, kDozenRoundings));
@@ -102,8 +103,8 @@ TEST(Primitives, ReachFarthestAlongADirection) {
               WideVec{});
 }
 
-// P1: no point that a primitive contains lies beyond its support, and its bounds hold it.
-TEST(Primitives, AgreeWithThemselvesOnRandomPoints) {
+// P1: no contained point lies beyond the support, and the bounds contain it.
+TEST(Primitives, ContainmentAgreesWithSupportAndBounds) {
     support::RandomNumbers random(141);
     for (int i = 0; i < 10000; ++i) {
         const Polygon polygon = support::randomPolygon(random, 3 + random.below(14));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/shapes/ray.hpp>
+#include <kodo/ray.hpp>
 #include <support/every_shape.hpp>
 #include <support/near.hpp>
 
@@ -26,7 +26,7 @@ BasicPolygon<Wide> square() {
 }
 
 // P1: closed forms, in long double.
-TEST(RayCast, MeetsEachPrimitiveWhereItShould) {
+TEST(RayCast, HitsEachPrimitiveAtTheClosedFormPoint) {
     const WideRay down{{0.6L, 5}, {0.6L, -5}};
     expectHit(BasicCircle<Wide>{1, {0, 0}}, down, 0.42L, {0.6L, 0.8L});
     expectHit(square(), down, 0.4L, {0, 1});
@@ -38,7 +38,7 @@ TEST(RayCast, MeetsEachPrimitiveWhereItShould) {
     expectHit(BasicBox<Wide>{2, 2, {0, 0}, {0.6L, 0.8L}}, {{0, 5}, {0, -5}}, 0.375L, {0.6L, 0.8L});
 }
 
-TEST(RayCast, MissesWhatLiesBesideBehindOrBeyondIt) {
+TEST(RayCast, MissesShapesBesideBehindOrBeyondTheRay) {
     const WideRay right{{2, 0}, {5, 0}};
     EXPECT_FALSE(rayCast(BasicCircle<Wide>{1, {0, 0}}, right)) << "behind";
     EXPECT_FALSE(rayCast(square(), right));
@@ -63,7 +63,7 @@ TEST(RayCast, CountsATouchAsAHit) {
     expectHit(BasicSegment<Wide>{{-1, 0}, {1, 0}, false, {}, {}}, atEnd, 0.5L, {0, 1});
 }
 
-TEST(RayCast, IsThereAlreadyWhenItStartsInside) {
+TEST(RayCast, HitsAtZeroIfItStartsInside) {
     const WideRay out{{0, 0}, {5, 0}};
     expectHit(BasicCircle<Wide>{1, {0, 0}}, out, 0, {});
     expectHit(square(), out, 0, {});
@@ -78,7 +78,7 @@ TEST(RayCast, IsThereAlreadyWhenItStartsInside) {
     expectHit(BasicSegment<Wide>{{-1, 0}, {1, 0}, true, {}, {}}, {{0, 0}, {0, -5}}, 0, {});
 }
 
-TEST(RayCast, AlongASegmentMeetsItsNearerEnd) {
+TEST(RayCast, AlongASegmentHitsTheNearerEnd) {
     const BasicSegment<Wide> segment{{-1, 0}, {1, 0}, false, {}, {}};
     expectHit(segment, {{-5, 0}, {5, 0}}, 0.4L, {-1, 0});
     expectHit(segment, {{5, 0}, {-5, 0}}, 0.4L, {1, 0});
@@ -86,14 +86,14 @@ TEST(RayCast, AlongASegmentMeetsItsNearerEnd) {
     EXPECT_FALSE(rayCast(segment, WideRay{{-5, 0}, {-2, 0}})) << "too short";
 }
 
-TEST(RayCast, MeetsAOneSidedSegmentFromItsFrontAlone) {
+TEST(RayCast, HitsAOneSidedSegmentOnlyFromTheFront) {
     const BasicSegment<Wide> segment{{-1, 0}, {1, 0}, true, {}, {}};
     expectHit(segment, {{0, 1}, {0, -1}}, 0.5L, {0, 1});
     EXPECT_FALSE(rayCast(segment, WideRay{{0, -1}, {0, 1}}));
     EXPECT_FALSE(rayCast(segment, WideRay{{-5, 0}, {5, 0}}));
 }
 
-TEST(RayCast, WithoutLengthHitsOnlyWhatItIsIn) {
+TEST(RayCast, OfZeroLengthHitsOnlyShapesThatContainIt) {
     const WideRay here{{0, 0}, {0, 0}};
     EXPECT_TRUE(rayCast(square(), here));
     EXPECT_FALSE(rayCast(BasicCircle<Wide>{1, {3, 0}}, here));
@@ -101,9 +101,9 @@ TEST(RayCast, WithoutLengthHitsOnlyWhatItIsIn) {
     EXPECT_FALSE(rayCast(BasicSegment<Wide>{{1, -1}, {1, 1}, false, {}, {}}, here));
 }
 
-// The point that is found lies on the outline, and nothing of the ray before it is inside: by
-// taking 200 samples. 10,000 rays at each.
-TEST(RayCast, EntersWhereFineSamplingDoes) {
+// The hit point is on the boundary, and no earlier point of the ray is inside, by 200 samples.
+// 10,000 rays for each primitive.
+TEST(RayCast, AgreesWithFineSampling) {
     support::RandomNumbers random(151);
     const Real tolerance = support::byPrecision(1e-5, 1e-13);
     const auto tryOne = [&](const auto& shape, const Ray& ray) {
@@ -137,10 +137,10 @@ TEST(RayCast, EntersWhereFineSamplingDoes) {
     }
 }
 
-// A segment is crossed by a ray whose ends lie on either side of it, if its own lie on either side
-// of the ray; and one with a front only by a ray that comes from there. Where two lie so near to
-// one line that it takes more digits to tell, either answer will do.
-TEST(RayCast, CrossesASegmentWhereEachPartsTheEndsOfTheOther) {
+// A ray crosses a segment if the ends of each lie on different sides of the other. A one-sided
+// segment is hit only from its front. Nearly collinear cases are skipped, since either answer is
+// valid.
+TEST(RayCast, HitsASegmentExactlyWhenTheyCross) {
     support::RandomNumbers random(152);
     const auto wide = [](Vec2 v) {
         return WideVec{static_cast<Wide>(v.x), static_cast<Wide>(v.y)};
@@ -165,7 +165,7 @@ TEST(RayCast, CrossesASegmentWhereEachPartsTheEndsOfTheOther) {
         ASSERT_EQ(hit.has_value(), crosses && (start > 0 || !segment.oneSided)) << "ray " << i;
         if (hit) {
             ++hits;
-            // A flat angle makes more of the way out of the same rounding.
+            // At a flat angle the same rounding is a larger error along the ray.
             const auto off = cross(along, wide(ray.at(hit->fraction)) - wide(segment.from));
             ASSERT_LT(std::abs(off), 64 * static_cast<Wide>(support::kEpsilon)) << "ray " << i;
             ASSERT_LT(dot(hit->normal, ray.way()), 0) << "ray " << i;

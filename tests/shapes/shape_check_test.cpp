@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/shapes/shape.hpp>
+#include <kodo/shape.hpp>
 #include <support/near.hpp>
 #include <support/random_shapes.hpp>
 
@@ -29,7 +29,7 @@ std::ostream& operator<<(std::ostream& out, const BadShape& bad) {
 
 class RefusedShape : public testing::TestWithParam<BadShape> {};
 
-// P3: a named error for every outline that is not strictly convex and counter-clockwise.
+// P3: a named error for every polygon that is not strictly convex and counter-clockwise.
 TEST_P(RefusedShape, NamesTheFieldAndTheReason) {
     const auto problem = check(GetParam().shape);
     ASSERT_TRUE(problem.has_value());
@@ -53,7 +53,7 @@ const BadShape kBadShapes[] = {
     {"NanHeight", Box{1, kNan}, "height", "nan"},
     {"InfiniteHeight", Box{1, kInf}, "height", "inf"},
     {"NanBoxCenter", Box{1, 1, {0, kNan}}, "center", "nan"},
-    // What is computed from these would overflow.
+    // Values whose products would overflow.
     {"RadiusBeyondSquares", Circle{kTooLarge}, "radius", "at most 1e"},
     {"WidthBeyondSquares", Box{kTooLarge, 1}, "width", "at most 1e"},
     {"CircleTooFarOff", Circle{1, {0, -kTooLarge}}, "center", "to 1e"},
@@ -93,15 +93,15 @@ INSTANTIATE_TEST_SUITE_P(Shapes, RefusedShape, testing::ValuesIn(kBadShapes),
                              return std::string(row.param.name);
                          });
 
-TEST(CheckShape, LetsGoodOnesThrough) {
+TEST(CheckShape, AcceptsValidShapes) {
     EXPECT_FALSE(check(Shape(Circle{1})).has_value());
     EXPECT_FALSE(check(Shape(Box{1, 2, {3, 4}, {0, 1}})).has_value());
     EXPECT_FALSE(check(Shape(Polygon{{{0, 0}, {1, 0}, {0, 1}}})).has_value());
     EXPECT_FALSE(check(Shape(Compound{{Circle{1}, Box{1, 1}}})).has_value());
-    EXPECT_FALSE(check(Shape(Circle{kLargest, {kLargest, -kLargest}})).has_value());
+    EXPECT_FALSE(check(Shape(Circle{kMaxLength, {kMaxLength, -kMaxLength}})).has_value());
 }
 
-TEST(CheckShape, LetsRandomConvexPolygonsThrough) {
+TEST(CheckShape, AcceptsRandomConvexPolygons) {
     support::RandomNumbers random(41);
     for (int i = 0; i < 500; ++i) {
         const Shape shape = support::randomPolygon(random, 3 + random.below(62));
@@ -110,8 +110,8 @@ TEST(CheckShape, LetsRandomConvexPolygonsThrough) {
     }
 }
 
-// P3: whichever corner comes first, the answer is the same.
-TEST(CheckShape, DoesNotDependOnWhichCornerIsFirst) {
+// P3: the result does not depend on the corner at which the list starts.
+TEST(CheckShape, DoesNotDependOnTheFirstCorner) {
     const std::vector<Vec2> concave{{0, 0}, {4, 0}, {1, 1}, {0, 4}};
     const std::vector<Vec2> convex{{0, 0}, {4, 0}, {3, 3}, {0, 4}};
     for (std::size_t first = 0; first < 4; ++first) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/shapes/convex.hpp>
-#include <kodo/shapes/mass.hpp>
+#include <kodo/convex_shape.hpp>
+#include <kodo/measure.hpp>
 #include <support/every_shape.hpp>
 #include <support/near.hpp>
 
@@ -22,8 +22,8 @@ Segment segment(Vec2 from, Vec2 to) {
     return {from, to, false, {}, {}};
 }
 
-// P1: what cannot be used is named by its field.
-TEST(ShapeKinds, NameTheFieldThatIsWrong) {
+// P1: a refusal names the invalid field.
+TEST(ShapeKinds, RefusalsNameTheField) {
     EXPECT_EQ(fieldOf(Point{{0, kInfinity}}), "position");
     EXPECT_EQ(fieldOf(segment({kInfinity, 0}, {1, 0})), "from");
     EXPECT_EQ(fieldOf(segment({1, 0}, {1, 0})), "to");
@@ -35,14 +35,14 @@ TEST(ShapeKinds, NameTheFieldThatIsWrong) {
     EXPECT_EQ(fieldOf(Plane{{0, 1}, kInfinity}), "offset");
     EXPECT_EQ(fieldOf(Heightmap{{kInfinity, 0}, 1, {0, 1}}), "origin");
     EXPECT_EQ(fieldOf(Heightmap{{0, 0}, 0, {0, 1}}), "spacing");
-    EXPECT_EQ(fieldOf(Heightmap{{-kLargest, 0}, 1, {0, 1}}), "spacing");
+    EXPECT_EQ(fieldOf(Heightmap{{-kMaxLength, 0}, 1, {0, 1}}), "spacing");
     EXPECT_EQ(fieldOf(Heightmap{{0, 0}, 1, {0}}), "heights");
     EXPECT_EQ(fieldOf(Heightmap{{0, 0}, 1, {0, 1, kInfinity}}), "heights[2]");
     EXPECT_EQ(fieldOf(Heightmap{{0, 0}, 1, std::vector<Real>(kMaxHeights + 1, 0)}), "heights");
     EXPECT_EQ(fieldOf(Compound{{Point{}, segment({0, 0}, {0, 0})}}), "parts[1].to");
 }
 
-TEST(ShapeKinds, LetGoodOnesThrough) {
+TEST(ShapeKinds, ValidShapesAreAccepted) {
     support::RandomNumbers random(161);
     for (int i = 0; i < 1000; ++i) {
         for (const support::AnyKind kind : support::kEveryKind) {
@@ -52,8 +52,8 @@ TEST(ShapeKinds, LetGoodOnesThrough) {
     EXPECT_FALSE(check(Shape(Heightmap{{-5, 2}, Real(0.5), {0, 1, -1}})));
 }
 
-// R4: a point is `density` kg, a segment so many kg for each metre.
-TEST(ShapeKinds, WeighWhatTheyShould) {
+// R4: the density of a point is in kg, that of a segment in kg/m.
+TEST(ShapeKinds, PointsAndSegmentsHaveTextbookMass) {
     const Mass point = massOf(Point{{1, 2}}, Real(3));
     EXPECT_EQ(point.mass, 3);
     EXPECT_EQ(point.inertia, 0);
@@ -64,22 +64,22 @@ TEST(ShapeKinds, WeighWhatTheyShould) {
     EXPECT_EQ(rod.center, (Vec2{Real(1.5), 2}));
     const Mass both = combine(massOf(Plane{{0, 1}, 2}, Real(1)), massOf(Plane{{0, 1}, 4}, Real(1)));
     EXPECT_EQ(both.mass, 0);
-    EXPECT_EQ(both.center, (Vec2{0, 3})) << "nothing to weigh by, but no NaN";
+    EXPECT_EQ(both.center, (Vec2{0, 3})) << "the mean of both, not NaN";
 }
 
-// F2: cells from left to right, each with the corners beside it.
+// F2: cells from left to right, each with the corners of its neighbours.
 TEST(ShapeKinds, AHeightmapIsARowOfOneSidedSegments) {
     const std::vector<Primitive> cells = primitivesOf(Shape(Heightmap{{1, 10}, 2, {0, 1, 3}}));
     ASSERT_EQ(cells.size(), 2u);
     EXPECT_EQ(std::get<Segment>(cells[0]), (Segment{{1, 10}, {3, 11}, true, {}, Vec2{5, 13}}));
     EXPECT_EQ(std::get<Segment>(cells[1]), (Segment{{3, 11}, {5, 13}, true, Vec2{1, 10}, {}}));
-    const Convex first = convexOf(cells[0], {});
-    const Convex second = convexOf(cells[1], {});
+    const ConvexShape first = convexShapeOf(cells[0], {});
+    const ConvexShape second = convexShapeOf(cells[1], {});
     EXPECT_EQ(first.after, -perp(second.normals[1])) << "to the bit";
     EXPECT_EQ(second.before, -perp(first.normals[1]));
 }
 
-TEST(ShapeKinds, OnlyWhatHasNoEndOrIsGroundNeedsALock) {
+TEST(ShapeKinds, OnlyPlanesAndHeightmapsNeedALock) {
     EXPECT_TRUE(needsLock(Shape(Plane{})));
     EXPECT_TRUE(needsLock(Shape(Heightmap{{0, 0}, 1, {0, 0}})));
     EXPECT_TRUE(needsLock(Shape(Compound{{Circle{1}, Plane{}}})));
@@ -87,18 +87,19 @@ TEST(ShapeKinds, OnlyWhatHasNoEndOrIsGroundNeedsALock) {
     EXPECT_FALSE(needsLock(Shape(segment({0, 0}, {1, 0}))));
 }
 
-// The half-plane is solid below its surface, and so are its bounds, as far as they can be.
-TEST(ShapeKinds, APlaneHasFiniteBoundsOnItsSurface) {
-    const Convex plane = convexOf(Plane{{0, 1}, 2}, {});
+// The half-plane is solid below its surface. Its bounds cover it as far as finite bounds can.
+TEST(ShapeKinds, APlaneHasFiniteBoundsUpToItsSurface) {
+    const ConvexShape plane = convexShapeOf(Plane{{0, 1}, 2}, {});
     const Aabb up = boundsOf(plane, {{5, 1}, {}});
-    EXPECT_EQ(up.upper, (Vec2{kEndless, 3}));
-    EXPECT_EQ(up.lower, (Vec2{-kEndless, -kEndless}));
-    const Aabb left = boundsOf(plane, {{5, 1}, {0, 1}}); // turned: its normal is (-1, 0)
-    EXPECT_EQ(left.lower, (Vec2{3, -kEndless}));
-    EXPECT_EQ(left.upper, (Vec2{kEndless, kEndless}));
+    EXPECT_EQ(up.upper, (Vec2{kPlaneExtent, 3}));
+    EXPECT_EQ(up.lower, (Vec2{-kPlaneExtent, -kPlaneExtent}));
+    const Aabb left = boundsOf(plane, {{5, 1}, {0, 1}}); // rotated: its normal is (-1, 0)
+    EXPECT_EQ(left.lower, (Vec2{3, -kPlaneExtent}));
+    EXPECT_EQ(left.upper, (Vec2{kPlaneExtent, kPlaneExtent}));
     support::RandomNumbers random(162);
     for (int i = 0; i < 10000; ++i) {
-        const Convex any = convexOf(support::randomPrimitive(random, support::AnyKind::Plane), {});
+        const ConvexShape any =
+            convexShapeOf(support::randomPrimitive(random, support::AnyKind::Plane), {});
         const Transform t = random.pose(10);
         const Vec2 p = random.point(20);
         if (contains(any, t, p)) {
@@ -107,16 +108,16 @@ TEST(ShapeKinds, APlaneHasFiniteBoundsOnItsSurface) {
     }
 }
 
-// Moving a shape and placing it are the same.
-TEST(ShapeKinds, MovedIsTheSameAsPlaced) {
+// Moving the primitive is equivalent to a pose of the shape.
+TEST(ShapeKinds, AMovedShapeAgreesWithAPlacedShape) {
     support::RandomNumbers random(163);
     const Real tolerance = support::byPrecision(4e-6, 1e-14); // up to 6 m, a few roundings
     for (int i = 0; i < 2000; ++i) {
         for (const support::AnyKind kind : support::kEveryKind) {
             const Primitive primitive = support::randomPrimitive(random, kind);
             const Transform t = random.pose(4);
-            const Convex placed = convexOf(primitive, {});
-            const Convex movedOne = convexOf(moved(primitive, t), {});
+            const ConvexShape placed = convexShapeOf(primitive, {});
+            const ConvexShape movedOne = convexShapeOf(moved(primitive, t), {});
             ASSERT_EQ(placed.vertices.size(), movedOne.vertices.size());
             ASSERT_EQ(placed.oneSided, movedOne.oneSided);
             ASSERT_TRUE(near(t.rotation * placed.before, movedOne.before, tolerance));
@@ -131,9 +132,8 @@ TEST(ShapeKinds, MovedIsTheSameAsPlaced) {
     }
 }
 
-// A line has nothing inside but itself.
 TEST(ShapeKinds, ALineContainsOnlyItself) {
-    const Convex line = convexOf(segment({-1, 0}, {1, 0}), {});
+    const ConvexShape line = convexShapeOf(segment({-1, 0}, {1, 0}), {});
     EXPECT_TRUE(contains(line, {}, {Real(0.5), 0}));
     EXPECT_FALSE(contains(line, {}, {Real(0.5), Real(1e-6)}));
     EXPECT_FALSE(contains(line, {}, {Real(1.5), 0}));

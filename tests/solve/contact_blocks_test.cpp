@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/contacts/contact_update.hpp>
-#include <kodo/solve/contact_blocks.hpp>
 #include <support/random_numbers.hpp>
+
+#include "contacts/contact_update.hpp"
+#include "solve/contact_blocks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@
 namespace kodo {
 namespace {
 
-/// Bodies and contacts between pairs of them at random; body 0 is locked and touches many.
+/// Bodies, and contacts between random pairs of them. Body 0 is locked and has many contacts.
 struct Crowd {
     Bodies bodies;
     std::vector<Contact> contacts;
@@ -20,10 +21,10 @@ struct Crowd {
     Crowd(std::uint64_t seed, std::uint32_t count, std::size_t pairs) {
         support::RandomNumbers random(seed);
         BodyDef def;
-        const std::shared_ptr<const Form> form = makeForm(partsOf(def));
+        const std::shared_ptr<const BodyGeometry> geometry = makeGeometry(partsOf(def));
         for (std::uint32_t i = 0; i < count; ++i) {
-            def.flags = i == 0 ? kLocked : Flags{0};
-            addBody(bodies, def, form);
+            def.type = i == 0 ? BodyType::Kinematic : BodyType::Dynamic;
+            addBody(bodies, def, geometry);
         }
         refreshAwake(bodies);
         noteStart(bodies);
@@ -54,7 +55,8 @@ struct Crowd {
     }
 };
 
-/// Neither within a block nor within a colour; and what a block writes back to is what it pushes.
+/// Checks that no body moves twice within a block or a colour, and that the lane masks mark exactly
+/// the bodies that are not locked.
 void expectNoBodyTwice(const Crowd& crowd, const ContactBlocks& blocks,
                        const ContactPassArguments& pass) {
     std::size_t i = 0;
@@ -80,10 +82,10 @@ void expectNoBodyTwice(const Crowd& crowd, const ContactBlocks& blocks,
     EXPECT_EQ(i, pass.count);
 }
 
-// Lanes of a block are solved at once, and so are, by several threads, the blocks of a colour: no
-// two of them may push the same body, with few contacts, with many, and with so many on one body
+// The lanes of a block are solved at once, and several threads solve the blocks of a colour at
+// once. So no two of them may move the same body. Cases: few contacts, many, and so many per body
 // that the colours run out.
-TEST(ContactBlocks, NoTwoContactsOfAColourPushTheSameBody) {
+TEST(ContactBlocks, NoTwoContactsOfAColourMoveTheSameBody) {
     for (const auto& [count, pairs] : {std::pair{30u, 40u}, {300u, 900u}, {20u, 2000u}}) {
         SCOPED_TRACE(pairs);
         Crowd crowd(count + pairs, count, pairs);
@@ -93,28 +95,28 @@ TEST(ContactBlocks, NoTwoContactsOfAColourPushTheSameBody) {
     }
 }
 
-// Lanes that most contacts have left are dealt out anew, so that passes do not go on over nothing.
-TEST(ContactBlocks, AreFilledAgainWhenMostLanesAreEmpty) {
+// If most lanes are empty, the lanes are assigned again, so that passes do not visit empty lanes.
+TEST(ContactBlocks, AreRebuiltWhenMostLanesAreEmpty) {
     Crowd crowd(23, 5000, 9000);
     ContactBlocks blocks;
     crowd.arrange(blocks);
     std::vector<Contact> few;
     for (std::size_t i = 0; i < crowd.contacts.size(); i += 10) {
-        blocks.fetch(crowd.contacts[i], crowd.bodies);
+        blocks.writeBack(crowd.contacts[i], crowd.bodies);
         few.push_back(crowd.contacts[i]);
     }
     crowd.contacts = few;
     const std::size_t sparse = crowd.arrange(blocks).count;
-    const ContactPassArguments pass = crowd.arrange(blocks); // now they know
+    const ContactPassArguments pass = crowd.arrange(blocks); // rebuilds
     expectNoBodyTwice(crowd, blocks, pass);
     EXPECT_EQ(blocks.size(), few.size());
-    // 900 contacts in lanes of eight, and in each colour a block that is not full.
+    // 900 contacts in blocks of eight, and one partly filled block per colour.
     EXPECT_LT(pass.count, few.size() / 3);
     EXPECT_LT(pass.count, sparse / 2);
 }
 
-// What is handed out comes back to the contact it came from.
-TEST(ContactBlocks, GiveEachContactItsOwnImpulseBack) {
+// Impulses return to the contact they came from.
+TEST(ContactBlocks, WriteEachImpulseBackToItsContact) {
     Crowd crowd(5, 200, 700);
     ContactBlocks blocks;
     crowd.arrange(blocks);
@@ -123,15 +125,15 @@ TEST(ContactBlocks, GiveEachContactItsOwnImpulseBack) {
         contact.impulse = {};
     }
     for (Contact& contact : after) {
-        blocks.fetch(contact, crowd.bodies);
+        blocks.writeBack(contact, crowd.bodies);
     }
     for (std::size_t i = 0; i < after.size(); ++i) {
         EXPECT_EQ(after[i].impulse[0].normal, static_cast<Real>(i));
     }
 }
 
-// Eight at a time in their lanes, or one by one, contacts go on alike, to the bit.
-TEST(ContactBlocks, CarryContactsOnAsTheyGoOnByThemselves) {
+// Resident contacts, updated eight at a time, have the same bits as contacts updated one by one.
+TEST(ContactBlocks, CarryContactsWithTheBitsOfSingleUpdates) {
     const Tolerances tolerances = Tolerances::forUnit(1);
     std::size_t outdated = 0;
     for (const std::uint64_t seed : {3u, 14u, 15u}) {
@@ -146,35 +148,35 @@ TEST(ContactBlocks, CarryContactsOnAsTheyGoOnByThemselves) {
                 p.armB = random.below(4) == 0 ? random.between(-0.5, -0.1) * contact.manifold.normal
                                               : random.point(0.5);
             }
-            contact.drift = random.between(0, 3) * tolerances.slop;
+            contact.relativeDisplacement = random.between(0, 3) * tolerances.slop;
             contact.bounces = random.below(2) == 0;
         }
         ContactBlocks blocks;
         crowd.arrange(blocks);
-        for (std::size_t i = 1; i < crowd.bodies.size(); i += 1 + random.below(2)) { // some stand
-            Motion& motion = crowd.bodies.motion[i];
+        for (std::size_t i = 1; i < crowd.bodies.size(); i += 1 + random.below(2)) { // some still
+            BodyVelocity& motion = crowd.bodies.motion[i];
             motion.velocity = random.point(1);
             motion.angularVelocity = random.between(-2, 2);
-            motion.move = random.point(0.002);
-            motion.turn = random.between(-0.002, 0.002);
+            motion.deltaPosition = random.point(0.002);
+            motion.deltaAngle = random.between(-0.002, 0.002);
         }
-        Crew nobody;
-        blocks.carry(crowd.bodies, nobody);
+        WorkerTeam serial;
+        blocks.carry(crowd.bodies, serial);
         for (const Contact& contact : crowd.contacts) {
             Contact alone = contact;
-            alone.row.lent = false;
+            alone.row.resident = false;
             const bool stays = followContact(alone, crowd.bodies, tolerances, false);
-            Contact lent = contact;
-            blocks.reclaim(lent, crowd.bodies);
-            ASSERT_EQ(followContact(lent, crowd.bodies, tolerances, true), stays);
-            ASSERT_EQ(lent.drift, alone.drift);
+            Contact resident = contact;
+            blocks.evict(resident, crowd.bodies);
+            ASSERT_EQ(followContact(resident, crowd.bodies, tolerances, true), stays);
+            ASSERT_EQ(resident.relativeDisplacement, alone.relativeDisplacement);
             outdated += stays ? 0 : 1;
             for (int i = 0; stays && i < contact.manifold.count; ++i) {
                 const auto at = static_cast<std::size_t>(i);
-                ASSERT_EQ(lent.manifold.points[at].separation,
+                ASSERT_EQ(resident.manifold.points[at].separation,
                           alone.manifold.points[at].separation);
-                ASSERT_EQ(lent.approachSpeed, alone.approachSpeed);
-                ASSERT_FALSE(std::signbit(lent.approachSpeed)); // 0 has a sign, too
+                ASSERT_EQ(resident.approachSpeed, alone.approachSpeed);
+                ASSERT_FALSE(std::signbit(resident.approachSpeed)); // no negative zero
             }
         }
     }
@@ -182,15 +184,15 @@ TEST(ContactBlocks, CarryContactsOnAsTheyGoOnByThemselves) {
     EXPECT_LT(outdated, 2000u);
 }
 
-// A contact in a lane has touched if one of its points is near enough, or was pushed.
-TEST(ContactBlocks, TellWhoTouched) {
+// A resident contact touches if one of its points is close enough or has an impulse.
+TEST(ContactBlocks, ReportTouchingContacts) {
     constexpr Real kSlop = Real(0.004);
     Crowd crowd(7, 200, 600);
     for (std::size_t i = 0; i < crowd.contacts.size(); ++i) {
         Manifold& manifold = crowd.contacts[i].manifold;
         manifold.points[0].separation = i % 3 == 0 ? kSlop : 2 * kSlop;
         manifold.points[1].separation =
-            i % 3 == 1 ? -kSlop : 2 * kSlop; // of two points, or of none
+            i % 3 == 1 ? -kSlop : 2 * kSlop; // with two points; unused with one
     }
     ContactBlocks blocks;
     const ContactPassArguments pass = crowd.arrange(blocks);
@@ -200,7 +202,7 @@ TEST(ContactBlocks, TellWhoTouched) {
             .points[0]
             .largest[row % ContactBlock::kContacts] = 1;
     }
-    Crew alone;
+    WorkerTeam alone;
     blocks.noteTouching(kSlop, alone);
     for (std::size_t i = 0; i < crowd.contacts.size(); ++i) {
         const bool near = i % 3 == 0 || (i % 3 == 1 && crowd.contacts[i].manifold.count == 2);
@@ -210,8 +212,8 @@ TEST(ContactBlocks, TellWhoTouched) {
     EXPECT_EQ(ContactBlocks().touched().back(), 0);
 }
 
-// Contacts with what cannot be pushed come last, so that they have the last word.
-TEST(ContactBlocks, WhatIsLockedComesLast) {
+// Contacts with locked bodies come last, so that they dominate.
+TEST(ContactBlocks, ContactsWithLockedBodiesComeLast) {
     Crowd crowd(11, 100, 400);
     ContactBlocks blocks;
     const ContactPassArguments pass = crowd.arrange(blocks);
@@ -223,16 +225,16 @@ TEST(ContactBlocks, WhatIsLockedComesLast) {
     EXPECT_TRUE(locked);
 }
 
-// Contacts come and go, bodies get locked and loose, lanes are dealt out anew: the blocks stay
-// sound, and what is carried on keeps its colour.
-TEST(ContactBlocks, StaySoundAsContactsComeAndGo) {
+// Contacts are added and removed, bodies are locked and unlocked, lanes are rebuilt. The blocks
+// stay consistent, and carried contacts keep their colour.
+TEST(ContactBlocks, StayConsistentAsContactsComeAndGo) {
     Crowd all(17, 120, 900);
     support::RandomNumbers random(18);
     Crowd some = all;
     ContactBlocks blocks;
     for (int step = 0; step < 200; ++step) {
         SCOPED_TRACE(step);
-        const std::uint64_t chance = step % 50 < 40 ? 10 : 1; // of ten; few are left at times
+        const std::uint64_t chance = step % 50 < 40 ? 10 : 1; // of ten; sometimes few remain
         std::erase_if(some.contacts,
                       [&](const Contact&) { return random.below(10) >= chance && chance == 1; });
         for (int i = 0; i < 20; ++i) {
@@ -241,8 +243,8 @@ TEST(ContactBlocks, StaySoundAsContactsComeAndGo) {
             some.contacts.push_back(contact);
         }
         const auto body = static_cast<std::uint32_t>(random.below(some.bodies.size()));
-        some.bodies.filter[body].flags ^= kLocked;
-        refreshBuild(some.bodies, body);
+        some.bodies.filter[body].flags ^= kTypeKinematic;
+        refreshDerived(some.bodies, body);
         std::vector<std::uint8_t> colours;
         for (Contact& contact : some.contacts) {
             const bool same = contact.key.bodyA != body && contact.key.bodyB != body;
@@ -257,7 +259,7 @@ TEST(ContactBlocks, StaySoundAsContactsComeAndGo) {
             }
         }
         for (Contact& contact : some.contacts) {
-            blocks.fetch(contact, some.bodies);
+            blocks.writeBack(contact, some.bodies);
         }
     }
 }

@@ -13,8 +13,8 @@ namespace {
 
 using support::sameBits;
 
-// The fastest are those for AVX2, where the machine and the build have it, and else the others.
-TEST(ContactPasses, ForAllMachinesAndTheFastestGiveTheSameBits) {
+// The fastest passes are those for AVX2 if build and machine have it, else the baseline.
+TEST(ContactPasses, BaselineAndFastestGiveTheSameBits) {
     const ContactPasses* const avx2 = ContactPasses::avx2();
     ASSERT_EQ(&ContactPasses::best(), avx2 != nullptr ? avx2 : &ContactPasses::baseline());
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -30,11 +30,11 @@ TEST(ContactPasses, ForAllMachinesAndTheFastestGiveTheSameBits) {
     }
 }
 
-// Impulses act between two bodies, so whatever the passes do, no momentum is made: to the rounding
-// of some hundred operations on numbers of size 10.
-TEST(ContactPasses, KeepMomentum) {
+// Impulses act between two bodies, so the passes conserve momentum: up to the rounding of some
+// hundred operations on numbers of size 10.
+TEST(ContactPasses, ConserveMomentum) {
     RandomBlocks blocks(7);
-    const std::vector<Motion> before = blocks.motion;
+    const std::vector<BodyVelocity> before = blocks.motion;
     blocks.run(ContactPasses::best());
     constexpr double kRounding = sizeof(Real) == 4 ? 1e-4 : 1e-12;
     std::size_t pushed = 0;
@@ -42,7 +42,7 @@ TEST(ContactPasses, KeepMomentum) {
         for (std::size_t lane = 0; lane < kContacts && !blocks.use[i].onLocked; ++lane) {
             const std::uint32_t a = bodyOfPlace(blocks.blocks[i].a[lane]);
             const std::uint32_t b = bodyOfPlace(blocks.blocks[i].b[lane]);
-            const auto momentum = [&](const std::vector<Motion>& motion) {
+            const auto momentum = [&](const std::vector<BodyVelocity>& motion) {
                 return motion[a].velocity / motion[a].invMass +
                        motion[b].velocity / motion[b].invMass;
             };
@@ -54,8 +54,8 @@ TEST(ContactPasses, KeepMomentum) {
     EXPECT_GT(pushed, kBlocks); // most of them
 }
 
-// After the passes contacts only push, and friction stays within the static cone.
-TEST(ContactPasses, PushAndNeverPull) {
+// After the passes normal impulses are at least 0, and friction stays within the static cone.
+TEST(ContactPasses, ImpulsesNeverPullAndFrictionStaysInItsCone) {
     RandomBlocks blocks(9);
     blocks.run(ContactPasses::best());
     for (const ContactBlock& block : blocks.blocks) {
@@ -70,13 +70,13 @@ TEST(ContactPasses, PushAndNeverPull) {
     }
 }
 
-/// What the passes know of one contact, in the precision of a double.
+/// One contact of a block, evaluated in double.
 struct Alone {
-    const Motion& a;
-    const Motion& b;
+    const BodyVelocity& a;
+    const BodyVelocity& b;
     Vec2 normal;
 
-    Alone(const std::vector<Motion>& motion, const ContactBlock& block, std::size_t lane)
+    Alone(const std::vector<BodyVelocity>& motion, const ContactBlock& block, std::size_t lane)
         : a(motion[bodyOfPlace(block.a[lane])]),
           b(motion[bodyOfPlace(block.b[lane])]),
           normal{block.normalX[lane], block.normalY[lane]} {}
@@ -87,14 +87,15 @@ struct Alone {
                double(leverA) * double(a.angularVelocity);
     }
     double gap(const ContactBlock::Point& point, std::size_t lane) const {
-        return double(point.separation[lane]) + double(dot(normal, b.move - a.move)) +
-               double(point.leverB[lane]) * double(b.turn) -
-               double(point.leverA[lane]) * double(a.turn);
+        return double(point.separation[lane]) +
+               double(dot(normal, b.deltaPosition - a.deltaPosition)) +
+               double(point.leverB[lane]) * double(b.deltaAngle) -
+               double(point.leverA[lane]) * double(a.deltaAngle);
     }
 };
 
-// The passes take the two scales of Softness for one. To the rounding of numbers of up to 50.
-TEST(ContactPasses, PushAsSoftnessSays) {
+// The passes combine the two scales of Softness. Tolerance: the rounding of numbers of up to 50.
+TEST(ContactPasses, ImpulsesFollowTheFormulaOfSoftness) {
     const RandomBlocks before(13);
     RandomBlocks after(13);
     const ContactPassArguments pass = after.pass();
@@ -127,9 +128,9 @@ TEST(ContactPasses, PushAsSoftnessSays) {
     EXPECT_GT(pushed, 100);
 }
 
-// Friction that holds leaves no speed along the tangent, although it is found from the speeds of
-// before the push along the normal.
-TEST(ContactPasses, FrictionThatHoldsStopsAllSliding) {
+// Sticking friction leaves no speed along the tangent, although it is computed from the speeds
+// before the normal impulse.
+TEST(ContactPasses, StickingFrictionStopsAllSliding) {
     RandomBlocks blocks(15);
     for (ContactBlock& block : blocks.blocks) {
         for (std::size_t lane = 0; lane < kContacts; ++lane) {
@@ -150,7 +151,7 @@ TEST(ContactPasses, FrictionThatHoldsStopsAllSliding) {
         for (std::size_t lane = 0; lane < kContacts; ++lane) {
             const Real pressed = block.points[0].impulse[lane] + block.points[1].impulse[lane];
             if (blocks.use[i].rolling >= 0 || pressed < Real(0.1)) {
-                continue; // rolling resistance turns both anew; without a press nothing holds
+                continue; // rolling changes the spin later; no pressure, no friction
             }
             const Alone alone(blocks.motion, block, lane);
             EXPECT_NEAR(alone.speed(perp(alone.normal), block.tangentLeverA[lane],
@@ -163,8 +164,8 @@ TEST(ContactPasses, FrictionThatHoldsStopsAllSliding) {
     EXPECT_GT(held, 50);
 }
 
-// The first substep of a step begins the sums anew, whatever the last step left there.
-TEST(ContactPasses, SumUpFromTheFirstSubstepOn) {
+// The first substep of a step resets the sums of the last step.
+TEST(ContactPasses, SumsStartInTheFirstSubstep) {
     RandomBlocks blocks(19);
     for (ContactBlock& block : blocks.blocks) {
         for (std::size_t lane = 0; lane < kContacts; ++lane) {

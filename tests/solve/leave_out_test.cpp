@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "support/solver.hpp"
 #include <support/scenes.hpp>
 
 namespace kodo {
 namespace {
+
+using support::kSolvers;
+using support::Solver;
 
 struct Named {
     const char* name;
@@ -10,8 +14,8 @@ struct Named {
 };
 constexpr Named kFeatures[] = {
     {"Friction", Feature::Friction},       {"RollingResistance", Feature::RollingResistance},
-    {"Restitution", Feature::Restitution}, {"Sweep", Feature::Sweep},
-    {"Records", Feature::Records},         {"Resting", Feature::Resting},
+    {"Restitution", Feature::Restitution}, {"ContinuousCollision", Feature::ContinuousCollision},
+    {"Records", Feature::Records},         {"Sleep", Feature::Sleep},
     {"Rotation", Feature::Rotation},
 };
 
@@ -28,7 +32,7 @@ WorldDef leavingOut(Feature feature, Vec2 gravity = support::kEarth) {
     return {.gravity = gravity, .settings = without({}, feature)};
 }
 
-/// Place and motion of a body, to be compared bit by bit.
+/// Pose and velocity of a body, for bitwise comparison.
 struct Bits {
     Vec2 position;
     Rot rotation;
@@ -46,7 +50,7 @@ std::vector<Bits> bitsOf(const World& world) {
     return all;
 }
 
-/// Columns of balls: where all normals are upright, nothing that does not rub can turn.
+/// Columns of balls. All normals are vertical, so without friction no ball can rotate.
 void addColumns(World& world, const Material& material) {
     for (int i = 0; i < 12; ++i) {
         const Vec2 place{static_cast<Real>(i % 4) * 2,
@@ -55,7 +59,7 @@ void addColumns(World& world, const Material& material) {
     }
 }
 
-/// Boxes and balls that slide and roll along the floor, none against another.
+/// Boxes and balls that slide and roll along the floor without touching each other.
 void addRow(World& world, const Material& material) {
     for (int i = 0; i < 10; ++i) {
         const Real x = static_cast<Real>(2 * i);
@@ -79,12 +83,13 @@ void addHeap(World& world, const Material& material) {
     }
 }
 
-/// What a feature has nothing to do in. Restitution also deals the blow of what does not bounce,
-/// so without it nothing may strike; the sweep also finds the moment of a bounce.
+/// A scene in which a feature has no effect. Restitution also applies the impact impulses of
+/// inelastic pairs, so without it nothing may collide. Continuous collision also finds the time of
+/// a bounce.
 World withoutUse(Feature feature, const StepSettings& settings) {
     World world({.gravity = {0, -1}, .settings = settings});
     const bool smooth = feature == Feature::Friction || feature == Feature::Rotation;
-    const bool dull = feature == Feature::Restitution || feature == Feature::Sweep;
+    const bool dull = feature == Feature::Restitution || feature == Feature::ContinuousCollision;
     Material material = withFriction(smooth ? Real(0) : Real(0.5), dull ? Real(0) : Real(0.4));
     const bool rolls = feature == Feature::RollingResistance || smooth;
     material.rollingResistance = rolls ? Real(0) : Real(0.05);
@@ -99,14 +104,14 @@ World withoutUse(Feature feature, const StepSettings& settings) {
     return world;
 }
 
-class LeaveOutOf : public testing::TestWithParam<Named> {};
+class LeaveOutFeature : public testing::TestWithParam<Named> {};
 
-// W3: leaving a feature out changes nothing where it has nothing to do, not one bit: frictionless
-// bodies without friction, slow ones without the sweep, a hundred steps without resting (restSteps
-// is larger), and any at all without records. Under both strategies.
-TEST_P(LeaveOutOf, ChangesNothingElse) {
+// W3: a feature that is left out changes no bit where it has no effect. Friction: frictionless
+// bodies. Continuous collision: slow bodies. Sleep: fewer steps than sleepSteps. Records: any
+// scene. With both solvers.
+TEST_P(LeaveOutFeature, ChangesNothingWhereItHasNoEffect) {
     for (StepSettings settings : {StepSettings{}, thesis2006()}) {
-        settings.restSteps = 1000;
+        settings.sleepSteps = 1000;
         const Feature feature = GetParam().feature;
         World with = withoutUse(feature, settings);
         World out = withoutUse(feature, without(settings, feature));
@@ -116,22 +121,22 @@ TEST_P(LeaveOutOf, ChangesNothingElse) {
             out.step(support::kDt);
             ASSERT_EQ(bitsOf(out), bitsOf(with)) << "step " << step;
             touches += with.collisions().size();
-            if (feature != Feature::Rotation && feature != Feature::Resting) {
-                // The hash sees inertias and how long bodies are calm, too.
+            if (feature != Feature::Rotation && feature != Feature::Sleep) {
+                // The hash also includes inertias and calm steps.
                 ASSERT_EQ(out.stateHash(), with.stateHash()) << "step " << step;
             }
         }
-        EXPECT_GT(touches, 200u); // there was something to change
+        EXPECT_GT(touches, 200u); // the scene has contacts
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Features, LeaveOutOf, testing::ValuesIn(kFeatures),
+INSTANTIATE_TEST_SUITE_P(Features, LeaveOutFeature, testing::ValuesIn(kFeatures),
                          [](const testing::TestParamInfo<Named>& row) {
                              return std::string(row.param.name);
                          });
 
-// W3: what is left out has no effect. Without friction a box slides on for ever.
-TEST(LeaveOut, WithoutFrictionABoxSlidesOn) {
+// W3: a feature that is left out has no effect. Without friction a box slides for ever.
+TEST(LeaveOut, WithoutFrictionABoxKeepsSliding) {
     World world(leavingOut(Feature::Friction));
     support::addFloor(world, withFriction(1));
     BodyDef def = support::boxDef({0, Real(0.5)}, 1, 1, withFriction(1));
@@ -153,7 +158,7 @@ TEST(LeaveOut, WithoutRestitutionNothingBounces) {
     EXPECT_LT(fastest, Real(0.05));
 }
 
-TEST(LeaveOut, WithoutRollingResistanceABallRollsOn) {
+TEST(LeaveOut, WithoutRollingResistanceABallKeepsRolling) {
     World world(leavingOut(Feature::RollingResistance));
     Material material = withFriction(Real(0.8));
     material.rollingResistance = Real(0.5);
@@ -166,11 +171,11 @@ TEST(LeaveOut, WithoutRollingResistanceABallRollsOn) {
     EXPECT_TRUE(support::near(world[ball].velocity().x, 3, Real(1e-3)));
 }
 
-// Without the sweep a fast ball is somewhere else before it could touch: the test that shows that
-// the sweep is what stops it.
-TEST(LeaveOut, WithoutTheSweepABallTunnels) {
+// Without continuous collision a fast ball passes the wall between two steps. This shows that
+// continuous collision is what stops it.
+TEST(LeaveOut, WithoutContinuousCollisionABallTunnels) {
     for (const bool sweeps : {true, false}) {
-        WorldDef def = leavingOut(Feature::Sweep);
+        WorldDef def = leavingOut(Feature::ContinuousCollision);
         def.gravity = {};
         def.settings.leaveOut = sweeps ? std::uint8_t{0} : def.settings.leaveOut;
         World world(def);
@@ -183,19 +188,19 @@ TEST(LeaveOut, WithoutTheSweepABallTunnels) {
     }
 }
 
-TEST(LeaveOut, WithoutRestingNothingIsPutToRest) {
+TEST(LeaveOut, WithoutSleepNoBodyFallsAsleep) {
     for (const bool rests : {true, false}) {
-        WorldDef def = leavingOut(Feature::Resting);
+        WorldDef def = leavingOut(Feature::Sleep);
         def.settings.leaveOut = rests ? std::uint8_t{0} : def.settings.leaveOut;
         World world(def);
         support::addFloor(world);
         const BodyId box = world.add(support::boxDef({0, Real(0.5)}, 1, 1));
         support::run(world, 300);
-        EXPECT_EQ((world[box].flags() & kResting) != 0, rests);
+        EXPECT_EQ((world[box].flags() & kAsleep) != 0, rests);
     }
 }
 
-TEST(LeaveOut, WithoutRecordsThereAreNone) {
+TEST(LeaveOut, WithoutRecordsNoCollisionIsRecorded) {
     World world(leavingOut(Feature::Records));
     support::addFloor(world);
     const BodyId box = world.add(support::boxDef({0, Real(0.5)}, 1, 1));
@@ -204,16 +209,16 @@ TEST(LeaveOut, WithoutRecordsThereAreNone) {
     EXPECT_NE(world[box].flags() & kColliding, 0u);
 }
 
-// Without rotation a heap falls, slides and piles up, but nothing turns, and no spin arises.
-TEST(LeaveOut, WithoutRotationNothingTurns) {
-    for (const Strategy strategy : {Strategy::SoftStep, Strategy::Propagation}) {
+// Without rotation a heap falls, slides and piles up, but no body rotates or gains spin.
+TEST(LeaveOut, WithoutRotationNoBodyRotates) {
+    for (const Solver strategy : kSolvers) {
         WorldDef def = leavingOut(Feature::Rotation);
-        def.settings.strategy = strategy;
+        def.settings.solver = support::settingsOf(strategy).solver;
         World world(def);
         support::addHeap(world, 7, 30);
         const BodyId a = world.bodies()[5];
         const BodyId b = world.bodies()[6];
-        world.add(Spring{.ends = {a, b, {Real(0.1), 0}, {}}, .length = 1, .hertz = 3});
+        world.add(DistanceJoint{.ends = {a, b, {Real(0.1), 0}, {}}, .length = 1, .hertz = 3});
         world[a].applyTorque(100);
         const std::vector<Bits> before = bitsOf(world);
         support::run(world, 200);
@@ -226,8 +231,8 @@ TEST(LeaveOut, WithoutRotationNothingTurns) {
     }
 }
 
-// A blow beside the centre moves a bar as if it were a point: v = J / m.
-TEST(LeaveOut, WithoutRotationAnOffCentreBlowMovesStraight) {
+// An off-centre impact moves a bar as if it were a point: v = J / m.
+TEST(LeaveOut, WithoutRotationAnOffCentreImpactOnlyTranslates) {
     World world(leavingOut(Feature::Rotation, {}));
     const BodyId bar = world.add(support::boxDef({}, 4, 1, support::slippery(1)));
     BodyDef ball = support::ballDef({Real(1.5), -3}, Real(0.5), support::slippery(1));
@@ -241,11 +246,12 @@ TEST(LeaveOut, WithoutRotationAnOffCentreBlowMovesStraight) {
     EXPECT_EQ(world[bar].angularVelocity(), 0);
 }
 
-// It is as kLockRotate is: what is told to turn turns, and nothing brakes it.
-TEST(LeaveOut, WithoutRotationASpinThatIsSetGoesOn) {
+// Like kLockRotate: a set angular velocity persists, and nothing changes it.
+TEST(LeaveOut, WithoutRotationASetAngularVelocityPersists) {
     World world(leavingOut(Feature::Rotation));
     support::addFloor(world, withFriction(1));
-    const BodyId locked = world.add({.shape = Box{1, 1}, .position = {5, 5}, .flags = kLocked});
+    const BodyId locked =
+        world.add({.shape = Box{1, 1}, .position = {5, 5}, .type = BodyType::Kinematic});
     world[locked].setAngularVelocity(1);
     const BodyId ball = world.add(support::ballDef({0, Real(0.5)}, Real(0.5), withFriction(1)));
     world[ball].setAngularVelocity(-2);
@@ -255,19 +261,19 @@ TEST(LeaveOut, WithoutRotationASpinThatIsSetGoesOn) {
     EXPECT_TRUE(support::near(world[locked].rotation().angle(), 1.0L, Real(1e-4)));
 }
 
-// It may change between steps: spins end when it is left out; what stood on a corner wakes and
-// falls over when it is back.
-TEST(LeaveOut, RotationMayComeAndGo) {
+// The feature may change between steps. When it is left out, all spin ends. When it is back, a box
+// that stands on a corner wakes and falls over.
+TEST(LeaveOut, RotationMayBeSwitchedBetweenSteps) {
     World world(leavingOut(Feature::Rotation));
     support::addFloor(world);
     BodyDef def = support::boxDef({0, Real(0.75)}, 1, 1);
-    def.rotation = Rot::fromAngle(Real(0.7)); // a little less than an eighth of a turn
+    def.rotation = Rot::fromAngle(Real(0.7)); // a little less than pi/4
     const BodyId box = world.add(def);
     support::run(world, 200);
-    ASSERT_NE(world[box].flags() & kResting, 0u);
+    ASSERT_NE(world[box].flags() & kAsleep, 0u);
     EXPECT_EQ(world[box].rotation(), normalize(Rot::fromAngle(Real(0.7))));
     world.setSettings({});
-    EXPECT_EQ(world[box].flags() & kResting, 0u);
+    EXPECT_EQ(world[box].flags() & kAsleep, 0u);
     support::run(world, 30);
     EXPECT_NE(world[box].angularVelocity(), 0);
     world.setSettings(without({}, Feature::Rotation));
@@ -277,19 +283,19 @@ TEST(LeaveOut, RotationMayComeAndGo) {
     EXPECT_EQ(world[box].rotation(), now);
 }
 
-// What rests only by the grace of a feature wakes when that is left out.
-TEST(LeaveOut, ABoxAtRestOnASlopeSlidesOnceThereIsNoFriction) {
+// A body that can only sleep because of a feature wakes when that feature is left out.
+TEST(LeaveOut, ASleepingBoxOnASlopeSlidesOnceFrictionIsLeftOut) {
     World world({.gravity = support::kEarth});
     const Rot tilt = Rot::fromAngle(Real(-0.3));
     world.add({.shape = Box{40, 1},
                .position = Real(-0.5) * tilt.yAxis(),
                .rotation = tilt,
-               .flags = kLocked});
+               .type = BodyType::Kinematic});
     BodyDef def = support::boxDef(Real(0.5) * tilt.yAxis(), 1, 1);
     def.rotation = tilt;
     const BodyId box = world.add(def);
     support::run(world, 120);
-    ASSERT_NE(world[box].flags() & kResting, 0u);
+    ASSERT_NE(world[box].flags() & kAsleep, 0u);
     world.setSettings(without({}, Feature::Friction));
     support::run(world, 60);
     EXPECT_GT(world[box].velocity().x, 2); // g sin 0.3 = 2.96 m/s^2

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/solve/contact_block.hpp>
 #include <support/random_numbers.hpp>
+
+#include "solve/contact_block.hpp"
 
 #include <vector>
 
@@ -11,10 +12,10 @@ namespace kodo {
 inline constexpr int kContacts = ContactBlock::kContacts;
 inline constexpr std::size_t kBlocks = 40;
 
-/// Blocks of contacts between bodies of their own, some without rolling, some with one point only,
-/// some apart, some deep, some between a body and one that cannot be pushed.
+/// Blocks of contacts between independent pairs of bodies: with and without rolling resistance,
+/// with one or two points, separated or deep, some with a locked body.
 struct RandomBlocks {
-    std::vector<Motion> motion;
+    std::vector<BodyVelocity> motion;
     std::vector<Extent> extent;
     std::vector<Carried> carried = std::vector<Carried>(kBlocks * kContacts);
     std::vector<ContactBlock> blocks = std::vector<ContactBlock>(kBlocks);
@@ -41,12 +42,12 @@ struct RandomBlocks {
     }
 
     std::uint32_t addBody(support::RandomNumbers& random, bool locked) {
-        Motion body;
+        BodyVelocity body;
         body.velocity = random.point(5);
         body.angularVelocity = random.between(-3, 3);
         body.invMass = locked ? 0 : random.between(0.1, 4);
-        body.move = random.point(0.01);
-        body.turn = random.between(-0.01, 0.01);
+        body.deltaPosition = random.point(0.01);
+        body.deltaAngle = random.between(-0.01, 0.01);
         body.invInertia = locked ? 0 : random.between(0.1, 9);
         motion.push_back(body);
         extent.push_back({random.between(0.1, 2), 0});
@@ -55,8 +56,8 @@ struct RandomBlocks {
 
     void fill(support::RandomNumbers& random, std::size_t i, std::size_t lane) {
         ContactBlock& block = blocks[i];
-        block.a[lane] = placeOfMotion(addBody(random, use[i].onLocked));
-        block.b[lane] = placeOfMotion(addBody(random, false));
+        block.a[lane] = velocityOffset(addBody(random, use[i].onLocked));
+        block.b[lane] = velocityOffset(addBody(random, false));
         const Rot normal = random.rotation();
         block.normalX[lane] = normal.c;
         block.normalY[lane] = normal.s;
@@ -94,14 +95,14 @@ struct RandomBlocks {
                 {Softness::from(60, 10, h), Softness::from(120, 10, h), 1 / h, true, 1}};
     }
 
-    /// A whole substep, and another, and to the next step.
+    /// Runs two substeps, and advances to the next step.
     void run(const ContactPasses& passes) {
         ContactPassArguments pass = this->pass();
         for (int substep = 0; substep < 2; ++substep) {
             pass.settings.kept = substep == 0 ? Real(0) : Real(1);
             passes.warmStart(pass);
             passes.solve(pass);
-            passes.settle(pass);
+            passes.relaxNormal(pass);
             passes.relax(pass);
         }
         passes.carry({blocks.data(), carried.data(), use.data(), order.data(), kBlocks,

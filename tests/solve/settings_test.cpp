@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/solve/settings.hpp>
+#include <kodo/settings.hpp>
 #include <support/near.hpp>
 
 #include <functional>
@@ -7,26 +7,27 @@
 namespace kodo {
 namespace {
 
-TEST(StepSettings, DefaultsAndProfilesAreGood) {
+TEST(StepSettings, DefaultsAndProfilesAreValid) {
     EXPECT_FALSE(check(StepSettings{}).has_value());
     EXPECT_FALSE(check(thesis2006()).has_value());
 }
 
-// Every number can be set alone, and each has its range and its name in the sentence.
+// A refusal of a single number out of range names its field.
 TEST(StepSettings, EachNumberIsChecked) {
     struct Bad {
         const char* field;
         std::function<void(StepSettings&)> spoil;
     };
     const Bad rows[] = {
-        {"settings.substeps", [](StepSettings& s) { s.substeps = 0; }},
-        {"settings.substeps", [](StepSettings& s) { s.substeps = 65; }},
-        {"settings.impactPasses", [](StepSettings& s) { s.impactPasses = -1; }},
-        {"settings.impactPasses", [](StepSettings& s) { s.impactPasses = 1001; }},
-        {"settings.contactHertz", [](StepSettings& s) { s.contactHertz = 0; }},
-        {"settings.contactHertz", [](StepSettings& s) { s.contactHertz = support::kNan; }},
-        {"settings.contactDamping", [](StepSettings& s) { s.contactDamping = support::kInf; }},
-        {"settings.pushSpeed", [](StepSettings& s) { s.pushSpeed = -1; }},
+        {"settings.substeps", [](StepSettings& s) { s.soft().substeps = 0; }},
+        {"settings.substeps", [](StepSettings& s) { s.soft().substeps = 65; }},
+        {"settings.impactPasses", [](StepSettings& s) { s.soft().impactPasses = -1; }},
+        {"settings.impactPasses", [](StepSettings& s) { s.soft().impactPasses = 1001; }},
+        {"settings.contactHertz", [](StepSettings& s) { s.soft().contactHertz = 0; }},
+        {"settings.contactHertz", [](StepSettings& s) { s.soft().contactHertz = support::kNan; }},
+        {"settings.contactDamping",
+         [](StepSettings& s) { s.soft().contactDamping = support::kInf; }},
+        {"settings.pushSpeed", [](StepSettings& s) { s.soft().pushSpeed = -1; }},
     };
     for (const Bad& bad : rows) {
         SCOPED_TRACE(bad.field);
@@ -38,11 +39,12 @@ TEST(StepSettings, EachNumberIsChecked) {
     }
 }
 
-constexpr Feature kEachFeature[] = {
-    Feature::Friction, Feature::RollingResistance, Feature::Restitution, Feature::Sweep,
-    Feature::Records,  Feature::Resting,           Feature::Rotation};
+constexpr Feature kEachFeature[] = {Feature::Friction,    Feature::RollingResistance,
+                                    Feature::Restitution, Feature::ContinuousCollision,
+                                    Feature::Records,     Feature::Sleep,
+                                    Feature::Rotation};
 
-TEST(StepSettings, FeaturesAreLeftOutOneByOne) {
+TEST(StepSettings, FeaturesAreLeftOutIndependently) {
     for (const Feature out : kEachFeature) {
         StepSettings settings;
         settings.leaveOut = static_cast<std::uint8_t>(out);

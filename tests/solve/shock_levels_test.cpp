@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/solve/shock_levels.hpp>
 #include <support/random_numbers.hpp>
+
+#include "solve/shock_levels.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +28,7 @@ TEST(ShockLevels, CountAStackFromTheGround) {
     EXPECT_EQ(levels(4, {0}, {{0, 1}, {1, 2}, {2, 3}}), (Indices{0, 1, 2, 3}));
 }
 
-TEST(ShockLevels, DoNotAskForBodiesOrEdgesInOrder) {
+TEST(ShockLevels, DoNotDependOnTheOrderOfBodiesOrEdges) {
     EXPECT_EQ(levels(4, {2}, {{3, 1}, {2, 0}, {0, 3}}), (Indices{1, 3, 0, 2}));
 }
 
@@ -35,38 +36,38 @@ TEST(ShockLevels, OfSeparateStacksAreIndependent) {
     EXPECT_EQ(levels(6, {0, 3}, {{0, 1}, {1, 2}, {3, 4}, {4, 5}}), (Indices{0, 1, 2, 0, 1, 2}));
 }
 
-// A plank with one end on the ground and one on a tower must come after the tower.
-TEST(ShockLevels, AreOneMoreThanTheHighestCarrier) {
+// A plank on the ground and on a tower comes after the tower.
+TEST(ShockLevels, AreOneMoreThanThatOfTheHighestSupport) {
     EXPECT_EQ(levels(4, {0}, {{0, 1}, {1, 2}, {0, 3}, {2, 3}}), (Indices{0, 1, 2, 3}));
 }
 
-TEST(ShockLevels, LeaveWhatNothingImmovableCarriesUnreached) {
+TEST(ShockLevels, LeaveBodiesWithoutImmovableSupportUnreached) {
     EXPECT_EQ(levels(4, {0}, {{2, 3}, {0, 1}}), (Indices{0, 1, kUnreached, kUnreached}));
 }
 
-TEST(ShockLevels, OfWhatFallsOnAStackCountOnlyTheStack) {
+TEST(ShockLevels, IgnoreABodyThatFallsOnAStack) {
     EXPECT_EQ(levels(3, {0}, {{0, 1}, {2, 1}}), (Indices{0, 1, kUnreached}));
 }
 
-TEST(ShockLevels, KeepTheImmovableAtTheGround) {
+TEST(ShockLevels, OfImmovableBodiesAreZero) {
     EXPECT_EQ(levels(3, {0, 2}, {{0, 1}, {1, 2}}), (Indices{0, 1, 0}));
 }
 
-TEST(ShockLevels, CountAPairOfBodiesOnceHoweverManyContactsItHas) {
+TEST(ShockLevels, CountEachPairOfBodiesOnce) {
     EXPECT_EQ(levels(3, {0}, {{0, 1}, {0, 1}, {1, 2}, {1, 2}, {1, 2}}), (Indices{0, 1, 2}));
 }
 
-TEST(ShockLevels, EndInACircleOfBodiesThatRestOnEachOther) {
+TEST(ShockLevels, AreFiniteInACycleOfSupports) {
     const Indices found = levels(5, {0}, {{0, 1}, {1, 2}, {2, 3}, {3, 1}, {3, 4}});
     EXPECT_EQ(found, (Indices{0, 1, 2, 3, 4}));
 }
 
-TEST(ShockLevels, OfNothingAreNothing) {
+TEST(ShockLevels, WithoutImmovableBodiesAreUnreached) {
     EXPECT_TRUE(levels(0, {}, {}).empty());
     EXPECT_EQ(levels(2, {}, {{0, 1}}), (Indices{kUnreached, kUnreached}));
 }
 
-/// The definition, by repetition until nothing changes. Only for graphs without circles.
+/// The definition, repeated until nothing changes. Only for graphs without cycles.
 Indices slowLevels(std::uint32_t bodies, const Indices& immovable,
                    const std::vector<SupportEdge>& edges) {
     Indices result(bodies, kUnreached);
@@ -88,7 +89,7 @@ Indices slowLevels(std::uint32_t bodies, const Indices& immovable,
 
 TEST(ShockLevels, AgreeWithTheirDefinitionOnRandomPiles) {
     support::RandomNumbers random(5);
-    ShockLevels reused; // its memory must not carry anything over
+    ShockLevels reused; // must keep no state between calls
     for (int trial = 0; trial < 500; ++trial) {
         const auto bodies = static_cast<std::uint32_t>(2 + random.below(30));
         Indices immovable{0};
@@ -100,7 +101,7 @@ TEST(ShockLevels, AgreeWithTheirDefinitionOnRandomPiles) {
             const auto a = static_cast<std::uint32_t>(random.below(bodies));
             const auto b = static_cast<std::uint32_t>(random.below(bodies));
             if (a != b) {
-                edges.push_back({std::min(a, b), std::max(a, b)}); // so there is no circle
+                edges.push_back({std::min(a, b), std::max(a, b)}); // so there is no cycle
             }
         }
         const std::span<const std::uint32_t> found = reused.find(bodies, immovable, edges);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/solve/stride_order.hpp>
+#include "solve/stride_order.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 using kodo::StrideOrder;
 
 // W6: every contact exactly once per pass.
-TEST(StrideOrder, ComesToEachPlaceOnce) {
+TEST(StrideOrder, VisitsEachPlaceOnce) {
     for (std::size_t count = 1; count <= 300; ++count) {
         for (std::uint64_t pass = 0; pass < 20; ++pass) {
             StrideOrder order(count, pass);
@@ -19,12 +19,12 @@ TEST(StrideOrder, ComesToEachPlaceOnce) {
             for (std::size_t k = 0; k < count; ++k) {
                 ++visits.at(order.next());
             }
-            EXPECT_EQ(visits, std::vector<int>(count, 1)) << count << " things, pass " << pass;
+            EXPECT_EQ(visits, std::vector<int>(count, 1)) << count << " places, pass " << pass;
         }
     }
 }
 
-TEST(StrideOrder, BeginsAnewAfterEachRound) {
+TEST(StrideOrder, RepeatsAfterEachRound) {
     StrideOrder order(35, 7);
     std::vector<std::size_t> first;
     std::vector<std::size_t> second;
@@ -37,7 +37,7 @@ TEST(StrideOrder, BeginsAnewAfterEachRound) {
     EXPECT_EQ(first, second);
 }
 
-TEST(StrideOrder, StrideSharesNoFactorWithTheCount) {
+TEST(StrideOrder, StrideIsCoprimeToTheCount) {
     for (const std::size_t count : {2u, 12u, 360u, 30030u, 65536u}) {
         for (std::uint64_t pass = 0; pass < 50; ++pass) {
             EXPECT_EQ(std::gcd(StrideOrder(count, pass).stride(), count), 1u);
@@ -45,12 +45,12 @@ TEST(StrideOrder, StrideSharesNoFactorWithTheCount) {
     }
 }
 
-TEST(StrideOrder, OfNothingCanBeMade) {
+TEST(StrideOrder, AcceptsACountOfZero) {
     EXPECT_EQ(StrideOrder(0, 3).stride(), 1u);
 }
 
-// A pass that goes up must be as likely as one that goes down, or a pile would lean: of 10,000
-// passes, half stride by less than half of the count. Three standard deviations are 150.
+// Passes upwards and downwards must be equally likely, or a pile would lean. Of 10,000 passes, half
+// have a stride below half of the count. Three standard deviations are 150.
 TEST(StrideOrder, GoesUpAsOftenAsDown) {
     constexpr std::size_t kCount = 1009; // a prime: every stride is allowed
     int up = 0;
@@ -60,8 +60,8 @@ TEST(StrideOrder, GoesUpAsOftenAsDown) {
     EXPECT_NEAR(up, 5000, 150);
 }
 
-// Of two neighbours, each must come first in half of the passes.
-TEST(StrideOrder, FavoursNoneOfTwoNeighbours) {
+// Each of two neighbours must come first in half of the passes.
+TEST(StrideOrder, FavoursNeitherOfTwoNeighbours) {
     constexpr std::size_t kCount = 60;
     int first = 0;
     for (std::uint64_t pass = 0; pass < 10000; ++pass) {
@@ -75,7 +75,7 @@ TEST(StrideOrder, FavoursNoneOfTwoNeighbours) {
     EXPECT_NEAR(first, 5000, 150);
 }
 
-TEST(StrideOrder, IsAFunctionOfCountAndPass) {
+TEST(StrideOrder, DependsOnlyOnCountAndPass) {
     StrideOrder a(100, 42);
     StrideOrder b(100, 42);
     for (int k = 0; k < 100; ++k) {

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include <support/resting.hpp>
+#include "support/solver.hpp"
+#include <support/sleeping.hpp>
 
 #include <memory>
 #include <ostream>
 
 namespace kodo {
 namespace {
+
+using support::kSolvers;
+using support::settingsOf;
+using support::Solver;
 
 using support::addFloor;
 using support::addStack;
@@ -16,8 +21,8 @@ using support::rests;
 using support::run;
 using support::slippery;
 
-/// Five boxes on a locked table and five more far away on the floor, all at rest. Nearby, at rest
-/// in the air and touching nothing, hangs a weight on a pin.
+/// Five boxes on a kinematic table and five more far away on the floor, all asleep. A weight hangs
+/// on a revolute joint nearby, asleep in the air without contact.
 struct Quiet {
     World world{{.gravity = support::kEarth}};
     BodyId floor;
@@ -30,15 +35,15 @@ struct Quiet {
     Quiet() {
         floor = addFloor(world);
         BodyDef top = boxDef({0, 2}, 6, 1);
-        top.flags = kLocked;
+        top.type = BodyType::Kinematic;
         table = world.add(top);
         for (int i = 0; i < 5; ++i) {
             stack.push_back(world.add(boxDef({0, 3 + static_cast<Real>(i)}, 1, 1)));
         }
         other = addStack(world, 5, 20);
         weight = world.add(ballDef({0, 20}, Real(0.25)));
-        pin = world.add(
-            Pin{.ends = {.a = table, .b = weight, .anchorA = {0, 19}, .anchorB = {0, 1}}});
+        pin = world.add(RevoluteJoint{
+            .ends = {.a = table, .b = weight, .anchorA = {0, 19}, .anchorB = {0, 1}}});
         run(world, 600);
     }
 };
@@ -48,7 +53,7 @@ const Quiet& quiet() {
     return scene;
 }
 
-TEST(Wake, TheSceneIsAtRest) {
+TEST(Wake, TheInitialSceneIsAsleep) {
     EXPECT_EQ(support::countResting(quiet().world), 11u);
 }
 
@@ -84,7 +89,7 @@ const Cause kCauses[] = {
      [](Quiet& q) {
          q.world[q.stack[1]].setVelocity({0, 0});
      }},
-    {"Spin", [](Quiet& q) { q.world[q.stack[1]].setAngularVelocity(0); }},
+    {"AngularVelocity", [](Quiet& q) { q.world[q.stack[1]].setAngularVelocity(0); }},
     {"MoveTo",
      [](Quiet& q) {
          q.world[q.stack[1]].moveTo({0, 4}, kDt);
@@ -112,7 +117,7 @@ const Cause kCauses[] = {
     {"WeldIntoTheTable", [](Quiet& q) { q.world.weld(q.table, q.stack[0]); }},
     {"Removal", [](Quiet& q) { q.world.remove(q.stack[0]); }},
     {"TableRemoved", [](Quiet& q) { q.world.remove(q.table); }},
-    {"TableJumps",
+    {"TableTeleported",
      [](Quiet& q) {
          q.world[q.table].setPosition({100, 2});
      }},
@@ -126,8 +131,8 @@ const Cause kCauses[] = {
          q.world[q.table].moveTo({0, 1}, kDt);
      }},
     {"TableSlippery", [](Quiet& q) { q.world[q.table].setMaterial(slippery()); }},
-    {"TableDisabled", [](Quiet& q) { q.world[q.table].setFlags(kLocked | kDisabled); }},
-    {"TableUnlocked", [](Quiet& q) { q.world[q.table].setFlags(0); }},
+    {"TableDisabled", [](Quiet& q) { q.world[q.table].setFlags(kDisabled); }},
+    {"TableUnlocked", [](Quiet& q) { q.world[q.table].setType(BodyType::Dynamic); }},
     {"TableGetsAPart",
      [](Quiet& q) {
          q.world.weld(q.table, Circle{1, {5, 0}}, Material{}, Real(1));
@@ -136,12 +141,13 @@ const Cause kCauses[] = {
      [](Quiet& q) {
          q.world.addField({std::make_shared<Gravity>(Vec2{1, 0})});
      }},
-    {"FieldsTaken", [](Quiet& q) { q.world.setFields({}); }},
-    {"JointAdded", [](Quiet& q) { q.world.add(Spring{.ends = {.a = q.stack[4], .b = q.weight}}); }},
-    {"RestingLeftOut",
+    {"FieldsRemoved", [](Quiet& q) { q.world.setFields({}); }},
+    {"JointAdded",
+     [](Quiet& q) { q.world.add(DistanceJoint{.ends = {.a = q.stack[4], .b = q.weight}}); }},
+    {"SleepLeftOut",
      [](Quiet& q) {
          StepSettings settings = q.world.settings();
-         settings.leaveOut = static_cast<std::uint8_t>(Feature::Resting);
+         settings.leaveOut = static_cast<std::uint8_t>(Feature::Sleep);
          q.world.setSettings(settings);
      }},
     {"Touch",
@@ -153,15 +159,14 @@ const Cause kCauses[] = {
      }},
 };
 
-class WakesBy : public testing::TestWithParam<Cause> {};
+class WakeCause : public testing::TestWithParam<Cause> {};
 
 std::string nameOf(const testing::TestParamInfo<Cause>& info) {
     return info.param.name;
 }
 
-// O3, O4: whatever is done to one box, or to what carries it, all of its pile is awake in the very
-// next step.
-TEST_P(WakesBy, AllOfThePile) {
+// O3, O4: a change of one box, or of its support, wakes the whole pile in the next step.
+TEST_P(WakeCause, WakesTheWholePile) {
     Quiet scene = quiet();
     GetParam().act(scene);
     scene.world.step(kDt);
@@ -170,10 +175,10 @@ TEST_P(WakesBy, AllOfThePile) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Wake, WakesBy, testing::ValuesIn(kCauses), nameOf);
+INSTANTIATE_TEST_SUITE_P(Wake, WakeCause, testing::ValuesIn(kCauses), nameOf);
 
-// O4: and nothing else wakes: the pile far away does not notice.
-TEST(Wake, DoesNotSpreadToWhatDoesNotTouch) {
+// O4: no other body wakes, such as the pile far away.
+TEST(Wake, DoesNotSpreadToBodiesThatDoNotTouch) {
     Quiet scene = quiet();
     scene.world.remove(scene.stack[0]);
     scene.world[scene.weight].applyImpulse({1, 0});
@@ -181,11 +186,11 @@ TEST(Wake, DoesNotSpreadToWhatDoesNotTouch) {
     for (const BodyId id : scene.other) {
         EXPECT_TRUE(rests(scene.world, id));
     }
-    EXPECT_EQ(scene.world.bodyVisits(), 5u); // four boxes and the weight
+    EXPECT_EQ(stepStats(scene.world).bodies, 5u); // four boxes and the weight
 }
 
-// O4: pull the bottom box of a rested stack: all above wake, and come down by one box.
-TEST(Wake, PullTheBottomBoxAndAllAboveComeDown) {
+// O4: when a box of a sleeping stack is removed, all boxes above it wake and come down by one box.
+TEST(Wake, RemovingABoxLetsAllAboveItComeDown) {
     for (std::size_t pulled = 0; pulled < 5; ++pulled) {
         Quiet scene = quiet();
         scene.world.remove(scene.stack[pulled]);
@@ -199,7 +204,7 @@ TEST(Wake, PullTheBottomBoxAndAllAboveComeDown) {
                 const Real storey = static_cast<Real>(i) - (i > pulled ? 1 : 0);
                 const BodyView box = scene.world[scene.stack[i]];
                 EXPECT_TRUE(rests(scene.world, scene.stack[i]));
-                // Each of up to four contacts may give by the slop; the blow may shift them a
+                // Each of up to four contacts may yield by the slop; the impact may shift them a
                 // little.
                 EXPECT_TRUE(support::near(box.position().y, 3 + storey, Real(0.02)));
                 EXPECT_TRUE(support::near(box.position().x, 0, Real(0.25)));
@@ -208,21 +213,22 @@ TEST(Wake, PullTheBottomBoxAndAllAboveComeDown) {
     }
 }
 
-// O4: a joint is a touch: what hangs wakes when its support moves, goes, or is changed.
-TEST(Wake, AJointWakesWhatHangsOnIt) {
+// O4: a joint connects like a contact: a hanging body wakes when its support moves, is removed or
+// is changed.
+TEST(Wake, AChangeOfASupportWakesAHangingBody) {
     const Cause causes[] = {
-        {"the joint goes", [](Quiet& q) { q.world.remove(q.pin); }},
-        {"it is changed", [](Quiet& q) { q.world.setJoint(q.pin, q.world.joint(q.pin)); }},
+        {"the joint is removed", [](Quiet& q) { q.world.remove(q.pin); }},
+        {"the joint is changed", [](Quiet& q) { q.world.setJoint(q.pin, q.world.joint(q.pin)); }},
         {"the table moves",
          [](Quiet& q) {
              q.world[q.table].setVelocity({1, 0});
          }},
-        {"the table goes", [](Quiet& q) { q.world.remove(q.table); }},
-        {"the table jumps",
+        {"the table is removed", [](Quiet& q) { q.world.remove(q.table); }},
+        {"the table is teleported",
          [](Quiet& q) {
              q.world[q.table].setPosition({1, 2});
          }},
-        {"the table turns",
+        {"the table is rotated",
          [](Quiet& q) {
              q.world[q.table].setRotation(Rot{0, 1});
          }},
@@ -235,8 +241,8 @@ TEST(Wake, AJointWakesWhatHangsOnIt) {
     }
 }
 
-// O3: a resting body wakes in the step in which it is touched, not before.
-TEST(Wake, NotBeforeTheTouch) {
+// O3: a sleeping body wakes in the step in which it is touched, not earlier.
+TEST(Wake, HappensInTheStepOfTheTouch) {
     Quiet scene = quiet();
     const BodyId ball = scene.world.add(ballDef({0, 12}, Real(0.3)));
     const BodyId top = scene.stack[4];
@@ -249,8 +255,9 @@ TEST(Wake, NotBeforeTheTouch) {
     EXPECT_TRUE(support::near(scene.world[ball].position().y, Real(7.8), Real(0.02)));
 }
 
-// O3: woken for nothing, the pile rests again, and has not moved by more than its contacts give.
-TEST(Wake, ForNothingEndsWhereItWas) {
+// O3: a pile that wakes without a force falls asleep again, and has moved by no more than its
+// contacts yield.
+TEST(Wake, WithoutForcesEndsInTheSamePoses) {
     Quiet scene = quiet();
     for (int again = 0; again < 10; ++again) {
         scene.world[scene.stack[2]].setVelocity({});
@@ -263,8 +270,8 @@ TEST(Wake, ForNothingEndsWhereItWas) {
     }
 }
 
-// A resting island has kept the contacts it woke with: their records go on with Persist.
-TEST(Wake, ContactsGoOnWhereTheyStopped) {
+// A sleeping island keeps its contacts: after it wakes, their records continue with Persist.
+TEST(Wake, ContactsPersistAcrossSleep) {
     Quiet scene = quiet();
     EXPECT_TRUE(scene.world.collisions().empty());
     scene.world[scene.stack[2]].setVelocity({});
@@ -277,12 +284,12 @@ TEST(Wake, ContactsGoOnWhereTheyStopped) {
     EXPECT_EQ(seen, 5);
 }
 
-// What a touch wakes tells of the blows of this step alone, not of those of the one that it went to
-// rest in as well. The box weighs 10 N, and a ball that is laid on it 0.02 N.
-TEST(Wake, ATouchDoesNotBringOldBlowsBack) {
-    for (const Strategy strategy : {Strategy::SoftStep, Strategy::Propagation}) {
+// The record of a body that a touch wakes contains the impulses of this step only, not those of the
+// step before it fell asleep. The box weighs 10 N, and the ball laid on it 0.02 N.
+TEST(Wake, ATouchDoesNotRecordImpulsesFromBeforeSleep) {
+    for (const Solver strategy : kSolvers) {
         SCOPED_TRACE(static_cast<int>(strategy));
-        StepSettings settings = strategy == Strategy::Propagation ? thesis2006() : StepSettings{};
+        StepSettings settings = settingsOf(strategy);
         World world({.gravity = support::kEarth, .settings = settings});
         const BodyId floor = addFloor(world);
         const BodyId box = world.add(boxDef({0, Real(0.5)}, 1, 1));
@@ -299,8 +306,8 @@ TEST(Wake, ATouchDoesNotBringOldBlowsBack) {
     }
 }
 
-// So do those with a table that begins to move: they have not begun anew.
-TEST(Wake, ContactsWithATableThatBeginsToMovePersist) {
+// Contacts with a table that starts to move persist too.
+TEST(Wake, ContactsWithATableThatStartsToMovePersist) {
     Quiet scene = quiet();
     scene.world[scene.table].setVelocity({Real(0.1), 0});
     scene.world.step(kDt);

@@ -7,8 +7,8 @@
 namespace apart {
 namespace {
 
-kodo::Convex blockOutline() {
-    return kodo::convexOf(kodo::Box{1.6f, 0.8f}, {});
+kodo::ConvexShape blockOutline() {
+    return kodo::convexShapeOf(kodo::Box{1.6f, 0.8f}, {});
 }
 
 Real lengthOf(const std::vector<CrackLine>& lines) {
@@ -19,13 +19,13 @@ Real lengthOf(const std::vector<CrackLine>& lines) {
     return sum;
 }
 
-TEST(Cracks, StayInsideTheBlockWhereverItWasHit) {
-    const kodo::Convex outline = blockOutline();
+TEST(Cracks, StayInsideTheBlockForAnyPointOfImpact) {
+    const kodo::ConvexShape outline = blockOutline();
     Dice dice(7);
     for (std::uint32_t trial = 0; trial < 500; ++trial) {
         const Vec2 point{dice.between(-0.85f, 0.85f), dice.between(-0.45f, 0.45f)};
         for (const CrackLine& line : growCracks(outline, point, dice.between(0, 1), trial)) {
-            // 1e-4 m: rounding of points that lie on the edge
+            // 1e-4 m: rounding of points on the edge
             EXPECT_LE(std::abs(line.to.x), 0.8f + 1e-4f) << trial;
             EXPECT_LE(std::abs(line.to.y), 0.4f + 1e-4f) << trial;
         }
@@ -36,7 +36,7 @@ TEST(Cracks, BeginAtThePointOfTheImpact) {
     const Vec2 point{0.3f, -0.4f};
     const std::vector<CrackLine> lines = growCracks(blockOutline(), point, 0.5f, 1);
     ASSERT_FALSE(lines.empty());
-    EXPECT_LT(length(lines[0].from - point), 1e-6f); // the middle of the outline is rounded
+    EXPECT_LT(length(lines[0].from - point), 1e-6f); // the centre of the shape is rounded
 }
 
 TEST(Cracks, GrowWithTheDamage) {
@@ -63,15 +63,16 @@ TEST(Cracks, AreKeptForEachBlockUntilItBreaks) {
     EXPECT_TRUE(cracks.of(7).empty());
 }
 
-// A block of a boss lies anywhere in the frame of its body, and keeps its cracks when it comes off.
-TEST(Cracks, AreToldFromTheMiddleOfTheirBlock) {
-    const kodo::Convex aside = kodo::convexOf(kodo::Box{1.6f, 0.8f}, {-5, 3});
+// Blocks of a boss lie anywhere in the frame of its body. A block keeps its cracks when it comes
+// off.
+TEST(Cracks, AreRelativeToTheCentreOfTheirBlock) {
+    const kodo::ConvexShape aside = kodo::convexShapeOf(kodo::Box{1.6f, 0.8f}, {-5, 3});
     ASSERT_EQ(aside.middle, (Vec2{5, -3}));
     const auto there = growCracks(aside, aside.middle + Vec2{0.3f, -0.4f}, 0.5f, 1);
     const auto here = growCracks(blockOutline(), {0.3f, -0.4f}, 0.5f, 1);
     ASSERT_EQ(there.size(), here.size());
     for (std::size_t i = 0; i < here.size(); ++i) {
-        EXPECT_LT(length(there[i].to - here[i].to), 1e-4f); // rounding of places of some metres
+        EXPECT_LT(length(there[i].to - here[i].to), 1e-4f); // rounding of positions of a few metres
     }
 }
 

@@ -15,7 +15,7 @@ namespace {
 StageDef playedWith(int percent) {
     StageDef def = StageRig::played();
     for (const Dial& dial : kDials) {
-        if (dial.least == 0) { // it is an effect
+        if (dial.least == 0) { // an effect, since it can be off
             def.profile.settings.*dial.value = percent;
         }
     }
@@ -24,13 +24,13 @@ StageDef playedWith(int percent) {
 
 void playUntil(StageRig& rig, std::uint32_t tick) {
     while (rig.stage.game().ticks() < tick) {
-        rig.frame({}, 1.0 / kTicksPerSecond); // one tick at most, or none while time is frozen
+        rig.frame({}, 1.0 / kTicksPerSecond); // at most one tick, none during a hit-freeze
         rig.picture();
     }
 }
 
-// Each effect alone, and all of them, at nothing and at full: the same game.
-TEST(Effects, NoneTouchesTheSimulation) {
+// Each effect alone and all together, at 0 and at maximum, give the same game.
+TEST(Effects, DoNotAffectTheSimulation) {
     StageRig plain(playedWith(0));
     playUntil(plain, 900);
     const std::uint64_t expected = plain.stage.game().stateHash();
@@ -47,7 +47,7 @@ TEST(Effects, NoneTouchesTheSimulation) {
     }
 }
 
-TEST(Effects, AtNothingNothingIsSeenOrHeardOfThem) {
+TEST(Effects, AreInvisibleAndSilentAtZero) {
     StageRig rig(playedWith(0));
     for (int i = 0; i < 600; ++i) {
         rig.frame();
@@ -64,8 +64,8 @@ TEST(Effects, AtNothingNothingIsSeenOrHeardOfThem) {
     EXPECT_FALSE(rich.speaker.notes.empty());
 }
 
-// A game in which a ball is lost whenever it can be: the flash that a player meets most often.
-TEST(Effects, NeverMoreThanThreeFlashesInASecond) {
+// A game that loses a ball as often as possible: the most frequent flash.
+TEST(Effects, FlashAtMostThreeTimesInASecond) {
     Level level = *glassLevel("x", {0, 1, 2});
     level.lives = 9;
     Game game(level, 1);
@@ -86,13 +86,13 @@ TEST(Effects, NeverMoreThanThreeFlashesInASecond) {
         }
         before = juice.flash();
     }
-    ASSERT_GE(flashes.size(), 3u); // it has something to say
+    ASSERT_GE(flashes.size(), 3u); // the test is not vacuous
     for (std::size_t i = 3; i < flashes.size(); ++i) {
         EXPECT_GT(flashes[i] - flashes[i - 3], std::uint32_t(kTicksPerSecond));
     }
 }
 
-// The points of blocks in the upper corners once rose over the wall.
+// Regression: points of blocks in the upper corners rose above the wall.
 TEST(Effects, PointsStayInTheField) {
     StageDef def = StageRig::played();
     Level corner = *def.levels[0];
@@ -113,7 +113,7 @@ TEST(Effects, PointsStayInTheField) {
     EXPECT_GT(seen, 10);
 }
 
-// The arcs of a pull beside a wall once crossed the panel with the score.
+// Regression: the arcs of a pull beside a wall crossed the score panel.
 TEST(Effects, TheFieldOfThePaddleStaysBetweenTheWalls) {
     StageRig rig(StageRig::playing());
     Signals right;
@@ -133,10 +133,11 @@ TEST(Effects, TheFieldOfThePaddleStaysBetweenTheWalls) {
     rig.frame(pull);
     ASSERT_EQ(rig.stage.game().force(), Force::Pull);
     EXPECT_GT(countLines(0, layout::kRight), before);
-    EXPECT_EQ(countLines(layout::kRight, layout::kRight + 100), 0); // the edge of the wall is at it
+    EXPECT_EQ(countLines(layout::kRight, layout::kRight + 100), 0); // the wall's edge line lies
+                                                                    // exactly there
 }
 
-TEST(Effects, AHardBlowFreezesThePictureForAMomentOnly) {
+TEST(Effects, AHardImpactFreezesThePictureBriefly) {
     const auto framesTo = [](int freeze) {
         StageDef def = playedWith(0);
         def.profile.settings.freeze = freeze;
@@ -150,7 +151,7 @@ TEST(Effects, AHardBlowFreezesThePictureForAMomentOnly) {
     const int without = framesTo(0);
     const int with = framesTo(100);
     EXPECT_GT(with, without);
-    EXPECT_LT(with, without + without / 4); // a freeze of 60 ms each 300 ms at most: a fifth
+    EXPECT_LT(with, without + without / 4); // at most 60 ms of hit-freeze per 300 ms: one fifth
 }
 
 } // namespace

@@ -36,7 +36,7 @@ TEST(Fanfare, IsSilentAtOnceWhenItIsStopped) {
     EXPECT_EQ(speaker.notes.size(), heard);
 }
 
-TEST(Fanfare, WithoutVolumeThereIsOnlyLight) {
+TEST(Fanfare, WithoutVolumeHasFireworksOnly) {
     Fanfare fanfare;
     Juice juice(1, {});
     RecordingSpeaker speaker;

@@ -10,7 +10,7 @@
 namespace apart {
 namespace {
 
-/// Eight levels of the first theme, in two rows, and three of another.
+/// Eight levels of the first theme in two rows, and three of another theme.
 LevelList elevenLevels() {
     LevelList levels;
     for (int i = 0; i < 11; ++i) {
@@ -29,22 +29,22 @@ void press(LevelSelect& select, Command command) {
     EXPECT_FALSE(select.take(signals));
 }
 
-TEST(LevelSelect, ArrowsWalkThroughRowsOfUnequalLength) {
+TEST(LevelSelect, ArrowsMoveThroughRowsOfUnequalLength) {
     LevelSelect select(elevenLevels());
-    press(select, Command::Left); // there is nothing before the first
+    press(select, Command::Left); // no level before the first
     EXPECT_EQ(select.chosen(), 0u);
     for (int i = 0; i < 4; ++i) {
         press(select, Command::Right);
     }
     EXPECT_EQ(select.chosen(), 4u);
-    press(select, Command::Down); // the second row has two
+    press(select, Command::Down); // the second row has two levels
     EXPECT_EQ(select.chosen(), 7u);
-    press(select, Command::Down); // the next theme begins a row of its own
+    press(select, Command::Down); // the next theme starts a new row
     EXPECT_EQ(select.chosen(), 9u);
     press(select, Command::Down);
     EXPECT_EQ(select.chosen(), 9u);
     press(select, Command::Right);
-    press(select, Command::Right); // there is nothing after the last
+    press(select, Command::Right); // no level after the last
     EXPECT_EQ(select.chosen(), 10u);
     press(select, Command::Up);
     press(select, Command::Up);
@@ -68,7 +68,7 @@ TEST(LevelSelect, NoTwoTilesOverlapAndEachCanBeClicked) {
     EXPECT_FALSE(select.take(aside));
 }
 
-TEST(LevelSelect, RowsOutOfSightComeWhenTheyAreChosen) {
+TEST(LevelSelect, HiddenRowsScrollIntoViewWhenChosen) {
     LevelList levels;
     for (int theme = 0; theme < 7; ++theme) {
         Level level = *glassLevel("x", {7});
@@ -97,7 +97,7 @@ TEST(LevelSelect, RowsOutOfSightComeWhenTheyAreChosen) {
         click(select.downPlace());
     }
     EXPECT_TRUE(inSight(6));
-    click(select.downPlace()); // there is no more
+    click(select.downPlace()); // no more rows
     EXPECT_EQ(select.chosen(), 6u);
     for (int i = 0; i < 3; ++i) {
         click(select.upPlace());

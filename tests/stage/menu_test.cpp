@@ -28,7 +28,7 @@ std::optional<MenuOutcome> click(Menu& menu, Vec2 place) {
     return menu.take(signals);
 }
 
-TEST(Menu, GoesAroundInBothDirections) {
+TEST(Menu, WrapsAroundInBothDirections) {
     Menu menu = someMenu();
     press(menu, Command::Up);
     EXPECT_EQ(menu.chosen(), 3u);
@@ -46,7 +46,7 @@ TEST(Menu, EnterAndSpaceChooseAnItemButNotADial) {
 
 TEST(Menu, LeftAndRightTurnADialByANotchAndStopAtItsEnds) {
     Menu menu = someMenu();
-    EXPECT_FALSE(press(menu, Command::Left)); // the first item is none
+    EXPECT_FALSE(press(menu, Command::Left)); // the first item has no dial
     press(menu, Command::Down);
     const auto more = press(menu, Command::Right);
     ASSERT_TRUE(more);
@@ -59,7 +59,7 @@ TEST(Menu, LeftAndRightTurnADialByANotchAndStopAtItsEnds) {
     EXPECT_FALSE(press(menu, Command::Right));
     menu.setPercent(1, 20);
     press(menu, Command::Down);
-    EXPECT_FALSE(press(menu, Command::Left)); // this one ends at 20
+    EXPECT_FALSE(press(menu, Command::Left)); // minimum 20
 }
 
 TEST(Menu, AClickOnTheBarSetsTheDialThere) {
@@ -68,11 +68,11 @@ TEST(Menu, AClickOnTheBarSetsTheDialThere) {
     EXPECT_EQ(click(menu, {bar.upper.x, bar.center().y})->percent, 300);
     EXPECT_EQ(click(menu, {bar.lower.x, bar.center().y})->percent, 20);
     EXPECT_EQ(click(menu, bar.center())->percent, 160);
-    EXPECT_EQ(click(menu, {bar.upper.x + 0.3f, bar.center().y})->percent, 110); // a notch
+    EXPECT_EQ(click(menu, {bar.upper.x + 0.3f, bar.center().y})->percent, 110); // one notch
     EXPECT_EQ(click(menu, {bar.lower.x - 0.3f, bar.center().y})->percent, 90);
 }
 
-TEST(Menu, TheMouseChoosesWhatItIsOver) {
+TEST(Menu, TheMouseChoosesTheItemUnderIt) {
     Menu menu = someMenu();
     Signals over;
     over.pointer = menu.place(3).center();
@@ -91,7 +91,7 @@ TEST(Menu, ShowsEachItemAndItsValue) {
     }
 }
 
-TEST(Menu, AnEmptyOneTakesEverythingInItsStride) {
+TEST(Menu, AnEmptyMenuIgnoresAllInput) {
     Menu menu;
     EXPECT_FALSE(press(menu, Command::Down));
     EXPECT_FALSE(press(menu, Command::Confirm));

@@ -16,7 +16,7 @@
 namespace apart {
 namespace {
 
-/// What is drawn, without its colours.
+/// The drawn primitives without their colours.
 std::string shapeOf(const RecordingCanvas& canvas) {
     std::string shape;
     for (const Stroke& stroke : canvas.strokes()) {
@@ -27,8 +27,8 @@ std::string shapeOf(const RecordingCanvas& canvas) {
     return shape;
 }
 
-// Colours may fail a player; shapes tell the same.
-TEST(Marks, EachPowerHasAShapeOfItsOwn) {
+// Shapes alone distinguish the powers, for colour-blind players.
+TEST(Marks, EachPowerHasAUniqueShape) {
     std::set<std::string> shapes;
     std::set<std::string_view> words;
     for (std::size_t i = 1; i < kPowerNames.size(); ++i) {
@@ -40,7 +40,7 @@ TEST(Marks, EachPowerHasAShapeOfItsOwn) {
     }
 }
 
-TEST(Marks, EachMoodHasAShapeOfItsOwn) {
+TEST(Marks, EachMoodHasAUniqueShape) {
     std::set<std::string> shapes;
     for (const Mood mood : {Mood::Good, Mood::Mixed, Mood::Bad}) {
         RecordingCanvas canvas;
@@ -49,7 +49,7 @@ TEST(Marks, EachMoodHasAShapeOfItsOwn) {
     }
 }
 
-TEST(Backdrop, EachThemeHasALookOfItsOwnThatStaysBetweenTheWalls) {
+TEST(Backdrop, EachThemeHasAUniqueLookBetweenTheWalls) {
     std::set<std::string> shapes;
     for (std::size_t i = 0; i < kThemeNames.size(); ++i) {
         SCOPED_TRACE(kThemeNames[i]);
@@ -61,7 +61,7 @@ TEST(Backdrop, EachThemeHasALookOfItsOwnThatStaysBetweenTheWalls) {
         ASSERT_FALSE(canvas.strokes().empty());
         EXPECT_TRUE(shapes.insert(shapeOf(canvas)).second);
         for (const Stroke& stroke : canvas.strokes()) {
-            // A stroke may lean out of the field by less than the width of the walls.
+            // A stroke may extend beyond the field by less than the thickness of the walls.
             EXPECT_LE(std::abs(stroke.place.x), layout::kRight + layout::kFrame);
         }
     }
@@ -81,7 +81,7 @@ TEST(Hud, WrapsBetweenWords) {
     EXPECT_TRUE(wrapped("", 5).empty());
 }
 
-TEST(Hud, TellsOnlyThePowersThatTheLevelHolds) {
+TEST(Hud, ListsOnlyThePowersOfTheLevel) {
     Level level = *glassLevel("x", {1, 2});
     level.kinds.push_back(level.kinds[0]);
     level.kinds[1].power = Power::Magnet;
@@ -94,7 +94,7 @@ TEST(Hud, TellsOnlyThePowersThatTheLevelHolds) {
     EXPECT_FALSE(canvas.says(wordsOf(Power::Weld)));
 }
 
-// A level may hold more powers than the panel has room for.
+// A level may have more powers than fit on the panel.
 TEST(Hud, ThePowersLeaveTheFootOfThePanelFree) {
     Level level = *glassLevel("x", {1});
     for (std::size_t i = 1; i < kPowerNames.size(); ++i) {
@@ -128,7 +128,7 @@ TEST(Hud, ShowsTheBallsInReserve) {
             return s.kind == Stroke::Kind::Ring && s.size == Real(0.19);
         });
     };
-    EXPECT_EQ(balls(1), 0); // the only one is in play
+    EXPECT_EQ(balls(1), 0); // the only ball is in play
     EXPECT_EQ(balls(3), 2);
 }
 

@@ -17,7 +17,7 @@ Popup points(int count, Vec2 place) {
     return {"", place, {}, Real(0.45), count};
 }
 
-TEST(Popups, PointsNearbyAddUpWhileTheyAreYoung) {
+TEST(Popups, NearbyRecentPointsAreSummed) {
     Popups popups;
     popups.add(points(50, {0, 9}));
     popups.add(points(70, {1, 9}));
@@ -32,20 +32,20 @@ TEST(Popups, PointsNearbyAddUpWhileTheyAreYoung) {
     EXPECT_EQ(popups.all().size(), 3u);
 }
 
-// Two notices at one place: both can be read, and neither swallows the other.
-TEST(Popups, WordsAtOnePlaceStandAboveEachOther) {
+// Two notices at one position are both shown, without overlap.
+TEST(Popups, WordsAtOnePositionDoNotOverlap) {
     Popups popups;
     popups.add(word("welded", {3, 5}));
     popups.add(word("knocked off", {Real(3.5), 5}));
-    popups.add(word("welded", {3, 5})); // that has just been said
+    popups.add(word("welded", {3, 5})); // a recent popup with the same text
     ASSERT_EQ(popups.all().size(), 2u);
     EXPECT_EQ(popups.all()[0].text, "welded");
     EXPECT_EQ(popups.all()[1].text, "knocked off");
     EXPECT_FALSE(overlap(popups.all()[0].box(), popups.all()[1].box()));
-    EXPECT_NEAR(popups.all()[1].place.y, 5, 1); // as near as can be
+    EXPECT_NEAR(popups.all()[1].place.y, 5, 1); // as near as possible
 }
 
-TEST(Popups, AllCanBeReadAllTheirLife) {
+TEST(Popups, NeverOverlapOrLeaveTheField) {
     constexpr std::uint64_t kSeed = 21;
     SCOPED_TRACE("seed 21");
     support::RandomNumbers random(kSeed);
@@ -55,13 +55,13 @@ TEST(Popups, AllCanBeReadAllTheirLife) {
     Popups popups;
     for (int tick = 0; tick < 3000 && !HasFailure(); ++tick) {
         const Vec2 place{random.between(-12, 12), random.between(0, 18)};
-        if (tick % 16 == 0) { // six at a time: more than a game shows
+        if (tick % 16 == 0) { // six at a time, more than in a game
             popups.add(tick % 32 == 0 ? word(kWords[random.below(5)], place, Real(0.6))
                                       : points(50, place));
         }
         popups.tick();
         for (std::size_t a = 0; a < popups.all().size(); ++a) {
-            // Within a rounding of places of some 18 m.
+            // Within the rounding of positions of about 18 m.
             const Aabb box = popups.all()[a].box().grown(Real(-1e-4));
             EXPECT_TRUE(field.contains(box)) << popups.all()[a].text;
             for (std::size_t b = 0; b < a; ++b) {

@@ -19,7 +19,7 @@ TEST(PoseBlend, ShowsABodyHalfWayBetweenTwoTicks) {
     EXPECT_EQ(poses.center(world[ball], 1), (Vec2{1.5f, 2}));
 }
 
-TEST(PoseBlend, ShowsWhatIsNewWhereItIs) {
+TEST(PoseBlend, ShowsANewBodyAtItsPose) {
     kodo::World world;
     PoseBlend poses;
     poses.remember(world);
@@ -27,7 +27,7 @@ TEST(PoseBlend, ShowsWhatIsNewWhereItIs) {
     EXPECT_EQ(poses.center(world[ball], 0), (Vec2{4, 4}));
 }
 
-TEST(PoseBlend, DoesNotDrawAJumpAsAFlight) {
+TEST(PoseBlend, DoesNotInterpolateATeleport) {
     kodo::World world;
     const kodo::BodyId ball = world.add({.shape = kodo::Circle{0.5f}, .position = {0, 0}});
     PoseBlend poses;
@@ -47,22 +47,22 @@ TEST(PoseBlend, AReusedSlotIsAnotherBody) {
     EXPECT_EQ(poses.center(world[second], 0), (Vec2{1, 0}));
 }
 
-// A weld moves the centre of mass but nothing that can be seen, so nothing may jump on the screen.
+// A weld moves the centre of mass but no corner, so the picture must stay continuous.
 TEST(PoseBlend, AWeldMovesNoCorner) {
     kodo::World world;
     const kodo::BodyId paddle =
-        world.add({.shape = kodo::Box{4, 1}, .position = {0, 0}, .flags = kodo::kLocked});
+        world.add({.shape = kodo::Box{4, 1}, .position = {0, 0}, .type = kodo::BodyType::Static});
     const kodo::BodyId part = world.add({.shape = kodo::Box{1, 1}, .position = {2, 1}});
     const auto corner = [&](const PoseBlend& poses) {
         const kodo::BodyView body = world[paddle];
-        return poses.placement(body, 0.5f) * body.part(0).convex.vertices[0];
+        return poses.massFrame(body, 0.5f) * body.part(0).convex.vertices[0];
     };
     PoseBlend poses;
     poses.remember(world);
     const Vec2 before = corner(poses);
     world.weld(paddle, part);
     const Vec2 after = corner(poses);
-    EXPECT_NEAR(after.x, before.x, 1e-5f); // rounding of coordinates of some metres
+    EXPECT_NEAR(after.x, before.x, 1e-5f); // rounding of coordinates of a few metres
     EXPECT_NEAR(after.y, before.y, 1e-5f);
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own for each test.
+/// Provides a separate folder for each test.
 class ProfileFile : public testing::Test {
 protected:
     void SetUp() override {
@@ -47,14 +47,14 @@ Profile someProfile() {
     return profile;
 }
 
-TEST_F(ProfileFile, WhatIsSavedIsLoadedAgain) {
-    ASSERT_FALSE(saveProfile(file_, someProfile())); // and the folder was made
+TEST_F(ProfileFile, ASavedProfileIsLoadedAgain) {
+    ASSERT_FALSE(saveProfile(file_, someProfile())); // creates the folder
     const LoadedProfile loaded = loadProfile(file_);
     EXPECT_EQ(loaded.profile, someProfile());
     EXPECT_EQ(loaded.notice, "");
 }
 
-TEST_F(ProfileFile, WithoutAFileEverythingIsAsAtFirst) {
+TEST_F(ProfileFile, WithoutAFileDefaultsApply) {
     const LoadedProfile loaded = loadProfile(file_);
     EXPECT_EQ(loaded.profile, Profile{});
     EXPECT_EQ(loaded.notice, "");
@@ -70,7 +70,7 @@ TEST_F(ProfileFile, EveryDialIsKept) {
     }
 }
 
-TEST_F(ProfileFile, ABrokenFileIsKeptAsideAndSaidInASentence) {
+TEST_F(ProfileFile, ABrokenFileIsRenamedAndReported) {
     const std::string broken = "format = 1\n[settings]\nshake = \"much\"\n";
     write(broken);
     const LoadedProfile loaded = loadProfile(file_);
@@ -81,7 +81,7 @@ TEST_F(ProfileFile, ABrokenFileIsKeptAsideAndSaidInASentence) {
     EXPECT_EQ(read(file_.string() + ".broken"), broken);
 }
 
-TEST_F(ProfileFile, NothingThatIsNotUnderstoodIsOverwritten) {
+TEST_F(ProfileFile, AnInvalidFileIsKeptAndNotOverwritten) {
     for (const char* text :
          {"", "format = 2\n", "format = 1\nnew = 3\n", "format = 1\n[settings]\nspin = 3\n",
           "format = 1\n[settings]\nsound = 101\n", "format = 1\n[settings]\nsound = -1\n",
@@ -98,16 +98,16 @@ TEST_F(ProfileFile, NothingThatIsNotUnderstoodIsOverwritten) {
     }
 }
 
-TEST_F(ProfileFile, AFileThatCannotBeWrittenLeavesTheOldOneAsItWas) {
+TEST_F(ProfileFile, AFailedSaveLeavesTheOldFileUnchanged) {
     write("format = 1\n");
-    fs::create_directories(file_.string() + ".new"); // where the new one would be written first
+    fs::create_directories(file_.string() + ".new"); // blocks the temporary file
     const auto problem = saveProfile(file_, someProfile());
     ASSERT_TRUE(problem);
     EXPECT_NE(problem->text().find("profile.toml"), std::string::npos);
     EXPECT_EQ(read(file_), "format = 1\n");
 }
 
-TEST_F(ProfileFile, SavingLeavesNothingBesideIt) {
+TEST_F(ProfileFile, SavingLeavesNoTemporaryFile) {
     ASSERT_FALSE(saveProfile(file_, someProfile()));
     ASSERT_FALSE(saveProfile(file_, Profile{}));
     const auto files = fs::directory_iterator(file_.parent_path());
@@ -115,7 +115,7 @@ TEST_F(ProfileFile, SavingLeavesNothingBesideIt) {
     EXPECT_EQ(loadProfile(file_).profile, Profile{});
 }
 
-TEST_F(ProfileFile, TheFolderIsTheUsersOwn) {
+TEST_F(ProfileFile, IsInTheConfigurationFolderOfTheUser) {
     const auto with = [](const char* config, const char* home) {
         setenv("XDG_CONFIG_HOME", config, 1);
         setenv("HOME", home, 1);
@@ -130,22 +130,23 @@ TEST_F(ProfileFile, TheFolderIsTheUsersOwn) {
     with(config.c_str(), home.c_str());
 }
 
-TEST(Profile, ABestScoreIsBeatenOnlyByABetterOne) {
+TEST(Profile, ABestScoreIsReplacedByAHigherOneOnly) {
     Profile profile;
-    EXPECT_FALSE(profile.enter(Mode::Standard, "a", {100, false, false, false})); // the first
+    EXPECT_FALSE(profile.enter(Mode::Standard, "a", {100, false, false, false})); // no previous
+                                                                                  // score
     EXPECT_FALSE(profile.enter(Mode::Standard, "a", {100, false, false, false}));
     EXPECT_TRUE(profile.enter(Mode::Standard, "a", {101, false, false, false}));
     EXPECT_EQ(profile.bestOf(Mode::Standard, "a").score, 101);
 }
 
-TEST(Profile, WhatIsWonStaysWon) {
+TEST(Profile, AchievementsOfALevelPersist) {
     Profile profile;
     profile.enter(Mode::Standard, "a", {100, true, true, false});
     profile.enter(Mode::Standard, "a", {50, false, false, true});
     EXPECT_EQ(profile.bestOf(Mode::Standard, "a"), (Best{100, true, true, true}));
 }
 
-TEST(Profile, TheTwoTablesNeverMeet) {
+TEST(Profile, TheTablesOfBothModesAreSeparate) {
     Profile profile;
     profile.enter(Mode::Pure, "a", {100, true, false, false});
     EXPECT_EQ(profile.bestOf(Mode::Standard, "a"), Best{});

@@ -44,7 +44,7 @@ TEST(Screens, ALevelIsChosenByMouse) {
     EXPECT_EQ(rig.stage.levelIndex(), 1u);
 }
 
-TEST(Screens, EveryMenuLeadsBackWhereItCameFrom) {
+TEST(Screens, EveryMenuReturnsToItsOrigin) {
     StageRig rig(StageRig::twoLevels());
     rig.clickItem(Action::Options);
     EXPECT_EQ(rig.stage.screen(), Screen::Options);
@@ -56,7 +56,7 @@ TEST(Screens, EveryMenuLeadsBackWhereItCameFrom) {
     EXPECT_EQ(rig.stage.screen(), Screen::Options);
     const std::uint32_t before = rig.stage.game().ticks();
     rig.frames(10);
-    EXPECT_EQ(rig.stage.game().ticks(), before); // the game waits behind them
+    EXPECT_EQ(rig.stage.game().ticks(), before); // the game is paused behind them
     rig.clickItem(Action::Back);
     EXPECT_EQ(rig.stage.screen(), Screen::Paused);
     rig.clickItem(Action::Resume);
@@ -68,7 +68,7 @@ TEST(Screens, EveryMenuLeadsBackWhereItCameFrom) {
     EXPECT_TRUE(rig.stage.wantsToQuit());
 }
 
-TEST(Screens, EscapeLeavesTheTitleAndTheWindowButtonLeavesEverything) {
+TEST(Screens, EscapeLeavesTheTitleAndTheWindowButtonQuits) {
     StageRig title(StageRig::twoLevels());
     title.press(Command::Back);
     EXPECT_TRUE(title.stage.wantsToQuit());
@@ -104,7 +104,7 @@ TEST(Screens, LosingTheFocusPauses) {
     EXPECT_TRUE(rig.stage.wantsPointer());
 }
 
-TEST(Screens, KeysOfOneFrameAreTakenOneAfterTheOther) {
+TEST(Screens, KeysOfOneFrameAreHandledInOrder) {
     StageRig rig(StageRig::playing());
     Signals all;
     all.commands = {Command::Pause, Command::Up, Command::Confirm}; // the last item: title
@@ -112,7 +112,7 @@ TEST(Screens, KeysOfOneFrameAreTakenOneAfterTheOther) {
     EXPECT_EQ(rig.stage.screen(), Screen::Title);
 }
 
-TEST(Screens, RestartBeginsTheSameLevelAnew) {
+TEST(Screens, RestartBeginsTheSameLevelAgain) {
     StageRig rig(StageRig::playing());
     rig.frames(50);
     rig.press(Command::Restart);
@@ -131,7 +131,7 @@ TEST(Screens, AWonLevelLeadsToTheNext) {
     EXPECT_EQ(rig.stage.levelIndex(), 1u);
 }
 
-TEST(Screens, APlayerWhoOnlyServesLosesAndMayTryAgain) {
+TEST(Screens, AGameWithoutPaddleInputIsLostAndCanBeRestarted) {
     StageDef def = StageRig::playing();
     def.pilot = [](const Game& game) {
         Input input;
@@ -154,7 +154,7 @@ TEST(Screens, APlayerWhoOnlyServesLosesAndMayTryAgain) {
 
 TEST(Screens, OptionsStayInTheirRangeAndCanBeReset) {
     StageRig rig(StageRig::twoLevels());
-    rig.clickItem(Action::Options); // the first of them is the sound
+    rig.clickItem(Action::Options); // the first dial is the sound
     rig.press(Command::Up);
     rig.press(Command::Down);
     for (int i = 0; i < 15; ++i) {
@@ -170,7 +170,7 @@ TEST(Screens, OptionsStayInTheirRangeAndCanBeReset) {
     EXPECT_EQ(rig.stage.settings(), Settings{});
 }
 
-TEST(Screens, WhatIsSetAndWonIsKept) {
+TEST(Screens, SettingsAndResultsAreSaved) {
     std::vector<Profile> kept;
     StageDef def = StageRig::playing();
     def.save = StageRig::keeping(kept);
@@ -185,7 +185,7 @@ TEST(Screens, WhatIsSetAndWonIsKept) {
     EXPECT_EQ(kept[0].settings.sound, Settings{}.sound - 10);
 }
 
-/// Plays like the bot, by keys and mouse.
+/// Plays the bot's moves by keys and mouse.
 void playToTheEnd(StageRig& rig) {
     for (int i = 0; i < 120 * 300 && rig.stage.screen() == Screen::Playing; ++i) {
         const Game& game = rig.stage.game();
@@ -222,7 +222,7 @@ TEST(Screens, TheScoreOfAGameIsEnteredInItsOwnTable) {
     }
 }
 
-TEST(Screens, AGameOfThePlayerIsRecordedToTheBit) {
+TEST(Screens, AGameOfThePlayerIsRecordedBitForBit) {
     std::vector<std::pair<Replay, bool>> kept;
     StageDef def = StageRig::playing();
     def.keepReplay = [&kept](const Replay& replay, bool best) {
@@ -246,7 +246,7 @@ TEST(Screens, AGameOfThePlayerIsRecordedToTheBit) {
     EXPECT_TRUE(rig.picture().says("It was kept."));
 }
 
-TEST(Screens, TheGamesOfAPilotAreNotThePlayers) {
+TEST(Screens, GamesOfAPilotAreNotSaved) {
     std::vector<Profile> kept;
     StageDef def = StageRig::played();
     def.save = StageRig::keeping(kept);
@@ -262,7 +262,7 @@ TEST(Screens, TheGamesOfAPilotAreNotThePlayers) {
     EXPECT_FALSE(recorded);
 }
 
-TEST(Screens, PureModeIsChosenOnTheTitleAndSeenInTheGame) {
+TEST(Screens, PureModeIsChosenOnTheTitleAndShownInTheGame) {
     StageRig rig(StageRig::twoLevels());
     rig.clickItem(Action::Mode);
     EXPECT_EQ(rig.stage.profile().mode, Mode::Pure);
@@ -271,14 +271,14 @@ TEST(Screens, PureModeIsChosenOnTheTitleAndSeenInTheGame) {
     EXPECT_TRUE(rig.picture().says("PURE"));
 }
 
-TEST(Screens, TheFanfareIsSkippedByAnyOfTheKeysThatServe) {
+TEST(Screens, AnyServeKeySkipsTheFanfare) {
     StageRig rig(StageRig::played());
     while (rig.stage.game().result() == Result::Playing) {
         rig.frame();
     }
     ASSERT_EQ(rig.stage.game().result(), Result::Won);
     rig.frames(10);
-    ASSERT_EQ(rig.stage.screen(), Screen::Playing); // the feast goes on
+    ASSERT_EQ(rig.stage.screen(), Screen::Playing); // during the fanfare
     rig.press(Command::Launch);
     EXPECT_EQ(rig.stage.screen(), Screen::Over);
     const std::size_t heard = rig.speaker.notes.size();
@@ -288,7 +288,7 @@ TEST(Screens, TheFanfareIsSkippedByAnyOfTheKeysThatServe) {
                              [](const Note& note) { return note.voice == Voice::Cleared; }));
 }
 
-TEST(Screens, TheBotShowsTheGameToWhoeverDoesNothing) {
+TEST(Screens, TheBotPlaysADemoWithoutInput) {
     StageDef def = StageRig::twoLevels();
     def.bot = [](const Game& game) { return std::optional(bot(game)); };
     StageRig rig(std::move(def));
@@ -298,7 +298,7 @@ TEST(Screens, TheBotShowsTheGameToWhoeverDoesNothing) {
     EXPECT_TRUE(rig.stage.attracting());
     EXPECT_FALSE(rig.picture().says("Options"));
     EXPECT_TRUE(rig.speaker.notes.empty());
-    rig.press(Command::Confirm); // only wakes the menu
+    rig.press(Command::Confirm); // only restores the menu
     EXPECT_EQ(rig.stage.screen(), Screen::Title);
     EXPECT_FALSE(rig.stage.attracting());
     rig.frames(60 * 25);
@@ -309,7 +309,7 @@ TEST(Screens, TheBotShowsTheGameToWhoeverDoesNothing) {
     EXPECT_FALSE(rig.stage.attracting());
 }
 
-TEST(Screens, AnEndlessRunGoesOnAndAddsUp) {
+TEST(Screens, AnEndlessRunContinuesAndSumsItsScores) {
     std::vector<Profile> kept;
     StageDef def = StageRig::twoLevels();
     def.save = StageRig::keeping(kept);
@@ -331,7 +331,7 @@ TEST(Screens, AnEndlessRunGoesOnAndAddsUp) {
               first + rig.stage.game().score());
 }
 
-TEST(Screens, AnEndlessRunMayBeginAnywhereAndBeginsThereAgain) {
+TEST(Screens, AnEndlessRunRestartsAtItsFirstLevel) {
     StageDef def = StageRig::twoLevels();
     def.endless = [](std::uint32_t number) {
         return glassLevel(number == 4 ? "Row 4" : "Another", {7});
@@ -347,7 +347,7 @@ TEST(Screens, AnEndlessRunMayBeginAnywhereAndBeginsThereAgain) {
     EXPECT_EQ(rig.stage.game().level().title, "Row 4");
 }
 
-/// A recorded game of this level that nobody touches.
+/// A recorded game of this level without input.
 StageDef showing(std::shared_ptr<const Level> level) {
     StageDef def = StageRig::twoLevels();
     def.seed = 70;
@@ -357,8 +357,8 @@ StageDef showing(std::shared_ptr<const Level> level) {
     return def;
 }
 
-// It once said LEVEL 3 OF 3 of a level that is in no list.
-TEST(Screens, ARecordedGameSaysWhereItsLevelStands) {
+// Regression: LEVEL 3 OF 3 was shown for a level outside the list.
+TEST(Screens, ARecordedGameShowsTheNumberOfItsLevel) {
     StageRig listed(showing(StageRig::twoLevels().levels[1]));
     EXPECT_TRUE(listed.picture().says("LEVEL 2 OF 2"));
     StageRig alone(showing(glassLevel("Another", {1, 2, 3, 4})));
@@ -369,8 +369,8 @@ TEST(Screens, ARecordedGameSaysWhereItsLevelStands) {
     EXPECT_TRUE(row.picture().says("ENDLESS 12"));
 }
 
-// Whatever was begun after it was once played by its inputs, and it began again with another seed.
-TEST(Screens, ARecordedGameCanBeWatchedAgainAndOtherGamesAreThePlayers) {
+// Regression: later games were played by the recorded inputs, and watching again used another seed.
+TEST(Screens, ARecordedGameCanBeReplayedAndLaterGamesUsePlayerInput) {
     std::vector<Profile> kept;
     StageDef def = showing(StageRig::twoLevels().levels[0]);
     def.save = StageRig::keeping(kept);
@@ -390,7 +390,7 @@ TEST(Screens, ARecordedGameCanBeWatchedAgainAndOtherGamesAreThePlayers) {
     EXPECT_EQ(rig.stage.game().mode(), Mode::Standard);
     EXPECT_FALSE(rig.picture().says("REPLAY"));
     rig.frames(200);
-    EXPECT_EQ(rig.stage.screen(), Screen::Playing); // it waits for the player's serve
+    EXPECT_EQ(rig.stage.screen(), Screen::Playing); // waits for the serve
 }
 
 TEST(Screens, WithoutEndlessLevelsNoneAreOffered) {
@@ -398,14 +398,14 @@ TEST(Screens, WithoutEndlessLevelsNoneAreOffered) {
     EXPECT_FALSE(rig.picture().says("Endless"));
 }
 
-// The same seed gives the same game, however long the bot has shown others before it.
-TEST(Screens, TheFirstGameHasTheSeedThatWasAskedFor) {
+// The first game has the requested seed, however many games the bot has shown before.
+TEST(Screens, TheFirstGameHasTheRequestedSeed) {
     StageDef def = StageRig::twoLevels();
     def.seed = 70;
     def.bot = [](const Game& game) { return std::optional(bot(game)); };
     StageRig rig(std::move(def));
-    rig.frames(60 * 150);     // longer than one of its games
-    rig.press(Command::Down); // wakes the menu
+    rig.frames(60 * 150);     // longer than one game of the bot
+    rig.press(Command::Down); // restores the menu
     rig.clickItem(Action::Play);
     EXPECT_EQ(rig.stage.game().seed(), 70u);
 }
@@ -417,8 +417,8 @@ TEST(Screens, ANoticeIsShownOnTheTitle) {
     EXPECT_TRUE(rig.picture().says("Scores begin anew."));
 }
 
-// What went wrong first is still there when something else goes wrong; the same is said once.
-TEST(Screens, NoticesStandAboveEachOtherOnTheTitle) {
+// An earlier notice stays when another one is added; an equal one is not repeated.
+TEST(Screens, NoticesAreStackedOnTheTitle) {
     StageDef def = StageRig::playing();
     def.levels = {glassLevel("One block", {7})};
     def.bot = [](const Game& game) { return std::optional(bot(game)); };
@@ -445,7 +445,7 @@ TEST(Screens, NoticesStandAboveEachOtherOnTheTitle) {
     ASSERT_EQ(heights.size(), 3u);
     std::sort(heights.begin(), heights.end());
     for (std::size_t i = 1; i < heights.size(); ++i) {
-        EXPECT_GT(heights[i] - heights[i - 1], Real(0.42)); // the height of their letters
+        EXPECT_GT(heights[i] - heights[i - 1], Real(0.42)); // the letter height
     }
 }
 

@@ -14,7 +14,7 @@
 
 namespace apart {
 
-/// A level with glass blocks in those columns of its third row.
+/// A level with glass blocks in the given columns of its third row.
 inline std::shared_ptr<const Level> glassLevel(const char* title,
                                                std::initializer_list<int> columns) {
     Level level;
@@ -33,11 +33,11 @@ inline std::shared_ptr<const Level> glassLevel(const char* title,
     return std::make_shared<const Level>(level);
 }
 
-/// A stage with everything around it recorded.
+/// A stage with recording canvas and speaker.
 struct StageRig {
     explicit StageRig(StageDef def) : stage(std::move(def)) {}
 
-    /// Keeps each profile that is saved.
+    /// Appends each saved profile to `kept`.
     static std::function<std::string(const Profile&)> keeping(std::vector<Profile>& kept) {
         return [&kept](const Profile& profile) {
             kept.push_back(profile);
@@ -80,7 +80,7 @@ struct StageRig {
         signals.clicked = true;
         frame(signals);
     }
-    /// The item of the menu, by mouse.
+    /// Clicks a menu item with the mouse.
     void clickItem(Action action) {
         for (std::size_t i = 0; i < stage.menu().items().size(); ++i) {
             if (stage.menu().items()[i].action == action) {
@@ -91,7 +91,7 @@ struct StageRig {
     }
     void untilOver() {
         for (int i = 0; i < 60 * 300 && stage.screen() == Screen::Playing; ++i) {
-            frame(); // the bot needs some seconds for a block; five minutes are ample
+            frame(); // five minutes: the bot needs a few seconds per block
         }
     }
     const RecordingCanvas& picture() {

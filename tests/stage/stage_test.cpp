@@ -20,8 +20,8 @@ TEST(Stage, TheFrameRateDoesNotChangeTheGame) {
     EXPECT_EQ(slow.stage.game().stateHash(), fast.stage.game().stateHash());
 }
 
-// For players who want more time: the same game, more slowly.
-TEST(Stage, TheGameRunsAsSlowlyAsThePlayerWants) {
+// Accessibility: the same game at a lower speed.
+TEST(Stage, TheGameRunsAtTheChosenSpeed) {
     std::vector<std::uint32_t> ticks;
     for (const int percent : {100, 50}) {
         StageDef def = StageRig::played();
@@ -34,10 +34,10 @@ TEST(Stage, TheGameRunsAsSlowlyAsThePlayerWants) {
     EXPECT_NEAR(ticks[1], kTicksPerSecond / 2, 1);
 }
 
-TEST(Stage, AfterAStallTheGameSlowsDownInsteadOfHurrying) {
+TEST(Stage, AfterAStallTheGameSlowsDownInsteadOfCatchingUp) {
     StageRig rig(StageRig::playing());
     rig.frame({}, 60.0);
-    EXPECT_LE(rig.stage.game().ticks(), 12u); // a tenth of a second
+    EXPECT_LE(rig.stage.game().ticks(), 12u); // 0.1 s
 }
 
 TEST(Stage, NothingInTheFieldIsDrawnOverABall) {
@@ -51,7 +51,7 @@ TEST(Stage, NothingInTheFieldIsDrawnOverABall) {
         }
         ++seen;
         const std::vector<Stroke>& strokes = rig.picture().strokes();
-        // A ball is the last outline in ink, as wide as two of its rims, and its body.
+        // A ball is the last outline in ink, as wide as two rims, and its body.
         const auto ball = std::find_if(strokes.rbegin(), strokes.rend(), [](const Stroke& stroke) {
             return stroke.kind == Stroke::Kind::Outline && stroke.color == palette::kInk;
         });
@@ -62,14 +62,14 @@ TEST(Stage, NothingInTheFieldIsDrawnOverABall) {
             if (after->place.x > kFieldWidth / 2) {
                 continue; // the panel
             }
-            // The body and the gleam on it are all that follows.
+            // Only the body and its highlight follow.
             EXPECT_LT(length(after->place - ball->place), 3 * kBallRadius);
         }
     }
     EXPECT_GT(seen, 50);
 }
 
-TEST(Stage, EventsAreHeard) {
+TEST(Stage, EventsCauseSounds) {
     StageRig rig(StageRig::played());
     rig.frames(60 * 5);
     const auto heard = [&](Voice voice) {
@@ -106,7 +106,7 @@ TEST(Stage, SpaceServesAndTheHeldKeyMovesThePaddle) {
     EXPECT_GT(paddleX(), before + 1);
 }
 
-TEST(Stage, ThePaddleGoesAsFarAsTheMouse) {
+TEST(Stage, ThePaddleMovesAsFarAsTheMouse) {
     StageRig rig(StageRig::playing());
     Signals moved;
     moved.moved = -6;
@@ -127,7 +127,7 @@ TEST(Stage, APilotThatIsDoneEndsTheGame) {
     EXPECT_TRUE(rig.picture().says("The replay ends"));
 }
 
-TEST(Stage, ScriptedControlsDriveIt) {
+TEST(Stage, ScriptedControlsPlayTheGame) {
     StageRig rig(StageRig::twoLevels());
     ScriptedControls controls;
     controls.script.resize(3);

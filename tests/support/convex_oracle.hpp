@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/shapes/convex.hpp>
+#include <kodo/convex_shape.hpp>
 
 #include <limits>
 #include <vector>
 
-/// A slow second opinion on where two outlines are, in long double and by brute force: every edge
-/// against every corner, no climbing, no early out, no frames.
+/// Slow oracle for the relative position of two convex shapes, in long double and by brute force.
+/// Every edge is tested against every corner, without hill climbing, early out or local frames.
 namespace support {
 
 using LongVec = kodo::BasicVec2<long double>;
@@ -16,7 +16,7 @@ inline LongVec toLong(kodo::Vec2 v) {
     return {static_cast<long double>(v.x), static_cast<long double>(v.y)};
 }
 
-/// An outline in the world.
+/// A convex shape in world coordinates.
 struct Outline {
     std::vector<LongVec> corners;
     long double radius = 0;
@@ -24,7 +24,7 @@ struct Outline {
     LongVec corner(std::size_t i) const { return corners[i % corners.size()]; }
 };
 
-inline Outline outlineOf(const kodo::Convex& convex, const kodo::Transform& pose) {
+inline Outline outlineOf(const kodo::ConvexShape& convex, const kodo::Transform& pose) {
     const kodo::BasicRot<long double> turn{static_cast<long double>(pose.rotation.c),
                                            static_cast<long double>(pose.rotation.s)};
     Outline outline;
@@ -53,7 +53,7 @@ inline bool isInside(const Outline& polygon, LongVec p) {
     return true;
 }
 
-/// From the outline to p; negative inside.
+/// Distance from the polygon to p; negative inside.
 inline long double signedDistance(const Outline& polygon, LongVec p) {
     long double nearest = std::numeric_limits<long double>::infinity();
     for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
@@ -62,7 +62,7 @@ inline long double signedDistance(const Outline& polygon, LongVec p) {
     return isInside(polygon, p) ? -nearest : nearest;
 }
 
-/// The largest gap along any normal of `a`.
+/// The largest separation along any edge normal of `a`.
 inline long double gapAlongNormals(const Outline& a, const Outline& b) {
     long double best = -std::numeric_limits<long double>::infinity();
     for (std::size_t i = 0; i < a.corners.size(); ++i) {
@@ -77,7 +77,7 @@ inline long double gapAlongNormals(const Outline& a, const Outline& b) {
     return best;
 }
 
-/// What kodo::separation promises: along the best axis, negative in overlap.
+/// Oracle for kodo::separation: separation along the best axis, negative if the shapes overlap.
 inline long double separationOf(const Outline& a, const Outline& b) {
     const bool roundA = a.corners.size() == 1;
     const bool roundB = b.corners.size() == 1;
@@ -93,7 +93,8 @@ inline long double separationOf(const Outline& a, const Outline& b) {
     return std::max(gapAlongNormals(a, b), gapAlongNormals(b, a));
 }
 
-/// Do two polygons share a point? By crossing edges and corners inside, not by axes.
+/// True if two polygons share a point. Tests edge crossings and contained corners instead of
+/// separating axes.
 inline bool polygonsMeet(const Outline& a, const Outline& b) {
     if (isInside(a, b.corners[0]) || isInside(b, a.corners[0])) {
         return true;
@@ -114,8 +115,8 @@ inline bool polygonsMeet(const Outline& a, const Outline& b) {
     return false;
 }
 
-/// Between the nearest points of two polygons that do not meet; what lies corner to corner is
-/// farther apart than any axis tells.
+/// Distance between the nearest points of two disjoint polygons. For corner against corner it
+/// exceeds the separation along every axis.
 inline long double distanceOf(const Outline& a, const Outline& b) {
     long double nearest = std::numeric_limits<long double>::infinity();
     for (const Outline* one : {&a, &b}) {

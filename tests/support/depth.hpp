@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/collide/collide.hpp>
+#include <kodo/geometry.hpp>
 #include <kodo/kodo.hpp>
 
 namespace support {
 
-/// How deep (m) any two bodies of one part lie in each other, of which one is not locked, by
+/// Largest overlap (m) of any two single-part bodies of which at least one is dynamic, by
 /// separating axes.
 inline kodo::Real deepest(const kodo::World& world) {
     kodo::Real depth = 0;
@@ -15,9 +15,11 @@ inline kodo::Real deepest(const kodo::World& world) {
         for (std::size_t k = i + 1; k < ids.size(); ++k) {
             const kodo::BodyView a = world[ids[i]];
             const kodo::BodyView b = world[ids[k]];
-            if ((a.flags() & b.flags() & kodo::kLocked) == 0 && overlap(a.bounds(), b.bounds())) {
-                depth = std::max(depth, -separation(a.part(0).convex, a.placement(),
-                                                    b.part(0).convex, b.placement())
+            const bool dynamic =
+                a.type() == kodo::BodyType::Dynamic || b.type() == kodo::BodyType::Dynamic;
+            if (dynamic && overlap(a.bounds(), b.bounds())) {
+                depth = std::max(depth, -separation(a.part(0).convex, a.massFrame(),
+                                                    b.part(0).convex, b.massFrame())
                                              .distance);
             }
         }

@@ -3,7 +3,7 @@
 
 namespace support {
 
-/// Is memory, or are threads, watched by a sanitizer? That makes everything several times as dear.
+/// True under an address or thread sanitizer, which slows tests down several times.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool kSanitized = true;
 #elif defined(__has_feature)
@@ -16,7 +16,7 @@ inline constexpr bool kSanitized = false;
 inline constexpr bool kSanitized = false;
 #endif
 
-/// So many random cases; under a sanitizer a tenth.
+/// Number of random cases: a tenth of `whole` under a sanitizer.
 constexpr int draws(int whole) {
     return kSanitized ? whole / 10 : whole;
 }

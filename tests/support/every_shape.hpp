@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/shapes/convex.hpp>
+#include <kodo/convex_shape.hpp>
 #include <support/random_shapes.hpp>
 
 #include <algorithm>
 
 namespace support {
 
-/// Every primitive that can meet another. A platform is a one-sided segment, a cell one with
-/// neighbours as a heightmap has them.
+/// Every primitive that collides with another. A platform is a one-sided segment; a cell is a
+/// one-sided segment with neighbours, as in a heightmap.
 enum class AnyKind { Point, Circle, Box, Polygon, Segment, Plane, Platform, Cell };
 
-/// Those that have a signed distance from each other: all but the one-sided ones.
+/// Primitives with a mutual signed distance: all but the one-sided ones.
 inline constexpr AnyKind kTwoSidedKinds[] = {AnyKind::Point,   AnyKind::Circle,  AnyKind::Box,
                                              AnyKind::Polygon, AnyKind::Segment, AnyKind::Plane};
 inline constexpr AnyKind kEveryKind[] = {AnyKind::Point,    AnyKind::Circle,  AnyKind::Box,
@@ -34,7 +34,7 @@ inline kodo::Segment randomSegment(RandomNumbers& random) {
     return segment;
 }
 
-/// Goes on from both ends, up to 60 degrees up or down.
+/// A one-sided segment with neighbours at both ends, up to 60 degrees up or down.
 inline kodo::Segment randomCell(RandomNumbers& random) {
     kodo::Segment cell = randomSegment(random);
     cell.oneSided = true;
@@ -44,7 +44,7 @@ inline kodo::Segment randomCell(RandomNumbers& random) {
     return cell;
 }
 
-/// Of a size of about 1 m, about its own origin or a little beside it; polygons of 3 to 20 corners.
+/// A primitive of about 1 m at or near its own origin. Polygons have 3 to 20 corners.
 inline kodo::Primitive randomPrimitive(RandomNumbers& random, AnyKind kind) {
     switch (kind) {
     case AnyKind::Point:
@@ -79,7 +79,7 @@ inline kodo::Transform mirrored(const kodo::Transform& t) {
     return {mirrored(t.position), t.rotation.inverse()};
 }
 
-/// Changes every point by a map of the plane that keeps angles.
+/// Applies a conformal map of the plane to all points.
 template <typename Map>
 kodo::Segment mapped(kodo::Segment segment, Map map) {
     segment.from = map(segment.from);
@@ -92,7 +92,7 @@ kodo::Segment mapped(kodo::Segment segment, Map map) {
     return segment;
 }
 
-/// A mirror exchanges left and right, so what has an order is turned round.
+/// Mirrors a primitive. The order of corners is reversed to keep the orientation.
 inline kodo::Primitive mirrored(const kodo::Primitive& primitive) {
     const auto flip = [](kodo::Vec2 v) { return mirrored(v); };
     if (const auto* circle = std::get_if<kodo::Circle>(&primitive)) {
@@ -141,13 +141,12 @@ inline kodo::Primitive scaled(const kodo::Primitive& primitive, kodo::Real s) {
     return polygon;
 }
 
-/// A box or a polygon of no more corners than lie within an outline, about its own origin or a
-/// little beside it.
-inline kodo::Convex randomFewCorners(RandomNumbers& random) {
+/// A box or polygon with at most kFew corners, the number stored inline, at or near its own origin.
+inline kodo::ConvexShape randomFewCorners(RandomNumbers& random) {
     for (;;) {
         const AnyKind kind = random.below(2) == 0 ? AnyKind::Box : AnyKind::Polygon;
-        const kodo::Convex convex = convexOf(randomPrimitive(random, kind), {});
-        if (convex.vertices.size() <= kodo::Convex::kFew) {
+        const kodo::ConvexShape convex = convexShapeOf(randomPrimitive(random, kind), {});
+        if (convex.vertices.size() <= kodo::ConvexShape::kFew) {
             return convex;
         }
     }

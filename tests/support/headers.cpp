@@ -1,2 +1,2 @@
 // SPDX-License-Identifier: MIT
-// Nothing: the headers that its target precompiles are what it is for.
+// Intentionally empty: the target only precompiles headers.

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/shapes/convex.hpp>
+#include <kodo/convex_shape.hpp>
 
 #include <algorithm>
 #include <limits>
 #include <vector>
 
-/// A slow second opinion on any two outlines, in long double: all differences of their corners, the
-/// hull of these, and where the origin lies in it. It knows no faces, no axes, no frames.
+/// Slow oracle for any two convex shapes, in long double: position of the origin relative to the
+/// hull of all corner differences. It uses no faces, axes or local frames.
 namespace support {
 
 using LongPoint = kodo::BasicVec2<long double>;
@@ -23,7 +23,8 @@ inline LongPoint placed(const kodo::Transform& t, kodo::Vec2 v) {
     return turn * widened(v) + widened(t.position);
 }
 
-inline std::vector<LongPoint> placedCorners(const kodo::Convex& convex, const kodo::Transform& t) {
+inline std::vector<LongPoint> placedCorners(const kodo::ConvexShape& convex,
+                                            const kodo::Transform& t) {
     std::vector<LongPoint> corners;
     for (const kodo::Vec2 vertex : convex.vertices) {
         corners.push_back(placed(t, vertex));
@@ -31,7 +32,7 @@ inline std::vector<LongPoint> placedCorners(const kodo::Convex& convex, const ko
     return corners;
 }
 
-/// Gift wrapping: from each corner to the one that has all others on its left.
+/// Convex hull by gift wrapping: the next corner has all other points on its left.
 inline std::vector<LongPoint> wrapped(const std::vector<LongPoint>& points) {
     std::size_t start = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -66,7 +67,7 @@ inline long double toSegment(LongPoint p, LongPoint from, LongPoint to) {
     return length(p - (from + share * edge));
 }
 
-/// From a convex hull to p; negative inside.
+/// Distance from a convex hull to p; negative inside.
 inline long double signedDistance(const std::vector<LongPoint>& hull, LongPoint p) {
     long double nearest = std::numeric_limits<long double>::infinity();
     bool inside = hull.size() >= 3;
@@ -79,8 +80,8 @@ inline long double signedDistance(const std::vector<LongPoint>& hull, LongPoint 
     return inside ? -nearest : nearest;
 }
 
-inline long double fromPlane(const kodo::Convex& plane, const kodo::Transform& a,
-                             const kodo::Convex& other, const kodo::Transform& b) {
+inline long double fromPlane(const kodo::ConvexShape& plane, const kodo::Transform& a,
+                             const kodo::ConvexShape& other, const kodo::Transform& b) {
     const LongPoint normal = placed({{}, a.rotation}, plane.normals[0]);
     long double lowest = std::numeric_limits<long double>::infinity();
     for (const LongPoint corner : placedCorners(other, b)) {
@@ -90,8 +91,10 @@ inline long double fromPlane(const kodo::Convex& plane, const kodo::Transform& a
 }
 
 /// The hull of all differences b - a.
-inline std::vector<LongPoint> differencesOf(const kodo::Convex& shapeA, const kodo::Transform& a,
-                                            const kodo::Convex& shapeB, const kodo::Transform& b) {
+inline std::vector<LongPoint> differencesOf(const kodo::ConvexShape& shapeA,
+                                            const kodo::Transform& a,
+                                            const kodo::ConvexShape& shapeB,
+                                            const kodo::Transform& b) {
     std::vector<LongPoint> differences;
     for (const LongPoint p : placedCorners(shapeA, a)) {
         for (const LongPoint q : placedCorners(shapeB, b)) {
@@ -101,10 +104,10 @@ inline std::vector<LongPoint> differencesOf(const kodo::Convex& shapeA, const ko
     return wrapped(differences);
 }
 
-/// The true distance of two outlines or, negative, how far one must be moved at least until they
-/// only touch. Lines have both sides.
-inline long double signedDistance(const kodo::Convex& shapeA, const kodo::Transform& a,
-                                  const kodo::Convex& shapeB, const kodo::Transform& b) {
+/// The exact signed distance of two convex shapes. If negative, its magnitude is the smallest
+/// translation that separates them. Segments are two-sided.
+inline long double signedDistance(const kodo::ConvexShape& shapeA, const kodo::Transform& a,
+                                  const kodo::ConvexShape& shapeB, const kodo::Transform& b) {
     if (shapeA.isPlane()) {
         return fromPlane(shapeA, a, shapeB, b);
     }
@@ -115,14 +118,16 @@ inline long double signedDistance(const kodo::Convex& shapeA, const kodo::Transf
            static_cast<long double>(shapeA.radius) - static_cast<long double>(shapeB.radius);
 }
 
-/// What becomes of an outline that moves straight on past another.
+/// Result of a straight translation of one convex shape past another.
 struct Passage {
-    enum class End { Hits, Misses, Grazes } end = End::Grazes; // grazes: too near to call
-    long double fraction = 0;                                  // of the move, where it hits
-    LongPoint normal{}; // unit, from what was met to what moved; none where they overlap already
+    enum class End { Hits, Misses, Grazes } end = End::Grazes; // Grazes: within the tolerance
+    long double fraction = 0;                                  // share of the displacement at the
+                                                               // hit
+    LongPoint normal{}; // unit, from the target to the moving shape; zero if they overlap at the
+                        // start
 };
 
-/// The nearest point of a hull to p.
+/// The point of a hull nearest to p.
 inline LongPoint nearestOn(const std::vector<LongPoint>& hull, LongPoint p) {
     LongPoint nearest = hull[0];
     for (std::size_t i = 0; i < hull.size(); ++i) {
@@ -136,8 +141,8 @@ inline LongPoint nearestOn(const std::vector<LongPoint>& hull, LongPoint p) {
     return nearest;
 }
 
-/// b moves. Along the direction to the nearest point the gap closes no faster than the move leads
-/// along it, so that much of the way is free, again and again.
+/// Conservative advancement of b. The gap closes no faster than the speed along the direction to
+/// the nearest point. Each round advances by that safe fraction.
 inline Passage passageOf(const std::vector<LongPoint>& differences, long double radius,
                          LongPoint move) {
     const long double speed = length(move);
@@ -145,7 +150,7 @@ inline Passage passageOf(const std::vector<LongPoint>& differences, long double 
         return {Passage::End::Hits, 0};
     }
     long double t = 0;
-    LongPoint normal; // the last that rounding leaves something of
+    LongPoint normal; // last direction above the rounding error
     for (int round = 0; round < 1000 && t <= 1; ++round) {
         const LongPoint p = -t * move;
         const LongPoint arm = p - nearestOn(differences, p);
@@ -164,16 +169,17 @@ inline Passage passageOf(const std::vector<LongPoint>& differences, long double 
     return {t > 1.0001L ? Passage::End::Misses : Passage::End::Grazes, 0};
 }
 
-inline Passage passageOf(const kodo::Convex& moving, const kodo::Transform& from, kodo::Vec2 move,
-                         const kodo::Convex& target, const kodo::Transform& t) {
+inline Passage passageOf(const kodo::ConvexShape& moving, const kodo::Transform& from,
+                         kodo::Vec2 move, const kodo::ConvexShape& target,
+                         const kodo::Transform& t) {
     if (!target.isPlane() && !moving.isPlane()) {
         const long double radius =
             static_cast<long double>(target.radius) + static_cast<long double>(moving.radius);
         return passageOf(differencesOf(target, t, moving, from), radius, widened(move));
     }
-    const kodo::Convex& plane = target.isPlane() ? target : moving;
+    const kodo::ConvexShape& plane = target.isPlane() ? target : moving;
     const kodo::Transform& at = target.isPlane() ? t : from;
-    const long double side = target.isPlane() ? 1 : -1; // the plane comes to the target instead
+    const long double side = target.isPlane() ? 1 : -1; // the plane moves towards the target
     const long double gap = signedDistance(moving, from, target, t);
     const LongPoint normal = side * placed({{}, at.rotation}, plane.normals[0]);
     const long double fall = -dot(normal, widened(move));
@@ -184,13 +190,13 @@ inline Passage passageOf(const kodo::Convex& moving, const kodo::Transform& from
             normal};
 }
 
-/// The same where one-sided lines are met from their front alone, by what does not overlap them
-/// from the start; whatever comes another way passes.
-inline Passage frontPassageOf(const kodo::Convex& moving, const kodo::Transform& from,
-                              kodo::Vec2 move, const kodo::Convex& target,
+/// As passageOf(), but one-sided segments are hit only from their front and not if they overlap at
+/// the start. All other passages miss.
+inline Passage frontPassageOf(const kodo::ConvexShape& moving, const kodo::Transform& from,
+                              kodo::Vec2 move, const kodo::ConvexShape& target,
                               const kodo::Transform& t) {
     const Passage passage = passageOf(moving, from, move, target, t);
-    const auto passes = [&](const kodo::Convex& line, kodo::Rot rotation, LongPoint away) {
+    const auto passes = [&](const kodo::ConvexShape& line, kodo::Rot rotation, LongPoint away) {
         return line.oneSided && dot(placed({{}, rotation}, line.normals[1]), away) <= 0;
     };
     if (passage.end == Passage::End::Hits && (passes(target, t.rotation, passage.normal) ||

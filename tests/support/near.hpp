@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/math/vec2.hpp>
+#include <kodo/math.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-/// What the tests of the engine share. Comparisons are made in long double, so that a float and a
-/// double build of one test read alike.
+/// Comparisons for the engine's tests, in long double. The same test runs in the float and the
+/// double build.
 namespace support {
 
-/// A tolerance for the precision that is being tested.
+/// Selects a tolerance by the precision under test.
 constexpr kodo::Real byPrecision(double inFloat, double inDouble) {
     return static_cast<kodo::Real>(sizeof(kodo::Real) == 4 ? inFloat : inDouble);
 }
 
-/// Numbers that no definition may hold.
+/// Values that every definition must reject.
 inline constexpr kodo::Real kInf = std::numeric_limits<kodo::Real>::infinity();
 inline constexpr kodo::Real kNan = std::numeric_limits<kodo::Real>::quiet_NaN();
 
 /// Distance from 1 to the next Real.
 inline constexpr kodo::Real kEpsilon = std::numeric_limits<kodo::Real>::epsilon();
 
-/// Use: EXPECT_TRUE(near(actual, expected, tolerance)). False for NaN.
+/// Usage: EXPECT_TRUE(near(actual, expected, tolerance)). False for NaN.
 template <typename A, typename B, typename C>
 testing::AssertionResult near(A actual, B expected, C tolerance) {
     const auto a = static_cast<long double>(actual);
@@ -46,7 +46,7 @@ testing::AssertionResult near(kodo::BasicVec2<T> actual, kodo::BasicVec2<U> expe
                 : testing::AssertionSuccess();
 }
 
-/// Within a share of the expected value.
+/// Comparison with a tolerance relative to the expected value.
 template <typename A, typename B, typename C>
 testing::AssertionResult nearShare(A actual, B expected, C share) {
     return near(actual, expected,

@@ -3,14 +3,14 @@
 
 #include <support/scenes.hpp>
 
-/// Questions about what waits outside a region of interest.
+/// Queries about bodies outside the region.
 namespace support {
 
 inline bool waits(const kodo::World& world, kodo::BodyId id) {
     return (world[id].flags() & kodo::kOutside) != 0;
 }
 
-/// Pose and motion, to be compared bit by bit.
+/// Pose and velocity, for bitwise comparison.
 struct State {
     kodo::Vec2 center;
     kodo::Rot rotation;

@@ -8,7 +8,8 @@
 
 namespace support {
 
-/// Follows the phases of every pair of parts and fails at the first that is out of turn.
+/// Tracks the contact phase of every pair of parts. Fails if a phase is out of order or a record is
+/// missing.
 class PhaseBook {
     using PairKey = std::tuple<kodo::BodyId, std::uint16_t, kodo::BodyId, std::uint16_t>;
 
@@ -39,10 +40,11 @@ public:
     int ended = 0;
 
 private:
-    /// What rests, waits or is locked has no record of its own accord.
+    /// True for a body that causes no records itself: asleep, outside the region, static or
+    /// kinematic.
     static bool still(const kodo::World& world, kodo::BodyId id) {
-        return world.contains(id) &&
-               (world[id].flags() & (kodo::kResting | kodo::kLocked | kodo::kOutside)) != 0;
+        return world.contains(id) && ((world[id].flags() & (kodo::kAsleep | kodo::kOutside)) != 0 ||
+                                      world[id].type() != kodo::BodyType::Dynamic);
     }
 
     std::set<PairKey> open_;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/math/transform.hpp>
+#include <kodo/math.hpp>
 
 #include <cstdint>
 
 namespace support {
 
-/// A counter-based generator: number i of a seed is a function of seed and i alone, the same on
-/// every machine. (splitmix64, Steele, Lea, Flood 2014.)
+/// Counter-based generator: number i depends only on the seed and i, identically on every machine
+/// (splitmix64; Steele, Lea, Flood 2014).
 class RandomNumbers {
 public:
     explicit RandomNumbers(std::uint64_t seed) : counter_(seed << 32) {}
@@ -21,7 +21,7 @@ public:
     }
     /// 0 .. count - 1.
     std::size_t below(std::size_t count) { return static_cast<std::size_t>(bits() % count); }
-    /// low .. high; 24 bits, so that float and double get the same numbers.
+    /// low .. high, with 24 random bits: float and double builds get the same numbers.
     kodo::Real between(double low, double high) {
         const double share = static_cast<double>(bits() >> 40) / 16777216.0;
         return static_cast<kodo::Real>(low + share * (high - low));

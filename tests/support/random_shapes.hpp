@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/shapes/convex.hpp>
+#include <kodo/convex_shape.hpp>
 #include <support/random_numbers.hpp>
 
 #include <cmath>
 
 namespace support {
 
-/// Corners on an ellipse of about 1 m, unevenly spread but nowhere so close that the outline turns
-/// flat.
+/// Corners on an ellipse of about 1 m, unevenly spaced, with a minimum spacing that avoids
+/// degenerate polygons.
 inline kodo::Polygon randomPolygon(RandomNumbers& random, std::size_t corners) {
     const double width = static_cast<double>(random.between(0.5, 1.5));
     const double height = static_cast<double>(random.between(0.5, 1.5));
@@ -31,7 +31,7 @@ inline const char* nameOf(Kind kind) {
     return kind == Kind::Circle ? "circle" : kind == Kind::Box ? "box" : "polygon";
 }
 
-/// Of a size of about 1 m, about its own origin or a little beside it.
+/// A primitive of about 1 m at or near its own origin.
 inline kodo::Primitive randomPrimitive(RandomNumbers& random, Kind kind) {
     switch (kind) {
     case Kind::Circle: {

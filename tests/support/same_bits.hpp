@@ -6,7 +6,7 @@
 
 namespace support {
 
-/// Have two lists the same bytes, so that also a -0 is no 0?
+/// True if two lists are equal byte by byte; -0 and 0 differ.
 template <typename T>
 bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/world/world.hpp>
+#include <kodo/world.hpp>
 
 #include <algorithm>
 #include <tuple>
 
-namespace support::inline KODO_PRECISION {
+namespace support {
+inline namespace KODO_PRECISION {
 
 using kodo::CollisionRecord;
 using kodo::World;
 
-/// Do two Worlds report the same of their last step, to the bit?
+/// True if two worlds report bitwise equal records of their last step.
 inline bool sameRecords(const World& a, const World& b) {
     const auto same = [](const CollisionRecord& r, const CollisionRecord& s) {
         const auto all = [](const CollisionRecord& x) {
@@ -25,4 +26,5 @@ inline bool sameRecords(const World& a, const World& b) {
                       b.collisions().end(), same);
 }
 
-} // namespace support::inline KODO_PRECISION
+} // namespace KODO_PRECISION
+} // namespace support

@@ -5,16 +5,16 @@
 #include <support/near.hpp>
 #include <support/random_numbers.hpp>
 
-/// Small scenes and the sums that physics keeps.
+/// Small scenes and sums of conserved quantities.
 namespace support {
 
-inline constexpr kodo::Real kDt = kodo::Real(1) / 60; // s, a step unless a test says otherwise
+inline constexpr kodo::Real kDt = kodo::Real(1) / 60; // s, default step
 inline constexpr kodo::Vec2 kEarth{0, -10};           // m/s^2
 
-/// Nothing comes to rest, under the gravity of the earth.
+/// World with gravity and without sleep.
 inline kodo::WorldDef wakeful() {
     kodo::WorldDef def{.gravity = kEarth};
-    def.settings.leaveOut = static_cast<std::uint8_t>(kodo::Feature::Resting);
+    def.settings.leaveOut = static_cast<std::uint8_t>(kodo::Feature::Sleep);
     return def;
 }
 
@@ -24,26 +24,26 @@ inline void run(kodo::World& world, int steps, kodo::Real dt = kDt) {
     }
 }
 
-/// No friction, no rolling resistance.
+/// Material without friction and rolling resistance.
 constexpr kodo::Material slippery(kodo::Real restitution = 0) {
     return kodo::withFriction(0, restitution);
 }
 
-/// Its upper face is the line y = 0, 2000 m long.
+/// A static floor 2000 m wide, with its upper face at y = 0.
 inline kodo::BodyId addFloor(kodo::World& world, const kodo::Material& material = {}) {
     return world.add({.shape = kodo::Box{2000, 1},
                       .position = {0, kodo::Real(-0.5)},
                       .material = material,
-                      .flags = kodo::kLocked});
+                      .type = kodo::BodyType::Static});
 }
 
-/// A wall of that thickness with its left face at x.
+/// A static wall with its left face at x.
 inline kodo::BodyId addWall(kodo::World& world, kodo::Real x, kodo::Real thickness,
                             const kodo::Material& material) {
     return world.add({.shape = kodo::Box{thickness, 100},
                       .position = {x + thickness / 2, 0},
                       .material = material,
-                      .flags = kodo::kLocked});
+                      .type = kodo::BodyType::Static});
 }
 
 inline kodo::BodyDef ballDef(kodo::Vec2 position, kodo::Real radius,
@@ -56,7 +56,7 @@ inline kodo::BodyDef boxDef(kodo::Vec2 position, kodo::Real width, kodo::Real he
     return {.shape = kodo::Box{width, height}, .position = position, .material = material};
 }
 
-/// count unit boxes, one on the other, from y = 0 up.
+/// A stack of `count` unit boxes, from y = 0 up.
 inline std::vector<kodo::BodyId> addStack(kodo::World& world, int count, kodo::Real x = 0) {
     std::vector<kodo::BodyId> boxes;
     for (int i = 0; i < count; ++i) {
@@ -65,7 +65,7 @@ inline std::vector<kodo::BodyId> addStack(kodo::World& world, int count, kodo::R
     return boxes;
 }
 
-/// A heap of many kinds between two walls, to be dropped.
+/// A random heap of several shapes between two walls, initially in the air.
 inline void addHeap(kodo::World& world, std::uint64_t seed, int count) {
     RandomNumbers random(seed);
     addFloor(world);
@@ -88,7 +88,7 @@ inline void addHeap(kodo::World& world, std::uint64_t seed, int count) {
     }
 }
 
-/// Sums over all bodies that are not locked, in long double.
+/// Sums over all dynamic bodies, in long double.
 struct Totals {
     kodo::BasicVec2<long double> momentum; // kg m/s
     long double spin = 0;                  // kg m^2/s, about the origin
@@ -99,7 +99,7 @@ inline Totals totalsOf(const kodo::World& world) {
     Totals sum;
     for (const kodo::BodyId id : world.bodies()) {
         const kodo::BodyView body = world[id];
-        if ((body.flags() & kodo::kLocked) == kodo::kLocked) {
+        if (body.type() != kodo::BodyType::Dynamic) {
             continue;
         }
         const auto wide = [](kodo::Vec2 v) {
@@ -117,7 +117,7 @@ inline Totals totalsOf(const kodo::World& world) {
     return sum;
 }
 
-/// The record of this pair in the last step, or nullptr.
+/// The record of a pair in the last step, or nullptr.
 inline const kodo::CollisionRecord* recordOf(const kodo::World& world, kodo::BodyId one,
                                              kodo::BodyId other) {
     for (const kodo::CollisionRecord& record : world.collisions()) {

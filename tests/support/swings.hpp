@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-/// Something that swings about zero, seen once a step.
+/// Samples an oscillation about zero once per step.
 namespace support {
 
 class Swings {
@@ -20,11 +20,11 @@ public:
         last_ = value;
         ++steps_;
     }
-    /// Whole swings between the first and the last upward crossing.
+    /// Number of full periods between the first and the last upward crossing.
     int count() const { return crossings_.empty() ? 0 : static_cast<int>(crossings_.size()) - 1; }
-    /// s, their mean; each end is found by a straight line between two steps.
+    /// Mean period (s). Crossings are interpolated linearly between two steps.
     double period() const { return (crossings_.back() - crossings_.front()) / count(); }
-    /// The farthest from zero since the start, or since the last call of forgetPeak().
+    /// Largest magnitude since the start or since the last forgetPeak().
     double peak() const { return peak_; }
     void forgetPeak() { peak_ = 0; }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/solver.hpp"
 #include <support/draws.hpp>
 #include <support/scenes.hpp>
 
@@ -7,13 +8,20 @@
 namespace kodo {
 namespace {
 
-/// A heap of more bodies than a step must have before it is helped, with fast balls that bounce, a
-/// sensor, a chain, a ring of pins and deep overlaps: every stage of a step has something to do.
-World bigWorld(Strategy strategy) {
-    StepSettings settings = strategy == Strategy::Propagation ? thesis2006() : StepSettings{};
+using support::kSolvers;
+using support::settingsOf;
+using support::Solver;
+
+/// A heap with more bodies than the threshold for helpers. It has fast bouncing balls, a sensor, a
+/// chain, a ring of revolute joints and deep overlaps, so every stage of a step has work.
+World bigWorld(Solver strategy) {
+    StepSettings settings = settingsOf(strategy);
     World world({.gravity = support::kEarth, .settings = settings});
     support::addHeap(world, 21, 500);
-    world.add({.shape = Box{Real(6), Real(0.5)}, .position = {0, 3}, .flags = kSensor | kLocked});
+    world.add({.shape = Box{Real(6), Real(0.5)},
+               .position = {0, 3},
+               .type = BodyType::Static,
+               .flags = kSensor});
     for (int i = 0; i < 40; ++i) {
         BodyDef ball =
             support::ballDef({static_cast<Real>(i % 20) - 10, Real(40 + i / 20)}, Real(0.2));
@@ -21,34 +29,36 @@ World bigWorld(Strategy strategy) {
         ball.velocity = {Real(3), -Real(60)};
         world.add(ball);
     }
-    world.add({.shape = Box{4, Real(0.5)}, // pushes along what it meets
+    world.add({.shape = Box{4, Real(0.5)}, // pushes bodies along
                .position = {0, 6},
                .velocity = {Real(0.5), -1},
-               .flags = kLocked});
+               .type = BodyType::Kinematic});
     for (int i = 0; i < 12; ++i) {
-        world.add(support::ballDef({Real(-4), Real(30)}, Real(0.3))); // on one point
+        world.add(support::ballDef({Real(-4), Real(30)}, Real(0.3))); // at one point
     }
-    BodyId last = world.add({.shape = Circle{Real(0.1)}, .position = {12, 20}, .flags = kLocked});
+    BodyId last =
+        world.add({.shape = Circle{Real(0.1)}, .position = {12, 20}, .type = BodyType::Static});
     for (int i = 1; i <= 8; ++i) {
         const BodyId link =
             world.add(support::ballDef({12 + Real(0.5) * static_cast<Real>(i), 20}, Real(0.2)));
-        world.add(Pin{.ends = {last, link, {Real(0.25), 0}, {Real(-0.25), 0}}});
+        world.add(RevoluteJoint{.ends = {last, link, {Real(0.25), 0}, {Real(-0.25), 0}}});
         last = link;
     }
-    std::vector<BodyId> ring; // of four, which falls
+    std::vector<BodyId> ring; // of four bodies, falling
     for (const Vec2 place : {Vec2{-12, 15}, Vec2{-11, 15}, Vec2{-11, 16}, Vec2{-12, 16}}) {
         ring.push_back(world.add(support::ballDef(place, Real(0.4))));
     }
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const BodyId next = ring[(i + 1) % ring.size()];
         const Vec2 half = Real(0.5) * (world[next].position() - world[ring[i]].position());
-        world.add(Pin{.ends = {.a = ring[i], .b = next, .anchorA = half, .anchorB = -half}});
+        world.add(
+            RevoluteJoint{.ends = {.a = ring[i], .b = next, .anchorA = half, .anchorB = -half}});
     }
     return world;
 }
 
-/// The hash after each step; some bodies go and come meanwhile.
-std::vector<std::uint64_t> hashes(Strategy strategy, Executor* executor) {
+/// Hashes after each step; meanwhile some bodies are removed and added.
+std::vector<std::uint64_t> hashes(Solver strategy, Executor* executor) {
     World world = bigWorld(strategy);
     std::vector<std::uint64_t> hashes;
     for (int step = 0; step < 90; ++step) {
@@ -63,9 +73,9 @@ std::vector<std::uint64_t> hashes(Strategy strategy, Executor* executor) {
     return hashes;
 }
 
-// The same bits from 1, 2, 3, 4 and 8 threads, in every step.
+// The same bits with 1, 2, 3, 4 and 8 threads, in every step.
 TEST(Executor, ChangesNoBit) {
-    for (const Strategy strategy : {Strategy::SoftStep, Strategy::Propagation}) {
+    for (const Solver strategy : kSolvers) {
         const std::vector<std::uint64_t> alone = hashes(strategy, nullptr);
         for (const int threads : {1, 2, 3, 4, 8}) {
             ThreadPool pool(threads - 1);
@@ -74,7 +84,7 @@ TEST(Executor, ChangesNoBit) {
     }
 }
 
-/// Towers of a thousand contacts of each colour, so that the passes of the solver are shared.
+/// Towers with a thousand contacts per colour, so that threads share the passes of the solver.
 World towers() {
     World world(support::wakeful());
     support::addFloor(world);
@@ -87,8 +97,8 @@ World towers() {
     return world;
 }
 
-// Nor where the passes are shared. Lanes are dealt out anew in the second step with help, and later
-// without: that changes no bit either.
+// Also if threads share the passes. The constraint graph is rebuilt in the second step with
+// helpers, and later without: that changes no bit either.
 TEST(Executor, ChangesNoBitOfAThousandContactsOfAColour) {
     World alone = towers();
     World helped = alone;
@@ -102,10 +112,10 @@ TEST(Executor, ChangesNoBitOfAThousandContactsOfAColour) {
     }
 }
 
-/// A heap of 4,000 balls, in no order, that lie on each other and roll with resistance; some are in
-/// one place. A plank on top and a drum that only turns, both with large ids, have more contacts
-/// than there are colours. With `links`, something drives and something is pinned, too: then
-/// threads wait for each other in each substep.
+/// A heap of 4,000 balls in random order, with rolling resistance; some are at one point. A plank
+/// on top and a drum that only rotates, both with large ids, have more contacts than there are
+/// colours. With `links` there are also a kinematic body and a revolute joint, so threads wait for
+/// each other in each substep.
 World crowd(bool links) {
     World world(support::wakeful());
     support::addFloor(world);
@@ -134,28 +144,28 @@ World crowd(bool links) {
         world.add({.shape = Box{4, Real(0.5)},
                    .position = {20, 6},
                    .velocity = {Real(0.5), -1},
-                   .flags = kLocked});
+                   .type = BodyType::Kinematic});
         const BodyId bob = world.add(support::ballDef({5, 10}, Real(0.3)));
-        world.add(Pin{.ends = {world.bodies().front(), bob, {5, 12}, {0, 2}}});
+        world.add(RevoluteJoint{.ends = {world.bodies().front(), bob, {5, 12}, {0, 2}}});
     }
     return world;
 }
 
-/// What a game may do between two steps.
+/// Changes that a game may make between two steps.
 void meddle(World& world, int step) {
     const std::vector<BodyId> bodies = world.bodies();
     const auto at = static_cast<std::size_t>(step);
     world.remove(bodies[at * 8]);
     world.add(support::ballDef({Real(step) / 10, 21}, Real(0.4)));
     BodyRef body = world[bodies[at * 16 + 1]];
-    body.setFlags(body.flags() ^ kLocked);
+    body.setFlags(body.flags() ^ (kLockMove | kLockRotate));
 }
 
-// Nor where the substeps of all threads run on by themselves, or meet, as contacts come and go; for
-// so long that so many lie anywhere that lanes are dealt out anew while they are shared.
-TEST(Executor, ChangesNoBitOfACrowd) {
+// Also if threads run substeps independently, or wait for each other, while contacts come and go.
+// The run is long enough for a rebuild of the constraint graph with shared passes.
+TEST(Executor, ChangesNoBitOfALargeHeap) {
     for (const int threads : {2, 3, 8}) {
-        // With three, lanes are dealt out anew in the 82nd step, while they are shared.
+        // With three threads, that rebuild is in the 82nd step.
         const int steps = support::kSanitized && threads != 3 ? 30 : 100;
         World alone = crowd(threads == 3);
         World helped = alone;
@@ -172,9 +182,9 @@ TEST(Executor, ChangesNoBitOfACrowd) {
     }
 }
 
-// A World that goes on with other helpers, or with none, is the same World.
-TEST(Executor, MayComeAndGo) {
-    World world = bigWorld(Strategy::SoftStep);
+// A World continues identically with other helpers, or without any.
+TEST(Executor, MayChangeBetweenSteps) {
+    World world = bigWorld(Solver::Soft);
     World alone = world;
     ThreadPool two(1);
     ThreadPool three(2);
@@ -186,7 +196,7 @@ TEST(Executor, MayComeAndGo) {
     }
 }
 
-/// Promises helpers of which none comes before the step is over.
+/// Offers helpers that start only when the step is over.
 class Latecomers final : public Executor {
 public:
     int helpers() const override { return 3; }
@@ -206,10 +216,10 @@ private:
     int rounds_ = 0;
 };
 
-// Nothing waits for who has not begun.
-TEST(Executor, MayComeTooLate) {
+// A step does not wait for helpers that have not started.
+TEST(Executor, MayStartItsHelpersTooLate) {
     Latecomers late;
-    EXPECT_EQ(hashes(Strategy::SoftStep, &late), hashes(Strategy::SoftStep, nullptr));
+    EXPECT_EQ(hashes(Solver::Soft, &late), hashes(Solver::Soft, nullptr));
     EXPECT_EQ(late.rounds(), 90);
     World alone = towers();
     World helped = alone;
@@ -220,8 +230,8 @@ TEST(Executor, MayComeTooLate) {
     EXPECT_EQ(helped.stateHash(), alone.stateHash());
 }
 
-// A step with hardly anything to do is not worth anybody's help.
-TEST(Executor, IsNotTroubledBySmallSteps) {
+// A step with little work does not use helpers.
+TEST(Executor, IsNotUsedForSmallSteps) {
     Latecomers late;
     World world({.gravity = support::kEarth});
     support::addHeap(world, 22, 40);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/solver.hpp"
 #include <support/scenes.hpp>
 
 #include <thread>
@@ -6,33 +7,37 @@
 namespace kodo {
 namespace {
 
-/// A heap with a chain and a motor in it, and a wind: everything that a step reads.
-World busyWorld(std::uint64_t seed, Strategy strategy = Strategy::SoftStep) {
-    StepSettings settings = strategy == Strategy::Propagation ? thesis2006() : StepSettings{};
+using support::settingsOf;
+using support::Solver;
+
+/// A heap with a chain and a wind: all data that a step reads.
+World busyWorld(std::uint64_t seed, Solver strategy = Solver::Soft) {
+    StepSettings settings = settingsOf(strategy);
     World world({.gravity = support::kEarth, .settings = settings});
     support::addHeap(world, seed, 40);
-    BodyId last = world.add({.shape = Circle{Real(0.1)}, .position = {0, 12}, .flags = kLocked});
+    BodyId last =
+        world.add({.shape = Circle{Real(0.1)}, .position = {0, 12}, .type = BodyType::Static});
     for (int i = 1; i <= 5; ++i) {
         const BodyId link =
             world.add(support::ballDef({Real(0.5) * static_cast<Real>(i), 12}, Real(0.2)));
-        world.add(Pin{.ends = {last, link, {Real(0.25), 0}, {Real(-0.25), 0}}});
+        world.add(RevoluteJoint{.ends = {last, link, {Real(0.25), 0}, {Real(-0.25), 0}}});
         last = link;
     }
     world.addField({std::make_shared<Drag>(DragLaw{Real(0.1), 0}, Vec2{1, 0}), {}});
     return world;
 }
 
-std::uint64_t hashAfter(std::uint64_t seed, Strategy strategy) {
+std::uint64_t hashAfter(std::uint64_t seed, Solver strategy) {
     World world = busyWorld(seed, strategy);
     support::run(world, 200);
     return world.stateHash();
 }
 
-// W7: several worlds on several threads share nothing: each ends as it does alone.
-TEST(Threads, WorldsDoNotDisturbEachOther) {
+// W7: worlds on several threads share no state: each ends as it does alone.
+TEST(Threads, WorldsOnSeveralThreadsAreIndependent) {
     constexpr std::size_t kWorlds = 4;
     const auto strategyOf = [](std::size_t i) {
-        return i % 2 == 0 ? Strategy::SoftStep : Strategy::Propagation;
+        return i % 2 == 0 ? Solver::Soft : Solver::Propagation;
     };
     std::uint64_t alone[kWorlds] = {};
     for (std::size_t i = 0; i < kWorlds; ++i) {
@@ -52,8 +57,8 @@ TEST(Threads, WorldsDoNotDisturbEachOther) {
     }
 }
 
-// W7: copies of one world share its immutable shapes and fields, and may run apart all the same.
-TEST(Threads, CopiesRunApart) {
+// W7: copies of a World share immutable shapes and fields, and may run on different threads.
+TEST(Threads, CopiesMayRunOnDifferentThreads) {
     World world = busyWorld(9);
     World copy = world;
     std::thread other([&copy] { support::run(copy, 200); });
@@ -62,8 +67,8 @@ TEST(Threads, CopiesRunApart) {
     EXPECT_EQ(copy.stateHash(), world.stateHash());
 }
 
-// W7: what copies share may lose its owners on either thread, in any order.
-TEST(Threads, CopiesForgetWhatTheyShareApart) {
+// W7: copies may release shared data on either thread, in any order.
+TEST(Threads, CopiesMayReleaseSharedDataOnDifferentThreads) {
     World world = busyWorld(12);
     World copy = world;
     const auto takeApart = [](World& own) {
@@ -80,8 +85,8 @@ TEST(Threads, CopiesForgetWhatTheyShareApart) {
     EXPECT_EQ(copy.stateHash(), world.stateHash());
 }
 
-// W7: a World that nobody changes may be read, copied and asked by many at once.
-TEST(Threads, ManyMayAskOneWorld) {
+// W7: several threads may read, copy and query a World that is not modified.
+TEST(Threads, OneWorldMayBeReadConcurrently) {
     World world = busyWorld(13);
     support::run(world, 60);
     const World& shared = world;
@@ -110,8 +115,8 @@ TEST(Threads, ManyMayAskOneWorld) {
     }
 }
 
-// W7: turn by turn in one thread.
-TEST(Threads, WorldsMayTakeTurns) {
+// W7: two worlds stepped alternately on one thread.
+TEST(Threads, WorldsMayBeSteppedAlternately) {
     World one({.gravity = support::kEarth});
     World two({.gravity = {3, -7}});
     support::addHeap(one, 10, 30);

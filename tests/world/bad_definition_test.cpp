@@ -30,11 +30,11 @@ Polygon manyCorners(std::size_t n) {
     return polygon;
 }
 
-class RefusedBody : public testing::TestWithParam<BadDef> {};
+class BadBodyDef : public testing::TestWithParam<BadDef> {};
 
-// Every bad value is refused with a sentence that names the field; check() and add() say the same;
-// and the world is bit for bit as before.
-TEST_P(RefusedBody, IsNamedAndLeavesTheWorldAsItWas) {
+// Every invalid value is refused with a sentence that names the field. check() and add() report the
+// same text. The World keeps its bits.
+TEST_P(BadBodyDef, IsRefusedByFieldWithoutAnyChange) {
     World world({.gravity = support::kEarth});
     support::addHeap(world, 1, 10);
     support::run(world, 30);
@@ -61,7 +61,7 @@ TEST_P(RefusedBody, IsNamedAndLeavesTheWorldAsItWas) {
 const BadDef kBadDefs[] = {
     {"PositionNan", [](BodyDef& d) { d.position.x = kNan; }, "position"},
     {"PositionInf", [](BodyDef& d) { d.position.y = -kInf; }, "position"},
-    {"PositionTooFar", [](BodyDef& d) { d.position.x = 2 * kFarthest; }, "position"},
+    {"PositionTooFar", [](BodyDef& d) { d.position.x = 2 * kMaxCoordinate; }, "position"},
     {"RotationNan", [](BodyDef& d) { d.rotation.s = kNan; }, "rotation"},
     {"RotationZero",
      [](BodyDef& d) {
@@ -75,7 +75,7 @@ const BadDef kBadDefs[] = {
      "rotation"},
     {"VelocityNan", [](BodyDef& d) { d.velocity.x = kNan; }, "velocity"},
     {"VelocityInf", [](BodyDef& d) { d.velocity.y = kInf; }, "velocity"},
-    {"VelocityTooHigh", [](BodyDef& d) { d.velocity.x = 2 * kHighestSpeed; }, "velocity"},
+    {"VelocityTooHigh", [](BodyDef& d) { d.velocity.x = 2 * kMaxSpeed; }, "velocity"},
     {"SpinNan", [](BodyDef& d) { d.angularVelocity = kNan; }, "angularVelocity"},
     {"SpinInf", [](BodyDef& d) { d.angularVelocity = kInf; }, "angularVelocity"},
     {"DensityZero", [](BodyDef& d) { d.density = 0; }, "density"},
@@ -178,50 +178,49 @@ const BadDef kBadDefs[] = {
      "shape.parts[1].radius"},
 };
 
-INSTANTIATE_TEST_SUITE_P(Definitions, RefusedBody, testing::ValuesIn(kBadDefs),
+INSTANTIATE_TEST_SUITE_P(Definitions, BadBodyDef, testing::ValuesIn(kBadDefs),
                          [](const testing::TestParamInfo<BadDef>& row) {
                              return std::string(row.param.name);
                          });
 
-TEST(GoodBody, PassesBoth) {
+TEST(BodyDef, DefaultIsAccepted) {
     const BodyDef def;
     EXPECT_FALSE(check(def).has_value());
     World world;
     EXPECT_NO_THROW(world.add(def));
 }
 
-// What is at the limits is allowed.
-TEST(GoodBody, MayBeAtTheLimits) {
+TEST(BodyDef, ValuesAtTheLimitsAreAccepted) {
     World world;
     BodyDef def;
-    def.position = {kFarthest, -kFarthest};
-    def.velocity = {kHighestSpeed, 0};
+    def.position = {kMaxCoordinate, -kMaxCoordinate};
+    def.velocity = {kMaxSpeed, 0};
     def.material = {0, 0, 1, 0};
-    def.density = kLowestDensity;
+    def.density = kMinDensity;
     EXPECT_FALSE(check(def).has_value());
-    def.density = kHighestDensity;
+    def.density = kMaxDensity;
     EXPECT_NO_THROW(world.add(def));
 }
 
-// What parts that are within the bounds make together is within them too, or it is refused, as one
-// definition or bit by bit: in float two heavy discs far apart would have an inertia without end.
-TEST(RefusedBody, PartsThatAreTooMuchTogether) {
+// Parts within the limits may exceed them together. Such a body is refused, as one definition and
+// part by part. In float, two heavy discs far apart would have an infinite moment of inertia.
+TEST(BodyDef, PartsThatExceedTheLimitsTogetherAreRefused) {
     World world({.lengthUnit = Real(1e6)});
-    const Real farthest = kFarthest * world.tolerances().unit() / 2;
+    const Real farthest = kMaxCoordinate * world.tolerances().unit() / 2;
     int refused = 0;
     for (const Real share : {Real(0), Real(1e-9), Real(1e-3), Real(0.1), Real(1)}) {
         SCOPED_TRACE(share);
         const Circle left{Real(5e3), {-share * farthest, 0}};
         const Circle right{Real(5e3), {share * farthest, 0}}; // 8e16 kg
-        BodyDef def{.shape = Compound{{left, right}}, .density = kHighestDensity};
+        BodyDef def{.shape = Compound{{left, right}}, .density = kMaxDensity};
         const bool fits = !check(def, world.tolerances().unit());
         refused += fits ? 0 : 1;
         if (fits) {
-            EXPECT_LE(world[world.add(def)].inertia(), kHeaviest * kHeaviest);
+            EXPECT_LE(world[world.add(def)].inertia(), kMaxMass * kMaxMass);
         }
         def.shape = left;
         const BodyId whole = world.add(def);
-        const auto weldsShape = [&] { world.weld(whole, right, {}, kHighestDensity); };
+        const auto weldsShape = [&] { world.weld(whole, right, {}, kMaxDensity); };
         def.shape = Circle{Real(5e3)};
         def.position = right.center;
         const BodyId part = world.add(def);
@@ -234,11 +233,10 @@ TEST(RefusedBody, PartsThatAreTooMuchTogether) {
             EXPECT_TRUE(world.contains(part));
         }
     }
-    EXPECT_EQ(refused, sizeof(Real) == 4 ? 2 : 0); // of 1e100 kg nothing is too much so soon
+    EXPECT_EQ(refused, sizeof(Real) == 4 ? 2 : 0); // kMaxMass is 1e18 or 1e100 kg
 }
 
-// Why it was refused can be read: the value is in the sentence.
-TEST(RefusedBodySentence, HoldsFieldAndValue) {
+TEST(BodyDef, RefusalNamesFieldAndValue) {
     BodyDef def;
     def.density = -1;
     EXPECT_EQ(check(def)->text().find("density: must be from 1e-09 to 1e+09, but is -1"), 0u)

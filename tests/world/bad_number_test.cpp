@@ -9,7 +9,7 @@ namespace {
 using support::kInf;
 using support::kNan;
 
-/// A world in which things move and touch, and one box of it.
+/// A World with motion and contacts, and one of its boxes.
 struct Scene {
     World world{{.gravity = support::kEarth}};
     BodyId box;
@@ -22,7 +22,7 @@ struct Scene {
     }
 };
 
-/// Calls, and expects a refusal that names the field and changes nothing.
+/// Expects the call to be refused with the field named, without any change of state.
 void expectRefused(const char* field, const std::function<void(Scene&)>& call) {
     SCOPED_TRACE(field);
     Scene scene;
@@ -42,13 +42,12 @@ TEST(BadNumber, StepRefusesABadDt) {
     }
 }
 
-TEST(BadNumber, StepTakesTheShortestAndTheLongest) {
+TEST(BadNumber, StepAcceptsTheShortestAndTheLongestDt) {
     Scene scene;
-    EXPECT_NO_THROW(scene.world.step(kShortestStep));
-    EXPECT_NO_THROW(scene.world.step(kLongestStep));
+    EXPECT_NO_THROW(scene.world.step(kMinTimeStep));
+    EXPECT_NO_THROW(scene.world.step(kMaxTimeStep));
 }
 
-// A refused step leaves the records of the last one.
 TEST(BadNumber, ARefusedStepKeepsTheRecords) {
     Scene scene;
     const std::size_t records = scene.world.collisions().size();
@@ -57,9 +56,11 @@ TEST(BadNumber, ARefusedStepKeepsTheRecords) {
     EXPECT_EQ(scene.world.collisions().size(), records);
 }
 
-TEST(BadNumber, SettersRefuse) {
+TEST(BadNumber, SettersRefuseInvalidNumbers) {
     expectRefused("position", [](Scene& s) { s.world[s.box].setPosition({kNan, 0}); });
-    expectRefused("position", [](Scene& s) { s.world[s.box].setPosition({0, 2 * kFarthest}); });
+    expectRefused("position", [](Scene& s) {
+        s.world[s.box].setPosition({0, 2 * kMaxCoordinate});
+    });
     expectRefused("rotation", [](Scene& s) { s.world[s.box].setRotation({1, 1}); });
     expectRefused("rotation", [](Scene& s) { s.world[s.box].setRotation({kNan, 0}); });
     expectRefused("velocity", [](Scene& s) { s.world[s.box].setVelocity({0, kInf}); });
@@ -71,14 +72,14 @@ TEST(BadNumber, SettersRefuse) {
                   [](Scene& s) { s.world[s.box].setMaterial(withFriction(-1)); });
 }
 
-TEST(BadNumber, MoveToRefuses) {
+TEST(BadNumber, MoveToRefusesInvalidNumbers) {
     expectRefused("position", [](Scene& s) { s.world[s.box].moveTo({kNan, 0}, support::kDt); });
     expectRefused("rotation", [](Scene& s) { s.world[s.box].moveTo({}, Rot{5, 0}, support::kDt); });
     expectRefused("dt", [](Scene& s) { s.world[s.box].moveTo({}, 0); });
     expectRefused("velocity", [](Scene& s) { s.world[s.box].moveTo({1000, 0}, Real(1e-6)); });
 }
 
-TEST(BadNumber, ForcesAndImpulsesRefuse) {
+TEST(BadNumber, ForcesAndImpulsesRefuseInvalidNumbers) {
     expectRefused("force", [](Scene& s) { s.world[s.box].applyForce({kNan, 0}); });
     expectRefused("force", [](Scene& s) { s.world[s.box].applyForce({kInf, 0}, {}); });
     expectRefused("point", [](Scene& s) { s.world[s.box].applyForce({1, 0}, {kNan, 0}); });
@@ -90,7 +91,7 @@ TEST(BadNumber, ForcesAndImpulsesRefuse) {
     });
 }
 
-TEST(BadNumber, CloneAndWeldRefuse) {
+TEST(BadNumber, CloneAndWeldRefuseInvalidArguments) {
     expectRefused("position", [](Scene& s) { s.world.clone(s.box, {kNan, 0}); });
     expectRefused("part", [](Scene& s) { s.world.weld(s.box, s.box); });
 }
@@ -106,13 +107,13 @@ const BadWorld kBadWorlds[] = {
     {"lengthUnit", [](WorldDef& d) { d.lengthUnit = 0; }},
     {"lengthUnit", [](WorldDef& d) { d.lengthUnit = -1; }},
     {"lengthUnit", [](WorldDef& d) { d.lengthUnit = kNan; }},
-    {"settings.substeps", [](WorldDef& d) { d.settings.substeps = 0; }},
-    {"settings.substeps", [](WorldDef& d) { d.settings.substeps = 65; }},
-    {"settings.impactPasses", [](WorldDef& d) { d.settings.impactPasses = -1; }},
-    {"settings.contactHertz", [](WorldDef& d) { d.settings.contactHertz = 0; }},
-    {"settings.contactHertz", [](WorldDef& d) { d.settings.contactHertz = kNan; }},
-    {"settings.contactDamping", [](WorldDef& d) { d.settings.contactDamping = -1; }},
-    {"settings.pushSpeed", [](WorldDef& d) { d.settings.pushSpeed = kInf; }},
+    {"settings.substeps", [](WorldDef& d) { d.settings.soft().substeps = 0; }},
+    {"settings.substeps", [](WorldDef& d) { d.settings.soft().substeps = 65; }},
+    {"settings.impactPasses", [](WorldDef& d) { d.settings.soft().impactPasses = -1; }},
+    {"settings.contactHertz", [](WorldDef& d) { d.settings.soft().contactHertz = 0; }},
+    {"settings.contactHertz", [](WorldDef& d) { d.settings.soft().contactHertz = kNan; }},
+    {"settings.contactDamping", [](WorldDef& d) { d.settings.soft().contactDamping = -1; }},
+    {"settings.pushSpeed", [](WorldDef& d) { d.settings.soft().pushSpeed = kInf; }},
 };
 
 TEST(BadNumber, AWorldRefusesABadDefinition) {
@@ -132,7 +133,7 @@ TEST(BadNumber, AWorldRefusesABadDefinition) {
     }
 }
 
-TEST(BadNumber, SetSettingsRefusesAndKeepsTheOldOnes) {
+TEST(BadNumber, SetSettingsRefusesAndKeepsTheOldSettings) {
     for (const BadWorld& bad : kBadWorlds) {
         WorldDef def;
         bad.spoil(def);

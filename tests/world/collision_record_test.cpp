@@ -17,7 +17,7 @@ using support::PhaseBook;
 using support::recordOf;
 using support::slippery;
 
-/// A ball of 2 kg flies at a wall with 3 m/s; steps until the two are recorded.
+/// A ball of 2 kg hits a wall at 3 m/s. Steps until the pair has a record.
 struct Shot {
     World world;
     BodyId wall;
@@ -40,7 +40,7 @@ struct Shot {
     }
 };
 
-// S2: J = m v (1 + e), a textbook bounce.
+// S2: J = m v (1 + e).
 TEST(CollisionRecord, ImpulseOfABounceIsMassTimesSpeedTimesOnePlusE) {
     for (const Real e : {Real(1), Real(0.5), Real(0.25)}) {
         SCOPED_TRACE(e);
@@ -54,8 +54,8 @@ TEST(CollisionRecord, ImpulseOfABounceIsMassTimesSpeedTimesOnePlusE) {
     }
 }
 
-// S2: point and normal. The normal leads from a, the body with the lower index, to b.
-TEST(CollisionRecord, PointsFromTheFirstToTheSecond) {
+// S2: the normal points from a, the body with the lower index, to b.
+TEST(CollisionRecord, NormalPointsFromTheLowerToTheHigherIndex) {
     const Shot shot(1);
     EXPECT_EQ(shot.hit.a, shot.wall);
     EXPECT_EQ(shot.hit.b, shot.ball);
@@ -65,9 +65,9 @@ TEST(CollisionRecord, PointsFromTheFirstToTheSecond) {
     EXPECT_EQ(shot.hit.other(shot.ball), shot.wall);
 }
 
-// Without restitution the whole blow is m v; a step in which it only comes nearer may take a part
-// of it, so the sum over the steps is compared.
-TEST(CollisionRecord, APlasticBlowSumsUpToTheMomentum) {
+// Without restitution the impulse is m v. A speculative contact may apply part of it one step
+// earlier, so the sum over all steps is compared.
+TEST(CollisionRecord, ImpulsesOfAPlasticImpactSumToTheMomentum) {
     World world;
     const BodyId wall = support::addWall(world, 2, 1, slippery());
     BodyDef def = ballDef({0, 0}, Real(0.5), slippery());
@@ -83,28 +83,27 @@ TEST(CollisionRecord, APlasticBlowSumsUpToTheMomentum) {
     EXPECT_TRUE(nearShare(sum, 3 * static_cast<long double>(world[ball].mass()), 1e-3L));
 }
 
-// S2, at rest: the records carry the weight, m g dt a step, shared by two corners.
-TEST(CollisionRecord, OfARestingBoxCarriesItsWeight) {
+// S2: at rest the impulse of a step is m g dt, divided between two corners.
+TEST(CollisionRecord, ImpulseUnderABoxAtRestIsItsWeightTimesDt) {
     World world({.gravity = support::kEarth});
     const BodyId floor = support::addFloor(world);
     BodyDef def = boxDef({0, Real(0.5)}, 1, 1);
-    def.flags = kNeverRest; // what rests is not solved any more, and so has no new impulse
+    def.flags = kNeverSleep; // a sleeping body has no new impulses
     const BodyId box = world.add(def);
     support::run(world, 120);
     const CollisionRecord* hit = recordOf(world, floor, box);
     ASSERT_NE(hit, nullptr);
     EXPECT_EQ(hit->phase, TouchPhase::Persist);
     EXPECT_EQ(hit->pointCount, 2);
-    // The contact converges from step to step; after 2 s a thousandth is left at most.
+    // The impulse converges over the steps; after 2 s its error is at most 1e-3.
     EXPECT_TRUE(nearShare(hit->totalImpulse, 10.0L / 60, 1e-3L));
-    const int corners = 2 * world.settings().substeps; // one of two, in one substep
+    const int corners = 2 * world.settings().soft().substeps; // one of two corners, in one substep
     EXPECT_TRUE(nearShare(hit->maxImpulse, 10.0L / 60 / corners, 2e-3L));
     EXPECT_TRUE(near(hit->normal, Vec2{0, 1}, byPrecision(1e-5, 1e-9)));
     EXPECT_LT(hit->approachSpeed, Real(1e-3));
 }
 
-// S2: begin, persist, end, always paired, in a heap in which bodies come, go, are welded and
-// taken apart.
+// S2: each Begin has one End, in a heap in which bodies are added, removed, welded and unwelded.
 TEST(CollisionRecord, PhasesAreAlwaysPaired) {
     constexpr std::uint64_t kSeed = 141;
     support::RandomNumbers random(kSeed);
@@ -144,7 +143,7 @@ TEST(CollisionRecord, EndsWhenABodyIsRemoved) {
     const BodyId box = world.add(boxDef({0, Real(0.5)}, 1, 1));
     support::run(world, 5);
     world.remove(box);
-    EXPECT_NE(recordOf(world, floor, box), nullptr); // those of the last step stay
+    EXPECT_NE(recordOf(world, floor, box), nullptr); // records of the last step stay valid
     world.step(kDt);
     const CollisionRecord* end = recordOf(world, floor, box);
     ASSERT_NE(end, nullptr);
@@ -154,8 +153,8 @@ TEST(CollisionRecord, EndsWhenABodyIsRemoved) {
     EXPECT_TRUE(world.collisions().empty());
 }
 
-// S2: nothing that happens between two steps changes the records of the last.
-TEST(CollisionRecord, StayValidWhateverHappensMeanwhile) {
+// S2: calls between two steps do not change the records of the last step.
+TEST(CollisionRecord, StaysValidUntilTheNextStep) {
     World world({.gravity = support::kEarth});
     support::addHeap(world, 7, 30);
     support::run(world, 120);
@@ -178,7 +177,7 @@ TEST(CollisionRecord, StayValidWhateverHappensMeanwhile) {
     }
 }
 
-TEST(CollisionRecord, ComeInTheOrderOfBodiesAndParts) {
+TEST(CollisionRecord, IsSortedByBodiesAndParts) {
     World world({.gravity = support::kEarth});
     support::addHeap(world, 8, 60);
     for (int step = 0; step < 200; ++step) {
@@ -195,7 +194,7 @@ TEST(CollisionRecord, ComeInTheOrderOfBodiesAndParts) {
     }
 }
 
-// R6: a record names the parts of a compound, and each pair of parts has its own.
+// R6: each pair of parts has its own record.
 TEST(CollisionRecord, NamesThePartsOfACompound) {
     World world({.gravity = support::kEarth});
     const BodyId floor = support::addFloor(world);
@@ -213,8 +212,8 @@ TEST(CollisionRecord, NamesThePartsOfACompound) {
     EXPECT_EQ(parts, (std::set<int>{1, 2})); // the legs; the top touches nothing
 }
 
-// R8: IS_COLLIDING is set by the step and taken back by it.
-TEST(CollisionRecord, SetsTheCollidingFlag) {
+// R8: a step sets and clears kColliding, which the thesis calls IS_COLLIDING.
+TEST(CollisionRecord, AgreesWithTheCollidingFlag) {
     World world({.gravity = support::kEarth});
     const BodyId floor = support::addFloor(world);
     const BodyId box = world.add(boxDef({0, Real(0.5)}, 1, 1));
@@ -229,15 +228,15 @@ TEST(CollisionRecord, SetsTheCollidingFlag) {
     EXPECT_EQ(world[floor].flags() & kColliding, 0u);
 }
 
-// W3: left out, there are none, and nothing else changes.
-TEST(CollisionRecord, CanBeLeftOut) {
+// W3: without records nothing else changes.
+TEST(CollisionRecord, LeavingItOutChangesNothingElse) {
     WorldDef def{.gravity = support::kEarth};
     World with(def);
     def.settings.leaveOut = static_cast<std::uint8_t>(Feature::Records);
     World without(def);
     support::addHeap(with, 9, 30);
     support::addHeap(without, 9, 30);
-    support::run(with, 90); // not yet at rest
+    support::run(with, 90); // not asleep yet
     support::run(without, 90);
     EXPECT_FALSE(with.collisions().empty());
     EXPECT_TRUE(without.collisions().empty());

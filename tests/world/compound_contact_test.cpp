@@ -20,7 +20,7 @@ Compound compoundOfAFew(support::RandomNumbers& random) {
     return compound;
 }
 
-/// Which parts of two bodies have a record after one step.
+/// Pairs of parts of two bodies that have a record after one step.
 Parts touchingParts(World& world, BodyId one, BodyId other) {
     world.step(support::kDt);
     Parts parts;
@@ -31,9 +31,9 @@ Parts touchingParts(World& world, BodyId one, BodyId other) {
     return parts;
 }
 
-// C1, R6: of two compounds those parts meet that a slow second opinion finds in overlap, pair by
-// pair, and none that it finds farther apart than contacts are kept ready.
-TEST(CompoundContact, IsThatOfEachPairOfParts) {
+// C1, R6: all pairs of parts that the Minkowski oracle finds in overlap have a record. Pairs
+// farther apart than the speculative margin have none.
+TEST(CompoundContact, ExistsForEachPairOfPartsInOverlap) {
     constexpr std::uint64_t kSeed = 211;
     support::RandomNumbers random(kSeed);
     std::size_t overlaps = 0;
@@ -51,8 +51,8 @@ TEST(CompoundContact, IsThatOfEachPairOfParts) {
         for (std::size_t p = 0; p < world[a].partCount(); ++p) {
             for (std::size_t q = 0; q < world[b].partCount(); ++q) {
                 const long double gap =
-                    support::signedDistance(world[a].part(p).convex, world[a].placement(),
-                                            world[b].part(q).convex, world[b].placement());
+                    support::signedDistance(world[a].part(p).convex, world[a].massFrame(),
+                                            world[b].part(q).convex, world[b].massFrame());
                 const std::pair pair(static_cast<std::uint16_t>(p), static_cast<std::uint16_t>(q));
                 if (gap < -1e-4L) {
                     sure.insert(pair);
@@ -70,9 +70,9 @@ TEST(CompoundContact, IsThatOfEachPairOfParts) {
     EXPECT_GT(overlaps, static_cast<std::size_t>(support::draws(2000)));
 }
 
-// C1, F2: a compound meets those cells of a heightmap with a part that the part meets as a body of
-// its own.
-TEST(CompoundContact, WithAHeightmapIsThatOfEachPartAlone) {
+// C1, F2: each part of a compound touches the same cells of a heightmap as a body of that part
+// alone.
+TEST(CompoundContact, WithAHeightmapAgreesWithEachPartAlone) {
     constexpr std::uint64_t kSeed = 212;
     support::RandomNumbers random(kSeed);
     std::size_t contacts = 0;
@@ -82,7 +82,7 @@ TEST(CompoundContact, WithAHeightmapIsThatOfEachPartAlone) {
         for (int k = 0; k < 33; ++k) {
             ground.heights.push_back(random.between(-0.4, 0.4));
         }
-        const BodyDef land{.shape = ground, .flags = kLocked};
+        const BodyDef land{.shape = ground, .type = BodyType::Static};
         const Compound compound = compoundOfAFew(random);
         BodyDef def{.shape = compound,
                     .position = {random.between(-2, 2), random.between(0, 2)},

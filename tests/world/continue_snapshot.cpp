@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// continue_snapshot FILE STEPS: goes on from the snapshot of a busyWorld() and prints the hash of
-// the state after so many steps of 1/60 s.
+// continue_snapshot FILE STEPS: continues from the snapshot of a busyWorld() and prints the state
+// hash after STEPS steps of 1/60 s.
 #include <world/snapshot_scenes.hpp>
 
 #include <cinttypes>

@@ -12,7 +12,7 @@ using support::kDt;
 using support::kEpsilon;
 using support::near;
 
-// R3: F = m a for one step; then the force is forgotten.
+// R3: F = m a for one step; then the force is cleared.
 TEST(Force, ActsForOneStep) {
     World world;
     const BodyId box = world.add(boxDef({}, 2, 2)); // 4 kg
@@ -25,15 +25,15 @@ TEST(Force, ActsForOneStep) {
     EXPECT_EQ(world[box].velocity(), velocity);
 }
 
-/// What becomes of a body that nothing can push, and then is set free without a jump.
+/// A state in which forces cannot move a body, and the return from it without a teleport.
 struct Bound {
     const char* name;
     void (*bind)(World&, BodyId);
     void (*release)(World&, BodyId);
 };
 const Bound kBound[] = {
-    {"locked", [](World& w, BodyId id) { w[id].setFlags(kLocked); },
-     [](World& w, BodyId id) { w[id].setFlags(0); }},
+    {"locked", [](World& w, BodyId id) { w[id].setType(BodyType::Kinematic); },
+     [](World& w, BodyId id) { w[id].setType(BodyType::Dynamic); }},
     {"outside the region",
      [](World& w, BodyId) {
          w.setRegion(Aabb{{50, 50}, {60, 60}});
@@ -47,18 +47,18 @@ const Bound kBound[] = {
      [](World& w, BodyId id) { w[id].setVelocity({}); }},
     {"locked, but moving",
      [](World& w, BodyId id) {
-         w[id].setFlags(kLocked);
+         w[id].setType(BodyType::Kinematic);
          w[id].setVelocity({0, 1});
      },
      [](World& w, BodyId id) {
-         w[id].setFlags(0);
+         w[id].setType(BodyType::Dynamic);
          w[id].setVelocity({});
      }},
 };
 
-// The forces on what is locked, frozen or outside the region are not kept until it is free, to act
-// all at once: one step is over for them as for all others.
-TEST(Force, IsForgottenAfterAStepInWhichItCouldNotAct) {
+// Forces on kinematic, frozen or outside bodies are cleared at the end of the step. They do not
+// accumulate until the body can move again.
+TEST(Force, IsClearedByAStepInWhichItCouldNotAct) {
     for (const Bound& bound : kBound) {
         SCOPED_TRACE(bound.name);
         World world;
@@ -81,52 +81,51 @@ TEST(Force, IsForgottenAfterAStepInWhichItCouldNotAct) {
     }
 }
 
-// It is the step that counts, not the call: what is free by then is pushed, and what is not by then
-// is not.
-TEST(Force, ActsOnWhatIsFreeWhenTheStepComes) {
+// The state of the body at the step decides, not its state at the call.
+TEST(Force, ActsIfTheBodyIsDynamicAtTheStep) {
     World world;
     const BodyId box = world.add(boxDef({}, 2, 2)); // 4 kg
-    world[box].setFlags(kLocked);
+    world[box].setType(BodyType::Kinematic);
     world[box].applyForce({4, 0});
-    world[box].setFlags(0);
+    world[box].setType(BodyType::Dynamic);
     world.step(kDt);
     EXPECT_TRUE(near(world[box].velocity(), Vec2{kDt, 0}, 4 * kEpsilon));
     world[box].setVelocity({});
     world[box].applyForce({4, 0});
-    world[box].setFlags(kLocked);
+    world[box].setType(BodyType::Kinematic);
     world.step(kDt);
-    world[box].setFlags(0);
+    world[box].setType(BodyType::Dynamic);
     world.step(kDt);
     EXPECT_EQ(world[box].velocity(), Vec2{});
 }
 
-// A snapshot between the call and the step knows of the force, and forgets it as the World does.
-TEST(Force, GoesThroughASnapshot) {
+// A snapshot between the call and the step contains the force; the next step clears it.
+TEST(Force, IsPartOfASnapshot) {
     World world;
     const BodyId box = world.add(boxDef({}, 2, 2));
-    world[box].setFlags(kLocked);
+    world[box].setType(BodyType::Kinematic);
     world[box].applyForce({4, 0});
     World read = fromBytes(toBytes(world));
     EXPECT_EQ(read.stateHash(), world.stateHash());
     read.step(kDt);
-    read[box].setFlags(0);
+    read[box].setType(BodyType::Dynamic);
     read.step(kDt);
     EXPECT_EQ(read[box].velocity(), Vec2{});
 }
 
-// A force on the ground is none: what rests on it sleeps on.
-TEST(Force, OnTheGroundWakesNothing) {
+// A force on static ground has no effect: the box on it stays asleep.
+TEST(Force, OnStaticGroundWakesNoBody) {
     World world({.gravity = support::kEarth});
     const BodyId floor = support::addFloor(world);
     const BodyId box = world.add(boxDef({0, Real(0.5)}, 1, 1));
     support::run(world, 120);
-    ASSERT_NE(world[box].flags() & kResting, 0u);
+    ASSERT_NE(world[box].flags() & kAsleep, 0u);
     world[floor].applyForce({0, 1000});
     world.step(kDt);
-    EXPECT_NE(world[box].flags() & kResting, 0u);
+    EXPECT_NE(world[box].flags() & kAsleep, 0u);
 }
 
-// R3, Eq 4.6: a force at a point turns as well as pushes: torque = r x F.
+// R3, [Thesis06, eq. 4.6]: a force at a point adds the torque r x F.
 TEST(Force, AtAPointAddsTorque) {
     World world;
     const BodyId box = world.add(boxDef({10, 10}, 2, 2)); // I = 4 * 8 / 12
@@ -137,7 +136,7 @@ TEST(Force, AtAPointAddsTorque) {
                      4 * kEpsilon));
 }
 
-TEST(Force, TorqueTurnsOnly) {
+TEST(Force, TorqueChangesTheAngularVelocityOnly) {
     World world;
     const BodyId box = world.add(boxDef({}, 2, 2));
     world[box].applyTorque(8);
@@ -157,7 +156,7 @@ TEST(Force, AnImpulseActsAtOnce) {
     EXPECT_TRUE(near(world[box].angularVelocity(), -1.5L, 4 * kEpsilon));
 }
 
-// R3: whatever point and force, momentum and angular momentum grow by J and r x J.
+// R3: an impulse J at any point adds J to the momentum and r x J to the angular momentum.
 TEST(Force, RandomImpulsesAddUp) {
     constexpr std::uint64_t kSeed = 121;
     support::RandomNumbers random(kSeed);
@@ -179,7 +178,7 @@ TEST(Force, RandomImpulsesAddUp) {
     EXPECT_TRUE(near(totals.spin, spin, 800 * kEpsilon)) << "seed " << kSeed;
 }
 
-// W2: gravity is a field like any other: it can be read, removed and put back.
+// W2: gravity is an ordinary force field, the first in the list.
 TEST(Force, GravityIsTheFirstField) {
     World world({.gravity = {0, -10}});
     ASSERT_EQ(world.fields().size(), 1u);
@@ -191,8 +190,8 @@ TEST(Force, GravityIsTheFirstField) {
     EXPECT_TRUE(World().fields().empty());
 }
 
-// W2: a field restricted by flags.
-TEST(Force, AFieldActsOnWhatItsFilterAccepts) {
+// W2: a field restricted by a filter.
+TEST(Force, AFieldActsOnBodiesItsFilterAccepts) {
     World world;
     world.addField({std::make_shared<Gravity>(Vec2{0, -6}), {kMatchAny, 0b10}});
     BodyDef def = ballDef({}, 1);
@@ -206,35 +205,34 @@ TEST(Force, AFieldActsOnWhatItsFilterAccepts) {
     EXPECT_TRUE(near(world[pulled].velocity(), Vec2{0, -6 * kDt}, 4 * kEpsilon));
 }
 
-/// Drives every body to the right with a force that grows with its mass squared, and spins it.
+/// A force along x that grows with the mass squared, and a torque.
 class OddField final : public ForceField {
 public:
-    Push at(const Bodies& bodies, std::uint32_t body, Real) const override {
-        const Real mass = bodies.form(body).mass.mass;
+    FieldForce at(const BodyView& body, Real) const override {
+        const Real mass = body.mass();
         return {{mass * mass, 0}, 3};
     }
 };
 
-// W2: one written by the user, beside the others; each adds its part.
-/// As strong as a number can be, so that its square is none any more.
+/// A force so large that its square is infinite.
 class StrongField final : public ForceField {
 public:
     explicit StrongField(Real force) : force_(force) {}
-    Push at(const Bodies&, std::uint32_t, Real) const override { return {.force = {force_, 0}}; }
+    FieldForce at(const BodyView&, Real) const override { return {.force = {force_, 0}}; }
 
 private:
     Real force_;
 };
 
-// Two fields that cancel out leave a body as it is, although the sum of their sizes is no number.
-TEST(Force, WhatCancelsOutLeavesMassAsItIs) {
+// Two opposite fields leave a body unchanged, although the squares of their forces are infinite.
+TEST(Force, FieldsThatCancelOutLeaveABodyUnchanged) {
     const Real strong = std::numeric_limits<Real>::max() / 2;
     World world;
     world.addField({std::make_shared<StrongField>(strong)});
     world.addField({std::make_shared<StrongField>(-strong)});
     const BodyId flying = world.add(boxDef({0, 5}, 2, 2));
     const BodyId lying = world.add(boxDef({0, 0}, 2, 2));
-    const BodyId onTop = world.add(boxDef({0, 2}, 2, 2)); // touches it, so that it goes by substeps
+    const BodyId onTop = world.add(boxDef({0, 2}, 2, 2)); // in contact, so it is solved in substeps
     for (int step = 0; step < 3; ++step) {
         world.step(kDt);
     }
@@ -249,7 +247,8 @@ TEST(Force, WhatCancelsOutLeavesMassAsItIs) {
     EXPECT_GT(world[lying].position().x, 0);
 }
 
-TEST(Force, AUserWritesAField) {
+// W2: a user-defined field acts beside the others.
+TEST(Force, AUserDefinedFieldActs) {
     World world({.gravity = support::kEarth});
     world.addField({std::make_shared<OddField>()});
     const BodyId box = world.add(boxDef({}, 2, 2));
@@ -258,16 +257,15 @@ TEST(Force, AUserWritesAField) {
     EXPECT_TRUE(near(world[box].angularVelocity(), 3 * kDt * Real(12) / 32, 4 * kEpsilon));
 }
 
-// What has flown farther than anything may be put is pushed like all others, one by one and with
-// them.
-TEST(Force, ActsHoweverFarABodyHasFlown) {
+// Forces and impulses act beyond kMaxCoordinate, which limits only positions that are set.
+TEST(Force, ActsBeyondTheCoordinateLimit) {
     World world;
     const BodyId near = world.add(ballDef({}, 1));
-    BodyDef def = ballDef({kFarthest, 0}, 1);
-    def.velocity = {kHighestSpeed / 2, 0}; // an impulse makes it faster
+    BodyDef def = ballDef({kMaxCoordinate, 0}, 1);
+    def.velocity = {kMaxSpeed / 2, 0}; // below the limit, since an impulse adds to it
     const BodyId far = world.add(def);
     world.step(1);
-    ASSERT_GT(world[far].position().x, kFarthest);
+    ASSERT_GT(world[far].position().x, kMaxCoordinate);
     world.applyForceToAll({0, 3});
     for (const BodyId id : {near, far}) {
         world[id].applyImpulse({0, 5});
@@ -277,8 +275,8 @@ TEST(Force, ActsHoweverFarABodyHasFlown) {
     EXPECT_EQ(world[far].velocity().y, world[near].velocity().y);
 }
 
-// W2: a force on all bodies, or on those that match.
-TEST(Force, OnAllOrOnThoseThatMatch) {
+// W2: a force on all bodies, or on those that a filter accepts.
+TEST(Force, OnAllBodiesActsOnThoseItsFilterAccepts) {
     World world;
     BodyDef def = boxDef({}, 1, 1);
     def.flags = 1;
@@ -296,8 +294,8 @@ TEST(Force, OnAllOrOnThoseThatMatch) {
     EXPECT_EQ(world[two].angularVelocity(), 0);
 }
 
-// A copy of a world shares the fields, which cannot change, and nothing else.
-TEST(Force, ACopySharesItsFieldsOnly) {
+// A copied World shares the immutable fields, and nothing else.
+TEST(Force, ACopiedWorldSharesItsFieldsOnly) {
     World world({.gravity = support::kEarth});
     const BodyId ball = world.add(ballDef({}, 1));
     World copy = world;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/world/world.hpp>
+#include <kodo/world.hpp>
 #include <support/scenes.hpp>
 
 #include <algorithm>
@@ -16,14 +16,14 @@ Heightmap flatMap(std::size_t heights) {
     return {{0, 0}, 1, std::vector<Real>(heights, 0)};
 }
 
-/// What happened to a body on its way over ground.
+/// Extremes of the motion of a body over ground.
 struct Ride {
     Real slowest;  // m/s, along x
     Real steepest; // the largest |x| of a normal
     int contacts = 0;
     Real highest; // m, of the centre
     Real lowest;
-    Real end; // m, where it got
+    Real end; // m, final x of the centre
 };
 
 Ride ride(World& world, BodyId body, Real until) {
@@ -46,13 +46,13 @@ Ride ride(World& world, BodyId body, Real until) {
     return ride;
 }
 
-class FlushJoints : public testing::TestWithParam<Shape> {};
+class FlatHeightmap : public testing::TestWithParam<Shape> {};
 
-// F2: 100 joints, no friction: no normal tilts and no speed is lost. The promise is 0.1 %; what is
-// left is rounding. Steps are 0.05 m long, so every part of a joint is met.
-TEST_P(FlushJoints, AreNotFelt) {
+// F2: over 100 cell borders without friction, no normal tilts and no speed is lost. The limit is
+// 0.1 %; only rounding remains. A step covers 0.05 m, so all positions on a border are covered.
+TEST_P(FlatHeightmap, CausesNoGhostCollisions) {
     World world({.gravity = kEarth});
-    world.add({.shape = flatMap(120), .material = support::slippery(), .flags = kLocked});
+    world.add({.shape = flatMap(120), .material = support::slippery(), .type = BodyType::Static});
     const BodyId body = world.add({.shape = GetParam(),
                                    .position = {5, Real(0.5)},
                                    .velocity = {3, 0},
@@ -63,24 +63,25 @@ TEST_P(FlushJoints, AreNotFelt) {
     EXPECT_LE(found.steepest, 4 * support::kEpsilon);
     EXPECT_GT(found.slowest, 3 * Real(0.999));
     EXPECT_TRUE(near(found.slowest, 3, byPrecision(1e-4, 1e-12)));
-    // As deep as it rests, and never thrown up.
+    // No deeper than at rest, and never lifted.
     EXPECT_LT(found.highest, Real(0.5) + Real(1e-5));
     EXPECT_GT(found.lowest, Real(0.5) - world.tolerances().slop);
     RecordProperty("speedLost", std::to_string(3 - found.slowest));
 }
 
-INSTANTIATE_TEST_SUITE_P(Ground, FlushJoints,
+INSTANTIATE_TEST_SUITE_P(Ground, FlatHeightmap,
                          testing::Values(Shape(Box{1, 1}), Shape(Box{Real(2.7), 1}),
                                          Shape(Box{Real(0.25), 1}), Shape(Circle{Real(0.5)}),
                                          Shape(Polygon{{{Real(-0.3), Real(-0.5)},
                                                         {Real(0.4), Real(-0.5)},
                                                         {0, Real(0.5)}}})));
 
-// F2: fast and bouncing bodies are swept; the sweep must not stop at a joint either.
-TEST(Ground, FastBodiesCrossJointsInOneStep) {
+// F2: continuous collision of fast bodies with restitution does not stop them at a cell border.
+TEST(Ground, FastBodiesCrossCellBordersInOneStep) {
     for (const Shape& shape : {Shape(Box{1, 1}), Shape(Circle{Real(0.5)})}) {
         World world({.gravity = kEarth});
-        world.add({.shape = flatMap(1200), .material = support::slippery(1), .flags = kLocked});
+        world.add(
+            {.shape = flatMap(1200), .material = support::slippery(1), .type = BodyType::Static});
         const BodyId body = world.add({.shape = shape,
                                        .position = {5, Real(0.5)},
                                        .velocity = {200, 0},
@@ -95,9 +96,8 @@ TEST(Ground, FastBodiesCrossJointsInOneStep) {
     }
 }
 
-// F2: a ball that slides through a smooth valley and up the other side keeps its energy, as it does
-// on a curve; each joint bends by less than a degree. The chords of a circle of radius R and their
-// joints take no more than a step's forces: 1 % allowed.
+// F2: a ball slides through a valley of many cells and keeps its energy, as on a smooth curve. The
+// slope changes by less than 1 degree from cell to cell.
 TEST(Ground, AValleyOfManyCellsActsAsACurve) {
     World world({.gravity = kEarth});
     Heightmap valley{{-8, 0}, Real(0.125), {}};
@@ -105,7 +105,7 @@ TEST(Ground, AValleyOfManyCellsActsAsACurve) {
         const Real x = -8 + Real(0.125) * static_cast<Real>(i);
         valley.heights.push_back(x * x / 16);
     }
-    world.add({.shape = valley, .material = support::slippery(), .flags = kLocked});
+    world.add({.shape = valley, .material = support::slippery(), .type = BodyType::Static});
     const BodyId ball = world.add(
         {.shape = Circle{Real(0.5)}, .position = {-4, Real(1.5)}, .material = support::slippery()});
     support::run(world, 120);
@@ -121,10 +121,10 @@ TEST(Ground, AValleyOfManyCellsActsAsACurve) {
     EXPECT_LT(farthest, Real(4.1));
 }
 
-// C1, P1: a plane carries everything, far out as well as at its origin.
-TEST(Ground, APlaneCarriesEverything) {
+// C1, P1: a plane carries every kind of shape, at its origin and 1000 m away.
+TEST(Ground, APlaneCarriesEveryShape) {
     World world({.gravity = kEarth});
-    world.add({.shape = Plane{{0, 1}, 0}, .flags = kLocked});
+    world.add({.shape = Plane{{0, 1}, 0}, .type = BodyType::Static});
     const Shape shapes[] = {Shape(Circle{Real(0.5)}), Shape(Box{1, 1}),
                             Shape(Polygon{{{-1, Real(-0.5)}, {1, Real(-0.5)}, {0, Real(0.5)}}}),
                             Shape(Segment{{-1, Real(-0.5)}, {1, Real(-0.5)}, false, {}, {}}),
@@ -144,15 +144,16 @@ TEST(Ground, APlaneCarriesEverything) {
     }
 }
 
-// What has no thickness sinks in by a hair, and does not fall through for being behind the line.
-TEST(Ground, OneSidedGroundCarriesWhatHasNoThickness) {
+// Points and segments overlap one-sided ground by at most the slop. They do not fall through,
+// although they are then behind it.
+TEST(Ground, OneSidedGroundCarriesPointsAndSegments) {
     const Shape grounds[] = {Shape(flatMap(10)), Shape(Segment{{-5, 0}, {5, 0}, true, {}, {}})};
     const Shape thin[] = {Shape(Point{}),
                           Shape(Segment{{Real(-0.2), 0}, {Real(0.2), 0}, false, {}, {}})};
     for (const Shape& ground : grounds) {
         for (const Shape& shape : thin) {
             World world({.gravity = kEarth});
-            world.add({.shape = ground, .flags = kLocked});
+            world.add({.shape = ground, .type = BodyType::Static});
             const BodyId body = world.add({.shape = shape, .position = {Real(0.3), Real(0.1)}});
             support::run(world, 240);
             EXPECT_TRUE(near(world[body].position().y, 0, world.tolerances().slop));
@@ -161,10 +162,10 @@ TEST(Ground, OneSidedGroundCarriesWhatHasNoThickness) {
     }
 }
 
-// R1: a particle has mass and no inertia. It flies, bounces and is pushed like anything else.
+// R1: a particle has mass and no moment of inertia. It flies and bounces like any other body.
 TEST(Ground, AParticleBouncesOnAPlane) {
     World world({.gravity = kEarth});
-    world.add({.shape = Plane{}, .material = support::slippery(1), .flags = kLocked});
+    world.add({.shape = Plane{}, .material = support::slippery(1), .type = BodyType::Static});
     const BodyId particle = world.add(
         {.shape = Point{}, .position = {0, 2}, .material = support::slippery(1), .density = 3});
     EXPECT_EQ(world[particle].mass(), 3);
@@ -179,13 +180,13 @@ TEST(Ground, AParticleBouncesOnAPlane) {
     EXPECT_EQ(world[particle].angularVelocity(), 0);
 }
 
-// R8: half of everything cannot fall.
-TEST(Ground, NeedsALock) {
+// R8: planes and heightmaps have no mass, so dynamic bodies are refused, also with kLockMove.
+TEST(Ground, IsRefusedForADynamicBody) {
     World world;
-    EXPECT_EQ(check(BodyDef{.shape = Plane{}})->field, "flags");
+    EXPECT_EQ(check(BodyDef{.shape = Plane{}})->field, "type");
     EXPECT_THROW(world.add({.shape = flatMap(3)}), BadDefinition);
     EXPECT_THROW(world.add({.shape = flatMap(3), .flags = kLockMove}), BadDefinition);
-    EXPECT_NO_THROW(world.add({.shape = flatMap(3), .flags = kLocked}));
+    EXPECT_NO_THROW(world.add({.shape = flatMap(3), .type = BodyType::Static}));
 }
 
 } // namespace

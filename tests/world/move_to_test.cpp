@@ -12,12 +12,12 @@ using support::slippery;
 
 BodyDef paddleDef() {
     BodyDef def = support::boxDef({0, 0}, 3, Real(0.5), slippery(1));
-    def.flags = kLocked;
+    def.type = BodyType::Kinematic;
     return def;
 }
 
-// A locked body arrives to rounding, whatever is in its way.
-TEST(MoveTo, Arrives) {
+// A kinematic body reaches the target to rounding, also through an obstacle.
+TEST(MoveTo, ReachesTheTargetInOneStep) {
     World world({.gravity = support::kEarth});
     const BodyId paddle = world.add(paddleDef());
     world.add(ballDef({2, 0}, Real(0.4)));
@@ -29,19 +29,19 @@ TEST(MoveTo, Arrives) {
     EXPECT_TRUE(near(world[paddle].rotation().s, turned.s, 10 * support::kEpsilon));
 }
 
-// The frame of the shape arrives, also when the centre of mass lies elsewhere.
-TEST(MoveTo, TurnsACompoundAboutItsFrame) {
+// The shape frame reaches the target, also with the centre of mass elsewhere.
+TEST(MoveTo, MovesTheShapeFrameOfACompoundToTheTarget) {
     World world;
     const Compound hammer{{Box{2, Real(0.2), {1, 0}}, Box{Real(0.5), 1, {2, 0}}}};
-    const BodyId id = world.add({.shape = hammer, .flags = kLocked});
+    const BodyId id = world.add({.shape = hammer, .type = BodyType::Kinematic});
     world[id].moveTo({3, 4}, Rot::fromAngle(Real(1.2)), kDt);
     world.step(kDt);
     EXPECT_TRUE(near(world[id].position(), Vec2{3, 4}, 20 * support::kEpsilon));
     EXPECT_TRUE(near(world[id].rotation().angle(), Real(1.2), 20 * support::kEpsilon));
 }
 
-// It hits with its true speed: a resting ball with e = 1 leaves with twice that of the paddle.
-TEST(MoveTo, PushesWithItsTrueSpeed) {
+// With e = 1, a ball at rest leaves at twice the speed of the paddle.
+TEST(MoveTo, AnElasticBallLeavesAtTwiceItsSpeed) {
     World world;
     const BodyId paddle = world.add(paddleDef());
     const BodyId ball = world.add(ballDef({3, 0}, Real(0.5), slippery(1)));
@@ -52,8 +52,8 @@ TEST(MoveTo, PushesWithItsTrueSpeed) {
     EXPECT_TRUE(near(world[ball].velocity(), Vec2{6, 0}, byPrecision(5e-5, 1e-12)));
 }
 
-// A ball that flies to meet it: v' = 2 u - v.
-TEST(MoveTo, ReflectsRelativeToItsMotion) {
+// An oncoming ball: v' = 2 u - v.
+TEST(MoveTo, AnElasticBallIsReflectedRelativeToItsVelocity) {
     World world;
     const BodyId paddle = world.add(paddleDef());
     BodyDef def = ballDef({6, 0}, Real(0.5), slippery(1));
@@ -66,8 +66,7 @@ TEST(MoveTo, ReflectsRelativeToItsMotion) {
     EXPECT_TRUE(near(world[ball].velocity(), Vec2{9, 0}, byPrecision(5e-5, 1e-12)));
 }
 
-// The record tells the speed with which they met.
-TEST(MoveTo, IsSeenInTheRecord) {
+TEST(MoveTo, TheRecordHoldsItsApproachSpeed) {
     World world;
     const BodyId paddle = world.add(paddleDef());
     const BodyId ball = world.add(ballDef({3, 0}, Real(0.5), slippery(1)));
@@ -82,8 +81,7 @@ TEST(MoveTo, IsSeenInTheRecord) {
     EXPECT_TRUE(near(approach, 3, byPrecision(5e-5, 1e-12)));
 }
 
-// The velocity stays set until it is changed.
-TEST(MoveTo, GoesOnUntilToldOtherwise) {
+TEST(MoveTo, KeepsItsVelocityUntilItIsChanged) {
     World world;
     const BodyId paddle = world.add(paddleDef());
     world[paddle].moveTo({1, 0}, kDt);

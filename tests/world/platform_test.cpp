@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <support/resting.hpp>
+#include <support/sleeping.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,12 +16,12 @@ using support::near;
 using support::nearShare;
 using support::run;
 
-/// A line of 6 m that is solid from above only.
+/// A segment of 6 m that is solid from above only.
 BodyDef oneSidedDef(Vec2 position) {
     BodyDef def;
     def.shape = Segment{{-3, 0}, {3, 0}, true, {}, {}};
     def.position = position;
-    def.flags = kLocked;
+    def.type = BodyType::Kinematic;
     return def;
 }
 
@@ -29,8 +29,8 @@ BodyDef moverDef(int kind, Vec2 position) {
     return kind == 0 ? ballDef(position, Real(0.4)) : boxDef(position, Real(0.8), Real(0.8));
 }
 
-// F2: from below one jumps through it, and lands on it: slow, fast, balls and boxes.
-TEST(OneSidedPlatform, LetsUpAndCarriesWhatComesDown) {
+// F2: balls and boxes pass it from below at any speed and land on it.
+TEST(OneSidedPlatform, LetsBodiesRiseAndCarriesThemFromAbove) {
     for (const int kind : {0, 1}) {
         for (const Real height : {Real(1), Real(1.5), Real(3), Real(20), Real(300)}) {
             World world({.gravity = support::kEarth});
@@ -46,7 +46,7 @@ TEST(OneSidedPlatform, LetsUpAndCarriesWhatComesDown) {
                     ASSERT_EQ(support::recordOf(world, platform, jumper), nullptr) << height;
                 }
             }
-            // Free flight is exact, so the apex lies within a step of it: g (dt / 2)^2 / 2.
+            // Free flight is exact; sampling misses the apex by at most g (dt / 2)^2 / 2.
             EXPECT_TRUE(near(highest, height, byPrecision(1e-3, 4e-4) * std::max(Real(1), height)));
             EXPECT_TRUE(near(world[jumper].position().y, Real(0.4), world.tolerances().slop))
                 << kind << " " << height;
@@ -55,8 +55,8 @@ TEST(OneSidedPlatform, LetsUpAndCarriesWhatComesDown) {
     }
 }
 
-// F2: up through it as if it were not there, to the bit, and down onto it.
-TEST(OneSidedPlatform, CarriesWhatHasJumpedThroughIt) {
+// F2: a rise through it has the same bits as without it. Afterwards the body lands on it.
+TEST(OneSidedPlatform, DoesNotAffectARisingBodyAndCarriesItAfterwards) {
     for (const Shape& shape : {Shape(Circle{Real(0.5)}), Shape(Box{1, 1})}) {
         for (const Real speed : {Real(8), Real(8.5), Real(12), Real(60)}) {
             World world({.gravity = support::kEarth});
@@ -76,15 +76,15 @@ TEST(OneSidedPlatform, CarriesWhatHasJumpedThroughIt) {
     }
 }
 
-// F2: a step or two may begin so close above it that a body might be touched. There its flight is
-// no exact parabola: each is off by g dt^2 / 2 of a substep, five times, 0.28 mm, and by no more.
-TEST(OneSidedPlatform, IsNotThereForWhatComesFromBelow) {
+// F2: in one or two steps the body is close enough above it for a contact and moves in substeps.
+// Each such step deviates from the parabola by 5 g h^2 / 2 = 0.28 mm for substeps of h.
+TEST(OneSidedPlatform, KeepsARisingBodyOnItsParabola) {
     for (const int kind : {0, 1}) {
         for (const Real speed : {Real(8), Real(8.5), Real(12), Real(60)}) {
             World world({.gravity = support::kEarth});
             World empty = world;
             const BodyId platform = world.add(oneSidedDef({0, 0}));
-            empty.add(ballDef({1000, 0}, 1)); // in its place, so that ids are alike
+            empty.add(ballDef({1000, 0}, 1)); // in its place, for equal ids
             BodyDef def = moverDef(kind, {Real(0.3), -2});
             def.velocity = {0, speed};
             const BodyId jumper = world.add(def);
@@ -100,8 +100,8 @@ TEST(OneSidedPlatform, IsNotThereForWhatComesFromBelow) {
     }
 }
 
-// One that does not get through falls back, unpushed, from wherever it turns.
-TEST(OneSidedPlatform, LetsFallBackWhatDoesNotGetThrough) {
+// A body that does not get through falls back without any impulse, from any apex.
+TEST(OneSidedPlatform, DoesNotPushABodyThatFallsBack) {
     for (const int kind : {0, 1}) {
         for (const Real height : {Real(-0.3), Real(0), Real(0.2), Real(0.35)}) {
             World world({.gravity = support::kEarth});
@@ -118,8 +118,7 @@ TEST(OneSidedPlatform, LetsFallBackWhatDoesNotGetThrough) {
     }
 }
 
-// From above nothing comes through, however fast.
-TEST(OneSidedPlatform, StopsWhatComesFromAbove) {
+TEST(OneSidedPlatform, StopsBodiesFromAboveAtAnySpeed) {
     for (const int kind : {0, 1}) {
         for (const Real speed : {Real(10), Real(300), Real(10000)}) {
             World world({.gravity = support::kEarth});
@@ -133,27 +132,28 @@ TEST(OneSidedPlatform, StopsWhatComesFromAbove) {
     }
 }
 
-// It carries while it moves, and what it comes upon from below it leaves alone.
-TEST(OneSidedPlatform, CarriesAsALift) {
+// A moving platform carries its load. It does not affect bodies that it passes from below.
+TEST(OneSidedPlatform, CarriesItsLoadAsALift) {
     World world({.gravity = support::kEarth});
     const BodyId lift = world.add(oneSidedDef({0, 0}));
     const BodyId rider = world.add(boxDef({1, Real(0.5)}, 1, 1));
-    const BodyId ledge = world.add({.shape = Box{1, 1}, .position = {-2, 4}, .flags = kLocked});
+    const BodyId ledge =
+        world.add({.shape = Box{1, 1}, .position = {-2, 4}, .type = BodyType::Kinematic});
     const BodyId lying = world.add(ballDef({-2, 5}, Real(0.5)));
     run(world, 30);
     world[lift].setVelocity({0, 2});
     run(world, 240); // 8 m
     EXPECT_TRUE(near(world[rider].position().y, Real(8.5), Real(0.01)));
     EXPECT_TRUE(near(world[ledge].position(), Vec2{-2, 4}, 0));
-    EXPECT_GT(world[lying].position().y, 5); // that one lay above the line, and rode along
+    EXPECT_GT(world[lying].position().y, 5); // it lay above the segment and was lifted
 }
 
-// MoveTo gives the right velocity at the contact: a box on a platform is taken along by friction,
-// with mu g until it has the speed of the platform, and then rides without slipping.
-TEST(MovingPlatform, TakesABoxAlongByFriction) {
+// moveTo() gives the velocity at the contact. Friction accelerates a box on a moving platform with
+// mu g, until it has the speed of the platform.
+TEST(MovingPlatform, AcceleratesABoxByFriction) {
     World world({.gravity = support::kEarth});
     BodyDef def = boxDef({0, Real(-0.5)}, 40, 1, withFriction(Real(0.5)));
-    def.flags = kLocked;
+    def.type = BodyType::Kinematic;
     const BodyId platform = world.add(def);
     const BodyId box = world.add(boxDef({0, Real(0.5)}, 1, 1, withFriction(Real(0.5))));
     run(world, 30);
@@ -166,9 +166,9 @@ TEST(MovingPlatform, TakesABoxAlongByFriction) {
     };
     move(24); // 0.4 s: 5 m/s^2, 2 m/s
     EXPECT_TRUE(nearShare(world[box].velocity().x, 2, 0.01));
-    move(24); // it has caught up after 0.6 s
-    // In float the speed that moveTo finds is off by a rounding of 2.4 m over dt; else a little is
-    // left of the way in which the box leant on its edge.
+    move(24); // equal speeds after 0.6 s
+    // In float, the velocity from moveTo() contains a rounding of 2.4 m over dt. In double, a
+    // remainder of the tilt during the acceleration is left.
     EXPECT_TRUE(near(world[box].velocity().x, 3, byPrecision(2e-5, 2e-7)));
     const Real lag = world[platform].position().x - world[box].position().x;
     EXPECT_TRUE(nearShare(lag, 3 * 0.6 / 2, 0.01)); // v^2 / (2 mu g)
@@ -176,11 +176,11 @@ TEST(MovingPlatform, TakesABoxAlongByFriction) {
     EXPECT_TRUE(near(world[platform].position().x - world[box].position().x, lag, Real(1e-3)));
 }
 
-// To and fro, gently enough for the friction to hold: a = A w^2 = 2.4 m/s^2 < mu g = 6 m/s^2.
+// The stack does not slip: a = A w^2 = 2.4 m/s^2 < mu g = 6 m/s^2.
 TEST(MovingPlatform, CarriesAStackToAndFro) {
     World world({.gravity = support::kEarth});
     BodyDef def = boxDef({0, Real(-0.5)}, 10, 1);
-    def.flags = kLocked;
+    def.type = BodyType::Kinematic;
     const BodyId platform = world.add(def);
     const std::vector<BodyId> stack = support::addStack(world, 3);
     run(world, 30);
@@ -196,12 +196,11 @@ TEST(MovingPlatform, CarriesAStackToAndFro) {
     }
 }
 
-// A lift that starts, rises and stops within reason (a < g) never loses its load, and the record
-// tells m (g + a) in every step.
+// A lift with |a| < g never loses its load. The recorded force is m (g + a).
 TEST(MovingPlatform, LiftsWithoutLosingItsLoad) {
     World world({.gravity = support::kEarth});
     BodyDef def = boxDef({0, Real(-0.5)}, 10, 1);
-    def.flags = kLocked;
+    def.type = BodyType::Kinematic;
     const BodyId lift = world.add(def);
     const BodyId box = world.add(boxDef({0, Real(0.5)}, 1, 1));
     run(world, 20);
@@ -221,11 +220,11 @@ TEST(MovingPlatform, LiftsWithoutLosingItsLoad) {
     EXPECT_GT(world[lift].position().y, 10);
 }
 
-// A turntable's rim moves with w r: a ball that touches it there is rubbed up to that speed.
-TEST(MovingPlatform, ATurningWheelRubsWithItsRimSpeed) {
+// The rim moves with w r. Friction accelerates a box that touches it to that speed.
+TEST(MovingPlatform, ARotatingWheelAcceleratesABoxToItsRimSpeed) {
     World world({.gravity = support::kEarth});
     BodyDef drum = ballDef({0, -2}, 2, withFriction(1));
-    drum.flags = kLocked;
+    drum.type = BodyType::Kinematic;
     const BodyId wheel = world.add(drum);
     BodyDef def = boxDef({0, Real(0.05)}, Real(0.1), Real(0.1), withFriction(1));
     def.flags = kLockRotate;

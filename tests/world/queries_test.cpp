@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/collide/cast.hpp>
-#include <kodo/collide/distance.hpp>
-#include <kodo/world/queries.hpp>
+#include <kodo/geometry.hpp>
+#include <kodo/query.hpp>
 #include <support/every_shape.hpp>
 #include <support/near.hpp>
 
@@ -18,7 +17,7 @@ constexpr Flags kRed = 1;
 constexpr Flags kBlue = 2;
 constexpr CollisionFilter kRedOnly{kMatchAny, kRed};
 
-/// 60 bodies of every kind, some of them compounds, some disabled.
+/// 60 bodies with every kind of shape, some of them compounds, some disabled.
 World crowd(std::uint64_t seed) {
     support::RandomNumbers random(seed);
     World world;
@@ -33,15 +32,16 @@ World crowd(std::uint64_t seed) {
         }
         def.position = random.point(12);
         def.rotation = random.rotation();
-        def.flags = (i % 2 == 0 ? kRed : kBlue) | kLocked | (i % 7 == 0 ? kDisabled : 0);
-        if (kind != support::AnyKind::Plane || i % 9 == 0) { // a few planes only: they are big
+        def.type = BodyType::Static;
+        def.flags = (i % 2 == 0 ? kRed : kBlue) | (i % 7 == 0 ? kDisabled : 0);
+        if (kind != support::AnyKind::Plane || i % 9 == 0) { // few planes, since they are infinite
             world.add(def);
         }
     }
     return world;
 }
 
-/// Every part of every body that a query may answer with.
+/// Visits every part of every body that a query may return.
 template <typename Visit>
 void forAsked(const World& world, CollisionFilter which, Visit visit) {
     for (const BodyId id : world.bodies()) {
@@ -54,8 +54,8 @@ void forAsked(const World& world, CollisionFilter which, Visit visit) {
     }
 }
 
-// Against all parts of all bodies, without bounds.
-TEST(Queries, RayCastAllFindsWhatBruteForceFinds) {
+// Brute force tests all parts of all bodies, without bounds.
+TEST(Queries, RayCastAllAgreesWithBruteForce) {
     support::RandomNumbers random(181);
     std::size_t hits = 0;
     for (int k = 0; k < 20; ++k) {
@@ -66,7 +66,7 @@ TEST(Queries, RayCastAllFindsWhatBruteForceFinds) {
             const CollisionFilter which = i % 2 == 0 ? CollisionFilter{} : kRedOnly;
             std::vector<QueryHit> expected;
             forAsked(world, which, [&](const BodyView& body, std::size_t part) {
-                const auto hit = rayCast(body.part(part).convex, body.placement(), Ray{from, to});
+                const auto hit = rayCast(body.part(part).convex, body.massFrame(), Ray{from, to});
                 if (hit) {
                     expected.push_back(
                         {body.id(), static_cast<std::uint16_t>(part), hit->fraction, {}, {}});
@@ -91,7 +91,7 @@ TEST(Queries, RayCastAllFindsWhatBruteForceFinds) {
     EXPECT_GT(hits, 1000u);
 }
 
-TEST(Queries, ShapeCastFindsWhatBruteForceFinds) {
+TEST(Queries, ShapeCastAgreesWithBruteForce) {
     support::RandomNumbers random(182);
     int hits = 0;
     for (int k = 0; k < 20; ++k) {
@@ -101,11 +101,11 @@ TEST(Queries, ShapeCastFindsWhatBruteForceFinds) {
                 support::randomPrimitive(random, support::kTwoSidedKinds[random.below(5)]);
             const Transform start = random.pose(15);
             const Vec2 move = random.point(20);
-            const Convex moving = convexOf(primitive, {});
+            const ConvexShape moving = convexShapeOf(primitive, {});
             std::optional<std::tuple<Real, BodyId, std::uint16_t>> best;
             forAsked(world, {}, [&](const BodyView& body, std::size_t part) {
                 const auto hit =
-                    shapeCast(moving, start, move, body.part(part).convex, body.placement());
+                    shapeCast(moving, start, move, body.part(part).convex, body.massFrame());
                 if (hit) {
                     const std::tuple now(hit->fraction, body.id(),
                                          static_cast<std::uint16_t>(part));
@@ -123,7 +123,7 @@ TEST(Queries, ShapeCastFindsWhatBruteForceFinds) {
     EXPECT_GT(hits, 300);
 }
 
-TEST(Queries, OverlapFindsWhatBruteForceFinds) {
+TEST(Queries, OverlapAgreesWithBruteForce) {
     support::RandomNumbers random(183);
     std::size_t count = 0;
     for (int k = 0; k < 20; ++k) {
@@ -135,8 +135,8 @@ TEST(Queries, OverlapFindsWhatBruteForceFinds) {
             std::vector<BodyId> expected;
             forAsked(world, kRedOnly, [&](const BodyView& body, std::size_t part) {
                 for (const Primitive& primitive : shape.parts) {
-                    const Convex convex = convexOf(primitive, {});
-                    if (distance(body.part(part).convex, body.placement(), convex, at).distance <=
+                    const ConvexShape convex = convexShapeOf(primitive, {});
+                    if (distance(body.part(part).convex, body.massFrame(), convex, at).distance <=
                             0 &&
                         (expected.empty() || expected.back() != body.id())) {
                         expected.push_back(body.id());
@@ -150,7 +150,7 @@ TEST(Queries, OverlapFindsWhatBruteForceFinds) {
     EXPECT_GT(count, 500u);
 }
 
-TEST(Queries, OverlapWithABoxLooksAtShapesNotAtBounds) {
+TEST(Queries, OverlapWithABoxTestsShapesNotBounds) {
     World world;
     const BodyId ball = world.add({.shape = Circle{1}});
     const BodyId box = world.add({.shape = Box{2, 2}, .position = {4, 0}});
@@ -162,7 +162,7 @@ TEST(Queries, OverlapWithABoxLooksAtShapesNotAtBounds) {
     EXPECT_TRUE(overlap(world, Aabb{{1, 1}, {-1, -1}}).empty()) << "upside down";
 }
 
-TEST(Queries, ClosestPointFindsWhatBruteForceFinds) {
+TEST(Queries, ClosestPointAgreesWithBruteForce) {
     support::RandomNumbers random(184);
     int found = 0;
     for (int k = 0; k < 20; ++k) {
@@ -172,7 +172,8 @@ TEST(Queries, ClosestPointFindsWhatBruteForceFinds) {
             const Real most = random.between(0, 4);
             std::optional<QueryPoint> best;
             forAsked(world, {}, [&](const BodyView& body, std::size_t part) {
-                const Nearness near = distance(body.part(part).convex, body.placement(), point);
+                const ClosestPoints near =
+                    distance(body.part(part).convex, body.massFrame(), point);
                 if (near.distance <= most && (!best || near.distance < best->distance)) {
                     best = {body.id(), static_cast<std::uint16_t>(part), near.onA, near.normal,
                             near.distance};
@@ -193,7 +194,7 @@ TEST(Queries, ClosestPointFindsWhatBruteForceFinds) {
     EXPECT_GT(found, 500);
 }
 
-// Two equal bodies on one place: the lower id answers first.
+// Two equal bodies at one position.
 TEST(Queries, TiesGoToTheLowerId) {
     World world;
     const BodyId first = world.add({.shape = Box{2, 2}});
@@ -206,7 +207,6 @@ TEST(Queries, TiesGoToTheLowerId) {
     EXPECT_EQ(closestPoint(world, {3, 0}, 5)->body, first);
 }
 
-// A copy answers the same, and the question changes nothing.
 TEST(Queries, WorkOnACopyAndChangeNothing) {
     const World world = crowd(7);
     const World copy = world;
@@ -221,7 +221,7 @@ TEST(Queries, WorkOnACopyAndChangeNothing) {
     EXPECT_EQ(world.stateHash(), before);
 }
 
-TEST(Queries, RefuseBadShapesAndIgnorePlacesThatAreNone) {
+TEST(Queries, RefuseInvalidShapesAndFindNothingAtNan) {
     const World world = crowd(8);
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     EXPECT_THROW(shapeCast(world, Circle{-1}, {}, {1, 0}), BadDefinition);
@@ -235,11 +235,11 @@ TEST(Queries, RefuseBadShapesAndIgnorePlacesThatAreNone) {
     EXPECT_TRUE(closestPoint(world, {0, 0}, std::numeric_limits<Real>::infinity()));
 }
 
-// Heightmaps, planes and one-sided platforms are asked like anything else.
-TEST(Queries, SeeGroundFromAbove) {
+// One-sided ground is hit from its front only.
+TEST(Queries, HitGroundFromAboveOnly) {
     World world;
     const BodyId ground =
-        world.add({.shape = Heightmap{{-2, 0}, 1, {0, 0, 1, 0, 0}}, .flags = kLocked});
+        world.add({.shape = Heightmap{{-2, 0}, 1, {0, 0, 1, 0, 0}}, .type = BodyType::Static});
     const auto down = rayCast(world, {Real(0.5), 3}, {Real(0.5), -3});
     ASSERT_TRUE(down);
     EXPECT_EQ(down->body, ground);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <support/outside.hpp>
-#include <support/resting.hpp>
+#include <support/sleeping.hpp>
 
 namespace kodo {
 namespace {
@@ -27,35 +27,35 @@ std::vector<State> statesOf(const World& world) {
     return states;
 }
 
-// F3: the cost of a step follows the region, not the world: of a thousand boxes on the floor, as
-// many are worked on as the region meets.
+// F3: the cost of a step depends on the region: of 1000 boxes on the floor, only those that overlap
+// it are stepped.
 TEST(Region, CostFollowsTheRegion) {
     World world({.gravity = support::kEarth});
     addFloor(world);
     for (int i = 0; i < 1000; ++i) {
         BodyDef def = boxDef({static_cast<Real>(i - 500), Real(0.25)}, Real(0.5), Real(0.5));
-        def.flags = kNeverRest;
+        def.flags = kNeverSleep;
         world.add(def);
     }
     world.step(kDt);
-    ASSERT_EQ(world.bodyVisits(), 1000u);
-    const std::size_t whole = world.contactVisits();
+    ASSERT_EQ(stepStats(world).bodies, 1000u);
+    const std::size_t whole = stepStats(world).contacts;
     for (const int width : {100, 10, 1, 0, 500}) {
         const auto reach = static_cast<Real>(width) / 2;
         world.setRegion(around(Real(0.3) - reach, Real(0.3) + reach));
-        run(world, 2); // in the first of them, contacts that are left end
-        EXPECT_GE(world.bodyVisits(), static_cast<std::size_t>(width));
-        EXPECT_LE(world.bodyVisits(), static_cast<std::size_t>(width) + 1);
-        EXPECT_EQ(world.contactVisits(), whole / 1000 * world.bodyVisits());
-        EXPECT_EQ(world.collisions().size(), world.bodyVisits());
+        run(world, 2); // the first step ends contacts that were left
+        EXPECT_GE(stepStats(world).bodies, static_cast<std::size_t>(width));
+        EXPECT_LE(stepStats(world).bodies, static_cast<std::size_t>(width) + 1);
+        EXPECT_EQ(stepStats(world).contacts, whole / 1000 * stepStats(world).bodies);
+        EXPECT_EQ(world.collisions().size(), stepStats(world).bodies);
     }
     world.setRegion(std::nullopt);
     world.step(kDt);
-    EXPECT_EQ(world.bodyVisits(), 1000u);
+    EXPECT_EQ(stepStats(world).bodies, 1000u);
 }
 
-// F3: what is outside waits as it is, and goes on bit by bit as if nothing had happened.
-TEST(Region, WhatFliesOutsideWaitsAndGoesOnAsIfNothingHadHappened) {
+// F3: bodies outside keep their pose and velocity. Afterwards they continue with the same bits.
+TEST(Region, BodiesOutsidePauseAndContinueWithTheSameBits) {
     World world({.gravity = support::kEarth});
     for (int i = 0; i < 6; ++i) {
         const Vec2 place{30 + 5 * static_cast<Real>(i), 60};
@@ -70,7 +70,7 @@ TEST(Region, WhatFliesOutsideWaitsAndGoesOnAsIfNothingHadHappened) {
     const std::vector<State> before = statesOf(world);
     run(world, 100);
     EXPECT_EQ(statesOf(world), before);
-    EXPECT_EQ(world.bodyVisits(), 0u);
+    EXPECT_EQ(stepStats(world).bodies, 0u);
     for (const BodyId id : world.bodies()) {
         EXPECT_TRUE(waits(world, id));
     }
@@ -82,8 +82,8 @@ TEST(Region, WhatFliesOutsideWaitsAndGoesOnAsIfNothingHadHappened) {
     }
 }
 
-// F3: what is inside does not notice that the rest of the world waits.
-TEST(Region, WhatIsInsideGoesOnAsItDoesAlone) {
+// F3: bodies outside do not affect those inside.
+TEST(Region, BodiesInsideMoveAsWithoutThoseOutside) {
     World alone({.gravity = support::kEarth});
     support::addHeap(alone, 17, 40);
     World together = alone;
@@ -104,9 +104,9 @@ TEST(Region, WhatIsInsideGoesOnAsItDoesAlone) {
     }
 }
 
-// What leaves the region stops where it is out of it, with its speed; what the region follows does
-// not.
-TEST(Region, WhatLeavesItStopsAndWhatItFollowsGoesOn) {
+// A body that leaves the region stops outside and keeps its velocity. A body that the region
+// follows keeps moving.
+TEST(Region, ABodyThatLeavesItStopsUnlessItIsFollowed) {
     World world;
     BodyDef def = ballDef({0, 0}, Real(0.5));
     def.velocity = {6, 0};
@@ -114,7 +114,7 @@ TEST(Region, WhatLeavesItStopsAndWhatItFollowsGoesOn) {
     world.setRegion(around(-5, 5));
     run(world, 120);
     EXPECT_TRUE(waits(world, leaver));
-    // Its bounds end at x - 0.5; it has moved by up to one step of 0.1 m farther.
+    // Its bounds begin at x - 0.5; the last step moved it by up to 0.1 m beyond.
     EXPECT_TRUE(near(world[leaver].position().x, Real(5.55), Real(0.0501)));
     EXPECT_EQ(world[leaver].velocity(), (Vec2{6, 0}));
     for (int step = 0; step < 60; ++step) {
@@ -126,8 +126,7 @@ TEST(Region, WhatLeavesItStopsAndWhatItFollowsGoesOn) {
     EXPECT_TRUE(near(world[leaver].position().x, Real(11.55), Real(0.051)));
 }
 
-// It is asked where a body is now: one that comes, or jumps, waits or goes on at once.
-TEST(Region, NewcomersAndJumpersAreAskedAtOnce) {
+TEST(Region, AppliesAtOnceToAddedClonedAndTeleportedBodies) {
     World world({.gravity = support::kEarth});
     world.setRegion(around(-5, 5));
     const BodyId newcomer = world.add(ballDef({20, 0}, 1));
@@ -146,8 +145,7 @@ TEST(Region, NewcomersAndJumpersAreAskedAtOnce) {
     EXPECT_EQ(world[newcomer].position(), (Vec2{20, 0}));
 }
 
-// What rests goes on resting, whether the region meets it or not.
-TEST(Region, DoesNotWakeWhatRests) {
+TEST(Region, DoesNotWakeSleepingBodies) {
     World world({.gravity = support::kEarth});
     addFloor(world);
     support::addStack(world, 5, 3);
@@ -157,12 +155,12 @@ TEST(Region, DoesNotWakeWhatRests) {
         world.setRegion(around(x - 1, x + 1));
         run(world, 10);
         EXPECT_EQ(support::countResting(world), 5u);
-        EXPECT_EQ(world.bodyVisits(), 0u);
+        EXPECT_EQ(stepStats(world).bodies, 0u);
     }
 }
 
-// F3, O4: what has come to rest on something that waited wakes when that goes on, and goes with it.
-TEST(Region, WhatRestsOnWhatGoesOnAgainWakes) {
+// F3, O4: a body asleep on a body outside wakes when that one is active again, and moves with it.
+TEST(Region, ABodyAsleepOnAReactivatedBodyWakes) {
     World world({.gravity = support::kEarth});
     addFloor(world);
     BodyDef def = boxDef({0, Real(0.5)}, 1, 1);
@@ -171,29 +169,29 @@ TEST(Region, WhatRestsOnWhatGoesOnAgainWakes) {
     def.velocity = {};
     def.position = {0, Real(1.5)};
     const BodyId rider = world.add(def);
-    world.setRegion(Aabb{{-100, Real(1.2)}, {100, 100}}); // meets the rider alone
+    world.setRegion(Aabb{{-100, Real(1.2)}, {100, 100}}); // overlaps the rider alone
     run(world, 120);
     ASSERT_TRUE(waits(world, carrier));
     ASSERT_TRUE(support::rests(world, rider));
     world.setRegion(std::nullopt);
     EXPECT_FALSE(support::rests(world, rider));
     run(world, 30);
-    EXPECT_GT(world[rider].position().x, Real(0.1)); // drawn along by friction
+    EXPECT_GT(world[rider].position().x, Real(0.1)); // dragged by friction
 }
 
-TEST(Region, RefusesOneThatIsInsideOut) {
+TEST(Region, RefusesInvertedBounds) {
     World world;
     EXPECT_THROW(world.setRegion(Aabb{{1, 0}, {0, 1}}), BadDefinition);
     EXPECT_FALSE(world.region());
 }
 
-// A velocity for one of two that wait on each other does not make them go on, as it once did: the
-// pair was then solved and reported in every step.
-TEST(Region, WhatGetsAVelocityWhileItWaitsGoesOnWaiting) {
+// Regression: a velocity set on one of two touching bodies outside made their contact active. It
+// was solved and reported in every step.
+TEST(Region, ABodyOutsideStaysOutsideWhenItsVelocityIsSet) {
     World world({.gravity = support::kEarth});
     const BodyId floor =
-        world.add({.shape = Box{40, 1}, .position = {0, Real(-0.5)}, .flags = kLocked});
-    world.add({.shape = Box{1, 1}, .position = {0, Real(0.5)}, .flags = kNeverRest});
+        world.add({.shape = Box{40, 1}, .position = {0, Real(-0.5)}, .type = BodyType::Kinematic});
+    world.add({.shape = Box{1, 1}, .position = {0, Real(0.5)}, .flags = kNeverSleep});
     support::run(world, 30);
     world.setRegion(Aabb{{100, 0}, {110, 5}});
     support::run(world, 2);
@@ -201,7 +199,7 @@ TEST(Region, WhatGetsAVelocityWhileItWaitsGoesOnWaiting) {
     for (int step = 0; step < 4; ++step) {
         world.step(support::kDt);
         EXPECT_TRUE(world.collisions().empty()) << "step " << step;
-        EXPECT_EQ(world.contactVisits(), 0u);
+        EXPECT_EQ(stepStats(world).contacts, 0u);
     }
 }
 

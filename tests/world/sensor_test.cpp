@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <support/phase_book.hpp>
-#include <support/resting.hpp>
+#include <support/sleeping.hpp>
 
 #include <algorithm>
 
@@ -17,11 +17,12 @@ using support::run;
 
 BodyDef sensorDef(Vec2 position, Real width, Real height) {
     BodyDef def = boxDef(position, width, height);
-    def.flags = kLocked | kSensor;
+    def.type = BodyType::Kinematic;
+    def.flags = kSensor;
     return def;
 }
 
-/// How often each phase was told of a pair.
+/// Number of Begin and End records of a pair.
 struct Told {
     int begins = 0;
     int ends = 0;
@@ -35,8 +36,9 @@ struct Told {
     }
 };
 
-// S2: a ball that falls through a sensor begins and ends once, where the geometry says.
-TEST(Sensor, NoticesWhatPassesThrough) {
+// S2: a ball that falls through a sensor causes one Begin and one End, at the positions that
+// geometry gives.
+TEST(Sensor, ReportsABodyThatPassesThrough) {
     World world({.gravity = support::kEarth});
     const BodyId zone = world.add(sensorDef({0, 0}, 4, 2));
     const BodyId ball = world.add(ballDef({0, 4}, Real(0.5)));
@@ -46,7 +48,7 @@ TEST(Sensor, NoticesWhatPassesThrough) {
         world.step(kDt);
         told.read(world, zone, ball);
         const bool inside = told.begins > told.ends;
-        // What is noticed is the place before the step, or the way within it.
+        // A step detects an overlap at its start or along its motion.
         const Real after = world[ball].position().y;
         EXPECT_TRUE(!inside || (after < Real(1.51) && before > Real(-1.51))) << step;
         EXPECT_TRUE(inside || after > Real(1.49) || before < Real(-1.49)) << step;
@@ -55,8 +57,8 @@ TEST(Sensor, NoticesWhatPassesThrough) {
     EXPECT_EQ(told.ends, 1);
 }
 
-// It does not push: what flies through goes on bit by bit as if there were no sensor.
-TEST(Sensor, DoesNotPush) {
+// Bodies pass a sensor with the same bits as without it.
+TEST(Sensor, DoesNotAffectMotion) {
     World with({.gravity = support::kEarth});
     World without({.gravity = support::kEarth});
     BodyDef def = boxDef({0, 3}, 1, Real(0.5));
@@ -64,7 +66,8 @@ TEST(Sensor, DoesNotPush) {
     def.velocity = {1, 0};
     def.material.restitution = 1;
     const BodyId box = with.add(def);
-    EXPECT_EQ(without.add(def), box);
+    const BodyId same = without.add(def);
+    EXPECT_EQ(same, box);
     with.add(sensorDef({0, 0}, 10, 1));
     BodyDef loose = ballDef({2, 1}, 1);
     loose.flags = kSensor;
@@ -72,14 +75,13 @@ TEST(Sensor, DoesNotPush) {
     for (int step = 0; step < 120; ++step) {
         with.step(kDt);
         without.step(kDt);
-        ASSERT_EQ(with[box].center(), without[box].center()) << step;
-        ASSERT_EQ(with[box].rotation(), without[box].rotation()) << step;
+        ASSERT_EQ(with[box].center(), without[same].center()) << step;
+        ASSERT_EQ(with[box].rotation(), without[same].rotation()) << step;
     }
-    EXPECT_LT(with[free].position().y, -10); // falls freely itself
+    EXPECT_LT(with[free].position().y, -10); // a dynamic sensor falls freely
 }
 
-// However fast the body and thin the sensor: it is noticed, once.
-TEST(Sensor, NoticesAFastBodyThroughAThinOne) {
+TEST(Sensor, ReportsAFastBodyThroughAThinSensorOnce) {
     for (const Real speed : {Real(10), Real(100), Real(1000), Real(10000)}) {
         for (const bool line : {false, true}) {
             World world;
@@ -109,8 +111,8 @@ TEST(Sensor, NoticesAFastBodyThroughAThinOne) {
     }
 }
 
-// What is stopped before it, is not noticed behind.
-TEST(Sensor, DoesNotNoticeWhatIsStoppedBefore) {
+// Continuous collision stops the ball at a wall before the sensor.
+TEST(Sensor, DoesNotReportABodyStoppedBeforeIt) {
     World world;
     support::addWall(world, 5, Real(0.1), support::slippery(1));
     const BodyId sensor = world.add(sensorDef({Real(5.5), 0}, Real(0.1), 10));
@@ -126,7 +128,7 @@ TEST(Sensor, DoesNotNoticeWhatIsStoppedBefore) {
     EXPECT_LT(world[ball].velocity().x, 0);
 }
 
-/// Removes, moves, pushes or switches one of the sensors, or a body.
+/// Removes, teleports, moves or switches one of the sensors, or replaces a body.
 void meddle(World& world, std::vector<BodyId>& zones, support::RandomNumbers& random) {
     const std::size_t i = random.below(zones.size());
     const std::vector<BodyId> bodies = world.bodies();
@@ -143,7 +145,7 @@ void meddle(World& world, std::vector<BodyId>& zones, support::RandomNumbers& ra
         world[zones[i]].setVelocity(random.point(3));
         break;
     case 3:
-        world[zones[i]].setFlags(kLocked | kSensor | (random.below(2) == 0 ? kDisabled : 0));
+        world[zones[i]].setFlags(kSensor | (random.below(2) == 0 ? kDisabled : 0));
         break;
     default:
         if (std::find(zones.begin(), zones.end(), body) == zones.end()) {
@@ -153,7 +155,8 @@ void meddle(World& world, std::vector<BodyId>& zones, support::RandomNumbers& ra
     }
 }
 
-// S2: begin and end are paired, whatever comes, goes, jumps, stops and changes, asleep and awake.
+// S2: Begin and End are paired under random additions, removals, teleports, stops and changes of
+// flags, asleep and awake.
 TEST(Sensor, BeginAndEndAreAlwaysPaired) {
     for (std::uint64_t seed = 161; seed < 166; ++seed) {
         support::RandomNumbers random(seed);
@@ -183,7 +186,7 @@ TEST(Sensor, BeginAndEndAreAlwaysPaired) {
     }
 }
 
-/// A box at rest on the floor, within a sensor.
+/// A box asleep on the floor, within a sensor.
 struct Sleeper {
     World world{{.gravity = support::kEarth}};
     BodyId box;
@@ -204,14 +207,14 @@ struct Sleeper {
     }
 };
 
-// S2: what rests within a sensor has not left it; it ends when one of the two goes.
-TEST(Sensor, KeepsWhatRestsInIt) {
+// S2: the contact with a sensor persists while the body sleeps, and ends when either is removed.
+TEST(Sensor, KeepsTheContactOfASleepingBody) {
     for (const bool removeZone : {false, true}) {
         Sleeper s;
         ASSERT_TRUE(rests(s.world, s.box));
         EXPECT_EQ(s.told.begins, 1);
         EXPECT_EQ(s.told.ends, 0);
-        s.world[s.box].applyImpulse({0, Real(0.01)}); // wakes: goes on, no second begin
+        s.world[s.box].applyImpulse({0, Real(0.01)}); // wakes it: no second Begin
         s.step(120);
         ASSERT_TRUE(rests(s.world, s.box));
         EXPECT_EQ(s.told.begins, 1);
@@ -224,8 +227,8 @@ TEST(Sensor, KeepsWhatRestsInIt) {
     }
 }
 
-// A sensor that sweeps over what rests notices it and lets it rest.
-TEST(Sensor, DoesNotWakeWhatItSweepsOver) {
+// A moving sensor reports a sleeping body and does not wake it.
+TEST(Sensor, DoesNotWakeASleepingBodyItPasses) {
     Sleeper s;
     s.world[s.zone].setPosition({-5, 1});
     s.step(120);
@@ -238,27 +241,27 @@ TEST(Sensor, DoesNotWakeWhatItSweepsOver) {
     EXPECT_EQ(s.told.ends, 1);
 }
 
-// A sensor that stops over something locked in the very step in which a body comes to rest: their
-// contact belongs to no island, and wrote out of bounds.
-TEST(Sensor, MayStopOverALockedBodyWhileAnotherComesToRest) {
+// Regression: a sensor stops over an immovable body in the step in which another falls asleep.
+// Their contact belongs to no island and was written out of bounds.
+TEST(Sensor, StopsOverAnImmovableBodyWhileAnotherFallsAsleep) {
     World world({.gravity = support::kEarth});
     support::addFloor(world);
     const BodyId box = world.add(boxDef({20, Real(0.5)}, 1, 1));
     BodyDef def = sensorDef({3, 0}, 4, 1);
     def.velocity = {Real(0.1), 0};
     const BodyId zone = world.add(def);
-    run(world, world.settings().restSteps - 1);
+    run(world, world.settings().sleepSteps - 1);
     ASSERT_FALSE(rests(world, box));
     world[zone].setVelocity({});
     world.step(kDt);
     EXPECT_TRUE(rests(world, box));
     run(world, 10);
-    EXPECT_EQ(world.bodyVisits(), 0u);
+    EXPECT_EQ(stepStats(world).bodies, 0u);
 }
 
-// R9: its filter counts, as that of any body; and sensors do not notice each other, but they do
-// notice what is locked.
-TEST(Sensor, NoticesWhatItsFilterAccepts) {
+// R9: sensors obey their filter and do not detect each other. They detect a body with both motion
+// locks once it moves.
+TEST(Sensor, ReportsBodiesItsFilterAccepts) {
     World world;
     BodyDef zone = sensorDef({0, 0}, 10, 10);
     zone.flags |= kMatchAny;
@@ -271,7 +274,7 @@ TEST(Sensor, NoticesWhatItsFilterAccepts) {
     };
     const BodyId wanted = add({-3, 0}, 0b10);
     const BodyId other = add({0, 0}, 0b01);
-    const BodyId locked = add({3, 0}, 0b10 | kLocked);
+    const BodyId locked = add({3, 0}, 0b10 | kLockMove | kLockRotate);
     const BodyId blind = add({0, 3}, 0b10 | kSensor);
     run(world, 3);
     EXPECT_NE(recordOf(world, sensor, wanted), nullptr);
@@ -282,11 +285,10 @@ TEST(Sensor, NoticesWhatItsFilterAccepts) {
     EXPECT_NE(recordOf(world, sensor, locked), nullptr);
 }
 
-// A wall that becomes a sensor lets pass, and a sensor that becomes a wall stops.
 TEST(Sensor, CanBeTurnedOnAndOff) {
     World world;
     BodyDef def = boxDef({5, 0}, 1, 10);
-    def.flags = kLocked;
+    def.type = BodyType::Static;
     const BodyId gate = world.add(def);
     const auto shoot = [&] {
         BodyDef shot = ballDef({0, 0}, Real(0.25));
@@ -298,9 +300,9 @@ TEST(Sensor, CanBeTurnedOnAndOff) {
         return reached;
     };
     EXPECT_LT(shoot(), 5);
-    world[gate].setFlags(kLocked | kSensor);
+    world[gate].setFlags(kSensor);
     EXPECT_GT(shoot(), 9);
-    world[gate].setFlags(kLocked);
+    world[gate].setFlags(0);
     EXPECT_LT(shoot(), 5);
 }
 

@@ -19,28 +19,28 @@ using support::run;
 using support::Bytes;
 using support::seal;
 
-/// As a user would write one: it is no Drag any more.
+/// A user-defined class derived from Drag, which must not be restored as a Drag.
 class Halved final : public Drag {
 public:
     Halved() : Drag(DragLaw{1, 0}) {}
-    Push at(const Bodies& bodies, std::uint32_t body, Real dt) const override {
-        Push push = Drag::at(bodies, body, dt);
+    FieldForce at(const BodyView& body, Real dt) const override {
+        FieldForce push = Drag::at(body, dt);
         push.force = Real(0.5) * push.force;
         return push;
     }
 };
 
-/// A few bodies that touch, one of them at rest and one that waits outside the region, a joint and
-/// a field: all lists, and few bytes.
+/// Touching bodies, a sleeping one, one outside the region, a joint and a field: every list in few
+/// bytes.
 World smallWorld() {
     World world({.gravity = {0, -10}});
     world.addField({std::make_shared<Drag>(DragLaw{Real(0.25), 0}), {kMatchAny, 1}});
-    world.add({.shape = Plane{}, .flags = kLocked});
+    world.add({.shape = Plane{}, .type = BodyType::Static});
     const BodyId a = world.add(support::boxDef({0, Real(0.5)}, 1, 1));
     const BodyId b = world.add({.shape = Polygon{{{0, 0}, {1, 0}, {0, 1}}}, .position = {1, 0}});
-    world.add(Pin{{a, b, {Real(0.5), 0}, {Real(-0.5), 0}}, 0, Range{-1, 1}});
+    world.add(RevoluteJoint{{a, b, {Real(0.5), 0}, {Real(-0.5), 0}}, 0, Range{-1, 1}});
     world.add(support::boxDef({5, Real(0.5)}, 1, 1));
-    run(world, 40); // the box that stands alone rests by now
+    run(world, 40); // the separate box is asleep by now
     world.remove(world.add({.shape = Compound{{Circle{1}, Point{}}}, .position = {0, 50}}));
     world.add({.shape = Segment{{-1, 0}, {1, 0}, true, {}, {}}, .position = {0, 9}});
     world[a].applyImpulse({0, 1});
@@ -51,7 +51,7 @@ World smallWorld() {
     return world;
 }
 
-/// Why the bytes are refused; empty if they are not.
+/// The reason of the refusal; empty if the bytes are accepted.
 std::string refusalOf(const Bytes& bytes) {
     try {
         fromBytes(bytes);
@@ -67,17 +67,17 @@ Bytes changed(Bytes bytes, std::size_t place, int value) {
     return bytes;
 }
 
-// Places of the header: 4 bytes "Kodo", 4 of the format, 1 that tells float and double apart.
+// Offsets in the header: 4 bytes "Kodo", 4 bytes for the format, 1 byte for the precision.
 constexpr std::size_t kFormatAt = 4;
 constexpr std::size_t kPrecisionAt = 8;
 
-TEST(SnapshotRefused, SaysWhy) {
+TEST(SnapshotRefused, WithAReason) {
     const Bytes good = toBytes(smallWorld());
     EXPECT_EQ(refusalOf(good), "");
     EXPECT_EQ(refusalOf({}), "the bytes end too soon");
     EXPECT_EQ(refusalOf(changed(good, 0, 'k')), "these bytes are no snapshot of a Kodo World");
     EXPECT_EQ(refusalOf(changed(good, kFormatAt, 200)),
-              "the snapshot has format 200, but this Kodo knows format 5");
+              "the snapshot has format 200, but this Kodo knows format 6");
     const int mine = sizeof(Real);
     const int other = 12 - mine;
     EXPECT_EQ(refusalOf(changed(good, kPrecisionAt, other)),
@@ -92,12 +92,12 @@ TEST(SnapshotRefused, SaysWhy) {
     EXPECT_EQ(refusalOf(longer), "something follows the end of the snapshot");
 }
 
-TEST(SnapshotRefused, EveryLengthThatIsTooShort) {
+TEST(SnapshotRefused, EveryTruncatedLength) {
     const Bytes good = toBytes(smallWorld());
     for (std::size_t length = 0; length < good.size(); ++length) {
         Bytes cut(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(length));
         ASSERT_NE(refusalOf(cut), "") << length;
-        if (length >= 8) { // cut within the fields, with a checksum that is right
+        if (length >= 8) { // truncated within the fields, with a valid checksum
             seal(cut);
             ASSERT_NE(refusalOf(cut), "") << length << ", sealed";
         }
@@ -116,15 +116,15 @@ TEST(SnapshotRefused, EveryFlippedBit) {
     }
 }
 
-/// Bytes with a right checksum are either refused, or give a World that steps soundly: bodies stay
-/// where numbers are finite. True if they were taken.
+/// Bytes with a valid checksum are refused, or give a World whose steps keep all poses finite. True
+/// if they were accepted.
 bool refusedOrSound(const Bytes& bytes) {
     if (!refusalOf(bytes).empty()) {
         return false;
     }
     World world = fromBytes(bytes);
     for (int step = 0; step < 8; ++step) {
-        if (step == 4) { // all that rests or waits takes part
+        if (step == 4) { // activates sleeping and outside bodies
             world.setRegion(std::nullopt);
             for (const BodyId id : world.bodies()) {
                 world[id].setVelocity({});
@@ -132,21 +132,21 @@ bool refusedOrSound(const Bytes& bytes) {
         }
         world.step(kDt);
         for (const BodyId id : world.bodies()) {
-            const Transform& place = world[id].placement();
+            const Transform& place = world[id].massFrame();
             EXPECT_TRUE(isFinite(place.position));
             EXPECT_TRUE(std::isfinite(place.rotation.c) && std::isfinite(place.rotation.s));
         }
     }
     for (const BodyId id : world.bodies()) {
-        world.remove(id); // which walks through all that refers to it
+        world.remove(id); // visits all references to it
     }
     world.step(kDt);
     EXPECT_EQ(world.bodyCount(), 0u);
     return true;
 }
 
-// 0xff in every byte of a length asks for lists that no memory holds: sanitizers would tell.
-TEST(SnapshotRefused, EveryByteChangedAndSealedIsRefusedOrSound) {
+// A length with bytes of 0xff requests more memory than exists; sanitizers detect the allocation.
+TEST(SnapshotLoad, AChangedByteWithAValidChecksumIsRefusedOrSound) {
     const Bytes good = toBytes(smallWorld());
     int taken = 0;
     int refused = 0;
@@ -164,7 +164,7 @@ TEST(SnapshotRefused, EveryByteChangedAndSealedIsRefusedOrSound) {
     EXPECT_GT(refused, 0);
 }
 
-TEST(SnapshotRefused, RandomChangesSealedAreRefusedOrSound) {
+TEST(SnapshotLoad, RandomChangesWithAValidChecksumAreRefusedOrSound) {
     constexpr std::uint64_t kSeed = 17;
     support::RandomNumbers random(kSeed);
     const Bytes good = toBytes(smallWorld());
@@ -175,14 +175,14 @@ TEST(SnapshotRefused, RandomChangesSealedAreRefusedOrSound) {
             bytes[random.below(good.size() - 8)] = static_cast<std::byte>(random.below(256));
         }
         const std::size_t size = random.below(4) == 0 ? 8 + random.below(good.size()) : good.size();
-        bytes.resize(size); // some are cut off or go on with zeros
+        bytes.resize(size); // some are truncated or padded with zeros
         seal(bytes);
         refusedOrSound(bytes);
         ASSERT_FALSE(HasFailure());
     }
 }
 
-/// What finds the bytes of a number within those of a World that holds it once.
+/// Offset of the bytes of a number that the World contains once.
 std::size_t placeOf(const Bytes& bytes, Real number) {
     ByteStream stream;
     stream.number(number);
@@ -192,7 +192,7 @@ std::size_t placeOf(const Bytes& bytes, Real number) {
     return static_cast<std::size_t>(found - bytes.begin());
 }
 
-/// The refusal after one number became another.
+/// The refusal after one number was replaced.
 std::string refusalWith(const World& world, Real number, Real instead) {
     Bytes bytes = toBytes(world);
     const std::size_t place = placeOf(bytes, number);
@@ -204,20 +204,20 @@ std::string refusalWith(const World& world, Real number, Real instead) {
     return refusalOf(bytes);
 }
 
-TEST(SnapshotRefused, ValuesThatADefinitionMayNotHave) {
+TEST(SnapshotRefused, ValuesThatDefinitionsRefuse) {
     World world({.lengthUnit = Real(1.75)});
     const BodyId ball = world.add({.shape = Circle{Real(1.125)},
                                    .material = {Real(0.875), Real(0.375), Real(0.625), 0},
                                    .density = Real(2.125)});
     const BodyId other = world.add(support::ballDef({5, 0}, 1));
-    world.add(Spring{{ball, other}, Real(3.875)});
+    world.add(DistanceJoint{{ball, other}, Real(3.875)});
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     const auto startsWith = [&](Real number, Real instead, const std::string& start) {
         const std::string refusal = refusalWith(world, number, instead);
         EXPECT_EQ(refusal.substr(0, start.size()), start);
     };
     startsWith(Real(1.75), -1, "lengthUnit: must be");
-    startsWith(world.settings().pushSpeed, -1, "settings.pushSpeed: must be");
+    startsWith(world.settings().soft().pushSpeed, -1, "settings.pushSpeed: must be");
     startsWith(Real(1.125), -1, "radius: must be");
     startsWith(Real(1.125), nan, "radius: must be");
     startsWith(Real(0.625), 2, "material.restitution: must be");
@@ -225,8 +225,9 @@ TEST(SnapshotRefused, ValuesThatADefinitionMayNotHave) {
     startsWith(Real(3.875), nan, "length: must be");
 }
 
-// The fields of the engine come back by themselves, all others from the caller: as many as it had.
-TEST(SnapshotRefused, AWrongNumberOfOwnFields) {
+// Fields of the engine are restored from the bytes. All others come from the caller, in equal
+// number.
+TEST(SnapshotRefused, AWrongNumberOfUserDefinedFields) {
     World world;
     const auto own = std::make_shared<Halved>();
     world.addField({own, {kMatchAny, 4}});

@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/base/bytes.hpp>
 #include <kodo/kodo.hpp>
 #include <support/random_numbers.hpp>
+
+#include "base/byte_stream.hpp"
 
 #include <memory>
 #include <vector>
 
-/// What the tests of snapshots save, and the program that goes on from a saved file.
-namespace support::inline KODO_PRECISION {
+/// Scenes of the snapshot tests and of the program that continues from a file.
+namespace support {
+inline namespace KODO_PRECISION {
 
 using Bytes = std::vector<std::byte>;
 
-/// A field as users write them: pushes everything around the origin.
+/// A user-defined field: a force around the origin.
 class Swirl final : public kodo::ForceField {
 public:
     explicit Swirl(kodo::Real strength) : strength_(strength) {} // 1/s^2
-    kodo::Push at(const kodo::Bodies& bodies, std::uint32_t body, kodo::Real) const override {
-        return {strength_ * bodies.form(body).mass.mass * perp(bodies.pose[body].position)};
+    kodo::FieldForce at(const kodo::BodyView& body, kodo::Real) const override {
+        return {strength_ * body.mass() * perp(body.center())};
     }
 
 private:
@@ -27,7 +29,7 @@ private:
 
 using OwnFields = std::vector<std::shared_ptr<const kodo::ForceField>>;
 
-/// The fields of busyWorld() that a snapshot does not hold.
+/// The fields of busyWorld() that a snapshot does not contain.
 inline OwnFields ownFields() {
     return {std::make_shared<Swirl>(kodo::Real(0.01)), std::make_shared<Swirl>(kodo::Real(-0.02))};
 }
@@ -48,29 +50,32 @@ inline void addFields(kodo::World& world) {
                                           kodo::Vec2{0, kodo::Real(0.5)}, kodo::Vec2{0, -10})});
 }
 
-/// Uneven ground between two walls, a conveyor, a sensor, a platform, and pieces of ground that
-/// wait outside of the region.
+/// Uneven ground between two walls, a moving platform, a sensor, a one-sided segment, and a body
+/// outside the region.
 inline void addGround(kodo::World& world) {
     kodo::Heightmap ground{{-6, 0}, kodo::Real(0.75), {}};
     for (int i = 0; i <= 16; ++i) {
         ground.heights.push_back(i % 3 == 0 ? kodo::Real(0.2) : kodo::Real(0));
     }
-    world.add({.shape = ground, .flags = kodo::kLocked});
+    world.add({.shape = ground, .type = kodo::BodyType::Static});
     for (const kodo::Real x : {kodo::Real(-6), kodo::Real(6)}) {
-        world.add({.shape = kodo::Box{1, 40}, .position = {x, 0}, .flags = kodo::kLocked});
+        world.add({.shape = kodo::Box{1, 40}, .position = {x, 0}, .type = kodo::BodyType::Static});
     }
-    world.add({.shape = kodo::Plane{{0, 1}, -2}, .flags = kodo::kLocked});
+    world.add({.shape = kodo::Plane{{0, 1}, -2}, .type = kodo::BodyType::Static});
     world.add({.shape = kodo::Box{2, kodo::Real(0.2)},
                .position = {-2, 1},
                .velocity = {kodo::Real(0.125), 0},
-               .flags = kodo::kLocked});
+               .type = kodo::BodyType::Kinematic});
+    world.add({.shape = kodo::Circle{1},
+               .position = {2, 2},
+               .type = kodo::BodyType::Static,
+               .flags = kodo::kSensor});
     world.add(
-        {.shape = kodo::Circle{1}, .position = {2, 2}, .flags = kodo::kLocked | kodo::kSensor});
-    world.add({.shape = kodo::Segment{{-1, 3}, {1, 3}, true, {}, {}}, .flags = kodo::kLocked});
+        {.shape = kodo::Segment{{-1, 3}, {1, 3}, true, {}, {}}, .type = kodo::BodyType::Static});
     world.add({.shape = kodo::Circle{1}, .position = {0, 500}, .userData = 0x123456789abcdef0});
 }
 
-/// One piece of many kinds, some of them alike.
+/// Definition of piece i: four kinds of shapes, in several sizes.
 inline kodo::BodyDef pieceDef(RandomNumbers& random, int i) {
     kodo::BodyDef def;
     const kodo::Real size = kodo::Real(0.2) + kodo::Real(0.05) * static_cast<kodo::Real>(i % 4);
@@ -93,23 +98,24 @@ inline kodo::BodyDef pieceDef(RandomNumbers& random, int i) {
     return def;
 }
 
-/// One of each kind between neighbours; the last breaks soon.
+/// One joint of each kind between neighbours; the last one breaks soon.
 inline void addJoints(kodo::World& world, const std::vector<kodo::BodyId>& pieces) {
     const auto ends = [&](std::size_t i) {
         return kodo::JointEnds{pieces[i], pieces[i + 1], {0, kodo::Real(0.25)}, {}};
     };
-    world.add(kodo::Pin{ends(0), 0, kodo::Range{-1, 1}, 2, 1});
-    world.add(kodo::Weld{ends(2)});
-    world.add(kodo::Spring{ends(4), kodo::Real(0.75), 3, kodo::Real(0.5), kodo::Range{0, 2}});
-    world.add(kodo::Slider{ends(6), {1, 0}, 0, kodo::Range{-1, 1}, 1, 2});
-    world.add(kodo::Motor{ends(8), 0, 1, 1});
-    world.add(kodo::Mouse{pieces[10], {}, {1, 4}, 3});
+    world.add(kodo::RevoluteJoint{ends(0), 0, kodo::Range{-1, 1}, 2, 1});
+    world.add(kodo::FixedJoint{ends(2)});
+    world.add(
+        kodo::DistanceJoint{ends(4), kodo::Real(0.75), 3, kodo::Real(0.5), kodo::Range{0, 2}});
+    world.add(kodo::PrismaticJoint{ends(6), {1, 0}, 0, kodo::Range{-1, 1}, 1, 2});
+    world.add(kodo::MotorJoint{ends(8), 0, 1, 1});
+    world.add(kodo::MouseJoint{pieces[10], {}, {1, 4}, 3});
     kodo::JointEnds weak = ends(11);
     weak.breakForce = kodo::Real(0.5);
-    world.add(kodo::Pin{weak});
+    world.add(kodo::RevoluteJoint{weak});
 }
 
-/// Everything a World can hold at once: heap, compounds, joints, fields, sensor, region.
+/// A World with every feature: heap, compounds, joints, fields, sensor, region.
 inline kodo::World busyWorld(const kodo::StepSettings& settings = {}) {
     kodo::World world({.gravity = {0, -10}, .lengthUnit = kodo::Real(0.5), .settings = settings});
     addFields(world);
@@ -123,7 +129,7 @@ inline kodo::World busyWorld(const kodo::StepSettings& settings = {}) {
     for (const int gone : {13, 17, 29}) {
         world.remove(pieces[static_cast<std::size_t>(gone)]);
     }
-    // What lies still comes to rest early; what is wanted of the region lies in it.
+    // A stack inside the region that falls asleep early.
     for (int i = 0; i < 3; ++i) {
         world.add({.shape = kodo::Box{kodo::Real(0.5), kodo::Real(0.5)},
                    .position = {20, kodo::Real(-1.75) + kodo::Real(0.5) * kodo::Real(i)}});
@@ -132,7 +138,7 @@ inline kodo::World busyWorld(const kodo::StepSettings& settings = {}) {
     return world;
 }
 
-/// Makes the checksum right again, so that what lies behind it is put to the test.
+/// Updates the checksum, so that the checks behind it are reached.
 inline void seal(Bytes& bytes) {
     const std::size_t size = bytes.size() - 8;
     const std::uint64_t checksum = kodo::checksumOf(std::span(bytes).first(size));
@@ -141,4 +147,5 @@ inline void seal(Bytes& bytes) {
     }
 }
 
-} // namespace support::inline KODO_PRECISION
+} // namespace KODO_PRECISION
+} // namespace support

@@ -11,7 +11,7 @@ using support::near;
 using support::run;
 using support::wakeful;
 
-// W4: ten boxes stand for 60 s, without the help of resting. A corner may sink by the slop.
+// W4: ten boxes stand for 60 s without sleep. Each contact may overlap by the slop.
 TEST(Stack, OfTenBoxesStandsForAMinute) {
     World world(wakeful());
     addFloor(world);
@@ -29,20 +29,20 @@ TEST(Stack, OfTenBoxesStandsForAMinute) {
     }
 }
 
-// The same with resting on: it ends where it stands.
-TEST(Stack, ComesToRest) {
+// With sleep, the stack falls asleep in place.
+TEST(Stack, FallsAsleepInPlace) {
     World world({.gravity = support::kEarth});
     addFloor(world);
     const std::vector<BodyId> boxes = addStack(world, 10);
     run(world, 600);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        EXPECT_NE(world[boxes[i]].flags() & kResting, 0u) << i;
+        EXPECT_NE(world[boxes[i]].flags() & kAsleep, 0u) << i;
         EXPECT_TRUE(near(world[boxes[i]].position().y, static_cast<Real>(i) + Real(0.5),
                          static_cast<Real>(i + 1) * world.tolerances().slop));
     }
 }
 
-// A pyramid of 10 rows, symmetric, stays so to the eye: no box wanders by more than 1 cm.
+// In a symmetric pyramid of 10 rows, no box moves sideways by more than 1 cm.
 TEST(Stack, APyramidStands) {
     World world(wakeful());
     addFloor(world);

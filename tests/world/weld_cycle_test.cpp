@@ -16,9 +16,9 @@ using support::run;
 using support::Totals;
 using support::totalsOf;
 
-// R5: a shape is welded in the frame of the body, at the speed of the body: a second unit square
-// beside a moving and turning one makes a 2 x 1 box, every point of which goes on as it did.
-TEST(WeldShape, GrowsABodyInItsMotion) {
+// R5: a welded shape is given in the frame of the body and takes its velocity. A second unit square
+// makes a 2 x 1 box, and every point keeps its velocity.
+TEST(WeldShape, AddsAPartAndKeepsTheVelocityOfEveryPoint) {
     World world;
     BodyDef def = boxDef({3, 4}, 1, 1);
     def.rotation = Rot{0, 1}; // its x axis points up
@@ -45,29 +45,30 @@ TEST(WeldShape, HasItsOwnDensityAndMaterial) {
     const long double disc = 4 * std::numbers::pi_v<long double>;
     EXPECT_TRUE(nearShare(world[id].mass(), 1 + disc, 4 * kEpsilon));
     EXPECT_TRUE(near(world[id].center().y, 2 * disc / (1 + disc), 8 * kEpsilon));
-    // Parallel axes: each about its own centre, and both about the common one.
+    // Parallel axis theorem: the inertia of each part plus that about the common centre.
     const long double inertia = 1 / 6.0L + disc / 2 + disc / (1 + disc) * 4;
     EXPECT_TRUE(nearShare(world[id].inertia(), inertia, 8 * kEpsilon));
     EXPECT_EQ(world[id].part(1).material.restitution, Real(0.9));
     EXPECT_EQ(world[id].part(0).material.restitution, 0);
 }
 
-TEST(WeldShape, RefusesWhatIsNoShape) {
+TEST(WeldShape, RefusesInvalidArguments) {
     World world;
     const BodyId id = world.add(boxDef({0, 0}, 1, 1));
     const std::uint64_t before = world.stateHash();
     EXPECT_THROW(world.weld(id, Circle{-1}, Material{}, Real(1)), BadDefinition);
     EXPECT_THROW(world.weld(id, Circle{1}, Material{}, Real(0)), BadDefinition);
     EXPECT_THROW(world.weld(id, Circle{1}, Material{-1, -1, 0, 0}, Real(1)), BadDefinition);
-    EXPECT_THROW(world.weld(id, Plane{}, Material{}, Real(1)), BadDefinition); // needs a lock
+    EXPECT_THROW(world.weld(id, Plane{}, Material{}, Real(1)), BadDefinition); // is dynamic
     EXPECT_THROW(world.weld(id, id), BadDefinition);
     EXPECT_THROW(world.unweld(id, 0), BadDefinition); // one part must stay
     EXPECT_THROW(world.unweld(id, 1), BadDefinition);
     EXPECT_EQ(world.stateHash(), before);
 }
 
-// R5: half of a turning 2 x 1 box taken off: both halves go on as they moved together.
-TEST(Unweld, BothGoOnAsTheyMovedTogether) {
+// R5: after half of a rotating 2 x 1 box is unwelded, the points of both halves keep their
+// velocity.
+TEST(Unweld, BothBodiesKeepTheVelocityOfTheirPoints) {
     World world;
     const Compound pair{{Box{1, 1, {Real(-0.5), 0}}, Box{1, 1, {Real(0.5), 0}}}};
     const BodyId whole =
@@ -88,8 +89,7 @@ TEST(Unweld, BothGoOnAsTheyMovedTogether) {
     EXPECT_EQ(world.bodyCount(), 2u);
 }
 
-// The parts behind the one that goes move up.
-TEST(Unweld, TheNextPartMovesUp) {
+TEST(Unweld, LaterPartsMoveUpByOne) {
     World world;
     const Compound row{{Circle{1, {0, 0}}, Circle{2, {5, 0}}, Circle{3, {12, 0}}}};
     const BodyId id = world.add({.shape = row});
@@ -101,12 +101,12 @@ TEST(Unweld, TheNextPartMovesUp) {
     EXPECT_TRUE(near(world[freed].center(), Vec2{5, 0}, 8 * kEpsilon));
 }
 
-/// Outlines of all parts of one body in the world.
+/// Corners of all parts of a body in world coordinates.
 std::vector<Vec2> cornersOf(const World& world, BodyId id) {
     std::vector<Vec2> corners;
     for (std::size_t part = 0; part < world[id].partCount(); ++part) {
         for (const Vec2 vertex : world[id].part(part).convex.vertices) {
-            corners.push_back(world[id].placement() * vertex);
+            corners.push_back(world[id].massFrame() * vertex);
         }
     }
     return corners;
@@ -140,8 +140,8 @@ BodyDef randomCompound(support::RandomNumbers& random, std::size_t parts) {
     return def;
 }
 
-// R5: whatever is taken off, mass, momentum, angular momentum and energy stay, and no corner moves.
-TEST(Unweld, KeepsAllSumsAndPlaces) {
+// R5: unwelding conserves mass, momentum, angular momentum and energy, and no corner moves.
+TEST(Unweld, KeepsMassMomentaEnergyAndCorners) {
     constexpr std::uint64_t kSeed = 181;
     support::RandomNumbers random(kSeed);
     for (int i = 0; i < 300; ++i) {
@@ -157,7 +157,7 @@ TEST(Unweld, KeepsAllSumsAndPlaces) {
         const std::vector<Vec2> more = cornersOf(world, freed);
         after.insert(after.end(), more.begin(), more.end());
         const Totals sums = totalsOf(world);
-        // Values of up to 1000, some thirty roundings.
+        // Values of up to 1000, about thirty roundings.
         const long double exact = static_cast<long double>(byPrecision(1e-5, 1e-14));
         ASSERT_TRUE(nearShare(world[id].mass() + world[freed].mass(), mass, 8 * kEpsilon));
         ASSERT_TRUE(near(sums.momentum, before.momentum, 100 * exact));
@@ -170,11 +170,10 @@ TEST(Unweld, KeepsAllSumsAndPlaces) {
     }
 }
 
-// R5: a thousand random parts taken off and welded on again, and the body is what it was: mass,
-// inertia, centre and corners to 1e-5 of their size. Each cycle rounds places of up to 8 m, which
-// the spin of up to 5 rad/s turns into speeds, so momenta are compared with those of a point that
-// moves at 5 + 5 * 3 = 20 m/s.
-TEST(WeldCycles, AThousandComeBackToTheStart) {
+// R5: 1000 cycles of unwelding and welding random parts restore mass, inertia, centre and corners
+// within 1e-5. Each cycle rounds positions of up to 8 m, which the spin of up to 5 rad/s turns into
+// velocities. So momenta are compared with those of a point at 5 + 5 * 3 = 20 m/s.
+TEST(WeldCycles, AThousandRestoreTheBody) {
     for (std::uint64_t seed = 182; seed < 188; ++seed) {
         support::RandomNumbers random(seed);
         SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -197,7 +196,7 @@ TEST(WeldCycles, AThousandComeBackToTheStart) {
         const Totals after = totalsOf(world);
         EXPECT_TRUE(near(after.momentum, before.momentum, 20 * share * mass));
         EXPECT_TRUE(near(after.spin, before.spin, 8 * 20 * share * mass));
-        // The parts have changed places in the list: compare each corner with the nearest.
+        // The order of the parts has changed: compares each corner with the nearest one.
         for (const Vec2 corner : cornersOf(world, id)) {
             Real nearest = 100;
             for (const Vec2 original : corners) {
@@ -208,15 +207,15 @@ TEST(WeldCycles, AThousandComeBackToTheStart) {
     }
 }
 
-// R5: the same in free flight: a cluster that comes apart and is welded together again while it
-// flies keeps momentum and angular momentum, and its parts their mass.
+// R5: a cluster that is unwelded and welded again in free flight conserves momentum, angular
+// momentum and mass.
 TEST(WeldCycles, InFlightKeepBothMomenta) {
     constexpr std::uint64_t kSeed = 183;
     support::RandomNumbers random(kSeed);
     SCOPED_TRACE(testing::Message() << "seed " << kSeed);
     World world;
     BodyDef def = randomCompound(random, 6);
-    def.flags = kDisabled; // parts that part must not push each other
+    def.flags = kDisabled; // separated parts must not collide
     def.velocity = {};
     const BodyId id = world.add(def);
     const Totals before = totalsOf(world);
@@ -235,7 +234,7 @@ TEST(WeldCycles, InFlightKeepBothMomenta) {
     EXPECT_LE(after.kinetic, before.kinetic * (1 + 20 * static_cast<long double>(share)));
 }
 
-/// A table of three boxes in a row on the floor, each part with a record of its own.
+/// Three boxes in a row on the floor under a common top; each box has its own record.
 struct Table {
     World world{{.gravity = support::kEarth}};
     BodyId floor;
@@ -246,7 +245,7 @@ struct Table {
         floor = support::addFloor(world);
         const Compound boxes{{Box{1, 1, {0, Real(0.5)}}, Box{1, 1, {2, Real(0.5)}},
                               Box{1, 1, {4, Real(0.5)}}, Box{5, Real(0.5), {2, Real(1.25)}}}};
-        row = world.add({.shape = boxes, .flags = kNeverRest});
+        row = world.add({.shape = boxes, .flags = kNeverSleep});
         step(30);
     }
     void step(int steps) {
@@ -265,8 +264,7 @@ struct Table {
     }
 };
 
-// R5: contacts of the moment survive a weld: what touched goes on touching, with the impulse it
-// had, and nothing begins or ends.
+// R5: contacts persist through a weld and keep their impulses; none begins or ends.
 TEST(WeldContacts, PersistThroughAWeld) {
     Table table;
     const Real impulse = table.record(table.row, 2)->totalImpulse;
@@ -280,11 +278,11 @@ TEST(WeldContacts, PersistThroughAWeld) {
     EXPECT_TRUE(nearShare(table.record(table.row, 2)->totalImpulse, impulse, 0.01));
 }
 
-// R5: of an unweld only the part that goes notices: its contact ends and begins anew as its own;
-// those behind it go on under their new numbers.
+// R5: unwelding ends only the contact of the removed part, which begins again for the new body.
+// Contacts of later parts persist under their new indices.
 TEST(WeldContacts, PersistThroughAnUnweld) {
     Table table;
-    const BodyId freed = table.world.unweld(table.row, 1, kNeverRest);
+    const BodyId freed = table.world.unweld(table.row, 1, kNeverSleep);
     table.world.step(kDt);
     ASSERT_NE(table.record(table.row, 0), nullptr);
     EXPECT_EQ(table.record(table.row, 0)->phase, TouchPhase::Persist);

@@ -13,7 +13,7 @@ using support::nearShare;
 using support::Totals;
 using support::totalsOf;
 
-// R5: two unit squares side by side are one 2 x 1 box.
+// R5: two unit squares side by side make one 2 x 1 box.
 TEST(Weld, TwoSquaresMakeABox) {
     World world;
     const BodyId left = world.add(boxDef({0, 0}, 1, 1));
@@ -25,7 +25,7 @@ TEST(Weld, TwoSquaresMakeABox) {
     EXPECT_EQ(world[left].mass(), 2);
     EXPECT_EQ(world[left].area(), 2);
     EXPECT_EQ(world[left].center(), (Vec2{Real(0.5), 0}));
-    EXPECT_EQ(world[left].position(), (Vec2{0, 0})); // the frame stays where it was
+    EXPECT_EQ(world[left].position(), (Vec2{0, 0})); // the frame does not move
     EXPECT_TRUE(near(world[left].inertia(), 2.0L * 5 / 12, 4 * kEpsilon));
     EXPECT_EQ(world[left].bounds(), (Aabb{{Real(-0.5), Real(-0.5)}, {Real(1.5), Real(0.5)}}));
 }
@@ -60,8 +60,8 @@ BodyDef randomDef(support::RandomNumbers& random) {
     return def;
 }
 
-// R5: mass, centre, momentum and angular momentum of random pairs, moving, turned and far from
-// centred. Values of up to 100; some twenty roundings.
+// R5: welding random moving pairs conserves mass, centre, momentum and angular momentum. Values of
+// up to 100, about twenty roundings.
 TEST(Weld, KeepsMassAndBothMomenta) {
     constexpr std::uint64_t kSeed = 131;
     support::RandomNumbers random(kSeed);
@@ -92,9 +92,9 @@ TEST(Weld, KeepsMassAndBothMomenta) {
     }
 }
 
-// R5: a particle has no inertia of its own, but what it becomes a part of has, and takes over the
-// spin of the pair; unless it is not to turn.
-TEST(Weld, OntoAParticleKeepsTheSpinOfThePair) {
+// R5: a particle has no moment of inertia, but the welded body has. It takes over the angular
+// momentum of the pair, unless kLockRotate is set.
+TEST(Weld, OntoAParticleKeepsTheAngularMomentumOfThePair) {
     for (const bool locked : {false, true}) {
         World world;
         BodyDef particle{.shape = Point{}, .flags = locked ? kLockRotate : 0};
@@ -104,14 +104,14 @@ TEST(Weld, OntoAParticleKeepsTheSpinOfThePair) {
         box.angularVelocity = 6;
         world.weld(id, world.add(box)); // both of 1 kg
         EXPECT_EQ(world[id].velocity(), (Vec2{0, Real(1.5)}));
-        // About the middle: I w of the box, 1 m from there at 3 m/s, over I of both.
+        // About the common centre: I w of the box and 1 kg at 1 m and 3 m/s, over the total I.
         const long double spin = (1.0L / 6 * 6 + 3) / (1.0L / 6 + 2);
         EXPECT_TRUE(near(world[id].angularVelocity(), locked ? 0 : spin, 8 * kEpsilon));
     }
 }
 
-// R5: a welded arrow keeps its world pose: every corner stays where it was.
-TEST(Weld, ThePartStaysWhereItWas) {
+// R5: every corner of the welded part keeps its world position.
+TEST(Weld, ThePartKeepsItsWorldPose) {
     constexpr std::uint64_t kSeed = 132;
     support::RandomNumbers random(kSeed);
     for (int i = 0; i < 200; ++i) {
@@ -123,23 +123,23 @@ TEST(Weld, ThePartStaysWhereItWas) {
         const BodyId id = world.add(arrow);
         std::vector<Vec2> before;
         for (const Vec2 vertex : world[id].part(0).convex.vertices) {
-            before.push_back(world[id].placement() * vertex);
+            before.push_back(world[id].massFrame() * vertex);
         }
         const std::size_t part = world.weld(target, id);
-        const Convex& welded = world[target].part(part).convex;
+        const ConvexShape& welded = world[target].part(part).convex;
         ASSERT_EQ(welded.vertices.size(), before.size());
         for (std::size_t k = 0; k < before.size(); ++k) {
             ASSERT_TRUE(
-                near(world[target].placement() * welded.vertices[k], before[k], 60 * kEpsilon));
+                near(world[target].massFrame() * welded.vertices[k], before[k], 60 * kEpsilon));
         }
     }
 }
 
-// R5: into a locked body: it stays locked and unmoved; the part becomes part of the wall.
-TEST(Weld, IntoALockedBodyTakesThePartAlong) {
+// R5: a kinematic body stays kinematic and keeps its velocity; the part moves with it.
+TEST(Weld, OntoAKinematicBodyKeepsItsVelocity) {
     World world({.gravity = support::kEarth});
     BodyDef paddle = boxDef({0, 0}, 4, 1);
-    paddle.flags = kLocked;
+    paddle.type = BodyType::Kinematic;
     paddle.velocity = {2, 0};
     const BodyId id = world.add(paddle);
     BodyDef part = boxDef({3, 1}, 1, 1);
@@ -149,14 +149,14 @@ TEST(Weld, IntoALockedBodyTakesThePartAlong) {
     EXPECT_TRUE(near(world[id].position(), Vec2{0, 0}, kEpsilon));
     support::run(world, 60);
     EXPECT_TRUE(near(world[id].position(), Vec2{2, 0}, byPrecision(2e-5, 1e-13)));
-    EXPECT_TRUE(near(world[id].mass(), 5, kEpsilon)); // locked is not massless
+    EXPECT_TRUE(near(world[id].mass(), 5, kEpsilon)); // a kinematic body reports its mass
 }
 
-// A turning locked body whose centre shifts within it goes on turning about its old centre's path.
-TEST(Weld, IntoATurningLockedBodyKeepsEveryPointsVelocity) {
+// The centre of mass shifts within a rotating kinematic body, but its points keep their velocities.
+TEST(Weld, OntoARotatingKinematicBodyKeepsTheVelocityOfEveryPoint) {
     World world;
     BodyDef wheel = ballDef({0, 0}, 2);
-    wheel.flags = kLocked;
+    wheel.type = BodyType::Kinematic;
     wheel.angularVelocity = 1;
     const BodyId id = world.add(wheel);
     const Vec2 before = world[id].velocityAt({0, 2});
@@ -165,28 +165,29 @@ TEST(Weld, IntoATurningLockedBodyKeepsEveryPointsVelocity) {
     EXPECT_TRUE(near(world[id].velocityAt({0, 0}), Vec2{}, 10 * kEpsilon));
 }
 
-// Contacts and records of the moment survive: the records stay readable, and what stood on the
-// part goes on standing on the whole.
-TEST(Weld, WhatStoodOnThePartStandsOnTheWhole) {
+// The records of the last step stay readable. A body on the welded part then lies on the joined
+// body.
+TEST(Weld, ABodyOnThePartLiesOnTheJoinedBody) {
     World world({.gravity = support::kEarth});
     support::addFloor(world);
     const BodyId left = world.add(boxDef({0, Real(0.5)}, 1, 1));
     const BodyId right = world.add(boxDef({1, Real(0.5)}, 1, 1));
     BodyDef small = boxDef({1, Real(1.25)}, Real(0.5), Real(0.5));
-    small.flags = kNeverRest; // what rests has no records
+    small.flags = kNeverSleep; // a sleeping body has no records
     const BodyId rider = world.add(small);
     support::run(world, 20);
     const CollisionRecord record = *support::recordOf(world, right, rider);
     world.weld(left, right);
-    EXPECT_EQ(world.collisions().size(), 4u); // two on the floor, side by side, the rider
+    EXPECT_EQ(world.collisions().size(), 4u); // two with the floor, one between the boxes, one of
+                                              // the rider
     EXPECT_EQ(support::recordOf(world, right, rider)->maxImpulse, record.maxImpulse);
     support::run(world, 60);
     ASSERT_NE(support::recordOf(world, left, rider), nullptr);
     EXPECT_TRUE(near(world[rider].position(), Vec2{1, Real(1.25)}, Real(0.01)));
 }
 
-// R5: welding many things, one after the other, keeps the sums.
-TEST(Weld, AHundredPartsKeepTheMomentum) {
+// R5: a row of welds conserves momentum and angular momentum.
+TEST(Weld, AHundredPartsKeepBothMomenta) {
     support::RandomNumbers random(133);
     World world;
     const BodyId core = world.add(ballDef({}, 1));

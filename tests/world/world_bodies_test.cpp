@@ -15,7 +15,7 @@ using support::boxDef;
 using support::kEpsilon;
 using support::near;
 
-// R1, R2, R4, R10: what goes in comes out.
+// R1, R2, R4, R10: a body reads back as it was defined.
 TEST(WorldBodies, ABodyIsAsItWasDefined) {
     World world;
     const BodyId id = world.add({.shape = Box{2, 4},
@@ -45,8 +45,8 @@ TEST(WorldBodies, ABodyIsAsItWasDefined) {
     EXPECT_FALSE(body.contains({1, Real(3.1)}));
 }
 
-// R2, Eq 4.5: the velocity of a point is v + w x r.
-TEST(WorldBodies, APointOfABodyMovesWithItsSpin) {
+// R2, [Thesis06, eq. 4.5]: the velocity of a point is v + w x r.
+TEST(WorldBodies, VelocityAtAPointIncludesTheSpin) {
     World world;
     BodyDef def = ballDef({1, 1}, 1);
     def.velocity = {3, 0};
@@ -54,8 +54,8 @@ TEST(WorldBodies, APointOfABodyMovesWithItsSpin) {
     EXPECT_EQ(world[world.add(def)].velocityAt({1, 2}), (Vec2{1, 0}));
 }
 
-// R1, R4: the L of two boxes; its frame keeps its origin, its centre lies at (5/6, 5/6).
-TEST(WorldBodies, ACompoundTurnsAboutItsCentreOfMass) {
+// R1, R4: an L of two boxes has its centre of mass at (5/6, 5/6) in its frame.
+TEST(WorldBodies, ACompoundRotatesAboutItsCentreOfMass) {
     World world;
     const Compound ell{{Box{2, 1, {1, Real(0.5)}}, Box{1, 1, {Real(0.5), Real(1.5)}}}};
     const BodyId id = world.add({.shape = ell, .position = {10, 20}, .angularVelocity = 1});
@@ -65,7 +65,7 @@ TEST(WorldBodies, ACompoundTurnsAboutItsCentreOfMass) {
     const Vec2 center = world[id].center();
     support::run(world, 60);
     EXPECT_TRUE(near(world[id].center(), center, 20 * kEpsilon));
-    // The origin has gone round the centre by 1 rad; 60 turns, each rounded at 20 m.
+    // The origin has rotated about the centre by 1 rad, in 60 steps, each rounded at 20 m.
     const Vec2 arm = Rot::fromAngle(1) * Vec2{Real(-5) / 6, Real(-5) / 6};
     EXPECT_TRUE(near(world[id].position(), center + arm, support::byPrecision(2e-5, 4e-14)));
     EXPECT_TRUE(
@@ -74,7 +74,7 @@ TEST(WorldBodies, ACompoundTurnsAboutItsCentreOfMass) {
                                     Rot::fromAngle(1) * (Vec2{Real(1.5), Real(1.5)})));
 }
 
-TEST(WorldBodies, BodiesComeInTheOrderOfTheirIds) {
+TEST(WorldBodies, BodiesAreListedInTheOrderOfTheirIds) {
     World world;
     std::vector<BodyId> added;
     for (int i = 0; i < 5; ++i) {
@@ -86,8 +86,8 @@ TEST(WorldBodies, BodiesComeInTheOrderOfTheirIds) {
     EXPECT_EQ(world.bodyCount(), 3u);
 }
 
-// R1: a clone is like the original in all but id and place, and lives its own life.
-TEST(WorldBodies, ACloneIsAlikeElsewhere) {
+// R1: a clone differs from the original in id and position only, and is independent of it.
+TEST(WorldBodies, ACloneDiffersInIdAndPositionOnly) {
     World world;
     BodyDef def = boxDef({0, 0}, 2, 1, withFriction(Real(0.3), Real(0.7)));
     def.rotation = Rot::fromAngle(Real(0.5));
@@ -116,7 +116,7 @@ TEST(WorldBodies, ACloneIsAlikeElsewhere) {
     EXPECT_EQ(world[copy].mass(), 10);
 }
 
-// R1: a stale id is an error with a sentence, for ever, whoever lives in its slot now.
+// R1: a stale id is refused for ever, also when its slot is reused.
 TEST(WorldBodies, AStaleIdIsRefusedForEver) {
     World world;
     const BodyId stale = world.add(ballDef({}, 1));
@@ -130,9 +130,9 @@ TEST(WorldBodies, AStaleIdIsRefusedForEver) {
     }
 }
 
-// R1: 32 bits of lives in one slot: after the last of them it is never given out again, so that no
-// name comes alive anew. Too many to be lived here: the count is put into the bytes.
-TEST(WorldBodies, ASlotWhoseLivesAreUsedUpIsRetired) {
+// R1: a slot has 2^32 generations and is retired after the last one, so no stale id becomes valid
+// again. The test writes the last generation into the bytes of a snapshot.
+TEST(WorldBodies, ASlotIsRetiredAfterItsLastGeneration) {
     World world;
     BodyId last = world.add(ballDef({}, 1));
     const BodyId first = last;
@@ -171,7 +171,7 @@ TEST(WorldBodies, ASlotWhoseLivesAreUsedUpIsRetired) {
     EXPECT_EQ(old.add(ballDef({}, 1)).index, next.index);
 }
 
-TEST(WorldBodies, EveryVerbRefusesADeadId) {
+TEST(WorldBodies, EveryFunctionRefusesAStaleId) {
     World world;
     const BodyId alive = world.add(ballDef({}, 1));
     const BodyId dead = world.add(ballDef({5, 0}, 1));
@@ -195,7 +195,7 @@ TEST(WorldBodies, EveryVerbRefusesADeadId) {
     }
 }
 
-// W1: a model in a map, 100,000 random calls, with steps between.
+// W1: 100,000 random calls against a map as model, with steps in between.
 TEST(WorldBodies, AgreesWithAModelOverRandomAddsAndRemoves) {
     constexpr std::uint64_t kSeed = 111;
     SCOPED_TRACE(testing::Message() << "seed " << kSeed);
@@ -229,8 +229,8 @@ TEST(WorldBodies, AgreesWithAModelOverRandomAddsAndRemoves) {
     }
 }
 
-// W1: from within the handling of a step's collisions everything may come and go.
-TEST(WorldBodies, MayChangeWhileCollisionsAreHandled) {
+// W1: bodies may be added and removed while the collisions of a step are read.
+TEST(WorldBodies, MayBeAddedAndRemovedWhileCollisionsAreRead) {
     World world({.gravity = support::kEarth});
     support::addHeap(world, 5, 40);
     int changes = 0;
@@ -238,7 +238,7 @@ TEST(WorldBodies, MayChangeWhileCollisionsAreHandled) {
         world.step(support::kDt);
         for (const CollisionRecord& hit : world.collisions()) {
             for (const BodyId id : {hit.a, hit.b}) {
-                if (world.contains(id) && (world[id].flags() & kLocked) == 0 && changes < 30 &&
+                if (world.contains(id) && world[id].type() == BodyType::Dynamic && changes < 30 &&
                     hit.maxImpulse > Real(0.5)) {
                     const Vec2 place = world[id].position() + Vec2{0, 5};
                     world.remove(id);

@@ -7,8 +7,8 @@ namespace {
 using support::kDt;
 using support::run;
 
-// R2: a World is a value: a copy is a snapshot, and both go on alike, bit for bit.
-TEST(WorldValue, ACopyOfAFreshWorldGoesOnAlike) {
+// R2: a World is a value: a copy continues with the same bits.
+TEST(WorldValue, ACopyOfANewWorldContinuesWithTheSameBits) {
     World world({.gravity = support::kEarth});
     support::addHeap(world, 1, 60);
     World copy = world;
@@ -18,8 +18,8 @@ TEST(WorldValue, ACopyOfAFreshWorldGoesOnAlike) {
     EXPECT_EQ(copy.stateHash(), world.stateHash());
 }
 
-// In the middle of a heap the solver's memory matters: it is part of the value.
-TEST(WorldValue, ACopyMidHeapGoesOnAlike) {
+// In a moving heap the solver state matters; it is part of the value.
+TEST(WorldValue, ACopyOfAMovingHeapContinuesWithTheSameBits) {
     for (const int moment : {1, 45, 100, 250}) {
         SCOPED_TRACE(moment);
         World world({.gravity = support::kEarth});
@@ -34,7 +34,7 @@ TEST(WorldValue, ACopyMidHeapGoesOnAlike) {
     }
 }
 
-TEST(WorldValue, TheOriginalDoesNotNoticeItsCopy) {
+TEST(WorldValue, ACopyDoesNotAffectTheOriginal) {
     World world({.gravity = support::kEarth});
     support::addHeap(world, 3, 30);
     World alone = world;
@@ -76,8 +76,8 @@ TEST(WorldValue, TheSameCallsGiveTheSameBits) {
     }
 }
 
-// The hash sees what matters: a nudge, a flag, a step, a force that waits for its step.
-TEST(WorldValue, TheHashTellsStatesApart) {
+// The hash covers positions, velocities, flags, steps and pending forces.
+TEST(WorldValue, TheHashDistinguishesStates) {
     World world({.gravity = support::kEarth});
     const BodyId ball = world.add(support::ballDef({}, 1));
     const std::uint64_t before = world.stateHash();
@@ -95,8 +95,8 @@ TEST(WorldValue, TheHashTellsStatesApart) {
     EXPECT_FALSE(changed([](World&) {}));
 }
 
-// An id of a copy names the same body in the original.
-TEST(WorldValue, IdsHoldInACopy) {
+// An id of a copy names the same body as in the original.
+TEST(WorldValue, IdsAreValidInACopy) {
     World world;
     const BodyId ball = world.add(support::ballDef({1, 2}, 1));
     World copy = world;

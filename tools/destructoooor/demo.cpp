@@ -14,15 +14,15 @@ using kodo::Vec2;
 
 namespace {
 
-constexpr int kMostSteps = 4;      // in one frame; a slow machine shows it slower
+constexpr int kMostSteps = 4;      // per frame; beyond that, the simulation runs slower
 constexpr unsigned kHelpText = 14; // pixels
 const sf::Color kHelpColor(140, 148, 160);
 
 constexpr std::array<const char*, 2> kHelp = {
-    "1-4 scene   R again   click drops, Tab what, wheel how large   right click bursts   space "
-    "pauses, N one step",
-    "up, down choose a number, left, right change it   C contacts   I impulses   B bounds   "
-    "Escape leaves"};
+    "1-4 scene   R restart   click: drop, Tab: shape, wheel: size   right click: explosion   "
+    "Space pause   N single step",
+    "Up, Down select a value   Left, Right change it   C contacts   I impulses   B bounds   "
+    "Escape quit"};
 
 } // namespace
 
@@ -34,7 +34,7 @@ Demo::Demo(const std::string& fontFile) {
 }
 
 kodo_sfml::Camera Demo::camera() const {
-    // The scene is 26 m by 16 m; the panel covers what is shown to the right of it.
+    // The scene is 26 m by 16 m, to the left of the panel.
     const auto width = static_cast<float>(pixels_.x);
     const Real share = std::clamp(1 - Panel::kWidth / width, Real(0.2), Real(1));
     return {{{-13, -2}, {-13 + 26 / share, 15}}, pixels_};
@@ -156,14 +156,14 @@ void Demo::draw(kodo_sfml::Painter& painter, sf::Vector2u pixels) {
     const std::array<std::string, 7> lines = {
         line("%s%s", kSceneNames[static_cast<std::size_t>(sandbox_.scene())].data(),
              paused_ ? ", paused" : ""),
-        line("a click drops: %s of %.1f m",
+        line("click drops: %s of %.1f m",
              kPrimitiveNames[static_cast<std::size_t>(primitive_)].data(),
              static_cast<double>(size_)),
         line("deepest overlap  %.1f mm", 1000 * static_cast<double>(now.deepest)),
         line("top at %.3f m, fastest %.2f m/s", static_cast<double>(now.highest),
              static_cast<double>(now.fastest)),
-        line("%zu bodies, %zu at rest", now.bodies, now.resting),
-        line("%zu contacts, visited %zu times", now.contacts, now.visits),
+        line("%zu bodies, %zu asleep", now.bodies, now.resting),
+        line("%zu contacts, %zu visits", now.contacts, now.visits),
         line("step %.2f ms of 16.67", stepMilliseconds_)};
     panel_.setSize(pixels);
     panel_.draw(painter, font_, sandbox_, lines);

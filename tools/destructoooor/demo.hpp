@@ -10,7 +10,7 @@
 
 namespace destructoooor {
 
-/// What keys and mouse do to the sandbox, and the picture of it.
+/// Controls the sandbox by keys and mouse, and draws it.
 class Demo {
 public:
     explicit Demo(const std::string& fontFile); // throws std::runtime_error
@@ -19,7 +19,7 @@ public:
     bool wantsToQuit() const { return quit_; }
 
     void take(const sf::Event& event);
-    /// Runs as many steps as that many seconds hold, up to a few.
+    /// Runs the steps of this time (s), but only a few per call.
     void advance(double seconds);
     void draw(kodo_sfml::Painter& painter, sf::Vector2u pixels);
 
@@ -36,8 +36,8 @@ private:
     Primitive primitive_ = Primitive::Box;
     kodo::Real size_ = 1; // m
     sf::Vector2u pixels_{1280, 800};
-    double owed_ = 0;             // s
-    double stepMilliseconds_ = 0; // smoothed
+    double owed_ = 0;             // s, not simulated yet
+    double stepMilliseconds_ = 0; // moving average
     bool paused_ = false;
     bool quit_ = false;
 };

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <type_traits>
+#include <variant>
 
 namespace destructoooor {
 
@@ -12,23 +14,41 @@ using kodo::StepSettings;
 
 namespace {
 
-/// A knob for one number of the settings.
-template <typename T>
-Knob settingsKnob(std::string label, T StepSettings::*number, double low, double high,
-                  double stride) {
-    return {
-        .label = std::move(label),
-        .low = low,
-        .high = high,
-        .stride = stride,
-        .value =
-            [number](const Sandbox& box) { return static_cast<double>(box.settings().*number); },
-        .set =
-            [number](Sandbox& box, double value) {
-                StepSettings settings = box.settings();
-                settings.*number = static_cast<T>(value);
-                box.setSettings(settings);
-            }};
+/// A knob for one value of the settings. find(settings) returns a pointer to it, or nullptr if the
+/// present solver has no such value.
+template <typename Find>
+Knob settingsKnob(std::string label, Find find, double low, double high, double stride) {
+    return {.label = std::move(label),
+            .low = low,
+            .high = high,
+            .stride = stride,
+            .value =
+                [find, low](const Sandbox& box) {
+                    StepSettings settings = box.settings();
+                    const auto* const number = find(settings);
+                    return number != nullptr ? static_cast<double>(*number) : low;
+                },
+            .set =
+                [find](Sandbox& box, double value) {
+                    StepSettings settings = box.settings();
+                    if (auto* const number = find(settings)) {
+                        *number = static_cast<std::remove_reference_t<decltype(*number)>>(value);
+                        box.setSettings(settings);
+                    }
+                }};
+}
+
+/// Finds a value that both solvers have.
+template <auto soft, auto propagation>
+auto* ofBoth(StepSettings& settings) {
+    auto* const own = std::get_if<kodo::SoftSettings>(&settings.solver);
+    return own != nullptr ? &(own->*soft) : &(settings.propagation().*propagation);
+}
+/// Finds a value of one solver; nullptr with the other one.
+template <typename Solver, auto member>
+auto* ofOne(StepSettings& settings) {
+    auto* const own = std::get_if<Solver>(&settings.solver);
+    return own != nullptr ? &(own->*member) : nullptr;
 }
 
 Knob featureKnob(std::string label, kodo::Feature feature) {
@@ -46,35 +66,42 @@ Knob featureKnob(std::string label, kodo::Feature feature) {
             .words = {"off", "on"}};
 }
 
-Knob strategyKnob() {
+Knob solverKnob() {
     return {.label = "solver",
             .value =
                 [](const Sandbox& box) {
-                    return box.settings().strategy == kodo::Strategy::Propagation ? 0 : 1;
+                    return std::holds_alternative<kodo::SoftSettings>(box.settings().solver) ? 1
+                                                                                             : 0;
                 },
             .set =
                 [](Sandbox& box, double value) {
                     StepSettings settings = box.settings();
-                    settings.strategy =
-                        value > 0 ? kodo::Strategy::SoftStep : kodo::Strategy::Propagation;
+                    settings.solver = value > 0 ? decltype(settings.solver)(kodo::SoftSettings{})
+                                                : kodo::PropagationSettings{};
                     box.setSettings(settings);
                 },
-            .words = {"propagation", "soft step"}};
+            .words = {"propagation", "soft"}};
 }
 
 } // namespace
 
 std::vector<Knob> makeKnobs() {
+    using Soft = kodo::SoftSettings;
+    using Propagation = kodo::PropagationSettings;
     return {
-        strategyKnob(),
-        settingsKnob("substeps", &StepSettings::substeps, 1, 16, 1),
-        settingsKnob("collision iterations", &StepSettings::impactPasses, 0, 40, 1),
-        settingsKnob("rest iterations", &StepSettings::contactPasses, 1, 60, 1),
-        settingsKnob("shock propagation", &StepSettings::shockPasses, 0, 10, 1),
-        settingsKnob("contact stiffness, Hz", &StepSettings::contactHertz, 5, 240, 5),
-        settingsKnob("contact damping", &StepSettings::contactDamping, 0.5, 20, 0.5),
-        settingsKnob("push speed, m/s", &StepSettings::pushSpeed, 0.5, 10, 0.5),
-        settingsKnob("steps until rest", &StepSettings::restSteps, 1, 120, 1),
+        solverKnob(),
+        settingsKnob("substeps", ofBoth<&Soft::substeps, &Propagation::substeps>, 1, 16, 1),
+        settingsKnob("collision iterations",
+                     ofBoth<&Soft::impactPasses, &Propagation::impactPasses>, 0, 40, 1),
+        settingsKnob("rest iterations", ofOne<Propagation, &Propagation::contactPasses>, 1, 60, 1),
+        settingsKnob("shock propagation", ofOne<Propagation, &Propagation::shockPasses>, 0, 10, 1),
+        settingsKnob("contact stiffness, Hz", ofOne<Soft, &Soft::contactHertz>, 5, 240, 5),
+        settingsKnob("contact damping", ofOne<Soft, &Soft::contactDamping>, 0.5, 20, 0.5),
+        settingsKnob("push speed, m/s", ofBoth<&Soft::pushSpeed, &Propagation::pushSpeed>, 0.5, 10,
+                     0.5),
+        settingsKnob(
+            "steps until sleep", [](StepSettings& settings) { return &settings.sleepSteps; }, 1,
+            120, 1),
         {.label = "gravity, m/s2",
          .low = 0,
          .high = 40,
@@ -95,9 +122,9 @@ std::vector<Knob> makeKnobs() {
          .value = [](const Sandbox& box) { return static_cast<double>(box.restitution()); },
          .set = [](Sandbox& box,
                    double value) { box.setMaterial(box.friction(), static_cast<Real>(value)); }},
-        featureKnob("resting", kodo::Feature::Resting),
+        featureKnob("sleep", kodo::Feature::Sleep),
         featureKnob("rotation", kodo::Feature::Rotation),
-        featureKnob("sweep", kodo::Feature::Sweep),
+        featureKnob("continuous collision", kodo::Feature::ContinuousCollision),
     };
 }
 

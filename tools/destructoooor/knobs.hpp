@@ -9,22 +9,22 @@
 
 namespace destructoooor {
 
-/// One number of the integration that a slider, or a key, moves. A switch goes from 0 to 1.
+/// A parameter of the simulation, changed by a slider or by keys. A switch has the values 0 and 1.
 struct Knob {
     std::string label;
     double low = 0;
     double high = 1;
-    double stride = 1; // of a key; values are multiples of it
+    double stride = 1; // change per key press; values are low plus multiples of it
     std::function<double(const Sandbox&)> value;
     std::function<void(Sandbox&, double)> set;
-    std::vector<std::string> words{}; // instead of the number, from `low` on
+    std::vector<std::string> words{}; // shown instead of the values, from `low` on
 };
 
 std::vector<Knob> makeKnobs();
 
-/// The nearest value that the knob can take.
+/// The nearest value on the grid of the knob.
 double snapped(const Knob& knob, double value);
-/// As it is shown.
+/// The present value as text.
 std::string valueText(const Knob& knob, const Sandbox& sandbox);
 
 } // namespace destructoooor

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Destructoooor!: drop things into one of four scenes, and see what the numbers of the integration
-// do [Thesis06, Appendix A].
+// Destructoooor!: a sandbox with four scenes and all parameters of the simulation [Thesis06,
+// Appendix A].
 #include <kodo_sfml/display.hpp>
 
 #include <CLI/CLI.hpp>
@@ -31,9 +31,9 @@ struct Options {
 
 void prepare(Demo& demo, const Options& options) {
     kodo::StepSettings settings = demo.sandbox().settings();
-    settings.shockPasses = options.shock;
-    settings.contactPasses = options.rest;
-    settings.impactPasses = options.collision;
+    settings.propagation().shockPasses = options.shock;
+    settings.propagation().contactPasses = options.rest;
+    settings.propagation().impactPasses = options.collision;
     demo.sandbox().setSettings(settings);
     demo.sandbox().restart(static_cast<Scene>(options.scene - 1));
 }
@@ -73,11 +73,12 @@ int play(Demo& demo) {
 
 int run(int argc, char** argv) {
     Options options;
-    CLI::App app("Destructoooor!: drop things into one of four scenes of Kodo, and change the "
-                 "numbers of the integration while it runs.",
-                 "destructoooor");
-    app.footer("Shock propagation steadies a stack with few iterations; more collision and rest\n"
-               "iterations counter overlap. The keys are written in the window.\n"
+    CLI::App app(
+        "Destructoooor!: a sandbox of Kodo with four scenes. Bodies can be dropped in, and "
+        "parameters of the simulation can be changed while it runs.",
+        "destructoooor");
+    app.footer("Shock propagation stabilises a stack with few iterations. More collision and rest\n"
+               "iterations reduce overlap. The window lists the keys.\n"
                "Exit code: 0 done, 2 wrong use, 3 no display.");
     app.add_option("--scene", options.scene, "1 ground, 2 tower, 3 pyramid, 4 pit")
         ->capture_default_str()
@@ -92,8 +93,8 @@ int run(int argc, char** argv) {
         ->capture_default_str()
         ->check(CLI::Range(0, 40));
     auto* picture = app.add_option("--picture", options.picture,
-                                   "Write a picture (png) after some steps, and leave");
-    app.add_option("--steps", options.steps, "Steps before the picture, 60 a second")
+                                   "Write a picture (png) after some steps, then exit");
+    app.add_option("--steps", options.steps, "Steps before the picture, 60 per second")
         ->capture_default_str()
         ->needs(picture);
     try {
@@ -106,8 +107,7 @@ int run(int argc, char** argv) {
         return kRefused;
     }
     if (!kodo_sfml::displayAvailable()) {
-        std::fprintf(stderr,
-                     "destructoooor: There is no display to open a window on. Set DISPLAY.\n");
+        std::fprintf(stderr, "destructoooor: There is no display for the window. Set DISPLAY.\n");
         return kNoDisplay;
     }
     Demo demo(DESTRUCTOOOOR_FONT);

@@ -7,12 +7,13 @@ namespace destructoooor {
 
 namespace {
 
-constexpr float kMargin = 16;  // pixels, as all here
+// Pixels.
+constexpr float kMargin = 16;
 constexpr float kTop = 20;     // of the first knob
 constexpr float kPitch = 33;   // from knob to knob
-constexpr float kTrack = 6;    // height of a slider's line
-constexpr float kGrip = 7;     // radius of what is dragged
-constexpr unsigned kText = 14; // height of letters
+constexpr float kTrack = 6;    // height of the track of a slider
+constexpr float kGrip = 7;     // radius of the handle
+constexpr unsigned kText = 14; // height of text
 
 const sf::Color kBack(22, 25, 32, 235);
 const sf::Color kLine(70, 78, 92);

@@ -11,19 +11,20 @@
 
 namespace destructoooor {
 
-/// The column of sliders at the right of the window. Pixels, y down.
+/// The column of sliders on the right of the window. Pixels, y down.
 class Panel {
 public:
     static constexpr float kWidth = 330;
 
     Panel();
 
-    /// True if the press was on the panel, and so is nothing for the scene.
+    /// True if the position is on the panel; the scene must then ignore the press.
     bool press(sf::Vector2f pixel, Sandbox& sandbox);
     void drag(sf::Vector2f pixel, Sandbox& sandbox);
     void release() { held_.reset(); }
-    /// The keys: another knob, or another value of this one.
+    /// Selects the next (1) or previous (-1) knob.
     void choose(int way);
+    /// Changes the selected knob by one stride up (1) or down (-1).
     void turn(int way, Sandbox& sandbox);
 
     void setSize(sf::Vector2u pixels) { pixels_ = pixels; }
@@ -37,7 +38,7 @@ private:
 
     std::vector<Knob> knobs_;
     sf::Vector2u pixels_{1, 1};
-    std::size_t chosen_ = 3; // rest iterations
+    std::size_t chosen_ = 3; // index in makeKnobs(): rest iterations
     std::optional<std::size_t> held_;
 };
 

@@ -14,9 +14,9 @@ using kodo::Vec2;
 
 namespace {
 
-constexpr Real kGone = 40;       // m from the middle; what is farther is taken out
+constexpr Real kGone = 40;       // m from the origin; bodies beyond it are removed
 constexpr Real kBurstRadius = 4; // m
-constexpr Real kBurstSpeed = 12; // m/s, given to what is next to it
+constexpr Real kBurstSpeed = 12; // m/s, at the centre of the explosion
 constexpr std::size_t kMostBodies = 400;
 
 scenes::SceneDef definitionOf(Scene scene) {
@@ -53,15 +53,15 @@ kodo::Shape shapeOf(Primitive what, Real size, std::uint64_t key) {
 }
 
 bool isLocked(const kodo::BodyView& body) {
-    return (body.flags() & kodo::kLocked) == kodo::kLocked;
+    return body.type() != kodo::BodyType::Dynamic;
 }
 
 } // namespace
 
 Sandbox::Sandbox() {
-    // The solver that the lessons are about, with few iterations, so that they can be seen.
+    // The lessons of the thesis need its solver; few iterations make the effects visible.
     settings_ = kodo::thesis2006();
-    settings_.contactPasses = 5;
+    settings_.propagation().contactPasses = 5;
     restart(Scene::Tower);
 }
 
@@ -133,7 +133,7 @@ Measures Sandbox::measures() const {
             continue;
         }
         ++found.bodies;
-        found.resting += (body.flags() & kodo::kResting) != 0 ? 1 : 0;
+        found.resting += (body.flags() & kodo::kAsleep) != 0 ? 1 : 0;
         found.highest = std::max(found.highest, body.bounds().upper.y);
         found.fastest = std::max(found.fastest, length(body.velocity()));
     }
@@ -143,7 +143,7 @@ Measures Sandbox::measures() const {
             found.deepest = std::max(found.deepest, -record.separation);
         }
     }
-    found.visits = world_.contactVisits();
+    found.visits = stepStats(world_).contacts;
     return found;
 }
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Run by tools/bench, which says what it does."""
+"""Measurements of tools/bench; see its --help."""
 import math
 import pathlib
 import sys
@@ -11,14 +11,14 @@ import measure
 OUT = pathlib.Path("build/bench")
 
 class Wanted(typing.NamedTuple):
-    """A scene, its size, and what is wanted of the default profile there. None: no limit."""
+    """A scene, its size, and the targets of the default profile. None: no limit."""
 
     name: str
     size: int
-    ratio: float = None  # to Box2D, at most
-    depth: float = None  # mm, the mean, at most
-    error: float = None  # the scene's own, at most
-    stands: bool = False  # all of it
+    ratio: float = None  # largest CPU time relative to Box2D
+    depth: float = None  # mm, largest mean overlap
+    error: float = None  # largest error, in the unit of the scene
+    stands: bool = False  # no body may fall
 
 
 SCENES = [
@@ -39,7 +39,7 @@ SCENES = [
     Wanted("empty", 1),
 ]
 PROFILES = ("default", "quick", "accurate", "thesis")
-# 1, 4 and 16 times the bodies; and a hundred thousand. Heaps grow in width, pyramids in height.
+# 1, 4 and 16 times the bodies, and 100,000. Heaps grow in width, pyramids in height.
 GROWTH = {
     "pyramid": (60, 120, 240),
     "circles": (5000, 20000, 80000, 100000),
@@ -63,7 +63,7 @@ def options():
 
 
 def jobs_of(scene, size, chosen):
-    """Box2D first, then every way of Kodo."""
+    """Box2D first, then Kodo with every engine and profile."""
     common = ["--scene", scene, "--size", size]
     ways = [["--engine", "box2d"]]
     for engine in chosen.engines:
@@ -72,7 +72,7 @@ def jobs_of(scene, size, chosen):
 
 
 def with_ratios(results):
-    """Adds the ratio of each result to the first, Box2D's, of the same scene."""
+    """Adds the ratio of each result to the first one of the scene, that of Box2D."""
     for result in results:
         result["ratio"] = result["cpuMsPerStep"] / results[0]["cpuMsPerStep"]
     return results
@@ -84,7 +84,7 @@ def way_of(result):
 
 
 def number(value, digits=3):
-    """Three digits that count, and no exponent."""
+    """Three significant digits, without an exponent."""
     if value is None:
         return ""
     if value == 0:
@@ -94,7 +94,7 @@ def number(value, digits=3):
 
 
 def limits_of(wanted):
-    """(what, its key in a result, its limit) of all that is wanted at most."""
+    """(name, key in a result, largest value) of each target."""
     limits = [
         ("ratio", "ratio", wanted.ratio),
         ("mean depth", "depthMeanMm", wanted.depth),
@@ -105,7 +105,7 @@ def limits_of(wanted):
 
 
 def missed(wanted, result):
-    """What of it is not reached, in words; empty when all is."""
+    """The missed targets in words; empty if there are none."""
     words = []
     for what, key, limit in limits_of(wanted):
         if result[key] is not None and result[key] > limit:
@@ -118,7 +118,7 @@ def missed(wanted, result):
 def table(scenes, results):
     lines = [
         "| scene | bodies | engine | ms a step | spread | ns a body and step | ratio"
-        " | depth max / mean mm | stood | escaped | error | wanted and missed |",
+        " | overlap max / mean mm | stood | escaped | error | missed targets |",
         "|---|--:|---|--:|--:|--:|--:|--:|--:|--:|---|---|",
     ]
     for wanted, group in zip(scenes, results):
@@ -138,11 +138,11 @@ def table(scenes, results):
 
 
 def draw_ratios(scenes, results, path):
-    """A bar for each way in each scene, from 1 (as long as Box2D) to its ratio."""
+    """Draws a bar with the ratio to Box2D for each scene, engine and profile."""
     ways = [way_of(result) for result in results[0][1:]]
     bar, gap, top = 13, 14, 76
     height = top + len(scenes) * (bar * len(ways) + gap) + 60
-    page = chart.Page(860, height, "CPU time of a step, as a ratio to Box2D 2.4.1 (short is fast)")
+    page = chart.Page(860, height, "CPU time of a step relative to Box2D 2.4.1 (shorter is faster)")
     for i, way in enumerate(ways):
         page.legend(20 + 150 * i, 52, [(way, chart.COLOURS[i])])
     ratios = [result["ratio"] for group in results for result in group]
@@ -162,18 +162,18 @@ def draw_ratios(scenes, results, path):
             x = across(wanted.ratio)
             page.line([(x, y - 3), (x, y + bar * len(ways) + 1)], "#cf222e", 2)
     page.line([(across(1), up), (across(1), top - 6)], chart.INK, 1.5)
-    page.text(across.start, up + 34, "red: wanted; black line: as long as Box2D", size=11)
+    page.text(across.start, up + 34, "red: target; black: equal to Box2D", size=11)
     page.write(path)
 
 
 def allowed(first, result):
-    """ns a body and step, were cost to grow as n log n from the first on."""
+    """ns a body and step for n log n growth from the first result on."""
     return first["nsPerBodyStep"] * math.log(result["bodies"]) / math.log(first["bodies"])
 
 
 def draw_growth(groups, path):
-    """ns a body and step over the number of bodies; dashed: n log n from the smallest."""
-    page = chart.Page(860, 480, "What a body costs as scenes grow")
+    """ns a body and step against the number of bodies; dashed: n log n from the smallest."""
+    page = chart.Page(860, 480, "Cost of a body against the number of bodies")
     page.text(16, 46, "Kodo, default settings, CPU time of one thread", colour="#57606a")
     results = [result for group in groups for result in group]
     bodies = [result["bodies"] for result in results]
@@ -203,7 +203,7 @@ def draw_growth(groups, path):
 
 def growth_table(groups):
     lines = [
-        "| scene | bodies | ns a body and step | of what n log n allows |",
+        "| scene | bodies | ns a body and step | ratio to n log n |",
         "|---|--:|--:|--:|",
     ]
     for group in groups:
@@ -217,7 +217,7 @@ def growth_table(groups):
 
 
 def growth(chosen):
-    """Kodo's default. Returns the table."""
+    """Measures growth with the default profile. Returns the table."""
     wanted = [name for name in GROWTH if not chosen.scenes or name in chosen.scenes]
     if not wanted:
         return ""

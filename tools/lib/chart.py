@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A little SVG for the figures of tools/bench and tools/trade: a page, scales, axes, legends."""
+"""SVG figures of tools/bench and tools/trade: page, scales, axes, legends."""
 import html
 import math
 
@@ -7,10 +7,10 @@ COLOURS = ("#1f6feb", "#d1570b", "#2da44e", "#8250df", "#bf3989", "#57606a")
 INK, FAINT = "#24292f", "#d0d7de"
 
 
-# Where a label may stand about its mark: a share of the distance to the right and upwards.
+# Positions of a label around its mark: fractions of the distance, to the right and upwards.
 ABOVE = ((0, 1.4), (0, -1.4))
 BESIDE = ((1, 0), (0.8, 0.8), (0.8, -0.8), (-1, 0), (-0.8, 0.8), (-0.8, -0.8))
-# Corners of marks, in sizes, y downwards.
+# Corners of marks, relative to the size; y down.
 OUTLINES = {
     "square": ((-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)),
     "diamond": ((0, -1.2), (1.2, 0), (0, 1.2), (-1.2, 0)),
@@ -31,14 +31,14 @@ def polyline(points, colour, width, dash):
 
 
 class Page:
-    """Collects shapes; positions are pixels, y downwards."""
+    """Collects shapes; positions are pixels, y down."""
 
     def __init__(self, width, height, title):
         self.width, self.height = width, height
         self.under = [f'<rect width="{width}" height="{height}" fill="white"/>']
         self.shapes = []
-        self.taken = []  # left, upper, right, lower of what no label may cover
-        self.room = (0, 0, width, height)  # where labels may be
+        self.taken = []  # boxes (left, top, right, bottom) that no label may cover
+        self.room = (0, 0, width, height)  # box of all labels
         self.text(16, 26, title, size=16, weight="bold")
 
     def text(self, x, y, words, anchor="start", size=12, colour=INK, weight="normal", turn=0):
@@ -50,9 +50,9 @@ class Page:
         )
 
     def label(self, x, y, words, colour=INK, weight="normal", sides=(*BESIDE, *ABOVE)):
-        """Beside a mark, where neither another mark nor another label is; a line leads to it when
-        it does not stand close. Nowhere when all places are taken, and then the mark's hint has to
-        do. To be called after all marks are there."""
+        """Labels a mark at a free position; a line connects the two if they are not adjacent.
+        Without a free position there is no label; the mark still has its hint. Must be called after
+        all marks."""
         width, height = 5.9 * len(words), 11
         for far in (8, 17, 30, 45):
             for across, up in sides:
@@ -104,7 +104,7 @@ class Page:
         )
 
     def ring(self, x, y, radius, colour):
-        """Around a mark."""
+        """A circle around a mark."""
         self.shapes.append(
             f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius}" fill="none" stroke="{colour}"'
             f' stroke-width="2"/>'
@@ -127,10 +127,10 @@ class Page:
 
 
 class LogScale:
-    """Takes values low..high, both above 0, to pixels start..end."""
+    """Maps values low to high, both > 0, to pixels start to end."""
 
     def __init__(self, low, high, start, end):
-        if high / low < 10:  # a narrow band would have no tick to read it by
+        if high / low < 10:  # a narrower range would have no tick
             middle = math.sqrt(low * high)
             low, high = middle / 3.2, middle * 3.2
         self.low, self.high, self.start, self.end = low, high, start, end
@@ -141,7 +141,7 @@ class LogScale:
         return self.start + share * (self.end - self.start)
 
     def ticks(self):
-        """1, 2 and 5 times the powers of ten; the powers alone when that would be too many."""
+        """1, 2 and 5 times the powers of ten; the powers alone beyond four decades."""
         decades = range(math.floor(math.log10(self.low)), math.ceil(math.log10(self.high)) + 1)
         steps = (1, 2, 5) if len(decades) <= 4 else (1,)
         values = [step * 10.0**decade for decade in decades for step in steps]
@@ -149,7 +149,7 @@ class LogScale:
 
 
 def axes(page, across, up, across_name, up_name):
-    """Grid and names of two scales; `up` runs from the bottom pixel to the top one."""
+    """Grid and names of two scales; `up` goes from the bottom pixel to the top one."""
     for value in across.ticks():
         page.line([(across(value), up.start), (across(value), up.end)], FAINT)
         page.text(across(value), up.start + 16, f"{value:g}", "middle", 11)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What tools/bench and tools/trade share: kodo-bench run in turn on one core, and its medians."""
+"""Shared by tools/bench and tools/trade: interleaved runs of kodo-bench on one core, medians."""
 import argparse
 import csv
 import json
@@ -16,7 +16,7 @@ BENCH = pathlib.Path("build/release/bin/kodo-bench")
 
 
 class Options(options.Options):
-    """Those of a shell script, which has its --help, and asks first whether they are right."""
+    """Options of a shell script. It prints --help itself, and checks them with --check-options."""
 
     def __init__(self, prog):
         super().__init__(prog, add_help=False)
@@ -30,15 +30,15 @@ class Options(options.Options):
 
 
 def runs(text):
-    """What --repeat takes."""
+    """Value of --repeat: 1 to 1000."""
     count = int(text) if text.isdecimal() else 0
     if not 1 <= count <= 1000:
-        raise argparse.ArgumentTypeError(f"{text} is no number from 1 to 1000")
+        raise argparse.ArgumentTypeError(f"must be a whole number from 1 to 1000, not {text}")
     return count
 
 
 class Progress:
-    """One line on stderr that is overwritten; silent unless that is a terminal."""
+    """One line on stderr that is overwritten; silent if stderr is not a terminal."""
 
     def __init__(self, total):
         self.total, self.done, self.started = total, 0, time.monotonic()
@@ -60,13 +60,13 @@ class Progress:
 
 
 def stay_on_one_core():
-    """The last one: the first is where most systems handle their interrupts."""
+    """Selects the last core: most systems handle interrupts on the first one."""
     if hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
 
 
 def run_once(arguments):
-    """One run of kodo-bench: its JSON object, or a SystemExit that says what it said."""
+    """One run of kodo-bench: its JSON object, or a SystemExit with its error message."""
     words = [str(BENCH), "--json", *map(str, arguments)]
     done = subprocess.run(words, capture_output=True, text=True, check=False)
     if done.returncode:
@@ -75,9 +75,8 @@ def run_once(arguments):
 
 
 def run_in_turn(jobs, repeat):
-    """jobs: groups of lists of arguments. Those of one group are run in turn, `repeat` times, since
-    a machine is not as fast at one moment as at another. Returns groups of what summary_of makes
-    of the runs of each."""
+    """jobs: groups of lists of arguments. The runs of a group are interleaved, `repeat` times,
+    because the speed of a machine varies over time. Returns groups of summaries (summary_of)."""
     progress = Progress(repeat * sum(map(len, jobs)))
     results = []
     for group in jobs:
@@ -93,8 +92,8 @@ def run_in_turn(jobs, repeat):
 
 
 def summary_of(runs):
-    """The last run, with the median, the least and the greatest time of all in it. Nothing but
-    times may differ between runs of one thing."""
+    """The last run, with the median, least and greatest time of all runs. The runs must end in
+    equal states."""
     if len({run["stateHash"] for run in runs}) > 1:
         sys.exit(f"{runs[0]['scene']} in {runs[0]['engine']}: two runs end in different states")
     times = [run["cpuMsPerStep"] for run in runs]
@@ -108,7 +107,7 @@ def summary_of(runs):
 
 
 def write_csv(path, rows):
-    """Columns in the order in which the rows first name them."""
+    """Columns are in the order of their first occurrence."""
     path.parent.mkdir(parents=True, exist_ok=True)
     names = list(dict.fromkeys(name for row in rows for name in row))
     with path.open("w", encoding="utf-8", newline="") as file:

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""What the tools in Python share."""
+"""Command line options of the Python tools."""
 import argparse
 import sys
 
 
 class Options(argparse.ArgumentParser):
-    """A wrong option is told in one line, and an option's name is not cut short."""
+    """Reports a wrong option in one line. Option names cannot be abbreviated."""
 
     def __init__(self, prog, **more):
         super().__init__(prog=prog, allow_abbrev=False, **more)

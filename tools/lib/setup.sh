@@ -1,20 +1,20 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: MIT
-# What the commands in tools/ share: install what is missing, configure, build, run tests.
-# Every command exits with one of these:
+# Shared by the commands in tools/: installs packages, configures, builds, runs tests.
+# Exit codes of every command:
 #   0 done   1 a build or a test failed   2 wrong use, or a tool is missing or too old
 #   3 packages are missing and this user may not install them
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 cd "$root" || exit 2
 export LC_ALL=C.UTF-8
-# What ccache needs for precompiled headers. They must be told apart by what is in each file: by
-# what the preprocessor leaves, one of before a comment changed is taken for one of now, and then
-# the compiler reads that file twice.
+# ccache with precompiled headers. Depend mode compares file contents. Preprocessor mode would reuse
+# a precompiled header from before a change of a comment, and the compiler would then read that file
+# a second time.
 export CCACHE_SLOPPINESS=pch_defines,time_macros
 export CCACHE_DEPEND=1
 
-# Debian packages; `package:command` is also satisfied by the command from anywhere else.
+# Debian packages; `package:command` is satisfied by the command too, whatever its origin.
 # shellcheck disable=SC2034 # used by the commands that source this file
 packages_build=(g++:g++ cmake:cmake ninja-build:ninja ccache:ccache
     libtomlplusplus-dev libcli11-dev libfmt-dev)
@@ -43,7 +43,7 @@ die() {
     exit "$code"
 }
 
-# One line that is overwritten; where the output is not a terminal, a line every half minute.
+# One line that is overwritten; without a terminal, a line every half minute.
 progress_pause=30 progress_text="" progress_at=$SECONDS
 progress() {
     progress_text=$*
@@ -55,7 +55,7 @@ progress() {
     fi
 }
 
-# The next line of the input, in $line; while none comes, the progress goes on being shown.
+# Reads the next line of the input into $line; shows the progress while it waits.
 read_line() {
     local part=""
     until IFS= read -r -t "$progress_pause" line; do
@@ -68,7 +68,7 @@ read_line() {
 
 jobs_wanted() { say "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc 2>/dev/null || say 2)}"; }
 
-# The packages among the arguments that are not there, one a line.
+# Prints the packages among the arguments that are not installed, one per line.
 missing_packages() {
     local entry package command
     local -A installed=()
@@ -87,7 +87,7 @@ missing_packages() {
     done
 }
 
-# apt_as PREFIX... -- PACKAGE...: update and install, with the command in front of apt-get.
+# apt_as PREFIX... -- PACKAGE...: runs apt-get update and install, with PREFIX before the command.
 apt_as() {
     local prefix=()
     while [[ $1 != -- ]]; do
@@ -99,15 +99,15 @@ apt_as() {
     local log=build/setup.log
     local apt=("${prefix[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300)
     say "Installing, which may take some minutes: $*"
-    "${apt[@]}" update >"$log" 2>&1 || true # one broken source is no reason to stop
+    "${apt[@]}" update >"$log" 2>&1 || true # a broken source of packages may be unrelated
     if ! "${apt[@]}" install -y --no-install-recommends "$@" >>"$log" 2>&1; then
         tail -n 20 "$log" >&2
-        die 2 "apt could not install what is missing; the whole log: $log"
+        die 2 "apt could not install the missing packages; full log: $log"
     fi
 }
 
-# need_packages ENTRY...: after this they are there, or we have stopped. On a system without apt
-# nothing is done: need_tool and CMake name what is missing.
+# need_packages ENTRY...: installs missing packages, or exits. Does nothing on a system without apt:
+# need_tool and CMake report missing tools there.
 need_packages() {
     command -v apt-get >/dev/null && command -v dpkg-query >/dev/null || return 0
     local missing
@@ -116,15 +116,15 @@ need_packages() {
     if ((EUID == 0)); then
         apt_as -- "${missing[@]}"
     elif command -v sudo >/dev/null && { sudo -n true 2>/dev/null || [[ -t 0 ]]; }; then
-        say "sudo is used to install what is missing."
+        say "Missing packages are installed with sudo."
         apt_as sudo -- "${missing[@]}"
     else
-        say "Packages are missing. Run this line as root, then try again:" >&2
+        say "Packages are missing. Run this command as root, then try again:" >&2
         die 3 "apt-get update && apt-get install -y --no-install-recommends ${missing[*]}"
     fi
 }
 
-# need_tool COMMAND LEAST: stops with a sentence when it is missing or older.
+# need_tool COMMAND LEAST: exits with a message if the tool is missing or older than LEAST.
 need_tool() {
     local tool=$1 least=$2 found
     command -v "$tool" >/dev/null ||
@@ -135,7 +135,7 @@ need_tool() {
     fi
 }
 
-# What every build needs. The compiler is $CXX when set, else g++, else clang++.
+# Checks the tools of every build. The compiler is $CXX if set, else g++, else clang++.
 need_build_tools() {
     need_tool cmake 3.25
     need_tool ninja 1.10
@@ -157,16 +157,16 @@ show_failure() {
     progress ""
     say "$2 failed. The last lines:" >&2
     tail -n 40 "$1" >&2
-    say "The whole log: $1" >&2
+    say "Full log: $1" >&2
 }
 
-# configure_into DIR ARGUMENT...: runs cmake only when its arguments or the presets changed;
-# changes of the CMake lists are noticed by ninja itself.
+# configure_into DIR ARGUMENT...: runs cmake only if its arguments or the presets have changed.
+# Ninja itself detects changes of the CMake lists.
 configure_into() {
     local dir=$1 stamp=$1/.configured log=$1/configure.log
     shift
     mkdir -p "$dir"
-    rm -f "$dir/test.log" # so that an old result is never taken for this one
+    rm -f "$dir/test.log" # an old result must not be mistaken for a new one
     if [[ -f $dir/build.ninja && -f $stamp && ! CMakePresets.json -nt $stamp &&
         $(<"$stamp") == "$*" ]]; then
         return 0
@@ -181,7 +181,7 @@ configure_into() {
     say "$*" >"$stamp"
 }
 
-# build_in DIR TARGET...: builds with one progress line; `all` when no target is given.
+# build_in DIR TARGET...: builds with one progress line; default target: all.
 build_in() {
     local dir=$1 log=$1/build.log line
     shift
@@ -190,7 +190,7 @@ build_in() {
     local started=$SECONDS
     local command=(cmake --build "$dir" -j "$(jobs_wanted)")
     (($#)) && command+=(--target "$@")
-    # NINJA_STATUS is set so that the lines read below look as expected.
+    # NINJA_STATUS fixes the format that is parsed below.
     NINJA_STATUS='[%f/%t] ' "${command[@]}" 2>&1 | while read_line; do
         printf '%s\n' "$line" >>"$log"
         if [[ $line =~ ^\[([0-9]+/[0-9]+)\]\  ]]; then
@@ -203,7 +203,7 @@ build_in() {
     fi
     progress ""
     if ! grep -q '^\[' "$log" && [[ -f $log.last ]]; then
-        mv "$log.last" "$log" # nothing was built: the log of the build still tells how it went
+        mv "$log.last" "$log" # nothing was built: keep the log of the last build
     elif grep -q 'warning:' "$log"; then
         say "The build gave warnings: $log"
     fi
@@ -215,15 +215,15 @@ configure_and_build() {
     local preset=$1
     shift
     configure_into "build/$preset" --preset "$preset" || return 1
-    sed -n '/is missing:/s/^-- //p' "build/$preset/configure.log" # what is left out, and why
+    sed -n '/is missing:/s/^-- //p' "build/$preset/configure.log" # omitted targets, with the reason
     build_in "build/$preset" "$@"
 }
 
-# has_target DIR TARGET: does the configured build know this program?
+# has_target DIR TARGET: true if the configured build has this target.
 has_target() { ninja -C "$1" -t query "$2" >/dev/null 2>&1; }
 
-# run_tests DIR CTEST_ARGUMENT...: one progress line, the output of what failed, the closing lines.
-# Everything else is in DIR/test.log.
+# run_tests DIR CTEST_ARGUMENT...: prints one progress line, the output of failed tests and the
+# summary. The full output is in DIR/test.log.
 run_tests() {
     local dir=$1 log=$1/test.log line show="" closing=""
     shift
@@ -249,6 +249,6 @@ run_tests() {
             true
         done
     local result=${PIPESTATUS[0]}
-    ((result == 0)) || say "Tests failed; the whole log: $log" >&2
+    ((result == 0)) || say "Tests failed; full log: $log" >&2
     return "$((result != 0))"
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Run by tools/trade, which says what it does."""
+"""Measurements of tools/trade; see its --help."""
 import math
 import pathlib
 import sys
@@ -12,15 +12,15 @@ OUT = pathlib.Path("build/trade")
 
 
 class Question(typing.NamedTuple):
-    """A scene, small enough that all settings are through in minutes, and what is asked of it."""
+    """A scene, small enough to run all settings within minutes, and the error measured in it."""
 
     name: str
     scene: str
     size: int
-    lost: float  # an error like that or greater is none: the scene has come down
-    key: str = "error"  # of the results; the scene's own error unless another is named
-    says: str = ""  # what that other is
-    unit: str = ""
+    lost: float  # error from which on the scene counts as lost, for example collapsed
+    key: str = "error"  # of the results; default: the error of the scene
+    says: str = ""  # name of another error
+    unit: str = ""  # of another error
 
 
 QUESTIONS = [
@@ -39,19 +39,19 @@ QUESTIONS = [
     Question("bounce", "bounce", 1, 0.5),
     Question("pendulum", "pendulum", 1, 0.5),
 ]
-# By unit: below that, rounding or nothing is left, and a figure need not show how much.
+# By unit: smaller errors are rounding and drawn as this value.
 LEAST_ERROR = {"": 1e-6, "mm": 1e-3, "%": 1e-3, "m": 1e-6}
-# What rests takes no part in a step at all, and is left out of every scene here.
+# Without sleep: no scene here contains sleeping bodies.
 FEATURES = ("friction", "rolling", "restitution", "rotation", "sweep", "records")
 
 
 class Family(typing.NamedTuple):
-    """What one question sweeps over, and how it looks."""
+    """A group of settings, and its look in a figure."""
 
     colour: str
     form: str
     says: str
-    joined: bool = False  # by a line, since its settings are numbers of one kind
+    joined: bool = False  # by a line: the settings are values of one parameter
 
 
 FAMILIES = {
@@ -68,13 +68,12 @@ FAMILIES = {
 }
 
 
-# What is shown beside the settings among which a user chooses. What is left out is missed somewhere
-# else, so it is no way to be better.
+# Shown for comparison, not part of the front. A feature that is left out is needed in other scenes.
 FOREIGN = ("box2d", "positions", "left out")
 
 
 def settings():
-    """(family, label, arguments) of every way of stepping."""
+    """(family, label, arguments) of every setting."""
     ways = [("substeps", f"{n}", ["--substeps", n]) for n in (1, 2, 3, 4, 6, 8, 12, 16, 32)]
     ways += [
         ("stiffness", f"{n} at {hertz} Hz", ["--substeps", n, "--set", f"contactHertz={hertz}"])
@@ -112,8 +111,8 @@ def options():
 
 
 def ask(question, ways, results):
-    """Those results that have an answer, with its name, its unit, and how they came about. One has
-    none where bodies are no longer anywhere."""
+    """The results with an error, extended by its name, its unit, family and label. A result has no
+    error if positions are not finite."""
     answered = []
     for (family, label, _), result in zip(ways, results):
         result = dict(result, question=question.name, family=family, label=label)
@@ -131,8 +130,8 @@ def error_of(result):
 
 
 def front_of(results):
-    """What no other setting beats in both time and error, from fast to true; a gain in error of
-    less than 1 % counts for nothing. Empty when all have lost the scene."""
+    """The Pareto front: results that no other one beats in both time and error, by time. Gains in
+    error below 1 % do not count. Empty if all settings have lost the scene."""
     front = []
     holding = [result for result in results if not result["lost"]]
     for result in sorted(holding, key=lambda one: (one["cpuMsPerStep"], error_of(one))):
@@ -142,7 +141,7 @@ def front_of(results):
 
 
 def is_beaten(result, others):
-    """Is there one that is both faster and truer, by more than the noise of a measurement?"""
+    """True if another result is both faster and more accurate, beyond the noise."""
     return result["lost"] or any(
         1.05 * one["cpuMsPerStep"] < result["cpuMsPerStep"]
         and 1.02 * error_of(one) < error_of(result)
@@ -151,8 +150,8 @@ def is_beaten(result, others):
 
 
 def knee_of(front):
-    """Where more time begins to buy less: the point of the front that lies farthest below the line
-    between its ends, both axes in powers of ten and as wide as the front is."""
+    """The point of diminishing returns: the point of the front farthest below the line between its
+    ends. Both axes are logarithmic and scaled to the extent of the front."""
     if len(front) < 3:
         return front[-1] if front else None
     times = [math.log(one["cpuMsPerStep"]) for one in front]
@@ -171,7 +170,7 @@ def heading(page, first):
         16,
         46,
         f"{first['bodies']} bodies, {first['steps']} steps of 1/60 s; CPU time of one thread, {runs}."
-        " Low and left is good.",
+        " Lower left is better.",
         colour="#57606a",
     )
 
@@ -184,11 +183,11 @@ def legend(page, x, y):
         page.text(x + 16, y + 4, family.says)
         y += 21
     page.line([(x - 10, y + 12), (x + 10, y + 12)], chart.INK, 1.5, "5 3")
-    page.text(x + 16, y + 16, "front: nothing of Kodo beats it")
+    page.text(x + 16, y + 16, "front: not beaten by any setting of Kodo")
     page.ring(x, y + 33, 8, "#cf222e")
-    page.text(x + 16, y + 37, "its knee")
+    page.text(x + 16, y + 37, "knee of the front")
     page.mark(x, y + 54, "#8c959f", "cross")
-    page.text(x + 16, y + 58, "has lost the scene")
+    page.text(x + 16, y + 58, "scene lost")
 
 
 def draw(results, front, knee, path):
@@ -200,7 +199,7 @@ def draw(results, front, knee, path):
     errors = [error_of(result) for result in results if not result["lost"]] or [1]
     across = chart.LogScale(min(times) / 1.3, max(times) * 1.3, 90, 770)
     up = chart.LogScale(min(errors) / 1.6, max(errors) * 2, 540, 66)
-    unit = first["errorUnit"] or "share"
+    unit = first["errorUnit"] or "relative"
     chart.axes(page, across, up, "microseconds a step", f"{first['errorName']} ({unit})")
     legend(page, 806, 80)
     page.room = (across.start + 2, up.end - 8, across.end + 16, up.start - 2)
@@ -213,7 +212,7 @@ def draw(results, front, knee, path):
         if family.joined:
             page.line([place(result) for result in mine], family.colour, 0.8)
     page.line([place(result) for result in front], chart.INK, 1.5, "5 3")
-    last = sorted(results, key=lambda one: one["label"] == "default")  # on top of the others
+    last = sorted(results, key=lambda one: one["label"] == "default")  # drawn on top
     for result in last:
         family = FAMILIES[result["family"]]
         hint = (
@@ -244,7 +243,7 @@ def row_of(result, remark):
 
 
 def front_table(front, knee, ours):
-    """What a user reads: the front of Kodo's settings from fast to true, and the default."""
+    """Table of the front by time, and of the default."""
     lines = [
         f"\n**{ours[0]['scene']}**: {ours[0]['errorName']}\n",
         "| setting | us a step | error | |",
@@ -260,13 +259,13 @@ def front_table(front, knee, ours):
 
 
 def verdict_of(question, ours):
-    """How the default does: is anything both faster and truer?"""
+    """Says whether any setting is both faster and more accurate than the default."""
     default = next(one for one in ours if one["label"] == "default")
     if default["lost"]:
         return f"- {question.name}: **lost**, {default['error']:.3g} {default['errorUnit']}"
     beaters = [one for one in ours if not one["lost"] and is_beaten(default, [one])]
     if not beaters:
-        return f"- {question.name}: nothing is both faster and truer"
+        return f"- {question.name}: nothing is both faster and more accurate"
     best = min(beaters, key=lambda one: one["cpuMsPerStep"])
     time = best["cpuMsPerStep"] / default["cpuMsPerStep"]
     return (

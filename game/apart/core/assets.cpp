@@ -22,10 +22,11 @@ bool holdsLevels(const fs::path& folder) {
     return fs::is_directory(folder / "levels", error);
 }
 
+/// The folder of the program; the working folder on systems other than Linux.
 fs::path programFolder() {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    return error ? fs::path() : program.parent_path();
+    return error ? fs::current_path(error) : program.parent_path();
 }
 
 bool isName(const std::string& name) {
@@ -43,19 +44,14 @@ fs::path assetsFolder() {
     if (const char* named = std::getenv("APART_ASSETS"); named != nullptr && *named != '\0') {
         return named;
     }
-    const fs::path program = programFolder();
-    for (fs::path folder = program; !folder.empty(); folder = folder.parent_path()) {
-        if (holdsLevels(folder / "assets")) {
-            return folder / "assets";
+    for (fs::path folder = programFolder(); !folder.empty(); folder = folder.parent_path()) {
+        for (const char* name : {"share/apart", "assets"}) {
+            if (holdsLevels(folder / name)) {
+                return folder / name;
+            }
         }
         if (folder == folder.parent_path()) {
             break;
-        }
-    }
-    const fs::path installed = program.parent_path() / "share" / "apart";
-    for (const fs::path& folder : {installed, fs::path(APART_SOURCE_ASSETS)}) {
-        if (holdsLevels(folder)) {
-            return folder;
         }
     }
     return "assets";
@@ -95,13 +91,13 @@ Read<Level> loadLevel(const std::string& name) {
     }
     if (name.starts_with("endless:")) {
         return FileProblem{name, 0,
-                           "is no endless level: endless:SEED:NUMBER has a SEED from 0 to " +
+                           "is not an endless level: endless:SEED:NUMBER has a SEED from 0 to " +
                                std::to_string(std::numeric_limits<std::uint32_t>::max()) +
                                " and a NUMBER from 1 to " + std::to_string(kMostEndless)};
     }
     if (!isName(name)) {
         return FileProblem{name, 0,
-                           "is no name of a level: it has letters, digits, - and _ only, 1 to " +
+                           "is not a level name: it has letters, digits, - and _ only, 1 to " +
                                std::to_string(kLongestName)};
     }
     const fs::path path = assetsFolder() / "levels" / (name + ".toml");

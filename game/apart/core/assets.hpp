@@ -9,22 +9,22 @@
 
 namespace apart {
 
-/// The folder that holds levels/, fonts/ and so on: what APART_ASSETS names, else the first of
-///   assets beside the program or in a folder above it, ../share/apart beside the program,
-///   the source folder that it was built from, assets in the working folder.
+/// The folder of levels/ and fonts/: APART_ASSETS if set. Otherwise it is the first share/apart or
+/// assets in the program's folder and those above it, else assets in the working folder. An
+/// unpacked or installed tree may therefore lie anywhere.
 std::filesystem::path assetsFolder();
 
-/// Names of all levels, in the order in which they are played.
+/// Names of all levels, in playing order.
 std::vector<std::string> levelNames();
 
-/// assets/levels/NAME.toml. A name is made of letters, digits, - and _. A name that parseEndless()
-/// takes is made, not read.
+/// Reads assets/levels/NAME.toml. A name has letters, digits, - and _ only. A name that
+/// parseEndless() accepts is generated instead.
 Read<Level> loadLevel(const std::string& name);
 
-/// The level of a replay: one beside it, in levels/NAME.toml, goes before those of the game.
+/// The level of a replay. levels/NAME.toml beside the replay has priority over the game's levels.
 Read<Level> loadLevelOf(const std::filesystem::path& replay, const std::string& name);
 
-/// What is wrong with the name of a level before any file is looked for; empty: nothing.
+/// Reason to refuse a level name before its file is searched; empty: none.
 std::string wrongName(const std::string& name);
 
 /// "there is no level NAME; the levels are ..."

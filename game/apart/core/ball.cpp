@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Balls of every kind, as bodies.
+// Bodies of all kinds of balls.
 #include <apart/core/field.hpp>
 #include <apart/core/tuning.hpp>
 
@@ -13,7 +13,7 @@ using kodo::Vec2;
 
 namespace {
 
-/// Two halves of ellipses with one width: the tip to the right.
+/// Two half ellipses of the same width, with the tip to the right.
 kodo::Polygon eggShape() {
     kodo::Polygon egg;
     for (int i = 0; i < kEggFacets; ++i) {

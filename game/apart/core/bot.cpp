@@ -16,29 +16,29 @@ using kodo::Vec2;
 
 namespace {
 
-constexpr Real kRimMargin = Real(0.4);      // m; it does not aim with the very rim of the dome
-constexpr Real kCatchHeight = 7;            // m; parts above are not waited for
-constexpr Real kSpareSeconds = Real(0.5);   // from a caught part back to the ball
-constexpr Real kFarSeconds = 20;            // what flies so flat may do anything until then
-constexpr std::uint32_t kAimTicks = 600;    // then it aims at another block, whatever happened
-constexpr Real kBentSeconds = Real(1) / 60; // of a step of the look ahead where paths are bent
+constexpr Real kRimMargin = Real(0.4);      // m; unused border of the dome
+constexpr Real kCatchHeight = 7;            // m; higher parts are ignored
+constexpr Real kSpareSeconds = Real(0.5);   // to return from a caught part to the ball
+constexpr Real kFarSeconds = 20;            // later arrivals are not predicted
+constexpr std::uint32_t kAimTicks = 600;    // then it picks another target
+constexpr Real kBentSeconds = Real(1) / 60; // time step of the prediction of bent paths
 constexpr int kBentSteps = 90;
-constexpr Real kPullHeight = 8;           // m; lower balls are not drawn to the paddle
-constexpr Real kPullSpare = 1;            // s until a ball comes; then it tears at no block
-constexpr std::uint32_t kWhimTicks = 30;  // before the erratic one thinks better of it
+constexpr Real kPullHeight = 8;           // m; lower balls are not pulled
+constexpr Real kPullSpare = 1;            // s; if a ball arrives earlier, no block is torn
+constexpr std::uint32_t kWhimTicks = 30;  // duration of a random choice of Erratic
 constexpr int kAttempts = 3;              // to find a block in sight
-constexpr Real kLateHeight = 6;           // m; where the clumsy one first sees a ball
-constexpr Real kFarSight = 40;            // m, along the way of a ball
-constexpr Real kTriedSeconds = 3;         // without damage; then it looks for a surer shot
-constexpr int kShots = 8;                 // that it looks at to each side of the paddle's middle
+constexpr Real kLateHeight = 6;           // m; Clumsy ignores higher balls
+constexpr Real kFarSight = 40;            // m; length of casts along a path
+constexpr Real kTriedSeconds = 3;         // without damage; then it uses surestOffset()
+constexpr int kShots = 8;                 // tested on each side of the paddle's middle
 constexpr int kForesight = 6;             // bounces
-constexpr Real kLeapSeconds = Real(0.05); // before the ball comes
+constexpr Real kLeapSeconds = Real(0.05); // before the ball arrives
 
 Real meetingHeight(Real offset) {
     return kPaddleY + domeHeight(offset) + kBallRadius;
 }
 
-/// x after bouncing between the side walls.
+/// x (m) of a ball after reflections between the side walls.
 Real mirrored(Real x) {
     const Real edge = kFieldWidth / 2 - kBallRadius;
     while (x < -edge || x > edge) {
@@ -47,7 +47,7 @@ Real mirrored(Real x) {
     return x;
 }
 
-/// Sign that the side walls have given to the way along x.
+/// Heading after the reflections off the side walls on a way (m) along x.
 Vec2 mirroredHeading(Vec2 heading, Real from, Real way) {
     const Real edge = kFieldWidth / 2 - kBallRadius;
     Real x = from + way;
@@ -58,7 +58,7 @@ Vec2 mirroredHeading(Vec2 heading, Real from, Real way) {
     return heading;
 }
 
-/// Is there anything that bends the path of a ball?
+/// True if a wind or a well bends the paths of balls.
 bool isBent(const Game& game) {
     const auto effects = game.effects();
     return !game.level().wells.empty() || game.windSpeed() != 0 ||
@@ -66,7 +66,7 @@ bool isBent(const Game& game) {
                        [](const Effect& effect) { return effect.power == Power::Well; });
 }
 
-/// The ball alone between the walls, under the same fields.
+/// Simulates the ball alone between the walls, with the same force fields.
 std::optional<Arrival> bentArrivalAt(const Game& game, const Ball& ball, Real height) {
     kodo::World world;
     world.setFields(game.world().fields());
@@ -110,8 +110,8 @@ bool isInSight(const Game& game, Vec2 from, kodo::BodyId body) {
     return hit && hit->body == body;
 }
 
-/// Where to send the ball, the same for a while: straight to a breakable block or to its image in a
-/// side wall, and now and then somewhere at the top, since what is behind steel wants luck.
+/// Target point, constant for kAimTicks: a breakable block or its mirror image in a side wall. One
+/// time in eight it is a random point at the top, because blocks behind steel have no direct path.
 std::optional<Vec2> aim(const Game& game, Vec2 meeting) {
     std::vector<kodo::BodyId> wanted;
     for (const Block& block : game.blocks()) {
@@ -147,16 +147,16 @@ std::optional<Vec2> aim(const Game& game, Vec2 meeting) {
     }
 }
 
-/// How far from the paddle's middle the ball should meet it, so that it leaves towards `goal`.
+/// Offset (m) from the paddle's middle at which the ball leaves towards `goal`.
 Real offsetFor(Vec2 goal, Vec2 meeting, Vec2 heading) {
     const Vec2 normal = normalize(normalize(goal - meeting) - heading);
     const Real most = kPaddleHalfWidth - kRimMargin;
     return std::clamp((kDomeRadius + kBallRadius) * normal.x, -most, most);
 }
 
-/// How far a ball flies that bounces off all else until it comes to a block that can break.
+/// Length (m) of a ball's path, with at most kForesight bounces, to the first breakable block.
 std::optional<Real> wayToBlock(const Game& game, Vec2 from, Vec2 heading) {
-    constexpr Real kOff = Real(0.01); // m, from what it has just met
+    constexpr Real kOff = Real(0.01); // m; distance from the surface after a bounce
     Real way = 0;
     for (int bounce = 0; bounce < kForesight && from.y > kPaddleY; ++bounce) {
         const std::optional<kodo::QueryHit> hit = game.ahead(from, kFarSight * heading);
@@ -174,7 +174,7 @@ std::optional<Real> wayToBlock(const Game& game, Vec2 from, Vec2 heading) {
     return std::nullopt;
 }
 
-/// Where on the paddle the ball is sent to a block on the shortest way.
+/// Offset (m) from the paddle's middle with the shortest path to a breakable block.
 std::optional<Real> surestOffset(const Game& game, Real x, Vec2 heading) {
     const Real most = kPaddleHalfWidth - kRimMargin;
     std::optional<Real> best;
@@ -193,19 +193,20 @@ std::optional<Real> surestOffset(const Game& game, Real x, Vec2 heading) {
     return best;
 }
 
-/// As far as that to either side, the same for a while.
+/// Random offset within -most..most (m), constant for kAimTicks.
 Real someOffset(const Game& game, Real most) {
     Generator chance(mixKeys(game.seed(), game.ticks() / kAimTicks, 7));
     return chance.between(-most, most);
 }
 
-/// Now and then it aims as if nothing had failed yet: what moves or bends paths may do the rest.
+/// True in a quarter of the intervals of kAimTicks: then surestOffset() is not used, because moving
+/// bodies or bent paths may give a hit that it does not predict.
 bool wantsLuck(const Game& game) {
     Generator chance(mixKeys(game.seed(), game.ticks() / kAimTicks, 11));
     return chance.below(4) == 0;
 }
 
-/// Where the paddle's middle should be when the ball comes, to aim.
+/// x (m) of the paddle's middle that sends the ball to the target.
 Real placeFor(const Game& game, const Ball& ball, const Arrival& arrival) {
     const std::optional<Vec2> goal = aim(game, {arrival.x, meetingHeight(0)});
     if (!goal) {
@@ -222,12 +223,12 @@ Real placeFor(const Game& game, const Ball& ball, const Arrival& arrival) {
     return (refined ? refined->x : arrival.x) - offset;
 }
 
-/// Worth to be caught? What is mixed is left alone, but for what makes the paddle wider.
+/// True if a part is worth catching: good powers, and Weld because it widens the paddle.
 bool isWanted(Power power) {
     return moodOf(power) == Mood::Good || power == Power::Weld;
 }
 
-/// Where to be for a part that can be caught before the ball comes.
+/// x (m) at which a part can be caught before the ball arrives.
 std::optional<Real> partToCatch(const Game& game, Real secondsLeft) {
     for (const Part& part : game.parts()) {
         const kodo::BodyView body = game.world()[part.body];
@@ -248,8 +249,8 @@ std::optional<Real> partToCatch(const Game& game, Real secondsLeft) {
     return std::nullopt;
 }
 
-/// When nothing has been struck for a while: tear a block off, or draw a ball that is of no use up
-/// there. Not while a ball comes down that it has aimed at.
+/// Force of Good when nothing was damaged for a while. It tears a block off while no ball arrives,
+/// or pulls a high ball whose path does not hit a block.
 Force forceFor(const Game& game) {
     if (game.patience() == Patience::Calm) {
         return Force::None;
@@ -326,7 +327,7 @@ Input bot(const Game& game, BotKind kind) {
         return erraticBot(game);
     }
     const Ball* next = nullptr;
-    Arrival first{0, 2}; // nothing comes within two seconds
+    Arrival first{0, 2}; // default: no arrival within 2 s
     Real place = 0;
     for (const Ball& ball : game.balls()) {
         const std::optional<Arrival> arrival = arrivalOf(game, ball);
@@ -341,7 +342,7 @@ Input bot(const Game& game, BotKind kind) {
                     ? first.x - someOffset(game, kPaddleHalfWidth - kRimMargin)
                     : first.x;
     } else if (!game.balls().empty() && !game.serving()) {
-        place = game.world()[game.balls()[0].body].position().x / 2; // half way, to be near
+        place = game.world()[game.balls()[0].body].position().x / 2; // half of its x, to stay near
         const Block* tired = game.patience() == Patience::Calm ? nullptr : game.nextToFall();
         if (kind == BotKind::Good && tired != nullptr) {
             place = game.world()[tired->body].position().x; // there its pull is strongest

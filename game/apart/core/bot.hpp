@@ -9,8 +9,8 @@
 
 namespace apart {
 
-/// Where and when a ball that flies down will reach the height of the dome, bouncing off the side
-/// walls alone.
+/// Place and time at which a descending ball reaches the height of the dome. Only bounces off the
+/// side walls are considered.
 struct Arrival {
     kodo::Real x = 0;       // m
     kodo::Real seconds = 0; // from now
@@ -19,17 +19,17 @@ struct Arrival {
 std::optional<Arrival> arrivalOf(const Game& game, const Ball& ball);
 
 enum class BotKind : std::uint8_t {
-    Good,    // meets the ball with the spot of the dome that sends it to a block
-    Lazy,    // goes where the ball comes down, and no farther: always the middle of the dome
-    Random,  // meets it anywhere on the dome
-    Clumsy,  // plays by keys, looks late and misses now and then: tells how hard a level is
-    Erratic, // good, but jumps about and presses every button
+    Good,    // aims: meets the ball where the dome sends it to a block
+    Lazy,    // meets the ball with the middle of the dome
+    Random,  // meets the ball with a random point of the dome
+    Clumsy,  // uses keys, reacts late, misses at times: measures the difficulty of a level
+    Erratic, // as Good, with random moves and buttons
 };
 inline constexpr std::array<std::string_view, 5> kBotNames = {"good", "lazy", "random", "clumsy",
                                                               "erratic"};
 
-/// A player: a function of the game as it is. It meets the ball that comes first and serves at
-/// once. The good one also catches parts when there is time, unless they do harm.
+/// Input of a bot, a function of the current state. It meets the ball that arrives first and serves
+/// at once. Good also catches parts that do no harm, if time allows.
 Input bot(const Game& game, BotKind kind = BotKind::Good);
 
 } // namespace apart

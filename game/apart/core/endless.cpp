@@ -12,11 +12,11 @@ namespace apart {
 
 namespace {
 
-constexpr int kHalf = kColumns / 2;    // levels mirror left and right: columns 0..7 from the middle
-constexpr int kFewest = 24;            // blocks that can break, not to be over at once
-constexpr std::uint32_t kHardest = 24; // from this number on it gets no harder
+constexpr int kHalf = kColumns / 2;    // levels are symmetric: columns 0..7 from the middle
+constexpr int kFewest = 24;            // least number of breakable blocks
+constexpr std::uint32_t kHardest = 24; // largest hardness; level n has n - 1
 
-/// What the generator builds in: one value for each cell, `kEmpty` or an index into the kinds.
+/// Grid under construction: for each cell kEmpty or an index into Level::kinds.
 constexpr std::uint8_t kEmpty = 255;
 using Grid = std::array<std::uint8_t, static_cast<std::size_t>(kColumns* kMostRows)>;
 
@@ -24,7 +24,7 @@ std::size_t indexOf(int row, int column) {
     return static_cast<std::size_t>(row * kColumns + column);
 }
 
-/// How a family of levels fills its rows; `from` is how far a cell is from the middle column.
+/// A family of levels. fills() selects cells; `from` is the distance from the middle column.
 struct Family {
     std::string_view noun;
     std::string_view idea; // true of all levels of the family
@@ -57,7 +57,7 @@ constexpr std::array<Family, 8> kFamilies = {{
 constexpr std::array<std::string_view, 8> kAdjectives = {
     "Quiet", "Crooked", "Brittle", "Drowned", "Winter", "Hollow", "Sunken", "Forgotten"};
 
-// The first three are there from the beginning, the next six soon, and then those that do harm.
+// The first 3 from hardness 0, the first 9 from hardness 2, all from hardness 5.
 constexpr std::array<Power, 12> kPowers = {
     Power::Weld,  Power::Launch, Power::Split, Power::Heavy,    Power::Magnet, Power::Spring,
     Power::Wings, Power::Rough,  Power::Well,  Power::Lopsided, Power::Egg,    Power::Wind};
@@ -121,7 +121,7 @@ private:
 
     static std::uint8_t kindOf(Stuff stuff) { return static_cast<std::uint8_t>(stuff); }
 
-    /// Both sides alike.
+    /// Sets the cells at distance `from` on both sides.
     void set(int row, int from, std::uint8_t kind) {
         grid_[indexOf(row, kHalf - from)] = kind;
         grid_[indexOf(row, kHalf + from)] = kind;
@@ -143,7 +143,7 @@ private:
         top_ = 1 + static_cast<int>(chance_.below(2));
         rows_ = 6 + static_cast<int>(chance_.below(3) + hardness_ / 8);
         const int period = 3 + static_cast<int>(chance_.below(2));
-        const bool byRow = chance_.below(2) == 0; // else one stuff for each distance
+        const bool byRow = chance_.below(2) == 0; // otherwise by distance from the middle
         std::array<Stuff, kMostRows> stuffs{};
         for (Stuff& stuff : stuffs) {
             stuff = someStuff();
@@ -166,7 +166,7 @@ private:
         }
     }
 
-    /// A cell of the pattern, on its right half; nothing when chance does not meet one.
+    /// A random breakable cell without power, in the right half; nullptr after 20 attempts.
     std::uint8_t* someCell(int& row, int& from) {
         for (int attempt = 0; attempt < 20; ++attempt) {
             row = top_ + static_cast<int>(chance_.below(static_cast<std::uint32_t>(rows_)));
@@ -190,8 +190,8 @@ private:
         }
     }
 
-    /// A ball is smaller than a cell, so it comes wherever a way leads from cell to cell through
-    /// what is not steel. Where none does, the steel becomes stone.
+    /// Replaces all steel by stone if a block cannot be reached. A ball is smaller than a cell, so
+    /// it reaches every cell that is connected to the bottom row by cells without steel.
     void openWhatIsShut() {
         std::array<bool, static_cast<std::size_t>(kColumns * kMostRows)> reached{};
         std::vector<std::pair<int, int>> open;
@@ -242,7 +242,7 @@ private:
         }
     }
 
-    /// Something of another kind below it all, with an empty row above it.
+    /// Adds hanging blocks, obstructions or wind. Bodies lie below the pattern and an empty row.
     void placeAnnex() {
         const int row = top_ + rows_ + 1;
         const std::uint32_t choices = hardness_ < 3 ? 1 : hardness_ < 7 ? 4 : 6;
@@ -310,7 +310,7 @@ private:
     int rows_ = 0;
 };
 
-/// The whole number that a word is, from `least` to `most`.
+/// Parses an integer from `least` to `most`.
 std::optional<std::uint32_t> numberIn(std::string_view word, std::uint32_t least,
                                       std::uint32_t most) {
     const std::optional<std::int64_t> value = toNumber(word);

@@ -10,11 +10,11 @@
 
 namespace apart {
 
-/// Names one of the levels that nobody drew: written endless:SEED:NUMBER. The same name is the same
-/// level on every machine, so a replay needs no more than it.
+/// Name of a generated level, written endless:SEED:NUMBER. The same name gives the same level on
+/// every machine, so a replay stores only the name.
 struct EndlessName {
     std::uint32_t seed = 1;
-    std::uint32_t number = 1; // from 1; they get harder
+    std::uint32_t number = 1; // from 1; the difficulty rises with it
 
     std::string text() const;
     friend bool operator==(const EndlessName&, const EndlessName&) = default;
@@ -22,10 +22,10 @@ struct EndlessName {
 
 inline constexpr std::uint32_t kMostEndless = 999999; // the highest number
 
-/// Of endless:SEED:NUMBER; of endless:SEED and endless too, which mean the first.
+/// Parses endless:SEED:NUMBER, endless:SEED or endless; missing values are 1.
 std::optional<EndlessName> parseEndless(std::string_view name);
 
-/// Every block of it can be reached, and a good player can win it.
+/// Generates the level. Every block can be reached, and a good player can win.
 Level endlessLevel(const EndlessName& name);
 
 } // namespace apart

@@ -11,7 +11,7 @@
 
 namespace apart {
 
-/// What a body is to the game: one user flag each, so `roleOf(world[id].flags())` tells it.
+/// Role of a body in the game, one user flag each: roleOf(world[id].flags()).
 enum class Role : std::uint16_t {
     Wall = 1,
     Paddle = 2,
@@ -28,10 +28,10 @@ constexpr Role roleOf(kodo::Flags flags) {
     return static_cast<Role>(flags & 0xbf);
 }
 
-// What happened in one tick, in the order in which it was judged. Places in m, world; impulses in
-// N s. A body that an event names may be gone already.
+// Events of one tick, in the order of evaluation. Points are in m, world; impulses in N s. A body
+// named by an event may already be removed.
 
-/// A ball hit something. Blocks say more in Cracked or Broke.
+/// A ball hit a body. For a breakable block Cracked or Broke follows.
 struct Struck {
     kodo::BodyId ball;
     kodo::BodyId other;
@@ -41,16 +41,16 @@ struct Struck {
     kodo::Vec2 normal; // unit, towards the ball
     kodo::Real impulse = 0;
 };
-/// A block was hit and holds.
+/// A block was damaged without breaking.
 struct Cracked {
     kodo::BodyId block;
-    std::uint32_t key = 0; // Block::key, its name for life
+    std::uint32_t key = 0; // Block::key
     Stuff stuff = Stuff::Brick;
     kodo::Vec2 point;
     kodo::Real impulse = 0;
     kodo::Real strengthLeft = 0; // share of the full strength, 0..1
 };
-/// A block came apart.
+/// A block broke.
 struct Broke {
     kodo::BodyId block;
     std::uint32_t key = 0; // Block::key
@@ -58,58 +58,58 @@ struct Broke {
     Power power = Power::None;
     kodo::Vec2 point;       // of the impact
     kodo::Vec2 center;      // of the block
-    kodo::Real impulse = 0; // of the blow
+    kodo::Real impulse = 0; // of the impact
     int shards = 0;
-    int combo = 0;  // blocks broken since a ball last met the paddle, this one included
+    int combo = 0;  // blocks broken since the last paddle hit, including this one
     int points = 0; // added to the score
 };
-/// A block let its part go.
+/// A broken block released its part.
 struct Released {
     kodo::BodyId part;
     Power power = Power::Weld;
     kodo::Vec2 point;
 };
-/// A part met the paddle. Welded, Stuck or PowerBegan follows.
+/// A part was caught by the paddle. Welded, Stuck or PowerBegan follows.
 struct Caught {
     kodo::BodyId part;
     Power power = Power::Weld;
     kodo::Vec2 point;
     kodo::Real impulse = 0;
 };
-/// A part is now one with the paddle.
+/// A part was welded to the paddle.
 struct Welded {
     kodo::Vec2 point;
-    kodo::Real mass = 0; // kg, of the paddle with it
+    kodo::Real mass = 0; // kg, of the paddle including the part
     int parts = 0;       // parts on the paddle
 };
-/// A welded part came off: blows had worn its weld away. It is a shard now.
+/// A welded part came off, because impacts used up the strength of its weld. It is now a shard.
 struct KnockedOff {
     kodo::BodyId shard;
     kodo::Vec2 point;
-    kodo::Real impulse = 0; // of the last blow
+    kodo::Real impulse = 0; // of the last impact
     int parts = 0;          // parts left on the paddle
 };
-/// A part sticks to the paddle, and counts down to its launch.
+/// A part sticks to the paddle until its launch.
 struct Stuck {
     kodo::BodyId part;
     kodo::Vec2 point;
 };
-/// A stuck part fired.
+/// A stuck part was launched.
 struct Launched {
     kodo::BodyId part;
     kodo::Vec2 point;
 };
-/// A launched part ended: on steel, or out of sight.
+/// A launched part was removed: it hit steel or left the field.
 struct Spent {
     kodo::Vec2 point;
     bool onSteel = false;
 };
-/// A block came apart into balls.
+/// A block broke into balls.
 struct BallSplit {
     kodo::Vec2 point;
-    int balls = 0; // new ones
+    int balls = 0; // number of new balls
 };
-/// A ball left the paddle.
+/// A ball was served.
 struct Served {
     kodo::BodyId ball;
     kodo::Vec2 point;
@@ -128,12 +128,12 @@ struct LifeLost {
 struct Cleared {
     int score = 0;
 };
-/// No life is left.
+/// No life is left: lost.
 struct Lost {
     int score = 0;
 };
 
-/// A shard broke again.
+/// A shard broke.
 struct ShardBroke {
     kodo::BodyId shard;
     Stuff stuff = Stuff::Brick;
@@ -141,16 +141,16 @@ struct ShardBroke {
     kodo::Real impulse = 0;
     int pieces = 0;
 };
-/// A block is Hold::Loose from now on.
+/// A block became Hold::Loose.
 struct LetGo {
     enum class Why : std::uint8_t { Fatigue, BrokeOff, Unsupported, Torn };
-    kodo::BodyId block;    // the loose one; a part of a boss had no body of its own before
+    kodo::BodyId block;    // new if the block was part of a boss
     std::uint32_t key = 0; // Block::key
     Stuff stuff = Stuff::Brick;
-    kodo::Vec2 point; // its middle
+    kodo::Vec2 point; // its centre
     Why why = Why::Fatigue;
 };
-/// A loose block left the field, and counts as cleared.
+/// A loose block left the field and counts as cleared.
 struct Fell {
     Stuff stuff = Stuff::Brick;
     kodo::Vec2 point;
@@ -167,7 +167,7 @@ struct Bumped {
     kodo::Vec2 point;
     kodo::Vec2 normal; // unit, towards the body
 };
-/// A caught power works from now on, or for longer than it would have.
+/// A caught power became active, or its time was extended.
 struct PowerBegan {
     Power power = Power::None;
     kodo::Vec2 point;
@@ -176,31 +176,31 @@ struct PowerBegan {
 struct PowerEnded {
     Power power = Power::None;
 };
-/// A ball is of another kind now, and another body.
+/// A ball changed its kind; its body was replaced.
 struct BallChanged {
     kodo::BodyId before;
     kodo::BodyId now;
     BallKind kind = BallKind::Round;
 };
-/// With Power::Spring: the paddle leapt.
+/// The paddle leapt, with Power::Spring.
 struct Leapt {
     kodo::Vec2 point;
 };
-/// The paddle's field begins, turns round or ends (None).
+/// The force field of the paddle started, reversed or ended (None).
 struct ForceChanged {
     Force force = Force::None;
 };
-/// A shard was drawn into the paddle and fed the meter.
+/// A shard was pulled into the paddle and added to the meter.
 struct ShardCaught {
     Stuff stuff = Stuff::Brick;
     kodo::Vec2 point;
     kodo::Real meter = 0; // 0..1, after it
 };
-/// The progress clock entered another stage, or fell back to Calm.
+/// The progress clock entered another stage.
 struct PatienceChanged {
     Patience patience = Patience::Calm;
 };
-/// A ball came to the paddle in the same way once too often; the progress clock was moved on.
+/// A ball repeated similar paddle hits kLoopTimes; the progress clock was advanced.
 struct LoopSeen {
     kodo::BodyId ball;
 };

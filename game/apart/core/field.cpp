@@ -15,16 +15,17 @@ using kodo::Vec2;
 
 namespace {
 
-// How much the part of a block is wider above than in its middle, as a share of its height.
+// Lean of the cuts around the part of a block, see cutOutMiddle().
 constexpr Real kWeldLean = Real(0.4);    // a keystone
 constexpr Real kLaunchLean = Real(-0.4); // an arrowhead
-constexpr Real kMoodLean = Real(0.2);    // good ones are wider above, bad ones below
+constexpr Real kMoodLean = Real(0.2);    // good powers are wider at the top, bad ones at the bottom
 
 kodo::BodyDef wallDef(Real width, Real height, Vec2 center) {
     return {.shape = Box{width, height},
             .position = center,
             .material = kodo::withFriction(Real(0.3), 1),
-            .flags = kodo::kLocked | flagsOf(Role::Wall)};
+            .type = kodo::BodyType::Static,
+            .flags = flagsOf(Role::Wall)};
 }
 
 Piece polygonPiece(kodo::Polygon polygon, Real density, Role role) {
@@ -85,14 +86,15 @@ kodo::BodyDef paddleDef(Real x) {
             .position = {x, kPaddleY},
             .material = kPaddleMaterial,
             .density = kPaddleDensity,
-            .flags = kodo::kLocked | flagsOf(Role::Paddle)};
+            .type = kodo::BodyType::Kinematic,
+            .flags = flagsOf(Role::Paddle)};
 }
 
 std::array<kodo::Polygon, 2> wingShapes() {
     const kodo::Polygon right{
         {{Real(1.9), Real(-0.25)}, {3, Real(0.45)}, {Real(2.85), Real(0.65)}, {Real(1.9), 0}}};
     kodo::Polygon left;
-    for (std::size_t i = right.corners.size(); i-- > 0;) { // mirrored, so the other way round
+    for (std::size_t i = right.corners.size(); i-- > 0;) { // mirrored, so in reverse order
         left.corners.push_back({-right.corners[i].x, right.corners[i].y});
     }
     return {left, right};
@@ -122,7 +124,8 @@ kodo::BodyDef blockDef(const BlockKind& kind, Vec2 center) {
             .position = center,
             .material = kBlockMaterial,
             .density = mass / (kCellWidth * kCellHeight),
-            .flags = kodo::kLocked | flagsOf(Role::Block)};
+            .type = kodo::BodyType::Kinematic,
+            .flags = flagsOf(Role::Block)};
 }
 
 Real densityOf(const BlockKind& kind) {

@@ -10,9 +10,9 @@
 
 namespace apart {
 
-/// What the things of the game are made of, as definitions of bodies.
+// Body definitions of the objects of the game.
 
-// A further user flag, of what falls.
+// User flag of bodies that gravity acts on.
 inline constexpr kodo::Flags kFalls = 64;
 
 std::array<kodo::BodyDef, 3> wallDefs(); // left, right, top
@@ -20,22 +20,22 @@ kodo::BodyDef paddleDef(kodo::Real x);
 /// The plates of Power::Wings, in the frame of the paddle: left, right.
 std::array<kodo::Polygon, 2> wingShapes();
 
-/// A ball about `position`, the middle of its outline; that of its mass may lie beside it.
+/// Adds a ball. `position` is the origin of its shape; its centre of mass may differ.
 kodo::BodyId addBall(kodo::World& world, kodo::Vec2 position, BallKind kind);
-/// From the middle of a ball's outline to its farthest point (m).
+/// Bounding radius (m) of a ball about the origin of its shape.
 kodo::Real reachOf(BallKind kind);
 
-/// So far outside the field that it has left it for good?
+/// True if `place` is so far outside the field that nothing returns from it.
 bool isGone(kodo::Vec2 place);
 
 kodo::Vec2 centerOf(const Cell& cell);
-/// A block weighs what its pieces will.
+/// The mass of a block is the sum of the masses of its pieces.
 kodo::BodyDef blockDef(const BlockKind& kind, kodo::Vec2 center);
-/// How many kg a square metre of a block weighs.
+/// Density (kg/m^2) of the material of a block.
 kodo::Real densityOf(const BlockKind& kind);
-/// Limits for the shards of a whole block, and for theirs.
+/// Limits for all shards, also for those of broken shards.
 PieceLimits shardLimits();
-/// Of a shard with this area (m^2), in N s.
+/// Strength (N s) of a shard with this area (m^2).
 kodo::Real shardStrength(Stuff stuff, kodo::Real area);
 
 /// A piece of a broken block, in the frame of the block.
@@ -45,13 +45,13 @@ struct Piece {
     Role role = Role::Shard; // Shard, Part or Ball
     kodo::Mass mass;         // of shape and density
 };
-/// All pieces of a block of this kind after a blow at `hit`. Their masses add up to the block's.
+/// All pieces of a block after an impact at `hit`. Their masses sum to that of the block.
 std::vector<Piece> piecesOf(const BlockKind& kind, kodo::Vec2 hit, std::uint64_t key);
 
-/// Of a Shard or Part; `frame` is that of the block.
+/// Body of a Shard or Part; `frame` is that of the block.
 kodo::BodyDef pieceDef(const Piece& piece, const PieceMotion& motion, const kodo::Transform& frame);
 
-// What stands in the way. A motor's bar turns about a pivot, a body of its own.
+// Obstructions. The bar of a motor turns about a pivot, a separate body.
 kodo::BodyDef obstructionDef(const ObstructionDef& def);
 kodo::BodyDef pinDef(kodo::Vec2 place);
 kodo::BodyDef pivotDef(kodo::Vec2 place);

@@ -13,7 +13,7 @@ using kodo::Vec2;
 
 namespace {
 
-// Corners closer than this (m) become one: so near, rounding decides which way an edge points.
+// Corners closer than this (m) are merged: rounding would decide the direction of their edge.
 constexpr Real kSameCorner = Real(2e-5);
 
 Polygon withoutTwins(const Polygon& polygon) {

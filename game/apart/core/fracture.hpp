@@ -11,13 +11,13 @@
 
 namespace apart {
 
-/// How a convex polygon comes apart. Everything here works in the frame of the whole, is a function
-/// of its arguments alone, and gives convex pieces that cover the whole without overlap.
+// Fracture of convex polygons. All functions are pure and work in the frame of the whole polygon.
+// The pieces are convex and cover the whole without overlap.
 
-/// No piece is smaller than this.
+/// Lower limits of the size of a piece.
 struct PieceLimits {
     kodo::Real area = 0;  // m^2
-    kodo::Real width = 0; // m; between the closest two parallel lines that hold the piece
+    kodo::Real width = 0; // m; see widthOf()
 };
 
 /// A straight line: the points p with dot(normal, p) == offset.
@@ -25,43 +25,43 @@ struct Line {
     kodo::Vec2 normal; // unit
     kodo::Real offset = 0;
 
-    /// Behind it, where clipped() keeps, lies what is on the left on the way.
+    /// The side left of `direction` is the one that clipped() keeps.
     static Line through(kodo::Vec2 point, kodo::Vec2 direction);
     Line flipped() const { return {-normal, -offset}; }
 };
 
 kodo::Real areaOf(const kodo::Polygon& polygon);
-/// Distance of the closest two parallel lines that hold the polygon.
+/// Smallest distance (m) of two parallel lines that enclose the polygon.
 kodo::Real widthOf(const kodo::Polygon& polygon);
-kodo::Polygon rectangle(kodo::Real width, kodo::Real height); // about the origin
+kodo::Polygon rectangle(kodo::Real width, kodo::Real height); // centred at the origin
 
-/// The part of the polygon with dot(normal, p) <= offset; no corners if there is none.
+/// The part of the polygon with dot(normal, p) <= offset; no corners if it is empty.
 kodo::Polygon clipped(const kodo::Polygon& polygon, const Line& line);
 
-/// The pieces of `whole` after a blow at `hit`: two or more, or `whole` alone if it is too small to
-/// break. All are within the limits. The same key gives the same pieces.
+/// The pieces of `whole` after an impact at `hit`: at least two, or `whole` alone if it is too
+/// small to break. All pieces are within the limits. The same key gives the same pieces.
 std::vector<kodo::Polygon> fracture(const kodo::Polygon& whole, kodo::Vec2 hit, Pattern pattern,
                                     const PieceLimits& limits, std::uint64_t key);
 
-/// A rectangle cut by two slanted lines into its middle (first) and its sides. Positive lean: the
-/// middle is wider above; a share of the height.
+/// A rectangle cut by two slanted lines into its middle (first) and its two sides. `lean` is the
+/// slope dx/dy of the right line; if positive, the middle is wider at the top.
 std::vector<kodo::Polygon> cutOutMiddle(kodo::Real width, kodo::Real height, kodo::Real lean);
 
-/// How a piece starts.
+/// Initial velocity of a piece.
 struct PieceMotion {
     kodo::Vec2 velocity;
     kodo::Real spin = 0; // rad/s
 };
 
-/// What of a blow (N s) reaches the pieces. The mount of a block takes as much as it can bear, its
-/// strength, and all that would make the pieces faster than kShardSpeed:
+/// The share of an impact impulse `blow` (N s) that the pieces receive. The mount of the block
+/// takes the rest: its strength, and all that would make the pieces faster than kShardSpeed.
 ///
-///   impulse of the blow = mount + pieces,   0 <= pieces <= min(blow - strength, mass kShardSpeed)
+///   blow = mount + pieces,   |pieces| = max(0, min(|blow| - strength, mass kShardSpeed))
 kodo::Vec2 impulseOnPieces(kodo::Vec2 blow, kodo::Real strength, kodo::Real mass);
 
-/// Motion of pieces with these masses after an impulse at `hit`: that of the whole, as a rigid body
-/// would take the impulse, and outward kicks of `burst` m/s without net momentum or angular
-/// momentum. So the sums over the pieces are those of the impulse: P, and hit x P.
+/// Velocities of pieces with these masses after an impulse P (N s) at `hit`: the response of the
+/// whole as a rigid body, plus outward kicks of `burst` m/s. The kicks have no net momentum and no
+/// net angular momentum, so the sums over the pieces are P and hit x P.
 std::vector<PieceMotion> motionOfPieces(std::span<const kodo::Mass> pieces, kodo::Vec2 hit,
                                         kodo::Vec2 impulse, kodo::Real burst);
 

@@ -3,7 +3,7 @@
 #include <apart/core/game.hpp>
 #include <apart/core/paddle.hpp>
 #include <apart/core/tuning.hpp>
-#include <kodo/base/hash.hpp>
+#include <kodo/state_hash.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ using kodo::Vec2;
 
 namespace {
 
-// A ball that rides keeps this far off the paddle (m), so that they do not touch.
+// Gap (m) between the paddle and a riding ball, so that they do not touch.
 constexpr Real kRideGap = Real(0.05);
 
 Vec2 rideOffset(BallKind kind) {
@@ -58,7 +58,7 @@ void Game::newServe() {
     serveHeading_ = normalize(Vec2{chance.below(2) == 0 ? slope : -slope, 1});
     const BallKind kind = ballKind();
     const BodyId ball = addBall(world_, world_[paddle_].position() + rideOffset(kind), kind);
-    world_[ball].setFlags(flagsOf(Role::Ball) | kodo::kLocked);
+    world_[ball].setType(kodo::BodyType::Kinematic);
     balls_.push_back({ball, serveHeading_, true, kind});
 }
 
@@ -68,7 +68,7 @@ void Game::serve() {
             ball.riding = false;
             ball.heading = serveHeading_;
             kodo::BodyRef body = world_[ball.body];
-            body.setFlags(flagsOf(Role::Ball));
+            body.setType(kodo::BodyType::Dynamic);
             body.setVelocity(ballSpeed() * serveHeading_);
             events_.emplace_back(Served{ball.body, body.position(), serveHeading_});
         }
@@ -108,7 +108,7 @@ void Game::steer(const Input& input) {
     sway_ = swayed(sway_, paddleKind());
     paddleSpeed_ = drivenSpeed(input, position.x, paddleSpeed_, paddle.mass());
 
-    // Whatever is welded to it must stay inside the field too.
+    // Welded parts must stay inside the field too.
     const kodo::Aabb bounds = paddle.bounds();
     const Real roomLeft = std::min(-kFieldWidth / 2 - bounds.lower.x, Real(0));
     const Real roomRight = std::max(kFieldWidth / 2 - bounds.upper.x, Real(0));
@@ -136,14 +136,15 @@ void Game::fireParts() {
         if (part.state == PartState::Stuck && tick_ - part.sinceTick >= kStickTicks) {
             part.state = PartState::Launched;
             part.sinceTick = tick_;
-            // It meets blocks alone from now on: neither what it flies through nor the top wall.
+            // From now on it collides with blocks only, not with other bodies or the top wall.
+            body.setType(kodo::BodyType::Dynamic);
             body.setFlags(flagsOf(Role::Part) | kodo::kLockRotate | kodo::kMatchAny);
             body.setRequired(static_cast<std::uint16_t>(flagsOf(Role::Block)));
             body.setMaterial(kodo::withFriction(0, 0));
             body.setAngularVelocity(0);
             events_.emplace_back(Launched{part.body, body.position()});
         }
-        if (part.state == PartState::Launched) { // its drive makes up for what blows take
+        if (part.state == PartState::Launched) { // the drive restores the speed lost in impacts
             drive(body, {0, kLaunchSpeed}, ledger_.kickWork);
         }
     }
@@ -165,7 +166,7 @@ void Game::conclude() {
         events_.emplace_back(Cleared{score_});
     } else if (balls_.empty()) {
         --lives_;
-        combo_ = 0; // it was of the balls that are gone
+        combo_ = 0; // a combo ends with the last ball
         events_.emplace_back(LifeLost{lives_});
         if (lives_ == 0) {
             result_ = Result::Lost;

@@ -23,59 +23,59 @@ namespace apart {
 enum class Result : std::uint8_t { Playing, Won, Lost };
 inline constexpr std::array<std::string_view, 3> kResultNames = {"playing", "won", "lost"};
 
-/// The whole of aPart without a screen: a function of level, seed and inputs. A value: a copy is a
-/// snapshot, and both go on alike.
+/// The rules of aPart without a screen: a function of level, seed and inputs. A Game is a value: a
+/// copy is a snapshot that continues identically.
 ///
-/// The field is kFieldWidth by kFieldHeight (tuning.hpp), x from -width/2 to width/2, y from 0 up;
-/// 4 to 3, so that a 16 to 10 window has room for the score beside it.
+/// The field is kFieldWidth by kFieldHeight (tuning.hpp): x from -width/2 to width/2, y from 0 up.
+/// Its ratio is 4 to 3, which leaves room for the score in a 16 to 10 window.
 class Game {
 public:
     Game(std::shared_ptr<const Level> level, std::uint32_t seed, Mode mode = Mode::Standard);
     Game(const Level& level, std::uint32_t seed, Mode mode = Mode::Standard);
 
-    /// One step of kTickSeconds. After the end of the game things still move, but nothing counts.
+    /// Advances by kTickSeconds. After the end bodies still move, but nothing is scored.
     void tick(const Input& input);
-    /// What happened in the last tick.
+    /// Events of the last tick.
     std::span<const Event> events() const { return events_; }
 
     Result result() const { return result_; }
     std::uint32_t ticks() const { return tick_; }
     std::int32_t score() const { return score_; }
-    std::int32_t lives() const { return lives_; } // the one in play included
-    std::int32_t combo() const { return combo_; } // blocks broken since the paddle was last met
-    std::int32_t blocksLeft() const { return blocksLeft_; } // breakable ones, loose ones included
+    std::int32_t lives() const { return lives_; } // including the one in play
+    std::int32_t combo() const { return combo_; } // blocks broken since the last paddle hit
+    std::int32_t blocksLeft() const { return blocksLeft_; } // breakable, including loose ones
     std::int32_t blocksAtStart() const { return blocksAtStart_; }
 
     const Level& level() const { return *level_; }
     std::uint32_t seed() const { return seed_; }
     Mode mode() const { return mode_; }
 
-    // The paddle's field of force.
+    // Force field of the paddle.
     kodo::Real meter() const { return meter_; } // 0..1
-    Force force() const { return force_; }      // that acts; None when the meter is empty
+    Force force() const { return force_; }      // active one; None when the meter is empty
 
-    // Powers that were caught and last for a while.
+    // Timed powers.
     std::span<const Effect> effects() const { return effects_; }
-    kodo::Real secondsLeft(Power power) const; // 0: it does not work
+    kodo::Real secondsLeft(Power power) const; // 0: not active
     BallKind ballKind() const;                 // of all balls in play
     PaddleKind paddleKind() const;
     const Sway& sway() const { return sway_; }
-    kodo::Real windSpeed() const; // m/s, to the right; of level and effect together
+    kodo::Real windSpeed() const; // m/s, to the right; level and effects together
 
-    // How long nothing has been damaged.
+    // Time without damage to a block.
     Patience patience() const { return clock_.patience(); }
-    kodo::Real idleSeconds() const;  // by the clock of the mounts, which hurries at the end
-    const Block* nextToFall() const; // the one whose mount gives way next; nullptr: none
-    bool tears() const;              // a pull is at it
-    kodo::Real tornShare() const;    // 0..1, how far a pull has got with it
+    kodo::Real idleSeconds() const;  // of the progress clock, which runs faster at the end
+    const Block* nextToFall() const; // its mount fails next; nullptr: none
+    bool tears() const;              // a pull acts on nextToFall()
+    kodo::Real tornShare() const;    // 0..1, progress of that pull
     const Ledger& ledger() const { return ledger_; }
 
-    // To be drawn. Shapes and places: world()[body].part(i).convex under world()[body].placement().
+    // For drawing: world()[body].part(i).convex under world()[body].massFrame().
     const kodo::World& world() const { return world_; }
     std::span<const kodo::BodyId> walls() const { return walls_; }
-    /// Part 0 of its body is the paddle itself, the others are welded to it.
+    /// Part 0 of its body is the bare paddle; further parts are welded to it.
     kodo::BodyId paddle() const { return paddle_; }
-    /// By part of the paddle's body, from part 1 on.
+    /// Indexed by part of the paddle's body, from part 1.
     std::span<const Weld> welds() const { return welds_; }
     int weldedParts() const { return static_cast<int>(welds_.size()); }
     std::span<const Block> blocks() const { return blocks_; }
@@ -83,24 +83,24 @@ public:
     std::span<const Shard> shards() const { return shards_; }
     std::span<const Part> parts() const { return parts_; }
     std::span<const Obstruction> obstructions() const { return obstructions_; }
-    std::optional<kodo::BodyId> boss() const; // nothing: none, or it is down
+    std::optional<kodo::BodyId> boss() const; // nullopt: none, or defeated
     const Block* findBlock(kodo::BodyId body, std::size_t part = 0) const; // nullptr: none
-    /// The wall, block or obstruction that a ball meets first which flies this way (m).
+    /// First wall, block or obstruction on the straight path of a ball along `way` (m).
     std::optional<kodo::QueryHit> ahead(kodo::Vec2 from, kodo::Vec2 way) const;
-    bool meetsBlock(kodo::Vec2 from, kodo::Vec2 way) const; // first, and one that can break
-    /// Waiting for `launch`?
+    bool meetsBlock(kodo::Vec2 from, kodo::Vec2 way) const; // ahead() is breakable
+    /// True while a ball waits for `launch`.
     bool serving() const;
-    /// Unit; where the ball will go when it is served.
+    /// Unit direction of the next serve.
     kodo::Vec2 serveHeading() const { return serveHeading_; }
-    kodo::Real ballSpeed() const; // m/s that balls are held at just now
+    kodo::Real ballSpeed() const; // m/s; target of the speed servo
 
-    /// Equal for games that will go on alike. The same on every machine.
+    /// Equal for games that continue identically. The same on every machine.
     std::uint64_t stateHash() const;
 
 private:
-    friend struct GameTestAccess; // tests set up situations with it
+    friend struct GameTestAccess; // for tests
 
-    // How it begins.
+    // Setup.
     void buildField();
     void buildBlocks();
     void buildBoss();
@@ -121,10 +121,10 @@ private:
     void steer(const Input& input);
     void driveBoss();
     void fireParts();
-    /// Sets the velocity, and books the energy that it takes.
+    /// Sets the velocity and adds the gained kinetic energy (J) to `work`.
     static void drive(kodo::BodyRef body, kodo::Vec2 velocity, double& work);
 
-    // After it.
+    // After the step.
     struct BossBlow {
         std::uint32_t key = 0;
         kodo::Vec2 point;
@@ -146,7 +146,7 @@ private:
     void knockOff(std::size_t weld);
     Stuff stuffOf(kodo::BodyId body, std::size_t part) const;
 
-    kodo::Transform frameOf(const Block& block) const; // in the middle of the block
+    kodo::Transform frameOf(const Block& block) const; // at the centre of the block
     kodo::BodyId detach(std::size_t index);
     void letGo(std::size_t index, LetGo::Why why);
     void letGoNext(LetGo::Why why);
@@ -167,7 +167,7 @@ private:
     void govern();
     void governBall(Ball& ball);
     bool isRubble(kodo::BodyId body) const;
-    bool canCarry(kodo::BodyId body) const; // the bar of a motor, or a block that swings or fell
+    bool canCarry(kodo::BodyId body) const; // dynamic bar of a motor or block
     void watchProgress();
     void sweepOut();
     void sweepBalls();
@@ -206,13 +206,13 @@ private:
     std::vector<Effect> effects_;
     ProgressClock clock_;
     Patience shownPatience_ = Patience::Calm; // of the last PatienceChanged
-    kodo::Real tornSpeed_ = 0; // m/s that a pull would have given nextToFall() if it did not hold
+    kodo::Real tornSpeed_ = 0; // m/s that the pull would have given a free nextToFall()
     Ledger ledger_;
     kodo::BodyId boss_;
-    kodo::Real bossHome_ = 0; // m, x that it drifts about
+    kodo::Real bossHome_ = 0; // m; x of the middle of its oscillation
     int bossWay_ = 1;         // 1: to the right
     std::vector<Event> events_;
-    // Of this tick alone; empty after it.
+    // Used within one tick and cleared at its end.
     std::vector<BossBlow> bossBlows_;
     bool fieldsStale_ = false;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Blocks that come off what holds them: the boss's parts, and mounts that give way.
+// Blocks that lose their support: parts of the boss, and failing mounts.
 #include <apart/core/field.hpp>
 #include <apart/core/game.hpp>
 #include <apart/core/tuning.hpp>
@@ -15,7 +15,7 @@ using kodo::Vec2;
 
 namespace {
 
-/// Do two cells of the grid share a side?
+/// True if two cells of the grid share a side.
 bool areNeighbours(std::uint32_t a, std::uint32_t b) {
     const std::uint32_t low = std::min(a, b);
     const std::uint32_t high = std::max(a, b);
@@ -30,7 +30,7 @@ kodo::Transform Game::frameOf(const Block& block) const {
     return {frame * block.local, frame.rotation};
 }
 
-/// Gives the block a body of its own.
+/// Gives the block its own body.
 BodyId Game::detach(std::size_t index) {
     Block& block = blocks_[index];
     const BodyId whole = block.body;
@@ -51,10 +51,11 @@ BodyId Game::detach(std::size_t index) {
 void Game::letGo(std::size_t index, LetGo::Why why) {
     const BodyId body = detach(index);
     Block& block = blocks_[index];
+    world_[body].setType(kodo::BodyType::Dynamic);
     world_[body].setFlags(flagsOf(Role::Block) | kFalls);
     world_[body].setMaterial(kLooseMaterial);
     if (world_.contains(block.pin)) {
-        world_.remove(block.pin); // and its joint with it
+        world_.remove(block.pin); // with its joint
     }
     block.pin = {};
     block.hold = Hold::Loose;
@@ -70,13 +71,13 @@ void Game::judgeBoss() {
     if (bossBlows_.empty()) {
         return;
     }
-    std::optional<Vec2> last; // place of what came off last
+    std::optional<Vec2> last; // centre of the block detached last
     for (const BossBlow& blow : bossBlows_) {
         const auto found = std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& block) {
             return block.key == blow.key && block.hold == Hold::Boss;
         });
         if (found == blocks_.end()) {
-            continue; // two balls in one tick
+            continue; // already detached by another ball in this tick
         }
         const auto index = static_cast<std::size_t>(found - blocks_.begin());
         last = frameOf(*found).position;
@@ -97,10 +98,10 @@ void Game::judgeBoss() {
     }
 }
 
-/// After something has come off the boss; `last` is where that was.
+/// Lets go boss blocks without connection to a core. `last`: centre of the block detached last.
 void Game::dropUnsupported(Vec2 last) {
     std::vector<std::size_t> boss;
-    std::vector<std::size_t> held; // a core, or joined to one by its sides
+    std::vector<std::size_t> held; // cores, and blocks connected to one by cell sides
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
         if (blocks_[i].hold == Hold::Boss) {
             (blocks_[i].kind.core ? held : boss).push_back(i);
@@ -133,7 +134,7 @@ const Block* Game::nextToFall() const {
             continue;
         }
         const Real y = frameOf(block).position.y;
-        if (lowest == nullptr || y < height) { // of equals the first of the grid
+        if (lowest == nullptr || y < height) { // ties: the first in grid order
             lowest = &block;
             height = y;
         }
@@ -142,7 +143,7 @@ const Block* Game::nextToFall() const {
 }
 
 void Game::letGoNext(LetGo::Why why) {
-    tornSpeed_ = 0; // of this block alone
+    tornSpeed_ = 0; // it belongs to one block
     const Block* block = nextToFall();
     if (block == nullptr) {
         return;
@@ -161,7 +162,7 @@ void Game::watchProgress() {
         letGoNext(LetGo::Why::Fatigue);
     } else if (tornSpeed_ >= kTornSpeed) {
         letGoNext(LetGo::Why::Torn);
-        clock_.progress(); // the player's deed
+        clock_.progress(); // counts as damage by the player
     }
     if (patience() == Patience::Calm) {
         tornSpeed_ = 0;
@@ -190,7 +191,7 @@ void Game::sweepBlocks() {
         const Vec2 place = frameOf(block).position;
         if (!isGone(place)) {
             const bool old = tick_ - block.looseTick > kLooseTicks;
-            if (old && result_ == Result::Playing) { // after the end nothing counts
+            if (old && result_ == Result::Playing) { // after the end nothing is scored
                 breakBlock(i, place, {});
             } else {
                 ++i;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The paddle's field and its magnet: what they give to bodies they take from the paddle.
+// Force field and magnet of the paddle. The paddle receives the opposite impulse.
 #include <apart/core/field.hpp>
 #include <apart/core/game.hpp>
 #include <apart/core/tuning.hpp>
@@ -14,7 +14,7 @@ using kodo::Vec2;
 
 void Game::useForce(const Input& input) {
     const bool wanted = input.force != Force::None && result_ == Result::Playing;
-    // Once empty, it must fill a little, or it would flicker.
+    // Hysteresis: a field that started at an almost empty meter would flicker.
     const bool enough = input.force == force_ ? meter_ > 0 : meter_ >= kMeterStart;
     const Force next = wanted && enough ? input.force : Force::None;
     if (next != force_) {
@@ -93,8 +93,8 @@ bool Game::tears() const {
            nextToFall() != nullptr;
 }
 
-/// The pull at the mount that gives way next, now that it is tired: it holds until its block would
-/// be kTornSpeed fast. The impulse (N s) that the mount took.
+/// One tick of the pull on the mount of nextToFall(), which fails once the free block would move at
+/// kTornSpeed. Returns the impulse (N s) that the mount took.
 Vec2 Game::tear(Vec2 center) {
     const Block* block = nextToFall();
     const Vec2 way = center - frameOf(*block).position;
@@ -102,7 +102,7 @@ Vec2 Game::tear(Vec2 center) {
     const Real gained = kForceAcceleration * share * kTickSeconds;
     tornSpeed_ += gained;
     if (block->hold == Hold::Hanging) {
-        return {}; // it is drawn like what is loose
+        return {}; // draw() acts on it, as on loose blocks
     }
     return densityOf(block->kind) * kCellWidth * kCellHeight * gained * normalize(way);
 }
@@ -113,7 +113,7 @@ void Game::pushPaddleBack(Vec2 impulse) {
     const Real mass = world_[paddle_].mass();
     paddleSpeed_ -= impulse.x / mass;
     if (recoils(paddleKind())) {
-        sway_.liftSpeed -= impulse.y / mass; // else the carriage takes it
+        sway_.liftSpeed -= impulse.y / mass; // otherwise the carriage takes it
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The governor's hand on the balls.
+// Applies the governor to the balls.
 #include <apart/core/game.hpp>
 #include <apart/core/governor.hpp>
 #include <apart/core/tuning.hpp>
@@ -23,7 +23,7 @@ void Game::govern() {
 
 void Game::governBall(Ball& ball) {
     std::vector<Vec2> normals; // towards the ball
-    bool touching = false;     // also where it leaves an overlap, faster than what pushed it
+    bool touching = false;     // also while it leaves an overlap without an impulse
     bool rubble = false;
     bool carried = false;
     for (const kodo::CollisionRecord& hit : world_.collisions()) {
@@ -43,7 +43,7 @@ void Game::governBall(Ball& ball) {
     kodo::BodyRef body = world_[ball.body];
     const Vec2 velocity = body.velocity();
     Vec2 next = velocity;
-    if (!touching || (normals.empty() && slow)) { // or slides along a wall that does not push
+    if (!touching || (normals.empty() && slow)) { // or slides along a wall without an impulse
         next = held(velocity, ball.heading, ballSpeed());
         const Real spin = body.angularVelocity();
         if (std::abs(spin) > kMostSpin) {
@@ -58,14 +58,14 @@ void Game::governBall(Ball& ball) {
                 rubble ? throwOff(velocity, ball.heading, normals, ballSpeed()) : velocity;
             next = turnedFromFlat(thrown, normals);
             if (next != thrown && meetsBlock(body.position(), kFieldWidth * normalize(thrown))) {
-                next = thrown; // it is of use there
+                next = thrown; // flat, but it hits a block
             }
             ledger_.thrownBounces += thrown == velocity ? 0 : 1;
             ledger_.bentBounces += next == thrown ? 0 : 1;
         }
         if (length(next) < kSwallowed * ballSpeed()) {
-            // Swallowed by rubble, or pressed against something by a wind: faster, but where it
-            // flies anyway.
+            // Slowed by rubble, or by a wind that presses it against a surface. The servo raises
+            // the speed and keeps the direction.
             next = held(next, ball.heading, ballSpeed());
         }
     }
@@ -78,7 +78,7 @@ void Game::governBall(Ball& ball) {
 }
 
 std::optional<kodo::QueryHit> Game::ahead(Vec2 from, Vec2 way) const {
-    constexpr Real kSlim = Real(0.9); // of the ball; it touches what it has just met
+    constexpr Real kSlim = Real(0.9); // share of the radius: the ball may touch a surface
     const auto what = static_cast<std::uint16_t>(flagsOf(Role::Wall) | flagsOf(Role::Block) |
                                                  flagsOf(Role::Obstruction));
     return shapeCast(world_, kodo::Circle{kSlim * kBallRadius}, {from, {}}, way,
@@ -95,10 +95,10 @@ bool Game::canCarry(BodyId body) const {
     if (!world_.contains(body)) {
         return false;
     }
-    const kodo::Flags flags = world_[body].flags();
-    const Role role = roleOf(flags);
+    const kodo::BodyView view = world_[body];
+    const Role role = roleOf(view.flags());
     return (role == Role::Obstruction || role == Role::Block) &&
-           (flags & kodo::kLocked) != kodo::kLocked;
+           view.type() == kodo::BodyType::Dynamic;
 }
 
 bool Game::isRubble(BodyId body) const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/game.hpp>
-#include <kodo/base/hash.hpp>
+#include <kodo/state_hash.hpp>
 
 namespace apart {
 

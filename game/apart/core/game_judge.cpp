@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the collisions of a tick mean to the game.
+// Evaluation of the collisions of a tick.
 #include <apart/core/field.hpp>
 #include <apart/core/game.hpp>
 #include <apart/core/tuning.hpp>
@@ -15,7 +15,7 @@ using kodo::Vec2;
 
 namespace {
 
-/// Of a record, towards the body.
+/// Normal of the record, towards the body.
 Vec2 normalTowards(const CollisionRecord& hit, BodyId body) {
     return hit.b == body ? hit.normal : -hit.normal;
 }
@@ -35,7 +35,7 @@ void Game::judge() {
             continue;
         }
         for (const BodyId body : {hit.a, hit.b}) {
-            // What an earlier record broke has no say any more.
+            // An earlier record may have removed a body.
             if (!world_.contains(hit.a) || !world_.contains(hit.b)) {
                 break;
             }
@@ -47,7 +47,7 @@ void Game::judge() {
             }
         }
     }
-    // Not before: the records name parts of bodies by their places.
+    // After all records, because these refer to parts of bodies by index.
     judgeBoss();
     knockOffWorn();
     refreshPowers();
@@ -140,7 +140,7 @@ void Game::judgeBlock(const CollisionRecord& hit, BodyId body) {
 void Game::judgeShard(const CollisionRecord& hit, BodyId body) {
     const bool drawnIn = force_ == Force::Pull && hit.other(body) == paddle_;
     if (!drawnIn && hit.maxImpulse < kSlightestBlow) {
-        return; // most of them: shards lie on each other
+        return; // most records: resting contacts of shards
     }
     const auto found = std::find_if(shards_.begin(), shards_.end(),
                                     [&](const Shard& shard) { return shard.body == body; });
@@ -192,7 +192,7 @@ void Game::catchPart(std::size_t index, const CollisionRecord& hit) {
     const BodyId body = part.body;
     const Power power = part.power;
     if (power == Power::Weld && weldedParts() >= kMostWelded) {
-        return; // it bounces off
+        return; // the part bounces off
     }
     if (power == Power::Wings && !weldWings()) {
         return;
@@ -201,7 +201,8 @@ void Game::catchPart(std::size_t index, const CollisionRecord& hit) {
     events_.emplace_back(Caught{body, power, hit.point, hit.maxImpulse});
     if (power == Power::Launch) {
         kodo::BodyRef stuck = world_[body];
-        stuck.setFlags(flagsOf(Role::Part) | kodo::kLocked);
+        stuck.setType(kodo::BodyType::Kinematic);
+        stuck.setFlags(flagsOf(Role::Part));
         stuck.setMaterial(kPaddleMaterial);
         stuck.setAngularVelocity(0);
         part.state = PartState::Stuck;
@@ -215,7 +216,7 @@ void Game::catchPart(std::size_t index, const CollisionRecord& hit) {
     parts_.erase(parts_.begin() + static_cast<std::ptrdiff_t>(index));
     if (power == Power::Weld) {
         world_.weld(paddle_, body);
-        world_[paddle_].setMaterial(kPaddleMaterial); // what is welded bounces like the rest
+        world_[paddle_].setMaterial(kPaddleMaterial); // for all parts
         welds_.push_back({.strengthLeft = kWeldStrength});
     } else {
         ledger_.removedMass += static_cast<double>(world_[body].mass());
@@ -247,11 +248,11 @@ void Game::judgeObstruction(const CollisionRecord& hit, BodyId body) {
     const auto found = std::find_if(obstructions_.begin(), obstructions_.end(),
                                     [&](const Obstruction& o) { return o.body == body; });
     if (found == obstructions_.end() || found->kind != ObstructionKind::Bumper) {
-        return; // the pin of a hanging block, or what only stands there
+        return; // the pin of a hanging block, or a passive obstruction
     }
     kodo::BodyRef other = world_[hit.other(body)];
     const bool blow = hit.phase == kodo::TouchPhase::Begin || hit.maxImpulse >= kSlightestBlow;
-    if (!blow || (other.flags() & kodo::kLockMove) != 0) {
+    if (!blow || other.type() != kodo::BodyType::Dynamic) {
         return;
     }
     const Vec2 normal = normalTowards(hit, other.id());

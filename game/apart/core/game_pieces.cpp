@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What becomes of broken blocks and of the things that leave the field.
+// Pieces of broken blocks, and removal of bodies that left the field or expired.
 #include <apart/core/field.hpp>
 #include <apart/core/game.hpp>
 #include <apart/core/tuning.hpp>
@@ -16,7 +16,7 @@ using kodo::Vec2;
 
 namespace {
 
-/// Down for what stands still.
+/// Direction of the velocity; down below kHaltSpeed.
 Vec2 headingOf(Vec2 velocity) {
     return length(velocity) < kHaltSpeed ? Vec2{0, -1} : normalize(velocity);
 }
@@ -27,7 +27,7 @@ double energyOf(const kodo::Mass& mass, const PieceMotion& motion) {
         2);
 }
 
-/// Angular momentum about the origin, of what has its centre of mass there.
+/// Angular momentum (N m s) about the origin, of a body with its centre of mass at `center` (m).
 double turnOf(const kodo::Mass& mass, const PieceMotion& motion, Vec2 center) {
     return static_cast<double>(mass.mass * cross(center, motion.velocity) +
                                mass.inertia * motion.spin);
@@ -68,7 +68,7 @@ void Game::breakBlock(std::size_t index, Vec2 point, Vec2 blow) {
     const Vec2 local = toLocal(frame, point);
     const Vec2 hit{std::clamp(local.x, -kCellWidth / 2, kCellWidth / 2),
                    std::clamp(local.y, -kCellHeight / 2, kCellHeight / 2)};
-    // What moves freely has taken the whole blow already, and carries it.
+    // The velocity of a dynamic block already contains the whole impulse.
     const bool mounted = block.hold == Hold::Mounted || block.hold == Hold::Boss;
     const Vec2 taken = mounted ? unrotate(frame.rotation, blow) : Vec2{};
     ledger_.breakWork -= energyOf(weight, carried);
@@ -157,7 +157,7 @@ void Game::breakShard(std::size_t index, Vec2 point, Real impulse) {
                                     .point = point,
                                     .impulse = impulse,
                                     .pieces = static_cast<int>(pieces.size())});
-    std::vector<Vec2> velocities; // of the whole, at the centres of the pieces
+    std::vector<Vec2> velocities; // m/s, of the whole at the centres of the pieces
     for (const kodo::Polygon& piece : pieces) {
         velocities.push_back(body.velocityAt(frame * massOf(piece, Real(1)).center));
     }
@@ -233,7 +233,7 @@ void Game::sweepShards() {
             ++i;
         }
     }
-    // Too many: the light and the old go first.
+    // Above the limit, the shard with the least mass times remaining ticks is removed first.
     while (shards_.size() > kMostShards) {
         std::size_t least = 0;
         Real leastWorth = 0;
@@ -255,6 +255,7 @@ void Game::letGoOfParts() {
             part.state = PartState::Loose;
             part.sinceTick = tick_;
             kodo::BodyRef body = world_[part.body];
+            body.setType(kodo::BodyType::Dynamic);
             body.setFlags(flagsOf(Role::Part) | kFalls);
             body.setMaterial(kShardMaterial);
         }

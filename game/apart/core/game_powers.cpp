@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Caught powers that last for a while.
+// Timed powers.
 #include <apart/core/field.hpp>
 #include <apart/core/game.hpp>
 #include <apart/core/tuning.hpp>
@@ -34,7 +34,7 @@ bool movesAir(Power power) {
     return power == Power::Well || power == Power::Wind;
 }
 
-// What fields of force act on.
+// Bodies that force fields act on.
 constexpr kodo::CollisionFilter kFlying{kodo::kMatchAny,
                                         static_cast<std::uint16_t>(flagsOf(Role::Ball) | kFalls)};
 
@@ -47,7 +47,7 @@ kodo::FieldEntry wellField(Vec2 place, Real strength) {
 } // namespace
 
 void Game::beginPower(Power power, Vec2 point, Vec2 origin) {
-    if (ballKindOf(power)) { // balls are of one kind at a time
+    if (ballKindOf(power)) { // all balls have one kind
         for (std::size_t i = effects_.size(); i-- > 0;) {
             if (ballKindOf(effects_[i].power) && effects_[i].power != power) {
                 endPower(i);
@@ -107,7 +107,7 @@ void Game::reshapeBalls() {
         ball.body = addBall(world_, place, kind);
         kodo::BodyRef now = world_[ball.body];
         if (ball.riding) {
-            now.setFlags(flagsOf(Role::Ball) | kodo::kLocked);
+            now.setType(kodo::BodyType::Kinematic);
         }
         now.setVelocity(velocity);
         now.setAngularVelocity(spin);
@@ -138,7 +138,7 @@ void Game::renewFields() {
 bool Game::weldWings() {
     Real restored = 0;
     for (Weld& weld : welds_) {
-        if (weld.wing) { // they are made fast again
+        if (weld.wing) { // existing wings are repaired
             weld.strengthLeft = kWeldStrength;
             ++restored;
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands in the field when a game begins, and the boss's way.
+// Initial scene of a game, and the motion of the boss.
 #include <apart/core/field.hpp>
 #include <apart/core/game.hpp>
 #include <apart/core/tuning.hpp>
@@ -27,7 +27,7 @@ void Game::buildBlocks() {
                     .key = static_cast<std::uint32_t>(cell.row * kColumns + cell.column),
                     .hold = kind.hold};
         if (kind.hold == Hold::Boss) {
-            block.local = centerOf(cell); // until buildBoss
+            block.local = centerOf(cell); // m, world; until buildBoss()
         } else {
             block.body = world_.add(blockDef(kind, centerOf(cell)));
         }
@@ -43,10 +43,11 @@ void Game::buildBlocks() {
 void Game::hang(Block& block) {
     const Vec2 up{0, static_cast<Real>(block.kind.arm) / 1000};
     kodo::BodyRef body = world_[block.body];
+    body.setType(kodo::BodyType::Dynamic);
     body.setFlags(flagsOf(Role::Block) | kFalls);
     block.pin = world_.add(pinDef(body.position() + up));
-    world_.add(kodo::Pin{.ends = {.a = block.pin, .b = block.body, .anchorB = up},
-                         .motorTorque = kHingeTorque});
+    world_.add(kodo::RevoluteJoint{.ends = {.a = block.pin, .b = block.body, .anchorB = up},
+                                   .motorTorque = kHingeTorque});
 }
 
 void Game::buildBoss() {
@@ -86,9 +87,9 @@ void Game::buildObstructions() {
         }
         if (def.kind == ObstructionKind::Motor) {
             obstruction.pivot = world_.add(pivotDef(world_[obstruction.body].position()));
-            world_.add(kodo::Pin{.ends = {.a = obstruction.pivot, .b = obstruction.body},
-                                 .motorSpeed = speed,
-                                 .motorTorque = kMotorTorque});
+            world_.add(kodo::RevoluteJoint{.ends = {.a = obstruction.pivot, .b = obstruction.body},
+                                           .motorSpeed = speed,
+                                           .motorTorque = kMotorTorque});
         }
         obstructions_.push_back(obstruction);
     }
@@ -102,7 +103,7 @@ void Game::driveBoss() {
     const kodo::Aabb bounds = body.bounds();
     const Vec2 place = body.position();
     const auto drift = static_cast<Real>(level_->bossDrift) / 1000;
-    // It turns at the walls too, however far it would drift.
+    // The walls limit the amplitude.
     const Real left = std::max(bossHome_ - drift, place.x - bounds.lower.x - kFieldWidth / 2);
     const Real right = std::min(bossHome_ + drift, place.x - bounds.upper.x + kFieldWidth / 2);
     const Real way = static_cast<Real>(bossWay_ * level_->bossSpeed) / 1000 * kTickSeconds;

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/base/real.hpp>
+#include <kodo/real.hpp>
 
 #include <cstdint>
 
 namespace apart {
 
-/// Numbers that look like chance and depend on a key alone (SplitMix64: Steele, Lea, Flood 2014).
-/// Whoever needs some makes a generator from what they are for, so nobody's numbers depend on how
-/// many others were drawn before.
+/// Pseudo-random numbers that depend on a key alone (SplitMix64: Steele, Lea, Flood 2014). Each use
+/// has a generator with its own key, so its numbers do not depend on other draws.
 class Generator {
 public:
     explicit constexpr Generator(std::uint64_t key) : state_(key) {}
@@ -22,7 +21,7 @@ public:
         return z ^ (z >> 31);
     }
 
-    /// 0..n-1; n > 0. The bias of the remainder, below n / 2^64, does not matter to a game.
+    /// 0..n-1; n > 0. The bias of the remainder is below n / 2^64, which is negligible.
     constexpr std::uint32_t below(std::uint32_t n) {
         return static_cast<std::uint32_t>(next() % n);
     }
@@ -39,7 +38,7 @@ private:
     std::uint64_t state_;
 };
 
-/// One key out of several.
+/// Combines keys into one.
 constexpr std::uint64_t mixKeys(std::uint64_t a, std::uint64_t b, std::uint64_t c = 0) {
     const std::uint64_t first = Generator(a).next();
     const std::uint64_t second = Generator(first ^ b).next();

@@ -8,17 +8,16 @@
 
 namespace apart {
 
-/// The paddle's field of force: on balls, shards, parts and loose blocks.
+/// Force field of the paddle. It acts on balls, shards, parts, and loose or hanging blocks.
 enum class Force : std::uint8_t { None, Pull, Push };
 inline constexpr std::array<std::string_view, 3> kForceNames = {"0", "pull", "push"};
 
-/// All that a player can say in one tick. Integers, so that a replay is text and the device that
-/// it came from no longer matters.
+/// Player input of one tick. Integers, so that text reproduces it exactly, whatever the device.
 struct Input {
-    std::int8_t paddle = 0;               // keys: -127..127 of the key speed, left to right
-    std::optional<std::int16_t> target{}; // mouse: 1/1000 m from the middle; beats `paddle`
-    bool launch = false;       // serve the ball that rides on the paddle; leap, with Power::Spring
-    Force force = Force::None; // while the button is held
+    std::int8_t paddle = 0;               // keys: -127 (left) to 127, in 1/127 of kKeySpeed
+    std::optional<std::int16_t> target{}; // mouse: x in 1/1000 m; overrides `paddle`
+    bool launch = false;                  // serves a riding ball; leaps, with Power::Spring
+    Force force = Force::None;            // active while its button is held
 
     friend bool operator==(const Input&, const Input&) = default;
 };

@@ -11,32 +11,32 @@
 
 namespace apart {
 
-/// What a block is made of. It decides how the block breaks and how it looks and sounds.
+/// Material of a block. It decides how the block breaks, looks and sounds.
 enum class Stuff : std::uint8_t { Glass, Wood, Brick, Stone, Steel };
 inline constexpr std::array<std::string_view, 5> kStuffNames = {"glass", "wood", "brick", "stone",
                                                                 "steel"};
 
-/// What a block lets go when it breaks: a body to be caught, but for Split.
+/// What a block releases when it breaks: a part to catch, except for Split.
 enum class Power : std::uint8_t {
     None,
-    Weld,     // becomes a part of the paddle
-    Launch,   // sticks for a second and then fires straight up
-    Split,    // no part: the block comes apart into balls
-    Heavy,    // balls become BallKind::Heavy for a while
-    Lopsided, // ... BallKind::Lopsided
-    Egg,      // ... BallKind::Egg
-    Rough,    // ... BallKind::Rough
-    Magnet,   // the paddle draws balls and parts that are near
-    Spring,   // the paddle recoils, and `launch` makes it leap
+    Weld,     // welded to the paddle when caught
+    Launch,   // sticks to the paddle for kStickTicks, then flies straight up
+    Split,    // no part: the block breaks into balls
+    Heavy,    // balls become BallKind::Heavy for kEffectTicks
+    Lopsided, // as Heavy, with BallKind::Lopsided
+    Egg,      // as Heavy, with BallKind::Egg
+    Rough,    // as Heavy, with BallKind::Rough
+    Magnet,   // the paddle attracts balls and parts within kMagnetReach
+    Spring,   // the paddle recoils; `launch` makes it leap
     Wings,    // two plates are welded to the paddle's ends
-    Well,     // a gravity well where the block was
-    Wind,     // blows across the field
+    Well,     // a gravity well at the centre of the broken block
+    Wind,     // wind across the field, to a random side
 };
 inline constexpr std::array<std::string_view, 13> kPowerNames = {
     "none",  "weld",   "launch", "split", "heavy", "lopsided", "egg",
     "rough", "magnet", "spring", "wings", "well",  "wind"};
 
-/// What a player should think of a power before it is caught.
+/// Whether catching a power helps or harms the player.
 enum class Mood : std::uint8_t { Good, Mixed, Bad };
 constexpr Mood moodOf(Power power) {
     switch (power) {
@@ -53,26 +53,26 @@ constexpr Mood moodOf(Power power) {
     }
 }
 
-/// Into what pieces a block breaks.
+/// Fracture pattern of a block.
 enum class Pattern : std::uint8_t { Halves, Slats, Bricks, Radial, Shatter };
 inline constexpr std::array<std::string_view, 5> kPatternNames = {"halves", "slats", "bricks",
                                                                   "radial", "shatter"};
 
-/// What carries a block.
+/// Support of a block.
 enum class Hold : std::uint8_t {
-    Mounted, // on the field: it does not move until it breaks or its mount gives way
-    Hanging, // on a pin above it: it swings
-    Boss,    // a part of the one body of all blocks of the boss
-    Loose,   // by nothing: it falls
+    Mounted, // kinematic: fixed until it breaks or its mount fails
+    Hanging, // on a revolute joint above it: it swings
+    Boss,    // part of the boss, one body of many blocks
+    Loose,   // unsupported: it falls
 };
 inline constexpr std::array<std::string_view, 3> kHoldNames = {"mounted", "hanging", "boss"};
 
 enum class BallKind : std::uint8_t {
     Round,
-    Heavy,    // strikes harder
-    Lopsided, // its mass lies off its middle, so blows turn it
+    Heavy,    // kHeavyFactor times the mass
+    Lopsided, // eccentric centre of mass, so impacts spin it
     Egg,
-    Rough, // takes spin from what it slides along
+    Rough, // has friction, so sliding contacts spin it
 };
 inline constexpr std::array<std::string_view, 5> kBallKindNames = {"round", "heavy", "lopsided",
                                                                    "egg", "rough"};
@@ -80,29 +80,29 @@ inline constexpr std::array<std::string_view, 5> kBallKindNames = {"round", "hea
 /// How the paddle is mounted on its carriage.
 enum class PaddleKind : std::uint8_t {
     Steady,
-    Tilting,   // blows off its middle turn it, and a spring turns it back
-    Recoiling, // blows push it down, and a spring pushes it up again
+    Tilting,   // eccentric impacts tilt it; a spring returns it
+    Recoiling, // impacts push it down; a spring returns it
     Loose,     // both
 };
 inline constexpr std::array<std::string_view, 4> kPaddleKindNames = {"steady", "tilting",
                                                                      "recoiling", "loose"};
 
-/// What stands in the way and never breaks.
+/// Kinds of unbreakable obstructions.
 enum class ObstructionKind : std::uint8_t {
-    Bumper, // kicks what touches it
-    Pin,    // a peg; hanging blocks bring one of their own
-    Motor,  // a bar that a motor turns
-    Gate,   // a line that lets pass what comes from behind
-    Ground, // hills, solid from above
+    Bumper, // adds a kick to the velocity of bodies that touch it
+    Pin,    // a fixed peg
+    Motor,  // a bar turned by a motor
+    Gate,   // a one-sided line: bodies pass from behind only
+    Ground, // a height map, solid from above
 };
 inline constexpr std::array<std::string_view, 5> kObstructionNames = {"bumper", "pin", "motor",
                                                                       "gate", "ground"};
 
-/// Where the front of a gate looks; what comes from there bounces.
+/// Direction of the front of a gate. Bodies that come from there bounce.
 enum class Facing : std::uint8_t { Up, Down, Left, Right };
 inline constexpr std::array<std::string_view, 4> kFacingNames = {"up", "down", "left", "right"};
 
-/// By Stuff; of a block whose kind says nothing else.
+/// Default pattern, by Stuff.
 inline constexpr std::array<Pattern, 5> kUsualPattern = {
     Pattern::Radial, Pattern::Slats, Pattern::Bricks, Pattern::Shatter, Pattern::Halves};
 
@@ -114,8 +114,8 @@ struct BlockKind {
     Pattern pattern = Pattern::Bricks;
     std::int32_t strength = 0; // 1/1000 N s
     Hold hold = Hold::Mounted;
-    std::int32_t arm = 0; // 1/1000 m, from the middle of a hanging block up to its pin
-    bool core = false;    // of the boss: the rest falls with the last of these
+    std::int32_t arm = 0; // 1/1000 m, from the centre of a hanging block up to its pin
+    bool core = false;    // of a boss: its other blocks fall with the last core
 
     bool breakable() const { return stuff != Stuff::Steel; }
     friend bool operator==(const BlockKind&, const BlockKind&) = default;
@@ -132,10 +132,10 @@ struct Cell {
 
 struct ObstructionDef {
     ObstructionKind kind = ObstructionKind::Bumper;
-    std::int32_t x = 0; // 1/1000 m, of its middle; of a ground's first height
+    std::int32_t x = 0; // 1/1000 m, of its centre; of the first height of a ground
     std::int32_t y = 0;
     std::int32_t size = 0;  // 1/1000 m: radius of a bumper or pin, length of a bar or gate
-    std::int32_t speed = 0; // 1/1000: m/s of a bumper's kick, rad/s of a motor
+    std::int32_t speed = 0; // 1/1000 m/s of a bumper's kick, 1/1000 rad/s of a motor
     Facing facing = Facing::Up;
     std::int32_t spacing = 0;          // 1/1000 m, of a ground
     std::vector<std::int32_t> heights; // 1/1000 m above y, of a ground; at least two
@@ -155,19 +155,19 @@ struct WellDef {
 inline constexpr int kColumns = 15;
 inline constexpr int kMostRows = 15;
 
-/// A level as the rules need it: numbers are whole, so that every machine reads the same.
+/// A level as the rules use it. All numbers are integers, so every machine reads the same values.
 struct Level {
     std::string name;  // of the file, without .toml
     std::string title; // shown to the player
-    std::string idea;  // one sentence: what is special about its physics
+    std::string idea;  // one sentence about its physics
     Theme theme = Theme::Daybreak;
-    std::int32_t place = 9999;      // in the order of levels
-    std::int32_t ballSpeed = 12000; // 1/1000 m/s, when all blocks stand
+    std::int32_t place = 9999;      // rank in the order of levels
+    std::int32_t ballSpeed = 12000; // 1/1000 m/s, while no block is broken
     std::int32_t lives = 3;
     BallKind ball = BallKind::Round;
     PaddleKind paddle = PaddleKind::Steady;
     std::int32_t wind = 0;      // 1/1000 m/s, to the right
-    std::int32_t bossDrift = 0; // 1/1000 m, how far the boss goes to each side
+    std::int32_t bossDrift = 0; // 1/1000 m, amplitude of the boss
     std::int32_t bossSpeed = 0; // 1/1000 m/s
     std::vector<BlockKind> kinds;
     std::vector<Cell> cells; // row by row, left to right
@@ -177,7 +177,7 @@ struct Level {
     friend bool operator==(const Level&, const Level&) = default;
 };
 
-/// Equal for levels that play alike; title, idea and comments of the file do not count.
+/// Hash of all that affects play; leaves out name, title, idea, theme and place.
 std::uint64_t digestOf(const Level& level);
 
 } // namespace apart

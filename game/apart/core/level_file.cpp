@@ -11,11 +11,11 @@ namespace apart {
 
 namespace {
 
-// Of obstructions; by ObstructionKind, a gate's length is that of its cell. 1/1000.
+// Defaults by ObstructionKind: 1/1000 m, and 1/1000 m/s or rad/s. A gate of size 0 fills its cell.
 constexpr std::array<std::int32_t, 4> kUsualSize = {500, 200, 3000, 0};
 constexpr std::array<std::int32_t, 4> kUsualSpeed = {6000, 0, 2000, 0};
 
-constexpr std::size_t kMostObstructions = 64; // without those of the grid
+constexpr std::size_t kMostObstructions = 64; // tables [[ground]]
 constexpr std::size_t kMostWells = 8;
 
 constexpr std::int32_t thousandths(Real value) {
@@ -24,7 +24,6 @@ constexpr std::int32_t thousandths(Real value) {
 constexpr std::int32_t kEdge = thousandths(kFieldWidth / 2);
 constexpr std::int32_t kTop = thousandths(kFieldHeight);
 
-/// Reads one level.
 class LevelReader {
 public:
     LevelReader(const std::string& name, const std::string& file) : keys_(file) {
@@ -56,7 +55,7 @@ public:
     }
 
 private:
-    /// A letter of the grid that stands for an obstruction.
+    /// Letter of the grid for an obstruction.
     struct Sign {
         char letter = '?';
         ObstructionDef def;

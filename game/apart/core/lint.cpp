@@ -3,7 +3,7 @@
 #include <apart/core/lint.hpp>
 #include <apart/core/tuning.hpp>
 #include <apart/core/watch.hpp>
-#include <kodo/world/queries.hpp>
+#include <kodo/query.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,18 +15,18 @@ using kodo::Vec2;
 
 namespace {
 
-// The ball is moved in steps of this (m), so that its middle comes to that of every row and column.
+// Spacing (m) of the grid points of the flood fill. The centres of all rows and columns are points.
 constexpr Real kStride = Real(0.1);
-// Where it fits so much larger (m), the smaller true ball fits between two such places as well: a
-// corner can reach kStride^2 / (8 kBallRadius) = 0.0042 m into the way between them.
+// Extra radius (m) of the tested ball. A corner reaches at most kStride^2 / (8 kBallRadius) =
+// 0.0042 m into the path between two free points, so the true ball passes there.
 constexpr Real kSpare = Real(0.01);
-constexpr int kAcross = 241;  // places, from wall to wall
-constexpr int kUp = 181;      // places, from the paddle's floor to the top
-constexpr int kServeRow = 25; // place above the paddle where the flood begins
+constexpr int kAcross = 241;  // points, from wall to wall
+constexpr int kUp = 181;      // points, from the bottom to the top
+constexpr int kServeRow = 25; // row above the paddle where the fill begins
 constexpr int kServeColumn = kAcross / 2;
 
-// Visits of bodies and contacts per tick. A level twice as busy would still be played in real time
-// by a machine ten times slower than the one that the levels were made on.
+// Most bodies and contacts visited per tick. Twice as many still run in real time on a machine ten
+// times slower than the one that the levels were made on.
 constexpr std::uint64_t kMostWork = 4000;
 
 Vec2 placeOf(int column, int row) {
@@ -34,7 +34,7 @@ Vec2 placeOf(int column, int row) {
             static_cast<Real>(row) * kStride};
 }
 
-/// Which of the places a ball can come to.
+/// Flood fill of the points that a ball can reach.
 class Flood {
 public:
     Flood(const kodo::World& world, const Level& level)
@@ -52,7 +52,7 @@ public:
         }
     }
 
-    /// Can the middle of a ball come to some place inside the cell?
+    /// True if the centre of a ball can reach a point inside the cell.
     bool reaches(const Cell& cell) const {
         const Vec2 center = centerOf(cell);
         const Vec2 half{kCellWidth / 2, kCellHeight / 2};
@@ -91,7 +91,7 @@ private:
         }
     }
 
-    /// Does the ball come to the gate from its front?
+    /// True if the step crosses the gate from its front.
     static bool isShut(const ObstructionDef& gate, Vec2 from, Vec2 to) {
         const bool level = gate.facing == Facing::Up || gate.facing == Facing::Down;
         const Real side = gate.facing == Facing::Up || gate.facing == Facing::Right ? 1 : -1;
@@ -124,8 +124,8 @@ private:
     std::vector<int> open_;
 };
 
-/// What stays where it is for ever: walls, steel, and obstructions that do not turn. Gates are left
-/// to the flood. The armour of a boss counts, since it must leave a way to what it covers.
+/// The world without bodies that move or break: walls, steel, and obstructions that do not turn.
+/// Flood treats gates. Steel of a boss counts: it must leave a path to the blocks that it covers.
 kodo::World lastingWorld(const Level& level) {
     kodo::World world;
     for (const kodo::BodyDef& def : wallDefs()) {
@@ -167,7 +167,7 @@ void judgeRun(const BotRun& run, LintReport& report) {
         report.problems.push_back(who + " is not won after " + secondsText(run.ticks));
     }
     if (run.longestWait > report.waitBound + 1) {
-        report.problems.push_back("in " + who + " no block took harm for " +
+        report.problems.push_back("in " + who + " no block was damaged for " +
                                   secondsText(run.longestWait));
     }
     if (run.faults > 0) {
@@ -186,7 +186,7 @@ BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks, B
         game.tick(bot(game, kind));
         watch.look(game);
         run.mostBodies = std::max(run.mostBodies, game.world().bodyCount());
-        run.work += game.world().bodyVisits() + game.world().contactVisits();
+        run.work += stepStats(game.world()).bodies + stepStats(game.world()).contacts;
     }
     run.ticks = game.ticks();
     run.result = game.result();
@@ -227,8 +227,8 @@ LintReport lint(const Level& level, const LintOptions& options) {
     report.workPerTick = ticks > 0 ? work / ticks : 0;
     if (report.workPerTick > kMostWork) {
         report.problems.push_back("a tick visits " + std::to_string(report.workPerTick) +
-                                  " bodies and contacts on the mean; more than " +
-                                  std::to_string(kMostWork) + " are too many");
+                                  " bodies and contacts on average; at most " +
+                                  std::to_string(kMostWork) + " are allowed");
     }
     return report;
 }

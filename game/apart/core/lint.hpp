@@ -11,47 +11,46 @@
 
 namespace apart {
 
-/// One game of the bot, as the check of a level sees it.
+/// Result of one game of a bot.
 struct BotRun {
     std::uint32_t seed = 0;
     std::uint32_t ticks = 0;
     Result result = Result::Playing;
     std::int32_t livesLost = 0;
-    std::uint32_t longestWait = 0; // ticks in which no block took harm
-    std::uint32_t faults = 0;      // halts, escapes, bent flights
+    std::uint32_t longestWait = 0; // ticks without damage to a block
+    std::uint32_t faults = 0;      // halts, escapes, bent paths
     std::size_t mostBodies = 0;
-    std::uint64_t work = 0; // visits of bodies and contacts, all ticks added up
+    std::uint64_t work = 0; // bodies and contacts visited, summed over all ticks
 };
-/// Plays until the game ends, or that many ticks are over.
+/// Plays until the game ends or `mostTicks` have passed.
 BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks,
               BotKind kind = BotKind::Good);
 
 struct LintOptions {
-    std::uint32_t seeds = 1;                            // games of the bot, seeds 1, 2, ...
-    std::uint32_t mostTicks = 5 * 60 * kTicksPerSecond; // of each
+    std::uint32_t seeds = 1;                            // number of games, with seeds 1, 2, ...
+    std::uint32_t mostTicks = 5 * 60 * kTicksPerSecond; // of each game
 };
 
 /// What the check of one level found.
 struct LintReport {
     std::string level;
-    int blocks = 0;                 // that can break
-    std::vector<Cell> outOfReach{}; // of these
-    std::uint32_t waitBound = 0;    // ticks until something is struck or gives way, at most
-    std::uint32_t clearBound = 0;   // ticks until all is gone if nothing is struck or pulled off
-    std::uint64_t workPerTick = 0;  // visits of bodies and contacts, mean of all games
-    std::vector<BotRun> runs{};     // by seed
-    std::vector<std::string> problems{}; // a sentence each
+    int blocks = 0;                      // breakable
+    std::vector<Cell> outOfReach{};      // breakable blocks that no ball reaches
+    std::uint32_t waitBound = 0;         // ticks; limit of the time without damage
+    std::uint32_t clearBound = 0;        // ticks; limit of the time to clear the level without hits
+    std::uint64_t workPerTick = 0;       // bodies and contacts visited, mean of all games
+    std::vector<BotRun> runs{};          // by seed
+    std::vector<std::string> problems{}; // one sentence each
 
     bool passed() const { return problems.empty(); }
 };
 
-/// Blocks that can break, but that no ball can come to: a ball of the true size is moved from the
-/// paddle through all the room that there is when every other block that can break is gone.
+/// Breakable blocks that no ball can reach. The test is a flood fill from the paddle by a ball of
+/// true size, with all breakable blocks removed.
 std::vector<Cell> outOfReach(const Level& level);
 
-/// Is the level fit to be played? It is when every block can be reached, the bot wins each of its
-/// games, and in these nobody waits beyond the bound, nothing happens that must not, and a tick is
-/// cheap enough.
+/// Checks that a level is playable. Every block must be reachable, and the bot must win each game.
+/// No game may exceed the wait bound or contain a fault, and the mean work per tick is limited.
 LintReport lint(const Level& level, const LintOptions& options = {});
 
 } // namespace apart

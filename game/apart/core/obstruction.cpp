@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands in the way, as bodies.
+// Bodies of obstructions.
 #include <apart/core/field.hpp>
 #include <apart/core/tuning.hpp>
 
@@ -14,7 +14,7 @@ constexpr Real metres(std::int32_t thousandths) {
     return static_cast<Real>(thousandths) / 1000;
 }
 
-/// Blocks what comes from its left hand, on the way `from` -> `to`.
+/// Stops bodies from the left of the direction `from` -> `to`.
 kodo::Segment gate(Real length, Facing facing) {
     const Real half = length / 2;
     kodo::Segment line{.oneSided = true};
@@ -49,17 +49,19 @@ kodo::Heightmap ground(const ObstructionDef& def) {
 kodo::BodyDef obstructionDef(const ObstructionDef& def) {
     kodo::BodyDef body{.position = {metres(def.x), metres(def.y)},
                        .material = kObstructionMaterial,
-                       .flags = kodo::kLocked | flagsOf(Role::Obstruction)};
+                       .type = kodo::BodyType::Kinematic,
+                       .flags = flagsOf(Role::Obstruction)};
     switch (def.kind) {
     case ObstructionKind::Bumper:
     case ObstructionKind::Pin:
         body.shape = kodo::Circle{metres(def.size)};
         break;
     case ObstructionKind::Motor:
-        // It turns through mounted blocks, or it would jam.
+        // It passes through mounted blocks, which would jam it.
         body.shape = kodo::Box{metres(def.size), kBarThickness};
         body.density = kBarDensity;
-        body.flags = flagsOf(Role::Obstruction) | kodo::kNeverRest | kodo::kMatchAny;
+        body.type = kodo::BodyType::Dynamic;
+        body.flags = flagsOf(Role::Obstruction) | kodo::kNeverSleep | kodo::kMatchAny;
         body.required = static_cast<std::uint16_t>(flagsOf(Role::Ball) | kFalls);
         break;
     case ObstructionKind::Gate:
@@ -76,7 +78,8 @@ kodo::BodyDef pinDef(Vec2 place) {
     return {.shape = kodo::Circle{kPinRadius},
             .position = place,
             .material = kObstructionMaterial,
-            .flags = kodo::kLocked | flagsOf(Role::Obstruction)};
+            .type = kodo::BodyType::Kinematic,
+            .flags = flagsOf(Role::Obstruction)};
 }
 
 kodo::BodyDef pivotDef(Vec2 place) {

@@ -15,7 +15,7 @@ Real wantedSpeed(const Input& input, Real x, Real acceleration) {
     if (!input.target) {
         return kKeySpeed * static_cast<Real>(input.paddle) / 127;
     }
-    // As fast as the brakes allow, and not beyond the target within this tick.
+    // Braking limit v = sqrt(2 a s), without overshoot within this tick.
     const Real way = static_cast<Real>(*input.target) / 1000 - x;
     const Real size = std::abs(way);
     const Real speed = std::min(std::sqrt(2 * acceleration * size), size / kTickSeconds);
@@ -42,11 +42,11 @@ kodo::Polygon paddleShape() {
 
 namespace {
 
-/// A spring, by the symplectic Euler method: it neither gains nor loses energy of its own.
+/// One tick of a damped spring, by the symplectic Euler method: no numerical gain of energy.
 void swing(Real& place, Real& speed, Real low, Real high) {
     speed -= (kSwayStiffness * place + kSwayDamping * speed) * kTickSeconds;
     place += speed * kTickSeconds;
-    if (place < low || place > high) { // the stop takes the speed
+    if (place < low || place > high) { // inelastic stop
         place = std::clamp(place, low, high);
         speed = 0;
     }

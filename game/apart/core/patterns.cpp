@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Into what pieces a blow breaks a polygon: one function for each Pattern.
+// Fracture patterns of a convex polygon: one function for each Pattern.
 #include <apart/core/fracture.hpp>
 
 #include <algorithm>
@@ -15,14 +15,14 @@ using kodo::Vec2;
 
 namespace {
 
-/// Within the limits, and the engine takes it: a crack that runs almost along an edge may leave
-/// corners that rounding puts onto one line.
+/// True if the piece is within the limits and valid for the engine. A crack almost along an edge
+/// may leave corners that rounding makes collinear.
 bool fits(const Polygon& piece, const PieceLimits& limits) {
     return piece.corners.size() >= 3 && areaOf(piece) >= limits.area &&
            widthOf(piece) >= limits.width && !check(kodo::Shape(piece));
 }
 
-/// Cuts every piece along the line, but for those where a side would be too small.
+/// Cuts each piece along the line unless a side would be too small.
 std::vector<Polygon> cut(const std::vector<Polygon>& pieces, const Line& line,
                          const PieceLimits& limits) {
     std::vector<Polygon> result;
@@ -57,7 +57,7 @@ Extent extentOf(const Polygon& polygon) {
     return extent;
 }
 
-/// One crack from the blow through the middle part, and one across the larger half.
+/// One crack from `hit` through the middle part, and one across the larger half.
 std::vector<Polygon> halves(const Polygon& whole, Vec2 hit, const PieceLimits& limits,
                             Generator& chance) {
     const Vec2 middle = extentOf(whole).at(chance.between(Real(0.4), Real(0.6)), Real(0.5));
@@ -81,7 +81,7 @@ std::vector<Polygon> halves(const Polygon& whole, Vec2 hit, const PieceLimits& l
     return pieces;
 }
 
-/// Splits along nearly parallel lines, as wood does.
+/// Cuts along nearly parallel lines, as in wood.
 std::vector<Polygon> slats(const Polygon& whole, const PieceLimits& limits, Generator& chance) {
     const Extent extent = extentOf(whole);
     const std::uint32_t count = 4 + chance.below(2);
@@ -96,7 +96,7 @@ std::vector<Polygon> slats(const Polygon& whole, const PieceLimits& limits, Gene
     return pieces;
 }
 
-/// Two courses with their joints apart, as a wall is laid.
+/// Two courses with staggered joints, as in masonry.
 std::vector<Polygon> bricks(const Polygon& whole, const PieceLimits& limits, Generator& chance) {
     const Extent extent = extentOf(whole);
     const Real bed = chance.between(Real(0.42), Real(0.58));
@@ -127,15 +127,15 @@ Polygon cellOf(const Polygon& whole, const std::vector<Vec2>& seeds, std::size_t
     return cell;
 }
 
-/// Cells of the points nearest to each seed, denser towards the blow. A seed whose cell is too
-/// small is dropped and all is done anew, so that it ends with good cells or with the whole.
+/// Voronoi cells of random seeds, denser towards `hit`. A seed whose cell is too small is removed
+/// and all cells are computed again. The result is valid cells or the whole.
 std::vector<Polygon> shatter(const Polygon& whole, Vec2 hit, const PieceLimits& limits,
                              Generator& chance) {
     const Extent extent = extentOf(whole);
-    const Real closest = limits.width; // seeds closer than this can only make slivers
+    const Real closest = limits.width; // m; closer seeds would give slivers
     std::vector<Vec2> seeds;
     for (std::uint32_t i = 0, count = 8 + chance.below(4); i < count; ++i) {
-        const Real x = chance.unit(); // a line each: the order of arguments is the compiler's
+        const Real x = chance.unit(); // separate: the evaluation order of arguments is unspecified
         Vec2 seed = extent.at(x, chance.unit());
         const Real pull = chance.unit();
         seed += (hit - seed) * (pull * pull * Real(0.8));
@@ -160,12 +160,12 @@ std::vector<Polygon> shatter(const Polygon& whole, Vec2 hit, const PieceLimits& 
     return {whole};
 }
 
-/// Cracks that run from a hub: directions in counter-clockwise order, less than half a turn apart.
+/// Cracks from a hub: directions in counter-clockwise order, less than 180 degrees apart.
 struct Star {
     Vec2 hub;
     std::vector<Vec2> rays; // unit
 
-    bool isOpen() const { // may a wedge be wider than a half plane?
+    bool isOpen() const { // true if a wedge may reach 180 degrees
         for (std::size_t i = 0; i < rays.size(); ++i) {
             if (cross(rays[i], rays[(i + 1) % rays.size()]) < Real(0.05)) {
                 return true;
@@ -173,7 +173,7 @@ struct Star {
         }
         return rays.size() < 3;
     }
-    /// The line through this ray and the next, so far from the hub; the hub lies behind it.
+    /// The line through this ray and the next at `radius` (m). clipped() keeps the hub.
     Line chord(std::size_t ray, Real radius) const {
         const Vec2 from = hub + radius * rays[ray];
         const Vec2 to = hub + radius * rays[(ray + 1) % rays.size()];
@@ -185,7 +185,8 @@ struct Star {
     }
 };
 
-/// Hub first if there is one, then the wedges in order; `bad` is the first wedge that is too small.
+/// The hub first if it is large enough, then the wedges in order. `bad` is the first wedge that is
+/// too small.
 struct Wedges {
     std::vector<Polygon> pieces;
     std::optional<std::size_t> bad{};
@@ -215,8 +216,9 @@ Wedges wedgesOf(const Polygon& whole, const Star& star, Real radius, const Piece
     return result;
 }
 
-/// The hub is a piece of its own, so that no points of wedges meet in it, and a ring crosses the
-/// cracks. A wedge that is too small loses a crack, and all is done anew.
+/// Pieces between the cracks and a partial ring across them. The hub is a separate piece, so that
+/// wedges have no sharp tips. If a wedge is too small, its crack is removed and the pieces are
+/// computed again.
 std::vector<Polygon> cracked(const Polygon& whole, Star star, const PieceLimits& limits,
                              Generator& chance) {
     const Real size = std::sqrt(areaOf(whole));
@@ -227,7 +229,7 @@ std::vector<Polygon> cracked(const Polygon& whole, Star star, const PieceLimits&
             continue;
         }
         std::vector<Polygon> pieces;
-        const std::size_t first = wedges.pieces.size() - star.rays.size(); // behind the hub
+        const std::size_t first = wedges.pieces.size() - star.rays.size(); // after the hub
         for (std::size_t i = 0; i < wedges.pieces.size(); ++i) {
             const bool ring = i >= first && chance.below(2) == 0;
             const std::vector<Polygon> parts =
@@ -240,8 +242,8 @@ std::vector<Polygon> cracked(const Polygon& whole, Star star, const PieceLimits&
     return {whole};
 }
 
-/// Glass: cracks run outwards from a hub beside the blow. Close to an edge there may be no room for
-/// wedges behind the hub, however few; then it lies nearer to the middle.
+/// Cracks from a hub beside `hit`, as in glass. Close to an edge there may be no room for wedges
+/// behind the hub; then it is moved towards the middle.
 std::vector<Polygon> radial(const Polygon& whole, Vec2 hit, const PieceLimits& limits,
                             Generator& chance) {
     const Vec2 middle = massOf(whole, Real(1)).center;
@@ -255,7 +257,7 @@ std::vector<Polygon> radial(const Polygon& whole, Vec2 hit, const PieceLimits& l
     }
     std::vector<Polygon> pieces = cracked(whole, star, limits, chance);
     for (int moved = 0; pieces.size() == 1 && moved < 2; ++moved) {
-        star.hub += (middle - star.hub) / (moved == 0 ? Real(2) : Real(1)); // half way, then all
+        star.hub += (middle - star.hub) / (moved == 0 ? Real(2) : Real(1)); // half way, then fully
         pieces = cracked(whole, star, limits, chance);
     }
     return pieces;
@@ -284,7 +286,7 @@ std::vector<Polygon> fracture(const Polygon& whole, Vec2 hit, Pattern pattern,
                               const PieceLimits& limits, std::uint64_t key) {
     Generator chance(key);
     std::vector<Polygon> pieces = broken(whole, hit, pattern, limits, chance);
-    // What is too small for its pattern may still crack in two.
+    // A polygon too small for its pattern may still break in halves.
     return pieces.size() > 1 ? pieces : halves(whole, hit, limits, chance);
 }
 

@@ -2,7 +2,7 @@
 #include <apart/core/generator.hpp>
 #include <apart/core/progress.hpp>
 #include <apart/core/tuning.hpp>
-#include <kodo/base/hash.hpp>
+#include <kodo/state_hash.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace apart {
 
 namespace {
 
-/// Number of the cell of this size that the value lies in.
+/// Index of the interval of this size that contains the value.
 std::uint64_t cellOf(Real value, Real size) {
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value / size)));
 }
@@ -52,7 +52,7 @@ bool ProgressClock::metPaddle(kodo::Vec2 place, kodo::Vec2 heading, Real paddleX
     if (alike + 1 < kLoopTimes || idle_ >= kShakeTicks) {
         return false;
     }
-    idle_ = idle_ < kGlowTicks ? kGlowTicks : kShakeTicks; // to the next stage, which can be seen
+    idle_ = idle_ < kGlowTicks ? kGlowTicks : kShakeTicks; // to the next stage
     return true;
 }
 

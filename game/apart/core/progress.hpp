@@ -9,37 +9,37 @@
 
 namespace apart {
 
-/// How long nothing has been damaged, in stages. From Glowing on, a pull tears blocks off.
+/// Stages of the time without damage to a block. From Glowing on, a pull tears blocks off.
 enum class Patience : std::uint8_t {
     Calm,
-    Glowing, // what is worth hitting is shown, and the meter of the field fills faster
-    Shaking, // the mounts that will give way can be seen to shake
-    Failing, // one block after the other is let go, the lowest first
+    Glowing, // targets are highlighted; the meter of the force field fills faster
+    Shaking, // the next mounts to fail are shown shaking
+    Failing, // blocks are let go one by one, the lowest first
 };
 inline constexpr std::array<std::string_view, 4> kPatienceNames = {"calm", "glowing", "shaking",
                                                                    "failing"};
 
-/// Bounds the time that a player can wait for something to happen, without a hand on the ball: it
-/// counts the ticks in which no block was damaged, and after kFailTicks of them blocks fall by
-/// themselves, one each kFailEvery ticks. So a level takes at most
+/// Bounds the time without progress, and does not touch the balls. It counts the ticks in which no
+/// block was damaged. After kFailTicks of them blocks fall, one each kFailEvery ticks. A level
+/// therefore takes at most
 ///
-///   ticks of progress + kFailTicks + kFailEvery x blocks + the time that the last one falls.
+///   ticks of progress + kFailTicks + kFailEvery x blocks + fall time of the last block.
 ///
-/// For the last blocks, which nobody likes to wait for, it goes kLastHurry times as fast.
+/// For the last kLastBlocks blocks the clock runs kLastHurry times as fast.
 ///
-/// A ball that meets the paddle in the same way again and again is in a loop, and the clock need
-/// not wait to know it.
+/// A ball that hits the paddle repeatedly in the same way is in a loop. The clock is then advanced
+/// at once.
 class ProgressClock {
 public:
     Patience patience() const;
-    std::uint32_t idleTicks() const { return idle_; } // by this clock
+    std::uint32_t idleTicks() const { return idle_; } // of this clock, its faster rate included
 
-    /// One tick in which a ball was in play. True when a block should be let go.
+    /// Counts a tick with a ball in play. True if a block must be let go.
     bool tick(std::uint32_t hurry = 1);
     /// A block was damaged.
     void progress();
-    /// A ball met the paddle: at this place, along this heading (unit), with the paddle at this x.
-    /// True when it has done so kLoopTimes since the last progress; the clock is moved on then.
+    /// A ball hit the paddle: at `place` (m), along `heading` (unit), with the paddle at x (m).
+    /// True, and the clock advances, at the kLoopTimes-th similar hit since the last progress.
     bool metPaddle(kodo::Vec2 place, kodo::Vec2 heading, kodo::Real paddleX);
 
     std::uint64_t stateHash() const;
@@ -48,8 +48,8 @@ private:
     static constexpr std::size_t kRemembered = 32;
 
     std::uint32_t idle_ = 0;
-    std::array<std::uint32_t, kRemembered> meetings_{}; // how the last ones were; a ring
-    std::uint32_t met_ = 0;                             // since the last progress
+    std::array<std::uint32_t, kRemembered> meetings_{}; // keys of the last paddle hits; a ring
+    std::uint32_t met_ = 0;                             // paddle hits since the last progress
 };
 
 } // namespace apart

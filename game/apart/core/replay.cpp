@@ -13,7 +13,7 @@ std::int64_t thousandths(kodo::Real value) {
     return static_cast<std::int64_t>(value * 1000);
 }
 
-/// Of the first ball; 0 if there is none.
+/// Value of the first ball; 0 without one.
 std::int64_t valueOfBall(const Game& game, Field field) {
     if (game.balls().empty()) {
         return 0;

@@ -14,28 +14,28 @@
 
 namespace apart {
 
-/// A game as text: level, seed and inputs, so that it can be played again to the bit. A person can
-/// write one, with `expect` lines, and it is a test.
+/// A game as text. Level, seed and inputs reproduce it bit for bit. A hand-written replay with
+/// `expect` lines is a test.
 ///
-///   apart-replay 2                   # always the first line; 1 is read too, it had no force
-///   level keystones 0f3c...          # name; digest of its content, optional when hand-written
-///   rules 1                          # of the game that recorded it; optional when hand-written
+///   apart-replay 2                   # format, always the first line; format 1 has no force
+///   level keystones 0f3c...          # name; digest of its content, optional if hand-written
+///   rules 1                          # kRulesVersion of the recording; optional if hand-written
 ///   seed 7
-///   pure                             # if it is played without the smallest turn at contacts
-///   handwritten                      # if a person wrote it: then there is no digest at the end
+///   pure                             # Mode::Pure
+///   handwritten                      # then there is no digest at the end
 ///   # tick  paddle  target  launch  force
 ///   0       0       -       0       0
 ///   30      0       -       1
 ///   140     -127    -       0       pull
-///   hash 60 5c1d... 120 91ab...      # state after so many ticks; as many pairs as you like
+///   hash 60 5c1d... 120 91ab...      # state after so many ticks; any number of pairs
 ///   expect 600 blocksLeft <= 20      # tick, field, == != < <= > >=, number or name
-///   expect 600 shardBroke >= 3       # events of this name up to then
-///   end 1200                         # always the last line, but for the digest
+///   expect 600 shardBroke >= 3       # number of events of this name until that tick
+///   end 1200                         # ticks; always the last line except for the digest
 ///   digest 77aa...                   # over all bytes before this line
 ///
-/// The line of tick t is the input of the (t + 1)-th tick: it leads from the state after t ticks to
-/// the next, and holds until the line after it; see Input. A target of - is none; force is 0, pull
-/// or push, and may be left out. # starts a comment.
+/// The input line of tick t is applied to the state after t ticks and holds until the next line.
+/// See Input. A target of - is none. force is 0, pull or push, and may be omitted. # starts a
+/// comment.
 struct InputChange {
     std::uint32_t tick = 0;
     Input input;
@@ -47,8 +47,8 @@ struct HashMark {
     friend bool operator==(const HashMark&, const HashMark&) = default;
 };
 
-/// What an expectation can be about: the state of the game after the tick, or how many events of a
-/// kind there have been. Event fields follow in the order of Event's alternatives.
+/// Quantity of an expectation: a value of the state after the tick, or the number of events of a
+/// kind so far. Event fields follow in the order of Event's alternatives.
 enum class Field : std::uint8_t {
     BlocksLeft,
     Score,
@@ -65,9 +65,9 @@ enum class Field : std::uint8_t {
     BallX,       // 1/1000 m, of the first ball; 0 without one
     BallY,
     BallSpeed,   // 1/1000 m/s
-    LooseBlocks, // that fall
+    LooseBlocks, // Hold::Loose
     Meter,       // 1/1000
-    Effects,     // powers at work
+    Effects,     // number of active powers
     Wind,        // 1/1000 m/s
     BentBounces, // see Ledger
     Result,      // playing won lost
@@ -81,14 +81,14 @@ inline constexpr std::array<std::string_view, kStateFields + kEventKinds> kField
     "blocksLeft", "score", "lives", "combo", "balls", "shards", "parts", "paddleParts", "paddleX",
     "paddleMass", "tilt", "lift", "ballX", "ballY", "ballSpeed", "looseBlocks", "meter", "effects",
     "wind", "bentBounces", "result", "ballKind", "patience",
-    // By Event.
+    // In the order of Event's alternatives.
     "struck", "cracked", "broke", "released", "caught", "welded", "stuck", "launched", "spent",
     "ballSplit", "served", "ballLost", "lifeLost", "cleared", "lost", "knockedOff", "shardBroke",
     "letGo", "fell", "bossDown", "bumped", "powerBegan", "powerEnded", "ballChanged", "leapt",
     "forceChanged", "shardCaught", "patienceChanged", "loopSeen"};
-/// Names of the values of a field; none for one that is a number.
+/// Names of the values of a field; empty for a numeric field.
 std::span<const std::string_view> valueNames(Field field);
-/// Of a field of the state.
+/// Value of a state field.
 std::int64_t valueOf(const Game& game, Field field);
 
 enum class Comparison : std::uint8_t { Equal, NotEqual, Less, AtMost, Greater, AtLeast };
@@ -101,7 +101,7 @@ struct Expectation {
     Field field = Field::Result;
     Comparison comparison = Comparison::Equal;
     std::int64_t value = 0;
-    int line = 0; // of the file
+    int line = 0; // in the file, from 1
 
     std::string text() const; // as in the file
     friend bool operator==(const Expectation&, const Expectation&) = default;
@@ -130,10 +130,10 @@ Read<Replay> parseReplay(std::string_view text, const std::string& file);
 Read<Replay> readReplayFile(const std::filesystem::path& path);
 std::string toText(const Replay& replay);
 
-/// Why this game and this level cannot play the replay, as a sentence; or nothing.
+/// Reason why this game and level cannot play the replay, as a sentence; nullopt if they can.
 std::optional<std::string> refusal(const Replay& replay, const Level& level);
 
-/// Plays a replay, tick by tick.
+/// Plays a replay tick by tick and checks its hashes and expectations.
 class Playback {
 public:
     Playback(Replay replay, std::shared_ptr<const Level> level);
@@ -143,18 +143,18 @@ public:
     const Game& game() const { return game_; }
     const Replay& replay() const { return replay_; }
 
-    /// Where this game was first seen to differ from the recorded one.
+    /// First hash that differs from the recorded one.
     struct Divergence {
         std::uint32_t tick = 0;
-        std::optional<std::uint32_t> agreed{}; // last tick before it whose hash was the same
+        std::optional<std::uint32_t> agreed{}; // last equal hash
     };
     const std::optional<Divergence>& divergence() const { return divergence_; }
-    /// Of the expectations up to now, those that were not met, with what was found instead.
+    /// An unmet expectation and the value found instead.
     struct Failure {
         Expectation expectation;
         std::int64_t found = 0;
 
-        /// Such as "expect 600 lives == 3, but lives is 2".
+        /// For example "expect 600 lives == 3, but lives is 2".
         std::string text() const;
     };
     const std::vector<Failure>& failures() const { return failures_; }
@@ -174,13 +174,13 @@ private:
     std::array<std::int64_t, kEventKinds> eventCounts_{};
 };
 
-/// Writes down a game while it is played: call record() after each tick with the input of it.
+/// Records a running game. record() must be called after each tick with its input.
 class Recorder {
 public:
     explicit Recorder(const Game& atStart, std::uint32_t hashEvery = kHashEvery);
 
     void record(const Input& input, const Game& after);
-    /// What was played so far, with a last hash.
+    /// The replay so far, with a final hash.
     Replay finish(const Game& game) const;
 
 private:

@@ -10,7 +10,7 @@ namespace apart {
 namespace {
 
 constexpr const char* kHowToEdit =
-    "Who edits a replay takes its digest away and puts a line handwritten below the seed";
+    "To edit a replay, remove its digest line and add a line handwritten below the seed";
 
 using Words = std::vector<std::string_view>;
 
@@ -43,8 +43,8 @@ std::string quoted(std::string_view word) {
     return text + "'";
 }
 
-/// Reads a replay line by line and stops at the first problem. Each read...() gives the reason why
-/// its line is wrong, or "".
+/// Reads a replay line by line up to the first problem. Each read...() returns the reason why its
+/// line is invalid, or "".
 class ReplayReader {
 public:
     ReplayReader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
@@ -168,14 +168,14 @@ private:
     }
 
     static std::string tickReason(std::string_view word) {
-        return quoted(word) + " is no tick: a whole number from 0 to " +
+        return quoted(word) + " is not a tick: a whole number from 0 to " +
                std::to_string(kLongestReplay);
     }
 
     std::string readInput(const Words& words) {
         const std::optional<std::uint32_t> tick = tickOf(words[0]);
         if (!tick) {
-            return quoted(words[0]) + " is neither a tick nor a word that a replay knows";
+            return quoted(words[0]) + " is neither a tick nor a word of the format";
         }
         if (words.size() != 4 && (words.size() != 5 || !hasForce_)) {
             return hasForce_ ? "an input line has the columns tick paddle target launch force"
@@ -282,7 +282,7 @@ private:
         }
         if (*digest != digestOf(text_.substr(0, lineStart_))) {
             return std::string("the file was changed after it was recorded: its digest does not "
-                               "fit. ") +
+                               "match. ") +
                    kHowToEdit;
         }
         hasDigest_ = true;
@@ -319,7 +319,7 @@ private:
     int line_ = 1;
     std::size_t lineStart_ = 0;
     bool begun_ = false;
-    bool hasForce_ = false; // the format knows the force
+    bool hasForce_ = false; // the format has the column force
     bool hasSeed_ = false;
     bool ended_ = false;
     bool hasDigest_ = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/text_file.hpp>
-#include <kodo/base/hash.hpp>
+#include <kodo/state_hash.hpp>
 
 #include <charconv>
 #include <fstream>

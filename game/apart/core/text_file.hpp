@@ -11,7 +11,7 @@
 
 namespace apart {
 
-/// What is wrong with a file from outside, and where.
+/// An error in a file, with its place.
 struct FileProblem {
     std::string file;
     int line = 0; // from 1; 0: the file as a whole
@@ -21,26 +21,25 @@ struct FileProblem {
     std::string text() const;
 };
 
-/// The value, or why there is none.
+/// A value, or the reason why it could not be read.
 template <typename T>
 using Read = std::variant<T, FileProblem>;
 
 /// The bytes of a file of at most `limit` bytes.
 Read<std::string> readTextFile(const std::filesystem::path& path, std::size_t limit);
 
-/// Writes to a new file beside it and then renames it over the old one, so that a failure leaves
-/// the old one as it was.
+/// Writes a temporary file beside `path` and then renames it, so that a failure keeps the old file.
 std::optional<FileProblem> writeTextFile(const std::filesystem::path& path, std::string_view text);
 
-/// FNV-1a with 64 bits; finds damage, not forgery.
+/// 64-bit FNV-1a; detects damage, not forgery.
 std::uint64_t digestOf(std::string_view bytes);
 
-// Numbers as text, independent of locale. Reading wants the whole of the text.
+// Numbers as text, independent of locale. The whole text must be a number.
 std::optional<std::int64_t> toNumber(std::string_view text);
 std::optional<std::uint64_t> fromHex(std::string_view text); // 16 digits, lower case
 std::string toHex(std::uint64_t value);
 
-/// What is wrong with a seed, as a sentence; empty when it is a whole number from 0 to 4294967295.
+/// Why a seed is invalid, as a sentence; empty if it is an integer from 0 to 4294967295.
 std::string wrongSeed(const std::string& text);
 
 } // namespace apart

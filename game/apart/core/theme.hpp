@@ -7,15 +7,15 @@
 
 namespace apart {
 
-/// What a group of levels is about. It changes no rule; the stage gives each its colours.
+/// Theme of a group of levels. It selects the colours of the stage and changes no rule.
 enum class Theme : std::uint8_t {
-    Daybreak,    // how blocks come apart, and what they let go
-    Quarry,      // what blocks are made of
-    Fairground,  // what bounces: bumpers, pegs, a paddle that leaps
-    Harbour,     // what hangs and what blows
-    Clockwork,   // what turns, and what lets pass one way only
-    Observatory, // what draws, and balls that do not fly or bounce like a ball
-    Fortress,    // what is one body of many blocks
+    Daybreak,    // fracture and parts
+    Quarry,      // materials
+    Fairground,  // bumpers, pegs, a leaping paddle
+    Harbour,     // hanging blocks and wind
+    Clockwork,   // motors and one-way gates
+    Observatory, // gravity wells and unusual balls
+    Fortress,    // bosses: one body of many blocks
 };
 inline constexpr std::array<std::string_view, 7> kThemeNames = {
     "daybreak", "quarry", "fairground", "harbour", "clockwork", "observatory", "fortress"};

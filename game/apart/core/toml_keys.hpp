@@ -14,7 +14,7 @@
 
 namespace apart {
 
-/// Reads keys of TOML tables and keeps the first problem that it meets, with its line.
+/// Reads keys of TOML tables and keeps the first problem with its line.
 class TomlKeys {
 public:
     explicit TomlKeys(std::string file) : file_(std::move(file)) {}
@@ -22,7 +22,7 @@ public:
     struct Range {
         std::int32_t low = 0;
         std::int32_t high = 0;
-        std::optional<std::int32_t> otherwise{}; // without it the key must be there
+        std::optional<std::int32_t> otherwise{}; // default; without it the key is required
     };
 
     static int lineOf(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
@@ -35,7 +35,7 @@ public:
     std::int32_t number(const toml::table& table, const std::string& key, const Range& range);
     std::string text(const toml::table& table, const std::string& key);
     bool flag(const toml::table& table, const std::string& key); // false unless given
-    /// Index of the text among the names.
+    /// Index of the key's text among the names; nullopt if the key is absent or invalid.
     std::optional<std::size_t> choice(const toml::table& table, const std::string& key,
                                       std::span<const std::string_view> names);
     /// The same as an enumerator, or `otherwise`.

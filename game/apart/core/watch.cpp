@@ -12,9 +12,9 @@ using kodo::Vec2;
 
 namespace {
 
-constexpr std::uint32_t kSlowTicks = kTicksPerSecond / 2; // between rubble and paddle, at most
-// Sine of the turn in one tick that rounding may make: the servo scales both coordinates, each to
-// 2^-24 of it in float, and a contact close by that does not push is solved to as little.
+constexpr std::uint32_t kSlowTicks = kTicksPerSecond / 2; // limit between rubble and paddle
+// Largest sine of the turn in one tick that rounding explains. The servo scales both coordinates,
+// each with a relative error of 2^-24 in float. A close contact without an impulse adds as little.
 constexpr Real kStraight = Real(2e-6);
 
 bool touches(const Game& game, kodo::BodyId ball) {
@@ -24,7 +24,7 @@ bool touches(const Game& game, kodo::BodyId ball) {
     });
 }
 
-/// Does anything pull at balls by right? Then their paths may bend.
+/// True if a force field or the magnet acts on balls, so that their paths may bend.
 bool isPulled(const Game& game) {
     const auto effects = game.effects();
     return game.force() != Force::None || game.windSpeed() != 0 || !game.level().wells.empty() ||
@@ -52,7 +52,7 @@ void Seen::add(const Seen& other) {
 void Watch::look(const Game& game) {
     ++seen_.ticks;
     const bool pulled = isPulled(game);
-    free_ = !pulled && !pulled_; // what ended in this tick may still have pulled in it
+    free_ = !pulled && !pulled_; // a field that ended in this tick may have acted in it
     pulled_ = pulled;
     next_.clear();
     seen_.escapes += static_cast<std::uint32_t>(game.world().frozenBodies().size());
@@ -78,7 +78,7 @@ void Watch::follow(const Game& game, const Ball& ball, const Track* before) {
     if (isOutside(body.position())) {
         ++seen_.escapes;
     }
-    // What hardly moves sets off anew, along its last heading.
+    // A ball below kHaltSpeed restarts along its last heading, which is no bend.
     const bool flew = before != nullptr && length(before->velocity) >= kHaltSpeed;
     if (flew && free_ && !touches(game, ball.body)) {
         ++seen_.freeTicks;

@@ -8,24 +8,24 @@
 
 namespace apart {
 
-/// What was seen of a game, or of several.
+/// Observations of one or several games.
 struct Seen {
     std::uint64_t ticks = 0;
-    std::uint64_t freeTicks = 0;   // that balls flew untouched and unpulled, all balls added up
-    std::uint32_t halts = 0;       // of balls slower than half their speed for half a second
-    std::uint32_t escapes = 0;     // ticks of balls outside other than below, and unsound bodies
-    std::uint32_t bends = 0;       // of balls that nothing touched and no field of force pulled at
-    std::uint32_t longestWait = 0; // ticks in play, in a row, in which no block took harm
+    std::uint64_t freeTicks = 0;   // ball ticks without contact or force field
+    std::uint32_t halts = 0;       // balls below half the target speed for half a second
+    std::uint32_t escapes = 0;     // ticks of balls outside (except below) and of frozen bodies
+    std::uint32_t bends = 0;       // bent paths without contact or force field
+    std::uint32_t longestWait = 0; // most successive ticks in play without damage to a block
 
     void add(const Seen& other);
     std::uint32_t faults() const { return halts + escapes + bends; }
 };
 
-/// Looks at a game after each tick for what must never be, and for how long the player waits. It
-/// knows nothing of how the game keeps a ball in play, so it can find a fault in that.
+/// Checks invariants of a game after each tick and measures how long the player waits. It is
+/// independent of the governor, so it detects faults of the governor.
 class Watch {
 public:
-    /// Call it after each tick of one game.
+    /// Must be called after each tick of one game.
     void look(const Game& game);
     const Seen& seen() const { return seen_; }
 
@@ -39,10 +39,10 @@ private:
     void follow(const Game& game, const Ball& ball, const Track* before);
     void count(const Game& game);
 
-    std::vector<Track> tracks_; // of the balls that fly
+    std::vector<Track> tracks_; // of the balls in flight
     std::vector<Track> next_;
-    bool pulled_ = false; // by a field of force, in the last tick
-    bool free_ = true;    // of any, in this tick
+    bool pulled_ = false; // a force field acted in the last tick
+    bool free_ = true;    // no force field acts in this tick
     std::uint32_t wait_ = 0;
     Seen seen_;
 };

@@ -14,7 +14,7 @@ namespace apart {
 
 namespace {
 
-/// What the bot's games of a level came to.
+/// Totals of the bot's games on a level.
 struct Summary {
     std::uint32_t won = 0;
     std::uint64_t ticks = 0;
@@ -72,7 +72,7 @@ std::string asJson(const LintReport& report) {
         report.runs.empty() ? 0 : sum.ticks / report.runs.size(), sum.livesLost, sum.longestWait,
         sum.mostBodies, report.workPerTick);
     for (std::size_t i = 0; i < report.problems.size(); ++i) {
-        // The sentences hold no character that JSON would want escaped.
+        // The sentences contain no character that JSON must escape.
         text += fmt::format(R"({}"{}")", i == 0 ? "" : ", ", report.problems[i]);
     }
     return text + "]}";

@@ -9,13 +9,13 @@
 namespace apart {
 
 struct LintCommand {
-    std::vector<std::string> levels; // names; all of assets/levels unless given
+    std::vector<std::string> levels; // names; empty: all of assets/levels
     LintOptions options;
     bool json = false;
 };
 
-/// Checks the levels and prints a table, or one JSON object, and a sentence about each thing that
-/// is wrong. 1 when a level fails, else 0.
+/// Checks the levels and prints a table or one JSON object, and a sentence for each problem.
+/// Returns 1 if a level fails, else 0.
 int runLint(const LintCommand& command);
 
 } // namespace apart

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// aPart without a screen: replays, checks and the bot. Exit code: 0 all went well, 1 an expectation
-// was not met, a replay went another way or a level failed its check, 2 wrong use or a bad file.
+// aPart without a screen: replays, checks and the bot. Exit code: 0 success, 1 an unmet
+// expectation, a diverging replay or a failed level check, 2 wrong use or a bad file.
 #include <apart/core/assets.hpp>
 #include <apart/core/bot.hpp>
 #include <apart/core/endless.hpp>
@@ -41,7 +41,7 @@ struct BotOptions {
     bool json = false;
 };
 
-/// An option that names an enumerator.
+/// Adds an option whose values are the names of enumerators.
 template <typename T, std::size_t kCount>
 CLI::Option* addChoice(CLI::App& command, const std::string& option, std::optional<T>& choice,
                        const std::array<std::string_view, kCount>& names) {
@@ -134,9 +134,9 @@ int verify(const std::string& file, bool json) {
     print(report, json);
     if (playback.divergence()) {
         const auto& [tick, agreed] = *playback.divergence();
-        fmt::print(stderr, "{}: the game goes another way: tick {} is the first whose hash differs",
-                   file, tick);
-        fmt::print(stderr, "{}\n", agreed ? fmt::format("; tick {} still agreed", *agreed) : "");
+        fmt::print(stderr, "{}: the game diverges: tick {} is the first whose hash differs", file,
+                   tick);
+        fmt::print(stderr, "{}\n", agreed ? fmt::format("; tick {} agrees", *agreed) : "");
         return 1;
     }
     if (!json) {
@@ -161,11 +161,14 @@ struct Checks {
 };
 
 CLI::App* addLint(CLI::App& app, LintCommand& lint) {
-    CLI::App* command = app.add_subcommand("lint", "Check levels: can each be played, and won?");
+    CLI::App* command = app.add_subcommand("lint", "Check that levels can be played and won");
     command->add_option("LEVEL", lint.levels, "Names of levels; all unless given");
-    command->add_option("--seeds", lint.options.seeds, "Games of the bot on each, 1 unless given")
+    command
+        ->add_option("--seeds", lint.options.seeds,
+                     "Games of the bot on each level, 1 unless given")
         ->check(CLI::Range(1u, 1000000u));
-    command->add_option("--ticks", lint.options.mostTicks, "Longest game, 36000 unless given")
+    command
+        ->add_option("--ticks", lint.options.mostTicks, "Longest game in ticks, 36000 unless given")
         ->check(CLI::Range(1u, kLongestReplay));
     command->add_flag("--json", lint.json, "Print one JSON object");
     return command;
@@ -173,26 +176,25 @@ CLI::App* addLint(CLI::App& app, LintCommand& lint) {
 
 CLI::App* addSoak(CLI::App& app, SoakCommand& soak) {
     CLI::App* command = app.add_subcommand(
-        "soak", "Let the bot play on and on; look for halts, escapes and bent flights");
+        "soak", "Play many games with the bot; report halts, escapes and bent paths");
     command->add_option("LEVEL", soak.levels, "Names of levels; all unless given");
-    command->add_option("--ticks", soak.ticks, "To be played in all, 1000000 unless given")
+    command->add_option("--ticks", soak.ticks, "Ticks in total, 1000000 unless given")
         ->check(CLI::Range(std::uint64_t{1}, kMostSoaked));
     command->add_option("--first-seed", soak.firstSeed, "1 unless given; then 2, 3, ...")
         ->check(CLI::Range(0u, kMostSeed));
     command->add_option("--endless", soak.endless, "Endless levels for each seed, 0 unless given")
         ->check(CLI::Range(0u, kMostEndless));
-    command
-        ->add_option("--longest", soak.longestGame, "Ticks of a game at most, 72000 unless given")
+    command->add_option("--longest", soak.longestGame, "Longest game in ticks, 72000 unless given")
         ->check(CLI::Range(1u, kLongestReplay));
     addChoice(*command, "--player", soak.player, kBotNames)
-        ->description("How the bot plays: in each way, seed by seed, unless given");
+        ->description("Kind of bot: each in turn, seed by seed, unless given");
     addChoice(*command, "--mode", soak.mode, kModeNames)
         ->description("Rules of the game: each in turn unless given");
     command->add_flag("--json", soak.json, "Print one JSON object");
     return command;
 }
 
-/// CLI11 says only that a command is missing, and not that it does not know the word in its place.
+/// CLI11 reports only that a command is missing. This names the unknown word in its place.
 std::string problemOf(const CLI::App& app, const CLI::ParseError& error) {
     const std::vector<std::string> unknown = app.remaining();
     if (!app.get_subcommands().empty() || unknown.empty()) {
@@ -207,9 +209,9 @@ int run(int argc, char** argv) {
     app.name("apart-headless");
     app.require_subcommand(1);
     app.footer("Levels come from assets/levels, or from the folder that APART_ASSETS names.\n"
-               "endless, endless:SEED and endless:SEED:NUMBER are levels too: they are made, not "
-               "read.\nExit code: 0 all went well, 1 an expectation was not met, a replay went "
-               "another way\nor a level failed its check, 2 wrong use or a bad file.");
+               "endless, endless:SEED and endless:SEED:NUMBER are generated levels.\n"
+               "Exit code: 0 success, 1 an unmet expectation, a diverging replay or a failed\n"
+               "level check, 2 wrong use or a bad file.");
     bool json = false;
     std::string file;
     BotOptions options;
@@ -233,7 +235,7 @@ int run(int argc, char** argv) {
     addChoice(*botCommand, "--mode", options.mode, kModeNames)
         ->description("Rules of the game: standard unless given");
     addChoice(*botCommand, "--player", options.player, kBotNames)
-        ->description("How it plays: good unless given");
+        ->description("Kind of bot: good unless given");
     botCommand->add_flag("--json", options.json, "Print one JSON object");
     Checks checks;
     const CLI::App* lintCommand = addLint(app, checks.lint);

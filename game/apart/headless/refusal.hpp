@@ -11,7 +11,7 @@
 
 namespace apart {
 
-/// A sentence for stderr, and exit code 2.
+/// Thrown to end the program with a sentence on stderr and exit code 2.
 struct Refusal {
     std::string sentence;
 };
@@ -24,7 +24,7 @@ T valueOrRefuse(Read<T> read) {
     return std::get<T>(std::move(read));
 }
 
-/// Names of all levels. Refuses where there are none.
+/// Names of all levels. Throws Refusal if there are none.
 inline std::vector<std::string> namesOfLevels() {
     std::vector<std::string> names = levelNames();
     if (names.empty()) {

@@ -32,7 +32,7 @@ Report reportOf(const Game& game) {
 }
 
 std::string asJson(const Report& report) {
-    // Names of levels and results hold no character that JSON would want escaped.
+    // Names of levels and results contain no character that JSON must escape.
     std::string text =
         fmt::format(R"({{"level": "{}", "seed": {}, "ticks": {}, "result": "{}", "score": {}, )"
                     R"("lives": {}, "blocksLeft": {}, "stateHash": "{}")",

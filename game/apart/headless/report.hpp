@@ -9,7 +9,7 @@
 
 namespace apart {
 
-/// What a run came to, for people or as one JSON object.
+/// Result of a run, printed as a sentence or as one JSON object.
 struct Report {
     std::string level;
     std::uint32_t seed = 0;
@@ -19,7 +19,7 @@ struct Report {
     std::int32_t lives = 0;
     std::int32_t blocksLeft = 0;
     std::uint64_t stateHash = 0;
-    // Of a replay.
+    // Only of a replay.
     std::optional<std::size_t> expectationsFailed{};
     std::optional<std::size_t> hashesChecked{};
     std::optional<std::uint32_t> firstDifference{}; // tick
@@ -30,8 +30,7 @@ Report reportOf(const Game& game);
 std::string asJson(const Report& report);
 std::string asSentence(const Report& report);
 
-/// A line on stderr that is written over and over while something runs; silent unless stderr is a
-/// terminal.
+/// Progress line on stderr, overwritten in place. Silent unless stderr is a terminal.
 class Progress {
 public:
     Progress();
@@ -41,7 +40,7 @@ public:
 
     void show(const Game& game, std::uint32_t end);
     void show(const std::string& line);
-    /// Takes the line away, before something else is written.
+    /// Removes the line; must be called before other output.
     void clear();
 
 private:

@@ -21,27 +21,27 @@ namespace {
 
 constexpr std::uint32_t kReportEvery = 2048; // ticks
 
-/// What the games of one level came to, or those of all.
-struct Tally {
+/// Statistics of the games on one level, or on all.
+struct RunStatistics {
     std::string level;
     std::uint32_t games = 0;
     std::uint32_t won = 0;
     std::uint32_t lost = 0;
-    std::uint32_t unfinished = 0; // after the longest game
+    std::uint32_t unfinished = 0; // stopped at SoakCommand::longestGame
     std::uint64_t wonTicks = 0;
     std::int64_t livesLost = 0;
     Seen seen{};
-    std::uint32_t waited = 0;           // games in which mounts gave way by themselves
-    std::vector<std::uint32_t> waits{}; // the longest of each game, ticks
-    std::uint64_t glowTicks = 0;        // of play in which blocks glow, so long was nothing damaged
-    std::uint64_t lastTicks = 0;        // that the last kLastBlocks took, of games that were won
+    std::uint32_t waited = 0;           // games with LetGo::Why::Fatigue
+    std::vector<std::uint32_t> waits{}; // longest wait of each game, ticks
+    std::uint64_t glowTicks = 0;        // in play, with a patience other than Calm
+    std::uint64_t lastTicks = 0;        // of the last kLastBlocks blocks, in games that were won
     std::uint64_t bounces = 0;          // of balls, in Mode::Standard
-    std::uint64_t bentBounces = 0;      // of these: turned from flat
-    std::uint64_t thrownBounces = 0;    // and thrown off rubble
-    std::uint64_t bentInPure = 0;       // in Mode::Pure: there must be none
-    double gameSeconds = 0;             // of one core, in Game::tick alone
+    std::uint64_t bentBounces = 0;      // of these, rotated out of the flat cone
+    std::uint64_t thrownBounces = 0;    // of these, thrown off rubble
+    std::uint64_t bentInPure = 0;       // in Mode::Pure; must be 0
+    double gameSeconds = 0;             // processor time of Game::tick() alone
 
-    void add(const Tally& other) {
+    void add(const RunStatistics& other) {
         games += other.games;
         won += other.won;
         lost += other.lost;
@@ -71,7 +71,7 @@ struct Tally {
     double meanLast() const { // s
         return won > 0 ? static_cast<double>(lastTicks) / won / kTicksPerSecond : 0;
     }
-    /// The longest wait of a game (s) that this share of the games does not exceed.
+    /// Quantile of the longest waits (s): this share of the games does not exceed it.
     double wait(double share) const {
         if (waits.empty()) {
             return 0;
@@ -101,12 +101,12 @@ struct Match {
     Mode mode = Mode::Standard;
 };
 
-/// One game, until it ends or the ticks are over.
-Tally soak(const Match& match, std::uint64_t mostTicks,
-           const std::function<void(std::uint32_t)>& show) {
+/// Plays one game until it ends or `mostTicks` have passed.
+RunStatistics soak(const Match& match, std::uint64_t mostTicks,
+                   const std::function<void(std::uint32_t)>& show) {
     Game game(match.level, match.seed, match.mode);
     Watch watch;
-    Tally tally{.level = match.level->name, .games = 1};
+    RunStatistics tally{.level = match.level->name, .games = 1};
     std::uint64_t lastTicks = 0;
     while (game.result() == Result::Playing && game.ticks() < mostTicks) {
         const Input input = bot(game, match.player);
@@ -141,7 +141,7 @@ Tally soak(const Match& match, std::uint64_t mostTicks,
     }
     if (!tally.clean()) {
         fmt::print(stderr,
-                   "{}, seed {}, {} player, {}: {} halts, {} escapes, {} bent flights, {} bent "
+                   "{}, seed {}, {} player, {}: {} halts, {} escapes, {} bent paths, {} bent "
                    "bounces in pure mode, {} ticks without damage.\n",
                    match.level->name, match.seed, kBotNames[static_cast<std::size_t>(match.player)],
                    kModeNames[static_cast<std::size_t>(match.mode)], tally.seen.halts,
@@ -150,7 +150,7 @@ Tally soak(const Match& match, std::uint64_t mostTicks,
     return tally;
 }
 
-std::string asJson(const Tally& tally) {
+std::string asJson(const RunStatistics& tally) {
     return fmt::format(
         R"({{"level": "{}", "games": {}, "won": {}, "lost": {}, "unfinished": {}, "ticks": {}, )"
         R"("freeFlightTicks": {}, "meanWinSeconds": {:.1f}, "livesLost": {}, "halts": {}, )"
@@ -166,7 +166,7 @@ std::string asJson(const Tally& tally) {
         tally.bentBounces, tally.thrownBounces, tally.bentInPure, tally.microsecondsPerTick());
 }
 
-void printRow(const Tally& tally) {
+void printRow(const RunStatistics& tally) {
     fmt::print("{:<20} {:>6} {:>6} {:>5} {:>7} {:>9} {:>6.1f} {:>6.1f} {:>5} {:>5} {:>5} {:>5} "
                "{:>5.1f} {:>5.1f} {:>5.1f} {:>5.1f} {:>5.1f} {:>7.1f}\n",
                tally.level, tally.games, tally.won, tally.lost, tally.unfinished, tally.seen.ticks,
@@ -175,20 +175,20 @@ void printRow(const Tally& tally) {
                tally.wait(0.99), tally.wait(1), tally.glowShare(), tally.microsecondsPerTick());
 }
 
-void printTable(const std::vector<Tally>& tallies, const Tally& total) {
+void printTable(const std::vector<RunStatistics>& tallies, const RunStatistics& total) {
     fmt::print("{:<20} {:>6} {:>6} {:>5} {:>7} {:>9} {:>6} {:>6} {:>5} {:>5} {:>5} {:>5} {:>23} "
                "{:>5} {:>7}\n",
                "level", "games", "won", "lost", "cut off", "ticks", "won in", "last 3", "lives",
                "halts", "esca-", "bends", "longest wait of a game,", "glows", "us a");
     fmt::print("{:>62} {:>6} {:>5} {:>11} {:>29} {:>5} {:>7}\n", "s,mean", "s,mean", "lost", "pes",
                "s: 50 %  90 %  99 %   all", "%", "tick");
-    for (const Tally& tally : tallies) {
+    for (const RunStatistics& tally : tallies) {
         printRow(tally);
     }
     printRow(total);
 }
 
-void printAll(const std::vector<Tally>& tallies, const Tally& total, bool json) {
+void printAll(const std::vector<RunStatistics>& tallies, const RunStatistics& total, bool json) {
     if (json) {
         fmt::print("{{\"total\": {}, \"levels\": [", asJson(total));
         for (std::size_t i = 0; i < tallies.size(); ++i) {
@@ -202,10 +202,10 @@ void printAll(const std::vector<Tally>& tallies, const Tally& total, bool json) 
         return 100 * static_cast<double>(count) /
                static_cast<double>(std::max(total.bounces, std::uint64_t{1}));
     };
-    fmt::print("In {:.1f} % of the games mounts gave way by themselves.\n",
+    fmt::print("In {:.1f} % of the games a mount failed after a time without damage.\n",
                100.0 * total.waited / std::max(total.games, 1u));
     fmt::print(
-        "Of {} bounces rules turned {:.2f} % from flat and threw {:.2f} % off rubble; in pure "
+        "Of {} bounces, {:.2f} % were rotated from flat and {:.2f} % thrown off rubble; in pure "
         "games {}.\n",
         total.bounces, share(total.bentBounces), share(total.thrownBounces), total.bentInPure);
 }
@@ -221,14 +221,14 @@ int runSoak(const SoakCommand& command) {
     for (const std::string& name : names) {
         levels.push_back(std::make_shared<const Level>(valueOrRefuse(loadLevel(name))));
     }
-    std::vector<Tally> tallies;
+    std::vector<RunStatistics> tallies;
     for (const auto& level : levels) {
         tallies.push_back({.level = level->name});
     }
     if (command.endless > 0) {
         tallies.push_back({.level = "endless"});
     }
-    Tally total{.level = "all"};
+    RunStatistics total{.level = "all"};
     Progress progress;
     for (std::uint32_t seed = command.firstSeed; total.seen.ticks < command.ticks; ++seed) {
         for (std::size_t i = 0; i < levels.size() + command.endless; ++i) {
@@ -245,7 +245,7 @@ int runSoak(const SoakCommand& command) {
             const Match match{
                 level, seed, command.player.value_or(static_cast<BotKind>(turn % kBotNames.size())),
                 command.mode.value_or(static_cast<Mode>(turn % kModeNames.size()))};
-            Tally game = soak(match, left, [&](std::uint32_t ticks) {
+            RunStatistics game = soak(match, left, [&](std::uint32_t ticks) {
                 progress.show(fmt::format("{}, seed {}: {} of {} ticks, {} games", level->name,
                                           seed, total.seen.ticks + ticks, command.ticks,
                                           total.games));

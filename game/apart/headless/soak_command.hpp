@@ -11,21 +11,21 @@
 namespace apart {
 
 inline constexpr std::uint64_t kMostSoaked = 1000000000000; // ticks
-inline constexpr std::uint32_t kMostSeed = 1000000000;      // to begin a soak with
+inline constexpr std::uint32_t kMostSeed = 1000000000;      // largest first seed
 
 struct SoakCommand {
-    std::vector<std::string> levels; // names; all of assets/levels unless given
-    std::uint64_t ticks = 1000000;   // to be played in all
+    std::vector<std::string> levels; // names; empty: all of assets/levels
+    std::uint64_t ticks = 1000000;   // in total
     std::uint32_t firstSeed = 1;
-    std::uint32_t endless = 0;                 // endless levels for each seed, besides
+    std::uint32_t endless = 0;                 // additional endless levels for each seed
     std::uint32_t longestGame = 10 * 60 * 120; // ticks
-    std::optional<BotKind> player;             // each in turn unless given
-    std::optional<Mode> mode;                  // the same
+    std::optional<BotKind> player;             // nullopt: each in turn
+    std::optional<Mode> mode;                  // nullopt: each in turn
     bool json = false;
 };
 
-/// Lets the bot play level after level, seed after seed, until so many ticks are over, and looks
-/// for what must never be. 1 when there was some, else 0.
+/// Plays all levels with the bot, seed by seed, until `ticks` have passed, and checks each game
+/// with Watch. Returns 1 if a check failed, else 0.
 int runSoak(const SoakCommand& command);
 
 } // namespace apart

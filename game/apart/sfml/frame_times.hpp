@@ -7,22 +7,21 @@
 
 namespace apart {
 
-/// How long one frame took (s): the game's ticks, making triangles of it, showing them; and the
-/// time of all processors together.
+/// Durations of one frame (s).
 struct FrameTime {
-    double game = 0;
-    double picture = 0;
-    double screen = 0;
-    double processors = 0;
+    double game = 0;       // ticks of the game
+    double picture = 0;    // building of triangles
+    double screen = 0;     // display
+    double processors = 0; // processor time of all threads
 
     double total() const { return game + picture + screen; }
 };
 
-/// How long frames took, and with how many bodies.
+/// Statistics of frame times and of numbers of bodies.
 class FrameTimes {
 public:
     void add(const FrameTime& time, std::size_t bodies);
-    /// One line of figures.
+    /// The statistics in one line.
     std::string text() const;
 
 private:

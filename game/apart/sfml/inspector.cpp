@@ -11,7 +11,7 @@
 namespace apart {
 
 void Inspector::measure(double frameSeconds, double gameSeconds) {
-    constexpr double kShare = 0.05; // of a new value
+    constexpr double kShare = 0.05; // weight of a new value
     frame_ += kShare * (frameSeconds - frame_);
     game_ += kShare * (gameSeconds - game_);
 }
@@ -34,7 +34,7 @@ void Inspector::draw(SfmlCanvas& canvas, const Game& game) const {
         fmt::format("impulse, N s:   field {:.0f}, {:.0f}   mounts {:.0f}, {:.0f}",
                     ledger.fieldImpulseX, ledger.fieldImpulseY, ledger.mountImpulseX,
                     ledger.mountImpulseY)};
-    // Inside the field: the panel beside it is for the player.
+    // Inside the field, because the panel beside it shows the score.
     Vec2 corner{layout::kLeft + Real(0.3), layout::kTop - Real(0.6)};
     for (const std::string& line : lines) {
         canvas.text(line, corner, {Real(0.42), {140, 255, 160, 255}});

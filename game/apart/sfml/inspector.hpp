@@ -6,11 +6,11 @@
 
 namespace apart {
 
-/// Shows over the game how the engine sees it, and what a frame costs.
+/// Debug overlay: the world as the engine sees it, and frame times.
 class Inspector {
 public:
     void toggle() { on_ = !on_; }
-    /// Once a frame: how long the last one took, and the part of it that played the game (s).
+    /// Must be called once a frame with the durations (s) of the last frame and of its game ticks.
     void measure(double frameSeconds, double gameSeconds);
     void draw(SfmlCanvas& canvas, const Game& game) const;
 

@@ -76,7 +76,7 @@ int play(StageDef def, const Options& options) {
     return kDone;
 }
 
-/// What a player with a 60 Hz screen would see, but without waiting for the screen.
+/// Times the frames of a 60 Hz screen, without waiting for the screen.
 int timeFrames(StageDef def, const Options& options) {
     using Clock = std::chrono::steady_clock;
     Stage stage(std::move(def));

@@ -11,11 +11,11 @@ namespace apart {
 
 std::variant<Options, int> parseOptions(int argc, char** argv) {
     Options options;
-    CLI::App app("aPart: a Breakout whose blocks really come apart.", "apart");
+    CLI::App app("aPart: a Breakout whose blocks come apart where they are hit.", "apart");
     app.footer(
         "Keys: mouse, left/right or A/D move the paddle; space or click serves; left button,\n"
         "down or S pulls, right button, up or W pushes; P or escape pauses, R restarts,\n"
-        "M sound, F3 shows what the engine sees. In menus: arrows, enter, escape, or the mouse.\n"
+        "M sound, F3 debug overlay of the engine. In menus: arrows, enter, escape, or the mouse.\n"
         "Settings and best scores: apart/profile.toml in XDG_CONFIG_HOME or ~/.config; beside\n"
         "it last.replay, the last game that you finished, and best/, the best one of each level\n"
         "and mode; of an endless run only its last level is kept.\n"
@@ -28,19 +28,19 @@ std::variant<Options, int> parseOptions(int argc, char** argv) {
     auto* replay = app.add_option("--replay", options.replay, "Show a recorded game");
     app.add_flag("--mute", options.mute, "No sound");
     auto* shot = app.add_option("--screenshot", options.screenshot,
-                                "Write a picture (png) of the bot's game or the replay, and leave");
+                                "Write a picture (png) of the bot's game or the replay, and exit");
     app.add_option("--at", options.at, "Tick of the screenshot, 120 a second")
         ->capture_default_str()
         ->check(CLI::Range(0u, 1000000u))
         ->needs(shot);
     auto* frames = app.add_option("--frames", options.frames,
-                                  "Draw so many frames of the bot's game as fast as it goes, tell "
-                                  "what they took, and leave");
+                                  "Draw this many frames of the bot's game as fast as possible, "
+                                  "print their times, and exit");
     frames->check(CLI::Range(1u, 1000000u))->excludes(shot);
-    app.add_option("--crowd", options.crowd, "Tell it only of frames with so many bodies or more")
+    app.add_option("--crowd", options.crowd, "Time only frames with at least this many bodies")
         ->needs(frames);
     app.add_flag("--probe-display", options.probeDisplay,
-                 "Only tell by the exit code whether a window can be opened: 0 yes, 3 no");
+                 "Report by the exit code whether a window can be opened: 0 yes, 3 no");
     app.get_option("--level")->excludes(replay);
     app.get_option("--seed")->excludes(replay);
     try {

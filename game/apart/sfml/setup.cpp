@@ -14,7 +14,7 @@ namespace apart {
 
 namespace {
 
-/// Repeats the inputs of a replay, by the tick of the game it is asked about.
+/// Gives the inputs of a replay by the tick of the game.
 Pilot pilotOf(const Replay& replay) {
     return [replay](const Game& game) -> std::optional<Input> {
         if (game.ticks() >= replay.end) {
@@ -27,7 +27,7 @@ Pilot pilotOf(const Replay& replay) {
     };
 }
 
-/// All levels, or the sentence about the first that cannot be used.
+/// All levels, or the problem of the first invalid one, as a sentence.
 std::variant<std::vector<std::shared_ptr<const Level>>, std::string> readLevels() {
     std::vector<std::shared_ptr<const Level>> levels;
     for (const std::string& name : levelNames()) {
@@ -43,12 +43,12 @@ std::variant<std::vector<std::shared_ptr<const Level>>, std::string> readLevels(
     return levels;
 }
 
-/// A sentence when there is no such level.
+/// Returns the reason if the level cannot be used, else "".
 std::string takeLevel(StageDef& def, const std::string& name) {
     const auto found = std::find_if(def.levels.begin(), def.levels.end(),
                                     [&](const auto& level) { return level->name == name; });
     if (found == def.levels.end()) {
-        const Read<Level> level = loadLevel(name); // which says why
+        const Read<Level> level = loadLevel(name); // for the reason
         return std::get<FileProblem>(level).text();
     }
     def.firstLevel = static_cast<std::size_t>(found - def.levels.begin());
@@ -74,8 +74,8 @@ std::string takeReplay(StageDef& def, const std::string& file) {
     return {};
 }
 
-/// The last game in last.replay, the best one of each level and mode in best/. Endless runs are
-/// more than one game: only their last one is kept.
+/// Writes the game to last.replay and, if it is the best of its level and mode, to best/. Endless
+/// runs have several games, so only the last one is kept. Returns an error sentence or "".
 std::string keepReplay(const std::filesystem::path& folder, const Replay& replay, bool best) {
     std::vector<std::filesystem::path> files = {folder / "last.replay"};
     if (best && !parseEndless(replay.level)) {
@@ -93,7 +93,7 @@ std::string keepReplay(const std::filesystem::path& folder, const Replay& replay
     return {};
 }
 
-/// What is kept between two runs, and where.
+/// Loads the profile and installs the functions that save it.
 void takeProfile(StageDef& def) {
     const std::optional<std::filesystem::path> file = profileFile();
     if (!file) {
@@ -126,7 +126,7 @@ std::variant<StageDef, std::string> setUp(const Options& options) {
     def.levels = std::get<0>(std::move(levels));
     def.bot = [](const Game& game) { return std::optional(bot(game)); };
     const bool picture = !options.screenshot.empty() || options.frames > 0;
-    if (!picture) { // a picture is the same for everybody
+    if (!picture) { // a picture does not depend on the profile
         takeProfile(def);
     }
     def.seed = options.seed ? *options.seed : picture ? 1 : std::random_device{}() % 1000000;

@@ -9,7 +9,7 @@
 
 namespace apart {
 
-/// The stage that the options ask for, or a sentence why there is none.
+/// The stage for these options, or the reason why there is none, as a sentence.
 std::variant<StageDef, std::string> setUp(const Options& options);
 
 } // namespace apart

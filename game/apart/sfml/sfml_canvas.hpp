@@ -12,17 +12,17 @@
 
 namespace apart {
 
-/// The canvas as triangles of one Painter, so that a whole picture is drawn in a few calls.
+/// Canvas that collects the triangles of a picture in one Painter, to need few draw calls.
 class SfmlCanvas : public Canvas {
 public:
-    /// Throws std::runtime_error when a font of the folder cannot be read. Needs a display.
+    /// Throws std::runtime_error if a font of the folder cannot be read. Needs a display.
     SfmlCanvas(const std::filesystem::path& fonts, sf::Vector2u pixels);
 
-    /// Of the picture; counts from the next begin().
+    /// Size of the picture, from the next begin() on.
     void setSize(sf::Vector2u pixels) { pixels_ = pixels; }
     const kodo_sfml::Painter& picture() const { return painter_; }
     kodo_sfml::Painter& painter() { return painter_; }
-    /// Of the last picture, without its shake.
+    /// Camera of the last picture, without shake.
     const kodo_sfml::Camera& camera() const { return steady_; }
 
     void begin(const Aabb& shown, Vec2 shake) override;
@@ -47,9 +47,9 @@ private:
     sf::Vector2u pixels_;
     kodo_sfml::Painter painter_;
     kodo_sfml::Camera steady_;
-    kodo_sfml::Camera camera_;          // shaken
+    kodo_sfml::Camera camera_;          // with shake
     std::array<sf::Font, 2> fonts_;     // by Typeface
-    std::vector<sf::Vector2f> corners_; // kept, so that a frame allocates nothing
+    std::vector<sf::Vector2f> corners_; // reused, to avoid allocations
     std::vector<sf::Color> colors_;
 };
 

@@ -67,7 +67,7 @@ void SfmlControls::move(sf::Vector2i place, Signals& signals) {
         return;
     }
     if (recentred_ == place) {
-        recentred_.reset(); // not the player's doing
+        recentred_.reset(); // event of putPointer(), not of the player
     } else {
         const sf::Vector2f from(last_);
         signals.moved += pointer_.x - canvas_.camera().toWorld(from).x;
@@ -75,9 +75,10 @@ void SfmlControls::move(sf::Vector2i place, Signals& signals) {
     last_ = place;
 }
 
-/// SFML tells places of the mouse, not ways. Kept away from the border of its window, the mouse can
-/// go any way. What it does before the jump is seen is still told from its old place; where the
-/// system refuses the jump, it is never seen, and the mouse goes on as far as the screen lets it.
+/// SFML reports positions of the mouse, not displacements. Recentring keeps the pointer away from
+/// the border of the window, so that displacements are not limited. Until its event arrives,
+/// positions still refer to the old place. If the system refuses it, no event arrives, and the
+/// border of the screen limits the displacement.
 void SfmlControls::recentre() {
     const sf::Vector2u size = window_.size();
     const sf::Vector2i middle(static_cast<int>(size.x / 2), static_cast<int>(size.y / 2));
@@ -98,7 +99,7 @@ void SfmlControls::take(const sf::Event& event, Signals& signals) {
         focused_ = true;
         return;
     case sf::Event::LostFocus:
-        signals.focusLost = focused_; // some windows open with the loss of what they never had
+        signals.focusLost = focused_; // some systems send it before any gain
         held_ = {};
         buttons_ = {};
         return;

@@ -12,8 +12,8 @@
 
 namespace apart {
 
-/// Keys and mouse of a window. Keys are followed by their events, so that only those count that
-/// were pressed in it.
+/// Keys and mouse of a window. The state of keys follows events, so that only keys pressed in the
+/// window count.
 class SfmlControls : public Controls {
 public:
     SfmlControls(kodo_sfml::Window& window, const SfmlCanvas& canvas)
@@ -21,7 +21,7 @@ public:
 
     Signals poll() override;
     void capture(bool on) override;
-    /// F3 was pressed since the last call: show how the engine sees the game, or stop it.
+    /// True if F3, which toggles the Inspector, was pressed since the last call.
     bool takeInspect();
 
 private:
@@ -37,10 +37,10 @@ private:
     std::array<bool, 8> held_{};    // by kHeldKeys
     std::array<bool, 2> buttons_{}; // left, right
     Vec2 pointer_;                  // m
-    bool focused_ = false;          // has been, at some time
+    bool focused_ = false;          // at least once so far
     bool captured_ = false;
-    sf::Vector2i last_;                     // pixels; where the mouse was
-    std::optional<sf::Vector2i> recentred_; // pixels; where it was put and has not been seen yet
+    sf::Vector2i last_;                     // pixels; last place of the mouse
+    std::optional<sf::Vector2i> recentred_; // pixels; place set, while its event is pending
     bool inspect_ = false;
 };
 

@@ -11,7 +11,7 @@ namespace apart {
 namespace {
 
 #ifdef __linux__
-/// A sound card has nodes like pcmC0D0p, p for playing.
+/// True if a playback device exists: a node such as pcmC0D0p, with p for playback.
 bool soundCard() {
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator("/dev/snd", error)) {
@@ -52,7 +52,7 @@ SfmlSpeaker::SfmlSpeaker() {
     }
     for (sf::Sound& channel : channels_) {
         channel.setRelativeToListener(true);
-        channel.setAttenuation(0); // the place of a sound only says left or right
+        channel.setAttenuation(0); // positions are used for panning only
     }
 }
 

@@ -11,7 +11,7 @@
 
 namespace apart {
 
-/// Plays the voices, as many at once as there are channels; the oldest makes room.
+/// Plays voices on a fixed number of channels; a new sound replaces the oldest.
 class SfmlSpeaker : public Speaker {
 public:
     SfmlSpeaker();
@@ -23,8 +23,8 @@ private:
     std::size_t next_ = 0;
 };
 
-/// Silent when it is asked to be or when there is nothing to play on. SFML would write a hundred
-/// lines of errors without a device, so that is found out beforehand.
+/// A SilentSpeaker if `mute` is set or there is no audio device. The device is checked first,
+/// because SFML prints many errors without one.
 std::unique_ptr<Speaker> makeSpeaker(bool mute);
 
 } // namespace apart

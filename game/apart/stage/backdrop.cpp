@@ -14,10 +14,11 @@ namespace {
 
 constexpr Real kDot = Real(0.07); // m
 
-/// Night, with a glow around a point of the field: rows of rectangles whose colours join up.
+/// Paints a night sky with a glow around one height of the field: rows of rectangles with matching
+/// edge colours.
 void paintSky(Canvas& canvas, const ThemeLook& look) {
     constexpr int kRows = 24;
-    const Aabb all = canvas.visible().grown(1); // the picture may be shaken
+    const Aabb all = canvas.visible().grown(1); // margin for the shake
     const Real step = all.extent().y / kRows;
     const auto colorAt = [&](Real y) {
         const Real distance = std::abs(y - Real(0.58) * kFieldHeight) / Real(11);
@@ -47,7 +48,7 @@ void paintFrame(Canvas& canvas, const ThemeLook& look) {
     canvas.line({kLeft, kTop}, {kRight, kTop}, Real(0.06), edge);
 }
 
-/// A breath of red where balls get lost.
+/// Red glow at the bottom, where balls are lost.
 void paintAbyss(Canvas& canvas) {
     using namespace layout;
     const Aabb strip{{kLeft, canvas.visible().lower.y - 1}, {kRight, Real(0.75)}};
@@ -61,7 +62,7 @@ void paintBackdrop(Canvas& canvas, Theme theme, double seconds) {
     const ThemeLook& look = lookOf(theme);
     paintSky(canvas, look);
     paintDistance(canvas, theme, seconds);
-    const Color dot = faded(palette::kQuiet, 0.10f); // a grid of dots shows speed and distance
+    const Color dot = faded(palette::kQuiet, 0.10f); // the grid makes speed and distance visible
     for (Real y = Real(1.5); y < kTop; y += Real(1.5)) {
         for (Real x = kLeft + Real(1.5); x < kRight; x += Real(1.5)) {
             canvas.rectangle({{x, y}, {x + kDot, y + kDot}}, dot, dot);

@@ -6,14 +6,14 @@
 
 namespace apart {
 
-/// Everything behind the blocks: the sky of the theme, its distance, the grid, the walls.
-/// `seconds` moves what moves in the distance.
+/// Paints everything behind the blocks: sky, distant scenery, grid and walls of the theme.
+/// `seconds` is the time of the scenery's animation.
 void paintBackdrop(Canvas& canvas, Theme theme, double seconds);
 
-/// What stands far behind the field, faint enough that nothing in front is missed.
+/// Paints the scenery far behind the field, faint enough to leave the foreground legible.
 void paintDistance(Canvas& canvas, Theme theme, double seconds);
 
-/// Dims the picture so far, so that text can be read.
+/// Dims the picture painted so far to keep text legible.
 void paintVeil(Canvas& canvas, Color color);
 
 } // namespace apart

@@ -18,16 +18,16 @@ using layout::kLeft;
 using layout::kRight;
 using layout::kTop;
 
-/// What the painters of the distance need.
+/// Common arguments of the scenery painters.
 struct Far {
     Canvas& canvas;
-    Color color; // of what stands there
+    Color color; // of the scenery
     Real time;   // s
 
     Color faint(float share) const { return faded(color, share); }
 };
 
-/// A skyline from wall to wall: `height(x)` m, filled down to the ground.
+/// Paints a skyline from wall to wall, `height(x)` m above the ground.
 template <typename Height>
 void paintSkyline(const Far& far, Color color, Real step, Height height) {
     for (Real x = kLeft; x < kRight - Real(0.01); x += step) {
@@ -41,7 +41,7 @@ void paintSkyline(const Far& far, Color color, Real step, Height height) {
 
 void paintRays(const Far& far) {
     const Vec2 sun{0, Real(0.8)};
-    const auto reach = [&](Real angle) { // as far as the wall
+    const auto reach = [&](Real angle) { // up to the wall
         const Real way =
             std::min(Real(16), kRight / std::max(std::abs(std::cos(angle)), Real(0.1)));
         return sun + way * towards(angle);

@@ -13,14 +13,14 @@ namespace apart {
 namespace {
 
 constexpr Real kRim = Real(0.06);         // m, of the outline
-constexpr Real kMostSquash = Real(0.32);  // share of its size, at the hardest blow
-constexpr Real kMostStretch = Real(0.14); // at full speed
+constexpr Real kMostSquash = Real(0.32);  // relative, at the strongest impact
+constexpr Real kMostStretch = Real(0.14); // relative, at full speed
 
-/// Flattened along one direction, and as much wider across it.
+/// Compression along one axis, with expansion across it.
 struct Squash {
     Vec2 middle;
     Vec2 axis{0, 1}; // unit
-    Real amount = 0; // negative: stretched
+    Real amount = 0; // negative: stretch along the axis
 
     Vec2 operator()(Vec2 point) const {
         const Vec2 arm = point - middle;
@@ -51,7 +51,7 @@ Color colorOf(BallKind kind) {
     return kColors[static_cast<std::size_t>(kind)];
 }
 
-/// What tells the kinds apart, and shows how a ball turns.
+/// Paints the marking of a kind of ball, which also shows its rotation.
 void paintKind(Canvas& canvas, BallKind kind, const kodo::Transform& place, const Squash& squash) {
     const Color ink = faded(palette::kInk, 0.8f);
     switch (kind) {
@@ -102,7 +102,7 @@ void paintBall(Canvas& canvas, const Moment& moment, const Ball& ball) {
     for (Vec2& corner : body) {
         corner = squash(corner);
     }
-    canvas.outline(body, 2 * kRim, palette::kInk); // half of it lies under the body
+    canvas.outline(body, 2 * kRim, palette::kInk); // half of the width lies under the body
     const Color color = colorOf(kind);
     const Aabb box = kodo::aabbOf(std::span<const Vec2>(body));
     std::vector<Color> colors;

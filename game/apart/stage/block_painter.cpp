@@ -13,10 +13,10 @@ namespace apart {
 namespace {
 
 constexpr int kRoundCorners = 24;
-constexpr Real kGap = Real(0.05);   // m of night between two blocks
-constexpr Real kBadge = Real(0.29); // m, radius of the disc under a mark
+constexpr Real kGap = Real(0.05);   // m, gap between two blocks
+constexpr Real kBadge = Real(0.29); // m, radius of the disc under a symbol
 
-/// A line in the frame of a block, by shares of its half width and half height.
+/// A line in the frame of a block, in shares of its half width and half height.
 struct Grain {
     const kodo::Transform& place;
     Vec2 half;
@@ -58,7 +58,7 @@ void grainOfStone(Canvas& canvas, const Grain& grain, Dice& dice) {
             grain.at(dice.between(Real(-0.85), Real(0.85)), dice.between(Real(-0.7), Real(0.7)));
         const Color color = i % 2 == 0 ? Color{255, 255, 255, 46} : Color{0, 0, 0, 60};
         const Real size = dice.between(Real(0.05), Real(0.13));
-        canvas.disc(spot, size, color, faded(color, 0)); // a soft rim, and no further triangles
+        canvas.disc(spot, size, color, faded(color, 0)); // a soft rim without additional triangles
     }
 }
 
@@ -101,7 +101,7 @@ void paintBadge(Canvas& canvas, Power power, const kodo::Transform& place) {
     paintMark(canvas, power, place, Real(0.56) * kBadge, color);
 }
 
-/// The heart of a boss: an eye that looks alive.
+/// Paints the core of a boss as an eye.
 void paintCore(Canvas& canvas, const kodo::Transform& place) {
     canvas.setGlow(true);
     canvas.disc(place.position, Real(0.9), faded(palette::kDanger, 0.4f),
@@ -112,16 +112,16 @@ void paintCore(Canvas& canvas, const kodo::Transform& place) {
     canvas.ring(place.position, Real(0.3), Real(0.05), lighter(palette::kDanger, 0.3f));
 }
 
-/// What a boss is made of is held together by a frame.
+/// Paints the frame around the blocks of a boss.
 void paintArmour(Canvas& canvas, const Grain& grain) {
-    constexpr Real kU = Real(0.96); // the frame lies inside the edges
+    constexpr Real kU = Real(0.96); // inside the edges
     constexpr Real kV = Real(0.91);
     const std::array<Vec2, 4> corners = {grain.at(-kU, -kV), grain.at(kU, -kV), grain.at(kU, kV),
                                          grain.at(-kU, kV)};
     canvas.outline(corners, Real(0.09), faded(palette::kDanger, 0.55f));
 }
 
-/// Cracks were grown in the whole outline; `fit` brings them into what is drawn of it.
+/// Cracks refer to the whole convex shape. `fit` scales them to the drawn part of it.
 void paintCracks(Canvas& canvas, const kodo::Transform& place, std::span<const CrackLine> cracks,
                  Vec2 fit) {
     const auto at = [&](Vec2 point) { return place * Vec2{fit.x * point.x, fit.y * point.y}; };
@@ -137,7 +137,7 @@ void paintCracks(Canvas& canvas, const kodo::Transform& place, std::span<const C
 
 } // namespace
 
-std::vector<Vec2> cornersOf(const kodo::Convex& outline, const kodo::Transform& place) {
+std::vector<Vec2> cornersOf(const kodo::ConvexShape& outline, const kodo::Transform& place) {
     std::vector<Vec2> corners;
     if (outline.isRound()) {
         const Vec2 center = place * outline.vertices[0];
@@ -164,7 +164,7 @@ void paintLit(Canvas& canvas, std::span<const Vec2> corners, Color color, Rim ri
     canvas.rimmed(corners, colors, rim.width, rim.color);
 }
 
-void paintBlock(Canvas& canvas, const kodo::Convex& outline, const kodo::Transform& body,
+void paintBlock(Canvas& canvas, const kodo::ConvexShape& outline, const kodo::Transform& body,
                 const BlockLook& look) {
     const kodo::Transform place{body * outline.middle, body.rotation};
     const Vec2 half = Real(0.5) * kodo::aabbOf(std::span<const Vec2>(outline.vertices)).extent();
@@ -179,7 +179,7 @@ void paintBlock(Canvas& canvas, const kodo::Convex& outline, const kodo::Transfo
     const Color color = lighter(palette::of(look.kind.stuff), 0.75f * look.heat);
     paintLit(canvas, corners, color, {Real(0.06), faded(lighter(color, 0.5f), 0.45f)});
     if (look.scale < 1) {
-        return; // details come when it has its size
+        return; // details appear at full size
     }
     paintGrain(canvas, {place, inner}, look);
     if (look.kind.hold == Hold::Boss) {

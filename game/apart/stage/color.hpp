@@ -6,7 +6,7 @@
 
 namespace apart {
 
-/// Red, green, blue and how much it covers, 0..255 each.
+/// Red, green, blue and opacity, 0..255 each.
 struct Color {
     std::uint8_t r = 0;
     std::uint8_t g = 0;
@@ -16,7 +16,7 @@ struct Color {
     friend constexpr bool operator==(Color, Color) = default;
 };
 
-/// From a at share 0 to b at share 1.
+/// Linear interpolation: a at share 0, b at share 1.
 constexpr Color mix(Color a, Color b, float share) {
     const float s = std::clamp(share, 0.0f, 1.0f);
     const auto blend = [s](std::uint8_t from, std::uint8_t to) {
@@ -34,7 +34,7 @@ constexpr Color darker(Color color, float share) {
     return mix(color, {0, 0, 0, color.a}, share);
 }
 
-/// Covering only that share of what it covered.
+/// Multiplies the opacity by `share`.
 constexpr Color faded(Color color, float share) {
     color.a =
         static_cast<std::uint8_t>(static_cast<float>(color.a) * std::clamp(share, 0.0f, 1.0f));

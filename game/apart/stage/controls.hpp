@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/math/vec2.hpp>
+#include <kodo/math.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace apart {
 
-/// A key or button that was pressed. What it does depends on the screen.
+/// A pressed key or button. Its effect depends on the screen.
 enum class Command : std::uint8_t {
-    Launch,  // space: serve; in menus the same as Confirm
+    Launch,  // space: serve; in menus equal to Confirm
     Confirm, // enter
     Back,    // escape
     Pause,
@@ -24,29 +24,29 @@ enum class Command : std::uint8_t {
     Mute,
 };
 
-/// What the player did since the last look.
+/// Input of the player since the previous poll.
 struct Signals {
     bool leftHeld = false;
     bool rightHeld = false;
     bool pullHeld = false;               // a key, or the left button of a captured mouse
-    bool pushHeld = false;               // a key, or the right button
+    bool pushHeld = false;               // a key, or the right button of a captured mouse
     kodo::Real moved = 0;                // m to the right, by a captured mouse
-    std::optional<kodo::Vec2> pointer{}; // m; where the free mouse has moved to, if it has
-    bool clicked = false;                // at `pointerNow`; a captured mouse clicks too
+    std::optional<kodo::Vec2> pointer{}; // m; new position of a free mouse, if it moved
+    bool clicked = false;                // at `pointerNow`; also for a captured mouse
     kodo::Vec2 pointerNow{};             // m
-    std::vector<Command> commands{};     // in the order of pressing
-    bool anyKey = false;                 // was pressed, even one that means nothing
+    std::vector<Command> commands{};     // in order of pressing
+    bool anyKey = false;                 // any key was pressed, even an unassigned one
     bool focusLost = false;
-    bool closed = false; // the window's own button
+    bool closed = false; // by the window's close button
 };
 
-/// Where the player's wishes come from.
+/// Source of the player's input.
 class Controls {
 public:
     virtual ~Controls() = default;
-    /// Forgets what it told before.
+    /// Input since the previous call.
     virtual Signals poll() = 0;
-    /// While captured, the mouse has no place, only ways that it goes.
+    /// While captured, the mouse reports displacements instead of positions.
     virtual void capture(bool on) = 0;
 };
 

@@ -10,12 +10,12 @@ namespace apart {
 
 namespace {
 
-constexpr Real kStep = Real(0.16);    // m between two bends of a crack
+constexpr Real kStep = Real(0.16);    // m, length of a segment
 constexpr Real kWidest = Real(0.055); // m, at the impact
-constexpr Real kBend = Real(0.55);    // rad, the most at one bend
+constexpr Real kBend = Real(0.55);    // rad, maximum between two segments
 
-/// The share of the way from a to b that stays inside a convex outline; a is inside.
-Real insideShare(const kodo::Convex& outline, Vec2 a, Vec2 b) {
+/// Share of the segment from a to b that lies inside a convex shape; a lies inside.
+Real insideShare(const kodo::ConvexShape& outline, Vec2 a, Vec2 b) {
     Real share = 1;
     for (std::size_t i = 0; i < outline.normals.size(); ++i) {
         const Real here = dot(outline.normals[i], outline.vertices[i] - a);
@@ -27,8 +27,8 @@ Real insideShare(const kodo::Convex& outline, Vec2 a, Vec2 b) {
     return share;
 }
 
-/// A record's point may lie a little outside; cracks start inside.
-Vec2 pulledInside(const kodo::Convex& outline, Vec2 point) {
+/// Projects a point into the convex shape: recorded contact points may lie slightly outside.
+Vec2 pulledInside(const kodo::ConvexShape& outline, Vec2 point) {
     for (std::size_t i = 0; i < outline.normals.size(); ++i) {
         const Real out = dot(outline.normals[i], point - outline.vertices[i]);
         if (out > 0) {
@@ -45,7 +45,7 @@ struct Branch {
     Real width = 0;
 };
 
-void growBranch(const kodo::Convex& outline, const Branch& branch, Dice& dice,
+void growBranch(const kodo::ConvexShape& outline, const Branch& branch, Dice& dice,
                 std::vector<CrackLine>& lines) {
     Vec2 here = branch.start;
     Real angle = branch.angle;
@@ -56,7 +56,7 @@ void growBranch(const kodo::Convex& outline, const Branch& branch, Dice& dice,
         const Real width = branch.width * (1 - Real(0.8) * done / branch.length);
         lines.push_back({here, end, width});
         if (share < 1) {
-            return; // reached the edge
+            return; // reached the boundary
         }
         here = end;
         angle += dice.between(-kBend, kBend);
@@ -65,7 +65,7 @@ void growBranch(const kodo::Convex& outline, const Branch& branch, Dice& dice,
 
 } // namespace
 
-std::vector<CrackLine> growCracks(const kodo::Convex& outline, Vec2 point, Real damage,
+std::vector<CrackLine> growCracks(const kodo::ConvexShape& outline, Vec2 point, Real damage,
                                   std::uint32_t seed) {
     std::vector<CrackLine> lines;
     if (outline.isRound() || outline.vertices.empty()) {
@@ -94,7 +94,7 @@ std::vector<CrackLine> growCracks(const kodo::Convex& outline, Vec2 point, Real 
     return lines;
 }
 
-void Cracks::add(std::uint32_t block, const kodo::Convex& outline, Vec2 point, Real damage) {
+void Cracks::add(std::uint32_t block, const kodo::ConvexShape& outline, Vec2 point, Real damage) {
     auto entry = std::find_if(entries_.begin(), entries_.end(),
                               [&](const Entry& e) { return e.block == block; });
     if (entry == entries_.end()) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <apart/stage/canvas.hpp>
-#include <kodo/shapes/convex.hpp>
+#include <kodo/convex_shape.hpp>
 
 #include <cstdint>
 #include <span>
@@ -10,23 +10,23 @@
 
 namespace apart {
 
-/// One straight piece of a crack (m), from the middle of its block.
+/// One straight segment of a crack (m), relative to the centre of its block.
 struct CrackLine {
     Vec2 from;
     Vec2 to;
     Real width = 0;
 };
 
-/// The cracks that grow from the point of an impact, in the outline's frame, into it. The same
-/// arguments always give the same cracks. `damage` 0..1 is the share of the strength that is gone.
-std::vector<CrackLine> growCracks(const kodo::Convex& outline, Vec2 point, Real damage,
+/// Cracks that grow from the point of an impact into the convex shape, in the shape's frame.
+/// Deterministic in its arguments. `damage` is the lost share of the strength, 0..1.
+std::vector<CrackLine> growCracks(const kodo::ConvexShape& outline, Vec2 point, Real damage,
                                   std::uint32_t seed);
 
-/// The cracks of all blocks that were hit and still stand.
+/// Cracks of all damaged blocks.
 class Cracks {
 public:
-    /// Blocks go by their key, which is theirs for life.
-    void add(std::uint32_t block, const kodo::Convex& outline, Vec2 point, Real damage);
+    /// `block` is the key of the block, constant for its lifetime.
+    void add(std::uint32_t block, const kodo::ConvexShape& outline, Vec2 point, Real damage);
     void forget(std::uint32_t block);
     std::span<const CrackLine> of(std::uint32_t block) const;
 

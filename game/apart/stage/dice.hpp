@@ -5,7 +5,7 @@
 
 namespace apart {
 
-/// Random numbers for what is only looked at. The rules of the game never see them.
+/// Random numbers for picture and sound. No game rule depends on them.
 class Dice {
 public:
     explicit Dice(std::uint32_t seed) : state_(seed * 2654435761u + 0x9e3779b9u) {

@@ -27,7 +27,7 @@ constexpr std::array<Beat, 16> kTune = {{
     {126, 14, 0.7f, false},
     {140, 12, 0.7f, true},
     {154, 14, 0.7f, false},
-    {168, 12, 0.9f, true}, // the last chord, from below
+    {168, 12, 0.9f, true}, // last chord, rising
     {168, 16, 0.7f, true},
     {168, 19, 0.6f, false},
     {200, 24, 0.6f, true},

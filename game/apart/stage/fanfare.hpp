@@ -6,8 +6,7 @@
 
 namespace apart {
 
-/// The feast after a cleared level: a tune, and fireworks on its beats. It ends whenever it is told
-/// to.
+/// Celebration of a cleared level: a tune with fireworks on its beats. stop() ends it early.
 class Fanfare {
 public:
     static constexpr int kTicks = 360;
@@ -15,7 +14,7 @@ public:
     void begin() { tick_ = 0; }
     void stop() { tick_ = kTicks; }
     bool done() const { return tick_ >= kTicks; }
-    /// Once a tick of the game; `volume` 0..1.
+    /// Call once per tick of the game; `volume` 0..1.
     void tick(Juice& juice, float volume, Speaker& speaker);
 
 private:

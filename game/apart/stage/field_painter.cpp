@@ -12,22 +12,22 @@ namespace apart {
 
 namespace {
 
-constexpr Real kNudge = Real(0.09); // m, of a block at the hardest blow
+constexpr Real kNudge = Real(0.09); // m, displacement of a block at the strongest impact
 
-/// From 0 to 1 with a little swing beyond it.
+/// Eases from 0 to 1 with a slight overshoot.
 Real swung(Real t) {
     const Real s = std::clamp(t, Real(0), Real(1)) - 1;
     return 1 + s * s * (Real(2.7) * s + Real(1.7));
 }
 
-/// Blocks grow row by row when the level begins.
+/// Blocks grow row by row at the start of the level.
 Real scaleOf(const Moment& moment, Vec2 middle) {
     const Real wait = Real(2.5) * (kFieldHeight - middle.y) + Real(0.6) * (middle.x + 12);
     const Real t = (moment.time() - wait) / 28;
     return t >= 1 || moment.game.ticks() > 240 ? 1 : swung(t);
 }
 
-/// How much a block calls for attention when nothing has been damaged for long.
+/// Brightness of a breakable block after a long time without damage.
 Real glowOf(const Moment& moment, const Block& block) {
     if (moment.game.patience() == Patience::Calm || !block.kind.breakable()) {
         return 0;
@@ -35,8 +35,8 @@ Real glowOf(const Moment& moment, const Block& block) {
     return Real(0.5) + Real(0.5) * std::sin(Real(0.06) * moment.time());
 }
 
-/// The mount that gives way next shakes: a little when it can be pulled off, more when it will fall
-/// by itself, and most while it is being pulled at.
+/// Shakes the mount that gives way next. The amplitude grows from "can be pulled off" to "about to
+/// fall", and with the progress of tearing.
 Vec2 shakeOf(const Moment& moment, const Block& block) {
     const Block* next = moment.game.nextToFall();
     const Patience patience = moment.game.patience();
@@ -61,7 +61,7 @@ void paintRope(Canvas& canvas, const Moment& moment, const Block& block, Vec2 mi
 void paintBlocks(Canvas& canvas, const Moment& moment) {
     for (const Block& block : moment.game.blocks()) {
         const kodo::BodyView body = moment.game.world()[block.body];
-        const kodo::Convex& outline = body.part(block.part).convex;
+        const kodo::ConvexShape& outline = body.part(block.part).convex;
         kodo::Transform place = moment.placeOf(block.body);
         const Blow blow = moment.juice.blowOf(block.body);
         const Blow own = moment.juice.blowOfBlock(block.key);
@@ -83,7 +83,7 @@ void paintShards(Canvas& canvas, const Moment& moment) {
         const kodo::BodyView body = moment.game.world()[shard.body];
         const std::vector<Vec2> corners =
             cornersOf(body.part(0).convex, moment.placeOf(shard.body));
-        // The last second of a shard: it fades as it crumbles.
+        // Shards fade during their last second.
         const auto age = static_cast<float>(moment.game.ticks() - shard.bornTick);
         const float left = std::clamp((static_cast<float>(kShardTicks) - age) / 120, 0.0f, 1.0f);
         const Color color = faded(darker(palette::of(shard.stuff), 0.1f), left);
@@ -91,7 +91,7 @@ void paintShards(Canvas& canvas, const Moment& moment) {
     }
 }
 
-/// Where the served ball will go.
+/// Paints the direction of the serve.
 void paintAim(Canvas& canvas, const Moment& moment) {
     if (!moment.game.serving() || moment.game.result() != Result::Playing) {
         return;

@@ -8,24 +8,25 @@
 
 namespace apart {
 
-/// The game at one moment between two ticks.
+/// The state of the game at one time between two ticks.
 struct Moment {
     const Game& game;
     const Juice& juice;
     const PoseBlend& poses;
-    Real share = 1; // 0 at the tick before, 1 at the last one
+    Real share = 1; // 0 at the previous tick, 1 at the latest one
 
     kodo::Transform placeOf(kodo::BodyId body) const {
-        return poses.placement(game.world()[body], share);
+        return poses.massFrame(game.world()[body], share);
     }
-    /// Ticks since the game began, with their fraction; what only moves on the screen goes by it.
+    /// Time of animations: ticks since the start of the game, with the fraction of the current
+    /// tick.
     Real time() const { return static_cast<Real>(game.ticks() % 1000000) + share; }
 };
 
-/// All that is in the field, from back to front. Balls come last: nothing ever hides them.
+/// Paints the field from back to front. Balls come last, so that nothing covers them.
 void paintField(Canvas& canvas, const Moment& moment);
 
-// Its layers.
+// Layers of the field.
 void paintForces(Canvas& canvas, const Moment& moment); // wind, wells, the paddle's field
 void paintObstructions(Canvas& canvas, const Moment& moment);
 void paintParts(Canvas& canvas, const Moment& moment);

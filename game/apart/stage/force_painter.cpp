@@ -19,17 +19,17 @@ struct Ink {
     Color color{};
 };
 
-/// 0..1, again and again, once in so many ticks.
+/// Sawtooth 0..1 with a period of `ticks`.
 Real cycle(Real time, Real ticks) {
     return time / ticks - std::floor(time / ticks);
 }
 
-/// Comes and goes while t goes from 0 to 1.
+/// Rises from 0 to 1 and back while t goes from 0 to 1.
 float swell(Real t) {
     return std::sin(kTurn / 2 * t);
 }
 
-/// Streaks that fly as fast as the wind.
+/// Paints streaks that move at the wind speed.
 void paintWind(Canvas& canvas, const Moment& moment) {
     const Real speed = moment.game.windSpeed();
     if (speed == 0) {
@@ -50,7 +50,7 @@ void paintWind(Canvas& canvas, const Moment& moment) {
     }
 }
 
-/// Part of a circle: from an angle on through a turn, both in rad.
+/// Arc of a circle, from an angle through a turn (rad).
 struct Arc {
     Vec2 middle;
     Real radius = 0;
@@ -58,9 +58,9 @@ struct Arc {
     Real turn = kTurn;
 };
 
-/// In pieces; not over the walls and what is told beside them.
+/// Paints line segments; those outside the field are omitted.
 void paintArc(Canvas& canvas, const Arc& arc, const Ink& ink) {
-    constexpr int kPieces = 32; // of a whole circle
+    constexpr int kPieces = 32; // per full circle
     const Real pieces = std::ceil(kPieces * arc.turn / kTurn);
     Vec2 before;
     for (Real i = 0; i <= pieces; ++i) {
@@ -75,7 +75,7 @@ void paintArc(Canvas& canvas, const Arc& arc, const Ink& ink) {
     }
 }
 
-/// Rings that fall into a well, or come out of one that repels.
+/// Paints rings that contract into a well, or expand if it repels.
 void paintWell(Canvas& canvas, const Moment& moment, Vec2 middle, bool draws) {
     const Color color = palette::of(Power::Well);
     canvas.setGlow(true);
@@ -92,7 +92,7 @@ void paintWell(Canvas& canvas, const Moment& moment, Vec2 middle, bool draws) {
     canvas.ring(middle, Real(0.3), Real(0.07), color);
 }
 
-/// Arcs over the paddle that fall to it or rise from it.
+/// Paints arcs above the paddle that contract (pull) or expand (push).
 void paintPaddleField(Canvas& canvas, const Moment& moment) {
     const Force force = moment.game.force();
     if (force == Force::None) {
@@ -101,7 +101,7 @@ void paintPaddleField(Canvas& canvas, const Moment& moment) {
     const Vec2 middle = moment.placeOf(moment.game.paddle()).position;
     const Color color = force == Force::Pull ? palette::kPaddle : palette::kAccent;
     constexpr int kArcs = 5;
-    constexpr Real kSpan = Real(1.74); // rad, the middle of it straight up
+    constexpr Real kSpan = Real(1.74); // rad, centred on straight up
     canvas.setGlow(true);
     for (int arc = 0; arc < kArcs; ++arc) {
         const Real t = cycle(moment.time() + Real(12) * static_cast<Real>(arc), 60);
@@ -112,7 +112,8 @@ void paintPaddleField(Canvas& canvas, const Moment& moment) {
     canvas.setGlow(false);
 }
 
-/// Beads from the block whose mount is being torn to the paddle, the brighter the nearer it is.
+/// Paints beads from the block whose mount is being torn to the paddle. They brighten with the
+/// progress of tearing.
 void paintTear(Canvas& canvas, const Moment& moment) {
     if (!moment.game.tears()) {
         return;

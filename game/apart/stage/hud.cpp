@@ -61,7 +61,7 @@ void paintScore(Canvas& canvas, const Game& game, const HudLook& look) {
     }
 }
 
-/// Balls in reserve; the one in play stands in front of them, larger.
+/// Paints the balls: the one in play first and larger, then those in reserve.
 void paintLives(Canvas& canvas, const Game& game) {
     canvas.text("BALLS", {kPanelLeft, Real(11.4)}, quiet(Real(0.42)));
     const int shown = std::min<int>(game.lives(), 8);
@@ -98,17 +98,17 @@ void paintCombo(Canvas& canvas, const Game& game) {
     if (game.combo() < 2) {
         return;
     }
-    // It grows with the combo, as far as there is room for its digits.
+    // The size grows with the combo while there is room for its digits.
     const bool wide = game.combo() >= 10;
     const Real size = wide ? Real(0.7) : Real(0.56) + Real(0.022) * static_cast<Real>(game.combo());
     canvas.text(fmt::format("combo x{}", game.combo()), {kPanelLeft, Real(7.1)},
                 strong(size, palette::kAccent));
 }
 
-/// The powers of this level, those at work first, and how long these will last.
+/// Paints the powers of this level with their remaining time, active ones first.
 void paintPowers(Canvas& canvas, const Game& game) {
     constexpr Real kLongest = static_cast<Real>(kEffectTicks) / kTicksPerSecond; // s
-    constexpr std::size_t kMost = 7; // that the panel has room for
+    constexpr std::size_t kMost = 7; // limited by the height of the panel
     std::vector<Power> powers = powersOf(game.level());
     std::stable_partition(powers.begin(), powers.end(),
                           [&](Power power) { return game.secondsLeft(power) > 0; });

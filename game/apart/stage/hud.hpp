@@ -10,24 +10,24 @@
 
 namespace apart {
 
-/// What the panel beside the field shows besides the game itself.
+/// Contents of the side panel that are not part of the game.
 struct HudLook {
-    std::string place;            // of the level among the others
-    std::int32_t scoreBefore = 0; // of the levels before, in a row without end
+    std::string place;            // number of the level, or the endless row
+    std::int32_t scoreBefore = 0; // of the previous endless levels
     std::int32_t best = 0;        // score to beat; 0: none
     bool muted = false;
-    const char* pilot = ""; // who plays, unless it is the player
+    const char* pilot = ""; // label of the player in control; empty: the human player
 };
 
 void paintHud(Canvas& canvas, const Game& game, const HudLook& look);
 
-/// What the level is about and how to begin, while a ball waits on the paddle.
+/// Level hint and serve instructions, shown while a ball rides on the paddle.
 void paintServeHint(Canvas& canvas, const Game& game);
 
 /// 12345 -> "12 345".
 std::string grouped(int number);
 
-/// Cut into lines of at most that many letters, between words.
+/// Breaks a text between words into lines of at most `letters` letters.
 std::vector<std::string> wrapped(std::string_view text, std::size_t letters);
 
 } // namespace apart

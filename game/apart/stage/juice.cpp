@@ -10,13 +10,13 @@ namespace apart {
 
 namespace {
 
-constexpr Real kHardest = 24;             // N s: the ball turned back at its common speed
+constexpr Real kHardest = 24;             // N s: a ball reversed at its usual speed
 constexpr Real kMostShake = Real(0.3);    // m
-constexpr Real kCalm = Real(0.94);        // of the trauma is left after a tick
-constexpr Real kCool = Real(0.93);        // of the heat is left after a tick
-constexpr Real kSwing = Real(0.3);        // rad a tick, of what was struck
-constexpr float kDim = 0.95f;             // of a flash is left after a tick
-constexpr std::uint32_t kFlashPause = 60; // ticks: never more than two flashes a second
+constexpr Real kCalm = Real(0.94);        // decay of the trauma per tick
+constexpr Real kCool = Real(0.93);        // decay of the heat per tick
+constexpr Real kSwing = Real(0.3);        // rad per tick, oscillation after an impact
+constexpr float kDim = 0.95f;             // decay of the flash per tick
+constexpr std::uint32_t kFlashPause = 60; // ticks: at most two flashes per second
 constexpr std::size_t kTrailLength = 44;  // ticks
 
 } // namespace
@@ -63,7 +63,7 @@ void Juice::followBalls(const Game& game) {
     }
 }
 
-/// What has fired leaves flames behind.
+/// Emits flames behind launched parts.
 void Juice::feedFlames(const Game& game) {
     for (const Part& part : game.parts()) {
         if (part.state == PartState::Launched) {
@@ -122,7 +122,7 @@ Blow Juice::blowOfBlock(std::uint32_t key) const {
 
 Vec2 Juice::shake() const {
     const Real size = kMostShake * trauma_ * trauma_ * share(settings_.shake);
-    const auto time = static_cast<Real>(now_ % 12000); // two sines that never meet look random
+    const auto time = static_cast<Real>(now_ % 12000); // incommensurate frequencies look random
     return size * Vec2{std::sin(Real(0.9) * time), std::sin(Real(1.13) * time + 1)};
 }
 

@@ -13,44 +13,44 @@
 
 namespace apart {
 
-/// What is left of the last blow to something.
+/// Visual response to the last impact on a body or block.
 struct Blow {
-    Real heat = 0; // 1 at the blow, 0 forgotten
-    Vec2 push;     // where it pushes, 0..1 long; it swings back and forth
+    Real heat = 0; // 1 at the impact, decays to 0
+    Vec2 push;     // damped oscillation along the impact, length 0..1
 };
 
-/// Everything that is only to be seen and lasts longer than a tick. It hears the events of the game
-/// and never speaks back; the same game gives the same picture.
+/// Visual effects that outlast a tick. Driven by game events, without influence on the game. The
+/// same game gives the same picture.
 class Juice {
 public:
     Juice(std::uint32_t seed, const Settings& settings) : settings_(settings), sparks_(seed) {}
 
     void setSettings(const Settings& settings) { settings_ = settings; }
     void firework(Vec2 place, Color color);
-    /// After each tick of the game.
+    /// Call after each tick of the game.
     void tick(const Game& game);
 
     const Settings& settings() const { return settings_; }
     const Sparks& sparks() const { return sparks_; }
     const Cracks& cracks() const { return cracks_; }
     std::span<const Popup> popups() const { return popups_.all(); }
-    /// m; where the picture is pushed to just now.
+    /// Current offset of the picture (m).
     Vec2 shake() const;
-    /// 0..1, how much of the flash colour covers the field.
+    /// Opacity of the flash over the field, 0..1.
     float flash() const { return flash_; }
     Color flashColor() const { return flashColor_; }
-    /// How lately and how hard this body was struck.
+    /// Response of a body to its last impact.
     Blow blowOf(kodo::BodyId body) const;
-    /// The same of one block; a boss has many blocks.
+    /// Response of a single block. The blocks of a boss share a body.
     Blow blowOfBlock(std::uint32_t key) const;
-    /// Where this ball was, oldest first.
+    /// Past positions of a ball, oldest first.
     std::span<const Vec2> trailOf(kodo::BodyId ball) const;
 
 private:
     struct Heat {
-        std::uint64_t name; // of a body or block
-        Real left;          // 1 at the blow, 0 forgotten
-        Vec2 push;          // unit times weight
+        std::uint64_t name; // nameOf() or nameOfBlock()
+        Real left;          // 1 at the impact, decays to 0
+        Vec2 push;          // direction times weight, length 0..1
         int age = 0;        // ticks
     };
     struct Trail {
@@ -58,7 +58,7 @@ private:
         std::vector<Vec2> places;
     };
 
-    // What each event looks like (juice_hear.cpp).
+    // Effects of each event (juice_hear.cpp).
     void hear(const Game& game, const Struck& hit);
     void hear(const Game& game, const Cracked& hit);
     void hear(const Game& game, const Broke& hit);
@@ -81,7 +81,7 @@ private:
     void hear(const Game& game, const Leapt& leap);
     void hear(const Game& game, const ShardCaught& shard);
     template <typename Other>
-    void hear(const Game&, const Other&) {} // what needs no light
+    void hear(const Game&, const Other&) {} // events without effects
 
     void burst(Burst burst);
     void blast(Vec2 point, Color color, int count, Real speed);
@@ -99,14 +99,14 @@ private:
     Popups popups_;
     std::vector<Heat> heats_;
     std::vector<Trail> trails_;
-    Real trauma_ = 0; // 0..1; the shake grows with its square
+    Real trauma_ = 0; // 0..1; the amplitude of the shake is proportional to its square
     float flash_ = 0;
     Color flashColor_{};
     std::uint32_t now_ = 0;
     std::uint32_t lastFlash_ = 0;
 };
 
-// Names under which blows are remembered, of bodies and of blocks.
+// Keys of responses, disjoint for bodies and blocks.
 constexpr std::uint64_t nameOf(kodo::BodyId body) {
     return std::uint64_t{body.generation} << 32 | body.index;
 }
@@ -114,7 +114,7 @@ constexpr std::uint64_t nameOfBlock(std::uint32_t key) {
     return std::uint64_t{1} << 63 | key;
 }
 
-/// How loud, bright or wild a blow is, 0..1: the root of its share of the hardest one.
+/// Intensity of an impact, 0..1: the square root of its share of the strongest impulse.
 Real weightOf(Real impulse);
 
 } // namespace apart

@@ -27,7 +27,7 @@ Color colorOf(const Struck& hit) {
     }
 }
 
-/// A word for a long chain of blocks, at its milestones.
+/// Praise at milestones of a combo.
 std::string_view praiseOf(int combo) {
     switch (combo) {
     case 5:
@@ -57,7 +57,7 @@ void Juice::firework(Vec2 place, Color color) {
 void Juice::hear(const Game&, const Struck& hit) {
     const Real weight = weightOf(hit.impulse);
     if (weight < Real(0.12)) {
-        return; // rolling and resting
+        return; // rolling and resting contacts
     }
     burst(
         {hit.point, hit.normal, lighter(colorOf(hit), 0.3f), countFor(weight, 10), 3 + 6 * weight});
@@ -71,7 +71,7 @@ void Juice::hear(const Game& game, const Cracked& hit) {
     for (const Block& block : game.blocks()) {
         if (block.key == hit.key) {
             const kodo::BodyView body = game.world()[block.body];
-            cracks_.add(hit.key, body.part(block.part).convex, toLocal(body.placement(), hit.point),
+            cracks_.add(hit.key, body.part(block.part).convex, toLocal(body.massFrame(), hit.point),
                         1 - hit.strengthLeft);
         }
     }
@@ -157,7 +157,7 @@ void Juice::hear(const Game& game, const PatienceChanged& change) {
     const Block* next = game.nextToFall();
     if (change.patience == Patience::Glowing && next != nullptr) {
         const kodo::BodyView body = game.world()[next->body];
-        const Vec2 middle = body.placement() * body.part(next->part).convex.middle;
+        const Vec2 middle = body.massFrame() * body.part(next->part).convex.middle;
         popups_.add({"pull it off", middle - Vec2{0, Real(1.4)}, palette::kAccent, Real(0.45)});
     }
     if (change.patience == Patience::Shaking) {

@@ -4,22 +4,22 @@
 #include <apart/core/tuning.hpp>
 #include <apart/stage/canvas.hpp>
 
-/// Where things are in the picture, in metres of the field.
+/// Layout of the picture, in metres of the field.
 namespace apart::layout {
 
 inline constexpr Real kRight = kFieldWidth / 2;
 inline constexpr Real kLeft = -kRight;
 inline constexpr Real kTop = kFieldHeight;
-inline constexpr Real kFrame = Real(0.45); // of the walls, as drawn
+inline constexpr Real kFrame = Real(0.45); // drawn thickness of the walls
 
-/// The panel with score and lives stands to the right of the field.
+/// The panel with score and lives, right of the field.
 inline constexpr Real kPanelLeft = kRight + Real(1.25);
 inline constexpr Real kPanelRight = kPanelLeft + Real(4.6);
 
-/// 16 to 10.
+/// The visible rectangle, with an aspect ratio of 16 to 10.
 inline constexpr Aabb kShown{{kLeft - Real(0.85), Real(-0.35)},
                              {kPanelRight + Real(0.5), kTop + Real(0.85)}};
-/// The title screen has no panel: the same size, with the field in the middle.
+/// The title screen has no panel: same size, centred on the field.
 inline constexpr Aabb kShownTitle{{Real(-0.5) * kShown.extent().x, kShown.lower.y},
                                   {Real(0.5) * kShown.extent().x, kShown.upper.y}};
 

@@ -21,9 +21,9 @@ constexpr std::size_t kInRow = 6;
 constexpr std::size_t kRowsInSight = 4;
 constexpr Real kTilesLeft = Real(-14.6);
 constexpr Real kTilesTop = Real(15.5);
-constexpr Vec2 kTileStep{Real(3.05), Real(3.3)}; // m, from tile to tile
+constexpr Vec2 kTileStep{Real(3.05), Real(3.3)}; // m, between tiles
 constexpr Vec2 kTile{Real(2.8), Real(2.1)};
-constexpr Real kHeader = Real(0.75); // m above the tiles of a row
+constexpr Real kHeader = Real(0.75); // m, above the tiles of a row
 constexpr Real kAboutLeft = Real(4.7);
 constexpr Real kAboutRight = Real(14.6);
 constexpr Vec2 kNowhere{1000, 1000};

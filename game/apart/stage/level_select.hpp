@@ -14,22 +14,22 @@ namespace apart {
 
 using LevelList = std::vector<std::shared_ptr<const Level>>;
 
-/// A tile for each level, in rows by theme, and beside them what the chosen one is about.
+/// One tile per level, in rows by theme, with a description of the chosen level.
 class LevelSelect {
 public:
     explicit LevelSelect(LevelList levels);
 
-    /// The level to play, once the player has chosen.
+    /// The level to play, after the player has confirmed a choice.
     std::optional<std::size_t> take(const Signals& signals);
     void choose(std::size_t level);
     std::size_t chosen() const { return chosen_; }
 
     void draw(Canvas& canvas, const Profile& profile, double seconds) const;
-    /// Where the tile of a level can be clicked; far outside when its row is not in sight.
+    /// Clickable area of a level's tile. Far outside the picture if its row is scrolled away.
     Aabb tile(std::size_t level) const;
-    /// A click there leads back to the title.
+    /// Clickable area that returns to the title.
     Aabb backPlace() const;
-    // A click there brings the next row into sight, where there is one.
+    // Clickable areas that scroll by one row, if possible.
     Aabb upPlace() const;
     Aabb downPlace() const;
 
@@ -52,10 +52,10 @@ private:
     LevelList levels_;
     std::vector<Row> rows_;
     std::size_t chosen_ = 0;
-    std::size_t topRow_ = 0; // the first in sight
+    std::size_t topRow_ = 0; // first visible row
 };
 
-/// All blocks of a level, drawn small into a box.
+/// Paints all blocks of a level, scaled to fit into a box.
 void paintPreview(Canvas& canvas, const Level& level, const Aabb& box);
 
 } // namespace apart

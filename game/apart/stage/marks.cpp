@@ -57,7 +57,7 @@ void egg(Canvas& canvas, const kodo::Transform& place, Real size, Color color) {
     std::array<Vec2, kCorners> corners;
     for (int i = 0; i < kCorners; ++i) {
         const Real angle = kTurn * static_cast<Real>(i) / kCorners;
-        const Real narrow = Real(0.72) - Real(0.14) * std::sin(angle); // its upper end is pointed
+        const Real narrow = Real(0.72) - Real(0.14) * std::sin(angle); // pointed at the upper end
         corners[static_cast<std::size_t>(i)] =
             place * (size * Vec2{narrow * std::cos(angle), std::sin(angle)});
     }
@@ -171,7 +171,7 @@ void paintMood(Canvas& canvas, Mood mood, Vec2 middle, const MoodStyle& style) {
         corners = {middle - Vec2{0, Real(1.25) * size}, middle + Vec2{Real(1.25) * size, 0},
                    middle + Vec2{0, Real(1.25) * size}, middle - Vec2{Real(1.25) * size, 0}};
         break;
-    case Mood::Bad: // on its point
+    case Mood::Bad: // pointing down
         corners = {
             middle + size * Vec2{0, Real(-1.5)}, middle + size * Vec2{Real(1.45), Real(0.95)},
             middle + size * Vec2{0, Real(0.95)}, middle + size * Vec2{Real(-1.45), Real(0.95)}};

@@ -12,9 +12,9 @@ namespace apart {
 
 namespace {
 
-constexpr Real kRow = Real(0.98);      // m, from item to item
+constexpr Real kRow = Real(0.98);      // m, between items
 constexpr Real kHalfWidth = Real(5.7); // m
-constexpr Real kBarLeft = Real(0.5);   // m, from the middle
+constexpr Real kBarLeft = Real(0.5);   // m, from the centre
 constexpr Real kBarRight = Real(3.0);
 constexpr int kNotch = 10; // percent
 

@@ -12,10 +12,10 @@
 namespace apart {
 
 enum class Action : std::uint8_t {
-    Play, // the next level that is not cleared yet
+    Play, // the first level not cleared yet
     Levels,
     Endless,
-    Mode, // standard or pure
+    Mode, // toggles standard and pure
     Options,
     Quit,
     Resume,
@@ -23,11 +23,11 @@ enum class Action : std::uint8_t {
     NextLevel,
     ToTitle,
     Back,
-    Reset, // all dials
-    Dial,  // left and right turn it
+    Reset, // resets all dials
+    Dial,  // adjusted by left and right
 };
 
-/// A number between two ends, shown as a bar.
+/// An integer within a range, shown as a bar.
 struct Gauge {
     int percent = 0;
     int least = 0;
@@ -38,17 +38,17 @@ struct MenuItem {
     Action action;
     std::string label;
     std::optional<Gauge> gauge{};
-    std::size_t dial = 0; // index into kDials, with a gauge
+    std::size_t dial = 0; // index into kDials, if there is a gauge
 };
 
-/// What the player did to a menu: chose an item, or turned a dial to a new value.
+/// Result of an input: an item was chosen, or a dial got a new value.
 struct MenuOutcome {
     Action action;
     std::size_t dial = 0;
     int percent = 0;
 };
 
-/// A column of items, by keys and by mouse alike.
+/// A column of items, operated by keys and mouse.
 class Menu {
 public:
     Menu() = default;
@@ -62,9 +62,9 @@ public:
 
     const std::vector<MenuItem>& items() const { return items_; }
     std::size_t chosen() const { return chosen_; }
-    /// Where an item can be clicked.
+    /// Clickable area of an item.
     Aabb place(std::size_t item) const;
-    /// Where the bar of its dial is.
+    /// Clickable area of the bar of an item's dial.
     Aabb bar(std::size_t item) const;
 
 private:
@@ -75,7 +75,7 @@ private:
     void drawDial(Canvas& canvas, std::size_t item, Color color) const;
 
     std::vector<MenuItem> items_;
-    Real top_ = 0; // m, of the first item
+    Real top_ = 0; // m, top of the first item
     std::size_t chosen_ = 0;
 };
 

@@ -11,7 +11,7 @@ namespace apart {
 
 namespace {
 
-/// Whole numbers of a level are 1/1000 m.
+/// Level files use integers in 1/1000 m.
 constexpr Real metres(std::int32_t milli) {
     return static_cast<Real>(milli) / 1000;
 }
@@ -43,18 +43,18 @@ void paintMotor(Canvas& canvas, const Moment& moment, const Obstruction& motor) 
     }
     const Vec2 hub = place.position;
     canvas.disc(hub, Real(0.3), lighter(palette::kAccent, 0.35f), darker(palette::kAccent, 0.25f));
-    const Vec2 along = place.rotation * Vec2{Real(0.21), 0}; // its slot shows that it turns
+    const Vec2 along = place.rotation * Vec2{Real(0.21), 0}; // the slot shows the rotation
     canvas.line(hub - along, hub + along, Real(0.1), palette::kInk);
 }
 
-/// Chevrons point the way that is open.
+/// Chevrons point in the open direction.
 void paintGate(Canvas& canvas, const Moment& moment, const Obstruction& gate) {
-    const kodo::Convex& line = moment.game.world()[gate.body].part(0).convex;
+    const kodo::ConvexShape& line = moment.game.world()[gate.body].part(0).convex;
     const kodo::Transform place = moment.placeOf(gate.body);
     const Vec2 from = place * line.vertices[0];
     const Vec2 to = place * line.vertices[line.vertices.size() - 1];
     const Vec2 along = normalize(to - from);
-    const Vec2 open = place.rotation * line.normals[1]; // from behind to the front
+    const Vec2 open = place.rotation * line.normals[1]; // from back to front
     const float heat = moment.juice.blowOf(gate.body).heat;
     const Color color = lighter(palette::kPaddle, 0.6f * heat);
     canvas.line(from, to, Real(0.16), palette::kInk);

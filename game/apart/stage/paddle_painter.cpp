@@ -14,7 +14,7 @@ namespace apart {
 namespace {
 
 constexpr Real kRim = Real(0.06); // m, of outlines
-constexpr Real kDip = Real(0.14); // m, of the paddle at the hardest blow
+constexpr Real kDip = Real(0.14); // m, displacement of the paddle at the strongest impact
 
 void paintPower(Canvas& canvas, std::span<const Vec2> corners, Power power,
                 const kodo::Transform& place) {
@@ -23,14 +23,14 @@ void paintPower(Canvas& canvas, std::span<const Vec2> corners, Power power,
     paintMark(canvas, power, place, Real(0.2), lighter(color, 0.35f));
 }
 
-/// A ring closes until a stuck part fires.
+/// Paints a ring that closes until a stuck part fires.
 void paintCountdown(Canvas& canvas, const Moment& moment, const Part& part, Vec2 middle) {
     const auto since = static_cast<Real>(moment.game.ticks() - part.sinceTick);
     const Real left = std::clamp(1 - since / static_cast<Real>(kStickTicks), Real(0), Real(1));
     canvas.ring(middle, Real(0.5) + Real(1.3) * left, Real(0.08), palette::of(part.power));
 }
 
-/// The ball that an eye follows: the lowest.
+/// Position of the lowest ball, which the paddle's eyes follow.
 Vec2 watched(const Moment& moment, Vec2 otherwise) {
     Vec2 lowest = otherwise;
     for (const Ball& ball : moment.game.balls()) {
@@ -57,7 +57,7 @@ void paintEyes(Canvas& canvas, const Moment& moment, const kodo::Transform& plac
     }
 }
 
-/// What works on the paddle just now shows on it.
+/// Paints the powers that act on the paddle.
 void paintWorking(Canvas& canvas, const Moment& moment, const kodo::Transform& place) {
     if (moment.game.secondsLeft(Power::Magnet) > 0) {
         const Real beat = Real(0.5) + Real(0.5) * std::sin(Real(0.1) * moment.time());
@@ -105,7 +105,7 @@ void paintPaddle(Canvas& canvas, const Moment& moment) {
     place.position += Vec2{0, kDip * blow.push.y};
     paintWorking(canvas, moment, place);
     for (std::size_t i = 0; i < body.partCount(); ++i) {
-        const kodo::Convex& outline = body.part(i).convex;
+        const kodo::ConvexShape& outline = body.part(i).convex;
         const std::vector<Vec2> corners = cornersOf(outline, place);
         if (i > 0) {
             const bool wing = moment.game.welds()[i - 1].wing;

@@ -7,14 +7,14 @@
 #include <array>
 #include <cstddef>
 
-/// The colours of the game. Nothing is told by colour alone: stuffs have a grain, powers a mark.
+/// Colours of the game. Colour is never the only cue: stuffs also have a grain, powers a symbol.
 namespace apart::palette {
 
 inline constexpr Color kNight{7, 8, 15}; // corners of the picture
 inline constexpr Color kInk{8, 10, 20};  // outlines
 inline constexpr Color kText{226, 232, 245};
 inline constexpr Color kQuiet{140, 150, 178}; // less important text
-inline constexpr Color kAccent{255, 204, 92}; // what to look at
+inline constexpr Color kAccent{255, 204, 92}; // highlights
 inline constexpr Color kDanger{255, 84, 92};
 inline constexpr Color kBumper{255, 128, 170};
 inline constexpr Color kMachine{156, 168, 196}; // motors, pins, gates

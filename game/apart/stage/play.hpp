@@ -3,17 +3,17 @@
 
 #include <apart/core/game.hpp>
 #include <apart/stage/canvas.hpp>
-#include <apart/stage/ear.hpp>
 #include <apart/stage/fanfare.hpp>
 #include <apart/stage/field_painter.hpp>
 #include <apart/stage/juice.hpp>
 #include <apart/stage/pose_blend.hpp>
+#include <apart/stage/sound_cues.hpp>
 
 #include <memory>
 
 namespace apart {
 
-/// One game with everything that makes it seen and heard.
+/// A game with its picture and sound.
 class Play {
 public:
     Play(std::shared_ptr<const Level> level, std::uint32_t seed, Mode mode,
@@ -21,13 +21,13 @@ public:
         : game_(std::move(level), seed, mode), juice_(seed, settings) {}
 
     void tick(const Input& input, Speaker& speaker);
-    /// At that share of the way from the last tick but one to the last.
+    /// Draws the state between the previous tick (share 0) and the latest one (share 1).
     void draw(Canvas& canvas, Real share) const;
 
     const Game& game() const { return game_; }
     const Juice& juice() const { return juice_; }
     void setSettings(const Settings& settings) { juice_.setSettings(settings); }
-    /// One tick of a feast, in this field.
+    /// One tick of the fanfare.
     void celebrate(Fanfare& fanfare, Speaker& speaker) {
         fanfare.tick(juice_, share(juice_.settings().sound), speaker);
     }
@@ -36,7 +36,7 @@ private:
     Game game_;
     Juice juice_;
     PoseBlend poses_;
-    Ear ear_;
+    SoundCues soundCues_;
 };
 
 } // namespace apart

@@ -6,24 +6,24 @@
 
 namespace apart {
 
-/// What the player may turn up and down, in percent. No effect touches the simulation; 0 is off.
+/// Settings of the player, in percent; 0 turns an effect off. No effect influences the simulation.
 struct Settings {
     int particles = 100;
     int trail = 100;
-    int squash = 100; // of balls, paddle and blocks that are struck
+    int squash = 100; // deformation of balls, paddle and blocks after impacts
     int shake = 60;
     int flash = 60;
-    int freeze = 60; // the picture holds for a moment at a hard blow
+    int freeze = 60; // duration of the hit-freeze after a strong impact
     int sound = 80;
-    int mouse = 100; // how far the paddle goes for the way of the mouse
-    int speed = 100; // of the game's time on the screen; the ticks are the same
+    int mouse = 100; // ratio of paddle displacement to mouse displacement
+    int speed = 100; // of the game's time relative to real time; the ticks stay the same
 
     friend bool operator==(const Settings&, const Settings&) = default;
 };
 
-/// One of them, as menus and the file of settings know it.
+/// Description of one setting, for menus and the profile file.
 struct Dial {
-    std::string_view key; // in the file
+    std::string_view key; // in the profile file
     std::string_view label;
     int Settings::*value;
     int least = 0;
@@ -41,7 +41,7 @@ inline constexpr std::array<Dial, 9> kDials = {
     Dial{"freeze", "Hit-freeze", &Settings::freeze},
 };
 
-/// As a share, 0..1 for 0..100.
+/// Converts percent to a share: 100 becomes 1.
 constexpr float share(int percent) {
     return static_cast<float>(percent) / 100.0f;
 }

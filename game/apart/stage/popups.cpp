@@ -13,11 +13,11 @@ namespace {
 constexpr int kLife = 90;            // ticks
 constexpr int kYoung = 40;           // ticks
 constexpr Real kJoins = Real(2.4);   // m
-constexpr Real kRise = Real(1.2);    // m, over its life; all rise alike, so that none catches up
-constexpr Real kLetter = Real(0.72); // width of a bold letter, as share of its height
-constexpr Real kBelow = Real(0.25);  // below the base line, as share of the height
-// That points may grow to.
-constexpr std::size_t kMostDigits = 5; // with their sign
+constexpr Real kRise = Real(1.2);    // m, over its life; equal for all, so that the distances stay
+constexpr Real kLetter = Real(0.72); // width of a bold letter relative to its height
+constexpr Real kBelow = Real(0.25);  // descent below the base line relative to the height
+// Limits to which the points of a popup may grow.
+constexpr std::size_t kMostDigits = 5; // with the sign
 constexpr Real kTallest = Real(0.7);   // m
 
 Real tall(const Popup& popup) {
@@ -30,7 +30,7 @@ Real halfWidth(const Popup& popup) {
     return kLetter / 2 * tall(popup) * static_cast<Real>(letters);
 }
 
-/// Into the field, with all of its way up.
+/// Clamps a position to the field, including the rise.
 Vec2 heldIn(const Popup& popup) {
     const Real reach = std::max(layout::kRight - halfWidth(popup), Real(0));
     return {std::clamp(popup.place.x, -reach, reach),
@@ -79,7 +79,7 @@ void Popups::add(Popup popup) {
         popup.text = fmt::format("+{}", popup.points);
     }
     popup.place = heldIn(popup);
-    // Step by step away from its place, above and below by turns, until nothing covers it.
+    // Tries positions alternately above and below until nothing overlaps.
     const Vec2 wanted = popup.place;
     const Real step = (1 + kBelow) * tall(popup) / 2;
     const auto covered = [&] {

@@ -9,29 +9,29 @@
 
 namespace apart {
 
-/// A number or a word that rises and fades.
+/// Text that rises and fades.
 struct Popup {
     std::string text;
-    Vec2 place; // m; the middle of its base line, where it began
+    Vec2 place; // m; centre of the base line at age 0
     Color color{};
     Real height = 0; // m, of the letters
-    int points = 0;  // that it tells of, if any
+    int points = 0;  // points shown, 0: a text without points
     int age = 0;     // ticks
 
-    /// m; where the middle of its base line is now.
+    /// Current centre of the base line (m).
     Vec2 placeNow() const;
-    /// m; room for its letters, as it is now.
+    /// Current bounding box of the text (m).
     Aabb box() const;
-    /// 0..1, how much of it is still to be seen.
+    /// Remaining opacity, 0..1.
     float left() const;
 };
 
-/// All that are to be seen, each where it can be read.
+/// All visible popups, placed without overlap.
 class Popups {
 public:
-    /// Points join those that have just come up nearby, so that a chain of breaks stays readable. A
-    /// word that has just come up there is not said twice; any other one stands above or below what
-    /// would cover it. All of them stay in the field.
+    /// Points are added to a recent popup nearby, which keeps a chain of breaks legible. A recent
+    /// nearby popup with the same text is kept instead of a new one. Other popups move up or down
+    /// until they overlap no popup. All positions stay inside the field.
     void add(Popup popup);
     void tick();
 

@@ -5,7 +5,7 @@ namespace apart {
 
 namespace {
 
-constexpr kodo::Real kJump = kodo::Real(1.5); // m in one tick; nothing flies that fast
+constexpr kodo::Real kJump = kodo::Real(1.5); // m per tick, above every speed: a teleport
 
 } // namespace
 
@@ -19,17 +19,17 @@ void PoseBlend::remember(const kodo::World& world) {
     }
 }
 
-kodo::Transform PoseBlend::placement(const kodo::BodyView& body, kodo::Real share) const {
+kodo::Transform PoseBlend::massFrame(const kodo::BodyView& body, kodo::Real share) const {
     const kodo::BodyId id = body.id();
     if (id.index >= poses_.size() || poses_[id.index].generation != id.generation) {
-        return body.placement();
+        return body.massFrame();
     }
     const Pose& old = poses_[id.index];
     const kodo::Vec2 way = body.position() - old.position;
     const kodo::Rot now = body.rotation();
     const kodo::Rot turn = old.rotation.inverse() * now;
     if (lengthSquared(way) > kJump * kJump || turn.c < 0) {
-        return body.placement();
+        return body.massFrame();
     }
     const kodo::Rot rotation =
         normalize(kodo::Rot{old.rotation.c + share * (now.c - old.rotation.c),

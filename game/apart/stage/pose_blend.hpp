@@ -1,29 +1,31 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/world/world.hpp>
+#include <kodo/world.hpp>
 
 #include <cstdint>
 #include <vector>
 
 namespace apart {
 
-/// Where bodies are between two ticks, so that motion is smooth whatever the frame rate.
+/// Interpolates body poses between two ticks, for smooth motion at any frame rate.
 class PoseBlend {
 public:
     /// Call before each tick.
     void remember(const kodo::World& world);
-    /// At that share of the way from the remembered tick to the present one: takes a point of
-    /// part(i).convex to the world. A body that is new, or has jumped, is where it is.
-    kodo::Transform placement(const kodo::BodyView& body, kodo::Real share) const;
+    /// Interpolated frame of the centre of mass, from the remembered tick (share 0) to the current
+    /// one (share 1). It takes points of part(i).convex to the world. New and teleported bodies
+    /// keep their current frame.
+    kodo::Transform massFrame(const kodo::BodyView& body, kodo::Real share) const;
     kodo::Vec2 center(const kodo::BodyView& body, kodo::Real share) const {
-        return placement(body, share).position;
+        return massFrame(body, share).position;
     }
 
 private:
     struct Pose {
         std::uint32_t generation = 0;
-        kodo::Vec2 position; // of the shape's frame: a weld moves the centre of mass, but not this
+        kodo::Vec2 position; // of the shape's frame: unlike the centre of mass, it is unchanged by
+                             // a weld
         kodo::Rot rotation;
     };
     std::vector<Pose> poses_; // by BodyId::index

@@ -11,21 +11,21 @@
 
 namespace apart {
 
-/// The best that the player has done in a level. What is won once stays, game after game.
+/// The best results of the player in one level. Won honours persist across games.
 struct Best {
     std::int32_t score = 0;
     bool cleared = false;
     bool unhurt = false; // cleared without losing the last ball in play
-    bool chain = false;  // had a combo of kMostCombo
+    bool chain = false;  // reached a combo of kMostCombo
 
     friend bool operator==(Best, Best) = default;
 };
 
-/// What is kept of a player between two runs of the program.
+/// Player data that persists between runs of the program.
 struct Profile {
     Settings settings{};
-    Mode mode = Mode::Standard; // as chosen last
-    /// By Mode and by name of the level: scores of the two never meet.
+    Mode mode = Mode::Standard; // last choice
+    /// Indexed by Mode, then by level name: scores of different modes are never compared.
     std::array<std::map<std::string, Best>, kModeNames.size()> best{};
 
     Best bestOf(Mode of, const std::string& level) const {
@@ -33,7 +33,7 @@ struct Profile {
         const auto found = bests.find(level);
         return found == bests.end() ? Best{} : found->second;
     }
-    /// True when the score beats one that was there already.
+    /// Merges a result. True if its score beats an existing one.
     bool enter(Mode in, const std::string& level, Best game);
 
     friend bool operator==(const Profile&, const Profile&) = default;

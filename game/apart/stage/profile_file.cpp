@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kLongestFile = std::size_t{1} << 20; // bytes
 constexpr std::array<const char*, 2> kTables = {"best", "best-pure"};
 
-/// Reads one profile and keeps the first problem that it meets.
+/// Reads a profile and keeps the first problem.
 class ProfileReader {
 public:
     explicit ProfileReader(const std::string& file) : file_(file) {}
@@ -107,7 +107,7 @@ private:
     std::optional<FileProblem> problem_;
 };
 
-/// A folder that the environment names; nothing unless it is a full path.
+/// Folder named by an environment variable, if it is an absolute path.
 std::optional<std::filesystem::path> folderOf(const char* variable) {
     const char* value = std::getenv(variable);
     if (value == nullptr || !std::filesystem::path(value).is_absolute()) {

@@ -11,8 +11,8 @@
 
 namespace apart {
 
-/// apart/profile.toml in the user's folder for settings: XDG_CONFIG_HOME, else .config in HOME
-/// (APPDATA on Windows). Nothing when none of them is set.
+/// Path of apart/profile.toml in the user's configuration folder: XDG_CONFIG_HOME, else APPDATA,
+/// else .config in HOME. Empty if none of these variables is set.
 std::optional<std::filesystem::path> profileFile();
 
 std::string toText(const Profile& profile);
@@ -20,14 +20,13 @@ Read<Profile> profileFrom(std::string_view text, const std::string& file);
 
 struct LoadedProfile {
     Profile profile;
-    std::string notice; // a sentence for the player, or nothing
+    std::string notice; // a sentence for the player, or empty
 };
 
-/// A file that cannot be understood is renamed to *.broken, so that nothing in it is lost, and the
-/// profile begins anew.
+/// An invalid file is renamed to *.broken, which keeps its content. A default profile is returned.
 LoadedProfile loadProfile(const std::filesystem::path& file);
 
-/// Makes its folder if need be. The old file stays whole whatever happens.
+/// Creates the folder if needed. On failure the old file stays intact.
 std::optional<FileProblem> saveProfile(const std::filesystem::path& file, const Profile& profile);
 
 } // namespace apart

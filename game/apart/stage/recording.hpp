@@ -11,16 +11,16 @@
 
 namespace apart {
 
-/// One thing that was drawn.
+/// One drawn primitive.
 struct Stroke {
     enum class Kind : std::uint8_t { Rectangle, Polygon, Outline, Line, Disc, Ring, Text } kind;
-    Vec2 place;    // of the first corner, the middle or the base line
-    Color color;   // of the first corner or the middle
-    Real size = 0; // radius, width or height of letters
+    Vec2 place;    // first corner, centre or base line
+    Color color;   // of the first corner or the centre
+    Real size = 0; // radius, width or letter height
     std::string text{};
 };
 
-/// A canvas without a screen, for tests: it keeps what was drawn in the last picture.
+/// A canvas without a screen, for tests. It records the primitives of the last picture.
 class RecordingCanvas : public Canvas {
 public:
     void begin(const Aabb& shown, Vec2 shake) override;
@@ -54,7 +54,7 @@ public:
     std::vector<Note> notes;
 };
 
-/// Tells what it was told to tell, one Signals a poll; then nothing.
+/// Replays a script, one Signals per poll, then empty input.
 class ScriptedControls : public Controls {
 public:
     Signals poll() override;

@@ -13,27 +13,27 @@ namespace apart {
 
 namespace {
 
-constexpr double kCountSeconds = 1.2; // until the whole score is shown
+constexpr double kCountSeconds = 1.2; // duration of the score counter
 
 void line(Canvas& canvas, Real y, std::string_view name, const std::string& value) {
     canvas.text(name, {Real(-0.3), y}, {Real(0.5), palette::kQuiet, Typeface::Plain, Align::Right});
     canvas.text(value, {Real(0.3), y}, {Real(0.5), palette::kText, Typeface::Bold});
 }
 
-/// A tick.
+/// A check mark.
 void paintCleared(Canvas& canvas, Vec2 middle, Real size, Color color) {
     const Vec2 foot = middle + size * Vec2{Real(-0.25), Real(-0.6)};
     canvas.line(middle + size * Vec2{Real(-0.9), Real(0.1)}, foot, Real(0.35) * size, color);
     canvas.line(foot, middle + size * Vec2{Real(0.9), Real(0.75)}, Real(0.35) * size, color);
 }
 
-/// A whole ball.
+/// A ball.
 void paintUnhurt(Canvas& canvas, Vec2 middle, Real size, Color color) {
     canvas.ring(middle, Real(0.75) * size, Real(0.28) * size, color);
     canvas.disc(middle, Real(0.3) * size, color, color);
 }
 
-/// Two links.
+/// Two chain links.
 void paintChain(Canvas& canvas, Vec2 middle, Real size, Color color) {
     const Vec2 step = size * Vec2{Real(0.42), Real(0.25)};
     canvas.ring(middle - step, Real(0.5) * size, Real(0.26) * size, color);

@@ -3,23 +3,23 @@
 
 #include <apart/core/game.hpp>
 #include <apart/stage/canvas.hpp>
-#include <apart/stage/tally.hpp>
+#include <apart/stage/run_statistics.hpp>
 
 namespace apart {
 
-/// What is said after a game.
+/// Contents of the result screen.
 struct ResultsLook {
     const Game& game;
-    const Tally& tally;
-    std::int32_t score = 0; // of an endless run, all its levels; else the game's
-    Best before{};          // what was won of this level before this game
+    const RunStatistics& tally;
+    std::int32_t score = 0; // sum over an endless run, else the score of the game
+    Best before{};          // best results of this level before this game
     bool newBest = false;
-    double seconds = 0; // since it came up: the score counts up
+    double seconds = 0; // since the screen appeared; drives the score counter
 };
 
 void paintResults(Canvas& canvas, const ResultsLook& look);
 
-/// The three signs of what can be won in a level, one step apart: dim where it has not been.
+/// Paints the three honours of a level, `step` apart. Honours not won yet are dim.
 void paintHonours(Canvas& canvas, Vec2 place, Vec2 step, Real size, Best best);
 
 } // namespace apart

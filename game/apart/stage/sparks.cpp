@@ -12,8 +12,8 @@ namespace {
 constexpr std::size_t kMost = 700;
 constexpr Real kFall = -9;            // m/s^2
 constexpr Real kDrag = Real(2.2);     // 1/s
-constexpr Real kStreak = Real(0.025); // s of flight that a spark shows at once
-constexpr Real kSpread = Real(1.1);   // rad to both sides of a heading
+constexpr Real kStreak = Real(0.025); // s of flight shown as a streak
+constexpr Real kSpread = Real(1.1);   // rad, to both sides of a heading
 
 } // namespace
 

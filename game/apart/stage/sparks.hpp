@@ -8,23 +8,23 @@
 
 namespace apart {
 
-/// A burst of short-lived glowing bits.
+/// A burst of short-lived glowing particles.
 struct Burst {
     Vec2 point;   // m
-    Vec2 heading; // unit, the middle of the spread; zero: all around
+    Vec2 heading; // unit vector, centre of the spread; zero: all directions
     Color color{};
     int count = 0;
-    Real speed = 6;           // m/s, of the fastest
-    Real seconds = Real(0.5); // of the longest life
+    Real speed = 6;           // m/s, maximum
+    Real seconds = Real(0.5); // maximum lifetime
     Real size = Real(0.07);   // m
 };
 
-/// Particles: only looked at, never in the simulation.
+/// Particle effects, outside the simulation.
 class Sparks {
 public:
     explicit Sparks(std::uint32_t seed) : dice_(seed) {}
 
-    /// Past a fixed number of sparks, new ones are dropped: the ball must stay visible.
+    /// Above a fixed number of sparks, new ones are dropped to keep the ball visible.
     void add(const Burst& burst);
     void tick(Real seconds);
     void draw(Canvas& canvas) const;

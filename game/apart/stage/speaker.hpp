@@ -7,7 +7,7 @@
 
 namespace apart {
 
-/// The sounds of the game, one for each thing that can be told by ear.
+/// Sounds of the game, one per audible event.
 enum class Voice : std::uint8_t {
     Glass,
     Wood,
@@ -16,25 +16,25 @@ enum class Voice : std::uint8_t {
     Steel,
     Wall,
     Paddle,
-    Break, // under the tone of what broke
-    Weld,  // a part became one with the paddle
-    Stick, // a part sticks and counts down
-    Fire,  // it went off
-    Split, // a block became balls
+    Break, // added to the voice of the broken material
+    Weld,  // a part is welded to the paddle
+    Stick, // a part sticks to the paddle until it fires
+    Fire,  // a stuck part fires
+    Split, // a block splits into balls
     Serve,
     BallLost,
     Cleared,
     GameOver,
-    Choose, // in menus
-    Bumper, // kicks
-    Good,   // a power begins that is welcome
-    Bad,    // one that is not
-    Over,   // a power ends
-    Pull,   // the paddle's field
+    Choose, // menu selection
+    Bumper, // bumper impact
+    Good,   // start of a good power
+    Bad,    // start of a bad power
+    Over,   // end of a power
+    Pull,   // the paddle's field pulls
     Push,
-    Gulp,   // a shard fed the meter
+    Gulp,   // a shard refills the meter
     Rumble, // a mount gives way
-    Boss,   // it is down
+    Boss,   // a boss is defeated
 };
 inline constexpr std::array<std::string_view, 26> kVoiceNames = {
     "glass", "wood", "brick", "stone", "steel",     "wall",    "paddle",    "break",  "weld",
@@ -43,19 +43,19 @@ inline constexpr std::array<std::string_view, 26> kVoiceNames = {
 
 struct Note {
     Voice voice = Voice::Wall;
-    float pitch = 1;  // times the frequency of the voice
+    float pitch = 1;  // factor on the frequency of the voice
     float volume = 1; // 0..1
     float pan = 0;    // -1 left .. 1 right
 };
 
-/// What the game is heard through.
+/// Sound output.
 class Speaker {
 public:
     virtual ~Speaker() = default;
     virtual void play(const Note& note) = 0;
 };
 
-/// For --mute, and where there is no sound device.
+/// No output, for --mute or without a sound device.
 class SilentSpeaker : public Speaker {
 public:
     void play(const Note&) override {}

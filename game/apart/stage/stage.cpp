@@ -9,11 +9,12 @@ namespace apart {
 namespace {
 
 constexpr double kTick = 1.0 / kTicksPerSecond;
-constexpr double kLongestFrame = 0.1;                      // s; what a stall takes longer is lost
-constexpr int kEndTicks = kTicksPerSecond * 5 / 4;         // from the last event to the result
-constexpr double kAttractSeconds = 20;                     // without a touch
-constexpr std::uint32_t kDemoTicks = 60 * kTicksPerSecond; // then the bot shows the next level
-constexpr const char* kEndlessName = "endless";            // of its row in the table of scores
+constexpr double kLongestFrame = 0.1;                      // s; longer frames lose the excess
+constexpr int kEndTicks = kTicksPerSecond * 5 / 4;         // from the end of the game to the result
+                                                           // screen
+constexpr double kAttractSeconds = 20;                     // without input
+constexpr std::uint32_t kDemoTicks = 60 * kTicksPerSecond; // until the bot shows the next level
+constexpr const char* kEndlessName = "endless";            // key of endless runs in the profile
 
 } // namespace
 
@@ -65,8 +66,8 @@ void Stage::enter(std::unique_ptr<Play> play) {
     screen_ = Screen::Playing;
     recorder_.reset();
     played_.reset();
-    tally_ = {};
-    hands_.letGo();
+    statistics_ = {};
+    inputMapper_.letGo();
     fanfare_.stop();
     owed_ = 0;
     endTicks_ = 0;
@@ -83,7 +84,7 @@ void Stage::beginEndless(std::uint32_t number) {
     beginGame(def_.endless(number));
 }
 
-/// A new run.
+/// Starts a new run of endless levels.
 void Stage::startEndless() {
     endlessScore_ = 0;
     beginEndless(std::max(def_.firstEndless, 1u));
@@ -108,7 +109,7 @@ void Stage::next() {
     }
 }
 
-/// The bot shows a level behind a menu.
+/// Starts a game of the bot behind a menu.
 void Stage::demo(std::size_t level) {
     const Screen screen = screen_;
     begin(level);
@@ -133,7 +134,7 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     if (screen_ == Screen::Paused || (screen_ == Screen::Options && !demoRuns())) {
         return;
     }
-    const double pace = pace_.next(play_->game(), seconds) * settings().speed / 100;
+    const double pace = timeScale_.next(play_->game(), seconds) * settings().speed / 100;
     owed_ += pace * std::min(seconds, kLongestFrame);
     for (; owed_ >= kTick; owed_ -= kTick) {
         tick(speaker);
@@ -158,7 +159,7 @@ void Stage::tick(Speaker& speaker) {
     if (demoRuns()) {
         return tickDemo();
     }
-    std::optional<Input> input = hands_.next();
+    std::optional<Input> input = inputMapper_.next();
     if (const Pilot& pilot = showing_ ? def_.show->pilot : def_.pilot) {
         input = pilot(play_->game());
     }
@@ -171,8 +172,8 @@ void Stage::tick(Speaker& speaker) {
             played_ = recorder_->finish(game);
         }
     }
-    pace_.feel(game, settings());
-    tally_.hear(game);
+    timeScale_.feel(game, settings());
+    statistics_.hear(game);
     if (!fanfare_.done()) {
         play_->celebrate(fanfare_, speaker);
     }
@@ -189,7 +190,7 @@ void Stage::tick(Speaker& speaker) {
     }
 }
 
-/// A pilot's games are not the player's.
+/// Saves the profile, except for games of a pilot.
 void Stage::keep() {
     if (!def_.save || def_.pilot) {
         return;
@@ -197,7 +198,7 @@ void Stage::keep() {
     note(def_.save(def_.profile));
 }
 
-/// Once each, however often it is met.
+/// Adds a notice unless it is already shown.
 void Stage::note(std::string problem) {
     std::vector<std::string>& notices = def_.notices;
     if (!problem.empty() && std::find(notices.begin(), notices.end(), problem) == notices.end()) {
@@ -211,7 +212,7 @@ void Stage::finish() {
     fanfare_.stop();
     const Game& game = play_->game();
     const std::string name = endless_ > 0 ? kEndlessName : game.level().name;
-    Best best = tally_.bestOf(game);
+    Best best = statistics_.bestOf(game);
     best.score += endless_ > 0 ? endlessScore_ : 0;
     before_ = def_.profile.bestOf(game.mode(), name);
     newBest_ = false;

@@ -3,13 +3,13 @@
 
 #include <apart/core/replay.hpp>
 #include <apart/stage/fanfare.hpp>
-#include <apart/stage/hands.hpp>
 #include <apart/stage/hud.hpp>
+#include <apart/stage/input_mapper.hpp>
 #include <apart/stage/level_select.hpp>
 #include <apart/stage/menu.hpp>
-#include <apart/stage/pace.hpp>
 #include <apart/stage/play.hpp>
-#include <apart/stage/tally.hpp>
+#include <apart/stage/run_statistics.hpp>
+#include <apart/stage/time_scale.hpp>
 
 #include <functional>
 #include <memory>
@@ -19,10 +19,10 @@
 
 namespace apart {
 
-/// Plays in the player's place: the input of the next tick, or nothing when it has no more to say.
+/// Replaces the player: input of the next tick, or nothing at its end.
 using Pilot = std::function<std::optional<Input>(const Game&)>;
 
-/// A recorded game, to be watched. Its level may be one that no list has.
+/// A recorded game to watch. Its level need not be in the level list.
 struct Show {
     std::shared_ptr<const Level> level;
     std::uint32_t seed = 1;
@@ -34,32 +34,33 @@ struct StageDef {
     LevelList levels; // at least one
     std::size_t firstLevel = 0;
     bool startAtOnce = false; // in the first level, without the title screen
-    std::uint32_t seed = 1;   // of the first game; the next games count on from it
+    std::uint32_t seed = 1;   // of the first game, incremented for each further game
     Profile profile{};
-    /// Keeps the profile for the next time; a sentence when it cannot.
+    /// Saves the profile. Returns a sentence for the player on failure, else an empty text.
     std::function<std::string(const Profile&)> save{};
-    /// Keeps a game that the player has finished, and whether it is the best of its level; a
-    /// sentence when it cannot.
+    /// Saves a finished game of the player; `best` if it has the best score of its level. Returns a
+    /// sentence for the player on failure, else an empty text.
     std::function<std::string(const Replay&, bool best)> keepReplay{};
-    std::vector<std::string> notices{}; // sentences for the title screen
-    std::uint32_t firstEndless = 0; // start at once with the endless level of that number; 0: none
-    /// The level of that number, from 1, of a row without end; if there is one.
+    std::vector<std::string> notices{}; // shown on the title screen
+    /// Number of the endless level to start with; 0: none.
+    std::uint32_t firstEndless = 0;
+    /// The endless level of a number from 1. Empty if there are no endless levels.
     std::function<std::shared_ptr<const Level>(std::uint32_t)> endless{};
-    std::optional<Show> show{}; // begins at once; other games are the player's
-    Pilot bot{};                // plays behind the title screen, if there is one
-    Pilot pilot{};              // plays all games instead of the player, if there is one
+    std::optional<Show> show{}; // starts at once; later games are the player's
+    Pilot bot{};                // plays behind the title screen, if set
+    Pilot pilot{};              // plays all games instead of the player, if set
 };
 
 enum class Screen : std::uint8_t { Title, Levels, Options, Playing, Paused, Over };
 
-/// The application without its window: screens, time, and what the player's wishes mean on each.
-/// Everything that it needs from outside comes in as arguments.
+/// The application without its window: screens, time, and the effect of input on each screen. All
+/// external dependencies are arguments.
 class Stage {
 public:
     explicit Stage(StageDef def);
 
-    /// Once a frame: what the player did, and the time since the last frame (s). After a stall the
-    /// game slows down instead of hurrying to catch up.
+    /// Call once per frame with the input and the time since the previous frame (s). After a stall,
+    /// game time beyond a limit is dropped instead of caught up.
     void advance(double seconds, const Signals& signals, Speaker& speaker);
     void draw(Canvas& canvas) const;
 
@@ -72,11 +73,11 @@ public:
     std::size_t levelIndex() const { return level_; }
     const Menu& menu() const { return menu_; }
     const LevelSelect& levelSelect() const { return select_; }
-    /// The bot plays and no menu hides it: nobody has touched anything for a while.
+    /// True if the bot plays without a menu: the title screen has had no input for a while.
     bool attracting() const;
 
 private:
-    // What the player did, by screen (stage_signals.cpp).
+    // Effects of input, by screen (stage_signals.cpp).
     void take(const Signals& signals, Speaker& speaker);
     void takeOne(const Signals& signals, Speaker& speaker);
     void takeLevels(const Signals& signals, Speaker& speaker);
@@ -128,28 +129,28 @@ private:
     Screen behindOptions_ = Screen::Title;
     bool quit_ = false;
     std::size_t level_ = 0;
-    std::uint32_t endless_ = 0;     // number of the endless level in play; 0: another level
-    std::int32_t endlessScore_ = 0; // of the endless levels before it
-    bool showing_ = false;          // the recorded game
-    std::uint32_t games_ = 0;       // of the player, begun so far
-    std::size_t demos_ = 0;         // that the bot has begun by itself
+    std::uint32_t endless_ = 0;     // number of the current endless level; 0: none
+    std::int32_t endlessScore_ = 0; // of the previous endless levels
+    bool showing_ = false;          // the current game is the recorded one
+    std::uint32_t games_ = 0;       // number of games started by the player
+    std::size_t demos_ = 0;         // number of games started by the bot
     std::unique_ptr<Play> play_;
     std::optional<Recorder> recorder_; // of the player's game
-    std::optional<Replay> played_;     // that game, once it has ended
-    Tally tally_;
-    Hands hands_;
+    std::optional<Replay> played_;     // the player's game after its end
+    RunStatistics statistics_;
+    InputMapper inputMapper_;
     Menu menu_;
     LevelSelect select_;
-    Pace pace_;
+    TimeScale timeScale_;
     Fanfare fanfare_;
-    double owed_ = 0;        // s of game time not yet played
-    double seconds_ = 0;     // since the start, for what only moves on the screen
-    double idleSeconds_ = 0; // since the player did anything
-    double overSeconds_ = 0; // since the result came up
-    int endTicks_ = 0;       // since the game ended
+    double owed_ = 0;        // s of game time to be simulated
+    double seconds_ = 0;     // s since the start, for animations
+    double idleSeconds_ = 0; // s since the last input
+    double overSeconds_ = 0; // s since the result screen appeared
+    int endTicks_ = 0;       // since the end of the game
     bool muted_ = false;
     bool newBest_ = false;
-    Best before_{}; // of the level, before the game that has just ended
+    Best before_{}; // best results of the level before the last game
 };
 
 } // namespace apart

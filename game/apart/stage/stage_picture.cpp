@@ -23,7 +23,7 @@ constexpr TextStyle quiet(Real height) {
 
 } // namespace
 
-/// Of the level in play, where it stands among the others.
+/// Position of the current level in its list.
 std::string Stage::placeOfLevel() const {
     const std::optional<EndlessName> row = parseEndless(game().level().name);
     if (row || endless_ > 0) {
@@ -92,10 +92,10 @@ void Stage::drawTitle(Canvas& canvas) const {
     drawNotices(canvas);
 }
 
-/// One above the other in the place of the hint, the latest at the bottom; older ones only while
-/// there is room for them below the menu.
+/// Notices stacked from the bottom, latest last, in the place of the hint. Older ones are omitted
+/// if they do not fit below the menu.
 void Stage::drawNotices(Canvas& canvas) const {
-    constexpr std::size_t kLetters = 120; // a line
+    constexpr std::size_t kLetters = 120; // per line
     constexpr std::size_t kMostLines = 4;
     std::vector<std::string> lines;
     for (std::size_t i = def_.notices.size(); i-- > 0;) {
@@ -120,7 +120,7 @@ void Stage::drawFeast(Canvas& canvas) const {
         return;
     }
     const float t = std::min(static_cast<float>(endTicks_) / 30, 1.0f);
-    const Real size = Real(2.4) - Real(0.5) * t; // it lands
+    const Real size = Real(2.4) - Real(0.5) * t; // shrinks to its final size
     const auto line = [&](const char* text, Real y, Real height, Color color) {
         const TextStyle shadow{height, faded(palette::kInk, t), Typeface::Bold, Align::Middle};
         canvas.text(text, {Real(0.07), y - Real(0.07)}, shadow);
@@ -147,7 +147,7 @@ void Stage::drawPaused(Canvas& canvas) const {
 void Stage::drawOver(Canvas& canvas) const {
     paintVeil(canvas, faded(palette::kNight, 0.72f));
     const std::int32_t score = game().score() + (endless_ > 0 ? endlessScore_ : 0);
-    paintResults(canvas, {game(), tally_, score, before_, newBest_, overSeconds_});
+    paintResults(canvas, {game(), statistics_, score, before_, newBest_, overSeconds_});
     menu_.draw(canvas);
 }
 

@@ -74,7 +74,7 @@ void Stage::pause() {
 
 void Stage::resume() {
     screen_ = Screen::Playing;
-    hands_.letGo();
+    inputMapper_.letGo();
 }
 
 void Stage::take(const Signals& signals, Speaker& speaker) {
@@ -86,10 +86,10 @@ void Stage::take(const Signals& signals, Speaker& speaker) {
     if (anything(signals)) {
         idleSeconds_ = 0;
         if (asleep) {
-            return; // the first touch only brings the menu back
+            return; // the first input only restores the menu
         }
     }
-    // Two keys in one frame may belong to two screens: the first is done with before the second.
+    // Commands of one frame are handled one by one: the first may change the screen.
     Signals one = signals;
     one.commands.resize(std::min<std::size_t>(signals.commands.size(), 1));
     takeOne(one, speaker);
@@ -145,11 +145,11 @@ void Stage::takeLevels(const Signals& signals, Speaker& speaker) {
 void Stage::takePlaying(const Signals& signals) {
     const Game& game = play_->game();
     const Real paddleX = game.world()[game.paddle()].position().x;
-    hands_.take(signals, paddleX, static_cast<Real>(settings().mouse / kPercent));
+    inputMapper_.take(signals, paddleX, static_cast<Real>(settings().mouse / kPercent));
     const bool over = game.result() != Result::Playing;
     const bool clickLaunches = game.serving() || game.secondsLeft(Power::Spring) > 0;
     if (signals.clicked && clickLaunches) {
-        hands_.launch();
+        inputMapper_.launch();
     }
     if (signals.clicked && over) {
         return finish();
@@ -161,7 +161,7 @@ void Stage::takePlaying(const Signals& signals) {
             if (over) {
                 return finish();
             }
-            hands_.launch();
+            inputMapper_.launch();
             break;
         case Command::Back:
         case Command::Pause:
@@ -177,7 +177,7 @@ void Stage::takePlaying(const Signals& signals) {
     }
 }
 
-/// Keys that mean the same whatever item is chosen.
+/// Shortcuts that do not depend on the chosen item.
 bool Stage::takeShortcut(Command command) {
     const bool paused = screen_ == Screen::Paused;
     const bool over = screen_ == Screen::Over;

@@ -12,24 +12,24 @@ namespace apart {
 
 namespace {
 
-/// One sine of a struck thing: it rings at its own ratio and dies away at its own pace.
+/// One sinusoidal mode of a struck body, with its own frequency ratio and decay time.
 struct Partial {
-    float ratio;   // times the base frequency
+    float ratio;   // factor on the base frequency
     float gain;    // 0..1
-    float seconds; // until 1/e is left
+    float seconds; // decay time to 1/e
 };
 
-/// A sound: some partials, some noise, played once a step of a little tune.
+/// Recipe of a sound: partials and noise, repeated for each note of a short tune.
 struct Recipe {
     float hertz = 440;
     float seconds = 0.3f;
     std::vector<Partial> partials{};
     float noise = 0;             // gain, 0..1
-    float noiseSeconds = 0.05f;  // until 1/e is left
+    float noiseSeconds = 0.05f;  // decay time to 1/e
     float noiseBright = 1;       // 1 white .. 0.05 dull
-    float slide = 0;             // octaves over the whole length
-    std::vector<int> tune = {0}; // semitones, one after the other
-    float beat = 0.09f;          // s between them
+    float slide = 0;             // octaves over the whole duration
+    std::vector<int> tune = {0}; // semitones of successive notes
+    float beat = 0.09f;          // s between notes
 };
 
 Recipe recipeOf(Voice voice) {
@@ -112,12 +112,12 @@ Recipe recipeOf(Voice voice) {
     return {};
 }
 
-/// Adds one strike, `start` samples into the sound.
+/// Adds one note that starts at sample `start`.
 void strike(const Recipe& recipe, int semitones, std::size_t start, std::vector<float>& sound) {
     constexpr float kRate = static_cast<float>(kSampleRate);
     const float base = recipe.hertz * std::exp2(static_cast<float>(semitones) / 12);
     for (const Partial& partial : recipe.partials) {
-        float turn = 0; // of the sine
+        float turn = 0; // phase in turns
         for (std::size_t i = start; i < sound.size(); ++i) {
             const float time = static_cast<float>(i - start) / kRate;
             const float bend = std::exp2(recipe.slide * time / recipe.seconds);
@@ -127,7 +127,7 @@ void strike(const Recipe& recipe, int semitones, std::size_t start, std::vector<
         }
     }
     Dice dice(static_cast<std::uint32_t>(recipe.hertz));
-    float dull = 0; // low-pass filter
+    float dull = 0; // state of the low-pass filter
     for (std::size_t i = start; i < sound.size() && recipe.noise > 0; ++i) {
         const float time = static_cast<float>(i - start) / kRate;
         dull += recipe.noiseBright * (dice.between(-1, 1) - dull);
@@ -139,7 +139,7 @@ void strike(const Recipe& recipe, int semitones, std::size_t start, std::vector<
 
 std::vector<std::int16_t> synthesise(Voice voice) {
     constexpr float kRate = static_cast<float>(kSampleRate);
-    constexpr float kEase = 0.003f * kRate; // samples; no click at either end
+    constexpr float kEase = 0.003f * kRate; // samples; fades both ends to avoid clicks
     constexpr float kLoudest = 0.8f;
     const Recipe recipe = recipeOf(voice);
     std::vector<float> sound(static_cast<std::size_t>(recipe.seconds * kRate), 0.0f);

@@ -8,9 +8,9 @@
 
 namespace apart {
 
-inline constexpr unsigned kSampleRate = 44100; // samples a second, one channel
+inline constexpr unsigned kSampleRate = 44100; // samples per second, one channel
 
-/// The samples of a voice at pitch 1, made anew each time: the game ships no sound files.
+/// Synthesises a voice at pitch 1. The game ships no sound files.
 std::vector<std::int16_t> synthesise(Voice voice);
 
 } // namespace apart

@@ -8,14 +8,14 @@
 
 namespace apart {
 
-/// How the levels of one theme look.
+/// Title and colours of a theme.
 struct ThemeLook {
     std::string_view title;
     Color night{};   // corners of the picture
     Color dusk{};    // behind the middle of the field
     Color frame{};   // walls
     Color glow{};    // titles
-    Color distant{}; // what stands far behind the field, hardly lighter than the night
+    Color distant{}; // scenery far behind the field, hardly lighter than the night
 };
 
 const ThemeLook& lookOf(Theme theme);

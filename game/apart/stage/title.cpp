@@ -11,7 +11,7 @@ namespace apart {
 
 namespace {
 
-/// Pieces that fly off the name, one for each stuff.
+/// Paints the flying pieces, one per stuff.
 void paintPieces(Canvas& canvas, double seconds) {
     struct Piece {
         Vec2 place;

@@ -5,7 +5,7 @@
 
 namespace apart {
 
-/// The name of the game, with pieces that fly off it.
+/// The title of the game, with pieces flying off its letters.
 void paintTitle(Canvas& canvas, double seconds);
 
 } // namespace apart

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/convex_shape.hpp>
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+struct Bodies;
+class World;
+class WorldImpl;
+
+/// Names a body of a World. It stays invalid for ever once the body is removed, also when the slot
+/// is used again.
+struct BodyId {
+    std::uint32_t index = 0;
+    std::uint32_t generation = 0; // of the slot; 0 is never valid, so BodyId{} is the null id
+    /// Stamp of the World that issued the id; its copies share it. 0 fits every World: ids read
+    /// from a file, and those of a World from fromBytes().
+    std::uint32_t world = 0;
+
+    /// By slot and generation. The stamp of the World is not compared.
+    friend constexpr bool operator==(BodyId a, BodyId b) {
+        return a.index == b.index && a.generation == b.generation;
+    }
+    friend constexpr std::strong_ordering operator<=>(BodyId a, BodyId b) {
+        const auto byIndex = a.index <=> b.index;
+        return byIndex != 0 ? byIndex : a.generation <=> b.generation;
+    }
+};
+
+/// How a body moves.
+enum class BodyType : std::uint8_t {
+    Dynamic,   // by forces, contacts and joints
+    Kinematic, // by the velocity that it is given; infinite mass, so nothing pushes it
+    Static,    // never; infinite mass
+};
+
+/// Flags of a body. The low 16 bits are categories: they belong to the user, and filters compare
+/// them. The high 16 bits have a meaning for the engine.
+using Flags = std::uint32_t;
+
+inline constexpr Flags kUserFlags = 0x0000ffff;
+inline constexpr Flags kLockMove = 1u << 16;   // motion lock: infinite mass
+inline constexpr Flags kLockRotate = 1u << 17; // motion lock: infinite moment of inertia
+inline constexpr Flags kDisabled = 1u << 18;   // collides with nothing, no query finds it
+inline constexpr Flags kAsleep = 1u << 19;     // status
+inline constexpr Flags kNeverSleep = 1u << 20; // the body keeps its island awake
+inline constexpr Flags kColliding = 1u << 21;  // status: touched something in the last step
+inline constexpr Flags kSensor = 1u << 22;     // detects overlap, without any response
+inline constexpr Flags kFrozen = 1u << 23;     // status: see World::frozenBodies()
+inline constexpr Flags kOutside = 1u << 24;    // status: outside the region, see World::setRegion()
+/// Set by the engine alone; setters ignore them.
+inline constexpr Flags kStatusFlags = kAsleep | kColliding | kFrozen | kOutside;
+
+// How a body compares `required` with the user flags of another. Without one of these it collides
+// with all.
+inline constexpr Flags kMatchAny = 1u << 28;   // at least one of the required flags is set
+inline constexpr Flags kMatchAll = 1u << 29;   // all of them are set
+inline constexpr Flags kMatchEqual = 1u << 30; // exactly these are set
+inline constexpr Flags kMatchModes = kMatchAny | kMatchAll | kMatchEqual;
+
+/// Decides which bodies collide, or which ones a query or a field concerns [Thesis06, 4.1.6].
+struct CollisionFilter {
+    Flags flags = 0;            // user flags, and at most one of kMatchModes
+    std::uint16_t required = 0; // user flags that the other must have, as the mode says
+};
+
+/// True if a filter lets a body with the user flags `other` through. kMatchAny and kMatchAll with
+/// `required` 0 let nothing through.
+constexpr bool accepts(CollisionFilter filter, Flags other) {
+    const Flags required = filter.required;
+    const Flags present = other & kUserFlags;
+    switch (filter.flags & kMatchModes) {
+    case kMatchAny:
+        return (present & required) != 0;
+    case kMatchAll:
+        return required != 0 && (present & required) == required;
+    case kMatchEqual:
+        return present == required;
+    default:
+        return true;
+    }
+}
+
+/// True if both filters accept the other body. It is symmetric, which the thesis's test is not.
+constexpr bool shouldCollide(CollisionFilter a, CollisionFilter b) {
+    return ((a.flags | b.flags) & kDisabled) == 0 && accepts(a, b.flags) && accepts(b, a.flags);
+}
+
+/// Surface of a body or of one of its parts. No units.
+struct Material {
+    Real staticFriction = Real(0.6);  // >= kineticFriction; limit while nothing slides
+    Real kineticFriction = Real(0.6); // >= 0; while sliding
+    Real restitution = 0;             // 0 to 1; 1 keeps all of the approach speed
+    Real rollingResistance = 0; // >= 0; lever arm of the braking torque, as share of the radius
+
+    friend bool operator==(const Material&, const Material&) = default;
+};
+
+/// A material with equal static and kinetic friction.
+constexpr Material withFriction(Real friction, Real restitution = 0) {
+    return {friction, friction, restitution, 0};
+}
+
+KODO_API std::optional<Problem> check(const Material& material);
+
+/// Material of a contact. Friction: geometric mean, so ice makes everything slippery. Restitution:
+/// the smaller one [Thesis06, 4.3.3]. Rolling resistance: the larger one.
+KODO_API Material mix(const Material& a, const Material& b);
+
+/// All that a body starts with.
+struct BodyDef {
+    Shape shape = Circle{Real(0.5)};
+    Vec2 position{};          // m, world: origin of the shape's frame
+    Rot rotation{};           // of the shape's frame
+    Vec2 velocity{};          // m/s, of the centre of mass
+    Real angularVelocity = 0; // rad/s, counter-clockwise
+    Material material{};      // of all parts
+    Real density = 1;         // kg/m^2
+    BodyType type = BodyType::Dynamic;
+    Flags flags = 0;            // categories in the low 16 bits, motion locks, kSensor, ...
+    std::uint16_t required = 0; // see CollisionFilter
+    std::uint64_t userData = 0; // the engine never reads it
+};
+
+/// Largest coordinate and size of a body (m, times the length unit of the World). Beyond it a Real
+/// resolves less than 1 % of the unit.
+inline constexpr Real kMaxCoordinate = sizeof(Real) == 4 ? Real(1e5) : Real(1e13);
+inline constexpr Real kMaxSpeed = Real(1e7);    // m/s, times the length unit; or rad/s
+inline constexpr Real kMinDensity = Real(1e-9); // kg/m^2
+inline constexpr Real kMaxDensity = Real(1e9);  // kg/m^2
+/// Masses (kg) of bodies and parts lie between 1 / kMaxMass and kMaxMass, moments of inertia
+/// (kg m^2) between the squares of these, so that products of two stay finite.
+inline constexpr Real kMaxMass = sizeof(Real) == 4 ? Real(1e18) : Real(1e100);
+
+/// The reason why World::add() would refuse a definition, in a World with that length unit (m).
+KODO_API std::optional<Problem> check(const BodyDef& def, Real lengthUnit = 1);
+
+/// One convex part of a body.
+struct Part {
+    Primitive primitive; // as given, in the frame of the body's shape
+    Material material;
+    Real density = 1;     // kg/m^2
+    ConvexShape convex{}; // the same shape relative to the body's centre of mass
+};
+
+/// Reads one body of a World. A light handle: it holds a pointer to the World's data and the id,
+/// and checks the id at each use. Every function throws BadBodyId once the body is removed.
+class KODO_API BodyView {
+public:
+    /// For force fields and other code of the engine; users write world[id].
+    BodyView(const Bodies& bodies, BodyId id);
+
+    BodyId id() const { return id_; }
+    BodyType type() const;
+    Vec2 position() const;             // m, world: origin of the shape's frame
+    Rot rotation() const;              // of the shape's frame
+    Transform transform() const;       // both: takes points of the shape's frame to the world
+    Vec2 center() const;               // m, world: centre of mass
+    Vec2 velocity() const;             // m/s, of the centre of mass
+    Real angularVelocity() const;      // rad/s, counter-clockwise
+    Vec2 velocityAt(Vec2 point) const; // m/s, of the body at a world point (m)
+
+    Real mass() const;    // kg, also of a static or kinematic body
+    Real inertia() const; // kg m^2, about the centre of mass
+    Real area() const;    // m^2; overlapping parts count twice
+    Flags flags() const;
+    std::uint16_t required() const;
+    std::uint64_t userData() const;
+    bool isAsleep() const;
+
+    std::size_t partCount() const;
+    /// Valid until the body is changed. Throws std::out_of_range.
+    const Part& part(std::size_t index) const;
+    /// Takes points of Part::convex to the world: the frame of the centre of mass.
+    const Transform& massFrame() const;
+
+    Aabb bounds() const;             // m, world
+    bool contains(Vec2 point) const; // world point (m), inside or on the edge
+
+protected:
+    std::uint32_t index() const; // checked
+
+private:
+    const Bodies* bodies_;
+    BodyId id_;
+};
+
+/// Changes one body. Setters throw BadDefinition for bad values, and nothing has changed then. All
+/// of them are legal between two steps, also while collisions() is being read.
+class KODO_API BodyRef : public BodyView {
+public:
+    BodyRef(WorldImpl& world, BodyId id); // users write world[id]
+
+    void setPosition(Vec2 position); // m, world: of the shape's frame; a teleport, without velocity
+    void setRotation(Rot rotation);  // of the shape's frame, about its origin; a teleport too
+    void setVelocity(Vec2 velocity); // m/s, of the centre of mass; refused for a static body
+    void setAngularVelocity(Real radiansPerSecond); // counter-clockwise; refused for a static body
+    /// Sets the velocities that bring the shape's frame to a pose in one step of dt (s). A
+    /// kinematic body arrives, to rounding. The velocities stay set: call it before each step, or
+    /// set them to zero.
+    void moveTo(Vec2 position, Real dt);
+    void moveTo(Vec2 position, Rot rotation, Real dt);
+
+    // Forces act during the next step and are cleared then. Impulses act at once.
+    void applyForce(Vec2 force);                 // N, at the centre of mass
+    void applyForce(Vec2 force, Vec2 point);     // N, at a world point (m): adds torque
+    void applyTorque(Real torque);               // N m, counter-clockwise
+    void applyImpulse(Vec2 impulse);             // N s, at the centre of mass
+    void applyImpulse(Vec2 impulse, Vec2 point); // N s, at a world point (m)
+
+    void setType(BodyType type); // Static sets the velocities to zero
+    void setFlags(Flags flags);  // status flags stay as they are
+    void setRequired(std::uint16_t required);
+    void setUserData(std::uint64_t userData);
+    void setMaterial(const Material& material); // of all parts
+
+private:
+    WorldImpl* world_;
+};
+
+} // namespace KODO_PRECISION
+} // namespace kodo

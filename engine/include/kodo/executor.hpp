@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/real.hpp>
+
+#include <memory>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// Lends threads to a step. The engine starts none of its own: use a ThreadPool, or wrap the thread
+/// pool of the game in this interface.
+///
+/// Helpers take pieces of the step's loops as they come. Nothing waits for a helper that has not
+/// begun, so late or missing threads make a step slower, never wrong, and the result has the same
+/// bits with any number of them. A helper stays for the whole step and spins where there is no
+/// work.
+class KODO_API Executor {
+public:
+    virtual ~Executor();
+    /// Number of threads that may help the stepping one, >= 0.
+    virtual int helpers() const = 0;
+    /// Has task(data) called once on each of at most helpers() threads, and returns at once.
+    virtual void begin(void (*task)(void*), void* data) = 0;
+    /// Returns when no call of the task runs any more and none will be made.
+    virtual void end() = 0;
+};
+
+/// Threads that wait for work: spinning for a moment, then asleep. One pool can serve many Worlds,
+/// one step at a time.
+class KODO_API ThreadPool final : public Executor {
+public:
+    /// Starts 0 to kMaxHelpers threads. Throws BadDefinition for another number, std::system_error
+    /// if the system gives no more threads.
+    explicit ThreadPool(int helpers);
+    ThreadPool(const ThreadPool&) = delete;
+    ThreadPool& operator=(const ThreadPool&) = delete;
+    ~ThreadPool() override;
+
+    static constexpr int kMaxHelpers = 255;
+
+    int helpers() const override;
+    void begin(void (*task)(void*), void* data) override;
+    void end() override;
+
+private:
+    class Threads;
+    std::unique_ptr<Threads> threads_;
+};
+
+} // namespace KODO_PRECISION
+} // namespace kodo

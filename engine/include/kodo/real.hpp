@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/export.hpp>
+
+#include <cfloat>
+
+// -ffast-math and its parts let the compiler reorder sums. Results would then differ between
+// builds. g++ announces each part by a macro. clang announces -ffast-math alone, so the library
+// also tests itself when the first World is made.
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "Kodo gives the same bits on every machine: build without -ffast-math and its parts"
+#endif
+
+// kodo::kodo computes in float, kodo::kodo64 in double, from the same sources. Each has an inline
+// namespace of its own, so one program can link both, from different source files.
+#ifdef KODO_DOUBLE
+#define KODO_PRECISION f64
+#else
+#define KODO_PRECISION f32
+#endif
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+static_assert(FLT_EVAL_METHOD == 0, "x87 arithmetic rounds differently: use SSE2 or newer");
+
+/// The number type of the engine. All quantities are in SI units.
+#ifdef KODO_DOUBLE
+using Real = double;
+#else
+using Real = float;
+#endif
+
+} // namespace KODO_PRECISION
+} // namespace kodo

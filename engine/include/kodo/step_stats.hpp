@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/real.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+class World;
+
+// For measurements: counters without a clock, a choice of the broad phase, and the stages of a
+// step.
+
+/// Work of the last step.
+struct StepStats {
+    std::size_t bodies = 0;     // awake bodies
+    std::size_t contacts = 0;   // visits of contacts by the solver, summed over all passes
+    std::size_t joints = 0;     // joints of awake bodies
+    std::uint64_t pairWork = 0; // modelled cost of the broad phase, all steps so far (ps)
+};
+
+KODO_API StepStats stepStats(const World& world);
+
+/// Ways to find overlapping bounds. All find the same pairs.
+enum class PairSearch : std::uint8_t { BruteForce, Grid, SweepAndPrune };
+
+/// Fixes the way; std::nullopt chooses the cheapest one, call by call. It changes the cost of a
+/// step alone, and snapshots do not contain it.
+KODO_API void setPairSearch(World& world, std::optional<PairSearch> only);
+
+/// Stages of World::step(), in their order.
+enum class StepStage : std::uint8_t { Broad, Narrow, Forces, Solve, Continuous, Record, Sleep };
+inline constexpr std::array<std::string_view, 7> kStepStageNames = {
+    "broad", "narrow", "forces", "solve", "continuous", "record", "sleep"};
+
+/// Is told when a step enters a stage, to measure times. The engine itself reads no clock.
+class KODO_API StageListener {
+public:
+    virtual ~StageListener();
+    virtual void enter(StepStage stage) = 0;
+    virtual void leave() = 0; // the last one
+};
+
+} // namespace KODO_PRECISION
+} // namespace kodo

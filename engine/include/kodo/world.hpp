@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/collision_record.hpp>
+#include <kodo/force_field.hpp>
+#include <kodo/joint.hpp>
+#include <kodo/settings.hpp>
+
+#include <concepts>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+class Executor;
+class StageListener;
+
+/// What a World starts with.
+struct WorldDef {
+    Vec2 gravity{};      // m/s^2; becomes the first force field, unless it is zero
+    Real lengthUnit = 1; // m; size of a typical body; all tolerances scale with it
+    StepSettings settings{};
+};
+
+/// The reason why World's constructor would refuse a definition.
+KODO_API std::optional<Problem> check(const WorldDef& def);
+
+/// Threads and listeners of one step. None of them changes the result.
+struct StepOptions {
+    Executor* executor = nullptr;      // lends threads to steps with hundreds of awake bodies
+    StageListener* listener = nullptr; // see step_stats.hpp
+};
+
+/// Bodies, joints, force fields and their simulation [Thesis06, 4.2].
+///
+/// A World is a value: a copy is a snapshot, and both continue with the same bits. Worlds share no
+/// mutable data, so each may run on a thread of its own. A World that was moved from may only be
+/// destroyed or assigned to; other calls throw std::logic_error.
+class KODO_API World {
+public:
+    /// Throws BadDefinition with what check(def) says.
+    explicit World(const WorldDef& def = {});
+    World(const World& other);
+    World(World&& other) noexcept;
+    World& operator=(const World& other);
+    World& operator=(World&& other) noexcept;
+    ~World();
+
+    // Bodies. Functions that take an id throw BadBodyId for one that names no body of this World.
+
+    /// Throws BadDefinition with what check(def) says.
+    BodyId add(const BodyDef& def);
+    /// Removes a body and its joints, and wakes what touches it. The cost grows with the contacts
+    /// and joints of the World.
+    void remove(BodyId id);
+    /// Adds a copy of a body at another position (m, world: of the shape's frame).
+    BodyId clone(BodyId id, Vec2 position);
+    bool contains(BodyId id) const;
+    std::size_t bodyCount() const;
+    std::vector<BodyId> bodies() const; // in the order of their ids
+
+    BodyRef operator[](BodyId id);
+    BodyView operator[](BodyId id) const;
+
+    /// Makes the parts of `part` parts of `into`, at their places, and removes `part`. Keeps mass,
+    /// centre of mass, momentum and angular momentum of the pair; a static or kinematic `into`
+    /// stays what it is. Returns the index of the first part added. Throws BadDefinition for equal
+    /// ids, for a plane in a dynamic body, and for too many parts or too much mass.
+    std::size_t weld(BodyId into, BodyId part);
+    /// Adds a part, in the frame of the shape of `into`, with its velocity. Throws BadDefinition
+    /// for what add() would refuse.
+    std::size_t weld(BodyId into, const Primitive& shape, const Material& material, Real density);
+    /// Makes a part a body of its own, with these flags. Later parts move up by one. Keeps momentum
+    /// and angular momentum. Throws BadDefinition for a part that does not exist, for the only
+    /// part, and for flags that add() would refuse.
+    BodyId unweld(BodyId body, std::size_t part, Flags flags = 0);
+
+    // Joints. Functions that take an id throw BadDefinition for one that names no joint.
+
+    /// Adds a RevoluteJoint, or another alternative of JointDef. Throws BadDefinition with what
+    /// check(def) says, BadBodyId for an unknown body.
+    template <typename Joint>
+    requires std::constructible_from<JointDef, const Joint&> JointId add(const Joint& joint) {
+        return addJoint(JointDef(joint));
+    }
+    void remove(JointId id);
+    bool contains(JointId id) const;
+    const JointDef& joint(JointId id) const;
+    /// Changes the numbers of a joint; its accumulated impulses stay. Throws BadDefinition with
+    /// what check(def) says, and for another kind or other bodies.
+    void setJoint(JointId id, const JointDef& def);
+    /// N, on body b: mean over the last step in which the joint was awake.
+    Vec2 jointForce(JointId id) const;
+    Real jointTorque(JointId id) const; // N m, likewise
+    std::vector<JointId> joints() const;
+    /// Joints that broke in the last step, in the order of ids. Valid until the next step.
+    std::span<const BrokenJoint> brokenJoints() const;
+
+    // Forces.
+
+    /// Fields act in the order of the list. A change wakes all bodies. Throws BadDefinition for a
+    /// null pointer.
+    void addField(FieldEntry entry);
+    void setFields(std::vector<FieldEntry> fields);
+    const std::vector<FieldEntry>& fields() const;
+    /// During the next step, on the bodies that `which` accepts: N at the centre of mass, and N m.
+    /// Throws BadDefinition for values that are not finite.
+    void applyForceToAll(Vec2 force, CollisionFilter which = {});
+    void applyTorqueToAll(Real torque, CollisionFilter which = {});
+
+    // Steps.
+
+    /// Advances by dt seconds, from kMinTimeStep to kMaxTimeStep. Throws BadDefinition for another
+    /// dt. A fixed dt is best: warm starting takes the impulses of the step before.
+    void step(Real dt, const StepOptions& options = {});
+    /// Contacts that began, persisted or ended in the last step, in the order of bodies and parts.
+    /// Valid until the next step, whatever is added or removed meanwhile. Sleeping pairs and pairs
+    /// outside the region have no records until they continue; they have not ended. The first call
+    /// after a step writes the list: it must not run on two threads at once.
+    std::span<const CollisionRecord> collisions() const;
+    std::uint64_t stepCount() const;
+
+    /// Only bodies whose bounds meet the region (m, world) are simulated. std::nullopt: all are.
+    /// Throws BadDefinition unless lower <= upper on both axes.
+    void setRegion(std::optional<Aabb> region);
+    const std::optional<Aabb>& region() const;
+
+    /// Bodies that the last step stopped, since forces made them faster than kMaxSpeed or not
+    /// finite. They keep their last valid pose, as static bodies, until a velocity is set.
+    std::span<const BodyId> frozenBodies() const;
+
+    const StepSettings& settings() const;
+    void setSettings(const StepSettings& settings); // throws BadDefinition with what check() says
+    const Tolerances& tolerances() const;
+
+    /// Equal for Worlds that continue alike. The same on every machine.
+    std::uint64_t stateHash() const;
+
+    /// For the functions of query.hpp, snapshot.hpp and step_stats.hpp.
+    WorldImpl& impl();
+    const WorldImpl& impl() const;
+
+private:
+    JointId addJoint(const JointDef& def);
+
+    std::unique_ptr<WorldImpl> impl_;
+};
+
+} // namespace KODO_PRECISION
+} // namespace kodo

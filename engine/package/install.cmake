@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: MIT
+# Install rules of the engine. Components: kodo-dev (headers, static libraries, CMake and pkg-config
+# files), kodo-runtime (shared libraries), kodo-sfml-dev (see sfml/), apart (see game/).
+include(CMakePackageConfigHelpers)
+
+# kodo_install_pkg_config(NAME DESCRIPTION text LIBRARY name [REQUIRES list] [CFLAGS flag]
+# [PRIVATE flag]): NAME.pc, in the component NAME-dev or, for the engine, kodo-dev. Its paths are
+# relative to itself, so an installed tree may be moved.
+function(kodo_install_pkg_config name)
+    cmake_parse_arguments(arg "" "DESCRIPTION;LIBRARY;REQUIRES;CFLAGS;PRIVATE" "" ${ARGN})
+    file(RELATIVE_PATH up_to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX}/.)
+    string(REGEX REPLACE "/$" "" up_to_prefix ${up_to_prefix})
+    foreach(path IN ITEMS includedir libdir)
+        string(TOUPPER ${path} upper)
+        set(${path} "\${prefix}")
+        cmake_path(APPEND ${path} ${CMAKE_INSTALL_${upper}}) # an absolute one replaces the prefix
+    endforeach()
+    configure_file(${PROJECT_SOURCE_DIR}/engine/package/kodo.pc.in
+        ${PROJECT_BINARY_DIR}/package/${name}.pc @ONLY)
+    set(component kodo-dev)
+    if(name STREQUAL "kodo-sfml")
+        set(component kodo-sfml-dev)
+    endif()
+    install(FILES ${PROJECT_BINARY_DIR}/package/${name}.pc COMPONENT ${component}
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+
+install(TARGETS kodo kodo64 EXPORT kodo-targets
+    ARCHIVE COMPONENT kodo-dev
+    RUNTIME COMPONENT kodo-runtime
+    LIBRARY COMPONENT kodo-runtime NAMELINK_COMPONENT kodo-dev)
+install(DIRECTORY include/kodo TYPE INCLUDE COMPONENT kodo-dev)
+install(FILES ${PROJECT_BINARY_DIR}/include/kodo/export.hpp COMPONENT kodo-dev
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kodo)
+
+set(kodo_cmake_folder ${CMAKE_INSTALL_LIBDIR}/cmake/kodo)
+configure_package_config_file(package/kodo-config.cmake.in
+    ${PROJECT_BINARY_DIR}/package/kodo-config.cmake
+    INSTALL_DESTINATION ${kodo_cmake_folder} NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/kodo-config-version.cmake
+    VERSION ${PROJECT_VERSION} COMPATIBILITY SameMinorVersion)
+install(FILES
+        ${PROJECT_BINARY_DIR}/package/kodo-config.cmake
+        ${PROJECT_BINARY_DIR}/package/kodo-config-version.cmake
+    DESTINATION ${kodo_cmake_folder} COMPONENT kodo-dev)
+install(EXPORT kodo-targets NAMESPACE kodo:: DESTINATION ${kodo_cmake_folder} COMPONENT kodo-dev)
+
+kodo_install_pkg_config(kodo LIBRARY kodo PRIVATE -pthread
+    DESCRIPTION "2D rigid-body engine, single precision")
+kodo_install_pkg_config(kodo64 LIBRARY kodo64 PRIVATE -pthread CFLAGS -DKODO_DOUBLE
+    DESCRIPTION "2D rigid-body engine, double precision")
+
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE COMPONENT kodo-dev
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kodo)
+install(FILES CHANGELOG.md OPTIONAL COMPONENT kodo-dev
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kodo)
+if(BUILD_SHARED_LIBS)
+    install(FILES ${PROJECT_SOURCE_DIR}/LICENSE COMPONENT kodo-runtime
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kodo-runtime)
+endif()

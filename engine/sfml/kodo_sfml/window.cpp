@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include <kodo_sfml/display.hpp>
+#include <kodo_sfml/window.hpp>
+
+#include <SFML/Graphics/Image.hpp>
+#include <SFML/Graphics/RenderTexture.hpp>
+#include <SFML/Window/VideoMode.hpp>
+
+#include <algorithm>
+
+namespace kodo_sfml {
+
+namespace {
+
+constexpr unsigned kMostFrames = 144;   // 1/s, without vertical sync
+constexpr unsigned kFrameOfWindow = 80; // pixels, estimate for title bar and panels
+
+} // namespace
+
+Window::Window(const std::string& title, sf::Vector2u wantedPixels) {
+    const QuietSfml quiet; // a virtual display has no vertical sync, which SFML reports
+    const sf::VideoMode screen = sf::VideoMode::getDesktopMode();
+    const auto fit = [](unsigned wanted, unsigned room) {
+        return room > 2 * kFrameOfWindow ? std::min(wanted, room - kFrameOfWindow) : wanted;
+    };
+    const sf::Vector2u size{fit(wantedPixels.x, screen.width), fit(wantedPixels.y, screen.height)};
+    window_.create({size.x, size.y}, title);
+    // Done here: SFML 2.5.1 uses the width of the screen for both directions.
+    window_.setPosition({static_cast<int>((screen.width - std::min(size.x, screen.width)) / 2),
+                         static_cast<int>((screen.height - std::min(size.y, screen.height)) / 2)});
+    setPaced(true);
+    window_.setKeyRepeatEnabled(false);
+    window_.requestFocus(); // without a window manager the focus is not given automatically
+}
+
+void Window::setPaced(bool paced) {
+    const QuietSfml quiet;
+    window_.setVerticalSyncEnabled(paced);
+    window_.setFramerateLimit(paced ? kMostFrames : 0);
+}
+
+std::optional<sf::Event> Window::nextEvent() {
+    sf::Event event;
+    if (!window_.pollEvent(event)) {
+        return std::nullopt;
+    }
+    if (event.type == sf::Event::Resized) {
+        const sf::FloatRect all(0, 0, static_cast<float>(event.size.width),
+                                static_cast<float>(event.size.height));
+        window_.setView(sf::View(all));
+    }
+    return event;
+}
+
+void Window::show(const Painter& picture, sf::Color background) {
+    window_.clear(background);
+    picture.draw(window_);
+    window_.display();
+}
+
+bool savePicture(const Painter& picture, sf::Vector2u pixels, sf::Color background,
+                 const std::string& path) {
+    sf::RenderTexture target;
+    if (!target.create(pixels.x, pixels.y)) {
+        return false;
+    }
+    target.clear(background);
+    picture.draw(target);
+    target.display();
+    return target.getTexture().copyToImage().saveToFile(path);
+}
+
+} // namespace kodo_sfml

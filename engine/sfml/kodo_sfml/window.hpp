@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo_sfml/painter.hpp>
+
+#include <SFML/Graphics/RenderWindow.hpp>
+#include <SFML/Window/Event.hpp>
+#include <SFML/Window/Mouse.hpp>
+
+#include <optional>
+#include <string>
+
+namespace kodo_sfml {
+
+/// A resizable window. Coordinates are pixels from its upper left corner. Requires
+/// displayAvailable().
+class Window {
+public:
+    /// Opens a centred window, no larger than the screen.
+    Window(const std::string& title, sf::Vector2u wantedPixels);
+
+    bool isOpen() const { return window_.isOpen(); }
+    void close() { window_.close(); }
+    sf::Vector2u size() const { return window_.getSize(); }
+
+    /// The next pending event, or nothing. After a resize event the view is already updated.
+    std::optional<sf::Event> nextEvent();
+
+    /// Shows a picture. If paced, waits for the vertical sync or the frame limit.
+    void show(const Painter& picture, sf::Color background);
+
+    /// true: vertical sync and a frame limit; false: no limit.
+    void setPaced(bool paced);
+    bool hasFocus() const { return window_.hasFocus(); }
+    void setPointerVisible(bool visible) { window_.setMouseCursorVisible(visible); }
+    /// Position of the mouse in pixels of the window; may be outside.
+    sf::Vector2i pointer() const { return sf::Mouse::getPosition(window_); }
+    void putPointer(sf::Vector2i pixels) { sf::Mouse::setPosition(pixels, window_); }
+
+private:
+    sf::RenderWindow window_;
+};
+
+/// Draws a picture without a window and writes it to a file; the extension selects the format
+/// (png). Needs a display. False if it cannot be drawn or written.
+bool savePicture(const Painter& picture, sf::Vector2u pixels, sf::Color background,
+                 const std::string& path);
+
+} // namespace kodo_sfml

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "bodies/bodies.hpp"
+
+#include "bodies/body_checks.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+void requireAlive(const Bodies& bodies, BodyId id) {
+    if (!bodies.alive(id)) {
+        const bool foreign = id.world != 0 && bodies.stamp != 0 && id.world != bodies.stamp;
+        if (id.generation == 0) {
+            throw BadBodyId("the null id BodyId{} names no body");
+        }
+        throw BadBodyId("body " + std::to_string(id.index) + " of generation " +
+                        std::to_string(id.generation) +
+                        (foreign ? " belongs to another World"
+                                 : " is not in this World: it was removed, or never added"));
+    }
+}
+
+BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const BodyGeometry> geometry) {
+    const IdPool::Slot slot = bodies.ids.allocate();
+    if (slot.index == bodies.size()) {
+        bodies.motion.emplace_back();
+        bodies.pose.emplace_back();
+        bodies.acceleration.emplace_back();
+        bodies.extent.emplace_back();
+        bodies.teleportCount.emplace_back();
+        bodies.hasTeleported.emplace_back();
+        bodies.filter.emplace_back();
+        bodies.record.emplace_back();
+        bodies.parts.emplace_back();
+        bodies.sleep.emplace_back();
+    }
+    BodyVelocity motion;
+    motion.velocity = def.velocity;
+    motion.angularVelocity = def.angularVelocity;
+    bodies.motion[slot.index] = motion;
+    const Rot rotation = normalize(def.rotation);
+    bodies.pose[slot.index] = {def.position + rotation * geometry->mass.center, rotation};
+    bodies.acceleration[slot.index] = {};
+    bodies.thinnest = std::min(bodies.thinnest, geometry->coreRadius);
+    BodyRecord record;
+    record.geometry = std::move(geometry);
+    record.userData = def.userData;
+    bodies.record[slot.index] = std::move(record);
+    bodies.filter[slot.index] = {(def.flags & ~(kStatusFlags | kTypeBits)) | bitsOf(def.type),
+                                 def.required};
+    bodies.sleep[slot.index] = {};
+    bodies.sleep[slot.index].since = bodies.pose[slot.index];
+    bodies.awakeStale = true;
+    refreshDerived(bodies, slot.index);
+    return bodies.idAt(slot.index);
+}
+
+void removeBody(Bodies& bodies, std::uint32_t index) {
+    bodies.ids.release(index);
+    bodies.motion[index] = {};
+    bodies.pose[index] = {};
+    bodies.acceleration[index] = {};
+    bodies.filter[index] = {};
+    bodies.record[index] = {};
+    bodies.parts[index] = nullptr;
+    bodies.sleep[index] = {};
+    bodies.awakeStale = true;
+}
+
+BodyId unweldPart(Bodies& bodies, std::uint32_t body, std::size_t part, Flags flags) {
+    const Transform frame{bodies.originOf(body), bodies.pose[body].rotation};
+    const BodyVelocity before = bodies.motion[body];
+    const Vec2 center = bodies.pose[body].position;
+
+    std::vector<Part> rest = bodies.geometry(body).parts;
+    const std::vector<Part> taken{rest[part]};
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(part));
+    BodyDef def;
+    def.position = frame.position;
+    def.rotation = frame.rotation;
+    def.angularVelocity = before.angularVelocity;
+    def.flags = flags;
+    const BodyId freed = addBody(bodies, def, makeGeometry(taken));
+    setGeometry(bodies, body, makeGeometry(std::move(rest)));
+    for (const std::uint32_t index : {body, freed.index}) {
+        bodies.motion[index].velocity = velocityAt(before, bodies.pose[index].position - center);
+    }
+    return freed;
+}
+
+Aabb boundsOfBody(const Bodies& bodies, std::size_t body) {
+    const std::vector<Part>& parts = bodies.geometry(body).parts;
+    Aabb box = boundsOf(parts[0].convex, bodies.pose[body]);
+    for (const Part& part : parts) {
+        box = unite(box, boundsOf(part.convex, bodies.pose[body]));
+    }
+    return box;
+}
+
+void addForce(Bodies& bodies, std::uint32_t body, Vec2 force, Real torque) {
+    BodyRecord& record = bodies.record[body];
+    if (record.force == Vec2{} && record.torque == 0) {
+        bodies.forced.push_back(body);
+        bodies.accelerationsStale = true;
+    }
+    record.force += force;
+    record.torque += torque;
+}
+
+void freeze(Bodies& bodies, std::uint32_t body) {
+    bodies.filter[body].flags |= kFrozen;
+    bodies.motion[body] = {};
+    bodies.acceleration[body] = {};
+    bodies.teleported(body);
+    bodies.awakeStale = true;
+}
+
+void listAwake(Bodies& bodies) {
+    bodies.awakeStale = false;
+    bodies.startStale = true; // bodies no longer awake have moved since
+    bodies.accelerationsStale = true;
+    bodies.awake.clear();
+    Real thinnest = std::numeric_limits<Real>::max();
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (bodies.ids.aliveAt(i)) {
+            thinnest = std::min(thinnest, bodies.extent[i].coreRadius);
+            if (bodies.active(i)) {
+                bodies.awake.push_back(static_cast<std::uint32_t>(i));
+            }
+        }
+    }
+    bodies.thinnest = thinnest;
+}
+
+void noteStart(Bodies& bodies) {
+    bodies.start.resize(bodies.size());
+    if (std::exchange(bodies.startStale, false)) {
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            bodies.start[i] = bodies.pose[i].position;
+        }
+    } else {
+        for (const std::uint32_t i : bodies.awake) {
+            bodies.start[i] = bodies.pose[i].position;
+        }
+    }
+    if (std::exchange(bodies.anyTeleported, false)) {
+        std::fill(bodies.hasTeleported.begin(), bodies.hasTeleported.end(), std::uint8_t{0});
+    }
+}
+
+void setGeometry(Bodies& bodies, std::uint32_t index,
+                 std::shared_ptr<const BodyGeometry> geometry) {
+    const Vec2 origin = bodies.originOf(index);
+    Transform& pose = bodies.pose[index];
+    pose.position = origin + pose.rotation * geometry->mass.center;
+    bodies.thinnest = std::min(bodies.thinnest, geometry->coreRadius);
+    bodies.record[index].geometry = std::move(geometry);
+    bodies.teleported(index);
+    refreshDerived(bodies, index);
+}
+
+void weldBodies(Bodies& bodies, std::uint32_t into, std::uint32_t part) {
+    const Transform frame{bodies.originOf(into), bodies.pose[into].rotation};
+    const Transform other{bodies.originOf(part), bodies.pose[part].rotation};
+    Transform place = between(frame, other);
+    place.rotation = normalize(place.rotation); // rounding errors of repeated welds would add up
+    std::vector<Part> parts = bodies.geometry(into).parts;
+    for (const Part& added : bodies.geometry(part).parts) {
+        parts.push_back({moved(added.primitive, place), added.material, added.density});
+    }
+    const std::shared_ptr<const BodyGeometry> geometry = makeGeometry(std::move(parts));
+
+    const Vec2 center = frame * geometry->mass.center;
+    Vec2 momentum;
+    Real spin = 0; // angular momentum about the new centre
+    for (const std::uint32_t body : {into, part}) {
+        const Mass& mass = bodies.geometry(body).mass;
+        const BodyVelocity& motion = bodies.motion[body];
+        momentum += mass.mass * motion.velocity;
+        spin += mass.inertia * motion.angularVelocity +
+                mass.mass * cross(bodies.pose[body].position - center, motion.velocity);
+    }
+    BodyVelocity& motion = bodies.motion[into];
+    if (motion.invMass > 0) {
+        motion.velocity = momentum / geometry->mass.mass;
+    } else { // locked: the centre moves, the motion stays
+        motion.velocity = velocityAt(motion, center - bodies.pose[into].position);
+    }
+    setGeometry(bodies, into, geometry);
+    if (motion.invInertia > 0) { // after setGeometry(): a particle may have gained inertia
+        motion.angularVelocity = spin / geometry->mass.inertia;
+    }
+}
+
+void refreshDerived(Bodies& bodies, std::uint32_t index) {
+    const BodyGeometry& geometry = bodies.geometry(index);
+    bodies.extent[index] = {geometry.rotationReach, geometry.coreRadius};
+    bodies.parts[index] = geometry.parts.data();
+    const Mass& mass = geometry.mass;
+    const Flags flags = bodies.filter[index].flags;
+    const Flags locks = locksOf(flags);
+    const bool frozen = (flags & kFrozen) != 0;
+    bodies.motion[index].invMass = frozen || (locks & kLockMove) != 0 ? 0 : 1 / mass.mass;
+    // A particle has neither inertia nor a lever arm.
+    const bool free = bodies.turns && !frozen && (locks & kLockRotate) == 0;
+    const bool turns = free && mass.inertia > 0;
+    bodies.motion[index].invInertia = turns ? 1 / mass.inertia : 0;
+    bodies.accelerationsStale = true;
+}
+
+void setTurns(Bodies& bodies, bool turns) {
+    bodies.turns = turns;
+    for (std::uint32_t index = 0; index < bodies.size(); ++index) {
+        if (!bodies.ids.aliveAt(index)) {
+            continue;
+        }
+        refreshDerived(bodies, index);
+        bodies.teleported(index);
+        if (!turns && (locksOf(bodies.filter[index].flags) & kLockRotate) == 0) {
+            bodies.motion[index].angularVelocity = 0;
+        }
+    }
+    bodies.awakeStale = true;
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/id_pool.hpp"
+#include "bodies/body_geometry.hpp"
+#include "bodies/body_velocity.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// Other data of a body: read once or twice a step.
+struct BodyRecord {
+    std::shared_ptr<const BodyGeometry> geometry;
+    std::uint64_t userData = 0;
+    Vec2 force;      // N; accumulated since the last step, see addForce()
+    Real torque = 0; // N m
+};
+
+/// Duration of calm, and the island in which a body sleeps.
+struct SleepState {
+    static constexpr std::uint32_t kNoIsland = ~std::uint32_t{};
+
+    std::uint32_t calmSteps = 0;
+    std::uint32_t island = kNoIsland;
+    Transform since; // pose when it became calm
+    /// J; least kinetic energy since then.
+    Real leastEnergy = std::numeric_limits<Real>::max();
+};
+
+/// Sizes from the body geometry, contiguous for loops over many bodies.
+struct Extent {
+    Real rotationReach = 0; // m; see ConvexShape::rotationReach()
+    Real coreRadius = 0;    // m; smallest of all parts
+};
+
+/// All bodies of a World as parallel arrays, indexed by BodyId::index. A free slot has zero
+/// velocity and infinite mass.
+struct Bodies {
+    IdPool ids;
+    std::uint32_t stamp = 0; // of the World, in all its ids; 0: matches all Worlds
+    std::vector<BodyVelocity> motion = std::vector<BodyVelocity>(1); // one spare at the end
+    std::vector<Transform> pose;                                     // of the centre of mass
+    std::vector<Acceleration> acceleration;
+    std::vector<Extent> extent = std::vector<Extent>(1); // one spare at the end
+    std::vector<std::uint32_t> teleportCount;            // number of teleports and geometry changes
+    /// By body: teleported since the last step began, or a contact was put back since.
+    std::vector<std::uint8_t> hasTeleported;
+    std::vector<Vec2> start;             // m, centre of mass when the last step began
+    std::vector<CollisionFilter> filter; // not in `record`: pair search reads it at random
+    std::vector<BodyRecord> record;
+    std::vector<const Part*> parts; // of each body geometry; saves an indirection
+    std::vector<SleepState> sleep;
+    std::vector<std::uint32_t> forced; // bodies with a force; may contain duplicates
+    /// The active bodies, in order: excludes sleeping, out-of-region and motionless locked bodies.
+    /// Other bodies cost no time in a step.
+    std::vector<std::uint32_t> awake;
+    /// m; lower bound of Extent::coreRadius of all bodies. It selects the bodies that continuous
+    /// collision tests, so it is part of a snapshot. A line or point makes it 0: then all moving
+    /// bodies are tested.
+    Real thinnest = 0;
+    LoadRange loads;                // see noteLoads()
+    bool awakeStale = true;         // set when a body becomes active or inactive
+    bool anySleeping = true;        // during the solve
+    bool turns = true;              // false: Feature::Rotation is off
+    bool startStale = true;         // also for bodies that are not awake
+    bool accelerationsStale = true; // accelerations, masses or the awake list have changed
+    bool anyTeleported = false;     // since the last step began
+
+    BodyId idAt(std::size_t index) const {
+        return {static_cast<std::uint32_t>(index), ids.generationAt(index), stamp};
+    }
+    bool alive(BodyId id) const {
+        return ids.alive(id.index, id.generation) &&
+               (id.world == stamp || id.world == 0 || stamp == 0);
+    }
+    std::size_t size() const { return record.size(); }
+    /// Index of a BodyVelocity of no body, which never changes: unused lanes refer to it.
+    std::uint32_t spare() const { return static_cast<std::uint32_t>(record.size()); }
+
+    const BodyGeometry& geometry(std::size_t index) const { return *record[index].geometry; }
+    const ConvexShape& convex(std::size_t index, std::size_t part) const {
+        return parts[index][part].convex;
+    }
+    bool locked(std::size_t index) const { return motion[index].locked(); }
+    /// True for a locked body that has moved in this step: nothing stops it.
+    bool isMovingKinematic(std::size_t index) const {
+        return locked(index) && !motion[index].unmoved();
+    }
+    bool asleep(std::size_t index) const { return (filter[index].flags & kAsleep) != 0; }
+    /// True for a locked body without velocity, and without displacement in the last step.
+    bool isStill(std::size_t index) const {
+        const BodyVelocity& m = motion[index];
+        return locked(index) && m.velocity == Vec2{} && m.angularVelocity == 0 &&
+               m.deltaPosition == Vec2{} && m.deltaAngle == 0;
+    }
+    /// Invalidates the manifolds and impulses of the body's contacts.
+    void teleported(std::size_t index) {
+        ++teleportCount[index];
+        noteTeleport(index);
+    }
+    void noteTeleport(std::size_t index) {
+        hasTeleported[index] = 1;
+        anyTeleported = true;
+    }
+
+    /// True if the body takes part in a step.
+    bool active(std::size_t index) const {
+        return (filter[index].flags & (kAsleep | kOutside)) == 0 && !isStill(index);
+    }
+    /// World position of the shape's frame. Its origin may differ from the centre of mass.
+    Vec2 originOf(std::size_t index) const {
+        return pose[index].position - pose[index].rotation * geometry(index).mass.center;
+    }
+};
+
+/// Throws BadBodyId for an id of no body of this World.
+void requireAlive(const Bodies& bodies, BodyId id);
+
+/// Adds a body. Precondition: the definition is valid.
+BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const BodyGeometry> geometry);
+void removeBody(Bodies& bodies, std::uint32_t index);
+
+/// Replaces the geometry. The world position of the shape's frame stays.
+void setGeometry(Bodies& bodies, std::uint32_t index, std::shared_ptr<const BodyGeometry> geometry);
+
+/// Adds the parts of body `part` to `into` at their world poses. Conserves momentum and angular
+/// momentum of the pair unless `into` is locked. `part` is unchanged; the caller removes it.
+void weldBodies(Bodies& bodies, std::uint32_t into, std::uint32_t part);
+
+/// Makes a part a body of its own at the same pose, with the given flags. Both bodies keep the
+/// velocities of their points, which conserves momentum and angular momentum. At least one part
+/// must remain.
+BodyId unweldPart(Bodies& bodies, std::uint32_t body, std::size_t part, Flags flags);
+
+/// Adds a force (N, at the centre of mass) and a torque (N m) to the next step. They act in that
+/// step only, even if the body is inactive then.
+void addForce(Bodies& bodies, std::uint32_t body, Vec2 force, Real torque);
+
+/// Stops a body and sets kFrozen. Used when its motion is unsound: not finite, or faster than
+/// kMaxSpeed in units of the World's length unit.
+void freeze(Bodies& bodies, std::uint32_t body);
+inline bool isSound(const BodyVelocity& motion, Real lengthUnit) {
+    const Real most = kMaxSpeed * lengthUnit;
+    return lengthSquared(motion.velocity) <= most * most && // false for NaN
+           std::abs(motion.angularVelocity) <= kMaxSpeed &&
+           lengthSquared(motion.deltaPosition) <= most * most && // a step lasts at most 1 s
+           std::abs(motion.deltaAngle) <= kMaxSpeed;
+}
+inline bool isSound(const Acceleration& acceleration) {
+    return isFinite(acceleration.linear) && std::isfinite(acceleration.angular);
+}
+
+/// Rebuilds Bodies::awake.
+void listAwake(Bodies& bodies);
+/// The same, if the list is stale. True if it was.
+inline bool refreshAwake(Bodies& bodies) {
+    const bool stale = bodies.awakeStale;
+    if (stale) {
+        listAwake(bodies);
+    }
+    return stale;
+}
+
+/// Stores the positions at the start of a step, and clears the teleport flags.
+void noteStart(Bodies& bodies);
+
+/// Updates the data that follow from geometry and lock flags.
+void refreshDerived(Bodies& bodies, std::uint32_t index);
+
+/// Enables or disables rotation. Without it, all bodies act as with kLockRotate, and bodies that
+/// could rotate lose their angular velocity.
+void setTurns(Bodies& bodies, bool turns);
+
+/// World velocity (m/s) of the point at an arm (m) from the centre of mass [Thesis06, eq. 4.5].
+inline Vec2 velocityAt(const BodyVelocity& motion, Vec2 arm) {
+    return motion.velocity + cross(motion.angularVelocity, arm);
+}
+
+/// World bounds of all parts.
+Aabb boundsOfBody(const Bodies& bodies, std::size_t body);
+
+/// Applies an impulse (N s) at the end of an arm (m).
+inline void applyImpulse(BodyVelocity& motion, Vec2 arm, Vec2 impulse) {
+    motion.velocity += motion.invMass * impulse;
+    motion.angularVelocity += motion.invInertia * cross(arm, impulse);
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/body.hpp>
+
+#include <optional>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+// Checks for definitions and setters. Each message names the given field.
+std::optional<Problem> checkPosition(const char* field, Vec2 value, Real lengthUnit = 1);
+std::optional<Problem> checkRotation(const char* field, Rot value);
+std::optional<Problem> checkVelocity(const char* field, Vec2 value, Real lengthUnit = 1);
+// Flag bits in which the engine stores the type of a body; neither: dynamic.
+inline constexpr Flags kTypeStatic = 1u << 25;
+inline constexpr Flags kTypeKinematic = 1u << 26;
+inline constexpr Flags kTypeBits = kTypeStatic | kTypeKinematic;
+inline constexpr Flags kLockBoth = kLockMove | kLockRotate;
+
+constexpr Flags bitsOf(BodyType type) {
+    return type == BodyType::Static      ? kTypeStatic
+           : type == BodyType::Kinematic ? kTypeKinematic
+                                         : Flags{0};
+}
+constexpr BodyType typeOf(Flags flags) {
+    return (flags & kTypeStatic) != 0      ? BodyType::Static
+           : (flags & kTypeKinematic) != 0 ? BodyType::Kinematic
+                                           : BodyType::Dynamic;
+}
+/// The motion locks that follow from flags and type.
+constexpr Flags locksOf(Flags flags) {
+    return (flags & kTypeBits) != 0 ? kLockBoth : flags & kLockBoth;
+}
+
+std::optional<Problem> checkFlags(const char* field, Flags value);
+/// Checks that a shape or part without mass is on a static or kinematic body.
+std::optional<Problem> checkPlaneType(const Shape& shape, Flags flags);
+std::optional<Problem> checkPlaneType(const Primitive& part, Flags flags);
+
+} // namespace KODO_PRECISION
+} // namespace kodo

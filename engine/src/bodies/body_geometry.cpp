@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "bodies/body_geometry.hpp"
+
+#include <kodo/measure.hpp>
+
+#include "base/checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <type_traits>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+Mass massOf(const Part& part) {
+    return std::visit([&](const auto& kind) { return massOf(kind, part.density); }, part.primitive);
+}
+
+/// Largest absolute coordinate (m) of a primitive in its frame; of a plane, its distance from the
+/// origin.
+Real extentOf(const Primitive& primitive) {
+    return std::visit(
+        [](const auto& kind) -> Real {
+            if constexpr (std::is_same_v<std::decay_t<decltype(kind)>, Plane>) {
+                return std::abs(kind.offset);
+            } else {
+                const Aabb box = boundsOf(kind);
+                return std::max({box.upper.x, box.upper.y, -box.lower.x, -box.lower.y});
+            }
+        },
+        primitive);
+}
+
+/// checkRange() with a message about a property of the shape.
+std::optional<Problem> checkOfShape(const char* what, Real value, Real low, Real high) {
+    auto problem = checkRange("shape", value, low, high);
+    if (problem) {
+        problem->reason = std::string("its ") + what + " " + problem->reason;
+    }
+    return problem;
+}
+
+} // namespace
+
+std::optional<Problem> checkMass(const Mass& mass) {
+    if (auto problem = checkOfShape("mass (kg)", mass.mass, 1 / kMaxMass, kMaxMass)) {
+        return problem;
+    }
+    if (mass.inertia == 0) {
+        return std::nullopt; // a particle
+    }
+    constexpr Real kMost = kMaxMass * kMaxMass;
+    return checkOfShape("moment of inertia (kg m^2)", mass.inertia, 1 / kMost, kMost);
+}
+
+std::optional<Problem> checkParts(std::span<const Part> parts, Real lengthUnit) {
+    Mass sum;
+    for (const Part& part : parts) {
+        const Real extent = extentOf(part.primitive);
+        if (auto problem = checkOfShape("extent (m)", extent, 0, kMaxCoordinate * lengthUnit)) {
+            return problem;
+        }
+        if (needsLock(part.primitive)) {
+            continue; // has no mass
+        }
+        const Mass mass = massOf(part);
+        if (auto problem = checkMass(mass)) {
+            return problem;
+        }
+        sum = combine(sum, mass);
+    }
+    return sum.mass > 0 ? checkMass(sum) : std::nullopt;
+}
+
+std::vector<Part> partsOf(const BodyDef& def) {
+    std::vector<Part> parts;
+    for (Primitive& primitive : primitivesOf(def.shape)) {
+        parts.push_back(Part{std::move(primitive), def.material, def.density});
+    }
+    return parts;
+}
+
+std::shared_ptr<const BodyGeometry> makeGeometry(std::vector<Part> parts) {
+    auto geometry = std::make_shared<BodyGeometry>();
+    geometry->mass = massOf(parts[0]);
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+        geometry->mass = combine(geometry->mass, massOf(parts[i]));
+    }
+    geometry->coreRadius = std::numeric_limits<Real>::max();
+    for (Part& part : parts) {
+        part.convex = convexShapeOf(part.primitive, geometry->mass.center);
+        geometry->boundingRadius = std::max(geometry->boundingRadius, part.convex.boundingRadius);
+        geometry->rotationReach = std::max(geometry->rotationReach, part.convex.rotationReach());
+        geometry->coreRadius = std::min(geometry->coreRadius, part.convex.coreRadius);
+        geometry->area += std::visit([](const auto& kind) { return areaOf(kind); }, part.primitive);
+    }
+    geometry->parts = std::move(parts);
+    return geometry;
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/force_field.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+Submerged submergedCircle(const ConvexShape& circle, const Transform& t, Vec2 surface, Vec2 up) {
+    const Vec2 center = t * circle.vertices[0];
+    const Real r = circle.radius;
+    if (r == 0) {
+        return {};
+    }
+    const Real cosine = std::clamp(dot(up, center - surface) / r, Real(-1), Real(1));
+    const Real sine = std::sqrt(1 - cosine * cosine);
+    const Real area = r * r * (atan2(sine, cosine) - sine * cosine);
+    if (!(area > 0)) {
+        return {};
+    }
+    const Real chord = r * sine;
+    const Real depth = std::min(2 * chord * chord * chord / (3 * area), r);
+    return {area, center - depth * up};
+}
+
+/// Area and centroid of a polygon as a triangle fan, added corner by corner.
+class FanSum {
+public:
+    void add(Vec2 corner) {
+        if (count_++ == 0) {
+            first_ = corner;
+        }
+        const Vec2 arm = corner - first_;
+        const Real twice = cross(last_, arm);
+        twiceArea_ += twice;
+        moment_ += twice * (last_ + arm);
+        last_ = arm;
+    }
+    Submerged result() const {
+        if (!(twiceArea_ > 0)) {
+            return {};
+        }
+        return {twiceArea_ / 2, first_ + moment_ / (3 * twiceArea_)};
+    }
+
+private:
+    Vec2 first_;
+    Vec2 last_;
+    Vec2 moment_;
+    Real twiceArea_ = 0;
+    int count_ = 0;
+};
+
+/// Clips while summing [Ericson05, 8.3.4], so that no corner is stored.
+Submerged submergedPolygon(const ConvexShape& polygon, const Transform& t, Vec2 surface, Vec2 up) {
+    FanSum sum;
+    Vec2 from = t * polygon.vertices.back();
+    Real heightFrom = dot(up, from - surface);
+    for (const Vec2 vertex : polygon.vertices) {
+        const Vec2 to = t * vertex;
+        const Real heightTo = dot(up, to - surface);
+        if ((heightFrom < 0) != (heightTo < 0)) {
+            sum.add(from + (heightFrom / (heightFrom - heightTo)) * (to - from));
+        }
+        if (heightTo < 0) {
+            sum.add(to);
+        }
+        from = to;
+        heightFrom = heightTo;
+    }
+    return sum.result();
+}
+
+} // namespace
+
+FieldForce Drag::at(const BodyView& body, Real) const {
+    const Real width = 2 * std::sqrt(body.area() / std::numbers::pi_v<Real>);
+    const Real radius = width / 2;
+    const Vec2 u = body.velocity() - air_;
+    const Real w = body.angularVelocity();
+    FieldForce push;
+    push.drag = (law_.linear + law_.quadratic * length(u)) * width;
+    push.spinDrag = (law_.linear + law_.quadratic * radius * std::abs(w)) * width * radius * radius;
+    push.force = -push.drag * u;
+    push.torque = -push.spinDrag * w;
+    return push;
+}
+
+FieldForce Wind::at(const BodyView& body, Real dt) const {
+    if (region_ && !region_->contains(body.center())) {
+        return {};
+    }
+    return drag_.at(body, dt);
+}
+
+FieldForce Attractor::at(const BodyView& body, Real dt) const {
+    const Vec2 d = center_ - body.center() - dt / 2 * body.velocity();
+    const Real mass = body.mass();
+    if (law_ == Law::Linear) {
+        return {mass * strength_ * d};
+    }
+    const Real distance = std::sqrt(lengthSquared(d) + softening_ * softening_);
+    if (distance == 0) { // at the centre, without softening
+        return {};
+    }
+    return {mass * strength_ / (distance * distance * distance) * d};
+}
+
+Submerged submerged(const ConvexShape& convex, const Transform& t, Vec2 surface, Vec2 up) {
+    return convex.isRound() ? submergedCircle(convex, t, surface, up)
+                            : submergedPolygon(convex, t, surface, up);
+}
+
+FieldForce Buoyancy::at(const BodyView& body, Real dt) const {
+    const Transform pose = midStep(body, dt);
+    FieldForce push;
+    const Vec2 velocity = body.velocity();
+    const Real spin = body.angularVelocity();
+    for (std::size_t i = 0; i < body.partCount(); ++i) {
+        const Submerged wet = submerged(body.part(i).convex, pose, surface_, up_);
+        if (wet.area == 0) {
+            continue;
+        }
+        const Vec2 arm = wet.centroid - pose.position;
+        const Real drag = fluid_.drag * wet.area;
+        const Vec2 force =
+            -(fluid_.density * wet.area) * gravity_ - drag * (velocity + cross(spin, arm));
+        // Rotation about the centroid is damped as for a disc of the same area.
+        const Real spinDrag = drag * wet.area / (2 * std::numbers::pi_v<Real>);
+        push.force += force;
+        push.torque += cross(arm, force) - spinDrag * spin;
+        push.drag += drag;
+        push.spinDrag += spinDrag + drag * lengthSquared(arm);
+    }
+    return push;
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "collide/faces.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+struct Edge {
+    Vec2 start;
+    Vec2 end;
+};
+
+/// Clips away the part beyond `limit` along `axis`. False if nothing remains.
+bool clip(Edge& edge, Vec2 axis, Real limit) {
+    const Real start = dot(axis, edge.start) - limit;
+    const Real end = dot(axis, edge.end) - limit;
+    if (start > 0 && end > 0) {
+        return false;
+    }
+    if (start > 0) {
+        edge.start += (start / (start - end)) * (edge.end - edge.start);
+    } else if (end > 0) {
+        edge.end += (end / (end - start)) * (edge.start - edge.end);
+    }
+    return true;
+}
+
+/// True if two points, clipped to a face, are equal except for rounding.
+bool areOne(Vec2 p, Vec2 q, Vec2 faceStart, Vec2 faceEnd) {
+    constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();
+    const Real size = std::max(lengthSquared(faceStart), lengthSquared(faceEnd));
+    return lengthSquared(q - p) <= kRounding * kRounding * size;
+}
+
+std::size_t nextVertex(const ConvexShape& shape, std::size_t vertex) {
+    return vertex + 1 == shape.vertices.size() ? 0 : vertex + 1;
+}
+
+Manifold collideEnds(Placed a, Placed b, const EndAxis& axis) {
+    Manifold manifold;
+    manifold.normal = a.at.rotation * axis.axis;
+    const Vec2 point = a.shape.vertices[axis.end] + (axis.separation / 2) * axis.axis;
+    const auto feature = static_cast<std::uint32_t>(1u << 30 | axis.end);
+    add(manifold, {point, axis.separation, feature}, a.at, b.at);
+    return manifold;
+}
+
+/// Two lines, where their ends determine the separating axis. False if they do not.
+bool endsDecide(Placed a, Placed b, Real margin, Real least, Manifold& manifold) {
+    const EndAxis endA = beyondEnd(a.shape, b.shape, between(a.at, b.at));
+    const EndAxis endB = beyondEnd(b.shape, a.shape, between(b.at, a.at));
+    if (std::max(endA.separation, endB.separation) <= std::max(least, Real(0))) {
+        return false;
+    }
+    if (endA.separation > margin || endB.separation > margin) {
+        return true;
+    }
+    manifold = endA.separation >= endB.separation ? collideEnds(a, b, endA)
+                                                  : swapped(collideEnds(b, a, endB));
+    return true;
+}
+
+} // namespace
+
+std::size_t incidentEdge(const ConvexShape& b, std::size_t vertex, Vec2 normalInB) {
+    const std::size_t before = vertex == 0 ? b.vertices.size() - 1 : vertex - 1;
+    return dot(b.normals[before], normalInB) < dot(b.normals[vertex], normalInB) ? before : vertex;
+}
+
+Manifold clipAgainstFace(Placed a, Placed b, const Transform& ab, const FaceAxis& axis, Real margin,
+                         BeyondEnds beyond) {
+    const ConvexShape& shapeA = a.shape;
+    const ConvexShape& shapeB = b.shape;
+    const Vec2 normal = shapeA.normals[axis.face];
+    const Vec2 normalInB = unrotate(ab.rotation, normal);
+    const std::size_t deepest = supportVertex(shapeB, -normalInB, 0);
+    const std::size_t other = incidentEdge(shapeB, deepest, normalInB);
+    // The facing edge is antiparallel to the reference edge: its end is at the reference's start.
+    Edge edge{ab * shapeB.vertices[nextVertex(shapeB, other)], ab * shapeB.vertices[other]};
+
+    const Vec2 first = shapeA.vertices[axis.face];
+    const Vec2 second = shapeA.vertices[nextVertex(shapeA, axis.face)];
+    const Vec2 along = perp(normal);
+    Manifold manifold;
+    const bool left = clip(edge, -along, -dot(along, first));
+    if (!left || !clip(edge, along, dot(along, second))) {
+        if (beyond == BeyondEnds::Nothing) {
+            return manifold;
+        }
+        edge = {ab * shapeB.vertices[deepest], ab * shapeB.vertices[deepest]};
+    }
+    manifold.normal = a.at.rotation * normal;
+    const std::uint32_t feature = static_cast<std::uint32_t>(axis.face << 12 | other << 1);
+    const Real height = dot(normal, first);
+    LocalPoint points[2] = {{edge.start, dot(normal, edge.start) - height, feature},
+                            {edge.end, dot(normal, edge.end) - height, feature + 1}};
+    if (points[1].separation < points[0].separation) {
+        std::swap(points[0], points[1]);
+    }
+    const bool same = areOne(points[0].point, points[1].point, first, second);
+    for (std::size_t i = 0; i < (same ? 1u : 2u); ++i) {
+        LocalPoint& p = points[i];
+        if (p.separation <= margin) {
+            p.point -= (p.separation / 2) * normal;
+            add(manifold, p, a.at, b.at);
+        }
+    }
+    return manifold;
+}
+
+Manifold clipAgainstFaceOfB(Placed a, Placed b, const Transform& ba, const FaceAxis& axis,
+                            Real margin, BeyondEnds beyond) {
+    Manifold manifold = clipAgainstFace(b, a, ba, axis, margin, beyond);
+    manifold.normal = -manifold.normal;
+    for (ManifoldPoint& point : manifold.points) {
+        std::swap(point.armA, point.armB);
+        point.feature |= 1u << 31;
+    }
+    return manifold;
+}
+
+Manifold collideFaces(const ConvexShape& shapeA, const Transform& a, const ConvexShape& shapeB,
+                      const Transform& b, Real margin, Real preference) {
+    const Transform ab = between(a, b);
+    const FaceAxis faceA = leastPenetratingFace(shapeA, shapeB, ab, margin);
+    if (faceA.separation > margin) {
+        return apart(faceA.separation);
+    }
+    const Transform ba = between(b, a);
+    const FaceAxis faceB = leastPenetratingFace(shapeB, shapeA, ba, margin);
+    if (faceB.separation > margin) {
+        return apart(faceB.separation);
+    }
+    if (shapeA.isLine() && shapeB.isLine()) {
+        const Real least = std::max(faceA.separation, faceB.separation) + preference;
+        Manifold manifold;
+        if (endsDecide({shapeA, a}, {shapeB, b}, margin, least, manifold)) {
+            return manifold;
+        }
+    }
+    if (faceB.separation > faceA.separation + preference) {
+        return clipAgainstFaceOfB({shapeA, a}, {shapeB, b}, ba, faceB, margin);
+    }
+    return clipAgainstFace({shapeA, a}, {shapeB, b}, ab, faceA, margin);
+}
+
+EndAxis beyondEnd(const ConvexShape& a, const ConvexShape& b, const Transform& ab) {
+    const Vec2 along = -perp(a.normals[1]);
+    Real low = dot(along, ab * b.vertices[0]);
+    Real high = low;
+    for (const Vec2 vertex : b.vertices) {
+        const Real at = dot(along, ab * vertex);
+        low = std::min(low, at);
+        high = std::max(high, at);
+    }
+    const Real beforeStart = dot(along, a.vertices[0]) - high;
+    const Real pastEnd = low - dot(along, a.vertices[1]);
+    return beforeStart >= pastEnd ? EndAxis{-along, beforeStart, 0} : EndAxis{along, pastEnd, 1};
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "collide/manifold.hpp"
+#include "collide/sat.hpp"
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// The edge at `vertex` of b most antiparallel to a normal (in b's frame).
+std::size_t incidentEdge(const ConvexShape& b, std::size_t vertex, Vec2 normalInB);
+
+/// Result of a face when clipping leaves nothing of the other shape: its deepest corner as contact
+/// point, or an empty manifold, so that a neighbour provides the contact.
+enum class BeyondEnds : std::uint8_t { DeepestCorner, Nothing };
+
+/// A shape and its pose.
+struct Placed {
+    const ConvexShape& shape;
+    const Transform& at;
+};
+
+/// Clips the incident edge of b against a face of a; `ab`: pose of b in the frame of a. Only points
+/// above the face count: a corner that has come out on the far side is not a second point
+/// [Thesis06, fig. 3.5].
+Manifold clipAgainstFace(Placed a, Placed b, const Transform& ab, const FaceAxis& axis, Real margin,
+                         BeyondEnds beyond = BeyondEnds::DeepestCorner);
+/// The same with the face on b. Its features differ from those of a. `ba`: pose of a in the frame
+/// of b.
+Manifold clipAgainstFaceOfB(Placed a, Placed b, const Transform& ba, const FaceAxis& axis,
+                            Real margin, BeyondEnds beyond = BeyondEnds::DeepestCorner);
+
+/// Shapes with faces: polygons and two-sided lines.
+Manifold collideFaces(const ConvexShape& shapeA, const Transform& a, const ConvexShape& shapeB,
+                      const Transform& b, Real margin, Real preference);
+
+/// Separation of b beyond the nearer end of line a. Two nearly collinear lines are separated only
+/// along this axis, which no face normal provides. `axis`: unit, in a's frame, outwards from that
+/// end.
+struct EndAxis {
+    Vec2 axis;
+    Real separation = 0; // m
+    std::size_t end = 0; // vertex of a
+};
+EndAxis beyondEnd(const ConvexShape& a, const ConvexShape& b, const Transform& ab);
+
+} // namespace KODO_PRECISION
+} // namespace kodo

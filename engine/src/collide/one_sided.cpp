@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "collide/one_sided.hpp"
+
+#include "collide/faces.hpp"
+#include "collide/round.hpp"
+#include "collide/sat.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+// Sine of the angle up to which a chain vertex counts as flush. Normals there may deviate by that
+// angle.
+constexpr Real kFlush = Real(1e-3);
+
+Vec2 alongOf(const ConvexShape& line) {
+    return -perp(line.normals[1]);
+}
+
+/// Sine of the turn at a chain vertex, counter-clockwise positive: < 0: convex (hilltop), > 0:
+/// concave (valley).
+Real turnAt(const ConvexShape& line, std::size_t end) {
+    return end == 0 ? cross(line.before, alongOf(line)) : cross(alongOf(line), line.after);
+}
+
+bool isFree(const ConvexShape& line, std::size_t end) {
+    return (end == 0 ? line.before : line.after) == Vec2{};
+}
+
+/// True if the line is responsible for shapes behind it at p. Beyond a chain vertex its neighbour
+/// is.
+bool ownsAlong(const ConvexShape& line, Vec2 p) {
+    const Vec2 along = alongOf(line);
+    return (isFree(line, 0) || dot(along, p - line.vertices[0]) >= 0) &&
+           (isFree(line, 1) || dot(along, p - line.vertices[1]) < 0);
+}
+
+/// Distance (m) by which the middle of a thin shape may lie behind a line that supports it.
+/// Contacts are soft, so a shape without thickness would otherwise be behind at once.
+Real sinkOf(const ConvexShape& other, Real margin) {
+    return std::max(margin / 4 - other.coreRadius, Real(0));
+}
+
+/// Feature nearest to the centre of a circle: the face, a vertex, or none of this line.
+enum class Nearest : std::uint8_t { Face, Start, End, Other };
+
+Nearest nearestOf(const ConvexShape& line, Vec2 center) {
+    const Vec2 along = alongOf(line);
+    const Vec2 fromStart = center - line.vertices[0];
+    const Vec2 fromEnd = center - line.vertices[1];
+    if (dot(along, fromStart) < 0) {
+        if (isFree(line, 0)) {
+            return Nearest::Start;
+        }
+        // The neighbour tests the same product, so exactly one of the two lines owns the centre.
+        const bool pastNeighbour = dot(line.before, fromStart) >= 0;
+        const Vec2 between = perp(line.before) + line.normals[1];
+        const bool bends = turnAt(line, 0) <= kFlush && dot(between, fromStart) > 0;
+        return pastNeighbour && bends ? Nearest::Start : Nearest::Other;
+    }
+    if (dot(along, fromEnd) >= 0) {
+        return isFree(line, 1) ? Nearest::End : Nearest::Other;
+    }
+    return Nearest::Face;
+}
+
+Manifold collideWithRound(const ConvexShape& line, const Transform& a, const ConvexShape& circle,
+                          const Transform& b, Real margin) {
+    const Vec2 center = between(a, b) * circle.vertices[0];
+    const Nearest nearest = nearestOf(line, center);
+    Manifold manifold;
+    if (nearest == Nearest::Other) {
+        return manifold;
+    }
+    Vec2 normal = line.normals[1];
+    Real distance = dot(normal, center - line.vertices[0]);
+    const std::size_t end = nearest == Nearest::End ? 1 : 0;
+    if (distance < -sinkOf(circle, margin) && (nearest == Nearest::Face || isFree(line, end))) {
+        manifold.fromBehind = true;
+        return manifold;
+    }
+    if (nearest != Nearest::Face) {
+        const Vec2 arm = center - line.vertices[end];
+        distance = length(arm);
+        normal = distance > 0 ? arm / distance : normal;
+    }
+    const Real gap = distance - circle.radius;
+    if (gap > margin) {
+        return manifold;
+    }
+    manifold.normal = a.rotation * normal;
+    add(manifold,
+        {center - (circle.radius + gap / 2) * normal, gap, static_cast<std::uint32_t>(nearest)}, a,
+        b);
+    armFromOwnCenter(manifold, circle, b);
+    return manifold;
+}
+
+/// How the line treats a contact whose normal is a face normal of the other shape.
+enum class Verdict : std::uint8_t {
+    Own,       // the line accepts that normal
+    Front,     // the line uses its own normal instead
+    Neighbour, // the adjacent line, if any, is responsible
+    Aside,     // the shape comes from beyond a free end
+};
+
+std::size_t endTowards(const ConvexShape& line, Vec2 direction) {
+    return dot(direction, alongOf(line)) < 0 ? 0 : 1;
+}
+
+Verdict judge(const ConvexShape& line, std::size_t end, Vec2 direction) {
+    if (isFree(line, end)) {
+        return ownsDirection(line, end, direction) ? Verdict::Own : Verdict::Aside;
+    }
+    if (turnAt(line, end) >= -kFlush) {
+        return Verdict::Front;
+    }
+    return ownsDirection(line, end, direction) ? Verdict::Own : Verdict::Neighbour;
+}
+
+/// Contact over the convex vertex at the line's start: the nearest face with a normal that the line
+/// owns.
+Manifold overHilltop(Placed line, Placed other, const Transform& ba, Real margin) {
+    const Vec2 top = ba * line.shape.vertices[0];
+    FaceAxis best{0, -std::numeric_limits<Real>::infinity()};
+    for (std::size_t i = 0; i < other.shape.normals.size(); ++i) {
+        const Vec2 normal = other.shape.normals[i];
+        const Real height = dot(normal, top - other.shape.vertices[i]);
+        if (height > best.separation &&
+            ownsDirection(line.shape, 0, -unrotate(ba.rotation, normal))) {
+            best = {i, height};
+        }
+    }
+    const Vec2 middle = top - other.shape.middle;
+    if (isFree(line.shape, 0) || dot(other.shape.normals[best.face], middle) < 0 ||
+        !(best.separation > -std::numeric_limits<Real>::infinity())) {
+        return {};
+    }
+    return clipAgainstFaceOfB(line, other, ba, best, margin, BeyondEnds::Nothing);
+}
+
+Manifold collideWithFaces(const ConvexShape& line, const Transform& a, const ConvexShape& other,
+                          const Transform& b, Real margin, Real preference) {
+    const Transform ab = between(a, b);
+    const Vec2 normal = line.normals[1];
+    const std::size_t support = supportVertex(other, unrotate(ab.rotation, -normal), 0);
+    const FaceAxis front{1, dot(normal, ab * other.vertices[support] - line.vertices[1])};
+    const Vec2 middle = ab * other.middle;
+    const bool behind = dot(normal, middle - line.vertices[0]) < -sinkOf(other, margin);
+
+    Manifold manifold;
+    manifold.fromBehind = behind && ownsAlong(line, middle);
+    const Transform ba = between(b, a);
+    const FaceAxis face = leastPenetratingFace(other, line, ba, margin);
+    if (front.separation > margin || face.separation > margin) {
+        return manifold;
+    }
+    if (face.separation > front.separation + preference) {
+        const Vec2 direction = -(ab.rotation * other.normals[face.face]);
+        const std::size_t end = endTowards(line, direction);
+        const Verdict verdict = judge(line, end, direction);
+        // The middle of a shape astride a steep hilltop may be behind this side of it.
+        const bool astride =
+            !manifold.fromBehind && dot(direction, middle - line.vertices[end]) >= 0;
+        if (verdict == Verdict::Own && (!behind || astride)) {
+            return clipAgainstFaceOfB({line, a}, {other, b}, ba, face, margin);
+        }
+        if (verdict == Verdict::Neighbour) {
+            // A corner that has just passed a hilltop has least overlap at its side face. The
+            // contact is instead a face over the hilltop, or the corner over this line.
+            manifold = overHilltop({line, a}, {other, b}, ba, margin);
+            if (manifold.count > 0 || !ownsAlong(line, ab * other.vertices[support])) {
+                return manifold;
+            }
+        }
+        if (verdict == Verdict::Aside && front.separation < -margin / 2) {
+            manifold.fromBehind = true;
+            return manifold;
+        }
+    }
+    return behind ? manifold
+                  : clipAgainstFace({line, a}, {other, b}, ab, front, margin, BeyondEnds::Nothing);
+}
+
+} // namespace
+
+bool ownsVertex(const ConvexShape& line, std::size_t end) {
+    return isFree(line, end) || (end == 0 && turnAt(line, 0) < -kFlush);
+}
+
+bool ownsDirection(const ConvexShape& line, std::size_t end, Vec2 direction) {
+    if (isFree(line, end)) {
+        return dot(direction, line.normals[1]) > 0;
+    }
+    return ownsVertex(line, end) && cross(line.normals[1], direction) >= 0 &&
+           cross(direction, perp(line.before)) >= 0;
+}
+
+Manifold collideOneSided(const ConvexShape& line, const Transform& a, const ConvexShape& other,
+                         const Transform& b, Real margin, Real preference) {
+    if (other.isRound()) {
+        return collideWithRound(line, a, other, b, margin);
+    }
+    Manifold manifold = collideWithFaces(line, a, other, b, margin, preference);
+    if (other.oneSided) {
+        const Vec2 middle = between(b, a) * line.middle - other.vertices[0];
+        if (dot(other.normals[1], middle) < 0) {
+            manifold = {};
+            manifold.fromBehind = true;
+        }
+    }
+    return manifold;
+}
+
+bool letPass(bool passing, Manifold& manifold) {
+    const bool overlaps = manifold.count > 0 && manifold.points[0].separation < 0;
+    if (!manifold.fromBehind && !(passing && overlaps)) {
+        return false;
+    }
+    manifold.count = 0;
+    return true;
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/convex_shape.hpp>
+
+#include "collide/manifold.hpp"
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// One-sided lines and chains of them (platforms, ground), without ghost collisions.
+///
+/// The middle of the other shape decides whether it is in front of the line or behind it. Shapes
+/// behind pass through. Each direction belongs to one line of a chain. A line owns its normal. At a
+/// convex vertex (hilltop), the line that starts there also owns the directions between the two
+/// normals. A contact therefore never has a normal that the ground lacks, and a shape slides
+/// smoothly over a flush vertex.
+Manifold collideOneSided(const ConvexShape& line, const Transform& a, const ConvexShape& other,
+                         const Transform& b, Real margin, Real preference);
+
+/// True if the line is responsible for contacts at vertex `end`, 0 or 1. False at a flush or
+/// concave vertex, where only faces touch, and at a hilltop owned by the next line.
+bool ownsVertex(const ConvexShape& line, std::size_t end);
+
+/// True if the line accepts a contact normal at vertex `end` (unit, in the line's frame, away from
+/// the line). A free end accepts all directions towards the front.
+bool ownsDirection(const ConvexShape& line, std::size_t end, Vec2 direction);
+
+/// State of a contact with a one-sided line. A shape that comes from behind stays free until it no
+/// longer overlaps, even when its middle is already in front. `passing`: the result for this
+/// contact in the last step, false for a new one. Call in every step in which the pair exists, even
+/// if the shapes are not near. If true, the contact is passing and the manifold is cleared.
+bool letPass(bool passing, Manifold& manifold);
+
+} // namespace KODO_PRECISION
+} // namespace kodo

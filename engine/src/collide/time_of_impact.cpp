@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "collide/time_of_impact.hpp"
+
+#include <kodo/geometry.hpp>
+
+#include "collide/one_sided.hpp"
+#include "collide/round.hpp"
+#include "collide/sat.hpp"
+#include "collide/separation_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+// Polygons need two rounds without rotation and about five with it. With a round shape and no
+// rotation, each round at least halves the gap. Large rotations within a step may need more. A pair
+// that is still approaching after this many rounds is stopped there, which is safe: it does not
+// touch yet.
+constexpr int kMostRounds = 40;
+constexpr Real kNever = RelativePath::kNever;
+
+/// One of the two moving shapes.
+struct Mover {
+    const ConvexShape& shape;
+    const MotionPath& sweep;
+};
+
+/// Upper bound (m per step) of the approach of any point by rotation alone. For a plane, only the
+/// part within reach of the other shape counts.
+Real turningBound(Mover mover, Mover other) {
+    if (mover.sweep.deltaAngle == 0) {
+        return 0; // as most static bodies
+    }
+    Real rotationReach = mover.shape.rotationReach();
+    if (mover.shape.isPlane()) {
+        rotationReach = length(other.sweep.start.position - mover.sweep.start.position) +
+                        length(other.sweep.deltaPosition) + length(mover.sweep.deltaPosition) +
+                        length(other.sweep.push) + other.shape.boundingRadius;
+    }
+    return rotationReach * std::abs(mover.sweep.deltaAngle);
+}
+
+/// Relative path from t on, until one of the two stops.
+RelativePath relativePathFrom(Mover a, Mover b, Real t, Real target) {
+    const bool goesA = t < a.sweep.stopAt;
+    const bool goesB = t < b.sweep.stopAt;
+    const Real stopA = goesA ? a.sweep.stopAt : 1;
+    const Real stopB = goesB ? b.sweep.stopAt : 1;
+    return {.towards = (goesA ? a.sweep.deltaPosition : a.sweep.push) -
+                       (goesB ? b.sweep.deltaPosition : b.sweep.push),
+            .deltaAngleA = goesA ? a.sweep.deltaAngle : 0,
+            .deltaAngleB = goesB ? b.sweep.deltaAngle : 0,
+            .turning = (goesA ? turningBound(a, b) : 0) + (goesB ? turningBound(b, a) : 0),
+            .length = std::min({stopA, stopB, Real(1)}) - t,
+            .target = target};
+}
+
+/// True if the bounding discs of both shapes come within `target` of each other on their paths.
+bool discsMeet(Mover a, Mover b, Real target) {
+    if (a.shape.isPlane() || b.shape.isPlane()) {
+        return true; // a plane has no bounding disc
+    }
+    // A little larger, for rounding.
+    const Real near =
+        Real(1.001) * (a.shape.boundingRadius + b.shape.boundingRadius + std::max(target, Real(0)));
+    Vec2 apart = b.sweep.start.position - a.sweep.start.position;
+    for (Real t = 0; t < 1;) {
+        const RelativePath path = relativePathFrom(a, b, t, target);
+        const Vec2 way = -path.length * path.towards;
+        const Real square = lengthSquared(way);
+        const Real along = std::clamp(-dot(apart, way), Real(0), square);
+        const Vec2 nearest = along > 0 ? apart + (along / square) * way : apart;
+        if (lengthSquared(nearest) <= near * near) {
+            return true;
+        }
+        apart += way;
+        t += path.length;
+    }
+    return false;
+}
+
+/// Conservative advancement with a given function for the bound.
+template <typename Look>
+Real advance(Mover a, Mover b, Real target, Look lookAhead) {
+    Real t = 0;
+    Real most = 1;
+    for (int round = 0; round < kMostRounds; ++round) {
+        RelativePath path = relativePathFrom(a, b, t, target);
+        const Real left = path.length;
+        path.length = std::min(left, most);
+        const SeparationBound separationBound = lookAhead(a.sweep.at(t), b.sweep.at(t), path);
+        if (separationBound.passes(path)) {
+            t += path.length;
+            if (most >= left && t >= 1) {
+                return kNever;
+            }
+            most *= 4;
+        } else if (separationBound.distance - target <= std::abs(target) / 2) {
+            return t;
+        } else {
+            t += separationBound.last;
+            most = 2 * separationBound.last; // an impact is near; shorter paths have tighter bounds
+        }
+    }
+    return t;
+}
+
+/// The same with one axis at a time.
+template <typename Measure>
+Real advanceAlong(Mover a, Mover b, Real target, Measure separationAt) {
+    return advance(a, b, target,
+                   [&](const Transform& at, const Transform& bt, const RelativePath& path) {
+                       const Separation now = separationAt(at, bt);
+                       SeparationBound separationBound;
+                       separationBound.see(now.axis, now.distance, path);
+                       return separationBound;
+                   });
+}
+
+/// Separation from the infinite line through a one-sided line, along its normal.
+Separation aboveLine(const ConvexShape& line, const Transform& a, const ConvexShape& other,
+                     const Transform& b) {
+    const Transform ab = between(a, b);
+    const Vec2 normal = line.normals[1];
+    const std::size_t lowest = supportVertex(other, unrotate(ab.rotation, -normal), 0);
+    return {a.rotation * normal,
+            dot(normal, ab * other.vertices[lowest] - line.vertices[0]) - other.radius};
+}
+
+/// Separation from one vertex of the line.
+Separation fromVertex(const ConvexShape& line, std::size_t end, const Transform& a,
+                      const ConvexShape& other, const Transform& b) {
+    if (other.isRound()) {
+        const Vec2 arm = between(a, b) * other.vertices[0] - line.vertices[end];
+        return {a.rotation * normalize(arm), length(arm) - other.radius};
+    }
+    const RoundAxis axis = nearestToCenter(other, between(b, a) * line.vertices[end]);
+    return {-(b.rotation * axis.normal), axis.distance};
+}
+
+/// A shape in front first touches the line along the line's normal, or at a vertex along a
+/// direction that the line owns there. All other impacts belong to neighbours, or the shape passes
+/// through.
+Real impactOnOneSided(Mover line, Mover other, Real target) {
+    const auto above = [&](const Transform& a, const Transform& b) {
+        return aboveLine(line.shape, a, other.shape, b);
+    };
+    if (above(line.sweep.start, other.sweep.start).distance > target * Real(1.5)) {
+        const Real t = advanceAlong(line, other, target, above);
+        if (t > 1 || collideOneSided(line.shape, line.sweep.at(t), other.shape, other.sweep.at(t),
+                                     2 * target, 0)
+                             .count > 0) {
+            return t;
+        }
+    }
+    Real first = kNever;
+    for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
+        if (!ownsVertex(line.shape, end)) {
+            continue;
+        }
+        const auto vertex = [&](const Transform& a, const Transform& b) {
+            return fromVertex(line.shape, end, a, other.shape, b);
+        };
+        const Real t = advanceAlong(line, other, target, vertex);
+        if (t < first) {
+            const Transform a = line.sweep.at(t);
+            const Vec2 direction = unrotate(a.rotation, vertex(a, other.sweep.at(t)).axis);
+            first = ownsDirection(line.shape, end, direction) ? t : first;
+        }
+    }
+    return first;
+}
+
+/// True if a one-sided line faces away from a plane.
+bool turnsAway(Mover line, Mover plane) {
+    const Vec2 front = line.sweep.start.rotation * line.shape.normals[1];
+    return dot(front, plane.sweep.start.rotation * plane.shape.normals[0]) > 0;
+}
+
+} // namespace
+
+Real timeOfImpact(const ConvexShape& shapeA, const MotionPath& a, const ConvexShape& shapeB,
+                  const MotionPath& b, Real target) {
+    const Mover moverA{shapeA, a};
+    const Mover moverB{shapeB, b};
+    if ((shapeA.oneSided && shapeB.isPlane() && turnsAway(moverA, moverB)) ||
+        (shapeB.oneSided && shapeA.isPlane() && turnsAway(moverB, moverA))) {
+        return kNever;
+    }
+    if (!discsMeet(moverA, moverB, target)) {
+        return kNever;
+    }
+    if (shapeA.oneSided && !shapeB.isPlane()) {
+        return impactOnOneSided(moverA, moverB, target);
+    }
+    if (shapeB.oneSided && !shapeA.isPlane()) {
+        return impactOnOneSided(moverB, moverA, target);
+    }
+    return advance(moverA, moverB, target,
+                   [&](const Transform& at, const Transform& bt, const RelativePath& path) {
+                       return separationBoundOf(shapeA, at, shapeB, bt, path);
+                   });
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

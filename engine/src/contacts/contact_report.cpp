@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "contacts/contact_report.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+CollisionRecord endOf(const Contact& contact) {
+    CollisionRecord record;
+    record.a = contact.a;
+    record.b = contact.b;
+    record.partA = contact.key.partA;
+    record.partB = contact.key.partB;
+    record.phase = TouchPhase::End;
+    record.normal = contact.manifold.normal;
+    record.point = contact.centerA + contact.manifold.points[0].armA;
+    return record;
+}
+
+bool touches(const Contact& contact, const Tolerances& tolerances) {
+    if (contact.sensor) {
+        return contact.manifold.count > 0 && contact.manifold.points[0].separation <= 0;
+    }
+    if (!contact.near || contact.hidden) {
+        return false;
+    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        const PointImpulse& impulse = contact.impulse[i];
+        if (impulse.largest > 0 || impulse.impact > 0 ||
+            contact.manifold.points[i].separation <= tolerances.slop) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void finishContact(Contact& contact, bool touches) {
+    contact.touching = (contact.sensor && contact.touching) || touches;
+    contact.phase.reset();
+    if (contact.touching) {
+        contact.phase = contact.wasTouching ? TouchPhase::Persist : TouchPhase::Begin;
+    } else if (contact.wasTouching) {
+        contact.phase = TouchPhase::End;
+    }
+    contact.wasTouching = contact.touching;
+}
+
+void recordContact(const Contact& contact, std::vector<CollisionRecord>& out) {
+    if (!contact.phase) {
+        return;
+    }
+    CollisionRecord& record = out.emplace_back(endOf(contact));
+    if (contact.phase == TouchPhase::End) {
+        return;
+    }
+    record.phase = *contact.phase;
+    record.pointCount = static_cast<std::uint8_t>(contact.manifold.count);
+    record.separation = contact.manifold.points[0].separation;
+    record.approachSpeed = contact.approachSpeed;
+    record.totalImpulse = contact.total;
+    for (std::size_t i = 0; i < record.pointCount; ++i) {
+        const PointImpulse& impulse = contact.impulse[i];
+        record.totalImpulse += impulse.impact;
+        const Real largest = std::max(impulse.largest, impulse.impact);
+        if (largest > record.maxImpulse) {
+            record.maxImpulse = largest;
+            record.point = contact.centerA + contact.manifold.points[i].armA;
+        }
+    }
+}
+
+void addInOrder(std::span<const CollisionRecord> more, std::vector<CollisionRecord>& records) {
+    if (more.empty()) {
+        return;
+    }
+    records.insert(records.end(), more.begin(), more.end());
+    const auto key = [](const CollisionRecord& r) {
+        return std::make_tuple(r.a, r.partA, r.b, r.partB, r.phase != TouchPhase::End);
+    };
+    std::sort(records.begin(), records.end(), // total order: a pair has one record, or End, Begin
+              [&](const CollisionRecord& r, const CollisionRecord& s) { return key(r) < key(s); });
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/collision_record.hpp>
+#include <kodo/settings.hpp>
+
+#include "contacts/contact.hpp"
+
+#include <span>
+#include <vector>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// True if a contact without a lane in the solver touched in this step.
+bool touches(const Contact& contact, const Tolerances& tolerances);
+
+/// Ends a step for one contact: sets its touch state and phase.
+void finishContact(Contact& contact, bool touches);
+
+/// Appends the record of a finished contact, if it has a phase. It must not be resident.
+void recordContact(const Contact& contact, std::vector<CollisionRecord>& out);
+
+/// Merges records of removed contacts into those of a step, in order.
+void addInOrder(std::span<const CollisionRecord> more, std::vector<CollisionRecord>& records);
+
+/// End record of a contact that has stopped touching.
+CollisionRecord endOf(const Contact& contact);
+
+} // namespace KODO_PRECISION
+} // namespace kodo

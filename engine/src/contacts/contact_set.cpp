@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+#include "contacts/contact_set.hpp"
+
+#include "base/vector_reuse.hpp"
+#include "contacts/contact_update.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+constexpr std::size_t kNewPerPiece = 32; // contacts
+
+} // namespace
+
+void ContactSet::noteEnd(const Contact& contact) {
+    if (contact.wasTouching) {
+        ended_.push_back(endOf(contact));
+        countTouch(contact, false);
+    }
+}
+
+/// Counts the touching contacts of both bodies one up or down.
+void ContactSet::countTouch(const Contact& contact, bool touches) {
+    for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
+        touches_[body] += touches ? 1u : kOneLess;
+        touchChanges_.push_back(body);
+    }
+    const std::size_t many = 4 * touches_.size();
+    if (touchChanges_.size() > many) { // for example, a region that moves often between two steps
+        // total order: equal indices are identical
+        std::sort(touchChanges_.begin(), touchChanges_.end());
+        touchChanges_.erase(std::unique(touchChanges_.begin(), touchChanges_.end()),
+                            touchChanges_.end());
+    }
+}
+
+/// Counts all touching contacts after a snapshot was read. A body whose kColliding disagrees is a
+/// touch change.
+void ContactSet::countTouches(const Bodies& bodies) {
+    touches_.assign(bodies.size(), 0);
+    for (const Contact& contact : contacts_) {
+        if (contact.wasTouching) {
+            ++touches_[contact.key.bodyA];
+            ++touches_[contact.key.bodyB];
+        }
+    }
+    touchChanges_.clear();
+    for (std::uint32_t body = 0; body < bodies.size(); ++body) {
+        if (((bodies.filter[body].flags & kColliding) != 0) != isTouched(body)) {
+            touchChanges_.push_back(body);
+        }
+    }
+}
+
+/// Must be called before a contact is removed.
+void ContactSet::writeRecords() const {
+    records([](const Contact& contact) -> const Contact& { return contact; });
+}
+
+void ContactSet::forgetUnsound(const Bodies& bodies, const Tolerances& tolerances) {
+    visitAll();
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        Contact& contact = contacts_[i];
+        if (!isSound(contact)) {
+            clearContact(contact);
+            followContact(contact, bodies, tolerances, false);
+            findContact(contact, bodies, tolerances);
+            kodo::measureApproach(contact, bodies);
+            summaries_[i].note(contact);
+        }
+    }
+}
+
+/// Contacts were added, removed or moved to other slots.
+void ContactSet::changed() {
+    contactsChanged_ = true;
+    liveStale_ = true;
+}
+
+/// Moves the last contacts into the free slots.
+void ContactSet::fillHoles() {
+    changed();
+    if (holes_.empty()) {
+        return;
+    }
+    const std::size_t kept = contacts_.size() - holes_.size();
+    std::sort(holes_.begin(), holes_.end()); // total order: slots are unique
+    // The contacts in slots beyond the new end move down, the lowest first.
+    std::vector<std::uint32_t>& movedTo = slots_;
+    assignReusing(movedTo, holes_.size(), 0u);
+    std::size_t hole = 0;
+    std::size_t beyond = static_cast<std::size_t>(
+        std::lower_bound(holes_.begin(), holes_.end(), kept) - holes_.begin());
+    for (std::size_t slot = kept; slot < contacts_.size(); ++slot) {
+        if (beyond < holes_.size() && holes_[beyond] == slot) {
+            ++beyond;
+            continue;
+        }
+        movedTo[slot - kept] = holes_[hole];
+        summaries_[holes_[hole]] = summaries_[slot];
+        contacts_[holes_[hole++]] = contacts_[slot];
+    }
+    reorderPolicy_.strayed += hole;
+    for (Place& place : order_) {
+        if (place.slot >= kept) {
+            place.slot = movedTo[place.slot - kept];
+        }
+    }
+    contacts_.resize(kept);
+    summaries_.resize(kept);
+}
+
+/// Reorders the contacts by key, so that a loop over them reads bodies in sequence. Follows each
+/// cycle of the permutation with one contact as temporary.
+void ContactSet::sortContacts() {
+    reorderPolicy_ = {};
+    for (std::uint32_t start = 0; start < order_.size(); ++start) {
+        if (order_[start].slot == start) {
+            continue;
+        }
+        changed();
+        const Contact contact = contacts_[start];
+        const ContactSummary summary = summaries_[start];
+        std::uint32_t to = start;
+        for (std::uint32_t from = order_[to].slot; from != start; from = order_[to].slot) {
+            contacts_[to] = contacts_[from];
+            summaries_[to] = summaries_[from];
+            order_[to].slot = to;
+            to = from;
+        }
+        contacts_[to] = contact;
+        summaries_[to] = summary;
+        order_[to].slot = to;
+    }
+}
+
+void ContactSet::updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt,
+                             WorkerTeam& team) {
+    recordsDue_ = false; // not requested since the last step
+    dropped_.clear();
+    applyChanges(bodies, tolerances);
+    if (reorderPolicy_.countStep(contacts_.size())) {
+        sortContacts();
+    }
+    bounds_.foresee(bodies, tolerances, dt, team);
+    refreshPairs(bodies, team);
+}
+
+void ContactSet::coverDisplacements(const Bodies& bodies, const Tolerances& tolerances,
+                                    WorkerTeam& team) {
+    bounds_.coverDisplacements(bodies, tolerances, team);
+    refreshPairs(bodies, team);
+}
+
+/// Searches the pairs of parts whose grown bounds have changed.
+void ContactSet::refreshPairs(const Bodies& bodies, WorkerTeam& team) {
+    if (bounds_.changed().empty()) {
+        return;
+    }
+    findPairs(bodies, team);
+    if (!pairs_.empty() || !order_.empty()) {
+        mergePairs(bodies, team);
+    }
+    bounds_.clearChanged();
+}
+
+void ContactSet::setExcludedPairs(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) {
+    if (!std::equal(excludedPairs_.begin(), excludedPairs_.end(), pairs.begin(), pairs.end())) {
+        excludedPairs_.assign(pairs.begin(), pairs.end());
+        pairsStale_ = true;
+    }
+}
+
+void ContactSet::findPairs(const Bodies& bodies, WorkerTeam& team) {
+    const auto accept = [&](std::uint32_t i, std::uint32_t j) {
+        const std::uint32_t a = bounds_.part(i).body;
+        const std::uint32_t b = bounds_.part(j).body;
+        const Flags flagsA = bodies.filter[a].flags;
+        const Flags flagsB = bodies.filter[b].flags;
+        const bool sensor = ((flagsA ^ flagsB) & kSensor) != 0; // exactly one of them
+        return a != b && (sensor || !(bodies.locked(a) && bodies.locked(b))) &&
+               (sensor || ((flagsA & flagsB) & kSensor) == 0) &&
+               (bodies.active(a) || bodies.active(b)) &&
+               shouldCollide(bodies.filter[a], bodies.filter[b]) &&
+               !std::binary_search(excludedPairs_.begin(), excludedPairs_.end(), std::pair(a, b));
+    };
+    pairs_.clear();
+    finder_.pairs(bounds_.grown(), {bounds_.changed(), bounds_.isChanged()}, accept, pairs_, team);
+}
+
+/// Merges pairs_ with order_: both are in the order of keys. A pair can only be added or removed if
+/// the bounds of one of its parts have changed.
+void ContactSet::findNews(WorkerTeam& team) {
+    news_.clear();
+    newsFound_.gather(
+        team, order_.size(), kContactsPerPiece, news_,
+        [&](std::size_t first, std::size_t last, std::vector<News>& news) {
+            const std::uint8_t* const isChanged = bounds_.isChanged().data();
+            const Place* const order = order_.data();
+            const auto from = [&](std::size_t at) {
+                return std::lower_bound(pairs_.begin(), pairs_.end(), order_[at].pair);
+            };
+            auto pair = first == 0 ? pairs_.begin() : from(first);
+            const auto end = last == order_.size() ? pairs_.end() : from(last);
+            for (std::size_t at = first; at < last; ++at) {
+                const BoundsPair own = order[at].pair;
+                for (; pair != end && *pair < own; ++pair) {
+                    news.push_back({*pair, static_cast<std::uint32_t>(at), true});
+                }
+                const bool found = pair != end && *pair == own;
+                const bool asked = (isChanged[own.first] | isChanged[own.second]) != 0;
+                pair += found ? 1 : 0;
+                if (asked & !found) { // rare; branchless `&`, since `asked` alone mispredicts
+                    news.push_back({own, static_cast<std::uint32_t>(at), false});
+                }
+            }
+            for (; pair != end; ++pair) {
+                news.push_back({*pair, static_cast<std::uint32_t>(last), true});
+            }
+        });
+}
+
+/// Adds and removes contacts so that the list matches pairs_.
+void ContactSet::mergePairs(const Bodies& bodies, WorkerTeam& team) {
+    findNews(team);
+    if (news_.empty()) {
+        return;
+    }
+    newOrder_.clear();
+    newOrder_.reserve(order_.capacity()); // the two vectors alternate
+    holes_.clear();
+    added_.clear();
+    std::size_t next = 0;
+    const auto keepUpTo = [&](std::size_t end) {
+        newOrder_.insert(newOrder_.end(), order_.begin() + static_cast<std::ptrdiff_t>(next),
+                         order_.begin() + static_cast<std::ptrdiff_t>(end));
+        next = end;
+    };
+    for (const News& news : news_) {
+        keepUpTo(news.at);
+        if (news.comes) {
+            added_.push_back(static_cast<std::uint32_t>(newOrder_.size()));
+            newOrder_.push_back({news.pair, 0});
+        } else {
+            holes_.push_back(order_[next++].slot);
+            release(contacts_[holes_.back()], bodies);
+        }
+    }
+    keepUpTo(order_.size());
+    std::swap(order_, newOrder_);
+    addContacts(bodies, team);
+    fillHoles();
+}
+
+/// Must be called before the removal of a contact whose grown bounds have separated.
+void ContactSet::release(Contact& gone, const Bodies& bodies) {
+    if (gone.row.resident) {
+        gone.centerA = bodies.start[gone.key.bodyA];
+    }
+    noteEnd(gone);
+}
+
+/// Creates the contacts of new pairs, in the last free slots first.
+void ContactSet::addContacts(const Bodies& bodies, WorkerTeam& team) {
+    reorderPolicy_.strayed += added_.size();
+    auto slots = static_cast<std::uint32_t>(contacts_.size());
+    for (const std::uint32_t at : added_) {
+        if (holes_.empty()) {
+            order_[at].slot = slots++;
+        } else {
+            order_[at].slot = holes_.back();
+            contacts_[holes_.back()] = {};
+            holes_.pop_back();
+        }
+    }
+    contacts_.resize(slots);
+    summaries_.resize(slots);
+    team.forEach(added_.size(), kNewPerPiece, [&](std::size_t first, std::size_t last) {
+        for (const std::uint32_t at : std::span(added_).subspan(first, last - first)) {
+            const auto& [pair, slot] = order_[at];
+            const PartBounds::Part& a = bounds_.part(pair.first);
+            const PartBounds::Part& b = bounds_.part(pair.second);
+            contacts_[slot].key = {a.body, a.part, b.body, b.part};
+            describeContact(contacts_[slot], bodies);
+            summaries_[slot] = ContactSummary::of(contacts_[slot], pair);
+        }
+    });
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

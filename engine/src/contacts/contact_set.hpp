@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/collision_record.hpp>
+#include <kodo/settings.hpp>
+
+#include "base/assert.hpp"
+#include "base/reorder_policy.hpp"
+#include "base/vector_reuse.hpp"
+#include "base/worker_team.hpp"
+#include "bodies/bodies.hpp"
+#include "broad/pair_finder.hpp"
+#include "contacts/contact.hpp"
+#include "contacts/contact_report.hpp"
+#include "contacts/ghost_collisions.hpp"
+#include "contacts/part_bounds.hpp"
+
+#include <functional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// Solver-side storage of the contacts that persist across steps.
+struct SolverStorage {
+    /// By row, for the poses at the start of the step; empty if no contact is resident.
+    std::span<const Carried> carried;
+    /// Writes the state of a resident contact back to it. Called from several threads.
+    const std::function<void(Contact&)>& evict;
+};
+
+/// All contacts of a World, and the bounds from which they are found.
+class ContactSet {
+public:
+    /// A body was added, removed or teleported, or its geometry or filter changed: its pairs are
+    /// searched again.
+    void bodyChanged(std::uint32_t body);
+    /// The same for all bodies.
+    void bodiesChanged() { stale_ = true; }
+    /// Removes the contacts of a body; calls writeBack(contact) before each removal. A contact that
+    /// touched gets an End in the next records.
+    void drop(std::uint32_t body, const std::function<void(Contact&)>& writeBack);
+
+    /// Must be called before the removal of a part; the index of each later part falls by one.
+    void partRemoved(std::uint32_t body, std::size_t part);
+    /// A body fell asleep or woke, or an immovable body started or stopped.
+    void activityChanged(std::uint32_t body) { stirred_.push_back(body); }
+    /// The same for all bodies.
+    void activityChanged() { pairsStale_ = true; }
+
+    /// Removes and returns the contacts between bodies that are not active in a step, in order.
+    /// Valid until the next call.
+    std::span<const Contact> takeIdle(const Bodies& bodies);
+    /// Puts back contacts that takeIdle returned. A contact already in the list stays unchanged.
+    void putBack(std::span<const Contact> contacts, Bodies& bodies);
+
+    /// Updates bounds and contacts after changes of bodies; does not search pairs.
+    void applyChanges(const Bodies& bodies, const Tolerances& tolerances);
+    /// Updates the list before a step of dt: the pairs that may touch within it, in order.
+    void updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt, WorkerTeam& team);
+    /// Pairs of jointed bodies, in order, that must not touch whatever their flags say.
+    void setExcludedPairs(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
+    /// Updates manifolds and approach speeds. Of a resident contact whose manifold is kept, only
+    /// the summary is updated.
+    void updateManifolds(const Bodies& bodies, const Tolerances& tolerances,
+                         const SolverStorage& keeper, WorkerTeam& team);
+    /// Measures all approach speeds again, after velocities have changed. No contact may be
+    /// resident.
+    void measureApproach(const Bodies& bodies);
+    /// m/s, largest approach speed at the last updateManifolds or measureApproach.
+    Real fastestApproach() const { return fastestApproach_; }
+    /// Adds the pairs of bodies that the solver moved farther than updatePairs predicted.
+    void coverDisplacements(const Bodies& bodies, const Tolerances& tolerances, WorkerTeam& team);
+
+    /// Resets contacts whose impulses or positions are not finite, and finds their manifolds again.
+    void forgetUnsound(const Bodies& bodies, const Tolerances& tolerances);
+
+    /// Indexed by ContactSummary::proxies.
+    const PartBounds& bounds() const { return bounds_; }
+    PairFinder& pairFinder() { return finder_; }
+    const PairFinder& pairFinder() const { return finder_; }
+
+    /// In storage order, which is constant within a step while no pair is added or removed.
+    std::span<Contact> contacts() { return contacts_; }
+    std::span<const Contact> contacts() const { return contacts_; }
+    /// In the same order.
+    std::span<const ContactSummary> summaries() const { return summaries_; }
+    /// Calls visit(contact) for all contacts in the order of their keys.
+    template <typename Visit>
+    void forEachInOrder(Visit visit) {
+        for (const Place& place : order_) {
+            visit(contacts_[place.slot]);
+        }
+    }
+    /// Slots of the contacts that are not idle, in order. Not valid after a change of the list of
+    /// contacts.
+    std::span<const std::uint32_t> live();
+    /// Marks every contact as not idle for this step, for a solver that finds manifolds itself.
+    void visitAll();
+    /// Updates the summaries after such a solver.
+    void noteManifolds();
+    /// False if no contact has a sensor.
+    bool mayHaveSensors() const { return anySensors_ != 0 || contactsChanged_; }
+    /// False if no contact has restitution.
+    bool mayBounce() const { return anyBounces_ != 0 || contactsChanged_; }
+    /// Must be called after the solver assigned or released a row, or evicted the contact. Called
+    /// from several threads.
+    void noteRow(std::uint32_t place) {
+        summaries_[place].row = contacts_[place].row.index;
+        summaries_[place].kept = contacts_[place].isKept();
+    }
+    /// Determines begin, persist and end of each contact. `touched` says by row whether the contact
+    /// touched; its last element, for contacts without a row, is false. Contacts whose state does
+    /// not change are not visited.
+    void finishStepOfContacts(std::span<const std::uint8_t> touched, const Tolerances& tolerances,
+                              WorkerTeam& team);
+    /// Bodies whose isTouched may have changed since clearTouchChanges; may contain duplicates.
+    std::span<const std::uint32_t> touchChanges() const { return touchChanges_; }
+    void clearTouchChanges() { touchChanges_.clear(); }
+    /// True if a contact touched the body at the last finishStepOfContacts.
+    bool isTouched(std::uint32_t body) const { return touches_[body] > 0; }
+    /// Ends a step: later records belong to the next one.
+    void finishStep(bool wantRecords) {
+        records_.clear();
+        endedInStep_.clear();
+        if (!ended_.empty()) {
+            std::swap(ended_, endedInStep_);
+            ended_.reserve(endedInStep_.capacity()); // the two vectors alternate
+        }
+        recordsDue_ = wantRecords;
+    }
+    /// Records of the last step, in order. Written lazily, at the first call or before a contact is
+    /// removed. current(contact) returns the contact with its state written back.
+    template <typename Current>
+    std::span<const CollisionRecord> records(Current current) const {
+        if (std::exchange(recordsDue_, false)) {
+            records_.reserve(contacts_.capacity() + dropped_.size() + endedInStep_.size());
+            for (const Place& place : order_) {
+                if (contacts_[place.slot].phase) {
+                    recordContact(current(contacts_[place.slot]), records_);
+                }
+            }
+            addInOrder(dropped_, records_);
+            addInOrder(endedInStep_, records_);
+        }
+        return records_;
+    }
+
+private:
+    friend class SnapshotFields;
+    static constexpr std::size_t kContactsPerPiece = 128;
+    static constexpr std::uint32_t kOneLess = ~std::uint32_t{}; // -1, added to unsigned counts
+
+    /// A range of contacts.
+    struct Piece {
+        std::size_t first;
+        std::size_t last; // one past the last contact
+        std::size_t end;  // end of the whole range of the thread
+    };
+    /// Slot of a contact. Pairs of bounds are in the order of the contact keys.
+    struct Place {
+        BoundsPair pair;
+        std::uint32_t slot;
+    };
+    /// A pair that is added or removed.
+    struct News {
+        BoundsPair pair;
+        std::uint32_t at; // index in order_: of the removed pair, or before which it is inserted
+        bool comes;
+    };
+
+    void writeRecords() const;
+    void noteEnd(const Contact& contact);
+    void countTouch(const Contact& contact, bool touches);
+    void countTouches(const Bodies& bodies);
+    void renew(const Bodies& bodies, const Tolerances& tolerances);
+    void renewChanged(const Bodies& bodies, const Tolerances& tolerances);
+    void orderContacts();
+    void renewSummary(std::uint32_t slot);
+    void renewPlaces();
+    void refreshPairs(const Bodies& bodies, WorkerTeam& team);
+    void findPairs(const Bodies& bodies, WorkerTeam& team);
+    void findNews(WorkerTeam& team);
+    void mergePairs(const Bodies& bodies, WorkerTeam& team);
+    void release(Contact& gone, const Bodies& bodies);
+    void addContacts(const Bodies& bodies, WorkerTeam& team);
+    void changed();
+    void noteKinds(const Bodies& bodies, WorkerTeam& team);
+    bool boundsMeet(std::size_t i, const Tolerances& tolerances) const;
+    bool staysKept(std::size_t i, const Tolerances& tolerances, std::span<const Carried> carried);
+    void updatePiece(const Bodies& bodies, const Tolerances& tolerances,
+                     const SolverStorage& keeper, const Piece& piece);
+    Real listLive(std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) const;
+    void updateManifold(const Bodies& bodies, const Tolerances& tolerances, std::size_t i,
+                        const SolverStorage& keeper);
+    template <typename Gone>
+    void eraseIf(Gone gone);
+    void fillHoles();
+    void sortContacts();
+    bool summaryAgrees(std::uint32_t place) const;
+    void finishContact(std::uint32_t place, bool touchesInRow, const Tolerances& tolerances,
+                       const WorkerTeam& team, std::vector<std::uint32_t>& changes);
+
+    PartBounds bounds_;
+    std::vector<BoundsPair> pairs_;
+    PairFinder finder_;
+    GhostCollisions ghostCollisions_;
+    std::vector<Contact> contacts_;
+    std::vector<Place> order_;    // of the contacts, by key
+    std::vector<Place> newOrder_; // scratch: merging allocates nothing
+    std::vector<News> news_;      // while merging
+    ParallelCollector<News> newsFound_;
+    std::vector<std::uint32_t> holes_; // slots of removed contacts, while merging
+    std::vector<std::uint32_t> added_; // indices in order_ of new contacts, while merging
+    std::vector<ContactSummary> summaries_;
+    std::vector<std::uint32_t> live_;
+    ParallelCollector<std::uint32_t> found_;
+    std::vector<std::uint32_t> onGround_; // slots: argument of GhostCollisions::link
+    std::vector<std::uint32_t> slots_;    // new slots of the contacts that fillHoles moved
+    std::vector<Contact> idle_;           // result of takeIdle
+    // Records of the last step, of contacts removed with a body since.
+    std::vector<CollisionRecord> dropped_;
+    std::vector<std::uint32_t> changes_;   // bodies: see bodyChanged
+    std::vector<std::uint8_t> hasChanged_; // by body: 1 if in changes_
+    std::vector<std::uint32_t> stirred_;   // bodies, with duplicates: see activityChanged
+    std::vector<std::uint32_t>
+        touches_; // by body: number of touching contacts at the last finishStepOfContacts
+    std::vector<std::uint32_t> touchChanges_;
+    // End records of contacts removed with a body, a part, or the overlap of their bounds.
+    std::vector<CollisionRecord> ended_;       // since the last step
+    std::vector<CollisionRecord> endedInStep_; // of the last step
+    mutable std::vector<CollisionRecord> records_;
+    mutable bool recordsDue_ = false;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> excludedPairs_;
+    Real fastestApproach_ = 0;
+    ReorderPolicy reorderPolicy_; // of the contacts; order of keys: bodies are read in sequence
+    bool stale_ = true;
+    bool pairsStale_ = true;
+    bool contactsChanged_ = true; // in number or slot, or a body became immovable or movable
+    bool liveStale_ = true;
+    std::uint8_t anySensors_ = 0; // 0 or 1, from the last noteKinds
+    std::uint8_t anyBounces_ = 0; // 0 or 1, from the last noteKinds
+};
+
+} // namespace KODO_PRECISION
+} // namespace kodo

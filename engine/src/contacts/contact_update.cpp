@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+#include "contacts/contact_update.hpp"
+
+#include <kodo/geometry.hpp>
+
+#include "collide/one_sided.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+// A point with other features matches an old point if all three hold:
+constexpr Real kSamePlace = 16;         // slops, largest distance
+constexpr Real kSameShare = Real(0.5);  // of the core radius of the thinner part, largest distance
+constexpr Real kSameNormal = Real(0.9); // least cosine between the normals
+constexpr int kNoPoint = -1;
+
+/// Distance of two points (m), measured on the body where it is smaller.
+Real distanceOf(const ManifoldPoint& p, const ManifoldPoint& q) {
+    return std::min(length(p.armA - q.armA), length(p.armB - q.armB));
+}
+
+/// Index of the old point with the same feature, for each new point.
+std::array<int, 2> matchFeatures(const Manifold& manifold, const Manifold& old) {
+    std::array<int, 2> former{kNoPoint, kNoPoint};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
+        for (std::size_t k = 0; k < static_cast<std::size_t>(old.count); ++k) {
+            if (manifold.points[i].feature == old.points[k].feature) {
+                former[i] = static_cast<int>(k);
+            }
+        }
+    }
+    return former;
+}
+
+/// Matches the remaining points by distance, nearest first. The reference face of two parallel
+/// faces may change, which gives the same points other features. Overlaps deeper than `near` (m)
+/// are excluded: there a new feature may mean another direction of least overlap. A segment has
+/// core radius 0 and matches by feature alone.
+void matchPlaces(const Manifold& manifold, const Manifold& old, Real near,
+                 std::array<int, 2>& former) {
+    // The old separation is up to date only in contacts that were resident, so the new one decides.
+    if (dot(manifold.normal, old.normal) < kSameNormal || manifold.points[0].separation < -near) {
+        return;
+    }
+    for (int round = 0; round < manifold.count; ++round) {
+        std::size_t place = former.size();
+        int match = kNoPoint;
+        Real least = near;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
+            for (int k = 0; k < old.count; ++k) {
+                if (former[i] != kNoPoint || former[0] == k || former[1] == k) {
+                    continue; // already matched, mostly by feature
+                }
+                const Real distance =
+                    distanceOf(manifold.points[i], old.points[static_cast<std::size_t>(k)]);
+                if (distance <= least) {
+                    place = i;
+                    match = k;
+                    least = distance;
+                }
+            }
+        }
+        if (match != kNoPoint) {
+            former[place] = match;
+        }
+    }
+}
+
+/// Replaces the manifold. Matched points within `near` (m) take over the impulses of the old ones.
+void replaceManifold(Contact& contact, const Manifold& manifold, Real near) {
+    const Manifold& old = contact.manifold;
+    if (old.count == 0 && manifold.count == 0) {
+        contact.manifold = manifold;
+        return;
+    }
+    std::array<int, 2> former = matchFeatures(manifold, old);
+    matchPlaces(manifold, old, near, former);
+    std::array<PointImpulse, 2> impulse{};
+    for (std::size_t i = 0; i < impulse.size(); ++i) {
+        if (former[i] != kNoPoint) {
+            impulse[i].normal = contact.impulse[static_cast<std::size_t>(former[i])].normal;
+        }
+    }
+    contact.impulse = impulse;
+    contact.manifold = manifold;
+    if (manifold.count == 0) {
+        contact.friction = 0;
+        contact.rolling = 0;
+    }
+}
+
+// Slops of relative displacement up to which a manifold is kept. With restitution it is small:
+// impact impulses that act on two parallel lines would form a couple and rotate both bodies.
+constexpr Real kKept = 8;
+constexpr Real kKeptToBounce = Real(1) / 8;
+
+/// Adds the relative displacement of the last step. False if a body was teleported: the sum is then
+/// meaningless.
+bool addDisplacement(const Bodies& bodies, Contact& contact) {
+    const std::uint32_t a = contact.key.bodyA;
+    const std::uint32_t b = contact.key.bodyB;
+    const BodyVelocity& motionA = bodies.motion[a];
+    const BodyVelocity& motionB = bodies.motion[b];
+    const Vec2 between = motionB.deltaPosition - motionA.deltaPosition;
+    contact.relativeDisplacement += std::abs(between.x) + std::abs(between.y) +
+                                    std::abs(motionA.deltaAngle) * bodies.extent[a].rotationReach +
+                                    std::abs(motionB.deltaAngle) * bodies.extent[b].rotationReach;
+    return contact.teleportCountA == bodies.teleportCount[a] &&
+           contact.teleportCountB == bodies.teleportCount[b];
+}
+
+/// True if two separated parts have not moved far enough to be within the margin.
+bool staysApart(const Contact& contact, const Tolerances& tolerances) {
+    const Manifold& manifold = contact.manifold;
+    return manifold.count == 0 &&
+           contact.relativeDisplacement < manifold.points[0].separation - tolerances.margin;
+}
+
+/// Keeps a manifold while the relative displacement of its bodies is small. Only the separations
+/// are updated, to first order in the rotation. A circle that rotates about its centre has no
+/// lever, so its rotation changes no separation. In a pile this saves most collision tests, also
+/// while the pile moves as a whole, and fixed contact points stabilise it. Measures the approach
+/// speed with the same levers. False if the manifold must be found again.
+bool carry(const Bodies& bodies, Contact& contact, const Tolerances& tolerances) {
+    if (!contact.carried || isOutdated(contact.relativeDisplacement, contact.bounces, tolerances)) {
+        return false;
+    }
+    const BodyVelocity& motionA = bodies.motion[contact.key.bodyA];
+    const BodyVelocity& motionB = bodies.motion[contact.key.bodyB];
+    const Vec2 n = contact.manifold.normal;
+    const Real moved = dot(n, motionB.deltaPosition - motionA.deltaPosition);
+    const Real speed = dot(n, motionB.velocity - motionA.velocity);
+    contact.approachSpeed = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        ManifoldPoint& p = contact.manifold.points[i];
+        const Real leverA = leverOf(p.armA, n);
+        const Real leverB = leverOf(p.armB, n);
+        p.separation += moved + (leverB * motionB.deltaAngle - leverA * motionA.deltaAngle);
+        const Real apart =
+            speed + (leverB * motionB.angularVelocity - leverA * motionA.angularVelocity);
+        contact.approachSpeed = std::max(contact.approachSpeed, -apart);
+    }
+    return true;
+}
+
+/// Gives concentric circles a normal of their own. They have none, and several circles on one point
+/// would all separate along one line. The normal is rotated by a multiple of the golden angle, by
+/// the index of the second body. Circles are concentric, up to rounding, if the overlap equals the
+/// sum of the radii.
+void spreadConcentric(Manifold& manifold, const ConvexShape& a, const ConvexShape& b,
+                      std::uint32_t number) {
+    ManifoldPoint& point = manifold.points[0];
+    if (!a.isRound() || !b.isRound() || manifold.count == 0 ||
+        point.separation != -(a.radius + b.radius)) {
+        return;
+    }
+    constexpr Real kGoldenAngle = Real(2.39996323); // rad
+    constexpr std::uint32_t kSides = 32; // angles up to 77 rad: sines are exact up to 100
+    const Vec2 normal =
+        Rot::fromAngle(kGoldenAngle * static_cast<Real>(number % kSides)) * manifold.normal;
+    const Vec2 shift = (a.radius + point.separation / 2) * (normal - manifold.normal);
+    manifold.normal = normal;
+    point.armA += shift;
+    point.armB += shift;
+}
+
+/// Resets the fields that belong to one step.
+void beginStep(Contact& contact) {
+    contact.hidden = false;
+    if (contact.sensor) {
+        contact.touching = false;
+    }
+    if (contact.hasStepImpulses) {
+        clearImpactImpulses(contact);
+    }
+}
+
+} // namespace
+
+void findContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) {
+    const ContactKey& key = contact.key;
+    // m; keeps the reference face of parallel faces constant despite rounding.
+    const Real preference = tolerances.slop / 8;
+    Manifold manifold = collide(bodies.convex(key.bodyA, key.partA), bodies.pose[key.bodyA],
+                                bodies.convex(key.bodyB, key.partB), bodies.pose[key.bodyB],
+                                tolerances.margin, preference);
+    spreadConcentric(manifold, bodies.convex(key.bodyA, key.partA),
+                     bodies.convex(key.bodyB, key.partB), key.bodyB);
+    contact.passing = letPass(contact.passing, manifold);
+    const Real thinner = std::min(bodies.convex(key.bodyA, key.partA).coreRadius,
+                                  bodies.convex(key.bodyB, key.partB).coreRadius);
+    replaceManifold(contact, manifold,
+                    std::min(kSamePlace * tolerances.slop, kSameShare * thinner));
+    contact.relativeDisplacement = 0;
+    contact.teleportCountA = bodies.teleportCount[key.bodyA];
+    contact.teleportCountB = bodies.teleportCount[key.bodyB];
+}
+
+void measureApproach(Contact& contact, const Bodies& bodies) {
+    const BodyVelocity& a = bodies.motion[contact.key.bodyA];
+    const BodyVelocity& b = bodies.motion[contact.key.bodyB];
+    contact.approachSpeed = 0;
+    for (int i = 0; i < contact.manifold.count; ++i) {
+        const ManifoldPoint& p = contact.manifold.points[static_cast<std::size_t>(i)];
+        const Vec2 relative = velocityAt(b, p.armB) - velocityAt(a, p.armA);
+        contact.approachSpeed =
+            std::max(contact.approachSpeed, -dot(contact.manifold.normal, relative));
+    }
+}
+
+void clearImpactImpulses(Contact& contact) {
+    contact.hasStepImpulses = false;
+    contact.total = 0;
+    for (PointImpulse& impulse : contact.impulse) {
+        impulse.impact = 0;
+        impulse.largest = 0;
+    }
+}
+
+void describeContact(Contact& contact, const Bodies& bodies) {
+    const auto& [bodyA, partA, bodyB, partB] = contact.key;
+    contact.a = bodies.idAt(bodyA);
+    contact.b = bodies.idAt(bodyB);
+    contact.sensor = ((bodies.filter[bodyA].flags | bodies.filter[bodyB].flags) & kSensor) != 0;
+    contact.material =
+        mix(bodies.parts[bodyA][partA].material, bodies.parts[bodyB][partB].material);
+    contact.bounces = contact.material.restitution > 0;
+}
+
+bool isOutdated(Real relativeDisplacement, bool bounces, const Tolerances& tolerances) {
+    return relativeDisplacement > (bounces ? kKeptToBounce : kKept) * tolerances.slop;
+}
+
+bool followContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances,
+                   bool wasResident) {
+    beginStep(contact);
+    contact.near = true;
+    contact.centerA = bodies.pose[contact.key.bodyA].position;
+    if (wasResident) {
+        contact.carried = !isOutdated(contact.relativeDisplacement, contact.bounces, tolerances);
+        return contact.carried;
+    }
+    const bool known = addDisplacement(bodies, contact);
+    contact.carried = known && carry(bodies, contact, tolerances);
+    return contact.carried || (known && staysApart(contact, tolerances));
+}
+
+bool isSound(const Contact& contact) {
+    const Manifold& manifold = contact.manifold;
+    bool placed = isFinite(contact.centerA) && isFinite(manifold.normal);
+    for (const ManifoldPoint& p : manifold.points) {
+        placed = placed && isFinite(p.armA) && isFinite(p.armB) && std::isfinite(p.separation);
+    }
+    return placed && std::isfinite(contact.impulse[0].normal + contact.impulse[1].normal +
+                                   contact.friction + contact.rolling + contact.total);
+}
+
+void clearContact(Contact& contact) {
+    beginStep(contact);
+    clearImpactImpulses(contact);
+    contact.approachSpeed = 0;
+    contact.touching = false;
+    contact.near = false;
+    contact.manifold.count = 0;
+    contact.manifold.points[0].separation = 0; // unknown
+    contact.impulse = {};
+    contact.friction = 0;
+    contact.rolling = 0;
+    contact.carried = false;
+    contact.passing = false;
+    contact.row = {}; // discards the state in the lane
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

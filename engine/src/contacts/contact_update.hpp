@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/settings.hpp>
+
+#include "bodies/bodies.hpp"
+#include "contacts/contact.hpp"
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// Sets the fields that follow from the key and the definitions of both bodies.
+void describeContact(Contact& contact, const Bodies& bodies);
+
+/// Begins a step for two parts near each other with the manifold of the last step; BodyVelocity
+/// still holds the displacements of that step. False if the manifold is outdated and must be found
+/// again. If it is kept, the approach speed is measured too, with the same levers. `wasResident`:
+/// the contact was resident, and its lane has already done both.
+bool followContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances,
+                   bool wasResident);
+
+/// True if a manifold must be found again after this relative displacement (m) of the bodies.
+bool isOutdated(Real relativeDisplacement, bool bounces, const Tolerances& tolerances);
+
+/// Finds the manifold; new points take over the impulses of old ones. The contact must not be
+/// resident.
+void findContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances);
+
+/// Sets approachSpeed (m/s) from the current velocities, for the record and the impacts.
+void measureApproach(Contact& contact, const Bodies& bodies);
+
+/// Resets the impulses that belong to the record of one step.
+void clearImpactImpulses(Contact& contact);
+
+/// True if positions and impulses are finite.
+bool isSound(const Contact& contact);
+
+/// Resets a contact whose parts are not near each other any more.
+void clearContact(Contact& contact);
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/settings.hpp>
+
+#include "bodies/bodies.hpp"
+#include "contacts/contact.hpp"
+
+#include <span>
+#include <vector>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// Suppresses ghost collisions with the internal edges of ground that consists of several pieces.
+///
+/// A body that slides over two flush immovable pieces touches the side or a corner of the second.
+/// If the whole second piece lies below the surface that carries the body, that contact is hidden
+/// for the step. A real step or wall rises above the surface, and its contact stays. Only contacts
+/// of the same part are compared: another part, such as a fork around a wall, may be below the
+/// surface.
+class GhostCollisions {
+public:
+    /// Must be called after contacts were added, removed or moved, or a body became immovable or
+    /// movable. `onGround`: slots of the contacts between an immovable and a movable body, in
+    /// order, without sensors.
+    void link(const Bodies& bodies, std::span<const ContactSummary> summaries,
+              std::span<const std::uint32_t> onGround);
+    /// Hides the ghost collisions of this step.
+    void hide(const Bodies& bodies, std::span<Contact> contacts,
+              std::span<ContactSummary> summaries, const Tolerances& tolerances) const;
+
+private:
+    static constexpr std::uint32_t kEnd = ~std::uint32_t{};
+
+    std::vector<std::uint32_t> first_;    // by body: its first contact with an immovable body
+    std::vector<std::uint32_t> next_;     // by contact: the next one of the same body
+    std::vector<std::uint32_t> onPieces_; // bodies with two or more such contacts
+};
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/settings.hpp>
+
+#include "base/worker_team.hpp"
+#include "bodies/bodies.hpp"
+#include "math/octagon.hpp"
+
+#include <span>
+#include <vector>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// Bounds of every part of every body, in order: tight ones, and grown ones that stay valid until
+/// the next search of its pairs. Parts whose grown bounds have changed are listed.
+class PartBounds {
+public:
+    struct Part {
+        std::uint32_t body;
+        std::uint16_t part;
+    };
+
+    const Part& part(std::size_t i) const { return parts_[i]; }
+    std::uint32_t indexOf(std::uint32_t body, std::uint16_t part) const {
+        return firstPart_[body] + part;
+    }
+    const Octagon& tight(std::size_t i) const { return tight_[i]; }
+    std::span<const Octagon> grown() const { return grown_; }
+    std::span<const std::uint32_t> changed() const { return changed_; }
+    std::span<const std::uint8_t> isChanged() const { return isChanged_; }
+
+    /// Numbers the parts after any change of bodies. The bounds are undefined afterwards.
+    void number(const Bodies& bodies);
+    /// Numbers the parts, computes their bounds, and lists all parts.
+    void renew(const Bodies& bodies, const Tolerances& tolerances);
+    /// The same if only these bodies have changed, in order: the bounds of the others stay. True if
+    /// the indices of parts have changed.
+    bool renew(const Bodies& bodies, const Tolerances& tolerances,
+               std::span<const std::uint32_t> changed);
+    /// Present index of a part of an unchanged body, from its index before the last renew().
+    std::uint32_t indexNow(std::uint32_t before, std::uint32_t body) const {
+        return before - firstBefore_[body] + firstPart_[body];
+    }
+    /// Lists all parts.
+    void listAll();
+    /// Lists the parts of one body.
+    void listBody(std::uint32_t body);
+    /// Before a step of dt: grows bounds that the predicted motion will leave.
+    void foresee(const Bodies& bodies, const Tolerances& tolerances, Real dt, WorkerTeam& team);
+    /// After the solver: grows bounds that the actual displacement will leave.
+    void coverDisplacements(const Bodies& bodies, const Tolerances& tolerances, WorkerTeam& team);
+    /// Empties the list of changed parts, after their pairs have been found.
+    void clearChanged();
+
+private:
+    friend class SnapshotFields;
+    static constexpr std::size_t kBodiesPerPiece = 128;
+
+    /// Geometry from which the bounds of a part follow. A contiguous copy: the body geometry itself
+    /// is not in the caches during a step.
+    struct Footprint {
+        std::uint32_t first = 0; // index in corners_
+        std::uint32_t count = 0; // of corners; 1: circle or point; 0: plane
+        Real radius = 0;         // m
+    };
+
+    /// A range of parts that `count` new parts replace.
+    struct Replaced {
+        std::size_t first;
+        std::size_t last; // one past the last part
+        std::size_t count;
+    };
+
+    void addConvex(const ConvexShape& convex);
+    void setConvex(std::size_t i, const ConvexShape& convex);
+    bool renumber(const Bodies& bodies, std::span<const std::uint32_t> changed);
+    template <typename T>
+    void replace(std::vector<T>& list) const;
+    Octagon boundsAt(const Bodies& bodies, std::size_t i, const Transform& pose) const;
+    void list(std::size_t i, std::vector<std::uint32_t>& changed);
+    template <typename Outgrow>
+    void listOutgrown(const Bodies& bodies, WorkerTeam& team, Outgrow outgrow);
+
+    std::vector<Part> parts_;
+    std::vector<std::uint32_t> firstPart_;   // by body, with one element past the last body
+    std::vector<std::uint32_t> firstBefore_; // firstPart_ before the last renumber()
+    std::vector<Replaced> replaced_;
+    std::vector<Footprint> footprints_;
+    std::vector<Vec2> corners_;
+    std::size_t unusedCorners_ = 0; // number of corners_ of removed shapes
+    std::vector<Octagon> tight_;
+    std::vector<Octagon> grown_;
+    std::vector<std::uint32_t> changed_;
+    std::vector<std::uint8_t> isChanged_;
+    ParallelCollector<std::uint32_t> outgrown_;
+};
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "joints/joint_set.hpp"
+
+#include <algorithm>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// The two bodies and anchors of a joint, current within the step, in world axes.
+struct JointFrame {
+    BodyVelocity& a;
+    BodyVelocity& b;
+    Vec2 armA; // m, from a's centre of mass to its anchor
+    Vec2 armB;
+    Vec2 gap; // m, anchor b minus anchor a
+    Rot rotationA;
+    Rot rotationB;
+
+    /// Angle of b relative to a (rad), minus a reference; -pi to pi.
+    Real angle(Real reference) const {
+        return (rotationB * rotationA.inverse() * Rot::fromAngle(-reference)).angle();
+    }
+};
+
+/// How a constraint is solved in the relax pass.
+enum class Relax : std::uint8_t {
+    Rigid, // without its error, so that the bias leaves no velocity
+    Same,  // with its error: springs, and limits that are not reached yet
+};
+
+/// Visits the constraints of a joint: visit(PointConstraint, Vec2& impulse, Relax) or
+/// visit(AxisConstraint, Real& impulse, Relax).
+template <typename Visit>
+class JointKinds {
+public:
+    JointKinds(JointSet::Joint& joint, const JointFrame& frame, const JointPass& pass, Visit visit)
+        : joint_(joint), frame_(frame), pass_(pass), visit_(visit) {}
+
+    void operator()(const RevoluteJoint& pin) {
+        const PointConstraint point = anchors();
+        motor(angularBeside(point), 0, pin.motorSpeed, pin.motorTorque);
+        if (pin.limits) {
+            const Real angle = frame_.angle(pin.reference);
+            limit(angularBeside(point), 1, angle - pin.limits->lower);
+            limit(reversed(angularBeside(point)), 2, pin.limits->upper - angle);
+        }
+        visit_(point, joint_.point, Relax::Rigid);
+    }
+
+    void operator()(const FixedJoint& weld) {
+        const PointConstraint point = anchors();
+        fix(angularBeside(point), 0, frame_.angle(weld.reference));
+        visit_(point, joint_.point, Relax::Rigid);
+    }
+
+    void operator()(const DistanceJoint& spring) {
+        const Real distance = length(frame_.gap);
+        AxisConstraint along = linear(distance > 0 ? frame_.gap / distance : Vec2{0, 1}, {});
+        if (spring.hertz > 0) {
+            along.error = distance - spring.length;
+            along.softness = Softness::from(spring.hertz, spring.damping, pass_.h);
+            visit_(along, joint_.axes[0], Relax::Same);
+        }
+        if (spring.limits) {
+            limit(along, 1, distance - spring.limits->lower);
+            limit(reversed(along), 2, spring.limits->upper - distance);
+        }
+    }
+
+    void operator()(const PrismaticJoint& slider) {
+        const Vec2 axis = frame_.rotationA * slider.axis;
+        fix(linear(perp(axis), frame_.gap), 0, dot(perp(axis), frame_.gap));
+        fix(angular(), 1, frame_.angle(slider.reference));
+        const AxisConstraint along = linear(axis, frame_.gap);
+        motor(along, 2, slider.motorSpeed, slider.motorForce);
+        if (slider.limits) {
+            const Real place = dot(axis, frame_.gap);
+            limit(along, 3, place - slider.limits->lower);
+            limit(reversed(along), 4, slider.limits->upper - place);
+        }
+    }
+
+    void operator()(const MotorJoint& motor) {
+        const Softness soft = Softness::from(motor.hertz, motor.damping, pass_.h);
+        if (motor.force > 0) {
+            visit_(
+                PointConstraint{frame_.armA, frame_.armB, frame_.gap, soft, motor.force * pass_.h},
+                joint_.point, Relax::Same);
+        }
+        if (motor.torque > 0) {
+            AxisConstraint turn = angular();
+            turn.error = frame_.angle(motor.reference);
+            turn.softness = soft;
+            turn.bounds = {-motor.torque * pass_.h, motor.torque * pass_.h};
+            visit_(turn, joint_.axes[0], Relax::Same);
+        }
+    }
+
+    void operator()(const MouseJoint& mouse) {
+        visit_(PointConstraint{frame_.armA, frame_.armB, frame_.gap,
+                               Softness::from(mouse.hertz, mouse.damping, pass_.h),
+                               mouse.force * pass_.h},
+               joint_.point, Relax::Same);
+    }
+
+private:
+    /// Anchors move on circles about the centres of mass, but the velocity constraint is
+    /// tangential. The difference widens the gap within the substep. It is removed in full; the
+    /// present gap is removed at the rate of the stiffness. The rotation includes the predicted
+    /// change of angular velocities by the joints.
+    PointConstraint anchors() const {
+        const Vec2 bent = bend(frame_.b, pass_.foreseen.spinB, frame_.armB) -
+                          bend(frame_.a, pass_.foreseen.spinA, frame_.armA);
+        const Vec2 error = frame_.gap + bent / (pass_.stiff.biasRate * pass_.h);
+        const Softness rigid{pass_.stiff.biasRate, 1, 0};
+        return {frame_.armA, frame_.armB, error, pass_.exact ? rigid : pass_.stiff};
+    }
+
+    /// Vector (m) from the end of the tangent to the end of the arc, for angles up to 1 rad:
+    /// (cos - 1) r + (sin - angle) perp(r), as Taylor series up to fourth order.
+    Vec2 bend(const BodyVelocity& motion, Real gain, Vec2 arm) const {
+        const Real turn = std::clamp(pass_.h * (motion.angularVelocity + gain), Real(-1), Real(1));
+        const Real square = turn * turn;
+        return square * ((square / 24 - Real(0.5)) * arm - turn / 6 * perp(arm));
+    }
+
+    AxisConstraint angular() const { return {{}, 1, 1, 0, 0, {}, kUnbounded, {}}; }
+
+    /// An angular constraint that accounts for the point solved right after it.
+    AxisConstraint angularBeside(const PointConstraint& point) const {
+        AxisConstraint axis = angular();
+        axis.beside = {&point, joint_.point, pass_.biased};
+        return axis;
+    }
+
+    /// Constraint along an axis fixed to a; `gap` (m) is anchor b minus anchor a.
+    AxisConstraint linear(Vec2 axis, Vec2 gap) const {
+        return {
+            axis, cross(frame_.armA + gap, axis), cross(frame_.armB, axis), 0, 0, {}, kUnbounded,
+            {}};
+    }
+
+    static AxisConstraint reversed(AxisConstraint axis) {
+        axis.axis = -axis.axis;
+        axis.leverA = -axis.leverA;
+        axis.leverB = -axis.leverB;
+        return axis;
+    }
+
+    void fix(AxisConstraint axis, std::size_t slot, Real error) {
+        axis.error = error;
+        axis.softness = pass_.stiff;
+        visit_(axis, joint_.axes[slot], Relax::Rigid);
+    }
+
+    void motor(AxisConstraint axis, std::size_t slot, Real speed, Real most) {
+        if (most > 0) {
+            axis.speed = speed;
+            axis.bounds = {-most * pass_.h, most * pass_.h};
+            visit_(axis, joint_.axes[slot], Relax::Rigid);
+        }
+    }
+
+    /// Keeps `room` (m or rad) at or above zero. A positive room may be closed within the substep,
+    /// but not exceeded.
+    void limit(AxisConstraint axis, std::size_t slot, Real room) {
+        axis.error = room;
+        axis.softness = room > 0 ? Softness::rigid(pass_.h) : pass_.stiff;
+        axis.bounds.lower = 0;
+        visit_(axis, joint_.axes[slot], room > 0 ? Relax::Same : Relax::Rigid);
+    }
+
+    JointSet::Joint& joint_;
+    const JointFrame& frame_;
+    const JointPass& pass_;
+    Visit visit_;
+};
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: MIT
+#include "joints/joint_set.hpp"
+
+#include "joints/joint_kinds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+JointFrame frameOf(Bodies& bodies, BodyRotations& turned, const JointEnds& ends) {
+    const std::uint32_t a = ends.a.index;
+    const std::uint32_t b = ends.b.index;
+    JointFrame frame{bodies.motion[a],           bodies.motion[b],          {}, {}, {},
+                     turned.rotation(bodies, a), turned.rotation(bodies, b)};
+    frame.armA = armOf(bodies, a, frame.rotationA, ends.anchorA);
+    frame.armB = armOf(bodies, b, frame.rotationB, ends.anchorB);
+    frame.gap = (bodies.pose[b].position - bodies.pose[a].position) +
+                (frame.b.deltaPosition - frame.a.deltaPosition) + (frame.armB - frame.armA);
+    return frame;
+}
+
+/// Body a of a mouse joint is the target: an immovable body.
+JointFrame frameOf(Bodies& bodies, BodyRotations& turned, const MouseJoint& mouse,
+                   BodyVelocity& hand) {
+    const std::uint32_t b = mouse.body.index;
+    JointFrame frame{hand, bodies.motion[b], {}, {}, {}, {}, turned.rotation(bodies, b)};
+    frame.armB = armOf(bodies, b, frame.rotationB, mouse.anchor);
+    frame.gap = bodies.pose[b].position + frame.b.deltaPosition + frame.armB - mouse.target;
+    return frame;
+}
+
+/// Calls visit(frame, constraint, impulse, relax) for all constraints of a joint.
+template <typename Visit>
+void forConstraints(JointSet::Joint& joint, Bodies& bodies, BodyRotations& turned,
+                    const JointPass& pass, Visit visit) {
+    const auto list = [&](const JointFrame& frame, const auto& kind) {
+        const auto one = [&](const auto& constraint, auto& impulse, Relax relax) {
+            visit(frame, constraint, impulse, relax);
+        };
+        JointKinds(joint, frame, pass, one)(kind);
+    };
+    std::visit(
+        [&](const auto& kind) {
+            if constexpr (requires { kind.ends; }) {
+                list(frameOf(bodies, turned, kind.ends), kind);
+            } else {
+                BodyVelocity hand;
+                list(frameOf(bodies, turned, kind, hand), kind);
+            }
+        },
+        joint.def);
+}
+
+bool idle(const Bodies& bodies, const JointDef& def) {
+    return !bodies.active(firstBody(def).index) && !bodies.active(secondBody(def).index);
+}
+
+/// Maps anchor, axis and reference angle from the frame of the welded body to that of `into`.
+template <typename Kind>
+void transferEnd(Kind& kind, bool isFirst, BodyId into, const Transform& place) {
+    if constexpr (requires { kind.ends; }) {
+        Vec2& anchor = isFirst ? kind.ends.anchorA : kind.ends.anchorB;
+        anchor = place * anchor;
+        (isFirst ? kind.ends.a : kind.ends.b) = into;
+        if constexpr (requires { kind.reference; }) {
+            kind.reference += isFirst ? place.rotation.angle() : -place.rotation.angle();
+        }
+        if constexpr (requires { kind.axis; }) {
+            kind.axis = isFirst ? place.rotation * kind.axis : kind.axis;
+        }
+    } else {
+        kind.body = into;
+        kind.anchor = place * kind.anchor;
+    }
+}
+
+/// True for equality constraints without bounds; false for springs, limits and motors.
+bool isHeld(const PointConstraint& point) {
+    return point.maxImpulse == std::numeric_limits<Real>::infinity();
+}
+bool isHeld(const AxisConstraint& axis) {
+    return axis.bounds == kUnbounded;
+}
+
+/// True if the joint may belong to a tree. Bodies that can only rotate are excluded: K of their
+/// anchors is singular along the arm.
+bool mayBeHeld(const Bodies& bodies, const JointDef& def) {
+    const BodyVelocity& a = bodies.motion[firstBody(def).index];
+    const BodyVelocity& b = bodies.motion[secondBody(def).index];
+    const auto half = [](const BodyVelocity& m) { return (m.invMass == 0) != (m.invInertia == 0); };
+    const bool pin = std::holds_alternative<RevoluteJoint>(def);
+    const bool rigid = pin || std::holds_alternative<FixedJoint>(def) ||
+                       std::holds_alternative<PrismaticJoint>(def);
+    const auto turnsOnly = [](const BodyVelocity& m) { return m.invMass == 0 && m.invInertia > 0; };
+    return rigid && (a.invMass > 0 || b.invMass > 0) && !turnsOnly(a) && !turnsOnly(b) &&
+           (pin || (!half(a) && !half(b)));
+}
+
+/// Change of the angular velocities of both bodies by an impulse.
+Foresight gainFrom(const JointFrame& frame, const PointConstraint& point, Vec2 impulse) {
+    return {-frame.a.invInertia * cross(point.armA, impulse),
+            frame.b.invInertia * cross(point.armB, impulse)};
+}
+Foresight gainFrom(const JointFrame& frame, const AxisConstraint& axis, Real impulse) {
+    return {-frame.a.invInertia * axis.leverA * impulse,
+            frame.b.invInertia * axis.leverB * impulse};
+}
+
+/// The two bodies, in order, if the joint forbids a contact between them.
+std::optional<std::pair<std::uint32_t, std::uint32_t>> excludedPairOf(const JointDef& def) {
+    return std::visit(
+        [](const auto& kind) -> std::optional<std::pair<std::uint32_t, std::uint32_t>> {
+            if constexpr (requires { kind.ends; }) {
+                if (!kind.ends.collide) {
+                    return std::minmax({kind.ends.a.index, kind.ends.b.index});
+                }
+            }
+            return std::nullopt;
+        },
+        def);
+}
+
+struct Overload {
+    Real force;
+    Real torque;
+};
+Overload limitsOf(const JointDef& def) {
+    return std::visit(
+        [](const auto& kind) -> Overload {
+            if constexpr (requires { kind.ends; }) {
+                return {kind.ends.breakForce, kind.ends.breakTorque};
+            } else {
+                return {kUnbreakable, kUnbreakable};
+            }
+        },
+        def);
+}
+
+} // namespace
+
+JointId JointSet::add(const JointDef& def) {
+    const IdPool::Slot slot = ids_.allocate();
+    if (slot.index == joints_.size()) {
+        joints_.emplace_back();
+    }
+    joints_[slot.index] = {};
+    joints_[slot.index].def = def;
+    live_.insert(std::lower_bound(live_.begin(), live_.end(), slot.index), slot.index);
+    if (const auto pair = excludedPairOf(def)) {
+        const auto at = std::lower_bound(excludedPairs_.begin(), excludedPairs_.end(), *pair);
+        excludedPairs_.insert(at, *pair);
+    }
+    busyStale_ = true;
+    return idAt(slot.index);
+}
+
+void JointSet::remove(JointId id) {
+    ids_.release(id.index);
+    std::erase(live_, id.index);
+    std::erase(busy_, id.index);
+    if (const auto pair = excludedPairOf(def(id))) { // one entry: other joints may exclude it too
+        excludedPairs_.erase(std::lower_bound(excludedPairs_.begin(), excludedPairs_.end(), *pair));
+    }
+    busyStale_ = true;
+}
+
+void JointSet::setDef(JointId id, const JointDef& def) {
+    const auto before = excludedPairOf(joints_[id.index].def);
+    joints_[id.index].def = def;
+    if (excludedPairOf(def) != before) {
+        refreshLists();
+    }
+    busyStale_ = true;
+}
+
+void JointSet::dropBody(BodyId body) {
+    for (const JointId id : ids()) {
+        if (firstBody(def(id)) == body || secondBody(def(id)) == body) {
+            remove(id);
+        }
+    }
+}
+
+void JointSet::transfer(BodyId part, BodyId into, const Transform& place) {
+    for (const JointId id : ids()) {
+        JointDef& def = joints_[id.index].def;
+        const bool isFirst = firstBody(def) == part;
+        if (!isFirst && secondBody(def) != part) {
+            continue;
+        }
+        if ((isFirst ? secondBody(def) : firstBody(def)) == into) {
+            remove(id);
+        } else {
+            std::visit([&](auto& kind) { transferEnd(kind, isFirst, into, place); }, def);
+        }
+    }
+    refreshLists();
+}
+
+std::vector<JointId> JointSet::ids() const {
+    std::vector<JointId> all;
+    for (const std::uint32_t index : live_) {
+        all.push_back(idAt(index));
+    }
+    return all;
+}
+
+void JointSet::refreshLists() {
+    live_.clear();
+    excludedPairs_.clear();
+    for (std::uint32_t index = 0; index < joints_.size(); ++index) {
+        if (!ids_.aliveAt(index)) {
+            continue;
+        }
+        live_.push_back(index);
+        if (const auto pair = excludedPairOf(joints_[index].def)) {
+            excludedPairs_.push_back(*pair);
+        }
+    }
+    // total order: equal pairs are the same
+    std::sort(excludedPairs_.begin(), excludedPairs_.end());
+    std::erase_if(busy_, [&](std::uint32_t index) { return !ids_.aliveAt(index); });
+    busyStale_ = true;
+}
+
+void JointSet::findBusy(const Bodies& bodies, bool changed) {
+    if (!changed && !busyStale_) {
+        return;
+    }
+    busyStale_ = false;
+    busy_.clear();
+    for (const std::uint32_t index : live_) {
+        if (!idle(bodies, joints_[index].def)) {
+            busy_.push_back(index);
+        }
+    }
+}
+
+void JointSet::beginStep(const Bodies& bodies) {
+    own_.clear();
+    takenRevolutes_.clear();
+    treeCandidates_.clear();
+    for (const std::uint32_t index : busy_) {
+        Joint& joint = joints_[index];
+        joint.linearImpulseSum = {};
+        joint.angularImpulseSum = 0;
+        if (idle(bodies, joint.def)) {
+            continue;
+        }
+        own_.push_back(index);
+        if (mayBeHeld(bodies, joint.def)) {
+            treeCandidates_.push_back(
+                {index, firstBody(joint.def).index, secondBody(joint.def).index});
+        }
+    }
+    trees_.find(bodies, treeCandidates_);
+}
+
+std::span<const std::uint32_t> JointSet::takeRevolutes() {
+    std::size_t kept = 0;
+    for (const std::uint32_t index : own_) {
+        const RevoluteJoint* const pin = std::get_if<RevoluteJoint>(&joints_[index].def);
+        if (pin != nullptr && pin->motorTorque == 0 && !pin->limits &&
+            trees_.rowsOf(index) == nullptr) {
+            takenRevolutes_.push_back(index);
+        } else {
+            own_[kept++] = index;
+        }
+    }
+    own_.resize(kept);
+    return takenRevolutes_;
+}
+
+void JointSet::scaleImpulses(Real by) {
+    if (by == 1) {
+        return;
+    }
+    for (const std::uint32_t index : busy_) {
+        Joint& joint = joints_[index];
+        joint.point *= by;
+        for (Real& impulse : joint.axes) {
+            impulse *= by;
+        }
+    }
+}
+
+void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
+    for (const std::uint32_t index : own_) {
+        const bool inTree = trees_.rowsOf(index) != nullptr;
+        forConstraints(
+            joints_[index], bodies, turned_, {pass.h, pass.stiff, pass.biased, inTree},
+            [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
+                const bool held = inTree && relax == Relax::Rigid && isHeld(constraint);
+                if (inTree) {
+                    trees_.foresee(index, gainFrom(frame, constraint, impulse), !held);
+                }
+                if (held) {
+                    impulse = {}; // the direct solve starts from zero
+                } else {
+                    constraint.push(frame.a, frame.b, impulse);
+                }
+            });
+    }
+}
+
+void JointSet::solve(Bodies& bodies, const JointPass& pass) {
+    for (const std::uint32_t index : own_) {
+        Joint& joint = joints_[index];
+        joint.solved = true;
+        HeldRows* const rows = trees_.rowsOf(index);
+        if (rows != nullptr) {
+            *rows = {.pull = joint.force};
+        }
+        forConstraints(
+            joint, bodies, turned_,
+            {pass.h, pass.stiff, pass.biased, rows != nullptr,
+             rows != nullptr ? trees_.foreseen(index, pass.h) : Foresight{}},
+            [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
+                if (rows != nullptr && relax == Relax::Rigid && isHeld(constraint)) {
+                    rows->add(constraint, impulse, joint.slotOf(impulse));
+                    return;
+                }
+                constraint.solve(frame.a, frame.b, impulse, pass.biased || relax == Relax::Same);
+                if (!pass.biased) { // the relax pass is the last one of the substep
+                    constraint.finishStepOfContacts(impulse, joint.linearImpulseSum,
+                                                    joint.angularImpulseSum);
+                }
+            });
+    }
+    solveTrees(bodies, pass);
+}
+
+/// Solves the articulated trees and stores the impulses of their rows in the joints.
+void JointSet::solveTrees(Bodies& bodies, const JointPass& pass) {
+    trees_.solve(bodies, pass);
+    for (const ArticulatedTrees::Edge& edge : treeCandidates_) {
+        const HeldRows* const rows = trees_.rowsOf(edge.joint);
+        if (rows == nullptr) {
+            continue;
+        }
+        Joint& joint = joints_[edge.joint];
+        for (std::size_t r = 0; r < rows->count; ++r) {
+            const Real impulse = rows->impulse[r];
+            const Vec2 along{rows->b[r][0], rows->b[r][1]};
+            joint.impulseAt(rows->slot[r]) = impulse;
+            if (!pass.biased && along == Vec2{}) {
+                joint.angularImpulseSum += impulse * rows->b[r][2];
+            } else if (!pass.biased) {
+                joint.linearImpulseSum += impulse * along;
+            }
+        }
+    }
+}
+
+void JointSet::forgetUnsound() {
+    for (const std::uint32_t index : live_) {
+        Joint& joint = joints_[index];
+        Real sum = joint.angularImpulseSum;
+        for (const Real impulse : joint.axes) {
+            sum += impulse;
+        }
+        if (!std::isfinite(sum) || !isFinite(joint.point) || !isFinite(joint.linearImpulseSum)) {
+            joint.point = {};
+            joint.axes = {};
+            joint.linearImpulseSum = {};
+            joint.angularImpulseSum = 0;
+        }
+    }
+}
+
+std::span<const BrokenJoint> JointSet::endStep(Real dt) {
+    broken_.clear();
+    for (const std::uint32_t index : busy_) {
+        Joint& joint = joints_[index];
+        if (!std::exchange(joint.solved, false)) {
+            continue; // not solved in this step: the load stays
+        }
+        joint.force = joint.linearImpulseSum / dt;
+        joint.torque = joint.angularImpulseSum / dt;
+        const Overload most = limitsOf(joint.def);
+        const bool mayBreak = most.force < kUnbreakable || most.torque < kUnbreakable;
+        if (mayBreak &&
+            (length(joint.force) > most.force || std::abs(joint.torque) > most.torque)) {
+            broken_.push_back({idAt(index), firstBody(joint.def), secondBody(joint.def),
+                               length(joint.force), std::abs(joint.torque)});
+        }
+    }
+    for (const BrokenJoint& broken : broken_) {
+        remove(broken.id);
+    }
+    return broken_;
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

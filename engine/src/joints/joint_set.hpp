@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/id_pool.hpp"
+#include "joints/articulated_trees.hpp"
+#include "joints/body_rotations.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// All joints of a World.
+class JointSet {
+public:
+    /// A joint with its accumulated impulses and its load.
+    struct Joint {
+        JointDef def;
+        Vec2 point;                 // N s, of one substep
+        std::array<Real, 5> axes{}; // N s or N m s, of one substep; the meaning depends on the kind
+        Vec2 linearImpulseSum;      // N s, on b, over the step
+        Real angularImpulseSum = 0; // N m s, on b, over the step, from angular constraints
+        Vec2 force;                 // N, on b, mean of the last step that solved the joint
+        Real torque = 0;            // N m, on b, mean of that step
+        bool solved = false;        // in this step; false if both bodies are inactive
+
+        /// Slot of an impulse: 0 and 1 are the coordinates of point, the axes follow.
+        std::size_t slotOf(const Vec2&) const { return 0; }
+        std::size_t slotOf(const Real& axis) const {
+            return 2 + static_cast<std::size_t>(&axis - axes.data());
+        }
+        Real& impulseAt(std::size_t slot) {
+            return slot == 0 ? point.x : slot == 1 ? point.y : axes[slot - 2];
+        }
+    };
+
+    JointId add(const JointDef& def);
+    void remove(JointId id);
+    bool contains(JointId id) const {
+        return ids_.alive(id.index, id.generation) &&
+               (id.world == stamp_ || id.world == 0 || stamp_ == 0);
+    }
+    /// Stamp of the World in all new ids; 0 matches every World.
+    void setStamp(std::uint32_t stamp) { stamp_ = stamp; }
+    /// Removes the joints of one body.
+    void dropBody(BodyId body);
+    const JointDef& def(JointId id) const { return joints_[id.index].def; }
+    void setDef(JointId id, const JointDef& def);
+    Vec2 force(JointId id) const { return joints_[id.index].force; }   // N, on b
+    Real torque(JointId id) const { return joints_[id.index].torque; } // N m, on b
+    std::vector<JointId> ids() const;
+    std::size_t size() const { return live_.size(); }
+
+    /// After a weld of `part` into `into`: moves the joints of `part` to `into` and removes joints
+    /// between the two. `place` maps the shape frame of `part` to that of `into`.
+    void transfer(BodyId part, BodyId into, const Transform& place);
+
+    /// Excluded pairs: bodies whose joint forbids a contact, in order.
+    std::span<const std::pair<std::uint32_t, std::uint32_t>> excludedPairs() const {
+        return excludedPairs_;
+    }
+
+    /// Lists the joints with an active body; a step works on these alone. Must be called after each
+    /// update of Bodies::awake; `changed`: that list has changed.
+    void findBusy(const Bodies& bodies, bool changed);
+    std::size_t busyCount() const { return busy_.size(); }
+
+    void beginStep(const Bodies& bodies);
+    /// Revolute joints without motor and limits that belong to no tree. The caller solves them in
+    /// this step.
+    std::span<const std::uint32_t> takeRevolutes();
+    /// Scales the accumulated impulses; `by`: new length of the substep divided by the old one.
+    void scaleImpulses(Real by);
+    void warmStart(Bodies& bodies, const JointPass& pass);
+    void solve(Bodies& bodies, const JointPass& pass);
+    /// Resets joints whose impulses are not finite.
+    void forgetUnsound();
+    /// Computes the loads of a step of dt. Removes and returns the overloaded joints.
+    std::span<const BrokenJoint> endStep(Real dt);
+
+    Joint& at(std::uint32_t index) { return joints_[index]; }
+
+    /// Visits all joints in order.
+    template <typename Visit>
+    void forEach(Visit visit) const {
+        for (const std::uint32_t index : live_) {
+            visit(joints_[index]);
+        }
+    }
+    /// Visits the joints that findBusy has listed.
+    template <typename Visit>
+    void forEachBusy(Visit visit) const {
+        for (const std::uint32_t index : busy_) {
+            visit(joints_[index]);
+        }
+    }
+    /// Visits the joints that this class solves itself: busy, and not taken by takeRevolutes.
+    template <typename Visit>
+    void forEachOwn(Visit visit) const {
+        for (const std::uint32_t index : own_) {
+            visit(joints_[index]);
+        }
+    }
+
+private:
+    friend class SnapshotFields;
+
+    JointId idAt(std::uint32_t index) const { return {index, ids_.generationAt(index), stamp_}; }
+
+    IdPool ids_;
+    std::uint32_t stamp_ = 0;
+    std::vector<Joint> joints_;
+    std::vector<std::uint32_t> live_;                                    // in order
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> excludedPairs_; // bodies, in order
+    std::vector<BrokenJoint> broken_;
+    ArticulatedTrees trees_;                             // of this step
+    std::vector<ArticulatedTrees::Edge> treeCandidates_; // joints that may belong to a tree
+    BodyRotations turned_;
+    std::vector<std::uint32_t> own_;            // of this step, in order: see forEachOwn
+    std::vector<std::uint32_t> takenRevolutes_; // of this step, in order: result of takeRevolutes
+    std::vector<std::uint32_t> busy_; // in order; may contain joints that have become idle since
+    bool busyStale_ = true;
+
+    void refreshLists();
+    void solveTrees(Bodies& bodies, const JointPass& pass);
+};
+
+} // namespace KODO_PRECISION
+} // namespace kodo

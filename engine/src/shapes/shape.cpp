@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/math.hpp>
+#include <kodo/shape.hpp>
+
+#include "base/checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <type_traits>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+std::string corner(std::size_t i) {
+    return "corners[" + std::to_string(i) + "]";
+}
+
+std::optional<Problem> checkPoint(const std::string& field, Vec2 point) {
+    if (auto problem = checkRange(field.c_str(), point.x, -kMaxLength, kMaxLength)) {
+        return problem;
+    }
+    return checkRange(field.c_str(), point.y, -kMaxLength, kMaxLength);
+}
+
+std::optional<Problem> check(const Circle& circle) {
+    if (auto problem = checkPoint("center", circle.center)) {
+        return problem;
+    }
+    return checkPositive("radius", circle.radius, kMaxLength);
+}
+
+std::optional<Problem> check(const Box& box) {
+    if (auto problem = checkPositive("width", box.width, kMaxLength)) {
+        return problem;
+    }
+    if (auto problem = checkPositive("height", box.height, kMaxLength)) {
+        return problem;
+    }
+    if (auto problem = checkUnit("rotation", box.rotation.c, box.rotation.s)) {
+        return problem;
+    }
+    return checkPoint("center", box.center);
+}
+
+/// Reports the first corner at which the polygon is not strictly convex and counter-clockwise.
+std::optional<Problem> checkConvex(const std::vector<Vec2>& corners, Real flatness) {
+    const std::size_t n = corners.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t j = (i + 1) % n;
+        const Vec2 edge = corners[j] - corners[i];
+        const Real size = length(edge);
+        if (!(size > 0)) {
+            return Problem{corner(j), "is the same point as corner " + std::to_string(i)};
+        }
+        for (std::size_t k = 0; k < n; ++k) {
+            if (k == i || k == j) {
+                continue;
+            }
+            const Vec2 arm = corners[k] - corners[i];
+            const Real height = cross(edge, arm) / size;
+            if (!(height > flatness * std::max(size, length(arm)))) {
+                return Problem{corner(k), "lies on or outside the line from corner " +
+                                              std::to_string(i) + " to corner " +
+                                              std::to_string(j) +
+                                              "; corners must go counter-clockwise around a "
+                                              "strictly convex outline"};
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<Problem> check(const Polygon& polygon, Real flatness = kFlatness) {
+    const std::size_t n = polygon.corners.size();
+    if (n < 3 || n > kMaxCorners) {
+        return Problem{"corners", "must be 3 to " + std::to_string(kMaxCorners) + ", but are " +
+                                      std::to_string(n)};
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        if (auto problem = checkPoint(corner(i), polygon.corners[i])) {
+            return problem;
+        }
+    }
+    return checkConvex(polygon.corners, flatness);
+}
+
+std::optional<Problem> check(const Point& point) {
+    return checkPoint("position", point.position);
+}
+
+/// Checks a point of a segment: it must be finite and differ from its neighbour.
+std::optional<Problem> checkEnd(const char* field, Vec2 point, Vec2 neighbour) {
+    if (auto problem = checkPoint(field, point)) {
+        return problem;
+    }
+    if (!(lengthSquared(point - neighbour) > 0)) {
+        return Problem{field,
+                       "must differ from the adjacent point: the square of their distance must "
+                       "be greater than 0"};
+    }
+    return std::nullopt;
+}
+
+std::optional<Problem> check(const Segment& segment) {
+    if (auto problem = checkPoint("from", segment.from)) {
+        return problem;
+    }
+    if (auto problem = checkEnd("to", segment.to, segment.from)) {
+        return problem;
+    }
+    const auto checkNeighbour = [&](const char* field, const std::optional<Vec2>& point,
+                                    Vec2 end) -> std::optional<Problem> {
+        if (!point) {
+            return std::nullopt;
+        }
+        if (!segment.oneSided) {
+            return Problem{field, "is only for one-sided segments"};
+        }
+        return checkEnd(field, *point, end);
+    };
+    if (auto problem = checkNeighbour("before", segment.before, segment.from)) {
+        return problem;
+    }
+    return checkNeighbour("after", segment.after, segment.to);
+}
+
+std::optional<Problem> check(const Plane& plane) {
+    if (auto problem = checkUnit("normal", plane.normal.x, plane.normal.y)) {
+        return problem;
+    }
+    return checkRange("offset", plane.offset, -kMaxLength, kMaxLength);
+}
+
+Vec2 pointOf(const Heightmap& map, std::size_t i) {
+    return map.origin + Vec2{static_cast<Real>(i) * map.spacing, map.heights[i]};
+}
+
+std::optional<Problem> check(const Heightmap& map) {
+    if (auto problem = checkPoint("origin", map.origin)) {
+        return problem;
+    }
+    if (auto problem = checkPositive("spacing", map.spacing, kMaxLength)) {
+        return problem;
+    }
+    const std::size_t n = map.heights.size();
+    if (n < 2 || n > kMaxHeights) {
+        return Problem{"heights", "must be 2 to " + std::to_string(kMaxHeights) + ", but are " +
+                                      std::to_string(n)};
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::string field = "heights[" + std::to_string(i) + "]";
+        if (auto problem = checkPoint(field, pointOf(map, i))) {
+            return problem;
+        }
+        if (i > 0 && !(pointOf(map, i).x > pointOf(map, i - 1).x)) {
+            return Problem{"spacing", "is lost in rounding so far from the origin"};
+        }
+    }
+    return std::nullopt;
+}
+
+std::vector<Primitive> primitivesOf(const Heightmap& map) {
+    std::vector<Primitive> cells;
+    const std::size_t n = map.heights.size();
+    cells.reserve(n - 1);
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+        Segment cell{pointOf(map, i), pointOf(map, i + 1), true, {}, {}};
+        if (i > 0) {
+            cell.before = pointOf(map, i - 1);
+        }
+        if (i + 2 < n) {
+            cell.after = pointOf(map, i + 2);
+        }
+        cells.emplace_back(cell);
+    }
+    return cells;
+}
+
+std::optional<Problem> check(const Compound& compound) {
+    if (compound.parts.empty()) {
+        return Problem{"parts", "must be at least one"};
+    }
+    if (compound.parts.size() > kMaxParts) {
+        return Problem{"parts", "must be at most " + std::to_string(kMaxParts) + ", but are " +
+                                    std::to_string(compound.parts.size())};
+    }
+    for (std::size_t i = 0; i < compound.parts.size(); ++i) {
+        if (auto problem = check(compound.parts[i])) {
+            problem->field = "parts[" + std::to_string(i) + "]." + problem->field;
+            return problem;
+        }
+    }
+    return std::nullopt;
+}
+
+Circle movedShape(const Circle& circle, const Transform& t) {
+    return {circle.radius, t * circle.center};
+}
+
+Box movedShape(const Box& box, const Transform& t) {
+    return {box.width, box.height, t * box.center, normalize(t.rotation * box.rotation)};
+}
+
+Polygon movedShape(const Polygon& polygon, const Transform& t) {
+    Polygon result = polygon;
+    for (Vec2& corner : result.corners) {
+        corner = t * corner;
+    }
+    return result;
+}
+
+Point movedShape(const Point& point, const Transform& t) {
+    return {t * point.position};
+}
+
+Segment movedShape(const Segment& segment, const Transform& t) {
+    Segment result{t * segment.from, t * segment.to, segment.oneSided, {}, {}};
+    if (segment.before) {
+        result.before = t * *segment.before;
+    }
+    if (segment.after) {
+        result.after = t * *segment.after;
+    }
+    return result;
+}
+
+Plane movedShape(const Plane& plane, const Transform& t) {
+    const Vec2 normal = t.rotation * plane.normal;
+    return {normal, plane.offset + dot(normal, t.position)};
+}
+
+} // namespace
+
+std::optional<Problem> check(const Primitive& primitive) {
+    return std::visit([](const auto& shape) { return check(shape); }, primitive);
+}
+
+std::optional<Problem> checkMoved(const Primitive& primitive) {
+    const auto* polygon = std::get_if<Polygon>(&primitive);
+    return polygon != nullptr ? check(*polygon, Real(-1e-3)) : check(primitive);
+}
+
+std::optional<Problem> check(const Shape& shape) {
+    return std::visit([](const auto& kind) { return check(kind); }, shape);
+}
+
+std::vector<Primitive> primitivesOf(const Shape& shape) {
+    if (const auto* compound = std::get_if<Compound>(&shape)) {
+        return compound->parts;
+    }
+    if (const auto* map = std::get_if<Heightmap>(&shape)) {
+        return primitivesOf(*map);
+    }
+    return std::visit(
+        [](const auto& kind) -> std::vector<Primitive> {
+            if constexpr (std::is_constructible_v<Primitive, decltype(kind)>) {
+                return {kind};
+            } else {
+                return {};
+            }
+        },
+        shape);
+}
+
+bool needsLock(const Primitive& primitive) {
+    return std::holds_alternative<Plane>(primitive);
+}
+
+bool needsLock(const Shape& shape) {
+    if (const auto* compound = std::get_if<Compound>(&shape)) {
+        return std::any_of(compound->parts.begin(), compound->parts.end(),
+                           [](const Primitive& part) { return needsLock(part); });
+    }
+    return std::holds_alternative<Plane>(shape) || std::holds_alternative<Heightmap>(shape);
+}
+
+Primitive moved(const Primitive& primitive, const Transform& transform) {
+    return std::visit([&](const auto& kind) { return Primitive(movedShape(kind, transform)); },
+                      primitive);
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

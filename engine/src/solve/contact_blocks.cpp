@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: MIT
+#include "solve/contact_blocks.hpp"
+
+#include "solve/contact_block_lanes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <numeric>
+#include <utility>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+void ContactBlocks::refine(int parts, std::span<Contact> contacts, const Bodies& bodies) {
+    if (const auto now = static_cast<Real>(parts); now != parts_) {
+        evictAll(contacts, bodies);
+        parts_ = now;
+        lanesStale_ = true;
+    }
+}
+
+void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, bool friction,
+                          bool rolling) {
+    colours_.resize(bodies.size());
+    if (order_.size() > singles_ + kBins * cuts_.size() + rows_ / 4) { // most lanes are empty
+        evictAll(contacts, bodies);
+        forgetLanes();
+    }
+    singles_ = 0;
+    ++lanesState_;
+    if (!rowsAssigned_) {
+        assignRows(contacts);
+    }
+    lanesStale_ = lanesStale_ || friction != frictionOn_;
+    frictionOn_ = friction;
+    if (std::exchange(rollingOn_, rolling) != rolling) {
+        rolling_.clear();
+        for (BlockUse& use : use_) {
+            use.rolling = -1;
+        }
+        lanesStale_ = true;
+    }
+    if (orderStale_) {
+        orderBlocks();
+    }
+    std::fill(taken_.begin(), taken_.end(), std::uint8_t{0});
+}
+
+/// True if the colour of the contact still fits its bodies.
+bool ContactBlocks::keepsColour(const Bodies& bodies, const Contact& contact) const {
+    const ContactRow& row = contact.row;
+    const BodyVelocity& a = bodies.motion[contact.key.bodyA];
+    const BodyVelocity& b = bodies.motion[contact.key.bodyB];
+    const bool onLocked = a.invMass == 0 || b.invMass == 0;
+    return row.colour != ContactRow::kNoColour && (row.colour >= kFreeColours) == onLocked &&
+           row.fixedA == a.locked() && row.fixedB == b.locked();
+}
+
+/// True if the contact needs a RollingBlock that its block lacks.
+bool ContactBlocks::needsRolling(const Contact& contact) const {
+    return rollingOn_ && contact.material.rollingResistance > 0 &&
+           use_[blockOf(contact.row.index)].rolling < 0;
+}
+
+bool ContactBlocks::take(const Bodies& bodies, Contact& contact) {
+    ContactRow& row = contact.row;
+    if (row.colour != ContactRow::kNoColour && contact.carried && !lanesStale_) {
+        keep(row.index);
+        if (!row.resident) {
+            makeResident(contact);
+        }
+        return true;
+    }
+    evict(contact, bodies);
+    if (!keepsColour(bodies, contact)) {
+        return false;
+    }
+    taken_[row.index] = 1;
+    if (states_[blockOf(row.index)].bin != binOf(row.colour, contact) || needsRolling(contact)) {
+        return false;
+    }
+    fill(bodies, contact);
+    return true;
+}
+
+/// Frees the lanes that were not taken. Their contacts are gone, no longer respond, or need another
+/// colour.
+void ContactBlocks::freeLanes(const Bodies& bodies) {
+    if (std::exchange(spare_, bodies.spare()) != bodies.spare()) {
+        for (std::size_t i = 0; i < blocks_.size(); ++i) {
+            for (std::size_t lane = 0; lane < ContactBlock::kContacts; ++lane) {
+                if ((states_[i].used >> lane & 1) == 0) {
+                    blocks_[i].a[lane] = blocks_[i].b[lane] = velocityOffset(spare_);
+                }
+            }
+        }
+    }
+    // Backwards, so that the blocks of single contacts are assigned in order again.
+    for (std::size_t k = order_.size(); k-- > 0;) {
+        const std::uint32_t i = order_[k];
+        for (std::uint32_t rest = removedLanes(i); rest != 0; rest &= rest - 1) {
+            release(i * ContactBlock::kContacts +
+                    static_cast<std::uint32_t>(std::countr_zero(rest)));
+        }
+    }
+}
+
+void ContactBlocks::releaseAll(const Bodies& bodies) {
+    std::fill(taken_.begin(), taken_.end(), std::uint8_t{0});
+    freeLanes(bodies);
+    anyResident_ = false; // so that carry() skips the empty lanes
+}
+
+/// Mask of the lanes of a block that are in use but were not taken in this step.
+std::uint8_t ContactBlocks::removedLanes(std::uint32_t block) const {
+    constexpr std::size_t kContacts = ContactBlock::kContacts;
+    const std::uint8_t* const taken = &taken_[block * kContacts];
+    std::uint64_t marks = 0; // byte `lane` is 0 or 1
+    for (std::uint32_t lane = 0; lane < kContacts; ++lane) {
+        marks |= std::uint64_t{taken[lane]} << (8 * lane);
+    }
+    const std::uint64_t mask = (marks * 0x0102040810204080) >> 56; // bit `lane`
+    return static_cast<std::uint8_t>(states_[block].used & ~mask);
+}
+
+/// Frees a lane and the colour of its contact.
+void ContactBlocks::release(std::uint32_t row) {
+    const ContactBlock& block = blocks_[blockOf(row)];
+    const BlockState& state = states_[blockOf(row)];
+    const std::uint32_t group = state.bin / 2;
+    if (!isSingleBin(state.bin)) {
+        const std::uint64_t colour = std::uint64_t{1} << (group - (group > kFreeColours ? 1 : 0));
+        colours_[bodyOfPlace(block.a[laneOf(row)])] &=
+            ~((state.fixedA & maskOf(row)) != 0 ? 0 : colour);
+        colours_[bodyOfPlace(block.b[laneOf(row)])] &=
+            ~((state.fixedB & maskOf(row)) != 0 ? 0 : colour);
+    }
+    empty(row);
+}
+
+/// Frees a lane.
+void ContactBlocks::empty(std::uint32_t row) {
+    BlockState& state = states_[blockOf(row)];
+    if (state.used == 0xff || isSingleBin(state.bin)) {
+        state.nextOpen = std::exchange(openOf(state.bin, state.partition),
+                                       static_cast<std::uint32_t>(blockOf(row)));
+    }
+    state.used &= static_cast<std::uint8_t>(~maskOf(row));
+    orderStale_ = orderStale_ || state.used == 0;
+    --rows_;
+    ContactBlock& block = blocks_[blockOf(row)];
+    const std::size_t lane = laneOf(row);
+    clearLane(block, lane);
+    carried_[row] = {}; // else carry() would restore the old separations
+    block.a[lane] = block.b[lane] = velocityOffset(spare_);
+    use_[blockOf(row)].movesA &= static_cast<std::uint8_t>(~maskOf(row));
+    use_[blockOf(row)].movesB &= static_cast<std::uint8_t>(~maskOf(row));
+    if (const std::int32_t rolling = use_[blockOf(row)].rolling; rolling >= 0) {
+        RollingBlock& own = rolling_[static_cast<std::size_t>(rolling)];
+        own.lever[lane] = own.mass[lane] = own.impulse[lane] = 0;
+    }
+}
+
+void ContactBlocks::colourNewcomer(const Bodies& bodies, Contact& contact) {
+    const std::uint32_t a = contact.key.bodyA;
+    const std::uint32_t b = contact.key.bodyB;
+    const BodyVelocity& motionA = bodies.motion[a];
+    const BodyVelocity& motionB = bodies.motion[b];
+    const bool onLocked = motionA.invMass == 0 || motionB.invMass == 0;
+    ContactRow& row = contact.row;
+    row = {};
+    row.fixedA = motionA.locked();
+    row.fixedB = motionB.locked();
+    constexpr std::uint64_t kFree = (std::uint64_t{1} << kFreeColours) - 1;
+    const std::uint64_t taken = (row.fixedA ? 0 : colours_[a]) | (row.fixedB ? 0 : colours_[b]) |
+                                (onLocked ? kFree : ~kFree);
+    const auto colour = static_cast<std::uint32_t>(std::countr_one(taken));
+    if (colour == kColours || (colour >= kFreeColours && !onLocked)) {
+        const std::uint32_t group = onLocked ? kGroups - 1 : kFreeColours;
+        ++singles_;
+        giveLane(contact, 2 * group + (contact.manifold.count == 2 ? 1 : 0));
+    } else {
+        row.colour = static_cast<std::uint8_t>(colour);
+        colours_[a] |= row.fixedA ? 0 : std::uint64_t{1} << colour;
+        colours_[b] |= row.fixedB ? 0 : std::uint64_t{1} << colour;
+        giveLane(contact, binOf(colour, contact));
+    }
+}
+
+/// Index of a block of the bin that has a free lane.
+std::uint32_t ContactBlocks::openBlock(std::uint32_t bin, std::uint8_t partition) {
+    std::uint32_t& open = openOf(bin, partition);
+    return open != kNone ? open : open = addBlock(bin, partition);
+}
+
+std::uint32_t ContactBlocks::addBlock(std::uint32_t bin, std::uint8_t partition) {
+    const auto block = static_cast<std::uint32_t>(blocks_.size());
+    ContactBlock& lanes = blocks_.emplace_back();
+    states_.reserve(blocks_.capacity());
+    taken_.resize(blocks_.capacity() * ContactBlock::kContacts);
+    carried_.resize(taken_.size());
+    use_.reserve(blocks_.capacity());
+    order_.reserve(blocks_.capacity());
+    inUse_.reserve(blocks_.capacity());
+    std::fill_n(lanes.a, ContactBlock::kContacts, velocityOffset(spare_));
+    std::fill_n(lanes.b, ContactBlock::kContacts, velocityOffset(spare_));
+    states_.push_back({bin, kNone, 0, 0, 0, partition});
+    use_.push_back({-1, bin % 2 == 1, bin / 2 > kFreeColours, 0, 0});
+    return block;
+}
+
+void ContactBlocks::giveLane(Contact& contact, std::uint32_t bin) {
+    // Single contacts are solved in the order of their blocks, which must not depend on partitions.
+    const std::uint8_t partition = isSingleBin(bin) ? 0 : partitionOfBody(contact.key.bodyA);
+    const std::uint32_t block = openBlock(bin, partition);
+    BlockState& state = states_[block];
+    const auto lane = static_cast<std::uint32_t>(std::countr_one(state.used));
+    orderStale_ = orderStale_ || state.used == 0;
+    const auto mask = static_cast<std::uint8_t>(1u << lane);
+    state.used |= mask;
+    const auto put = [&](std::uint8_t& lanes, bool value) {
+        lanes = static_cast<std::uint8_t>(value ? lanes | mask : lanes & ~mask);
+    };
+    put(state.fixedA, contact.row.fixedA);
+    put(state.fixedB, contact.row.fixedB);
+    put(use_[block].movesA, !contact.row.fixedA);
+    put(use_[block].movesB, !contact.row.fixedB);
+    if (state.used == 0xff || isSingleBin(bin)) {
+        openOf(bin, partition) = state.nextOpen;
+    }
+    ++rows_;
+    reorderPolicy_.strayed += isSingleBin(bin) ? 0 : 1; // singles get a new lane in every step
+    contact.row.index = block * ContactBlock::kContacts + lane;
+    taken_[contact.row.index] = 1;
+    blocks_[block].a[lane] = velocityOffset(contact.key.bodyA);
+    blocks_[block].b[lane] = velocityOffset(contact.key.bodyB);
+}
+
+/// Lists the blocks in use: order_ by bin, inUse_ in the order of memory.
+void ContactBlocks::orderBlocks() {
+    std::array<std::uint32_t, kBins + 1> next{};
+    std::uint32_t lowest = kGroups; // group with a block; a group has two bins
+    for (const BlockState& state : states_) {
+        next[state.bin + 1] += state.used != 0 ? 1 : 0;
+        lowest = std::min(lowest, state.bin / 2);
+    }
+    std::partial_sum(next.begin() + 2 * lowest, next.end(), next.begin() + 2 * lowest);
+    order_.resize(next[kBins]);
+    byColour_.clear();
+    for (std::uint32_t group = lowest; group < kGroups; ++group) {
+        const std::uint32_t count = next[2 * group + 2] - next[2 * group];
+        if (count > 0) {
+            byColour_.push_back({count, isSingleBin(2 * group)});
+        }
+    }
+    inUse_.clear();
+    for (std::uint32_t i = 0; i < states_.size(); ++i) {
+        if (states_[i].used != 0) {
+            order_[next[states_[i].bin]++] = i;
+            inUse_.push_back(i);
+        }
+    }
+    orderStale_ = false;
+}
+
+void ContactBlocks::arrange(const Bodies& bodies, std::span<Contact> contacts,
+                            std::span<const std::uint32_t> newcomers,
+                            std::span<const std::uint16_t> crowd, Real pushSpeed) {
+    freeLanes(bodies);
+    for (const std::uint32_t place : newcomers) {
+        Contact& contact = contacts[place];
+        if (!keepsColour(bodies, contact)) {
+            colourNewcomer(bodies, contact);
+        } else if (const std::uint32_t bin = binOf(contact.row.colour, contact);
+                   states_[blockOf(contact.row.index)].bin != bin) {
+            empty(contact.row.index);
+            giveLane(contact, bin);
+        }
+        fill(bodies, contact);
+    }
+    if (orderStale_) {
+        orderBlocks();
+    }
+    setPushSpeeds(crowd, pushSpeed);
+    lanesStale_ = false;
+    anyResident_ = true;
+}
+
+void ContactBlocks::setPushSpeeds(std::span<const std::uint16_t> crowd, Real pushSpeed) {
+    if (crowd.empty() && !shared_ && pushSpeed == pushSpeed_) {
+        return;
+    }
+    pushSpeed_ = pushSpeed;
+    shared_ = !crowd.empty();
+    for (const std::uint32_t i : order_) {
+        ContactBlock& block = blocks_[i];
+        for (std::uint32_t used = states_[i].used; used != 0; used &= used - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(used));
+            const int crowded = shared_ ? std::max(crowd[bodyOfPlace(block.a[lane])],
+                                                   crowd[bodyOfPlace(block.b[lane])])
+                                        : 0;
+            block.pushSpeed[lane] =
+                pushSpeed / static_cast<Real>(std::max(1, crowded + 1 - kNeighbours));
+        }
+    }
+}
+
+void ContactBlocks::fill(const Bodies& bodies, Contact& contact) {
+    const std::size_t lane = laneOf(contact.row.index);
+    ContactBlock& block = blocks_[blockOf(contact.row.index)];
+    fillLane(block, lane, bodies, contact, pushSpeed_, parts_);
+    std::int32_t& place = use_[blockOf(contact.row.index)].rolling;
+    const bool rolls = rollingOn_ && contact.material.rollingResistance > 0;
+    if (rolls && place < 0) {
+        place = static_cast<std::int32_t>(rolling_.size());
+        rolling_.emplace_back();
+    }
+    if (place >= 0) {
+        fillLane(rolling_[static_cast<std::size_t>(place)], lane, bodies, contact, parts_);
+    }
+    contact.carried = true;
+    makeResident(contact);
+}
+
+ContactPassArguments ContactBlocks::pass(Bodies& bodies, const PassSettings& settings) {
+    return {blocks_.data(), rolling_.data(),      use_.data(), order_.data(),
+            order_.size(),  bodies.motion.data(), settings,    areFar()};
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

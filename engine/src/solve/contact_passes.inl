@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: MIT
+// Included by contact_passes*.cpp, each of which is compiled for one instruction set. All functions
+// have internal linkage and call no inline function from elsewhere; lanes.hpp gives the reason.
+#include "solve/contact_block.hpp"
+#include "solve/velocity_lanes.hpp"
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+/// The members of Carried as an array.
+KODO_LANES_INLINE Real* numbers(Carried* carried) {
+    return carried->separation.data();
+}
+static_assert(sizeof(Carried) == 4 * sizeof(Real));
+
+/// The bodies of kLanes contacts.
+struct Pair {
+    Quad a; // x, y: velocity, z: angular velocity, w: 1/mass
+    Quad b;
+    Lanes inertiaA; // 1/inertia
+    Lanes inertiaB;
+};
+
+/// Applies the linear part of the impulse (x, y) * impulse (N s).
+KODO_LANES_INLINE void push(Pair& pair, Lanes x, Lanes y, Lanes impulse) {
+    pair.a.x -= (pair.a.w * x) * impulse;
+    pair.a.y -= (pair.a.w * y) * impulse;
+    pair.b.x += (pair.b.w * x) * impulse;
+    pair.b.y += (pair.b.w * y) * impulse;
+}
+
+/// Rotation of both bodies by an impulse along a line.
+struct Turning {
+    Lanes leverA; // m, lever of the line
+    Lanes leverB;
+    Lanes a; // rad/s per N s: lever / inertia
+    Lanes b;
+};
+
+KODO_LANES_INLINE Turning turning(const Pair& pair, const Real* leverA, const Real* leverB) {
+    const Lanes ofA = load(leverA);
+    const Lanes ofB = load(leverB);
+    return {ofA, ofB, pair.inertiaA * ofA, pair.inertiaB * ofB};
+}
+/// Speed along one line per impulse along the other (m/s per N s), by rotation alone. Symmetric in
+/// the two lines.
+KODO_LANES_INLINE Lanes turnCoupling(const Turning& other, const Turning& line) {
+    return line.a * other.leverA + line.b * other.leverB;
+}
+/// Relative speed along the line (m/s) by angular velocities (rad/s). Angles (rad) give a
+/// displacement (m).
+KODO_LANES_INLINE Lanes speedOfTurns(const Turning& line, Lanes turnA, Lanes turnB) {
+    return line.leverB * turnB - line.leverA * turnA;
+}
+/// Applies angular impulses (N m s).
+KODO_LANES_INLINE void spin(Pair& pair, Lanes ofA, Lanes ofB) {
+    pair.a.z -= pair.inertiaA * ofA;
+    pair.b.z += pair.inertiaB * ofB;
+}
+/// Applies the angular part of an impulse (N s) along the line.
+KODO_LANES_INLINE void spin(Pair& pair, const Turning& line, Lanes impulse) {
+    pair.a.z -= line.a * impulse;
+    pair.b.z += line.b * impulse;
+}
+
+enum class Task {
+    Solve,       // biased: separates overlaps
+    RelaxNormal, // without bias, normal impulses only
+    Relax,       // without bias, with friction; adds up the sums of the step
+};
+
+/// Values shared by all contacts of a block.
+struct Rules {
+    Real biasRate;
+    Real massScale;
+    const PassSettings& settings;
+};
+
+/// State of one point of each contact before the impulses of this visit.
+struct Approach {
+    Lanes gap;       // m; < 0: overlap
+    Lanes speed;     // m/s, along the normal; < 0: approach
+    Lanes pushSpeed; // m/s, largest separating speed
+};
+
+/// Impulse before clamping, from the velocities before the impulses of this visit.
+struct Unclamped {
+    Lanes impulse; // N s
+    Lanes mass;    // kg; decrease of the impulse per m/s that other impulses add along the line
+};
+
+/// Unclamped impulse of one point of each contact:
+///
+///   lambda = mass_scale (lambda_sum - m (v_n + bias))
+///
+/// This is the equation of Softness, since its two scales add up to 1. The returned mass is
+/// mass_scale m.
+///
+/// A gap s > 0 has mass_scale 1 and bias s/h, so it may close within the substep but not become an
+/// overlap. An overlap s < 0 has bias max(bias_rate s, -push_speed) in the biased pass. Without
+/// bias it has mass_scale 1 and bias 0. The speed is used last, since the previous block may just
+/// have stored it.
+template <Task task>
+KODO_LANES_INLINE Unclamped unclampedAt(const ContactBlock::Point& point, int at,
+                                        const Approach& approach, const Rules& rules) {
+    const Lanes impulse = load(point.impulse + at);
+    const Lanes mass = load(point.mass + at);
+    const Lanes close = approach.gap * all(rules.settings.invH);
+    if constexpr (task == Task::Solve) {
+        // The larger term is s/h for a gap and bias_rate s for an overlap, since bias_rate < 1/h.
+        const Lanes bias =
+            larger(larger(all(rules.biasRate) * approach.gap, close), -approach.pushSpeed);
+        const Lanes scale = approach.gap > Lanes{} ? all(1) : all(rules.massScale);
+        const Lanes scaled = scale * mass;
+        return {(scale * impulse - scaled * bias) - scaled * approach.speed, scaled};
+    } else {
+        return {(impulse - mass * larger(close, Lanes{})) - mass * approach.speed, mass};
+    }
+}
+
+/// Clamps the impulse of a point to >= 0 and stores it. Returns the change (N s).
+template <Task task>
+KODO_LANES_INLINE Lanes pushPoint(ContactBlock::Point& point, int at, Lanes unclamped, Real kept) {
+    const Lanes impulse = load(point.impulse + at);
+    const Lanes next = larger(unclamped, Lanes{});
+    store(point.impulse + at, next);
+    if constexpr (task == Task::Relax) {
+        store(point.largest + at, larger(kept * load(point.largest + at), next));
+    }
+    return next - impulse;
+}
+
+/// Both points share one friction impulse: |friction| <= mu (sum of normal impulses). `stick` is
+/// the impulse that stops all sliding. The static coefficient applies while it allows `stick`, else
+/// the kinetic one. Returns the change (N s).
+KODO_LANES_INLINE Lanes applyFriction(ContactBlock& block, int at, Lanes stick, Lanes pressed) {
+    const Lanes friction = load(block.friction + at);
+    const Lanes hold = load(block.staticFriction + at) * pressed;
+    const Lanes slip = load(block.kineticFriction + at) * pressed;
+    const auto slides = (larger(stick, -stick) > hold);
+    const Lanes next = slides ? larger(smaller(stick, slip), -slip) : stick;
+    store(block.friction + at, next);
+    return next - friction;
+}
+
+KODO_LANES_INLINE void solveRolling(RollingBlock& block, int at, Pair& pair, Lanes pressed) {
+    const Lanes impulse = load(block.impulse + at);
+    const Lanes limit = load(block.lever + at) * pressed;
+    const Lanes wanted = impulse - load(block.mass + at) * (pair.b.z - pair.a.z);
+    const Lanes next = larger(smaller(wanted, limit), -limit);
+    store(block.impulse + at, next);
+    spin(pair, next - impulse, next - impulse);
+}
+
+/// Prefetch distance in blocks, for blocks outside the near cache. 4 and 8 are as fast.
+constexpr std::size_t kBlocksAhead = 6;
+
+KODO_LANES_INLINE void prefetchLines(const void* from, const void* end) {
+    for (const char* at = static_cast<const char*>(from); at < end; at += 64) { // bytes a line
+        __builtin_prefetch(at);
+    }
+}
+
+/// Prefetches what a pass reads of a later block: its points, and all members from `tail` on unless
+/// that is null.
+template <typename Arguments>
+KODO_LANES_INLINE void prefetchBlock(const Arguments& pass, std::size_t k,
+                                     ContactBlock::Each ContactBlock::*tail) {
+    if (pass.far && k + kBlocksAhead < pass.count) {
+        const std::size_t i = pass.order[k + kBlocksAhead];
+        const ContactBlock& next = pass.blocks[i];
+        prefetchLines(&next, next.points + (pass.use[i].twoPoints ? 2 : 1));
+        if (tail != nullptr) {
+            prefetchLines(&(next.*tail), &next + 1);
+        }
+    }
+}
+
+/// Solves kLanes contacts from the velocities before this visit. An impulse d1 at the first point
+/// lowers the unclamped impulse at the second by m2 k12 d1. It lowers the impulse that stops all
+/// sliding by mt k1t d1:
+///
+///   k12 = 1/mA + 1/mB + leverA1 leverA2 / IA + leverB1 leverB2 / IB,
+///   k1t = leverA1 leverAt / IA + leverB1 leverBt / IB
+///
+/// t is the tangent; k1t has no 1/m since tangent and normal are perpendicular. k2t is the same for
+/// the second point. So the result is that of sequential impulses, with a short dependency chain.
+/// The function is not split: the compiler would keep a struct of these values in memory.
+template <Task task, int points>
+KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, int at,
+                                  BodyVelocity* motion, const Rules& rules, const BlockUse& use) {
+    const PassSettings& settings = rules.settings;
+    const Lanes nx = load(block.normalX + at);
+    const Lanes ny = load(block.normalY + at);
+    const Quad moveA = gather(secondHalf(motion), block.a + at);
+    const Quad moveB = gather(secondHalf(motion), block.b + at);
+    Pair pair{gather(firstHalf(motion), block.a + at), gather(firstHalf(motion), block.b + at),
+              moveA.w, moveB.w};
+    ContactBlock::Point& point1 = block.points[0];
+    ContactBlock::Point& point2 = block.points[points - 1]; // the first again if there is one
+    const Turning line1 = turning(pair, point1.leverA + at, point1.leverB + at);
+    const Turning line2 = turning(pair, point2.leverA + at, point2.leverB + at);
+    const Turning tangent = turning(pair, block.tangentLeverA + at, block.tangentLeverB + at);
+    const Lanes moved = nx * (moveB.x - moveA.x) + ny * (moveB.y - moveA.y);
+    const Lanes dx = pair.b.x - pair.a.x;
+    const Lanes dy = pair.b.y - pair.a.y;
+    const Lanes along = nx * dx + ny * dy;
+    const auto approachAt = [&](const ContactBlock::Point& point, const Turning& line) {
+        return Approach{load(point.separation + at) + moved + speedOfTurns(line, moveA.z, moveB.z),
+                        along + speedOfTurns(line, pair.a.z, pair.b.z), load(block.pushSpeed + at)};
+    };
+    const Unclamped first = unclampedAt<task>(point1, at, approachAt(point1, line1), rules);
+    const Unclamped second = unclampedAt<task>(point2, at, approachAt(point2, line2), rules);
+    const Lanes coupling12 = second.mass * ((pair.a.w + pair.b.w) + turnCoupling(line2, line1));
+    const Lanes tangentMass = load(block.tangentMass + at);
+    Lanes stick = load(block.friction + at) -
+                  tangentMass * ((nx * dy - ny * dx) + speedOfTurns(tangent, pair.a.z, pair.b.z));
+    const Lanes coupling1t = tangentMass * turnCoupling(line1, tangent);
+    const Lanes coupling2t = tangentMass * turnCoupling(line2, tangent);
+    Lanes change = pushPoint<task>(point1, at, first.impulse, settings.kept);
+    Lanes sum = load(point1.impulse + at);
+    spin(pair, line1, change);
+    stick -= coupling1t * change;
+    if constexpr (points == 2) {
+        const Lanes more =
+            pushPoint<task>(point2, at, second.impulse - coupling12 * change, settings.kept);
+        sum += load(point2.impulse + at);
+        spin(pair, line2, more);
+        stick -= coupling2t * more;
+        change += more;
+    }
+    push(pair, nx, ny, change);
+    if (task == Task::Relax && settings.friction) {
+        const Lanes rubbed = applyFriction(block, at, stick, sum);
+        push(pair, -ny, nx, rubbed);
+        spin(pair, tangent, rubbed);
+    }
+    if (task != Task::RelaxNormal && rolling != nullptr) {
+        solveRolling(*rolling, at, pair, sum);
+    }
+    if constexpr (task == Task::Relax) {
+        store(block.total + at, settings.kept * load(block.total + at) + sum);
+    }
+    putBack(motion, block.a + at, pair.a, use.movesA, at);
+    putBack(motion, block.b + at, pair.b, use.movesB, at);
+}
+
+template <Task task>
+void solveBlocks(const ContactPassArguments& pass) {
+    const PassSettings& settings = pass.settings;
+    for (std::size_t k = 0; k < pass.count; ++k) {
+        prefetchBlock(
+            pass, k, task == Task::Solve ? &ContactBlock::pushSpeed : &ContactBlock::tangentLeverA);
+        const std::size_t i = pass.order[k];
+        const BlockUse& use = pass.use[i];
+        const Softness& soft = use.onLocked ? settings.onLocked : settings.soft;
+        const Rules rules{soft.biasRate, soft.massScale, settings};
+        RollingBlock* const rolling = use.rolling < 0 ? nullptr : pass.rolling + use.rolling;
+        for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
+            if (use.twoPoints) {
+                solveLanes<task, 2>(pass.blocks[i], rolling, at, pass.motion, rules, use);
+            } else {
+                solveLanes<task, 1>(pass.blocks[i], rolling, at, pass.motion, rules, use);
+            }
+        }
+    }
+}
+
+void warmStartBlocks(const ContactPassArguments& pass) {
+    for (std::size_t k = 0; k < pass.count; ++k) {
+        prefetchBlock(pass, k, &ContactBlock::tangentLeverA);
+        const std::size_t i = pass.order[k];
+        ContactBlock& block = pass.blocks[i];
+        const RollingBlock* const rolling =
+            pass.use[i].rolling < 0 ? nullptr : pass.rolling + pass.use[i].rolling;
+        for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
+            Pair pair{gather(firstHalf(pass.motion), block.a + at),
+                      gather(firstHalf(pass.motion), block.b + at),
+                      gather(secondHalf(pass.motion), block.a + at).w,
+                      gather(secondHalf(pass.motion), block.b + at).w};
+            const Lanes nx = load(block.normalX + at);
+            const Lanes ny = load(block.normalY + at);
+            const Lanes friction = load(block.friction + at);
+            const Lanes first = load(block.points[0].impulse + at);
+            const Lanes second = load(block.points[1].impulse + at);
+            const Lanes roll = rolling == nullptr ? Lanes{} : load(rolling->impulse + at);
+            const Lanes sum = first + second;
+            const auto momentBy = [&](const auto& lever1, const auto& lever2, const auto& tangent) {
+                return load(lever1 + at) * first + load(lever2 + at) * second +
+                       load(tangent + at) * friction + roll;
+            };
+            push(pair, sum * nx - friction * ny, sum * ny + friction * nx, all(1));
+            spin(pair,
+                 momentBy(block.points[0].leverA, block.points[1].leverA, block.tangentLeverA),
+                 momentBy(block.points[0].leverB, block.points[1].leverB, block.tangentLeverB));
+            putBack(pass.motion, block.a + at, pair.a, pass.use[i].movesA, at);
+            putBack(pass.motion, block.b + at, pair.b, pass.use[i].movesB, at);
+        }
+    }
+}
+
+/// Bound (m) of the displacement of any surface point by a rotation (rad); see
+/// ConvexShape::rotationReach().
+KODO_LANES_INLINE Lanes rotationReachOf(const Extent* extent, const std::uint32_t* places,
+                                        Lanes turn) {
+    Lanes rotationReach{};
+    for (int i = 0; i < kLanes; ++i) {
+        rotationReach[i] = extent[bodyOfPlace(places[i])].rotationReach;
+    }
+    return larger(turn, -turn) * rotationReach;
+}
+
+/// carry() of contact_update.cpp for kLanes contacts, bit-identical.
+template <int points>
+KODO_LANES_INLINE void carryLanes(const CarryArguments& pass, ContactBlock& block, Carried* carried,
+                                  int at) {
+    BodyVelocity* const motion = pass.motion;
+    const Lanes nx = load(block.normalX + at);
+    const Lanes ny = load(block.normalY + at);
+    const Quad moveA = gather(secondHalf(motion), block.a + at);
+    const Quad moveB = gather(secondHalf(motion), block.b + at);
+    const Quad speedA = gather(firstHalf(motion), block.a + at);
+    const Quad speedB = gather(firstHalf(motion), block.b + at);
+    const Lanes dx = moveB.x - moveA.x;
+    const Lanes dy = moveB.y - moveA.y;
+    const Lanes moved = nx * dx + ny * dy;
+    const Lanes speed = nx * (speedB.x - speedA.x) + ny * (speedB.y - speedA.y);
+    // x, y: separations (m), z: approach speed (m/s), w: relative displacement (m)
+    Quad now = gather(numbers(carried + at), kRowStarts);
+    now.z = Lanes{};
+    now.w += larger(dx, -dx) + larger(dy, -dy) +
+             rotationReachOf(pass.extent, block.a + at, moveA.z) +
+             rotationReachOf(pass.extent, block.b + at, moveB.z);
+    const auto carry = [&](ContactBlock::Point& point, Lanes& separation) {
+        const Lanes leverA = load(point.leverA + at);
+        const Lanes leverB = load(point.leverB + at);
+        separation += moved + (leverB * moveB.z - leverA * moveA.z);
+        store(point.separation + at, separation);
+        now.z = larger(-(speed + (leverB * speedB.z - leverA * speedA.z)), now.z); // no -0
+    };
+    carry(block.points[0], now.x);
+    if constexpr (points == 2) {
+        carry(block.points[1], now.y);
+    }
+    scatter(numbers(carried + at), kRowStarts, now);
+}
+
+void carryBlocks(const CarryArguments& pass) {
+    for (std::size_t k = 0; k < pass.count; ++k) {
+        prefetchBlock(pass, k, nullptr);
+        const std::size_t i = pass.order[k];
+        Carried* const carried = pass.carried + i * ContactBlock::kContacts;
+        for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
+            if (pass.use[i].twoPoints) {
+                carryLanes<2>(pass, pass.blocks[i], carried, at);
+            } else {
+                carryLanes<1>(pass, pass.blocks[i], carried, at);
+            }
+        }
+    }
+}
+
+/// The passes of this instruction set.
+[[maybe_unused]] constexpr ContactPasses passesNamed(const char* name) {
+    return {name,
+            warmStartBlocks,
+            solveBlocks<Task::Solve>,
+            solveBlocks<Task::RelaxNormal>,
+            solveBlocks<Task::Relax>,
+            carryBlocks};
+}
+
+} // namespace
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: MIT
+#include "solve/continuous_collision.hpp"
+
+#include <kodo/geometry.hpp>
+
+#include "base/prefetch.hpp"
+#include "base/vector_reuse.hpp"
+#include "collide/time_of_impact.hpp"
+#include "solve/relative_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+constexpr std::uint32_t kNoContact = ~std::uint32_t{};
+constexpr std::size_t kPairsPerPiece = 256;
+constexpr std::size_t kPathsPerPiece = 256;
+constexpr std::size_t kCandidatesPerPiece = 64;
+constexpr Real kTaken = -1; // as a time: the impact has been processed
+/// Fraction of the slop at which a separated pair is stopped before it touches. In a glancing
+/// impact the normal of a round body is off by this distance relative to its size. Positions
+/// resolve this distance up to 64 m from the origin in float, and up to 3e8 m in double. Farther
+/// out, a stopped pair may overlap by a rounding error.
+constexpr Real kStopShort = sizeof(Real) == 4 ? Real(1) / 1024 : Real(1) / 65536;
+
+Real gapOf(const Contact& contact, const Tolerances& tolerances) {
+    return contact.manifold.count > 0 ? contact.manifold.points[0].separation : tolerances.margin;
+}
+
+/// The same for a pair without a sensor, from its summary.
+Real gapOf(const ContactSummary& summary, const Tolerances& tolerances) {
+    return summary.meets ? summary.separation[0] : tolerances.margin;
+}
+
+/// Approach (m) that a pair with these core radii may have without continuous collision. The centre
+/// of the thinner part is then still outside the other part, so contact points separate the pair to
+/// the correct side. A locked body does not give way, so half of that is allowed against it.
+Real allowedApproach(Real coreRadiusA, Real coreRadiusB, bool againstLocked) {
+    return std::min(coreRadiusA, coreRadiusB) * (againstLocked ? Real(0.5) : Real(1));
+}
+
+/// Separation (m) at which to stop a pair that has the separation `gap` and approaches by `motion`
+/// (m). No value if the pair needs no continuous collision: it cannot come that close within the
+/// step, or the overlap would do no harm.
+///
+/// A separated pair is stopped just before it touches. A touching pair that moves too far for its
+/// contact points is stopped before it tunnels.
+std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Real gap, Real motion,
+                                const StepSettings& settings, const Tolerances& tolerances) {
+    const auto& [bodyA, partA, bodyB, partB] = contact.key;
+    if (contact.hidden || contact.passing) {
+        return std::nullopt;
+    }
+    const ConvexShape& shapeA = bodies.convex(bodyA, partA);
+    const ConvexShape& shapeB = bodies.convex(bodyB, partB);
+    if (motion < gap) {
+        return std::nullopt;
+    }
+    const bool againstLocked = bodies.locked(bodyA) || bodies.locked(bodyB);
+    const bool far = motion > allowedApproach(shapeA.coreRadius, shapeB.coreRadius, againstLocked);
+    if (gap > tolerances.slop) {
+        const bool bounces = contact.bounces && settings.has(Feature::Restitution);
+        return bounces || contact.sensor || far ? std::optional(kStopShort * tolerances.slop)
+                                                : std::nullopt;
+    }
+    // Past the centres of both parts, contact points would separate them to the wrong side.
+    const Real thickness = shapeA.coreRadius + shapeB.coreRadius;
+    const Real deepest = std::min(4 * tolerances.slop, thickness);
+    const bool holds =
+        !far || motion < thickness / 2 || shapeA.oneSided || shapeB.oneSided || contact.sensor;
+    return holds || gap < -deepest / 4 ? std::nullopt : std::optional(-deepest);
+}
+
+/// True if a pair without a locked body may approach by more than `far` (m). The test needs no
+/// square root, and rejects most pairs that move together.
+bool mayGoFarther(const Bodies& bodies, const ContactSummary& summary, Real far) {
+    const BodyVelocity& a = bodies.motion[summary.bodyA];
+    const BodyVelocity& b = bodies.motion[summary.bodyB];
+    const Real rotationReach = std::abs(a.deltaAngle) * bodies.extent[summary.bodyA].rotationReach +
+                               std::abs(b.deltaAngle) * bodies.extent[summary.bodyB].rotationReach;
+    const Real room = far - rotationReach;
+    return room < 0 || lengthSquared(b.deltaPosition - a.deltaPosition) > room * room;
+}
+
+/// True if the bounds of two shapes meet on their paths while no body is stopped.
+bool mayMeet(const Bodies& bodies, const Mover& a, const Octagon& boundsA, const Mover& b,
+             const Octagon& boundsB, const Tolerances& tolerances) {
+    const BodyVelocity& motionA = bodies.motion[a.body];
+    const BodyVelocity& motionB = bodies.motion[b.body];
+    const Real rotationReach = std::abs(motionA.deltaAngle) * a.rotationReach +
+                               std::abs(motionB.deltaAngle) * b.rotationReach;
+    const Octagon way =
+        unite(boundsB, boundsB.moved(motionB.deltaPosition - motionA.deltaPosition));
+    return overlap(boundsA.grown(rotationReach + tolerances.slop), way);
+}
+
+/// True if a pair may meet in this step while no body is stopped. It uses the core radius of whole
+/// bodies, which is that of their thinnest part. stoppingGap() decides exactly.
+bool closes(const Bodies& bodies, const PartBounds& bounds, const ContactSummary& summary,
+            const Tolerances& tolerances) {
+    const Extent& extentA = bodies.extent[summary.bodyA];
+    const Extent& extentB = bodies.extent[summary.bodyB];
+    const bool againstLocked = bodies.locked(summary.bodyA) || bodies.locked(summary.bodyB);
+    const Real far = allowedApproach(extentA.coreRadius, extentB.coreRadius, againstLocked);
+    // relativeMotion() measures the motion against a locked body relative to that body.
+    if (!summary.bounces && !againstLocked && !mayGoFarther(bodies, summary, far)) {
+        return false; // most pairs of a pile
+    }
+    const Mover a{summary.bodyA, extentA.rotationReach};
+    const Mover b{summary.bodyB, extentB.rotationReach};
+    const Real motion = relativeMotion(bodies, a, b);
+    const Real gap = gapOf(summary, tolerances);
+    if (motion < gap || (motion <= far && !summary.bounces)) {
+        return false;
+    }
+    const bool mayBeThrough = motion > far &&
+                              motion >= (extentA.coreRadius + extentB.coreRadius) / 2 &&
+                              gap >= -tolerances.slop;
+    return (gap > tolerances.slop || mayBeThrough) &&
+           mayMeet(bodies, a, bounds.tight(summary.proxies.first), b,
+                   bounds.tight(summary.proxies.second), tolerances);
+}
+
+/// Order of the heap: the earliest event on top, equal times in the order of contacts.
+template <typename Event>
+bool later(const Event& e, const Event& f) {
+    return e.time > f.time || (e.time == f.time && e.contact > f.contact);
+}
+
+/// Ends the displacement of a body at `fraction` of the step; from there on only `push` (m, per
+/// whole step) moves it. The velocity loses what the forces added after that time.
+void stop(Bodies& bodies, std::uint32_t body, Real fraction, Vec2 push, Real dt) {
+    BodyVelocity& motion = bodies.motion[body];
+    motion.deltaPosition = fraction * motion.deltaPosition + (1 - fraction) * push;
+    motion.deltaAngle *= fraction;
+    const Real lost = (1 - fraction) * dt;
+    motion.velocity -= lost * bodies.acceleration[body].linear;
+    motion.angularVelocity -= lost * bodies.acceleration[body].angular;
+}
+
+} // namespace
+
+/// Marks the swift bodies. A pair without a swift body needs no continuous collision, for one of
+/// two reasons. It cannot close a gap wider than the slop, and closes a narrower one by less than
+/// half of the core radii. Or no contact has restitution, and each body moves by at most half of
+/// what the thinnest body may enter a locked one. False if no body is swift.
+bool ContinuousCollision::markSwift(const Bodies& bodies, bool mayBounce,
+                                    const Tolerances& tolerances, WorkerTeam& team) {
+    const Real unseen =
+        mayBounce ? Real(0) : allowedApproach(bodies.thinnest, bodies.thinnest, true) / 2;
+    std::uint8_t anySwift = 0;
+    swift_.resize(bodies.size(), 0); // all 0 between steps
+    team.forEach(bodies.awake.size(), kPathsPerPiece, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) {
+            const std::uint32_t body = bodies.awake[k];
+            const BodyVelocity& motion = bodies.motion[body];
+            const Extent& extent = bodies.extent[body];
+            const Real way =
+                length(motion.deltaPosition) + std::abs(motion.deltaAngle) * extent.rotationReach;
+            if (way > unseen && !(way <= tolerances.slop / 2 && way < extent.coreRadius / 4)) {
+                swift_[body] = 1;
+                WorkerTeam::mark(anySwift);
+            }
+        }
+    });
+    return anySwift != 0;
+}
+
+void ContinuousCollision::run(Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,
+                              const Tolerances& tolerances, Real dt, WorkerTeam& team) {
+    candidates_.clear();
+    bool sensors = false;
+    if (markSwift(bodies, contactSet.mayBounce(), tolerances, team) ||
+        contactSet.mayHaveSensors()) {
+        sensors = findCandidates(bodies, contactSet, tolerances, team);
+    }
+    if (!candidates_.empty() || sensors) {
+        stopAt_.resize(bodies.size(), 1); // all 1 between steps
+        push_.resize(bodies.size());      // all 0 between steps
+        const bool driven =
+            std::any_of(bodies.awake.begin(), bodies.awake.end(),
+                        [&](std::uint32_t body) { return bodies.isMovingKinematic(body); });
+        const std::span<Contact> contacts = contactSet.contacts();
+        const Step step{bodies, contacts, contactSet.summaries(), settings, tolerances, driven};
+        findImpacts(step, team);
+        if (!events_.empty()) {
+            stopInOrder(step);
+        }
+        if (sensors) {
+            noticeSensors(bodies, contacts, settings, tolerances);
+        }
+        finish(bodies, driven, dt);
+    }
+    for (const std::uint32_t body : bodies.awake) {
+        swift_[body] = 0;
+    }
+}
+
+/// Shortens the displacements of the stopped bodies.
+void ContinuousCollision::finish(Bodies& bodies, bool driven, Real dt) {
+    for (const std::uint32_t body : bodies.awake) {
+        if (stopAt_[body] < 1) {
+            stop(bodies, body, stopAt_[body], push_[body], dt);
+        }
+    }
+    if (driven) { // sleeping bodies may have a push too
+        std::fill(push_.begin(), push_.end(), Vec2{});
+    }
+    for (const std::uint32_t body : stopped_) {
+        stopAt_[body] = 1;
+    }
+    stopped_.clear();
+}
+
+/// Lists the pairs that may meet while no body is stopped. True if any contact is a sensor's.
+bool ContinuousCollision::findCandidates(const Bodies& bodies, const ContactSet& contactSet,
+                                         const Tolerances& tolerances, WorkerTeam& team) {
+    const std::span<const ContactSummary> summaries = contactSet.summaries();
+    std::uint8_t sensors = 0;
+    found_.gather(team, summaries.size(), kPairsPerPiece, candidates_,
+                  [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
+                      for (std::size_t i = first; i < last; ++i) {
+                          const ContactSummary& summary = summaries[i];
+                          if (summary.sensor) {
+                              WorkerTeam::mark(sensors);
+                          } else if (isSwift(summary) &&
+                                     closes(bodies, contactSet.bounds(), summary, tolerances)) {
+                              found.push_back(static_cast<std::uint32_t>(i));
+                          }
+                      }
+                  });
+    return sensors != 0;
+}
+
+/// Builds the lists of the contacts of each body, from contacts with a swift body.
+void ContinuousCollision::linkContacts(const Step& step) {
+    first_.assign(step.bodies.size(), kNoContact);
+    next_.resize(step.summaries.size());
+    for (std::uint32_t i = 0; i < step.summaries.size(); ++i) {
+        const ContactSummary& summary = step.summaries[i];
+        if (!summary.sensor && isSwift(summary)) {
+            next_[i] = {std::exchange(first_[summary.bodyA], i),
+                        std::exchange(first_[summary.bodyB], i)};
+        }
+    }
+}
+
+MotionPath ContinuousCollision::pathOf(const Bodies& bodies, std::uint32_t body) const {
+    const BodyVelocity& motion = bodies.motion[body];
+    return {bodies.pose[body], motion.deltaPosition, motion.deltaAngle, stopAt_[body], push_[body]};
+}
+
+Real ContinuousCollision::motionOf(const Bodies& bodies, const Contact& contact) const {
+    const auto moverOf = [&](std::uint32_t body, std::uint16_t part) {
+        return Mover{body, bodies.convex(body, part).rotationReach(), stopAt_[body]};
+    };
+    const auto [bodyA, partA, bodyB, partB] = contact.key;
+    return relativeMotion(bodies, moverOf(bodyA, partA), moverOf(bodyB, partB));
+}
+
+Real ContinuousCollision::impactTime(const Bodies& bodies, const Contact& contact, Real gap) const {
+    const ContactKey& key = contact.key;
+    return timeOfImpact(bodies.convex(key.bodyA, key.partA), pathOf(bodies, key.bodyA),
+                        bodies.convex(key.bodyB, key.partB), pathOf(bodies, key.bodyB), gap);
+}
+
+/// Finds the time of impact of a pair, given the bodies that are stopped so far.
+void ContinuousCollision::findTime(const Step& step, std::uint32_t i) {
+    const Contact& contact = step.contacts[i];
+    const Real motion = motionOf(step.bodies, contact);
+    const auto timeFrom = [&](Real gap) {
+        const auto target =
+            stoppingGap(step.bodies, contact, gap, motion, step.settings, step.tolerances);
+        return target ? impactTime(step.bodies, contact, *target) : Real(1);
+    };
+    const Real gap = gapOf(step.summaries[i], step.tolerances);
+    Real& time = times_[i];
+    time = timeFrom(gap);
+    // The pair practically touches corner to corner, where the manifold has a gap or no point. The
+    // next step would have no contact for it. Stopping it here would leave it hanging in the air,
+    // even if it separates.
+    if (gap > step.tolerances.slop && time * motion <= step.tolerances.slop / 32) {
+        time = timeFrom(0);
+    }
+}
+
+/// Adds the impact of a pair to the heap, if it has one.
+void ContinuousCollision::queueImpact(std::uint32_t contact) {
+    if (const Real time = times_[contact]; time < 1) {
+        events_.push_back({time, contact});
+        std::push_heap(events_.begin(), events_.end(), later<Event>);
+    }
+}
+
+/// Finds the impacts that occur while no body is stopped.
+void ContinuousCollision::findImpacts(const Step& step, WorkerTeam& team) {
+    events_.clear();
+    assignReusing(times_, step.contacts.size(), Real(1));
+    team.forEach(candidates_.size(), kCandidatesPerPiece, [&](std::size_t first, std::size_t last) {
+        visitPrefetched<2>(std::span<const std::uint32_t>(candidates_).subspan(first, last - first),
+                           step.contacts, [&](std::uint32_t contact) { findTime(step, contact); });
+    });
+    for (const std::uint32_t contact : candidates_) {
+        queueImpact(contact);
+    }
+}
+
+/// Processes the impacts in the order of time. Each changes the paths of its two bodies, so their
+/// later impacts are computed again.
+void ContinuousCollision::stopInOrder(const Step& step) {
+    linkContacts(step);
+    if (step.driven) {
+        findPushes(step);
+    }
+    while (!events_.empty()) {
+        std::pop_heap(events_.begin(), events_.end(), later<Event>);
+        const Event event = events_.back();
+        events_.pop_back();
+        if (times_[event.contact] != event.time) {
+            continue; // processed, or computed again since
+        }
+        times_[event.contact] = kTaken;
+        const ContactSummary& summary = step.summaries[event.contact];
+        if (step.driven) {
+            takePushedDisplacement(step, step.contacts[event.contact], event.time);
+        }
+        cutShort(step, summary.bodyA, event.time);
+        cutShort(step, summary.bodyB, event.time);
+    }
+}
+
+/// Stops a body at `time` and computes its impacts again: bodies that moved along with it may now
+/// hit it.
+void ContinuousCollision::cutShort(const Step& step, std::uint32_t body, Real time) {
+    if (step.bodies.locked(body) || stopAt_[body] <= time) {
+        return;
+    }
+    if (stopAt_[body] == 1) {
+        stopped_.push_back(body);
+    }
+    stopAt_[body] = time;
+    for (std::uint32_t i = first_[body]; i != kNoContact;) {
+        if (times_[i] != kTaken) {
+            findTime(step, i);
+            queueImpact(i);
+        }
+        i = next_[i][step.summaries[i].bodyA == body ? 0 : 1];
+    }
+}
+
+void ContinuousCollision::noticeSensors(const Bodies& bodies, std::span<Contact> contacts,
+                                        const StepSettings& settings,
+                                        const Tolerances& tolerances) {
+    for (Contact& contact : contacts) {
+        if (!contact.sensor) {
+            continue;
+        }
+        // A contact that the last step brought just short of touching has begun to touch, and
+        // persists.
+        contact.touching = contact.wasTouching && contact.manifold.count > 0 &&
+                           contact.manifold.points[0].separation <= tolerances.slop / 32;
+        const Real motion = motionOf(bodies, contact);
+        const auto gap =
+            stoppingGap(bodies, contact, gapOf(contact, tolerances), motion, settings, tolerances);
+        const Real fraction = gap ? impactTime(bodies, contact, *gap) : 1;
+        if (fraction < 1) {
+            recordSensorImpact(bodies, contact, fraction, tolerances);
+        }
+    }
+}
+
+/// Stores the point and the speed of the impact with a sensor in its contact, for the record.
+void ContinuousCollision::recordSensorImpact(const Bodies& bodies, Contact& contact, Real fraction,
+                                             const Tolerances& tolerances) const {
+    const ContactKey& key = contact.key;
+    const Transform a = pathOf(bodies, key.bodyA).at(fraction);
+    const Transform b = pathOf(bodies, key.bodyB).at(fraction);
+    const Manifold met = collide(bodies.convex(key.bodyA, key.partA), a,
+                                 bodies.convex(key.bodyB, key.partB), b, tolerances.margin, 0);
+    if (met.count == 0) {
+        return;
+    }
+    contact.touching = true;
+    contact.manifold = met;
+    contact.carried = false;
+    contact.centerA = a.position;
+    const ManifoldPoint& point = met.points[0];
+    const Vec2 relative = velocityAt(bodies.motion[key.bodyB], point.armB) -
+                          velocityAt(bodies.motion[key.bodyA], point.armA);
+    contact.approachSpeed = std::max(-dot(met.normal, relative), Real(0));
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

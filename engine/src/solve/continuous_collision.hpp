@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/settings.hpp>
+
+#include "base/worker_team.hpp"
+#include "bodies/bodies.hpp"
+#include "collide/time_of_impact.hpp"
+#include "contacts/contact_set.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// Continuous collision: stops bodies at the time of impact within the step, so that no body
+/// tunnels, however fast and thin. A pair is processed if its motion can close its gap. It must
+/// also have restitution, or move by more than the core radius of the thinner part. Against a
+/// locked body the limit is half of that core radius.
+///
+/// Sensors stop no body. A sensor that is passed within the step is marked as touched, with the
+/// point and the speed.
+///
+/// A stopped body keeps the velocity of that time and loses the rest of its displacement. The next
+/// step applies the impact impulse. Impacts are processed in the order of time.
+///
+/// A kinematic body cannot be stopped and would pass through bodies stopped in front of it. So it
+/// pushes these along, and also the bodies that they touch. A body with restitution against it is
+/// not pushed.
+class ContinuousCollision {
+public:
+    void run(Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,
+             const Tolerances& tolerances, Real dt, WorkerTeam& team);
+
+private:
+    /// An impact; out of date if its contact has another time in times_.
+    struct Event {
+        Real time;
+        std::uint32_t contact;
+    };
+    /// Inputs of all functions for one step.
+    struct Step {
+        const Bodies& bodies;
+        std::span<const Contact> contacts;
+        std::span<const ContactSummary> summaries;
+        const StepSettings& settings;
+        const Tolerances& tolerances;
+        bool driven; // a locked body moves
+    };
+
+    bool markSwift(const Bodies& bodies, bool mayBounce, const Tolerances& tolerances,
+                   WorkerTeam& team);
+    bool findCandidates(const Bodies& bodies, const ContactSet& contactSet,
+                        const Tolerances& tolerances, WorkerTeam& team);
+    bool isSwift(const ContactSummary& summary) const {
+        return (swift_[summary.bodyA] | swift_[summary.bodyB]) != 0;
+    }
+    void linkContacts(const Step& step);
+    void findTime(const Step& step, std::uint32_t contact);
+    void queueImpact(std::uint32_t contact);
+    void findImpacts(const Step& step, WorkerTeam& team);
+    void stopInOrder(const Step& step);
+    MotionPath pathOf(const Bodies& bodies, std::uint32_t body) const;
+    Real motionOf(const Bodies& bodies, const Contact& contact) const;
+    Real impactTime(const Bodies& bodies, const Contact& contact, Real gap) const;
+    void findPushes(const Step& step);
+    void takePushedDisplacement(const Step& step, const Contact& contact, Real time);
+    void cutShort(const Step& step, std::uint32_t body, Real time);
+    void finish(Bodies& bodies, bool driven, Real dt);
+    void noticeSensors(const Bodies& bodies, std::span<Contact> contacts,
+                       const StepSettings& settings, const Tolerances& tolerances);
+    void recordSensorImpact(const Bodies& bodies, Contact& contact, Real fraction,
+                            const Tolerances& tolerances) const;
+
+    std::vector<std::uint8_t> swift_;       // by body: moves so far that its pairs are tested
+    std::vector<Real> stopAt_;              // by body: fraction of the step
+    std::vector<Vec2> push_;                // by body: m, per whole step, by kinematic bodies
+    std::vector<std::uint32_t> stopped_;    // bodies with stopAt_ < 1
+    std::vector<std::uint32_t> candidates_; // contacts that may meet while no body is stopped
+    ParallelCollector<std::uint32_t> found_;
+    std::vector<Real> times_; // by contact: fraction of the step; 1: no impact
+    // Linked lists of the contacts of each body: first_ by body; next_ by contact, for its bodies a
+    // and b.
+    std::vector<std::uint32_t> first_;
+    std::vector<std::array<std::uint32_t, 2>> next_;
+    std::vector<std::uint32_t> againstLocked_; // contacts with one locked body
+    std::vector<Event> events_;                // heap, the earliest on top
+};
+
+} // namespace KODO_PRECISION
+} // namespace kodo

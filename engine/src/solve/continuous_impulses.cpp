@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// How kinematic bodies push along bodies that are stopped in front of them.
+#include <kodo/geometry.hpp>
+
+#include "solve/continuous_collision.hpp"
+
+#include <algorithm>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+/// Raises the component of `push` along `normal` to that of `way` (m), the displacement of a
+/// surface, so that the body stays ahead of it. A body that is pushed against the surface is left
+/// as it is.
+void pushAlong(Vec2& push, Vec2 normal, Vec2 way) {
+    const Real there = dot(normal, push);
+    const Real wanted = dot(normal, way);
+    if (there >= 0 && wanted > there) {
+        push += (wanted - there) * normal;
+    }
+}
+
+/// Removes the component of `push` into a static surface.
+void holdBack(Vec2& push, Vec2 normal) {
+    push -= std::min(dot(normal, push), Real(0)) * normal;
+}
+
+} // namespace
+
+/// Finds the pushes by kinematic bodies that touch or nearly touch at the start of the step. A body
+/// with restitution becomes faster than the kinematic body and needs no push.
+void ContinuousCollision::findPushes(const Step& step) {
+    againstLocked_.clear();
+    for (std::uint32_t i = 0; i < step.contacts.size(); ++i) {
+        const ContactSummary& summary = step.summaries[i];
+        if (summary.meets && !summary.bounces &&
+            step.bodies.locked(summary.bodyA) != step.bodies.locked(summary.bodyB) &&
+            step.contacts[i].responds()) {
+            againstLocked_.push_back(i);
+        }
+    }
+    for (const bool stop : {false, true}) { // static bodies last, so that they dominate
+        for (const std::uint32_t i : againstLocked_) {
+            const Contact& contact = step.contacts[i];
+            const auto [bodyA, partA, bodyB, partB] = contact.key;
+            const bool isA = step.bodies.locked(bodyA);
+            if (step.bodies.isMovingKinematic(isA ? bodyA : bodyB) == stop) {
+                continue;
+            }
+            const BodyVelocity& floor = step.bodies.motion[isA ? bodyA : bodyB];
+            const ManifoldPoint& point = contact.manifold.points[0];
+            const Vec2 way =
+                floor.deltaPosition + cross(floor.deltaAngle, isA ? point.armA : point.armB);
+            const Vec2 normal = isA ? contact.manifold.normal : -contact.manifold.normal;
+            Vec2& push = push_[isA ? bodyB : bodyA];
+            if (stop) {
+                holdBack(push, normal);
+            } else {
+                pushAlong(push, normal, way);
+            }
+        }
+    }
+}
+
+/// A body that meets a kinematic body, or a body pushed by one, is pushed along, but not into a
+/// static body.
+void ContinuousCollision::takePushedDisplacement(const Step& step, const Contact& contact,
+                                                 Real time) {
+    const ContactKey& key = contact.key;
+    if (contact.bounces ||
+        (push_[key.bodyA] == Vec2{} && push_[key.bodyB] == Vec2{} &&
+         !step.bodies.isMovingKinematic(key.bodyA) && !step.bodies.isMovingKinematic(key.bodyB))) {
+        return;
+    }
+    const Transform a = pathOf(step.bodies, key.bodyA).at(time);
+    const Transform b = pathOf(step.bodies, key.bodyB).at(time);
+    const Vec2 normal = separation(step.bodies.convex(key.bodyA, key.partA), a,
+                                   step.bodies.convex(key.bodyB, key.partB), b)
+                            .axis;
+    const auto wayOf = [&](std::uint32_t body, Vec2 from) {
+        const BodyVelocity& motion = step.bodies.motion[body];
+        const std::uint32_t other = body == key.bodyA ? key.bodyB : key.bodyA;
+        return step.bodies.locked(body)
+                   ? motion.deltaPosition +
+                         cross(motion.deltaAngle, step.bodies.pose[other].position - from)
+                   : push_[body];
+    };
+    const Vec2 wayA = wayOf(key.bodyA, a.position);
+    const Vec2 wayB = wayOf(key.bodyB, b.position);
+    const auto take = [&](std::uint32_t body, std::uint32_t other, Vec2 away, Vec2 way) {
+        if (step.bodies.locked(body)) {
+            return;
+        }
+        if (step.bodies.locked(other) && !step.bodies.isMovingKinematic(other)) {
+            holdBack(push_[body], away);
+        } else {
+            pushAlong(push_[body], away, way);
+        }
+    };
+    take(key.bodyA, key.bodyB, -normal, wayB);
+    take(key.bodyB, key.bodyA, normal, wayA);
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

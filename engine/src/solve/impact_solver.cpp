@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+#include "solve/impact_solver.hpp"
+
+#include "solve/leverage.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+/// Relative velocity at one point per impulse there, along normal and tangent.
+struct Response {
+    Real nn; // (m/s along n) per (N s along n), and so on
+    Real nt;
+    Real tt;
+};
+
+// Ratio of a determinant to the product it is subtracted from, below which it is a rounding error.
+constexpr Real kSingular = sizeof(Real) == 4 ? Real(1e-5) : Real(1e-12);
+// Largest ratio of an impact impulse on both points to that on one of them.
+constexpr Real kHardest = 16;
+
+/// One contact with its two bodies.
+struct Impact {
+    const Bodies& bodies;
+    Contact& contact;
+    BodyVelocity& a;
+    BodyVelocity& b;
+    bool frictionless;
+
+    Vec2 normal() const { return contact.manifold.normal; }
+    Vec2 tangent() const { return perp(contact.manifold.normal); }
+    const ManifoldPoint& point(std::size_t i) const { return contact.manifold.points[i]; }
+    Vec2 relativeVelocity(std::size_t i) const {
+        return velocityAt(b, point(i).armB) - velocityAt(a, point(i).armA);
+    }
+    /// True if neither body gives way along the normal.
+    bool blocked(std::size_t i) const { return isBlocked(bodies, contact, i); }
+    /// Applies an impact impulse (N s) along normal and tangent.
+    void push(std::size_t i, Real jn, Real jt) const {
+        const Vec2 impulse = jn * normal() + jt * tangent();
+        const auto& [armA, armB, separation, feature] = point(i);
+        a.velocity -= a.invMass * impulse;
+        b.velocity += b.invMass * impulse;
+        a.angularVelocity -=
+            a.invInertia * (leverOf(armA, normal()) * jn + leverOf(armA, tangent()) * jt);
+        b.angularVelocity +=
+            b.invInertia * (leverOf(armB, normal()) * jn + leverOf(armB, tangent()) * jt);
+        contact.impulse[i].impact += jn;
+        contact.hasStepImpulses = true;
+    }
+};
+
+/// Relative velocity along u at point i per impulse along v at point k (m/s per N s).
+Real response(const Impact& hit, std::size_t i, Vec2 u, std::size_t k, Vec2 v) {
+    const ManifoldPoint& p = hit.point(i);
+    const ManifoldPoint& q = hit.point(k);
+    return (hit.a.invMass + hit.b.invMass) * dot(u, v) +
+           hit.a.invInertia * leverOf(p.armA, u) * leverOf(q.armA, v) +
+           hit.b.invInertia * leverOf(p.armB, u) * leverOf(q.armB, v);
+}
+
+/// The friction impulse of one point, along t (N s). The impulses with the correct rebound speed
+/// are
+///
+///   p = p_0 n + j (t - K_nt/K_nn n),  p_0 = (1 + e) stop,  stop = -v_n / K_nn
+///
+/// j stops all sliding, or is the nearest value within the friction cone |j| <= mu p_n. No impact
+/// may gain energy, as friction together with restitution could [Chatterjee98]:
+///
+///   m j^2 + 2 u j <= (1 - e^2) K_nn stop^2,  m = K_tt - K_nt^2/K_nn,  u = v_t + K_nt stop
+Real frictionOf(const Response& k, const Material& material, Real stop, Real sliding) {
+    const Real e = material.restitution;
+    const Real coupling = k.nt / k.nn;
+    const Real m = k.tt - k.nt * coupling;
+    const Real plain = (1 + e) * stop;
+    Real j = -(sliding + k.nt * plain) / m;
+    if (std::abs(j) > material.staticFriction * (plain - coupling * j)) {
+        const Real mu = j > 0 ? material.kineticFriction : -material.kineticFriction;
+        const Real steep = 1 + mu * coupling; // <= 0: this side of the cone has no end
+        const Real most = steep > 0 ? mu * plain / steep : j;
+        j = j > 0 ? std::min(j, most) : std::max(j, most);
+    }
+    const Real u = sliding + k.nt * stop;
+    const Real root = std::sqrt(u * u + m * (1 - e * e) * k.nn * stop * stop);
+    return std::clamp(j, (-u - root) / m, (-u + root) / m);
+}
+
+/// Impact at one point. Bodies that can only rotate give way along one line, so K is singular:
+/// friction stops nothing that the normal impulse does not stop.
+void hitPoint(const Impact& hit, std::size_t i) {
+    const Vec2 n = hit.normal();
+    const Vec2 t = hit.tangent();
+    const Vec2 v = hit.relativeVelocity(i);
+    const Response k{response(hit, i, n, i, n), response(hit, i, n, i, t),
+                     response(hit, i, t, i, t)};
+    const Material& material = hit.contact.material;
+    const Real stop = -dot(n, v) / k.nn;
+    const bool slides = !hit.frictionless && material.staticFriction > 0;
+    const bool givesWay = k.nn * k.tt - k.nt * k.nt >= kSingular * k.nn * k.tt;
+    const Real frictionImpulse = slides && givesWay ? frictionOf(k, material, stop, dot(t, v)) : 0;
+    hit.push(i, (1 + material.restitution) * stop - k.nt / k.nn * frictionImpulse, frictionImpulse);
+}
+
+/// Friction at a point that has just received the normal impulse jn (N s).
+void applyFriction(const Impact& hit, std::size_t i, Real jn) {
+    const Vec2 t = hit.tangent();
+    const Real k = response(hit, i, t, i, t);
+    if (!(k > 0)) {
+        return; // neither body gives way along the tangent
+    }
+    const Real stick = -dot(t, hit.relativeVelocity(i)) / k;
+    const Material& material = hit.contact.material;
+    const Real limit = material.kineticFriction * jn;
+    const bool sticks = std::abs(stick) <= material.staticFriction * jn;
+    hit.push(i, 0, sticks ? stick : std::clamp(stick, -limit, limit));
+}
+
+void applyFrictionToBoth(const Impact& hit, Real j1, Real j2) {
+    if (!hit.frictionless && hit.contact.material.staticFriction > 0) {
+        applyFriction(hit, 0, j1);
+        applyFriction(hit, 1, j2);
+    }
+}
+
+/// Impact at both points at once, so that a box that lands flat rebounds flat. False if one impulse
+/// would be negative or far too large; the points are then solved singly.
+bool hitBoth(const Impact& hit) {
+    const Vec2 n = hit.normal();
+    const Real k11 = response(hit, 0, n, 0, n);
+    const Real k22 = response(hit, 1, n, 1, n);
+    const Real k12 = response(hit, 0, n, 1, n);
+    const Real gain = -(1 + hit.contact.material.restitution);
+    const Real w1 = gain * dot(n, hit.relativeVelocity(0));
+    const Real w2 = gain * dot(n, hit.relativeVelocity(1));
+    const Real determinant = k11 * k22 - k12 * k12;
+    if (determinant < kSingular * k11 * k22) {
+        // The bodies mostly rotate, and give way more at one point than at the other.
+        if (k12 < Real(0.9) * std::max(k11, k22)) {
+            return false;
+        }
+        // The bodies cannot rotate: both points act as one.
+        const Real half = w1 / (2 * k11);
+        hit.push(0, half, 0);
+        hit.push(1, half, 0);
+        applyFrictionToBoth(hit, half, half);
+        return true;
+    }
+    if (k12 < 0 && determinant * kHardest < k11 * k22) {
+        return false; // pinched: giving way at one point presses on the other
+    }
+    const Real j1 = (k22 * w1 - k12 * w2) / determinant;
+    const Real j2 = (k11 * w2 - k12 * w1) / determinant;
+    if (j1 < 0 || j2 < 0) {
+        return false;
+    }
+    hit.push(0, j1, 0);
+    hit.push(1, j2, 0);
+    applyFrictionToBoth(hit, j1, j2);
+    return true;
+}
+
+/// Approach speed (m/s) at point i if it is an impact, else 0.
+Real approach(const Impact& hit, std::size_t i, Real restSpeed) {
+    const Real speed = -dot(hit.normal(), hit.relativeVelocity(i));
+    return speed > restSpeed ? speed : 0;
+}
+
+/// True if an impact impulse was applied.
+bool hitContact(const Impact& hit, const Tolerances& tolerances, Real restSpeed) {
+    Real speed[2] = {0, 0};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(hit.contact.manifold.count); ++i) {
+        if (hit.point(i).separation <= tolerances.slop && !hit.blocked(i)) {
+            speed[i] = approach(hit, i, restSpeed);
+        }
+    }
+    if (speed[0] == 0 && speed[1] == 0) {
+        return false;
+    }
+    if (speed[0] > 0 && speed[1] > 0 && hitBoth(hit)) {
+        return true;
+    }
+    hitPoint(hit, speed[0] >= speed[1] ? 0 : 1);
+    return true;
+}
+
+/// True if the contact touches and approaches, so that solveImpact() may act. It reads the
+/// separations of the summary, so that a resident contact stays resident.
+bool approaches(const Impact& hit, const ContactSummary& summary, Real slop, Real restSpeed) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(hit.contact.manifold.count); ++i) {
+        if (summary.separation[i] <= slop && approach(hit, i, restSpeed) > 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+constexpr std::size_t kContactsPerPiece = 512;
+constexpr Real kNearly = Real(0.999); // margin for rounding
+
+Real accelerationSquared(const Bodies& bodies, std::uint32_t bodyA, std::uint32_t bodyB) {
+    return std::max(lengthSquared(bodies.acceleration[bodyA].linear),
+                    lengthSquared(bodies.acceleration[bodyB].linear));
+}
+
+/// Speed (m/s) that forces alone cause within the step.
+Real restSpeedOf(const Bodies& bodies, const Contact& contact, Real dt) {
+    return dt * std::sqrt(accelerationSquared(bodies, contact.key.bodyA, contact.key.bodyB));
+}
+
+/// True if the measured approach is faster than that, up to rounding; solveImpact() decides
+/// exactly.
+bool isFast(const Bodies& bodies, const ContactSummary& summary, Real dt) {
+    const Real speed = summary.approachSpeed;
+    return speed > 0 &&
+           speed * speed >
+               kNearly * (dt * dt) * accelerationSquared(bodies, summary.bodyA, summary.bodyB);
+}
+
+/// Number of contacts from the first that was measured as fast to the end; 0 in a pile.
+template <typename WasFast>
+std::size_t countFromFirst(std::span<const std::uint32_t> live,
+                           std::span<const ContactSummary> summaries, WorkerTeam& team,
+                           WasFast wasFast) {
+    std::size_t left = 0;
+    team.forEach(live.size(), kContactsPerPiece, [&](std::size_t first, std::size_t last) {
+        while (first < last && !wasFast(summaries[live[first]])) {
+            ++first;
+        }
+        if (first < last) {
+            WorkerTeam::raise(left, live.size() - first);
+        }
+    });
+    return left;
+}
+
+} // namespace
+
+bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,
+                 const Tolerances& tolerances, Real dt) {
+    if (!contact.responds()) {
+        return false;
+    }
+    const Impact hit{bodies, contact, bodies.motion[contact.key.bodyA],
+                     bodies.motion[contact.key.bodyB], !settings.has(Feature::Friction)};
+    // A body that can only rotate, pinched between moving walls, would get ever larger impulses.
+    const bool hinged = hit.a.invMass == 0 && hit.b.invMass == 0;
+    if (hinged && contact.impulse[0].impact + contact.impulse[1].impact > 0) {
+        return false;
+    }
+    return hitContact(hit, tolerances, restSpeedOf(bodies, contact, dt));
+}
+
+void ImpactSolver::solve(Bodies& bodies, ContactSet& contactSet, const ContactBlocks& blocks,
+                         const Step& step) {
+    const StepSettings& settings = step.settings;
+    const Tolerances& tolerances = step.tolerances;
+    const Real dt = step.dt;
+    if (!settings.has(Feature::Restitution) || !(contactSet.fastestApproach() > 0)) {
+        return;
+    }
+    // Forces alone cause this speed on every body within the step, so slower contacts have no
+    // impact. Within rounding, solveImpact() decides.
+    const Real restSpeed = kNearly * dt * std::sqrt(bodies.loads.weakest);
+    if (!(contactSet.fastestApproach() > restSpeed)) {
+        return;
+    }
+    const std::span<Contact> contacts = contactSet.contacts();
+    const std::span<const std::uint32_t> live = contactSet.live();
+    const std::span<const ContactSummary> summaries = contactSet.summaries();
+    const auto wasFast = [&](const ContactSummary& summary) {
+        return summary.approachSpeed > restSpeed && isFast(bodies, summary, dt);
+    };
+    const std::size_t left = countFromFirst(live, summaries, step.team, wasFast);
+    if (left == 0) {
+        return;
+    }
+    wasHit_.assign(bodies.size(), 0);
+    bool any = true;
+    const int passes = std::get<SoftSettings>(settings.solver).impactPasses;
+    for (int pass = 0; pass < passes && any; ++pass) {
+        any = false;
+        for (const std::uint32_t place : pass == 0 ? live.last(left) : live) {
+            const ContactSummary& summary = summaries[place];
+            std::uint8_t& wasHitA = wasHit_[summary.bodyA];
+            std::uint8_t& wasHitB = wasHit_[summary.bodyB];
+            if (pass > 0 && !summary.bounces) {
+                continue; // solved once without restitution; the contact solver follows
+            }
+            const bool asMeasured = pass == 0 && (wasHitA | wasHitB) == 0;
+            if (asMeasured && !wasFast(summary)) {
+                continue;
+            }
+            Contact& contact = contacts[place];
+            const Impact hit{bodies, contact, bodies.motion[summary.bodyA],
+                             bodies.motion[summary.bodyB], !settings.has(Feature::Friction)};
+            if (!approaches(hit, summary, tolerances.slop, restSpeedOf(bodies, contact, dt))) {
+                continue;
+            }
+            blocks.evict(contact, bodies);
+            contactSet.noteRow(place);
+            if (solveImpact(bodies, contact, settings, tolerances, dt)) {
+                wasHitA = bodies.locked(summary.bodyA) ? 0 : 1;
+                wasHitB = bodies.locked(summary.bodyB) ? 0 : 1;
+                any = true;
+            }
+        }
+    }
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

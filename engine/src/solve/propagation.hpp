@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/settings.hpp>
+
+#include "bodies/integrate.hpp"
+#include "joints/joint_set.hpp"
+#include "solve/prediction.hpp"
+#include "solve/propagation_row.hpp"
+#include "solve/shock_levels.hpp"
+
+#include <span>
+#include <vector>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// The solver of the thesis, in its order of processing [Thesis06, 4.2.2.1; Guendelman03]:
+///
+///   1. Collisions are found at the predicted poses after the step.
+///   2. They are solved with restitution and the velocities before the step. Bodies at rest have no
+///      velocity then and do not bounce.
+///   3. Forces change the velocities. Contacts are solved with a restitution that rises from -1 (no
+///      change) to 0 (no approach).
+///   4. Optional shock propagation does the same level by level, from the ground up, with all lower
+///      bodies frozen.
+///   5. Overlaps are separated, and poses change by the new velocities.
+///
+/// Each substep is processed like that. Every pass visits each contact once, in a StrideOrder of
+/// its own. The groups of a CollisionRecord are the impacts and the contacts of each substep.
+///
+/// Differences from the thesis: The normal impulses of all passes bound the friction. Separation
+/// works like impulses, so heavy bodies move less and locked bodies not at all. A contact may close
+/// its gap before it stops its bodies. Levels come from the contact graph. Frozen bodies keep their
+/// velocity, so bodies on a moving platform move along.
+///
+/// Limit of frozen bodies: a leaning pile under shock propagation does not tip over as a whole
+/// while each single body is stable.
+class Propagation {
+public:
+    struct Step {
+        const StepSettings& settings;
+        const Tolerances& tolerances;
+        Real dt;             // s
+        std::uint64_t count; // steps of the World so far; numbers the passes
+
+        const PropagationSettings& own() const {
+            return std::get<PropagationSettings>(settings.solver);
+        }
+    };
+
+    /// Needs fresh manifolds at the start poses. Leaves them with the separations before the last
+    /// substep, and with impulses. Bodies get their displacements.
+    void solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints, const Step& step);
+
+    /// Visits of contacts by passes in the last step: a measure of its cost.
+    std::size_t visits() const { return visits_; }
+
+private:
+    void predict(const Bodies& bodies, std::span<Contact> contacts, const Prediction& prediction);
+    void resolveCollisions(Bodies& bodies, std::span<Contact> contacts, const Step& step, Real h);
+    void makeRows(const Bodies& bodies, std::span<Contact> contacts, const Step& step);
+    void resolveContacts(Bodies& bodies, JointSet& joints, const JointPass& pass,
+                         const PropagationSettings& settings);
+    void findLevels(const Bodies& bodies);
+    void sortByLevel(std::uint32_t highest);
+    void propagateShock(Bodies& bodies, const PropagationSettings& settings, Real invH);
+    void separate(Bodies& bodies, const Step& step, Real h);
+    void markExposure(const Bodies& bodies, const JointSet& joints, Real h, Real slop);
+    void store(std::span<Contact> contacts);
+
+    template <typename Visit>
+    void forEachRow(Visit visit);
+    template <typename Visit>
+    void forEachLevel(int passes, Visit visit);
+
+    std::vector<PropagationRow> rows_;
+    std::vector<std::array<Real, 2>> gaps_; // by contact: m, at the start of the substep
+    std::vector<std::uint32_t> struck_;     // contacts that are tested for impacts
+    std::vector<SeparationShift> parting_;  // by body
+    std::vector<ContactExposure> exposure_; // by body
+    std::vector<std::uint32_t> node_;       // by body: its node in the contact graph
+    std::vector<std::uint32_t> immovable_;  // nodes
+    std::vector<SupportEdge> supports_;     // between nodes
+    std::vector<std::uint32_t> levelOf_;    // by body, for bodies with rows
+    std::vector<std::uint32_t> levelStart_; // by level: its first row in byLevel_
+    std::vector<std::uint32_t> byLevel_;    // rows, from level 1 up
+    ShockLevels levels_;
+    std::uint64_t pass_ = 0; // number of the current pass; follows from Step::count
+    std::size_t visits_ = 0;
+};
+
+} // namespace KODO_PRECISION
+} // namespace kodo

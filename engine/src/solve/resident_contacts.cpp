@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Residency of contacts in ContactBlocks across steps, and their write-back.
+#include "solve/contact_block_lanes.hpp"
+#include "solve/contact_blocks.hpp"
+
+#include <utility>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+void ContactBlocks::noteTouching(Real slop, WorkerTeam& team) {
+    touching_.resize(taken_.size() + 1); // the last entry is false
+    touching_.back() = 0;
+    team.forEach(inUse_.size(), kBlocksPerPiece, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) {
+            const ContactBlock& block = blocks_[inUse_[k]];
+            std::uint8_t* const touching =
+                &touching_[inUse_[k] * std::size_t{ContactBlock::kContacts}];
+            const auto touches = [&](const ContactBlock::Point& point, std::size_t lane) {
+                return point.separation[lane] <= slop || point.largest[lane] > 0;
+            };
+            const bool two = use_[inUse_[k]].twoPoints;
+            for (std::size_t lane = 0; lane < ContactBlock::kContacts; ++lane) {
+                touching[lane] =
+                    touches(block.points[0], lane) || (two && touches(block.points[1], lane));
+            }
+        }
+    });
+}
+
+void ContactBlocks::carry(Bodies& bodies, WorkerTeam& team) {
+    if (!anyResident_) {
+        return;
+    }
+    team.forEach(inUse_.size(), kBlocksPerPiece, [&](std::size_t first, std::size_t last) {
+        ContactPasses::best().carry({blocks_.data(), carried_.data(), use_.data(),
+                                     inUse_.data() + first, last - first, bodies.motion.data(),
+                                     bodies.extent.data(), areFar()});
+    });
+}
+
+/// From now on the lane holds all state of the contact that changes from step to step.
+void ContactBlocks::makeResident(Contact& contact) {
+    const std::uint32_t row = contact.row.index;
+    ContactBlock& block = blocks_[blockOf(row)];
+    carried_[row] = {separationsOf(contact.manifold), contact.approachSpeed,
+                     contact.relativeDisplacement};
+    for (std::size_t i = 0; i < carried_[row].separation.size(); ++i) {
+        block.points[i].separation[laneOf(row)] = carried_[row].separation[i];
+    }
+    contact.row.resident = true;
+}
+
+void ContactBlocks::evict(Contact& contact, const Bodies& bodies) const {
+    if (!std::exchange(contact.row.resident, false)) {
+        return;
+    }
+    const Carried& carried = carried_[contact.row.index];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        contact.manifold.points[i].separation = carried.separation[i];
+    }
+    contact.approachSpeed = carried.approachSpeed;
+    contact.relativeDisplacement = carried.relativeDisplacement;
+    contact.centerA = bodies.start[contact.key.bodyA];
+    const std::size_t block = blockOf(contact.row.index);
+    const std::size_t lane = laneOf(contact.row.index);
+    readImpulses(blocks_[block], lane, contact, parts_);
+    const std::int32_t rolling = use_[block].rolling;
+    contact.rolling =
+        rolling < 0 ? Real(0) : parts_ * rolling_[static_cast<std::size_t>(rolling)].impulse[lane];
+}
+
+void ContactBlocks::evictAll(std::span<Contact> contacts, const Bodies& bodies) {
+    if (std::exchange(anyResident_, false)) {
+        for (Contact& contact : contacts) {
+            evict(contact, bodies);
+        }
+    }
+}
+
+void ContactBlocks::writeBack(Contact& contact, const Bodies& bodies) const {
+    if (contact.row.resident) {
+        evict(contact, bodies);
+        const std::uint32_t row = contact.row.index;
+        readImpactImpulses(blocks_[blockOf(row)], laneOf(row), contact, parts_);
+    }
+}
+
+void ContactBlocks::writeBackAll(std::span<Contact> contacts, const Bodies& bodies) {
+    if (std::exchange(anyResident_, false)) {
+        for (Contact& contact : contacts) {
+            writeBack(contact, bodies);
+        }
+    }
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bodies/bodies.hpp"
+#include "math/softness.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// Eight revolute joints as a structure of arrays. No two of them move the same body, so SIMD lanes
+/// solve them at once. In an empty lane both bodies are Bodies::spare(), and arms and masses are
+/// zero.
+struct alignas(64) RevoluteBlock {
+    static constexpr int kPins = 8;
+    using Each = Real[kPins];
+    struct Both {
+        Each x;
+        Each y;
+    };
+
+    std::uint32_t a[kPins]; // see velocityOffset
+    std::uint32_t b[kPins];
+    Both startA; // m, from a's centre of mass to its anchor at the start of the step
+    Both startB;
+    Both between;  // m, from a's centre of mass to b's at the start of the step
+    Each mass;     // 1/kg, sum of both bodies
+    Each inertiaA; // 1/(kg m^2)
+    Each inertiaB;
+    Both armA; // m, at the last turn(), like the members down to massYY
+    Both armB;
+    Both gap;    // m, anchor b minus anchor a
+    Each massXX; // kg, K^-1, see PointConstraint::stopping
+    Each massXY;
+    Each massYY;
+    Both impulse; // N s, of the substep
+    Both total;   // N s, over the step
+};
+
+/// Lane masks: body a, or b, is not locked.
+struct RevoluteUse {
+    std::uint8_t movesA = 0;
+    std::uint8_t movesB = 0;
+};
+
+/// One pass over `count` blocks in order. `motion` is indexed by body.
+struct RevolutePassArguments {
+    RevoluteBlock* blocks;
+    const RevoluteUse* use;
+    std::size_t count;
+    BodyVelocity* motion;
+    Real h; // s, of a substep
+    Softness soft;
+};
+
+/// The passes compiled for one instruction set. All instruction sets give bit-identical results.
+struct RevolutePasses {
+    using Pass = void (*)(const RevolutePassArguments&);
+
+    const char* name; // for tests
+    Pass turn;        // updates arms, gaps and masses after displacements
+    Pass warmStart;   // applies the accumulated impulses
+    Pass solve;       // biased: closes gaps as soft constraints
+    Pass relax;       // without bias; adds up the impulses of the step
+
+    static const RevolutePasses& baseline();
+    /// nullptr if the build or the machine lacks AVX2.
+    static const RevolutePasses* avx2();
+    /// The fastest passes that the machine supports.
+    static const RevolutePasses& best();
+};
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: MIT
+#include "solve/sleep_system.hpp"
+
+#include "collide/time_of_impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+constexpr std::uint32_t kNoIsland = SleepState::kNoIsland;
+
+// Speed that contacts and rounding cause on a body at rest, as a fraction of the speed that its
+// forces would cause in a step.
+constexpr Real kNoise = Real(1) / 2048;
+
+Real kineticEnergy(const BodyVelocity& motion, const Mass& mass) {
+    const Real w = motion.angularVelocity;
+    return (mass.mass * lengthSquared(motion.velocity) + mass.inertia * w * w) / 2;
+}
+
+/// Kinetic energy (J) that the forces give a body within dt from rest.
+Real energyOfForces(const Acceleration& acceleration, const Mass& mass, Real dt) {
+    const Real v = dt * acceleration.effort;
+    const Real w = dt * acceleration.angular;
+    return (mass.mass * v * v + mass.inertia * w * w) / 2;
+}
+
+/// Inserts a contact into those of an island, in the order of keys. An existing contact of that key
+/// dates from before a neighbour woke, and is replaced. True if inserted.
+bool keep(std::vector<Contact>& held, const Contact& contact) {
+    const auto place =
+        std::lower_bound(held.begin(), held.end(), contact,
+                         [](const Contact& a, const Contact& b) { return a.key < b.key; });
+    if (place != held.end() && place->key == contact.key) {
+        *place = contact;
+        return false;
+    }
+    held.insert(place, contact);
+    return true;
+}
+
+/// True if any point of the body has moved by more than `distance` (m) from `since`.
+bool hasCrept(const Transform& pose, const Transform& since, Real reach, Real distance) {
+    const Rot turn = pose.rotation * since.rotation.inverse();
+    const Real moved = lengthSquared(pose.position - since.position);
+    const Real turned = reach * reach * turn.s * turn.s;
+    return moved + turned > distance * distance || turn.c < 0;
+}
+
+void startCounting(SleepState& rest, const Transform& pose) {
+    const std::uint32_t island = rest.island;
+    rest = {};
+    rest.island = island;
+    rest.since = pose;
+}
+
+} // namespace
+
+/// Counts a contact that an island gained or lost.
+void SleepSystem::countIslandContact(const Contact& contact, bool leans) {
+    for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
+        if (body >= islandContacts_.size()) {
+            islandContacts_.resize(body + std::size_t{1}, 0);
+        }
+        if (leans) {
+            ++islandContacts_[body];
+        } else {
+            --islandContacts_[body];
+        }
+    }
+}
+
+void SleepSystem::wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t island) {
+    Island& woken = islands_[island];
+    --sleepingIslands_;
+    for (const std::uint32_t body : woken.bodies) {
+        bodies.filter[body].flags &= ~kAsleep;
+        bodies.sleep[body] = {};
+        bodies.sleep[body].since = bodies.pose[body];
+        bodies.motion[body].clearDisplacement();
+        bodies.acceleration[body] = {};
+    }
+    contacts.putBack(woken.contacts, bodies);
+    for (const Contact& contact : woken.contacts) {
+        countIslandContact(contact, false);
+    }
+    for (const std::uint32_t body : woken.bodies) {
+        contacts.activityChanged(body);
+    }
+    woken.bodies.clear(); // keeps its capacity for the next island
+    woken.contacts.clear();
+    bodies.awakeStale = true;
+}
+
+void SleepSystem::wake(Bodies& bodies, ContactSet& contacts, std::uint32_t body) {
+    startCounting(bodies.sleep[body], bodies.pose[body]);
+    if (bodies.sleep[body].island != kNoIsland) {
+        wakeIsland(bodies, contacts, bodies.sleep[body].island);
+    }
+}
+
+void SleepSystem::wakeAll(Bodies& bodies, ContactSet& contacts) {
+    for (std::uint32_t island = 0; island < islands_.size(); ++island) {
+        if (!islands_[island].bodies.empty()) {
+            wakeIsland(bodies, contacts, island);
+        }
+    }
+}
+
+void SleepSystem::wakeNeighbours(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
+                                 std::uint32_t body) {
+    wake(bodies, contacts, body);
+    joints.forEach([&](const JointSet::Joint& joint) {
+        const std::uint32_t a = firstBody(joint.def).index;
+        const std::uint32_t b = secondBody(joint.def).index;
+        if (a == body || b == body) {
+            wake(bodies, contacts, a == body ? b : a);
+        }
+    });
+    if (body >= islandContacts_.size()) {
+        return;
+    }
+    for (std::uint32_t island = 0; island < islands_.size() && islandContacts_[body] > 0;
+         ++island) {
+        const std::vector<Contact>& held = islands_[island].contacts;
+        const bool leans = std::any_of(held.begin(), held.end(), [&](const Contact& contact) {
+            return contact.key.bodyA == body || contact.key.bodyB == body;
+        });
+        if (leans) {
+            wakeIsland(bodies, contacts, island);
+        }
+    }
+}
+
+void SleepSystem::wakeTouched(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances) {
+    std::size_t i = 0;
+    while (i < contacts.contacts().size()) {
+        const Contact& contact = contacts.contacts()[i];
+        const Real separation = contacts.summaries()[i++].separation[0];
+        if (!contact.responds() || separation > tolerances.slop) {
+            continue;
+        }
+        for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
+            if (bodies.sleep[body].island != kNoIsland) {
+                wakeIsland(bodies, contacts, bodies.sleep[body].island);
+                i = 0; // the list has grown and is sorted again
+                break;
+            }
+        }
+    }
+}
+
+void SleepSystem::wakeJointed(Bodies& bodies, ContactSet& contacts, const JointSet& joints) {
+    joints.forEachBusy([&](const JointSet::Joint& joint) {
+        const std::uint32_t a = firstBody(joint.def).index;
+        const std::uint32_t b = secondBody(joint.def).index;
+        if (bodies.active(a) && bodies.asleep(b)) {
+            wake(bodies, contacts, b);
+        } else if (bodies.active(b) && bodies.asleep(a)) {
+            wake(bodies, contacts, a);
+        }
+    });
+}
+
+bool SleepSystem::wakeRunOver(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances) {
+    const auto isMovingKinematic = [&](std::uint32_t body) {
+        return bodies.isMovingKinematic(body);
+    };
+    if (std::none_of(bodies.awake.begin(), bodies.awake.end(), isMovingKinematic)) {
+        return false;
+    }
+    members_.clear();
+    for (const Contact& contact : contacts.contacts()) {
+        const auto& [bodyA, partA, bodyB, partB] = contact.key;
+        const std::uint32_t wall = bodies.asleep(bodyA) ? bodyB : bodyA;
+        if (bodies.asleep(bodyA) == bodies.asleep(bodyB) || !bodies.locked(wall) ||
+            contact.sensor || contact.passing) {
+            continue;
+        }
+        const BodyVelocity& motion = bodies.motion[wall];
+        const Real way = length(motion.deltaPosition) +
+                         std::abs(motion.deltaAngle) * bodies.extent[wall].rotationReach;
+        if (way <= std::min(bodies.extent[bodyA].coreRadius, bodies.extent[bodyB].coreRadius) / 2) {
+            continue; // the contact of the next step suffices
+        }
+        const auto pathOf = [&](std::uint32_t body) {
+            return MotionPath{bodies.pose[body], bodies.motion[body].deltaPosition,
+                              bodies.motion[body].deltaAngle};
+        };
+        if (timeOfImpact(bodies.convex(bodyA, partA), pathOf(bodyA), bodies.convex(bodyB, partB),
+                         pathOf(bodyB), tolerances.slop / 64) < 1) {
+            members_.push_back(wall == bodyA ? bodyB : bodyA);
+        }
+    }
+    for (const std::uint32_t body : members_) {
+        wake(bodies, contacts, body);
+    }
+    return !members_.empty();
+}
+
+/// True if any body has been calm for long enough, so that islands must be checked.
+bool SleepSystem::countCalm(Bodies& bodies, const StepSettings& settings,
+                            const Tolerances& tolerances, Real dt) {
+    bool any = false;
+    for (const std::uint32_t body : bodies.awake) {
+        SleepState& rest = bodies.sleep[body];
+        const BodyGeometry& geometry = bodies.geometry(body);
+        const Real energy = kineticEnergy(bodies.motion[body], geometry.mass);
+        const bool calm =
+            (bodies.filter[body].flags & kNeverSleep) == 0 &&
+            energy <= energyOfForces(bodies.acceleration[body], geometry.mass, dt) &&
+            !hasCrept(bodies.pose[body], rest.since, geometry.boundingRadius, tolerances.slop / 4);
+        if (calm) {
+            ++rest.calmSteps;
+            rest.leastEnergy = std::min(rest.leastEnergy, energy);
+        } else {
+            startCounting(rest, bodies.pose[body]);
+        }
+        any = any || rest.calmSteps >= static_cast<std::uint32_t>(settings.sleepSteps);
+    }
+    return any;
+}
+
+/// Counts the points that support each body. A face, a round shape or a joint counts as two or
+/// more. On a single corner a body can only balance.
+void SleepSystem::countSupports(const Bodies& bodies, const ContactSet& contacts,
+                                const JointSet& joints) {
+    supports_.resize(bodies.size());
+    for (const std::uint32_t body : bodies.awake) {
+        supports_[body] = 0;
+    }
+    for (const Contact& contact : contacts.contacts()) {
+        const ContactKey& key = contact.key;
+        if (contact.touching && !contact.sensor) {
+            const bool round = bodies.convex(key.bodyA, key.partA).isRound() ||
+                               bodies.convex(key.bodyB, key.partB).isRound();
+            const auto points = static_cast<std::uint32_t>(round ? 2 : contact.manifold.count);
+            supports_[key.bodyA] += points;
+            supports_[key.bodyB] += points;
+        }
+    }
+    joints.forEachBusy([&](const JointSet::Joint& joint) {
+        supports_[firstBody(joint.def).index] += 2;
+        supports_[secondBody(joint.def).index] += 2;
+    });
+}
+
+/// A body that balances on one corner and is faster than its slowest calm step is tipping over.
+void SleepSystem::restartTipping(Bodies& bodies, Real dt) {
+    for (const std::uint32_t body : bodies.awake) {
+        SleepState& rest = bodies.sleep[body];
+        if (supports_[body] != 1 || rest.calmSteps == 0) {
+            continue;
+        }
+        const Mass& mass = bodies.geometry(body).mass;
+        const Real now = std::sqrt(kineticEnergy(bodies.motion[body], mass));
+        const Real noise = kNoise * std::sqrt(energyOfForces(bodies.acceleration[body], mass, dt));
+        if (now - std::sqrt(rest.leastEnergy) > noise) {
+            startCounting(rest, bodies.pose[body]);
+        }
+    }
+}
+
+void SleepSystem::joinTouching(const Bodies& bodies, const ContactSet& contacts,
+                               const JointSet& joints) {
+    touching_.resize(bodies.size());
+    leastCalm_.resize(bodies.size());
+    for (const std::uint32_t body : bodies.awake) {
+        touching_.makeSet(body);
+    }
+    for (const Contact& contact : contacts.contacts()) {
+        const ContactKey& key = contact.key;
+        if (contact.touching && !contact.sensor && bodies.active(key.bodyA) &&
+            bodies.active(key.bodyB)) {
+            // A kinematic body joins the bodies that it carries, so none of them falls asleep.
+            touching_.join(key.bodyA, key.bodyB);
+        }
+    }
+    joints.forEachBusy([&](const JointSet::Joint& joint) {
+        const std::uint32_t a = firstBody(joint.def).index;
+        const std::uint32_t b = secondBody(joint.def).index;
+        if (bodies.active(a) && bodies.active(b)) {
+            touching_.join(a, b);
+        }
+    });
+    for (const std::uint32_t body : bodies.awake) {
+        leastCalm_[body] = bodies.locked(body) ? 0 : bodies.sleep[body].calmSteps;
+    }
+    for (const std::uint32_t body : bodies.awake) {
+        std::uint32_t& least = leastCalm_[touching_.rootOf(body)];
+        const std::uint32_t own = bodies.locked(body) ? 0 : bodies.sleep[body].calmSteps;
+        least = std::min(least, own);
+    }
+}
+
+void SleepSystem::putToSleep(Bodies& bodies, std::span<const std::uint32_t> members) {
+    std::uint32_t island = 0;
+    while (island < islands_.size() && !islands_[island].bodies.empty()) {
+        ++island;
+    }
+    if (island == islands_.size()) {
+        islands_.emplace_back();
+    }
+    for (const std::uint32_t body : members) {
+        bodies.filter[body].flags |= kAsleep;
+        bodies.sleep[body].island = island;
+        bodies.motion[body].stop();
+    }
+    ++sleepingIslands_;
+    islands_[island].bodies.assign(members.begin(), members.end());
+}
+
+bool SleepSystem::updateSleep(Bodies& bodies, const ContactSet& contacts, const JointSet& joints,
+                              const StepSettings& settings, const Tolerances& tolerances, Real dt) {
+    if (!countCalm(bodies, settings, tolerances, dt)) {
+        return false;
+    }
+    countSupports(bodies, contacts, joints);
+    restartTipping(bodies, dt);
+    joinTouching(bodies, contacts, joints);
+    const auto enough = static_cast<std::uint32_t>(settings.sleepSteps);
+    sleepers_.clear();
+    for (const std::uint32_t body : bodies.awake) {
+        const std::uint32_t root = touching_.rootOf(body);
+        if (leastCalm_[root] >= enough) {
+            sleepers_.emplace_back(root, body);
+        }
+    }
+    return !sleepers_.empty();
+}
+
+void SleepSystem::sleepIslands(Bodies& bodies, ContactSet& contacts) {
+    std::sort(sleepers_.begin(), sleepers_.end()); // total order: bodies are unique
+    members_.clear();
+    for (std::size_t i = 0; i < sleepers_.size(); ++i) {
+        members_.push_back(sleepers_[i].second);
+        if (i + 1 == sleepers_.size() || sleepers_[i + 1].first != sleepers_[i].first) {
+            putToSleep(bodies, members_);
+            members_.clear();
+        }
+    }
+    inactiveContacts_.clear();
+    for (const Contact& contact : contacts.takeIdle(bodies)) {
+        const std::uint32_t a = bodies.sleep[contact.key.bodyA].island;
+        const std::uint32_t island = a != kNoIsland ? a : bodies.sleep[contact.key.bodyB].island;
+        // A contact of a body frozen in this step: neither asleep nor active, its end is still to
+        // be recorded.
+        if (island == kNoIsland) {
+            keep(inactiveContacts_, contact);
+        } else if (keep(islands_[island].contacts, contact)) {
+            countIslandContact(contact, true);
+        }
+    }
+    contacts.putBack(inactiveContacts_, bodies);
+    bodies.awakeStale = true;
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

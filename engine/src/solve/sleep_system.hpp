@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/settings.hpp>
+
+#include "base/disjoint_sets.hpp"
+#include "bodies/bodies.hpp"
+#include "contacts/contact_set.hpp"
+#include "joints/joint_set.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// Puts islands of still bodies to sleep, and wakes them [Thesis06, 5.2].
+///
+/// A body is calm in a step if its kinetic energy is at most what its forces would give it from
+/// rest. So no speed threshold is needed. Forces that cancel out count as well, else no floating
+/// body could fall asleep:
+///
+///   m v^2 + I w^2 <= m (sum |F| / m dt)^2 + I (alpha dt)^2          [after Thesis06, eq. 5]
+///
+/// A calm body must also stay where it was when it became calm. A slowly tipping body (fig. 5.3) is
+/// recognised by its single supporting corner and its increasing speed, however small. Touching
+/// bodies form an island. It falls asleep as a whole, once all its bodies have been calm for
+/// sleepSteps steps. Its bodies and contacts are then not in the lists of a step.
+class SleepSystem {
+public:
+    /// Wakes the islands that an active body touches. Needs fresh manifolds.
+    void wakeTouched(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances);
+    /// Wakes the islands that a joint connects to an active body.
+    void wakeJointed(Bodies& bodies, ContactSet& contacts, const JointSet& joints);
+    /// Wakes the islands that a kinematic body runs into within the step, too fast for contacts.
+    /// Continuous collision then pushes them along. Needs the displacements of the step. True if
+    /// any woke.
+    bool wakeRunOver(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances);
+    /// Counts calm steps. True if islands have been calm for long enough for sleepIslands().
+    bool updateSleep(Bodies& bodies, const ContactSet& contacts, const JointSet& joints,
+                     const StepSettings& settings, const Tolerances& tolerances, Real dt);
+    /// Puts these islands to sleep with their contacts, which must not be resident.
+    void sleepIslands(Bodies& bodies, ContactSet& contacts);
+
+    /// Restarts the calm count of a body, and wakes its island if it is asleep.
+    void wake(Bodies& bodies, ContactSet& contacts, std::uint32_t body);
+    /// Wakes the island of a body and all islands that touch it or share a joint with it. For a
+    /// body that is removed, teleported or changed.
+    void wakeNeighbours(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
+                        std::uint32_t body);
+    void wakeAll(Bodies& bodies, ContactSet& contacts);
+    bool anyAsleep() const { return sleepingIslands_ > 0; }
+
+    /// Visits the contacts of sleeping islands, island by island.
+    template <typename Visit>
+    void forEachContact(Visit visit) const {
+        for (const Island& island : islands_) {
+            for (const Contact& contact : island.contacts) {
+                visit(contact);
+            }
+        }
+    }
+
+private:
+    friend class SnapshotFields;
+
+    struct Island {
+        std::vector<std::uint32_t> bodies; // empty: a free slot
+        std::vector<Contact> contacts;
+    };
+
+    void wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t island);
+    void countIslandContact(const Contact& contact, bool leans);
+    void putToSleep(Bodies& bodies, std::span<const std::uint32_t> members);
+    bool countCalm(Bodies& bodies, const StepSettings& settings, const Tolerances& tolerances,
+                   Real dt);
+    void joinTouching(const Bodies& bodies, const ContactSet& contacts, const JointSet& joints);
+    void countSupports(const Bodies& bodies, const ContactSet& contacts, const JointSet& joints);
+    void restartTipping(Bodies& bodies, Real dt);
+
+    std::vector<Island> islands_;
+    std::size_t sleepingIslands_ = 0;
+    std::vector<std::uint32_t> islandContacts_; // by body: contacts of islands that touch it
+    DisjointSets touching_;                     // islands of the awake bodies
+    std::vector<std::uint32_t> leastCalm_;      // by root: calm steps
+    std::vector<std::uint32_t> supports_;       // by body: points that support it
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> sleepers_; // root and body
+    std::vector<std::uint32_t> members_;                            // of an island, or to be woken
+    std::vector<Contact> inactiveContacts_; // of bodies neither asleep nor active
+};
+
+} // namespace KODO_PRECISION
+} // namespace kodo

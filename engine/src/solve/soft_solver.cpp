@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+#include "solve/soft_solver.hpp"
+
+#include "base/prefetch.hpp"
+#include "bodies/integrate.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+constexpr std::size_t kNewcomersPerPiece = 128;
+constexpr std::size_t kMany = 8; // with a larger part of bodies awake, whole arrays are cleared
+// Largest part of a cycle of contact and joint springs in a substep. With 1/4 for contacts piles
+// shake for long and creep apart; with 1/5 they come to rest.
+constexpr Real kMostCycles = Real(0.21);
+constexpr Real kMostJointCycles = Real(0.25);
+
+/// For a contact that responds: true once its bodies may touch within the step. A contact with
+/// restitution gets no row before it touches: braking would reduce its rebound.
+bool needsRow(const Bodies& bodies, const ContactSummary& summary, bool restitution, Real slop) {
+    // A touch wakes a sleeping body, proximity does not.
+    if (bodies.anySleeping && (bodies.asleep(summary.bodyA) || bodies.asleep(summary.bodyB))) {
+        return false;
+    }
+    return !(summary.bounces && restitution) || summary.separation[0] <= slop;
+}
+
+/// True if the contact is kept, as its summary says.
+[[maybe_unused]] bool isKept(const Contact& contact, const ContactSummary& summary) {
+    return contact.isKept() && contact.row.index == summary.row;
+}
+
+} // namespace
+
+/// Clears the marks of all bodies, then marks those with joints.
+void SoftSolver::clearMarks(const Bodies& bodies, const JointSet& joints) {
+    exposure_.resize(bodies.size());
+    near_.resize(bodies.size());
+    touched_.resize(bodies.size());
+    overlapCount_.resize(bodies.size());
+    anyDeep_ = 0;
+    const bool most = kMany * bodies.awake.size() > bodies.size();
+    if (std::exchange(anyCrowded_, std::uint8_t{0}) != 0 || most) { // inactive bodies too
+        std::fill(overlapCount_.begin(), overlapCount_.end(), std::uint16_t{0});
+    }
+    if (most) {
+        std::fill(near_.begin(), near_.end(), std::uint8_t{0});
+        std::fill(touched_.begin(), touched_.end(), std::uint8_t{0});
+    } else {
+        for (const std::uint32_t body : bodies.awake) {
+            near_[body] = 0;
+            touched_[body] = 0;
+            overlapCount_[body] = 0;
+        }
+    }
+    joints.forEachBusy([&](const JointSet::Joint& joint) {
+        touched_[firstBody(joint.def).index] = 1;
+        touched_[secondBody(joint.def).index] = 1;
+    });
+}
+
+/// Takes a contact for which keep() does not suffice. Contacts that need another lane are added to
+/// `newcomers`.
+void SoftSolver::takeNew(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place,
+                         bool friction, std::vector<std::uint32_t>& newcomers) {
+    Contact& contact = contactSet.contacts()[place];
+    if (!friction) {
+        contact.friction = 0; // from a step with friction
+    }
+    if (blocks_.take(bodies, contact)) {
+        contactSet.noteRow(place);
+    } else {
+        newcomers.push_back(place);
+    }
+}
+
+/// Removes a contact from the solver.
+void SoftSolver::releaseRow(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place) {
+    Contact& contact = contactSet.contacts()[place];
+    blocks_.evict(contact, bodies);
+    contact.row = {};
+    contact.carried = false;
+    contactSet.noteRow(place);
+}
+
+/// Prepares the collection of contacts in a step.
+void SoftSolver::beginCollecting(const Bodies& bodies, ContactSet& contactSet,
+                                 const JointSet& joints, const Step& step) {
+    const std::uint32_t partitions = step.team.partitions();
+    const bool shared = partitions > 1 && blocks_.worthPartitioning();
+    if (blocks_.countReorder() || (shared && blocks_.partitions() != partitions)) {
+        blocks_.rebuildGraph(bodies, contactSet, shared ? partitions : 1);
+    }
+    blocks_.begin(bodies, contactSet.contacts(), step.settings.has(Feature::Friction),
+                  step.settings.has(Feature::RollingResistance));
+    clearMarks(bodies, joints);
+    newcomers_.clear();
+}
+
+/// Collects the contacts for the blocks, and marks bodies that are touched or crowded. A body
+/// inside a heap is separated from many others, and those behind it add to this. Together they must
+/// not exceed the push speed of one contact, or the heap would burst.
+void SoftSolver::collect(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
+                         const Step& step) {
+    const std::span<const std::uint32_t> live = contactSet.live();
+    beginCollecting(bodies, contactSet, joints, step);
+    found_.gather(
+        step.team, live.size(), kNewcomersPerPiece, newcomers_,
+        [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& newcomers) {
+            forPieces(first, last, kNewcomersPerPiece, [&](auto from, auto to) {
+                collectPiece({bodies, contactSet, step}, live.subspan(from, to - from), newcomers);
+            });
+        });
+}
+
+/// First the kept contacts, by their summaries alone, then the others.
+void SoftSolver::collectPiece(const Collecting& run, std::span<const std::uint32_t> places,
+                              std::vector<std::uint32_t>& newcomers) {
+    const Bodies& bodies = run.bodies;
+    ContactSet& contactSet = run.contactSet;
+    const Step& step = run.step;
+    const std::span<Contact> contacts = contactSet.contacts();
+    // local copies, since a byte store may alias the originals
+    const ContactSummary* const summaryOf = contactSet.summaries().data();
+    const bool friction = step.settings.has(Feature::Friction);
+    const bool restitution = step.settings.has(Feature::Restitution);
+    const bool keeps = friction && blocks_.keepsLanes();
+    const Real slop = step.tolerances.slop;
+    PrefetchList<kNewcomersPerPiece> asked;
+    for (const std::uint32_t place : places) {
+        const ContactSummary& summary = summaryOf[place];
+        if (keeps && summary.kept && needsRow(bodies, summary, restitution, slop)) {
+            KODO_ASSERT(isKept(contacts[place], summary));
+            blocks_.keep(summary.row);
+            noteExposure(bodies, summary, slop, step.team);
+        } else if (!keeps || summary.meets || summary.row != ContactRow::kNone) {
+            asked.add(place);
+        }
+    }
+    visitPrefetched<4>(asked.list(), contacts, [&](std::uint32_t place) {
+        if (needsRow(bodies, summaryOf[place], restitution, slop) && contacts[place].responds()) {
+            takeNew(bodies, contactSet, place, friction, newcomers);
+            noteExposure(bodies, summaryOf[place], slop, step.team);
+        } else {
+            releaseRow(bodies, contactSet, place);
+        }
+    });
+}
+
+/// Marks both bodies as touched or near, and notes deep overlaps.
+void SoftSolver::noteExposure(const Bodies& bodies, const ContactSummary& summary, Real slop,
+                              const WorkerTeam& team) {
+    const Real separation = summary.separation[0];
+    std::uint8_t* const marks = separation <= slop ? touched_.data() : near_.data();
+    WorkerTeam::mark(marks[summary.bodyA]);
+    WorkerTeam::mark(marks[summary.bodyB]);
+    if (separation < -4 * slop) {
+        countOverlap(bodies, summary, team);
+    }
+    if (separation < OverlapRelaxation::deepBelow(slop)) {
+        WorkerTeam::mark(anyDeep_);
+    }
+}
+
+/// Counts an overlap beyond four slops for both bodies.
+void SoftSolver::countOverlap(const Bodies& bodies, const ContactSummary& summary,
+                              const WorkerTeam& team) {
+    for (const std::uint32_t body : {summary.bodyA, summary.bodyB}) {
+        if (bodies.locked(body)) {
+            continue;
+        }
+        const auto count = static_cast<std::uint16_t>(team.count(overlapCount_[body]) + 1);
+        if (count > ContactBlocks::kNeighbours) {
+            WorkerTeam::mark(anyCrowded_);
+        }
+    }
+}
+
+/// Lists the bodies of joints that RevoluteBlocks does not solve, each once.
+void SoftSolver::findJointed(const JointSet& joints) {
+    jointed_.clear();
+    joints.forEachOwn([&](const JointSet::Joint& joint) {
+        jointed_.push_back(firstBody(joint.def).index);
+        jointed_.push_back(secondBody(joint.def).index);
+    });
+    std::sort(jointed_.begin(), jointed_.end()); // total order: equal indices are identical
+    jointed_.erase(std::unique(jointed_.begin(), jointed_.end()), jointed_.end());
+    fromJoints_.resize(jointed_.size());
+    beforeJoints_.resize(jointed_.size());
+}
+
+/// True if no contact needs a row; then none has one.
+bool SoftSolver::noneNeedsRow(const Bodies& bodies, ContactSet& contactSet,
+                              const StepSettings& settings, const Tolerances& tolerances) {
+    for (const std::uint32_t place : contactSet.live()) {
+        if (contactSet.contacts()[place].responds() &&
+            needsRow(bodies, contactSet.summaries()[place], settings.has(Feature::Restitution),
+                     tolerances.slop)) {
+            return false;
+        }
+        releaseRow(bodies, contactSet, place);
+    }
+    return true;
+}
+
+/// Moves bodies without contacts and joints over the whole step. So their flight does not depend on
+/// the substeps, not even by rounding. The others are listed in bound_.
+void SoftSolver::moveFree(Bodies& bodies, Real dt) {
+    free_.resize(bodies.awake.size());
+    bound_.resize(bodies.awake.size());
+    std::size_t free = 0;
+    std::size_t bound = 0;
+    for (const std::uint32_t body : bodies.awake) {
+        const ContactExposure near =
+            near_[body] != 0 ? ContactExposure::Near : ContactExposure::Free;
+        const ContactExposure hold = touched_[body] != 0 ? ContactExposure::Touched : near;
+        exposure_[body] = hold;
+        free_[free] = bound_[bound] = body; // only one of the two counts advances
+        free += hold == ContactExposure::Free ? 1 : 0;
+        bound += hold == ContactExposure::Free ? 0 : 1;
+    }
+    free_.resize(free);
+    bound_.resize(bound);
+    moveFreely(bodies, free_, dt);
+}
+
+void SoftSolver::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step) {
+    if (joints.busyCount() == 0 &&
+        noneNeedsRow(bodies, contactSet, step.settings, step.tolerances)) {
+        if (blocks_.size() > 0) {
+            blocks_.releaseAll(bodies);
+        }
+        moveFreely(bodies, bodies.awake, step.dt);
+        visits_ = 0;
+    } else {
+        solveHeld(bodies, contactSet, joints, step);
+    }
+}
+
+/// solve() for a step in which some bodies have contacts or joints.
+void SoftSolver::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joints,
+                           const Step& step) {
+    const auto& [settings, tolerances, dt, team] = step;
+    const SoftSettings& soft = std::get<SoftSettings>(settings.solver);
+    const Real whole = dt / static_cast<Real>(soft.substeps);
+    const int parts = substepParts(bodies, contactSet,
+                                   std::min(soft.contactHertz, kMostCycles / whole), tolerances);
+    const Real h = whole / static_cast<Real>(parts);
+    blocks_.refine(parts, contactSet.contacts(), bodies);
+    collect(bodies, contactSet, joints, step);
+    blocks_.arrange(bodies, contactSet.contacts(), newcomers_,
+                    anyCrowded_ != 0 ? std::span<const std::uint16_t>(overlapCount_)
+                                     : std::span<const std::uint16_t>(),
+                    soft.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit);
+    for (const std::uint32_t place : newcomers_) {
+        contactSet.noteRow(place);
+    }
+    const Real hertz = std::min(soft.contactHertz * static_cast<Real>(parts), kMostCycles / h);
+    const ContactPassArguments pass =
+        blocks_.pass(bodies, {Softness::from(hertz, soft.contactDamping, h),
+                              Softness::from(2 * hertz, soft.contactDamping, h), 1 / h,
+                              settings.has(Feature::Friction), 1});
+    if (anyDeep_ != 0) {
+        overlapRelaxation_.find({pass, blocks_.colours(),
+                                 OverlapRelaxation::deepBelow(tolerances.slop), overlapCount_});
+    } else {
+        overlapRelaxation_.clear();
+    }
+    const Real jointHertz = std::min(soft.jointHertz, kMostJointCycles / h);
+    JointPass jointPass{h, Softness::from(jointHertz, soft.jointDamping, h)};
+    joints.beginStep(bodies);
+    joints.scaleImpulses(1 / static_cast<Real>(parts));
+    revolutes_.begin(bodies, joints);
+    findJointed(joints);
+    moveFree(bodies, dt);
+    const int substeps = parts * soft.substeps;
+    WorkerTeam serial;
+    const bool helped = blocks_.worthPartitioning() && blocks_.partitions() == team.partitions();
+    Substeps run{bodies, joints, pass, jointPass, helped ? team : serial};
+    if (!run.team.alone()) {
+        partitions_.buildGraph(
+            {blocks_, pass, contactSet.contacts(), newcomers_, bound_, bodies.size()}, run.team);
+    }
+    runSubsteps(run, substeps);
+    revolutes_.end(joints);
+    joints.scaleImpulses(static_cast<Real>(parts));
+    blocks_.noteTouching(tolerances.slop, team);
+    visits_ =
+        (2 * blocks_.size() + overlapRelaxation_.visits()) * static_cast<std::size_t>(substeps);
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

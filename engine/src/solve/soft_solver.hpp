@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/settings.hpp>
+
+#include "base/worker_team.hpp"
+#include "bodies/bodies.hpp"
+#include "bodies/integrate.hpp"
+#include "contacts/contact_set.hpp"
+#include "joints/joint_set.hpp"
+#include "solve/block_partitions.hpp"
+#include "solve/contact_blocks.hpp"
+#include "solve/overlap_relaxation.hpp"
+#include "solve/revolute_blocks.hpp"
+
+#include <span>
+#include <vector>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// Contacts and joints in substeps [Catto24]. Each substep integrates the forces and warm starts
+/// with the impulses of the substep before. A biased pass separates overlaps as soft contacts, and
+/// the bodies move. A relax pass without bias then removes the velocity that the bias added; deep
+/// overlaps get more relax passes. Large mass ratios and very large forces divide the substeps
+/// further.
+///
+///   lambda = -m (s v_n + bias) - c lambda_sum,  lambda_sum >= 0;  |friction| <= mu lambda_sum
+///
+/// The sums are clamped, not the increments. So a later pass may take back what an earlier one
+/// overdid, and friction depends neither on restitution nor on the number of passes.
+///
+/// Contact arms are fixed for the step. So the contact impulses of a substep change the velocity of
+/// a body by the same amount in the next one. Warm starting applies that change body by body; only
+/// the first substep sums it over the contacts.
+class SoftSolver {
+public:
+    struct Step {
+        const StepSettings& settings;
+        const Tolerances& tolerances;
+        Real dt; // s
+        WorkerTeam& team;
+    };
+
+    void solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step);
+    /// Visits of contacts in the last step.
+    std::size_t visits() const { return visits_; }
+    /// Storage of the resident contacts.
+    const ContactBlocks& blocks() const { return blocks_; }
+    ContactBlocks& blocks() { return blocks_; }
+
+private:
+    /// Value or change of speeds(). The fourth component, 1/mass, stays constant.
+    struct Velocity {
+        Four speeds{};
+    };
+
+    /// Inputs of all substeps of a step.
+    struct Substeps {
+        Bodies& bodies;
+        JointSet& joints;
+        const ContactPassArguments& pass;
+        JointPass& jointPass;
+        WorkerTeam& team;
+    };
+    /// A part of a substep: a pass over all blocks, or work on all bodies of bound_.
+    struct Phase {
+        ContactPasses::Pass pass = nullptr;
+        PassSettings settings{};
+        void (SoftSolver::*work)(Bodies& bodies, std::span<const std::uint32_t> list,
+                                 Real h) = nullptr;
+        std::uint32_t firstPhase = 0; // number in WorkerTeam::inPhases
+    };
+
+    /// Inputs of collectPiece().
+    struct Collecting {
+        const Bodies& bodies;
+        ContactSet& contactSet;
+        const Step& step;
+    };
+
+    void collect(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
+                 const Step& step);
+    void collectPiece(const Collecting& run, std::span<const std::uint32_t> places,
+                      std::vector<std::uint32_t>& newcomers);
+    void noteExposure(const Bodies& bodies, const ContactSummary& summary, Real slop,
+                      const WorkerTeam& team);
+    void clearMarks(const Bodies& bodies, const JointSet& joints);
+    void beginCollecting(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
+                         const Step& step);
+    void takeNew(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place, bool friction,
+                 std::vector<std::uint32_t>& newcomers);
+    void releaseRow(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place);
+    void countOverlap(const Bodies& bodies, const ContactSummary& summary, const WorkerTeam& team);
+    static int substepParts(const Bodies& bodies, ContactSet& contactSet, Real hertz,
+                            const Tolerances& tolerances);
+    void findJointed(const JointSet& joints);
+    void solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step);
+    bool noneNeedsRow(const Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,
+                      const Tolerances& tolerances);
+    void moveFree(Bodies& bodies, Real dt);
+    template <typename Pass>
+    void passJoints(Substeps& run, Pass pass);
+    void runSubsteps(Substeps& run, int substeps);
+    void runSubstep(Substeps& run, bool first);
+    void relaxDeepOverlaps(Substeps& run);
+    void beginVelocities(Bodies& bodies, std::span<const std::uint32_t> list, Real h);
+    void nextVelocities(Bodies& bodies, std::span<const std::uint32_t> list, Real h);
+    void move(Bodies& bodies, std::span<const std::uint32_t> list, Real h);
+    void addPhase(Substeps& run, const Phase& phase);
+    void runPhases(Substeps& run);
+
+    ContactBlocks blocks_;
+    BlockPartitions partitions_;
+    RevoluteBlocks revolutes_;
+    std::vector<Phase> phases_;            // queued for the worker team
+    std::vector<std::uint32_t> newcomers_; // indices of contacts that need a lane
+    ParallelCollector<std::uint32_t> found_;
+    std::vector<ContactExposure> exposure_; // by body
+    std::vector<std::uint8_t> near_;        // by body: marks that determine exposure_
+    std::vector<std::uint8_t> touched_;
+    std::vector<std::uint16_t> overlapCount_; // by body: number of overlaps beyond four slops
+    std::uint8_t anyCrowded_ = 0;             // some body has too many of these
+    std::uint8_t anyDeep_ = 0;                // some overlap needs OverlapRelaxation
+    OverlapRelaxation overlapRelaxation_;
+    std::size_t visits_ = 0;
+    std::vector<Velocity> before_;     // by body: with the forces of the substep, without contacts
+    std::vector<std::uint32_t> free_;  // bodies without contacts and joints in this step
+    std::vector<std::uint32_t> bound_; // the other awake bodies
+    std::vector<std::uint32_t> jointed_; // bodies in order; index the next two
+    std::vector<Velocity> fromJoints_;   // velocity change in this substep
+    std::vector<Velocity> beforeJoints_; // velocity before a pass over the joints
+};
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "base/checks.hpp"
+#include "bodies/body_checks.hpp"
+#include "world/world_impl.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+void refuseIfStatic(const BodyView& body, bool moves) {
+    if (moves && body.type() == BodyType::Static) {
+        refuse(Problem{"velocity", "must be zero for a static body: make it Kinematic"});
+    }
+}
+
+} // namespace
+
+BodyRef::BodyRef(WorldImpl& world, BodyId id) : BodyView(world.bodies_, id), world_(&world) {}
+
+void BodyRef::setPosition(Vec2 position) {
+    const std::uint32_t body = index();
+    Bodies& bodies = world_->bodies_;
+    refuse(checkPosition("position", position, world_->tolerances_.unit()));
+    Transform& pose = bodies.pose[body];
+    pose.position = position + pose.rotation * bodies.geometry(body).mass.center;
+    world_->bodyChanged(body);
+}
+
+void BodyRef::setRotation(Rot rotation) {
+    const std::uint32_t body = index();
+    refuse(checkRotation("rotation", rotation));
+    const Vec2 origin = position();
+    refuse(checkPosition("position", origin, world_->tolerances_.unit())); // before any change
+    world_->bodies_.pose[body].rotation = normalize(rotation);
+    setPosition(origin);
+}
+
+void BodyRef::setVelocity(Vec2 velocity) {
+    const std::uint32_t body = index();
+    refuse(checkVelocity("velocity", velocity, world_->tolerances_.unit()));
+    refuseIfStatic(*this, velocity != Vec2{});
+    world_->thaw(body);
+    world_->bodies_.motion[body].velocity = velocity;
+    world_->velocityChanged(body);
+}
+
+void BodyRef::setAngularVelocity(Real radiansPerSecond) {
+    const std::uint32_t body = index();
+    refuse(checkRange("angularVelocity", radiansPerSecond, -kMaxSpeed, kMaxSpeed));
+    refuseIfStatic(*this, radiansPerSecond != 0);
+    world_->thaw(body);
+    world_->bodies_.motion[body].angularVelocity = radiansPerSecond;
+    world_->velocityChanged(body);
+}
+
+void BodyRef::moveTo(Vec2 position, Real dt) {
+    moveTo(position, rotation(), dt);
+}
+
+void BodyRef::moveTo(Vec2 position, Rot rotation, Real dt) {
+    const std::uint32_t body = index();
+    const Real unit = world_->tolerances_.unit();
+    refuse(checkPosition("position", position, unit));
+    refuse(checkRotation("rotation", rotation));
+    refuse(checkRange("dt", dt, kMinTimeStep, kMaxTimeStep));
+    const Vec2 target = position + rotation * world_->bodies_.geometry(body).mass.center;
+    const Vec2 velocity = (target - center()) / dt;
+    const Real spin = (rotation * this->rotation().inverse()).angle() / dt;
+    refuse(checkVelocity("velocity", velocity, unit));
+    refuse(checkRange("angularVelocity", spin, -kMaxSpeed, kMaxSpeed));
+    refuseIfStatic(*this, velocity != Vec2{} || spin != 0);
+    world_->thaw(body);
+    BodyVelocity& motion = world_->bodies_.motion[body];
+    motion.velocity = velocity;
+    motion.angularVelocity = spin;
+    world_->velocityChanged(body);
+}
+
+void BodyRef::applyForce(Vec2 force) {
+    world_->applyForce(index(), {}, force);
+}
+
+void BodyRef::applyForce(Vec2 force, Vec2 point) {
+    refuse(checkPosition("point", point, world_->tolerances_.unit()));
+    world_->applyForce(index(), point - center(), force);
+}
+
+void BodyRef::applyTorque(Real torque) {
+    const std::uint32_t body = index();
+    refuse(std::isfinite(torque) ? std::nullopt
+                                 : std::optional(Problem{"torque", "must be finite"}));
+    addForce(world_->bodies_, body, {}, torque);
+    world_->wake(body);
+}
+
+void BodyRef::applyImpulse(Vec2 impulse) {
+    world_->applyImpulse(index(), {}, impulse);
+}
+
+void BodyRef::applyImpulse(Vec2 impulse, Vec2 point) {
+    refuse(checkPosition("point", point, world_->tolerances_.unit()));
+    world_->applyImpulse(index(), point - center(), impulse);
+}
+
+void BodyRef::setType(BodyType type) {
+    const std::uint32_t body = index();
+    refuse(type <= BodyType::Static
+               ? std::nullopt
+               : std::optional(Problem{"type", "must be one of the enumerators of BodyType"}));
+    for (std::size_t i = 0; i < partCount(); ++i) {
+        refuse(checkPlaneType(part(i).primitive, (flags() & ~kTypeBits) | bitsOf(type)));
+    }
+    world_->bodyChanged(body);
+    Flags& own = world_->bodies_.filter[body].flags; // after bodyChanged, which may wake the body
+    own = (own & ~kTypeBits) | bitsOf(type);
+    if (type == BodyType::Static) {
+        world_->bodies_.motion[body].stop();
+    }
+    refreshDerived(world_->bodies_, body);
+}
+
+void BodyRef::setFlags(Flags flags) {
+    const std::uint32_t body = index();
+    constexpr Flags kKept = kStatusFlags | kTypeBits;
+    const Flags kept = world_->bodies_.filter[body].flags & kKept;
+    for (std::size_t i = 0; i < partCount(); ++i) {
+        refuse(checkPlaneType(part(i).primitive, (flags & ~kKept) | kept));
+    }
+    refuse(checkFlags("flags", flags));
+    world_->bodyChanged(body);
+    Flags& own = world_->bodies_.filter[body].flags; // bodyChanged() may have changed the status
+    own = (flags & ~kKept) | (own & kKept);
+    refreshDerived(world_->bodies_, body);
+}
+
+void BodyRef::setRequired(std::uint16_t required) {
+    const std::uint32_t body = index();
+    world_->bodies_.filter[body].required = required;
+    world_->bodyChanged(body);
+}
+
+void BodyRef::setUserData(std::uint64_t userData) {
+    world_->bodies_.record[index()].userData = userData;
+}
+
+void BodyRef::setMaterial(const Material& material) {
+    const std::uint32_t body = index();
+    refuse(check(material));
+    std::vector<Part> parts = world_->bodies_.geometry(body).parts;
+    for (Part& part : parts) {
+        part.material = material;
+    }
+    setGeometry(world_->bodies_, body, makeGeometry(std::move(parts)));
+    world_->bodyChanged(body);
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

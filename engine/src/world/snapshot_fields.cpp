@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: MIT
+#include "world/snapshot_fields.hpp"
+
+#include "contacts/contact_update.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <tuple>
+#include <typeinfo>
+#include <utility>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+constexpr Real kBeyondEverything = kPlaneExtent * Real(1e9); // m, or m/s
+
+// False for NaN.
+bool bounded(Real value) {
+    return std::abs(value) <= kBeyondEverything;
+}
+bool bounded(Vec2 v) {
+    return bounded(v.x) && bounded(v.y);
+}
+bool bounded(const Octagon& bounds) {
+    bool good = true;
+    for (int i = 0; i < 4; ++i) {
+        good = good && bounded(bounds.lower[i]) && bounded(bounds.upper[i]) &&
+               bounds.lower[i] <= bounds.upper[i];
+    }
+    return good;
+}
+
+std::size_t partCount(const Bodies& bodies) {
+    std::size_t parts = 0;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        parts += bodies.ids.aliveAt(i) ? bodies.geometry(i).parts.size() : 0;
+    }
+    return parts;
+}
+
+enum class FieldKind : std::uint8_t { Own, Gravity, Drag, Wind, Attractor, Buoyancy };
+
+/// By the exact type: a class derived from Drag is a user-defined field.
+FieldKind kindOf(const ForceField& field) {
+    const std::type_info& type = typeid(field);
+    return type == typeid(Gravity)     ? FieldKind::Gravity
+           : type == typeid(Drag)      ? FieldKind::Drag
+           : type == typeid(Wind)      ? FieldKind::Wind
+           : type == typeid(Attractor) ? FieldKind::Attractor
+           : type == typeid(Buoyancy)  ? FieldKind::Buoyancy
+                                       : FieldKind::Own;
+}
+
+} // namespace
+
+std::uint32_t SnapshotFields::lengthOf(std::size_t size) {
+    auto length = static_cast<std::uint32_t>(size);
+    one(length);
+    require(!reads() || length <= stream_.left(), "a list is longer than the remaining bytes");
+    return length;
+}
+
+/// Each body geometry is written once, however many bodies share it.
+void SnapshotFields::geometries(WorldImpl& world) {
+    const auto note = [&](const std::shared_ptr<const BodyGeometry>& geometry) {
+        const auto number = static_cast<std::uint32_t>(geometries_.size() + 1); // 0: none
+        if (geometry && geometryNumbers_.emplace(geometry.get(), number).second) {
+            geometries_.push_back(geometry);
+        }
+    };
+    for (const BodyRecord& record : world.bodies_.record) {
+        note(record.geometry);
+    }
+    note(world.lastGeometry_);
+    geometries_.resize(lengthOf(geometries_.size()));
+    for (std::shared_ptr<const BodyGeometry>& geometry : geometries_) {
+        std::vector<Part> parts = geometry ? geometry->parts : std::vector<Part>{};
+        one(parts);
+        if (!reads()) {
+            continue;
+        }
+        require(!parts.empty(), "a body has no parts");
+        for (const Part& part : parts) {
+            require(checkMoved(part.primitive));
+            require(check(part.material));
+            require(checkRange("density", part.density, kMinDensity, kMaxDensity));
+        }
+        geometry = makeGeometry(std::move(parts));
+        require(geometry->mass.mass >= 0 && geometry->mass.inertia >= 0 &&
+                    bounded(geometry->mass.center) && bounded(geometry->boundingRadius),
+                "the geometry of a body is out of range");
+    }
+}
+
+void SnapshotFields::one(std::shared_ptr<const BodyGeometry>& geometry) {
+    std::uint32_t number = geometry && !reads() ? geometryNumbers_.at(geometry.get()) : 0;
+    one(number);
+    if (reads()) {
+        require(number <= geometries_.size(), "a body refers to unknown geometry");
+        geometry = number > 0 ? geometries_[number - 1] : nullptr;
+    }
+}
+
+void SnapshotFields::one(IdPool& pool) {
+    auto& [generations, free] = pool;
+    all(generations, free);
+    std::vector<bool> seen(generations.size());
+    for (const std::uint32_t index : free) {
+        require(index < generations.size() && generations[index] % 2 == 0 &&
+                    generations[index] != 0 && !seen[index],
+                "the list of free ids is wrong");
+        seen[index] = true;
+    }
+}
+
+void SnapshotFields::one(Bodies& bodies) {
+    auto& [ids, stamp, motion, pose, acceleration, extent, teleportCount, hasTeleported, start,
+           filter, record, parts, rest, forced, awake, thinnest, loads, awakeStale, anySleeping,
+           turns, startStale, accelerationsStale, anyTeleported] = bodies;
+    one(ids);
+    if (reads()) {
+        stamp = 0; // bytes do not store the World of an id
+        const std::size_t count = ids.capacity();
+        motion.resize(count + 1);
+        pose.resize(count);
+        acceleration.resize(count);
+        extent.resize(count + 1);
+        teleportCount.resize(count);
+        hasTeleported.resize(count);
+        filter.resize(count);
+        record.resize(count);
+        parts.resize(count);
+        rest.resize(count);
+    }
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+        one(teleportCount[i]); // kept for the next body in the slot
+        if (ids.aliveAt(i)) {
+            auto& [geometry, userData, force, torque] = record[i];
+            all(geometry, filter[i], userData, force, torque, pose[i], motion[i], acceleration[i],
+                rest[i]);
+            if (reads()) {
+                completeBody(bodies, i);
+            }
+        }
+    }
+    all(awake, awakeStale, thinnest);
+    if (reads()) {
+        checkAwake(bodies);
+        checkThinnest(bodies);
+    }
+}
+
+/// The stored minimum may belong to a body that was removed.
+void SnapshotFields::checkThinnest(const Bodies& bodies) {
+    bool good = bodies.thinnest >= 0;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        good = good && (!bodies.ids.aliveAt(i) || bodies.thinnest <= bodies.extent[i].coreRadius);
+    }
+    require(good, "a core radius is below the stored minimum");
+}
+
+/// Sets the data that follow from geometry and flags.
+void SnapshotFields::completeBody(Bodies& bodies, std::uint32_t body) {
+    const BodyRecord& record = bodies.record[body];
+    require(record.geometry != nullptr, "a body has no geometry");
+    for (const Part& part : record.geometry->parts) {
+        require(checkPlaneType(part.primitive, bodies.filter[body].flags));
+    }
+    const Transform& pose = bodies.pose[body];
+    const BodyVelocity& motion = bodies.motion[body];
+    require(bounded(pose.position) && bounded(motion.velocity) && bounded(motion.angularVelocity) &&
+                bounded(motion.deltaPosition) && bounded(motion.deltaAngle),
+            "the pose or velocity of a body is out of range");
+    require(checkRotation("rotation", pose.rotation));
+    if (record.force != Vec2{} || record.torque != 0) {
+        bodies.forced.push_back(body);
+    }
+    refreshDerived(bodies, body);
+}
+
+void SnapshotFields::checkAwake(const Bodies& bodies) {
+    const char* const sentence = "the list of awake bodies is wrong";
+    require(inOrder(bodies.awake, bodies.size()), sentence);
+    std::size_t next = 0;
+    for (std::uint32_t i = 0; i < bodies.size() && !bodies.awakeStale; ++i) {
+        const bool listed = next < bodies.awake.size() && bodies.awake[next] == i;
+        next += listed ? 1 : 0;
+        const bool alive = bodies.ids.aliveAt(i);
+        require(listed ? alive : !alive || !bodies.active(i), sentence);
+    }
+}
+
+/// A field as the arguments of its constructor, returned by the given functions.
+template <typename Field, typename... Values>
+void SnapshotFields::field(std::shared_ptr<const ForceField>& field,
+                           Values (Field::*... get)() const) {
+    std::tuple<Values...> values;
+    if (!reads()) {
+        const auto& own = static_cast<const Field&>(*field);
+        values = {(own.*get)()...};
+    }
+    std::apply([this](auto&... value) { this->all(value...); }, values);
+    if (reads()) {
+        field = std::apply(
+            [](const auto&... value) { return std::make_shared<const Field>(value...); }, values);
+    }
+}
+
+std::shared_ptr<const ForceField> SnapshotFields::nextOwnField() {
+    require(!ownFields_.empty(),
+            "fewer user-defined force fields were given than the snapshot needs");
+    const std::shared_ptr<const ForceField> field = ownFields_.front();
+    require(field != nullptr, "a given force field is null");
+    ownFields_ = ownFields_.subspan(1);
+    return field;
+}
+
+void SnapshotFields::one(FieldEntry& entry) {
+    auto& [shared, which] = entry;
+    FieldKind kind = shared ? kindOf(*shared) : FieldKind::Own;
+    as<std::uint8_t>(kind);
+    switch (kind) {
+    case FieldKind::Own:
+        shared = reads() ? nextOwnField() : shared;
+        break;
+    case FieldKind::Gravity:
+        field(shared, &Gravity::acceleration);
+        break;
+    case FieldKind::Drag:
+        field(shared, &Drag::law, &Drag::air);
+        break;
+    case FieldKind::Wind:
+        field(shared, &Wind::law, &Wind::velocity, &Wind::region);
+        break;
+    case FieldKind::Attractor:
+        field(shared, &Attractor::law, &Attractor::center, &Attractor::strength,
+              &Attractor::softening);
+        break;
+    case FieldKind::Buoyancy:
+        field(shared, &Buoyancy::fluid, &Buoyancy::surface, &Buoyancy::gravity);
+        break;
+    default:
+        require(false, "the kind of a force field is unknown");
+    }
+    one(which);
+}
+
+void SnapshotFields::completeContact(Contact& contact, const Bodies& bodies) {
+    const auto& [bodyA, partA, bodyB, partB] = contact.key;
+    const auto there = [&](std::uint32_t body, std::uint16_t part) {
+        return body < bodies.size() && bodies.ids.aliveAt(body) &&
+               part < bodies.geometry(body).parts.size();
+    };
+    require(bodyA < bodyB && there(bodyA, partA) && there(bodyB, partB),
+            "a contact refers to bodies or parts that do not exist");
+    describeContact(contact, bodies);
+}
+
+/// Bounds of bodies that do not move date from their last motion. They do not follow from the
+/// bodies, so they are stored.
+void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Tolerances& tolerances) {
+    // The state of the pair finder affects time, not results: it starts fresh.
+    auto& [bounds, pairs, finder, ghostCollisions, contacts, order, newOrder, news, newsFound,
+           holes, added, summaries, live, found, onGround, slots, idle, dropped, changes,
+           hasChanged, stirred, touches, touchChanges, ended, endedInStep, records, recordsDue,
+           apart, fastestApproach, reorderPolicy, stale, pairsStale, contactsChanged, liveStale,
+           anySensors, anyBounces] = set;
+    auto& [parts, firstPart, firstBefore, replaced, convexes, corners, leftOver, tight, grown,
+           changed, isChanged, outgrown] = bounds;
+    set.writeRecords();
+    if (!reads()) {
+        set.applyChanges(bodies, tolerances);
+    }
+    all(contacts, ended, records, tight, grown, changed, reorderPolicy);
+    if (!reads()) {
+        return;
+    }
+    const auto good = [](const Octagon& octagon) { return bounded(octagon); };
+    require(tight.size() == partCount(bodies) && grown.size() == tight.size() &&
+                std::all_of(tight.begin(), tight.end(), good) &&
+                std::all_of(grown.begin(), grown.end(), good),
+            "the bounds do not fit the bodies");
+    std::vector<Octagon> tightAsRead = std::move(tight);
+    std::vector<Octagon> grownAsRead = std::move(grown);
+    const std::vector<std::uint32_t> changedAsRead = std::move(changed);
+    bounds.number(bodies);
+    tight = std::move(tightAsRead);
+    grown = std::move(grownAsRead);
+    for (const std::uint32_t i : changedAsRead) {
+        require(i < tight.size() && isChanged[i] == 0, "the list of changed bounds is wrong");
+        bounds.list(i, changed);
+    }
+    stale = false;
+    pairsStale = false;
+    for (Contact& contact : contacts) {
+        completeContact(contact, bodies);
+    }
+    set.orderContacts();
+    set.countTouches(bodies);
+    const auto before = [&all = contacts](const auto& a, const auto& b) {
+        return all[a.slot].key < all[b.slot].key;
+    };
+    require(std::adjacent_find(order.begin(), order.end(), std::not_fn(before)) == order.end(),
+            "a contact occurs twice");
+}
+
+void SnapshotFields::world(WorldImpl& world) {
+    auto& [settings, tolerances, stepCount, count, bodies, fields, contacts, impacts, softSolver,
+           propagation, contactVisits, continuous, sleep, joints, broken, frozen, region,
+           outsideVelocities, parked, unparked, previousAwake, activityChanges, lastGeometry] =
+        world;
+    softSolver.blocks().writeBackAll(contacts.contacts(), bodies);
+    all(settings, tolerances, stepCount);
+    bodies.turns = settings.has(Feature::Rotation);
+    geometries(world);
+    all(bodies, lastGeometry, fields);
+    require(ownFields_.empty(),
+            "more user-defined force fields were given than the snapshot needs");
+    this->joints(joints, bodies, tolerances.unit());
+    if (reads()) {
+        contacts.setExcludedPairs(joints.excludedPairs());
+    }
+    this->contacts(contacts, bodies, tolerances);
+    this->rest(sleep, bodies);
+    as<std::uint64_t>(contactVisits);
+    all(broken, frozen, region, parked);
+    if (reads()) {
+        for (Contact& contact : parked) {
+            completeContact(contact, bodies);
+            contact.row = {};
+        }
+    }
+    if (region) {
+        require(region->lower.x <= region->upper.x && region->lower.y <= region->upper.y,
+                "the region has its corners swapped");
+    }
+    count = 0;
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+        count += bodies.ids.aliveAt(i) ? 1 : 0;
+    }
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

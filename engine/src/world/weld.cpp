@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "base/checks.hpp"
+#include "bodies/body_checks.hpp"
+#include "world/world_impl.hpp"
+
+#include <string>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+/// Checks whether the parts of both can form one body. `place`: pose of the other shape's frame.
+std::optional<Problem> checkTogether(const BodyGeometry& into, const BodyGeometry& part,
+                                     const Transform& place) {
+    if (into.parts.size() + part.parts.size() > kMaxParts) {
+        return Problem{"part", "must not give the body more than " + std::to_string(kMaxParts) +
+                                   " parts, but they would be " +
+                                   std::to_string(into.parts.size() + part.parts.size())};
+    }
+    Mass added = part.mass;
+    added.center = place * added.center;
+    const Mass sum = combine(into.mass, added);
+    auto problem = sum.mass > 0 ? checkMass(sum) : std::nullopt; // two planes have no mass
+    if (problem) {
+        problem->field = "part";
+        problem->reason = "makes an invalid body: " + problem->reason;
+    }
+    return problem;
+}
+
+} // namespace
+
+std::size_t WorldImpl::weld(BodyId into, BodyId part) {
+    kodo::requireAlive(bodies_, into);
+    kodo::requireAlive(bodies_, part);
+    if (into == part) {
+        throw BadDefinition({"part", "must not be the body that it is welded to"});
+    }
+    for (const Part& added : bodies_.geometry(part.index).parts) {
+        refuse(checkPlaneType(added.primitive, bodies_.filter[into.index].flags));
+    }
+    const Transform frame{bodies_.originOf(into.index), bodies_.pose[into.index].rotation};
+    const Transform other{bodies_.originOf(part.index), bodies_.pose[part.index].rotation};
+    const Transform place = between(frame, other);
+    refuse(checkTogether(bodies_.geometry(into.index), bodies_.geometry(part.index), place));
+    writeBackContacts();
+    wakeNeighbours(into.index);
+    const std::size_t firstPart = bodies_.geometry(into.index).parts.size();
+    joints_.transfer(part, into, place);
+    weldBodies(bodies_, into.index, part.index);
+    placeInRegion(into.index);
+    contacts_.bodyChanged(into.index);
+    remove(part);
+    return firstPart;
+}
+
+std::size_t WorldImpl::weld(BodyId into, const Primitive& shape, const Material& material,
+                            Real density) {
+    kodo::requireAlive(bodies_, into);
+    refuse(check(shape));
+    refuse(check(material));
+    refuse(checkRange("density", density, kMinDensity, kMaxDensity));
+    refuse(checkPlaneType(shape, bodies_.filter[into.index].flags));
+    const Part part{shape, material, density};
+    refuse(checkParts({&part, 1}, tolerances_.unit()));
+    refuse(checkTogether(bodies_.geometry(into.index), *makeGeometry({part}), {}));
+    writeBackContacts();
+    wakeNeighbours(into.index);
+    std::vector<Part> parts = bodies_.geometry(into.index).parts;
+    parts.push_back(part);
+    const Vec2 center = bodies_.pose[into.index].position;
+    setGeometry(bodies_, into.index, makeGeometry(std::move(parts)));
+    BodyVelocity& motion = bodies_.motion[into.index];
+    motion.velocity = velocityAt(motion, bodies_.pose[into.index].position - center);
+    placeInRegion(into.index);
+    contacts_.bodyChanged(into.index);
+    return bodies_.geometry(into.index).parts.size() - 1;
+}
+
+BodyId WorldImpl::unweld(BodyId body, std::size_t part, Flags flags) {
+    kodo::requireAlive(bodies_, body);
+    const std::vector<Part>& parts = bodies_.geometry(body.index).parts;
+    if (part >= parts.size() || parts.size() == 1) {
+        throw BadDefinition({"part", "is " + std::to_string(part) + ", but the body has " +
+                                         std::to_string(parts.size()) +
+                                         " parts, of which one must stay"});
+    }
+    if (needsLock(parts[part].primitive) && (flags & kLockBoth) != kLockBoth) {
+        refuse(Problem{"flags", "must have kLockMove and kLockRotate: a plane has no mass"});
+    }
+    refuse(checkFlags("flags", flags));
+    writeBackContacts();
+    wakeNeighbours(body.index);
+    contacts_.partRemoved(body.index, part);
+    const BodyId freed = unweldPart(bodies_, body.index, part, flags & ~(kStatusFlags | kTypeBits));
+    placeInRegion(body.index);
+    updateRegion(freed.index);
+    contacts_.bodyChanged(freed.index);
+    ++count_;
+    return freed;
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

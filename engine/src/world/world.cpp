@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "world/world_impl.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+World::World(const WorldDef& def) : impl_(std::make_unique<WorldImpl>(def)) {}
+World::World(const World& other) : impl_(std::make_unique<WorldImpl>(other.impl())) {}
+World::World(World&& other) noexcept = default;
+World& World::operator=(const World& other) {
+    if (this == &other) {
+        return *this;
+    }
+    if (impl_) {
+        *impl_ = other.impl(); // in place: handles to bodies of this World stay valid
+    } else {
+        impl_ = std::make_unique<WorldImpl>(other.impl());
+    }
+    return *this;
+}
+World& World::operator=(World&& other) noexcept = default;
+World::~World() = default;
+
+WorldImpl& World::impl() {
+    return const_cast<WorldImpl&>(std::as_const(*this).impl());
+}
+const WorldImpl& World::impl() const {
+    if (!impl_) {
+        throw std::logic_error("this World was moved from");
+    }
+    return *impl_;
+}
+
+BodyId World::add(const BodyDef& def) {
+    return impl().add(def);
+}
+void World::remove(BodyId id) {
+    impl().remove(id);
+}
+BodyId World::clone(BodyId id, Vec2 position) {
+    return impl().clone(id, position);
+}
+bool World::contains(BodyId id) const {
+    return impl().contains(id);
+}
+std::size_t World::bodyCount() const {
+    return impl().bodyCount();
+}
+std::vector<BodyId> World::bodies() const {
+    return impl().bodies();
+}
+BodyRef World::operator[](BodyId id) {
+    return impl()[id];
+}
+BodyView World::operator[](BodyId id) const {
+    return impl()[id];
+}
+std::size_t World::weld(BodyId into, BodyId part) {
+    return impl().weld(into, part);
+}
+std::size_t World::weld(BodyId into, const Primitive& shape, const Material& material,
+                        Real density) {
+    return impl().weld(into, shape, material, density);
+}
+BodyId World::unweld(BodyId body, std::size_t part, Flags flags) {
+    return impl().unweld(body, part, flags);
+}
+
+JointId World::addJoint(const JointDef& def) {
+    return impl().add(def);
+}
+void World::remove(JointId id) {
+    impl().remove(id);
+}
+bool World::contains(JointId id) const {
+    return impl().contains(id);
+}
+const JointDef& World::joint(JointId id) const {
+    return impl().joint(id);
+}
+void World::setJoint(JointId id, const JointDef& def) {
+    impl().setJoint(id, def);
+}
+Vec2 World::jointForce(JointId id) const {
+    return impl().jointForce(id);
+}
+Real World::jointTorque(JointId id) const {
+    return impl().jointTorque(id);
+}
+std::vector<JointId> World::joints() const {
+    return impl().joints();
+}
+std::span<const BrokenJoint> World::brokenJoints() const {
+    return impl().brokenJoints();
+}
+
+void World::addField(FieldEntry entry) {
+    impl().addField(std::move(entry));
+}
+void World::setFields(std::vector<FieldEntry> fields) {
+    impl().setFields(std::move(fields));
+}
+const std::vector<FieldEntry>& World::fields() const {
+    return impl().fields();
+}
+void World::applyForceToAll(Vec2 force, CollisionFilter which) {
+    impl().applyForceToAll(force, which);
+}
+void World::applyTorqueToAll(Real torque, CollisionFilter which) {
+    impl().applyTorqueToAll(torque, which);
+}
+
+void World::step(Real dt, const StepOptions& options) {
+    impl().step(dt, options);
+}
+std::span<const CollisionRecord> World::collisions() const {
+    return impl().collisions();
+}
+std::uint64_t World::stepCount() const {
+    return impl().stepCount();
+}
+void World::setRegion(std::optional<Aabb> region) {
+    impl().setRegion(region);
+}
+const std::optional<Aabb>& World::region() const {
+    return impl().region();
+}
+std::span<const BodyId> World::frozenBodies() const {
+    return impl().frozenBodies();
+}
+const StepSettings& World::settings() const {
+    return impl().settings();
+}
+void World::setSettings(const StepSettings& settings) {
+    impl().setSettings(settings);
+}
+const Tolerances& World::tolerances() const {
+    return impl().tolerances();
+}
+std::uint64_t World::stateHash() const {
+    return impl().stateHash();
+}
+
+StepStats stepStats(const World& world) {
+    return world.impl().stats();
+}
+void setPairSearch(World& world, std::optional<PairSearch> only) {
+    world.impl().setPairSearch(only);
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

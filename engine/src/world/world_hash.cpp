@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/state_hash.hpp>
+
+#include "bodies/body_checks.hpp"
+#include "world/world_impl.hpp"
+
+#include <algorithm>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+std::uint64_t WorldImpl::stateHash() const {
+    StateHash hash;
+    hash.add(stepCount_);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        hash.add(bodies_.ids.generationAt(i));
+        if (!bodies_.ids.aliveAt(i)) {
+            continue;
+        }
+        const BodyVelocity& motion = bodies_.motion[i];
+        const Transform& pose = bodies_.pose[i];
+        const BodyRecord& record = bodies_.record[i];
+        for (const Real value :
+             {pose.position.x, pose.position.y, pose.rotation.c, pose.rotation.s, motion.velocity.x,
+              motion.velocity.y, motion.angularVelocity, motion.invMass, motion.invInertia,
+              record.force.x, record.force.y, record.torque}) {
+            hash.add(value);
+        }
+        hash.add(bodies_.sleep[i].calmSteps);
+        const Flags flags = bodies_.filter[i].flags; // the type counts as its motion locks
+        hash.add((flags & ~kTypeBits) | locksOf(flags));
+        hash.add(bodies_.filter[i].required);
+        hash.add(static_cast<std::uint32_t>(record.geometry->parts.size()));
+    }
+    const auto addContact = [&](const Contact& contact) {
+        if (!contact.wasTouching) {
+            return;
+        }
+        hash.add(contact.key.bodyA);
+        hash.add(contact.key.partA);
+        hash.add(contact.key.bodyB);
+        hash.add(contact.key.partB);
+        for (const Real value : {contact.impulse[0].normal, contact.impulse[1].normal,
+                                 contact.friction, contact.rolling}) {
+            hash.add(value);
+        }
+    };
+    for (const Contact& contact : contacts_.contacts()) {
+        addContact(current(contact));
+    }
+    sleep_.forEachContact(addContact);
+    std::for_each(parked_.begin(), parked_.end(), addContact);
+    joints_.forEach([&](const JointSet::Joint& joint) {
+        hash.add(static_cast<std::uint32_t>(joint.def.index()));
+        hash.add(firstBody(joint.def).index);
+        hash.add(secondBody(joint.def).index);
+        hash.add(joint.point.x);
+        hash.add(joint.point.y);
+        for (const Real impulse : joint.axes) {
+            hash.add(impulse);
+        }
+    });
+    return hash.value();
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: MIT
+#include "world/world_impl.hpp"
+
+#include "base/checks.hpp"
+#include "bodies/body_checks.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <string>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+bool sameParts(const std::vector<Part>& a, const std::vector<Part>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Part& p, const Part& q) {
+        return p.primitive == q.primitive && p.material == q.material && p.density == q.density;
+    });
+}
+
+// Features that may keep bodies at rest: a change wakes all islands.
+constexpr auto kSleepFeatures = static_cast<std::uint8_t>(Feature::Friction) |
+                                static_cast<std::uint8_t>(Feature::RollingResistance) |
+                                static_cast<std::uint8_t>(Feature::Sleep) |
+                                static_cast<std::uint8_t>(Feature::Rotation);
+
+/// Never 0, which matches all Worlds.
+std::uint32_t nextStamp() {
+    static std::atomic<std::uint32_t> last{0};
+    std::uint32_t stamp = 0;
+    while (stamp == 0) {
+        stamp = ++last;
+    }
+    return stamp;
+}
+
+} // namespace
+
+std::optional<Problem> check(const WorldDef& def) {
+    if (auto problem = checkRange("lengthUnit", def.lengthUnit, Real(1e-6), Real(1e6))) {
+        return problem;
+    }
+    if (auto problem = checkVelocity("gravity", def.gravity, def.lengthUnit)) {
+        return problem;
+    }
+    return check(def.settings);
+}
+
+WorldImpl::WorldImpl(const WorldDef& def) : tolerances_() {
+    refuse(check(def));
+    const std::uint32_t stamp = nextStamp();
+    bodies_.stamp = stamp;
+    joints_.setStamp(stamp);
+    settings_ = def.settings;
+    bodies_.turns = settings_.has(Feature::Rotation);
+    tolerances_ = Tolerances::forUnit(def.lengthUnit);
+    if (def.gravity != Vec2{}) {
+        addField({std::make_shared<Gravity>(def.gravity)});
+    }
+}
+
+std::shared_ptr<const BodyGeometry> WorldImpl::geometryFor(const BodyDef& def) {
+    std::vector<Part> parts = partsOf(def);
+    if (!lastGeometry_ || !sameParts(lastGeometry_->parts, parts)) {
+        lastGeometry_ = makeGeometry(std::move(parts));
+    }
+    return lastGeometry_;
+}
+
+BodyId WorldImpl::add(const BodyDef& def) {
+    refuse(check(def, tolerances_.unit()));
+    const BodyId id = addBody(bodies_, def, geometryFor(def));
+    updateRegion(id.index);
+    contacts_.bodyChanged(id.index);
+    ++count_;
+    return id;
+}
+
+/// A copy of a contact with its solver state written back.
+Contact WorldImpl::current(const Contact& contact) const {
+    Contact copy = contact;
+    softSolver_.blocks().writeBack(copy, bodies_);
+    return copy;
+}
+
+std::span<const CollisionRecord> WorldImpl::collisions() const {
+    return contacts_.records([this](const Contact& contact) { return current(contact); });
+}
+
+void WorldImpl::wake(std::uint32_t body) {
+    if (bodies_.sleep[body].island != SleepState::kNoIsland) {
+        writeBackContacts();
+    }
+    sleep_.wake(bodies_, contacts_, body);
+}
+
+void WorldImpl::wakeAll() {
+    writeBackContacts();
+    sleep_.wakeAll(bodies_, contacts_);
+}
+
+/// For a body that is removed, teleported or changed: wakes sleeping bodies that touch it or are
+/// jointed to it.
+void WorldImpl::wakeNeighbours(std::uint32_t body) {
+    if (sleep_.anyAsleep()) {
+        writeBackContacts();
+    }
+    unparkContactsOf(body);
+    sleep_.wakeNeighbours(bodies_, contacts_, joints_, body);
+}
+
+/// For a change of pose, geometry, type or filter: updates contacts, region and touching islands.
+void WorldImpl::bodyChanged(std::uint32_t body) {
+    wakeNeighbours(body);
+    placeInRegion(body);
+    contacts_.bodyChanged(body);
+    bodies_.teleported(body);
+    bodies_.awakeStale = true;
+}
+
+void WorldImpl::velocityChanged(std::uint32_t body) {
+    wake(body);
+    if (!bodies_.locked(body)) {
+        return;
+    }
+    const BodyVelocity& own = bodies_.motion[body];
+    // It was motionless, and may begin to push others.
+    if (own.deltaPosition == Vec2{} && own.deltaAngle == 0) {
+        wakeNeighbours(body);
+        if ((bodies_.filter[body].flags & kOutside) != 0) {
+            parkContacts(); // again, since it stays outside the region
+        }
+    }
+    bodies_.awakeStale = true;
+}
+
+/// Ends the frozen state of a body.
+void WorldImpl::thaw(std::uint32_t body) {
+    Flags& flags = bodies_.filter[body].flags;
+    if ((flags & kFrozen) != 0) {
+        flags &= ~kFrozen;
+        refreshDerived(bodies_, body);
+        bodyChanged(body);
+    }
+}
+
+/// Force in N at the end of an arm (m) from the centre of mass.
+void WorldImpl::applyForce(std::uint32_t body, Vec2 arm, Vec2 force) {
+    refuse(isFinite(force) ? std::nullopt : std::optional(Problem{"force", "must be finite"}));
+    addForce(bodies_, body, force, cross(arm, force));
+    wake(body);
+}
+
+/// Impulse in N s at the end of an arm (m) from the centre of mass.
+void WorldImpl::applyImpulse(std::uint32_t body, Vec2 arm, Vec2 impulse) {
+    refuse(isFinite(impulse) ? std::nullopt : std::optional(Problem{"impulse", "must be finite"}));
+    BodyVelocity after = bodies_.motion[body];
+    kodo::applyImpulse(after, arm, impulse);
+    refuse(checkVelocity("velocity after the impulse", after.velocity, tolerances_.unit()));
+    refuse(checkRange("angularVelocity after the impulse", after.angularVelocity, -kMaxSpeed,
+                      kMaxSpeed));
+    bodies_.motion[body] = after;
+    velocityChanged(body);
+}
+
+void WorldImpl::remove(BodyId id) {
+    kodo::requireAlive(bodies_, id);
+    wakeNeighbours(id.index);
+    contacts_.drop(id.index,
+                   [&](Contact& contact) { softSolver_.blocks().writeBack(contact, bodies_); });
+    joints_.dropBody(id);
+    contacts_.setExcludedPairs(joints_.excludedPairs());
+    removeBody(bodies_, id.index);
+    --count_;
+}
+
+BodyId WorldImpl::clone(BodyId id, Vec2 position) {
+    kodo::requireAlive(bodies_, id);
+    refuse(checkPosition("position", position, tolerances_.unit()));
+    const BodyView source(bodies_, id);
+    BodyDef def;
+    def.position = position;
+    def.rotation = source.rotation();
+    def.velocity = source.velocity();
+    def.angularVelocity = source.angularVelocity();
+    def.type = source.type();
+    def.flags = source.flags();
+    def.required = source.required();
+    def.userData = source.userData();
+    const BodyId copy = addBody(bodies_, def, bodies_.record[id.index].geometry);
+    updateRegion(copy.index);
+    contacts_.bodyChanged(copy.index);
+    ++count_;
+    return copy;
+}
+
+std::vector<BodyId> WorldImpl::bodies() const {
+    std::vector<BodyId> ids;
+    ids.reserve(count_);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        if (bodies_.ids.aliveAt(i)) {
+            ids.push_back(bodies_.idAt(i));
+        }
+    }
+    return ids;
+}
+
+void WorldImpl::requireAlive(JointId id) const {
+    if (!joints_.contains(id)) {
+        throw BadDefinition({"joint", std::to_string(id.index) + " of generation " +
+                                          std::to_string(id.generation) +
+                                          " is not in this World: it was removed, broke, or was "
+                                          "never added"});
+    }
+}
+
+/// Wakes the bodies of a joint and updates the excluded pairs.
+void WorldImpl::jointsChanged(const JointDef& def) {
+    wake(firstBody(def).index);
+    wake(secondBody(def).index);
+    contacts_.setExcludedPairs(joints_.excludedPairs());
+}
+
+JointId WorldImpl::add(const JointDef& def) {
+    refuse(check(def, tolerances_.unit()));
+    kodo::requireAlive(bodies_, firstBody(def));
+    kodo::requireAlive(bodies_, secondBody(def));
+    const JointId id = joints_.add(def);
+    jointsChanged(def);
+    return id;
+}
+
+void WorldImpl::remove(JointId id) {
+    const JointDef def = joint(id);
+    joints_.remove(id);
+    jointsChanged(def);
+}
+
+const JointDef& WorldImpl::joint(JointId id) const {
+    requireAlive(id);
+    return joints_.def(id);
+}
+
+void WorldImpl::setJoint(JointId id, const JointDef& def) {
+    const JointDef& old = joint(id);
+    refuse(check(def, tolerances_.unit()));
+    if (old.index() != def.index() || firstBody(old) != firstBody(def) ||
+        secondBody(old) != secondBody(def)) {
+        throw BadDefinition({"joint", "must keep its kind and its bodies"});
+    }
+    joints_.setDef(id, def);
+    jointsChanged(def);
+}
+
+Vec2 WorldImpl::jointForce(JointId id) const {
+    requireAlive(id);
+    return joints_.force(id);
+}
+
+Real WorldImpl::jointTorque(JointId id) const {
+    requireAlive(id);
+    return joints_.torque(id);
+}
+
+void WorldImpl::addField(FieldEntry entry) {
+    refuse(entry.field ? std::nullopt : std::optional(Problem{"field", "must not be null"}));
+    fields_.push_back(std::move(entry));
+    bodies_.accelerationsStale = true;
+    wakeAll();
+}
+
+void WorldImpl::setFields(std::vector<FieldEntry> fields) {
+    for (const FieldEntry& entry : fields) {
+        refuse(entry.field ? std::nullopt : std::optional(Problem{"field", "must not be null"}));
+    }
+    fields_ = std::move(fields);
+    bodies_.accelerationsStale = true;
+    wakeAll();
+}
+
+void WorldImpl::applyForceToAll(Vec2 force, CollisionFilter which) {
+    for (const BodyId id : bodies()) {
+        if (accepts(which, bodies_.filter[id.index].flags)) {
+            (*this)[id].applyForce(force);
+        }
+    }
+}
+
+void WorldImpl::applyTorqueToAll(Real torque, CollisionFilter which) {
+    for (const BodyId id : bodies()) {
+        if (accepts(which, bodies_.filter[id.index].flags)) {
+            (*this)[id].applyTorque(torque);
+        }
+    }
+}
+
+void WorldImpl::setSettings(const StepSettings& settings) {
+    refuse(check(settings));
+    const auto held = static_cast<std::uint8_t>(settings_.leaveOut ^ settings.leaveOut);
+    if ((held & kSleepFeatures) != 0) {
+        wakeAll();
+    }
+    writeBackContacts();
+    settings_ = settings;
+    if (!settings.has(Feature::Friction)) {
+        softSolver_.blocks().discardLanes();
+        for (Contact& contact : contacts_.contacts()) {
+            contact.friction = 0; // otherwise it would warm start the next step
+        }
+    }
+    if (settings.has(Feature::Rotation) != bodies_.turns) {
+        setTurns(bodies_, settings.has(Feature::Rotation));
+        contacts_.bodiesChanged(); // bodies that can only rotate become immovable or movable
+    }
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include <apart/stage/juice.hpp>
+#include <apart/stage/layout.hpp>
+#include <apart/stage/sound_cues.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apart {
+
+namespace {
+
+constexpr std::uint32_t kPause = 4;                    // ticks, minimum between two notes of one
+                                                       // voice
+constexpr float kSoftest = 0.08f;                      // below this volume a note is dropped
+constexpr std::array<int, 5> kScale = {0, 2, 4, 7, 9}; // semitones
+
+Voice voiceOf(Stuff stuff) {
+    constexpr std::array<Voice, 5> kVoices = {Voice::Glass, Voice::Wood, Voice::Brick, Voice::Stone,
+                                              Voice::Steel};
+    return kVoices[static_cast<std::size_t>(stuff)];
+}
+
+float panOf(kodo::Vec2 point) {
+    return std::clamp(0.7f * point.x / layout::kRight, -0.7f, 0.7f);
+}
+
+Note noteFor(const Struck& hit) {
+    const float volume = weightOf(hit.impulse);
+    switch (hit.what) {
+    case Role::Wall:
+        return {Voice::Wall, 1, 0.55f * volume, panOf(hit.point)};
+    case Role::Paddle:
+        return {Voice::Paddle, 1, 0.8f * volume, panOf(hit.point)};
+    case Role::Block:
+    case Role::Shard:
+        return {voiceOf(hit.stuff), 1, 0.6f * volume, panOf(hit.point)};
+    case Role::Ball:
+        return {Voice::Wall, 2.2f, 0.6f * volume, panOf(hit.point)};
+    case Role::Part:
+        return {Voice::Wood, 1.5f, 0.5f * volume, panOf(hit.point)};
+    case Role::Obstruction:
+        return {Voice::Steel, 0.75f, 0.4f * volume, panOf(hit.point)};
+    }
+    return {Voice::Wall, 1, 0, 0};
+}
+Note noteFor(const Cracked& hit) {
+    return {voiceOf(hit.stuff), 1, 0.8f * weightOf(hit.impulse), panOf(hit.point)};
+}
+Note noteFor(const Broke& hit) {
+    return {voiceOf(hit.stuff), comboPitch(hit.combo), 0.5f + 0.5f * weightOf(hit.impulse),
+            panOf(hit.point)};
+}
+Note noteFor(const Welded& weld) {
+    return {Voice::Weld, 1, 0.8f, panOf(weld.point)};
+}
+Note noteFor(const Stuck& stick) {
+    return {Voice::Stick, 1, 0.6f, panOf(stick.point)};
+}
+Note noteFor(const Launched& launch) {
+    return {Voice::Fire, 1, 0.8f, panOf(launch.point)};
+}
+Note noteFor(const BallSplit& split) {
+    return {Voice::Split, 1, 0.8f, panOf(split.point)};
+}
+Note noteFor(const Served& serve) {
+    return {Voice::Serve, 1, 0.7f, panOf(serve.point)};
+}
+Note noteFor(const BallLost& lost) {
+    return {Voice::BallLost, lost.ballsLeft > 0 ? 1.5f : 1, lost.ballsLeft > 0 ? 0.4f : 0.9f,
+            panOf(lost.point)};
+}
+Note noteFor(const KnockedOff& off) {
+    return {Voice::Wood, 0.7f, 0.8f, panOf(off.point)};
+}
+Note noteFor(const ShardBroke& hit) {
+    return {voiceOf(hit.stuff), 1.6f, 0.4f * weightOf(hit.impulse), panOf(hit.point)};
+}
+Note noteFor(const LetGo& let) {
+    return {Voice::Rumble, let.why == LetGo::Why::BrokeOff ? 0.8f : 1, 0.5f, panOf(let.point)};
+}
+Note noteFor(const Fell& fell) {
+    return {voiceOf(fell.stuff), 0.5f, 0.5f, panOf(fell.point)};
+}
+Note noteFor(const BossDown& down) {
+    return {Voice::Boss, 1, 1, panOf(down.point)};
+}
+Note noteFor(const Bumped& bump) {
+    return {Voice::Bumper, 1, 0.7f, panOf(bump.point)};
+}
+Note noteFor(const PowerBegan& power) {
+    const bool bad = moodOf(power.power) == Mood::Bad;
+    return {bad ? Voice::Bad : Voice::Good, moodOf(power.power) == Mood::Mixed ? 0.84f : 1, 0.8f,
+            panOf(power.point)};
+}
+Note noteFor(const PowerEnded&) {
+    return {Voice::Over, 1, 0.5f, 0};
+}
+Note noteFor(const Leapt& leap) {
+    return {Voice::Bumper, 0.6f, 0.6f, panOf(leap.point)};
+}
+Note noteFor(const ForceChanged& change) {
+    return {change.force == Force::Push ? Voice::Push : Voice::Pull, 1,
+            change.force == Force::None ? 0.0f : 0.45f, 0};
+}
+Note noteFor(const ShardCaught& shard) {
+    return {Voice::Gulp, 1 + 0.8f * shard.meter, 0.35f, panOf(shard.point)};
+}
+Note noteFor(const PatienceChanged& change) {
+    const auto stage = static_cast<float>(change.patience);
+    return {Voice::Rumble, 0.6f + 0.15f * stage, change.patience == Patience::Calm ? 0.0f : 0.4f,
+            0};
+}
+Note noteFor(const Lost&) {
+    return {Voice::GameOver, 1, 1, 0};
+}
+template <typename Other>
+Note noteFor(const Other&) { // silent, or voiced elsewhere: Cleared by the fanfare
+    return {Voice::Wall, 1, 0, 0};
+}
+
+} // namespace
+
+float comboPitch(int combo) {
+    const int step = std::clamp(combo - 1, 0, 10);
+    const int semitones = 12 * (step / 5) + kScale[static_cast<std::size_t>(step % 5)];
+    return std::exp2(static_cast<float>(semitones) / 12);
+}
+
+Note noteOf(const Event& event) {
+    return std::visit([](const auto& what) { return noteFor(what); }, event);
+}
+
+void SoundCues::hear(std::span<const Event> events, std::uint32_t tick, float volume,
+                     Speaker& speaker) {
+    const auto play = [&](Note note) {
+        note.volume *= volume;
+        std::uint32_t& last = lastTick_[static_cast<std::size_t>(note.voice)];
+        if (note.volume < kSoftest || (last != 0 && tick + 1 - last < kPause)) {
+            return;
+        }
+        last = tick + 1;
+        speaker.play(note);
+    };
+    for (const Event& event : events) {
+        play(noteOf(event));
+        if (const auto* broke = std::get_if<Broke>(&event)) {
+            play({Voice::Break, 1, 0.6f * (0.4f + 0.6f * weightOf(broke->impulse)),
+                  panOf(broke->point)});
+        }
+    }
+}
+
+} // namespace apart

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <apart/core/game.hpp>
+#include <apart/stage/player_settings.hpp>
+
+namespace apart {
+
+/// Ratio of game time to real time. It falls when a ball nears the last block, and is 0 during a
+/// hit-freeze. Ticks are delayed, not changed.
+class TimeScale {
+public:
+    /// Time scale of this frame; 1 is real time.
+    double next(const Game& game, double seconds);
+    /// Call after each tick.
+    void feel(const Game& game, const Settings& settings);
+
+private:
+    double timeScale_ = 1;
+    double slow_ = 0;   // s of slow motion in this level so far, limited by kPatience
+    double frozen_ = 0; // s of hit-freeze left
+    double rest_ = 0;   // s until the next hit-freeze is possible
+};
+
+} // namespace apart

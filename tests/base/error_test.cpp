@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include <kodo/error.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <locale>
+#include <string>
+
+namespace kodo {
+namespace {
+
+TEST(BadDefinition, ContainsFieldAndReason) {
+    const BadDefinition bad(Problem{"shape.radius", "must be greater than 0, but is -1"});
+    EXPECT_EQ(bad.problem().field, "shape.radius");
+    EXPECT_EQ(std::string(bad.what()), "shape.radius: must be greater than 0, but is -1");
+}
+
+TEST(BadDefinition, IsAnInvalidArgumentAndBadBodyIdIsOutOfRange) {
+    EXPECT_THROW(throw BadDefinition(Problem{}), std::invalid_argument);
+    EXPECT_THROW(throw BadBodyId("gone"), std::out_of_range);
+}
+
+// With too few digits, 100000.1 is refused as "from -100000 to 100000, but is 100000".
+TEST(Problem, PrintsEnoughDigitsToShowThatALimitIsExceeded) {
+    const Real beyond = std::nextafter(Real(1e5), Real(1e6));
+    EXPECT_EQ(outOfRange("x", beyond, -1e5, 1e5).reason,
+              std::string("must be from -100000 to 100000, but is ") +
+                  (sizeof(Real) == sizeof(float) ? "100000.01" : "100000.00000000001"));
+    EXPECT_EQ(checkPositive("x", Real(-0.1), Real(1e9))->reason,
+              "must be greater than 0 and at most 1e+09, but is -0.1");
+    EXPECT_EQ(outOfRange("x", std::numeric_limits<Real>::quiet_NaN(), 0, 1).reason,
+              "must be from 0 to 1, but is nan");
+    EXPECT_EQ(outOfRange("x", -std::numeric_limits<Real>::quiet_NaN(), 0, 1).reason,
+              "must be from 0 to 1, but is nan");
+    EXPECT_EQ(outOfRange("x", std::numeric_limits<Real>::infinity(), 0, 1).reason,
+              "must be from 0 to 1, but is inf");
+}
+
+/// Decimal comma and a thousands separator, as in German.
+struct CommasAndPoints : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(Problem, PrintsNumbersIndependentlyOfTheLocale) {
+    const std::locale before =
+        std::locale::global(std::locale(std::locale::classic(), new CommasAndPoints));
+    const std::string reason = outOfRange("x", Real(12345.5), Real(0.25), 1).reason;
+    std::locale::global(before);
+    EXPECT_EQ(reason, "must be from 0.25 to 1, but is 12345.5");
+}
+
+} // namespace
+} // namespace kodo

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "contacts/contact_report.hpp"
+
+#include <gtest/gtest.h>
+
+namespace kodo {
+namespace {
+
+constexpr Tolerances kTolerances = Tolerances::forUnit(1);
+
+/// Two points with this separation and without impulses.
+Contact contactOf(Real separation) {
+    Contact contact;
+    contact.a = {3, 1};
+    contact.b = {5, 1};
+    contact.centerA = {10, 20};
+    contact.near = true;
+    contact.manifold.normal = {0, 1};
+    contact.manifold.count = 2;
+    contact.manifold.points[0].armA = {-1, 0};
+    contact.manifold.points[1].armA = {1, 0};
+    contact.manifold.points[0].separation = separation;
+    contact.manifold.points[1].separation = separation;
+    return contact;
+}
+
+std::vector<CollisionRecord> recordsOf(Contact contact) {
+    std::vector<CollisionRecord> records;
+    finishContact(contact, touches(contact, kTolerances));
+    recordContact(contact, records);
+    return records;
+}
+
+TEST(TouchPhase, AGapOfTheMarginIsNoTouch) {
+    EXPECT_TRUE(recordsOf(contactOf(kTolerances.margin)).empty());
+}
+
+TEST(TouchPhase, AGapBelowTheSlopIsATouch) {
+    const auto records = recordsOf(contactOf(kTolerances.slop / 2));
+    ASSERT_EQ(records.size(), 1u);
+    EXPECT_EQ(records[0].phase, TouchPhase::Begin);
+    EXPECT_EQ(records[0].pointCount, 2);
+    EXPECT_EQ(records[0].maxImpulse, 0);
+    EXPECT_EQ(records[0].point, (Vec2{9, 20})); // the deepest
+}
+
+// An impulse across a gap, by the speculative margin of the solver, is also a touch.
+TEST(TouchPhase, AnImpulseIsATouchAtAnyGap) {
+    Contact contact = contactOf(kTolerances.margin);
+    contact.impulse[1].largest = 2;
+    const auto records = recordsOf(contact);
+    ASSERT_EQ(records.size(), 1u);
+    EXPECT_EQ(records[0].maxImpulse, 2);
+    EXPECT_EQ(records[0].point, (Vec2{11, 20})); // where the impulse acted
+}
+
+TEST(TouchPhase, ATouchAfterATouchPersists) {
+    Contact contact = contactOf(0);
+    contact.wasTouching = true;
+    EXPECT_EQ(recordsOf(contact).at(0).phase, TouchPhase::Persist);
+}
+
+TEST(TouchPhase, AGapAfterATouchEnds) {
+    Contact contact = contactOf(kTolerances.margin);
+    contact.wasTouching = true;
+    const auto records = recordsOf(contact);
+    ASSERT_EQ(records.size(), 1u);
+    EXPECT_EQ(records[0].phase, TouchPhase::End);
+    EXPECT_EQ(records[0].pointCount, 0);
+    EXPECT_EQ(records[0].totalImpulse, 0);
+}
+
+// S2: the impact impulse counts as one of the groups, and in the total.
+TEST(TouchPhase, TheImpactCountsAmongTheImpulseGroups) {
+    Contact contact = contactOf(0);
+    contact.impulse[0] = {1, 5, 2}; // a substep, the impact, the largest substep
+    contact.impulse[1] = {1, 0, 3};
+    contact.total = 4;
+    const auto records = recordsOf(contact);
+    ASSERT_EQ(records.size(), 1u);
+    EXPECT_EQ(records[0].maxImpulse, 5);
+    EXPECT_EQ(records[0].totalImpulse, 9);
+}
+
+} // namespace
+} // namespace kodo

@@ -1,0 +1,337 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The engine as its users get it: the project in consumer/ is built against it outside the tree.
+
+  install     an installed and moved tree: find_package, pkg-config, headers without warnings
+  archives    the TGZ and DEB packages, unpacked elsewhere; the game runs there
+  shared      a build of shared libraries, installed and packed; they export the public API alone
+  subproject  add_subdirectory and FetchContent
+"""
+import argparse
+import json
+import os
+import pathlib
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+import traceback
+import xml.etree.ElementTree
+
+sys.dont_write_bytecode = True  # leave no __pycache__ beside the tests
+import exported_api  # noqa: E402
+
+CONSUMER = pathlib.Path(__file__).resolve().parent / "consumer"
+WARNINGS = (
+    "-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wold-style-cast"
+    " -Wmissing-field-initializers -Werror"
+).split()
+PRECISIONS = {"": [], "64": ["-DKODO_DOUBLE"]}
+# Each must take the headers; a missing one is named and skipped.
+COMPILERS = (
+    ("g++", "c++20"),
+    ("g++", "c++23"),
+    ("clang++", "c++20"),
+    ("clang++", "c++2b"),
+    ("x86_64-w64-mingw32-g++-posix", "c++20"),
+)
+
+
+def check(holds, sentence):
+    if not holds:
+        raise AssertionError(sentence)
+
+
+def run(*command, cwd=None, **variables):
+    """The stdout of a command that must succeed."""
+    command = [str(word) for word in command]
+    done = subprocess.run(
+        command,
+        cwd=cwd or work,
+        env=environment | variables,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    output = done.stdout + done.stderr
+    check(done.returncode == 0, f"{shlex.join(command)} ends with {done.returncode}:\n{output}")
+    return done.stdout
+
+
+def check_drop(program, precision, **variables):
+    """The program drop.cpp prints what the same program of this build does."""
+    wanted = run(given.drop64 if precision else given.drop)
+    printed = run(program, **variables)
+    check(printed == wanted, f"{program} prints {printed}, and not {wanted}")
+    check(printed.split()[1] == given.version, f"{program} is version {printed}")
+
+
+def configure(source, build, *arguments, **variables):
+    if shutil.which("ccache"):
+        arguments += ("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache",)
+    compiler = f"-DCMAKE_CXX_COMPILER={given.compiler}"
+    return run("cmake", "-GNinja", "-S", source, "-B", build, compiler, *arguments, **variables)
+
+
+def flags_of(build, target):
+    """The flags for drop.cpp, without files and folders."""
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        words = shlex.split(entry["command"])
+        if entry["file"].endswith("drop.cpp") and f"/{target}.dir/" in entry["command"]:
+            words = words[words.index(given.compiler) + 1 :]
+            pairs = zip(words, ["", *words])
+            with_file = ("-o", "-c", "-isystem")
+            return [a for a, b in pairs if a not in with_file and b not in with_file and a[:2] != "-I"]
+    raise AssertionError(f"{build} has no {target}")
+
+
+def check_flags(build):
+    """kodo::kodo gives its users the language standard, kodo::kodo64 KODO_DOUBLE as well."""
+    for precision, definitions in PRECISIONS.items():
+        flags = flags_of(build, f"drop{precision}")
+        check(flags == [*definitions, "-std=gnu++20"], f"drop{precision} is compiled with {flags}")
+
+
+def check_find_package(prefix, sfml):
+    build = work / f"{prefix.name} with find_package"
+    major, minor, _ = map(int, given.version.split("."))
+    printed = configure(
+        CONSUMER,
+        build,
+        f"-DCMAKE_PREFIX_PATH={prefix}",
+        f"-DKODO_WANTED={major}.{minor}",
+        f"-DKODO_UNWANTED={major}.{minor + 1};{major + 1}.0",
+        f"-DWITH_SFML={'ON' if sfml else 'OFF'}",
+    )
+    check(f"kodo_VERSION {given.version}\n" in printed, f"another version in {prefix}: {printed}")
+    cache = (build / "CMakeCache.txt").read_text()
+    check(f"kodo_DIR:PATH={prefix}/lib/cmake/kodo\n" in cache, f"found elsewhere than in {prefix}")
+    check_flags(build)
+    run("cmake", "--build", build, "-j2")
+    for precision in PRECISIONS:
+        check_drop(build / f"drop{precision}", precision)
+    if sfml:
+        run(build / "camera")
+
+
+def check_pkg_config(prefix, sfml):
+    if shutil.which("pkg-config") is None:
+        print("pkg-config is missing: its files are not tested.")
+        return
+    path = {"PKG_CONFIG_PATH": str(prefix / "lib/pkgconfig")}
+    static = (prefix / "lib/libkodo.a").exists()
+    libraries = {"LD_LIBRARY_PATH": "" if static else str(prefix / "lib")}
+
+    def build(source, module):
+        flags = run("pkg-config", "--cflags", "--libs", *["--static"] * static, module, **path)
+        program = work / module
+        source = CONSUMER / source
+        run(given.compiler, "-std=c++20", source, *shlex.split(flags), "-o", program)
+        return program
+
+    for precision, definitions in PRECISIONS.items():
+        module = f"kodo{precision}"
+        version = run("pkg-config", "--modversion", module, **path).strip()
+        check(version == given.version, f"{module}.pc is version {version}")
+        flags = run("pkg-config", "--cflags-only-other", module, **path).split()
+        check(flags == definitions, f"{module}.pc gives {flags}")
+        check_drop(build("drop.cpp", module), precision, **libraries)
+    if sfml:
+        run(build("camera.cpp", "kodo-sfml"), **libraries)
+
+
+def check_headers_alone(include):
+    """Each header includes what it needs."""
+    for header in include.glob("kodo/*.hpp"):
+        (work / f"alone_{header.stem}.cpp").write_text(f"#include <kodo/{header.name}>\n")
+    sources = sorted(work.glob("alone_*.cpp"))
+    run(given.compiler, "-std=c++20", "-fsyntax-only", f"-I{include}", *WARNINGS, *sources)
+
+
+def check_warnings(include):
+    """All headers and drop.cpp, with the warnings of a careful user and several compilers."""
+    headers = sorted(include.glob("kodo/*.hpp"))
+    lines = [f"#include <kodo/{header.name}>\n" for header in headers]
+    source = work / "all_headers.cpp"
+    source.write_text("".join(lines) + (CONSUMER / "drop.cpp").read_text())
+    for compiler, standard in COMPILERS:
+        if shutil.which(compiler) is None:
+            print(f"{compiler} is missing: the headers are not compiled with it.")
+            continue
+        flags = (f"-std={standard}", "-fsyntax-only", f"-I{include}", *WARNINGS)
+        for definitions in PRECISIONS.values():
+            run(compiler, *flags, *definitions, source)
+
+
+def check_position_independent(library):
+    whole = ("-Wl,--whole-archive", library, "-Wl,--no-whole-archive")
+    run(given.compiler, "-shared", "-Wl,-z,text", *whole, "-o", work / "whole.so")
+
+
+def install_moved(build, name):
+    """An installed engine that was moved afterwards; and whether kodo::sfml is in it."""
+    sfml = (build / "engine/sfml").is_dir()
+    for component in ("kodo-dev", "kodo-runtime", *["kodo-sfml-dev"] * sfml):
+        run("cmake", "--install", build, "--prefix", work / "before", "--component", component)
+    return (work / "before").rename(work / name), sfml
+
+
+def install():
+    prefix, sfml = install_moved(given.build, "installed")
+    check_find_package(prefix, sfml)
+    check_pkg_config(prefix, sfml)
+    check_warnings(prefix / "include")
+    for library in prefix.glob("lib/libkodo*.a"):
+        check_position_independent(library)
+
+
+def packages_of(build):
+    """The packages that cpack makes of a build, unpacked: {file name: prefix}."""
+    folder = work / "packages"
+    run("cpack", "--config", build / "CPackConfig.cmake", "-B", folder, cwd=build)
+    unpacked = {}
+    for archive in sorted(path for path in folder.iterdir() if path.is_file()):
+        version = archive.name.replace("_", "-").split("-")
+        check(given.version in version, f"{archive.name} does not name version {given.version}")
+        into = work / f"unpacked {archive.name}"
+        into.mkdir()
+        if archive.suffix == ".deb":
+            run("dpkg-deb", "-x", archive, into)
+            check_control(archive, into / "usr")
+            unpacked[archive.name] = into / "usr"
+        else:
+            run("tar", "-xzf", archive, "-C", into)
+            (unpacked[archive.name],) = into.iterdir()
+    return unpacked
+
+
+def check_control(archive, prefix):
+    def field(name):
+        return run("dpkg-deb", "-f", archive, name).strip()
+
+    package = archive.name.partition("_")[0]
+    check(field("Package") == package, f"{archive.name} holds another package")
+    check(field("Version") == given.version, f"{archive.name} holds another version")
+    check(field("Maintainer") == "The Kodo authors <kodo@example.org>", f"{package}: maintainer")
+    check(len(field("Description").splitlines()) > 1, f"{package}: no long description")
+    documents = prefix / "share/doc" / package
+    check((documents / "copyright").exists(), f"{package}: no copyright")
+    if package == "apart":
+        check(field("Section") == "games", "apart: not in section games")
+        if shutil.which("dpkg-shlibdeps"):
+            check("libstdc++6" in field("Depends"), f"apart: depends on {field('Depends')}")
+
+
+def check_game(prefix):
+    """The game of a package gives the same state as that of the build, with its own assets."""
+    program = prefix / "bin/apart-headless"
+    play = ("bot", "--level", "first_light", "--ticks", "900", "--json")
+    wanted = run(given.build / "bin/apart-headless", *play)
+    check(run(program, *play) == wanted, f"{program} plays another game than {wanted}")
+    check("All 1 levels pass" in run(program, "lint", "first_light"), "lint fails")
+    for level in prefix.glob("share/apart/levels/*.toml"):
+        if level.stem != "first_light":
+            level.unlink()
+    check(len(run(program, "levels").splitlines()) == 1, f"{program} reads assets of others")
+    if (given.build / "bin/apart").exists():
+        check("--level" in run(prefix / "bin/apart", "--help"), "apart --help fails")
+        entry = prefix / "share/applications/apart.desktop"
+        check("\nExec=apart\nIcon=apart\n" in entry.read_text(), "the desktop entry starts nothing")
+        if shutil.which("desktop-file-validate"):
+            run("desktop-file-validate", entry)
+        xml.etree.ElementTree.parse(prefix / "share/icons/hicolor/scalable/apps/apart.svg")
+
+
+def archives():
+    unpacked = packages_of(given.build)
+    game = (given.build / "bin/apart-headless").exists()
+    games = [prefix for prefix in unpacked.values() if (prefix / "bin").exists()]
+    check(not game or len(games) == len({"TGZ", "DEB"}), f"the game lies in {games}")
+    for prefix in games:
+        check_game(prefix)
+    for name, prefix in unpacked.items():
+        if name.startswith("libkodo-dev_"):
+            check_find_package(prefix, False)
+        elif (prefix / "include/kodo").exists():
+            check_find_package(prefix, (prefix / "include/kodo_sfml").exists())
+
+
+def shared():
+    build = work / "build"
+    configure(
+        given.source,
+        build,
+        "-DBUILD_SHARED_LIBS=ON",
+        "-DKODO_TESTS=OFF",
+        "-DAPART_GAME=OFF",
+        "-DCMAKE_UNITY_BUILD=ON",
+        "-DCMAKE_BUILD_TYPE=Release",
+        "-DCMAKE_CXX_FLAGS_RELEASE=-O0",  # no speed is measured, and the bits are the same
+    )
+    libraries = ["kodo", "kodo64", *["kodo_sfml"] * (build / "engine/sfml").is_dir()]
+    run("cmake", "--build", build, "-j2", "--target", *libraries, CCACHE_BASEDIR=str(work))
+    prefix, sfml = install_moved(build, "installed")
+    check(not list(prefix.glob("lib/libkodo.a")), "a static library beside the shared one")
+    check_headers_alone(prefix / "include")
+    check_find_package(prefix, sfml)
+    check_pkg_config(prefix, sfml)
+    if shutil.which("clang++"):
+        for precision, definitions in PRECISIONS.items():
+            library = prefix / f"lib/libkodo{precision}.so"
+            found = exported_api.differences(library, prefix / "include", definitions, work)
+            check(not (sentences := list(found)), "\n".join(sentences))
+    else:
+        print("clang++ is missing: exported symbols are not compared with the headers.")
+    names = list(packages_of(build))
+    runtime = f"libkodo{given.version.rpartition('.')[0]}_"
+    check(any(name.startswith(runtime) for name in names), f"no package {runtime} in {names}")
+
+
+def subproject():
+    """Both ways have the same relative paths, so that ccache compiles the engine once."""
+    archive = work / "kodo.tar.gz"
+    folders = ("CMakeLists.txt", "LICENSE", "engine")
+    run("tar", "-czf", archive, "-C", given.source, *folders)
+    for way in ("folder", "fetch"):
+        source = work / way
+        shutil.copytree(CONSUMER, source)
+        if way == "folder":
+            (source / "kodo").mkdir()
+            run("tar", "-xzf", archive, "-C", source / "kodo")
+        cached = {"CCACHE_BASEDIR": str(source)}
+        arguments = (f"-DWAY={way}", f"-DKODO_ARCHIVE={archive}", "-DCMAKE_UNITY_BUILD=ON")
+        configure(source, source / "build", *arguments, **cached)
+        run("cmake", "--build", source / "build", "-j2", "--target", "drop", **cached)
+        check_drop(source / "build/drop", "")
+
+
+def options():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    ways = {way.__name__: way for way in (install, archives, shared, subproject)}
+    parser.add_argument("way", choices=ways)
+    for name in ("source", "build", "drop", "drop64"):
+        parser.add_argument(f"--{name}", type=pathlib.Path, required=True)
+    for name in ("version", "compiler"):
+        parser.add_argument(f"--{name}", required=True)
+    found = parser.parse_args()
+    found.way = ways[found.way]
+    return found
+
+
+given = options()
+environment = {
+    name: value
+    for name, value in os.environ.items()
+    if name not in ("APART_ASSETS", "CXXFLAGS", "DESTDIR", "LD_LIBRARY_PATH", "PKG_CONFIG_PATH")
+}
+environment["LC_ALL"] = "C.UTF-8"
+with tempfile.TemporaryDirectory(prefix="kodo-package-") as name:
+    work = pathlib.Path(name)
+    try:
+        given.way()
+    except AssertionError as failure:
+        traceback.print_tb(failure.__traceback__)
+        sys.exit(f"package: {given.way.__name__}: {failure}")
