@@ -47,6 +47,7 @@ die() {
 progress_pause=30 progress_text="" progress_at=$SECONDS
 progress() {
     progress_text=$*
+    [[ ! -d build ]] || printf '%s, after %d s\n' "${*:-done}" "$SECONDS" >build/progress.txt
     if [[ -t 1 ]]; then
         printf '\r\033[K%s' "$*"
     elif [[ -n $* ]] && ((SECONDS - progress_at >= progress_pause)); then
