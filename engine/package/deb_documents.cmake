@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
-# Run by cpack before it packs a DEB: moves the documents of each component to where Debian has those
-# of a package, share/doc/PACKAGE/copyright and share/doc/PACKAGE/changelog.gz.
+# Run by cpack before it packs a DEB. Debian expects the documents of each package in
+# share/doc/PACKAGE/copyright and share/doc/PACKAGE/changelog.gz.
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC) # or SOURCE_DATE_EPOCH
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
     string(TOUPPER CPACK_DEBIAN_${component}_PACKAGE_NAME package)
     set(package ${${package}})
-    set(documents ${CPACK_TEMPORARY_DIRECTORY}/${component}${CPACK_PACKAGING_INSTALL_PREFIX}/share/doc)
+    set(prefix ${CPACK_TEMPORARY_DIRECTORY}/${component}${CPACK_PACKAGING_INSTALL_PREFIX})
+    set(documents ${prefix}/share/doc)
     file(GLOB licence ${documents}/*/LICENSE)
     get_filename_component(folder ${licence} DIRECTORY)
     if(NOT folder STREQUAL ${documents}/${package})
@@ -15,7 +16,7 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
     set(changelog ${CPACK_TEMPORARY_DIRECTORY}/changelog)
     file(WRITE ${changelog} "kodo (${CPACK_PACKAGE_VERSION}) unstable; urgency=medium
 
-  * CHANGELOG.md of the sources tells what is new.
+  * See CHANGELOG.md in the sources.
 
  -- ${CPACK_PACKAGE_CONTACT}  ${date}
 ")

@@ -8,7 +8,8 @@ include(CMakePackageConfigHelpers)
 # relative to itself, so an installed tree may be moved.
 function(kodo_install_pkg_config name)
     cmake_parse_arguments(arg "" "DESCRIPTION;LIBRARY;REQUIRES;CFLAGS;PRIVATE" "" ${ARGN})
-    file(RELATIVE_PATH up_to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX}/.)
+    file(RELATIVE_PATH up_to_prefix
+        ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX}/.)
     string(REGEX REPLACE "/$" "" up_to_prefix ${up_to_prefix})
     foreach(path IN ITEMS includedir libdir)
         string(TOUPPER ${path} upper)

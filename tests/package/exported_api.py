@@ -19,8 +19,8 @@ class Declared:
     """What clang's syntax tree of the headers declares in namespace kodo."""
 
     def __init__(self):
-        self.functions = set()  # mangled; those that only a library can define
-        self.templates = set()  # qualified names of function templates that only a library defines
+        self.functions = set()  # mangled names; the body is in the library
+        self.templates = set()  # qualified names of function templates; likewise
         self.classes = set()  # qualified names
 
     def walk(self, node, scope=""):
@@ -82,7 +82,8 @@ def differences(library, include, definitions, work):
         yield f"only {len(functions)} functions were found in the headers"
     for name in sorted(functions - exported):
         yield f"{library.name} does not export {name}"
-    for name in (f"{name}<{real}>" for name in sorted(api.templates) for real in ("float", "double")):
+    instances = [f"{name}<{real}>" for name in api.templates for real in ("float", "double")]
+    for name in sorted(instances):
         if not any(f" {name}(" in symbol for symbol in exported):
             yield f"{library.name} does not export {name}"
     for name in sorted(exported - functions):

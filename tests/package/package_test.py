@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The engine as its users get it: the project in consumer/ is built against it outside the tree.
+"""Builds the project in consumer/ outside the tree, against each form in which Kodo is delivered.
 
   install     an installed and moved tree: find_package, pkg-config, headers without warnings
   archives    the TGZ and DEB packages, unpacked elsewhere; the game runs there
@@ -28,7 +28,7 @@ WARNINGS = (
     " -Wmissing-field-initializers -Werror"
 ).split()
 PRECISIONS = {"": [], "64": ["-DKODO_DOUBLE"]}
-# Each must take the headers; a missing one is named and skipped.
+# Each must accept the headers. A missing compiler is named and skipped.
 COMPILERS = (
     ("g++", "c++20"),
     ("g++", "c++23"),
@@ -60,7 +60,7 @@ def run(*command, cwd=None, **variables):
 
 
 def check_drop(program, precision, **variables):
-    """The program drop.cpp prints what the same program of this build does."""
+    """The program prints the same as drop.cpp in this build."""
     wanted = run(given.drop64 if precision else given.drop)
     printed = run(program, **variables)
     check(printed == wanted, f"{program} prints {printed}, and not {wanted}")
@@ -80,9 +80,10 @@ def flags_of(build, target):
         words = shlex.split(entry["command"])
         if entry["file"].endswith("drop.cpp") and f"/{target}.dir/" in entry["command"]:
             words = words[words.index(given.compiler) + 1 :]
+            files = ("-o", "-c", "-isystem")
             pairs = zip(words, ["", *words])
-            with_file = ("-o", "-c", "-isystem")
-            return [a for a, b in pairs if a not in with_file and b not in with_file and a[:2] != "-I"]
+            words = [a for a, before in pairs if a not in files and before not in files]
+            return [word for word in words if not word.startswith("-I")]
     raise AssertionError(f"{build} has no {target}")
 
 
@@ -150,7 +151,7 @@ def check_headers_alone(include):
 
 
 def check_warnings(include):
-    """All headers and drop.cpp, with the warnings of a careful user and several compilers."""
+    """All headers and drop.cpp compile without warnings with each compiler."""
     headers = sorted(include.glob("kodo/*.hpp"))
     lines = [f"#include <kodo/{header.name}>\n" for header in headers]
     source = work / "all_headers.cpp"
@@ -170,7 +171,7 @@ def check_position_independent(library):
 
 
 def install_moved(build, name):
-    """An installed engine that was moved afterwards; and whether kodo::sfml is in it."""
+    """The prefix of an installed engine that was moved, and whether it has kodo::sfml."""
     sfml = (build / "engine/sfml").is_dir()
     for component in ("kodo-dev", "kodo-runtime", *["kodo-sfml-dev"] * sfml):
         run("cmake", "--install", build, "--prefix", work / "before", "--component", component)
@@ -224,7 +225,7 @@ def check_control(archive, prefix):
 
 
 def check_game(prefix):
-    """The game of a package gives the same state as that of the build, with its own assets."""
+    """The game of a package reaches the same state as that of the build, with its own assets."""
     program = prefix / "bin/apart-headless"
     play = ("bot", "--level", "first_light", "--ticks", "900", "--json")
     wanted = run(given.build / "bin/apart-headless", *play)
@@ -233,7 +234,7 @@ def check_game(prefix):
     for level in prefix.glob("share/apart/levels/*.toml"):
         if level.stem != "first_light":
             level.unlink()
-    check(len(run(program, "levels").splitlines()) == 1, f"{program} reads assets of others")
+    check(len(run(program, "levels").splitlines()) == 1, f"{program} reads other assets")
     if (given.build / "bin/apart").exists():
         check("--level" in run(prefix / "bin/apart", "--help"), "apart --help fails")
         entry = prefix / "share/applications/apart.desktop"
@@ -302,6 +303,7 @@ def subproject():
         cached = {"CCACHE_BASEDIR": str(source)}
         arguments = (f"-DWAY={way}", f"-DKODO_ARCHIVE={archive}", "-DCMAKE_UNITY_BUILD=ON")
         configure(source, source / "build", *arguments, **cached)
+        check_flags(source / "build")
         run("cmake", "--build", source / "build", "-j2", "--target", "drop", **cached)
         check_drop(source / "build/drop", "")
 

@@ -105,10 +105,10 @@ struct SinCos {
 /// Sine and cosine of an angle (rad), with the same bits on every machine. Defined for float,
 /// double and long double. Accurate to rounding up to 1e5 rad (float).
 template <std::floating_point T>
-SinCos<T> sinCos(T radians);
+KODO_API SinCos<T> sinCos(T radians);
 /// Angle of the vector (x, y), -pi to pi (rad): std::atan2 with the same bits on every machine.
 template <std::floating_point T>
-T atan2(T y, T x);
+KODO_API T atan2(T y, T x);
 
 /// A rotation, stored as the cosine and sine of its angle [Thesis06, 2.3.1]. To rotate a vector
 /// takes four multiplications and no sine. The default is no rotation.

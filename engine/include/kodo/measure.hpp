@@ -151,9 +151,29 @@ constexpr T areaOf(const BasicPlane<T>&) {
 }
 
 /// Centroid (m).
-template <template <std::floating_point> class Shape, std::floating_point T>
-BasicVec2<T> centroidOf(const Shape<T>& shape) {
-    return massOf(shape, T(1)).center;
+template <std::floating_point T>
+BasicVec2<T> centroidOf(const BasicCircle<T>& circle) {
+    return massOf(circle, T(1)).center;
+}
+template <std::floating_point T>
+BasicVec2<T> centroidOf(const BasicBox<T>& box) {
+    return massOf(box, T(1)).center;
+}
+template <std::floating_point T>
+BasicVec2<T> centroidOf(const BasicPolygon<T>& polygon) {
+    return massOf(polygon, T(1)).center;
+}
+template <std::floating_point T>
+BasicVec2<T> centroidOf(const BasicPoint<T>& point) {
+    return massOf(point, T(1)).center;
+}
+template <std::floating_point T>
+BasicVec2<T> centroidOf(const BasicSegment<T>& segment) {
+    return massOf(segment, T(1)).center;
+}
+template <std::floating_point T>
+BasicVec2<T> centroidOf(const BasicPlane<T>& plane) {
+    return massOf(plane, T(1)).center;
 }
 template <std::floating_point T>
 BasicVec2<T> centroidOf(const BasicAabb<T>& aabb) {
@@ -276,6 +296,5 @@ template <std::floating_point T>
 BasicVec2<T> supportOf(const BasicSegment<T>& segment, BasicVec2<T> direction) {
     return dot(direction, segment.to - segment.from) > 0 ? segment.to : segment.from;
 }
-
 } // namespace KODO_PRECISION
 } // namespace kodo
