@@ -5,9 +5,8 @@
 
 #include <cfloat>
 
-// -ffast-math and its parts let the compiler reorder sums. Results would then differ between
-// builds. g++ announces each part by a macro. clang announces -ffast-math alone, so the library
-// also tests itself when the first World is made.
+// -ffast-math and its parts let the compiler reorder sums: results would differ between builds.
+// g++ announces each part by a macro, clang announces -ffast-math alone.
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
 #error "Kodo gives the same bits on every machine: build without -ffast-math and its parts"
 #endif
