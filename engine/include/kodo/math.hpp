@@ -106,7 +106,7 @@ struct SinCos {
 /// double and long double. Accurate to rounding up to 1e5 rad (float).
 template <std::floating_point T>
 KODO_API SinCos<T> sinCos(T radians);
-/// Angle of the vector (x, y), -pi to pi (rad): std::atan2 with the same bits on every machine.
+/// Angle of the vector (x, y), -pi to pi (rad), with the same bits on every machine.
 template <std::floating_point T>
 KODO_API T atan2(T y, T x);
 
