@@ -30,6 +30,16 @@ install(TARGETS kodo kodo64 EXPORT kodo-targets
     ARCHIVE COMPONENT kodo-dev
     RUNTIME COMPONENT kodo-runtime
     LIBRARY COMPONENT kodo-runtime NAMELINK_COMPONENT kodo-dev)
+if(kodo_seal AND KODO_TESTS)
+    list(JOIN kodo_seal "\" \"" kodo_seal_words)
+    foreach(library IN ITEMS kodo kodo64)
+        install(CODE "
+            set(archive \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}\")
+            execute_process(COMMAND_ERROR_IS_FATAL ANY COMMAND \"${CMAKE_COMMAND}\"
+                \"-DARCHIVE=\${archive}/$<TARGET_FILE_NAME:${library}>\" \"${kodo_seal_words}\")"
+            COMPONENT kodo-dev)
+    endforeach()
+endif()
 install(DIRECTORY include/kodo TYPE INCLUDE COMPONENT kodo-dev)
 install(FILES ${PROJECT_BINARY_DIR}/include/kodo/export.hpp COMPONENT kodo-dev
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kodo)

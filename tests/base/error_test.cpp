@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/error.hpp>
 
+#include "base/checks.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>

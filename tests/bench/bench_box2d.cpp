@@ -59,6 +59,12 @@ public:
         return sum;
     }
 
+    double rayCast(scenes::Vec2 from, scenes::Vec2 to) const override {
+        Closest closest;
+        world_.RayCast(&closest, scenes::toBox2d(from), scenes::toBox2d(to));
+        return static_cast<double>(closest.fraction);
+    }
+
     std::size_t bodyCount() const override {
         return static_cast<std::size_t>(world_.GetBodyCount());
     }
@@ -88,6 +94,14 @@ public:
     }
 
 private:
+    struct Closest final : b2RayCastCallback {
+        float ReportFixture(b2Fixture*, const b2Vec2&, const b2Vec2&, float at) override {
+            fraction = at;
+            return at; // clips the ray
+        }
+        float fraction = 1;
+    };
+
     static scenes::Vec2 wide(b2Vec2 v) {
         return {static_cast<double>(v.x), static_cast<double>(v.y)};
     }

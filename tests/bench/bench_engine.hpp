@@ -68,6 +68,8 @@ public:
     virtual void place(std::size_t body, scenes::Vec2 position) = 0;
     /// Normal impulse (N s) between two bodies in the last step, summed over all points.
     virtual double impulse(std::size_t a, std::size_t b) const = 0;
+    /// Fraction of the first hit of a ray; 1 if there is none.
+    virtual double rayCast(scenes::Vec2 from, scenes::Vec2 to) const = 0;
     virtual std::size_t bodyCount() const = 0;
     /// Total mass (kg) of the dynamic bodies.
     virtual double mass() const = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Compiled twice: for kodo::kodo into bench::f32, for kodo::kodo64 into bench::f64.
+#include <kodo/query.hpp>
 #include <scenes/in_kodo.hpp>
 
 #include "contacts/contact.hpp"
@@ -42,13 +43,13 @@ constexpr std::array kPairSearches = {kodo::PairSearch::BruteForce, kodo::PairSe
                                       kodo::PairSearch::SweepAndPrune}; // same order as
                                                                         // pairSearchNames()
 
-std::uint8_t featureOf(const std::string& name) {
+kodo::Feature featureOf(const std::string& name) {
     const std::vector<std::string>& names = featureNames();
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {
         throw WrongUse("Kodo has no feature '" + name + "' to leave out");
     }
-    return static_cast<std::uint8_t>(1u << (found - names.begin()));
+    return static_cast<kodo::Feature>(1u << (found - names.begin()));
 }
 static_assert(static_cast<int>(kodo::Feature::Friction) == 1 << 0 &&
               static_cast<int>(kodo::Feature::RollingResistance) == 1 << 1 &&
@@ -156,7 +157,7 @@ kodo::StepSettings settingsOf(const StepOptions& options) {
         settings.leaveOut |= featureOf(name);
     }
     if (!options.rest) {
-        settings.leaveOut |= static_cast<std::uint8_t>(kodo::Feature::Sleep);
+        settings.leaveOut |= kodo::Feature::Sleep;
     }
     if (const auto problem = check(settings)) {
         throw WrongUse(problem->field + " " + problem->reason);
@@ -239,6 +240,11 @@ public:
             }
         }
         return sum;
+    }
+
+    double rayCast(scenes::Vec2 from, scenes::Vec2 to) const override {
+        const auto hit = kodo::rayCast(scene_.world, scenes::toKodo(from), scenes::toKodo(to));
+        return hit ? wide(hit->fraction) : 1;
     }
 
     std::size_t bodyCount() const override { return scene_.world.bodyCount(); }

@@ -82,6 +82,10 @@ Scene joints(int size, std::uint64_t seed);
 Scene spinner(int size, std::uint64_t seed);
 Scene empty(int size, std::uint64_t seed);
 Scene smallRoom(int size, std::uint64_t seed);
+// bench_local.cpp
+Scene tiles(int size, std::uint64_t seed);
+Scene rays(int size, std::uint64_t seed);
+Scene churn(int size, std::uint64_t seed);
 // bench_laws.cpp
 Scene forces(int size, std::uint64_t seed);
 Scene slide(int size, std::uint64_t seed);

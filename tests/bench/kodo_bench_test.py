@@ -27,7 +27,7 @@ def check(holds, what):
 
 
 SCENES = (
-    "pyramid circles debris tumbler breakout stack massratio rain joints spinner resting shots empty"
+    "pyramid circles debris tumbler breakout stack massratio rain joints spinner resting shots tiles rays churn empty"
 ).split()
 code, text = bench("--list")
 check(code == 0, f"--list ends with {code}")

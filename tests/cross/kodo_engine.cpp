@@ -9,7 +9,7 @@ namespace {
 /// Without sleep, since sleeping bodies report no impulses.
 kodo::StepSettings settings() {
     kodo::StepSettings result;
-    result.leaveOut = static_cast<std::uint8_t>(kodo::Feature::Sleep);
+    result.leaveOut = kodo::Feature::Sleep;
     return result;
 }
 

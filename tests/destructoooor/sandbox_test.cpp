@@ -16,7 +16,7 @@ Real deepestOf(Scene scene, int collision, int rest, int shock) {
     settings.propagation().impactPasses = collision;
     settings.propagation().contactPasses = rest;
     settings.propagation().shockPasses = shock;
-    settings.leaveOut = static_cast<std::uint8_t>(kodo::Feature::Sleep);
+    settings.leaveOut = kodo::Feature::Sleep;
     sandbox.setSettings(settings);
     sandbox.restart(scene);
     Real deepest = 0;

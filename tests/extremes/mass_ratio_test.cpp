@@ -6,7 +6,7 @@ namespace {
 
 StepSettings wakeful() {
     StepSettings settings;
-    settings.leaveOut = static_cast<std::uint8_t>(Feature::Sleep);
+    settings.leaveOut = Feature::Sleep;
     return settings;
 }
 
@@ -14,7 +14,7 @@ StepSettings withShocks() {
     StepSettings settings = thesis2006();
     settings.propagation().contactPasses = 4;
     settings.propagation().shockPasses = 4;
-    settings.leaveOut = static_cast<std::uint8_t>(Feature::Sleep);
+    settings.leaveOut = Feature::Sleep;
     return settings;
 }
 

@@ -269,7 +269,7 @@ TEST(Overlap, ImpulsesOnAWedgedBodyStayBounded) {
     for (const Flags flags : {Flags{0}, kLockMove}) {
         SCOPED_TRACE(flags);
         StepSettings settings;
-        settings.leaveOut = static_cast<std::uint8_t>(Feature::Sleep);
+        settings.leaveOut = Feature::Sleep;
         World world({.settings = settings});
         BodyDef def = support::boxDef({}, 2, 1);
         def.flags = flags;

@@ -28,7 +28,7 @@ TEST(Soak, ASleepingStackKeepsItsBits) {
 // 5e-7 m, and the boxes settle on rounded positions.
 TEST(Soak, AnAwakeStackDoesNotCreep) {
     StepSettings settings;
-    settings.leaveOut = static_cast<std::uint8_t>(Feature::Sleep);
+    settings.leaveOut = Feature::Sleep;
     World world({.gravity = support::kEarth, .settings = settings});
     support::addFloor(world);
     const std::vector<BodyId> boxes = support::addStack(world, 5);

@@ -22,7 +22,7 @@ void expectFirstOrder(Error errorAt, double floor) {
 
 StepSettings sleepless() {
     StepSettings settings;
-    settings.leaveOut = static_cast<std::uint8_t>(Feature::Sleep);
+    settings.leaveOut = Feature::Sleep;
     return settings;
 }
 

@@ -94,7 +94,7 @@ StepSettings settingsFor(Solver strategy, bool rests) {
         settings = support::settingsOf(strategy);
         settings.propagation().shockPasses = 2;
     }
-    settings.leaveOut = rests ? std::uint8_t{0} : static_cast<std::uint8_t>(Feature::Sleep);
+    settings.leaveOut = rests ? Features() : Feature::Sleep;
     return settings;
 }
 

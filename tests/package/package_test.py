@@ -11,6 +11,7 @@ import argparse
 import json
 import os
 import pathlib
+import platform
 import shlex
 import shutil
 import subprocess
@@ -27,6 +28,7 @@ WARNINGS = (
     "-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wold-style-cast"
     " -Wmissing-field-initializers -Werror"
 ).split()
+SAME_BITS = "Kodo gives the same bits on every machine"  # begins the refusal of a build
 PRECISIONS = {"": [], "64": ["-DKODO_DOUBLE"]}
 # Each must accept the headers. A missing compiler is named and skipped.
 COMPILERS = (
@@ -170,6 +172,41 @@ def check_position_independent(library):
     run(given.compiler, "-shared", "-Wl,-z,text", *whole, "-o", work / "whole.so")
 
 
+def check_fused(prefix):
+    """Flags of a user's file that let the compiler fuse products and sums change no bit."""
+    if platform.machine() != "x86_64" or "fma" not in pathlib.Path("/proc/cpuinfo").read_text():
+        print("This machine has no -mfma: it is not tested.")
+        return
+    for precision, definitions in PRECISIONS.items():
+        hashes = {}
+        for name, flags in {"plain": [], "fused": ["-mfma", "-ffp-contract=fast"]}.items():
+            program = work / f"{name}{precision}"
+            flags = ("-std=c++20", "-O2", *flags, *definitions, f"-I{prefix / 'include'}")
+            library = prefix / f"lib/libkodo{precision}.a"
+            run(given.compiler, *flags, CONSUMER / "fused.cpp", library, "-pthread", "-o", program)
+            hashes[name] = run(program)
+        check(len(set(hashes.values())) == 1, f"-mfma changes bits of kodo{precision}: {hashes}")
+
+
+def check_unsafe(prefix):
+    """No compiler accepts parts of -ffast-math without a word."""
+    source = CONSUMER / "drop.cpp"
+    library = prefix / "lib/libkodo.a"
+    for compiler in ("g++", "clang++"):
+        if shutil.which(compiler) is None:
+            print(f"{compiler} is missing: -funsafe-math-optimizations is not tested with it.")
+            continue
+        for flag in ("-ffast-math", "-funsafe-math-optimizations"):
+            program = work / f"unsafe {compiler}"
+            command = (compiler, "-std=c++20", "-O2", flag, f"-I{prefix / 'include'}", source)
+            command += (library, "-pthread", "-o", program)
+            done = subprocess.run(command, capture_output=True, text=True, check=False)
+            if done.returncode == 0:
+                done = subprocess.run([program], capture_output=True, text=True, check=False)
+            check(done.returncode != 0 and SAME_BITS in done.stderr,
+                  f"{compiler} {flag} is accepted: {done.stderr}")
+
+
 def install_moved(build, name):
     """The prefix of an installed engine that was moved, and whether it has kodo::sfml."""
     sfml = (build / "engine/sfml").is_dir()
@@ -185,6 +222,8 @@ def install():
     check_warnings(prefix / "include")
     for library in prefix.glob("lib/libkodo*.a"):
         check_position_independent(library)
+    check_fused(prefix)
+    check_unsafe(prefix)
 
 
 def packages_of(build):

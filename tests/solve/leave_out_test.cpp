@@ -24,7 +24,7 @@ std::ostream& operator<<(std::ostream& out, const Named& row) {
 }
 
 StepSettings without(StepSettings settings, Feature feature) {
-    settings.leaveOut |= static_cast<std::uint8_t>(feature);
+    settings.leaveOut |= feature;
     return settings;
 }
 
@@ -177,7 +177,7 @@ TEST(LeaveOut, WithoutContinuousCollisionABallTunnels) {
     for (const bool sweeps : {true, false}) {
         WorldDef def = leavingOut(Feature::ContinuousCollision);
         def.gravity = {};
-        def.settings.leaveOut = sweeps ? std::uint8_t{0} : def.settings.leaveOut;
+        def.settings.leaveOut = sweeps ? Features() : def.settings.leaveOut;
         World world(def);
         support::addWall(world, 5, Real(0.02), support::slippery(1));
         BodyDef ball = support::ballDef({0, 0}, Real(0.1), support::slippery(1));
@@ -191,7 +191,7 @@ TEST(LeaveOut, WithoutContinuousCollisionABallTunnels) {
 TEST(LeaveOut, WithoutSleepNoBodyFallsAsleep) {
     for (const bool rests : {true, false}) {
         WorldDef def = leavingOut(Feature::Sleep);
-        def.settings.leaveOut = rests ? std::uint8_t{0} : def.settings.leaveOut;
+        def.settings.leaveOut = rests ? Features() : def.settings.leaveOut;
         World world(def);
         support::addFloor(world);
         const BodyId box = world.add(support::boxDef({0, Real(0.5)}, 1, 1));

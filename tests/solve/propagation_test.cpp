@@ -302,14 +302,14 @@ TEST(Propagation, ACopyContinuesWithTheSameBits) {
 
 TEST(Propagation, FrictionCanBeLeftOut) {
     StepSettings settings = thesis2006();
-    settings.leaveOut = static_cast<std::uint8_t>(Feature::Friction);
+    settings.leaveOut = Feature::Friction;
     const scenes::KodoScene end = after(scenes::slidingBox(0.5), settings, 2);
     EXPECT_TRUE(near(end.world[end.ids[1]].velocity(), Vec2{5, 0}, 1e-4));
 }
 
 TEST(Propagation, RestitutionCanBeLeftOut) {
     StepSettings settings = thesis2006();
-    settings.leaveOut = static_cast<std::uint8_t>(Feature::Restitution);
+    settings.leaveOut = Feature::Restitution;
     const scenes::KodoScene end = after(scenes::bouncingBall(1), settings, 2);
     EXPECT_TRUE(near(end.world[end.ids[1]].position().y, 0.5, 0.002));
 }

@@ -47,7 +47,7 @@ constexpr Feature kEachFeature[] = {Feature::Friction,    Feature::RollingResist
 TEST(StepSettings, FeaturesAreLeftOutIndependently) {
     for (const Feature out : kEachFeature) {
         StepSettings settings;
-        settings.leaveOut = static_cast<std::uint8_t>(out);
+        settings.leaveOut = out;
         for (const Feature feature : kEachFeature) {
             EXPECT_EQ(settings.has(feature), feature != out);
         }

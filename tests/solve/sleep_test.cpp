@@ -217,7 +217,7 @@ TEST(Sleep, OnAndOffEndInTheSamePoses) {
          {scenes::stack(10), scenes::pyramid(8), scenes::pile(10)}) {
         World with = scenes::inKodo(scene).world;
         StepSettings settings;
-        settings.leaveOut = static_cast<std::uint8_t>(Feature::Sleep);
+        settings.leaveOut = Feature::Sleep;
         World without = scenes::inKodo(scene, settings).world;
         run(with, 1200);
         run(without, 1200);

@@ -21,7 +21,7 @@ int main() {
         std::printf("\n| %s | %s |", trial.scene.name.c_str(), trial.question);
         for (const Profile& profile : profiles()) {
             kodo::StepSettings settings = profile.settings;
-            settings.leaveOut |= static_cast<std::uint8_t>(kodo::Feature::Sleep);
+            settings.leaveOut |= kodo::Feature::Sleep;
             const std::clock_t start = std::clock();
             const Outcome outcome = run(trial, settings);
             const double took = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;

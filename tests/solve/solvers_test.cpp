@@ -14,7 +14,7 @@ using strategies::standing;
 
 /// Sleep off, since it would hide what a solver cannot hold.
 StepSettings awake(StepSettings settings) {
-    settings.leaveOut |= static_cast<std::uint8_t>(Feature::Sleep);
+    settings.leaveOut |= Feature::Sleep;
     return settings;
 }
 

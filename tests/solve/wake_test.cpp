@@ -147,7 +147,7 @@ const Cause kCauses[] = {
     {"SleepLeftOut",
      [](Quiet& q) {
          StepSettings settings = q.world.settings();
-         settings.leaveOut = static_cast<std::uint8_t>(Feature::Sleep);
+         settings.leaveOut = Feature::Sleep;
          q.world.setSettings(settings);
      }},
     {"Touch",

@@ -14,7 +14,7 @@ inline constexpr kodo::Vec2 kEarth{0, -10};           // m/s^2
 /// World with gravity and without sleep.
 inline kodo::WorldDef wakeful() {
     kodo::WorldDef def{.gravity = kEarth};
-    def.settings.leaveOut = static_cast<std::uint8_t>(kodo::Feature::Sleep);
+    def.settings.leaveOut = kodo::Feature::Sleep;
     return def;
 }
 

@@ -144,7 +144,7 @@ const BadDef kBadDefs[] = {
      [](BodyDef& d) {
          d.shape = Polygon{{{0, 0}, {0, 1}, {1, 0}}};
      },
-     "shape.corners[2]"},
+     "shape.corners"},
     {"Collinear",
      [](BodyDef& d) {
          d.shape = Polygon{{{0, 0}, {1, 0}, {2, 0}}};
@@ -164,7 +164,7 @@ const BadDef kBadDefs[] = {
      [](BodyDef& d) {
          d.shape = Polygon{{{0, 0}, {4, 0}, {1, 1}, {0, 4}}};
      },
-     "shape.corners[3]"},
+     "shape.corners[2]"},
     {"Duplicate",
      [](BodyDef& d) {
          d.shape = Polygon{{{0, 0}, {1, 0}, {1, 0}, {0, 1}}};

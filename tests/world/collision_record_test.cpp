@@ -232,7 +232,7 @@ TEST(CollisionRecord, AgreesWithTheCollidingFlag) {
 TEST(CollisionRecord, LeavingItOutChangesNothingElse) {
     WorldDef def{.gravity = support::kEarth};
     World with(def);
-    def.settings.leaveOut = static_cast<std::uint8_t>(Feature::Records);
+    def.settings.leaveOut = Feature::Records;
     World without(def);
     support::addHeap(with, 9, 30);
     support::addHeap(without, 9, 30);

@@ -52,7 +52,7 @@ TEST(MotionLock, FrictionBrakesABodyThatLandsFlatWithoutRotation) {
                                                 << ", e " << restitution);
                 WorldDef def;
                 def.settings = settingsOf(strategy);
-                def.settings.leaveOut = leftOut ? static_cast<std::uint8_t>(Feature::Rotation) : 0;
+                def.settings.leaveOut = leftOut ? Feature::Rotation : Features();
                 World world(def);
                 const Material material = withFriction(Real(0.5), restitution);
                 support::addFloor(world, material);

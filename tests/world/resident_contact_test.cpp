@@ -57,8 +57,7 @@ TEST(ResidentContact, TakesOverAChangedBodyType) {
 
 // A stack that moves as a whole with its platform keeps its manifolds and its shape.
 TEST(ResidentContact, StaysWhileAStackMovesAsAWhole) {
-    World world({.gravity = support::kEarth,
-                 .settings = {.leaveOut = static_cast<std::uint8_t>(Feature::Sleep)}});
+    World world({.gravity = support::kEarth, .settings = {.leaveOut = Feature::Sleep}});
     const BodyId platform = world.add({.shape = Box{4, 1}, .type = BodyType::Kinematic});
     std::vector<BodyId> boxes;
     for (int i = 0; i < 5; ++i) {
@@ -88,9 +87,9 @@ void expectToGoOnAlike(World& world) {
 // A change of settings during a slide applies at once, also to resident contacts.
 TEST(ResidentContact, AppliesNewSettingsAtOnce) {
     StepSettings off;
-    off.leaveOut = static_cast<std::uint8_t>(Feature::Friction);
+    off.leaveOut = Feature::Friction;
     StepSettings rolling;
-    rolling.leaveOut = static_cast<std::uint8_t>(Feature::RollingResistance);
+    rolling.leaveOut = Feature::RollingResistance;
     for (const StepSettings& settings : {off, rolling, thesis2006()}) {
         World world({.gravity = {3, -10}});
         support::addFloor(world);

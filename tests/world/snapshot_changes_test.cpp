@@ -42,7 +42,7 @@ TEST(Snapshot, ContinuesWithTheSameBitsAfterFrictionWasOffAndOn) {
     ASSERT_LT(length(world[box].velocity()), Real(1e-4)); // friction holds it
     const StepSettings with = world.settings();
     StepSettings without = with;
-    without.leaveOut |= static_cast<std::uint8_t>(Feature::Friction);
+    without.leaveOut |= Feature::Friction;
     world.setSettings(without);
     world.setSettings(with);
     EXPECT_TRUE(stepsLikeItsSnapshot(world));
@@ -230,7 +230,7 @@ private:
     }
     void toggle(std::uint8_t feature) {
         StepSettings settings = world_.settings();
-        settings.leaveOut ^= feature;
+        settings.leaveOut.bits ^= feature;
         world_.setSettings(settings);
     }
     void setStrategy() {

@@ -57,10 +57,10 @@ Knob featureKnob(std::string label, kodo::Feature feature) {
             .set =
                 [feature](Sandbox& box, double value) {
                     StepSettings settings = box.settings();
-                    const auto bit = static_cast<unsigned>(feature);
-                    const unsigned others = settings.leaveOut & ~bit;
-                    settings.leaveOut =
-                        static_cast<std::uint8_t>(value > 0 ? others : others | bit);
+                    settings.leaveOut |= feature;
+                    if (value > 0) {
+                        settings.leaveOut.bits ^= kodo::Features(feature).bits;
+                    }
                     box.setSettings(settings);
                 },
             .words = {"off", "on"}};

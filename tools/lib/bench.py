@@ -35,6 +35,9 @@ SCENES = [
     Wanted("spinner", 1000),
     Wanted("resting", 10000),
     Wanted("shots", 10000),
+    Wanted("tiles", 10000),
+    Wanted("rays", 10000),
+    Wanted("churn", 500),
     Wanted("smallroom", 1),
     Wanted("empty", 1),
 ]

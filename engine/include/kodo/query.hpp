@@ -4,16 +4,21 @@
 #include <kodo/world.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
 
 // Queries: where are the bodies of a World now? They change nothing. Each visits the bodies whose
-// user flags `which` accepts, without disabled ones, at the cost of a look at all bounds. Points
-// and displacements are in the world (m). A query with values that are not finite finds nothing.
-// The rotation of a Transform must have length 1, as Rot::fromAngle() gives; that is not checked.
+// user flags `which` accepts, without disabled ones and those in `except`; ids in `except` that
+// name no body are ignored. The cost grows with the logarithm of the number of bodies, and with
+// what is found; the first query after a step also updates the bounds of what moved. Several
+// threads may query one World at once. Points and displacements are in the world (m). All throw
+// BadDefinition for values that are not finite, a rotation that is not of length 1, a reversed box,
+// a ray without length, and a shape that check() refuses. A shape may move by {0, 0}.
 
 /// Where a ray or a moving shape meets a part of a body.
 struct QueryHit {
@@ -26,23 +31,37 @@ struct QueryHit {
 
 /// The first part on a ray. Ties go to the lower id, then to the lower part.
 KODO_API std::optional<QueryHit> rayCast(const World& world, Vec2 from, Vec2 to,
-                                         CollisionFilter which = {});
+                                         CollisionFilter which = {},
+                                         std::span<const BodyId> except = {});
 /// All parts on a ray, ordered by fraction, then id, then part.
 KODO_API std::vector<QueryHit> rayCastAll(const World& world, Vec2 from, Vec2 to,
-                                          CollisionFilter which = {});
+                                          CollisionFilter which = {},
+                                          std::span<const BodyId> except = {});
+/// Visits the parts on a ray in the same order, until visit(hit) returns false. Parts behind are
+/// not tested then. The World must not change before the last visit.
+KODO_API void visitRay(const World& world, Vec2 from, Vec2 to,
+                       const std::function<bool(const QueryHit&)>& visit,
+                       CollisionFilter which = {}, std::span<const BodyId> except = {});
 
-/// The first part that a shape meets when it moves by `displacement` without rotation. Throws
-/// BadDefinition for a shape that check() refuses.
+/// The first part that a shape meets when it moves by `displacement` without rotation.
 KODO_API std::optional<QueryHit> shapeCast(const World& world, const Shape& shape,
                                            const Transform& start, Vec2 displacement,
-                                           CollisionFilter which = {});
+                                           CollisionFilter which = {},
+                                           std::span<const BodyId> except = {});
 
 /// Bodies with a part that overlaps or touches a box, in the order of their ids.
 KODO_API std::vector<BodyId> overlap(const World& world, const Aabb& box,
-                                     CollisionFilter which = {});
-/// The same for a shape at a pose. Throws BadDefinition for one that check() refuses.
+                                     CollisionFilter which = {},
+                                     std::span<const BodyId> except = {});
+/// The same for a shape at a pose.
 KODO_API std::vector<BodyId> overlap(const World& world, const Shape& shape, const Transform& at,
-                                     CollisionFilter which = {});
+                                     CollisionFilter which = {},
+                                     std::span<const BodyId> except = {});
+/// Visits the same bodies in the same order, until visit(id) returns false. Later bodies are not
+/// tested then. The World must not change before the last visit.
+KODO_API void visitOverlaps(const World& world, const Shape& shape, const Transform& at,
+                            const std::function<bool(BodyId)>& visit, CollisionFilter which = {},
+                            std::span<const BodyId> except = {});
 
 /// The point of a body closest to a query point.
 struct QueryPoint {
@@ -55,7 +74,8 @@ struct QueryPoint {
 
 /// The closest body within maxDistance (m). Ties go to the lower id, then to the lower part.
 KODO_API std::optional<QueryPoint> closestPoint(const World& world, Vec2 point, Real maxDistance,
-                                                CollisionFilter which = {});
+                                                CollisionFilter which = {},
+                                                std::span<const BodyId> except = {});
 
 } // namespace KODO_PRECISION
 } // namespace kodo

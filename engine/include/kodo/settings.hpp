@@ -22,6 +22,30 @@ enum class Feature : std::uint8_t {
     Rotation = 64, // without it all bodies have kLockRotate, and spins are set to zero
 };
 
+/// A set of features, for example Feature::Sleep | Feature::Records.
+struct Features {
+    std::uint8_t bits = 0;
+
+    constexpr Features() = default;
+    constexpr Features(Feature feature) : bits(static_cast<std::uint8_t>(feature)) {}
+
+    constexpr bool has(Feature feature) const {
+        return (bits & static_cast<std::uint8_t>(feature)) != 0;
+    }
+    constexpr Features& operator|=(Features other) {
+        bits = static_cast<std::uint8_t>(bits | other.bits);
+        return *this;
+    }
+    friend bool operator==(const Features&, const Features&) = default;
+};
+
+constexpr Features operator|(Features a, Features b) {
+    return a |= b;
+}
+constexpr Features operator|(Feature a, Feature b) {
+    return Features(a) | b;
+}
+
 /// The soft solver: substeps of soft contacts with warm starting and a relax pass [Catto24].
 ///
 /// Limits at these defaults, at 60 Hz under the earth's gravity:
@@ -57,8 +81,8 @@ struct PropagationSettings {
 /// How a World steps: the trade of speed against accuracy.
 struct StepSettings {
     std::variant<SoftSettings, PropagationSettings> solver = SoftSettings{};
-    int sleepSteps = 30;       // 1 to 1000000; still steps in a row before an island falls asleep
-    std::uint8_t leaveOut = 0; // a set of Feature
+    int sleepSteps = 30; // 1 to 1000000; still steps in a row before an island falls asleep
+    Features leaveOut{};
 
     /// The numbers of the solver in use. Asking for those of the other one throws BadDefinition.
     KODO_API SoftSettings& soft();
@@ -66,7 +90,7 @@ struct StepSettings {
     KODO_API PropagationSettings& propagation();
     KODO_API const PropagationSettings& propagation() const;
 
-    bool has(Feature feature) const { return (leaveOut & static_cast<std::uint8_t>(feature)) == 0; }
+    bool has(Feature feature) const { return !leaveOut.has(feature); }
     friend bool operator==(const StepSettings&, const StepSettings&) = default;
 };
 

@@ -54,8 +54,9 @@ public:
 
     /// Throws BadDefinition with what check(def) says.
     BodyId add(const BodyDef& def);
-    /// Removes a body and its joints, and wakes what touches it. The cost grows with the contacts
-    /// and joints of the World.
+    /// Removes a body and its joints, and wakes what touches it. Costs its own contacts; the first
+    /// removal after a step also lists the contacts of all awake bodies, and each one looks at all
+    /// joints.
     void remove(BodyId id);
     /// Adds a copy of a body at another position (m, world: of the shape's frame).
     BodyId clone(BodyId id, Vec2 position);

@@ -32,6 +32,7 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const BodyGeo
         bodies.extent.emplace_back();
         bodies.teleportCount.emplace_back();
         bodies.hasTeleported.emplace_back();
+        bodies.hasArrived.emplace_back();
         bodies.filter.emplace_back();
         bodies.record.emplace_back();
         bodies.parts.emplace_back();
@@ -54,6 +55,7 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const BodyGeo
     bodies.sleep[slot.index] = {};
     bodies.sleep[slot.index].since = bodies.pose[slot.index];
     bodies.awakeStale = true;
+    bodies.noteArrival(slot.index);
     refreshDerived(bodies, slot.index);
     return bodies.idAt(slot.index);
 }
@@ -67,6 +69,7 @@ void removeBody(Bodies& bodies, std::uint32_t index) {
     bodies.record[index] = {};
     bodies.parts[index] = nullptr;
     bodies.sleep[index] = {};
+    bodies.hasArrived[index] = 0;
     bodies.awakeStale = true;
 }
 
@@ -135,6 +138,12 @@ void listAwake(Bodies& bodies) {
     bodies.thinnest = thinnest;
 }
 
+void clearArrivals(Bodies& bodies) {
+    if (std::exchange(bodies.anyArrived, false)) {
+        std::fill(bodies.hasArrived.begin(), bodies.hasArrived.end(), std::uint8_t{0});
+    }
+}
+
 void noteStart(Bodies& bodies) {
     bodies.start.resize(bodies.size());
     if (std::exchange(bodies.startStale, false)) {
@@ -158,6 +167,7 @@ void setGeometry(Bodies& bodies, std::uint32_t index,
     pose.position = origin + pose.rotation * geometry->mass.center;
     bodies.thinnest = std::min(bodies.thinnest, geometry->coreRadius);
     bodies.record[index].geometry = std::move(geometry);
+    bodies.noteArrival(index);
     bodies.teleported(index);
     refreshDerived(bodies, index);
 }

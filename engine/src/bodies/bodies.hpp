@@ -51,6 +51,8 @@ struct Bodies {
     std::vector<std::uint32_t> teleportCount;            // number of teleports and geometry changes
     /// By body: teleported since the last step began, or a contact was put back since.
     std::vector<std::uint8_t> hasTeleported;
+    /// By body: added or changed since the last step, so it may begin contacts with sleeping ones.
+    std::vector<std::uint8_t> hasArrived;
     std::vector<Vec2> start;             // m, centre of mass when the last step began
     std::vector<CollisionFilter> filter; // not in `record`: pair search reads it at random
     std::vector<BodyRecord> record;
@@ -71,6 +73,7 @@ struct Bodies {
     bool startStale = true;         // also for bodies that are not awake
     bool accelerationsStale = true; // accelerations, masses or the awake list have changed
     bool anyTeleported = false;     // since the last step began
+    bool anyArrived = false;        // since the last step
 
     BodyId idAt(std::size_t index) const {
         return {static_cast<std::uint32_t>(index), ids.generationAt(index), stamp};
@@ -103,6 +106,10 @@ struct Bodies {
     void teleported(std::size_t index) {
         ++teleportCount[index];
         noteTeleport(index);
+    }
+    void noteArrival(std::size_t index) {
+        hasArrived[index] = 1;
+        anyArrived = true;
     }
     void noteTeleport(std::size_t index) {
         hasTeleported[index] = 1;
@@ -166,6 +173,9 @@ inline bool refreshAwake(Bodies& bodies) {
     }
     return stale;
 }
+
+/// Clears the list of arrivals.
+void clearArrivals(Bodies& bodies);
 
 /// Stores the positions at the start of a step, and clears the teleport flags.
 void noteStart(Bodies& bodies);

@@ -12,6 +12,8 @@ inline namespace KODO_PRECISION {
 /// Removes the contacts for which gone(slot) is true, in the order of keys.
 template <typename Gone>
 void ContactSet::eraseIf(Gone gone) {
+    settle();
+    index_.forget();
     holes_.clear();
     std::erase_if(order_, [&](const Place& place) {
         const bool erased = gone(place.slot);
@@ -24,19 +26,38 @@ void ContactSet::eraseIf(Gone gone) {
 }
 
 void ContactSet::drop(std::uint32_t body, const std::function<void(Contact&)>& writeBack) {
-    eraseIf([&](std::uint32_t slot) {
-        const bool gone = summaries_[slot].bodyA == body || summaries_[slot].bodyB == body;
-        if (gone) {
-            Contact& contact = contacts_[slot];
-            writeBack(contact);
-            if (recordsDue_ && contact.phase) {
-                recordContact(contact, dropped_);
-            }
-            noteEnd(contact);
+    if (!index_.isValid()) {
+        settle();
+        index_.build(order_.size(), [&](std::size_t place) {
+            const std::uint32_t slot = order_[place].slot;
+            return ContactIndex::Entry{summaries_[slot].bodyA, summaries_[slot].bodyB, slot};
+        });
+    }
+    holes_.clear();
+    for (const std::uint32_t place : index_.placesOf(body)) {
+        const std::uint32_t slot = std::exchange(order_[place].slot, kGone);
+        if (slot == kGone) {
+            continue;
         }
-        return gone;
-    });
+        Contact& contact = contacts_[slot];
+        writeBack(contact);
+        if (recordsDue_ && contact.phase) {
+            recordContact(contact, dropped_);
+        }
+        noteEnd(contact);
+        holes_.push_back(slot);
+        anyGone_ = true;
+    }
+    fillHoles();
     bodyChanged(body);
+}
+
+/// Removes the places of dropped contacts from the order.
+void ContactSet::settle() {
+    if (std::exchange(anyGone_, false)) {
+        std::erase_if(order_, [](const Place& place) { return place.slot == kGone; });
+        index_.forget();
+    }
 }
 
 void ContactSet::partRemoved(std::uint32_t body, std::size_t part) {
@@ -82,6 +103,7 @@ std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies) {
 
 void ContactSet::putBack(std::span<const Contact> contacts, Bodies& bodies) {
     writeRecords();
+    settle();
     const auto keyOf = [&](const Place& place) { return contacts_[place.slot].key; };
     for (const Contact& contact : contacts) {
         const auto place = std::lower_bound(
@@ -108,6 +130,7 @@ void ContactSet::putBack(std::span<const Contact> contacts, Bodies& bodies) {
 /// Rebuilds order_ from the contacts.
 void ContactSet::orderContacts() {
     changed();
+    index_.forget();
     order_.resize(contacts_.size());
     for (std::uint32_t slot = 0; slot < order_.size(); ++slot) {
         order_[slot].slot = slot;
@@ -146,6 +169,7 @@ void ContactSet::renew(const Bodies& bodies, const Tolerances& tolerances) {
     changed();
     bounds_.renew(bodies, tolerances);
     finder_.forget();
+    still_.forget();
     touches_.resize(bodies.size());
     for (Contact& contact : contacts_) {
         describeContact(contact, bodies);
@@ -170,7 +194,9 @@ void ContactSet::renewChanged(const Bodies& bodies, const Tolerances& tolerances
     touches_.resize(bodies.size());
     if (bounds_.renew(bodies, tolerances, changes_)) {
         finder_.forget();
+        movers_.forget();
     }
+    still_.bodiesChanged(bodies, bounds_, changes_);
     for (std::uint32_t slot = 0; slot < summaries_.size(); ++slot) {
         ContactSummary& summary = summaries_[slot];
         if ((hasChanged_[summary.bodyA] | hasChanged_[summary.bodyB]) != 0) {
@@ -187,6 +213,7 @@ void ContactSet::renewChanged(const Bodies& bodies, const Tolerances& tolerances
 }
 
 void ContactSet::applyChanges(const Bodies& bodies, const Tolerances& tolerances) {
+    settle();
     if (std::exchange(stale_, false)) {
         renew(bodies, tolerances);
         pairsStale_ = false;

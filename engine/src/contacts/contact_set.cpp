@@ -56,6 +56,16 @@ void ContactSet::countTouches(const Bodies& bodies) {
     }
 }
 
+void ContactSet::finishStep(bool wantRecords) {
+    records_.clear();
+    endedInStep_.clear();
+    if (!ended_.empty()) {
+        std::swap(ended_, endedInStep_);
+        ended_.reserve(endedInStep_.capacity()); // the two vectors alternate
+    }
+    recordsDue_ = wantRecords;
+}
+
 /// Must be called before a contact is removed.
 void ContactSet::writeRecords() const {
     records([](const Contact& contact) -> const Contact& { return contact; });
@@ -101,13 +111,20 @@ void ContactSet::fillHoles() {
             continue;
         }
         movedTo[slot - kept] = holes_[hole];
+        if (index_.isValid()) {
+            const auto from = static_cast<std::uint32_t>(slot);
+            order_[index_.placeOf(from)].slot = holes_[hole];
+            index_.moveSlot(from, holes_[hole]);
+        }
         summaries_[holes_[hole]] = summaries_[slot];
         contacts_[holes_[hole++]] = contacts_[slot];
     }
     reorderPolicy_.strayed += hole;
-    for (Place& place : order_) {
-        if (place.slot >= kept) {
-            place.slot = movedTo[place.slot - kept];
+    if (!index_.isValid()) {
+        for (Place& place : order_) {
+            if (place.slot >= kept) {
+                place.slot = movedTo[place.slot - kept];
+            }
         }
     }
     contacts_.resize(kept);
@@ -123,6 +140,7 @@ void ContactSet::sortContacts() {
             continue;
         }
         changed();
+        index_.forget();
         const Contact contact = contacts_[start];
         const ContactSummary summary = summaries_[start];
         std::uint32_t to = start;
@@ -182,14 +200,59 @@ void ContactSet::findPairs(const Bodies& bodies, WorkerTeam& team) {
         const Flags flagsA = bodies.filter[a].flags;
         const Flags flagsB = bodies.filter[b].flags;
         const bool sensor = ((flagsA ^ flagsB) & kSensor) != 0; // exactly one of them
+        // An inactive body that arrives may touch a sleeping one: see SleepSystem::wakeTouched.
+        const bool arrives = (bodies.hasArrived[a] | bodies.hasArrived[b]) != 0 &&
+                             ((flagsA | flagsB) & (kAsleep | kOutside)) == kAsleep;
         return a != b && (sensor || !(bodies.locked(a) && bodies.locked(b))) &&
                (sensor || ((flagsA & flagsB) & kSensor) == 0) &&
-               (bodies.active(a) || bodies.active(b)) &&
+               (bodies.active(a) || bodies.active(b) || arrives) &&
                shouldCollide(bodies.filter[a], bodies.filter[b]) &&
                !std::binary_search(excludedPairs_.begin(), excludedPairs_.end(), std::pair(a, b));
     };
     pairs_.clear();
+    if (still_.update(bodies, bounds_)) {
+        findPairsOfMovers(bodies, accept, team);
+        return;
+    }
+    if (movers_.forget()) {
+        finder_.forget();
+    }
     finder_.pairs(bounds_.grown(), {bounds_.changed(), bounds_.isChanged()}, accept, pairs_, team);
+}
+
+/// The same, with the parts of inactive bodies in a tree.
+template <typename Accept>
+void ContactSet::findPairsOfMovers(const Bodies& bodies, Accept accept, WorkerTeam& team) {
+    MovingParts& movers = movers_;
+    still_.listOthers(bodies, bounds_, movers.parts);
+    if (movers.gather(bounds_)) {
+        finder_.forget();
+    }
+    const auto acceptMovers = [&](std::uint32_t k, std::uint32_t other) {
+        return accept(movers.parts[k], movers.parts[other]);
+    };
+    finder_.pairs(movers.bounds, {movers.changed, movers.isChanged}, acceptMovers, pairs_, team);
+    for (BoundsPair& pair : pairs_) {
+        pair = {movers.parts[pair.first], movers.parts[pair.second]};
+    }
+    const std::size_t among = pairs_.size();
+    for (const std::uint32_t k : movers.changed) {
+        const std::uint32_t i = movers.parts[k];
+        const Octagon& own = movers.bounds[k];
+        const Aabb box = own.box();
+        still_.tree().search(
+            [&](const Aabb& other) { return overlap(box, other) ? 0 : BoundsTree::kMissed; },
+            [&](std::uint32_t body, std::uint32_t part) {
+                const std::uint32_t j = bounds_.indexOf(body, static_cast<std::uint16_t>(part));
+                if (overlap(own, bounds_.grown()[j]) &&
+                    !std::binary_search(movers.parts.begin(), movers.parts.end(), j)) {
+                    addPair(i, j, accept, pairs_);
+                }
+            });
+    }
+    if (pairs_.size() > among) {
+        std::sort(pairs_.begin(), pairs_.end()); // total order: pairs are distinct
+    }
 }
 
 /// Merges pairs_ with order_: both are in the order of keys. A pair can only be added or removed if
@@ -230,6 +293,7 @@ void ContactSet::mergePairs(const Bodies& bodies, WorkerTeam& team) {
     if (news_.empty()) {
         return;
     }
+    index_.forget();
     newOrder_.clear();
     newOrder_.reserve(order_.capacity()); // the two vectors alternate
     holes_.clear();

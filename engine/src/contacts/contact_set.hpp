@@ -11,9 +11,11 @@
 #include "bodies/bodies.hpp"
 #include "broad/pair_finder.hpp"
 #include "contacts/contact.hpp"
+#include "contacts/contact_index.hpp"
 #include "contacts/contact_report.hpp"
 #include "contacts/ghost_collisions.hpp"
 #include "contacts/part_bounds.hpp"
+#include "contacts/still_parts.hpp"
 
 #include <functional>
 #include <span>
@@ -90,6 +92,7 @@ public:
     /// Calls visit(contact) for all contacts in the order of their keys.
     template <typename Visit>
     void forEachInOrder(Visit visit) {
+        KODO_ASSERT(!anyGone_);
         for (const Place& place : order_) {
             visit(contacts_[place.slot]);
         }
@@ -122,15 +125,7 @@ public:
     /// True if a contact touched the body at the last finishStepOfContacts.
     bool isTouched(std::uint32_t body) const { return touches_[body] > 0; }
     /// Ends a step: later records belong to the next one.
-    void finishStep(bool wantRecords) {
-        records_.clear();
-        endedInStep_.clear();
-        if (!ended_.empty()) {
-            std::swap(ended_, endedInStep_);
-            ended_.reserve(endedInStep_.capacity()); // the two vectors alternate
-        }
-        recordsDue_ = wantRecords;
-    }
+    void finishStep(bool wantRecords);
     /// Records of the last step, in order. Written lazily, at the first call or before a contact is
     /// removed. current(contact) returns the contact with its state written back.
     template <typename Current>
@@ -138,7 +133,7 @@ public:
         if (std::exchange(recordsDue_, false)) {
             records_.reserve(contacts_.capacity() + dropped_.size() + endedInStep_.size());
             for (const Place& place : order_) {
-                if (contacts_[place.slot].phase) {
+                if (place.slot != kGone && contacts_[place.slot].phase) {
                     recordContact(current(contacts_[place.slot]), records_);
                 }
             }
@@ -151,6 +146,7 @@ public:
 private:
     friend class SnapshotFields;
     static constexpr std::size_t kContactsPerPiece = 128;
+    static constexpr std::uint32_t kGone = ~std::uint32_t{};    // slot of a dropped contact
     static constexpr std::uint32_t kOneLess = ~std::uint32_t{}; // -1, added to unsigned counts
 
     /// A range of contacts.
@@ -171,6 +167,7 @@ private:
         bool comes;
     };
 
+    void settle();
     void writeRecords() const;
     void noteEnd(const Contact& contact);
     void countTouch(const Contact& contact, bool touches);
@@ -182,6 +179,8 @@ private:
     void renewPlaces();
     void refreshPairs(const Bodies& bodies, WorkerTeam& team);
     void findPairs(const Bodies& bodies, WorkerTeam& team);
+    template <typename Accept>
+    void findPairsOfMovers(const Bodies& bodies, Accept accept, WorkerTeam& team);
     void findNews(WorkerTeam& team);
     void mergePairs(const Bodies& bodies, WorkerTeam& team);
     void release(Contact& gone, const Bodies& bodies);
@@ -206,9 +205,13 @@ private:
     PartBounds bounds_;
     std::vector<BoundsPair> pairs_;
     PairFinder finder_;
+    StillParts still_;
+    MovingParts movers_;
     GhostCollisions ghostCollisions_;
     std::vector<Contact> contacts_;
-    std::vector<Place> order_;    // of the contacts, by key
+    std::vector<Place> order_; // of the contacts, by key
+    ContactIndex index_;
+    bool anyGone_ = false;        // some places of order_ are empty, until settle()
     std::vector<Place> newOrder_; // scratch: merging allocates nothing
     std::vector<News> news_;      // while merging
     ParallelCollector<News> newsFound_;
@@ -225,8 +228,7 @@ private:
     std::vector<std::uint32_t> changes_;   // bodies: see bodyChanged
     std::vector<std::uint8_t> hasChanged_; // by body: 1 if in changes_
     std::vector<std::uint32_t> stirred_;   // bodies, with duplicates: see activityChanged
-    std::vector<std::uint32_t>
-        touches_; // by body: number of touching contacts at the last finishStepOfContacts
+    std::vector<std::uint32_t> touches_;   // by body: see isTouched; the number of such contacts
     std::vector<std::uint32_t> touchChanges_;
     // End records of contacts removed with a body, a part, or the overlap of their bounds.
     std::vector<CollisionRecord> ended_;       // since the last step

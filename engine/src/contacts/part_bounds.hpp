@@ -26,6 +26,11 @@ public:
     std::uint32_t indexOf(std::uint32_t body, std::uint16_t part) const {
         return firstPart_[body] + part;
     }
+    std::size_t size() const { return parts_.size(); }
+    /// Number of parts of a body.
+    std::uint32_t countOf(std::uint32_t body) const {
+        return firstPart_[body + std::size_t{1}] - firstPart_[body];
+    }
     const Octagon& tight(std::size_t i) const { return tight_[i]; }
     std::span<const Octagon> grown() const { return grown_; }
     std::span<const std::uint32_t> changed() const { return changed_; }

@@ -44,6 +44,68 @@ std::optional<Problem> check(const Box& box) {
     return checkPoint("center", box.center);
 }
 
+/// True if the segments from a to b and from c to d cross inside both.
+bool crossEachOther(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+    const auto side = [](Vec2 p, Vec2 q, Vec2 r) { return cross(q - p, r - p); };
+    return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
+std::optional<Problem> checkDistinct(const std::vector<Vec2>& corners) {
+    for (std::size_t k = 1; k < corners.size(); ++k) {
+        for (std::size_t i = 0; i < k; ++i) {
+            if (corners[i] == corners[k]) {
+                return Problem{corner(k), "is the same point as corner " + std::to_string(i) +
+                                              ": leave it out"};
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<Problem> checkCrossings(const std::vector<Vec2>& corners) {
+    const std::size_t n = corners.size();
+    for (std::size_t k = 2; k < n; ++k) {
+        for (std::size_t i = 0; i + 1 < k; ++i) {
+            if (crossEachOther(corners[i], corners[i + 1], corners[k], corners[(k + 1) % n])) {
+                return Problem{corner(k), "begins an edge that crosses the edge from corner " +
+                                              std::to_string(i) + " to corner " +
+                                              std::to_string(i + 1) +
+                                              ": convexHull() gives an outline around all corners"};
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+/// Corner k is not left of the edge from corner i: names the reason.
+Problem whyNotConvex(const std::vector<Vec2>& corners, std::size_t i, std::size_t k) {
+    const std::size_t n = corners.size();
+    if (auto problem = checkCrossings(corners)) {
+        return *problem;
+    }
+    const auto turnAt = [&](std::size_t at) { // > 0 to the left
+        const Vec2 before = corners[(at + n - 1) % n];
+        return cross(corners[at] - before, corners[(at + 1) % n] - corners[at]);
+    };
+    Real area = 0;
+    std::size_t reflex = n;
+    for (std::size_t at = n; at-- > 0;) {
+        area += cross(corners[at] - corners[0], corners[(at + 1) % n] - corners[0]);
+        reflex = turnAt(at) < 0 ? at : reflex;
+    }
+    if (area < 0) {
+        return {"corners", "go clockwise: give them counter-clockwise, or use convexHull()"};
+    }
+    if (reflex < n) {
+        return {corner(reflex), "points inwards, so the outline is not convex: split it into "
+                                "polygons of a Compound, or use convexHull()"};
+    }
+    return {corner(k), "lies on the line from corner " + std::to_string(i) + " to corner " +
+                           std::to_string((i + 1) % n) +
+                           ", as far as numbers resolve: leave out the corner between, or use "
+                           "convexHull()"};
+}
+
 /// Reports the first corner at which the polygon is not strictly convex and counter-clockwise.
 std::optional<Problem> checkConvex(const std::vector<Vec2>& corners, Real flatness) {
     const std::size_t n = corners.size();
@@ -51,9 +113,6 @@ std::optional<Problem> checkConvex(const std::vector<Vec2>& corners, Real flatne
         const std::size_t j = (i + 1) % n;
         const Vec2 edge = corners[j] - corners[i];
         const Real size = length(edge);
-        if (!(size > 0)) {
-            return Problem{corner(j), "is the same point as corner " + std::to_string(i)};
-        }
         for (std::size_t k = 0; k < n; ++k) {
             if (k == i || k == j) {
                 continue;
@@ -61,11 +120,7 @@ std::optional<Problem> checkConvex(const std::vector<Vec2>& corners, Real flatne
             const Vec2 arm = corners[k] - corners[i];
             const Real height = cross(edge, arm) / size;
             if (!(height > flatness * std::max(size, length(arm)))) {
-                return Problem{corner(k), "lies on or outside the line from corner " +
-                                              std::to_string(i) + " to corner " +
-                                              std::to_string(j) +
-                                              "; corners must go counter-clockwise around a "
-                                              "strictly convex outline"};
+                return whyNotConvex(corners, i, k);
             }
         }
     }
@@ -82,6 +137,9 @@ std::optional<Problem> check(const Polygon& polygon, Real flatness = kFlatness) 
         if (auto problem = checkPoint(corner(i), polygon.corners[i])) {
             return problem;
         }
+    }
+    if (auto problem = checkDistinct(polygon.corners)) {
+        return problem;
     }
     return checkConvex(polygon.corners, flatness);
 }

@@ -81,7 +81,7 @@ std::optional<Problem> check(const StepSettings& settings) {
     Checks checks;
     std::visit([&](const auto& solver) { checks(solver); }, settings.solver);
     checks.count("settings.sleepSteps", settings.sleepSteps, 1, 1000000);
-    if (!checks.first() && (settings.leaveOut & ~kAllFeatures) != 0) {
+    if (!checks.first() && (settings.leaveOut.bits & ~kAllFeatures) != 0) {
         return Problem{"settings.leaveOut", "must be a set of Feature"};
     }
     return checks.first();

@@ -2,9 +2,12 @@
 #include <kodo/geometry.hpp>
 #include <kodo/query.hpp>
 
+#include "base/checks.hpp"
+#include "bodies/body_checks.hpp"
 #include "world/world_impl.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <tuple>
 
@@ -12,42 +15,126 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-bool isAsked(const BodyView& body, CollisionFilter which) {
-    return (body.flags() & kDisabled) == 0 && accepts(which, body.flags());
+/// Half-width (m) by which searches grow their boxes for rounding errors, from the largest
+/// coordinate of the query.
+Real roundingOf(Vec2 a, Vec2 b) {
+    constexpr Real kShare = sizeof(Real) == 4 ? Real(8e-6) : Real(8e-15);
+    return kShare * std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
 }
 
-/// Calls visit(body, part index) for every part whose bounds overlap a box, in order.
-template <typename Visit>
-void forPartsIn(const WorldImpl& world, const Aabb& box, CollisionFilter which, Visit visit) {
-    for (const BodyId id : world.bodies()) {
-        const BodyView body = world[id];
-        if (!isAsked(body, which)) {
-            continue;
-        }
-        for (std::size_t i = 0; i < body.partCount(); ++i) {
-            if (overlap(boundsOf(body.part(i).convex, body.massFrame()), box)) {
-                visit(body, i);
-            }
-        }
-    }
-}
-
-Aabb around(Vec2 from, Vec2 to) {
-    return unite(Aabb{from, from}, {to, to});
-}
-
-/// Grows a box by the rounding error of bounds, so that no touching shape is missed.
 Aabb withRounding(const Aabb& box) {
-    constexpr Real kShare = sizeof(Real) == 4 ? Real(1e-6) : Real(1e-15);
-    Real size = 0;
-    for (const Real x : {box.lower.x, box.lower.y, box.upper.x, box.upper.y}) {
-        size = std::max(size, x < 0 ? -x : x);
-    }
-    return box.grown(8 * kShare * size);
+    return box.grown(roundingOf(box.lower, box.upper));
 }
 
-QueryHit queryHit(const BodyView& body, std::size_t part, Real fraction, Vec2 point, Vec2 normal) {
-    return {body.id(), static_cast<std::uint16_t>(part), fraction, point, normal};
+/// A moving point against boxes: the fraction of its way at which it enters one.
+class PathEntry {
+public:
+    /// The point moves from `from` to `to` (m); boxes are grown by `reach` on each side.
+    PathEntry(Vec2 from, Vec2 to, Vec2 reach)
+        : from_(from),
+          perWay_{1 / (to.x - from.x), 1 / (to.y - from.y)},
+          reach_(reach + roundingOf(from, to) * Vec2{1, 1}) {}
+
+    /// BoundsTree::kMissed if that is beyond `limit`.
+    Real operator()(const Aabb& box, Real limit) const {
+        const Range x = along(box.lower.x - reach_.x, box.upper.x + reach_.x, from_.x, perWay_.x);
+        const Range y = along(box.lower.y - reach_.y, box.upper.y + reach_.y, from_.y, perWay_.y);
+        const Real first = std::max({x.first, y.first, Real(0)});
+        return first <= std::min({x.last, y.last, limit}) ? first : BoundsTree::kMissed;
+    }
+
+private:
+    struct Range {
+        Real first;
+        Real last;
+    };
+    static Range along(Real lower, Real upper, Real from, Real perWay) {
+        if (!std::isfinite(perWay)) { // no way along this axis
+            return lower <= from && from <= upper ? Range{0, 1} : Range{1, 0};
+        }
+        const Real a = (lower - from) * perWay;
+        const Real b = (upper - from) * perWay;
+        return a < b ? Range{a, b} : Range{b, a};
+    }
+
+    Vec2 from_;
+    Vec2 perWay_; // 1/m
+    Vec2 reach_;  // m
+};
+
+/// The bodies that a query visits.
+class Asked {
+public:
+    Asked(const World& world, CollisionFilter which, std::span<const BodyId> except)
+        : bodies_(world.impl().bodyData()),
+          view_(world.impl().queryView()),
+          which_(which),
+          except_(except) {}
+
+    BodyId idOf(std::uint32_t body) const { return bodies_.idAt(body); }
+    const ConvexShape& convex(std::uint32_t body, std::uint32_t part) const {
+        return bodies_.convex(body, part);
+    }
+    const Transform& pose(std::uint32_t body) const { return bodies_.pose[body]; }
+
+    /// Calls visit(body, part) for parts whose bounds have entry(box) < BoundsTree::kMissed, in
+    /// unspecified order; for planes always.
+    template <typename Entry, typename Visit>
+    void forParts(Entry entry, Visit visit) const {
+        const auto accepted = [&](std::uint32_t body, std::uint32_t part) {
+            if (isAsked(body)) {
+                visit(body, part);
+            }
+        };
+        for (const QueryTree::PlanePart& plane : view_.planes) {
+            accepted(plane.body, plane.part);
+        }
+        view_.tree.search(entry, accepted);
+    }
+    template <typename Visit>
+    void forPartsIn(const Aabb& box, Visit visit) const {
+        forParts([&](const Aabb& other) { return overlap(box, other) ? 0 : BoundsTree::kMissed; },
+                 visit);
+    }
+
+private:
+    bool isAsked(std::uint32_t body) const {
+        const Flags flags = bodies_.filter[body].flags;
+        return (flags & kDisabled) == 0 && accepts(which_, flags) &&
+               (except_.empty() || std::none_of(except_.begin(), except_.end(), [&](BodyId id) {
+                    return id.index == body && bodies_.alive(id);
+                }));
+    }
+
+    const Bodies& bodies_;
+    QueryTree::View view_;
+    CollisionFilter which_;
+    std::span<const BodyId> except_;
+};
+
+bool isBefore(const QueryHit& a, const QueryHit& b) { // total order: each part is hit once
+    return std::tie(a.fraction, a.body, a.part) < std::tie(b.fraction, b.body, b.part);
+}
+
+/// Keeps the first of all hits.
+void keepFirst(std::optional<QueryHit>& best, const QueryHit& hit) {
+    if (!best || isBefore(hit, *best)) {
+        best = hit;
+    }
+}
+
+Real limitOf(const std::optional<QueryHit>& best) {
+    return best ? best->fraction : 1;
+}
+
+std::optional<QueryHit> hitOf(const Asked& asked, std::uint32_t body, std::uint32_t part,
+                              const Ray& ray) {
+    const auto hit = rayCast(asked.convex(body, part), asked.pose(body), ray);
+    if (!hit) {
+        return std::nullopt;
+    }
+    return QueryHit{asked.idOf(body), static_cast<std::uint16_t>(part), hit->fraction,
+                    ray.at(hit->fraction), hit->normal};
 }
 
 /// The convex shapes of a shape, relative to its own origin.
@@ -62,93 +149,190 @@ std::vector<ConvexShape> convexesOf(const Shape& shape) {
     return convexes;
 }
 
-bool isFinite(const Transform& t) {
-    return isFinite(t.position) && isFinite(Vec2{t.rotation.c, t.rotation.s});
+void requireFinite(const char* field, Vec2 value) {
+    if (!isFinite(value)) {
+        refuse(Problem{field, "must be finite"});
+    }
 }
 
-std::vector<BodyId> overlapping(const WorldImpl& world, std::span<const ConvexShape> convexes,
-                                const Transform& at, CollisionFilter which) {
+void requirePose(const char* field, const Transform& t) {
+    requireFinite(field, t.position);
+    refuse(checkRotation(field, t.rotation));
+}
+
+void requireRay(Vec2 from, Vec2 to) {
+    requireFinite("from", from);
+    requireFinite("to", to);
+    if (from == to) {
+        refuse(Problem{"to", "must differ from `from`: overlap() finds what contains a point"});
+    }
+}
+
+/// A part whose bounds a query reaches.
+struct Candidate {
+    Real entry = 0; // fraction at which a ray enters the bounds
+    std::uint32_t body = 0;
+    std::uint32_t part = 0;
+};
+
+/// Visits overlapping bodies in order, each once. overlapsSurely(convex, pose) may return true for
+/// parts that need no exact test.
+template <typename Surely, typename Visit>
+void forOverlapping(const Asked& asked, std::span<const ConvexShape> convexes, const Transform& at,
+                    Surely overlapsSurely, Visit visit) {
+    struct Pair {
+        std::uint32_t body;
+        std::uint32_t part;
+        std::uint32_t convex;
+    };
+    SmallVector<Pair, 32> pairs;
+    for (std::uint32_t i = 0; i < convexes.size(); ++i) {
+        asked.forPartsIn(withRounding(boundsOf(convexes[i], at)),
+                         [&](std::uint32_t body, std::uint32_t part) {
+                             pairs.push_back({body, part, i});
+                         });
+    }
+    std::sort(pairs.begin(), pairs.end(), // total order: pairs are distinct
+              [](const Pair& a, const Pair& b) {
+                  return std::tie(a.body, a.part, a.convex) < std::tie(b.body, b.part, b.convex);
+              });
+    for (std::size_t i = 0; i < pairs.size();) {
+        const Pair& pair = pairs[i++];
+        const ConvexShape& convex = asked.convex(pair.body, pair.part);
+        const Transform& pose = asked.pose(pair.body);
+        if (!overlapsSurely(convex, pose) &&
+            distance(convex, pose, convexes[pair.convex], at).distance > 0) {
+            continue;
+        }
+        if (!visit(asked.idOf(pair.body))) {
+            return;
+        }
+        while (i < pairs.size() && pairs[i].body == pair.body) {
+            ++i;
+        }
+    }
+}
+
+bool unsure(const ConvexShape&, const Transform&) {
+    return false;
+}
+
+template <typename Surely>
+std::vector<BodyId> overlapping(const Asked& asked, std::span<const ConvexShape> convexes,
+                                const Transform& at, Surely overlapsSurely) {
     std::vector<BodyId> found;
-    for (const ConvexShape& convex : convexes) {
-        const Aabb box = withRounding(boundsOf(convex, at));
-        forPartsIn(world, box, which, [&](const BodyView& body, std::size_t i) {
-            if (std::find(found.begin(), found.end(), body.id()) == found.end() &&
-                distance(body.part(i).convex, body.massFrame(), convex, at).distance <= 0) {
-                found.push_back(body.id());
-            }
-        });
-    }
-    std::sort(found.begin(), found.end()); // total order: bodies are distinct
+    forOverlapping(asked, convexes, at, overlapsSurely, [&](BodyId id) {
+        found.push_back(id);
+        return true;
+    });
     return found;
-}
-
-/// Calls visit(hit) for every part that a ray hits, in order of body and part.
-template <typename Visit>
-void forHits(const WorldImpl& world, Vec2 from, Vec2 to, CollisionFilter which, Visit visit) {
-    if (!isFinite(from) || !isFinite(to)) {
-        return;
-    }
-    const Ray ray{from, to};
-    forPartsIn(world, withRounding(around(from, to)), which,
-               [&](const BodyView& body, std::size_t i) {
-                   if (const auto hit = rayCast(body.part(i).convex, body.massFrame(), ray)) {
-                       visit(queryHit(body, i, hit->fraction, ray.at(hit->fraction), hit->normal));
-                   }
-               });
 }
 
 } // namespace
 
-std::optional<QueryHit> rayCast(const World& world, Vec2 from, Vec2 to, CollisionFilter which) {
+std::optional<QueryHit> rayCast(const World& world, Vec2 from, Vec2 to, CollisionFilter which,
+                                std::span<const BodyId> except) {
     std::optional<QueryHit> best;
-    forHits(world.impl(), from, to, which, [&](const QueryHit& hit) {
-        if (!best || hit.fraction < best->fraction) {
-            best = hit;
-        }
-    });
+    requireRay(from, to);
+    const Asked asked(world, which, except);
+    const PathEntry path(from, to, {});
+    asked.forParts([&](const Aabb& box) { return path(box, limitOf(best)); },
+                   [&](std::uint32_t body, std::uint32_t part) {
+                       if (const auto hit = hitOf(asked, body, part, {from, to})) {
+                           keepFirst(best, *hit);
+                       }
+                   });
     return best;
 }
 
-std::vector<QueryHit> rayCastAll(const World& world, Vec2 from, Vec2 to, CollisionFilter which) {
+std::vector<QueryHit> rayCastAll(const World& world, Vec2 from, Vec2 to, CollisionFilter which,
+                                 std::span<const BodyId> except) {
     std::vector<QueryHit> hits;
-    forHits(world.impl(), from, to, which, [&](const QueryHit& hit) { hits.push_back(hit); });
-    std::sort(hits.begin(), hits.end(), // total order: each part is hit at most once
-              [](const QueryHit& a, const QueryHit& b) {
-                  return std::tie(a.fraction, a.body, a.part) <
-                         std::tie(b.fraction, b.body, b.part);
-              });
+    requireRay(from, to);
+    const Asked asked(world, which, except);
+    const PathEntry path(from, to, {});
+    asked.forParts([&](const Aabb& box) { return path(box, 1); },
+                   [&](std::uint32_t body, std::uint32_t part) {
+                       if (const auto hit = hitOf(asked, body, part, {from, to})) {
+                           hits.push_back(*hit);
+                       }
+                   });
+    std::sort(hits.begin(), hits.end(), isBefore); // total order: see isBefore
     return hits;
 }
 
+void visitRay(const World& world, Vec2 from, Vec2 to,
+              const std::function<bool(const QueryHit&)>& visit, CollisionFilter which,
+              std::span<const BodyId> except) {
+    requireRay(from, to);
+    const Asked asked(world, which, except);
+    const PathEntry path(from, to, {});
+    std::vector<Candidate> near;
+    asked.forParts([&](const Aabb& box) { return path(box, 1); },
+                   [&](std::uint32_t body, std::uint32_t part) {
+                       const Aabb box = boundsOf(asked.convex(body, part), asked.pose(body));
+                       const Real entry = path(box, 1);
+                       if (entry < BoundsTree::kMissed) {
+                           near.push_back({entry, body, part});
+                       }
+                   });
+    std::sort(near.begin(), near.end(), // total order: parts are distinct
+              [](const Candidate& a, const Candidate& b) {
+                  return std::tie(a.entry, a.body, a.part) < std::tie(b.entry, b.body, b.part);
+              });
+    std::vector<QueryHit> hits; // a heap: the first one on top
+    const auto isBehind = [](const QueryHit& a, const QueryHit& b) { return isBefore(b, a); };
+    std::size_t next = 0;
+    while (next < near.size() || !hits.empty()) {
+        if (next < near.size() && (hits.empty() || near[next].entry <= hits.front().fraction)) {
+            if (const auto hit = hitOf(asked, near[next].body, near[next].part, {from, to})) {
+                hits.push_back(*hit);
+                std::push_heap(hits.begin(), hits.end(), isBehind);
+            }
+            ++next;
+            continue;
+        }
+        std::pop_heap(hits.begin(), hits.end(), isBehind);
+        const QueryHit hit = hits.back();
+        hits.pop_back();
+        if (!visit(hit)) {
+            return;
+        }
+    }
+}
+
 std::optional<QueryHit> shapeCast(const World& world, const Shape& shape, const Transform& start,
-                                  Vec2 displacement, CollisionFilter which) {
+                                  Vec2 displacement, CollisionFilter which,
+                                  std::span<const BodyId> except) {
     std::optional<QueryHit> best;
     const std::vector<ConvexShape> convexes = convexesOf(shape);
-    if (!isFinite(start) || !isFinite(displacement)) {
-        return best;
-    }
-    const Transform end{start.position + displacement, start.rotation};
+    requirePose("start", start);
+    requireFinite("displacement", displacement);
+    const Asked asked(world, which, except);
     for (const ConvexShape& convex : convexes) {
-        const Aabb box = withRounding(unite(boundsOf(convex, start), boundsOf(convex, end)));
-        forPartsIn(world.impl(), box, which, [&](const BodyView& body, std::size_t i) {
-            const auto hit =
-                shapeCast(convex, start, displacement, body.part(i).convex, body.massFrame());
-            const BodyId id = body.id();
-            const auto part = static_cast<std::uint16_t>(i);
-            if (hit && (!best || std::tie(hit->fraction, id, part) <
-                                     std::tie(best->fraction, best->body, best->part))) {
-                best = queryHit(body, i, hit->fraction, hit->point, hit->normal);
-            }
-        });
+        const Aabb box = boundsOf(convex, start);
+        const PathEntry path(box.center(), box.center() + displacement, Real(0.5) * box.extent());
+        asked.forParts([&](const Aabb& other) { return path(other, limitOf(best)); },
+                       [&](std::uint32_t body, std::uint32_t part) {
+                           const auto hit = shapeCast(convex, start, displacement,
+                                                      asked.convex(body, part), asked.pose(body));
+                           if (hit) {
+                               keepFirst(best, {asked.idOf(body), static_cast<std::uint16_t>(part),
+                                                hit->fraction, hit->point, hit->normal});
+                           }
+                       });
     }
     return best;
 }
 
-std::vector<BodyId> overlap(const World& world, const Aabb& box, CollisionFilter which) {
+std::vector<BodyId> overlap(const World& world, const Aabb& box, CollisionFilter which,
+                            std::span<const BodyId> except) {
     const Vec2 lower = box.lower;
     const Vec2 upper = box.upper;
-    if (!isFinite(lower) || !isFinite(upper) || !(lower.x <= upper.x && lower.y <= upper.y)) {
-        return {};
+    requireFinite("box", lower);
+    requireFinite("box", upper);
+    if (!(lower.x <= upper.x && lower.y <= upper.y)) {
+        refuse(Problem{"box", "must have lower <= upper on both axes"});
     }
     // Relative to the box's own centre, for precision far from the origin. A box without width or
     // height is a line; one without both is a point.
@@ -161,27 +345,52 @@ std::vector<BodyId> overlap(const World& world, const Aabb& box, CollisionFilter
         primitive = Segment{-half, half, false, {}, {}};
     }
     const ConvexShape convex = convexShapeOf(primitive, {});
-    return overlapping(world.impl(), std::span<const ConvexShape>(&convex, 1), {center, {}}, which);
+    const auto hasCornerInside = [&](const ConvexShape& part, const Transform& pose) {
+        return !part.isPlane() &&
+               std::any_of(part.vertices.begin(), part.vertices.end(),
+                           [&](Vec2 vertex) { return box.contains(pose * vertex); });
+    };
+    return overlapping(Asked(world, which, except), {&convex, 1}, {center, {}}, hasCornerInside);
 }
 
 std::vector<BodyId> overlap(const World& world, const Shape& shape, const Transform& at,
-                            CollisionFilter which) {
+                            CollisionFilter which, std::span<const BodyId> except) {
     const std::vector<ConvexShape> convexes = convexesOf(shape);
-    return isFinite(at) ? overlapping(world.impl(), convexes, at, which) : std::vector<BodyId>{};
+    requirePose("at", at);
+    return overlapping(Asked(world, which, except), convexes, at, unsure);
+}
+
+void visitOverlaps(const World& world, const Shape& shape, const Transform& at,
+                   const std::function<bool(BodyId)>& visit, CollisionFilter which,
+                   std::span<const BodyId> except) {
+    const std::vector<ConvexShape> convexes = convexesOf(shape);
+    requirePose("at", at);
+    forOverlapping(Asked(world, which, except), convexes, at, unsure, visit);
 }
 
 std::optional<QueryPoint> closestPoint(const World& world, Vec2 point, Real maxDistance,
-                                       CollisionFilter which) {
+                                       CollisionFilter which, std::span<const BodyId> except) {
     std::optional<QueryPoint> best;
-    if (!isFinite(point) || !(maxDistance >= 0)) {
-        return best;
+    requireFinite("point", point);
+    if (!(maxDistance >= 0)) { // also for NaN
+        refuse(Problem{"maxDistance", "must be 0 or greater"});
     }
-    const Aabb box = withRounding(Aabb{point, point}.grown(maxDistance));
-    forPartsIn(world.impl(), box, which, [&](const BodyView& body, std::size_t i) {
-        const ClosestPoints near = distance(body.part(i).convex, body.massFrame(), point);
-        if (near.distance <= maxDistance && (!best || near.distance < best->distance)) {
-            best = QueryPoint{body.id(), static_cast<std::uint16_t>(i), near.onA, near.normal,
-                              near.distance};
+    const Asked asked(world, which, except);
+    const Real rounding = roundingOf(point, point);
+    const auto entry = [&](const Aabb& box) {
+        const Vec2 near{std::clamp(point.x, box.lower.x, box.upper.x),
+                        std::clamp(point.y, box.lower.y, box.upper.y)};
+        const Real least = length(near - point) - rounding;
+        return least <= (best ? best->distance : maxDistance) ? least : BoundsTree::kMissed;
+    };
+    asked.forParts(entry, [&](std::uint32_t body, std::uint32_t part) {
+        const ClosestPoints near = distance(asked.convex(body, part), asked.pose(body), point);
+        const BodyId id = asked.idOf(body);
+        const auto number = static_cast<std::uint16_t>(part);
+        if (near.distance <= maxDistance &&
+            (!best || std::tie(near.distance, id, number) <
+                          std::tie(best->distance, best->body, best->part))) {
+            best = QueryPoint{id, number, near.onA, near.normal, near.distance};
         }
     });
     return best;

@@ -116,9 +116,9 @@ void SnapshotFields::one(IdPool& pool) {
 }
 
 void SnapshotFields::one(Bodies& bodies) {
-    auto& [ids, stamp, motion, pose, acceleration, extent, teleportCount, hasTeleported, start,
-           filter, record, parts, rest, forced, awake, thinnest, loads, awakeStale, anySleeping,
-           turns, startStale, accelerationsStale, anyTeleported] = bodies;
+    auto& [ids, stamp, motion, pose, acceleration, extent, teleportCount, hasTeleported, hasArrived,
+           start, filter, record, parts, rest, forced, awake, thinnest, loads, awakeStale,
+           anySleeping, turns, startStale, accelerationsStale, anyTeleported, anyArrived] = bodies;
     one(ids);
     if (reads()) {
         stamp = 0; // bytes do not store the World of an id
@@ -129,6 +129,7 @@ void SnapshotFields::one(Bodies& bodies) {
         extent.resize(count + 1);
         teleportCount.resize(count);
         hasTeleported.resize(count);
+        hasArrived.resize(count);
         filter.resize(count);
         record.resize(count);
         parts.resize(count);
@@ -136,6 +137,7 @@ void SnapshotFields::one(Bodies& bodies) {
     }
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
         one(teleportCount[i]); // kept for the next body in the slot
+        one(hasArrived[i]);
         if (ids.aliveAt(i)) {
             auto& [geometry, userData, force, torque] = record[i];
             all(geometry, filter[i], userData, force, torque, pose[i], motion[i], acceleration[i],
@@ -145,7 +147,7 @@ void SnapshotFields::one(Bodies& bodies) {
             }
         }
     }
-    all(awake, awakeStale, thinnest);
+    all(awake, awakeStale, thinnest, anyArrived);
     if (reads()) {
         checkAwake(bodies);
         checkThinnest(bodies);
@@ -262,11 +264,11 @@ void SnapshotFields::completeContact(Contact& contact, const Bodies& bodies) {
 /// bodies, so they are stored.
 void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Tolerances& tolerances) {
     // The state of the pair finder affects time, not results: it starts fresh.
-    auto& [bounds, pairs, finder, ghostCollisions, contacts, order, newOrder, news, newsFound,
-           holes, added, summaries, live, found, onGround, slots, idle, dropped, changes,
-           hasChanged, stirred, touches, touchChanges, ended, endedInStep, records, recordsDue,
-           apart, fastestApproach, reorderPolicy, stale, pairsStale, contactsChanged, liveStale,
-           anySensors, anyBounces] = set;
+    auto& [bounds, pairs, finder, still, movers, ghostCollisions, contacts, order, index, anyGone,
+           newOrder, news, newsFound, holes, added, summaries, live, found, onGround, slots, idle,
+           dropped, changes, hasChanged, stirred, touches, touchChanges, ended, endedInStep,
+           records, recordsDue, apart, fastestApproach, reorderPolicy, stale, pairsStale,
+           contactsChanged, liveStale, anySensors, anyBounces] = set;
     auto& [parts, firstPart, firstBefore, replaced, convexes, corners, leftOver, tight, grown,
            changed, isChanged, outgrown] = bounds;
     set.writeRecords();
@@ -309,8 +311,8 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
 void SnapshotFields::world(WorldImpl& world) {
     auto& [settings, tolerances, stepCount, count, bodies, fields, contacts, impacts, softSolver,
            propagation, contactVisits, continuous, sleep, joints, broken, frozen, region,
-           outsideVelocities, parked, unparked, previousAwake, activityChanges, lastGeometry] =
-        world;
+           outsideVelocities, parked, unparked, previousAwake, activityChanges, queries,
+           lastGeometry] = world;
     softSolver.blocks().writeBackAll(contacts.contacts(), bodies);
     all(settings, tolerances, stepCount);
     bodies.turns = settings.has(Feature::Rotation);

@@ -199,7 +199,7 @@ void SnapshotFields::one(PropagationSettings& settings) {
 
 void SnapshotFields::one(StepSettings& settings) {
     auto& [solver, sleepSteps, leaveOut] = settings;
-    all(solver, sleepSteps, leaveOut);
+    all(solver, sleepSteps, leaveOut.bits);
     require(check(settings));
 }
 

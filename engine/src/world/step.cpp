@@ -28,10 +28,14 @@ void WorldImpl::step(Real dt, const StepOptions& options) {
     enter(StepStage::Broad);
     updateAwake();
     WorkerTeam team(bodies_.awake.size() >= kMinBodiesForHelp ? options.executor : nullptr);
+    const bool arrivals = bodies_.anyArrived;
     contacts_.updatePairs(bodies_, tolerances_, dt, team);
+    clearArrivals(bodies_);
     enter(StepStage::Narrow);
     updateManifolds(team);
     enter(StepStage::Forces);
+    forAwake(team, beginMotion);
+    wakeIslands(arrivals);
     gatherForces(dt, team);
     enter(StepStage::Solve);
     solve(dt, team);
@@ -88,13 +92,16 @@ void WorldImpl::evictTeleported() {
     }
 }
 
-/// Wakes touched islands and computes the accelerations.
-void WorldImpl::gatherForces(Real dt, WorkerTeam& team) {
-    forAwake(team, beginMotion);
-    if (canWake()) {
+/// Wakes islands that awake bodies touch, or bodies that were added or changed.
+void WorldImpl::wakeIslands(bool arrivals) {
+    if (canWake() || (arrivals && sleep_.anyAsleep())) {
         sleep_.wakeTouched(bodies_, contacts_, tolerances_);
         sleep_.wakeJointed(bodies_, contacts_, joints_);
     }
+}
+
+/// Computes the accelerations.
+void WorldImpl::gatherForces(Real dt, WorkerTeam& team) {
     joints_.findBusy(bodies_, refreshAwake(bodies_));
     frozen_.clear();
     const bool changed = bodies_.accelerationsStale;
@@ -128,6 +135,7 @@ void WorldImpl::finishMoves(WorkerTeam& team) {
         freezeUnsoundMotion();
     }
     forAwake(team, movePoses);
+    queries_.bodiesMoved(bodies_.awake);
 }
 
 void WorldImpl::forAwake(WorkerTeam& team, void (*work)(Bodies&, std::span<const std::uint32_t>)) {

@@ -50,6 +50,7 @@ std::size_t WorldImpl::weld(BodyId into, BodyId part) {
     weldBodies(bodies_, into.index, part.index);
     placeInRegion(into.index);
     contacts_.bodyChanged(into.index);
+    queries_.bodyChanged(into.index);
     remove(part);
     return firstPart;
 }
@@ -74,16 +75,19 @@ std::size_t WorldImpl::weld(BodyId into, const Primitive& shape, const Material&
     motion.velocity = velocityAt(motion, bodies_.pose[into.index].position - center);
     placeInRegion(into.index);
     contacts_.bodyChanged(into.index);
+    queries_.bodyChanged(into.index);
     return bodies_.geometry(into.index).parts.size() - 1;
 }
 
 BodyId WorldImpl::unweld(BodyId body, std::size_t part, Flags flags) {
     kodo::requireAlive(bodies_, body);
     const std::vector<Part>& parts = bodies_.geometry(body.index).parts;
-    if (part >= parts.size() || parts.size() == 1) {
+    if (parts.size() == 1) {
+        throw BadDefinition({"part", "is the only part of the body, which would be left empty"});
+    }
+    if (part >= parts.size()) {
         throw BadDefinition({"part", "is " + std::to_string(part) + ", but the body has " +
-                                         std::to_string(parts.size()) +
-                                         " parts, of which one must stay"});
+                                         std::to_string(parts.size()) + " parts"});
     }
     if (needsLock(parts[part].primitive) && (flags & kLockBoth) != kLockBoth) {
         refuse(Problem{"flags", "must have kLockMove and kLockRotate: a plane has no mass"});
@@ -96,6 +100,8 @@ BodyId WorldImpl::unweld(BodyId body, std::size_t part, Flags flags) {
     placeInRegion(body.index);
     updateRegion(freed.index);
     contacts_.bodyChanged(freed.index);
+    queries_.bodyChanged(body.index);
+    queries_.bodyChanged(freed.index);
     ++count_;
     return freed;
 }

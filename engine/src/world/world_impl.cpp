@@ -19,10 +19,8 @@ bool sameParts(const std::vector<Part>& a, const std::vector<Part>& b) {
 }
 
 // Features that may keep bodies at rest: a change wakes all islands.
-constexpr auto kSleepFeatures = static_cast<std::uint8_t>(Feature::Friction) |
-                                static_cast<std::uint8_t>(Feature::RollingResistance) |
-                                static_cast<std::uint8_t>(Feature::Sleep) |
-                                static_cast<std::uint8_t>(Feature::Rotation);
+constexpr Features kSleepFeatures =
+    Feature::Friction | Feature::RollingResistance | Feature::Sleep | Feature::Rotation;
 
 /// Never 0, which matches all Worlds.
 std::uint32_t nextStamp() {
@@ -47,6 +45,8 @@ std::optional<Problem> check(const WorldDef& def) {
 }
 
 WorldImpl::WorldImpl(const WorldDef& def) : tolerances_() {
+    const Real big = detail::kBig;
+    detail::requireExactArithmetic((big + 1) - big);
     refuse(check(def));
     const std::uint32_t stamp = nextStamp();
     bodies_.stamp = stamp;
@@ -72,6 +72,7 @@ BodyId WorldImpl::add(const BodyDef& def) {
     const BodyId id = addBody(bodies_, def, geometryFor(def));
     updateRegion(id.index);
     contacts_.bodyChanged(id.index);
+    queries_.bodyChanged(id.index);
     ++count_;
     return id;
 }
@@ -114,7 +115,9 @@ void WorldImpl::bodyChanged(std::uint32_t body) {
     wakeNeighbours(body);
     placeInRegion(body);
     contacts_.bodyChanged(body);
+    queries_.bodyChanged(body);
     bodies_.teleported(body);
+    bodies_.noteArrival(body);
     bodies_.awakeStale = true;
 }
 
@@ -171,6 +174,7 @@ void WorldImpl::remove(BodyId id) {
     joints_.dropBody(id);
     contacts_.setExcludedPairs(joints_.excludedPairs());
     removeBody(bodies_, id.index);
+    queries_.bodyChanged(id.index);
     --count_;
 }
 
@@ -190,6 +194,7 @@ BodyId WorldImpl::clone(BodyId id, Vec2 position) {
     const BodyId copy = addBody(bodies_, def, bodies_.record[id.index].geometry);
     updateRegion(copy.index);
     contacts_.bodyChanged(copy.index);
+    queries_.bodyChanged(copy.index);
     ++count_;
     return copy;
 }
@@ -222,9 +227,9 @@ void WorldImpl::jointsChanged(const JointDef& def) {
 }
 
 JointId WorldImpl::add(const JointDef& def) {
-    refuse(check(def, tolerances_.unit()));
     kodo::requireAlive(bodies_, firstBody(def));
     kodo::requireAlive(bodies_, secondBody(def));
+    refuse(check(def, tolerances_.unit()));
     const JointId id = joints_.add(def);
     jointsChanged(def);
     return id;
@@ -296,8 +301,8 @@ void WorldImpl::applyTorqueToAll(Real torque, CollisionFilter which) {
 
 void WorldImpl::setSettings(const StepSettings& settings) {
     refuse(check(settings));
-    const auto held = static_cast<std::uint8_t>(settings_.leaveOut ^ settings.leaveOut);
-    if ((held & kSleepFeatures) != 0) {
+    const int changed = settings_.leaveOut.bits ^ settings.leaveOut.bits;
+    if ((changed & kSleepFeatures.bits) != 0) {
         wakeAll();
     }
     writeBackContacts();

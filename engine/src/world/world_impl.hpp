@@ -10,6 +10,7 @@
 #include "solve/propagation.hpp"
 #include "solve/sleep_system.hpp"
 #include "solve/soft_solver.hpp"
+#include "world/query_tree.hpp"
 
 #include <optional>
 #include <span>
@@ -72,6 +73,10 @@ public:
 
     std::uint64_t stateHash() const;
 
+    // For queries.
+    const Bodies& bodyData() const { return bodies_; }
+    QueryTree::View queryView() const { return queries_.view(bodies_, tolerances_); }
+
 private:
     friend class BodyRef;
     friend class SnapshotFields;
@@ -101,6 +106,7 @@ private:
     void forAwake(WorkerTeam& team, void (*work)(Bodies&, std::span<const std::uint32_t>));
     void updateManifolds(WorkerTeam& team);
     void evictTeleported();
+    void wakeIslands(bool arrivals);
     void gatherForces(Real dt, WorkerTeam& team);
     void solve(Real dt, WorkerTeam& team);
     void runContinuous(Real dt, WorkerTeam& team);
@@ -137,6 +143,7 @@ private:
     std::vector<Contact> unparked_;              // scratch: a step allocates nothing
     std::vector<std::uint32_t> previousAwake_;   // scratch: before the update of the list
     std::vector<std::uint32_t> activityChanges_; // scratch: bodies that became active or inactive
+    mutable QueryTree queries_;                  // a cache: updated by queries
     std::shared_ptr<const BodyGeometry> lastGeometry_; // equal bodies are usually added in sequence
 };
 

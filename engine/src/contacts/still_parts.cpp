@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "contacts/still_parts.hpp"
+
+#include <algorithm>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+bool hasPlane(const Bodies& bodies, std::uint32_t body) {
+    const std::vector<Part>& parts = bodies.geometry(body).parts;
+    return std::any_of(parts.begin(), parts.end(),
+                       [](const Part& part) { return part.convex.isPlane(); });
+}
+
+bool isAwake(const Bodies& bodies, std::uint32_t body) {
+    return std::binary_search(bodies.awake.begin(), bodies.awake.end(), body);
+}
+
+} // namespace
+
+void StillParts::bodiesChanged(const Bodies& bodies, const PartBounds& bounds,
+                               std::span<const std::uint32_t> changed) {
+    if (stale_ || !pays_) {
+        stale_ = true;
+        return;
+    }
+    for (const std::uint32_t body : changed) {
+        place(bodies, bounds, body);
+    }
+}
+
+bool StillParts::update(const Bodies& bodies, const PartBounds& bounds) {
+    const std::size_t awake = bodies.awake.size();
+    if (pays_ ? awake > 2 * counted_ + kFew : awake != counted_) {
+        stale_ = true;
+    }
+    if (std::exchange(stale_, false)) {
+        counted_ = awake;
+        std::size_t moving = 0;
+        for (const std::uint32_t body : bodies.awake) {
+            moving += bounds.countOf(body);
+        }
+        const std::size_t still = bounds.size() - moving;
+        pays_ = still >= kFew && still >= moving;
+        if (pays_) {
+            rebuild(bodies, bounds);
+        }
+    } else if (pays_ && active_ != bodies.awake) {
+        // Both lists are in order: visits what is in one of them alone.
+        auto was = active_.begin();
+        for (const std::uint32_t body : bodies.awake) {
+            for (; was != active_.end() && *was < body; ++was) {
+                place(bodies, bounds, *was);
+            }
+            if (was != active_.end() && *was == body) {
+                ++was;
+            } else {
+                place(bodies, bounds, body);
+            }
+        }
+        std::for_each(was, active_.end(), [&](std::uint32_t body) { place(bodies, bounds, body); });
+    }
+    if (pays_) {
+        active_ = bodies.awake;
+    }
+    return pays_;
+}
+
+void StillParts::rebuild(const Bodies& bodies, const PartBounds& bounds) {
+    planes_.clear();
+    std::vector<BoundsTree::Leaf> leaves;
+    for (std::uint32_t i = 0; i < bounds.size(); ++i) {
+        const auto [body, part] = bounds.part(i);
+        if (isAwake(bodies, body)) {
+            continue;
+        }
+        if (hasPlane(bodies, body)) {
+            if (planes_.empty() || planes_.back() != body) {
+                planes_.push_back(body);
+            }
+        } else {
+            leaves.push_back({bounds.grown()[i].box(), body, part});
+        }
+    }
+    parts_.build(leaves);
+}
+
+/// Puts the parts of a body where they belong now.
+void StillParts::place(const Bodies& bodies, const PartBounds& bounds, std::uint32_t body) {
+    parts_.remove(body);
+    removePlanes(body);
+    if (body >= bodies.size() || !bodies.ids.aliveAt(body) || isAwake(bodies, body)) {
+        return;
+    }
+    if (hasPlane(bodies, body)) {
+        planes_.insert(std::lower_bound(planes_.begin(), planes_.end(), body), body);
+        return;
+    }
+    for (std::uint16_t part = 0; part < bounds.countOf(body); ++part) {
+        parts_.insert({bounds.grown()[bounds.indexOf(body, part)].box(), body, part});
+    }
+}
+
+void StillParts::removePlanes(std::uint32_t body) {
+    const auto at = std::lower_bound(planes_.begin(), planes_.end(), body);
+    if (at != planes_.end() && *at == body) {
+        planes_.erase(at);
+    }
+}
+
+void StillParts::listOthers(const Bodies& bodies, const PartBounds& bounds,
+                            std::vector<std::uint32_t>& parts) const {
+    parts.clear();
+    const auto add = [&](std::uint32_t body) {
+        const std::uint32_t first = bounds.indexOf(body, 0);
+        for (std::uint32_t i = 0; i < bounds.countOf(body); ++i) {
+            parts.push_back(first + i);
+        }
+    };
+    std::for_each(bodies.awake.begin(), bodies.awake.end(), add);
+    std::for_each(planes_.begin(), planes_.end(), add);
+    const std::size_t moving = parts.size();
+    for (const std::uint32_t i : bounds.changed()) {
+        if (!isAwake(bodies, bounds.part(i).body)) {
+            parts.push_back(i);
+        }
+    }
+    if (parts.size() > moving || !planes_.empty()) {
+        std::sort(parts.begin(), parts.end()); // total order: equal indices are identical
+        parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    }
+}
+
+bool MovingParts::gather(const PartBounds& all) {
+    bounds.resize(parts.size());
+    isChanged.resize(parts.size());
+    changed.clear();
+    for (std::uint32_t k = 0; k < parts.size(); ++k) {
+        bounds[k] = all.grown()[parts[k]];
+        isChanged[k] = all.isChanged()[parts[k]];
+        if (isChanged[k] != 0) {
+            changed.push_back(k);
+        }
+    }
+    const bool others = parts != before;
+    if (others) {
+        before = parts;
+    }
+    return others;
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/settings.hpp>
+
+#include "bodies/bodies.hpp"
+#include "broad/part_tree.hpp"
+
+#include <atomic>
+#include <mutex>
+#include <span>
+#include <vector>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// Bounds of all parts, for the queries of a World. A cache and no state: the first query after a
+/// change updates it, so a World without queries pays nothing. Queries of one World may run on
+/// several threads at once; changes may not.
+class QueryTree {
+public:
+    /// Parts of planes, which have no bounds.
+    struct PlanePart {
+        std::uint32_t body;
+        std::uint32_t part;
+    };
+    struct View {
+        const BoundsTree& tree;
+        std::span<const PlanePart> planes;
+    };
+
+    QueryTree() = default;
+    QueryTree(const QueryTree&) {} // a copy builds its own when it is asked
+    QueryTree& operator=(const QueryTree&) {
+        allStale_ = true; // the bodies are others now; most of the bounds may fit
+        stale_ = true;
+        return *this;
+    }
+
+    /// A body was added, removed or moved, or its geometry changed.
+    void bodyChanged(std::uint32_t body);
+    /// The same for several bodies.
+    void bodiesMoved(std::span<const std::uint32_t> bodies);
+    /// The same for all bodies.
+    void bodiesChanged();
+
+    /// Up to date until the next change.
+    View view(const Bodies& bodies, const Tolerances& tolerances);
+
+private:
+    void update(const Bodies& bodies, Real margin);
+    void updateBody(const Bodies& bodies, std::uint32_t body, Real margin);
+    void removePlanes(std::uint32_t body);
+    void rebuild(const Bodies& bodies, Real margin);
+    void append(const Bodies& bodies, std::uint32_t body, Real margin,
+                std::vector<BoundsTree::Leaf>& leaves);
+
+    PartTree parts_;
+    std::vector<std::uint8_t> hasPlane_; // by body
+    std::vector<PlanePart> planes_;
+    std::vector<std::uint32_t> changed_;  // bodies
+    std::vector<std::uint8_t> isChanged_; // by body: 1 if in changed_
+    bool allStale_ = true;
+    std::atomic<bool> stale_ = true;
+    std::mutex mutex_;
+};
+
+} // namespace KODO_PRECISION
+} // namespace kodo

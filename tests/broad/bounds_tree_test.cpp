@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include <support/random_numbers.hpp>
+
+#include "broad/bounds_tree.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace kodo {
+namespace {
+
+using support::RandomNumbers;
+
+Aabb randomBox(RandomNumbers& random, Real spread) {
+    const Vec2 at = random.point(spread);
+    return {at, at + Vec2{random.between(0, 2), random.between(0, 2)}};
+}
+
+std::set<std::uint32_t> found(const BoundsTree& tree, const Aabb& box) {
+    std::set<std::uint32_t> bodies;
+    tree.search([&](const Aabb& node) { return overlap(node, box) ? 0 : BoundsTree::kMissed; },
+                [&](std::uint32_t body, std::uint32_t part) {
+                    EXPECT_EQ(part, body + 7);
+                    EXPECT_TRUE(bodies.insert(body).second);
+                });
+    return bodies;
+}
+
+// A map of boxes is the model, over random insertions, removals and bulk builds.
+TEST(BoundsTree, FindsWhatAModelFinds) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        RandomNumbers random(seed);
+        BoundsTree tree;
+        std::map<std::uint32_t, std::pair<Aabb, std::uint32_t>> model; // body: box and node
+        std::uint32_t next = 0;
+        if (seed % 2 == 0) {
+            std::vector<BoundsTree::Leaf> leaves;
+            std::vector<std::uint32_t> nodes;
+            for (; next < 100; ++next) {
+                leaves.push_back({randomBox(random, 20), next, next + 7});
+            }
+            tree.build(leaves, nodes);
+            for (std::uint32_t i = 0; i < next; ++i) {
+                model[i] = {leaves[i].box, nodes[i]};
+            }
+        }
+        for (int i = 0; i < 2000; ++i) {
+            if (model.empty() || random.below(5) < (i < 1000 ? 3u : 2u)) {
+                const Aabb box = randomBox(random, 20);
+                model[next] = {box, tree.insert({box, next, next + 7})};
+                ++next;
+            } else {
+                auto gone = model.lower_bound(static_cast<std::uint32_t>(random.below(next)));
+                gone = gone == model.end() ? model.begin() : gone;
+                ASSERT_EQ(tree.box(gone->second.second), gone->second.first);
+                tree.remove(gone->second.second);
+                model.erase(gone);
+            }
+            if (i % 20 == 0) {
+                const Aabb box = randomBox(random, 20);
+                std::set<std::uint32_t> expected;
+                for (const auto& [body, leaf] : model) {
+                    if (overlap(leaf.first, box)) {
+                        expected.insert(body);
+                    }
+                }
+                ASSERT_EQ(found(tree, box), expected);
+            }
+        }
+        const std::size_t leaves = model.size();
+        while (!model.empty()) {
+            tree.remove(model.begin()->second.second);
+            model.erase(model.begin());
+        }
+        EXPECT_TRUE(found(tree, {{-100, -100}, {100, 100}}).empty());
+        EXPECT_LE(tree.capacity(), 2 * (leaves + 2000));
+    }
+}
+
+// Insertions in order of x, the worst case of a tree without rotations, whose height would be n.
+TEST(BoundsTree, StaysLowWhenLeavesComeInOrder) {
+    BoundsTree tree;
+    constexpr std::uint32_t kLeaves = 4096;
+    for (std::uint32_t i = 0; i < kLeaves; ++i) {
+        const Vec2 at{static_cast<Real>(i), 0};
+        tree.insert({{at, at + Vec2{1, 1}}, i, i + 7});
+    }
+    EXPECT_LE(tree.height(), 5 * 12u); // 12 levels suffice
+}
+
+} // namespace
+} // namespace kodo
