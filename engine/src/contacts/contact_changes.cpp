@@ -26,15 +26,8 @@ void ContactSet::eraseIf(Gone gone) {
 }
 
 void ContactSet::drop(std::uint32_t body, const std::function<void(Contact&)>& writeBack) {
-    if (!index_.isValid()) {
-        settle();
-        index_.build(order_.size(), [&](std::size_t place) {
-            const std::uint32_t slot = order_[place].slot;
-            return ContactIndex::Entry{summaries_[slot].bodyA, summaries_[slot].bodyB, slot};
-        });
-    }
     holes_.clear();
-    for (const std::uint32_t place : index_.placesOf(body)) {
+    for (const std::uint32_t place : placesOf(body)) {
         const std::uint32_t slot = std::exchange(order_[place].slot, kGone);
         if (slot == kGone) {
             continue;
@@ -50,6 +43,29 @@ void ContactSet::drop(std::uint32_t body, const std::function<void(Contact&)>& w
     }
     fillHoles();
     bodyChanged(body);
+}
+
+/// Places of the contacts of a body in order_; some may be empty.
+std::span<const std::uint32_t> ContactSet::placesOf(std::uint32_t body) {
+    if (!index_.isValid()) {
+        settle();
+        index_.build(order_.size(), [&](std::size_t place) {
+            const std::uint32_t slot = order_[place].slot;
+            return ContactIndex::Entry{summaries_[slot].bodyA, summaries_[slot].bodyB, slot};
+        });
+    }
+    return index_.placesOf(body);
+}
+
+void ContactSet::touchedBy(std::uint32_t body, std::vector<std::uint32_t>& others) {
+    others.clear();
+    for (const std::uint32_t place : placesOf(body)) {
+        const std::uint32_t slot = order_[place].slot;
+        if (slot != kGone && contacts_[slot].wasTouching) {
+            const ContactKey& key = contacts_[slot].key;
+            others.push_back(key.bodyA == body ? key.bodyB : key.bodyA);
+        }
+    }
 }
 
 /// Removes the places of dropped contacts from the order.

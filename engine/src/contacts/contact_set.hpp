@@ -44,12 +44,13 @@ public:
     /// Removes the contacts of a body; calls writeBack(contact) before each removal. A contact that
     /// touched gets an End in the next records.
     void drop(std::uint32_t body, const std::function<void(Contact&)>& writeBack);
+    /// The bodies that touched a body in the last step, of awake contacts; may contain duplicates.
+    void touchedBy(std::uint32_t body, std::vector<std::uint32_t>& others);
 
     /// Must be called before the removal of a part; the index of each later part falls by one.
     void partRemoved(std::uint32_t body, std::size_t part);
-    /// A body fell asleep or woke, or an immovable body started or stopped.
+    /// A body fell asleep or woke, or an immovable body started or stopped; or any of all bodies.
     void activityChanged(std::uint32_t body) { stirred_.push_back(body); }
-    /// The same for all bodies.
     void activityChanged() { pairsStale_ = true; }
 
     /// Removes and returns the contacts between bodies that are not active in a step, in order.
@@ -84,10 +85,9 @@ public:
     PairFinder& pairFinder() { return finder_; }
     const PairFinder& pairFinder() const { return finder_; }
 
-    /// In storage order, which is constant within a step while no pair is added or removed.
+    // In storage order, which is constant within a step while no pair is added or removed.
     std::span<Contact> contacts() { return contacts_; }
     std::span<const Contact> contacts() const { return contacts_; }
-    /// In the same order.
     std::span<const ContactSummary> summaries() const { return summaries_; }
     /// Calls visit(contact) for all contacts in the order of their keys.
     template <typename Visit>
@@ -167,6 +167,7 @@ private:
         bool comes;
     };
 
+    std::span<const std::uint32_t> placesOf(std::uint32_t body);
     void settle();
     void writeRecords() const;
     void noteEnd(const Contact& contact);
@@ -220,11 +221,10 @@ private:
     std::vector<ContactSummary> summaries_;
     std::vector<std::uint32_t> live_;
     ParallelCollector<std::uint32_t> found_;
-    std::vector<std::uint32_t> onGround_; // slots: argument of GhostCollisions::link
-    std::vector<std::uint32_t> slots_;    // new slots of the contacts that fillHoles moved
-    std::vector<Contact> idle_;           // result of takeIdle
-    // Records of the last step, of contacts removed with a body since.
-    std::vector<CollisionRecord> dropped_;
+    std::vector<std::uint32_t> onGround_;  // slots: argument of GhostCollisions::link
+    std::vector<std::uint32_t> slots_;     // new slots of the contacts that fillHoles moved
+    std::vector<Contact> idle_;            // result of takeIdle
+    std::vector<CollisionRecord> dropped_; // of the last step, of contacts removed since
     std::vector<std::uint32_t> changes_;   // bodies: see bodyChanged
     std::vector<std::uint8_t> hasChanged_; // by body: 1 if in changes_
     std::vector<std::uint32_t> stirred_;   // bodies, with duplicates: see activityChanged

@@ -104,6 +104,9 @@ void SleepSystem::wake(Bodies& bodies, ContactSet& contacts, std::uint32_t body)
 }
 
 void SleepSystem::wakeAll(Bodies& bodies, ContactSet& contacts) {
+    for (const std::uint32_t body : bodies.awake) {
+        startCounting(bodies.sleep[body], bodies.pose[body]);
+    }
     for (std::uint32_t island = 0; island < islands_.size(); ++island) {
         if (!islands_[island].bodies.empty()) {
             wakeIsland(bodies, contacts, island);
@@ -114,6 +117,11 @@ void SleepSystem::wakeAll(Bodies& bodies, ContactSet& contacts) {
 void SleepSystem::wakeNeighbours(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
                                  std::uint32_t body) {
     wake(bodies, contacts, body);
+    // An awake neighbour may have been about to fall asleep.
+    contacts.touchedBy(body, members_);
+    for (const std::uint32_t other : members_) {
+        startCounting(bodies.sleep[other], bodies.pose[other]);
+    }
     joints.forEach([&](const JointSet::Joint& joint) {
         const std::uint32_t a = firstBody(joint.def).index;
         const std::uint32_t b = secondBody(joint.def).index;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "world/snapshot_fields.hpp"
 
+#include "bodies/field_checks.hpp"
 #include "contacts/contact_update.hpp"
 
 #include <algorithm>
@@ -320,6 +321,10 @@ void SnapshotFields::world(WorldImpl& world) {
     all(bodies, lastGeometry, fields);
     require(ownFields_.empty(),
             "more user-defined force fields were given than the snapshot needs");
+    for (const FieldEntry& entry : fields) {
+        require(entry.field == nullptr ? std::nullopt
+                                       : checkField(*entry.field, tolerances.unit()));
+    }
     this->joints(joints, bodies, tolerances.unit());
     if (reads()) {
         contacts.setExcludedPairs(joints.excludedPairs());

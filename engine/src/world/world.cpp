@@ -2,6 +2,7 @@
 #include "world/world_impl.hpp"
 
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace kodo {
@@ -148,6 +149,10 @@ StepStats stepStats(const World& world) {
     return world.impl().stats();
 }
 void setPairSearch(World& world, std::optional<PairSearch> only) {
+    if (only && *only > PairSearch::SweepAndPrune) {
+        throw BadDefinition({"only", "must be a way of PairSearch, but is " +
+                                         std::to_string(static_cast<int>(*only))});
+    }
     world.impl().setPairSearch(only);
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/checks.hpp"
 #include "bodies/body_checks.hpp"
+#include "bodies/field_checks.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -267,8 +268,15 @@ Real WorldImpl::jointTorque(JointId id) const {
     return joints_.torque(id);
 }
 
+void WorldImpl::requireValid(const FieldEntry& entry) const {
+    if (!entry.field) {
+        refuse(Problem{"field", "must not be null"});
+    }
+    refuse(checkField(*entry.field, tolerances_.unit()));
+}
+
 void WorldImpl::addField(FieldEntry entry) {
-    refuse(entry.field ? std::nullopt : std::optional(Problem{"field", "must not be null"}));
+    requireValid(entry);
     fields_.push_back(std::move(entry));
     bodies_.accelerationsStale = true;
     wakeAll();
@@ -276,7 +284,7 @@ void WorldImpl::addField(FieldEntry entry) {
 
 void WorldImpl::setFields(std::vector<FieldEntry> fields) {
     for (const FieldEntry& entry : fields) {
-        refuse(entry.field ? std::nullopt : std::optional(Problem{"field", "must not be null"}));
+        requireValid(entry);
     }
     fields_ = std::move(fields);
     bodies_.accelerationsStale = true;

@@ -82,6 +82,7 @@ private:
     friend class SnapshotFields;
 
     void requireAlive(JointId id) const;
+    void requireValid(const FieldEntry& entry) const;
     void jointsChanged(const JointDef& def);
     Contact current(const Contact& contact) const;
     void writeBackContacts() { softSolver_.blocks().writeBackAll(contacts_.contacts(), bodies_); }

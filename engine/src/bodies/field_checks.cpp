@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "bodies/field_checks.hpp"
+
+#include "base/checks.hpp"
+#include "bodies/body_checks.hpp"
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+constexpr Real kMost = Real(1e18); // of coefficients; products with masses and speeds stay finite
+
+std::optional<Problem> checkDrag(const DragLaw& law, Vec2 air, Real unit) {
+    if (auto problem = checkRange("field.linear", law.linear, 0, kMost)) {
+        return problem;
+    }
+    if (auto problem = checkRange("field.quadratic", law.quadratic, 0, kMost)) {
+        return problem;
+    }
+    return checkVelocity("field.air", air, unit);
+}
+
+std::optional<Problem> checkWind(const Wind& wind, Real unit) {
+    const std::optional<Aabb> region = wind.region();
+    if (region && !(region->lower.x <= region->upper.x && region->lower.y <= region->upper.y)) {
+        return Problem{"field.region", "must have lower <= upper on both axes"}; // also for NaN
+    }
+    return checkDrag(wind.law(), wind.velocity(), unit);
+}
+
+std::optional<Problem> checkAttractor(const Attractor& attractor, Real unit) {
+    if (auto problem = checkPosition("field.center", attractor.center(), unit)) {
+        return problem;
+    }
+    if (auto problem = checkRange("field.strength", attractor.strength(), -kMost, kMost)) {
+        return problem;
+    }
+    return checkRange("field.softening", attractor.softening(), 0, kMost);
+}
+
+std::optional<Problem> checkBuoyancy(const Buoyancy& buoyancy, Real unit) {
+    if (auto problem = checkRange("field.density", buoyancy.fluid().density, 0, kMost)) {
+        return problem;
+    }
+    if (auto problem = checkRange("field.drag", buoyancy.fluid().drag, 0, kMost)) {
+        return problem;
+    }
+    if (auto problem = checkPosition("field.surface", buoyancy.surface(), unit)) {
+        return problem;
+    }
+    if (buoyancy.gravity() == Vec2{}) {
+        return Problem{"field.gravity", "must not be zero: it tells where the surface faces"};
+    }
+    return checkVelocity("field.gravity", buoyancy.gravity(), unit);
+}
+
+} // namespace
+
+std::optional<Problem> checkField(const ForceField& field, Real lengthUnit) {
+    if (const auto* gravity = dynamic_cast<const Gravity*>(&field)) {
+        return checkVelocity("field.acceleration", gravity->acceleration(), lengthUnit);
+    }
+    if (const auto* wind = dynamic_cast<const Wind*>(&field)) {
+        return checkWind(*wind, lengthUnit);
+    }
+    if (const auto* drag = dynamic_cast<const Drag*>(&field)) {
+        return checkDrag(drag->law(), drag->air(), lengthUnit);
+    }
+    if (const auto* attractor = dynamic_cast<const Attractor*>(&field)) {
+        return checkAttractor(*attractor, lengthUnit);
+    }
+    if (const auto* buoyancy = dynamic_cast<const Buoyancy*>(&field)) {
+        return checkBuoyancy(*buoyancy, lengthUnit);
+    }
+    return std::nullopt;
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo
