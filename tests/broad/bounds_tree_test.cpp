@@ -14,7 +14,7 @@ namespace {
 
 using support::RandomNumbers;
 
-Aabb randomBox(RandomNumbers& random, Real spread) {
+Aabb randomBox(RandomNumbers& random, double spread) {
     const Vec2 at = random.point(spread);
     return {at, at + Vec2{random.between(0, 2), random.between(0, 2)}};
 }
