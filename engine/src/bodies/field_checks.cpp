@@ -8,13 +8,13 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-constexpr Real kMost = Real(1e18); // of coefficients; products with masses and speeds stay finite
+constexpr Real kMostCoefficient = Real(1e18); // products with masses and speeds stay finite
 
 std::optional<Problem> checkDrag(const DragLaw& law, Vec2 air, Real unit) {
-    if (auto problem = checkRange("field.linear", law.linear, 0, kMost)) {
+    if (auto problem = checkRange("field.linear", law.linear, 0, kMostCoefficient)) {
         return problem;
     }
-    if (auto problem = checkRange("field.quadratic", law.quadratic, 0, kMost)) {
+    if (auto problem = checkRange("field.quadratic", law.quadratic, 0, kMostCoefficient)) {
         return problem;
     }
     return checkVelocity("field.air", air, unit);
@@ -32,17 +32,18 @@ std::optional<Problem> checkAttractor(const Attractor& attractor, Real unit) {
     if (auto problem = checkPosition("field.center", attractor.center(), unit)) {
         return problem;
     }
-    if (auto problem = checkRange("field.strength", attractor.strength(), -kMost, kMost)) {
+    if (auto problem = checkRange("field.strength", attractor.strength(), -kMostCoefficient,
+                                  kMostCoefficient)) {
         return problem;
     }
-    return checkRange("field.softening", attractor.softening(), 0, kMost);
+    return checkRange("field.softening", attractor.softening(), 0, kMostCoefficient);
 }
 
 std::optional<Problem> checkBuoyancy(const Buoyancy& buoyancy, Real unit) {
-    if (auto problem = checkRange("field.density", buoyancy.fluid().density, 0, kMost)) {
+    if (auto problem = checkRange("field.density", buoyancy.fluid().density, 0, kMostCoefficient)) {
         return problem;
     }
-    if (auto problem = checkRange("field.drag", buoyancy.fluid().drag, 0, kMost)) {
+    if (auto problem = checkRange("field.drag", buoyancy.fluid().drag, 0, kMostCoefficient)) {
         return problem;
     }
     if (auto problem = checkPosition("field.surface", buoyancy.surface(), unit)) {
