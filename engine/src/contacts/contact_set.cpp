@@ -201,11 +201,13 @@ void ContactSet::findPairs(const Bodies& bodies, WorkerTeam& team) {
         const Flags flagsB = bodies.filter[b].flags;
         const bool sensor = ((flagsA ^ flagsB) & kSensor) != 0; // exactly one of them
         // An inactive body that arrives may touch a sleeping one: see SleepSystem::wakeTouched.
-        const bool arrives = (bodies.hasArrived[a] | bodies.hasArrived[b]) != 0 &&
-                             ((flagsA | flagsB) & (kAsleep | kOutside)) == kAsleep;
+        const auto arrives = [&] {
+            return ((flagsA | flagsB) & (kAsleep | kOutside)) == kAsleep &&
+                   (bodies.hasArrived[a] | bodies.hasArrived[b]) != 0;
+        };
         return a != b && (sensor || !(bodies.locked(a) && bodies.locked(b))) &&
                (sensor || ((flagsA & flagsB) & kSensor) == 0) &&
-               (bodies.active(a) || bodies.active(b) || arrives) &&
+               (bodies.active(a) || bodies.active(b) || arrives()) &&
                shouldCollide(bodies.filter[a], bodies.filter[b]) &&
                !std::binary_search(excludedPairs_.begin(), excludedPairs_.end(), std::pair(a, b));
     };
