@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 #include <utility>
 
@@ -63,7 +64,11 @@ public:
         const PartBounds& bounds = contacts_.bounds();
         std::set<std::pair<std::uint32_t, std::uint32_t>> there;
         ContactKey last;
-        contacts_.forEachInOrder([&](const Contact& contact) {
+        std::map<std::uint32_t, std::multiset<std::uint32_t>> ofBody;
+        contacts_.forEachInOrder([&](std::uint32_t slot) {
+            const Contact& contact = contacts_.contacts()[slot];
+            ofBody[contact.key.bodyA].insert(slot);
+            ofBody[contact.key.bodyB].insert(slot);
             EXPECT_TRUE(there.empty() || last < contact.key);
             last = contact.key;
             const auto& [bodyA, partA, bodyB, partB] = contact.key;
@@ -72,6 +77,11 @@ public:
             EXPECT_EQ(contact.b, bodies_.idAt(bodyB));
             there.emplace(bounds.indexOf(bodyA, partA), bounds.indexOf(bodyB, partB));
         });
+        for (std::uint32_t body = 0; body < bodies_.size(); ++body) {
+            std::multiset<std::uint32_t> listed;
+            contacts_.lists().forEach(body, [&](std::uint32_t slot) { listed.insert(slot); });
+            EXPECT_EQ(listed, ofBody[body]) << "body " << body;
+        }
         std::set<std::pair<std::uint32_t, std::uint32_t>> headed;
         for (const ContactSummary& summary : contacts_.summaries()) {
             EXPECT_EQ(bounds.part(summary.proxies.first).body, summary.bodyA);

@@ -51,7 +51,7 @@ struct Crowd {
             }
         }
         blocks.arrange(bodies, contacts, newcomers, {}, 3);
-        return blocks.pass(bodies, {});
+        return blocks.pass(bodies, 0, {});
     }
 };
 
@@ -60,7 +60,7 @@ struct Crowd {
 void expectNoBodyTwice(const Crowd& crowd, const ContactBlocks& blocks,
                        const ContactPassArguments& pass) {
     std::size_t i = 0;
-    for (const ContactBlocks::Colour& colour : blocks.colours()) {
+    for (const ContactBlocks::Colour& colour : blocks.colours(0)) {
         std::set<std::uint32_t> pushed;
         for (std::size_t k = 0; k < colour.count; ++k, ++i) {
             const ContactBlock& block = pass.blocks[pass.order[i]];

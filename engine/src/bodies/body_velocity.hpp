@@ -45,10 +45,11 @@ struct Acceleration {
 
 /// Ranges of mass and acceleration over the awake bodies.
 struct LoadRange {
-    Real lightest = 0; // 1/kg, as the next
-    Real heaviest = std::numeric_limits<Real>::max();
-    Real strongest = 0; // (m/s^2)^2, as the next, which includes bodies that can only rotate
-    Real weakest = std::numeric_limits<Real>::max();
+    Real maxInvMass = 0; // 1/kg, as the next
+    Real minInvMass = std::numeric_limits<Real>::max();
+    /// (m/s^2)^2, as the next, which includes bodies that can only rotate.
+    Real maxAccelerationSquared = 0;
+    Real minAccelerationSquared = std::numeric_limits<Real>::max();
     bool driven = false; // some are locked, and move
 };
 

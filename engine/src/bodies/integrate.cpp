@@ -99,11 +99,11 @@ void noteLoads(Bodies& bodies) {
             continue;
         }
         const Real square = lengthSquared(bodies.acceleration[body].linear);
-        loads.weakest = std::min(loads.weakest, square);
+        loads.minAccelerationSquared = std::min(loads.minAccelerationSquared, square);
         if (const Real invMass = bodies.motion[body].invMass; invMass > 0) {
-            loads.lightest = std::max(loads.lightest, invMass);
-            loads.heaviest = std::min(loads.heaviest, invMass);
-            loads.strongest = std::max(loads.strongest, square);
+            loads.maxInvMass = std::max(loads.maxInvMass, invMass);
+            loads.minInvMass = std::min(loads.minInvMass, invMass);
+            loads.maxAccelerationSquared = std::max(loads.maxAccelerationSquared, square);
         }
     }
     bodies.loads = loads;

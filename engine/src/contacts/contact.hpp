@@ -109,6 +109,7 @@ struct ContactSummary {
     bool wasTouching = false; // at the last finishStepOfContacts
     bool steady = false;      // the contact does not change if it touches again, or again does not
     bool kept = false;        // see Contact::isKept
+    bool gone = false;        // removed; its slot is still in use, see ContactSet::settle
 
     /// For a contact that is new or may have changed in every field.
     static ContactSummary of(const Contact& contact, BoundsPair proxies) {
@@ -123,10 +124,13 @@ struct ContactSummary {
     /// Must be called after a change of row, manifold, approachSpeed, carried or hidden, except for
     /// sensors.
     void note(const Contact& contact) {
-        row = contact.row.index;
         approachSpeed = contact.approachSpeed;
         separation = separationsOf(contact.manifold);
         meets = contact.manifold.count > 0 || contact.sensor;
+        noteRow(contact);
+    }
+    void noteRow(const Contact& contact) {
+        row = contact.row.index;
         kept = contact.isKept();
     }
 };

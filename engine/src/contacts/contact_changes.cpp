@@ -13,67 +13,70 @@ inline namespace KODO_PRECISION {
 template <typename Gone>
 void ContactSet::eraseIf(Gone gone) {
     settle();
-    index_.forget();
-    holes_.clear();
-    std::erase_if(order_, [&](const Place& place) {
-        const bool erased = gone(place.slot);
-        if (erased) {
-            holes_.push_back(place.slot);
+    for (const Place& place : order_) {
+        if (gone(place.slot)) {
+            detach(place.slot);
         }
-        return erased;
-    });
+    }
+    settle();
+}
+
+/// Takes a contact out of the lists of its bodies. Its slot stays in use until settle().
+void ContactSet::detach(std::uint32_t slot) {
+    ContactSummary& summary = summaries_[slot];
+    if (lists_.isValid()) {
+        lists_.remove(slot, summary.bodyA, summary.bodyB);
+    }
+    summary.gone = true;
+    contacts_[slot].phase.reset(); // no record
+    gone_.push_back(slot);
+}
+
+/// Frees the slots of detached contacts.
+void ContactSet::settle() {
+    if (gone_.empty()) {
+        return;
+    }
+    std::erase_if(order_, [&](const Place& place) { return summaries_[place.slot].gone; });
+    holes_.clear();
+    std::swap(holes_, gone_);
     fillHoles();
 }
 
-void ContactSet::drop(std::uint32_t body, const std::function<void(Contact&)>& writeBack) {
-    holes_.clear();
-    for (const std::uint32_t place : placesOf(body)) {
-        const std::uint32_t slot = std::exchange(order_[place].slot, kGone);
-        if (slot == kGone) {
-            continue;
+/// The contacts of each body.
+const ContactLists& ContactSet::lists() {
+    if (!lists_.isValid()) {
+        settle();
+        lists_.begin(touches_.size(), contacts_.size());
+        for (const Place& place : order_) {
+            const ContactSummary& summary = summaries_[place.slot];
+            lists_.add(place.slot, summary.bodyA, summary.bodyB);
         }
+    }
+    return lists_;
+}
+
+void ContactSet::drop(std::uint32_t body, const std::function<void(Contact&)>& writeBack) {
+    lists().forEach(body, [&](std::uint32_t slot) {
         Contact& contact = contacts_[slot];
         writeBack(contact);
         if (recordsDue_ && contact.phase) {
             recordContact(contact, dropped_);
         }
         noteEnd(contact);
-        holes_.push_back(slot);
-        anyGone_ = true;
-    }
-    fillHoles();
+        detach(slot);
+    });
     bodyChanged(body);
-}
-
-/// Places of the contacts of a body in order_; some may be empty.
-std::span<const std::uint32_t> ContactSet::placesOf(std::uint32_t body) {
-    if (!index_.isValid()) {
-        settle();
-        index_.build(order_.size(), [&](std::size_t place) {
-            const std::uint32_t slot = order_[place].slot;
-            return ContactIndex::Entry{summaries_[slot].bodyA, summaries_[slot].bodyB, slot};
-        });
-    }
-    return index_.placesOf(body);
 }
 
 void ContactSet::touchedBy(std::uint32_t body, std::vector<std::uint32_t>& others) {
     others.clear();
-    for (const std::uint32_t place : placesOf(body)) {
-        const std::uint32_t slot = order_[place].slot;
-        if (slot != kGone && contacts_[slot].wasTouching) {
+    lists().forEach(body, [&](std::uint32_t slot) {
+        if (contacts_[slot].wasTouching) {
             const ContactKey& key = contacts_[slot].key;
             others.push_back(key.bodyA == body ? key.bodyB : key.bodyA);
         }
-    }
-}
-
-/// Removes the places of dropped contacts from the order.
-void ContactSet::settle() {
-    if (std::exchange(anyGone_, false)) {
-        std::erase_if(order_, [](const Place& place) { return place.slot == kGone; });
-        index_.forget();
-    }
+    });
 }
 
 void ContactSet::partRemoved(std::uint32_t body, std::size_t part) {
@@ -96,24 +99,49 @@ void ContactSet::partRemoved(std::uint32_t body, std::size_t part) {
     bodyChanged(body);
 }
 
+/// Moves a contact between inactive bodies to idle_.
+void ContactSet::takeIdle(std::uint32_t slot) {
+    idle_.push_back(contacts_[slot]);
+    Contact& taken = idle_.back();
+    taken.row = {};
+    if (taken.wasTouching) {
+        countTouch(taken, false);
+    }
+    // Otherwise the step after putBack would report them again.
+    taken.approachSpeed = 0;
+    clearImpactImpulses(taken);
+}
+
 std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies) {
     writeRecords();
     idle_.clear();
     eraseIf([&](std::uint32_t slot) {
-        const Contact& contact = contacts_[slot];
-        const bool gone = !bodies.active(contact.key.bodyA) && !bodies.active(contact.key.bodyB);
+        const ContactSummary& summary = summaries_[slot];
+        const bool gone = !bodies.active(summary.bodyA) && !bodies.active(summary.bodyB);
         if (gone) {
-            idle_.push_back(contact);
-            idle_.back().row = {};
-            if (contact.wasTouching) {
-                countTouch(contact, false);
-            }
-            // Otherwise the step after putBack would report them again.
-            idle_.back().approachSpeed = 0;
-            clearImpactImpulses(idle_.back());
+            takeIdle(slot);
         }
         return gone;
     });
+    return idle_;
+}
+
+std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies,
+                                              std::span<const std::uint32_t> of) {
+    writeRecords();
+    idle_.clear();
+    for (const std::uint32_t body : of) {
+        lists().forEach(body, [&](std::uint32_t slot) {
+            const ContactSummary& summary = summaries_[slot];
+            if (!bodies.active(summary.bodyA) && !bodies.active(summary.bodyB)) {
+                takeIdle(slot);
+                detach(slot);
+            }
+        });
+    }
+    settle();
+    std::sort(idle_.begin(), idle_.end(), // total order: keys are unique
+              [](const Contact& a, const Contact& b) { return a.key < b.key; });
     return idle_;
 }
 
@@ -121,32 +149,64 @@ void ContactSet::putBack(std::span<const Contact> contacts, Bodies& bodies) {
     writeRecords();
     settle();
     const auto keyOf = [&](const Place& place) { return contacts_[place.slot].key; };
+    news_.clear();
     for (const Contact& contact : contacts) {
         const auto place = std::lower_bound(
             order_.begin(), order_.end(), contact.key,
             [&](const Place& at, const ContactKey& key) { return keyOf(at) < key; });
-        if (place == order_.end() || keyOf(*place) != contact.key) {
-            contacts_.push_back(contact);
-            ++reorderPolicy_.strayed;
-            // Teleports during its absence from the list are not in the contact yet.
-            const auto& [bodyA, partA, bodyB, partB] = contact.key;
-            if (contact.teleportCountA != bodies.teleportCount[bodyA] ||
-                contact.teleportCountB != bodies.teleportCount[bodyB]) {
-                bodies.noteTeleport(bodyA);
-                bodies.noteTeleport(bodyB);
-            }
-            if (contact.wasTouching) {
-                countTouch(contact, true);
-            }
+        if (place != order_.end() && keyOf(*place) == contact.key) {
+            continue;
+        }
+        const auto slot = static_cast<std::uint32_t>(contacts_.size());
+        news_.push_back({{slot, 0}, static_cast<std::uint32_t>(place - order_.begin()), true});
+        contacts_.push_back(contact);
+        summaries_.emplace_back();
+        renewSummary(slot);
+        if (lists_.isValid()) {
+            lists_.add(slot, contact.key.bodyA, contact.key.bodyB);
+        }
+        ++reorderPolicy_.strayed;
+        // Teleports during its absence from the list are not in the contact yet.
+        const auto& [bodyA, partA, bodyB, partB] = contact.key;
+        if (contact.teleportCountA != bodies.teleportCount[bodyA] ||
+            contact.teleportCountB != bodies.teleportCount[bodyB]) {
+            bodies.noteTeleport(bodyA);
+            bodies.noteTeleport(bodyB);
+        }
+        if (contact.wasTouching) {
+            countTouch(contact, true);
         }
     }
-    orderContacts();
+    insertPlaces();
+}
+
+/// Inserts the places of the contacts that putBack has appended; news_ has their slots.
+void ContactSet::insertPlaces() {
+    if (news_.empty()) {
+        return;
+    }
+    changed();
+    std::sort(news_.begin(), news_.end(), // total order: keys are unique
+              [&](const News& a, const News& b) {
+                  return contacts_[a.pair.first].key < contacts_[b.pair.first].key;
+              });
+    newOrder_.clear();
+    newOrder_.reserve(std::max(order_.capacity(), order_.size() + news_.size()));
+    auto next = order_.begin();
+    for (const News& news : news_) {
+        const auto at = order_.begin() + static_cast<std::ptrdiff_t>(news.at);
+        newOrder_.insert(newOrder_.end(), next, at);
+        newOrder_.push_back({summaries_[news.pair.first].proxies, news.pair.first});
+        next = at;
+    }
+    newOrder_.insert(newOrder_.end(), next, order_.end());
+    std::swap(order_, newOrder_);
 }
 
 /// Rebuilds order_ from the contacts.
 void ContactSet::orderContacts() {
     changed();
-    index_.forget();
+    lists_.forget();
     order_.resize(contacts_.size());
     for (std::uint32_t slot = 0; slot < order_.size(); ++slot) {
         order_[slot].slot = slot;

@@ -111,24 +111,30 @@ void ContactSet::fillHoles() {
             continue;
         }
         movedTo[slot - kept] = holes_[hole];
-        if (index_.isValid()) {
-            const auto from = static_cast<std::uint32_t>(slot);
-            order_[index_.placeOf(from)].slot = holes_[hole];
-            index_.moveSlot(from, holes_[hole]);
+        const ContactSummary& moved = summaries_[slot];
+        if (lists_.isValid()) {
+            lists_.move(static_cast<std::uint32_t>(slot), holes_[hole], moved.bodyA, moved.bodyB);
         }
-        summaries_[holes_[hole]] = summaries_[slot];
+        summaries_[holes_[hole]] = moved;
         contacts_[holes_[hole++]] = contacts_[slot];
     }
     reorderPolicy_.strayed += hole;
-    if (!index_.isValid()) {
-        for (Place& place : order_) {
-            if (place.slot >= kept) {
-                place.slot = movedTo[place.slot - kept];
-            }
+    for (Place& place : order_) {
+        if (place.slot >= kept) {
+            place.slot = movedTo[place.slot - kept];
         }
     }
     contacts_.resize(kept);
     summaries_.resize(kept);
+}
+
+void ContactSet::sortByKey(std::span<std::uint32_t> slots) const {
+    const auto before = [&](std::uint32_t a, std::uint32_t b) {
+        return summaries_[a].proxies < summaries_[b].proxies;
+    };
+    if (!std::is_sorted(slots.begin(), slots.end(), before)) {
+        std::sort(slots.begin(), slots.end(), before); // total order: pairs are unique
+    }
 }
 
 /// Reorders the contacts by key, so that a loop over them reads bodies in sequence. Follows each
@@ -140,7 +146,7 @@ void ContactSet::sortContacts() {
             continue;
         }
         changed();
-        index_.forget();
+        lists_.forget();
         const Contact contact = contacts_[start];
         const ContactSummary summary = summaries_[start];
         std::uint32_t to = start;
@@ -295,7 +301,6 @@ void ContactSet::mergePairs(const Bodies& bodies, WorkerTeam& team) {
     if (news_.empty()) {
         return;
     }
-    index_.forget();
     newOrder_.clear();
     newOrder_.reserve(order_.capacity()); // the two vectors alternate
     holes_.clear();
@@ -313,7 +318,7 @@ void ContactSet::mergePairs(const Bodies& bodies, WorkerTeam& team) {
             newOrder_.push_back({news.pair, 0});
         } else {
             holes_.push_back(order_[next++].slot);
-            release(contacts_[holes_.back()], bodies);
+            release(holes_.back(), bodies);
         }
     }
     keepUpTo(order_.size());
@@ -323,7 +328,11 @@ void ContactSet::mergePairs(const Bodies& bodies, WorkerTeam& team) {
 }
 
 /// Must be called before the removal of a contact whose grown bounds have separated.
-void ContactSet::release(Contact& gone, const Bodies& bodies) {
+void ContactSet::release(std::uint32_t slot, const Bodies& bodies) {
+    Contact& gone = contacts_[slot];
+    if (lists_.isValid()) {
+        lists_.remove(slot, gone.key.bodyA, gone.key.bodyB);
+    }
     if (gone.row.resident) {
         gone.centerA = bodies.start[gone.key.bodyA];
     }
@@ -355,6 +364,12 @@ void ContactSet::addContacts(const Bodies& bodies, WorkerTeam& team) {
             summaries_[slot] = ContactSummary::of(contacts_[slot], pair);
         }
     });
+    if (lists_.isValid()) {
+        for (const std::uint32_t at : added_) {
+            const ContactSummary& summary = summaries_[order_[at].slot];
+            lists_.add(order_[at].slot, summary.bodyA, summary.bodyB);
+        }
+    }
 }
 
 } // namespace KODO_PRECISION

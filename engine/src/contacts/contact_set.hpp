@@ -11,7 +11,7 @@
 #include "bodies/bodies.hpp"
 #include "broad/pair_finder.hpp"
 #include "contacts/contact.hpp"
-#include "contacts/contact_index.hpp"
+#include "contacts/contact_lists.hpp"
 #include "contacts/contact_report.hpp"
 #include "contacts/ghost_collisions.hpp"
 #include "contacts/part_bounds.hpp"
@@ -44,7 +44,7 @@ public:
     /// Removes the contacts of a body; calls writeBack(contact) before each removal. A contact that
     /// touched gets an End in the next records.
     void drop(std::uint32_t body, const std::function<void(Contact&)>& writeBack);
-    /// The bodies that touched a body in the last step, of awake contacts; may contain duplicates.
+    /// The bodies that touched a body in the last step, awake; may contain duplicates.
     void touchedBy(std::uint32_t body, std::vector<std::uint32_t>& others);
 
     /// Must be called before the removal of a part; the index of each later part falls by one.
@@ -53,9 +53,10 @@ public:
     void activityChanged(std::uint32_t body) { stirred_.push_back(body); }
     void activityChanged() { pairsStale_ = true; }
 
-    /// Removes and returns the contacts between bodies that are not active in a step, in order.
-    /// Valid until the next call.
+    /// Removes and returns the contacts between bodies that are not active in a step, in order:
+    /// all, or those `of` some bodies. Valid until the next call.
     std::span<const Contact> takeIdle(const Bodies& bodies);
+    std::span<const Contact> takeIdle(const Bodies& bodies, std::span<const std::uint32_t> of);
     /// Puts back contacts that takeIdle returned. A contact already in the list stays unchanged.
     void putBack(std::span<const Contact> contacts, Bodies& bodies);
 
@@ -85,18 +86,25 @@ public:
     PairFinder& pairFinder() { return finder_; }
     const PairFinder& pairFinder() const { return finder_; }
 
-    // In storage order, which is constant within a step while no pair is added or removed.
+    // By slot: constant within a step while no pair is added or removed.
     std::span<Contact> contacts() { return contacts_; }
     std::span<const Contact> contacts() const { return contacts_; }
     std::span<const ContactSummary> summaries() const { return summaries_; }
-    /// Calls visit(contact) for all contacts in the order of their keys.
+    /// Calls visit(slot) for all contacts in the order of their keys. Results may depend on this
+    /// order, but not on that of the slots: other islands change it.
     template <typename Visit>
-    void forEachInOrder(Visit visit) {
-        KODO_ASSERT(!anyGone_);
+    void forEachInOrder(Visit visit) const {
+        const bool anyGone = !gone_.empty();
         for (const Place& place : order_) {
-            visit(contacts_[place.slot]);
+            if (!anyGone || !summaries_[place.slot].gone) {
+                visit(place.slot);
+            }
         }
     }
+    /// Sorts slots in the order of the keys of their contacts. Not valid after a change of bodies.
+    void sortByKey(std::span<std::uint32_t> slots) const;
+    /// Slots of the contacts of each body.
+    const ContactLists& lists();
     /// Slots of the contacts that are not idle, in order. Not valid after a change of the list of
     /// contacts.
     std::span<const std::uint32_t> live();
@@ -108,12 +116,9 @@ public:
     bool mayHaveSensors() const { return anySensors_ != 0 || contactsChanged_; }
     /// False if no contact has restitution.
     bool mayBounce() const { return anyBounces_ != 0 || contactsChanged_; }
-    /// Must be called after the solver assigned or released a row, or evicted the contact. Called
-    /// from several threads.
-    void noteRow(std::uint32_t place) {
-        summaries_[place].row = contacts_[place].row.index;
-        summaries_[place].kept = contacts_[place].isKept();
-    }
+    /// After the solver assigned or released a row, or evicted the contact. On any thread.
+    void noteRow(std::uint32_t place) { summaries_[place].noteRow(contacts_[place]); }
+    void noteContact(std::uint32_t place) { summaries_[place].note(contacts_[place]); }
     /// Determines begin, persist and end of each contact. `touched` says by row whether the contact
     /// touched; its last element, for contacts without a row, is false. Contacts whose state does
     /// not change are not visited.
@@ -122,21 +127,19 @@ public:
     /// Bodies whose isTouched may have changed since clearTouchChanges; may contain duplicates.
     std::span<const std::uint32_t> touchChanges() const { return touchChanges_; }
     void clearTouchChanges() { touchChanges_.clear(); }
-    /// True if a contact touched the body at the last finishStepOfContacts.
     bool isTouched(std::uint32_t body) const { return touches_[body] > 0; }
-    /// Ends a step: later records belong to the next one.
     void finishStep(bool wantRecords);
-    /// Records of the last step, in order. Written lazily, at the first call or before a contact is
+    /// Records of the last step, in order, written at the first call or before a contact is
     /// removed. current(contact) returns the contact with its state written back.
     template <typename Current>
     std::span<const CollisionRecord> records(Current current) const {
         if (std::exchange(recordsDue_, false)) {
             records_.reserve(contacts_.capacity() + dropped_.size() + endedInStep_.size());
-            for (const Place& place : order_) {
-                if (place.slot != kGone && contacts_[place.slot].phase) {
-                    recordContact(current(contacts_[place.slot]), records_);
+            forEachInOrder([&](std::uint32_t slot) {
+                if (contacts_[slot].phase) {
+                    recordContact(current(contacts_[slot]), records_);
                 }
-            }
+            });
             addInOrder(dropped_, records_);
             addInOrder(endedInStep_, records_);
         }
@@ -146,14 +149,10 @@ public:
 private:
     friend class SnapshotFields;
     static constexpr std::size_t kContactsPerPiece = 128;
-    static constexpr std::uint32_t kGone = ~std::uint32_t{};    // slot of a dropped contact
     static constexpr std::uint32_t kOneLess = ~std::uint32_t{}; // -1, added to unsigned counts
-
-    /// A range of contacts.
+    /// A range of contacts; `end` is that of the whole range of the thread.
     struct Piece {
-        std::size_t first;
-        std::size_t last; // one past the last contact
-        std::size_t end;  // end of the whole range of the thread
+        std::size_t first, last, end;
     };
     /// Slot of a contact. Pairs of bounds are in the order of the contact keys.
     struct Place {
@@ -167,8 +166,10 @@ private:
         bool comes;
     };
 
-    std::span<const std::uint32_t> placesOf(std::uint32_t body);
     void settle();
+    void detach(std::uint32_t slot);
+    void takeIdle(std::uint32_t slot);
+    void insertPlaces();
     void writeRecords() const;
     void noteEnd(const Contact& contact);
     void countTouch(const Contact& contact, bool touches);
@@ -184,7 +185,7 @@ private:
     void findPairsOfMovers(const Bodies& bodies, Accept accept, WorkerTeam& team);
     void findNews(WorkerTeam& team);
     void mergePairs(const Bodies& bodies, WorkerTeam& team);
-    void release(Contact& gone, const Bodies& bodies);
+    void release(std::uint32_t slot, const Bodies& bodies);
     void addContacts(const Bodies& bodies, WorkerTeam& team);
     void changed();
     void noteKinds(const Bodies& bodies, WorkerTeam& team);
@@ -210,11 +211,11 @@ private:
     MovingParts movers_;
     GhostCollisions ghostCollisions_;
     std::vector<Contact> contacts_;
-    std::vector<Place> order_; // of the contacts, by key
-    ContactIndex index_;
-    bool anyGone_ = false;        // some places of order_ are empty, until settle()
-    std::vector<Place> newOrder_; // scratch: merging allocates nothing
-    std::vector<News> news_;      // while merging
+    std::vector<Place> order_;        // of the contacts, by key
+    ContactLists lists_;              // by body; see lists()
+    std::vector<std::uint32_t> gone_; // slots of detached contacts, until settle()
+    std::vector<Place> newOrder_;     // scratch: merging allocates nothing
+    std::vector<News> news_;          // while merging
     ParallelCollector<News> newsFound_;
     std::vector<std::uint32_t> holes_; // slots of removed contacts, while merging
     std::vector<std::uint32_t> added_; // indices in order_ of new contacts, while merging
@@ -230,8 +231,7 @@ private:
     std::vector<std::uint32_t> stirred_;   // bodies, with duplicates: see activityChanged
     std::vector<std::uint32_t> touches_;   // by body: see isTouched; the number of such contacts
     std::vector<std::uint32_t> touchChanges_;
-    // End records of contacts removed with a body, a part, or the overlap of their bounds.
-    std::vector<CollisionRecord> ended_;       // since the last step
+    std::vector<CollisionRecord> ended_; // End records of contacts removed since the last step
     std::vector<CollisionRecord> endedInStep_; // of the last step
     mutable std::vector<CollisionRecord> records_;
     mutable bool recordsDue_ = false;

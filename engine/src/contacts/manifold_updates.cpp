@@ -196,18 +196,18 @@ void ContactSet::noteKinds(const Bodies& bodies, WorkerTeam& team) {
     anySensors_ = 0;
     anyBounces_ = 0;
     onGround_.clear();
-    reserveReusing(onGround_, summaries_.size());
-    found_.gather(team, summaries_.size(), kContactsPerPiece, onGround_,
+    reserveReusing(onGround_, order_.size());
+    found_.gather(team, order_.size(), kContactsPerPiece, onGround_,
                   [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
                       bool sensors = false;
                       bool bounces = false;
                       for (std::size_t i = first; i < last; ++i) {
-                          const ContactSummary& summary = summaries_[i];
+                          const ContactSummary& summary = summaries_[order_[i].slot];
                           sensors |= summary.sensor;
                           bounces |= summary.bounces;
                           if (!summary.sensor &&
                               bodies.locked(summary.bodyA) != bodies.locked(summary.bodyB)) {
-                              found.push_back(static_cast<std::uint32_t>(i));
+                              found.push_back(order_[i].slot);
                           }
                       }
                       if (sensors) {

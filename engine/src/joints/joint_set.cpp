@@ -125,22 +125,6 @@ std::optional<std::pair<std::uint32_t, std::uint32_t>> excludedPairOf(const Join
         def);
 }
 
-struct Overload {
-    Real force;
-    Real torque;
-};
-Overload limitsOf(const JointDef& def) {
-    return std::visit(
-        [](const auto& kind) -> Overload {
-            if constexpr (requires { kind.ends; }) {
-                return {kind.ends.breakForce, kind.ends.breakTorque};
-            } else {
-                return {kUnbreakable, kUnbreakable};
-            }
-        },
-        def);
-}
-
 } // namespace
 
 JointId JointSet::add(const JointDef& def) {
@@ -241,21 +225,29 @@ void JointSet::findBusy(const Bodies& bodies, bool changed) {
     }
 }
 
-void JointSet::beginStep(const Bodies& bodies) {
+void JointSet::beginStep() {
+    for (const std::uint32_t index : busy_) {
+        joints_[index].linearImpulseSum = {};
+        joints_[index].angularImpulseSum = 0;
+    }
+}
+
+void JointSet::beginGroup(const Bodies& bodies, std::span<const std::uint8_t> levels,
+                          std::uint32_t level) {
     own_.clear();
     takenRevolutes_.clear();
     treeCandidates_.clear();
     for (const std::uint32_t index : busy_) {
-        Joint& joint = joints_[index];
-        joint.linearImpulseSum = {};
-        joint.angularImpulseSum = 0;
-        if (idle(bodies, joint.def)) {
+        const JointDef& def = joints_[index].def;
+        const std::uint32_t a = firstBody(def).index;
+        const std::uint32_t b = secondBody(def).index;
+        const std::uint32_t own = levels.empty() ? 0u : std::max(levels[a], levels[b]);
+        if (own != level || idle(bodies, def)) {
             continue;
         }
         own_.push_back(index);
-        if (mayBeHeld(bodies, joint.def)) {
-            treeCandidates_.push_back(
-                {index, firstBody(joint.def).index, secondBody(joint.def).index});
+        if (mayBeHeld(bodies, def)) {
+            treeCandidates_.push_back({index, a, b});
         }
     }
     trees_.find(bodies, treeCandidates_);
@@ -280,11 +272,14 @@ void JointSet::scaleImpulses(Real by) {
     if (by == 1) {
         return;
     }
-    for (const std::uint32_t index : busy_) {
-        Joint& joint = joints_[index];
-        joint.point *= by;
-        for (Real& impulse : joint.axes) {
-            impulse *= by;
+    for (const std::span<const std::uint32_t> list :
+         {std::span<const std::uint32_t>(own_), std::span<const std::uint32_t>(takenRevolutes_)}) {
+        for (const std::uint32_t index : list) {
+            Joint& joint = joints_[index];
+            joint.point *= by;
+            for (Real& impulse : joint.axes) {
+                impulse *= by;
+            }
         }
     }
 }
@@ -371,29 +366,6 @@ void JointSet::forgetUnsound() {
             joint.angularImpulseSum = 0;
         }
     }
-}
-
-std::span<const BrokenJoint> JointSet::endStep(Real dt) {
-    broken_.clear();
-    for (const std::uint32_t index : busy_) {
-        Joint& joint = joints_[index];
-        if (!std::exchange(joint.solved, false)) {
-            continue; // not solved in this step: the load stays
-        }
-        joint.force = joint.linearImpulseSum / dt;
-        joint.torque = joint.angularImpulseSum / dt;
-        const Overload most = limitsOf(joint.def);
-        const bool mayBreak = most.force < kUnbreakable || most.torque < kUnbreakable;
-        if (mayBreak &&
-            (length(joint.force) > most.force || std::abs(joint.torque) > most.torque)) {
-            broken_.push_back({idAt(index), firstBody(joint.def), secondBody(joint.def),
-                               length(joint.force), std::abs(joint.torque)});
-        }
-    }
-    for (const BrokenJoint& broken : broken_) {
-        remove(broken.id);
-    }
-    return broken_;
 }
 
 } // namespace KODO_PRECISION

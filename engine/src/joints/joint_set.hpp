@@ -67,7 +67,12 @@ public:
     void findBusy(const Bodies& bodies, bool changed);
     std::size_t busyCount() const { return busy_.size(); }
 
-    void beginStep(const Bodies& bodies);
+    void beginStep();
+    /// Selects the joints of one level for the functions below, up to the next call: of the busy
+    /// joints those with that level. A joint has the higher level of its two bodies; without
+    /// `levels`, which is by body, all have level 0.
+    void beginGroup(const Bodies& bodies, std::span<const std::uint8_t> levels = {},
+                    std::uint32_t level = 0);
     /// Revolute joints without motor and limits that belong to no tree. The caller solves them in
     /// this step.
     std::span<const std::uint32_t> takeRevolutes();

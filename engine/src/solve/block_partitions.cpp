@@ -93,7 +93,7 @@ void BlockPartitions::listBlocks(const Step& step) {
     ranges_.clear();
     order_.resize(step.pass.count);
     std::uint32_t first = 0;
-    for (const ContactBlocks::Colour& colour : step.blocks.colours()) {
+    for (const ContactBlocks::Colour& colour : step.blocks.colours(step.level)) {
         const std::uint32_t end = first + static_cast<std::uint32_t>(colour.count);
         std::array<std::uint32_t, 2 * WorkerTeam::kMaxPartitions + 1> next{};
         const auto groupOf = [&](std::uint32_t block) {

@@ -22,7 +22,8 @@ class BlockPartitions {
 public:
     struct Step {
         const ContactBlocks& blocks;
-        const ContactPassArguments& pass;
+        std::uint32_t level;
+        const ContactPassArguments& pass; // over the blocks of that level
         std::span<const Contact> contacts;
         std::span<const std::uint32_t> newcomers; // see ContactBlocks::arrange
         std::span<const std::uint32_t> bodies;    // that can be moved, in order

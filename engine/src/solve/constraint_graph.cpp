@@ -77,7 +77,7 @@ void ContactBlocks::rebuildGraph(const Bodies& bodies, ContactSet& contacts,
     evictAll(contacts.contacts(), bodies);
     forgetLanes();
     layOut(contacts.contacts());
-    contacts.forEachInOrder([&](Contact& contact) { assignRow(contact); });
+    contacts.forEachInOrder([&](std::uint32_t slot) { assignRow(contacts.contacts()[slot]); });
     finishGraph();
 }
 
@@ -111,6 +111,9 @@ void ContactBlocks::forgetLanes() {
     order_.clear();
     inUse_.clear();
     rows_ = 0;
+    for (Level& level : levels_) {
+        level.rows = 0;
+    }
     lanesState_ += 2;
     orderStale_ = true;
     rowsAssigned_ = false;

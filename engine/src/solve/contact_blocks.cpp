@@ -12,18 +12,38 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
-void ContactBlocks::refine(int parts, std::span<Contact> contacts, const Bodies& bodies) {
-    if (const auto now = static_cast<Real>(parts); now != parts_) {
-        evictAll(contacts, bodies);
-        parts_ = now;
-        lanesStale_ = true;
+void ContactBlocks::refine(const Refinement& refinement, ContactSet& contacts,
+                           const Bodies& bodies) {
+    refinedLevels_.assign(refinement.levels().begin(), refinement.levels().end());
+    const std::span<const ContactSummary> summaries = contacts.summaries();
+    for (std::uint32_t slot = 0; slot < summaries.size(); ++slot) {
+        Contact& contact = contacts.contacts()[slot];
+        if (summaries[slot].row != kNone &&
+            levelOfBin(states_[blockOf(summaries[slot].row)].bin) != levelOf(contact)) {
+            evict(contact, bodies);
+            contact.carried = false; // take() asks for another lane
+            contacts.noteRow(slot);
+        }
     }
+}
+
+bool ContactBlocks::worthPartitioning() const {
+    for (std::uint32_t level = 0; level < kLevels; ++level) {
+        if (worthPartitioning(level)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, bool friction,
                           bool rolling) {
     colours_.resize(bodies.size());
-    if (order_.size() > singles_ + kBins * cuts_.size() + rows_ / 4) { // most lanes are empty
+    if (!refinedLevels_.empty()) {
+        refinedLevels_.resize(bodies.size(), 0);
+    }
+    const std::size_t bins = kLevelBins * (refinedLevels_.empty() ? 1 : kLevels);
+    if (order_.size() > singles_ + bins * cuts_.size() + rows_ / 4) { // most lanes are empty
         evictAll(contacts, bodies);
         forgetLanes();
     }
@@ -128,7 +148,7 @@ std::uint8_t ContactBlocks::removedLanes(std::uint32_t block) const {
 void ContactBlocks::release(std::uint32_t row) {
     const ContactBlock& block = blocks_[blockOf(row)];
     const BlockState& state = states_[blockOf(row)];
-    const std::uint32_t group = state.bin / 2;
+    const std::uint32_t group = groupOf(state.bin);
     if (!isSingleBin(state.bin)) {
         const std::uint64_t colour = std::uint64_t{1} << (group - (group > kFreeColours ? 1 : 0));
         colours_[bodyOfPlace(block.a[laneOf(row)])] &=
@@ -149,6 +169,7 @@ void ContactBlocks::empty(std::uint32_t row) {
     state.used &= static_cast<std::uint8_t>(~maskOf(row));
     orderStale_ = orderStale_ || state.used == 0;
     --rows_;
+    --levels_[levelOfBin(state.bin)].rows;
     ContactBlock& block = blocks_[blockOf(row)];
     const std::size_t lane = laneOf(row);
     clearLane(block, lane);
@@ -179,7 +200,7 @@ void ContactBlocks::colourNewcomer(const Bodies& bodies, Contact& contact) {
     if (colour == kColours || (colour >= kFreeColours && !onLocked)) {
         const std::uint32_t group = onLocked ? kGroups - 1 : kFreeColours;
         ++singles_;
-        giveLane(contact, 2 * group + (contact.manifold.count == 2 ? 1 : 0));
+        giveLane(contact, binOfGroup(group, contact));
     } else {
         row.colour = static_cast<std::uint8_t>(colour);
         colours_[a] |= row.fixedA ? 0 : std::uint64_t{1} << colour;
@@ -206,7 +227,7 @@ std::uint32_t ContactBlocks::addBlock(std::uint32_t bin, std::uint8_t partition)
     std::fill_n(lanes.a, ContactBlock::kContacts, velocityOffset(spare_));
     std::fill_n(lanes.b, ContactBlock::kContacts, velocityOffset(spare_));
     states_.push_back({bin, kNone, 0, 0, 0, partition});
-    use_.push_back({-1, bin % 2 == 1, bin / 2 > kFreeColours, 0, 0});
+    use_.push_back({-1, bin % 2 == 1, groupOf(bin) > kFreeColours, 0, 0});
     return block;
 }
 
@@ -230,6 +251,7 @@ void ContactBlocks::giveLane(Contact& contact, std::uint32_t bin) {
         openOf(bin, partition) = state.nextOpen;
     }
     ++rows_;
+    ++levels_[levelOfBin(bin)].rows;
     reorderPolicy_.strayed += isSingleBin(bin) ? 0 : 1; // singles get a new lane in every step
     contact.row.index = block * ContactBlock::kContacts + lane;
     taken_[contact.row.index] = 1;
@@ -240,20 +262,32 @@ void ContactBlocks::giveLane(Contact& contact, std::uint32_t bin) {
 /// Lists the blocks in use: order_ by bin, inUse_ in the order of memory.
 void ContactBlocks::orderBlocks() {
     std::array<std::uint32_t, kBins + 1> next{};
-    std::uint32_t lowest = kGroups; // group with a block; a group has two bins
+    std::uint32_t lowest = kBins - 1; // of the bins with a block
+    std::uint32_t highest = 0;
     for (const BlockState& state : states_) {
         next[state.bin + 1] += state.used != 0 ? 1 : 0;
-        lowest = std::min(lowest, state.bin / 2);
+        lowest = std::min(lowest, state.bin);
+        highest = std::max(highest, state.bin);
     }
-    std::partial_sum(next.begin() + 2 * lowest, next.end(), next.begin() + 2 * lowest);
-    order_.resize(next[kBins]);
-    byColour_.clear();
-    for (std::uint32_t group = lowest; group < kGroups; ++group) {
-        const std::uint32_t count = next[2 * group + 2] - next[2 * group];
-        if (count > 0) {
-            byColour_.push_back({count, isSingleBin(2 * group)});
+    lowest = std::min(lowest, highest);
+    std::partial_sum(next.begin() + lowest, next.begin() + highest + 2, next.begin() + lowest);
+    const auto firstOf = [&](std::uint32_t bin) {
+        return next[std::clamp(bin, lowest, highest + 1)];
+    };
+    for (std::uint32_t number = 0; number < kLevels; ++number) {
+        Level& level = levels_[number];
+        const std::uint32_t end = (number + 1) * kLevelBins;
+        level.first = firstOf(end - kLevelBins);
+        level.count = firstOf(end) - level.first;
+        level.colours.clear();
+        for (std::uint32_t bin = std::max(end - kLevelBins, lowest / 2 * 2);
+             bin < std::min(end, highest + 1); bin += 2) {
+            if (const std::uint32_t count = firstOf(bin + 2) - firstOf(bin); count > 0) {
+                level.colours.push_back({count, isSingleBin(bin)});
+            }
         }
     }
+    order_.resize(firstOf(kBins));
     inUse_.clear();
     for (std::uint32_t i = 0; i < states_.size(); ++i) {
         if (states_[i].used != 0) {
@@ -309,7 +343,8 @@ void ContactBlocks::setPushSpeeds(std::span<const std::uint16_t> crowd, Real pus
 void ContactBlocks::fill(const Bodies& bodies, Contact& contact) {
     const std::size_t lane = laneOf(contact.row.index);
     ContactBlock& block = blocks_[blockOf(contact.row.index)];
-    fillLane(block, lane, bodies, contact, pushSpeed_, parts_);
+    const Real parts = partsOf(blockOf(contact.row.index));
+    fillLane(block, lane, bodies, contact, pushSpeed_, parts);
     std::int32_t& place = use_[blockOf(contact.row.index)].rolling;
     const bool rolls = rollingOn_ && contact.material.rollingResistance > 0;
     if (rolls && place < 0) {
@@ -317,15 +352,22 @@ void ContactBlocks::fill(const Bodies& bodies, Contact& contact) {
         rolling_.emplace_back();
     }
     if (place >= 0) {
-        fillLane(rolling_[static_cast<std::size_t>(place)], lane, bodies, contact, parts_);
+        fillLane(rolling_[static_cast<std::size_t>(place)], lane, bodies, contact, parts);
     }
     contact.carried = true;
     makeResident(contact);
 }
 
-ContactPassArguments ContactBlocks::pass(Bodies& bodies, const PassSettings& settings) {
-    return {blocks_.data(), rolling_.data(),      use_.data(), order_.data(),
-            order_.size(),  bodies.motion.data(), settings,    areFar()};
+ContactPassArguments ContactBlocks::pass(Bodies& bodies, std::uint32_t level,
+                                         const PassSettings& settings) {
+    return {blocks_.data(),
+            rolling_.data(),
+            use_.data(),
+            order_.data() + levels_[level].first,
+            levels_[level].count,
+            bodies.motion.data(),
+            settings,
+            areFar()};
 }
 
 } // namespace KODO_PRECISION

@@ -5,8 +5,10 @@
 #include "base/worker_team.hpp"
 #include "contacts/contact_set.hpp"
 #include "solve/contact_block.hpp"
+#include "solve/refinement.hpp"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -27,9 +29,11 @@ public:
     /// bodies fit around one.
     static constexpr int kNeighbours = 8;
 
-    /// Divides each substep into `parts` from now on, a power of two. Contacts store the impulses
-    /// of a whole substep.
-    void refine(int parts, std::span<Contact> contacts, const Bodies& bodies);
+    /// Blocks of one level of Refinement, and of one colour after the other.
+    static constexpr std::uint32_t kLevels = Refinement::kLevels;
+    /// Sets the levels of the bodies from now on, after these have changed. Contacts store the
+    /// impulses of a whole substep, lanes those of its parts.
+    void refine(const Refinement& refinement, ContactSet& contacts, const Bodies& bodies);
     /// Starts a step, before take(). Contacts of the last step may be gone. `friction` and
     /// `rolling` are true if that feature is on.
     void begin(const Bodies& bodies, std::span<Contact> contacts, bool friction, bool rolling);
@@ -71,18 +75,23 @@ public:
     /// Replaces begin() to arrange() in a step in which no contact responds.
     void releaseAll(const Bodies& bodies);
 
-    ContactPassArguments pass(Bodies& bodies, const PassSettings& settings);
+    /// A pass over the blocks of a level.
+    ContactPassArguments pass(Bodies& bodies, std::uint32_t level, const PassSettings& settings);
     /// Consecutive blocks in the order of the pass. No two of their contacts move the same body, so
     /// they may be solved in parallel, except where oneByOne is set.
     struct Colour {
         std::size_t count = 0;
         bool oneByOne = false; // contacts without a colour, to be solved in order
     };
-    std::span<const Colour> colours() const { return byColour_; }
+    std::span<const Colour> colours(std::uint32_t level) const { return levels_[level].colours; }
     /// True if the colours are large enough for parallel passes. These cost synchronisation at
     /// border blocks and cache misses for shared bodies.
-    bool worthPartitioning() const { return rows_ > kWorthPartitioning * byColour_.size(); }
+    bool worthPartitioning(std::uint32_t level) const {
+        return levels_[level].rows > kWorthPartitioning * levels_[level].colours.size();
+    }
+    bool worthPartitioning() const;
     std::size_t size() const { return rows_; }
+    std::size_t size(std::uint32_t level) const { return levels_[level].rows; }
     std::size_t blockCount() const { return blocks_.size(); }
     /// True for a block of a single contact without a colour.
     bool isSingle(std::size_t block) const { return isSingleBin(states_[block].bin); }
@@ -112,7 +121,8 @@ private:
     static constexpr std::uint32_t kColours = 64;
     // A further group of each kind, behind its colours, is for single contacts without a colour.
     static constexpr std::uint32_t kGroups = kColours + 2;
-    static constexpr std::uint32_t kBins = 2 * kGroups; // by group: one point, two points
+    static constexpr std::uint32_t kLevelBins = 2 * kGroups; // by group: one point, two points
+    static constexpr std::uint32_t kBins = kLevels * kLevelBins;
     static constexpr std::uint32_t kNone = ContactRow::kNone;
     static constexpr std::size_t kBlocksPerPiece = 32;
     static constexpr std::size_t kWorthPartitioning = 128; // mean number of contacts per colour
@@ -140,11 +150,24 @@ private:
     }
     /// Bins of contacts without a colour: one contact per block.
     static bool isSingleBin(std::uint32_t bin) {
-        return bin / 2 == kFreeColours || bin / 2 == kGroups - 1;
+        return groupOf(bin) == kFreeColours || groupOf(bin) == kGroups - 1;
     }
-    static std::uint32_t binOf(std::uint32_t colour, const Contact& contact) {
-        const std::uint32_t group = colour < kFreeColours ? colour : colour + 1;
-        return 2 * group + (contact.manifold.count == 2 ? 1 : 0);
+    static std::uint32_t groupOf(std::uint32_t bin) { return bin % kLevelBins / 2; }
+    static std::uint32_t levelOfBin(std::uint32_t bin) { return bin / kLevelBins; }
+    std::uint32_t levelOf(const Contact& contact) const {
+        return refinedLevels_.empty()
+                   ? 0u
+                   : std::max(refinedLevels_[contact.key.bodyA], refinedLevels_[contact.key.bodyB]);
+    }
+    std::uint32_t binOfGroup(std::uint32_t group, const Contact& contact) const {
+        return levelOf(contact) * kLevelBins + 2 * group + (contact.manifold.count == 2 ? 1 : 0);
+    }
+    std::uint32_t binOf(std::uint32_t colour, const Contact& contact) const {
+        return binOfGroup(colour < kFreeColours ? colour : colour + 1, contact);
+    }
+    /// Parts of a substep.
+    Real partsOf(std::size_t block) const {
+        return static_cast<Real>(1u << levelOfBin(states_[block].bin));
     }
     bool areFar() const { return blocks_.size() * sizeof(ContactBlock) > kNearBytes; }
     bool keepsColour(const Bodies& bodies, const Contact& contact) const;
@@ -178,7 +201,15 @@ private:
     std::vector<std::uint32_t> order_; // block indices by bin
     std::vector<std::uint32_t> inUse_; // the same in the order of memory
     std::vector<RollingBlock> rolling_;
-    std::vector<Colour> byColour_;
+    /// Blocks of a level: a range of order_.
+    struct Level {
+        std::size_t first = 0;
+        std::size_t count = 0;
+        std::size_t rows = 0; // lanes in use
+        std::vector<Colour> colours;
+    };
+    std::array<Level, kLevels> levels_;
+    std::vector<std::uint8_t> refinedLevels_;  // by body; empty if all are 0
     std::vector<Carried> carried_;             // by row
     std::vector<std::uint8_t> taken_;          // by row: taken in this step
     std::vector<std::uint8_t> touching_ = {0}; // by row: touched in the last step; one more: false
@@ -190,7 +221,6 @@ private:
     std::uint64_t lanesState_ = 0;
     std::uint32_t spare_ = 0;
     Real pushSpeed_ = 0;
-    Real parts_ = 1;      // of a substep; see refine()
     bool shared_ = false; // some lanes have a lower limit than pushSpeed_
     bool anyResident_ = false;
     bool frictionOn_ = true;

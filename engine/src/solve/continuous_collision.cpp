@@ -126,10 +126,10 @@ bool closes(const Bodies& bodies, const PartBounds& bounds, const ContactSummary
                    bounds.tight(summary.proxies.second), tolerances);
 }
 
-/// Order of the heap: the earliest event on top, equal times in the order of contacts.
+/// Order of the heap: the earliest event on top, equal times in the order of the keys of contacts.
 template <typename Event>
 bool later(const Event& e, const Event& f) {
-    return e.time > f.time || (e.time == f.time && e.contact > f.contact);
+    return e.time > f.time || (e.time == f.time && f.pair < e.pair);
 }
 
 /// Ends the displacement of a body at `fraction` of the step; from there on only `push` (m, per
@@ -186,7 +186,8 @@ void ContinuousCollision::run(Bodies& bodies, ContactSet& contactSet, const Step
             std::any_of(bodies.awake.begin(), bodies.awake.end(),
                         [&](std::uint32_t body) { return bodies.isMovingKinematic(body); });
         const std::span<Contact> contacts = contactSet.contacts();
-        const Step step{bodies, contacts, contactSet.summaries(), settings, tolerances, driven};
+        const Step step{bodies,   contactSet, contacts, contactSet.summaries(),
+                        settings, tolerances, driven};
         findImpacts(step, team);
         if (!events_.empty()) {
             stopInOrder(step);
@@ -290,9 +291,9 @@ void ContinuousCollision::findTime(const Step& step, std::uint32_t i) {
 }
 
 /// Adds the impact of a pair to the heap, if it has one.
-void ContinuousCollision::queueImpact(std::uint32_t contact) {
+void ContinuousCollision::queueImpact(const Step& step, std::uint32_t contact) {
     if (const Real time = times_[contact]; time < 1) {
-        events_.push_back({time, contact});
+        events_.push_back({time, contact, step.summaries[contact].proxies});
         std::push_heap(events_.begin(), events_.end(), later<Event>);
     }
 }
@@ -306,7 +307,7 @@ void ContinuousCollision::findImpacts(const Step& step, WorkerTeam& team) {
                            step.contacts, [&](std::uint32_t contact) { findTime(step, contact); });
     });
     for (const std::uint32_t contact : candidates_) {
-        queueImpact(contact);
+        queueImpact(step, contact);
     }
 }
 
@@ -347,7 +348,7 @@ void ContinuousCollision::cutShort(const Step& step, std::uint32_t body, Real ti
     for (std::uint32_t i = first_[body]; i != kNoContact;) {
         if (times_[i] != kTaken) {
             findTime(step, i);
-            queueImpact(i);
+            queueImpact(step, i);
         }
         i = next_[i][step.summaries[i].bodyA == body ? 0 : 1];
     }

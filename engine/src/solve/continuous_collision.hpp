@@ -39,10 +39,12 @@ private:
     struct Event {
         Real time;
         std::uint32_t contact;
+        BoundsPair pair; // its key
     };
     /// Inputs of all functions for one step.
     struct Step {
         const Bodies& bodies;
+        const ContactSet& contactSet;
         std::span<const Contact> contacts;
         std::span<const ContactSummary> summaries;
         const StepSettings& settings;
@@ -59,7 +61,7 @@ private:
     }
     void linkContacts(const Step& step);
     void findTime(const Step& step, std::uint32_t contact);
-    void queueImpact(std::uint32_t contact);
+    void queueImpact(const Step& step, std::uint32_t contact);
     void findImpacts(const Step& step, WorkerTeam& team);
     void stopInOrder(const Step& step);
     MotionPath pathOf(const Bodies& bodies, std::uint32_t body) const;

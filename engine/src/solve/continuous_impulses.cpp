@@ -32,14 +32,14 @@ void holdBack(Vec2& push, Vec2 normal) {
 /// with restitution becomes faster than the kinematic body and needs no push.
 void ContinuousCollision::findPushes(const Step& step) {
     againstLocked_.clear();
-    for (std::uint32_t i = 0; i < step.contacts.size(); ++i) {
+    step.contactSet.forEachInOrder([&](std::uint32_t i) {
         const ContactSummary& summary = step.summaries[i];
         if (summary.meets && !summary.bounces &&
             step.bodies.locked(summary.bodyA) != step.bodies.locked(summary.bodyB) &&
             step.contacts[i].responds()) {
             againstLocked_.push_back(i);
         }
-    }
+    });
     for (const bool stop : {false, true}) { // static bodies last, so that they dominate
         for (const std::uint32_t i : againstLocked_) {
             const Contact& contact = step.contacts[i];

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "solve/impact_solver.hpp"
 
+#include "contacts/contact_update.hpp"
 #include "solve/leverage.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -219,21 +221,20 @@ bool isFast(const Bodies& bodies, const ContactSummary& summary, Real dt) {
                kNearly * (dt * dt) * accelerationSquared(bodies, summary.bodyA, summary.bodyB);
 }
 
-/// Number of contacts from the first that was measured as fast to the end; 0 in a pile.
+/// True if any contact was measured as fast; not so in a pile.
 template <typename WasFast>
-std::size_t countFromFirst(std::span<const std::uint32_t> live,
-                           std::span<const ContactSummary> summaries, WorkerTeam& team,
-                           WasFast wasFast) {
-    std::size_t left = 0;
+bool anyFast(std::span<const std::uint32_t> live, std::span<const ContactSummary> summaries,
+             WorkerTeam& team, WasFast wasFast) {
+    std::uint8_t any = 0;
     team.forEach(live.size(), kContactsPerPiece, [&](std::size_t first, std::size_t last) {
         while (first < last && !wasFast(summaries[live[first]])) {
             ++first;
         }
         if (first < last) {
-            WorkerTeam::raise(left, live.size() - first);
+            WorkerTeam::mark(any);
         }
     });
-    return left;
+    return any != 0;
 }
 
 } // namespace
@@ -255,59 +256,72 @@ bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,
 
 void ImpactSolver::solve(Bodies& bodies, ContactSet& contactSet, const ContactBlocks& blocks,
                          const Step& step) {
-    const StepSettings& settings = step.settings;
-    const Tolerances& tolerances = step.tolerances;
-    const Real dt = step.dt;
-    if (!settings.has(Feature::Restitution) || !(contactSet.fastestApproach() > 0)) {
+    if (!step.settings.has(Feature::Restitution) || !(contactSet.fastestApproach() > 0)) {
         return;
     }
     // Forces alone cause this speed on every body within the step, so slower contacts have no
     // impact. Within rounding, solveImpact() decides.
-    const Real restSpeed = kNearly * dt * std::sqrt(bodies.loads.weakest);
+    const Real restSpeed = kNearly * step.dt * std::sqrt(bodies.loads.minAccelerationSquared);
     if (!(contactSet.fastestApproach() > restSpeed)) {
         return;
     }
-    const std::span<Contact> contacts = contactSet.contacts();
-    const std::span<const std::uint32_t> live = contactSet.live();
     const std::span<const ContactSummary> summaries = contactSet.summaries();
     const auto wasFast = [&](const ContactSummary& summary) {
-        return summary.approachSpeed > restSpeed && isFast(bodies, summary, dt);
+        return summary.approachSpeed > restSpeed && isFast(bodies, summary, step.dt);
     };
-    const std::size_t left = countFromFirst(live, summaries, step.team, wasFast);
-    if (left == 0) {
+    if (!anyFast(contactSet.live(), summaries, step.team, wasFast)) {
         return;
     }
     wasHit_.assign(bodies.size(), 0);
-    bool any = true;
-    const int passes = std::get<SoftSettings>(settings.solver).impactPasses;
-    for (int pass = 0; pass < passes && any; ++pass) {
-        any = false;
-        for (const std::uint32_t place : pass == 0 ? live.last(left) : live) {
-            const ContactSummary& summary = summaries[place];
-            std::uint8_t& wasHitA = wasHit_[summary.bodyA];
-            std::uint8_t& wasHitB = wasHit_[summary.bodyB];
-            if (pass > 0 && !summary.bounces) {
-                continue; // solved once without restitution; the contact solver follows
-            }
-            const bool asMeasured = pass == 0 && (wasHitA | wasHitB) == 0;
-            if (asMeasured && !wasFast(summary)) {
-                continue;
-            }
-            Contact& contact = contacts[place];
-            const Impact hit{bodies, contact, bodies.motion[summary.bodyA],
-                             bodies.motion[summary.bodyB], !settings.has(Feature::Friction)};
-            if (!approaches(hit, summary, tolerances.slop, restSpeedOf(bodies, contact, dt))) {
-                continue;
-            }
-            blocks.evict(contact, bodies);
-            contactSet.noteRow(place);
-            if (solveImpact(bodies, contact, settings, tolerances, dt)) {
-                wasHitA = bodies.locked(summary.bodyA) ? 0 : 1;
-                wasHitB = bodies.locked(summary.bodyB) ? 0 : 1;
-                any = true;
-            }
+    bouncing_.clear();
+    // Neither body was hit in this step: the contact approaches as measured.
+    const auto isUnmoved = [&](const ContactSummary& summary) {
+        return (wasHit_[summary.bodyA] | wasHit_[summary.bodyB]) == 0 && !wasFast(summary);
+    };
+    const Inputs inputs{bodies, contactSet, blocks, step};
+    bool any = false;
+    contactSet.forEachInOrder([&](std::uint32_t slot) {
+        const ContactSummary& summary = summaries[slot];
+        if (summary.idle) {
+            return;
+        }
+        if (summary.bounces) {
+            bouncing_.push_back(slot);
+        }
+        any = (!isUnmoved(summary) && solveContact(inputs, slot)) || any;
+    });
+    // Without restitution once; the contact solver follows.
+    const int passes = std::get<SoftSettings>(step.settings.solver).impactPasses;
+    for (int pass = 1; pass < passes && std::exchange(any, false); ++pass) {
+        for (const std::uint32_t slot : bouncing_) {
+            any = (!isUnmoved(summaries[slot]) && solveContact(inputs, slot)) || any;
         }
     }
+}
+
+/// True if the contact got an impulse.
+bool ImpactSolver::solveContact(const Inputs& inputs, std::uint32_t slot) {
+    const auto& [bodies, contactSet, blocks, step] = inputs;
+    const ContactSummary& summary = contactSet.summaries()[slot];
+    Contact& contact = contactSet.contacts()[slot];
+    const Impact hit{bodies, contact, bodies.motion[summary.bodyA], bodies.motion[summary.bodyB],
+                     !step.settings.has(Feature::Friction)};
+    if (!approaches(hit, summary, step.tolerances.slop, restSpeedOf(bodies, contact, step.dt))) {
+        return false;
+    }
+    blocks.evict(contact, bodies);
+    if (contact.bounces && contact.relativeDisplacement > 0) {
+        // Arms that are off by this would change the angular momentum.
+        findContact(contact, bodies, step.tolerances);
+        contact.carried = false;
+    }
+    contactSet.noteContact(slot);
+    if (!solveImpact(bodies, contact, step.settings, step.tolerances, step.dt)) {
+        return false;
+    }
+    wasHit_[summary.bodyA] = bodies.locked(summary.bodyA) ? 0 : 1;
+    wasHit_[summary.bodyB] = bodies.locked(summary.bodyB) ? 0 : 1;
+    return true;
 }
 
 } // namespace KODO_PRECISION

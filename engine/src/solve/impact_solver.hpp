@@ -38,7 +38,16 @@ public:
                const Step& step);
 
 private:
-    std::vector<std::uint8_t> wasHit_; // by body, in this step
+    struct Inputs {
+        Bodies& bodies;
+        ContactSet& contactSet;
+        const ContactBlocks& blocks;
+        const Step& step;
+    };
+    bool solveContact(const Inputs& inputs, std::uint32_t slot);
+
+    std::vector<std::uint8_t> wasHit_;    // by body, in this step
+    std::vector<std::uint32_t> bouncing_; // slots of contacts with restitution, in order
 };
 
 /// Applies one impact impulse to a contact that touches and approaches, and adds it to

@@ -9,14 +9,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-constexpr std::uint64_t kPassesPerStep = 1u << 20; // above the passes of any usual step
-// A contact supports a body only if its normal has a larger share than this along the acceleration.
-constexpr Real kSteep = Real(0.25);
 // A row that separates its bodies by less than this share of the slop within h does not count as
 // touching. Its impulse may be a remnant of an underflowed speed, which other length units would
 // round to zero.
@@ -44,28 +42,40 @@ RowMasses massesOf(const Bodies& bodies, const PropagationRow& row, bool frozenA
 
 } // namespace
 
+/// Visits a list island by island, each in an order of its own. `ends` has the end of each island.
 template <typename Visit>
-void Propagation::forEachRow(Visit visit) {
-    StrideOrder order(rows_.size(), ++pass_);
-    for (std::size_t k = 0; k < rows_.size(); ++k) {
-        visit(rows_[order.next()]);
+void Propagation::forEachIn(std::span<const std::uint32_t> ends, PassNumber number, Visit visit) {
+    std::uint32_t first = 0;
+    for (const std::uint32_t end : ends) {
+        StrideOrder order(end - first, numberOf(number));
+        for (std::uint32_t k = first; k < end; ++k) {
+            visit(first + order.next());
+        }
+        first = end;
     }
-    visits_ += rows_.size();
+    visits_ += first;
 }
 
-/// Visits the rows of level 1 `passes` times, then those of level 2, and so on.
+/// Visits all rows in each of `passes` passes.
 template <typename Visit>
-void Propagation::forEachLevel(int passes, Visit visit) {
-    for (std::size_t level = 1; level + 1 < levelStart_.size(); ++level) {
-        const std::size_t first = levelStart_[level];
-        const std::size_t count = levelStart_[level + 1] - first;
+void Propagation::forEachRow(Stage stage, int pass, Visit visit) {
+    forEachIn(rowEnds_, {stage, static_cast<std::uint32_t>(pass)},
+              [&](std::size_t k) { visit(rows_[k]); });
+}
+
+/// Of each island, visits the rows of level 1 `passes` times, then those of level 2, and so on.
+template <typename Visit>
+void Propagation::forEachLevel(Stage stage, int passes, Visit visit) {
+    for (const LevelRows& range : levelRows_) {
         for (int pass = 0; pass < passes; ++pass) {
-            StrideOrder order(count, ++pass_);
-            for (std::size_t k = 0; k < count; ++k) {
-                visit(rows_[byLevel_[first + order.next()]]);
+            const auto number =
+                range.level * static_cast<std::uint32_t>(passes) + static_cast<std::uint32_t>(pass);
+            StrideOrder order(range.end - range.first, numberOf({stage, number}));
+            for (std::uint32_t k = range.first; k < range.end; ++k) {
+                visit(rows_[byLevel_[range.first + order.next()]]);
             }
         }
-        visits_ += count * static_cast<std::size_t>(passes);
+        visits_ += (range.end - range.first) * static_cast<std::size_t>(passes);
     }
 }
 
@@ -80,6 +90,77 @@ void Propagation::predict(const Bodies& bodies, std::span<Contact> contacts,
     }
 }
 
+/// Lists the contacts that may get impulses, island by island, in the order of their keys. So the
+/// order of the passes of one island does not depend on another.
+void Propagation::findIslands(const Bodies& bodies, const ContactSet& contactSet,
+                              const JointSet& joints) {
+    const std::span<const Contact> contacts = contactSet.contacts();
+    islands_.resize(bodies.size());
+    numbers_.resize(bodies.size());
+    for (const std::uint32_t body : bodies.awake) {
+        islands_.makeSet(body);
+        numbers_[body] = kNone;
+    }
+    const auto join = [&](std::uint32_t a, std::uint32_t b) {
+        if (bodies.active(a) && bodies.active(b) && !bodies.locked(a) && !bodies.locked(b)) {
+            islands_.join(a, b);
+        }
+    };
+    joints.forEachBusy([&](const JointSet::Joint& joint) {
+        join(firstBody(joint.def).index, secondBody(joint.def).index);
+    });
+    const auto takesPart = [&](const Contact& contact) {
+        return contact.manifold.count > 0 && !leftAlone(bodies, contact) &&
+               !(bodies.locked(contact.key.bodyA) && bodies.locked(contact.key.bodyB));
+    };
+    for (const Contact& contact : contacts) {
+        if (takesPart(contact)) {
+            join(contact.key.bodyA, contact.key.bodyB);
+        }
+    }
+    const auto islandOf = [&](const Contact& contact) -> std::uint32_t& {
+        const std::uint32_t body =
+            bodies.locked(contact.key.bodyA) ? contact.key.bodyB : contact.key.bodyA;
+        return numbers_[islands_.rootOf(body)];
+    };
+    ends_.clear(); // at first the numbers of contacts
+    contactSet.forEachInOrder([&](std::uint32_t slot) {
+        if (takesPart(contacts[slot])) {
+            std::uint32_t& island = islandOf(contacts[slot]);
+            if (island == kNone) {
+                island = static_cast<std::uint32_t>(ends_.size());
+                ends_.push_back(0);
+            }
+            ++ends_[island];
+        }
+    });
+    std::uint32_t sum = 0;
+    for (std::uint32_t& end : ends_) {
+        sum += std::exchange(end, sum); // the begin of the island, until it is filled
+    }
+    reserveReusing(byIsland_, contacts.size());
+    byIsland_.resize(sum);
+    contactSet.forEachInOrder([&](std::uint32_t slot) {
+        if (takesPart(contacts[slot])) {
+            byIsland_[ends_[islandOf(contacts[slot])]++] = slot;
+        }
+    });
+}
+
+/// Calls visit(slot) for the contacts of findIslands. `list` grows by it; its ends of islands are
+/// stored in `ends`.
+template <typename List, typename Visit>
+void Propagation::fillByIsland(const List& list, std::vector<std::uint32_t>& ends, Visit visit) {
+    ends.clear();
+    std::uint32_t first = 0;
+    for (const std::uint32_t end : ends_) {
+        for (; first < end; ++first) {
+            visit(byIsland_[first]);
+        }
+        ends.push_back(static_cast<std::uint32_t>(list.size()));
+    }
+}
+
 /// A contact with restitution is solved where it will touch. A contact without is solved once it
 /// touches; until then the contact passes let it close the gap.
 void Propagation::resolveCollisions(Bodies& bodies, std::span<Contact> contacts, const Step& step,
@@ -89,22 +170,19 @@ void Propagation::resolveCollisions(Bodies& bodies, std::span<Contact> contacts,
     if (!step.settings.has(Feature::Restitution)) {
         return;
     }
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-        const Contact& contact = contacts[k];
-        const bool now = bounces(contact, step.settings) || gaps_[k][0] <= step.tolerances.slop;
-        if (contact.manifold.count > 0 && now && !leftAlone(bodies, contact)) {
-            struck_.push_back(static_cast<std::uint32_t>(k));
+    fillByIsland(struck_, struckEnds_, [&](std::uint32_t k) {
+        if (bounces(contacts[k], step.settings) || gaps_[k][0] <= step.tolerances.slop) {
+            struck_.push_back(k);
         }
-    }
+    });
     bool any = !struck_.empty();
-    for (int pass = 0; pass < step.own().impactPasses && any; ++pass) {
-        any = false;
-        StrideOrder order(struck_.size(), ++pass_);
-        for (std::size_t k = 0; k < struck_.size(); ++k) {
-            Contact& contact = contacts[struck_[order.next()]];
-            any = solveImpact(bodies, contact, step.settings, step.tolerances, h) || any;
-        }
-        visits_ += struck_.size();
+    for (int pass = 0; pass < step.own().impactPasses && std::exchange(any, false); ++pass) {
+        forEachIn(
+            struckEnds_, {Stage::Impacts, static_cast<std::uint32_t>(pass)}, [&](std::size_t k) {
+                any =
+                    solveImpact(bodies, contacts[struck_[k]], step.settings, step.tolerances, h) ||
+                    any;
+            });
     }
 }
 
@@ -113,32 +191,33 @@ void Propagation::resolveCollisions(Bodies& bodies, std::span<Contact> contacts,
 void Propagation::makeRows(const Bodies& bodies, std::span<Contact> contacts, const Step& step) {
     rows_.clear();
     reserveReusing(rows_, contacts.size());
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
+    fillByIsland(rows_, rowEnds_, [&](std::uint32_t k) {
         Contact& contact = contacts[k];
-        if (contact.manifold.count == 0 || leftAlone(bodies, contact)) {
-            continue;
-        }
         const bool touches = contact.manifold.points[0].separation <= step.tolerances.slop;
         for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
             contact.manifold.points[i].separation = gaps_[k][i];
         }
-        if (!touches && bounces(contact, step.settings)) {
-            continue;
+        if (touches || !bounces(contact, step.settings)) {
+            addRow(bodies, contact, k, step.settings);
         }
-        rows_.push_back(makeRow(contact, static_cast<std::uint32_t>(k)));
-        PropagationRow& row = rows_.back();
-        for (std::size_t i = 0; i < row.count; ++i) {
-            if (isBlocked(bodies, contact, i)) {
-                row.points[i].leverA = row.points[i].leverB = 0;
-            }
+    });
+}
+
+void Propagation::addRow(const Bodies& bodies, const Contact& contact, std::uint32_t slot,
+                         const StepSettings& settings) {
+    rows_.push_back(makeRow(contact, slot));
+    PropagationRow& row = rows_.back();
+    for (std::size_t i = 0; i < row.count; ++i) {
+        if (isBlocked(bodies, contact, i)) {
+            row.points[i].leverA = row.points[i].leverB = 0;
         }
-        if (step.settings.has(Feature::Friction)) {
-            row.staticFriction = contact.material.staticFriction;
-            row.kineticFriction = contact.material.kineticFriction;
-        }
-        if (step.settings.has(Feature::RollingResistance)) {
-            row.rollingLever = rollingLever(contact, bodies.motion[row.a], bodies.motion[row.b]);
-        }
+    }
+    if (settings.has(Feature::Friction)) {
+        row.staticFriction = contact.material.staticFriction;
+        row.kineticFriction = contact.material.kineticFriction;
+    }
+    if (settings.has(Feature::RollingResistance)) {
+        row.rollingLever = rollingLever(contact, bodies.motion[row.a], bodies.motion[row.b]);
     }
 }
 
@@ -147,76 +226,14 @@ void Propagation::resolveContacts(Bodies& bodies, JointSet& joints, const JointP
     for (int k = 1; k <= settings.contactPasses; ++k) {
         const Real fraction = static_cast<Real>(k) / static_cast<Real>(settings.contactPasses);
         joints.solve(bodies, pass);
-        forEachRow([&](PropagationRow& row) {
+        forEachRow(Stage::Contacts, k, [&](PropagationRow& row) {
             solveRow(row, bodies, massesOf(bodies, row, false, false), fraction, 1 / pass.h);
         });
     }
 }
 
-/// Finds the levels of all bodies with rows, and sorts the rows by the higher level of their
-/// bodies. Rows between bodies without support from the ground are left out.
-void Propagation::findLevels(const Bodies& bodies) {
-    constexpr std::uint32_t kNoNode = ~std::uint32_t{};
-    node_.resize(bodies.size());
-    levelOf_.resize(bodies.size());
-    for (const PropagationRow& row : rows_) {
-        node_[row.a] = node_[row.b] = kNoNode;
-    }
-    std::uint32_t nodes = 0;
-    immovable_.clear();
-    supports_.clear();
-    reserveReusing(immovable_, 2 * rows_.size());
-    reserveReusing(supports_, rows_.size());
-    for (const PropagationRow& row : rows_) {
-        for (const std::uint32_t body : {row.a, row.b}) {
-            if (node_[body] == kNoNode) {
-                node_[body] = nodes++;
-                if (bodies.motion[body].invMass == 0) {
-                    immovable_.push_back(node_[body]);
-                }
-            }
-        }
-        const Vec2 pull = bodies.acceleration[row.a].linear + bodies.acceleration[row.b].linear;
-        const Real along = dot(row.normal, pull);
-        if (std::abs(along) > kSteep * length(pull)) {
-            supports_.push_back(along < 0 ? SupportEdge{node_[row.a], node_[row.b]}
-                                          : SupportEdge{node_[row.b], node_[row.a]});
-        }
-    }
-    const std::span<const std::uint32_t> found = levels_.find(nodes, immovable_, supports_);
-    std::uint32_t highest = 0;
-    for (PropagationRow& row : rows_) {
-        levelOf_[row.a] = found[node_[row.a]];
-        levelOf_[row.b] = found[node_[row.b]];
-        row.level = std::max(levelOf_[row.a], levelOf_[row.b]);
-        highest = row.level != ShockLevels::kUnreached ? std::max(highest, row.level) : highest;
-    }
-    sortByLevel(highest);
-}
-
-/// Counting sort: levelStart_[level] ends up as the first row of that level in byLevel_.
-void Propagation::sortByLevel(std::uint32_t highest) {
-    assignReusing(levelStart_, std::size_t{highest} + 3, 0u);
-    for (const PropagationRow& row : rows_) {
-        if (row.level != ShockLevels::kUnreached) {
-            ++levelStart_[row.level + 2];
-        }
-    }
-    for (std::size_t level = 2; level < levelStart_.size(); ++level) {
-        levelStart_[level] += levelStart_[level - 1];
-    }
-    reserveReusing(byLevel_, rows_.size());
-    byLevel_.resize(levelStart_.back());
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-        if (rows_[i].level != ShockLevels::kUnreached) {
-            byLevel_[levelStart_[rows_[i].level + 1]++] = static_cast<std::uint32_t>(i);
-        }
-    }
-    levelStart_.pop_back();
-}
-
 void Propagation::propagateShock(Bodies& bodies, const PropagationSettings& settings, Real invH) {
-    forEachLevel(settings.shockPasses, [&](PropagationRow& row) {
+    forEachLevel(Stage::Shock, settings.shockPasses, [&](PropagationRow& row) {
         const bool frozenA = levelOf_[row.a] < row.level;
         const bool frozenB = levelOf_[row.b] < row.level;
         solveRow(row, bodies, massesOf(bodies, row, frozenA, frozenB), 1, invH);
@@ -237,12 +254,12 @@ void Propagation::separate(Bodies& bodies, const Step& step, Real h) {
         parting_[row.a] = parting_[row.b] = {};
     }
     for (int pass = 0; pass < step.own().contactPasses; ++pass) {
-        forEachRow([&](PropagationRow& row) {
+        forEachRow(Stage::Separation, pass, [&](PropagationRow& row) {
             separateRow(row, parting_, massesOf(bodies, row, false, false), limits);
         });
     }
     if (step.own().shockPasses > 0) {
-        forEachLevel(step.own().shockPasses, [&](PropagationRow& row) {
+        forEachLevel(Stage::SeparationShock, step.own().shockPasses, [&](PropagationRow& row) {
             const bool frozenA = levelOf_[row.a] < row.level;
             const bool frozenB = levelOf_[row.b] < row.level;
             separateRow(row, parting_, massesOf(bodies, row, frozenA, frozenB), limits);
@@ -307,17 +324,21 @@ void Propagation::store(std::span<Contact> contacts) {
     }
 }
 
-void Propagation::solve(Bodies& bodies, std::span<Contact> contacts, JointSet& joints,
+void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints,
                         const Step& step) {
+    const std::span<Contact> contacts = contactSet.contacts();
     const PropagationSettings& settings = step.own();
     const Real h = step.dt / static_cast<Real>(settings.substeps);
     JointPass pass{h, Softness::from(settings.jointHertz, settings.jointDamping, h), true};
-    pass_ = step.count * kPassesPerStep;
     visits_ = 0;
-    joints.beginStep(bodies);
+    joints.beginStep();
+    joints.beginGroup(bodies);
     for (int part = 0; part < settings.substeps; ++part) {
+        substep_ = step.count * static_cast<std::uint64_t>(settings.substeps) +
+                   static_cast<std::uint64_t>(part);
         predict(bodies, contacts,
                 {step.tolerances, h, step.settings.has(Feature::ContinuousCollision), part == 0});
+        findIslands(bodies, contactSet, joints);
         resolveCollisions(bodies, contacts, step, h);
         integrateVelocities(bodies, bodies.awake, h);
         pass.biased = true;

@@ -64,10 +64,11 @@ void ContactBlocks::evict(Contact& contact, const Bodies& bodies) const {
     contact.centerA = bodies.start[contact.key.bodyA];
     const std::size_t block = blockOf(contact.row.index);
     const std::size_t lane = laneOf(contact.row.index);
-    readImpulses(blocks_[block], lane, contact, parts_);
+    const Real parts = partsOf(block);
+    readImpulses(blocks_[block], lane, contact, parts);
     const std::int32_t rolling = use_[block].rolling;
     contact.rolling =
-        rolling < 0 ? Real(0) : parts_ * rolling_[static_cast<std::size_t>(rolling)].impulse[lane];
+        rolling < 0 ? Real(0) : parts * rolling_[static_cast<std::size_t>(rolling)].impulse[lane];
 }
 
 void ContactBlocks::evictAll(std::span<Contact> contacts, const Bodies& bodies) {
@@ -82,7 +83,7 @@ void ContactBlocks::writeBack(Contact& contact, const Bodies& bodies) const {
     if (contact.row.resident) {
         evict(contact, bodies);
         const std::uint32_t row = contact.row.index;
-        readImpactImpulses(blocks_[blockOf(row)], laneOf(row), contact, parts_);
+        readImpactImpulses(blocks_[blockOf(row)], laneOf(row), contact, partsOf(blockOf(row)));
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace kodo {
@@ -30,17 +31,20 @@ Real energyOfForces(const Acceleration& acceleration, const Mass& mass, Real dt)
 }
 
 /// Inserts a contact into those of an island, in the order of keys. An existing contact of that key
-/// dates from before a neighbour woke, and is replaced. True if inserted.
-bool keep(std::vector<Contact>& held, const Contact& contact) {
+/// dates from before a neighbour woke, and is replaced.
+void keep(std::vector<Contact>& held, const Contact& contact) {
+    if (held.empty() || held.back().key < contact.key) {
+        held.push_back(contact);
+        return;
+    }
     const auto place =
         std::lower_bound(held.begin(), held.end(), contact,
                          [](const Contact& a, const Contact& b) { return a.key < b.key; });
-    if (place != held.end() && place->key == contact.key) {
+    if (place->key == contact.key) {
         *place = contact;
-        return false;
+    } else {
+        held.insert(place, contact);
     }
-    held.insert(place, contact);
-    return true;
 }
 
 /// True if any point of the body has moved by more than `distance` (m) from `since`.
@@ -60,16 +64,22 @@ void startCounting(SleepState& rest, const Transform& pose) {
 
 } // namespace
 
-/// Counts a contact that an island gained or lost.
-void SleepSystem::countIslandContact(const Contact& contact, bool leans) {
+/// Notes that an island has a contact with a body that is not its own.
+void SleepSystem::noteIslandContact(const Bodies& bodies, const Contact& contact,
+                                    std::uint32_t island) {
     for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
-        if (body >= islandContacts_.size()) {
-            islandContacts_.resize(body + std::size_t{1}, 0);
+        if (bodies.sleep[body].island == island) {
+            continue;
         }
-        if (leans) {
-            ++islandContacts_[body];
-        } else {
-            --islandContacts_[body];
+        if (body >= leaning_.size()) {
+            leaning_.resize(body + std::size_t{1});
+        }
+        std::vector<Leaning>& all = leaning_[body];
+        if (all.size() == all.capacity()) {
+            std::erase_if(all, [&](const Leaning& leaning) { return hasWoken(leaning); });
+        }
+        if (all.empty() || all.back().island != island) {
+            all.push_back({island, islands_[island].sleeps});
         }
     }
 }
@@ -77,6 +87,7 @@ void SleepSystem::countIslandContact(const Contact& contact, bool leans) {
 void SleepSystem::wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t island) {
     Island& woken = islands_[island];
     --sleepingIslands_;
+    ++woken.sleeps;
     for (const std::uint32_t body : woken.bodies) {
         bodies.filter[body].flags &= ~kAsleep;
         bodies.sleep[body] = {};
@@ -85,14 +96,13 @@ void SleepSystem::wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t
         bodies.acceleration[body] = {};
     }
     contacts.putBack(woken.contacts, bodies);
-    for (const Contact& contact : woken.contacts) {
-        countIslandContact(contact, false);
-    }
     for (const std::uint32_t body : woken.bodies) {
         contacts.activityChanged(body);
     }
     woken.bodies.clear(); // keeps its capacity for the next island
     woken.contacts.clear();
+    freeIslands_.push_back(island);
+    std::push_heap(freeIslands_.begin(), freeIslands_.end(), std::greater<>());
     bodies.awakeStale = true;
 }
 
@@ -129,34 +139,29 @@ void SleepSystem::wakeNeighbours(Bodies& bodies, ContactSet& contacts, const Joi
             wake(bodies, contacts, a == body ? b : a);
         }
     });
-    if (body >= islandContacts_.size()) {
+    if (body >= leaning_.size()) {
         return;
     }
-    for (std::uint32_t island = 0; island < islands_.size() && islandContacts_[body] > 0;
-         ++island) {
-        const std::vector<Contact>& held = islands_[island].contacts;
-        const bool leans = std::any_of(held.begin(), held.end(), [&](const Contact& contact) {
-            return contact.key.bodyA == body || contact.key.bodyB == body;
-        });
-        if (leans) {
-            wakeIsland(bodies, contacts, island);
+    for (const Leaning& leaning : leaning_[body]) {
+        if (!hasWoken(leaning)) {
+            wakeIsland(bodies, contacts, leaning.island);
         }
     }
+    leaning_[body].clear();
 }
 
 void SleepSystem::wakeTouched(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances) {
-    std::size_t i = 0;
-    while (i < contacts.contacts().size()) {
-        const Contact& contact = contacts.contacts()[i];
-        const Real separation = contacts.summaries()[i++].separation[0];
-        if (!contact.responds() || separation > tolerances.slop) {
+    // Contacts of woken islands are appended, and visited too.
+    for (std::size_t i = 0; i < contacts.summaries().size(); ++i) {
+        const ContactSummary summary = contacts.summaries()[i];
+        if (!summary.meets || summary.separation[0] > tolerances.slop ||
+            !(bodies.asleep(summary.bodyA) || bodies.asleep(summary.bodyB)) ||
+            !contacts.contacts()[i].responds()) {
             continue;
         }
-        for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
+        for (const std::uint32_t body : {summary.bodyA, summary.bodyB}) {
             if (bodies.sleep[body].island != kNoIsland) {
                 wakeIsland(bodies, contacts, bodies.sleep[body].island);
-                i = 0; // the list has grown and is sorted again
-                break;
             }
         }
     }
@@ -257,11 +262,13 @@ void SleepSystem::countSupports(const Bodies& bodies, const ContactSet& contacts
     });
 }
 
-/// A body that balances on one corner and is faster than its slowest calm step is tipping over.
-void SleepSystem::restartTipping(Bodies& bodies, Real dt) {
+/// Among the bodies of calm islands: one that balances on a corner and is faster than its slowest
+/// calm step is tipping over. Its island stays awake.
+void SleepSystem::restartTipping(Bodies& bodies, std::uint32_t enough, Real dt) {
     for (const std::uint32_t body : bodies.awake) {
+        std::uint32_t& least = leastCalm_[touching_.rootOf(body)];
         SleepState& rest = bodies.sleep[body];
-        if (supports_[body] != 1 || rest.calmSteps == 0) {
+        if (least < enough || supports_[body] != 1) {
             continue;
         }
         const Mass& mass = bodies.geometry(body).mass;
@@ -269,6 +276,7 @@ void SleepSystem::restartTipping(Bodies& bodies, Real dt) {
         const Real noise = kNoise * std::sqrt(energyOfForces(bodies.acceleration[body], mass, dt));
         if (now - std::sqrt(rest.leastEnergy) > noise) {
             startCounting(rest, bodies.pose[body]);
+            least = 0;
         }
     }
 }
@@ -306,12 +314,13 @@ void SleepSystem::joinTouching(const Bodies& bodies, const ContactSet& contacts,
 }
 
 void SleepSystem::putToSleep(Bodies& bodies, std::span<const std::uint32_t> members) {
-    std::uint32_t island = 0;
-    while (island < islands_.size() && !islands_[island].bodies.empty()) {
-        ++island;
-    }
-    if (island == islands_.size()) {
+    auto island = static_cast<std::uint32_t>(islands_.size());
+    if (freeIslands_.empty()) {
         islands_.emplace_back();
+    } else { // the lowest, so that a copy takes the same one
+        std::pop_heap(freeIslands_.begin(), freeIslands_.end(), std::greater<>());
+        island = freeIslands_.back();
+        freeIslands_.pop_back();
     }
     for (const std::uint32_t body : members) {
         bodies.filter[body].flags |= kAsleep;
@@ -327,10 +336,10 @@ bool SleepSystem::updateSleep(Bodies& bodies, const ContactSet& contacts, const 
     if (!countCalm(bodies, settings, tolerances, dt)) {
         return false;
     }
-    countSupports(bodies, contacts, joints);
-    restartTipping(bodies, dt);
     joinTouching(bodies, contacts, joints);
     const auto enough = static_cast<std::uint32_t>(settings.sleepSteps);
+    countSupports(bodies, contacts, joints);
+    restartTipping(bodies, enough, dt);
     sleepers_.clear();
     for (const std::uint32_t body : bodies.awake) {
         const std::uint32_t root = touching_.rootOf(body);
@@ -351,19 +360,15 @@ void SleepSystem::sleepIslands(Bodies& bodies, ContactSet& contacts) {
             members_.clear();
         }
     }
-    inactiveContacts_.clear();
-    for (const Contact& contact : contacts.takeIdle(bodies)) {
+    for (const auto& [root, body] : sleepers_) {
+        members_.push_back(body);
+    }
+    for (const Contact& contact : contacts.takeIdle(bodies, members_)) {
         const std::uint32_t a = bodies.sleep[contact.key.bodyA].island;
         const std::uint32_t island = a != kNoIsland ? a : bodies.sleep[contact.key.bodyB].island;
-        // A contact of a body frozen in this step: neither asleep nor active, its end is still to
-        // be recorded.
-        if (island == kNoIsland) {
-            keep(inactiveContacts_, contact);
-        } else if (keep(islands_[island].contacts, contact)) {
-            countIslandContact(contact, true);
-        }
+        keep(islands_[island].contacts, contact);
+        noteIslandContact(bodies, contact, island);
     }
-    contacts.putBack(inactiveContacts_, bodies);
     bodies.awakeStale = true;
 }
 

@@ -67,26 +67,35 @@ private:
     struct Island {
         std::vector<std::uint32_t> bodies; // empty: a free slot
         std::vector<Contact> contacts;
+        std::uint32_t sleeps = 0; // changes whenever it wakes
+    };
+    /// An island with a contact of a body; out of date once it has woken.
+    struct Leaning {
+        std::uint32_t island;
+        std::uint32_t sleeps; // Island::sleeps then
     };
 
     void wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t island);
-    void countIslandContact(const Contact& contact, bool leans);
+    void noteIslandContact(const Bodies& bodies, const Contact& contact, std::uint32_t island);
+    bool hasWoken(const Leaning& leaning) const {
+        return islands_[leaning.island].sleeps != leaning.sleeps;
+    }
     void putToSleep(Bodies& bodies, std::span<const std::uint32_t> members);
     bool countCalm(Bodies& bodies, const StepSettings& settings, const Tolerances& tolerances,
                    Real dt);
     void joinTouching(const Bodies& bodies, const ContactSet& contacts, const JointSet& joints);
     void countSupports(const Bodies& bodies, const ContactSet& contacts, const JointSet& joints);
-    void restartTipping(Bodies& bodies, Real dt);
+    void restartTipping(Bodies& bodies, std::uint32_t enough, Real dt);
 
     std::vector<Island> islands_;
     std::size_t sleepingIslands_ = 0;
-    std::vector<std::uint32_t> islandContacts_; // by body: contacts of islands that touch it
+    std::vector<std::uint32_t> freeIslands_;    // heap, the lowest on top
+    std::vector<std::vector<Leaning>> leaning_; // by body: other islands that it touches
     DisjointSets touching_;                     // islands of the awake bodies
     std::vector<std::uint32_t> leastCalm_;      // by root: calm steps
     std::vector<std::uint32_t> supports_;       // by body: points that support it
     std::vector<std::pair<std::uint32_t, std::uint32_t>> sleepers_; // root and body
     std::vector<std::uint32_t> members_;                            // of an island, or to be woken
-    std::vector<Contact> inactiveContacts_; // of bodies neither asleep nor active
 };
 
 } // namespace KODO_PRECISION

@@ -5,6 +5,7 @@
 #include "bodies/integrate.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace kodo {
@@ -17,16 +18,6 @@ constexpr std::size_t kMany = 8; // with a larger part of bodies awake, whole ar
 // shake for long and creep apart; with 1/5 they come to rest.
 constexpr Real kMostCycles = Real(0.21);
 constexpr Real kMostJointCycles = Real(0.25);
-
-/// For a contact that responds: true once its bodies may touch within the step. A contact with
-/// restitution gets no row before it touches: braking would reduce its rebound.
-bool needsRow(const Bodies& bodies, const ContactSummary& summary, bool restitution, Real slop) {
-    // A touch wakes a sleeping body, proximity does not.
-    if (bodies.anySleeping && (bodies.asleep(summary.bodyA) || bodies.asleep(summary.bodyB))) {
-        return false;
-    }
-    return !(summary.bounces && restitution) || summary.separation[0] <= slop;
-}
 
 /// True if the contact is kept, as its summary says.
 [[maybe_unused]] bool isKept(const Contact& contact, const ContactSummary& summary) {
@@ -207,24 +198,64 @@ bool SoftSolver::noneNeedsRow(const Bodies& bodies, ContactSet& contactSet,
 }
 
 /// Moves bodies without contacts and joints over the whole step. So their flight does not depend on
-/// the substeps, not even by rounding. The others are listed in bound_.
+/// the substeps, not even by rounding. The others are listed in their groups.
 void SoftSolver::moveFree(Bodies& bodies, Real dt) {
+    for (Group& group : groups_) {
+        group.bound.clear();
+    }
+    std::vector<std::uint32_t>& bound = groups_[0].bound;
     free_.resize(bodies.awake.size());
-    bound_.resize(bodies.awake.size());
+    bound.resize(bodies.awake.size());
+    kinematic_.clear();
     std::size_t free = 0;
-    std::size_t bound = 0;
+    std::size_t held = 0;
     for (const std::uint32_t body : bodies.awake) {
         const ContactExposure near =
             near_[body] != 0 ? ContactExposure::Near : ContactExposure::Free;
         const ContactExposure hold = touched_[body] != 0 ? ContactExposure::Touched : near;
         exposure_[body] = hold;
-        free_[free] = bound_[bound] = body; // only one of the two counts advances
+        free_[free] = bound[held] = body; // only one of the two counts advances
         free += hold == ContactExposure::Free ? 1 : 0;
-        bound += hold == ContactExposure::Free ? 0 : 1;
+        held += hold == ContactExposure::Free ? 0 : 1;
     }
     free_.resize(free);
-    bound_.resize(bound);
+    bound.resize(held);
+    if (bodies.loads.driven) {
+        std::copy_if(bound.begin(), bound.end(), std::back_inserter(kinematic_),
+                     [&](std::uint32_t body) { return bodies.locked(body); });
+    }
+    if (!refinement_.levels().empty()) {
+        splitGroups(bodies);
+    }
     moveFreely(bodies, free_, dt);
+}
+
+/// Moves the bodies of refined islands from the first group to their own. Kinematic bodies are in
+/// all groups.
+void SoftSolver::splitGroups(const Bodies& bodies) {
+    std::vector<std::uint32_t>& all = groups_[0].bound;
+    std::size_t kept = 0;
+    for (const std::uint32_t body : all) {
+        const bool kinematic = bodies.locked(body);
+        for (std::uint32_t level = 1; level < Refinement::kLevels; ++level) {
+            if (kinematic || refinement_.levelOf(body) == level) {
+                groups_[level].bound.push_back(body);
+            }
+        }
+        if (kinematic || refinement_.levelOf(body) == 0) {
+            all[kept++] = body;
+        }
+    }
+    all.resize(kept);
+}
+
+/// Kinematic bodies move anew in each group. At last they move over the whole step, so that no
+/// group affects their rounding.
+void SoftSolver::moveKinematic(Bodies& bodies, Real dt) {
+    for (const std::uint32_t body : kinematic_) {
+        bodies.motion[body].clearDisplacement();
+    }
+    moveFreely(bodies, kinematic_, dt);
 }
 
 void SoftSolver::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step) {
@@ -245,12 +276,13 @@ void SoftSolver::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joi
                            const Step& step) {
     const auto& [settings, tolerances, dt, team] = step;
     const SoftSettings& soft = std::get<SoftSettings>(settings.solver);
-    const Real whole = dt / static_cast<Real>(soft.substeps);
-    const int parts = substepParts(bodies, contactSet,
-                                   std::min(soft.contactHertz, kMostCycles / whole), tolerances);
-    const Real h = whole / static_cast<Real>(parts);
-    blocks_.refine(parts, contactSet.contacts(), bodies);
+    const Real hertz =
+        std::min(soft.contactHertz, kMostCycles * static_cast<Real>(soft.substeps) / dt);
+    if (refinement_.find({bodies, contactSet, joints, settings, tolerances, hertz})) {
+        blocks_.refine(refinement_, contactSet, bodies);
+    }
     collect(bodies, contactSet, joints, step);
+    contactSet.sortByKey(newcomers_); // colours depend on the order
     blocks_.arrange(bodies, contactSet.contacts(), newcomers_,
                     anyCrowded_ != 0 ? std::span<const std::uint16_t>(overlapCount_)
                                      : std::span<const std::uint16_t>(),
@@ -258,38 +290,63 @@ void SoftSolver::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joi
     for (const std::uint32_t place : newcomers_) {
         contactSet.noteRow(place);
     }
+    joints.beginStep();
+    moveFree(bodies, dt);
+    visits_ = 0;
+    for (std::uint32_t level = 0; level < Refinement::kLevels; ++level) {
+        if (!groups_[level].bound.empty()) {
+            solveGroup(bodies, contactSet, joints, step, level);
+        }
+    }
+    moveKinematic(bodies, dt);
+    blocks_.noteTouching(tolerances.slop, team);
+}
+
+/// Solves the islands of a level.
+void SoftSolver::solveGroup(Bodies& bodies, ContactSet& contactSet, JointSet& joints,
+                            const Step& step, std::uint32_t level) {
+    const auto& [settings, tolerances, dt, team] = step;
+    const SoftSettings& soft = std::get<SoftSettings>(settings.solver);
+    Group& group = groups_[level];
+    const int parts = 1 << level;
+    const int substeps = parts * soft.substeps;
+    const Real h = dt / static_cast<Real>(soft.substeps) / static_cast<Real>(parts);
     const Real hertz = std::min(soft.contactHertz * static_cast<Real>(parts), kMostCycles / h);
     const ContactPassArguments pass =
-        blocks_.pass(bodies, {Softness::from(hertz, soft.contactDamping, h),
-                              Softness::from(2 * hertz, soft.contactDamping, h), 1 / h,
-                              settings.has(Feature::Friction), 1});
+        blocks_.pass(bodies, level,
+                     {Softness::from(hertz, soft.contactDamping, h),
+                      Softness::from(2 * hertz, soft.contactDamping, h), 1 / h,
+                      settings.has(Feature::Friction), 1});
     if (anyDeep_ != 0) {
-        overlapRelaxation_.find({pass, blocks_.colours(),
-                                 OverlapRelaxation::deepBelow(tolerances.slop), overlapCount_});
+        group.overlapRelaxation.find({pass, blocks_.colours(level),
+                                      OverlapRelaxation::deepBelow(tolerances.slop),
+                                      overlapCount_});
     } else {
-        overlapRelaxation_.clear();
+        group.overlapRelaxation.clear();
     }
     const Real jointHertz = std::min(soft.jointHertz, kMostJointCycles / h);
     JointPass jointPass{h, Softness::from(jointHertz, soft.jointDamping, h)};
-    joints.beginStep(bodies);
+    joints.beginGroup(bodies, refinement_.levels(), level);
     joints.scaleImpulses(1 / static_cast<Real>(parts));
     revolutes_.begin(bodies, joints);
     findJointed(joints);
-    moveFree(bodies, dt);
-    const int substeps = parts * soft.substeps;
+    for (const std::uint32_t body : kinematic_) {
+        bodies.motion[body].clearDisplacement();
+    }
     WorkerTeam serial;
-    const bool helped = blocks_.worthPartitioning() && blocks_.partitions() == team.partitions();
-    Substeps run{bodies, joints, pass, jointPass, helped ? team : serial};
+    const bool helped =
+        blocks_.worthPartitioning(level) && blocks_.partitions() == team.partitions();
+    Substeps run{bodies, joints, group, pass, jointPass, helped ? team : serial};
     if (!run.team.alone()) {
-        partitions_.buildGraph(
-            {blocks_, pass, contactSet.contacts(), newcomers_, bound_, bodies.size()}, run.team);
+        group.partitions.buildGraph(
+            {blocks_, level, pass, contactSet.contacts(), newcomers_, group.bound, bodies.size()},
+            run.team);
     }
     runSubsteps(run, substeps);
     revolutes_.end(joints);
     joints.scaleImpulses(static_cast<Real>(parts));
-    blocks_.noteTouching(tolerances.slop, team);
-    visits_ =
-        (2 * blocks_.size() + overlapRelaxation_.visits()) * static_cast<std::size_t>(substeps);
+    visits_ += (2 * blocks_.size(level) + group.overlapRelaxation.visits()) *
+               static_cast<std::size_t>(substeps);
 }
 
 } // namespace KODO_PRECISION

@@ -11,8 +11,10 @@
 #include "solve/block_partitions.hpp"
 #include "solve/contact_blocks.hpp"
 #include "solve/overlap_relaxation.hpp"
+#include "solve/refinement.hpp"
 #include "solve/revolute_blocks.hpp"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -22,8 +24,8 @@ inline namespace KODO_PRECISION {
 /// Contacts and joints in substeps [Catto24]. Each substep integrates the forces and warm starts
 /// with the impulses of the substep before. A biased pass separates overlaps as soft contacts, and
 /// the bodies move. A relax pass without bias then removes the velocity that the bias added; deep
-/// overlaps get more relax passes. Large mass ratios and very large forces divide the substeps
-/// further.
+/// overlaps get more relax passes. Large mass ratios and very large forces divide the substeps of
+/// their islands further; see Refinement.
 ///
 ///   lambda = -m (s v_n + bias) - c lambda_sum,  lambda_sum >= 0;  |friction| <= mu lambda_sum
 ///
@@ -55,15 +57,23 @@ private:
         Four speeds{};
     };
 
-    /// Inputs of all substeps of a step.
+    /// What is solved with substeps of one length: the islands of one level of Refinement.
+    struct Group {
+        std::vector<std::uint32_t>
+            bound; // awake bodies with contacts or joints, and kinematic ones
+        BlockPartitions partitions;
+        OverlapRelaxation overlapRelaxation;
+    };
+    /// Inputs of all substeps of a group.
     struct Substeps {
         Bodies& bodies;
         JointSet& joints;
+        Group& group;
         const ContactPassArguments& pass;
         JointPass& jointPass;
         WorkerTeam& team;
     };
-    /// A part of a substep: a pass over all blocks, or work on all bodies of bound_.
+    /// A part of a substep: a pass over all blocks, or work on all bodies of the group.
     struct Phase {
         ContactPasses::Pass pass = nullptr;
         PassSettings settings{};
@@ -92,13 +102,15 @@ private:
                  std::vector<std::uint32_t>& newcomers);
     void releaseRow(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place);
     void countOverlap(const Bodies& bodies, const ContactSummary& summary, const WorkerTeam& team);
-    static int substepParts(const Bodies& bodies, ContactSet& contactSet, Real hertz,
-                            const Tolerances& tolerances);
     void findJointed(const JointSet& joints);
     void solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step);
     bool noneNeedsRow(const Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,
                       const Tolerances& tolerances);
     void moveFree(Bodies& bodies, Real dt);
+    void solveGroup(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step,
+                    std::uint32_t level);
+    void splitGroups(const Bodies& bodies);
+    void moveKinematic(Bodies& bodies, Real dt);
     template <typename Pass>
     void passJoints(Substeps& run, Pass pass);
     void runSubsteps(Substeps& run, int substeps);
@@ -111,7 +123,8 @@ private:
     void runPhases(Substeps& run);
 
     ContactBlocks blocks_;
-    BlockPartitions partitions_;
+    Refinement refinement_;
+    std::array<Group, Refinement::kLevels> groups_; // by level
     RevoluteBlocks revolutes_;
     std::vector<Phase> phases_;            // queued for the worker team
     std::vector<std::uint32_t> newcomers_; // indices of contacts that need a lane
@@ -122,14 +135,13 @@ private:
     std::vector<std::uint16_t> overlapCount_; // by body: number of overlaps beyond four slops
     std::uint8_t anyCrowded_ = 0;             // some body has too many of these
     std::uint8_t anyDeep_ = 0;                // some overlap needs OverlapRelaxation
-    OverlapRelaxation overlapRelaxation_;
     std::size_t visits_ = 0;
-    std::vector<Velocity> before_;     // by body: with the forces of the substep, without contacts
-    std::vector<std::uint32_t> free_;  // bodies without contacts and joints in this step
-    std::vector<std::uint32_t> bound_; // the other awake bodies
-    std::vector<std::uint32_t> jointed_; // bodies in order; index the next two
-    std::vector<Velocity> fromJoints_;   // velocity change in this substep
-    std::vector<Velocity> beforeJoints_; // velocity before a pass over the joints
+    std::vector<Velocity> before_;    // by body: with the forces of the substep, without contacts
+    std::vector<std::uint32_t> free_; // bodies without contacts and joints in this step
+    std::vector<std::uint32_t> kinematic_; // moving kinematic bodies with contacts or joints
+    std::vector<std::uint32_t> jointed_;   // bodies in order; index the next two
+    std::vector<Velocity> fromJoints_;     // velocity change in this substep
+    std::vector<Velocity> beforeJoints_;   // velocity before a pass over the joints
 };
 
 } // namespace KODO_PRECISION

@@ -44,7 +44,7 @@ void SoftSolver::addPhase(Substeps& run, const Phase& phase) {
             pass.settings = phase.settings;
             phase.pass(pass);
         } else {
-            (this->*phase.work)(run.bodies, bound_, run.jointPass.h);
+            (this->*phase.work)(run.bodies, run.group.bound, run.jointPass.h);
         }
         return;
     }
@@ -58,10 +58,11 @@ void SoftSolver::addPhase(Substeps& run, const Phase& phase) {
 /// inner blocks. Work on the bodies of a partition takes an even phase: all border impulses must
 /// precede it.
 void SoftSolver::runPhases(Substeps& run) {
+    const BlockPartitions& partitions = run.group.partitions;
     std::uint32_t phases = 0;
     for (Phase& phase : phases_) {
         phase.firstPhase = phases;
-        phases += phase.pass != nullptr ? 2 * partitions_.colours() : 2;
+        phases += phase.pass != nullptr ? 2 * partitions.colours() : 2;
     }
     run.team.inPhases(phases, [&](std::uint32_t partition, std::uint32_t number) {
         const Phase& phase = *std::prev(
@@ -70,17 +71,17 @@ void SoftSolver::runPhases(Substeps& run) {
         const bool even = number % 2 == 0;
         if (phase.pass != nullptr) {
             const auto blocks =
-                partitions_.blocks(partition, (number - phase.firstPhase) / 2, !even);
+                partitions.blocks(partition, (number - phase.firstPhase) / 2, !even);
             ContactPassArguments pass = run.pass;
             pass.settings = phase.settings;
             pass.order = blocks.data();
             pass.count = blocks.size();
             phase.pass(pass);
         } else if (even) {
-            const auto [first, count] = partitions_.bodies(partition);
-            (this->*phase.work)(run.bodies,
-                                std::span<const std::uint32_t>(bound_).subspan(first, count),
-                                run.jointPass.h);
+            const auto [first, count] = partitions.bodies(partition);
+            (this->*phase.work)(
+                run.bodies, std::span<const std::uint32_t>(run.group.bound).subspan(first, count),
+                run.jointPass.h);
         }
     });
     phases_.clear();
@@ -104,9 +105,9 @@ void SoftSolver::passJoints(Substeps& run, Pass pass) {
 
 /// Relax passes for deep overlaps. They are few as a rule, so the calling thread runs them alone.
 void SoftSolver::relaxDeepOverlaps(Substeps& run) {
-    if (!overlapRelaxation_.empty()) {
+    if (!run.group.overlapRelaxation.empty()) {
         runPhases(run);
-        overlapRelaxation_.run(run.pass);
+        run.group.overlapRelaxation.run(run.pass);
     }
 }
 

@@ -265,7 +265,7 @@ void SnapshotFields::completeContact(Contact& contact, const Bodies& bodies) {
 /// bodies, so they are stored.
 void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Tolerances& tolerances) {
     // The state of the pair finder affects time, not results: it starts fresh.
-    auto& [bounds, pairs, finder, still, movers, ghostCollisions, contacts, order, index, anyGone,
+    auto& [bounds, pairs, finder, still, movers, ghostCollisions, contacts, order, lists, gone,
            newOrder, news, newsFound, holes, added, summaries, live, found, onGround, slots, idle,
            dropped, changes, hasChanged, stirred, touches, touchChanges, ended, endedInStep,
            records, recordsDue, apart, fastestApproach, reorderPolicy, stale, pairsStale,
@@ -275,6 +275,7 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
     set.writeRecords();
     if (!reads()) {
         set.applyChanges(bodies, tolerances);
+        set.sortContacts(); // the bytes do not depend on slots
     }
     all(contacts, ended, records, tight, grown, changed, reorderPolicy);
     if (!reads()) {

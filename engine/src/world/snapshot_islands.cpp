@@ -16,8 +16,8 @@ bool SnapshotFields::inOrder(std::span<const std::uint32_t> bodies, std::size_t 
 }
 
 void SnapshotFields::rest(SleepSystem& stage, Bodies& bodies) {
-    auto& [islands, restingIslands, leaning, touching, leastCalm, supports, asleep, members,
-           standing] = stage;
+    auto& [islands, sleepingIslands, freeIslands, leaning, touching, leastCalm, supports, sleepers,
+           members] = stage;
     all(islands);
     if (!reads()) {
         return;
@@ -35,10 +35,13 @@ void SnapshotFields::rest(SleepSystem& stage, Bodies& bodies) {
         for (Contact& contact : islands[island].contacts) {
             completeContact(contact, bodies);
             contact.row = {}; // only contacts of the list have a row
-            stage.countIslandContact(contact, true);
+            stage.noteIslandContact(bodies, contact, island);
         }
         require(!islands[island].bodies.empty() || islands[island].contacts.empty(), sentence);
-        restingIslands += islands[island].bodies.empty() ? 0 : 1;
+        sleepingIslands += islands[island].bodies.empty() ? 0 : 1;
+        if (islands[island].bodies.empty()) {
+            freeIslands.push_back(island); // ascending: a heap
+        }
     }
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
         require(!bodies.asleep(i) || bodies.sleep[i].island != SleepState::kNoIsland, sentence);

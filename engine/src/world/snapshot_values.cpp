@@ -130,7 +130,7 @@ void SnapshotFields::one(CollisionRecord& record) {
 }
 
 void SnapshotFields::one(SleepSystem::Island& island) {
-    auto& [bodies, contacts] = island;
+    auto& [bodies, contacts, sleeps] = island;
     all(bodies, contacts);
 }
 

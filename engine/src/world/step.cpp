@@ -147,8 +147,7 @@ void WorldImpl::forAwake(WorkerTeam& team, void (*work)(Bodies&, std::span<const
 void WorldImpl::solve(Real dt, WorkerTeam& team) {
     if (std::holds_alternative<PropagationSettings>(settings_.solver)) {
         contacts_.visitAll(); // it predicts contacts within the step
-        propagation_.solve(bodies_, contacts_.contacts(), joints_,
-                           {settings_, tolerances_, dt, stepCount_});
+        propagation_.solve(bodies_, contacts_, joints_, {settings_, tolerances_, dt, stepCount_});
         contacts_.noteManifolds();
         contactVisits_ = propagation_.visits();
         return;

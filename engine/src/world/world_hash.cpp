@@ -45,9 +45,8 @@ std::uint64_t WorldImpl::stateHash() const {
             hash.add(value);
         }
     };
-    for (const Contact& contact : contacts_.contacts()) {
-        addContact(current(contact));
-    }
+    contacts_.forEachInOrder(
+        [&](std::uint32_t slot) { addContact(current(contacts_.contacts()[slot])); });
     sleep_.forEachContact(addContact);
     std::for_each(parked_.begin(), parked_.end(), addContact);
     joints_.forEach([&](const JointSet::Joint& joint) {

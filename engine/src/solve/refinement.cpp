@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "solve/refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+// Compression of contacts, in slops, above which substeps are divided. The substeps themselves add
+// a quarter to it.
+constexpr Real kMaxCompression = Real(1.6);
+// Least cosine between the acceleration of a body and the direction towards the other body with
+// which it presses on that body. Between steeper faces it is wedged, and presses harder than this.
+constexpr Real kLeastPress = Real(0.1);
+
+/// Acceleration (m/s^2) that the spring of a contact may have to carry, per mass of its lighter
+/// body; 0 if neither body presses on the other.
+Real loadOf(const Bodies& bodies, const Contact& contact) {
+    const auto& [bodyA, partA, bodyB, partB] = contact.key;
+    const Real a = bodies.motion[bodyA].invMass;
+    const Real b = bodies.motion[bodyB].invMass;
+    Real load = 0;
+    const auto press = [&](std::uint32_t body, Real own, Vec2 towards) {
+        const Vec2 acceleration = bodies.acceleration[body].linear;
+        const Real size = length(acceleration);
+        if (own > 0 && dot(acceleration, towards) > kLeastPress * size) {
+            load = std::max(load, (a + b) / own * size);
+        }
+    };
+    press(bodyA, a, contact.manifold.normal);
+    press(bodyB, b, -contact.manifold.normal);
+    return load;
+}
+
+} // namespace
+
+/// Lists the bodies that press too hard on another one, with their levels.
+void Refinement::findSeeds(const Step& step) {
+    seeds_.clear();
+    const Bodies& bodies = step.bodies;
+    const Real omega = 2 * std::numbers::pi_v<Real> * step.hertz;
+    const Real most = kMaxCompression * step.tolerances.slop * omega * omega; // m/s^2
+    const LoadRange& loads = bodies.loads;
+    const auto presses = [&](Real invMass, Real accelerationSquared) {
+        const Real ratio = 1 + loads.maxInvMass / invMass;
+        return ratio * ratio * accelerationSquared > most * most;
+    };
+    if (!presses(loads.minInvMass, loads.maxAccelerationSquared)) {
+        return;
+    }
+    for (const std::uint32_t body : bodies.awake) {
+        const Real invMass = bodies.motion[body].invMass;
+        if (!(invMass > 0) || !presses(invMass, lengthSquared(bodies.acceleration[body].linear))) {
+            continue;
+        }
+        Real load = 0;
+        step.contactSet.lists().forEach(body, [&](std::uint32_t slot) {
+            const Contact& contact = step.contactSet.contacts()[slot];
+            const Real separation = step.contactSet.summaries()[slot].separation[0];
+            if (contact.responds() && separation <= step.tolerances.slop) {
+                load = std::max(load, loadOf(bodies, contact));
+            }
+        });
+        std::uint8_t level = 0;
+        while (level + 1u < kLevels && load > most * static_cast<Real>(1 << 2 * level)) {
+            ++level;
+        }
+        if (level > 0) {
+            seeds_.emplace_back(level, body);
+        }
+    }
+}
+
+/// Lists the pairs of bodies that joints connect.
+void Refinement::listJoints(const Step& step) {
+    joined_.clear();
+    step.joints.forEachBusy([&](const JointSet::Joint& joint) {
+        const std::uint32_t a = firstBody(joint.def).index;
+        const std::uint32_t b = secondBody(joint.def).index;
+        joined_.emplace_back(a, b);
+        joined_.emplace_back(b, a);
+    });
+    std::sort(joined_.begin(), joined_.end()); // total order: equal pairs are the same
+}
+
+/// Gives the level to all bodies of an island.
+void Refinement::spread(const Step& step, std::uint32_t body, std::uint8_t level) {
+    const Bodies& bodies = step.bodies;
+    const bool restitution = step.settings.has(Feature::Restitution);
+    const auto reach = [&](std::uint32_t other) {
+        if (!bodies.locked(other) && levels_[other] == 0) {
+            levels_[other] = level;
+            refined_.push_back(other);
+            queue_.push_back(other);
+        }
+    };
+    queue_.clear();
+    reach(body);
+    while (!queue_.empty()) {
+        const std::uint32_t next = queue_.back();
+        queue_.pop_back();
+        step.contactSet.lists().forEach(next, [&](std::uint32_t slot) {
+            const ContactSummary& summary = step.contactSet.summaries()[slot];
+            const std::uint32_t other = summary.bodyA == next ? summary.bodyB : summary.bodyA;
+            if (summary.meets && levels_[other] == 0 &&
+                needsRow(bodies, summary, restitution, step.tolerances.slop) &&
+                step.contactSet.contacts()[slot].responds()) {
+                reach(other);
+            }
+        });
+        for (auto pair = std::lower_bound(joined_.begin(), joined_.end(), Joined{next, 0});
+             pair != joined_.end() && pair->first == next; ++pair) {
+            reach(pair->second);
+        }
+    }
+}
+
+bool Refinement::find(const Step& step) {
+    std::swap(before_, refined_);
+    refined_.clear();
+    levelsThen_.clear();
+    for (const std::uint32_t body : before_) {
+        levelsThen_.push_back(levels_[body]);
+        levels_[body] = 0;
+    }
+    findSeeds(step);
+    if (!seeds_.empty()) {
+        levels_.resize(step.bodies.size(), 0);
+        listJoints(step);
+        std::sort(seeds_.begin(), seeds_.end(), std::greater<>()); // total order: bodies are unique
+        for (const auto& [level, body] : seeds_) {                 // the highest first
+            spread(step, body, level);
+        }
+        std::sort(refined_.begin(), refined_.end()); // total order: bodies are unique
+    }
+    const auto now = [&](std::uint32_t body) { return levels_[body]; };
+    return refined_ != before_ ||
+           !std::equal(refined_.begin(), refined_.end(), levelsThen_.begin(), levelsThen_.end(),
+                       [&](std::uint32_t body, std::uint8_t then) { return now(body) == then; });
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bodies/bodies.hpp"
+#include "contacts/contact_set.hpp"
+#include "joints/joint_set.hpp"
+
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// Number of parts of each substep of the soft solver, by island: above 1 where a heavy body
+/// presses on a much lighter one, or where forces are very large. The level of a body is the
+/// logarithm of that number. Islands here are bodies connected by rows of contacts or by joints in
+/// this step, so no other island changes the level of one.
+///
+/// A contact is a spring as stiff as the lighter of its bodies allows. A body whose acceleration
+/// points into the contact compresses it by
+///
+///   s = m_a a_a (1/m_a + 1/m_b) / omega^2
+///
+/// and by a quarter of that against a body of infinite mass. Stiffer contacts need shorter
+/// substeps.
+class Refinement {
+public:
+    static constexpr std::uint32_t kLevels = 4; // 1, 2, 4 or 8 parts
+
+    struct Step {
+        const Bodies& bodies;
+        ContactSet& contactSet;
+        const JointSet& joints;
+        const StepSettings& settings;
+        const Tolerances& tolerances;
+        Real hertz; // of contacts in a whole substep
+    };
+    /// Finds the levels of a step. True if any has changed since the last step.
+    bool find(const Step& step);
+    /// By body; empty if all are 0.
+    std::span<const std::uint8_t> levels() const {
+        return refined_.empty() ? std::span<const std::uint8_t>() : levels_;
+    }
+    std::uint32_t levelOf(std::uint32_t body) const { return refined_.empty() ? 0 : levels_[body]; }
+    /// Level of a contact or joint. Only a movable body has a level above 0.
+    std::uint32_t levelOf(std::uint32_t a, std::uint32_t b) const {
+        return std::max(levelOf(a), levelOf(b));
+    }
+
+private:
+    using Joined = std::pair<std::uint32_t, std::uint32_t>;
+
+    void findSeeds(const Step& step);
+    void spread(const Step& step, std::uint32_t body, std::uint8_t level);
+    void listJoints(const Step& step);
+
+    std::vector<std::uint8_t> levels_;     // by body
+    std::vector<std::uint32_t> refined_;   // bodies with a level above 0, in order
+    std::vector<std::uint32_t> before_;    // those of the last step
+    std::vector<std::uint8_t> levelsThen_; // of before_
+    std::vector<std::pair<std::uint8_t, std::uint32_t>> seeds_; // level and body
+    std::vector<Joined> joined_; // bodies that a joint connects, both ways, in order
+    std::vector<std::uint32_t> queue_;
+};
+
+/// For a contact that responds: true once its bodies may touch within the step, so that it needs a
+/// row. A contact with restitution gets none before it touches: braking would reduce its rebound.
+inline bool needsRow(const Bodies& bodies, const ContactSummary& summary, bool restitution,
+                     Real slop) {
+    // A touch wakes a sleeping body, proximity does not.
+    if (bodies.anySleeping && (bodies.asleep(summary.bodyA) || bodies.asleep(summary.bodyB))) {
+        return false;
+    }
+    return !(summary.bounces && restitution) || summary.separation[0] <= slop;
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo
