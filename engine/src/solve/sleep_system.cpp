@@ -78,8 +78,9 @@ void SleepSystem::noteIslandContact(const Bodies& bodies, const Contact& contact
         if (all.size() == all.capacity()) {
             std::erase_if(all, [&](const Leaning& leaning) { return hasWoken(leaning); });
         }
-        if (all.empty() || all.back().island != island) {
-            all.push_back({island, islands_[island].sleeps});
+        const Leaning leaning{island, islands_[island].sleeps};
+        if (all.empty() || all.back() != leaning) {
+            all.push_back(leaning);
         }
     }
 }

@@ -73,6 +73,7 @@ private:
     struct Leaning {
         std::uint32_t island;
         std::uint32_t sleeps; // Island::sleeps then
+        bool operator==(const Leaning&) const = default;
     };
 
     void wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t island);

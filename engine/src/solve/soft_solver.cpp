@@ -249,8 +249,8 @@ void SoftSolver::splitGroups(const Bodies& bodies) {
     all.resize(kept);
 }
 
-/// Kinematic bodies move anew in each group. At last they move over the whole step, so that no
-/// group affects their rounding.
+/// Sets the displacement of kinematic bodies to that of the whole step, after the last group. So no
+/// group affects its rounding.
 void SoftSolver::moveKinematic(Bodies& bodies, Real dt) {
     for (const std::uint32_t body : kinematic_) {
         bodies.motion[body].clearDisplacement();
