@@ -3,7 +3,9 @@
 #include "support/solver.hpp"
 #include <support/sleeping.hpp>
 
+#include <algorithm>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace kodo {
@@ -87,6 +89,58 @@ TEST(SleepCount, ABoxFallsWhenItsFloorGoesJustBeforeItSleeps) {
             expectFall(row, before, [](Scene& s) { s.world[s.floor].setFlags(kDisabled); });
             expectFall(row, before, [](Scene& s) { s.world[s.floor].setFlags(kSensor); });
             expectFall(row, before, [](Scene& s) { s.world[s.floor].setFlags(kMatchAny); });
+        }
+    }
+}
+
+/// Steps until all boxes sleep.
+void runUntilAsleep(Scene& scene, const std::vector<BodyId>& boxes) {
+    const auto asleep = [&](BodyId box) { return rests(scene.world, box); };
+    for (int i = 0; i < 2000 && !std::all_of(boxes.begin(), boxes.end(), asleep); ++i) {
+        scene.world.step(scene.dt);
+    }
+    ASSERT_TRUE(std::all_of(boxes.begin(), boxes.end(), asleep));
+}
+
+/// Several boxes sleep on one floor. One of them wakes and sleeps again; then the floor goes.
+template <typename Change>
+void expectAllFall(const Case& row, int count, int woken, Change change) {
+    SCOPED_TRACE(testing::Message()
+                 << "g " << row.gravity << ", " << row.rate << " Hz, solver "
+                 << static_cast<int>(row.solver) << ", box " << woken << " of " << count);
+    Scene scene(row);
+    std::vector<BodyId> boxes{scene.box};
+    for (int i = 1; i < count; ++i) {
+        boxes.push_back(
+            scene.world.add(support::boxDef({Real(1.5) * static_cast<Real>(i), Real(0.5)}, 1, 1)));
+    }
+    for (int sleep = 0; sleep < 3; ++sleep) {
+        ASSERT_NO_FATAL_FAILURE(runUntilAsleep(scene, boxes));
+        if (sleep < 2) {
+            scene.world[boxes[static_cast<std::size_t>(woken)]].setVelocity({0, Real(0.01)});
+        }
+    }
+    change(scene);
+    scene.run(row.rate); // 1 s
+    for (const BodyId box : boxes) {
+        EXPECT_LT(scene.world[box].position().y, Real(0.5) - row.gravity / 3) << box.index;
+    }
+}
+
+TEST(SleepCount, EachBoxFallsWhenItsFloorGoesAfterOneHasSleptTwice) {
+    for (const Case& row : cases()) {
+        for (const auto& [count, woken] :
+             {std::pair(1, 0), {2, 1}, {3, 0}, {3, 2}, {5, 3}, {5, 4}}) {
+            expectAllFall(row, count, woken, [](Scene& s) { s.world.remove(s.floor); });
+            expectAllFall(row, count, woken, [](Scene& s) {
+                s.world[s.floor].setPosition({0, 99});
+            });
+            expectAllFall(row, count, woken,
+                          [](Scene& s) { s.world[s.floor].setFlags(kDisabled); });
+            expectAllFall(row, count, woken, [](Scene& s) {
+                s.world = fromBytes(toBytes(s.world));
+                s.world.remove(s.floor);
+            });
         }
     }
 }

@@ -90,7 +90,7 @@ std::vector<BodyId> addObserved(World& world, RandomNumbers& random) {
     return ids;
 }
 
-/// Something elsewhere, which acts in its own way.
+/// What is added outside the observed island.
 enum class Elsewhere {
     Heap,
     Ball,
@@ -104,7 +104,7 @@ enum class Elsewhere {
     kCount
 };
 
-/// What is elsewhere; its parts are changed while the observed island is watched.
+/// Bodies of one kind in a pit of their own.
 class Disturbance {
 public:
     Disturbance(World& world, RandomNumbers& random, Elsewhere kind, Vec2 at)
@@ -112,7 +112,7 @@ public:
         addPit(world, at, 4);
         build();
     }
-    /// Adds, pushes, moves or removes something now and then.
+    /// In every seventh step: removes, moves, accelerates or adds a body.
     void act(int step) {
         if (step % 7 == 3 && !ids_.empty()) {
             const std::size_t which = random_.below(ids_.size());
@@ -175,7 +175,7 @@ private:
                     .ends = endsAt(world_, before, link, at_ + where - Vec2{Real(0.2), 0})});
                 before = link;
             }
-            ids_.clear(); // removed bodies would take joints along; these are only watched
+            ids_.clear(); // act() changes none of them
             break;
         }
         case Elsewhere::Sleeper:
@@ -282,7 +282,7 @@ void expectLocal(const Case& c) {
     const auto escaped = [](const Motion& motion) { return length(motion.position) > 12; };
     for (std::size_t step = 0; step < alone.size(); ++step) {
         if (std::any_of(alone[step].begin(), alone[step].end(), escaped)) {
-            return; // it may come to touch what is elsewhere
+            return; // it may reach the other pit
         }
         for (std::size_t i = 0; i < alone[step].size(); ++i) {
             ASSERT_EQ(alone[step][i], beside[step][i])

@@ -21,7 +21,7 @@ void ContactBlocks::refine(const Refinement& refinement, ContactSet& contacts,
         if (summaries[slot].row != kNone &&
             levelOfBin(states_[blockOf(summaries[slot].row)].bin) != levelOf(contact)) {
             evict(contact, bodies);
-            contact.carried = false; // take() asks for another lane
+            contact.carried = false; // so that take() requests another lane
             contacts.noteRow(slot);
         }
     }

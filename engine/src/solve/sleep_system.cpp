@@ -71,16 +71,16 @@ void SleepSystem::noteIslandContact(const Bodies& bodies, const Contact& contact
         if (bodies.sleep[body].island == island) {
             continue;
         }
-        if (body >= leaning_.size()) {
-            leaning_.resize(body + std::size_t{1});
+        if (body >= neighbourIslands_.size()) {
+            neighbourIslands_.resize(body + std::size_t{1});
         }
-        std::vector<Leaning>& all = leaning_[body];
+        std::vector<NeighbourIsland>& all = neighbourIslands_[body];
         if (all.size() == all.capacity()) {
-            std::erase_if(all, [&](const Leaning& leaning) { return hasWoken(leaning); });
+            std::erase_if(all, [&](const NeighbourIsland& old) { return hasWoken(old); });
         }
-        const Leaning leaning{island, islands_[island].sleeps};
-        if (all.empty() || all.back() != leaning) {
-            all.push_back(leaning);
+        const NeighbourIsland neighbour{island, islands_[island].version};
+        if (all.empty() || all.back() != neighbour) {
+            all.push_back(neighbour);
         }
     }
 }
@@ -88,7 +88,7 @@ void SleepSystem::noteIslandContact(const Bodies& bodies, const Contact& contact
 void SleepSystem::wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t island) {
     Island& woken = islands_[island];
     --sleepingIslands_;
-    ++woken.sleeps;
+    ++woken.version;
     for (const std::uint32_t body : woken.bodies) {
         bodies.filter[body].flags &= ~kAsleep;
         bodies.sleep[body] = {};
@@ -140,15 +140,15 @@ void SleepSystem::wakeNeighbours(Bodies& bodies, ContactSet& contacts, const Joi
             wake(bodies, contacts, a == body ? b : a);
         }
     });
-    if (body >= leaning_.size()) {
+    if (body >= neighbourIslands_.size()) {
         return;
     }
-    for (const Leaning& leaning : leaning_[body]) {
-        if (!hasWoken(leaning)) {
-            wakeIsland(bodies, contacts, leaning.island);
+    for (const NeighbourIsland& neighbour : neighbourIslands_[body]) {
+        if (!hasWoken(neighbour)) {
+            wakeIsland(bodies, contacts, neighbour.island);
         }
     }
-    leaning_[body].clear();
+    neighbourIslands_[body].clear();
 }
 
 void SleepSystem::wakeTouched(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances) {

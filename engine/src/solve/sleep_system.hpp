@@ -67,19 +67,20 @@ private:
     struct Island {
         std::vector<std::uint32_t> bodies; // empty: a free slot
         std::vector<Contact> contacts;
-        std::uint32_t sleeps = 0; // changes whenever it wakes
+        std::uint32_t version = 0; // changes whenever it wakes
     };
-    /// An island with a contact of a body; out of date once it has woken.
-    struct Leaning {
+    /// An island that has a contact with a body of another island, or with an immovable one. Out of
+    /// date once the island has woken.
+    struct NeighbourIsland {
         std::uint32_t island;
-        std::uint32_t sleeps; // Island::sleeps then
-        bool operator==(const Leaning&) const = default;
+        std::uint32_t version; // Island::version when the contact was noted
+        bool operator==(const NeighbourIsland&) const = default;
     };
 
     void wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t island);
     void noteIslandContact(const Bodies& bodies, const Contact& contact, std::uint32_t island);
-    bool hasWoken(const Leaning& leaning) const {
-        return islands_[leaning.island].sleeps != leaning.sleeps;
+    bool hasWoken(const NeighbourIsland& neighbour) const {
+        return islands_[neighbour.island].version != neighbour.version;
     }
     void putToSleep(Bodies& bodies, std::span<const std::uint32_t> members);
     bool countCalm(Bodies& bodies, const StepSettings& settings, const Tolerances& tolerances,
@@ -90,11 +91,11 @@ private:
 
     std::vector<Island> islands_;
     std::size_t sleepingIslands_ = 0;
-    std::vector<std::uint32_t> freeIslands_;    // heap, the lowest on top
-    std::vector<std::vector<Leaning>> leaning_; // by body: other islands that it touches
-    DisjointSets touching_;                     // islands of the awake bodies
-    std::vector<std::uint32_t> leastCalm_;      // by root: calm steps
-    std::vector<std::uint32_t> supports_;       // by body: points that support it
+    std::vector<std::uint32_t> freeIslands_;                     // heap, the lowest on top
+    std::vector<std::vector<NeighbourIsland>> neighbourIslands_; // by body
+    DisjointSets touching_;                                      // islands of the awake bodies
+    std::vector<std::uint32_t> leastCalm_;                       // by root: calm steps
+    std::vector<std::uint32_t> supports_;                        // by body: points that support it
     std::vector<std::pair<std::uint32_t, std::uint32_t>> sleepers_; // root and body
     std::vector<std::uint32_t> members_;                            // of an island, or to be woken
 };

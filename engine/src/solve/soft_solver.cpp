@@ -230,8 +230,8 @@ void SoftSolver::moveFree(Bodies& bodies, Real dt) {
     moveFreely(bodies, free_, dt);
 }
 
-/// Moves the bodies of refined islands from the first group to their own. Kinematic bodies are in
-/// all groups.
+/// Moves the bodies of refined islands from the first group to the group of their level. Kinematic
+/// bodies belong to each group that has other bodies.
 void SoftSolver::splitGroups(const Bodies& bodies) {
     std::vector<std::uint32_t>& all = groups_[0].bound;
     std::size_t kept = 0;
@@ -247,6 +247,11 @@ void SoftSolver::splitGroups(const Bodies& bodies) {
         }
     }
     all.resize(kept);
+    for (Group& group : groups_) {
+        if (group.bound.size() == kinematic_.size()) {
+            group.bound.clear();
+        }
+    }
 }
 
 /// Sets the displacement of kinematic bodies to that of the whole step, after the last group. So no

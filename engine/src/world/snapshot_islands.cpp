@@ -16,8 +16,8 @@ bool SnapshotFields::inOrder(std::span<const std::uint32_t> bodies, std::size_t 
 }
 
 void SnapshotFields::rest(SleepSystem& stage, Bodies& bodies) {
-    auto& [islands, sleepingIslands, freeIslands, leaning, touching, leastCalm, supports, sleepers,
-           members] = stage;
+    auto& [islands, sleepingIslands, freeIslands, neighbourIslands, touching, leastCalm, supports,
+           sleepers, members] = stage;
     all(islands);
     if (!reads()) {
         return;

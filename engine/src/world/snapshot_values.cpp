@@ -130,7 +130,7 @@ void SnapshotFields::one(CollisionRecord& record) {
 }
 
 void SnapshotFields::one(SleepSystem::Island& island) {
-    auto& [bodies, contacts, sleeps] = island;
+    auto& [bodies, contacts, version] = island;
     all(bodies, contacts);
 }
 
