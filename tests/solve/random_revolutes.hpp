@@ -73,7 +73,7 @@ struct RandomPins {
     void runAll(const RevolutePasses& passes) {
         const Softness soft = Softness::from(60, 2, kStep);
         for (const RevolutePasses::Pass pass :
-             {passes.turn, passes.warmStart, passes.solve, passes.turn, passes.relax}) {
+             {passes.rotate, passes.warmStart, passes.solve, passes.rotate, passes.relax}) {
             run(pass, soft);
         }
     }

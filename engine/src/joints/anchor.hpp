@@ -5,12 +5,31 @@
 
 #include "bodies/bodies.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace kodo {
 inline namespace KODO_PRECISION {
 
 /// Vector (m, world axes) from the centre of mass to an anchor, which is in the frame of the shape.
 inline Vec2 armOf(const Bodies& bodies, std::uint32_t body, Rot rotation, Vec2 anchor) {
     return rotation * (anchor - bodies.geometry(body).mass.center);
+}
+
+/// Vector (m) from the end of the tangent of an anchor to the end of its arc, if the body rotates
+/// by `angle` (rad): R(angle) arm - arm - angle perp(arm). Small angles use the Taylor series,
+/// where the difference would be rounding error. Beyond half a circle a substep has no meaning.
+inline Vec2 fromTangentToArc(Real angle, Vec2 arm) {
+    constexpr Real kSmall = Real(0.25);
+    constexpr Real kMost = Real(3);
+    if (std::abs(angle) < kSmall) {
+        const Real square = angle * angle;
+        const Real along = square * (square / 24 - Real(0.5));
+        const Real across = square * angle * (square / 120 - Real(1) / 6);
+        return along * arm + across * perp(arm);
+    }
+    const Real turn = std::clamp(angle, -kMost, kMost);
+    return Rot::fromAngle(turn) * arm - arm - turn * perp(arm);
 }
 
 } // namespace KODO_PRECISION

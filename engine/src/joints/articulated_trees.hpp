@@ -11,36 +11,33 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
-/// Predicted change of the angular velocities of both bodies by a joint of a tree: the change of
-/// the last substep.
-struct Foresight {
-    Real spinA = 0; // rad/s
-    Real spinB = 0;
-};
-
 /// Parameters of one pass over the joints.
 struct JointPass {
     Real h = 0;          // s, length of the substep
     Softness stiff;      // of all rigid constraints
     bool biased = false; // false: relax pass
     bool exact = false;  // the joint belongs to a tree, see ArticulatedTrees
-    Foresight foreseen{};
 };
 
 /// Rigid constraints of one joint: up to three rows J = (a, b) on the velocities of its bodies,
-/// with the target J v = -rate error.
+/// with the target J v = -rate error - arc.
 struct HeldRows {
     std::size_t count = 0;
     std::array<Triple, 3> a{};
     std::array<Triple, 3> b{};
     Triple error{};                    // m or rad
+    Triple arc{};                      // m/s, see PointConstraint
     Triple impulse{};                  // N s or N m s, accumulated
     std::array<std::size_t, 3> slot{}; // see JointSet::Joint::impulseAt
-    Vec2 pull;                         // N, on b, mean of the last solved step
-    Real stretchA = 0; // N m, (force on a) . armA; > 0: away from a's centre of mass
-    Real stretchB = 0; // N m, (force on b) . armB
+    std::size_t point = kNoPoint;      // index of the first row of the anchors
+    Vec2 armA{};                       // m, from the centre of mass to the anchor
+    Vec2 armB{};
+    Real pull = 0; // N, estimate of the force at the anchors
 
-    void add(const PointConstraint& point, Vec2 soFar, std::size_t firstSlot);
+    static constexpr std::size_t kNoPoint = 3;
+    bool hasPoint() const { return point != kNoPoint; }
+
+    void add(const PointConstraint& anchors, Vec2 soFar, std::size_t firstSlot);
     void add(const AxisConstraint& axis, Real soFar, std::size_t firstSlot);
 };
 
@@ -49,16 +46,21 @@ struct HeldRows {
 ///
 /// The changes dv of the velocities and the impulses l satisfy
 ///
-///   M dv = J^T l,   J (v + dv) = -rate error
+///   M dv = J^T l,   J (v + dv) = -b,   b = rate error + arc
 ///
 /// The linear system is as sparse as the tree. A joint connects a child to its parent. From the
 /// leaves to the root, each joint eliminates its child; A and c are M and 0 for a leaf:
 ///
-///   S = J_c A_c^-1 J_c^T,   q = -(J v + rate error) - J_c A_c^-1 c_c
+///   S = J_c A_c^-1 J_c^T,   q = -(J v + b) - J_c A_c^-1 c_c
 ///   A_p += J_p^T S^-1 J_p,  c_p += J_p^T S^-1 q
 ///
 /// From the root back to the leaves: l = S^-1 (q - J_p dv_p), dv_c = A_c^-1 (c_c + J_c^T l). A is a
 /// sum of positive terms, so mass ratios of a million lose no digits.
+///
+/// The system is solved again while its solution changes what it depends on: the arcs of the
+/// anchors, and the forces that bound inertia from below (see begin()). Where that bound is in
+/// effect, the error is left out of b, so that it adds no kinetic energy: the same factors give
+/// displacements dx with J dx = -h rate error instead. The arcs follow if they would add much.
 ///
 /// A tree has at most one joint to an immovable body as its root. Further joints to immovable
 /// bodies close loops; they are soft, within the direct solve. Joints of any other loop, and of an
@@ -77,10 +79,6 @@ public:
     void find(const Bodies& bodies, std::span<const Edge> edges);
     /// The rows of a joint of a tree; nullptr for other joints.
     HeldRows* rowsOf(std::uint32_t joint);
-    /// Adds the predicted change by a joint of a tree; `given`: it is already applied.
-    void foresee(std::uint32_t joint, const Foresight& gain, bool given);
-    /// Predicted change that is not applied yet, by all joints, for the bodies of this joint.
-    Foresight foreseen(std::uint32_t joint, Real h) const;
 
     /// Updates velocities and the impulses of all rows.
     void solve(Bodies& bodies, const JointPass& pass);
@@ -93,10 +91,13 @@ private:
         std::uint32_t body = kNone;
         Symmetric3 inertia;                   // A
         Symmetric3::Factors factors{inertia}; // of A, once the subtree is eliminated
+        Real pull = 0;                        // N m, sum of force times arm of its joints
+        Real ownInertia = 0;                  // kg m^2, with the lower bound of begin()
+        Real spin = 0;                        // rad/s, before the solve
         Triple push{};                        // c
         Triple change{};                      // dv
-        Real gain = 0;                        // rad/s, predicted change
-        Real given = 0;                       // rad/s, part of gain that is already applied
+        Triple driftPush{};                   // c of the displacement
+        Triple drift{};                       // dx / h
     };
     /// A joint of a tree. It has a child, a parent, or both; a missing one is an immovable body.
     struct Node {
@@ -109,6 +110,19 @@ private:
         HeldRows rows{};
         Symmetric3::Factors factors{Symmetric3{}}; // of S
         Triple wanted{};                           // q
+        Triple wantedDrift{};                      // q of the displacement
+        Triple impulse{};                          // l
+    };
+    /// A range of nodes, from the root to the leaves, and of members.
+    struct Tree {
+        std::size_t firstNode;
+        std::size_t nodes;
+        std::size_t firstMember;
+        std::size_t members;
+        bool anchored; // false: the first member has no parent joint
+        bool arcsInVelocity = true;
+        bool stiff = false; // the lower bound of inertia is in effect, see begin()
+        Real spin = 0;      // rad/s, see spinOf()
     };
 
     /// An edge found during the search of a tree, with the fields of its future Node.
@@ -123,16 +137,27 @@ private:
     void grow(const Bodies& bodies, std::span<const Edge> edges, std::uint32_t root);
     bool growFrom(const Bodies& bodies, std::span<const Edge> edges, std::size_t from);
     std::uint32_t join(std::uint32_t body);
-    void begin(Bodies& bodies, const JointPass& pass);
-    void measure(const Bodies& bodies, const JointPass& pass);
+    void solveTree(Bodies& bodies, const JointPass& pass, Tree& tree);
+    bool improve(const Bodies& bodies, const JointPass& pass, Tree& tree);
+    void solveLinear(const Bodies& bodies, const JointPass& pass, Tree& tree);
+    Real spinOf(const Bodies& bodies, const Tree& tree);
+    void addPulls(const Tree& tree);
+    bool raisePulls(const Tree& tree, Real h);
+    bool updateArcs(const Bodies& bodies, const Tree& tree, Real h);
+    bool addsEnergy(const Bodies& bodies, const Tree& tree, Real h);
+    void begin(const Bodies& bodies, const JointPass& pass, Tree& tree);
+    void measure(const Bodies& bodies, const JointPass& pass, const Tree& tree, Node& node);
     Symmetric3 carry(Node& node);
     Symmetric3 giving(const Bodies& bodies, Node& node, const JointPass& pass) const;
     void eliminate(const Bodies& bodies, Node& node, const JointPass& pass);
     void backSubstitute(Node& node);
+    void apply(Bodies& bodies, const JointPass& pass, const Tree& tree);
+    std::span<Node> nodesOf(const Tree& tree);
+    std::span<Member> membersOf(const Tree& tree);
 
-    std::vector<Node> nodes_; // from the roots to the leaves
+    std::vector<Node> nodes_;
     std::vector<Member> members_;
-    std::vector<std::uint32_t> roots_;    // members without a parent joint
+    std::vector<Tree> trees_;
     std::vector<std::uint32_t> nodeOf_;   // by joint
     std::vector<std::uint32_t> memberOf_; // by body; only within find()
     std::vector<std::uint32_t> first_;    // by body: index of its first edge in incident_

@@ -86,7 +86,8 @@ public:
         const Softness soft = Softness::from(motor.hertz, motor.damping, pass_.h);
         if (motor.force > 0) {
             visit_(
-                PointConstraint{frame_.armA, frame_.armB, frame_.gap, soft, motor.force * pass_.h},
+                PointConstraint{
+                    commonArm(), frame_.armB, frame_.gap, soft, {}, motor.force * pass_.h},
                 joint_.point, Relax::Same);
         }
         if (motor.torque > 0) {
@@ -99,32 +100,33 @@ public:
     }
 
     void operator()(const MouseJoint& mouse) {
-        visit_(PointConstraint{frame_.armA, frame_.armB, frame_.gap,
+        visit_(PointConstraint{frame_.armA,
+                               frame_.armB,
+                               frame_.gap,
                                Softness::from(mouse.hertz, mouse.damping, pass_.h),
+                               {},
                                mouse.force * pass_.h},
                joint_.point, Relax::Same);
     }
 
 private:
     /// Anchors move on circles about the centres of mass, but the velocity constraint is
-    /// tangential. The difference widens the gap within the substep. It is removed in full; the
-    /// present gap is removed at the rate of the stiffness. The rotation includes the predicted
-    /// change of angular velocities by the joints.
+    /// tangential. The difference widens the gap within the substep and is removed in full. The
+    /// present gap, as rotated with body a, is removed at the rate of the stiffness.
     PointConstraint anchors() const {
-        const Vec2 bent = bend(frame_.b, pass_.foreseen.spinB, frame_.armB) -
-                          bend(frame_.a, pass_.foreseen.spinA, frame_.armA);
-        const Vec2 error = frame_.gap + bent / (pass_.stiff.biasRate * pass_.h);
+        const Real angleA = pass_.h * frame_.a.angularVelocity;
+        const Vec2 gap =
+            frame_.gap + angleA * perp(frame_.gap) + fromTangentToArc(angleA, frame_.gap);
+        const Vec2 arc = fromTangentToArc(pass_.h * frame_.b.angularVelocity, frame_.armB) -
+                         fromTangentToArc(angleA, commonArm());
         const Softness rigid{pass_.stiff.biasRate, 1, 0};
-        return {frame_.armA, frame_.armB, error, pass_.exact ? rigid : pass_.stiff};
+        return {commonArm(), frame_.armB, gap, pass_.exact ? rigid : pass_.stiff,
+                (1 / pass_.h) * arc};
     }
 
-    /// Vector (m) from the end of the tangent to the end of the arc, for angles up to 1 rad:
-    /// (cos - 1) r + (sin - angle) perp(r), as Taylor series up to fourth order.
-    Vec2 bend(const BodyVelocity& motion, Real gain, Vec2 arm) const {
-        const Real turn = std::clamp(pass_.h * (motion.angularVelocity + gain), Real(-1), Real(1));
-        const Real square = turn * turn;
-        return square * ((square / 24 - Real(0.5)) * arm - turn / 6 * perp(arm));
-    }
+    /// Arm of a (m) to anchor b. Both impulses of a joint act at anchor b, so that they conserve
+    /// angular momentum however wide the gap is. The gap is then measured in the frame of a.
+    Vec2 commonArm() const { return frame_.armA + frame_.gap; }
 
     AxisConstraint angular() const { return {{}, 1, 1, 0, 0, {}, kUnbounded, {}}; }
 

@@ -38,7 +38,8 @@ Vec2 PointConstraint::stopping(const BodyVelocity& a, const BodyVelocity& b, Vec
 Vec2 PointConstraint::missing(const BodyVelocity& a, const BodyVelocity& b, Vec2 impulse,
                               bool biased) const {
     const Softness soft = biased ? softness : Softness{};
-    const Vec2 speed = velocityAt(b, armB) - velocityAt(a, armA) + soft.biasRate * error;
+    const Vec2 bias = biased ? soft.biasRate * error + arc : Vec2{};
+    const Vec2 speed = velocityAt(b, armB) - velocityAt(a, armA) + bias;
     Vec2 next = impulse - soft.massScale * stopping(a, b, speed) - soft.impulseScale * impulse;
     const Real size = length(next);
     if (size > maxImpulse) {

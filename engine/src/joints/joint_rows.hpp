@@ -24,6 +24,7 @@ struct PointConstraint {
     Vec2 armB;
     Vec2 error; // m, point b minus point a
     Softness softness;
+    Vec2 arc{}; // m/s, by which the tangents of both anchors leave their arcs in the substep
     Real maxImpulse = std::numeric_limits<Real>::infinity(); // N s
 
     /// Applies an impulse to the bodies and adds it to the accumulated one.

@@ -101,16 +101,6 @@ bool mayBeHeld(const Bodies& bodies, const JointDef& def) {
            (pin || (!half(a) && !half(b)));
 }
 
-/// Change of the angular velocities of both bodies by an impulse.
-Foresight gainFrom(const JointFrame& frame, const PointConstraint& point, Vec2 impulse) {
-    return {-frame.a.invInertia * cross(point.armA, impulse),
-            frame.b.invInertia * cross(point.armB, impulse)};
-}
-Foresight gainFrom(const JointFrame& frame, const AxisConstraint& axis, Real impulse) {
-    return {-frame.a.invInertia * axis.leverA * impulse,
-            frame.b.invInertia * axis.leverB * impulse};
-}
-
 /// The two bodies, in order, if the joint forbids a contact between them.
 std::optional<std::pair<std::uint32_t, std::uint32_t>> excludedPairOf(const JointDef& def) {
     return std::visit(
@@ -286,15 +276,15 @@ void JointSet::scaleImpulses(Real by) {
 
 void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
     for (const std::uint32_t index : own_) {
-        const bool inTree = trees_.rowsOf(index) != nullptr;
+        HeldRows* const rows = trees_.rowsOf(index);
+        const bool inTree = rows != nullptr;
+        if (inTree) {
+            rows->pull = length(joints_[index].point) / pass.h;
+        }
         forConstraints(
             joints_[index], bodies, turned_, {pass.h, pass.stiff, pass.biased, inTree},
             [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
-                const bool held = inTree && relax == Relax::Rigid && isHeld(constraint);
-                if (inTree) {
-                    trees_.foresee(index, gainFrom(frame, constraint, impulse), !held);
-                }
-                if (held) {
+                if (inTree && relax == Relax::Rigid && isHeld(constraint)) {
                     impulse = {}; // the direct solve starts from zero
                 } else {
                     constraint.push(frame.a, frame.b, impulse);
@@ -309,12 +299,10 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
         joint.solved = true;
         HeldRows* const rows = trees_.rowsOf(index);
         if (rows != nullptr) {
-            *rows = {.pull = joint.force};
+            *rows = {.pull = rows->pull};
         }
         forConstraints(
-            joint, bodies, turned_,
-            {pass.h, pass.stiff, pass.biased, rows != nullptr,
-             rows != nullptr ? trees_.foreseen(index, pass.h) : Foresight{}},
+            joint, bodies, turned_, {pass.h, pass.stiff, pass.biased, rows != nullptr},
             [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
                 if (rows != nullptr && relax == Relax::Rigid && isHeld(constraint)) {
                     rows->add(constraint, impulse, joint.slotOf(impulse));

@@ -27,8 +27,7 @@ inline namespace KODO_PRECISION {
 /// step applies the impact impulse. Impacts are processed in the order of time.
 ///
 /// A kinematic body cannot be stopped and would pass through bodies stopped in front of it. So it
-/// pushes these along, and also the bodies that they touch. A body with restitution against it is
-/// not pushed.
+/// pushes these along, and also the bodies that they touch.
 class ContinuousCollision {
 public:
     void run(Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,

@@ -21,6 +21,14 @@ void pushAlong(Vec2& push, Vec2 normal, Vec2 way) {
     }
 }
 
+/// Overlap (m) from which the impact of the next step still separates two parts to the correct
+/// side.
+Real harmlessOverlap(const Bodies& bodies, const ContactKey& key) {
+    return std::min(bodies.convex(key.bodyA, key.partA).coreRadius,
+                    bodies.convex(key.bodyB, key.partB).coreRadius) /
+           2;
+}
+
 /// Removes the component of `push` into a static surface.
 void holdBack(Vec2& push, Vec2 normal) {
     push -= std::min(dot(normal, push), Real(0)) * normal;
@@ -29,7 +37,7 @@ void holdBack(Vec2& push, Vec2 normal) {
 } // namespace
 
 /// Finds the pushes by kinematic bodies that touch or nearly touch at the start of the step. A body
-/// with restitution becomes faster than the kinematic body and needs no push.
+/// with restitution has become faster than the kinematic body by its impact and needs no push.
 void ContinuousCollision::findPushes(const Step& step) {
     againstLocked_.clear();
     step.contactSet.forEachInOrder([&](std::uint32_t i) {
@@ -63,14 +71,14 @@ void ContinuousCollision::findPushes(const Step& step) {
     }
 }
 
-/// A body that meets a kinematic body, or a body pushed by one, is pushed along, but not into a
-/// static body.
+/// A body that meets a kinematic body within the step, or a body pushed by one, is pushed along,
+/// but not into a static body. With restitution, the impact of the next step makes it faster; it is
+/// pushed only where the kinematic body would be past it by then.
 void ContinuousCollision::takePushedDisplacement(const Step& step, const Contact& contact,
                                                  Real time) {
     const ContactKey& key = contact.key;
-    if (contact.bounces ||
-        (push_[key.bodyA] == Vec2{} && push_[key.bodyB] == Vec2{} &&
-         !step.bodies.isMovingKinematic(key.bodyA) && !step.bodies.isMovingKinematic(key.bodyB))) {
+    if (push_[key.bodyA] == Vec2{} && push_[key.bodyB] == Vec2{} &&
+        !step.bodies.isMovingKinematic(key.bodyA) && !step.bodies.isMovingKinematic(key.bodyB)) {
         return;
     }
     const Transform a = pathOf(step.bodies, key.bodyA).at(time);
@@ -88,6 +96,10 @@ void ContinuousCollision::takePushedDisplacement(const Step& step, const Contact
     };
     const Vec2 wayA = wayOf(key.bodyA, a.position);
     const Vec2 wayB = wayOf(key.bodyB, b.position);
+    const Real overlap = (1 - time) * dot(normal, wayA - wayB);
+    if (contact.bounces && overlap <= harmlessOverlap(step.bodies, key)) {
+        return;
+    }
     const auto take = [&](std::uint32_t body, std::uint32_t other, Vec2 away, Vec2 way) {
         if (step.bodies.locked(body)) {
             return;

@@ -29,12 +29,14 @@ struct alignas(64) RevoluteBlock {
     Each mass;     // 1/kg, sum of both bodies
     Each inertiaA; // 1/(kg m^2)
     Each inertiaB;
-    Both armA; // m, at the last turn(), like the members down to massYY
+    Both armA; // m, to anchor b, at the last rotate(), like the members down to torqueB
     Both armB;
     Both gap;    // m, anchor b minus anchor a
     Each massXX; // kg, K^-1, see PointConstraint::stopping
     Each massXY;
     Each massYY;
+    Each torqueA; // N m s, change of arm x impulse by the rotation; 0 once it is applied
+    Each torqueB;
     Both impulse; // N s, of the substep
     Both total;   // N s, over the step
 };
@@ -60,7 +62,7 @@ struct RevolutePasses {
     using Pass = void (*)(const RevolutePassArguments&);
 
     const char* name; // for tests
-    Pass turn;        // updates arms, gaps and masses after displacements
+    Pass rotate;      // updates arms, gaps and masses after displacements
     Pass warmStart;   // applies the accumulated impulses
     Pass solve;       // biased: closes gaps as soft constraints
     Pass relax;       // without bias; adds up the impulses of the step

@@ -40,7 +40,7 @@ void RevoluteBlocks::begin(Bodies& bodies, JointSet& joints) {
         jointOf_[lane] = index;
         fill(bodies, joint, lane);
     }
-    turn(bodies);
+    rotate(bodies);
 }
 
 /// A free lane of a block that moves neither body yet. If a body has more joints than there are

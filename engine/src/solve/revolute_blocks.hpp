@@ -21,7 +21,7 @@ public:
     bool empty() const { return blocks_.empty(); }
 
     /// Updates arms, gaps and masses after the bodies have moved.
-    void turn(Bodies& bodies) { run(bodies, {}, RevolutePasses::best().turn); }
+    void rotate(Bodies& bodies) { run(bodies, {}, RevolutePasses::best().rotate); }
     void warmStart(Bodies& bodies, const JointPass& pass) {
         run(bodies, pass, RevolutePasses::best().warmStart);
     }

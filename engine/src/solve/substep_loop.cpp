@@ -143,7 +143,7 @@ void SoftSolver::runSubstep(Substeps& run, bool first) {
     solveJoints(true);
     addPhase(run, {passes.solve, settings});
     addPhase(run, {.work = &SoftSolver::move});
-    revolutes_.turn(bodies);
+    revolutes_.rotate(bodies);
     solveJoints(false);
     relaxDeepOverlaps(run);
     PassSettings relax = settings;
