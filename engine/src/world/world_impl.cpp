@@ -47,7 +47,7 @@ std::optional<Problem> check(const WorldDef& def) {
 
 WorldImpl::WorldImpl(const WorldDef& def) : tolerances_() {
     const Real big = detail::kBig;
-    detail::requireExactArithmetic((big + 1) - big);
+    detail::requireExactArithmetic((big + 1) - big, detail::kFive / 49);
     refuse(check(def));
     const std::uint32_t stamp = nextStamp();
     bodies_.stamp = stamp;
