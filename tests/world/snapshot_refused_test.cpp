@@ -19,15 +19,17 @@ using support::run;
 using support::Bytes;
 using support::seal;
 
-/// A user-defined class derived from Drag, which must not be restored as a Drag.
-class Halved final : public Drag {
+/// A user-defined class on top of Drag, which must not be restored as a Drag.
+class Halved final : public ForceField {
 public:
-    Halved() : Drag(DragLaw{1, 0}) {}
     FieldForce at(const BodyView& body, Real dt) const override {
-        FieldForce push = Drag::at(body, dt);
+        FieldForce push = drag_.at(body, dt);
         push.force = Real(0.5) * push.force;
         return push;
     }
+
+private:
+    Drag drag_{DragLaw{1, 0}};
 };
 
 /// Touching bodies, a sleeping one, one outside the region, a joint and a field: every list in few

@@ -54,6 +54,7 @@ inline constexpr Flags kColliding = 1u << 21;  // status: touched something in t
 inline constexpr Flags kSensor = 1u << 22;     // detects overlap, without any response
 inline constexpr Flags kFrozen = 1u << 23;     // status: see World::frozenBodies()
 inline constexpr Flags kOutside = 1u << 24;    // status: outside the region, see World::setRegion()
+// Bits 25 to 27 and 31 are reserved: definitions and setters refuse them.
 /// Set by the engine alone; setters ignore them.
 inline constexpr Flags kStatusFlags = kAsleep | kColliding | kFrozen | kOutside;
 
@@ -143,8 +144,8 @@ KODO_API std::optional<Problem> check(const BodyDef& def, Real lengthUnit = 1);
 
 /// One convex part of a body.
 struct Part {
-    Primitive primitive; // as given, in the frame of the body's shape
-    Material material;
+    Primitive primitive{}; // as given, in the frame of the body's shape
+    Material material{};
     Real density = 1;     // kg/m^2
     ConvexShape convex{}; // the same shape relative to the body's centre of mass
 };

@@ -17,8 +17,8 @@ enum class TouchPhase : std::uint8_t { Begin, Persist, End };
 /// The solver applies impulses in groups: one group for impacts (restitution), then one per
 /// substep.
 struct CollisionRecord {
-    BodyId a; // a.index < b.index
-    BodyId b;
+    BodyId a{}; // a.index < b.index
+    BodyId b{};
     std::uint16_t partA = 0; // index of the part of a
     std::uint16_t partB = 0;
     TouchPhase phase = TouchPhase::Begin;

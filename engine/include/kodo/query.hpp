@@ -22,11 +22,11 @@ inline namespace KODO_PRECISION {
 
 /// Where a ray or a moving shape meets a part of a body.
 struct QueryHit {
-    BodyId body;
+    BodyId body{};
     std::uint16_t part = 0;
     Real fraction = 0; // 0 to 1 of the ray or displacement
-    Vec2 point;        // m
-    Vec2 normal;       // unit, out of the body; zero for overlap at the start
+    Vec2 point{};      // m
+    Vec2 normal{};     // unit, out of the body; zero for overlap at the start
 };
 
 /// The first part on a ray. Ties go to the lower id, then to the lower part.
@@ -65,10 +65,10 @@ KODO_API void visitOverlaps(const World& world, const Shape& shape, const Transf
 
 /// The point of a body closest to a query point.
 struct QueryPoint {
-    BodyId body;
+    BodyId body{};
     std::uint16_t part = 0;
-    Vec2 point;        // m; the query point itself if it is inside
-    Vec2 normal;       // unit, from the body to the query point; zero inside
+    Vec2 point{};      // m; the query point itself if it is inside
+    Vec2 normal{};     // unit, from the body to the query point; zero inside
     Real distance = 0; // m; 0 inside
 };
 

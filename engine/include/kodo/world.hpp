@@ -117,6 +117,11 @@ public:
 
     /// Advances by dt seconds, from kMinTimeStep to kMaxTimeStep. Throws BadDefinition for another
     /// dt. A fixed dt is best: warm starting takes the impulses of the step before.
+    ///
+    /// Code of the user that runs within the step (listener, fields, executor) may read the World.
+    /// Calls that change or copy it throw std::logic_error, and it must not be moved or destroyed.
+    /// An exception of a listener passes through and leaves the step half done: the World can be
+    /// used, but its state is unspecified. Go back to a copy or snapshot from before.
     void step(Real dt, const StepOptions& options = {});
     /// Contacts that began, persisted or ended in the last step, in the order of bodies and parts.
     /// Valid until the next step, whatever is added or removed meanwhile. Sleeping pairs and pairs

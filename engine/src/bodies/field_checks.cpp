@@ -57,21 +57,24 @@ std::optional<Problem> checkBuoyancy(const Buoyancy& buoyancy, Real unit) {
 
 } // namespace
 
+/// Not by dynamic_cast: a field of a user may be compiled without RTTI.
 std::optional<Problem> checkField(const ForceField& field, Real lengthUnit) {
-    if (const auto* gravity = dynamic_cast<const Gravity*>(&field)) {
-        return checkVelocity("field.acceleration", gravity->acceleration(), lengthUnit);
+    switch (field.kind()) {
+    case FieldKind::Own:
+        break;
+    case FieldKind::Gravity:
+        return checkVelocity("field.acceleration",
+                             static_cast<const Gravity&>(field).acceleration(), lengthUnit);
+    case FieldKind::Drag: {
+        const auto& drag = static_cast<const Drag&>(field);
+        return checkDrag(drag.law(), drag.air(), lengthUnit);
     }
-    if (const auto* wind = dynamic_cast<const Wind*>(&field)) {
-        return checkWind(*wind, lengthUnit);
-    }
-    if (const auto* drag = dynamic_cast<const Drag*>(&field)) {
-        return checkDrag(drag->law(), drag->air(), lengthUnit);
-    }
-    if (const auto* attractor = dynamic_cast<const Attractor*>(&field)) {
-        return checkAttractor(*attractor, lengthUnit);
-    }
-    if (const auto* buoyancy = dynamic_cast<const Buoyancy*>(&field)) {
-        return checkBuoyancy(*buoyancy, lengthUnit);
+    case FieldKind::Wind:
+        return checkWind(static_cast<const Wind&>(field), lengthUnit);
+    case FieldKind::Attractor:
+        return checkAttractor(static_cast<const Attractor&>(field), lengthUnit);
+    case FieldKind::Buoyancy:
+        return checkBuoyancy(static_cast<const Buoyancy&>(field), lengthUnit);
     }
     return std::nullopt;
 }

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <functional>
 #include <tuple>
-#include <typeinfo>
 #include <utility>
 
 namespace kodo {
@@ -39,19 +38,6 @@ std::size_t partCount(const Bodies& bodies) {
         parts += bodies.ids.aliveAt(i) ? bodies.geometry(i).parts.size() : 0;
     }
     return parts;
-}
-
-enum class FieldKind : std::uint8_t { Own, Gravity, Drag, Wind, Attractor, Buoyancy };
-
-/// By the exact type: a class derived from Drag is a user-defined field.
-FieldKind kindOf(const ForceField& field) {
-    const std::type_info& type = typeid(field);
-    return type == typeid(Gravity)     ? FieldKind::Gravity
-           : type == typeid(Drag)      ? FieldKind::Drag
-           : type == typeid(Wind)      ? FieldKind::Wind
-           : type == typeid(Attractor) ? FieldKind::Attractor
-           : type == typeid(Buoyancy)  ? FieldKind::Buoyancy
-                                       : FieldKind::Own;
 }
 
 } // namespace
@@ -222,7 +208,7 @@ std::shared_ptr<const ForceField> SnapshotFields::nextOwnField() {
 
 void SnapshotFields::one(FieldEntry& entry) {
     auto& [shared, which] = entry;
-    FieldKind kind = shared ? kindOf(*shared) : FieldKind::Own;
+    FieldKind kind = shared ? shared->kind() : FieldKind::Own;
     as<std::uint8_t>(kind);
     switch (kind) {
     case FieldKind::Own:
