@@ -222,6 +222,8 @@ public:
     void setMaterial(const Material& material); // of all parts
 
 private:
+    std::uint32_t changing(const char* call) const;
+
     WorldImpl* world_;
 };
 

@@ -151,6 +151,7 @@ public:
     const WorldImpl& impl() const;
 
 private:
+    WorldImpl& change(const char* call);
     JointId addJoint(const JointDef& def);
 
     std::unique_ptr<WorldImpl> impl_;

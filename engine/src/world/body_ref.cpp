@@ -20,8 +20,14 @@ void refuseIfStatic(const BodyView& body, bool moves) {
 
 BodyRef::BodyRef(WorldImpl& world, BodyId id) : BodyView(world.bodies_, id), world_(&world) {}
 
+/// For setters: the index, checked.
+std::uint32_t BodyRef::changing(const char* call) const {
+    world_->guard_.requireChangeable(call);
+    return index();
+}
+
 void BodyRef::setPosition(Vec2 position) {
-    const std::uint32_t body = index();
+    const std::uint32_t body = changing("BodyRef::setPosition");
     Bodies& bodies = world_->bodies_;
     refuse(checkPosition("position", position, world_->tolerances_.unit()));
     Transform& pose = bodies.pose[body];
@@ -30,7 +36,7 @@ void BodyRef::setPosition(Vec2 position) {
 }
 
 void BodyRef::setRotation(Rot rotation) {
-    const std::uint32_t body = index();
+    const std::uint32_t body = changing("BodyRef::setRotation");
     refuse(checkRotation("rotation", rotation));
     const Vec2 origin = position();
     refuse(checkPosition("position", origin, world_->tolerances_.unit())); // before any change
@@ -39,7 +45,7 @@ void BodyRef::setRotation(Rot rotation) {
 }
 
 void BodyRef::setVelocity(Vec2 velocity) {
-    const std::uint32_t body = index();
+    const std::uint32_t body = changing("BodyRef::setVelocity");
     refuse(checkVelocity("velocity", velocity, world_->tolerances_.unit()));
     refuseIfStatic(*this, velocity != Vec2{});
     world_->thaw(body);
@@ -48,7 +54,7 @@ void BodyRef::setVelocity(Vec2 velocity) {
 }
 
 void BodyRef::setAngularVelocity(Real radiansPerSecond) {
-    const std::uint32_t body = index();
+    const std::uint32_t body = changing("BodyRef::setAngularVelocity");
     refuse(checkRange("angularVelocity", radiansPerSecond, -kMaxSpeed, kMaxSpeed));
     refuseIfStatic(*this, radiansPerSecond != 0);
     world_->thaw(body);
@@ -61,7 +67,7 @@ void BodyRef::moveTo(Vec2 position, Real dt) {
 }
 
 void BodyRef::moveTo(Vec2 position, Rot rotation, Real dt) {
-    const std::uint32_t body = index();
+    const std::uint32_t body = changing("BodyRef::moveTo");
     const Real unit = world_->tolerances_.unit();
     refuse(checkPosition("position", position, unit));
     refuse(checkRotation("rotation", rotation));
@@ -80,16 +86,17 @@ void BodyRef::moveTo(Vec2 position, Rot rotation, Real dt) {
 }
 
 void BodyRef::applyForce(Vec2 force) {
-    world_->applyForce(index(), {}, force);
+    world_->applyForce(changing("BodyRef::applyForce"), {}, force);
 }
 
 void BodyRef::applyForce(Vec2 force, Vec2 point) {
+    const std::uint32_t body = changing("BodyRef::applyForce");
     refuse(checkPosition("point", point, world_->tolerances_.unit()));
-    world_->applyForce(index(), point - center(), force);
+    world_->applyForce(body, point - center(), force);
 }
 
 void BodyRef::applyTorque(Real torque) {
-    const std::uint32_t body = index();
+    const std::uint32_t body = changing("BodyRef::applyTorque");
     refuse(std::isfinite(torque) ? std::nullopt
                                  : std::optional(Problem{"torque", "must be finite"}));
     addForce(world_->bodies_, body, {}, torque);
@@ -97,16 +104,17 @@ void BodyRef::applyTorque(Real torque) {
 }
 
 void BodyRef::applyImpulse(Vec2 impulse) {
-    world_->applyImpulse(index(), {}, impulse);
+    world_->applyImpulse(changing("BodyRef::applyImpulse"), {}, impulse);
 }
 
 void BodyRef::applyImpulse(Vec2 impulse, Vec2 point) {
+    const std::uint32_t body = changing("BodyRef::applyImpulse");
     refuse(checkPosition("point", point, world_->tolerances_.unit()));
-    world_->applyImpulse(index(), point - center(), impulse);
+    world_->applyImpulse(body, point - center(), impulse);
 }
 
 void BodyRef::setType(BodyType type) {
-    const std::uint32_t body = index();
+    const std::uint32_t body = changing("BodyRef::setType");
     refuse(type <= BodyType::Static
                ? std::nullopt
                : std::optional(Problem{"type", "must be one of the enumerators of BodyType"}));
@@ -123,7 +131,7 @@ void BodyRef::setType(BodyType type) {
 }
 
 void BodyRef::setFlags(Flags flags) {
-    const std::uint32_t body = index();
+    const std::uint32_t body = changing("BodyRef::setFlags");
     constexpr Flags kKept = kStatusFlags | kTypeBits;
     const Flags kept = world_->bodies_.filter[body].flags & kKept;
     for (std::size_t i = 0; i < partCount(); ++i) {
@@ -137,17 +145,17 @@ void BodyRef::setFlags(Flags flags) {
 }
 
 void BodyRef::setRequired(std::uint16_t required) {
-    const std::uint32_t body = index();
+    const std::uint32_t body = changing("BodyRef::setRequired");
     world_->bodies_.filter[body].required = required;
     world_->bodyChanged(body);
 }
 
 void BodyRef::setUserData(std::uint64_t userData) {
-    world_->bodies_.record[index()].userData = userData;
+    world_->bodies_.record[changing("BodyRef::setUserData")].userData = userData;
 }
 
 void BodyRef::setMaterial(const Material& material) {
-    const std::uint32_t body = index();
+    const std::uint32_t body = changing("BodyRef::setMaterial");
     refuse(check(material));
     std::vector<Part> parts = world_->bodies_.geometry(body).parts;
     for (Part& part : parts) {

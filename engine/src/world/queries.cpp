@@ -280,6 +280,7 @@ void visitRay(const World& world, Vec2 from, Vec2 to,
               [](const Candidate& a, const Candidate& b) {
                   return std::tie(a.entry, a.body, a.part) < std::tie(b.entry, b.body, b.part);
               });
+    const ChangeGuard::Visit visiting(world.impl().guard());
     std::vector<QueryHit> hits; // a heap: the first one on top
     const auto isBehind = [](const QueryHit& a, const QueryHit& b) { return isBefore(b, a); };
     std::size_t next = 0;
@@ -365,6 +366,7 @@ void visitOverlaps(const World& world, const Shape& shape, const Transform& at,
                    std::span<const BodyId> except) {
     const std::vector<ConvexShape> convexes = convexesOf(shape);
     requirePose("at", at);
+    const ChangeGuard::Visit visiting(world.impl().guard());
     forOverlapping(Asked(world, which, except), convexes, at, unsure, visit);
 }
 

@@ -297,9 +297,9 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
 }
 
 void SnapshotFields::world(WorldImpl& world) {
-    auto& [settings, tolerances, stepCount, count, bodies, fields, contacts, impacts, softSolver,
-           propagation, contactVisits, continuous, sleep, joints, broken, frozen, region,
-           outsideVelocities, parked, unparked, previousAwake, activityChanges, queries,
+    auto& [guard, settings, tolerances, stepCount, count, bodies, fields, contacts, impacts,
+           softSolver, propagation, contactVisits, continuous, sleep, joints, broken, frozen,
+           region, outsideVelocities, parked, unparked, previousAwake, activityChanges, queries,
            lastGeometry] = world;
     softSolver.blocks().writeBackAll(contacts.contacts(), bodies);
     all(settings, tolerances, stepCount);

@@ -20,6 +20,7 @@ constexpr std::size_t kBodiesPerPiece = 256;
 
 void WorldImpl::step(Real dt, const StepOptions& options) {
     refuse(checkRange("dt", dt, kMinTimeStep, kMaxTimeStep));
+    const ChangeGuard::Step running(guard_);
     const auto enter = [&](StepStage stage) {
         if (options.listener != nullptr) {
             options.listener->enter(stage);
