@@ -66,7 +66,7 @@ struct FixedJoint {
 };
 
 /// Distance joint between the anchors: a spring, a rod (hertz 0, equal limits) or a rope (hertz 0,
-/// limits from 0 to its length).
+/// limits from 0 to its length). One of both must be set: hertz 0 without limits is refused.
 struct DistanceJoint {
     JointEnds ends{};
     Real length = 1;               // m, rest length of the spring; 0 to kMaxCoordinate
@@ -128,3 +128,11 @@ struct BrokenJoint {
 
 } // namespace KODO_PRECISION
 } // namespace kodo
+
+/// By slot and generation, as == compares.
+template <>
+struct std::hash<kodo::JointId> {
+    std::size_t operator()(kodo::JointId id) const noexcept {
+        return kodo::detail::hashOf(id.index, id.generation);
+    }
+};
