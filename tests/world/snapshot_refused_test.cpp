@@ -212,7 +212,7 @@ TEST(SnapshotRefused, ValuesThatDefinitionsRefuse) {
                                    .material = {Real(0.875), Real(0.375), Real(0.625), 0},
                                    .density = Real(2.125)});
     const BodyId other = world.add(support::ballDef({5, 0}, 1));
-    world.add(DistanceJoint{{ball, other}, Real(3.875)});
+    world.add(DistanceJoint{{ball, other}, Real(3.875), 1});
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     const auto startsWith = [&](Real number, Real instead, const std::string& start) {
         const std::string refusal = refusalWith(world, number, instead);

@@ -126,6 +126,9 @@ KODO_API std::optional<Problem> checkMoved(const Primitive& primitive);
 /// heightmap from left to right.
 KODO_API std::vector<Primitive> primitivesOf(const Shape& shape);
 
+/// A primitive as the shape of a body.
+KODO_API Shape shapeOf(const Primitive& primitive);
+
 /// True if the shape has no mass (plane, heightmap), so that its body must be static or kinematic.
 KODO_API bool needsLock(const Primitive& primitive);
 KODO_API bool needsLock(const Shape& shape);

@@ -21,9 +21,10 @@ std::optional<Problem> checkDrag(const DragLaw& law, Vec2 air, Real unit) {
 }
 
 std::optional<Problem> checkWind(const Wind& wind, Real unit) {
-    const std::optional<Aabb> region = wind.region();
-    if (region && !(region->lower.x <= region->upper.x && region->lower.y <= region->upper.y)) {
-        return Problem{"field.region", "must have lower <= upper on both axes"}; // also for NaN
+    if (wind.region()) {
+        if (auto problem = checkBox("field.region", *wind.region())) {
+            return problem;
+        }
     }
     return checkDrag(wind.law(), wind.velocity(), unit);
 }
@@ -52,7 +53,7 @@ std::optional<Problem> checkBuoyancy(const Buoyancy& buoyancy, Real unit) {
     if (buoyancy.gravity() == Vec2{}) {
         return Problem{"field.gravity", "must not be zero: it tells where the surface faces"};
     }
-    return checkVelocity("field.gravity", buoyancy.gravity(), unit);
+    return checkVelocity("field.gravity", buoyancy.gravity(), unit, "m/s^2");
 }
 
 } // namespace
@@ -64,7 +65,8 @@ std::optional<Problem> checkField(const ForceField& field, Real lengthUnit) {
         break;
     case FieldKind::Gravity:
         return checkVelocity("field.acceleration",
-                             static_cast<const Gravity&>(field).acceleration(), lengthUnit);
+                             static_cast<const Gravity&>(field).acceleration(), lengthUnit,
+                             "m/s^2");
     case FieldKind::Drag: {
         const auto& drag = static_cast<const Drag&>(field);
         return checkDrag(drag.law(), drag.air(), lengthUnit);

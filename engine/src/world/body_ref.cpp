@@ -4,6 +4,7 @@
 #include "world/world_impl.hpp"
 
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace kodo {
@@ -14,6 +15,18 @@ void refuseIfStatic(const BodyView& body, bool moves) {
     if (moves && body.type() == BodyType::Static) {
         refuse(Problem{"velocity", "must be zero for a static body: make it Kinematic"});
     }
+}
+
+/// Names the target of moveTo() that asks for too high a speed.
+std::optional<Problem> checkReach(const char* field, const std::optional<Problem>& tooFast,
+                                  Real speed, const char* unit, Real dt) {
+    if (!tooFast) {
+        return std::nullopt;
+    }
+    return Problem{field, "is too far to be reached in dt = " + textOf(dt) + " s: it takes " +
+                              textOf(speed) + " " + unit + ", but a body has at most " +
+                              textOf(kMaxSpeed) + " " + unit + " (times the length unit, for m/s)" +
+                              "; setPosition() and setRotation() teleport"};
 }
 
 } // namespace
@@ -55,7 +68,7 @@ void BodyRef::setVelocity(Vec2 velocity) {
 
 void BodyRef::setAngularVelocity(Real radiansPerSecond) {
     const std::uint32_t body = changing("BodyRef::setAngularVelocity");
-    refuse(checkRange("angularVelocity", radiansPerSecond, -kMaxSpeed, kMaxSpeed));
+    refuse(checkAngularVelocity("angularVelocity", radiansPerSecond));
     refuseIfStatic(*this, radiansPerSecond != 0);
     world_->thaw(body);
     world_->bodies_.motion[body].angularVelocity = radiansPerSecond;
@@ -71,12 +84,12 @@ void BodyRef::moveTo(Vec2 position, Rot rotation, Real dt) {
     const Real unit = world_->tolerances_.unit();
     refuse(checkPosition("position", position, unit));
     refuse(checkRotation("rotation", rotation));
-    refuse(checkRange("dt", dt, kMinTimeStep, kMaxTimeStep));
+    refuse(checkRange("dt", dt, kMinTimeStep, kMaxTimeStep, "s"));
     const Vec2 target = position + rotation * world_->bodies_.geometry(body).mass.center;
     const Vec2 velocity = (target - center()) / dt;
     const Real spin = (rotation * this->rotation().inverse()).angle() / dt;
-    refuse(checkVelocity("velocity", velocity, unit));
-    refuse(checkRange("angularVelocity", spin, -kMaxSpeed, kMaxSpeed));
+    refuse(checkReach("position", checkVelocity("", velocity, unit), length(velocity), "m/s", dt));
+    refuse(checkReach("rotation", checkAngularVelocity("", spin), std::abs(spin), "rad/s", dt));
     refuseIfStatic(*this, velocity != Vec2{} || spin != 0);
     world_->thaw(body);
     BodyVelocity& motion = world_->bodies_.motion[body];
@@ -97,8 +110,7 @@ void BodyRef::applyForce(Vec2 force, Vec2 point) {
 
 void BodyRef::applyTorque(Real torque) {
     const std::uint32_t body = changing("BodyRef::applyTorque");
-    refuse(std::isfinite(torque) ? std::nullopt
-                                 : std::optional(Problem{"torque", "must be finite"}));
+    refuse(checkFinite("torque", torque));
     addForce(world_->bodies_, body, {}, torque);
     world_->wake(body);
 }

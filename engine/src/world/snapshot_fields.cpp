@@ -72,7 +72,7 @@ void SnapshotFields::geometries(WorldImpl& world) {
         for (const Part& part : parts) {
             require(checkMoved(part.primitive));
             require(check(part.material));
-            require(checkRange("density", part.density, kMinDensity, kMaxDensity));
+            require(checkDensity(part.density));
         }
         geometry = makeGeometry(std::move(parts));
         require(geometry->mass.mass >= 0 && geometry->mass.inertia >= 0 &&
