@@ -85,8 +85,10 @@ TEST(Sentences, OfABody) {
             {.shape = Segment{{0, 0}, {1, 0}, false, Vec2{-1, 0}}}),
         add("shape.normal: must be a unit vector, but is {0, 2}, of length 2: use normalize()",
             {.shape = Plane{{0, 2}}, .type = BodyType::Static}),
-        add(kFloat ? "shape: its distance from the origin of its frame must be from 0 to 100000 m"
-                   : "shape: its distance from the origin of its frame must be from 0 to 1e+13 m",
+        add(kFloat
+                ? "shape: must lie within 100000 m of the origin of its frame, but reaches to "
+                  "200000"
+                : "shape: must lie within 1e+13 m of the origin of its frame, but reaches to 2e+13",
             {.shape = Circle{far}}),
     });
 }
@@ -183,6 +185,10 @@ TEST(Sentences, OfOtherCalls) {
          "at most 1e+07 m/s",
          [](Beginning& s) {
              s.world[s.box].moveTo({100, 5}, Real(1e-7));
+         }},
+        {"position: and rotation must be the present ones for a static body: make it Kinematic",
+         [](Beginning& s) {
+             s.world[s.wall].moveTo({1, 0}, 1);
          }},
         {"rotation: is too far to be reached in dt = 1e-07 s: it takes",
          [](Beginning& s) {

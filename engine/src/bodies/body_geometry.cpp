@@ -58,8 +58,15 @@ std::optional<Problem> checkMass(const Mass& mass) {
 }
 
 std::optional<Problem> checkExtent(const Primitive& primitive, Real lengthUnit) {
-    return checkOfShape("distance from the origin of its frame", extentOf(primitive), 0,
-                        kMaxCoordinate * lengthUnit, "m");
+    const Real most = kMaxCoordinate * lengthUnit;
+    const Real extent = extentOf(primitive);
+    if (!(extent <= most)) { // also for NaN
+        return Problem{"shape", "must lie within " + textOf(most) +
+                                    " m of the origin of its frame, but reaches to " +
+                                    textOf(extent) +
+                                    ": a larger WorldDef::lengthUnit permits more"};
+    }
+    return std::nullopt;
 }
 
 std::optional<Problem> checkParts(std::span<const Part> parts, Real lengthUnit) {

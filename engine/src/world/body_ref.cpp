@@ -17,15 +17,11 @@ void refuseIfStatic(const BodyView& body, bool moves) {
     }
 }
 
-/// Names the target of moveTo() that asks for too high a speed.
-std::optional<Problem> checkReach(const char* field, const std::optional<Problem>& tooFast,
-                                  Real speed, const char* unit, Real dt) {
-    if (!tooFast) {
-        return std::nullopt;
-    }
+/// Names the target of moveTo() that asks for too high a speed, in a unit of length or rotation.
+Problem tooFar(const char* field, Real speed, Real most, const char* unit, Real dt) {
     return Problem{field, "is too far to be reached in dt = " + textOf(dt) + " s: it takes " +
                               textOf(speed) + " " + unit + ", but a body has at most " +
-                              textOf(kMaxSpeed) + " " + unit + " (times the length unit, for m/s)" +
+                              textOf(most) + " " + unit +
                               "; setPosition() and setRotation() teleport"};
 }
 
@@ -88,9 +84,16 @@ void BodyRef::moveTo(Vec2 position, Rot rotation, Real dt) {
     const Vec2 target = position + rotation * world_->bodies_.geometry(body).mass.center;
     const Vec2 velocity = (target - center()) / dt;
     const Real spin = (rotation * this->rotation().inverse()).angle() / dt;
-    refuse(checkReach("position", checkVelocity("", velocity, unit), length(velocity), "m/s", dt));
-    refuse(checkReach("rotation", checkAngularVelocity("", spin), std::abs(spin), "rad/s", dt));
-    refuseIfStatic(*this, velocity != Vec2{} || spin != 0);
+    if (checkVelocity("position", velocity, unit)) {
+        refuse(tooFar("position", length(velocity), kMaxSpeed * unit, "m/s", dt));
+    }
+    if (checkAngularVelocity("rotation", spin)) {
+        refuse(tooFar("rotation", std::abs(spin), kMaxSpeed, "rad/s", dt));
+    }
+    if (type() == BodyType::Static && (velocity != Vec2{} || spin != 0)) {
+        refuse(Problem{"position", "and rotation must be the present ones for a static body: make "
+                                   "it Kinematic"});
+    }
     world_->thaw(body);
     BodyVelocity& motion = world_->bodies_.motion[body];
     motion.velocity = velocity;
