@@ -32,35 +32,30 @@ std::string textOf(Real value) {
     return text.str();
 }
 
-namespace {
-
-/// " m", or nothing for numbers without a unit.
-std::string spaced(const char* unit) {
-    return *unit == 0 ? std::string() : std::string(" ") + unit;
+std::string textOf(Real value, const char* unit) {
+    return *unit == 0 ? textOf(value) : textOf(value) + " " + unit;
 }
 
-} // namespace
-
 Problem outOfRange(const char* field, Real value, Real low, Real high, const char* unit) {
-    return {field, "must be from " + textOf(low) + " to " + textOf(high) + spaced(unit) +
-                       ", but is " + textOf(value)};
+    return {field, "must be from " + textOf(low) + " to " + textOf(high, unit) + ", but is " +
+                       textOf(value)};
 }
 
 std::optional<Problem> checkPositive(const char* field, Real value, Real most, const char* unit) {
     if (!(value > 0)) { // also for NaN
         return Problem{field,
-                       "must be greater than 0" + spaced(unit) + ", but is " + textOf(value)};
+                       "must be greater than " + textOf(0, unit) + ", but is " + textOf(value)};
     }
     if (value > most) {
-        return Problem{field, "must be at most " + textOf(most) + spaced(unit) + ", but is " +
-                                  textOf(value)};
+        return Problem{field,
+                       "must be at most " + textOf(most, unit) + ", but is " + textOf(value)};
     }
     return std::nullopt;
 }
 
 std::optional<Problem> checkNotNegative(const char* field, Real value, const char* unit) {
     if (!(value >= 0) || std::isinf(value)) { // also for NaN
-        return Problem{field, "must be finite and at least 0" + spaced(unit) + ", but is " +
+        return Problem{field, "must be finite and at least " + textOf(0, unit) + ", but is " +
                                   textOf(value)};
     }
     return std::nullopt;

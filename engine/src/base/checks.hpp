@@ -18,6 +18,8 @@ inline void refuse(const std::optional<Problem>& problem) {
 
 /// The shortest of 6 or more digits that reads back as the same number.
 std::string textOf(Real value);
+/// "2 m"; "2" for a number without a unit.
+std::string textOf(Real value, const char* unit);
 
 // Checks shared by fields of all kinds. Each message names the given field, and the unit if there
 // is one.

@@ -28,7 +28,7 @@ std::optional<Problem> checkLength(const char* field, Vec2 value, Real most, con
         return checkFinite(field, value);
     }
     if (!(lengthSquared(value) <= most * most)) {
-        return Problem{field, "must be at most " + textOf(most) + spaced(unit) + " long, but is " +
+        return Problem{field, "must be at most " + textOf(most, unit) + " long, but is " +
                                   textOf(value) + ", of length " +
                                   textOf(most * length(value / most))};
     }
