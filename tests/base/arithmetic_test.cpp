@@ -23,8 +23,14 @@ std::string refusal() {
 }
 
 TEST(Arithmetic, AReorderedSumIsRefused) {
-    EXPECT_TRUE(detail::requireExactArithmetic(0));
-    EXPECT_THROW(detail::requireExactArithmetic(1), std::runtime_error);
+    EXPECT_TRUE(detail::requireExactArithmetic(0, Real(5) / 49));
+    EXPECT_THROW(detail::requireExactArithmetic(1, Real(5) / 49), std::runtime_error);
+}
+
+// 5 * (1 / 49) rounds twice, and differs from 5 / 49 in float and in double.
+TEST(Arithmetic, AProductWithAReciprocalIsRefused) {
+    const volatile Real reciprocal = Real(1) / 49;
+    EXPECT_THROW(detail::requireExactArithmetic(0, 5 * reciprocal), std::runtime_error);
 }
 
 TEST(Arithmetic, AWorldRefusesAnotherRoundingMode) {

@@ -31,7 +31,12 @@ TEST(Problem, PrintsEnoughDigitsToShowThatALimitIsExceeded) {
               std::string("must be from -100000 to 100000, but is ") +
                   (sizeof(Real) == sizeof(float) ? "100000.01" : "100000.00000000001"));
     EXPECT_EQ(checkPositive("x", Real(-0.1), Real(1e9))->reason,
-              "must be greater than 0 and at most 1e+09, but is -0.1");
+              "must be greater than 0, but is -0.1");
+    EXPECT_EQ(checkPositive("x", Real(3e9), Real(1e9), "m")->reason,
+              "must be at most 1e+09 m, but is 3e+09");
+    EXPECT_EQ(outOfRange("x", 2, 0, 1, "s").reason, "must be from 0 to 1 s, but is 2");
+    EXPECT_EQ(checkNotNegative("x", std::numeric_limits<Real>::infinity(), "N")->reason,
+              "must be finite and at least 0 N, but is inf");
     EXPECT_EQ(outOfRange("x", std::numeric_limits<Real>::quiet_NaN(), 0, 1).reason,
               "must be from 0 to 1, but is nan");
     EXPECT_EQ(outOfRange("x", -std::numeric_limits<Real>::quiet_NaN(), 0, 1).reason,

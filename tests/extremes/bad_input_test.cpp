@@ -288,7 +288,8 @@ TEST(BadInput, InOtherCallsOfAWorldIsRefused) {
         {"material.restitution",
          [](Scene& s) { s.world.weld(s.box, Circle{1}, withFriction(1, 2), 1); }},
         {"density", [](Scene& s) { s.world.weld(s.box, Circle{1}, {}, 0); }},
-        {"type", [](Scene& s) { s.world.weld(s.box, Plane{}, {}, 1); }},
+        {"shape", [](Scene& s) { s.world.weld(s.box, Plane{}, {}, 1); }},
+
         {"part", [](Scene& s) { s.world.unweld(s.box, 0); }},
         {"part", [](Scene& s) { s.world.unweld(s.box, 5); }},
         {"flags", [](Scene& s) { s.world[s.box].setFlags(kMatchAll | kMatchEqual); }},

@@ -94,11 +94,11 @@ TEST(Counts, AJointIdNeverAliasesAfter16BitsOfReuses) {
     World world;
     const BodyId a = world.add(support::ballDef({}, 1));
     const BodyId b = world.add(support::ballDef({3, 0}, 1));
-    const JointId first = world.add(DistanceJoint{.ends = {a, b}});
+    const JointId first = world.add(DistanceJoint{.ends = {a, b}, .limits = Range{0, 9}});
     JointId last = first;
     for (std::size_t life = 0; life <= kSixteenBits; ++life) {
         world.remove(last);
-        last = world.add(DistanceJoint{.ends = {a, b}});
+        last = world.add(DistanceJoint{.ends = {a, b}, .limits = Range{0, 9}});
         ASSERT_EQ(last.index, first.index);
         ASSERT_FALSE(world.contains(first));
     }

@@ -142,8 +142,8 @@ TEST(JointSet, JointsAreRemovedWithTheirBodies) {
     EXPECT_EQ(scene.world.joints(),
               (std::vector<JointId>{before[0], before[1], before[4], before[5]}));
     EXPECT_THROW(scene.world.joint(before[2]), BadDefinition);
-    const JointId fresh =
-        scene.world.add(DistanceJoint{.ends = {.a = scene.bodies[0], .b = scene.bodies[1]}});
+    const JointId fresh = scene.world.add(DistanceJoint{
+        .ends = {.a = scene.bodies[0], .b = scene.bodies[1]}, .limits = Range{0, 1000}});
     for (const JointId id : before) {
         EXPECT_NE(id, fresh);
     }

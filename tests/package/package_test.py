@@ -40,6 +40,17 @@ COMPILERS = (
 )
 
 
+# Definitions that leave fields out.
+PARTIAL = """
+kodo::RevoluteJoint partialJoint() { return {.motorSpeed = 1}; }
+kodo::JointEnds partialEnds() { return {.anchorA = {1, 0}}; }
+kodo::MouseJoint partialMouse() { return {.target = {1, 0}}; }
+kodo::Transform partialTransform() { return {.position = {1, 0}}; }
+kodo::FieldEntry partialEntry() { return {.which = {}}; }
+kodo::CollisionRecord partialRecord() { return {.partA = 1}; }
+"""
+
+
 def check(holds, sentence):
     if not holds:
         raise AssertionError(sentence)
@@ -130,7 +141,7 @@ def check_pkg_config(prefix, sfml):
         flags = run("pkg-config", "--cflags", "--libs", *["--static"] * static, module, **path)
         program = work / module
         source = CONSUMER / source
-        run(given.compiler, "-std=c++20", source, *shlex.split(flags), "-o", program)
+        run(given.compiler, source, *shlex.split(flags), "-o", program)
         return program
 
     for precision, definitions in PRECISIONS.items():
@@ -138,10 +149,42 @@ def check_pkg_config(prefix, sfml):
         version = run("pkg-config", "--modversion", module, **path).strip()
         check(version == given.version, f"{module}.pc is version {version}")
         flags = run("pkg-config", "--cflags-only-other", module, **path).split()
-        check(flags == definitions, f"{module}.pc gives {flags}")
+        check(flags == ["-std=c++20", *definitions], f"{module}.pc gives {flags}")
         check_drop(build("drop.cpp", module), precision, **libraries)
     if sfml:
         run(build("camera.cpp", "kodo-sfml"), **libraries)
+
+
+def check_old_standard(include):
+    """A user of C++17 reads what to do, in the first error."""
+    source = CONSUMER / "drop.cpp"
+    for compiler in ("g++", "clang++"):
+        if shutil.which(compiler) is None:
+            continue
+        command = (compiler, "-std=c++17", "-fsyntax-only", f"-I{include}", source)
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        errors = [line for line in done.stderr.splitlines() if "error" in line]
+        check("compile with -std=c++20" in errors[0], f"{compiler} -std=c++17 says {errors[0]}")
+
+
+def check_unknown_component(prefix):
+    """find_package() says which component does not exist."""
+    source = work / "nonsense"
+    source.mkdir()
+    (source / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.25)\nproject(nonsense LANGUAGES CXX)\n"
+        "find_package(kodo CONFIG REQUIRED COMPONENTS kodo kodo64)\n"
+        "find_package(kodo CONFIG REQUIRED COMPONENTS nonsense)\n"
+    )
+    command = ("cmake", "-S", source, "-B", source / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    words = " ".join(done.stderr.split())
+    check(done.returncode != 0 and 'kodo has no component "nonsense"' in words, words)
+
+
+def check_documents(prefix):
+    for name in ("LICENSE", "CHANGELOG.md", "manual.md", "glossary.md", "tuning.md"):
+        check((prefix / "share/doc/kodo" / name).is_file(), f"share/doc/kodo has no {name}")
 
 
 def check_headers_alone(include):
@@ -157,7 +200,7 @@ def check_warnings(include):
     headers = sorted(include.glob("kodo/*.hpp"))
     lines = [f"#include <kodo/{header.name}>\n" for header in headers]
     source = work / "all_headers.cpp"
-    source.write_text("".join(lines) + (CONSUMER / "drop.cpp").read_text())
+    source.write_text("".join(lines) + (CONSUMER / "drop.cpp").read_text() + PARTIAL)
     for compiler, standard in COMPILERS:
         if shutil.which(compiler) is None:
             print(f"{compiler} is missing: the headers are not compiled with it.")
@@ -194,9 +237,10 @@ def check_unsafe(prefix):
     library = prefix / "lib/libkodo.a"
     for compiler in ("g++", "clang++"):
         if shutil.which(compiler) is None:
-            print(f"{compiler} is missing: -funsafe-math-optimizations is not tested with it.")
+            print(f"{compiler} is missing: parts of -ffast-math are not tested with it.")
             continue
-        for flag in ("-ffast-math", "-funsafe-math-optimizations"):
+        for flag in ("-ffast-math", "-funsafe-math-optimizations", "-ffinite-math-only",
+                     "-freciprocal-math"):
             program = work / f"unsafe {compiler}"
             command = (compiler, "-std=c++20", "-O2", flag, f"-I{prefix / 'include'}", source)
             command += (library, "-pthread", "-o", program)
@@ -224,6 +268,20 @@ def install():
         check_position_independent(library)
     check_fused(prefix)
     check_unsafe(prefix)
+    check_old_standard(prefix / "include")
+    check_unknown_component(prefix)
+    check_documents(prefix)
+    check_double_is_optional()
+
+
+def check_double_is_optional():
+    """KODO_DOUBLE=OFF configures and installs kodo alone."""
+    build = work / "float alone"
+    off = [f"-D{name}=OFF" for name in ("KODO_DOUBLE", "KODO_TESTS", "KODO_SFML", "APART_GAME")]
+    configure(given.source, build, *off)
+    targets = run("cmake", "--build", build, "--target", "help")
+    check("kodo64" not in targets, "KODO_DOUBLE=OFF has targets of kodo64")
+    check(not (build / "package/kodo64.pc").exists(), "KODO_DOUBLE=OFF makes kodo64.pc")
 
 
 def packages_of(build):

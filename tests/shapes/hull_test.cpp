@@ -119,12 +119,12 @@ TEST(ConvexHull, RefusalNamesTheReason) {
     EXPECT_EQ(problemOf({{0, 0}, {1, 1}, {2, 2}, {3, 3}}), "points: lie on one line, to rounding");
     const bool isFloat = sizeof(Real) == 4;
     const std::string beyond = std::string("must be from ") +
-                               (isFloat ? "-1e+11 to 1e+11" : "-1e+19 to 1e+19") + ", but is ";
+                               (isFloat ? "-1e+11 to 1e+11" : "-1e+19 to 1e+19") + " m, but is ";
     EXPECT_EQ(problemOf({{0, 0}, {1, 1}, {0, std::numeric_limits<Real>::infinity()}}),
-              "points[2]: " + beyond + "inf");
+              "points[2]: y " + beyond + "inf");
     const Real far = 2 * kMaxLength;
     EXPECT_EQ(problemOf({{0, 0}, {far, 0}, {0, far}}),
-              "points[1]: " + beyond + (isFloat ? "2e+11" : "2e+19"));
+              "points[1]: x " + beyond + (isFloat ? "2e+11" : "2e+19"));
 }
 
 TEST(ConvexHull, IsRefusedAboveTheMaximumNumberOfCorners) {

@@ -139,5 +139,13 @@ TEST(ShapeKinds, ALineContainsOnlyItself) {
     EXPECT_FALSE(contains(line, {}, {Real(1.5), 0}));
 }
 
+TEST(ShapeKinds, APrimitiveAsAShapeIsTheSame) {
+    support::RandomNumbers random(9);
+    for (const support::AnyKind kind : support::kEveryKind) {
+        const Primitive primitive = support::randomPrimitive(random, kind);
+        EXPECT_EQ(primitivesOf(shapeOf(primitive)), std::vector<Primitive>{primitive});
+    }
+}
+
 } // namespace
 } // namespace kodo

@@ -143,7 +143,10 @@ const Cause kCauses[] = {
      }},
     {"FieldsRemoved", [](Quiet& q) { q.world.setFields({}); }},
     {"JointAdded",
-     [](Quiet& q) { q.world.add(DistanceJoint{.ends = {.a = q.stack[4], .b = q.weight}}); }},
+     [](Quiet& q) {
+         q.world.add(
+             DistanceJoint{.ends = {.a = q.stack[4], .b = q.weight}, .limits = Range{0, 1000}});
+     }},
     {"SleepLeftOut",
      [](Quiet& q) {
          StepSettings settings = q.world.settings();

@@ -240,5 +240,28 @@ TEST(Executor, IsNotUsedForSmallSteps) {
     EXPECT_EQ(late.rounds(), 0);
 }
 
+/// Runs the task at once, on the stepping thread.
+class Immediate final : public Executor {
+public:
+    int helpers() const override { return 3; }
+    void begin(void (*task)(void*), void* data) override {
+        for (int i = 0; i < helpers(); ++i) {
+            task(data);
+        }
+    }
+    void end() override { ++rounds_; }
+    int rounds() const { return rounds_; }
+
+private:
+    int rounds_ = 0;
+};
+
+// A begin() that runs the task itself gets no help from it, and the step does not hang.
+TEST(Executor, MayRunItsTaskAtOnce) {
+    Immediate immediate;
+    EXPECT_EQ(hashes(Solver::Soft, &immediate), hashes(Solver::Soft, nullptr));
+    EXPECT_EQ(immediate.rounds(), 90);
+}
+
 } // namespace
 } // namespace kodo

@@ -239,7 +239,7 @@ TEST(BodyDef, PartsThatExceedTheLimitsTogetherAreRefused) {
 TEST(BodyDef, RefusalNamesFieldAndValue) {
     BodyDef def;
     def.density = -1;
-    EXPECT_EQ(check(def)->text().find("density: must be from 1e-09 to 1e+09, but is -1"), 0u)
+    EXPECT_EQ(check(def)->text().find("density: must be from 1e-09 to 1e+09 kg/m^2, but is -1"), 0u)
         << check(def)->text();
     def = {};
     def.shape = Circle{-3};

@@ -76,7 +76,10 @@ TEST(BadNumber, MoveToRefusesInvalidNumbers) {
     expectRefused("position", [](Scene& s) { s.world[s.box].moveTo({kNan, 0}, support::kDt); });
     expectRefused("rotation", [](Scene& s) { s.world[s.box].moveTo({}, Rot{5, 0}, support::kDt); });
     expectRefused("dt", [](Scene& s) { s.world[s.box].moveTo({}, 0); });
-    expectRefused("velocity", [](Scene& s) { s.world[s.box].moveTo({1000, 0}, Real(1e-6)); });
+    expectRefused("position", [](Scene& s) { s.world[s.box].moveTo({1000, 0}, Real(1e-6)); });
+    expectRefused("rotation", [](Scene& s) {
+        s.world[s.box].moveTo(s.world[s.box].position(), Rot{-1, 0}, kMinTimeStep);
+    });
 }
 
 TEST(BadNumber, ForcesAndImpulsesRefuseInvalidNumbers) {

@@ -4,6 +4,8 @@
 
 #include <functional>
 #include <string>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -152,6 +154,30 @@ TEST(Handles, EmptyBracesAddTheDefaultBody) {
     const BodyId id = world.add({});
     EXPECT_EQ(world[id].type(), BodyType::Dynamic);
     EXPECT_EQ(world[id].part(0).convex.radius, Real(0.5));
+}
+
+// Ids are keys of unordered containers. Equal ids have equal hashes, also of different Worlds.
+TEST(Ids, AreKeysOfUnorderedContainers) {
+    World world;
+    std::unordered_map<BodyId, int> numbers;
+    std::unordered_set<JointId> joints;
+    std::unordered_set<std::size_t> hashes;
+    const BodyId wall = world.add({.type = BodyType::Static});
+    for (int i = 0; i < 1000; ++i) {
+        const BodyId id = world.add(ballDef({Real(3 * i), 0}, 1));
+        numbers[id] = i;
+        hashes.insert(std::hash<BodyId>{}(id));
+        joints.insert(world.add(RevoluteJoint{.ends = {.a = wall, .b = id}}));
+        if (i % 3 == 0) {
+            world.remove(id); // the slot is used again, with another generation
+        }
+    }
+    EXPECT_EQ(numbers.size(), 1000u);
+    EXPECT_EQ(joints.size(), 1000u);
+    EXPECT_EQ(hashes.size(), 1000u);
+    BodyId other = wall;
+    other.world = wall.world + 1;
+    EXPECT_EQ(std::hash<BodyId>{}(other), std::hash<BodyId>{}(wall));
 }
 
 } // namespace

@@ -19,15 +19,17 @@ using support::run;
 using support::Bytes;
 using support::seal;
 
-/// A user-defined class derived from Drag, which must not be restored as a Drag.
-class Halved final : public Drag {
+/// A user-defined class on top of Drag, which must not be restored as a Drag.
+class Halved final : public ForceField {
 public:
-    Halved() : Drag(DragLaw{1, 0}) {}
     FieldForce at(const BodyView& body, Real dt) const override {
-        FieldForce push = Drag::at(body, dt);
+        FieldForce push = drag_.at(body, dt);
         push.force = Real(0.5) * push.force;
         return push;
     }
+
+private:
+    Drag drag_{DragLaw{1, 0}};
 };
 
 /// Touching bodies, a sleeping one, one outside the region, a joint and a field: every list in few
@@ -210,7 +212,7 @@ TEST(SnapshotRefused, ValuesThatDefinitionsRefuse) {
                                    .material = {Real(0.875), Real(0.375), Real(0.625), 0},
                                    .density = Real(2.125)});
     const BodyId other = world.add(support::ballDef({5, 0}, 1));
-    world.add(DistanceJoint{{ball, other}, Real(3.875)});
+    world.add(DistanceJoint{{ball, other}, Real(3.875), 1});
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     const auto startsWith = [&](Real number, Real instead, const std::string& start) {
         const std::string refusal = refusalWith(world, number, instead);

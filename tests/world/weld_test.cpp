@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/snapshot.hpp>
 #include <support/scenes.hpp>
 
 namespace kodo {
@@ -205,6 +206,24 @@ TEST(Weld, AHundredPartsKeepBothMomenta) {
     // A hundred sums of up to 1000.
     EXPECT_TRUE(near(after.momentum, before.momentum, byPrecision(5e-3, 1e-11)));
     EXPECT_TRUE(near(after.spin, before.spin, byPrecision(2e-2, 1e-11)));
+}
+
+// Otherwise its snapshot could not be read.
+TEST(Weld, IsRefusedIfAPartOrAJointWouldBeTooFarFromTheBody) {
+    World world;
+    const Real most = kMaxCoordinate;
+    const BodyId body = world.add({});
+    const BodyId far = world.add({.position = {-most, 0}});
+    const BodyId farther = world.add({.position = {most, 0}});
+    const BodyId near = world.add({.position = {10, 0}});
+    world.add(RevoluteJoint{.ends = {.a = near, .b = far, .anchorA = {most - 5, 0}}});
+    const std::uint64_t before = world.stateHash();
+    EXPECT_THROW(world.weld(far, farther), BadDefinition);
+    EXPECT_THROW(world.weld(body, near), BadDefinition);
+    EXPECT_EQ(world.stateHash(), before);
+    world[near].setPosition({5, 0});
+    EXPECT_NO_THROW(world.weld(body, near));
+    EXPECT_EQ(fromBytes(toBytes(world)).stateHash(), world.stateHash());
 }
 
 } // namespace

@@ -13,9 +13,9 @@ inline namespace KODO_PRECISION {
 /// draw and to build shapes; the pose of a body is a Transform.
 template <std::floating_point T>
 struct BasicAffine {
-    BasicVec2<T> x{1, 0}; // image of the x axis
-    BasicVec2<T> y{0, 1}; // image of the y axis
-    BasicVec2<T> origin;  // image of the origin
+    BasicVec2<T> x{1, 0};  // image of the x axis
+    BasicVec2<T> y{0, 1};  // image of the y axis
+    BasicVec2<T> origin{}; // image of the origin
 
     static constexpr BasicAffine from(const BasicTransform<T>& t) {
         return {t.rotation.xAxis(), t.rotation.yAxis(), t.position};

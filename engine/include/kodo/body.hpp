@@ -4,8 +4,9 @@
 #include <kodo/convex_shape.hpp>
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <optional> // declares std::hash
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -13,6 +14,17 @@ inline namespace KODO_PRECISION {
 struct Bodies;
 class World;
 class WorldImpl;
+
+namespace detail {
+
+/// Equal inputs give equal numbers; neighbouring ones differ in low and high bits.
+constexpr std::size_t hashOf(std::uint32_t index, std::uint32_t generation) {
+    const std::uint64_t both = std::uint64_t{generation} << 32 | index;
+    const std::uint64_t mixed = both * 0x9e3779b97f4a7c15;
+    return static_cast<std::size_t>(mixed ^ mixed >> 32);
+}
+
+} // namespace detail
 
 /// Names a body of a World. It stays invalid for ever once the body is removed, also when the slot
 /// is used again.
@@ -54,6 +66,7 @@ inline constexpr Flags kColliding = 1u << 21;  // status: touched something in t
 inline constexpr Flags kSensor = 1u << 22;     // detects overlap, without any response
 inline constexpr Flags kFrozen = 1u << 23;     // status: see World::frozenBodies()
 inline constexpr Flags kOutside = 1u << 24;    // status: outside the region, see World::setRegion()
+// Bits 25 to 27 and 31 are reserved: definitions and setters refuse them.
 /// Set by the engine alone; setters ignore them.
 inline constexpr Flags kStatusFlags = kAsleep | kColliding | kFrozen | kOutside;
 
@@ -128,8 +141,9 @@ struct BodyDef {
     std::uint64_t userData = 0; // the engine never reads it
 };
 
-/// Largest coordinate and size of a body (m, times the length unit of the World). Beyond it a Real
-/// resolves less than 1 % of the unit.
+/// Largest coordinate at which a body is added or placed, and largest coordinate of its shape (m,
+/// times the length unit of the World). Beyond it the resolution of a Real is coarser than 1 % of
+/// the unit. A body may move farther: setRegion() ends its simulation there.
 inline constexpr Real kMaxCoordinate = sizeof(Real) == 4 ? Real(1e5) : Real(1e13);
 inline constexpr Real kMaxSpeed = Real(1e7);    // m/s, times the length unit; or rad/s
 inline constexpr Real kMinDensity = Real(1e-9); // kg/m^2
@@ -143,14 +157,16 @@ KODO_API std::optional<Problem> check(const BodyDef& def, Real lengthUnit = 1);
 
 /// One convex part of a body.
 struct Part {
-    Primitive primitive; // as given, in the frame of the body's shape
-    Material material;
+    Primitive primitive{}; // as given, in the frame of the body's shape
+    Material material{};
     Real density = 1;     // kg/m^2
     ConvexShape convex{}; // the same shape relative to the body's centre of mass
 };
 
 /// Reads one body of a World. A light handle: it holds a pointer to the World's data and the id,
-/// and checks the id at each use. Every function throws BadBodyId once the body is removed.
+/// and checks the id at each use. Every function throws BadBodyId once the body is removed. The
+/// handle must not be used after the World is destroyed, or replaced by one that is moved to it; it
+/// stays valid while the World itself is moved, and when another World is copied to it.
 class KODO_API BodyView {
 public:
     /// For force fields and other code of the engine; users write world[id].
@@ -192,7 +208,8 @@ private:
 };
 
 /// Changes one body. Setters throw BadDefinition for bad values, and nothing has changed then. All
-/// of them are legal between two steps, also while collisions() is being read.
+/// of them are legal between two steps, also while collisions() is being read; within a step they
+/// throw std::logic_error, see World::step(). Lifetime: see BodyView.
 class KODO_API BodyRef : public BodyView {
 public:
     BodyRef(WorldImpl& world, BodyId id); // users write world[id]
@@ -221,8 +238,18 @@ public:
     void setMaterial(const Material& material); // of all parts
 
 private:
+    std::uint32_t changing(const char* call) const;
+
     WorldImpl* world_;
 };
 
 } // namespace KODO_PRECISION
 } // namespace kodo
+
+/// By slot and generation, as == compares.
+template <>
+struct std::hash<kodo::BodyId> {
+    std::size_t operator()(kodo::BodyId id) const noexcept {
+        return kodo::detail::hashOf(id.index, id.generation);
+    }
+};

@@ -20,7 +20,8 @@ public:
     virtual ~Executor();
     /// Number of threads that may help the stepping one, >= 0.
     virtual int helpers() const = 0;
-    /// Has task(data) called once on each of at most helpers() threads, and returns at once.
+    /// Has task(data) called once on each of at most helpers() threads, and returns at once. A call
+    /// by begin() itself, on the stepping thread, returns at once and helps nothing.
     virtual void begin(void (*task)(void*), void* data) = 0;
     /// Returns when no call of the task runs any more and none will be made.
     virtual void end() = 0;

@@ -24,9 +24,12 @@ struct FieldForce {
     Real spinDrag = 0; // N m s, >= 0; decrease of the torque per angular velocity
 };
 
+/// Which of the engine's own fields a field is; Own: a class of the user.
+enum class FieldKind : std::uint8_t { Own, Gravity, Drag, Wind, Attractor, Buoyancy };
+
 /// A rule that exerts forces on bodies: gravity, wind, a magnet. Derive from it for one of your
 /// own. It must depend on its arguments alone: copies of a World share it, replays repeat it, and
-/// several threads ask it at once. It must not call the World that asks.
+/// several threads ask it at once. It must not call the World that asks: see World::step().
 class KODO_API ForceField {
 public:
     ForceField();
@@ -42,6 +45,18 @@ public:
     /// True if the force depends on mass, shape and flags of the body alone. It is then asked again
     /// only after a change.
     virtual bool steady() const { return false; }
+    /// Not virtual, so that a class compiled without RTTI is known as Own.
+    FieldKind kind() const { return kind_; }
+
+private:
+    friend class Gravity;
+    friend class Drag;
+    friend class Wind;
+    friend class Attractor;
+    friend class Buoyancy;
+    explicit ForceField(FieldKind kind);
+
+    FieldKind kind_ = FieldKind::Own;
 };
 
 /// Pose of the centre of mass after half a step of dt (s) without forces. A force found there makes
@@ -55,7 +70,9 @@ KODO_API Transform midStep(const BodyView& body, Real dt);
 /// Force = mass * acceleration.
 class KODO_API Gravity final : public ForceField {
 public:
-    explicit Gravity(Vec2 acceleration) : acceleration_(acceleration) {} // m/s^2
+    /// acceleration: m/s^2.
+    explicit Gravity(Vec2 acceleration)
+        : ForceField(FieldKind::Gravity), acceleration_(acceleration) {}
     FieldForce at(const BodyView& body, Real dt) const override;
     bool steady() const override { return true; }
     Vec2 acceleration() const { return acceleration_; }
@@ -74,9 +91,10 @@ struct DragLaw {
 ///
 ///   F = -(linear + quadratic |u|) d u,   u = v - air
 ///   T = -(linear + quadratic r |w|) d r^2 w,   r = d / 2
-class KODO_API Drag : public ForceField {
+class KODO_API Drag final : public ForceField {
 public:
-    explicit Drag(DragLaw law, Vec2 air = {}) : law_(law), air_(air) {} // air: m/s
+    /// air: m/s.
+    explicit Drag(DragLaw law, Vec2 air = {}) : ForceField(FieldKind::Drag), law_(law), air_(air) {}
     FieldForce at(const BodyView& body, Real dt) const override;
     DragLaw law() const { return law_; }
     Vec2 air() const { return air_; }
@@ -91,7 +109,7 @@ class KODO_API Wind final : public ForceField {
 public:
     /// velocity: m/s; region: m, world; std::nullopt: everywhere.
     Wind(DragLaw law, Vec2 velocity, std::optional<Aabb> region = {})
-        : drag_(law, velocity), region_(region) {}
+        : ForceField(FieldKind::Wind), drag_(law, velocity), region_(region) {}
     FieldForce at(const BodyView& body, Real dt) const override;
     DragLaw law() const { return drag_.law(); }
     Vec2 velocity() const { return drag_.air(); }
@@ -116,7 +134,11 @@ public:
 
     /// center: m, world.
     Attractor(Law law, Vec2 center, Real strength, Real softening = 0)
-        : law_(law), center_(center), strength_(strength), softening_(softening) {}
+        : ForceField(FieldKind::Attractor),
+          law_(law),
+          center_(center),
+          strength_(strength),
+          softening_(softening) {}
     FieldForce at(const BodyView& body, Real dt) const override;
     Law law() const { return law_; }
     Vec2 center() const { return center_; }
@@ -154,7 +176,11 @@ public:
     };
     /// The surface is perpendicular to `gravity` (m/s^2) and contains `surface` (m, world).
     Buoyancy(Fluid fluid, Vec2 surface, Vec2 gravity)
-        : fluid_(fluid), surface_(surface), gravity_(gravity), up_(-normalize(gravity)) {}
+        : ForceField(FieldKind::Buoyancy),
+          fluid_(fluid),
+          surface_(surface),
+          gravity_(gravity),
+          up_(-normalize(gravity)) {}
     FieldForce at(const BodyView& body, Real dt) const override;
     Fluid fluid() const { return fluid_; }
     Vec2 surface() const { return surface_; }
@@ -169,7 +195,7 @@ private:
 
 /// A field, and the bodies it acts on: those whose user flags `which` accepts.
 struct FieldEntry {
-    std::shared_ptr<const ForceField> field;
+    std::shared_ptr<const ForceField> field{};
     CollisionFilter which{};
 };
 

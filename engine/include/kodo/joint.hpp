@@ -39,8 +39,8 @@ inline constexpr Real kUnbreakable = std::numeric_limits<Real>::infinity();
 /// What all joints between two bodies have. Forces and torques of a joint are those on b; a feels
 /// the opposite.
 struct JointEnds {
-    BodyId a;
-    BodyId b;
+    BodyId a{};
+    BodyId b{};
     Vec2 anchorA{};                  // m, in the frame of a's shape; within kMaxCoordinate
     Vec2 anchorB{};                  // m, in the frame of b's shape; within kMaxCoordinate
     Real breakForce = kUnbreakable;  // N, > 0; a larger force, as mean of a step, breaks the joint
@@ -51,7 +51,7 @@ struct JointEnds {
 /// Revolute joint, also called hinge or pin: both anchors coincide, and the bodies rotate about
 /// them.
 struct RevoluteJoint {
-    JointEnds ends;
+    JointEnds ends{};
     Real reference = 0;            // rad, within 1e4; relative angle of b that counts as 0
     std::optional<Range> limits{}; // rad, -3 to 3, of that angle
     Real motorSpeed = 0;           // rad/s, of b relative to a; within kMaxSpeed
@@ -61,14 +61,14 @@ struct RevoluteJoint {
 /// Fixed joint: the anchors coincide and the relative angle is constant. Unlike World::weld() it
 /// can break.
 struct FixedJoint {
-    JointEnds ends;
+    JointEnds ends{};
     Real reference = 0; // rad, within 1e4; relative angle of b
 };
 
 /// Distance joint between the anchors: a spring, a rod (hertz 0, equal limits) or a rope (hertz 0,
-/// limits from 0 to its length).
+/// limits from 0 to its length). One of both must be set: hertz 0 without limits is refused.
 struct DistanceJoint {
-    JointEnds ends;
+    JointEnds ends{};
     Real length = 1;               // m, rest length of the spring; 0 to kMaxCoordinate
     Real hertz = 0;                // 0 to 1e4; stiffness, as frequency of the pair; 0: no spring
     Real damping = 0;              // 0 to 1e4; damping ratio of the spring; 1 is critical
@@ -77,7 +77,7 @@ struct DistanceJoint {
 
 /// Prismatic joint: b slides along an axis fixed to a, without relative rotation.
 struct PrismaticJoint {
-    JointEnds ends;
+    JointEnds ends{};
     Vec2 axis{1, 0};               // unit, in the frame of a's shape
     Real reference = 0;            // rad, within 1e4; relative angle of b
     std::optional<Range> limits{}; // m, of anchor b along the axis from anchor a
@@ -87,7 +87,7 @@ struct PrismaticJoint {
 
 /// Motor joint: drives b to a position and an angle relative to a, with limited force.
 struct MotorJoint {
-    JointEnds ends;     // anchor b is driven to anchor a
+    JointEnds ends{};   // anchor b is driven to anchor a
     Real reference = 0; // rad, within 1e4; target of the relative angle of b
     Real force = 0;     // N, >= 0; the largest
     Real torque = 0;    // N m, >= 0; the largest
@@ -97,7 +97,7 @@ struct MotorJoint {
 
 /// Mouse joint: pulls a point of one body towards a target.
 struct MouseJoint {
-    BodyId body;
+    BodyId body{};
     Vec2 anchor{};            // m, in the frame of the body's shape; within kMaxCoordinate
     Vec2 target{};            // m, world; within kMaxCoordinate
     Real force = 0;           // N, >= 0; the largest
@@ -119,12 +119,20 @@ KODO_API BodyId secondBody(const JointDef& def);
 
 /// A joint that its load broke in the last step. Its id is no longer valid.
 struct BrokenJoint {
-    JointId id;
-    BodyId a;
-    BodyId b;
+    JointId id{};
+    BodyId a{};
+    BodyId b{};
     Real force = 0;  // N, mean over the step
     Real torque = 0; // N m, likewise
 };
 
 } // namespace KODO_PRECISION
 } // namespace kodo
+
+/// By slot and generation, as == compares.
+template <>
+struct std::hash<kodo::JointId> {
+    std::size_t operator()(kodo::JointId id) const noexcept {
+        return kodo::detail::hashOf(id.index, id.generation);
+    }
+};

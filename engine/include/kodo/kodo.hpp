@@ -9,10 +9,12 @@
 ///   polygons  convex, corners counter-clockwise.
 ///   pairs     a before b by index. Normals point from a to b. Separation < 0 is overlap.
 ///   frames    position is the origin of the shape's frame. Velocities are of the centre of mass.
-///   order     lists are in the order of ids.
+///   order     bodies(), joints(), brokenJoints() and overlaps are in the order of ids,
+///             collisions() in that of a, its part, b, its part. Rays list what they hit first.
 ///   bits      the same calls give the same bits with every compiler, CPU and thread count.
 ///   errors    bad values and unknown joints throw BadDefinition, unknown bodies BadBodyId, bytes
-///             that are no snapshot BadSnapshot. Nothing has changed then.
+///             that are no snapshot BadSnapshot, changes within a step std::logic_error. Nothing
+///             has changed then.
 
 #include <kodo/affine.hpp>
 #include <kodo/executor.hpp>

@@ -170,8 +170,8 @@ BasicRot<T> turned(BasicRot<T> q, T radians) {
 /// Pose of a frame: rotation by `rotation`, then translation by `position` (m).
 template <std::floating_point T>
 struct BasicTransform {
-    BasicVec2<T> position;
-    BasicRot<T> rotation;
+    BasicVec2<T> position{};
+    BasicRot<T> rotation{};
 
     /// Local to world.
     friend constexpr BasicVec2<T> operator*(const BasicTransform& t, BasicVec2<T> p) {
@@ -201,8 +201,8 @@ constexpr BasicTransform<T> between(const BasicTransform<T>& a, const BasicTrans
 /// Axis-aligned bounding box (m). Both corners are included.
 template <std::floating_point T>
 struct BasicAabb {
-    BasicVec2<T> lower; // left, bottom
-    BasicVec2<T> upper; // right, top
+    BasicVec2<T> lower{}; // left, bottom
+    BasicVec2<T> upper{}; // right, top
 
     constexpr BasicVec2<T> center() const { return T(0.5) * (lower + upper); }
     constexpr BasicVec2<T> extent() const { return upper - lower; }

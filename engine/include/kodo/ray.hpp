@@ -14,8 +14,8 @@ inline namespace KODO_PRECISION {
 /// The directed line segment from one point to another (m).
 template <std::floating_point T>
 struct BasicRay {
-    BasicVec2<T> from;
-    BasicVec2<T> to;
+    BasicVec2<T> from{};
+    BasicVec2<T> to{};
 
     constexpr BasicVec2<T> way() const { return to - from; }
     constexpr BasicVec2<T> at(T fraction) const { return from + fraction * (to - from); }

@@ -40,7 +40,7 @@ struct BasicBox {
 /// A solid, strictly convex polygon. convexHull() makes one of any points.
 template <std::floating_point T>
 struct BasicPolygon {
-    std::vector<BasicVec2<T>> corners; // m, counter-clockwise, 3 to kMaxCorners
+    std::vector<BasicVec2<T>> corners{}; // m, counter-clockwise, 3 to kMaxCorners
     friend bool operator==(const BasicPolygon&, const BasicPolygon&) = default;
 };
 /// Largest number of corners of a polygon.
@@ -84,9 +84,9 @@ struct BasicPlane {
 /// up. Each segment is a part of the body. Only for static and kinematic bodies.
 template <std::floating_point T>
 struct BasicHeightmap {
-    BasicVec2<T> origin{};  // m; x of the first point, and zero of the heights
-    T spacing{};            // m, > 0, between two points
-    std::vector<T> heights; // m, 2 to kMaxHeights
+    BasicVec2<T> origin{};    // m; x of the first point, and zero of the heights
+    T spacing{};              // m, > 0, between two points
+    std::vector<T> heights{}; // m, 2 to kMaxHeights
     friend bool operator==(const BasicHeightmap&, const BasicHeightmap&) = default;
 };
 /// Largest number of heights of a heightmap.
@@ -106,7 +106,7 @@ using Primitive = std::variant<Circle, Box, Polygon, Point, Segment, Plane>;
 /// Several primitives as one rigid body, for shapes that are not convex. Where parts overlap, their
 /// masses add.
 struct Compound {
-    std::vector<Primitive> parts; // 1 to kMaxParts
+    std::vector<Primitive> parts{}; // 1 to kMaxParts
     friend bool operator==(const Compound&, const Compound&) = default;
 };
 /// Largest number of parts of a body, also after World::weld().
@@ -125,6 +125,9 @@ KODO_API std::optional<Problem> checkMoved(const Primitive& primitive);
 /// The primitives of a valid shape: the shape itself, the parts of a compound, or the segments of a
 /// heightmap from left to right.
 KODO_API std::vector<Primitive> primitivesOf(const Shape& shape);
+
+/// A primitive as the shape of a body.
+KODO_API Shape shapeOf(const Primitive& primitive);
 
 /// True if the shape has no mass (plane, heightmap), so that its body must be static or kinematic.
 KODO_API bool needsLock(const Primitive& primitive);

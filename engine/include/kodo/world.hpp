@@ -70,7 +70,8 @@ public:
     /// Makes the parts of `part` parts of `into`, at their places, and removes `part`. Keeps mass,
     /// centre of mass, momentum and angular momentum of the pair; a static or kinematic `into`
     /// stays what it is. Returns the index of the first part added. Throws BadDefinition for equal
-    /// ids, for a plane in a dynamic body, and for too many parts or too much mass.
+    /// ids, for a plane in a dynamic body, for too many parts or too much mass, and for a part or
+    /// an anchor of its joints that would be beyond kMaxCoordinate.
     std::size_t weld(BodyId into, BodyId part);
     /// Adds a part, in the frame of the shape of `into`, with its velocity. Throws BadDefinition
     /// for what add() would refuse.
@@ -104,12 +105,13 @@ public:
     // Forces.
 
     /// Fields act in the order of the list. A change wakes all bodies. Throws BadDefinition for a
-    /// null pointer.
+    /// null pointer, a bad number of one of the engine's own fields, and a bad filter: two match
+    /// modes, or `required` without a mode.
     void addField(FieldEntry entry);
     void setFields(std::vector<FieldEntry> fields);
     const std::vector<FieldEntry>& fields() const;
     /// During the next step, on the bodies that `which` accepts: N at the centre of mass, and N m.
-    /// Throws BadDefinition for values that are not finite.
+    /// Throws BadDefinition for values that are not finite and for a bad filter, as addField().
     void applyForceToAll(Vec2 force, CollisionFilter which = {});
     void applyTorqueToAll(Real torque, CollisionFilter which = {});
 
@@ -117,6 +119,11 @@ public:
 
     /// Advances by dt seconds, from kMinTimeStep to kMaxTimeStep. Throws BadDefinition for another
     /// dt. A fixed dt is best: warm starting takes the impulses of the step before.
+    ///
+    /// Code of the user that runs within the step (listener, fields, executor) may read the World.
+    /// Calls that change or copy it throw std::logic_error, and it must not be moved or destroyed.
+    /// An exception of a listener passes through and leaves the step half done: the World can be
+    /// used, but its state is unspecified. Go back to a copy or snapshot from before.
     void step(Real dt, const StepOptions& options = {});
     /// Contacts that began, persisted or ended in the last step, in the order of bodies and parts.
     /// Valid until the next step, whatever is added or removed meanwhile. Sleeping pairs and pairs
@@ -146,6 +153,7 @@ public:
     const WorldImpl& impl() const;
 
 private:
+    WorldImpl& change(const char* call);
     JointId addJoint(const JointDef& def);
 
     std::unique_ptr<WorldImpl> impl_;

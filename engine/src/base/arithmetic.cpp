@@ -24,7 +24,7 @@ bool roundsToNearest() {
 
 } // namespace
 
-bool detail::requireExactArithmetic(Real sum) {
+bool detail::requireExactArithmetic(Real sum, Real quotient) {
     if (!keepsSubnormals<Real>()) {
         throw std::runtime_error("Kodo gives the same bits on every machine: this thread flushes "
                                  "subnormal numbers to 0 (linked with -ffast-math?)");
@@ -33,7 +33,9 @@ bool detail::requireExactArithmetic(Real sum) {
         throw std::runtime_error("Kodo gives the same bits on every machine: this thread does not "
                                  "round to nearest");
     }
-    if (sum != 0) {
+    const volatile Real divisor = 49;
+    const volatile Real exact = kFive / divisor;
+    if (sum != 0 || quotient != exact) {
         throw std::runtime_error("Kodo gives the same bits on every machine: build without "
                                  "-ffast-math and its parts, as -funsafe-math-optimizations");
     }

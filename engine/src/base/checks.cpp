@@ -10,12 +10,10 @@
 
 namespace kodo {
 inline namespace KODO_PRECISION {
-namespace {
-
-/// The shortest of 6 or more digits that reads back as the same number: a value just beyond a limit
-/// must not print as the limit. Uses a stream, since libc++ 13 has no std::to_chars for floats.
-/// Streams of libc++ do not read subnormal numbers, which are printed with all digits.
-std::string number(Real value) {
+/// A value just beyond a limit must not print as the limit. Uses a stream, since libc++ 13 has no
+/// std::to_chars for floats. Streams of libc++ do not read subnormal numbers, which are printed
+/// with all digits.
+std::string textOf(Real value) {
     if (std::isnan(value)) {
         return "nan"; // for either sign
     }
@@ -34,28 +32,39 @@ std::string number(Real value) {
     return text.str();
 }
 
-} // namespace
-
-Problem outOfRange(const char* field, Real value, Real low, Real high) {
-    return {field,
-            "must be from " + number(low) + " to " + number(high) + ", but is " + number(value)};
+std::string textOf(Real value, const char* unit) {
+    return *unit == 0 ? textOf(value) : textOf(value) + " " + unit;
 }
 
-std::optional<Problem> checkPositive(const char* field, Real value, Real most) {
-    if (!(value > 0 && value <= most)) { // false for NaN
-        return Problem{field, "must be greater than 0 and at most " + number(most) + ", but is " +
-                                  number(value)};
-    }
-    return std::nullopt;
+Problem outOfRange(const char* field, Real value, Real low, Real high, const char* unit) {
+    return {field, "must be from " + textOf(low) + " to " + textOf(high, unit) + ", but is " +
+                       textOf(value)};
 }
 
-std::optional<Problem> checkUnit(const char* field, Real x, Real y) {
-    const Real squared = x * x + y * y;
-    if (!(std::abs(squared - 1) < Real(1e-3))) { // false for NaN
+std::optional<Problem> checkPositive(const char* field, Real value, Real most, const char* unit) {
+    if (!(value > 0)) { // also for NaN
         return Problem{field,
-                       "must be a unit vector, but has length " + number(std::sqrt(squared))};
+                       "must be greater than " + textOf(0, unit) + ", but is " + textOf(value)};
+    }
+    if (value > most) {
+        return Problem{field,
+                       "must be at most " + textOf(most, unit) + ", but is " + textOf(value)};
     }
     return std::nullopt;
+}
+
+std::optional<Problem> checkNotNegative(const char* field, Real value, const char* unit) {
+    if (!(value >= 0) || std::isinf(value)) { // also for NaN
+        return Problem{field, "must be finite and at least " + textOf(0, unit) + ", but is " +
+                                  textOf(value)};
+    }
+    return std::nullopt;
+}
+
+std::optional<Problem> checkFinite(const char* field, Real value) {
+    return std::isfinite(value)
+               ? std::nullopt
+               : std::optional(Problem{field, "must be finite, but is " + textOf(value)});
 }
 
 } // namespace KODO_PRECISION

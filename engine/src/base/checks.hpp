@@ -4,6 +4,7 @@
 #include <kodo/error.hpp>
 
 #include <optional>
+#include <string>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -15,16 +16,25 @@ inline void refuse(const std::optional<Problem>& problem) {
     }
 }
 
-// Checks shared by fields of all kinds. Each message names the given field.
-Problem outOfRange(const char* field, Real value, Real low, Real high);
-inline std::optional<Problem> checkRange(const char* field, Real value, Real low, Real high) {
+/// The shortest of 6 or more digits that reads back as the same number.
+std::string textOf(Real value);
+/// "2 m"; "2" for a number without a unit.
+std::string textOf(Real value, const char* unit);
+
+// Checks shared by fields of all kinds. Each message names the given field, and the unit if there
+// is one.
+Problem outOfRange(const char* field, Real value, Real low, Real high, const char* unit = "");
+inline std::optional<Problem> checkRange(const char* field, Real value, Real low, Real high,
+                                         const char* unit = "") {
     const bool inside = value >= low && value <= high; // false for NaN
-    return inside ? std::nullopt : std::optional(outOfRange(field, value, low, high));
+    return inside ? std::nullopt : std::optional(outOfRange(field, value, low, high, unit));
 }
 /// Range: 0 < value <= most.
-std::optional<Problem> checkPositive(const char* field, Real value, Real most);
-/// (x, y) must have length 1 within 5e-4.
-std::optional<Problem> checkUnit(const char* field, Real x, Real y);
+std::optional<Problem> checkPositive(const char* field, Real value, Real most,
+                                     const char* unit = "");
+/// Range: 0 <= value < infinity.
+std::optional<Problem> checkNotNegative(const char* field, Real value, const char* unit);
+std::optional<Problem> checkFinite(const char* field, Real value);
 
 } // namespace KODO_PRECISION
 } // namespace kodo

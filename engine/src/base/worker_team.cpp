@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -15,12 +16,22 @@ namespace {
 // nanoseconds.
 constexpr int kPatience = 30;
 
+/// The team whose Executor::begin() runs on this thread. A task that begin() calls itself would
+/// wait for the end of a step that has not begun.
+thread_local const WorkerTeam* gathering = nullptr;
+
+struct Gathering {
+    const WorkerTeam* outer;
+    ~Gathering() { gathering = outer; }
+};
+
 } // namespace
 
 void WorkerTeam::gather(Executor& executor) {
     executor_ = &executor;
     shared_.emplace();
     shared_->count = std::min(kMaxPartitions, static_cast<std::uint32_t>(executor.helpers()) + 1);
+    const Gathering now{std::exchange(gathering, this)};
     executor.begin([](void* team) { static_cast<WorkerTeam*>(team)->help(); }, this);
 }
 
@@ -60,6 +71,9 @@ void WorkerTeam::sharePhases(const Job& job) noexcept {
 }
 
 void WorkerTeam::help() noexcept {
+    if (gathering == this) {
+        return;
+    }
     const std::uint32_t own =
         (1 + shared_->came.fetch_add(1, std::memory_order_relaxed)) % shared_->count;
     shared_->partitions[own].owned.store(true, std::memory_order_relaxed);

@@ -3,6 +3,8 @@
 
 #include <kodo/body.hpp>
 
+#include "math/vec2_checks.hpp"
+
 #include <optional>
 
 namespace kodo {
@@ -10,8 +12,13 @@ inline namespace KODO_PRECISION {
 
 // Checks for definitions and setters. Each message names the given field.
 std::optional<Problem> checkPosition(const char* field, Vec2 value, Real lengthUnit = 1);
-std::optional<Problem> checkRotation(const char* field, Rot value);
-std::optional<Problem> checkVelocity(const char* field, Vec2 value, Real lengthUnit = 1);
+/// lower <= upper on both axes; infinite corners are permitted.
+std::optional<Problem> checkBox(const char* field, const Aabb& box);
+/// By its length, as a step does. Also for accelerations, with another unit.
+std::optional<Problem> checkVelocity(const char* field, Vec2 value, Real lengthUnit = 1,
+                                     const char* unit = "m/s");
+std::optional<Problem> checkAngularVelocity(const char* field, Real value);
+std::optional<Problem> checkDensity(Real value);
 // Flag bits in which the engine stores the type of a body; neither: dynamic.
 inline constexpr Flags kTypeStatic = 1u << 25;
 inline constexpr Flags kTypeKinematic = 1u << 26;
@@ -33,7 +40,15 @@ constexpr Flags locksOf(Flags flags) {
     return (flags & kTypeBits) != 0 ? kLockBoth : flags & kLockBoth;
 }
 
+/// Bits that have a meaning, or had one when flags() was read.
+inline constexpr Flags kKnownFlags =
+    kUserFlags | kLockBoth | kDisabled | kNeverSleep | kSensor | kStatusFlags | kMatchModes;
+
+/// The flags of a body.
 std::optional<Problem> checkFlags(const char* field, Flags value);
+/// A filter of a query, a field or of forces on all bodies: without a mode, `required` would
+/// accept all.
+std::optional<Problem> checkFilter(CollisionFilter which);
 /// Checks that a shape or part without mass is on a static or kinematic body.
 std::optional<Problem> checkPlaneType(const Shape& shape, Flags flags);
 std::optional<Problem> checkPlaneType(const Primitive& part, Flags flags);

@@ -3,6 +3,8 @@
 #include "bodies/body_checks.hpp"
 #include "bodies/body_geometry.hpp"
 
+#include <string>
+
 namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
@@ -24,30 +26,76 @@ std::optional<Problem> checkType(const BodyDef& def) {
     return checkPlaneType(needsLock(def.shape), def.flags | bitsOf(def.type));
 }
 
-} // namespace
-
-std::optional<Problem> checkPosition(const char* field, Vec2 value, Real lengthUnit) {
-    const Real most = kMaxCoordinate * lengthUnit;
-    if (auto problem = checkRange(field, value.x, -most, most)) {
-        return problem;
-    }
-    return checkRange(field, value.y, -most, most);
-}
-
-std::optional<Problem> checkVelocity(const char* field, Vec2 value, Real lengthUnit) {
-    const Real most = kMaxSpeed * lengthUnit;
-    if (auto problem = checkRange(field, value.x, -most, most)) {
-        return problem;
-    }
-    return checkRange(field, value.y, -most, most);
-}
-
-std::optional<Problem> checkFlags(const char* field, Flags value) {
+std::optional<Problem> checkModes(const char* field, Flags value) {
     const Flags mode = value & kMatchModes;
     if ((mode & (mode - 1)) != 0) {
         return Problem{field, "must have one of kMatchAny, kMatchAll and kMatchEqual at most"};
     }
     return std::nullopt;
+}
+
+} // namespace
+
+std::optional<Problem> checkPosition(const char* field, Vec2 value, Real lengthUnit) {
+    return checkCoordinates(field, value, kMaxCoordinate * lengthUnit, "m");
+}
+
+std::optional<Problem> checkVelocity(const char* field, Vec2 value, Real lengthUnit,
+                                     const char* unit) {
+    return checkLength(field, value, kMaxSpeed * lengthUnit, unit);
+}
+
+std::optional<Problem> checkAngularVelocity(const char* field, Real value) {
+    return checkRange(field, value, -kMaxSpeed, kMaxSpeed, "rad/s");
+}
+
+std::optional<Problem> checkDensity(Real value) {
+    auto problem = checkRange("density", value, kMinDensity, kMaxDensity, "kg/m^2");
+    if (problem && value == 0) {
+        problem->reason += ": BodyType::Static makes a body immovable, at any density";
+    }
+    return problem;
+}
+
+std::optional<Problem> checkFlags(const char* field, Flags value) {
+    if ((value & kTypeBits) != 0) {
+        return Problem{field, "must not have bits 25 and 26, which are reserved: the type of a "
+                              "body is BodyDef::type, or set by setType()"};
+    }
+    if (const Flags unknown = value & ~kKnownFlags; unknown != 0) {
+        std::string bits;
+        for (unsigned bit = 0; bit < 32; ++bit) {
+            if ((unknown >> bit & 1u) != 0) {
+                bits += (bits.empty() ? "" : " and ") + std::to_string(bit);
+            }
+        }
+        return Problem{field, "must not have bit " + bits +
+                                  ", which is reserved: categories of the user are bits 0 to 15"};
+    }
+    return checkModes(field, value);
+}
+
+std::optional<Problem> checkFilter(CollisionFilter which) {
+    if (auto problem = checkModes("which.flags", which.flags)) {
+        return problem;
+    }
+    if (which.required != 0 && (which.flags & kMatchModes) == 0) {
+        return Problem{"which.required", "has no effect without a match mode: add kMatchAny, "
+                                         "kMatchAll or kMatchEqual to which.flags"};
+    }
+    return std::nullopt;
+}
+
+std::optional<Problem> checkBox(const char* field, const Aabb& box) {
+    const Vec2 lower = box.lower;
+    const Vec2 upper = box.upper;
+    if (lower.x <= upper.x && lower.y <= upper.y) {
+        return std::nullopt;
+    }
+    const bool isNan = lower != lower || upper != upper;
+    return Problem{
+        field, std::string(isNan ? "must not be NaN" : "must have lower <= upper on both axes") +
+                   ", but reaches from " + textOf(lower) + " to " + textOf(upper)};
 }
 
 std::optional<Problem> checkPlaneType(const Shape& shape, Flags flags) {
@@ -56,10 +104,6 @@ std::optional<Problem> checkPlaneType(const Shape& shape, Flags flags) {
 
 std::optional<Problem> checkPlaneType(const Primitive& part, Flags flags) {
     return checkPlaneType(needsLock(part), flags);
-}
-
-std::optional<Problem> checkRotation(const char* field, Rot value) {
-    return checkUnit(field, value.c, value.s);
 }
 
 std::optional<Problem> check(const BodyDef& def, Real lengthUnit) {
@@ -82,13 +126,13 @@ std::optional<Problem> check(const BodyDef& def, Real lengthUnit) {
     if (auto problem = checkVelocity("velocity", def.velocity, lengthUnit)) {
         return problem;
     }
-    if (auto problem = checkRange("angularVelocity", def.angularVelocity, -kMaxSpeed, kMaxSpeed)) {
+    if (auto problem = checkAngularVelocity("angularVelocity", def.angularVelocity)) {
         return problem;
     }
     if (auto problem = check(def.material)) {
         return problem;
     }
-    if (auto problem = checkRange("density", def.density, kMinDensity, kMaxDensity)) {
+    if (auto problem = checkDensity(def.density)) {
         return problem;
     }
     return checkParts(partsOf(def), lengthUnit);

@@ -35,8 +35,9 @@ Real extentOf(const Primitive& primitive) {
 }
 
 /// checkRange() with a message about a property of the shape.
-std::optional<Problem> checkOfShape(const char* what, Real value, Real low, Real high) {
-    auto problem = checkRange("shape", value, low, high);
+std::optional<Problem> checkOfShape(const char* what, Real value, Real low, Real high,
+                                    const char* unit) {
+    auto problem = checkRange("shape", value, low, high, unit);
     if (problem) {
         problem->reason = std::string("its ") + what + " " + problem->reason;
     }
@@ -46,21 +47,32 @@ std::optional<Problem> checkOfShape(const char* what, Real value, Real low, Real
 } // namespace
 
 std::optional<Problem> checkMass(const Mass& mass) {
-    if (auto problem = checkOfShape("mass (kg)", mass.mass, 1 / kMaxMass, kMaxMass)) {
+    if (auto problem = checkOfShape("mass", mass.mass, 1 / kMaxMass, kMaxMass, "kg")) {
         return problem;
     }
     if (mass.inertia == 0) {
         return std::nullopt; // a particle
     }
     constexpr Real kMost = kMaxMass * kMaxMass;
-    return checkOfShape("moment of inertia (kg m^2)", mass.inertia, 1 / kMost, kMost);
+    return checkOfShape("moment of inertia", mass.inertia, 1 / kMost, kMost, "kg m^2");
+}
+
+std::optional<Problem> checkExtent(const Primitive& primitive, Real lengthUnit) {
+    const Real most = kMaxCoordinate * lengthUnit;
+    const Real extent = extentOf(primitive);
+    if (!(extent <= most)) { // also for NaN
+        return Problem{"shape", "must lie within " + textOf(most) +
+                                    " m of the origin of its frame, but reaches to " +
+                                    textOf(extent) +
+                                    ": a larger WorldDef::lengthUnit permits more"};
+    }
+    return std::nullopt;
 }
 
 std::optional<Problem> checkParts(std::span<const Part> parts, Real lengthUnit) {
     Mass sum;
     for (const Part& part : parts) {
-        const Real extent = extentOf(part.primitive);
-        if (auto problem = checkOfShape("extent (m)", extent, 0, kMaxCoordinate * lengthUnit)) {
+        if (auto problem = checkExtent(part.primitive, lengthUnit)) {
             return problem;
         }
         if (needsLock(part.primitive)) {

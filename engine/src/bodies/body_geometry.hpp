@@ -30,6 +30,9 @@ std::vector<Part> partsOf(const BodyDef& def);
 /// Checks mass and moment of inertia of a body or a part.
 std::optional<Problem> checkMass(const Mass& mass);
 
+/// Checks the size of a part in the frame of its body.
+std::optional<Problem> checkExtent(const Primitive& primitive, Real lengthUnit);
+
 /// Checks size and mass of parts that form one body.
 std::optional<Problem> checkParts(std::span<const Part> parts, Real lengthUnit);
 

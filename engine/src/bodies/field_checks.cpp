@@ -21,9 +21,10 @@ std::optional<Problem> checkDrag(const DragLaw& law, Vec2 air, Real unit) {
 }
 
 std::optional<Problem> checkWind(const Wind& wind, Real unit) {
-    const std::optional<Aabb> region = wind.region();
-    if (region && !(region->lower.x <= region->upper.x && region->lower.y <= region->upper.y)) {
-        return Problem{"field.region", "must have lower <= upper on both axes"}; // also for NaN
+    if (wind.region()) {
+        if (auto problem = checkBox("field.region", *wind.region())) {
+            return problem;
+        }
     }
     return checkDrag(wind.law(), wind.velocity(), unit);
 }
@@ -52,26 +53,30 @@ std::optional<Problem> checkBuoyancy(const Buoyancy& buoyancy, Real unit) {
     if (buoyancy.gravity() == Vec2{}) {
         return Problem{"field.gravity", "must not be zero: it tells where the surface faces"};
     }
-    return checkVelocity("field.gravity", buoyancy.gravity(), unit);
+    return checkVelocity("field.gravity", buoyancy.gravity(), unit, "m/s^2");
 }
 
 } // namespace
 
+/// Not by dynamic_cast: a field of a user may be compiled without RTTI.
 std::optional<Problem> checkField(const ForceField& field, Real lengthUnit) {
-    if (const auto* gravity = dynamic_cast<const Gravity*>(&field)) {
-        return checkVelocity("field.acceleration", gravity->acceleration(), lengthUnit);
+    switch (field.kind()) {
+    case FieldKind::Own:
+        break;
+    case FieldKind::Gravity:
+        return checkVelocity("field.acceleration",
+                             static_cast<const Gravity&>(field).acceleration(), lengthUnit,
+                             "m/s^2");
+    case FieldKind::Drag: {
+        const auto& drag = static_cast<const Drag&>(field);
+        return checkDrag(drag.law(), drag.air(), lengthUnit);
     }
-    if (const auto* wind = dynamic_cast<const Wind*>(&field)) {
-        return checkWind(*wind, lengthUnit);
-    }
-    if (const auto* drag = dynamic_cast<const Drag*>(&field)) {
-        return checkDrag(drag->law(), drag->air(), lengthUnit);
-    }
-    if (const auto* attractor = dynamic_cast<const Attractor*>(&field)) {
-        return checkAttractor(*attractor, lengthUnit);
-    }
-    if (const auto* buoyancy = dynamic_cast<const Buoyancy*>(&field)) {
-        return checkBuoyancy(*buoyancy, lengthUnit);
+    case FieldKind::Wind:
+        return checkWind(static_cast<const Wind&>(field), lengthUnit);
+    case FieldKind::Attractor:
+        return checkAttractor(static_cast<const Attractor&>(field), lengthUnit);
+    case FieldKind::Buoyancy:
+        return checkBuoyancy(static_cast<const Buoyancy&>(field), lengthUnit);
     }
     return std::nullopt;
 }

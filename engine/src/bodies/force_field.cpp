@@ -5,6 +5,7 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 
 ForceField::ForceField() = default;
+ForceField::ForceField(FieldKind kind) : kind_(kind) {}
 ForceField::~ForceField() = default;
 
 Transform midStep(const BodyView& body, Real dt) {

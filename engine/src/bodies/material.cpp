@@ -16,8 +16,10 @@ std::optional<Problem> check(const Material& material) {
     }
     if (auto problem = checkRange("material.staticFriction", material.staticFriction,
                                   material.kineticFriction, kMost)) {
-        problem->reason += "; the lower limit is material.kineticFriction: set both, as "
-                           "withFriction() does";
+        if (material.staticFriction < material.kineticFriction) {
+            problem->reason += "; the lower limit is material.kineticFriction: set both, as "
+                               "withFriction() does";
+        }
         return problem;
     }
     if (auto problem = checkRange("material.restitution", material.restitution, 0, 1)) {

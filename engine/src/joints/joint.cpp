@@ -2,15 +2,40 @@
 #include <kodo/joint.hpp>
 
 #include "base/checks.hpp"
-#include "joints/anchor.hpp"
+#include "bodies/body_checks.hpp"
+
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <string>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-constexpr Real kMost = std::numeric_limits<Real>::max();
+/// A joint may be described before its bodies exist, but not added.
+std::optional<Problem> checkSet(const char* field, BodyId body) {
+    if (body.generation == 0) {
+        return Problem{field, "is not set: give the id that World::add() returned for the body"};
+    }
+    return std::nullopt;
+}
+
+std::optional<Problem> checkBreak(const char* field, Real value, const char* unit) {
+    if (!(value > 0)) { // also for NaN
+        return Problem{field, std::string("must be greater than 0 ") + unit + ", but is " +
+                                  textOf(value) + ": the default, kUnbreakable, never breaks"};
+    }
+    return std::nullopt;
+}
 
 std::optional<Problem> checkEnds(const JointEnds& ends, Real unit) {
+    if (auto problem = checkSet("ends.a", ends.a)) {
+        return problem;
+    }
+    if (auto problem = checkSet("ends.b", ends.b)) {
+        return problem;
+    }
     if (ends.a == ends.b) {
         return Problem{"ends", "must be two different bodies"};
     }
@@ -20,23 +45,26 @@ std::optional<Problem> checkEnds(const JointEnds& ends, Real unit) {
     if (auto problem = checkPosition("ends.anchorB", ends.anchorB, unit)) {
         return problem;
     }
-    if (!(ends.breakForce > 0)) {
-        return Problem{"ends.breakForce", "must be greater than 0"};
+    if (auto problem = checkBreak("ends.breakForce", ends.breakForce, "N")) {
+        return problem;
     }
-    if (!(ends.breakTorque > 0)) {
-        return Problem{"ends.breakTorque", "must be greater than 0"};
-    }
-    return std::nullopt;
+    return checkBreak("ends.breakTorque", ends.breakTorque, "N m");
 }
 
-std::optional<Problem> checkLimits(const std::optional<Range>& limits, Real low, Real high) {
+std::optional<Problem> checkLimits(const std::optional<Range>& limits, Real low, Real high,
+                                   const char* unit) {
     if (!limits) {
         return std::nullopt;
     }
-    if (auto problem = checkRange("limits.lower", limits->lower, low, high)) {
+    if (auto problem = checkRange("limits.lower", limits->lower, low, high, unit)) {
         return problem;
     }
-    return checkRange("limits.upper", limits->upper, limits->lower, high);
+    if (limits->upper < limits->lower) {
+        return Problem{"limits.upper", "must be at least limits.lower, which is " +
+                                           textOf(limits->lower) + " " + unit + ", but is " +
+                                           textOf(limits->upper)};
+    }
+    return checkRange("limits.upper", limits->upper, low, high, unit);
 }
 
 /// A value and its range, for checkFields.
@@ -45,11 +73,15 @@ struct Field {
     Real value;
     Real low;
     Real high;
+    const char* unit;
 };
 
 std::optional<Problem> checkFields(std::initializer_list<Field> fields) {
     for (const Field& field : fields) {
-        if (auto problem = checkRange(field.name, field.value, field.low, field.high)) {
+        auto problem = std::isinf(field.high)
+                           ? checkNotNegative(field.name, field.value, field.unit)
+                           : checkRange(field.name, field.value, field.low, field.high, field.unit);
+        if (problem) {
             return problem;
         }
     }
@@ -57,63 +89,91 @@ std::optional<Problem> checkFields(std::initializer_list<Field> fields) {
 }
 
 constexpr Real kAngle = Real(1e4);
+constexpr Real kNoLimit = std::numeric_limits<Real>::infinity(); // the value itself is finite
+
+std::optional<Problem> checkReference(Real reference) {
+    return checkRange("reference", reference, -kAngle, kAngle, "rad");
+}
 
 std::optional<Problem> checkKind(const RevoluteJoint& pin, Real) {
-    if (auto problem = checkFields({{"reference", pin.reference, -kAngle, kAngle},
-                                    {"motorSpeed", pin.motorSpeed, -kMaxSpeed, kMaxSpeed},
-                                    {"motorTorque", pin.motorTorque, 0, kMost}})) {
+    if (auto problem = checkReference(pin.reference)) {
         return problem;
     }
-    return checkLimits(pin.limits, -3, 3);
+    if (auto problem = checkFields({{"motorSpeed", pin.motorSpeed, -kMaxSpeed, kMaxSpeed, "rad/s"},
+                                    {"motorTorque", pin.motorTorque, 0, kNoLimit, "N m"}})) {
+        return problem;
+    }
+    auto problem = checkLimits(pin.limits, -3, 3, "rad");
+    if (problem && isFinite(Vec2{pin.limits->lower, pin.limits->upper}) &&
+        pin.limits->lower <= pin.limits->upper) {
+        problem->reason += ": 3 rad are 172 degrees; without limits the joint turns freely";
+    }
+    return problem;
 }
 
 std::optional<Problem> checkKind(const FixedJoint& weld, Real) {
-    return checkRange("reference", weld.reference, -kAngle, kAngle);
+    return checkReference(weld.reference);
 }
 
 std::optional<Problem> checkKind(const DistanceJoint& spring, Real unit) {
-    if (auto problem = checkFields({{"length", spring.length, 0, kMaxCoordinate * unit},
-                                    {"hertz", spring.hertz, 0, Real(1e4)},
-                                    {"damping", spring.damping, 0, Real(1e4)}})) {
+    if (auto problem = checkFields({{"length", spring.length, 0, kMaxCoordinate * unit, "m"},
+                                    {"hertz", spring.hertz, 0, Real(1e4), "Hz"},
+                                    {"damping", spring.damping, 0, Real(1e4), ""}})) {
         return problem;
     }
-    return checkLimits(spring.limits, 0, kMaxCoordinate * unit);
+    if (spring.hertz == 0 && !spring.limits) {
+        return Problem{"hertz", "is 0 and there are no limits, so the joint would do nothing: set "
+                                "hertz for a spring, equal limits for a rod, or limits from 0 to "
+                                "the length of a rope"};
+    }
+    return checkLimits(spring.limits, 0, kMaxCoordinate * unit, "m");
 }
 
 std::optional<Problem> checkKind(const PrismaticJoint& slider, Real unit) {
-    if (auto problem = checkUnit("axis", slider.axis.x, slider.axis.y)) {
+    if (auto problem = checkUnit("axis", slider.axis)) {
         return problem;
     }
-    if (auto problem =
-            checkFields({{"reference", slider.reference, -kAngle, kAngle},
-                         {"motorSpeed", slider.motorSpeed, -kMaxSpeed * unit, kMaxSpeed * unit},
-                         {"motorForce", slider.motorForce, 0, kMost}})) {
+    if (auto problem = checkReference(slider.reference)) {
         return problem;
     }
-    return checkLimits(slider.limits, -kMaxCoordinate * unit, kMaxCoordinate * unit);
+    const Real speed = kMaxSpeed * unit;
+    if (auto problem = checkFields({{"motorSpeed", slider.motorSpeed, -speed, speed, "m/s"},
+                                    {"motorForce", slider.motorForce, 0, kNoLimit, "N"}})) {
+        return problem;
+    }
+    return checkLimits(slider.limits, -kMaxCoordinate * unit, kMaxCoordinate * unit, "m");
 }
 
 std::optional<Problem> checkKind(const MotorJoint& motor, Real) {
-    return checkFields({{"reference", motor.reference, -kAngle, kAngle},
-                        {"force", motor.force, 0, kMost},
-                        {"torque", motor.torque, 0, kMost},
-                        {"hertz", motor.hertz, Real(1e-3), Real(1e4)},
-                        {"damping", motor.damping, 0, Real(1e4)}});
+    if (auto problem = checkReference(motor.reference)) {
+        return problem;
+    }
+    return checkFields({{"force", motor.force, 0, kNoLimit, "N"},
+                        {"torque", motor.torque, 0, kNoLimit, "N m"},
+                        {"hertz", motor.hertz, Real(1e-3), Real(1e4), "Hz"},
+                        {"damping", motor.damping, 0, Real(1e4), ""}});
+}
+
+std::optional<Problem> checkMouse(const MouseJoint& mouse, Real unit) {
+    if (auto problem = checkSet("body", mouse.body)) {
+        return problem;
+    }
+    if (auto problem = checkPosition("anchor", mouse.anchor, unit)) {
+        return problem;
+    }
+    if (auto problem = checkPosition("target", mouse.target, unit)) {
+        return problem;
+    }
+    return checkFields({{"force", mouse.force, 0, kNoLimit, "N"},
+                        {"hertz", mouse.hertz, Real(1e-3), Real(1e4), "Hz"},
+                        {"damping", mouse.damping, 0, Real(1e4), ""}});
 }
 
 } // namespace
 
 std::optional<Problem> check(const JointDef& def, Real lengthUnit) {
     if (const auto* mouse = std::get_if<MouseJoint>(&def)) {
-        if (auto problem = checkPosition("anchor", mouse->anchor, lengthUnit)) {
-            return problem;
-        }
-        if (auto problem = checkPosition("target", mouse->target, lengthUnit)) {
-            return problem;
-        }
-        return checkFields({{"force", mouse->force, 0, kMost},
-                            {"hertz", mouse->hertz, Real(1e-3), Real(1e4)},
-                            {"damping", mouse->damping, 0, Real(1e4)}});
+        return checkMouse(*mouse, lengthUnit);
     }
     return std::visit(
         [=](const auto& kind) -> std::optional<Problem> {

@@ -79,6 +79,17 @@ void transferEnd(Kind& kind, bool isFirst, BodyId into, const Transform& place) 
     }
 }
 
+/// The joint of `part` after its weld into `into`; std::nullopt for a joint between the two.
+std::optional<JointDef> transferred(JointDef def, BodyId part, BodyId into,
+                                    const Transform& place) {
+    const bool isFirst = firstBody(def) == part;
+    if ((isFirst ? secondBody(def) : firstBody(def)) == into) {
+        return std::nullopt;
+    }
+    std::visit([&](auto& kind) { transferEnd(kind, isFirst, into, place); }, def);
+    return def;
+}
+
 /// True for equality constraints without bounds; false for springs, limits and motors.
 bool isHeld(const PointConstraint& point) {
     return point.maxImpulse == std::numeric_limits<Real>::infinity();
@@ -160,17 +171,31 @@ void JointSet::dropBody(BodyId body) {
     }
 }
 
+std::optional<Problem> JointSet::checkTransfer(BodyId part, BodyId into, const Transform& place,
+                                               Real lengthUnit) const {
+    for (const std::uint32_t index : live_) {
+        const JointDef& def = joints_[index].def;
+        if (firstBody(def) != part && secondBody(def) != part) {
+            continue;
+        }
+        const auto after = transferred(def, part, into, place);
+        if (auto problem = after ? check(*after, lengthUnit) : std::nullopt) {
+            return problem;
+        }
+    }
+    return std::nullopt;
+}
+
 void JointSet::transfer(BodyId part, BodyId into, const Transform& place) {
     for (const JointId id : ids()) {
         JointDef& def = joints_[id.index].def;
-        const bool isFirst = firstBody(def) == part;
-        if (!isFirst && secondBody(def) != part) {
+        if (firstBody(def) != part && secondBody(def) != part) {
             continue;
         }
-        if ((isFirst ? secondBody(def) : firstBody(def)) == into) {
-            remove(id);
+        if (const auto after = transferred(def, part, into, place)) {
+            def = *after;
         } else {
-            std::visit([&](auto& kind) { transferEnd(kind, isFirst, into, place); }, def);
+            remove(id);
         }
     }
     refreshLists();

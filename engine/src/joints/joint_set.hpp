@@ -53,6 +53,9 @@ public:
     std::vector<JointId> ids() const;
     std::size_t size() const { return live_.size(); }
 
+    /// The reason why transfer() would give a joint that check() refuses.
+    std::optional<Problem> checkTransfer(BodyId part, BodyId into, const Transform& place,
+                                         Real lengthUnit) const;
     /// After a weld of `part` into `into`: moves the joints of `part` to `into` and removes joints
     /// between the two. `place` maps the shape frame of `part` to that of `into`.
     void transfer(BodyId part, BodyId into, const Transform& place);

@@ -3,6 +3,7 @@
 #include <kodo/shape.hpp>
 
 #include "base/checks.hpp"
+#include "math/vec2_checks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,27 +19,28 @@ std::string corner(std::size_t i) {
 }
 
 std::optional<Problem> checkPoint(const std::string& field, Vec2 point) {
-    if (auto problem = checkRange(field.c_str(), point.x, -kMaxLength, kMaxLength)) {
-        return problem;
-    }
-    return checkRange(field.c_str(), point.y, -kMaxLength, kMaxLength);
+    return checkCoordinates(field.c_str(), point, kMaxLength, "m");
+}
+
+std::optional<Problem> checkSize(const char* field, Real length) {
+    return checkPositive(field, length, kMaxLength, "m");
 }
 
 std::optional<Problem> check(const Circle& circle) {
     if (auto problem = checkPoint("center", circle.center)) {
         return problem;
     }
-    return checkPositive("radius", circle.radius, kMaxLength);
+    return checkSize("radius", circle.radius);
 }
 
 std::optional<Problem> check(const Box& box) {
-    if (auto problem = checkPositive("width", box.width, kMaxLength)) {
+    if (auto problem = checkSize("width", box.width)) {
         return problem;
     }
-    if (auto problem = checkPositive("height", box.height, kMaxLength)) {
+    if (auto problem = checkSize("height", box.height)) {
         return problem;
     }
-    if (auto problem = checkUnit("rotation", box.rotation.c, box.rotation.s)) {
+    if (auto problem = checkRotation("rotation", box.rotation)) {
         return problem;
     }
     return checkPoint("center", box.center);
@@ -130,8 +132,8 @@ std::optional<Problem> checkConvex(const std::vector<Vec2>& corners, Real flatne
 std::optional<Problem> check(const Polygon& polygon, Real flatness = kFlatness) {
     const std::size_t n = polygon.corners.size();
     if (n < 3 || n > kMaxCorners) {
-        return Problem{"corners", "must be 3 to " + std::to_string(kMaxCorners) + ", but are " +
-                                      std::to_string(n)};
+        return Problem{"corners", "must be from 3 to " + std::to_string(kMaxCorners) +
+                                      " points, but there are " + std::to_string(n)};
     }
     for (std::size_t i = 0; i < n; ++i) {
         if (auto problem = checkPoint(corner(i), polygon.corners[i])) {
@@ -148,15 +150,14 @@ std::optional<Problem> check(const Point& point) {
     return checkPoint("position", point.position);
 }
 
-/// Checks a point of a segment: it must be finite and differ from its neighbour.
-std::optional<Problem> checkEnd(const char* field, Vec2 point, Vec2 neighbour) {
+/// Checks a point of a segment: it must be finite and differ from its neighbour, called `other`.
+std::optional<Problem> checkEnd(const char* field, Vec2 point, Vec2 neighbour, const char* other) {
     if (auto problem = checkPoint(field, point)) {
         return problem;
     }
     if (!(lengthSquared(point - neighbour) > 0)) {
-        return Problem{field,
-                       "must differ from the adjacent point: the square of their distance must "
-                       "be greater than 0"};
+        return Problem{field, "must differ from `" + std::string(other) + "`, but both are " +
+                                  textOf(point) + (point == neighbour ? "" : ", to rounding")};
     }
     return std::nullopt;
 }
@@ -165,30 +166,30 @@ std::optional<Problem> check(const Segment& segment) {
     if (auto problem = checkPoint("from", segment.from)) {
         return problem;
     }
-    if (auto problem = checkEnd("to", segment.to, segment.from)) {
+    if (auto problem = checkEnd("to", segment.to, segment.from, "from")) {
         return problem;
     }
-    const auto checkNeighbour = [&](const char* field, const std::optional<Vec2>& point,
-                                    Vec2 end) -> std::optional<Problem> {
+    const auto checkNeighbour = [&](const char* field, const std::optional<Vec2>& point, Vec2 end,
+                                    const char* other) -> std::optional<Problem> {
         if (!point) {
             return std::nullopt;
         }
         if (!segment.oneSided) {
-            return Problem{field, "is only for one-sided segments"};
+            return Problem{field, "is only for one-sided segments: set oneSided"};
         }
-        return checkEnd(field, *point, end);
+        return checkEnd(field, *point, end, other);
     };
-    if (auto problem = checkNeighbour("before", segment.before, segment.from)) {
+    if (auto problem = checkNeighbour("before", segment.before, segment.from, "from")) {
         return problem;
     }
-    return checkNeighbour("after", segment.after, segment.to);
+    return checkNeighbour("after", segment.after, segment.to, "to");
 }
 
 std::optional<Problem> check(const Plane& plane) {
-    if (auto problem = checkUnit("normal", plane.normal.x, plane.normal.y)) {
+    if (auto problem = checkUnit("normal", plane.normal)) {
         return problem;
     }
-    return checkRange("offset", plane.offset, -kMaxLength, kMaxLength);
+    return checkRange("offset", plane.offset, -kMaxLength, kMaxLength, "m");
 }
 
 Vec2 pointOf(const Heightmap& map, std::size_t i) {
@@ -199,13 +200,13 @@ std::optional<Problem> check(const Heightmap& map) {
     if (auto problem = checkPoint("origin", map.origin)) {
         return problem;
     }
-    if (auto problem = checkPositive("spacing", map.spacing, kMaxLength)) {
+    if (auto problem = checkSize("spacing", map.spacing)) {
         return problem;
     }
     const std::size_t n = map.heights.size();
     if (n < 2 || n > kMaxHeights) {
-        return Problem{"heights", "must be 2 to " + std::to_string(kMaxHeights) + ", but are " +
-                                      std::to_string(n)};
+        return Problem{"heights", "must be from 2 to " + std::to_string(kMaxHeights) +
+                                      " numbers, but there are " + std::to_string(n)};
     }
     for (std::size_t i = 0; i < n; ++i) {
         const std::string field = "heights[" + std::to_string(i) + "]";
@@ -237,14 +238,12 @@ std::vector<Primitive> primitivesOf(const Heightmap& map) {
 }
 
 std::optional<Problem> check(const Compound& compound) {
-    if (compound.parts.empty()) {
-        return Problem{"parts", "must be at least one"};
+    const std::size_t n = compound.parts.size();
+    if (n < 1 || n > kMaxParts) {
+        return Problem{"parts", "must be from 1 to " + std::to_string(kMaxParts) +
+                                    " primitives, but there are " + std::to_string(n)};
     }
-    if (compound.parts.size() > kMaxParts) {
-        return Problem{"parts", "must be at most " + std::to_string(kMaxParts) + ", but are " +
-                                    std::to_string(compound.parts.size())};
-    }
-    for (std::size_t i = 0; i < compound.parts.size(); ++i) {
+    for (std::size_t i = 0; i < n; ++i) {
         if (auto problem = check(compound.parts[i])) {
             problem->field = "parts[" + std::to_string(i) + "]." + problem->field;
             return problem;
@@ -320,6 +319,10 @@ std::vector<Primitive> primitivesOf(const Shape& shape) {
             }
         },
         shape);
+}
+
+Shape shapeOf(const Primitive& primitive) {
+    return std::visit([](const auto& kind) { return Shape(kind); }, primitive);
 }
 
 bool needsLock(const Primitive& primitive) {

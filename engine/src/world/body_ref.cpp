@@ -4,6 +4,7 @@
 #include "world/world_impl.hpp"
 
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace kodo {
@@ -16,12 +17,26 @@ void refuseIfStatic(const BodyView& body, bool moves) {
     }
 }
 
+/// Names the target of moveTo() that asks for too high a speed, in a unit of length or rotation.
+Problem tooFar(const char* field, Real speed, Real most, const char* unit, Real dt) {
+    return Problem{field, "is too far to be reached in dt = " + textOf(dt) + " s: it takes " +
+                              textOf(speed) + " " + unit + ", but a body has at most " +
+                              textOf(most) + " " + unit +
+                              "; setPosition() and setRotation() teleport"};
+}
+
 } // namespace
 
 BodyRef::BodyRef(WorldImpl& world, BodyId id) : BodyView(world.bodies_, id), world_(&world) {}
 
+/// For setters: the index, checked.
+std::uint32_t BodyRef::changing(const char* call) const {
+    world_->guard_.requireChangeable(call);
+    return index();
+}
+
 void BodyRef::setPosition(Vec2 position) {
-    const std::uint32_t body = index();
+    const std::uint32_t body = changing("BodyRef::setPosition");
     Bodies& bodies = world_->bodies_;
     refuse(checkPosition("position", position, world_->tolerances_.unit()));
     Transform& pose = bodies.pose[body];
@@ -30,7 +45,7 @@ void BodyRef::setPosition(Vec2 position) {
 }
 
 void BodyRef::setRotation(Rot rotation) {
-    const std::uint32_t body = index();
+    const std::uint32_t body = changing("BodyRef::setRotation");
     refuse(checkRotation("rotation", rotation));
     const Vec2 origin = position();
     refuse(checkPosition("position", origin, world_->tolerances_.unit())); // before any change
@@ -39,7 +54,7 @@ void BodyRef::setRotation(Rot rotation) {
 }
 
 void BodyRef::setVelocity(Vec2 velocity) {
-    const std::uint32_t body = index();
+    const std::uint32_t body = changing("BodyRef::setVelocity");
     refuse(checkVelocity("velocity", velocity, world_->tolerances_.unit()));
     refuseIfStatic(*this, velocity != Vec2{});
     world_->thaw(body);
@@ -48,8 +63,8 @@ void BodyRef::setVelocity(Vec2 velocity) {
 }
 
 void BodyRef::setAngularVelocity(Real radiansPerSecond) {
-    const std::uint32_t body = index();
-    refuse(checkRange("angularVelocity", radiansPerSecond, -kMaxSpeed, kMaxSpeed));
+    const std::uint32_t body = changing("BodyRef::setAngularVelocity");
+    refuse(checkAngularVelocity("angularVelocity", radiansPerSecond));
     refuseIfStatic(*this, radiansPerSecond != 0);
     world_->thaw(body);
     world_->bodies_.motion[body].angularVelocity = radiansPerSecond;
@@ -61,17 +76,24 @@ void BodyRef::moveTo(Vec2 position, Real dt) {
 }
 
 void BodyRef::moveTo(Vec2 position, Rot rotation, Real dt) {
-    const std::uint32_t body = index();
+    const std::uint32_t body = changing("BodyRef::moveTo");
     const Real unit = world_->tolerances_.unit();
     refuse(checkPosition("position", position, unit));
     refuse(checkRotation("rotation", rotation));
-    refuse(checkRange("dt", dt, kMinTimeStep, kMaxTimeStep));
+    refuse(checkRange("dt", dt, kMinTimeStep, kMaxTimeStep, "s"));
     const Vec2 target = position + rotation * world_->bodies_.geometry(body).mass.center;
     const Vec2 velocity = (target - center()) / dt;
     const Real spin = (rotation * this->rotation().inverse()).angle() / dt;
-    refuse(checkVelocity("velocity", velocity, unit));
-    refuse(checkRange("angularVelocity", spin, -kMaxSpeed, kMaxSpeed));
-    refuseIfStatic(*this, velocity != Vec2{} || spin != 0);
+    if (checkVelocity("position", velocity, unit)) {
+        refuse(tooFar("position", length(velocity), kMaxSpeed * unit, "m/s", dt));
+    }
+    if (checkAngularVelocity("rotation", spin)) {
+        refuse(tooFar("rotation", std::abs(spin), kMaxSpeed, "rad/s", dt));
+    }
+    if (type() == BodyType::Static && (velocity != Vec2{} || spin != 0)) {
+        refuse(Problem{"position", "and rotation must be the present ones for a static body: make "
+                                   "it Kinematic"});
+    }
     world_->thaw(body);
     BodyVelocity& motion = world_->bodies_.motion[body];
     motion.velocity = velocity;
@@ -80,33 +102,34 @@ void BodyRef::moveTo(Vec2 position, Rot rotation, Real dt) {
 }
 
 void BodyRef::applyForce(Vec2 force) {
-    world_->applyForce(index(), {}, force);
+    world_->applyForce(changing("BodyRef::applyForce"), {}, force);
 }
 
 void BodyRef::applyForce(Vec2 force, Vec2 point) {
+    const std::uint32_t body = changing("BodyRef::applyForce");
     refuse(checkPosition("point", point, world_->tolerances_.unit()));
-    world_->applyForce(index(), point - center(), force);
+    world_->applyForce(body, point - center(), force);
 }
 
 void BodyRef::applyTorque(Real torque) {
-    const std::uint32_t body = index();
-    refuse(std::isfinite(torque) ? std::nullopt
-                                 : std::optional(Problem{"torque", "must be finite"}));
+    const std::uint32_t body = changing("BodyRef::applyTorque");
+    refuse(checkFinite("torque", torque));
     addForce(world_->bodies_, body, {}, torque);
     world_->wake(body);
 }
 
 void BodyRef::applyImpulse(Vec2 impulse) {
-    world_->applyImpulse(index(), {}, impulse);
+    world_->applyImpulse(changing("BodyRef::applyImpulse"), {}, impulse);
 }
 
 void BodyRef::applyImpulse(Vec2 impulse, Vec2 point) {
+    const std::uint32_t body = changing("BodyRef::applyImpulse");
     refuse(checkPosition("point", point, world_->tolerances_.unit()));
-    world_->applyImpulse(index(), point - center(), impulse);
+    world_->applyImpulse(body, point - center(), impulse);
 }
 
 void BodyRef::setType(BodyType type) {
-    const std::uint32_t body = index();
+    const std::uint32_t body = changing("BodyRef::setType");
     refuse(type <= BodyType::Static
                ? std::nullopt
                : std::optional(Problem{"type", "must be one of the enumerators of BodyType"}));
@@ -123,7 +146,7 @@ void BodyRef::setType(BodyType type) {
 }
 
 void BodyRef::setFlags(Flags flags) {
-    const std::uint32_t body = index();
+    const std::uint32_t body = changing("BodyRef::setFlags");
     constexpr Flags kKept = kStatusFlags | kTypeBits;
     const Flags kept = world_->bodies_.filter[body].flags & kKept;
     for (std::size_t i = 0; i < partCount(); ++i) {
@@ -137,17 +160,17 @@ void BodyRef::setFlags(Flags flags) {
 }
 
 void BodyRef::setRequired(std::uint16_t required) {
-    const std::uint32_t body = index();
+    const std::uint32_t body = changing("BodyRef::setRequired");
     world_->bodies_.filter[body].required = required;
     world_->bodyChanged(body);
 }
 
 void BodyRef::setUserData(std::uint64_t userData) {
-    world_->bodies_.record[index()].userData = userData;
+    world_->bodies_.record[changing("BodyRef::setUserData")].userData = userData;
 }
 
 void BodyRef::setMaterial(const Material& material) {
-    const std::uint32_t body = index();
+    const std::uint32_t body = changing("BodyRef::setMaterial");
     refuse(check(material));
     std::vector<Part> parts = world_->bodies_.geometry(body).parts;
     for (Part& part : parts) {

@@ -4,6 +4,7 @@
 
 #include "base/checks.hpp"
 #include "bodies/body_checks.hpp"
+#include "world/query_checks.hpp"
 #include "world/world_impl.hpp"
 
 #include <algorithm>
@@ -69,7 +70,9 @@ public:
         : bodies_(world.impl().bodyData()),
           view_(world.impl().queryView()),
           which_(which),
-          except_(except) {}
+          except_(except) {
+        refuse(checkFilter(which));
+    }
 
     BodyId idOf(std::uint32_t body) const { return bodies_.idAt(body); }
     const ConvexShape& convex(std::uint32_t body, std::uint32_t part) const {
@@ -137,37 +140,6 @@ std::optional<QueryHit> hitOf(const Asked& asked, std::uint32_t body, std::uint3
                     ray.at(hit->fraction), hit->normal};
 }
 
-/// The convex shapes of a shape, relative to its own origin.
-std::vector<ConvexShape> convexesOf(const Shape& shape) {
-    if (const auto problem = check(shape)) {
-        throw BadDefinition(*problem);
-    }
-    std::vector<ConvexShape> convexes;
-    for (const Primitive& primitive : primitivesOf(shape)) {
-        convexes.push_back(convexShapeOf(primitive, {}));
-    }
-    return convexes;
-}
-
-void requireFinite(const char* field, Vec2 value) {
-    if (!isFinite(value)) {
-        refuse(Problem{field, "must be finite"});
-    }
-}
-
-void requirePose(const char* field, const Transform& t) {
-    requireFinite(field, t.position);
-    refuse(checkRotation(field, t.rotation));
-}
-
-void requireRay(Vec2 from, Vec2 to) {
-    requireFinite("from", from);
-    requireFinite("to", to);
-    if (from == to) {
-        refuse(Problem{"to", "must differ from `from`: overlap() finds what contains a point"});
-    }
-}
-
 /// A part whose bounds a query reaches.
 struct Candidate {
     Real entry = 0; // fraction at which a ray enters the bounds
@@ -233,7 +205,7 @@ std::vector<BodyId> overlapping(const Asked& asked, std::span<const ConvexShape>
 std::optional<QueryHit> rayCast(const World& world, Vec2 from, Vec2 to, CollisionFilter which,
                                 std::span<const BodyId> except) {
     std::optional<QueryHit> best;
-    requireRay(from, to);
+    requireRay(world, from, to);
     const Asked asked(world, which, except);
     const PathEntry path(from, to, {});
     asked.forParts([&](const Aabb& box) { return path(box, limitOf(best)); },
@@ -248,7 +220,7 @@ std::optional<QueryHit> rayCast(const World& world, Vec2 from, Vec2 to, Collisio
 std::vector<QueryHit> rayCastAll(const World& world, Vec2 from, Vec2 to, CollisionFilter which,
                                  std::span<const BodyId> except) {
     std::vector<QueryHit> hits;
-    requireRay(from, to);
+    requireRay(world, from, to);
     const Asked asked(world, which, except);
     const PathEntry path(from, to, {});
     asked.forParts([&](const Aabb& box) { return path(box, 1); },
@@ -264,7 +236,8 @@ std::vector<QueryHit> rayCastAll(const World& world, Vec2 from, Vec2 to, Collisi
 void visitRay(const World& world, Vec2 from, Vec2 to,
               const std::function<bool(const QueryHit&)>& visit, CollisionFilter which,
               std::span<const BodyId> except) {
-    requireRay(from, to);
+    requireVisitor(visit);
+    requireRay(world, from, to);
     const Asked asked(world, which, except);
     const PathEntry path(from, to, {});
     std::vector<Candidate> near;
@@ -280,6 +253,7 @@ void visitRay(const World& world, Vec2 from, Vec2 to,
               [](const Candidate& a, const Candidate& b) {
                   return std::tie(a.entry, a.body, a.part) < std::tie(b.entry, b.body, b.part);
               });
+    const ChangeGuard::Visit visiting(world.impl().guard());
     std::vector<QueryHit> hits; // a heap: the first one on top
     const auto isBehind = [](const QueryHit& a, const QueryHit& b) { return isBefore(b, a); };
     std::size_t next = 0;
@@ -305,9 +279,8 @@ std::optional<QueryHit> shapeCast(const World& world, const Shape& shape, const 
                                   Vec2 displacement, CollisionFilter which,
                                   std::span<const BodyId> except) {
     std::optional<QueryHit> best;
-    const std::vector<ConvexShape> convexes = convexesOf(shape);
-    requirePose("start", start);
-    requireFinite("displacement", displacement);
+    const std::vector<ConvexShape> convexes = requireShape(world, shape, "start", start);
+    requireDisplacement(world, convexes, start, displacement);
     const Asked asked(world, which, except);
     for (const ConvexShape& convex : convexes) {
         const Aabb box = boundsOf(convex, start);
@@ -327,13 +300,7 @@ std::optional<QueryHit> shapeCast(const World& world, const Shape& shape, const 
 
 std::vector<BodyId> overlap(const World& world, const Aabb& box, CollisionFilter which,
                             std::span<const BodyId> except) {
-    const Vec2 lower = box.lower;
-    const Vec2 upper = box.upper;
-    requireFinite("box", lower);
-    requireFinite("box", upper);
-    if (!(lower.x <= upper.x && lower.y <= upper.y)) {
-        refuse(Problem{"box", "must have lower <= upper on both axes"});
-    }
+    requireBox(world, box);
     // Relative to the box's own centre, for precision far from the origin. A box without width or
     // height is a line; one without both is a point.
     const Vec2 center = box.center();
@@ -355,26 +322,24 @@ std::vector<BodyId> overlap(const World& world, const Aabb& box, CollisionFilter
 
 std::vector<BodyId> overlap(const World& world, const Shape& shape, const Transform& at,
                             CollisionFilter which, std::span<const BodyId> except) {
-    const std::vector<ConvexShape> convexes = convexesOf(shape);
-    requirePose("at", at);
+    const std::vector<ConvexShape> convexes = requireShape(world, shape, "at", at);
     return overlapping(Asked(world, which, except), convexes, at, unsure);
 }
 
 void visitOverlaps(const World& world, const Shape& shape, const Transform& at,
                    const std::function<bool(BodyId)>& visit, CollisionFilter which,
                    std::span<const BodyId> except) {
-    const std::vector<ConvexShape> convexes = convexesOf(shape);
-    requirePose("at", at);
+    requireVisitor(visit);
+    const std::vector<ConvexShape> convexes = requireShape(world, shape, "at", at);
+    const ChangeGuard::Visit visiting(world.impl().guard());
     forOverlapping(Asked(world, which, except), convexes, at, unsure, visit);
 }
 
 std::optional<QueryPoint> closestPoint(const World& world, Vec2 point, Real maxDistance,
                                        CollisionFilter which, std::span<const BodyId> except) {
     std::optional<QueryPoint> best;
-    requireFinite("point", point);
-    if (!(maxDistance >= 0)) { // also for NaN
-        refuse(Problem{"maxDistance", "must be 0 or greater"});
-    }
+    requirePoint(world, "point", point);
+    requireDistance(maxDistance);
     const Asked asked(world, which, except);
     const Real rounding = roundingOf(point, point);
     const auto entry = [&](const Aabb& box) {

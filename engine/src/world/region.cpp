@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "base/checks.hpp"
+#include "bodies/body_checks.hpp"
 #include "contacts/contact_update.hpp"
 #include "world/world_impl.hpp"
 
@@ -8,8 +10,8 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 
 void WorldImpl::setRegion(std::optional<Aabb> region) {
-    if (region && !(region->lower.x <= region->upper.x && region->lower.y <= region->upper.y)) {
-        throw BadDefinition({"region", "must have its lower corner below and left of its upper"});
+    if (region) {
+        refuse(checkBox("region", *region));
     }
     region_ = region;
     for (std::uint32_t body = 0; body < bodies_.size(); ++body) {

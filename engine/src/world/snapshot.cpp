@@ -40,6 +40,7 @@ void header(ByteStream& stream) {
 std::vector<std::byte> toBytes(const World& world) {
     ByteStream stream;
     header(stream);
+    world.impl().guard().requireWhole("toBytes");
     WorldImpl copy = world.impl(); // the field lists need mutable references
     SnapshotFields(stream, {}).world(copy);
     std::vector<std::byte> bytes = stream.takeWritten();

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <functional>
 #include <tuple>
-#include <typeinfo>
 #include <utility>
 
 namespace kodo {
@@ -39,19 +38,6 @@ std::size_t partCount(const Bodies& bodies) {
         parts += bodies.ids.aliveAt(i) ? bodies.geometry(i).parts.size() : 0;
     }
     return parts;
-}
-
-enum class FieldKind : std::uint8_t { Own, Gravity, Drag, Wind, Attractor, Buoyancy };
-
-/// By the exact type: a class derived from Drag is a user-defined field.
-FieldKind kindOf(const ForceField& field) {
-    const std::type_info& type = typeid(field);
-    return type == typeid(Gravity)     ? FieldKind::Gravity
-           : type == typeid(Drag)      ? FieldKind::Drag
-           : type == typeid(Wind)      ? FieldKind::Wind
-           : type == typeid(Attractor) ? FieldKind::Attractor
-           : type == typeid(Buoyancy)  ? FieldKind::Buoyancy
-                                       : FieldKind::Own;
 }
 
 } // namespace
@@ -86,7 +72,7 @@ void SnapshotFields::geometries(WorldImpl& world) {
         for (const Part& part : parts) {
             require(checkMoved(part.primitive));
             require(check(part.material));
-            require(checkRange("density", part.density, kMinDensity, kMaxDensity));
+            require(checkDensity(part.density));
         }
         geometry = makeGeometry(std::move(parts));
         require(geometry->mass.mass >= 0 && geometry->mass.inertia >= 0 &&
@@ -222,7 +208,7 @@ std::shared_ptr<const ForceField> SnapshotFields::nextOwnField() {
 
 void SnapshotFields::one(FieldEntry& entry) {
     auto& [shared, which] = entry;
-    FieldKind kind = shared ? kindOf(*shared) : FieldKind::Own;
+    FieldKind kind = shared ? shared->kind() : FieldKind::Own;
     as<std::uint8_t>(kind);
     switch (kind) {
     case FieldKind::Own:
@@ -311,9 +297,9 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
 }
 
 void SnapshotFields::world(WorldImpl& world) {
-    auto& [settings, tolerances, stepCount, count, bodies, fields, contacts, impacts, softSolver,
-           propagation, contactVisits, continuous, sleep, joints, broken, frozen, region,
-           outsideVelocities, parked, unparked, previousAwake, activityChanges, queries,
+    auto& [guard, settings, tolerances, stepCount, count, bodies, fields, contacts, impacts,
+           softSolver, propagation, contactVisits, continuous, sleep, joints, broken, frozen,
+           region, outsideVelocities, parked, unparked, previousAwake, activityChanges, queries,
            lastGeometry] = world;
     softSolver.blocks().writeBackAll(contacts.contacts(), bodies);
     all(settings, tolerances, stepCount);

@@ -19,7 +19,8 @@ constexpr std::size_t kBodiesPerPiece = 256;
 } // namespace
 
 void WorldImpl::step(Real dt, const StepOptions& options) {
-    refuse(checkRange("dt", dt, kMinTimeStep, kMaxTimeStep));
+    refuse(checkRange("dt", dt, kMinTimeStep, kMaxTimeStep, "s"));
+    const ChangeGuard::Step running(guard_);
     const auto enter = [&](StepStage stage) {
         if (options.listener != nullptr) {
             options.listener->enter(stage);

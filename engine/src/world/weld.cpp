@@ -28,6 +28,24 @@ std::optional<Problem> checkTogether(const BodyGeometry& into, const BodyGeometr
     return problem;
 }
 
+std::optional<Problem> checkMassless(const char* field, const Primitive& part, Flags into) {
+    auto problem = checkPlaneType(part, into);
+    if (problem) {
+        problem = Problem{field, "is a plane, which has no mass: weld it to a static or kinematic "
+                                 "body"};
+    }
+    return problem;
+}
+
+std::optional<Problem> checkNear(const Primitive& movedPart, Real lengthUnit) {
+    auto problem = checkExtent(movedPart, lengthUnit);
+    if (problem) {
+        problem->field = "part";
+        problem->reason = "is too far away: " + problem->reason;
+    }
+    return problem;
+}
+
 } // namespace
 
 std::size_t WorldImpl::weld(BodyId into, BodyId part) {
@@ -36,12 +54,16 @@ std::size_t WorldImpl::weld(BodyId into, BodyId part) {
     if (into == part) {
         throw BadDefinition({"part", "must not be the body that it is welded to"});
     }
-    for (const Part& added : bodies_.geometry(part.index).parts) {
-        refuse(checkPlaneType(added.primitive, bodies_.filter[into.index].flags));
-    }
     const Transform frame{bodies_.originOf(into.index), bodies_.pose[into.index].rotation};
     const Transform other{bodies_.originOf(part.index), bodies_.pose[part.index].rotation};
     const Transform place = between(frame, other);
+    for (const Part& added : bodies_.geometry(part.index).parts) {
+        refuse(checkMassless("part", added.primitive, bodies_.filter[into.index].flags));
+        refuse(checkNear(moved(added.primitive, place), tolerances_.unit()));
+    }
+    if (auto problem = joints_.checkTransfer(part, into, place, tolerances_.unit())) {
+        throw BadDefinition({"part", "has a joint that would be invalid: " + problem->text()});
+    }
     refuse(checkTogether(bodies_.geometry(into.index), bodies_.geometry(part.index), place));
     writeBackContacts();
     wakeNeighbours(into.index);
@@ -60,8 +82,8 @@ std::size_t WorldImpl::weld(BodyId into, const Primitive& shape, const Material&
     kodo::requireAlive(bodies_, into);
     refuse(check(shape));
     refuse(check(material));
-    refuse(checkRange("density", density, kMinDensity, kMaxDensity));
-    refuse(checkPlaneType(shape, bodies_.filter[into.index].flags));
+    refuse(checkDensity(density));
+    refuse(checkMassless("shape", shape, bodies_.filter[into.index].flags));
     const Part part{shape, material, density};
     refuse(checkParts({&part, 1}, tolerances_.unit()));
     refuse(checkTogether(bodies_.geometry(into.index), *makeGeometry({part}), {}));
@@ -82,12 +104,13 @@ std::size_t WorldImpl::weld(BodyId into, const Primitive& shape, const Material&
 BodyId WorldImpl::unweld(BodyId body, std::size_t part, Flags flags) {
     kodo::requireAlive(bodies_, body);
     const std::vector<Part>& parts = bodies_.geometry(body.index).parts;
+    if (part >= parts.size()) {
+        throw BadDefinition({"part", "must be below " + std::to_string(parts.size()) +
+                                         ", the number of parts of the body, but is " +
+                                         std::to_string(part)});
+    }
     if (parts.size() == 1) {
         throw BadDefinition({"part", "is the only part of the body, which would be left empty"});
-    }
-    if (part >= parts.size()) {
-        throw BadDefinition({"part", "is " + std::to_string(part) + ", but the body has " +
-                                         std::to_string(parts.size()) + " parts"});
     }
     if (needsLock(parts[part].primitive) && (flags & kLockBoth) != kLockBoth) {
         refuse(Problem{"flags", "must have kLockMove and kLockRotate: a plane has no mass"});

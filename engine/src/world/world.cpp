@@ -7,18 +7,27 @@
 
 namespace kodo {
 inline namespace KODO_PRECISION {
+namespace {
+
+const WorldImpl& wholeOf(const World& world) {
+    world.impl().guard().requireWhole("A copy of this World");
+    return world.impl();
+}
+
+} // namespace
 
 World::World(const WorldDef& def) : impl_(std::make_unique<WorldImpl>(def)) {}
-World::World(const World& other) : impl_(std::make_unique<WorldImpl>(other.impl())) {}
+World::World(const World& other) : impl_(std::make_unique<WorldImpl>(wholeOf(other))) {}
 World::World(World&& other) noexcept = default;
 World& World::operator=(const World& other) {
     if (this == &other) {
         return *this;
     }
     if (impl_) {
-        *impl_ = other.impl(); // in place: handles to bodies of this World stay valid
+        change("World::operator=");
+        *impl_ = wholeOf(other); // in place: handles to bodies of this World stay valid
     } else {
-        impl_ = std::make_unique<WorldImpl>(other.impl());
+        impl_ = std::make_unique<WorldImpl>(wholeOf(other));
     }
     return *this;
 }
@@ -35,14 +44,20 @@ const WorldImpl& World::impl() const {
     return *impl_;
 }
 
+/// For calls that change the World.
+WorldImpl& World::change(const char* call) {
+    impl().guard().requireChangeable(call);
+    return impl();
+}
+
 BodyId World::add(const BodyDef& def) {
-    return impl().add(def);
+    return change("World::add").add(def);
 }
 void World::remove(BodyId id) {
-    impl().remove(id);
+    change("World::remove").remove(id);
 }
 BodyId World::clone(BodyId id, Vec2 position) {
-    return impl().clone(id, position);
+    return change("World::clone").clone(id, position);
 }
 bool World::contains(BodyId id) const {
     return impl().contains(id);
@@ -60,21 +75,21 @@ BodyView World::operator[](BodyId id) const {
     return impl()[id];
 }
 std::size_t World::weld(BodyId into, BodyId part) {
-    return impl().weld(into, part);
+    return change("World::weld").weld(into, part);
 }
 std::size_t World::weld(BodyId into, const Primitive& shape, const Material& material,
                         Real density) {
-    return impl().weld(into, shape, material, density);
+    return change("World::weld").weld(into, shape, material, density);
 }
 BodyId World::unweld(BodyId body, std::size_t part, Flags flags) {
-    return impl().unweld(body, part, flags);
+    return change("World::unweld").unweld(body, part, flags);
 }
 
 JointId World::addJoint(const JointDef& def) {
-    return impl().add(def);
+    return change("World::add").add(def);
 }
 void World::remove(JointId id) {
-    impl().remove(id);
+    change("World::remove").remove(id);
 }
 bool World::contains(JointId id) const {
     return impl().contains(id);
@@ -83,7 +98,7 @@ const JointDef& World::joint(JointId id) const {
     return impl().joint(id);
 }
 void World::setJoint(JointId id, const JointDef& def) {
-    impl().setJoint(id, def);
+    change("World::setJoint").setJoint(id, def);
 }
 Vec2 World::jointForce(JointId id) const {
     return impl().jointForce(id);
@@ -99,23 +114,23 @@ std::span<const BrokenJoint> World::brokenJoints() const {
 }
 
 void World::addField(FieldEntry entry) {
-    impl().addField(std::move(entry));
+    change("World::addField").addField(std::move(entry));
 }
 void World::setFields(std::vector<FieldEntry> fields) {
-    impl().setFields(std::move(fields));
+    change("World::setFields").setFields(std::move(fields));
 }
 const std::vector<FieldEntry>& World::fields() const {
     return impl().fields();
 }
 void World::applyForceToAll(Vec2 force, CollisionFilter which) {
-    impl().applyForceToAll(force, which);
+    change("World::applyForceToAll").applyForceToAll(force, which);
 }
 void World::applyTorqueToAll(Real torque, CollisionFilter which) {
-    impl().applyTorqueToAll(torque, which);
+    change("World::applyTorqueToAll").applyTorqueToAll(torque, which);
 }
 
 void World::step(Real dt, const StepOptions& options) {
-    impl().step(dt, options);
+    change("World::step").step(dt, options);
 }
 std::span<const CollisionRecord> World::collisions() const {
     return impl().collisions();
@@ -124,7 +139,7 @@ std::uint64_t World::stepCount() const {
     return impl().stepCount();
 }
 void World::setRegion(std::optional<Aabb> region) {
-    impl().setRegion(region);
+    change("World::setRegion").setRegion(region);
 }
 const std::optional<Aabb>& World::region() const {
     return impl().region();
@@ -136,7 +151,7 @@ const StepSettings& World::settings() const {
     return impl().settings();
 }
 void World::setSettings(const StepSettings& settings) {
-    impl().setSettings(settings);
+    change("World::setSettings").setSettings(settings);
 }
 const Tolerances& World::tolerances() const {
     return impl().tolerances();
@@ -153,6 +168,7 @@ void setPairSearch(World& world, std::optional<PairSearch> only) {
         throw BadDefinition({"only", "must be a way of PairSearch, but is " +
                                          std::to_string(static_cast<int>(*only))});
     }
+    world.impl().guard().requireChangeable("setPairSearch");
     world.impl().setPairSearch(only);
 }
 

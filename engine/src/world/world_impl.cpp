@@ -36,10 +36,10 @@ std::uint32_t nextStamp() {
 } // namespace
 
 std::optional<Problem> check(const WorldDef& def) {
-    if (auto problem = checkRange("lengthUnit", def.lengthUnit, Real(1e-6), Real(1e6))) {
+    if (auto problem = checkRange("lengthUnit", def.lengthUnit, Real(1e-6), Real(1e6), "m")) {
         return problem;
     }
-    if (auto problem = checkVelocity("gravity", def.gravity, def.lengthUnit)) {
+    if (auto problem = checkVelocity("gravity", def.gravity, def.lengthUnit, "m/s^2")) {
         return problem;
     }
     return check(def.settings);
@@ -47,7 +47,7 @@ std::optional<Problem> check(const WorldDef& def) {
 
 WorldImpl::WorldImpl(const WorldDef& def) : tolerances_() {
     const Real big = detail::kBig;
-    detail::requireExactArithmetic((big + 1) - big);
+    detail::requireExactArithmetic((big + 1) - big, detail::kFive / 49);
     refuse(check(def));
     const std::uint32_t stamp = nextStamp();
     bodies_.stamp = stamp;
@@ -150,19 +150,18 @@ void WorldImpl::thaw(std::uint32_t body) {
 
 /// Force in N at the end of an arm (m) from the centre of mass.
 void WorldImpl::applyForce(std::uint32_t body, Vec2 arm, Vec2 force) {
-    refuse(isFinite(force) ? std::nullopt : std::optional(Problem{"force", "must be finite"}));
+    refuse(checkFinite("force", force));
     addForce(bodies_, body, force, cross(arm, force));
     wake(body);
 }
 
 /// Impulse in N s at the end of an arm (m) from the centre of mass.
 void WorldImpl::applyImpulse(std::uint32_t body, Vec2 arm, Vec2 impulse) {
-    refuse(isFinite(impulse) ? std::nullopt : std::optional(Problem{"impulse", "must be finite"}));
+    refuse(checkFinite("impulse", impulse));
     BodyVelocity after = bodies_.motion[body];
     kodo::applyImpulse(after, arm, impulse);
     refuse(checkVelocity("velocity after the impulse", after.velocity, tolerances_.unit()));
-    refuse(checkRange("angularVelocity after the impulse", after.angularVelocity, -kMaxSpeed,
-                      kMaxSpeed));
+    refuse(checkAngularVelocity("angularVelocity after the impulse", after.angularVelocity));
     bodies_.motion[body] = after;
     velocityChanged(body);
 }
@@ -212,12 +211,18 @@ std::vector<BodyId> WorldImpl::bodies() const {
 }
 
 void WorldImpl::requireAlive(JointId id) const {
-    if (!joints_.contains(id)) {
-        throw BadDefinition({"joint", std::to_string(id.index) + " of generation " +
-                                          std::to_string(id.generation) +
-                                          " is not in this World: it was removed, broke, or was "
-                                          "never added"});
+    if (joints_.contains(id)) {
+        return;
     }
+    if (id.generation == 0) {
+        throw BadDefinition({"joint", "the null id JointId{} names no joint"});
+    }
+    const bool foreign = id.world != 0 && bodies_.stamp != 0 && id.world != bodies_.stamp;
+    throw BadDefinition(
+        {"joint", "joint " + std::to_string(id.index) + " of generation " +
+                      std::to_string(id.generation) +
+                      (foreign ? " belongs to another World"
+                               : " is not in this World: it was removed, broke, or never added")});
 }
 
 /// Wakes the bodies of a joint and updates the excluded pairs.
@@ -228,8 +233,11 @@ void WorldImpl::jointsChanged(const JointDef& def) {
 }
 
 JointId WorldImpl::add(const JointDef& def) {
-    kodo::requireAlive(bodies_, firstBody(def));
-    kodo::requireAlive(bodies_, secondBody(def));
+    for (const BodyId body : {firstBody(def), secondBody(def)}) {
+        if (body.generation != 0) { // check() names the end without a body
+            kodo::requireAlive(bodies_, body);
+        }
+    }
     refuse(check(def, tolerances_.unit()));
     const JointId id = joints_.add(def);
     jointsChanged(def);
@@ -252,7 +260,8 @@ void WorldImpl::setJoint(JointId id, const JointDef& def) {
     refuse(check(def, tolerances_.unit()));
     if (old.index() != def.index() || firstBody(old) != firstBody(def) ||
         secondBody(old) != secondBody(def)) {
-        throw BadDefinition({"joint", "must keep its kind and its bodies"});
+        throw BadDefinition({"joint", "must keep its kind and its bodies: to change them, remove "
+                                      "the joint and add another"});
     }
     joints_.setDef(id, def);
     jointsChanged(def);
@@ -270,8 +279,10 @@ Real WorldImpl::jointTorque(JointId id) const {
 
 void WorldImpl::requireValid(const FieldEntry& entry) const {
     if (!entry.field) {
-        refuse(Problem{"field", "must not be null"});
+        refuse(Problem{"field", "must not be null: FieldEntry::field holds a std::shared_ptr to a "
+                                "field"});
     }
+    refuse(checkFilter(entry.which));
     refuse(checkField(*entry.field, tolerances_.unit()));
 }
 
@@ -292,6 +303,8 @@ void WorldImpl::setFields(std::vector<FieldEntry> fields) {
 }
 
 void WorldImpl::applyForceToAll(Vec2 force, CollisionFilter which) {
+    refuse(checkFilter(which));
+    refuse(checkFinite("force", force));
     for (const BodyId id : bodies()) {
         if (accepts(which, bodies_.filter[id.index].flags)) {
             (*this)[id].applyForce(force);
@@ -300,6 +313,8 @@ void WorldImpl::applyForceToAll(Vec2 force, CollisionFilter which) {
 }
 
 void WorldImpl::applyTorqueToAll(Real torque, CollisionFilter which) {
+    refuse(checkFilter(which));
+    refuse(checkFinite("torque", torque));
     for (const BodyId id : bodies()) {
         if (accepts(which, bodies_.filter[id.index].flags)) {
             (*this)[id].applyTorque(torque);

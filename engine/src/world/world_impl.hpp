@@ -10,6 +10,7 @@
 #include "solve/propagation.hpp"
 #include "solve/sleep_system.hpp"
 #include "solve/soft_solver.hpp"
+#include "world/change_guard.hpp"
 #include "world/query_tree.hpp"
 
 #include <optional>
@@ -75,6 +76,7 @@ public:
 
     // For queries.
     const Bodies& bodyData() const { return bodies_; }
+    const ChangeGuard& guard() const { return guard_; }
     QueryTree::View queryView() const { return queries_.view(bodies_, tolerances_); }
 
 private:
@@ -121,6 +123,7 @@ private:
     bool allSound(WorkerTeam& team) const;
     void freezeUnsoundMotion();
 
+    ChangeGuard guard_;
     StepSettings settings_;
     Tolerances tolerances_;
     std::uint64_t stepCount_ = 0;
