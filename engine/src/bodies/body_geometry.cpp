@@ -95,6 +95,33 @@ std::vector<Part> partsOf(const BodyDef& def) {
     return parts;
 }
 
+namespace {
+
+/// True if one one-sided line ends where the next begins, and the chain bends to the blocking side.
+bool bendsUp(const ConvexShape& line, const ConvexShape& next) {
+    return line.oneSided && next.oneSided && line.vertices[1] == next.vertices[0] &&
+           next.before != Vec2{} && cross(next.before, line.after) > 0;
+}
+
+/// Sets the valleys of one-sided lines. The lines of a chain are parts in order.
+void findValleys(std::span<Part> parts) {
+    const auto lengthOf = [](const ConvexShape& line) {
+        return length(line.vertices[1] - line.vertices[0]);
+    };
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+        const ConvexShape& last = parts[i - 1].convex;
+        ConvexShape& line = parts[i].convex;
+        line.valleyBefore = bendsUp(last, line) ? last.valleyBefore + lengthOf(last) : 0;
+    }
+    for (std::size_t i = parts.size() - 1; i-- > 0;) {
+        ConvexShape& line = parts[i].convex;
+        const ConvexShape& next = parts[i + 1].convex;
+        line.valleyAfter = bendsUp(line, next) ? next.valleyAfter + lengthOf(next) : 0;
+    }
+}
+
+} // namespace
+
 std::shared_ptr<const BodyGeometry> makeGeometry(std::vector<Part> parts) {
     auto geometry = std::make_shared<BodyGeometry>();
     geometry->mass = massOf(parts[0]);
@@ -109,6 +136,7 @@ std::shared_ptr<const BodyGeometry> makeGeometry(std::vector<Part> parts) {
         geometry->coreRadius = std::min(geometry->coreRadius, part.convex.coreRadius);
         geometry->area += std::visit([](const auto& kind) { return areaOf(kind); }, part.primitive);
     }
+    findValleys(parts);
     geometry->parts = std::move(parts);
     return geometry;
 }

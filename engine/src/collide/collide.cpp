@@ -92,7 +92,7 @@ Manifold collidePlane(const ConvexShape& plane, const Transform& a, const Convex
 
 /// Planes and one-sided lines.
 Manifold collideSpecial(const ConvexShape& shapeA, const Transform& a, const ConvexShape& shapeB,
-                        const Transform& b, Real margin, Real preference) {
+                        const Transform& b, Real margin, Real preference, Real reach) {
     if (shapeA.isPlane()) {
         return collidePlane(shapeA, a, shapeB, b, margin);
     }
@@ -100,9 +100,9 @@ Manifold collideSpecial(const ConvexShape& shapeA, const Transform& a, const Con
         return swapped(collidePlane(shapeB, b, shapeA, a, margin));
     }
     if (shapeA.oneSided) {
-        return collideOneSided(shapeA, a, shapeB, b, margin, preference);
+        return collideOneSided(shapeA, a, shapeB, b, margin, preference, reach);
     }
-    return swapped(collideOneSided(shapeB, b, shapeA, a, margin, preference));
+    return swapped(collideOneSided(shapeB, b, shapeA, a, margin, preference, reach));
 }
 
 bool isPlain(const ConvexShape& shape) {
@@ -156,13 +156,18 @@ Separation betweenFaces(const ConvexShape& shapeA, const Transform& a, const Con
 
 Manifold collide(const ConvexShape& shapeA, const Transform& a, const ConvexShape& shapeB,
                  const Transform& b, Real margin, Real preference) {
+    return collideAhead(shapeA, a, shapeB, b, margin, preference, 0);
+}
+
+Manifold collideAhead(const ConvexShape& shapeA, const Transform& a, const ConvexShape& shapeB,
+                      const Transform& b, Real margin, Real preference, Real reach) {
     if (shapeA.isRound() && shapeB.isRound()) {
         return collideRound(shapeA, a, shapeB, b, margin);
     }
     const bool sidedA = shapeA.kind == ConvexKind::Sided;
     const bool sidedB = shapeB.kind == ConvexKind::Sided;
     if (!(sidedA || isPlain(shapeA)) || !(sidedB || isPlain(shapeB))) {
-        return collideSpecial(shapeA, a, shapeB, b, margin, preference);
+        return collideSpecial(shapeA, a, shapeB, b, margin, preference, reach);
     }
     if (shapeB.isRound()) {
         return collideFacesRound(shapeA, a, shapeB, b, margin);

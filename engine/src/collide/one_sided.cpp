@@ -44,16 +44,25 @@ Real sinkOf(const ConvexShape& other, Real margin) {
     return std::max(margin / 4 - other.coreRadius, Real(0));
 }
 
-/// Feature nearest to the centre of a circle: the face, a vertex, or none of this line.
-enum class Nearest : std::uint8_t { Face, Start, End, Other };
+/// Feature nearest to the centre of a circle: the face, a vertex, the face extended along a valley,
+/// or none of this line.
+enum class Nearest : std::uint8_t { Face, Start, End, Ahead, Other };
 
-Nearest nearestOf(const ConvexShape& line, Vec2 center) {
+/// True if a centre beyond a vertex by `beyond` (m) is in the valley of the line, within `reach`.
+bool isAhead(Real beyond, Real valley, Real reach) {
+    return beyond < std::min(valley, reach);
+}
+
+Nearest nearestOf(const ConvexShape& line, Vec2 center, Real reach) {
     const Vec2 along = alongOf(line);
     const Vec2 fromStart = center - line.vertices[0];
     const Vec2 fromEnd = center - line.vertices[1];
     if (dot(along, fromStart) < 0) {
         if (isFree(line, 0)) {
             return Nearest::Start;
+        }
+        if (isAhead(-dot(along, fromStart), line.valleyBefore, reach)) {
+            return Nearest::Ahead;
         }
         // The neighbour tests the same product, so exactly one of the two lines owns the centre.
         const bool pastNeighbour = dot(line.before, fromStart) >= 0;
@@ -62,15 +71,19 @@ Nearest nearestOf(const ConvexShape& line, Vec2 center) {
         return pastNeighbour && bends ? Nearest::Start : Nearest::Other;
     }
     if (dot(along, fromEnd) >= 0) {
-        return isFree(line, 1) ? Nearest::End : Nearest::Other;
+        if (isFree(line, 1)) {
+            return Nearest::End;
+        }
+        return isAhead(dot(along, fromEnd), line.valleyAfter, reach) ? Nearest::Ahead
+                                                                     : Nearest::Other;
     }
     return Nearest::Face;
 }
 
 Manifold collideWithRound(const ConvexShape& line, const Transform& a, const ConvexShape& circle,
-                          const Transform& b, Real margin) {
+                          const Transform& b, Real margin, Real reach) {
     const Vec2 center = between(a, b) * circle.vertices[0];
-    const Nearest nearest = nearestOf(line, center);
+    const Nearest nearest = nearestOf(line, center, reach);
     Manifold manifold;
     if (nearest == Nearest::Other) {
         return manifold;
@@ -78,11 +91,14 @@ Manifold collideWithRound(const ConvexShape& line, const Transform& a, const Con
     Vec2 normal = line.normals[1];
     Real distance = dot(normal, center - line.vertices[0]);
     const std::size_t end = nearest == Nearest::End ? 1 : 0;
+    if (nearest == Nearest::Ahead && distance < 0) {
+        return manifold;
+    }
     if (distance < -sinkOf(circle, margin) && (nearest == Nearest::Face || isFree(line, end))) {
         manifold.fromBehind = true;
         return manifold;
     }
-    if (nearest != Nearest::Face) {
+    if (nearest == Nearest::Start || nearest == Nearest::End) {
         const Vec2 arm = center - line.vertices[end];
         distance = length(arm);
         normal = distance > 0 ? arm / distance : normal;
@@ -185,6 +201,31 @@ Manifold collideWithFaces(const ConvexShape& line, const Transform& a, const Con
                   : clipAgainstFace({line, a}, {other, b}, ab, front, margin, BeyondEnds::Nothing);
 }
 
+/// Contact of the deepest corner with a line ahead in a valley; see collideOneSided().
+Manifold collideCornerAhead(const ConvexShape& line, const Transform& a, const ConvexShape& other,
+                            const Transform& b, Real margin, Real reach) {
+    const Transform ab = between(a, b);
+    const Vec2 normal = line.normals[1];
+    const Vec2 along = alongOf(line);
+    const std::size_t support = supportVertex(other, unrotate(ab.rotation, -normal), 0);
+    const Vec2 corner = ab * other.vertices[support];
+    const Real beforeStart = -dot(along, corner - line.vertices[0]);
+    const Real afterEnd = dot(along, corner - line.vertices[1]);
+    const bool ahead = (beforeStart > 0 && isAhead(beforeStart, line.valleyBefore, reach)) ||
+                       (afterEnd >= 0 && isAhead(afterEnd, line.valleyAfter, reach));
+    const Real gap = dot(normal, corner - line.vertices[0]);
+    Manifold manifold;
+    const bool inFront = dot(normal, ab * other.middle - line.vertices[0]) >= 0;
+    if (ahead && inFront && gap <= margin) {
+        constexpr std::uint32_t kFirstFeature = 64; // beyond those of faces and ends
+        manifold.normal = a.rotation * normal;
+        add(manifold,
+            {corner - gap / 2 * normal, gap, kFirstFeature + static_cast<std::uint32_t>(support)},
+            a, b);
+    }
+    return manifold;
+}
+
 } // namespace
 
 bool ownsVertex(const ConvexShape& line, std::size_t end) {
@@ -200,11 +241,14 @@ bool ownsDirection(const ConvexShape& line, std::size_t end, Vec2 direction) {
 }
 
 Manifold collideOneSided(const ConvexShape& line, const Transform& a, const ConvexShape& other,
-                         const Transform& b, Real margin, Real preference) {
+                         const Transform& b, Real margin, Real preference, Real reach) {
     if (other.isRound()) {
-        return collideWithRound(line, a, other, b, margin);
+        return collideWithRound(line, a, other, b, margin, reach);
     }
     Manifold manifold = collideWithFaces(line, a, other, b, margin, preference);
+    if (manifold.count == 0 && !manifold.fromBehind && reach > 0) {
+        manifold = collideCornerAhead(line, a, other, b, margin, reach);
+    }
     if (other.oneSided) {
         const Vec2 middle = between(b, a) * line.middle - other.vertices[0];
         if (dot(other.normals[1], middle) < 0) {

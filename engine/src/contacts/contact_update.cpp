@@ -179,15 +179,23 @@ void beginStep(Contact& contact) {
     }
 }
 
+/// Distance (m) along one-sided lines within which the pair may come in this step, from its
+/// relative displacement in the last one.
+Real reachOf(const Bodies& bodies, const ContactKey& key) {
+    constexpr Real kMore = Real(1.25); // the pair may accelerate
+    return kMore *
+           length(bodies.motion[key.bodyB].deltaPosition - bodies.motion[key.bodyA].deltaPosition);
+}
+
 } // namespace
 
 void findContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) {
     const ContactKey& key = contact.key;
     // m; keeps the reference face of parallel faces constant despite rounding.
     const Real preference = tolerances.slop / 8;
-    Manifold manifold = collide(bodies.convex(key.bodyA, key.partA), bodies.pose[key.bodyA],
-                                bodies.convex(key.bodyB, key.partB), bodies.pose[key.bodyB],
-                                tolerances.margin, preference);
+    Manifold manifold = collideAhead(bodies.convex(key.bodyA, key.partA), bodies.pose[key.bodyA],
+                                     bodies.convex(key.bodyB, key.partB), bodies.pose[key.bodyB],
+                                     tolerances.margin, preference, reachOf(bodies, key));
     spreadConcentric(manifold, bodies.convex(key.bodyA, key.partA),
                      bodies.convex(key.bodyB, key.partB), key.bodyB);
     contact.passing = letPass(contact.passing, manifold);

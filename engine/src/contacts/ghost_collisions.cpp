@@ -26,6 +26,13 @@ Ground groundOf(const Bodies& bodies, const Contact& contact) {
             contact.key.partA};
 }
 
+/// True for two one-sided lines of a body: they need no help against ghost collisions. Lines of a
+/// fine valley rise by less than the tolerance, but must not be hidden.
+bool areChain(const Bodies& bodies, const Ground& a, const Ground& b) {
+    return a.body == b.body && bodies.convex(a.body, a.part).oneSided &&
+           bodies.convex(b.body, b.part).oneSided;
+}
+
 /// True if no point of the shape is more than `tolerance` (m) above the surface through `point`.
 bool liesUnder(const ConvexShape& convex, const Transform& pose, Vec2 normal, Vec2 point,
                Real tolerance) {
@@ -77,6 +84,7 @@ void GhostCollisions::hide(const Bodies& bodies, std::span<Contact> contacts,
                 const bool sameWay =
                     other.manifold.count > 0 && dot(ground.normal, carrying.normal) > Real(0.99999);
                 if (k != i && !sameWay && ground.carried == carrying.carried &&
+                    !areChain(bodies, carrying, ground) &&
                     liesUnder(bodies.convex(ground.body, ground.part), bodies.pose[ground.body],
                               carrying.normal, point, tolerances.slop)) {
                     other.hidden = true;
