@@ -26,13 +26,13 @@ function(kodo_install_pkg_config name)
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 
-install(TARGETS kodo kodo64 EXPORT kodo-targets
+install(TARGETS ${kodo_libraries} EXPORT kodo-targets
     ARCHIVE COMPONENT kodo-dev
     RUNTIME COMPONENT kodo-runtime
     LIBRARY COMPONENT kodo-runtime NAMELINK_COMPONENT kodo-dev)
 if(kodo_seal AND KODO_TESTS)
     list(JOIN kodo_seal "\" \"" kodo_seal_words)
-    foreach(library IN ITEMS kodo kodo64)
+    foreach(library IN LISTS kodo_libraries)
         install(CODE "
             set(archive \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}\")
             execute_process(COMMAND_ERROR_IS_FATAL ANY COMMAND \"${CMAKE_COMMAND}\"
@@ -58,8 +58,10 @@ install(EXPORT kodo-targets NAMESPACE kodo:: DESTINATION ${kodo_cmake_folder} CO
 
 kodo_install_pkg_config(kodo LIBRARY kodo PRIVATE -pthread
     DESCRIPTION "2D rigid-body engine, single precision")
-kodo_install_pkg_config(kodo64 LIBRARY kodo64 PRIVATE -pthread CFLAGS -DKODO_DOUBLE
-    DESCRIPTION "2D rigid-body engine, double precision")
+if(KODO_DOUBLE)
+    kodo_install_pkg_config(kodo64 LIBRARY kodo64 PRIVATE -pthread CFLAGS -DKODO_DOUBLE
+        DESCRIPTION "2D rigid-body engine, double precision")
+endif()
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE COMPONENT kodo-dev
     DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kodo)
