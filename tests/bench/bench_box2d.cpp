@@ -19,8 +19,8 @@ public:
         for (const scenes::BodyDef& body : scene.bodies) {
             bodies_.push_back(scenes::addToBox2d(world_, body));
         }
-        for (const scenes::PinDef& pin : scene.pins) {
-            scenes::addToBox2d(world_, pin, bodies_);
+        for (const scenes::RevoluteJointDef& joint : scene.joints) {
+            scenes::addToBox2d(world_, joint, bodies_);
         }
     }
 

@@ -14,13 +14,13 @@ const std::vector<std::string>& profileNames() {
 }
 
 const std::vector<std::string>& featureNames() {
-    static const std::vector<std::string> kNames{"friction", "rolling", "restitution", "sweep",
-                                                 "records",  "resting", "rotation"};
+    static const std::vector<std::string> kNames{"friction", "rolling", "restitution", "continuous",
+                                                 "records",  "sleep",   "rotation"};
     return kNames;
 }
 
 const std::vector<std::string>& pairSearchNames() {
-    static const std::vector<std::string> kNames{"brute", "grid", "sweep", "auto"};
+    static const std::vector<std::string> kNames{"brute", "grid", "sweep-and-prune", "auto"};
     return kNames;
 }
 

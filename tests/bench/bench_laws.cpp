@@ -76,7 +76,7 @@ Scene pendulum(int, std::uint64_t) {
     Scene scene;
     scene.def = {"pendulum", scenes::kDown, {scenes::ball(0.1, {}), scenes::box(1, 0.1, {0.5, 0})}};
     scene.def.bodies[0].locked = true;
-    scene.def.pins = {{0, 1, {0, 0}}};
+    scene.def.joints = {{0, 1, {0, 0}}};
     scene.every = 6;
     scene.act = [=](Stage& stage, int) {
         const std::vector<Placed> bodies = stage.bodies();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Loads in which most of the world stands still, or little of it changes: the cost should be that
-// of what moves or changes.
+// Loads with many bodies of which few move or change. The cost should follow these few.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -53,8 +52,8 @@ Scene rays(int size, std::uint64_t seed) {
     for (int i = 0; i < size; ++i) {
         const Vec2 at{dice.between(0, side), dice.between(0, side)};
         scene.def.bodies.push_back(i % 2 == 0 ? wall(0.8, 0.8, at) : scenes::box(0.8, 0.8, at));
-        scene.def.bodies.back().kind = 1; // meets another kind alone: no collisions
-        scene.def.bodies.back().meets = 2;
+        scene.def.bodies.back().category = 1; // its mask has another one: no collisions
+        scene.def.bodies.back().mask = 2;
     }
     scene.every = 1;
     scene.actIsTimed = true;

@@ -90,7 +90,7 @@ std::vector<BodyDef> breakoutRoom(Material material) {
         room.push_back(wall(1.6, 0.8, {1.5 + 2 * (i % 20), 20 + 1.2 * (i / 20)}, material));
     }
     for (BodyDef& body : room) {
-        body.kind = kWall;
+        body.category = kWall;
     }
     return room;
 }
@@ -103,8 +103,8 @@ double widestPin(const SceneDef& scene, const Engine& engine) {
         return state.position + state.rotation * (point - def.position);
     };
     double widest = 0;
-    for (const scenes::PinDef& pin : scene.pins) {
-        const Vec2 gap = now(pin.a, pin.point) - now(pin.b, pin.point);
+    for (const scenes::RevoluteJointDef& joint : scene.joints) {
+        const Vec2 gap = now(joint.a, joint.point) - now(joint.b, joint.point);
         widest = std::max(widest, std::sqrt(dot(gap, gap)));
     }
     return widest;
@@ -144,8 +144,8 @@ Scene breakout(int size, std::uint64_t seed) {
         BodyDef ball = scenes::ball(0.3, {3.0 + 5 * i, 5}, {0, 1});
         ball.weightless = true;
         ball.velocity = 25.0 * (scenes::turnedBy(dice.between(-0.4, 0.4)) * Vec2{0, 1});
-        ball.kind = kBall;
-        ball.meets = kWall | kBall;
+        ball.category = kBall;
+        ball.mask = kWall | kBall;
         balls.push_back(scene.def.bodies.size());
         scene.def.bodies.push_back(ball);
     }
@@ -154,8 +154,8 @@ Scene breakout(int size, std::uint64_t seed) {
         BodyDef body;
         body.parts = {shard(dice, dice.between(0.10, 0.18))};
         body.position = {0.5 + dice.between(0, 40), 1 + 40.0 * i / size};
-        body.kind = kShard;
-        body.meets = kWall | kShard;
+        body.category = kShard;
+        body.mask = kWall | kShard;
         scene.def.bodies.push_back(body);
     }
     scene.every = 10;
@@ -204,14 +204,15 @@ Scene joints(int size, std::uint64_t) {
     Scene scene;
     scene.def = {"joints", scenes::kDown, {}};
     BodyDef knot = scenes::ball(0.4, {});
-    knot.kind = kBall;
-    knot.meets = kWall; // which does not exist here
+    knot.category = kBall;
+    knot.mask = kWall; // which does not exist here
     scenes::addNet(scene.def, size, knot, {});
     for (int column = std::max(0, size / 2 - 3); column <= std::min(size - 1, size / 2 + 3);
          ++column) {
         scene.def.bodies[static_cast<std::size_t>(column)].locked = true;
     }
-    scene.error = {"pins apart, most", "mm", [def = scene.def](const Stage& stage, const Depths&) {
+    scene.error = {"largest gap at a joint", "mm",
+                   [def = scene.def](const Stage& stage, const Depths&) {
                        return 1000 * widestPin(def, stage.engine());
                    }};
     return scene;
@@ -224,7 +225,7 @@ Scene spinner(int size, std::uint64_t seed) {
     scene.def = {"spinner", scenes::kDown, ring(radius)};
     const std::size_t bar = scene.def.bodies.size();
     scene.def.bodies.push_back(scenes::box(1.5 * radius, 0.5, {}));
-    scene.def.pins = {{0, bar, {}, 2, 1e6}};
+    scene.def.joints = {{0, bar, {}, 2, 1e6}};
     const double pitch = 0.85;
     const int columns = static_cast<int>(1.3 * radius / pitch);
     for (int i = 0; i < size; ++i) { // half of them above the bar, half below

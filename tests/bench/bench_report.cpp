@@ -102,7 +102,8 @@ std::string asJson(const Summary& summary, bool stages) {
     json.add("overlaps", result.depths.pairs);
     json.add("depthMaxMm", 1e3 * result.depths.max);
     json.add("depthMeanMm", 1e3 * result.depths.mean);
-    json.add("depthPeakMm", result.deepest ? std::optional(1e3 * *result.deepest) : std::nullopt);
+    json.add("depthPeakMm",
+             result.maxOverlap ? std::optional(1e3 * *result.maxOverlap) : std::nullopt);
     json.add("escaped", result.escaped);
     json.add("stood", result.displacement.stood);
     json.add("driftSidewaysM", result.displacement.sideways);

@@ -38,7 +38,7 @@ public:
     Run(const Scene& scene, Engine& engine, bool peak)
         : scene_(scene),
           stage_(engine, scene.def),
-          excludedPairs_(pinnedPairs(scene.def)),
+          excludedPairs_(jointedPairs(scene.def)),
           peak_(peak) {}
 
     void warmUp() {
@@ -67,7 +67,7 @@ public:
             }
             done += taken;
             if (peak_ && done / kPeakEvery > (done - taken) / kPeakEvery) {
-                deepest_ = std::max(deepest_, depthsOf(stage_.bodies(), excludedPairs_).max);
+                maxOverlap_ = std::max(maxOverlap_, depthsOf(stage_.bodies(), excludedPairs_).max);
             }
         }
     }
@@ -82,7 +82,7 @@ public:
         result.wallSeconds = wall_.seconds();
         result.depths = depthsOf(bodies, excludedPairs_);
         if (peak_) {
-            result.deepest = std::max(deepest_, result.depths.max);
+            result.maxOverlap = std::max(maxOverlap_, result.depths.max);
         }
         if (scene_.region) {
             result.escaped = escapedFrom(*scene_.region, bodies);
@@ -140,13 +140,13 @@ private:
 
     const Scene& scene_;
     Stage stage_;
-    Apart excludedPairs_;
+    ExcludedPairs excludedPairs_;
     bool peak_;
     int taken_ = 0; // steps, including the warm-up
     int steps_ = 0; // measured steps
     std::uint64_t allocations_ = 0;
     std::uint64_t pairWorkBefore_ = 0;
-    double deepest_ = 0;
+    double maxOverlap_ = 0;
     StopWatch cpu_{CLOCK_THREAD_CPUTIME_ID};
     StopWatch wall_{CLOCK_MONOTONIC};
 };

@@ -29,7 +29,7 @@ struct Result {
     double cpuSeconds = 0; // of the calling thread, during the measured steps
     double wallSeconds = 0;
     Depths depths;                      // at the end
-    std::optional<double> deepest;      // m, sampled every 20 steps
+    std::optional<double> maxOverlap;   // m, sampled every 20 steps
     std::optional<std::size_t> escaped; // empty: the scene has no region
     Drift displacement;
     double kineticEnergy = 0; // J

@@ -136,11 +136,11 @@ TEST(Ruler, IgnoresPairsThatCannotCollide) {
                     scenes::box(1, 1, {20, 0}), scenes::box(1, 1, {20.5, 0})};
     EXPECT_EQ(depthsOf(placed(scene), {}).pairs, 3u);
     scene.bodies[0].locked = scene.bodies[1].locked = true;
-    scene.bodies[2].kind = 1;
-    scene.bodies[3].kind = 2;
-    scene.bodies[3].meets = 2;
-    scene.pins = {{5, 4, {20.25, 0}}};
-    EXPECT_EQ(depthsOf(placed(scene), pinnedPairs(scene)).pairs, 0u);
+    scene.bodies[2].category = 1;
+    scene.bodies[3].category = 2;
+    scene.bodies[3].mask = 2;
+    scene.joints = {{5, 4, {20.25, 0}}};
+    EXPECT_EQ(depthsOf(placed(scene), jointedPairs(scene)).pairs, 0u);
 }
 
 TEST(Ruler, CountsStandingAndEscapedBodies) {

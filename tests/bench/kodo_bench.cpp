@@ -21,13 +21,13 @@ struct Options {
 void addOptions(CLI::App& app, Options& options) {
     RunOptions& run = options.run;
     StepOptions& step = run.step;
-    app.add_flag("--list", options.list, "List the scenes and what they are judged by");
+    app.add_flag("--list", options.list, "List the scenes, their sizes and their error measures");
     app.add_option("--scene", run.scene, "The scene; pyramid unless given");
     app.add_option("--engine", run.engine, "kodo, kodo64 or box2d; kodo unless given")
         ->check(CLI::IsMember(engineNames()));
-    app.add_option("--profile", step.profile, "How Kodo steps")
+    app.add_option("--profile", step.profile, "Settings of Kodo")
         ->check(CLI::IsMember(profileNames()));
-    app.add_option("--substeps", step.substeps, "Instead of the profile's")
+    app.add_option("--substeps", step.substeps, "Number of substeps, instead of the profile's")
         ->check(CLI::Range(1, 64));
     app.add_option("--passes", step.passes, "Velocity iterations of Box2D (8)")
         ->check(CLI::Range(1, 1000));
@@ -35,25 +35,27 @@ void addOptions(CLI::App& app, Options& options) {
         ->check(CLI::Range(0, 1000));
     app.add_option("--set", step.set, "Other numbers of Kodo's settings: contactHertz=120,...")
         ->delimiter(',');
-    app.add_option("--leave-out", step.leaveOut, "Features of Kodo, by commas")
+    app.add_option("--leave-out", step.leaveOut, "Features that Kodo omits, separated by commas")
         ->delimiter(',')
         ->check(CLI::IsMember(featureNames()));
-    app.add_option("--pairs", step.pairs, "How Kodo looks for pairs; auto unless given")
+    app.add_option("--pairs", step.pairs, "Broad phase of Kodo; auto unless given")
         ->check(CLI::IsMember(pairSearchNames()));
-    app.add_option("--threads", step.threads, "1 unless given")->check(CLI::Range(1, 64));
-    app.add_option("--steps", run.steps, "Steps of 1/60 s, instead of the scene's")
+    app.add_option("--threads", step.threads, "Number of threads; 1 unless given")
+        ->check(CLI::Range(1, 64));
+    app.add_option("--steps", run.steps, "Number of steps of 1/60 s, instead of the scene's")
         ->check(CLI::Range(1, 100000000));
-    app.add_option("--size", run.size, "Instead of the scene's; what it means, --list tells")
+    app.add_option("--size", run.size, "Size of the scene, instead of its default; see --list")
         ->check(CLI::Range(1, 10000000));
-    app.add_option("--seed", run.seed, "For what is random in a scene")
+    app.add_option("--seed", run.seed, "Seed of the random numbers of a scene")
         ->check(CLI::Range(0u, 4294967295u)); // -1 would become 2^64 - 1
     app.add_flag("--peak", run.peak, "Measure depth in every 20th step (disturbs the caches)");
-    app.add_option("--repeat", options.repeat, "Runs; the median of their times counts")
+    app.add_option("--repeat", options.repeat,
+                   "Number of runs; the median of their times is printed")
         ->check(CLI::Range(1, 1000));
-    CLI::Option* against =
-        app.add_option("--against", options.against, "Another engine, run in turn, for the ratio")
-            ->check(CLI::IsMember(engineNames()));
-    app.add_option("--against-profile", options.againstProfile, "How the other engine steps")
+    CLI::Option* against = app.add_option("--against", options.against,
+                                          "Another engine, run alternately, for the ratio of times")
+                               ->check(CLI::IsMember(engineNames()));
+    app.add_option("--against-profile", options.againstProfile, "Settings of the other engine")
         ->check(CLI::IsMember(profileNames()))
         ->needs(against);
     app.add_flag("--stages", options.run.step.stages,
@@ -69,7 +71,7 @@ void list() {
             fmt::print("; size {}: {}", recipe.size, recipe.sizeMeans);
         }
         if (scene.error) {
-            fmt::print("; judged by: {}", scene.error->name);
+            fmt::print("; error: {}", scene.error->name);
         }
         fmt::print("\n");
     }
@@ -106,12 +108,12 @@ void runAll(const Options& options) {
 }
 
 int main(int argc, char** argv) {
-    CLI::App app("Scenes in Kodo and in Box2D 2.4.1: what a step costs, and how true it is.");
+    CLI::App app("Cost and accuracy of a step, in Kodo and in Box2D 2.4.1.");
     app.name("kodo-bench");
     app.footer(
-        "Times are CPU times of the thread that asks for steps, of these alone; so are those "
-        "by which\n--against tells a ratio. What helpers win shows on the wall. Exit code: 0 "
-        "done, 1 an engine was\nnot repeatable, 2 wrong use.");
+        "Times are CPU times of the calling thread during steps, also those of the ratio by "
+        "--against.\nThe gain by helper threads shows in the wall time. Exit code: 0 done, 1 an "
+        "engine was not\nrepeatable, 2 wrong use.");
     Options options;
     addOptions(app, options);
     try {

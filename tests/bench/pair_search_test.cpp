@@ -36,7 +36,7 @@ TEST_P(PairSearch, CostsAtMostAFifthMoreThanTheBest) {
     const Result chosen = searching(GetParam(), "auto");
     double best = std::numeric_limits<double>::max();
     std::string ways = "of";
-    for (const char* way : {"brute", "grid", "sweep"}) {
+    for (const char* way : {"brute", "grid", "sweep-and-prune"}) {
         const Result result = searching(GetParam(), way);
         EXPECT_EQ(result.stateHash, chosen.stateHash) << way;
         best = std::min(best, result.pairWorkPerStep.value());

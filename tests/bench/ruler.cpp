@@ -53,9 +53,9 @@ double overlapOf(const PlacedPart& a, const PlacedPart& b) {
     return static_cast<double>(-separationOf(a.outline, b.outline));
 }
 
-bool meets(const scenes::BodyDef& a, const scenes::BodyDef& b) {
+bool mayCollide(const scenes::BodyDef& a, const scenes::BodyDef& b) {
     const auto accepts = [](const scenes::BodyDef& one, const scenes::BodyDef& other) {
-        return one.meets == 0 || (one.meets & other.kind) != 0;
+        return one.mask == 0 || (one.mask & other.category) != 0;
     };
     return !(a.locked && b.locked) && accepts(a, b) && accepts(b, a);
 }
@@ -89,15 +89,15 @@ double overlapOf(const scenes::Part& a, const BodyState& whereA, const scenes::P
     return overlapOf(placedPart(a, whereA), placedPart(b, whereB));
 }
 
-Apart pinnedPairs(const scenes::SceneDef& scene) {
-    Apart pairs;
-    for (const scenes::PinDef& pin : scene.pins) {
-        pairs.insert(std::minmax(pin.a, pin.b));
+ExcludedPairs jointedPairs(const scenes::SceneDef& scene) {
+    ExcludedPairs pairs;
+    for (const scenes::RevoluteJointDef& joint : scene.joints) {
+        pairs.insert(std::minmax(joint.a, joint.b));
     }
     return pairs;
 }
 
-Depths depthsOf(const std::vector<Placed>& bodies, const Apart& apart) {
+Depths depthsOf(const std::vector<Placed>& bodies, const ExcludedPairs& excluded) {
     const std::vector<PlacedPart> parts = partsOf(bodies);
     Depths depths;
     double sum = 0;
@@ -106,8 +106,9 @@ Depths depthsOf(const std::vector<Placed>& bodies, const Apart& apart) {
         for (std::size_t k = i + 1; k < parts.size() && parts[k].lower.x < a.upper.x; ++k) {
             const PlacedPart& b = parts[k];
             const bool near = b.lower.y < a.upper.y && a.lower.y < b.upper.y;
-            if (!near || a.body == b.body || !meets(*bodies[a.body].def, *bodies[b.body].def) ||
-                apart.contains(std::minmax(bodies[a.body].body, bodies[b.body].body))) {
+            if (!near || a.body == b.body ||
+                !mayCollide(*bodies[a.body].def, *bodies[b.body].def) ||
+                excluded.contains(std::minmax(bodies[a.body].body, bodies[b.body].body))) {
                 continue;
             }
             const double depth = overlapOf(a, b);

@@ -34,11 +34,11 @@ struct Depths {
 };
 
 /// Excluded pairs of bodies, which do not collide by definition.
-using Apart = std::set<std::pair<std::size_t, std::size_t>>;
-Apart pinnedPairs(const scenes::SceneDef& scene);
+using ExcludedPairs = std::set<std::pair<std::size_t, std::size_t>>;
+ExcludedPairs jointedPairs(const scenes::SceneDef& scene);
 
 /// Overlaps between parts of different bodies that may collide, of which at least one is dynamic.
-Depths depthsOf(const std::vector<Placed>& bodies, const Apart& apart);
+Depths depthsOf(const std::vector<Placed>& bodies, const ExcludedPairs& excluded);
 
 /// Kinetic energy (J) of the dynamic bodies.
 double kineticEnergy(const std::vector<Placed>& bodies);

@@ -7,7 +7,7 @@
 
 #include <tuple>
 
-namespace kodo {
+namespace kodo::cast_test {
 namespace {
 
 using support::AnyKind;
@@ -17,7 +17,7 @@ using support::Passage;
 
 // Paths of up to 8 m, some forty roundings.
 constexpr Real kTolerance = byPrecision(1e-5, 2e-14);
-constexpr int kPoses = support::draws(10000);
+const int kPoses = support::poses();
 
 class EveryCast : public testing::TestWithParam<std::tuple<AnyKind, AnyKind>> {
 protected:
@@ -177,4 +177,4 @@ TEST(ShapeCast, OfAOneSidedLineHitsOnlyWithItsFront) {
 }
 
 } // namespace
-} // namespace kodo
+} // namespace kodo::cast_test

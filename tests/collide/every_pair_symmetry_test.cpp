@@ -7,7 +7,7 @@
 #include <cmath>
 #include <tuple>
 
-namespace kodo {
+namespace kodo::every_pair_symmetry_test {
 namespace {
 
 using support::AnyKind;
@@ -16,7 +16,7 @@ using support::near;
 
 constexpr Real kMargin = Real(0.125);
 constexpr Real kTolerance = byPrecision(5e-6, 1e-14); // distances of up to 8 m, twenty roundings
-constexpr int kPoses = support::draws(10000);
+const int kPoses = support::poses();
 
 struct Pair {
     Pair(const Primitive& first, const Primitive& second)
@@ -198,4 +198,4 @@ INSTANTIATE_TEST_SUITE_P(AllKinds, EveryPairSymmetry,
                          });
 
 } // namespace
-} // namespace kodo
+} // namespace kodo::every_pair_symmetry_test

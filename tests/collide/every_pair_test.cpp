@@ -7,7 +7,7 @@
 
 #include <tuple>
 
-namespace kodo {
+namespace kodo::every_pair_test {
 namespace {
 
 using support::AnyKind;
@@ -17,7 +17,7 @@ using support::near;
 // Distances of up to 8 m, some twenty roundings.
 constexpr Real kTolerance = byPrecision(5e-6, 1e-14);
 constexpr Real kMargin = Real(0.25);
-constexpr int kPoses = support::draws(10000);
+const int kPoses = support::poses();
 
 struct Pair {
     ConvexShape shapeA;
@@ -206,4 +206,4 @@ TEST(Segment, NormalPointsToTheSideOfTheCentre) {
 }
 
 } // namespace
-} // namespace kodo
+} // namespace kodo::every_pair_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace kodo {
+namespace kodo::heightmap_test {
 namespace {
 
 using support::byPrecision;
@@ -248,4 +248,4 @@ TEST(HeightmapContact, TimeOfImpactStopsAtAHilltop) {
 }
 
 } // namespace
-} // namespace kodo
+} // namespace kodo::heightmap_test

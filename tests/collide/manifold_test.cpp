@@ -5,7 +5,7 @@
 
 #include <set>
 
-namespace kodo {
+namespace kodo::manifold_test {
 namespace {
 
 using support::byPrecision;
@@ -174,4 +174,4 @@ TEST(Manifold, PrefersTheFaceOfTheFirstShape) {
 }
 
 } // namespace
-} // namespace kodo
+} // namespace kodo::manifold_test

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace kodo {
+namespace kodo::one_sided_test {
 namespace {
 
 using support::AnyKind;
@@ -156,4 +156,4 @@ TEST(OneSided, HasATimeOfImpactOnlyFromItsFront) {
 }
 
 } // namespace
-} // namespace kodo
+} // namespace kodo::one_sided_test

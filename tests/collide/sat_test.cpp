@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-namespace kodo {
+namespace kodo::sat_test {
 namespace {
 
 Real linearSupport(const ConvexShape& convex, Vec2 direction) {
@@ -101,4 +101,4 @@ TEST(LeastPenetratingFace, VisitsFewerThanHalfOfTheFacesOfSeparatedShapes) {
 }
 
 } // namespace
-} // namespace kodo
+} // namespace kodo::sat_test

@@ -11,7 +11,7 @@
 #include <numbers>
 #include <tuple>
 
-namespace kodo {
+namespace kodo::separation_bound_test {
 namespace {
 
 using support::AnyKind;
@@ -81,7 +81,7 @@ TEST_P(EverySeparationBound, IsConservative) {
     support::RandomNumbers random(212);
     int looks = 0;
     int passing = 0;
-    const int courses = support::draws(500);
+    const int courses = support::poses() / 8;
     for (int i = 0; i < courses; ++i) {
         SCOPED_TRACE(testing::Message() << "path " << i);
         const ConvexShape shapeA =
@@ -165,4 +165,4 @@ TEST(SeparationBound, ShowsThatCornersPassEachOther) {
 }
 
 } // namespace
-} // namespace kodo
+} // namespace kodo::separation_bound_test

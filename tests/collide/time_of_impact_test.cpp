@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace kodo {
+namespace kodo::time_of_impact_test {
 namespace {
 
 using support::near;
@@ -207,4 +207,4 @@ TEST(TimeOfImpact, EndsInContactForRotatingPolygons) {
 }
 
 } // namespace
-} // namespace kodo
+} // namespace kodo::time_of_impact_test

@@ -10,7 +10,7 @@ using namespace destructoooor;
 using kodo::Real;
 
 /// Maximum overlap (m) during two seconds, after one second of settling.
-Real deepestOf(Scene scene, int collision, int rest, int shock) {
+Real maxOverlapOf(Scene scene, int collision, int rest, int shock) {
     Sandbox sandbox;
     kodo::StepSettings settings = sandbox.settings();
     settings.propagation().impactPasses = collision;
@@ -19,26 +19,26 @@ Real deepestOf(Scene scene, int collision, int rest, int shock) {
     settings.leaveOut = kodo::Feature::Sleep;
     sandbox.setSettings(settings);
     sandbox.restart(scene);
-    Real deepest = 0;
+    Real maxOverlap = 0;
     for (int step = 0; step < 180; ++step) {
         sandbox.step();
-        deepest = step < 60 ? 0 : std::max(deepest, sandbox.measures().deepest);
+        maxOverlap = step < 60 ? 0 : std::max(maxOverlap, sandbox.measures().maxOverlap);
     }
-    return deepest;
+    return maxOverlap;
 }
 
 // A2: shock propagation greatly improves stability even with few iterations.
 TEST(Sandbox, ShockPropagationStabilisesATowerWithFewIterations) {
-    const Real without = deepestOf(Scene::Tower, 5, 2, 0);
-    const Real with = deepestOf(Scene::Tower, 5, 2, 1);
+    const Real without = maxOverlapOf(Scene::Tower, 5, 2, 0);
+    const Real with = maxOverlapOf(Scene::Tower, 5, 2, 1);
     EXPECT_LT(with, without / 4);
 }
 
 // A2: overlap grows with the height of stacks; more collision and rest iterations reduce it.
 TEST(Sandbox, MoreIterationsReduceOverlap) {
-    const Real few = deepestOf(Scene::Pyramid, 2, 2, 0);
-    const Real some = deepestOf(Scene::Pyramid, 10, 10, 0);
-    const Real many = deepestOf(Scene::Pyramid, 40, 60, 0);
+    const Real few = maxOverlapOf(Scene::Pyramid, 2, 2, 0);
+    const Real some = maxOverlapOf(Scene::Pyramid, 10, 10, 0);
+    const Real many = maxOverlapOf(Scene::Pyramid, 40, 60, 0);
     EXPECT_LT(some, few);
     EXPECT_LT(many, some / 2);
 }

@@ -4,7 +4,7 @@
 namespace kodo {
 namespace {
 
-StepSettings wakeful() {
+StepSettings withoutSleep() {
     StepSettings settings;
     settings.leaveOut = Feature::Sleep;
     return settings;
@@ -47,7 +47,7 @@ TEST(MassRatio, AThousandTimesHeavierBlockDoesNotCrushALightOne) {
     for (const Real ratio : {Real(1), Real(10), Real(50), Real(87), Real(88), Real(90), Real(100),
                              Real(300), Real(400), Real(1000)}) {
         SCOPED_TRACE(ratio);
-        const Load load(ratio, wakeful());
+        const Load load(ratio, withoutSleep());
         EXPECT_LT(load.crush(), Real(0.01));
         EXPECT_LT(load.fastest(), Real(0.05)); // it bounces by a millimetre
     }
@@ -65,7 +65,7 @@ TEST(MassRatio, ShockPropagationCarriesAMillionTimesHeavierBlock) {
 
 /// Ten unit boxes on the floor under a box of `ratio` times the mass of one.
 struct Tower {
-    World world{{.gravity = support::kEarth, .settings = wakeful()}};
+    World world{{.gravity = support::kEarth, .settings = withoutSleep()}};
     BodyId floor = support::addFloor(world);
     std::vector<BodyId> boxes = support::addStack(world, 10);
     BodyId heavy;
@@ -147,7 +147,7 @@ TEST(MassRatio, ARefinedStepReportsImpulsesOfWholeSubsteps) {
 // Up to 1:1e9 the motion is bounded. The heavy box may at worst lie on the floor, at 0.5 m within 5
 // cm. After 5 s all speeds are below 1 m/s.
 TEST(MassRatio, MotionIsBoundedUpToABillion) {
-    for (const StepSettings& settings : {wakeful(), withShocks()}) {
+    for (const StepSettings& settings : {withoutSleep(), withShocks()}) {
         for (const Real ratio : {Real(1e3), Real(1e4), Real(1e6), Real(1e9)}) {
             SCOPED_TRACE(ratio);
             const Load load(ratio, settings);
@@ -163,7 +163,7 @@ TEST(MassRatio, MotionIsBoundedUpToABillion) {
 /// m, length after 10 s of a hanging chain of ten links of 0.25 m with little inertia. The last
 /// link has `ratio` times the mass of the others. The unloaded length is 2.5 m.
 Real chainLength(Real ratio) {
-    World world({.gravity = support::kEarth, .settings = wakeful()});
+    World world({.gravity = support::kEarth, .settings = withoutSleep()});
     BodyId last = world.add({.shape = Circle{Real(0.1)}, .type = BodyType::Static});
     for (int i = 1; i <= 10; ++i) {
         BodyDef def = support::ballDef({0, Real(-0.25) * static_cast<Real>(i)}, Real(0.1));

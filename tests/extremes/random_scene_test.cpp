@@ -70,7 +70,7 @@ void expectWhatPhysicsKeeps(std::uint64_t seed, Excess& excess) {
         excess.momentum = std::max(
             excess.momentum, displacement / static_cast<long double>(byPrecision(5e-4, 1e-11)));
         excess.depth =
-            std::max(excess.depth, static_cast<long double>(support::deepest(world)) / 0.3L);
+            std::max(excess.depth, static_cast<long double>(support::maxOverlap(world)) / 0.3L);
         ASSERT_LT(now.kinetic, before.kinetic * (1 + 1e-5L)) << "step " << step;
         ASSERT_EQ(again.stateHash(), world.stateHash()) << "step " << step;
         if (step >= 70) {

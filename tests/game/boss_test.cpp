@@ -45,7 +45,7 @@ void shootAt(Game& game, int row, int column, Real speed) {
 int countBoss(const Game& game) {
     int count = 0;
     for (const Block& block : game.blocks()) {
-        count += block.hold == Hold::Boss ? 1 : 0;
+        count += block.support == Support::Boss ? 1 : 0;
     }
     return count;
 }
@@ -86,7 +86,7 @@ TEST(Boss, LosesABlockBrokenOffByAnImpact) {
     EXPECT_EQ(countBoss(game), 5);
     EXPECT_EQ(game.world()[*game.boss()].partCount(), 5u);
     const Block& block = game.blocks()[indexOf(game, 4, 9)];
-    EXPECT_EQ(block.hold, Hold::Loose);
+    EXPECT_EQ(block.support, Support::Loose);
     EXPECT_EQ(block.part, 0u);
     EXPECT_GT(game.world()[block.body].velocity().y, 0); // the impulse beyond the strength of its
                                                          // mount
@@ -101,8 +101,8 @@ TEST(Boss, ReleasesBlocksNotConnectedToACore) {
     shootAt(game, 4, 6, 12); // the left arm's inner block supports two more
     ASSERT_TRUE(playUntil<LetGo>(game, {}, 30));
     EXPECT_EQ(countBoss(game), 3); // core and right arm
-    EXPECT_EQ(game.blocks()[indexOf(game, 5, 5)].hold, Hold::Loose);
-    EXPECT_EQ(game.blocks()[indexOf(game, 4, 5)].hold, Hold::Loose);
+    EXPECT_EQ(game.blocks()[indexOf(game, 5, 5)].support, Support::Loose);
+    EXPECT_EQ(game.blocks()[indexOf(game, 4, 5)].support, Support::Loose);
     EXPECT_EQ(eventOf<BossDown>(game), nullptr);
 }
 

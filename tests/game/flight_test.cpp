@@ -120,7 +120,7 @@ Real heightOverPaddle(const Range& range) {
 bool isStill(const Level& level) {
     return level.obstructions.empty() && level.wells.empty() && level.wind == 0 &&
            std::all_of(level.kinds.begin(), level.kinds.end(),
-                       [](const BlockKind& kind) { return kind.hold == Hold::Mounted; });
+                       [](const BlockKind& kind) { return kind.support == Support::Mounted; });
 }
 
 TEST(ContinuousCollision, PreventsTunnellingAtFourTimesTheTopSpeedInTenThousandShots) {

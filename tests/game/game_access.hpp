@@ -49,13 +49,13 @@ struct GameTestAccess {
         body.setVelocity(velocity);
         return ball.body;
     }
-    static void breakBlock(Game& game, std::size_t index, kodo::Vec2 point, kodo::Vec2 blow) {
-        game.breakBlock(index, point, blow);
+    static void breakBlock(Game& game, std::size_t index, kodo::Vec2 point, kodo::Vec2 impact) {
+        game.breakBlock(index, point, impact);
     }
     /// Breaks a block by an impact from below, without events.
-    static void breakBlock(Game& game, std::size_t index, kodo::Vec2 blow) {
+    static void breakBlock(Game& game, std::size_t index, kodo::Vec2 impact) {
         const kodo::Vec2 center = game.world_[game.blocks_[index].body].position();
-        breakBlock(game, index, center - kodo::Vec2{kCellWidth / 8, kCellHeight / 2}, blow);
+        breakBlock(game, index, center - kodo::Vec2{kCellWidth / 8, kCellHeight / 2}, impact);
     }
 };
 

@@ -42,9 +42,9 @@ TEST(Blocks, CrackUnderASmallerImpulse) {
     Game game = shotAtBlock(kBrick, 0, 4);
     const auto cracked = playUntil<Cracked>(game, {}, 60);
     ASSERT_TRUE(cracked);
-    const Real blow = 2 * ballMass() * 4;
-    EXPECT_TRUE(near(cracked->impulse, blow, Real(0.01) * blow));
-    EXPECT_TRUE(near(cracked->strengthLeft, (12 - blow) / 12, 0.02));
+    const Real impact = 2 * ballMass() * 4;
+    EXPECT_TRUE(near(cracked->impulse, impact, Real(0.01) * impact));
+    EXPECT_TRUE(near(cracked->strengthLeft, (12 - impact) / 12, 0.02));
     EXPECT_EQ(game.blocksLeft(), 2);
     GameTestAccess::shoot(game, {0, kUnderside - Real(0.6)}, {0, 4});
     EXPECT_TRUE(playUntil<Broke>(game, {}, 60)); // 4 N s of strength left, 8 N s of impulse

@@ -19,7 +19,7 @@ using support::near;
 TEST(SpeedServo, ChangesNothingInsideItsBand) {
     for (const Real share : {Real(1), 1 + kServoBand / 2, 1 - kServoBand / 2}) {
         const Vec2 velocity{12 * share * Real(0.6), 12 * share * Real(0.8)};
-        EXPECT_EQ(held(velocity, normalize(velocity), 12), velocity);
+        EXPECT_EQ(servoVelocity(velocity, normalize(velocity), 12), velocity);
     }
 }
 
@@ -30,7 +30,7 @@ TEST(SpeedServo, ReachesTheBandFromAnySpeedAndKeepsTheHeading) {
         const Vec2 heading = random.rotation().xAxis();
         Vec2 velocity = random.between(0.2, 80) * heading;
         for (int tick = 0; tick < 60; ++tick) {
-            velocity = held(velocity, heading, 12);
+            velocity = servoVelocity(velocity, heading, 12);
         }
         EXPECT_TRUE(near(length(velocity), 12, 12 * kServoBand * Real(1.01)));
         // 60 scalings of two floats, each with an error of half an ulp.
@@ -41,7 +41,7 @@ TEST(SpeedServo, ReachesTheBandFromAnySpeedAndKeepsTheHeading) {
 TEST(SpeedServo, AcceleratesAStoppedBallAlongItsLastHeading) {
     Vec2 velocity{};
     const Vec2 heading{Real(0.6), Real(-0.8)};
-    velocity = held(velocity, heading, 12);
+    velocity = servoVelocity(velocity, heading, 12);
     EXPECT_GT(dot(velocity, heading), 1);
     EXPECT_TRUE(near(cross(velocity, heading), 0, 1e-6));
 }

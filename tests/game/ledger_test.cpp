@@ -83,19 +83,19 @@ void breakOne(Game& game, support::RandomNumbers& random) {
     if (!loose) { // a mounted block is static: infinite inertia, at rest
         before = piecesOf(game, 1);
     }
-    const Vec2 blow = random.point(40);
+    const Vec2 impact = random.point(40);
     const Vec2 point = onTheRim(random, body.position());
     const Real strength = game.blocks()[index].strengthLeft;
     const Real whole = densityOf(game.blocks()[index].kind) * kCellWidth * kCellHeight;
     const Ledger booked = game.ledger();
-    GameTestAccess::breakBlock(game, index, point, blow);
+    GameTestAccess::breakBlock(game, index, point, impact);
     const Sums after = piecesOf(game, 1);
     const Ledger& now = game.ledger();
 
     EXPECT_GT(after.mass - mass, 0.99 * static_cast<double>(whole));
     const double tookX = now.mountImpulseX - booked.mountImpulseX;
     const double tookY = now.mountImpulseY - booked.mountImpulseY;
-    const Vec2 taken = loose ? Vec2{} : blow; // a loose block has already received the impulse
+    const Vec2 taken = loose ? Vec2{} : impact; // a loose block has already received the impulse
     // Sums of up to 500 floats of about 10 N s, 400 N m s and 100 J, each rounded by half an ulp.
     // Merged corners cost up to 1e-5 of a piece.
     EXPECT_NEAR(after.x - before.x + tookX, static_cast<double>(taken.x), 4e-4);

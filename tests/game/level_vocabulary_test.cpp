@@ -62,7 +62,7 @@ TEST(LevelWords, AreParsedIntoALevel) {
     EXPECT_EQ(level.bossDrift, 2000);
     EXPECT_EQ(level.bossSpeed, 1500);
     const BlockKind& hanging = level.kinds[level.cells[0].kind];
-    EXPECT_EQ(hanging.hold, Hold::Hanging);
+    EXPECT_EQ(hanging.support, Support::Hanging);
     EXPECT_EQ(hanging.arm, 1200);
     EXPECT_EQ(hanging.pattern, Pattern::Radial);
     EXPECT_TRUE(level.kinds[level.cells[2].kind].core);

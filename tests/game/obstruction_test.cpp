@@ -131,7 +131,7 @@ Game hung(const std::string& stuff) {
 TEST(HangingBlock, HangsStillUntilItIsHit) {
     Game game = hung("stone");
     const Block block = game.blocks()[1];
-    EXPECT_EQ(block.hold, Hold::Hanging);
+    EXPECT_EQ(block.support, Support::Hanging);
     for (int tick = 0; tick < 240; ++tick) {
         game.tick({});
     }

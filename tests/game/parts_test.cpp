@@ -64,14 +64,14 @@ TEST(WeldedPart, ComesOffWhenImpactsHaveUsedUpItsWeldStrength) {
     ASSERT_TRUE(playUntil<Welded>(game, towards(kCatchX), 240));
     const Real heavy = game.world()[game.paddle()].mass();
     const Real top = game.world()[game.paddle()].bounds().upper.y;
-    const auto blow = [&] {
+    const auto impact = [&] {
         GameTestAccess::shoot(game, {0, top + 1}, {0, -12});
         return playUntil<Struck>(game, towards(kCatchX), 60);
     };
-    ASSERT_TRUE(blow());
+    ASSERT_TRUE(impact());
     EXPECT_TRUE(near(game.welds()[0].strengthLeft, kWeldStrength - 24, 3)); // about 2 m v
     GameTestAccess::welds(game)[0].strengthLeft = 1;
-    ASSERT_TRUE(blow());
+    ASSERT_TRUE(impact());
     const KnockedOff* off = eventOf<KnockedOff>(game);
     ASSERT_NE(off, nullptr);
     EXPECT_EQ(off->parts, 0);

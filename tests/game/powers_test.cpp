@@ -196,7 +196,7 @@ TEST(Wings, AreKnockedOffByOneHardImpactAndFall) {
     GameTestAccess::shoot(game, {Real(2.8), 3}, {0, -12});
     const auto off = playUntil<KnockedOff>(game, {}, 60);
     ASSERT_TRUE(off);
-    EXPECT_GT(off->impulse, kKnockOffBlow);
+    EXPECT_GT(off->impulse, kKnockOffImpact);
     EXPECT_EQ(game.weldedParts(), 1);
     const Real lost = game.world()[off->shard].mass();
     EXPECT_TRUE(near(game.world()[game.paddle()].mass() + lost, heavy, 1e-4));

@@ -96,7 +96,7 @@ TEST(ShardBreak, HappensIfTheImpulseExceedsTheStrength) {
     const auto broke = playUntil<ShardBroke>(game, {}, 60);
     ASSERT_TRUE(broke);
     EXPECT_GE(broke->pieces, 2);
-    EXPECT_GT(broke->impulse, kSlightestBlow);
+    EXPECT_GT(broke->impulse, kSlightestImpact);
     EXPECT_FALSE(game.world().contains(broke->shard));
 }
 

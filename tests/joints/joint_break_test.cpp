@@ -101,7 +101,7 @@ TEST(JointBreak, LetsItsBodiesCollideAgain) {
     EXPECT_THROW(world.remove(joint), BadDefinition);
     run(world, 120);
     EXPECT_TRUE(near(world[upper].position().y, Real(1.5), Real(0.02)));
-    EXPECT_TRUE(support::rests(world, upper));
+    EXPECT_TRUE(support::isAsleep(world, upper));
 }
 
 // F1: a chain breaks at its weakest joint only.

@@ -10,10 +10,10 @@ using joints::gapOf;
 using joints::Rig;
 using support::ballDef;
 using support::boxDef;
+using support::isAsleep;
 using support::kDt;
 using support::near;
 using support::nearShare;
-using support::rests;
 using support::run;
 
 /// A ragdoll of six boxes with five limited hinges.
@@ -45,16 +45,16 @@ TEST(JointSleep, JointedBodiesFallAsleepAndWakeTogether) {
     World world({.gravity = support::kEarth});
     support::addFloor(world);
     const std::vector<BodyId> man = addMan(world, {3, 4});
-    ASSERT_LE(support::stepsUntilRest(world, man[0], 3600), 3600);
+    ASSERT_LE(support::stepsUntilAsleep(world, man[0], 3600), 3600);
     for (const BodyId id : man) {
-        EXPECT_TRUE(rests(world, id));
+        EXPECT_TRUE(isAsleep(world, id));
     }
     world.step(kDt);
     EXPECT_EQ(stepStats(world).bodies, 0u);
     world[man[5]].applyImpulse({0, Real(0.2)});
     world.step(kDt);
     for (const BodyId id : man) {
-        EXPECT_FALSE(rests(world, id));
+        EXPECT_FALSE(isAsleep(world, id));
     }
 }
 
@@ -69,7 +69,7 @@ TEST(JointSleep, NeverBeginsAtTheTurningPointOfAPendulum) {
         rig.world.add(RevoluteJoint{.ends = {.a = rig.post, .b = bob, .anchorB = {0, 2}}});
         for (int step = 0; step < 600; ++step) {
             rig.world.step(kDt);
-            ASSERT_FALSE(rests(rig.world, bob)) << angle << ", step " << step;
+            ASSERT_FALSE(isAsleep(rig.world, bob)) << angle << ", step " << step;
         }
     }
 }
@@ -80,7 +80,7 @@ TEST(JointSleep, KeepsTheReportedForce) {
     const BodyId bob = rig.addBob({0, -2});
     const JointId pin =
         rig.world.add(RevoluteJoint{.ends = {.a = rig.post, .b = bob, .anchorB = {0, 2}}});
-    ASSERT_LE(support::stepsUntilRest(rig.world, bob, 120), 120);
+    ASSERT_LE(support::stepsUntilAsleep(rig.world, bob, 120), 120);
     run(rig.world, 60);
     EXPECT_TRUE(nearShare(rig.world.jointForce(pin).y, rig.weightOf(bob), 1e-3));
 }
@@ -124,7 +124,7 @@ TEST(JointSleep, AMotorKeepsItsBodyAwake) {
     rig.world.add(RevoluteJoint{
         .ends = {.a = rig.post, .b = wheel}, .motorSpeed = Real(0.05), .motorTorque = 10});
     run(rig.world, 600);
-    EXPECT_FALSE(rests(rig.world, wheel));
+    EXPECT_FALSE(isAsleep(rig.world, wheel));
     EXPECT_TRUE(nearShare(rig.world[wheel].rotation().angle(), 0.5, 0.01));
 }
 

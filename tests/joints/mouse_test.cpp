@@ -44,7 +44,7 @@ TEST(MouseJoint, ANewTargetWakesItsBody) {
     const BodyId box = rig.world.add(support::boxDef({0, 0}, 1, 1));
     const JointId hand =
         rig.world.add(MouseJoint{.body = box, .target = {0, 0}, .force = 500, .damping = 1});
-    ASSERT_LE(support::stepsUntilRest(rig.world, box, 900), 900);
+    ASSERT_LE(support::stepsUntilAsleep(rig.world, box, 900), 900);
     MouseJoint moved = std::get<MouseJoint>(rig.world.joint(hand));
     moved.target = {2, 0};
     rig.world.setJoint(hand, moved);

@@ -10,7 +10,7 @@ using support::nearShare;
 
 /// A flat box, which cannot tip over, on a slope through the origin that rises to the right.
 struct Slope {
-    World world{support::wakeful()};
+    World world{support::withoutSleep()};
     BodyId box;
     Vec2 start;
     Vec2 downhill;

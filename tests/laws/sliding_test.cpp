@@ -55,7 +55,7 @@ TEST(Sliding, StopsAtTheSamePlaceAtAnyRate) {
 // A cube, whose load shifts to its front edge while braking, stops after the same distance: v^2 /
 // (2 mu g) = 2.5 m.
 TEST(Sliding, ACubeStopsAtTheExactDistance) {
-    World world(support::wakeful());
+    World world(support::withoutSleep());
     support::addFloor(world, withFriction(Real(0.5)));
     BodyDef def = support::boxDef({0, Real(0.5)}, 1, 1, withFriction(Real(0.5)));
     def.velocity = {5, 0};

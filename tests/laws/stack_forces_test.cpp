@@ -23,7 +23,7 @@ double forceBetween(World& world, BodyId a, BodyId b, int steps) {
 // Contact k of a stack of ten carries the 10 - k boxes above it, within 1 % after 5 s. It sinks by
 // at most one slop per contact and is at rest after 20 s.
 TEST(StackForces, EachContactCarriesTheWeightAbove) {
-    World world(support::wakeful());
+    World world(support::withoutSleep());
     BodyId lower = support::addFloor(world);
     const std::vector<BodyId> boxes = support::addStack(world, 10);
     support::run(world, 300);
@@ -44,7 +44,7 @@ TEST(StackForces, EachContactCarriesTheWeightAbove) {
 TEST(StackForces, ABeamSharesItsLoadByTheLeverRule) {
     for (const double x : {0.0, 0.5, 1.5}) {
         SCOPED_TRACE(x);
-        World world(support::wakeful());
+        World world(support::withoutSleep());
         BodyDef support = support::ballDef({-2, Real(0.5)}, Real(0.5));
         support.type = BodyType::Static;
         const BodyId left = world.add(support);
@@ -65,7 +65,7 @@ TEST(StackForces, ABeamSharesItsLoadByTheLeverRule) {
 
 // With three supports the forces are indeterminate, but their sum and torque are known.
 TEST(StackForces, ThreeSupportsBalanceForceAndTorque) {
-    World world(support::wakeful());
+    World world(support::withoutSleep());
     std::vector<BodyId> supports;
     for (const Real x : {Real(-2), Real(0), Real(2)}) {
         BodyDef support = support::ballDef({x, Real(0.5)}, Real(0.5));

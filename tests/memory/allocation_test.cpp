@@ -88,13 +88,13 @@ struct Scene {
     }
 };
 
-StepSettings settingsFor(Solver strategy, bool rests) {
+StepSettings settingsFor(Solver strategy, bool sleeps) {
     StepSettings settings;
     if (strategy == Solver::Propagation) {
         settings = support::settingsOf(strategy);
         settings.propagation().shockPasses = 2;
     }
-    settings.leaveOut = rests ? Features() : Feature::Sleep;
+    settings.leaveOut = sleeps ? Features() : Feature::Sleep;
     return settings;
 }
 
@@ -183,7 +183,7 @@ TEST(Allocation, FallingAsleepAndWakingAllocatesNothing) {
 
 /// Balls in a row, each on a tile, and as many tiles far below.
 struct TilesAndBalls {
-    World world{support::wakeful()};
+    World world{support::withoutSleep()};
     std::vector<BodyId> balls;
 
     explicit TilesAndBalls(int count) {

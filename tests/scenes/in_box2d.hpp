@@ -88,11 +88,11 @@ inline b2Body* addToBox2d(b2World& world, const BodyDef& source, float bounceThr
         fixture.friction = static_cast<float>(source.material.friction);
         fixture.restitution = static_cast<float>(source.material.restitution);
         fixture.restitutionThreshold = bounceThreshold;
-        if (source.kind != 0) {
-            fixture.filter.categoryBits = source.kind;
+        if (source.category != 0) {
+            fixture.filter.categoryBits = source.category;
         }
-        if (source.meets != 0) {
-            fixture.filter.maskBits = source.meets;
+        if (source.mask != 0) {
+            fixture.filter.maskBits = source.mask;
         }
         const auto add = [&](const auto& shape) {
             fixture.shape = &shape;
@@ -110,12 +110,13 @@ inline b2Body* addToBox2d(b2World& world, const BodyDef& source, float bounceThr
     return body;
 }
 
-inline void addToBox2d(b2World& world, const PinDef& pin, const std::vector<b2Body*>& bodies) {
+inline void addToBox2d(b2World& world, const RevoluteJointDef& joint,
+                       const std::vector<b2Body*>& bodies) {
     b2RevoluteJointDef def;
-    def.Initialize(bodies[pin.a], bodies[pin.b], toBox2d(pin.point));
-    def.enableMotor = pin.motorTorque > 0;
-    def.motorSpeed = static_cast<float>(pin.motorSpeed);
-    def.maxMotorTorque = static_cast<float>(pin.motorTorque);
+    def.Initialize(bodies[joint.a], bodies[joint.b], toBox2d(joint.point));
+    def.enableMotor = joint.motorTorque > 0;
+    def.motorSpeed = static_cast<float>(joint.motorSpeed);
+    def.maxMotorTorque = static_cast<float>(joint.motorTorque);
     world.CreateJoint(&def);
 }
 

@@ -61,10 +61,10 @@ inline kodo::BodyDef toKodo(const BodyDef& body) {
     def.type = !body.locked ? kodo::BodyType::Dynamic
                : moves      ? kodo::BodyType::Kinematic
                             : kodo::BodyType::Static;
-    def.flags = body.kind;
-    if (body.meets != 0) {
+    def.flags = body.category;
+    if (body.mask != 0) {
         def.flags |= kodo::kMatchAny;
-        def.required = body.meets;
+        def.required = body.mask;
     }
     return def;
 }
@@ -72,19 +72,19 @@ inline kodo::BodyDef toKodo(const BodyDef& body) {
 /// User flag of bodies under gravity, for scenes with weightless bodies.
 inline constexpr kodo::Flags kHeavy = 0x8000;
 
-inline kodo::RevoluteJoint toKodo(const PinDef& pin, const SceneDef& scene,
+inline kodo::RevoluteJoint toKodo(const RevoluteJointDef& joint, const SceneDef& scene,
                                   const std::vector<kodo::BodyId>& ids) {
     const auto anchor = [&](const BodyDef& body) {
         const Rot back{body.rotation.c, -body.rotation.s};
-        return toKodo(back * (pin.point - body.position));
+        return toKodo(back * (joint.point - body.position));
     };
     kodo::RevoluteJoint def;
-    def.ends.a = ids[pin.a];
-    def.ends.b = ids[pin.b];
-    def.ends.anchorA = anchor(scene.bodies[pin.a]);
-    def.ends.anchorB = anchor(scene.bodies[pin.b]);
-    def.motorSpeed = static_cast<kodo::Real>(pin.motorSpeed);
-    def.motorTorque = static_cast<kodo::Real>(pin.motorTorque);
+    def.ends.a = ids[joint.a];
+    def.ends.b = ids[joint.b];
+    def.ends.anchorA = anchor(scene.bodies[joint.a]);
+    def.ends.anchorB = anchor(scene.bodies[joint.b]);
+    def.motorSpeed = static_cast<kodo::Real>(joint.motorSpeed);
+    def.motorTorque = static_cast<kodo::Real>(joint.motorTorque);
     return def;
 }
 
@@ -110,8 +110,8 @@ inline KodoScene inKodo(const SceneDef& scene, const kodo::StepSettings& setting
         one.flags |= allHeavy || body.weightless ? 0 : kHeavy;
         result.ids.push_back(result.world.add(one));
     }
-    for (const PinDef& pin : scene.pins) {
-        result.world.add(kodo::JointDef(toKodo(pin, scene, result.ids)));
+    for (const RevoluteJointDef& joint : scene.joints) {
+        result.world.add(kodo::JointDef(toKodo(joint, scene, result.ids)));
     }
     return result;
 }

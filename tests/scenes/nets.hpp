@@ -18,11 +18,11 @@ inline std::size_t addNet(SceneDef& scene, int side, const BodyDef& knot, Vec2 c
         const std::size_t place = scene.bodies.size();
         scene.bodies.push_back(body);
         if (column > 0) {
-            scene.pins.push_back({place - 1, place, body.position + Vec2{-0.5, 0}});
+            scene.joints.push_back({place - 1, place, body.position + Vec2{-0.5, 0}});
         }
         if (row > 0) {
             const std::size_t above = place - static_cast<std::size_t>(side);
-            scene.pins.push_back({above, place, body.position + Vec2{0, 0.5}});
+            scene.joints.push_back({above, place, body.position + Vec2{0, 0.5}});
         }
     }
     return first;
@@ -45,11 +45,11 @@ inline SceneDef nets() {
     scene.bodies.push_back(post);
     for (int i = 1; i <= 8; ++i) {
         const double x = -16.0 + i;
-        scene.pins.push_back({last, scene.bodies.size(), {x - 0.5, 12}});
+        scene.joints.push_back({last, scene.bodies.size(), {x - 0.5, 12}});
         last = scene.bodies.size();
         scene.bodies.push_back(box(0.9, 0.2, {x, 12}));
     }
-    scene.pins.push_back({0, scene.bodies.size(), {4, 2}, 3, 400});
+    scene.joints.push_back({0, scene.bodies.size(), {4, 2}, 3, 400});
     scene.bodies.push_back(box(3.5, 0.3, {4, 2}));
     return scene;
 }

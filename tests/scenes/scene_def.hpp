@@ -84,13 +84,13 @@ struct BodyDef {
     Material material{};
     bool locked = false;     // static, or kinematic if it has a velocity
     bool weightless = false; // not affected by gravity
-    // Collision filter bits, for scenes with filtering. There, every body needs a kind.
-    std::uint16_t kind = 0;  // category
-    std::uint16_t meets = 0; // mask; both masks must accept; 0: all
+    // Collision filter bits, for scenes with filtering. There, every body needs a category.
+    std::uint16_t category = 0;
+    std::uint16_t mask = 0; // categories to collide with; both masks must accept; 0: all
 };
 
 /// A revolute joint, optionally with a motor. The two bodies do not collide.
-struct PinDef {
+struct RevoluteJointDef {
     std::size_t a = 0; // indices of bodies
     std::size_t b = 0;
     Vec2 point{};           // m, world, at the start
@@ -102,7 +102,7 @@ struct SceneDef {
     std::string name;
     Vec2 gravity{}; // m/s^2
     std::vector<BodyDef> bodies;
-    std::vector<PinDef> pins{};
+    std::vector<RevoluteJointDef> joints{};
 };
 
 inline constexpr Vec2 kDown{0, -10}; // m/s^2, a round number for simple closed forms

@@ -162,7 +162,7 @@ struct HeadOn {
 // came from, and momentum is conserved, at any speed.
 TEST(ContinuousCollision, DynamicBodiesSeparateToTheSidesTheyCameFrom) {
     support::RandomNumbers random(81);
-    Real deepestOfAll = 0; // in radii
+    Real maxOverlapOfAll = 0; // in radii
     for (int i = 0; i < 300; ++i) {
         const Real way = random.between(0.1, i % 2 == 0 ? 1 : 30);
         const Real radiusA = random.between(0.1, 1);
@@ -176,20 +176,20 @@ TEST(ContinuousCollision, DynamicBodiesSeparateToTheSidesTheyCameFrom) {
         };
         const Real before = momentum();
         const Real push = pair.world[pair.left].mass() * pair.world[pair.left].velocity().x;
-        Real deepest = 0;
+        Real maxOverlap = 0;
         for (int step = 0; step < 120; ++step) {
             pair.world.step(support::kDt);
-            deepest = std::max(deepest, -pair.gap());
+            maxOverlap = std::max(maxOverlap, -pair.gap());
             ASSERT_LT(pair.world[pair.left].position().x, pair.world[pair.right].position().x);
         }
-        EXPECT_LT(deepest, std::min(radiusA, radiusB));
-        deepestOfAll = std::max(deepestOfAll, deepest / std::min(radiusA, radiusB));
+        EXPECT_LT(maxOverlap, std::min(radiusA, radiusB));
+        maxOverlapOfAll = std::max(maxOverlapOfAll, maxOverlap / std::min(radiusA, radiusB));
         EXPECT_GT(pair.gap(), -pair.world.tolerances().slop);
         // Rounding of the momentum of one disc, several times in each of 600 substeps.
         const Real rounding = 600 * std::numeric_limits<Real>::epsilon();
         EXPECT_NEAR(momentum(), before, std::max(push, Real(1)) * rounding);
     }
-    EXPECT_GT(deepestOfAll, Real(0.5)) << "no pair overlapped as far as is permitted";
+    EXPECT_GT(maxOverlapOfAll, Real(0.5)) << "no pair overlapped as far as is permitted";
 }
 
 // A locked body does not yield, so half of the core radius is permitted.

@@ -174,29 +174,29 @@ TEST(LeaveOut, WithoutRollingResistanceABallKeepsRolling) {
 // Without continuous collision a fast ball passes the wall between two steps. This shows that
 // continuous collision is what stops it.
 TEST(LeaveOut, WithoutContinuousCollisionABallTunnels) {
-    for (const bool sweeps : {true, false}) {
+    for (const bool continuous : {true, false}) {
         WorldDef def = leavingOut(Feature::ContinuousCollision);
         def.gravity = {};
-        def.settings.leaveOut = sweeps ? Features() : def.settings.leaveOut;
+        def.settings.leaveOut = continuous ? Features() : def.settings.leaveOut;
         World world(def);
         support::addWall(world, 5, Real(0.02), support::slippery(1));
         BodyDef ball = support::ballDef({0, 0}, Real(0.1), support::slippery(1));
         ball.velocity = {400, 0};
         const BodyId id = world.add(ball);
         support::run(world, 2);
-        EXPECT_EQ(world[id].velocity().x < 0, sweeps);
+        EXPECT_EQ(world[id].velocity().x < 0, continuous);
     }
 }
 
 TEST(LeaveOut, WithoutSleepNoBodyFallsAsleep) {
-    for (const bool rests : {true, false}) {
+    for (const bool sleeps : {true, false}) {
         WorldDef def = leavingOut(Feature::Sleep);
-        def.settings.leaveOut = rests ? Features() : def.settings.leaveOut;
+        def.settings.leaveOut = sleeps ? Features() : def.settings.leaveOut;
         World world(def);
         support::addFloor(world);
         const BodyId box = world.add(support::boxDef({0, Real(0.5)}, 1, 1));
         support::run(world, 300);
-        EXPECT_EQ((world[box].flags() & kAsleep) != 0, rests);
+        EXPECT_EQ((world[box].flags() & kAsleep) != 0, sleeps);
     }
 }
 

@@ -11,7 +11,7 @@
 namespace kodo {
 namespace {
 
-using support::rests;
+using support::isAsleep;
 
 struct Case {
     Real gravity;
@@ -53,7 +53,7 @@ struct Scene {
     int stepsToSleep() const {
         Scene copy = *this;
         int steps = 0;
-        while (!rests(copy.world, copy.box) && steps < 2000) {
+        while (!isAsleep(copy.world, copy.box) && steps < 2000) {
             copy.world.step(dt);
             ++steps;
         }
@@ -74,7 +74,7 @@ void expectFall(const Case& row, int before, Change change) {
                  << static_cast<int>(row.solver) << ", " << before << " steps before sleep");
     Scene scene(row);
     scene.run(scene.stepsToSleep() - before);
-    ASSERT_EQ(rests(scene.world, scene.box), before == 0);
+    ASSERT_EQ(isAsleep(scene.world, scene.box), before == 0);
     change(scene);
     scene.run(row.rate); // 1 s
     EXPECT_LT(scene.world[scene.box].position().y, Real(0.5) - row.gravity / 3)
@@ -95,7 +95,7 @@ TEST(SleepCount, ABoxFallsWhenItsFloorGoesJustBeforeItSleeps) {
 
 /// Steps until all boxes sleep.
 void runUntilAsleep(Scene& scene, const std::vector<BodyId>& boxes) {
-    const auto asleep = [&](BodyId box) { return rests(scene.world, box); };
+    const auto asleep = [&](BodyId box) { return isAsleep(scene.world, box); };
     for (int i = 0; i < 2000 && !std::all_of(boxes.begin(), boxes.end(), asleep); ++i) {
         scene.world.step(scene.dt);
     }

@@ -12,12 +12,12 @@ using support::addFloor;
 using support::addStack;
 using support::ballDef;
 using support::boxDef;
+using support::isAsleep;
 using support::kDt;
 using support::near;
-using support::rests;
 using support::run;
 using support::slippery;
-using support::stepsUntilRest;
+using support::stepsUntilAsleep;
 
 WorldDef restingAfter(int steps) {
     WorldDef def{.gravity = support::kEarth};
@@ -31,7 +31,7 @@ TEST(Sleep, BeginsAfterTheSetNumberOfCalmSteps) {
         World world(restingAfter(steps));
         addFloor(world);
         const BodyId box = world.add(boxDef({3, Real(0.5)}, 1, 1));
-        EXPECT_EQ(stepsUntilRest(world, box, 200), steps);
+        EXPECT_EQ(stepsUntilAsleep(world, box, 200), steps);
         EXPECT_EQ(world[box].velocity(), Vec2{});
         EXPECT_EQ(world[box].angularVelocity(), 0);
     }
@@ -46,7 +46,7 @@ bool restsOnIce(Real speed, int sleepSteps) {
     const BodyId box = world.add(def);
     while (world[box].position().x < 4) {
         world.step(kDt);
-        if (rests(world, box)) {
+        if (isAsleep(world, box)) {
             return true;
         }
     }
@@ -75,9 +75,9 @@ TEST(Sleep, WithoutForcesTakesOnlyBodiesWithoutMotion) {
     def.angularVelocity = Real(1e-6);
     const BodyId turning = world.add(def);
     run(world, 300);
-    EXPECT_TRUE(rests(world, still));
-    EXPECT_FALSE(rests(world, drifting));
-    EXPECT_FALSE(rests(world, turning));
+    EXPECT_TRUE(isAsleep(world, still));
+    EXPECT_FALSE(isAsleep(world, drifting));
+    EXPECT_FALSE(isAsleep(world, turning));
 }
 
 // O3: near the apex of a throw |v| <= g dt holds for two or three steps, for any time step. With
@@ -94,7 +94,7 @@ TEST(Sleep, DoesNotTakeABodyAtTheApexOfAThrow) {
             }
             for (int step = 0; step < 300; ++step) {
                 world.step(dt);
-                ASSERT_EQ(support::countResting(world), 0u) << "dt " << dt << ", step " << step;
+                ASSERT_EQ(support::countAsleep(world), 0u) << "dt " << dt << ", step " << step;
             }
             for (const BodyId id : thrown) {
                 EXPECT_LT(world[id].velocity().y, Real(-0.5));
@@ -119,11 +119,11 @@ TEST(Sleep, DoesNotTakeASlowlyTippingBody) {
         bool early = false;
         for (int step = 0; step < 600 && !early; ++step) {
             world.step(kDt);
-            early = rests(world, box) && world[box].rotation().c > Real(0.1);
+            early = isAsleep(world, box) && world[box].rotation().c > Real(0.1);
         }
         EXPECT_FALSE(early) << off;
         EXPECT_TRUE(near(world[box].rotation().c, 0, Real(0.01))) << "lies, from " << off;
-        EXPECT_TRUE(rests(world, box)) << off;
+        EXPECT_TRUE(isAsleep(world, box)) << off;
     }
 }
 
@@ -135,10 +135,10 @@ TEST(Sleep, TouchingBodiesFallAsleepTogether) {
     const BodyId lower = world.add(boxDef({3, Real(0.5)}, 1, 1));
     const BodyId upper = world.add(boxDef({3, Real(2.5)}, 1, 1)); // lands after 27 steps
     const BodyId apart = world.add(boxDef({9, Real(0.5)}, 1, 1));
-    EXPECT_EQ(stepsUntilRest(world, apart, 200), 60);
-    EXPECT_FALSE(rests(world, lower));
-    const int more = stepsUntilRest(world, lower, 200);
-    EXPECT_TRUE(rests(world, upper));
+    EXPECT_EQ(stepsUntilAsleep(world, apart, 200), 60);
+    EXPECT_FALSE(isAsleep(world, lower));
+    const int more = stepsUntilAsleep(world, lower, 200);
+    EXPECT_TRUE(isAsleep(world, upper));
     EXPECT_GT(more, 25);
     EXPECT_LT(more, 200);
 }
@@ -153,12 +153,12 @@ TEST(Sleep, OneAwakeBodyKeepsOnlyItsOwnPileAwake) {
     world[pile[4]].setFlags(kNeverSleep); // R8
     run(world, 600);
     for (std::size_t i = 0; i < 5; ++i) {
-        EXPECT_FALSE(rests(world, pile[i])) << i;
-        EXPECT_TRUE(rests(world, other[i])) << i;
+        EXPECT_FALSE(isAsleep(world, pile[i])) << i;
+        EXPECT_TRUE(isAsleep(world, other[i])) << i;
     }
     world[pile[4]].setFlags(0);
     run(world, 60);
-    EXPECT_EQ(support::countResting(world), 10u);
+    EXPECT_EQ(support::countAsleep(world), 10u);
 }
 
 // O3: a body whose forces are in balance falls asleep without support: here a floating one.
@@ -166,7 +166,7 @@ TEST(Sleep, TakesAFloatingBody) {
     World world({.gravity = support::kEarth});
     world.addField({std::make_shared<Buoyancy>(Buoyancy::Fluid{2, 8}, Vec2{}, support::kEarth)});
     const BodyId box = world.add(boxDef({3, Real(0.3)}, 2, 1));
-    EXPECT_LE(stepsUntilRest(world, box, 1800), 1800);
+    EXPECT_LE(stepsUntilAsleep(world, box, 1800), 1800);
     EXPECT_TRUE(near(world[box].position(), Vec2{3, 0}, world.tolerances().slop));
 }
 
@@ -185,7 +185,7 @@ TEST(Sleep, TenThousandSleepingBodiesAreNotVisited) {
     EXPECT_EQ(stepStats(world).bodies, 10000u);
     EXPECT_GE(stepStats(world).contacts, 10000u);
     run(world, 120);
-    ASSERT_EQ(support::countResting(world), 10000u);
+    ASSERT_EQ(support::countAsleep(world), 10000u);
     EXPECT_EQ(stepStats(world).bodies, 0u);
     EXPECT_EQ(stepStats(world).contacts, 0u);
     EXPECT_TRUE(world.collisions().empty());
@@ -210,8 +210,8 @@ Real farthestApart(const World& one, const World& other) {
     return most;
 }
 
-// O3: sleep changes final poses as little as possible. A body may stop up to a quarter of the slop
-// from where it became calm, and a body that leans on it follows by as much again.
+// O3: sleep changes final poses as little as possible. A body stops within a quarter of the slop of
+// its pose when it became calm. A body supported by it may move by twice that.
 TEST(Sleep, OnAndOffEndInTheSamePoses) {
     for (const scenes::SceneDef& scene :
          {scenes::stack(10), scenes::pyramid(8), scenes::pile(10)}) {
@@ -221,8 +221,8 @@ TEST(Sleep, OnAndOffEndInTheSamePoses) {
         World without = scenes::inKodo(scene, settings).world;
         run(with, 1200);
         run(without, 1200);
-        EXPECT_GT(support::countResting(with), 9u) << scene.name;
-        EXPECT_EQ(support::countResting(without), 0u) << scene.name;
+        EXPECT_GT(support::countAsleep(with), 9u) << scene.name;
+        EXPECT_EQ(support::countAsleep(without), 0u) << scene.name;
         EXPECT_LT(farthestApart(with, without), with.tolerances().slop) << scene.name;
     }
 }

@@ -155,7 +155,7 @@ inline std::vector<Trial> trials() {
     }
     list.push_back({overlapping(), 5, "separates to 5 mm, no burst",
                     [](const KodoScene& end, const SceneDef& start) {
-                        return support::deepest(end.world) < kodo::Real(0.005) &&
+                        return support::maxOverlap(end.world) < kodo::Real(0.005) &&
                                farthestMove(end, start) < 4;
                     }});
     list.push_back({circlePile(), 10, "comes to rest", [](const KodoScene& end, const SceneDef&) {
@@ -203,7 +203,7 @@ inline Outcome run(const Trial& trial, const kodo::StepSettings& settings) {
         scene.world.step(kStep);
         outcome.visitsPerStep += static_cast<double>(stepStats(scene.world).contacts) / steps;
         if (i >= steps - 60 && i % 6 == 0) {
-            outcome.depth = std::max(outcome.depth, support::deepest(scene.world));
+            outcome.depth = std::max(outcome.depth, support::maxOverlap(scene.world));
         }
     }
     outcome.moved = farthestMove(scene, trial.scene);

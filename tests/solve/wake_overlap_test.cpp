@@ -11,7 +11,7 @@ namespace kodo {
 namespace {
 
 using support::boxDef;
-using support::rests;
+using support::isAsleep;
 using support::run;
 
 constexpr Flags kBox = 1; // category of the sleeping box
@@ -103,7 +103,7 @@ void expectNoticed(Scene& scene, BodyId wall, const Case& row) {
     if (row.sensor) {
         return;
     }
-    EXPECT_FALSE(rests(scene.world, scene.box));
+    EXPECT_FALSE(isAsleep(scene.world, scene.box));
     run(scene.world, 60);
     EXPECT_LT(scene.world[scene.box].position().x, -Real(0.09)) << "still 0.1 m deep";
     EXPECT_GT(scene.world[scene.box].position().x, -Real(0.5));
@@ -121,14 +121,14 @@ TEST(WakeByOverlap, EachWayIsNoticed) {
                     Scene scene(row);
                     const BodyId wall = scene.world.add(way.before(wallOf(row)));
                     run(scene.world, 300);
-                    ASSERT_TRUE(rests(scene.world, scene.box));
+                    ASSERT_TRUE(isAsleep(scene.world, scene.box));
                     way.change(scene.world, wall);
                     expectNoticed(scene, wall, row);
                 }
                 SCOPED_TRACE("add");
                 Scene scene(row);
                 run(scene.world, 300);
-                ASSERT_TRUE(rests(scene.world, scene.box));
+                ASSERT_TRUE(isAsleep(scene.world, scene.box));
                 expectNoticed(scene, scene.world.add(wallOf(row)), row);
             }
         }
@@ -145,7 +145,7 @@ TEST(WakeByOverlap, AWallBesideASleepingBoxLetsItSleep) {
         wall.position.x = Real(1.01); // 1 cm away
         scene.world.add(wall);
         run(scene.world, 60);
-        EXPECT_TRUE(rests(scene.world, scene.box));
+        EXPECT_TRUE(isAsleep(scene.world, scene.box));
     }
 }
 

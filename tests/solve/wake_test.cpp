@@ -16,8 +16,8 @@ using support::addFloor;
 using support::addStack;
 using support::ballDef;
 using support::boxDef;
+using support::isAsleep;
 using support::kDt;
-using support::rests;
 using support::run;
 using support::slippery;
 
@@ -54,7 +54,7 @@ const Quiet& quiet() {
 }
 
 TEST(Wake, TheInitialSceneIsAsleep) {
-    EXPECT_EQ(support::countResting(quiet().world), 11u);
+    EXPECT_EQ(support::countAsleep(quiet().world), 11u);
 }
 
 struct Cause {
@@ -174,7 +174,7 @@ TEST_P(WakeCause, WakesTheWholePile) {
     GetParam().act(scene);
     scene.world.step(kDt);
     for (const BodyId id : scene.stack) {
-        EXPECT_TRUE(!scene.world.contains(id) || !rests(scene.world, id)) << id.index;
+        EXPECT_TRUE(!scene.world.contains(id) || !isAsleep(scene.world, id)) << id.index;
     }
 }
 
@@ -187,7 +187,7 @@ TEST(Wake, DoesNotSpreadToBodiesThatDoNotTouch) {
     scene.world[scene.weight].applyImpulse({1, 0});
     run(scene.world, 10);
     for (const BodyId id : scene.other) {
-        EXPECT_TRUE(rests(scene.world, id));
+        EXPECT_TRUE(isAsleep(scene.world, id));
     }
     EXPECT_EQ(stepStats(scene.world).bodies, 5u); // four boxes and the weight
 }
@@ -199,14 +199,14 @@ TEST(Wake, RemovingABoxLetsAllAboveItComeDown) {
         scene.world.remove(scene.stack[pulled]);
         scene.world.step(kDt);
         for (std::size_t i = 0; i < 5; ++i) {
-            EXPECT_TRUE(i == pulled || !rests(scene.world, scene.stack[i])) << i;
+            EXPECT_TRUE(i == pulled || !isAsleep(scene.world, scene.stack[i])) << i;
         }
         run(scene.world, 900);
         for (std::size_t i = 0; i < 5; ++i) {
             if (i != pulled) {
                 const Real storey = static_cast<Real>(i) - (i > pulled ? 1 : 0);
                 const BodyView box = scene.world[scene.stack[i]];
-                EXPECT_TRUE(rests(scene.world, scene.stack[i]));
+                EXPECT_TRUE(isAsleep(scene.world, scene.stack[i]));
                 // Each of up to four contacts may yield by the slop; the impact may shift them a
                 // little.
                 EXPECT_TRUE(support::near(box.position().y, 3 + storey, Real(0.02)));
@@ -240,7 +240,7 @@ TEST(Wake, AChangeOfASupportWakesAHangingBody) {
         Quiet scene = quiet();
         cause.act(scene);
         scene.world.step(kDt);
-        EXPECT_FALSE(rests(scene.world, scene.weight)) << cause.name;
+        EXPECT_FALSE(isAsleep(scene.world, scene.weight)) << cause.name;
     }
 }
 
@@ -249,11 +249,11 @@ TEST(Wake, HappensInTheStepOfTheTouch) {
     Quiet scene = quiet();
     const BodyId ball = scene.world.add(ballDef({0, 12}, Real(0.3)));
     const BodyId top = scene.stack[4];
-    for (int step = 0; step < 120 && rests(scene.world, top); ++step) {
+    for (int step = 0; step < 120 && isAsleep(scene.world, top); ++step) {
         EXPECT_EQ(support::recordOf(scene.world, top, ball), nullptr);
         scene.world.step(kDt);
     }
-    EXPECT_FALSE(rests(scene.world, scene.stack[0]));
+    EXPECT_FALSE(isAsleep(scene.world, scene.stack[0]));
     EXPECT_NE(support::recordOf(scene.world, top, ball), nullptr);
     EXPECT_TRUE(support::near(scene.world[ball].position().y, Real(7.8), Real(0.02)));
 }
@@ -265,7 +265,7 @@ TEST(Wake, WithoutForcesEndsInTheSamePoses) {
     for (int again = 0; again < 10; ++again) {
         scene.world[scene.stack[2]].setVelocity({});
         run(scene.world, 60);
-        ASSERT_EQ(support::countResting(scene.world), 11u);
+        ASSERT_EQ(support::countAsleep(scene.world), 11u);
     }
     for (const BodyId id : scene.stack) {
         const Vec2 moved = scene.world[id].position() - quiet().world[id].position();
@@ -297,11 +297,11 @@ TEST(Wake, ATouchDoesNotRecordImpulsesFromBeforeSleep) {
         const BodyId floor = addFloor(world);
         const BodyId box = world.add(boxDef({0, Real(0.5)}, 1, 1));
         run(world, 120);
-        ASSERT_TRUE(rests(world, box));
+        ASSERT_TRUE(isAsleep(world, box));
         BodyDef ball = ballDef({0, Real(1.025)}, Real(0.025));
         world.add(ball);
         world.step(kDt);
-        ASSERT_FALSE(rests(world, box));
+        ASSERT_FALSE(isAsleep(world, box));
         const CollisionRecord* record = support::recordOf(world, floor, box);
         ASSERT_NE(record, nullptr);
         EXPECT_LT(record->totalImpulse, Real(1.1) * 10 * kDt);

@@ -8,7 +8,7 @@ namespace support {
 
 /// Largest overlap (m) of any two single-part bodies of which at least one is dynamic, by
 /// separating axes.
-inline kodo::Real deepest(const kodo::World& world) {
+inline kodo::Real maxOverlap(const kodo::World& world) {
     kodo::Real depth = 0;
     const std::vector<kodo::BodyId> ids = world.bodies();
     for (std::size_t i = 0; i < ids.size(); ++i) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdlib>
+
 namespace support {
 
 /// True under an address or thread sanitizer, which slows tests down several times.
@@ -19,6 +21,13 @@ inline constexpr bool kSanitized = false;
 /// Number of random cases: a tenth of `whole` under a sanitizer.
 constexpr int draws(int whole) {
     return kSanitized ? whole / 10 : whole;
+}
+
+/// Number of random poses for each pair of kinds of shapes in tests/collide. The environment
+/// variable RANDOM_POSES sets it, as 10000 for a thorough run; each seed is fixed.
+inline int poses() {
+    static const char* const wanted = std::getenv("RANDOM_POSES");
+    return wanted == nullptr ? (kSanitized ? 500 : 2000) : std::atoi(wanted);
 }
 
 } // namespace support

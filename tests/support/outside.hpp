@@ -6,7 +6,7 @@
 /// Queries about bodies outside the region.
 namespace support {
 
-inline bool waits(const kodo::World& world, kodo::BodyId id) {
+inline bool isOutside(const kodo::World& world, kodo::BodyId id) {
     return (world[id].flags() & kodo::kOutside) != 0;
 }
 

@@ -12,7 +12,7 @@ inline constexpr kodo::Real kDt = kodo::Real(1) / 60; // s, default step
 inline constexpr kodo::Vec2 kEarth{0, -10};           // m/s^2
 
 /// World with gravity and without sleep.
-inline kodo::WorldDef wakeful() {
+inline kodo::WorldDef withoutSleep() {
     kodo::WorldDef def{.gravity = kEarth};
     def.settings.leaveOut = kodo::Feature::Sleep;
     return def;

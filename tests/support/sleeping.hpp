@@ -6,23 +6,23 @@
 /// Queries about sleeping bodies.
 namespace support {
 
-inline bool rests(const kodo::World& world, kodo::BodyId id) {
+inline bool isAsleep(const kodo::World& world, kodo::BodyId id) {
     return (world[id].flags() & kodo::kAsleep) != 0;
 }
 
-inline std::size_t countResting(const kodo::World& world) {
+inline std::size_t countAsleep(const kodo::World& world) {
     std::size_t count = 0;
     for (const kodo::BodyId id : world.bodies()) {
-        count += rests(world, id) ? 1 : 0;
+        count += isAsleep(world, id) ? 1 : 0;
     }
     return count;
 }
 
 /// The first step after which the body is asleep, or `most` + 1.
-inline int stepsUntilRest(kodo::World& world, kodo::BodyId id, int most) {
+inline int stepsUntilAsleep(kodo::World& world, kodo::BodyId id, int most) {
     for (int step = 1; step <= most; ++step) {
         world.step(kDt);
-        if (rests(world, id)) {
+        if (isAsleep(world, id)) {
             return step;
         }
     }

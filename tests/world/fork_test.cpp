@@ -48,7 +48,7 @@ TEST(ForkOverAWall, FallsAsleepUpright) {
         SCOPED_TRACE(static_cast<int>(strategy));
         Fork scene(Real(0.02), Real(0.5), strategy);
         scene.world[scene.fork].setVelocity({Real(0.5), 0}); // pushes the left prong
-        EXPECT_LT(support::stepsUntilRest(scene.world, scene.fork, 300), 300);
+        EXPECT_LT(support::stepsUntilAsleep(scene.world, scene.fork, 300), 300);
         const BodyView fork = scene.world[scene.fork];
         EXPECT_TRUE(near(fork.position().y, 0, Real(0.01))); // the slop is 4 mm
         EXPECT_TRUE(near(fork.position().x, 0, Real(0.03)));

@@ -11,7 +11,7 @@ constexpr Vec2 kAway{0, 500};
 
 /// A heap of discs without sleep, and one immovable disc far away.
 struct Heap {
-    World world{support::wakeful()};
+    World world{support::withoutSleep()};
     BodyId apart;
 
     Heap() {
@@ -68,7 +68,7 @@ TEST(OneChange, NeitherWakesNorSearchesASleepingWorld) {
                                   Real(0.25)));
     }
     support::run(world, 200);
-    ASSERT_EQ(support::countResting(world), static_cast<std::size_t>(kBodies));
+    ASSERT_EQ(support::countAsleep(world), static_cast<std::size_t>(kBodies));
     const std::uint64_t before = stepStats(world).pairWork;
     for (int step = 0; step < kSteps; ++step) {
         BodyDef def = support::ballDef({-20, 500}, Real(0.5));
@@ -79,7 +79,7 @@ TEST(OneChange, NeitherWakesNorSearchesASleepingWorld) {
         world.remove(shot);
     }
     EXPECT_LE(stepStats(world).pairWork - before, std::uint64_t{4000} * kBodies * kSteps);
-    EXPECT_EQ(support::countResting(world), static_cast<std::size_t>(kBodies));
+    EXPECT_EQ(support::countAsleep(world), static_cast<std::size_t>(kBodies));
 }
 
 // S2: the records of the last step do not change when their bodies are removed.
@@ -97,7 +97,7 @@ TEST(OneChange, RemovalKeepsTheRecordsOfTheLastStep) {
 // Each contact of a removed body gets one End in the next step. A body without other contacts loses
 // kColliding.
 TEST(OneChange, RemovalEndsEachContactOnce) {
-    World world(support::wakeful());
+    World world(support::withoutSleep());
     support::addFloor(world);
     const std::vector<BodyId> stack = support::addStack(world, 3);
     support::run(world, 30);

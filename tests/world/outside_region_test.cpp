@@ -8,12 +8,12 @@ namespace {
 using support::addFloor;
 using support::ballDef;
 using support::boxDef;
+using support::isOutside;
 using support::kDt;
 using support::near;
 using support::run;
 using support::State;
 using support::stateOf;
-using support::waits;
 
 // A body outside the region is static for bodies inside: impulses do not move it, and no body
 // passes through it.
@@ -28,11 +28,11 @@ TEST(OutsideRegion, ABodyIsStaticForBodiesInside) {
     ball.velocity = {-8, 0};
     const BodyId thrown = world.add(ball);
     world.setRegion(Aabb{{-10, Real(5.2)}, {10, 20}});
-    ASSERT_TRUE(waits(world, tower));
+    ASSERT_TRUE(isOutside(world, tower));
     run(world, 120);
     EXPECT_EQ(stateOf(world, tower), (State{{0, Real(2.5)}, {}, {}, 0}));
     EXPECT_TRUE(near(world[falling].position(), Vec2{0, Real(5.5)}, Real(0.02)));
-    EXPECT_FALSE(waits(world, falling));
+    EXPECT_FALSE(isOutside(world, falling));
     EXPECT_LT(world[thrown].position().y, Real(5.2)); // fell out of the region
 }
 
@@ -45,7 +45,7 @@ TEST(OutsideRegion, VelocityDoesNotCountInContacts) {
         def.velocity = {kept, 0};
         const BodyId box = world.add(def);
         world.setRegion(Aabb{{-10, -10}, {Real(1.4), 10}});
-        ASSERT_TRUE(waits(world, box));
+        ASSERT_TRUE(isOutside(world, box));
         def = ballDef({0, 0}, Real(0.3), support::slippery(1));
         def.velocity = {5, 0};
         const BodyId ball = world.add(def);
@@ -151,7 +151,7 @@ TEST(OutsideRegion, ASnapshotKeepsParkedContacts) {
 // another body is added later.
 TEST(OutsideRegion, ABoxThatBecameASensorFalls) {
     for (const bool another : {false, true}) {
-        World world(support::wakeful());
+        World world(support::withoutSleep());
         addFloor(world);
         const BodyId box = world.add(boxDef({0, Real(0.5)}, 1, 1));
         run(world, 20);

@@ -50,7 +50,7 @@ TEST(OneSidedPlatform, LetsBodiesRiseAndCarriesThemFromAbove) {
             EXPECT_TRUE(near(highest, height, byPrecision(1e-3, 4e-4) * std::max(Real(1), height)));
             EXPECT_TRUE(near(world[jumper].position().y, Real(0.4), world.tolerances().slop))
                 << kind << " " << height;
-            EXPECT_TRUE(support::rests(world, jumper));
+            EXPECT_TRUE(support::isAsleep(world, jumper));
         }
     }
 }

@@ -8,12 +8,12 @@ namespace {
 using support::addFloor;
 using support::ballDef;
 using support::boxDef;
+using support::isOutside;
 using support::kDt;
 using support::near;
 using support::run;
 using support::State;
 using support::stateOf;
-using support::waits;
 
 Aabb around(Real from, Real to) {
     return {{from, -10}, {to, 100}};
@@ -72,7 +72,7 @@ TEST(Region, BodiesOutsidePauseAndContinueWithTheSameBits) {
     EXPECT_EQ(statesOf(world), before);
     EXPECT_EQ(stepStats(world).bodies, 0u);
     for (const BodyId id : world.bodies()) {
-        EXPECT_TRUE(waits(world, id));
+        EXPECT_TRUE(isOutside(world, id));
     }
     world.setRegion(std::nullopt);
     for (int step = 0; step < 300; ++step) {
@@ -113,7 +113,7 @@ TEST(Region, ABodyThatLeavesItStopsUnlessItIsFollowed) {
     const BodyId leaver = world.add(def);
     world.setRegion(around(-5, 5));
     run(world, 120);
-    EXPECT_TRUE(waits(world, leaver));
+    EXPECT_TRUE(isOutside(world, leaver));
     // Its bounds begin at x - 0.5; the last step moved it by up to 0.1 m beyond.
     EXPECT_TRUE(near(world[leaver].position().x, Real(5.55), Real(0.0501)));
     EXPECT_EQ(world[leaver].velocity(), (Vec2{6, 0}));
@@ -121,7 +121,7 @@ TEST(Region, ABodyThatLeavesItStopsUnlessItIsFollowed) {
         const Real x = world[leaver].position().x;
         world.setRegion(around(x - 5, x + 5));
         world.step(kDt);
-        ASSERT_FALSE(waits(world, leaver));
+        ASSERT_FALSE(isOutside(world, leaver));
     }
     EXPECT_TRUE(near(world[leaver].position().x, Real(11.55), Real(0.051)));
 }
@@ -132,7 +132,7 @@ TEST(Region, AppliesAtOnceToAddedClonedAndTeleportedBodies) {
     const BodyId newcomer = world.add(ballDef({20, 0}, 1));
     world.step(kDt);
     EXPECT_EQ(world[newcomer].position(), (Vec2{20, 0}));
-    EXPECT_TRUE(waits(world, newcomer));
+    EXPECT_TRUE(isOutside(world, newcomer));
     const BodyId twin = world.clone(newcomer, {0, 0});
     const BodyId copy = world.clone(newcomer, {30, 0});
     world[newcomer].setPosition({3, 0});
@@ -150,11 +150,11 @@ TEST(Region, DoesNotWakeSleepingBodies) {
     addFloor(world);
     support::addStack(world, 5, 3);
     run(world, 120);
-    ASSERT_EQ(support::countResting(world), 5u);
+    ASSERT_EQ(support::countAsleep(world), 5u);
     for (const Real x : {Real(3), Real(50), Real(0)}) {
         world.setRegion(around(x - 1, x + 1));
         run(world, 10);
-        EXPECT_EQ(support::countResting(world), 5u);
+        EXPECT_EQ(support::countAsleep(world), 5u);
         EXPECT_EQ(stepStats(world).bodies, 0u);
     }
 }
@@ -171,10 +171,10 @@ TEST(Region, ABodyAsleepOnAReactivatedBodyWakes) {
     const BodyId rider = world.add(def);
     world.setRegion(Aabb{{-100, Real(1.2)}, {100, 100}}); // overlaps the rider alone
     run(world, 120);
-    ASSERT_TRUE(waits(world, carrier));
-    ASSERT_TRUE(support::rests(world, rider));
+    ASSERT_TRUE(isOutside(world, carrier));
+    ASSERT_TRUE(support::isAsleep(world, rider));
     world.setRegion(std::nullopt);
-    EXPECT_FALSE(support::rests(world, rider));
+    EXPECT_FALSE(support::isAsleep(world, rider));
     run(world, 30);
     EXPECT_GT(world[rider].position().x, Real(0.1)); // dragged by friction
 }

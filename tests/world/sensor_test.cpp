@@ -9,10 +9,10 @@ namespace {
 
 using support::ballDef;
 using support::boxDef;
+using support::isAsleep;
 using support::kDt;
 using support::near;
 using support::recordOf;
-using support::rests;
 using support::run;
 
 BodyDef sensorDef(Vec2 position, Real width, Real height) {
@@ -211,12 +211,12 @@ struct Sleeper {
 TEST(Sensor, KeepsTheContactOfASleepingBody) {
     for (const bool removeZone : {false, true}) {
         Sleeper s;
-        ASSERT_TRUE(rests(s.world, s.box));
+        ASSERT_TRUE(isAsleep(s.world, s.box));
         EXPECT_EQ(s.told.begins, 1);
         EXPECT_EQ(s.told.ends, 0);
         s.world[s.box].applyImpulse({0, Real(0.01)}); // wakes it: no second Begin
         s.step(120);
-        ASSERT_TRUE(rests(s.world, s.box));
+        ASSERT_TRUE(isAsleep(s.world, s.box));
         EXPECT_EQ(s.told.begins, 1);
         EXPECT_EQ(s.told.ends, 0);
         s.world.remove(removeZone ? s.zone : s.box);
@@ -232,11 +232,11 @@ TEST(Sensor, DoesNotWakeASleepingBodyItPasses) {
     Sleeper s;
     s.world[s.zone].setPosition({-5, 1});
     s.step(120);
-    ASSERT_TRUE(rests(s.world, s.box));
+    ASSERT_TRUE(isAsleep(s.world, s.box));
     s.told = {};
     s.world[s.zone].setVelocity({2, 0});
     s.step(600);
-    EXPECT_TRUE(rests(s.world, s.box));
+    EXPECT_TRUE(isAsleep(s.world, s.box));
     EXPECT_EQ(s.told.begins, 1);
     EXPECT_EQ(s.told.ends, 1);
 }
@@ -251,10 +251,10 @@ TEST(Sensor, StopsOverAnImmovableBodyWhileAnotherFallsAsleep) {
     def.velocity = {Real(0.1), 0};
     const BodyId zone = world.add(def);
     run(world, world.settings().sleepSteps - 1);
-    ASSERT_FALSE(rests(world, box));
+    ASSERT_FALSE(isAsleep(world, box));
     world[zone].setVelocity({});
     world.step(kDt);
-    EXPECT_TRUE(rests(world, box));
+    EXPECT_TRUE(isAsleep(world, box));
     run(world, 10);
     EXPECT_EQ(stepStats(world).bodies, 0u);
 }

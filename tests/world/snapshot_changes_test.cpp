@@ -33,7 +33,7 @@ bool stepsLikeItsSnapshot(World& world) {
 
 // Without Feature::Friction, contacts discard their friction impulses, even if no step follows.
 TEST(Snapshot, ContinuesWithTheSameBitsAfterFrictionWasOffAndOn) {
-    World world(support::wakeful());
+    World world(support::withoutSleep());
     const Rot slope = Rot::fromAngle(Real(0.3));
     world.add({.shape = Box{20, 1}, .rotation = slope, .type = BodyType::Kinematic});
     const BodyId box =
@@ -50,7 +50,7 @@ TEST(Snapshot, ContinuesWithTheSameBitsAfterFrictionWasOffAndOn) {
 
 // Excessive forces freeze a body within the step, after its contacts were carried over.
 TEST(Snapshot, ContinuesWithTheSameBitsAfterABodyFroze) {
-    World world(support::wakeful());
+    World world(support::withoutSleep());
     support::addFloor(world);
     const BodyId lower = world.add({.shape = Box{1, 1}, .position = {0, Real(0.5)}});
     world.add({.shape = Box{1, 1}, .position = {0, Real(1.5)}});
@@ -88,7 +88,7 @@ TEST(Snapshot, ContinuesWithTheSameBitsAfterATeleportedSleepingBodyWakes) {
 
 // The solver counts the lanes of deep contacts. The count must fall when such a contact is removed.
 TEST(Snapshot, ContinuesWithTheSameBitsAfterADeepContactIsRemoved) {
-    StepSettings settings = support::wakeful().settings;
+    StepSettings settings = support::withoutSleep().settings;
     settings.soft().pushSpeed = Real(0.5); // so that they stay deep for several steps
     World world({.gravity = support::kEarth, .settings = settings});
     support::addFloor(world);

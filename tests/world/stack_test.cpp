@@ -9,11 +9,11 @@ using support::addStack;
 using support::boxDef;
 using support::near;
 using support::run;
-using support::wakeful;
+using support::withoutSleep;
 
 // W4: ten boxes stand for 60 s without sleep. Each contact may overlap by the slop.
 TEST(Stack, OfTenBoxesStandsForAMinute) {
-    World world(wakeful());
+    World world(withoutSleep());
     addFloor(world);
     const std::vector<BodyId> boxes = addStack(world, 10);
     run(world, 3600);
@@ -44,7 +44,7 @@ TEST(Stack, FallsAsleepInPlace) {
 
 // In a symmetric pyramid of 10 rows, no box moves sideways by more than 1 cm.
 TEST(Stack, APyramidStands) {
-    World world(wakeful());
+    World world(withoutSleep());
     addFloor(world);
     std::vector<std::pair<BodyId, Vec2>> boxes;
     for (int row = 0; row < 10; ++row) {

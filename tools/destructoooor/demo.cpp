@@ -159,7 +159,7 @@ void Demo::draw(kodo_sfml::Painter& painter, sf::Vector2u pixels) {
         line("click drops: %s of %.1f m",
              kPrimitiveNames[static_cast<std::size_t>(primitive_)].data(),
              static_cast<double>(size_)),
-        line("deepest overlap  %.1f mm", 1000 * static_cast<double>(now.deepest)),
+        line("deepest overlap  %.1f mm", 1000 * static_cast<double>(now.maxOverlap)),
         line("top at %.3f m, fastest %.2f m/s", static_cast<double>(now.highest),
              static_cast<double>(now.fastest)),
         line("%zu bodies, %zu asleep", now.bodies, now.resting),

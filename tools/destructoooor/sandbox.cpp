@@ -140,7 +140,7 @@ Measures Sandbox::measures() const {
     for (const kodo::CollisionRecord& record : world_.collisions()) {
         if (record.phase != kodo::TouchPhase::End) {
             ++found.contacts;
-            found.deepest = std::max(found.deepest, -record.separation);
+            found.maxOverlap = std::max(found.maxOverlap, -record.separation);
         }
     }
     found.visits = stepStats(world_).contacts;

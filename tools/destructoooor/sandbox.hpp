@@ -23,11 +23,11 @@ inline constexpr kodo::Real kStepSeconds = kodo::Real(1) / 60;
 
 /// Quality and cost of the last step.
 struct Measures {
-    kodo::Real deepest = 0;  // m, largest overlap
-    kodo::Real highest = 0;  // m, top of the highest body; the ground is at 0
-    kodo::Real fastest = 0;  // m/s
-    std::size_t bodies = 0;  // dynamic ones
-    std::size_t resting = 0; // sleeping ones
+    kodo::Real maxOverlap = 0; // m, largest overlap
+    kodo::Real highest = 0;    // m, top of the highest body; the ground is at 0
+    kodo::Real fastest = 0;    // m/s
+    std::size_t bodies = 0;    // dynamic ones
+    std::size_t resting = 0;   // sleeping ones
     std::size_t contacts = 0;
     std::size_t visits = 0; // of contacts by the solver: cost without a clock
 };

@@ -42,7 +42,7 @@ QUESTIONS = [
 # By unit: smaller errors are rounding and drawn as this value.
 LEAST_ERROR = {"": 1e-6, "mm": 1e-3, "%": 1e-3, "m": 1e-6}
 # Without sleep: no scene here contains sleeping bodies.
-FEATURES = ("friction", "rolling", "restitution", "rotation", "sweep", "records")
+FEATURES = ("friction", "rolling", "restitution", "rotation", "continuous", "records")
 
 
 class Family(typing.NamedTuple):

@@ -79,7 +79,7 @@ std::optional<Arrival> bentArrivalAt(const Game& game, const Ball& ball, Real he
     body.setVelocity(now.velocity());
     for (int step = 1; step <= kBentSteps; ++step) {
         world.step(kBentSeconds);
-        body.setVelocity(held(body.velocity(), ball.heading, game.ballSpeed()));
+        body.setVelocity(servoVelocity(body.velocity(), ball.heading, game.ballSpeed()));
         if (body.position().y <= height) {
             return Arrival{body.position().x, static_cast<Real>(step) * kBentSeconds};
         }

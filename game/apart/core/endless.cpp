@@ -249,7 +249,7 @@ private:
         switch (chance_.below(choices)) {
         case 1: {
             BlockKind& kind = level_.kinds[addKind('h', someStuff(), Power::None)];
-            kind.hold = Hold::Hanging;
+            kind.support = Support::Hanging;
             kind.arm = kHangingArm;
             set(row, 2, static_cast<std::uint8_t>(level_.kinds.size() - 1));
             set(row, 5, static_cast<std::uint8_t>(level_.kinds.size() - 1));

@@ -141,7 +141,7 @@ struct ShardBroke {
     kodo::Real impulse = 0;
     int pieces = 0;
 };
-/// A block became Hold::Loose.
+/// A block became Support::Loose.
 struct LetGo {
     enum class Why : std::uint8_t { Fatigue, BrokeOff, Unsupported, Torn };
     kodo::BodyId block;    // new if the block was part of a boss

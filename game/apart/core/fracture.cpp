@@ -89,10 +89,10 @@ std::vector<Polygon> cutOutMiddle(Real width, Real height, Real lean) {
             clipped(whole, right.flipped())};
 }
 
-Vec2 impulseOnPieces(Vec2 blow, Real strength, Real mass) {
-    const Real size = length(blow);
+Vec2 impulseOnPieces(Vec2 impact, Real strength, Real mass) {
+    const Real size = length(impact);
     const Real passed = std::min(size - strength, mass * kShardSpeed);
-    return passed > 0 ? (passed / size) * blow : Vec2{};
+    return passed > 0 ? (passed / size) * impact : Vec2{};
 }
 
 std::vector<PieceMotion> motionOfPieces(std::span<const kodo::Mass> pieces, Vec2 hit, Vec2 impulse,

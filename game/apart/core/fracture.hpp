@@ -53,11 +53,11 @@ struct PieceMotion {
     kodo::Real spin = 0; // rad/s
 };
 
-/// The share of an impact impulse `blow` (N s) that the pieces receive. The mount of the block
+/// The share of the impulse `impact` (N s) that the pieces receive. The mount of the block
 /// takes the rest: its strength, and all that would make the pieces faster than kShardSpeed.
 ///
-///   blow = mount + pieces,   |pieces| = max(0, min(|blow| - strength, mass kShardSpeed))
-kodo::Vec2 impulseOnPieces(kodo::Vec2 blow, kodo::Real strength, kodo::Real mass);
+///   impact = mount + pieces,   |pieces| = max(0, min(|impact| - strength, mass kShardSpeed))
+kodo::Vec2 impulseOnPieces(kodo::Vec2 impact, kodo::Real strength, kodo::Real mass);
 
 /// Velocities of pieces with these masses after an impulse P (N s) at `hit`: the response of the
 /// whole as a rigid body, plus outward kicks of `burst` m/s. The kicks have no net momentum and no

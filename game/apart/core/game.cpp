@@ -91,7 +91,7 @@ void Game::tick(const Input& input) {
     judge();
     govern();
     watchProgress();
-    sweepOut();
+    removeGone();
     conclude();
 }
 

@@ -125,7 +125,7 @@ private:
     static void drive(kodo::BodyRef body, kodo::Vec2 velocity, double& work);
 
     // After the step.
-    struct BossBlow {
+    struct BossImpact {
         std::uint32_t key = 0;
         kodo::Vec2 point;
         kodo::Vec2 impulse;
@@ -151,7 +151,7 @@ private:
     void letGo(std::size_t index, LetGo::Why why);
     void letGoNext(LetGo::Why why);
     void dropUnsupported(kodo::Vec2 last);
-    void breakBlock(std::size_t index, kodo::Vec2 point, kodo::Vec2 blow);
+    void breakBlock(std::size_t index, kodo::Vec2 point, kodo::Vec2 impact);
     int addPieces(const Block& block, const kodo::Transform& frame, const PieceMotion& carried,
                   kodo::Vec2 hit, kodo::Vec2 impulse);
     void breakShard(std::size_t index, kodo::Vec2 point, kodo::Real impulse);
@@ -169,11 +169,11 @@ private:
     bool isRubble(kodo::BodyId body) const;
     bool canCarry(kodo::BodyId body) const; // dynamic bar of a motor or block
     void watchProgress();
-    void sweepOut();
-    void sweepBalls();
-    void sweepBlocks();
-    void sweepParts();
-    void sweepShards();
+    void removeGone();
+    void removeGoneBalls();
+    void removeGoneBlocks();
+    void removeGoneParts();
+    void removeGoneShards();
     void letGoOfParts();
     void conclude();
 
@@ -213,7 +213,7 @@ private:
     int bossWay_ = 1;         // 1: to the right
     std::vector<Event> events_;
     // Used within one tick and cleared at its end.
-    std::vector<BossBlow> bossBlows_;
+    std::vector<BossImpact> bossImpacts_;
     bool fieldsStale_ = false;
 };
 

@@ -58,7 +58,7 @@ void Game::letGo(std::size_t index, LetGo::Why why) {
         world_.remove(block.pin); // with its joint
     }
     block.pin = {};
-    block.hold = Hold::Loose;
+    block.support = Support::Loose;
     block.looseTick = tick_;
     events_.emplace_back(LetGo{.block = body,
                                .key = block.key,
@@ -68,13 +68,13 @@ void Game::letGo(std::size_t index, LetGo::Why why) {
 }
 
 void Game::judgeBoss() {
-    if (bossBlows_.empty()) {
+    if (bossImpacts_.empty()) {
         return;
     }
     std::optional<Vec2> last; // centre of the block detached last
-    for (const BossBlow& blow : bossBlows_) {
+    for (const BossImpact& impact : bossImpacts_) {
         const auto found = std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& block) {
-            return block.key == blow.key && block.hold == Hold::Boss;
+            return block.key == impact.key && block.support == Support::Boss;
         });
         if (found == blocks_.end()) {
             continue; // already detached by another ball in this tick
@@ -82,7 +82,7 @@ void Game::judgeBoss() {
         const auto index = static_cast<std::size_t>(found - blocks_.begin());
         last = frameOf(*found).position;
         if (found->kind.core) {
-            breakBlock(index, blow.point, blow.impulse);
+            breakBlock(index, impact.point, impact.impulse);
             continue;
         }
         const Real strength = found->strengthLeft;
@@ -90,9 +90,9 @@ void Game::judgeBoss() {
         Block& block = blocks_[index];
         block.strengthLeft = kBossBreakOff * static_cast<Real>(block.kind.strength) / 1000;
         kodo::BodyRef body = world_[block.body];
-        body.applyImpulse(impulseOnPieces(blow.impulse, strength, body.mass()), blow.point);
+        body.applyImpulse(impulseOnPieces(impact.impulse, strength, body.mass()), impact.point);
     }
-    bossBlows_.clear();
+    bossImpacts_.clear();
     if (last) {
         dropUnsupported(*last);
     }
@@ -103,7 +103,7 @@ void Game::dropUnsupported(Vec2 last) {
     std::vector<std::size_t> boss;
     std::vector<std::size_t> held; // cores, and blocks connected to one by cell sides
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
-        if (blocks_[i].hold == Hold::Boss) {
+        if (blocks_[i].support == Support::Boss) {
             (blocks_[i].kind.core ? held : boss).push_back(i);
         }
     }
@@ -130,7 +130,7 @@ const Block* Game::nextToFall() const {
     const Block* lowest = nullptr;
     Real height = 0;
     for (const Block& block : blocks_) {
-        if (block.hold == Hold::Loose || !block.kind.breakable()) {
+        if (block.support == Support::Loose || !block.kind.breakable()) {
             continue;
         }
         const Real y = frameOf(block).position.y;
@@ -148,7 +148,7 @@ void Game::letGoNext(LetGo::Why why) {
     if (block == nullptr) {
         return;
     }
-    const bool boss = block->hold == Hold::Boss;
+    const bool boss = block->support == Support::Boss;
     const Vec2 place = frameOf(*block).position;
     letGo(static_cast<std::size_t>(block - blocks_.data()), why);
     if (boss) {
@@ -181,10 +181,10 @@ Real Game::idleSeconds() const {
     return static_cast<Real>(clock_.idleTicks()) * kTickSeconds;
 }
 
-void Game::sweepBlocks() {
+void Game::removeGoneBlocks() {
     for (std::size_t i = 0; i < blocks_.size();) {
         const Block block = blocks_[i];
-        if (block.hold != Hold::Loose) {
+        if (block.support != Support::Loose) {
             ++i;
             continue;
         }

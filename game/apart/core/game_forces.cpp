@@ -78,7 +78,7 @@ void Game::applyForces() {
         use(shard.body, false);
     }
     for (const Block& block : blocks_) {
-        if (block.hold == Hold::Loose || block.hold == Hold::Hanging) {
+        if (block.support == Support::Loose || block.support == Support::Hanging) {
             use(block.body, false);
         }
     }
@@ -101,7 +101,7 @@ Vec2 Game::tear(Vec2 center) {
     const Real share = std::max(1 - length(way) / kForceReach, Real(0));
     const Real gained = kForceAcceleration * share * kTickSeconds;
     tornSpeed_ += gained;
-    if (block->hold == Hold::Hanging) {
+    if (block->support == Support::Hanging) {
         return {}; // draw() acts on it, as on loose blocks
     }
     return densityOf(block->kind) * kCellWidth * kCellHeight * gained * normalize(way);

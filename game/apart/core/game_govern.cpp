@@ -44,7 +44,7 @@ void Game::governBall(Ball& ball) {
     const Vec2 velocity = body.velocity();
     Vec2 next = velocity;
     if (!touching || (normals.empty() && slow)) { // or slides along a wall without an impulse
-        next = held(velocity, ball.heading, ballSpeed());
+        next = servoVelocity(velocity, ball.heading, ballSpeed());
         const Real spin = body.angularVelocity();
         if (std::abs(spin) > kMostSpin) {
             body.setAngularVelocity(spin < 0 ? -kMostSpin : kMostSpin);
@@ -66,7 +66,7 @@ void Game::governBall(Ball& ball) {
         if (length(next) < kSwallowed * ballSpeed()) {
             // Slowed by rubble, or by a wind that presses it against a surface. The servo raises
             // the speed and keeps the direction.
-            next = held(next, ball.heading, ballSpeed());
+            next = servoVelocity(next, ball.heading, ballSpeed());
         }
     }
     if (next != velocity) {

@@ -22,7 +22,7 @@ void add(kodo::StateHash& hash, const Block& block) {
     add(hash, block.body);
     hash.add(block.strengthLeft);
     hash.add(static_cast<std::uint64_t>(block.part));
-    hash.add(static_cast<std::uint8_t>(block.hold));
+    hash.add(static_cast<std::uint8_t>(block.support));
     add(hash, block.pin);
     hash.add(block.looseTick);
 }

@@ -98,7 +98,7 @@ void Game::judgeBall(const CollisionRecord& hit, BodyId ball) {
             events_.emplace_back(LoopSeen{ball});
         }
     }
-    if (hit.maxImpulse < kSlightestBlow) {
+    if (hit.maxImpulse < kSlightestImpact) {
         return;
     }
     events_.emplace_back(Struck{.ball = ball,
@@ -114,16 +114,16 @@ void Game::judgeBlock(const CollisionRecord& hit, BodyId body) {
     const auto index =
         static_cast<std::size_t>(findBlock(body, partOf(hit, body)) - blocks_.data());
     Block& block = blocks_[index];
-    if (!block.kind.breakable() || hit.maxImpulse < kSlightestBlow) {
+    if (!block.kind.breakable() || hit.maxImpulse < kSlightestImpact) {
         return;
     }
     clock_.progress();
     if (hit.maxImpulse > block.strengthLeft) {
-        const Vec2 blow = hit.totalImpulse * normalTowards(hit, body);
-        if (block.hold == Hold::Boss) {
-            bossBlows_.push_back({block.key, hit.point, blow});
+        const Vec2 impact = hit.totalImpulse * normalTowards(hit, body);
+        if (block.support == Support::Boss) {
+            bossImpacts_.push_back({block.key, hit.point, impact});
         } else {
-            breakBlock(index, hit.point, blow);
+            breakBlock(index, hit.point, impact);
         }
         return;
     }
@@ -139,7 +139,7 @@ void Game::judgeBlock(const CollisionRecord& hit, BodyId body) {
 
 void Game::judgeShard(const CollisionRecord& hit, BodyId body) {
     const bool drawnIn = force_ == Force::Pull && hit.other(body) == paddle_;
-    if (!drawnIn && hit.maxImpulse < kSlightestBlow) {
+    if (!drawnIn && hit.maxImpulse < kSlightestImpact) {
         return; // most records: resting contacts of shards
     }
     const auto found = std::find_if(shards_.begin(), shards_.end(),
@@ -234,12 +234,12 @@ void Game::judgePaddle(const CollisionRecord& hit) {
     sway_ = pushed(sway_, paddleKind(), {paddle.mass(), {}, paddle.inertia()},
                    hit.point - paddle.center(), hit.totalImpulse * normalTowards(hit, paddle_));
     const std::size_t part = partOf(hit, paddle_);
-    if (part == 0 || hit.maxImpulse < kSlightestBlow) {
+    if (part == 0 || hit.maxImpulse < kSlightestImpact) {
         return;
     }
     Weld& weld = welds_[part - 1];
     weld.strengthLeft =
-        hit.maxImpulse < kKnockOffBlow ? weld.strengthLeft - hit.maxImpulse : Real(-1);
+        hit.maxImpulse < kKnockOffImpact ? weld.strengthLeft - hit.maxImpulse : Real(-1);
     weld.lastPoint = hit.point;
     weld.lastImpulse = hit.maxImpulse;
 }
@@ -251,8 +251,8 @@ void Game::judgeObstruction(const CollisionRecord& hit, BodyId body) {
         return; // the pin of a hanging block, or a passive obstruction
     }
     kodo::BodyRef other = world_[hit.other(body)];
-    const bool blow = hit.phase == kodo::TouchPhase::Begin || hit.maxImpulse >= kSlightestBlow;
-    if (!blow || other.type() != kodo::BodyType::Dynamic) {
+    const bool impact = hit.phase == kodo::TouchPhase::Begin || hit.maxImpulse >= kSlightestImpact;
+    if (!impact || other.type() != kodo::BodyType::Dynamic) {
         return;
     }
     const Vec2 normal = normalTowards(hit, other.id());

@@ -35,7 +35,7 @@ double turnOf(const kodo::Mass& mass, const PieceMotion& motion, Vec2 center) {
 
 } // namespace
 
-void Game::breakBlock(std::size_t index, Vec2 point, Vec2 blow) {
+void Game::breakBlock(std::size_t index, Vec2 point, Vec2 impact) {
     const BodyId body = detach(index);
     const Block block = blocks_[index];
     const kodo::Transform frame = frameOf(block);
@@ -62,22 +62,22 @@ void Game::breakBlock(std::size_t index, Vec2 point, Vec2 blow) {
                                .power = block.kind.power,
                                .point = point,
                                .center = frame.position,
-                               .impulse = length(blow),
+                               .impulse = length(impact),
                                .combo = combo_,
                                .points = points});
     const Vec2 local = toLocal(frame, point);
     const Vec2 hit{std::clamp(local.x, -kCellWidth / 2, kCellWidth / 2),
                    std::clamp(local.y, -kCellHeight / 2, kCellHeight / 2)};
     // The velocity of a dynamic block already contains the whole impulse.
-    const bool mounted = block.hold == Hold::Mounted || block.hold == Hold::Boss;
-    const Vec2 taken = mounted ? unrotate(frame.rotation, blow) : Vec2{};
+    const bool mounted = block.support == Support::Mounted || block.support == Support::Boss;
+    const Vec2 taken = mounted ? unrotate(frame.rotation, impact) : Vec2{};
     ledger_.breakWork -= energyOf(weight, carried);
     ledger_.mountTurn += turnOf(weight, carried, frame.position);
     std::get<Broke>(events_[place]).shards = addPieces(block, frame, carried, hit, taken);
 }
 
 int Game::addPieces(const Block& block, const kodo::Transform& frame, const PieceMotion& carried,
-                    Vec2 hit, Vec2 blow) {
+                    Vec2 hit, Vec2 impact) {
     const std::vector<Piece> pieces = piecesOf(block.kind, hit, mixKeys(seed_, block.key, 2));
     std::vector<kodo::Mass> masses;
     kodo::Mass whole{};
@@ -85,9 +85,9 @@ int Game::addPieces(const Block& block, const kodo::Transform& frame, const Piec
         masses.push_back(piece.mass);
         whole = masses.size() == 1 ? piece.mass : combine(whole, piece.mass);
     }
-    const Vec2 impulse = impulseOnPieces(blow, block.strengthLeft, whole.mass);
+    const Vec2 impulse = impulseOnPieces(impact, block.strengthLeft, whole.mass);
     std::vector<PieceMotion> motions = motionOfPieces(masses, hit, impulse, kBurstSpeed);
-    const Vec2 borne = frame.rotation * (blow - impulse);
+    const Vec2 borne = frame.rotation * (impact - impulse);
     ledger_.mountImpulseX += static_cast<double>(borne.x);
     ledger_.mountImpulseY += static_cast<double>(borne.y);
     ledger_.mountTurn += static_cast<double>(cross(frame * hit, borne)) -
@@ -171,14 +171,14 @@ void Game::breakShard(std::size_t index, Vec2 point, Real impulse) {
     }
 }
 
-void Game::sweepOut() {
-    sweepBalls();
-    sweepBlocks();
-    sweepParts();
-    sweepShards();
+void Game::removeGone() {
+    removeGoneBalls();
+    removeGoneBlocks();
+    removeGoneParts();
+    removeGoneShards();
 }
 
-void Game::sweepBalls() {
+void Game::removeGoneBalls() {
     for (std::size_t i = 0; i < balls_.size();) {
         const Vec2 place = world_[balls_[i].body].position();
         if (place.y >= -kLostDepth && !isGone(place)) {
@@ -193,7 +193,7 @@ void Game::sweepBalls() {
     }
 }
 
-void Game::sweepParts() {
+void Game::removeGoneParts() {
     for (std::size_t i = 0; i < parts_.size();) {
         const Part& part = parts_[i];
         const Vec2 place = world_[part.body].center();
@@ -211,7 +211,7 @@ void Game::sweepParts() {
     }
 }
 
-void Game::sweepShards() {
+void Game::removeGoneShards() {
     const auto drop = [&](std::size_t i) {
         ledger_.removedMass += static_cast<double>(world_[shards_[i].body].mass());
         world_.remove(shards_[i].body);

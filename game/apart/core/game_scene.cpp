@@ -25,13 +25,13 @@ void Game::buildBlocks() {
         Block block{.kind = kind,
                     .strengthLeft = static_cast<Real>(kind.strength) / 1000,
                     .key = static_cast<std::uint32_t>(cell.row * kColumns + cell.column),
-                    .hold = kind.hold};
-        if (kind.hold == Hold::Boss) {
+                    .support = kind.support};
+        if (kind.support == Support::Boss) {
             block.local = centerOf(cell); // m, world; until buildBoss()
         } else {
             block.body = world_.add(blockDef(kind, centerOf(cell)));
         }
-        if (kind.hold == Hold::Hanging) {
+        if (kind.support == Support::Hanging) {
             hang(block);
         }
         blocks_.push_back(block);
@@ -54,7 +54,7 @@ void Game::buildBoss() {
     Vec2 low{kFieldWidth, kFieldHeight};
     Vec2 high{-kFieldWidth, 0};
     for (const Block& block : blocks_) {
-        if (block.hold == Hold::Boss) {
+        if (block.support == Support::Boss) {
             low = {std::min(low.x, block.local.x), std::min(low.y, block.local.y)};
             high = {std::max(high.x, block.local.x), std::max(high.y, block.local.y)};
         }
@@ -62,7 +62,7 @@ void Game::buildBoss() {
     const Vec2 middle = (low + high) / Real(2);
     bossHome_ = middle.x;
     for (Block& block : blocks_) {
-        if (block.hold != Hold::Boss) {
+        if (block.support != Support::Boss) {
             continue;
         }
         block.local -= middle;
@@ -115,8 +115,9 @@ void Game::driveBoss() {
 }
 
 std::optional<BodyId> Game::boss() const {
-    const bool lives = std::any_of(blocks_.begin(), blocks_.end(),
-                                   [](const Block& block) { return block.hold == Hold::Boss; });
+    const bool lives = std::any_of(blocks_.begin(), blocks_.end(), [](const Block& block) {
+        return block.support == Support::Boss;
+    });
     return lives ? std::optional(boss_) : std::nullopt;
 }
 

@@ -9,7 +9,7 @@ namespace apart {
 
 using kodo::Vec2;
 
-Vec2 held(Vec2 velocity, Vec2 heading, Real target) {
+Vec2 servoVelocity(Vec2 velocity, Vec2 heading, Real target) {
     const Real speed = length(velocity);
     if (std::abs(speed - target) <= kServoBand * target) {
         return velocity;

@@ -12,7 +12,7 @@ namespace apart {
 /// Velocity of a ball in free flight after one tick of the speed servo. The servo changes the speed
 /// towards `target` (m/s) along the velocity, so the path stays straight. Within kServoBand nothing
 /// changes. A ball below kHaltSpeed starts along `heading` (unit).
-kodo::Vec2 held(kodo::Vec2 velocity, kodo::Vec2 heading, kodo::Real target);
+kodo::Vec2 servoVelocity(kodo::Vec2 velocity, kodo::Vec2 heading, kodo::Real target);
 
 /// Velocity of a ball after a hit on rubble with these normals (unit, towards the ball). Resting
 /// rubble absorbs the bounce. A ball slower than kSwallowed of `target` (m/s) therefore leaves as

@@ -11,7 +11,7 @@ void add(kodo::StateHash& hash, const BlockKind& kind) {
     hash.add(static_cast<std::uint8_t>(kind.power));
     hash.add(static_cast<std::uint8_t>(kind.pattern));
     hash.add(kind.strength);
-    hash.add(static_cast<std::uint8_t>(kind.hold));
+    hash.add(static_cast<std::uint8_t>(kind.support));
     hash.add(kind.arm);
     hash.add(static_cast<std::uint8_t>(kind.core));
 }

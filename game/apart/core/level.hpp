@@ -59,13 +59,13 @@ inline constexpr std::array<std::string_view, 5> kPatternNames = {"halves", "sla
                                                                   "radial", "shatter"};
 
 /// Support of a block.
-enum class Hold : std::uint8_t {
+enum class Support : std::uint8_t {
     Mounted, // kinematic: fixed until it breaks or its mount fails
     Hanging, // on a revolute joint above it: it swings
     Boss,    // part of the boss, one body of many blocks
     Loose,   // unsupported: it falls
 };
-inline constexpr std::array<std::string_view, 3> kHoldNames = {"mounted", "hanging", "boss"};
+inline constexpr std::array<std::string_view, 3> kSupportNames = {"mounted", "hanging", "boss"};
 
 enum class BallKind : std::uint8_t {
     Round,
@@ -113,7 +113,7 @@ struct BlockKind {
     Power power = Power::None;
     Pattern pattern = Pattern::Bricks;
     std::int32_t strength = 0; // 1/1000 N s
-    Hold hold = Hold::Mounted;
+    Support support = Support::Mounted;
     std::int32_t arm = 0; // 1/1000 m, from the centre of a hanging block up to its pin
     bool core = false;    // of a boss: its other blocks fall with the last core
 

@@ -121,14 +121,14 @@ private:
         kind.stuff = static_cast<Stuff>(*stuff);
         kind.pattern = keys_.choice(table, "pattern", kPatternNames, kUsualPattern[*stuff]);
         kind.power = keys_.choice(table, "power", kPowerNames, Power::None);
-        kind.hold = keys_.choice(table, "hold", kHoldNames, Hold::Mounted);
-        if (kind.hold == Hold::Hanging) {
+        kind.support = keys_.choice(table, "hold", kSupportNames, Support::Mounted);
+        if (kind.support == Support::Hanging) {
             kind.arm = keys_.number(table, "arm", {thousandths(kCellHeight / 2), 6000, 800});
         } else if (table.contains("arm")) {
             keys_.fail(line, prefix + "arm is for a block with hold = \"hanging\"");
         }
         kind.core = keys_.flag(table, "core");
-        if (kind.core && (kind.hold != Hold::Boss || !kind.breakable())) {
+        if (kind.core && (kind.support != Support::Boss || !kind.breakable())) {
             keys_.fail(line, prefix + "core is for a block with hold = \"boss\" that can break");
         }
         if (kind.breakable()) {
@@ -226,7 +226,7 @@ private:
                 return condition(level_.kinds[cell.kind]);
             });
         };
-        const bool boss = has([](const BlockKind& kind) { return kind.hold == Hold::Boss; });
+        const bool boss = has([](const BlockKind& kind) { return kind.support == Support::Boss; });
         if (boss && !has([](const BlockKind& kind) { return kind.core; })) {
             keys_.fail(TomlKeys::lineOf(root), "the boss needs a block with core = true");
         }

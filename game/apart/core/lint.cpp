@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/field.hpp>
+#include <apart/core/game_observer.hpp>
 #include <apart/core/lint.hpp>
 #include <apart/core/tuning.hpp>
-#include <apart/core/watch.hpp>
 #include <kodo/query.hpp>
 
 #include <algorithm>
@@ -138,7 +138,7 @@ kodo::World lastingWorld(const Level& level) {
     }
     for (const Cell& cell : level.cells) {
         const BlockKind& kind = level.kinds[cell.kind];
-        if (!kind.breakable() && kind.hold != Hold::Hanging) {
+        if (!kind.breakable() && kind.support != Support::Hanging) {
             world.add(blockDef(kind, centerOf(cell)));
         }
     }
@@ -180,19 +180,19 @@ void judgeRun(const BotRun& run, LintReport& report) {
 
 BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks, BotKind kind) {
     Game game(level, seed);
-    Watch watch;
+    GameObserver observer;
     BotRun run{.seed = seed};
     while (game.result() == Result::Playing && game.ticks() < mostTicks) {
         game.tick(bot(game, kind));
-        watch.look(game);
+        observer.observe(game);
         run.mostBodies = std::max(run.mostBodies, game.world().bodyCount());
         run.work += stepStats(game.world()).bodies + stepStats(game.world()).contacts;
     }
     run.ticks = game.ticks();
     run.result = game.result();
     run.livesLost = level.lives - game.lives();
-    run.longestWait = watch.seen().longestWait;
-    run.faults = watch.seen().faults();
+    run.longestWait = observer.observations().longestWait;
+    run.faults = observer.observations().faults();
     return run;
 }
 

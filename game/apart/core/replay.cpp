@@ -9,7 +9,7 @@ namespace apart {
 
 namespace {
 
-std::int64_t thousandths(kodo::Real value) {
+std::int64_t inThousandths(kodo::Real value) {
     return static_cast<std::int64_t>(value * 1000);
 }
 
@@ -20,28 +20,28 @@ std::int64_t valueOfBall(const Game& game, Field field) {
     }
     const kodo::BodyView ball = game.world()[game.balls()[0].body];
     if (field == Field::BallSpeed) {
-        return thousandths(length(ball.velocity()));
+        return inThousandths(length(ball.velocity()));
     }
-    return thousandths(field == Field::BallX ? ball.position().x : ball.position().y);
+    return inThousandths(field == Field::BallX ? ball.position().x : ball.position().y);
 }
 
 std::int64_t valueOfPaddle(const Game& game, Field field) {
     const kodo::BodyView paddle = game.world()[game.paddle()];
     switch (field) {
     case Field::PaddleX:
-        return thousandths(paddle.position().x);
+        return inThousandths(paddle.position().x);
     case Field::PaddleMass:
-        return thousandths(paddle.mass());
+        return inThousandths(paddle.mass());
     case Field::Tilt:
-        return thousandths(game.sway().tilt);
+        return inThousandths(game.sway().tilt);
     default:
-        return thousandths(game.sway().lift);
+        return inThousandths(game.sway().lift);
     }
 }
 
 std::int64_t looseBlocks(const Game& game) {
     return std::count_if(game.blocks().begin(), game.blocks().end(),
-                         [](const Block& block) { return block.hold == Hold::Loose; });
+                         [](const Block& block) { return block.support == Support::Loose; });
 }
 
 } // namespace
@@ -89,11 +89,11 @@ std::int64_t valueOf(const Game& game, Field field) {
     case Field::LooseBlocks:
         return looseBlocks(game);
     case Field::Meter:
-        return thousandths(game.meter());
+        return inThousandths(game.meter());
     case Field::Effects:
         return static_cast<std::int64_t>(game.effects().size());
     case Field::Wind:
-        return thousandths(game.windSpeed());
+        return inThousandths(game.windSpeed());
     case Field::BentBounces:
         return game.ledger().bentBounces;
     case Field::BallKind:

@@ -65,7 +65,7 @@ enum class Field : std::uint8_t {
     BallX,       // 1/1000 m, of the first ball; 0 without one
     BallY,
     BallSpeed,   // 1/1000 m/s
-    LooseBlocks, // Hold::Loose
+    LooseBlocks, // Support::Loose
     Meter,       // 1/1000
     Effects,     // number of active powers
     Wind,        // 1/1000 m/s

@@ -23,7 +23,7 @@ struct Block {
     kodo::Real strengthLeft = 0; // N s
     std::uint32_t key = 0;       // constant: row * kColumns + column
     std::size_t part = 0;
-    Hold hold = Hold::Mounted;
+    Support support = Support::Mounted;
     kodo::Vec2 local{};          // m, its centre in the frame of the body's shape
     kodo::BodyId pin{};          // body that it hangs from
     std::uint32_t looseTick = 0; // tick at which it was let go

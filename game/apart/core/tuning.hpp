@@ -92,14 +92,14 @@ inline constexpr Real kLeapSpeed = 18;        // m/s, upwards, with Power::Sprin
 inline constexpr Real kLeapReady = Real(0.1); // m; largest lift at which it can leap
 // Wings: a plate at each end, rising outwards.
 inline constexpr Real kWingDensity = Real(1.5);
-inline constexpr int kMostWelded = 8;      // further parts bounce off
-inline constexpr Real kWeldStrength = 300; // N s; reduced by the impulse of each impact
-inline constexpr Real kKnockOffBlow = 48;  // N s; a single impact that breaks any weld
-inline constexpr Real kKnockOffSpeed = 5;  // m/s, away from the middle of the paddle
+inline constexpr int kMostWelded = 8;       // further parts bounce off
+inline constexpr Real kWeldStrength = 300;  // N s; reduced by the impulse of each impact
+inline constexpr Real kKnockOffImpact = 48; // N s; a single impact that breaks any weld
+inline constexpr Real kKnockOffSpeed = 5;   // m/s, away from the middle of the paddle
 
 // Blocks.
 inline constexpr kodo::Material kBlockMaterial = kodo::withFriction(Real(0.5), 1);
-inline constexpr Real kSlightestBlow = 1; // N s; weaker impacts are ignored
+inline constexpr Real kSlightestImpact = 1; // N s; weaker impacts are ignored
 // By Stuff: glass, wood, brick, stone, steel.
 inline constexpr std::array<std::int32_t, 5> kStrength = {3000, 8000, 12000, 30000,
                                                           0}; // 1/1000 N s

@@ -2,8 +2,8 @@
 #include <apart/core/assets.hpp>
 #include <apart/core/bot.hpp>
 #include <apart/core/endless.hpp>
+#include <apart/core/game_observer.hpp>
 #include <apart/core/tuning.hpp>
-#include <apart/core/watch.hpp>
 #include <apart/headless/refusal.hpp>
 #include <apart/headless/report.hpp>
 #include <apart/headless/soak_command.hpp>
@@ -22,7 +22,7 @@ namespace {
 constexpr std::uint32_t kReportEvery = 2048; // ticks
 
 /// Statistics of the games on one level, or on all.
-struct RunStatistics {
+struct SoakStatistics {
     std::string level;
     std::uint32_t games = 0;
     std::uint32_t won = 0;
@@ -30,7 +30,7 @@ struct RunStatistics {
     std::uint32_t unfinished = 0; // stopped at SoakCommand::longestGame
     std::uint64_t wonTicks = 0;
     std::int64_t livesLost = 0;
-    Seen seen{};
+    Observations observed{};
     std::uint32_t waited = 0;           // games with LetGo::Why::Fatigue
     std::vector<std::uint32_t> waits{}; // longest wait of each game, ticks
     std::uint64_t glowTicks = 0;        // in play, with a patience other than Calm
@@ -41,14 +41,14 @@ struct RunStatistics {
     std::uint64_t bentInPure = 0;       // in Mode::Pure; must be 0
     double gameSeconds = 0;             // processor time of Game::tick() alone
 
-    void add(const RunStatistics& other) {
+    void add(const SoakStatistics& other) {
         games += other.games;
         won += other.won;
         lost += other.lost;
         unfinished += other.unfinished;
         wonTicks += other.wonTicks;
         livesLost += other.livesLost;
-        seen.add(other.seen);
+        observed.add(other.observed);
         waited += other.waited;
         waits.insert(waits.end(), other.waits.begin(), other.waits.end());
         glowTicks += other.glowTicks;
@@ -60,10 +60,10 @@ struct RunStatistics {
         gameSeconds += other.gameSeconds;
     }
     bool clean() const {
-        return seen.faults() == 0 && bentInPure == 0 && seen.longestWait <= kFailTicks + 1;
+        return observed.faults() == 0 && bentInPure == 0 && observed.longestWait <= kFailTicks + 1;
     }
     double microsecondsPerTick() const {
-        return seen.ticks > 0 ? 1e6 * gameSeconds / static_cast<double>(seen.ticks) : 0;
+        return observed.ticks > 0 ? 1e6 * gameSeconds / static_cast<double>(observed.ticks) : 0;
     }
     double meanWin() const { // s
         return won > 0 ? static_cast<double>(wonTicks) / won / kTicksPerSecond : 0;
@@ -82,8 +82,8 @@ struct RunStatistics {
         return static_cast<double>(sorted[rank]) / kTicksPerSecond;
     }
     double glowShare() const { // %
-        return seen.ticks > 0
-                   ? 100 * static_cast<double>(glowTicks) / static_cast<double>(seen.ticks)
+        return observed.ticks > 0
+                   ? 100 * static_cast<double>(glowTicks) / static_cast<double>(observed.ticks)
                    : 0;
     }
 };
@@ -102,55 +102,57 @@ struct Match {
 };
 
 /// Plays one game until it ends or `mostTicks` have passed.
-RunStatistics soak(const Match& match, std::uint64_t mostTicks,
-                   const std::function<void(std::uint32_t)>& show) {
+SoakStatistics soak(const Match& match, std::uint64_t mostTicks,
+                    const std::function<void(std::uint32_t)>& show) {
     Game game(match.level, match.seed, match.mode);
-    Watch watch;
-    RunStatistics tally{.level = match.level->name, .games = 1};
+    GameObserver observer;
+    SoakStatistics statistics{.level = match.level->name, .games = 1};
     std::uint64_t lastTicks = 0;
     while (game.result() == Result::Playing && game.ticks() < mostTicks) {
         const Input input = bot(game, match.player);
         const double start = cpuSeconds();
         game.tick(input);
-        tally.gameSeconds += cpuSeconds() - start;
-        watch.look(game);
-        tally.glowTicks += game.patience() != Patience::Calm && !game.serving() ? 1 : 0;
+        statistics.gameSeconds += cpuSeconds() - start;
+        observer.observe(game);
+        statistics.glowTicks += game.patience() != Patience::Calm && !game.serving() ? 1 : 0;
         lastTicks += game.blocksLeft() <= kLastBlocks ? 1 : 0;
         for (const Event& event : game.events()) {
             const auto* let = std::get_if<LetGo>(&event);
-            tally.waited = let != nullptr && let->why == LetGo::Why::Fatigue ? 1 : tally.waited;
+            statistics.waited =
+                let != nullptr && let->why == LetGo::Why::Fatigue ? 1 : statistics.waited;
         }
         if (game.ticks() % kReportEvery == 0) {
             show(game.ticks());
         }
     }
-    tally.seen = watch.seen();
-    tally.won = game.result() == Result::Won ? 1 : 0;
-    tally.lost = game.result() == Result::Lost ? 1 : 0;
-    tally.wonTicks = tally.won * tally.seen.ticks;
-    tally.livesLost = match.level->lives - game.lives();
-    tally.waits.push_back(tally.seen.longestWait);
-    tally.lastTicks = tally.won * lastTicks;
+    statistics.observed = observer.observations();
+    statistics.won = game.result() == Result::Won ? 1 : 0;
+    statistics.lost = game.result() == Result::Lost ? 1 : 0;
+    statistics.wonTicks = statistics.won * statistics.observed.ticks;
+    statistics.livesLost = match.level->lives - game.lives();
+    statistics.waits.push_back(statistics.observed.longestWait);
+    statistics.lastTicks = statistics.won * lastTicks;
     const Ledger& ledger = game.ledger();
     if (match.mode == Mode::Pure) {
-        tally.bentInPure = ledger.bentBounces + ledger.thrownBounces;
+        statistics.bentInPure = ledger.bentBounces + ledger.thrownBounces;
     } else {
-        tally.bounces = ledger.bounces;
-        tally.bentBounces = ledger.bentBounces;
-        tally.thrownBounces = ledger.thrownBounces;
+        statistics.bounces = ledger.bounces;
+        statistics.bentBounces = ledger.bentBounces;
+        statistics.thrownBounces = ledger.thrownBounces;
     }
-    if (!tally.clean()) {
+    if (!statistics.clean()) {
         fmt::print(stderr,
                    "{}, seed {}, {} player, {}: {} halts, {} escapes, {} bent paths, {} bent "
                    "bounces in pure mode, {} ticks without damage.\n",
                    match.level->name, match.seed, kBotNames[static_cast<std::size_t>(match.player)],
-                   kModeNames[static_cast<std::size_t>(match.mode)], tally.seen.halts,
-                   tally.seen.escapes, tally.seen.bends, tally.bentInPure, tally.seen.longestWait);
+                   kModeNames[static_cast<std::size_t>(match.mode)], statistics.observed.halts,
+                   statistics.observed.escapes, statistics.observed.bends, statistics.bentInPure,
+                   statistics.observed.longestWait);
     }
-    return tally;
+    return statistics;
 }
 
-std::string asJson(const RunStatistics& tally) {
+std::string asJson(const SoakStatistics& statistics) {
     return fmt::format(
         R"({{"level": "{}", "games": {}, "won": {}, "lost": {}, "unfinished": {}, "ticks": {}, )"
         R"("freeFlightTicks": {}, "meanWinSeconds": {:.1f}, "livesLost": {}, "halts": {}, )"
@@ -159,45 +161,49 @@ std::string asJson(const RunStatistics& tally) {
         R"("glowPercent": {:.2f}, "lastBlocksSeconds": {:.1f}, "bounces": {}, "bentBounces": {}, )"
         R"("thrownBounces": {}, "bentBouncesInPure": {}, )"
         R"("microsecondsPerTick": {:.1f}}})",
-        tally.level, tally.games, tally.won, tally.lost, tally.unfinished, tally.seen.ticks,
-        tally.seen.freeTicks, tally.meanWin(), tally.livesLost, tally.seen.halts,
-        tally.seen.escapes, tally.seen.bends, tally.seen.longestWait, tally.waited, tally.wait(0.5),
-        tally.wait(0.9), tally.wait(0.99), tally.glowShare(), tally.meanLast(), tally.bounces,
-        tally.bentBounces, tally.thrownBounces, tally.bentInPure, tally.microsecondsPerTick());
+        statistics.level, statistics.games, statistics.won, statistics.lost, statistics.unfinished,
+        statistics.observed.ticks, statistics.observed.freeTicks, statistics.meanWin(),
+        statistics.livesLost, statistics.observed.halts, statistics.observed.escapes,
+        statistics.observed.bends, statistics.observed.longestWait, statistics.waited,
+        statistics.wait(0.5), statistics.wait(0.9), statistics.wait(0.99), statistics.glowShare(),
+        statistics.meanLast(), statistics.bounces, statistics.bentBounces, statistics.thrownBounces,
+        statistics.bentInPure, statistics.microsecondsPerTick());
 }
 
-void printRow(const RunStatistics& tally) {
+void printRow(const SoakStatistics& statistics) {
     fmt::print("{:<20} {:>6} {:>6} {:>5} {:>7} {:>9} {:>6.1f} {:>6.1f} {:>5} {:>5} {:>5} {:>5} "
                "{:>5.1f} {:>5.1f} {:>5.1f} {:>5.1f} {:>5.1f} {:>7.1f}\n",
-               tally.level, tally.games, tally.won, tally.lost, tally.unfinished, tally.seen.ticks,
-               tally.meanWin(), tally.meanLast(), tally.livesLost, tally.seen.halts,
-               tally.seen.escapes, tally.seen.bends, tally.wait(0.5), tally.wait(0.9),
-               tally.wait(0.99), tally.wait(1), tally.glowShare(), tally.microsecondsPerTick());
+               statistics.level, statistics.games, statistics.won, statistics.lost,
+               statistics.unfinished, statistics.observed.ticks, statistics.meanWin(),
+               statistics.meanLast(), statistics.livesLost, statistics.observed.halts,
+               statistics.observed.escapes, statistics.observed.bends, statistics.wait(0.5),
+               statistics.wait(0.9), statistics.wait(0.99), statistics.wait(1),
+               statistics.glowShare(), statistics.microsecondsPerTick());
 }
 
-void printTable(const std::vector<RunStatistics>& tallies, const RunStatistics& total) {
+void printTable(const std::vector<SoakStatistics>& perLevel, const SoakStatistics& total) {
     fmt::print("{:<20} {:>6} {:>6} {:>5} {:>7} {:>9} {:>6} {:>6} {:>5} {:>5} {:>5} {:>5} {:>23} "
                "{:>5} {:>7}\n",
                "level", "games", "won", "lost", "cut off", "ticks", "won in", "last 3", "lives",
                "halts", "esca-", "bends", "longest wait of a game,", "glows", "us a");
     fmt::print("{:>62} {:>6} {:>5} {:>11} {:>29} {:>5} {:>7}\n", "s,mean", "s,mean", "lost", "pes",
                "s: 50 %  90 %  99 %   all", "%", "tick");
-    for (const RunStatistics& tally : tallies) {
-        printRow(tally);
+    for (const SoakStatistics& statistics : perLevel) {
+        printRow(statistics);
     }
     printRow(total);
 }
 
-void printAll(const std::vector<RunStatistics>& tallies, const RunStatistics& total, bool json) {
+void printAll(const std::vector<SoakStatistics>& perLevel, const SoakStatistics& total, bool json) {
     if (json) {
         fmt::print("{{\"total\": {}, \"levels\": [", asJson(total));
-        for (std::size_t i = 0; i < tallies.size(); ++i) {
-            fmt::print("{}{}", i == 0 ? "\n " : ",\n ", asJson(tallies[i]));
+        for (std::size_t i = 0; i < perLevel.size(); ++i) {
+            fmt::print("{}{}", i == 0 ? "\n " : ",\n ", asJson(perLevel[i]));
         }
         fmt::print("]}}\n");
         return;
     }
-    printTable(tallies, total);
+    printTable(perLevel, total);
     const auto share = [&](std::uint64_t count) {
         return 100 * static_cast<double>(count) /
                static_cast<double>(std::max(total.bounces, std::uint64_t{1}));
@@ -221,18 +227,18 @@ int runSoak(const SoakCommand& command) {
     for (const std::string& name : names) {
         levels.push_back(std::make_shared<const Level>(valueOrRefuse(loadLevel(name))));
     }
-    std::vector<RunStatistics> tallies;
+    std::vector<SoakStatistics> perLevel;
     for (const auto& level : levels) {
-        tallies.push_back({.level = level->name});
+        perLevel.push_back({.level = level->name});
     }
     if (command.endless > 0) {
-        tallies.push_back({.level = "endless"});
+        perLevel.push_back({.level = "endless"});
     }
-    RunStatistics total{.level = "all"};
+    SoakStatistics total{.level = "all"};
     Progress progress;
-    for (std::uint32_t seed = command.firstSeed; total.seen.ticks < command.ticks; ++seed) {
+    for (std::uint32_t seed = command.firstSeed; total.observed.ticks < command.ticks; ++seed) {
         for (std::size_t i = 0; i < levels.size() + command.endless; ++i) {
-            if (total.seen.ticks >= command.ticks) {
+            if (total.observed.ticks >= command.ticks) {
                 break;
             }
             const auto number = static_cast<std::uint32_t>(i - levels.size() + 1);
@@ -240,23 +246,24 @@ int runSoak(const SoakCommand& command) {
                                    ? levels[i]
                                    : std::make_shared<const Level>(endlessLevel({seed, number}));
             const std::uint64_t left =
-                std::min<std::uint64_t>(command.longestGame, command.ticks - total.seen.ticks);
+                std::min<std::uint64_t>(command.longestGame, command.ticks - total.observed.ticks);
             const std::uint32_t turn = seed - command.firstSeed;
             const Match match{
                 level, seed, command.player.value_or(static_cast<BotKind>(turn % kBotNames.size())),
                 command.mode.value_or(static_cast<Mode>(turn % kModeNames.size()))};
-            RunStatistics game = soak(match, left, [&](std::uint32_t ticks) {
+            SoakStatistics game = soak(match, left, [&](std::uint32_t ticks) {
                 progress.show(fmt::format("{}, seed {}: {} of {} ticks, {} games", level->name,
-                                          seed, total.seen.ticks + ticks, command.ticks,
+                                          seed, total.observed.ticks + ticks, command.ticks,
                                           total.games));
             });
-            game.unfinished = game.seen.ticks >= command.longestGame && game.won + game.lost == 0;
-            tallies[std::min(i, levels.size())].add(game);
+            game.unfinished =
+                game.observed.ticks >= command.longestGame && game.won + game.lost == 0;
+            perLevel[std::min(i, levels.size())].add(game);
             total.add(game);
         }
     }
     progress.clear();
-    printAll(tallies, total, command.json);
+    printAll(perLevel, total, command.json);
     return total.clean() ? 0 : 1;
 }
 

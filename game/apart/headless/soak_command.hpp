@@ -25,7 +25,7 @@ struct SoakCommand {
 };
 
 /// Plays all levels with the bot, seed by seed, until `ticks` have passed, and checks each game
-/// with Watch. Returns 1 if a check failed, else 0.
+/// with GameObserver. Returns 1 if a check failed, else 0.
 int runSoak(const SoakCommand& command);
 
 } // namespace apart

@@ -30,10 +30,10 @@ struct Squash {
 };
 
 Squash squashOf(const Moment& moment, const Ball& ball, Vec2 middle) {
-    const Blow blow = moment.juice.blowOf(ball.body);
-    const Real push = length(blow.push);
+    const ImpactResponse response = moment.juice.responseOf(ball.body);
+    const Real push = length(response.push);
     if (push > Real(0.05)) {
-        return {middle, blow.push / push, kMostSquash * push};
+        return {middle, response.push / push, kMostSquash * push};
     }
     const Vec2 velocity = moment.game.world()[ball.body].velocity();
     const Real speed = length(velocity);

@@ -182,7 +182,7 @@ void paintBlock(Canvas& canvas, const kodo::ConvexShape& outline, const kodo::Tr
         return; // details appear at full size
     }
     paintGrain(canvas, {place, inner}, look);
-    if (look.kind.hold == Hold::Boss) {
+    if (look.kind.support == Support::Boss) {
         paintArmour(canvas, {place, inner});
     }
     if (look.kind.power != Power::None) {

@@ -49,7 +49,7 @@ Vec2 shakeOf(const Moment& moment, const Block& block) {
 }
 
 void paintRope(Canvas& canvas, const Moment& moment, const Block& block, Vec2 middle) {
-    if (block.hold != Hold::Hanging || !moment.game.world().contains(block.pin)) {
+    if (block.support != Support::Hanging || !moment.game.world().contains(block.pin)) {
         return;
     }
     const Vec2 pin = moment.placeOf(block.pin).position;
@@ -63,14 +63,14 @@ void paintBlocks(Canvas& canvas, const Moment& moment) {
         const kodo::BodyView body = moment.game.world()[block.body];
         const kodo::ConvexShape& outline = body.part(block.part).convex;
         kodo::Transform place = moment.placeOf(block.body);
-        const Blow blow = moment.juice.blowOf(block.body);
-        const Blow own = moment.juice.blowOfBlock(block.key);
-        place.position += kNudge * blow.push + shakeOf(moment, block);
+        const ImpactResponse response = moment.juice.responseOf(block.body);
+        const ImpactResponse own = moment.juice.responseOfBlock(block.key);
+        place.position += kNudge * response.push + shakeOf(moment, block);
         const Vec2 middle = place * outline.middle;
         paintRope(canvas, moment, block, middle);
         const BlockLook look{block.kind,
                              scaleOf(moment, middle),
-                             std::max(block.hold == Hold::Boss ? 0 : blow.heat, own.heat),
+                             std::max(block.support == Support::Boss ? 0 : response.heat, own.heat),
                              glowOf(moment, block),
                              block.key,
                              moment.juice.cracks().of(block.key)};

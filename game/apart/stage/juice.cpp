@@ -102,7 +102,7 @@ void Juice::heat(std::uint64_t name, Vec2 push) {
     heats_.push_back({name, 1, push});
 }
 
-Blow Juice::blowOf(std::uint64_t name) const {
+ImpactResponse Juice::responseOf(std::uint64_t name) const {
     for (const Heat& heat : heats_) {
         if (heat.name == name) {
             const Real swing = std::cos(kSwing * static_cast<Real>(heat.age));
@@ -112,12 +112,12 @@ Blow Juice::blowOf(std::uint64_t name) const {
     return {};
 }
 
-Blow Juice::blowOf(kodo::BodyId body) const {
-    return blowOf(nameOf(body));
+ImpactResponse Juice::responseOf(kodo::BodyId body) const {
+    return responseOf(nameOf(body));
 }
 
-Blow Juice::blowOfBlock(std::uint32_t key) const {
-    return blowOf(nameOfBlock(key));
+ImpactResponse Juice::responseOfBlock(std::uint32_t key) const {
+    return responseOf(nameOfBlock(key));
 }
 
 Vec2 Juice::shake() const {

@@ -14,7 +14,7 @@
 namespace apart {
 
 /// Visual response to the last impact on a body or block.
-struct Blow {
+struct ImpactResponse {
     Real heat = 0; // 1 at the impact, decays to 0
     Vec2 push;     // damped oscillation along the impact, length 0..1
 };
@@ -40,9 +40,9 @@ public:
     float flash() const { return flash_; }
     Color flashColor() const { return flashColor_; }
     /// Response of a body to its last impact.
-    Blow blowOf(kodo::BodyId body) const;
+    ImpactResponse responseOf(kodo::BodyId body) const;
     /// Response of a single block. The blocks of a boss share a body.
-    Blow blowOfBlock(std::uint32_t key) const;
+    ImpactResponse responseOfBlock(std::uint32_t key) const;
     /// Past positions of a ball, oldest first.
     std::span<const Vec2> trailOf(kodo::BodyId ball) const;
 
@@ -88,7 +88,7 @@ private:
     void push(Real strength);
     void light(Color color, float strength);
     void heat(std::uint64_t name, Vec2 push);
-    Blow blowOf(std::uint64_t name) const;
+    ImpactResponse responseOf(std::uint64_t name) const;
     void age();
     void followBalls(const Game& game);
     void feedFlames(const Game& game);

@@ -16,19 +16,20 @@ constexpr Real metres(std::int32_t milli) {
     return static_cast<Real>(milli) / 1000;
 }
 
-void paintBumper(Canvas& canvas, Vec2 middle, Real radius, Blow blow) {
-    const Color color = lighter(palette::kBumper, 0.7f * blow.heat);
-    const Real size = radius * (1 + Real(0.15) * length(blow.push));
+void paintBumper(Canvas& canvas, Vec2 middle, Real radius, ImpactResponse response) {
+    const Color color = lighter(palette::kBumper, 0.7f * response.heat);
+    const Real size = radius * (1 + Real(0.15) * length(response.push));
     canvas.setGlow(true);
-    canvas.disc(middle, Real(1.8) * size, faded(color, 0.25f + 0.5f * blow.heat), faded(color, 0));
+    canvas.disc(middle, Real(1.8) * size, faded(color, 0.25f + 0.5f * response.heat),
+                faded(color, 0));
     canvas.setGlow(false);
     canvas.disc(middle, size, mix(color, palette::kInk, 0.35f), mix(color, palette::kInk, 0.65f));
     canvas.ring(middle, Real(0.9) * size, Real(0.16) * size, color);
     canvas.disc(middle, Real(0.45) * size, lighter(color, 0.5f), color);
 }
 
-void paintPeg(Canvas& canvas, Vec2 middle, Real radius, Blow blow) {
-    const Color color = lighter(palette::kMachine, 0.6f * blow.heat);
+void paintPeg(Canvas& canvas, Vec2 middle, Real radius, ImpactResponse response) {
+    const Color color = lighter(palette::kMachine, 0.6f * response.heat);
     canvas.disc(middle, radius, lighter(color, 0.45f), darker(color, 0.25f));
     canvas.ring(middle, radius, Real(0.05), palette::kInk);
 }
@@ -55,7 +56,7 @@ void paintGate(Canvas& canvas, const Moment& moment, const Obstruction& gate) {
     const Vec2 to = place * line.vertices[line.vertices.size() - 1];
     const Vec2 along = normalize(to - from);
     const Vec2 open = place.rotation * line.normals[1]; // from back to front
-    const float heat = moment.juice.blowOf(gate.body).heat;
+    const float heat = moment.juice.responseOf(gate.body).heat;
     const Color color = lighter(palette::kPaddle, 0.6f * heat);
     canvas.line(from, to, Real(0.16), palette::kInk);
     canvas.line(from, to, Real(0.09), color);
@@ -95,13 +96,13 @@ void paintObstructions(Canvas& canvas, const Moment& moment) {
     for (const Obstruction& thing : moment.game.obstructions()) {
         const kodo::BodyView body = moment.game.world()[thing.body];
         const Vec2 middle = moment.placeOf(thing.body).position;
-        const Blow blow = moment.juice.blowOf(thing.body);
+        const ImpactResponse response = moment.juice.responseOf(thing.body);
         switch (thing.kind) {
         case ObstructionKind::Bumper:
-            paintBumper(canvas, middle, body.part(0).convex.radius, blow);
+            paintBumper(canvas, middle, body.part(0).convex.radius, response);
             break;
         case ObstructionKind::Pin:
-            paintPeg(canvas, middle, body.part(0).convex.radius, blow);
+            paintPeg(canvas, middle, body.part(0).convex.radius, response);
             break;
         case ObstructionKind::Motor:
             paintMotor(canvas, moment, thing);

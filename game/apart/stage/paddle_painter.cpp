@@ -101,8 +101,8 @@ void paintParts(Canvas& canvas, const Moment& moment) {
 void paintPaddle(Canvas& canvas, const Moment& moment) {
     const kodo::BodyView body = moment.game.world()[moment.game.paddle()];
     kodo::Transform place = moment.placeOf(moment.game.paddle());
-    const Blow blow = moment.juice.blowOf(moment.game.paddle());
-    place.position += Vec2{0, kDip * blow.push.y};
+    const ImpactResponse response = moment.juice.responseOf(moment.game.paddle());
+    place.position += Vec2{0, kDip * response.push.y};
     paintWorking(canvas, moment, place);
     for (std::size_t i = 0; i < body.partCount(); ++i) {
         const kodo::ConvexShape& outline = body.part(i).convex;
@@ -113,7 +113,7 @@ void paintPaddle(Canvas& canvas, const Moment& moment) {
                        {place * outline.middle, place.rotation});
             continue;
         }
-        const Color color = lighter(palette::kPaddle, 0.6f * blow.heat);
+        const Color color = lighter(palette::kPaddle, 0.6f * response.heat);
         paintLit(canvas, corners, color, {kRim, lighter(color, 0.5f)});
         paintEyes(canvas, moment, {place * outline.middle, place.rotation});
     }

@@ -68,12 +68,12 @@ void paintResults(Canvas& canvas, const ResultsLook& look) {
     canvas.text(look.newBest ? "your best so far" : "points", {0, Real(11.5)},
                 {Real(0.5), look.newBest ? palette::kAccent : palette::kQuiet, Typeface::Plain,
                  Align::Middle});
-    const std::uint32_t seconds = look.tally.ticks / kTicksPerSecond;
+    const std::uint32_t seconds = look.statistics.ticks / kTicksPerSecond;
     line(canvas, Real(10.4), "blocks broken",
-         fmt::format("{} of {}", look.tally.broken, game.blocksAtStart()));
-    line(canvas, Real(9.7), "best combo", fmt::format("{}", look.tally.bestCombo));
+         fmt::format("{} of {}", look.statistics.broken, game.blocksAtStart()));
+    line(canvas, Real(9.7), "best combo", fmt::format("{}", look.statistics.bestCombo));
     line(canvas, Real(9.0), "time", fmt::format("{}:{:02}", seconds / 60, seconds % 60));
-    Best best = look.tally.bestOf(game);
+    Best best = look.statistics.bestOf(game);
     best.cleared = best.cleared || look.before.cleared;
     best.unhurt = best.unhurt || look.before.unhurt;
     best.chain = best.chain || look.before.chain;

@@ -10,7 +10,7 @@ namespace apart {
 /// Contents of the result screen.
 struct ResultsLook {
     const Game& game;
-    const RunStatistics& tally;
+    const RunStatistics& statistics;
     std::int32_t score = 0; // sum over an endless run, else the score of the game
     Best before{};          // best results of this level before this game
     bool newBest = false;

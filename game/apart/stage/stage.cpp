@@ -172,7 +172,7 @@ void Stage::tick(Speaker& speaker) {
             played_ = recorder_->finish(game);
         }
     }
-    timeScale_.feel(game, settings());
+    timeScale_.tick(game, settings());
     statistics_.hear(game);
     if (!fanfare_.done()) {
         play_->celebrate(fanfare_, speaker);

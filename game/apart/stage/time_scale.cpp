@@ -44,25 +44,25 @@ double TimeScale::next(const Game& game, double seconds) {
     if (game.ticks() < 2) {
         *this = {}; // new game
     }
-    const bool slow = aboutToFinish(game) && slow_ < kPatience;
-    slow_ += slow ? seconds : 0;
+    const bool slow = aboutToFinish(game) && slowSeconds_ < kPatience;
+    slowSeconds_ += slow ? seconds : 0;
     const double goal = slow ? kSlow : 1;
     timeScale_ += std::min(kBrake * seconds, 1.0) * (goal - timeScale_);
-    rest_ -= seconds;
-    if (frozen_ > 0) {
-        frozen_ -= seconds;
+    freezePause_ -= seconds;
+    if (freezeLeft_ > 0) {
+        freezeLeft_ -= seconds;
         return 0;
     }
     return timeScale_;
 }
 
-void TimeScale::feel(const Game& game, const Settings& settings) {
+void TimeScale::tick(const Game& game, const Settings& settings) {
     for (const Event& event : game.events()) {
         const auto* broke = std::get_if<Broke>(&event);
-        if (broke != nullptr && rest_ <= 0 && settings.freeze > 0) {
+        if (broke != nullptr && freezePause_ <= 0 && settings.freeze > 0) {
             const float strength = weightOf(broke->impulse) * share(settings.freeze);
-            frozen_ = kLongestFreeze * static_cast<double>(strength);
-            rest_ = kFreezePause;
+            freezeLeft_ = kLongestFreeze * static_cast<double>(strength);
+            freezePause_ = kFreezePause;
         }
     }
 }

@@ -13,13 +13,13 @@ public:
     /// Time scale of this frame; 1 is real time.
     double next(const Game& game, double seconds);
     /// Call after each tick.
-    void feel(const Game& game, const Settings& settings);
+    void tick(const Game& game, const Settings& settings);
 
 private:
     double timeScale_ = 1;
-    double slow_ = 0;   // s of slow motion in this level so far, limited by kPatience
-    double frozen_ = 0; // s of hit-freeze left
-    double rest_ = 0;   // s until the next hit-freeze is possible
+    double slowSeconds_ = 0; // s of slow motion in this level so far, limited by kPatience
+    double freezeLeft_ = 0;  // s of hit-freeze left
+    double freezePause_ = 0; // s until the next hit-freeze is possible
 };
 
 } // namespace apart

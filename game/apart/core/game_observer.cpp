@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <apart/core/game_observer.hpp>
 #include <apart/core/tuning.hpp>
-#include <apart/core/watch.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +40,7 @@ bool isOutside(Vec2 place) {
 
 } // namespace
 
-void Seen::add(const Seen& other) {
+void Observations::add(const Observations& other) {
     ticks += other.ticks;
     freeTicks += other.freeTicks;
     halts += other.halts;
@@ -49,13 +49,13 @@ void Seen::add(const Seen& other) {
     longestWait = std::max(longestWait, other.longestWait);
 }
 
-void Watch::look(const Game& game) {
-    ++seen_.ticks;
+void GameObserver::observe(const Game& game) {
+    ++observations_.ticks;
     const bool pulled = isPulled(game);
     free_ = !pulled && !pulled_; // a field that ended in this tick may have acted in it
     pulled_ = pulled;
     next_.clear();
-    seen_.escapes += static_cast<std::uint32_t>(game.world().frozenBodies().size());
+    observations_.escapes += static_cast<std::uint32_t>(game.world().frozenBodies().size());
     for (const Ball& ball : game.balls()) {
         if (!ball.riding) {
             const auto before = std::find_if(tracks_.begin(), tracks_.end(),
@@ -67,38 +67,38 @@ void Watch::look(const Game& game) {
     count(game);
 }
 
-void Watch::follow(const Game& game, const Ball& ball, const Track* before) {
+void GameObserver::follow(const Game& game, const Ball& ball, const Track* before) {
     const kodo::BodyView body = game.world()[ball.body];
     Track now{ball.body, body.velocity()};
     const Real speed = length(now.velocity);
     if (speed < game.ballSpeed() / 2) {
         now.slowTicks = before != nullptr ? before->slowTicks + 1 : 1;
-        seen_.halts += now.slowTicks == kSlowTicks ? 1 : 0;
+        observations_.halts += now.slowTicks == kSlowTicks ? 1 : 0;
     }
     if (isOutside(body.position())) {
-        ++seen_.escapes;
+        ++observations_.escapes;
     }
     // A ball below kHaltSpeed restarts along its last heading, which is no bend.
     const bool flew = before != nullptr && length(before->velocity) >= kHaltSpeed;
     if (flew && free_ && !touches(game, ball.body)) {
-        ++seen_.freeTicks;
+        ++observations_.freeTicks;
         const Real turn = std::abs(cross(before->velocity, now.velocity));
         const bool back = dot(before->velocity, now.velocity) < 0;
         if (back || turn > kStraight * length(before->velocity) * speed) {
-            ++seen_.bends;
+            ++observations_.bends;
         }
     }
     next_.push_back(now);
 }
 
-void Watch::count(const Game& game) {
+void GameObserver::count(const Game& game) {
     bool progress = tracks_.empty();
     for (const Event& event : game.events()) {
         progress = progress || std::holds_alternative<Cracked>(event) ||
                    std::holds_alternative<Broke>(event) || std::holds_alternative<LetGo>(event);
     }
     wait_ = progress || game.result() != Result::Playing ? 0 : wait_ + 1;
-    seen_.longestWait = std::max(seen_.longestWait, wait_);
+    observations_.longestWait = std::max(observations_.longestWait, wait_);
 }
 
 } // namespace apart

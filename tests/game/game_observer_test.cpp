@@ -2,7 +2,7 @@
 #include <apart/core/assets.hpp>
 #include <apart/core/bot.hpp>
 #include <apart/core/endless.hpp>
-#include <apart/core/watch.hpp>
+#include <apart/core/game_observer.hpp>
 #include <support/draws.hpp>
 
 #include "game_access.hpp"
@@ -21,52 +21,52 @@ struct Flight {
     }
     void tick() {
         game.tick(towards(0));
-        watch.look(game);
+        observer.observe(game);
     }
     kodo::BodyRef body() { return GameTestAccess::world(game)[ball]; }
 
     Game game;
-    Watch watch;
+    GameObserver observer;
     kodo::BodyId ball;
 };
 
-TEST(Watch, ReportsNoFaultInFreeFlight) {
+TEST(GameObserver, ReportsNoFaultInFreeFlight) {
     Flight flight;
     for (int i = 0; i < 60; ++i) {
         flight.tick();
     }
-    EXPECT_EQ(flight.watch.seen().faults(), 0u);
-    EXPECT_EQ(flight.watch.seen().freeTicks, 60u);
-    EXPECT_EQ(flight.watch.seen().longestWait, 61u);
+    EXPECT_EQ(flight.observer.observations().faults(), 0u);
+    EXPECT_EQ(flight.observer.observations().freeTicks, 60u);
+    EXPECT_EQ(flight.observer.observations().longestWait, 61u);
 }
 
 // 0.012 m/s^2 across the path: a thousandth of the acceleration of shards.
-TEST(Watch, ReportsASlightlyCurvedPath) {
+TEST(GameObserver, ReportsASlightlyCurvedPath) {
     Flight flight;
     for (int i = 0; i < 60; ++i) {
         flight.body().setVelocity(flight.body().velocity() + Vec2{0.0001f, 0});
         flight.tick();
     }
-    EXPECT_EQ(flight.watch.seen().bends, 60u);
+    EXPECT_EQ(flight.observer.observations().bends, 60u);
 }
 
-TEST(Watch, ReportsACrawlingBallOnce) {
+TEST(GameObserver, ReportsACrawlingBallOnce) {
     Flight flight;
     for (int i = 0; i < 130; ++i) {
         const Vec2 velocity = flight.body().velocity();
         flight.body().setVelocity((Real(0.1) / length(velocity)) * velocity);
         flight.tick();
     }
-    EXPECT_EQ(flight.watch.seen().halts, 1u) << "one halt, however long";
-    EXPECT_EQ(flight.watch.seen().bends, 0u);
+    EXPECT_EQ(flight.observer.observations().halts, 1u) << "one halt, however long";
+    EXPECT_EQ(flight.observer.observations().bends, 0u);
 }
 
-TEST(Watch, ReportsABallOutsideTheField) {
+TEST(GameObserver, ReportsABallOutsideTheField) {
     Flight flight;
     flight.body().setPosition({0, kFieldHeight + Real(0.5)});
     flight.body().setVelocity({0, flight.game.ballSpeed()});
     flight.tick();
-    EXPECT_GE(flight.watch.seen().escapes, 1u);
+    EXPECT_GE(flight.observer.observations().escapes, 1u);
 }
 
 // A short run of `apart-headless soak --ticks 10000000` over all levels and some generated ones. No
@@ -84,15 +84,15 @@ TEST(Soak, NoBallStopsEscapesOrLeavesItsStraightPath) {
     for (const Level& level : levels) {
         SCOPED_TRACE(level.name);
         Game game(level, 11);
-        Watch watch;
+        GameObserver observer;
         while (game.result() == Result::Playing && game.ticks() < ticks) {
             game.tick(bot(game));
-            watch.look(game);
+            observer.observe(game);
         }
-        EXPECT_EQ(watch.seen().halts, 0u);
-        EXPECT_EQ(watch.seen().escapes, 0u);
-        EXPECT_EQ(watch.seen().bends, 0u);
-        freeTicks += watch.seen().freeTicks;
+        EXPECT_EQ(observer.observations().halts, 0u);
+        EXPECT_EQ(observer.observations().escapes, 0u);
+        EXPECT_EQ(observer.observations().bends, 0u);
+        freeTicks += observer.observations().freeTicks;
     }
     EXPECT_GE(freeTicks, ticks * levels.size() * 5 / 18) << "the balls were hardly in the air";
 }

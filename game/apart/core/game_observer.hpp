@@ -9,7 +9,7 @@
 namespace apart {
 
 /// Observations of one or several games.
-struct Seen {
+struct Observations {
     std::uint64_t ticks = 0;
     std::uint64_t freeTicks = 0;   // ball ticks without contact or force field
     std::uint32_t halts = 0;       // balls below half the target speed for half a second
@@ -17,17 +17,17 @@ struct Seen {
     std::uint32_t bends = 0;       // bent paths without contact or force field
     std::uint32_t longestWait = 0; // most successive ticks in play without damage to a block
 
-    void add(const Seen& other);
+    void add(const Observations& other);
     std::uint32_t faults() const { return halts + escapes + bends; }
 };
 
 /// Checks invariants of a game after each tick and measures how long the player waits. It is
 /// independent of the governor, so it detects faults of the governor.
-class Watch {
+class GameObserver {
 public:
     /// Must be called after each tick of one game.
-    void look(const Game& game);
-    const Seen& seen() const { return seen_; }
+    void observe(const Game& game);
+    const Observations& observations() const { return observations_; }
 
 private:
     struct Track {
@@ -44,7 +44,7 @@ private:
     bool pulled_ = false; // a force field acted in the last tick
     bool free_ = true;    // no force field acts in this tick
     std::uint32_t wait_ = 0;
-    Seen seen_;
+    Observations observations_;
 };
 
 } // namespace apart
