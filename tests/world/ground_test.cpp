@@ -3,6 +3,7 @@
 #include <support/scenes.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace kodo {
 namespace {
@@ -119,6 +120,49 @@ TEST(Ground, AValleyOfManyCellsActsAsACurve) {
     EXPECT_TRUE(near(lowest, 0.5, 0.01)) << "it rolls through the bottom";
     EXPECT_GT(farthest, Real(3.4)) << "and nearly as high up as it came from";
     EXPECT_LT(farthest, Real(4.1));
+}
+
+// F2: a disc slides without friction through a parabolic valley of straight cells. At each vertex
+// it may lose what the kink takes. It never gains energy, whatever its size, the cells, the rate
+// and the solver. The tolerance is the overlap of soft contacts relative to the height of the fall.
+TEST(Ground, ADiscInAValleyGainsNoEnergy) {
+    constexpr Real kHalf = 6; // m, from where it starts to the bottom
+    for (const StepSettings& solver : {StepSettings{}, thesis2006()}) {
+        for (const Real rate : {Real(60), Real(240)}) {
+            for (const Real radius : {Real(0.05), Real(0.25), Real(0.5)}) {
+                for (const Real bend : {Real(0.02), Real(0.05), Real(0.2)}) {
+                    for (const Real spacing : {Real(0.02), Real(0.1), Real(0.3)}) {
+                        Heightmap valley{{Real(-1.3) * kHalf, 0}, spacing, {}};
+                        for (Real x = valley.origin.x; x <= -valley.origin.x; x += spacing) {
+                            valley.heights.push_back(bend * x * x);
+                        }
+                        World world(
+                            {.gravity = kEarth,
+                             .settings = {.solver = solver.solver, .leaveOut = Feature::Sleep}});
+                        world.add({.shape = valley,
+                                   .material = support::slippery(),
+                                   .type = BodyType::Static});
+                        const Real slope = 2 * bend * kHalf;
+                        const Real start = bend * kHalf * kHalf +
+                                           radius * std::sqrt(1 + slope * slope) * Real(1.01) +
+                                           Real(0.01);
+                        const BodyId disc = world.add(
+                            support::ballDef({-kHalf, start}, radius, support::slippery()));
+                        const Real most = Real(1.002) * 10 * (start - radius); // J/kg
+                        for (int step = 0; step < 10 * static_cast<int>(rate); ++step) {
+                            world.step(1 / rate);
+                            const Real energy = lengthSquared(world[disc].velocity()) / 2 +
+                                                10 * (world[disc].position().y - radius);
+                            ASSERT_LE(energy, most)
+                                << "radius " << radius << ", bend " << bend << ", spacing "
+                                << spacing << ", rate " << rate << ", solver "
+                                << solver.solver.index() << ", step " << step;
+                        }
+                    }
+                }
+            }
+        }
+    }
 }
 
 // C1, P1: a plane carries every kind of shape, at its origin and 1000 m away.

@@ -19,8 +19,9 @@ constexpr Real kLoopGive = Real(0.4);
 
 // Largest relative rise of the inertia of a body above the one that a solution has used.
 constexpr Real kMostRise = Real(1) / 8;
-// Largest change of an arc between two solutions, relative to the arms.
-constexpr Real kSameArc = Real(1) / (1 << 24);
+// Largest change of an arc between two solutions, relative to the arms. A coarser one would decide
+// the number of solutions by the step, and errors would not fall with the square of the step.
+constexpr Real kSameArc = sizeof(Real) == 4 ? Real(0x1p-24) : Real(0x1p-48);
 // Largest relative gain of kinetic energy with arcs in the velocities, beyond that of the rotation
 // of the tree as a whole: a quarter of the square of its rotation (rad per substep), which the
 // relax pass takes away again. The second is for stiff trees.
