@@ -92,17 +92,17 @@ Manifold collidePlane(const ConvexShape& plane, const Transform& a, const Convex
 
 /// Planes and one-sided lines.
 Manifold collideSpecial(const ConvexShape& shapeA, const Transform& a, const ConvexShape& shapeB,
-                        const Transform& b, Real margin, Real preference, Real reach) {
+                        const Transform& b, const ContactLimits& limits) {
     if (shapeA.isPlane()) {
-        return collidePlane(shapeA, a, shapeB, b, margin);
+        return collidePlane(shapeA, a, shapeB, b, limits.margin);
     }
     if (shapeB.isPlane()) {
-        return swapped(collidePlane(shapeB, b, shapeA, a, margin));
+        return swapped(collidePlane(shapeB, b, shapeA, a, limits.margin));
     }
     if (shapeA.oneSided) {
-        return collideOneSided(shapeA, a, shapeB, b, margin, preference, reach);
+        return collideOneSided(shapeA, a, shapeB, b, limits);
     }
-    return swapped(collideOneSided(shapeB, b, shapeA, a, margin, preference, reach));
+    return swapped(collideOneSided(shapeB, b, shapeA, a, limits));
 }
 
 bool isPlain(const ConvexShape& shape) {
@@ -156,26 +156,26 @@ Separation betweenFaces(const ConvexShape& shapeA, const Transform& a, const Con
 
 Manifold collide(const ConvexShape& shapeA, const Transform& a, const ConvexShape& shapeB,
                  const Transform& b, Real margin, Real preference) {
-    return collideAhead(shapeA, a, shapeB, b, margin, preference, 0);
+    return collideAhead(shapeA, a, shapeB, b, {margin, preference});
 }
 
 Manifold collideAhead(const ConvexShape& shapeA, const Transform& a, const ConvexShape& shapeB,
-                      const Transform& b, Real margin, Real preference, Real reach) {
+                      const Transform& b, const ContactLimits& limits) {
     if (shapeA.isRound() && shapeB.isRound()) {
-        return collideRound(shapeA, a, shapeB, b, margin);
+        return collideRound(shapeA, a, shapeB, b, limits.margin);
     }
     const bool sidedA = shapeA.kind == ConvexKind::Sided;
     const bool sidedB = shapeB.kind == ConvexKind::Sided;
     if (!(sidedA || isPlain(shapeA)) || !(sidedB || isPlain(shapeB))) {
-        return collideSpecial(shapeA, a, shapeB, b, margin, preference, reach);
+        return collideSpecial(shapeA, a, shapeB, b, limits);
     }
     if (shapeB.isRound()) {
-        return collideFacesRound(shapeA, a, shapeB, b, margin);
+        return collideFacesRound(shapeA, a, shapeB, b, limits.margin);
     }
     if (shapeA.isRound()) {
-        return swapped(collideFacesRound(shapeB, b, shapeA, a, margin));
+        return swapped(collideFacesRound(shapeB, b, shapeA, a, limits.margin));
     }
-    return collideFaces(shapeA, a, shapeB, b, margin, preference);
+    return collideFaces(shapeA, a, shapeB, b, limits.margin, limits.preference);
 }
 
 Separation separation(const ConvexShape& shapeA, const Transform& a, const ConvexShape& shapeB,

@@ -241,13 +241,13 @@ bool ownsDirection(const ConvexShape& line, std::size_t end, Vec2 direction) {
 }
 
 Manifold collideOneSided(const ConvexShape& line, const Transform& a, const ConvexShape& other,
-                         const Transform& b, Real margin, Real preference, Real reach) {
+                         const Transform& b, const ContactLimits& limits) {
     if (other.isRound()) {
-        return collideWithRound(line, a, other, b, margin, reach);
+        return collideWithRound(line, a, other, b, limits.margin, limits.reach);
     }
-    Manifold manifold = collideWithFaces(line, a, other, b, margin, preference);
-    if (manifold.count == 0 && !manifold.fromBehind && reach > 0) {
-        manifold = collideCornerAhead(line, a, other, b, margin, reach);
+    Manifold manifold = collideWithFaces(line, a, other, b, limits.margin, limits.preference);
+    if (manifold.count == 0 && !manifold.fromBehind && limits.reach > 0) {
+        manifold = collideCornerAhead(line, a, other, b, limits.margin, limits.reach);
     }
     if (other.oneSided) {
         const Vec2 middle = between(b, a) * line.middle - other.vertices[0];

@@ -8,6 +8,13 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
+/// Which contacts collideAhead() finds.
+struct ContactLimits {
+    Real margin;     // m, largest separation
+    Real preference; // m, see collide()
+    Real reach = 0;  // m, along one-sided lines, see collideOneSided()
+};
+
 /// One-sided lines and chains of them (platforms, ground), without ghost collisions.
 ///
 /// The middle of the other shape decides whether it is in front of the line or behind it. Shapes
@@ -16,16 +23,16 @@ inline namespace KODO_PRECISION {
 /// normals. A contact therefore never has a normal that the ground lacks, and a shape slides
 /// smoothly over a flush vertex.
 ///
-/// `reach` (m): a circle or corner that comes along a valley within it already has a contact with
+/// Reach: a circle or corner that comes along a valley within it already has a contact with
 /// the lines ahead, so that it follows their slope within the step. Without these contacts it moves
 /// straight, enters the rising ground, and is lifted out of it at no cost of velocity: it gains
 /// energy.
 Manifold collideOneSided(const ConvexShape& line, const Transform& a, const ConvexShape& other,
-                         const Transform& b, Real margin, Real preference, Real reach);
+                         const Transform& b, const ContactLimits& limits);
 
 /// collide(), with a reach along one-sided lines.
 Manifold collideAhead(const ConvexShape& shapeA, const Transform& a, const ConvexShape& shapeB,
-                      const Transform& b, Real margin, Real preference, Real reach);
+                      const Transform& b, const ContactLimits& limits);
 
 /// True if the line is responsible for contacts at vertex `end`, 0 or 1. False at a flush or
 /// concave vertex, where only faces touch, and at a hilltop owned by the next line.

@@ -151,7 +151,7 @@ Real impactOnOneSided(Mover line, Mover other, Real target) {
     if (above(line.sweep.start, other.sweep.start).distance > target * Real(1.5)) {
         const Real t = advanceAlong(line, other, target, above);
         if (t > 1 || collideOneSided(line.shape, line.sweep.at(t), other.shape, other.sweep.at(t),
-                                     2 * target, 0, 0)
+                                     {2 * target, 0})
                              .count > 0) {
             return t;
         }

@@ -195,7 +195,7 @@ void findContact(Contact& contact, const Bodies& bodies, const Tolerances& toler
     const Real preference = tolerances.slop / 8;
     Manifold manifold = collideAhead(bodies.convex(key.bodyA, key.partA), bodies.pose[key.bodyA],
                                      bodies.convex(key.bodyB, key.partB), bodies.pose[key.bodyB],
-                                     tolerances.margin, preference, reachOf(bodies, key));
+                                     {tolerances.margin, preference, reachOf(bodies, key)});
     spreadConcentric(manifold, bodies.convex(key.bodyA, key.partA),
                      bodies.convex(key.bodyB, key.partB), key.bodyB);
     contact.passing = letPass(contact.passing, manifold);
