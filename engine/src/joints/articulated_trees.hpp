@@ -109,6 +109,7 @@ private:
         bool childIsB = true;
         HeldRows rows{};
         Symmetric3::Factors factors{Symmetric3{}}; // of S
+        Triple give{};                             // see giving()
         Triple wanted{};                           // q
         Triple wantedDrift{};                      // q of the displacement
         Triple impulse{};                          // l
@@ -138,8 +139,8 @@ private:
     bool growFrom(const Bodies& bodies, std::span<const Edge> edges, std::size_t from);
     std::uint32_t join(std::uint32_t body);
     void solveTree(Bodies& bodies, const JointPass& pass, Tree& tree);
-    bool improve(const Bodies& bodies, const JointPass& pass, Tree& tree);
-    void solveLinear(const Bodies& bodies, const JointPass& pass, Tree& tree);
+    void factorizeTree(const Bodies& bodies, const JointPass& pass, Tree& tree);
+    void solveLinear(const Bodies& bodies, const JointPass& pass, const Tree& tree);
     Real spinOf(const Bodies& bodies, const Tree& tree);
     void addPulls(const Tree& tree);
     bool raisePulls(const Tree& tree, Real h);
@@ -148,9 +149,10 @@ private:
     void begin(const Bodies& bodies, const JointPass& pass, Tree& tree);
     void measure(const Bodies& bodies, const JointPass& pass, const Tree& tree, Node& node);
     Symmetric3 carry(Node& node);
-    Symmetric3 giving(const Bodies& bodies, Node& node, const JointPass& pass) const;
-    void eliminate(const Bodies& bodies, Node& node, const JointPass& pass);
-    void backSubstitute(Node& node);
+    Triple giving(const Bodies& bodies, const Node& node, const JointPass& pass) const;
+    void factorize(const Bodies& bodies, Node& node, const JointPass& pass);
+    void reduce(Node& node, Triple Member::*c, Triple Node::*q);
+    Triple backSubstitute(Node& node, Triple Member::*c, Triple Member::*dx, Triple Node::*q);
     void apply(Bodies& bodies, const JointPass& pass, const Tree& tree);
     std::span<Node> nodesOf(const Tree& tree);
     std::span<Member> membersOf(const Tree& tree);
