@@ -93,7 +93,7 @@ struct ConvexShape {
     Vec2 before; // unit; direction of the segment that ends at vertex 0; zero: none. One-sided only
     Vec2 after;  // unit; direction of the segment that starts at vertex 1; zero: none
     // Of a one-sided segment in a chain: length (m) of the neighbours beyond each vertex that bend
-    // towards the blocking side alone. There the chain lies nowhere below the line of this segment.
+    // only towards the blocking side. There the chain lies nowhere below the line of this segment.
     Real valleyBefore = 0;
     Real valleyAfter = 0;
     ConvexKind kind = ConvexKind::Round;

@@ -29,7 +29,7 @@ enum class FieldKind : std::uint8_t { Own, Gravity, Drag, Wind, Attractor, Buoya
 
 /// A rule that exerts forces on bodies: gravity, wind, a magnet. Derive from it for one of your
 /// own. It must depend on its arguments alone: copies of a World share it, replays repeat it, and
-/// several threads ask it at once. It must not call the World that asks: see World::step().
+/// several threads call it at once. It must not change the World that calls it: see World::step().
 class KODO_API ForceField {
 public:
     ForceField();

@@ -17,7 +17,7 @@ void refuseIfStatic(const BodyView& body, bool moves) {
     }
 }
 
-/// Names the target of moveTo() that asks for too high a speed, in a unit of length or rotation.
+/// Refusal of a target of moveTo() that requires too high a speed, in a unit of length or rotation.
 Problem tooFar(const char* field, Real speed, Real most, const char* unit, Real dt) {
     return Problem{field, "is too far to be reached in dt = " + textOf(dt) + " s: it takes " +
                               textOf(speed) + " " + unit + ", but a body has at most " +
