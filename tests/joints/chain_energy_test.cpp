@@ -114,6 +114,27 @@ TEST(ChainEnergy, ASwingingChainOfBoxesKeepsItForAMinute) {
     }
 }
 
+// F1: links that cannot rotate, in a chain that swings. Their angles stay exactly zero, and their
+// joints stay closed.
+TEST(ChainEnergy, ALinkWithLockedRotationDoesNotTurn) {
+    for (const StepSettings& settings : bothSolvers(0)) {
+        for (const Real ratio : {Real(1), Real(1e3)}) {
+            LevelChain chain(false, ratio, settings);
+            for (const std::size_t i : {std::size_t{2}, std::size_t{5}, std::size_t{9}}) {
+                chain.world[chain.links[i]].setFlags(kDisabled | kLockRotate);
+            }
+            for (int step = 0; step < 300; ++step) {
+                chain.world.step(support::kDt);
+                for (const std::size_t i : {std::size_t{2}, std::size_t{5}, std::size_t{9}}) {
+                    ASSERT_EQ(chain.world[chain.links[i]].angularVelocity(), 0) << step;
+                    ASSERT_EQ(chain.world[chain.links[i]].rotation().s, 0) << step;
+                }
+                ASSERT_LT(chain.widestGap(), LevelChain::kPitch / 10) << step;
+            }
+        }
+    }
+}
+
 // F1: a chain of 21 balls on the ground is pulled at one end. Links that touch something are no
 // articulated tree, so they are soft. Joints stay closed within 1 cm, and the energy is at most the
 // work of the pull.

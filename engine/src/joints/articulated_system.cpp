@@ -69,12 +69,6 @@ void ArticulatedTrees::measure(const Bodies& bodies, const JointPass& pass, cons
                 node.wantedDrift[r] = 0;
             }
         }
-        if (a.invMass > 0 && a.invInertia == 0) {
-            rows.a[r][2] = 0; // the body moves without rotation
-        }
-        if (b.invMass > 0 && b.invInertia == 0) {
-            rows.b[r][2] = 0;
-        }
     }
 }
 
@@ -115,6 +109,13 @@ Triple ArticulatedTrees::giving(const Bodies& bodies, const Node& node,
 
 /// Factorizes S of a joint and adds its term to A of the parent.
 void ArticulatedTrees::factorize(const Bodies& bodies, Node& node, const JointPass& pass) {
+    const auto clearLevers = [&](std::uint32_t body, std::array<Triple, 3>& rows) {
+        if (bodies.motion[body].invMass > 0 && bodies.motion[body].invInertia == 0) {
+            rows[0][2] = rows[1][2] = rows[2][2] = 0; // the body moves without rotation
+        }
+    };
+    clearLevers(node.a, node.rows.a);
+    clearLevers(node.b, node.rows.b);
     if (node.child == kNone) {
         node.give = giving(bodies, node, pass);
         node.factors = Symmetric3::Factors({node.give[0], 0, node.give[1], 0, 0, node.give[2]});
