@@ -34,7 +34,10 @@ public:
             remove(any());
             break;
         case 3: // teleport
-            touch([&](std::uint32_t body) { bodies_.pose[body].position = place(); });
+            touch([&](std::uint32_t body) {
+                bodies_.pose[body].position = place();
+                bodies_.teleported(body);
+            });
             break;
         case 4: // other flags
             touch([&](std::uint32_t body) { bodies_.filter[body].flags ^= 1u; });
@@ -49,6 +52,23 @@ public:
     void updatePairs() {
         refreshAwake(bodies_);
         contacts_.updatePairs(bodies_, kUsual, Real(1) / 60, team_);
+        noteStart(bodies_);
+        clearArrivals(bodies_);
+    }
+    /// The lists that changes bring up to date are those of a look at all bodies.
+    void expectAllBodies() const {
+        std::vector<std::uint32_t> awake;
+        for (std::uint32_t body = 0; body < bodies_.size(); ++body) {
+            if (bodies_.ids.aliveAt(body)) {
+                EXPECT_EQ(bodies_.start[body], bodies_.pose[body].position) << body;
+                EXPECT_LE(bodies_.thinnest, bodies_.extent[body].coreRadius);
+            }
+            if (bodies_.ids.aliveAt(body) && bodies_.active(body)) {
+                awake.push_back(body);
+            }
+            EXPECT_EQ(bodies_.hasArrived[body] + bodies_.hasTeleported[body], 0) << body;
+        }
+        EXPECT_EQ(bodies_.awake, awake);
     }
     /// Moves bodies by less than the slack of their bounds, which therefore stay valid for bodies
     /// that fall asleep.
@@ -89,8 +109,14 @@ public:
             headed.emplace(summary.proxies.first, summary.proxies.second);
         }
         EXPECT_EQ(there, headed);
-        for (std::uint32_t i = 0; i < bounds.grown().size(); ++i) {
+        std::size_t used = 0;
+        for (std::uint32_t i = 0; i < bounds.size(); ++i) {
+            if (!bounds.isUsed(i)) {
+                continue;
+            }
+            ++used;
             const PartBounds::Part& part = bounds.part(i);
+            EXPECT_EQ(bounds.indexOf(part.body, part.part), i);
             const ConvexShape& outline = bodies_.convex(part.body, part.part);
             const Transform& pose = bodies_.pose[part.body];
             for (const Vec2 vertex : outline.vertices) {
@@ -98,6 +124,9 @@ public:
                 EXPECT_TRUE(bounds.grown()[i].contains(corner));
             }
             for (std::uint32_t k = 0; k < i; ++k) {
+                if (!bounds.isUsed(k)) {
+                    continue;
+                }
                 const PartBounds::Part& other = bounds.part(k);
                 const bool near = collide(bodies_.convex(other.body, other.part),
                                           bodies_.pose[other.body], outline, pose, kUsual.margin, 0)
@@ -107,6 +136,7 @@ public:
                              !overlap(bounds.grown()[i], bounds.grown()[k]));
             }
         }
+        EXPECT_EQ(bounds.usedCount(), used);
     }
 
 private:
@@ -151,7 +181,7 @@ private:
     /// Toggles sleep.
     void rest(std::uint32_t body) {
         bodies_.filter[body].flags ^= kAsleep;
-        bodies_.awakeStale = true;
+        bodies_.noteActivity(body);
         contacts_.activityChanged(body);
     }
     bool mayMeet(std::uint32_t i, std::uint32_t k) const {
@@ -181,6 +211,7 @@ TEST(ContactSet, HasAllPairsAfterAnyChangeOfBodies) {
             }
             crowd.updatePairs();
             crowd.expectAllPairs();
+            crowd.expectAllBodies();
             crowd.move();
         }
     }

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 namespace kodo {
 namespace {
 
@@ -76,6 +79,46 @@ TEST(PartBounds, CoverDisplacementsOfTheSolver) {
         EXPECT_EQ(discs.renewed(), way == 2);
         EXPECT_EQ(discs.hold({0, way}), way == 2); // the margin itself may be used up
     }
+}
+
+// The indices of parts stay when other bodies are removed, and return to the next body of the slot.
+// A range grows when a body needs more parts, and unused indices are dropped once they are many.
+TEST(PartBounds, KeepIndicesOfPartsWhileOtherBodiesComeAndGo) {
+    constexpr std::uint32_t kBodies = 200;
+    Bodies bodies;
+    PartBounds bounds;
+    const auto add = [&](Shape shape) {
+        const BodyDef def{.shape = std::move(shape)};
+        return addBody(bodies, def, makeGeometry(partsOf(def))).index;
+    };
+    for (std::uint32_t i = 0; i < kBodies; ++i) {
+        add(Circle{1});
+    }
+    bounds.renew(bodies, kDistances);
+    removeBody(bodies, 3);
+    EXPECT_FALSE(bounds.renew(bodies, kDistances, std::vector<std::uint32_t>{3}));
+    EXPECT_TRUE(bounds.hasUnused());
+    EXPECT_EQ(bounds.indexOf(4, 0), 4u);
+    EXPECT_EQ(bounds.usedCount(), kBodies - 1);
+    ASSERT_EQ(add(Circle{1}), 3u);
+    EXPECT_FALSE(bounds.renew(bodies, kDistances, std::vector<std::uint32_t>{3}));
+    EXPECT_FALSE(bounds.hasUnused());
+
+    removeBody(bodies, 3);
+    ASSERT_EQ(add(Compound{{Circle{1}, Circle{1}}}), 3u);
+    EXPECT_TRUE(bounds.renew(bodies, kDistances, std::vector<std::uint32_t>{3}));
+    EXPECT_EQ(bounds.indexOf(4, 0), 5u);
+    EXPECT_EQ(bounds.indexNow(4, 4), 5u);
+    EXPECT_EQ(bounds.part(4).part, 1u);
+
+    std::vector<std::uint32_t> most;
+    for (std::uint32_t body = 10; body < kBodies; ++body) {
+        removeBody(bodies, body);
+        most.push_back(body);
+    }
+    EXPECT_TRUE(bounds.renew(bodies, kDistances, most));
+    EXPECT_EQ(bounds.size(), 11u); // ten bodies, one of them with two parts
+    EXPECT_EQ(bounds.indexOf(9, 0), 10u);
 }
 
 } // namespace

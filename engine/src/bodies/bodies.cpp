@@ -4,11 +4,48 @@
 #include "bodies/body_checks.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <span>
 #include <string>
 #include <utility>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
+namespace {
+
+/// Must be called before a core radius is removed.
+void noteThickness(Bodies& bodies, std::uint32_t index) {
+    bodies.thinnestAge += bodies.extent[index].coreRadius <= bodies.thinnest ? 1 : 0;
+}
+
+/// Updates the list of awake bodies for changes of some, in order and without duplicates.
+void updateAwake(Bodies& bodies, std::span<const std::uint32_t> changed) {
+    BodyChanges& changes = bodies.changes;
+    changes.toggled.clear();
+    std::vector<std::uint32_t>& awake = bodies.nextAwake;
+    awake.clear();
+    auto next = bodies.awake.begin();
+    for (const std::uint32_t body : changed) {
+        const auto at = std::lower_bound(next, bodies.awake.end(), body);
+        awake.insert(awake.end(), next, at);
+        const bool was = at != bodies.awake.end() && *at == body;
+        next = was ? at + 1 : at;
+        const bool is = bodies.ids.aliveAt(body) && bodies.active(body);
+        if (is) {
+            awake.push_back(body);
+        } else if (was) {
+            bodies.noteMove(body);
+        }
+        if (was != is) {
+            changes.toggled.push_back(body);
+        }
+    }
+    awake.insert(awake.end(), next, bodies.awake.end());
+    std::swap(awake, bodies.awake);
+}
+
+} // namespace
 
 void requireAlive(const Bodies& bodies, BodyId id) {
     if (!bodies.alive(id)) {
@@ -54,13 +91,15 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const BodyGeo
                                  def.required};
     bodies.sleep[slot.index] = {};
     bodies.sleep[slot.index].since = bodies.pose[slot.index];
-    bodies.awakeStale = true;
+    bodies.noteActivity(slot.index);
     bodies.noteArrival(slot.index);
+    bodies.noteMove(slot.index);
     refreshDerived(bodies, slot.index);
     return bodies.idAt(slot.index);
 }
 
 void removeBody(Bodies& bodies, std::uint32_t index) {
+    noteThickness(bodies, index);
     bodies.ids.release(index);
     bodies.motion[index] = {};
     bodies.pose[index] = {};
@@ -69,8 +108,7 @@ void removeBody(Bodies& bodies, std::uint32_t index) {
     bodies.record[index] = {};
     bodies.parts[index] = nullptr;
     bodies.sleep[index] = {};
-    bodies.hasArrived[index] = 0;
-    bodies.awakeStale = true;
+    bodies.noteActivity(index);
 }
 
 BodyId unweldPart(Bodies& bodies, std::uint32_t body, std::size_t part, Flags flags) {
@@ -118,46 +156,71 @@ void freeze(Bodies& bodies, std::uint32_t body) {
     bodies.motion[body] = {};
     bodies.acceleration[body] = {};
     bodies.teleported(body);
-    bodies.awakeStale = true;
+    bodies.noteActivity(body);
 }
 
-void listAwake(Bodies& bodies) {
-    bodies.awakeStale = false;
-    bodies.startStale = true; // bodies no longer awake have moved since
-    bodies.accelerationsStale = true;
-    bodies.awake.clear();
-    Real thinnest = std::numeric_limits<Real>::max();
+void findThinnest(Bodies& bodies) {
+    bodies.thinnestAge = 0;
+    bodies.thinnest = std::numeric_limits<Real>::max();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.ids.aliveAt(i)) {
-            thinnest = std::min(thinnest, bodies.extent[i].coreRadius);
-            if (bodies.active(i)) {
-                bodies.awake.push_back(static_cast<std::uint32_t>(i));
-            }
+            bodies.thinnest = std::min(bodies.thinnest, bodies.extent[i].coreRadius);
         }
     }
-    bodies.thinnest = thinnest;
+}
+
+bool refreshAwake(Bodies& bodies) {
+    std::vector<std::uint32_t>& changed = bodies.changes.activity;
+    if (std::exchange(bodies.anyStopped, false)) {
+        std::copy_if(bodies.awake.begin(), bodies.awake.end(), std::back_inserter(changed),
+                     [&](std::uint32_t body) { return !bodies.active(body); });
+    }
+    if (std::exchange(bodies.awakeStale, false)) {
+        changed.resize(bodies.size());
+        std::iota(changed.begin(), changed.end(), 0u);
+    }
+    if (bodies.thinnestAge > 0) {
+        bodies.thinnestAge += 1 + changed.size();
+    }
+    if (bodies.thinnestAge > bodies.size() / 4) {
+        findThinnest(bodies);
+    }
+    if (changed.empty()) {
+        return false;
+    }
+    // total order: equal indices are identical
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    updateAwake(bodies, changed);
+    changed.clear();
+    bodies.accelerationsStale = true;
+    return true;
 }
 
 void clearArrivals(Bodies& bodies) {
-    if (std::exchange(bodies.anyArrived, false)) {
-        std::fill(bodies.hasArrived.begin(), bodies.hasArrived.end(), std::uint8_t{0});
+    for (const std::uint32_t body : bodies.changes.arrived) {
+        bodies.hasArrived[body] = 0;
     }
+    bodies.changes.arrived.clear();
 }
 
 void noteStart(Bodies& bodies) {
     bodies.start.resize(bodies.size());
+    const auto note = [&](std::uint32_t body) { bodies.start[body] = bodies.pose[body].position; };
     if (std::exchange(bodies.startStale, false)) {
-        for (std::size_t i = 0; i < bodies.size(); ++i) {
-            bodies.start[i] = bodies.pose[i].position;
-        }
-    } else {
-        for (const std::uint32_t i : bodies.awake) {
-            bodies.start[i] = bodies.pose[i].position;
+        for (std::uint32_t body = 0; body < bodies.size(); ++body) {
+            note(body);
         }
     }
-    if (std::exchange(bodies.anyTeleported, false)) {
-        std::fill(bodies.hasTeleported.begin(), bodies.hasTeleported.end(), std::uint8_t{0});
+    BodyChanges& changes = bodies.changes;
+    std::for_each(bodies.awake.begin(), bodies.awake.end(), note);
+    std::for_each(changes.moved.begin(), changes.moved.end(), note);
+    changes.moved.clear();
+    for (const std::uint32_t body : changes.teleported) {
+        note(body);
+        bodies.hasTeleported[body] = 0;
     }
+    changes.teleported.clear();
 }
 
 void setGeometry(Bodies& bodies, std::uint32_t index,
@@ -165,6 +228,7 @@ void setGeometry(Bodies& bodies, std::uint32_t index,
     const Vec2 origin = bodies.originOf(index);
     Transform& pose = bodies.pose[index];
     pose.position = origin + pose.rotation * geometry->mass.center;
+    noteThickness(bodies, index);
     bodies.thinnest = std::min(bodies.thinnest, geometry->coreRadius);
     bodies.record[index].geometry = std::move(geometry);
     bodies.noteArrival(index);

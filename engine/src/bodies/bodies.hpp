@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace kodo {
@@ -39,6 +40,16 @@ struct Extent {
     Real coreRadius = 0;    // m; smallest of all parts
 };
 
+/// Bodies that changed since a stage last looked at them, as lists without order that may contain
+/// duplicates. So a stage costs what has changed, not what there is.
+struct BodyChanges {
+    std::vector<std::uint32_t> activity;   // Bodies::active may have changed: see refreshAwake
+    std::vector<std::uint32_t> arrived;    // see Bodies::hasArrived
+    std::vector<std::uint32_t> teleported; // see Bodies::hasTeleported
+    std::vector<std::uint32_t> moved;      // inactive, with an outdated Bodies::start
+    std::vector<std::uint32_t> toggled;    // that the last refreshAwake listed or removed, in order
+};
+
 /// All bodies of a World as parallel arrays, indexed by BodyId::index. A free slot has zero
 /// velocity and infinite mass.
 struct Bodies {
@@ -62,18 +73,21 @@ struct Bodies {
     /// The active bodies, in order: excludes sleeping, out-of-region and motionless locked bodies.
     /// Other bodies cost no time in a step.
     std::vector<std::uint32_t> awake;
-    /// m; lower bound of Extent::coreRadius of all bodies. It selects the bodies that continuous
-    /// collision tests, so it is part of a snapshot. A line or point makes it 0: then all moving
-    /// bodies are tested.
+    std::vector<std::uint32_t> nextAwake; // scratch of refreshAwake
+    /// m; lower bound of Extent::coreRadius of all bodies. Continuous collision skips bodies that
+    /// move by less; no result depends on it. A line or point makes it 0: then it skips none.
     Real thinnest = 0;
-    LoadRange loads;                // see noteLoads()
-    bool awakeStale = true;         // set when a body becomes active or inactive
+    LoadRange loads; // see noteLoads()
+    BodyChanges changes;
+    /// 0 if `thinnest` is exact. Otherwise it counts changes and steps: their number pays for the
+    /// next computation.
+    std::size_t thinnestAge = 1;
+    bool awakeStale = true;         // any body may have become active or inactive
+    bool anyStopped = false;        // a kinematic body in the list has become motionless
     bool anySleeping = true;        // during the solve
     bool turns = true;              // false: Feature::Rotation is off
-    bool startStale = true;         // also for bodies that are not awake
+    bool startStale = true;         // of any body
     bool accelerationsStale = true; // accelerations, masses or the awake list have changed
-    bool anyTeleported = false;     // since the last step began
-    bool anyArrived = false;        // since the last step
 
     BodyId idAt(std::size_t index) const {
         return {static_cast<std::uint32_t>(index), ids.generationAt(index), stamp};
@@ -107,14 +121,12 @@ struct Bodies {
         ++teleportCount[index];
         noteTeleport(index);
     }
-    void noteArrival(std::size_t index) {
-        hasArrived[index] = 1;
-        anyArrived = true;
-    }
-    void noteTeleport(std::size_t index) {
-        hasTeleported[index] = 1;
-        anyTeleported = true;
-    }
+    void noteArrival(std::size_t index) { note(index, hasArrived, changes.arrived); }
+    void noteTeleport(std::size_t index) { note(index, hasTeleported, changes.teleported); }
+    /// The body may have become active or inactive.
+    void noteActivity(std::size_t index) { note(index, changes.activity, awakeStale); }
+    /// Bodies::start of the body is outdated, and the body is not active.
+    void noteMove(std::size_t index) { note(index, changes.moved, startStale); }
 
     /// True if the body takes part in a step.
     bool active(std::size_t index) const {
@@ -123,6 +135,22 @@ struct Bodies {
     /// World position of the shape's frame. Its origin may differ from the centre of mass.
     Vec2 originOf(std::size_t index) const {
         return pose[index].position - pose[index].rotation * geometry(index).mass.center;
+    }
+
+private:
+    /// A list as long as that of the bodies saves nothing: `all` replaces it.
+    void note(std::size_t index, std::vector<std::uint32_t>& list, bool& all) const {
+        if (list.size() < record.size()) {
+            list.push_back(static_cast<std::uint32_t>(index));
+        } else {
+            all = true;
+        }
+    }
+    static void note(std::size_t index, std::vector<std::uint8_t>& marks,
+                     std::vector<std::uint32_t>& list) {
+        if (std::exchange(marks[index], std::uint8_t{1}) == 0) {
+            list.push_back(static_cast<std::uint32_t>(index));
+        }
     }
 };
 
@@ -163,16 +191,12 @@ inline bool isSound(const Acceleration& acceleration) {
     return isFinite(acceleration.linear) && std::isfinite(acceleration.angular);
 }
 
-/// Rebuilds Bodies::awake.
-void listAwake(Bodies& bodies);
-/// The same, if the list is stale. True if it was.
-inline bool refreshAwake(Bodies& bodies) {
-    const bool stale = bodies.awakeStale;
-    if (stale) {
-        listAwake(bodies);
-    }
-    return stale;
-}
+/// Brings Bodies::awake up to date. True if any body may have become active or inactive;
+/// BodyChanges::toggled lists those that did.
+bool refreshAwake(Bodies& bodies);
+
+/// Computes Bodies::thinnest.
+void findThinnest(Bodies& bodies);
 
 /// Clears the list of arrivals.
 void clearArrivals(Bodies& bodies);

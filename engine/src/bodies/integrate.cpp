@@ -113,7 +113,7 @@ void beginMotion(Bodies& bodies, std::span<const std::uint32_t> list) {
     for (const std::uint32_t i : list) {
         bodies.motion[i].clearDisplacement();
         if (bodies.isStill(i)) {
-            WorkerTeam::mark(bodies.awakeStale);
+            WorkerTeam::mark(bodies.anyStopped);
         }
     }
 }

@@ -4,6 +4,7 @@
 #include "contacts/contact_update.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace kodo {
@@ -58,15 +59,20 @@ const ContactLists& ContactSet::lists() {
 
 void ContactSet::drop(std::uint32_t body, const std::function<void(Contact&)>& writeBack) {
     lists().forEach(body, [&](std::uint32_t slot) {
-        Contact& contact = contacts_[slot];
-        writeBack(contact);
-        if (recordsDue_ && contact.phase) {
-            recordContact(contact, dropped_);
-        }
-        noteEnd(contact);
+        takeOut(contacts_[slot], writeBack);
+        noteEnd(contacts_[slot]);
         detach(slot);
     });
     bodyChanged(body);
+}
+
+/// Must be called before a contact leaves the list between two steps: keeps its record.
+void ContactSet::takeOut(Contact& contact, const std::function<void(Contact&)>& writeBack) {
+    writeBack(contact);
+    if (recordsDue_ && contact.phase) {
+        recordContact(contact, dropped_);
+    }
+    contact.phase.reset();
 }
 
 void ContactSet::touchedBy(std::uint32_t body, std::vector<std::uint32_t>& others) {
@@ -96,11 +102,13 @@ void ContactSet::partRemoved(std::uint32_t body, std::size_t part) {
         }
         return gone;
     });
+    placesStale_ = true;
     bodyChanged(body);
 }
 
 /// Moves a contact between inactive bodies to idle_.
-void ContactSet::takeIdle(std::uint32_t slot) {
+void ContactSet::takeIdle(std::uint32_t slot, const std::function<void(Contact&)>& writeBack) {
+    takeOut(contacts_[slot], writeBack);
     idle_.push_back(contacts_[slot]);
     Contact& taken = idle_.back();
     taken.row = {};
@@ -112,14 +120,14 @@ void ContactSet::takeIdle(std::uint32_t slot) {
     clearImpactImpulses(taken);
 }
 
-std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies) {
-    writeRecords();
+std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies,
+                                              const std::function<void(Contact&)>& writeBack) {
     idle_.clear();
     eraseIf([&](std::uint32_t slot) {
         const ContactSummary& summary = summaries_[slot];
         const bool gone = !bodies.active(summary.bodyA) && !bodies.active(summary.bodyB);
         if (gone) {
-            takeIdle(slot);
+            takeIdle(slot, writeBack);
         }
         return gone;
     });
@@ -127,14 +135,14 @@ std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies) {
 }
 
 std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies,
-                                              std::span<const std::uint32_t> of) {
-    writeRecords();
+                                              std::span<const std::uint32_t> of,
+                                              const std::function<void(Contact&)>& writeBack) {
     idle_.clear();
     for (const std::uint32_t body : of) {
         lists().forEach(body, [&](std::uint32_t slot) {
             const ContactSummary& summary = summaries_[slot];
             if (!bodies.active(summary.bodyA) && !bodies.active(summary.bodyB)) {
-                takeIdle(slot);
+                takeIdle(slot, writeBack);
                 detach(slot);
             }
         });
@@ -146,50 +154,60 @@ std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies,
 }
 
 void ContactSet::putBack(std::span<const Contact> contacts, Bodies& bodies) {
-    writeRecords();
     settle();
     const auto keyOf = [&](const Place& place) { return contacts_[place.slot].key; };
+    slots_.resize(contacts.size());
+    std::iota(slots_.begin(), slots_.end(), 0u);
+    std::sort(slots_.begin(), slots_.end(), [&](std::uint32_t i, std::uint32_t k) { // total order
+        return contacts[i].key != contacts[k].key ? contacts[i].key < contacts[k].key : i < k;
+    });
     news_.clear();
-    for (const Contact& contact : contacts) {
-        const auto place = std::lower_bound(
-            order_.begin(), order_.end(), contact.key,
-            [&](const Place& at, const ContactKey& key) { return keyOf(at) < key; });
-        if (place != order_.end() && keyOf(*place) == contact.key) {
+    auto place = order_.begin();
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
+        const Contact& contact = contacts[slots_[i]];
+        if (i > 0 && contacts[slots_[i - 1]].key == contact.key) {
             continue;
         }
-        const auto slot = static_cast<std::uint32_t>(contacts_.size());
-        news_.push_back({{slot, 0}, static_cast<std::uint32_t>(place - order_.begin()), true});
-        contacts_.push_back(contact);
-        summaries_.emplace_back();
-        renewSummary(slot);
-        if (lists_.isValid()) {
-            lists_.add(slot, contact.key.bodyA, contact.key.bodyB);
-        }
-        ++reorderPolicy_.strayed;
-        // Teleports during its absence from the list are not in the contact yet.
-        const auto& [bodyA, partA, bodyB, partB] = contact.key;
-        if (contact.teleportCountA != bodies.teleportCount[bodyA] ||
-            contact.teleportCountB != bodies.teleportCount[bodyB]) {
-            bodies.noteTeleport(bodyA);
-            bodies.noteTeleport(bodyB);
-        }
-        if (contact.wasTouching) {
-            countTouch(contact, true);
+        place = std::lower_bound(
+            place, order_.end(), contact.key,
+            [&](const Place& at, const ContactKey& key) { return keyOf(at) < key; });
+        if (place == order_.end() || keyOf(*place) != contact.key) {
+            news_.push_back({{0, 0}, static_cast<std::uint32_t>(place - order_.begin()), true});
+            news_.back().pair.first = appendSlot(contact, bodies);
         }
     }
     insertPlaces();
 }
 
-/// Inserts the places of the contacts that putBack has appended; news_ has their slots.
+/// Puts a contact into a new slot, without a place in order_.
+std::uint32_t ContactSet::appendSlot(const Contact& contact, Bodies& bodies) {
+    const auto slot = static_cast<std::uint32_t>(contacts_.size());
+    contacts_.push_back(contact);
+    summaries_.emplace_back();
+    renewSummary(slot);
+    if (lists_.isValid()) {
+        lists_.add(slot, contact.key.bodyA, contact.key.bodyB);
+    }
+    ++reorderPolicy_.strayed;
+    // Teleports during its absence from the list are not in the contact yet.
+    const auto& [bodyA, partA, bodyB, partB] = contact.key;
+    if (contact.teleportCountA != bodies.teleportCount[bodyA] ||
+        contact.teleportCountB != bodies.teleportCount[bodyB]) {
+        bodies.noteTeleport(bodyA);
+        bodies.noteTeleport(bodyB);
+    }
+    if (contact.wasTouching) {
+        countTouch(contact, true);
+    }
+    return slot;
+}
+
+/// Inserts the places of the contacts that putBack has appended; news_ has their slots, in order.
 void ContactSet::insertPlaces() {
     if (news_.empty()) {
         return;
     }
     changed();
-    std::sort(news_.begin(), news_.end(), // total order: keys are unique
-              [&](const News& a, const News& b) {
-                  return contacts_[a.pair.first].key < contacts_[b.pair.first].key;
-              });
     newOrder_.clear();
     newOrder_.reserve(std::max(order_.capacity(), order_.size() + news_.size()));
     auto next = order_.begin();
@@ -268,24 +286,45 @@ void ContactSet::renewChanged(const Bodies& bodies, const Tolerances& tolerances
     std::sort(changes_.begin(), changes_.end()); // total order: bodies are unique
     hasChanged_.resize(bodies.size(), 0);
     touches_.resize(bodies.size());
-    if (bounds_.renew(bodies, tolerances, changes_)) {
+    const std::size_t before = bounds_.size();
+    const bool renumbered = bounds_.renew(bodies, tolerances, changes_);
+    if (renumbered || bounds_.size() != before) {
         finder_.forget();
         movers_.forget();
     }
     still_.bodiesChanged(bodies, bounds_, changes_);
-    for (std::uint32_t slot = 0; slot < summaries_.size(); ++slot) {
-        ContactSummary& summary = summaries_[slot];
-        if ((hasChanged_[summary.bodyA] | hasChanged_[summary.bodyB]) != 0) {
+    if (renumbered) {
+        renumberPairs();
+    }
+    for (const std::uint32_t body : changes_) {
+        lists().forEach(body, [&](std::uint32_t slot) {
             describeContact(contacts_[slot], bodies);
             renewSummary(slot);
-        } else {
-            summary.proxies = {bounds_.indexNow(summary.proxies.first, summary.bodyA),
-                               bounds_.indexNow(summary.proxies.second, summary.bodyB)};
+        });
+    }
+    if (std::exchange(placesStale_, false)) {
+        for (Place& place : order_) {
+            place.pair = summaries_[place.slot].proxies;
         }
     }
-    for (Place& place : order_) {
-        place.pair = summaries_[place.slot].proxies;
+}
+
+void ContactSet::compactBounds() {
+    if (bounds_.compact()) {
+        finder_.forget();
+        movers_.forget();
+        renewPlaces();
     }
+}
+
+/// The indices of parts have changed.
+void ContactSet::renumberPairs() {
+    for (Place& place : order_) {
+        ContactSummary& summary = summaries_[place.slot];
+        summary.proxies = {bounds_.indexNow(summary.proxies.first, summary.bodyA),
+                           bounds_.indexNow(summary.proxies.second, summary.bodyB)};
+    }
+    placesStale_ = true;
 }
 
 void ContactSet::applyChanges(const Bodies& bodies, const Tolerances& tolerances) {

@@ -183,6 +183,10 @@ void ContactSet::coverDisplacements(const Bodies& bodies, const Tolerances& tole
 /// Searches the pairs of parts whose grown bounds have changed.
 void ContactSet::refreshPairs(const Bodies& bodies, WorkerTeam& team) {
     if (bounds_.changed().empty()) {
+        if (bodies.awake.size() < still_.awakeCount() / 2) {
+            still_.update(bodies,
+                          bounds_); // in the step after they fell asleep, not at the next hit
+        }
         return;
     }
     findPairs(bodies, team);
@@ -218,7 +222,7 @@ void ContactSet::findPairs(const Bodies& bodies, WorkerTeam& team) {
                !std::binary_search(excludedPairs_.begin(), excludedPairs_.end(), std::pair(a, b));
     };
     pairs_.clear();
-    if (still_.update(bodies, bounds_)) {
+    if (still_.update(bodies, bounds_) || bounds_.hasUnused()) {
         findPairsOfMovers(bodies, accept, team);
         return;
     }
@@ -228,7 +232,7 @@ void ContactSet::findPairs(const Bodies& bodies, WorkerTeam& team) {
     finder_.pairs(bounds_.grown(), {bounds_.changed(), bounds_.isChanged()}, accept, pairs_, team);
 }
 
-/// The same, with the parts of inactive bodies in a tree.
+/// The same for listed parts alone; if it pays, with those of inactive bodies in a tree.
 template <typename Accept>
 void ContactSet::findPairsOfMovers(const Bodies& bodies, Accept accept, WorkerTeam& team) {
     MovingParts& movers = movers_;
@@ -242,6 +246,9 @@ void ContactSet::findPairsOfMovers(const Bodies& bodies, Accept accept, WorkerTe
     finder_.pairs(movers.bounds, {movers.changed, movers.isChanged}, acceptMovers, pairs_, team);
     for (BoundsPair& pair : pairs_) {
         pair = {movers.parts[pair.first], movers.parts[pair.second]};
+    }
+    if (!still_.pays()) {
+        return; // all parts were compared
     }
     const std::size_t among = pairs_.size();
     for (const std::uint32_t k : movers.changed) {

@@ -54,9 +54,11 @@ public:
     void activityChanged() { pairsStale_ = true; }
 
     /// Removes and returns the contacts between bodies that are not active in a step, in order:
-    /// all, or those `of` some bodies. Valid until the next call.
-    std::span<const Contact> takeIdle(const Bodies& bodies);
-    std::span<const Contact> takeIdle(const Bodies& bodies, std::span<const std::uint32_t> of);
+    /// all, or those `of` some bodies; calls writeBack(contact) before. Valid until the next call.
+    std::span<const Contact> takeIdle(const Bodies& bodies,
+                                      const std::function<void(Contact&)>& writeBack);
+    std::span<const Contact> takeIdle(const Bodies& bodies, std::span<const std::uint32_t> of,
+                                      const std::function<void(Contact&)>& writeBack);
     /// Puts back contacts that takeIdle returned. A contact already in the list stays unchanged.
     void putBack(std::span<const Contact> contacts, Bodies& bodies);
 
@@ -86,7 +88,7 @@ public:
     PairFinder& pairFinder() { return finder_; }
     const PairFinder& pairFinder() const { return finder_; }
 
-    // By slot: constant within a step while no pair is added or removed.
+    /// By slot: constant within a step while no pair is added or removed.
     std::span<Contact> contacts() { return contacts_; }
     std::span<const Contact> contacts() const { return contacts_; }
     std::span<const ContactSummary> summaries() const { return summaries_; }
@@ -150,8 +152,7 @@ private:
     friend class SnapshotFields;
     static constexpr std::size_t kContactsPerPiece = 128;
     static constexpr std::uint32_t kOneLess = ~std::uint32_t{}; // -1, added to unsigned counts
-    /// A range of contacts; `end` is that of the whole range of the thread.
-    struct Piece {
+    struct Piece { // of the contacts; `end` is that of the whole range of the thread
         std::size_t first, last, end;
     };
     /// Slot of a contact. Pairs of bounds are in the order of the contact keys.
@@ -168,7 +169,9 @@ private:
 
     void settle();
     void detach(std::uint32_t slot);
-    void takeIdle(std::uint32_t slot);
+    void takeIdle(std::uint32_t slot, const std::function<void(Contact&)>& writeBack);
+    void takeOut(Contact& contact, const std::function<void(Contact&)>& writeBack);
+    std::uint32_t appendSlot(const Contact& contact, Bodies& bodies);
     void insertPlaces();
     void writeRecords() const;
     void noteEnd(const Contact& contact);
@@ -178,7 +181,7 @@ private:
     void renewChanged(const Bodies& bodies, const Tolerances& tolerances);
     void orderContacts();
     void renewSummary(std::uint32_t slot);
-    void renewPlaces();
+    void renewPlaces(), renumberPairs(), compactBounds();
     void refreshPairs(const Bodies& bodies, WorkerTeam& team);
     void findPairs(const Bodies& bodies, WorkerTeam& team);
     template <typename Accept>
@@ -217,33 +220,30 @@ private:
     std::vector<Place> newOrder_;     // scratch: merging allocates nothing
     std::vector<News> news_;          // while merging
     ParallelCollector<News> newsFound_;
-    std::vector<std::uint32_t> holes_; // slots of removed contacts, while merging
-    std::vector<std::uint32_t> added_; // indices in order_ of new contacts, while merging
+    // While merging: slots of removed contacts, and indices in order_ of new ones.
+    std::vector<std::uint32_t> holes_, added_;
     std::vector<ContactSummary> summaries_;
     std::vector<std::uint32_t> live_;
     ParallelCollector<std::uint32_t> found_;
-    std::vector<std::uint32_t> onGround_;  // slots: argument of GhostCollisions::link
-    std::vector<std::uint32_t> slots_;     // new slots of the contacts that fillHoles moved
-    std::vector<Contact> idle_;            // result of takeIdle
-    std::vector<CollisionRecord> dropped_; // of the last step, of contacts removed since
-    std::vector<std::uint32_t> changes_;   // bodies: see bodyChanged
-    std::vector<std::uint8_t> hasChanged_; // by body: 1 if in changes_
-    std::vector<std::uint32_t> stirred_;   // bodies, with duplicates: see activityChanged
-    std::vector<std::uint32_t> touches_;   // by body: see isTouched; the number of such contacts
+    std::vector<std::uint32_t> onGround_;          // slots: argument of GhostCollisions::link
+    std::vector<std::uint32_t> slots_;             // scratch of fillHoles and putBack
+    std::vector<Contact> idle_;                    // result of takeIdle
+    std::vector<CollisionRecord> dropped_;         // of the last step, of contacts removed since
+    std::vector<std::uint32_t> changes_, stirred_; // bodies: see bodyChanged and activityChanged
+    std::vector<std::uint8_t> hasChanged_;         // by body: 1 if in changes_
+    std::vector<std::uint32_t> touches_; // by body: see isTouched; the number of such contacts
     std::vector<std::uint32_t> touchChanges_;
-    std::vector<CollisionRecord> ended_; // End records of contacts removed since the last step
-    std::vector<CollisionRecord> endedInStep_; // of the last step
+    // End records of contacts removed since the last step, and in the last step.
+    std::vector<CollisionRecord> ended_, endedInStep_;
     mutable std::vector<CollisionRecord> records_;
     mutable bool recordsDue_ = false;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> excludedPairs_;
     Real fastestApproach_ = 0;
     ReorderPolicy reorderPolicy_; // of the contacts; order of keys: bodies are read in sequence
-    bool stale_ = true;
-    bool pairsStale_ = true;
+    bool stale_ = true, pairsStale_ = true, liveStale_ = true;
+    bool placesStale_ = false;    // pairs of bounds in order_, after a change of part numbers
     bool contactsChanged_ = true; // in number or slot, or a body became immovable or movable
-    bool liveStale_ = true;
-    std::uint8_t anySensors_ = 0; // 0 or 1, from the last noteKinds
-    std::uint8_t anyBounces_ = 0; // 0 or 1, from the last noteKinds
+    std::uint8_t anySensors_ = 0, anyBounces_ = 0; // 0 or 1, from the last noteKinds
 };
 
 } // namespace KODO_PRECISION

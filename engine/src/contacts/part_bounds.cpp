@@ -10,6 +10,8 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
+constexpr std::size_t kFewUnused = 64; // indices; so many are never removed
+
 /// Pose at the end of the displacement of this step.
 Transform poseAfter(const Transform& pose, const BodyVelocity& motion) {
     return {pose.position + motion.deltaPosition, turned(pose.rotation, motion.deltaAngle)};
@@ -23,8 +25,10 @@ void PartBounds::number(const Bodies& bodies) {
     corners_.clear();
     unusedCorners_ = 0;
     firstPart_.resize(bodies.size() + 1);
+    count_.resize(bodies.size());
     for (std::size_t body = 0; body < bodies.size(); ++body) {
         firstPart_[body] = static_cast<std::uint32_t>(parts_.size());
+        count_[body] = 0;
         if (!bodies.ids.aliveAt(body)) {
             continue;
         }
@@ -33,7 +37,9 @@ void PartBounds::number(const Bodies& bodies) {
             parts_.push_back({static_cast<std::uint32_t>(body), number++});
             addConvex(part.convex);
         }
+        count_[body] = number;
     }
+    usedCount_ = parts_.size();
     firstPart_[bodies.size()] = static_cast<std::uint32_t>(parts_.size());
     tight_.resize(parts_.size());
     grown_.resize(parts_.size());
@@ -82,77 +88,117 @@ void PartBounds::renew(const Bodies& bodies, const Tolerances& tolerances) {
     listAll();
 }
 
-/// Replaces the parts of bodies whose number of parts has changed by empty ones; keeps the others.
-bool PartBounds::renumber(const Bodies& bodies, std::span<const std::uint32_t> changed) {
-    const auto partsNow = [&](std::uint32_t body) {
-        return bodies.ids.aliveAt(body) ? bodies.geometry(body).parts.size() : 0;
-    };
-    firstPart_.resize(bodies.size() + 1, static_cast<std::uint32_t>(parts_.size()));
-    firstBefore_ = firstPart_;
-    replaced_.clear();
+/// Adds the range of a new body.
+void PartBounds::append(std::uint32_t parts) {
+    const auto body = static_cast<std::uint32_t>(count_.size());
+    for (std::uint32_t part = 0; part < parts; ++part) {
+        parts_.push_back({body, static_cast<std::uint16_t>(part)});
+    }
+    firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
+    count_.push_back(parts);
+    footprints_.resize(parts_.size());
+    tight_.resize(parts_.size());
+    grown_.resize(parts_.size());
+    isChanged_.resize(parts_.size(), 0);
+}
+
+/// Changes the number of parts of a body. False if its range is too small.
+bool PartBounds::resize(std::uint32_t body, std::uint32_t parts) {
+    const std::uint32_t first = firstPart_[body];
+    for (std::uint32_t i = first + parts; i < first + count_[body]; ++i) {
+        unusedCorners_ += footprints_[i].count;
+        footprints_[i] = {};
+        isChanged_[i] = 0;
+    }
+    count_[body] = parts;
+    return parts <= roomOf(body);
+}
+
+/// Updates the ranges of changed bodies, in order. True if the indices of other parts have changed.
+bool PartBounds::resizeAll(const Bodies& bodies, std::span<const std::uint32_t> changed) {
+    bool fits = true;
+    bool anyFewer = false;
     for (const std::uint32_t body : changed) {
-        const Replaced parts{firstPart_[body], firstPart_[body + 1], partsNow(body)};
-        if (parts.last - parts.first == parts.count) {
+        const auto parts = static_cast<std::uint32_t>(
+            bodies.ids.aliveAt(body) ? bodies.geometry(body).parts.size() : 0);
+        while (count_.size() < body) { // none: new bodies are changed ones
+            append(0);
+        }
+        if (body == count_.size()) {
+            usedCount_ += parts;
+            append(parts);
             continue;
         }
-        replaced_.push_back(parts);
-        for (std::size_t i = parts.first; i < parts.last; ++i) {
-            unusedCorners_ += footprints_[i].count;
-        }
+        anyFewer = anyFewer || parts < count_[body];
+        usedCount_ += parts;
+        usedCount_ -= count_[body];
+        fits &= resize(body, parts);
     }
-    if (replaced_.empty()) {
+    if (anyFewer) {
+        std::erase_if(changed_, [&](std::uint32_t i) { return isChanged_[i] == 0; });
+    }
+    const std::size_t unused = parts_.size() - std::min(parts_.size(), usedCount_);
+    if (fits && (unused <= kFewUnused || unused <= usedCount_)) {
         return false;
     }
-    replace(parts_);
-    replace(tight_);
-    replace(grown_);
-    replace(isChanged_);
-    replace(footprints_);
-    firstPart_[0] = 0;
-    auto next = changed.begin();
-    for (std::uint32_t body = 0; body < bodies.size(); ++body) {
-        std::size_t parts = firstBefore_[body + 1] - firstBefore_[body];
-        if (next != changed.end() && *next == body) {
-            ++next;
-            parts = partsNow(body);
-        }
-        firstPart_[body + 1] = firstPart_[body] + static_cast<std::uint32_t>(parts);
+    renumber();
+    return true;
+}
+
+bool PartBounds::compact() {
+    if (!hasUnused()) {
+        return false;
     }
+    renumber();
+    return true;
+}
+
+/// Gives each body the range that it needs; a body that has outgrown its range gets twice of that.
+void PartBounds::renumber() {
+    firstBefore_ = firstPart_;
+    parts_.clear();
+    from_.clear();
+    for (std::uint32_t body = 0; body < count_.size(); ++body) {
+        const std::uint32_t before = firstBefore_[body];
+        const std::uint32_t room = firstBefore_[body + 1] - before;
+        const std::uint32_t next =
+            count_[body] > room ? std::max(count_[body], 2 * room) : count_[body];
+        firstPart_[body] = static_cast<std::uint32_t>(from_.size());
+        for (std::uint32_t k = 0; k < next; ++k) {
+            parts_.push_back({body, static_cast<std::uint16_t>(k)});
+            from_.push_back(k < std::min(room, count_[body]) ? before + k : kNone);
+        }
+    }
+    firstPart_[count_.size()] = static_cast<std::uint32_t>(from_.size());
+    pick(footprints_);
+    pick(tight_);
+    pick(grown_);
+    pick(isChanged_);
     changed_.clear();
-    for (std::uint32_t i = 0; i < parts_.size(); ++i) {
+    for (std::uint32_t i = 0; i < isChanged_.size(); ++i) {
         if (isChanged_[i] != 0) {
             changed_.push_back(i);
         }
     }
-    return true;
 }
 
-/// Replaces the elements of each range in replaced_ by `count` default ones.
+/// Moves the elements of a list to their new indices.
 template <typename T>
-void PartBounds::replace(std::vector<T>& list) const {
+void PartBounds::pick(std::vector<T>& list) const {
     std::vector<T> next;
-    next.reserve(list.capacity());
-    const auto copy = [&](std::size_t first, std::size_t last) {
-        next.insert(next.end(), list.begin() + static_cast<std::ptrdiff_t>(first),
-                    list.begin() + static_cast<std::ptrdiff_t>(last));
-    };
-    std::size_t from = 0;
-    for (const Replaced& parts : replaced_) {
-        copy(from, parts.first);
-        next.resize(next.size() + parts.count);
-        from = parts.last;
+    next.reserve(std::max(list.capacity(), from_.size()));
+    for (const std::uint32_t i : from_) {
+        next.push_back(i == kNone ? T{} : list[i]);
     }
-    copy(from, list.size());
     list = std::move(next);
 }
 
 bool PartBounds::renew(const Bodies& bodies, const Tolerances& tolerances,
                        std::span<const std::uint32_t> changed) {
-    const bool renumbered = renumber(bodies, changed);
+    const bool renumbered = resizeAll(bodies, changed);
     for (const std::uint32_t body : changed) {
         const std::uint32_t first = firstPart_[body];
-        for (std::uint32_t i = first; i < firstPart_[body + 1]; ++i) {
-            parts_[i] = {body, static_cast<std::uint16_t>(i - first)};
+        for (std::uint32_t i = first; i < first + count_[body]; ++i) {
             setConvex(i, bodies.convex(body, i - first));
             tight_[i] = boundsAt(bodies, i, bodies.pose[body]);
             grown_[i] = tight_[i].grown(tolerances.margin);
@@ -160,25 +206,33 @@ bool PartBounds::renew(const Bodies& bodies, const Tolerances& tolerances,
         }
     }
     if (unusedCorners_ > corners_.size() / 2) {
-        unusedCorners_ = 0;
-        corners_.clear();
-        for (std::size_t i = 0; i < parts_.size(); ++i) {
-            footprints_[i] = {};
-            setConvex(i, bodies.convex(parts_[i].body, parts_[i].part));
-        }
+        compactCorners(bodies);
     }
     return renumbered;
 }
 
+void PartBounds::compactCorners(const Bodies& bodies) {
+    unusedCorners_ = 0;
+    corners_.clear();
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        footprints_[i] = {};
+        if (isUsed(i)) {
+            setConvex(i, bodies.convex(parts_[i].body, parts_[i].part));
+        }
+    }
+}
+
 void PartBounds::listBody(std::uint32_t body) {
-    for (std::uint32_t i = firstPart_[body]; i < firstPart_[body + 1]; ++i) {
+    for (std::uint32_t i = firstPart_[body]; i < firstPart_[body] + count_[body]; ++i) {
         list(i, changed_);
     }
 }
 
 void PartBounds::listAll() {
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-        list(i, changed_);
+        if (isUsed(i)) {
+            list(i, changed_);
+        }
     }
 }
 
@@ -204,7 +258,7 @@ void PartBounds::listOutgrown(const Bodies& bodies, WorkerTeam& team, Outgrow ou
                      [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& changed) {
                          for (std::size_t k = first; k < last; ++k) {
                              const std::uint32_t body = bodies.awake[k];
-                             const std::uint32_t end = firstPart_[body + 1];
+                             const std::uint32_t end = firstPart_[body] + count_[body];
                              for (std::uint32_t i = firstPart_[body]; i < end; ++i) {
                                  if (outgrow(body, i)) {
                                      list(i, changed);

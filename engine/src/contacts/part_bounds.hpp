@@ -15,6 +15,9 @@ inline namespace KODO_PRECISION {
 
 /// Bounds of every part of every body, in order: tight ones, and grown ones that stay valid until
 /// the next search of its pairs. Parts whose grown bounds have changed are listed.
+///
+/// Each body has a range of indices. A body with fewer parts than before, or a removed one, keeps
+/// its range, so that the indices of other parts stay. The indices without a part are unused.
 class PartBounds {
 public:
     struct Part {
@@ -26,11 +29,13 @@ public:
     std::uint32_t indexOf(std::uint32_t body, std::uint16_t part) const {
         return firstPart_[body] + part;
     }
+    /// Number of indices, used and unused.
     std::size_t size() const { return parts_.size(); }
+    std::size_t usedCount() const { return usedCount_; }
+    bool hasUnused() const { return usedCount_ < parts_.size(); }
+    bool isUsed(std::size_t i) const { return parts_[i].part < count_[parts_[i].body]; }
     /// Number of parts of a body.
-    std::uint32_t countOf(std::uint32_t body) const {
-        return firstPart_[body + std::size_t{1}] - firstPart_[body];
-    }
+    std::uint32_t countOf(std::uint32_t body) const { return count_[body]; }
     const Octagon& tight(std::size_t i) const { return tight_[i]; }
     std::span<const Octagon> grown() const { return grown_; }
     std::span<const std::uint32_t> changed() const { return changed_; }
@@ -41,10 +46,13 @@ public:
     /// Numbers the parts, computes their bounds, and lists all parts.
     void renew(const Bodies& bodies, const Tolerances& tolerances);
     /// The same if only these bodies have changed, in order: the bounds of the others stay. True if
-    /// the indices of parts have changed.
+    /// the indices of other parts have changed.
     bool renew(const Bodies& bodies, const Tolerances& tolerances,
                std::span<const std::uint32_t> changed);
-    /// Present index of a part of an unchanged body, from its index before the last renew().
+    /// Removes the unused indices. True if there were any.
+    bool compact();
+    /// Present index of a part of an unchanged body, from its index before the last renew() or
+    /// compact() that returned true.
     std::uint32_t indexNow(std::uint32_t before, std::uint32_t body) const {
         return before - firstBefore_[body] + firstPart_[body];
     }
@@ -71,18 +79,20 @@ private:
         Real radius = 0;         // m
     };
 
-    /// A range of parts that `count` new parts replace.
-    struct Replaced {
-        std::size_t first;
-        std::size_t last; // one past the last part
-        std::size_t count;
-    };
+    static constexpr std::uint32_t kNone = ~std::uint32_t{};
 
     void addConvex(const ConvexShape& convex);
     void setConvex(std::size_t i, const ConvexShape& convex);
-    bool renumber(const Bodies& bodies, std::span<const std::uint32_t> changed);
+    std::uint32_t roomOf(std::uint32_t body) const {
+        return firstPart_[body + std::size_t{1}] - firstPart_[body];
+    }
+    void append(std::uint32_t parts);
+    bool resize(std::uint32_t body, std::uint32_t parts);
+    bool resizeAll(const Bodies& bodies, std::span<const std::uint32_t> changed);
+    void renumber();
     template <typename T>
-    void replace(std::vector<T>& list) const;
+    void pick(std::vector<T>& list) const;
+    void compactCorners(const Bodies& bodies);
     Octagon boundsAt(const Bodies& bodies, std::size_t i, const Transform& pose) const;
     void list(std::size_t i, std::vector<std::uint32_t>& changed);
     template <typename Outgrow>
@@ -90,8 +100,10 @@ private:
 
     std::vector<Part> parts_;
     std::vector<std::uint32_t> firstPart_;   // by body, with one element past the last body
+    std::vector<std::uint32_t> count_;       // by body: its parts
     std::vector<std::uint32_t> firstBefore_; // firstPart_ before the last renumber()
-    std::vector<Replaced> replaced_;
+    std::vector<std::uint32_t> from_;        // scratch: by new index the old one, or kNone
+    std::size_t usedCount_ = 0;
     std::vector<Footprint> footprints_;
     std::vector<Vec2> corners_;
     std::size_t unusedCorners_ = 0; // number of corners_ of removed shapes

@@ -21,50 +21,53 @@ bool isAwake(const Bodies& bodies, std::uint32_t body) {
 
 void StillParts::bodiesChanged(const Bodies& bodies, const PartBounds& bounds,
                                std::span<const std::uint32_t> changed) {
-    if (stale_ || !pays_) {
-        stale_ = true;
-        return;
-    }
-    for (const std::uint32_t body : changed) {
-        place(bodies, bounds, body);
+    for (std::size_t i = 0; built_ && i < changed.size(); ++i) {
+        place(bodies, bounds, changed[i]);
     }
 }
 
 bool StillParts::update(const Bodies& bodies, const PartBounds& bounds) {
     const std::size_t awake = bodies.awake.size();
-    if (pays_ ? awake > 2 * counted_ + kFew : awake != counted_) {
-        stale_ = true;
-    }
-    if (std::exchange(stale_, false)) {
+    if (built_ ? awake > 2 * counted_ + kFew : awake != counted_ || bounds.usedCount() != all_) {
         counted_ = awake;
+        all_ = bounds.usedCount();
         std::size_t moving = 0;
         for (const std::uint32_t body : bodies.awake) {
             moving += bounds.countOf(body);
         }
-        const std::size_t still = bounds.size() - moving;
+        const std::size_t still = all_ - moving;
         pays_ = still >= kFew && still >= moving;
-        if (pays_) {
-            rebuild(bodies, bounds);
-        }
-    } else if (pays_ && active_ != bodies.awake) {
-        // Both lists are in order: visits what is in one of them alone.
-        auto was = active_.begin();
-        for (const std::uint32_t body : bodies.awake) {
-            for (; was != active_.end() && *was < body; ++was) {
-                place(bodies, bounds, *was);
-            }
-            if (was != active_.end() && *was == body) {
-                ++was;
-            } else {
-                place(bodies, bounds, body);
-            }
-        }
-        std::for_each(was, active_.end(), [&](std::uint32_t body) { place(bodies, bounds, body); });
     }
-    if (pays_) {
-        active_ = bodies.awake;
+    if (!pays_) {
+        built_ = false;
+    } else if (built_) {
+        followAwake(bodies, bounds);
+    } else {
+        rebuild(bodies, bounds);
+        built_ = true;
     }
     return pays_;
+}
+
+/// Moves the bodies that have become active or inactive.
+void StillParts::followAwake(const Bodies& bodies, const PartBounds& bounds) {
+    if (active_ == bodies.awake) {
+        return;
+    }
+    // Both lists are in order: visits what is in one of them alone.
+    auto was = active_.begin();
+    for (const std::uint32_t body : bodies.awake) {
+        for (; was != active_.end() && *was < body; ++was) {
+            place(bodies, bounds, *was);
+        }
+        if (was != active_.end() && *was == body) {
+            ++was;
+        } else {
+            place(bodies, bounds, body);
+        }
+    }
+    std::for_each(was, active_.end(), [&](std::uint32_t body) { place(bodies, bounds, body); });
+    active_ = bodies.awake;
 }
 
 void StillParts::rebuild(const Bodies& bodies, const PartBounds& bounds) {
@@ -72,7 +75,7 @@ void StillParts::rebuild(const Bodies& bodies, const PartBounds& bounds) {
     std::vector<BoundsTree::Leaf> leaves;
     for (std::uint32_t i = 0; i < bounds.size(); ++i) {
         const auto [body, part] = bounds.part(i);
-        if (isAwake(bodies, body)) {
+        if (!bounds.isUsed(i) || isAwake(bodies, body)) {
             continue;
         }
         if (hasPlane(bodies, body)) {
@@ -84,6 +87,7 @@ void StillParts::rebuild(const Bodies& bodies, const PartBounds& bounds) {
         }
     }
     parts_.build(leaves);
+    active_ = bodies.awake;
 }
 
 /// Puts the parts of a body where they belong now.
@@ -112,6 +116,14 @@ void StillParts::removePlanes(std::uint32_t body) {
 void StillParts::listOthers(const Bodies& bodies, const PartBounds& bounds,
                             std::vector<std::uint32_t>& parts) const {
     parts.clear();
+    if (!pays_) {
+        for (std::uint32_t i = 0; i < bounds.size(); ++i) {
+            if (bounds.isUsed(i)) {
+                parts.push_back(i);
+            }
+        }
+        return;
+    }
     const auto add = [&](std::uint32_t body) {
         const std::uint32_t first = bounds.indexOf(body, 0);
         for (std::uint32_t i = 0; i < bounds.countOf(body); ++i) {

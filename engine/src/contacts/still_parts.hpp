@@ -20,15 +20,19 @@ inline namespace KODO_PRECISION {
 class StillParts {
 public:
     /// All bodies may have changed.
-    void forget() { stale_ = true; }
+    void forget() { built_ = false; }
     /// Bodies were added, removed or changed otherwise. Ignored if there is no tree.
     void bodiesChanged(const Bodies& bodies, const PartBounds& bounds,
                        std::span<const std::uint32_t> changed);
     /// Follows Bodies::awake. False if too few parts are still for a tree to pay.
     bool update(const Bodies& bodies, const PartBounds& bounds);
+    /// Number of awake bodies when the last update() decided.
+    std::size_t awakeCount() const { return counted_; }
+    /// Result of the last update().
+    bool pays() const { return pays_; }
 
     /// Lists the parts to search without the tree, in order: of active bodies, of planes, and the
-    /// changed ones.
+    /// changed ones; all if there is no tree.
     void listOthers(const Bodies& bodies, const PartBounds& bounds,
                     std::vector<std::uint32_t>& parts) const;
     const BoundsTree& tree() const { return parts_.tree(); }
@@ -39,12 +43,14 @@ private:
     void place(const Bodies& bodies, const PartBounds& bounds, std::uint32_t body);
     void removePlanes(std::uint32_t body);
     void rebuild(const Bodies& bodies, const PartBounds& bounds);
+    void followAwake(const Bodies& bodies, const PartBounds& bounds);
 
     PartTree parts_;
     std::vector<std::uint32_t> planes_; // bodies with a plane, in order
     std::vector<std::uint32_t> active_; // Bodies::awake at the last update
     std::size_t counted_ = 0;           // bodies awake when `pays_` was decided
-    bool stale_ = true;
+    std::size_t all_ = 0;               // parts, at that time
+    bool built_ = false;                // the tree is valid
     bool pays_ = false;
 };
 

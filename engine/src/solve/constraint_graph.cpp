@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <numeric>
 #include <utility>
 
@@ -102,8 +103,15 @@ void ContactBlocks::assignRow(Contact& contact) {
 }
 
 void ContactBlocks::forgetLanes() {
-    colours_.assign(colours_.size(), 0);
-    carried_.assign(carried_.size(), {});
+    for (std::size_t block = 0; block < blocks_.size(); ++block) {
+        for (std::uint32_t used = states_[block].used; used != 0; used &= used - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(used));
+            colours_[bodyOfPlace(blocks_[block].a[lane])] = 0;
+            colours_[bodyOfPlace(blocks_[block].b[lane])] = 0;
+        }
+    }
+    carried_.clear();
+    taken_.clear();
     blocks_.clear();
     use_.clear();
     states_.clear();

@@ -47,6 +47,7 @@ void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, boo
         evictAll(contacts, bodies);
         forgetLanes();
     }
+    shrink(bodies, contacts);
     singles_ = 0;
     ++lanesState_;
     if (!rowsAssigned_) {
@@ -65,6 +66,13 @@ void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, boo
         orderBlocks();
     }
     std::fill(taken_.begin(), taken_.end(), std::uint8_t{0});
+}
+
+void ContactBlocks::shrink(const Bodies& bodies, std::span<Contact> contacts) {
+    if (blocks_.size() > kFewBlocks + contacts.size()) {
+        evictAll(contacts, bodies);
+        forgetLanes();
+    }
 }
 
 /// True if the colour of the contact still fits its bodies.
@@ -219,7 +227,7 @@ std::uint32_t ContactBlocks::addBlock(std::uint32_t bin, std::uint8_t partition)
     const auto block = static_cast<std::uint32_t>(blocks_.size());
     ContactBlock& lanes = blocks_.emplace_back();
     states_.reserve(blocks_.capacity());
-    taken_.resize(blocks_.capacity() * ContactBlock::kContacts);
+    taken_.resize(blocks_.size() * ContactBlock::kContacts);
     carried_.resize(taken_.size());
     use_.reserve(blocks_.capacity());
     order_.reserve(blocks_.capacity());

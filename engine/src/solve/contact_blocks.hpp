@@ -37,6 +37,8 @@ public:
     /// Starts a step, before take(). Contacts of the last step may be gone. `friction` and
     /// `rolling` are true if that feature is on.
     void begin(const Bodies& bodies, std::span<Contact> contacts, bool friction, bool rolling);
+    /// After the removal of contacts: forgets all lanes if blocks outnumber the contacts.
+    void shrink(const Bodies& bodies, std::span<Contact> contacts);
     /// Before begin(): advances the resident contacts to the start of the step.
     void carry(Bodies& bodies, WorkerTeam& team);
     /// State of the resident contacts by row; empty if none is resident.
@@ -125,6 +127,7 @@ private:
     static constexpr std::uint32_t kBins = kLevels * kLevelBins;
     static constexpr std::uint32_t kNone = ContactRow::kNone;
     static constexpr std::size_t kBlocksPerPiece = 32;
+    static constexpr std::size_t kFewBlocks = 256;         // so many are never forgotten
     static constexpr std::size_t kWorthPartitioning = 128; // mean number of contacts per colour
     // Bytes of blocks above which most lie outside the near cache, so that the passes prefetch.
     // Below, the hardware prefetches as well.

@@ -22,6 +22,11 @@ Real motionSeenFrom(const Bodies& bodies, std::uint32_t locked, std::uint32_t ot
            std::abs(motion.deltaAngle - floor.deltaAngle) * rotationReach;
 }
 
+/// Bound (m) of the motion of any point of a body.
+Real wayOf(const BodyVelocity& motion, Real rotationReach) {
+    return length(motion.deltaPosition) + std::abs(motion.deltaAngle) * rotationReach;
+}
+
 } // namespace
 
 Real relativeMotion(const Bodies& bodies, const Mover& moverA, const Mover& moverB) {
@@ -29,11 +34,15 @@ Real relativeMotion(const Bodies& bodies, const Mover& moverA, const Mover& move
     const auto& [bodyB, rotationReachB, stopB] = moverB;
     const BodyVelocity& a = bodies.motion[bodyA];
     const BodyVelocity& b = bodies.motion[bodyB];
+    // The sum of both motions is a bound, too. Without it, a pair that ContinuousCollision excludes
+    // by the motion of each body could count as fast.
     if (a.locked()) {
-        return motionSeenFrom(bodies, bodyA, bodyB, rotationReachB);
+        return std::min(motionSeenFrom(bodies, bodyA, bodyB, rotationReachB),
+                        wayOf(a, rotationReachA) + wayOf(b, rotationReachB));
     }
     if (b.locked()) {
-        return motionSeenFrom(bodies, bodyB, bodyA, rotationReachA);
+        return std::min(motionSeenFrom(bodies, bodyB, bodyA, rotationReachA),
+                        wayOf(a, rotationReachA) + wayOf(b, rotationReachB));
     }
     const Real alone = stopA == stopB  ? 0
                        : stopA > stopB ? (stopA - stopB) * length(a.deltaPosition)

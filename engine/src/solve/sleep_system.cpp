@@ -85,33 +85,47 @@ void SleepSystem::noteIslandContact(const Bodies& bodies, const Contact& contact
     }
 }
 
-void SleepSystem::wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t island) {
-    Island& woken = islands_[island];
-    --sleepingIslands_;
-    ++woken.version;
-    for (const std::uint32_t body : woken.bodies) {
-        bodies.filter[body].flags &= ~kAsleep;
-        bodies.sleep[body] = {};
-        bodies.sleep[body].since = bodies.pose[body];
-        bodies.motion[body].clearDisplacement();
-        bodies.acceleration[body] = {};
+/// Wakes the islands in woken_, all at once: their contacts are sorted into the list together.
+void SleepSystem::wakeIslands(Bodies& bodies, ContactSet& contacts) {
+    std::sort(woken_.begin(), woken_.end()); // total order: equal indices are identical
+    woken_.erase(std::unique(woken_.begin(), woken_.end()), woken_.end());
+    returning_.clear();
+    for (const std::uint32_t number : woken_) {
+        Island& island = islands_[number];
+        ++island.version;
+        for (const std::uint32_t body : island.bodies) {
+            bodies.filter[body].flags &= ~kAsleep;
+            bodies.sleep[body] = {};
+            bodies.sleep[body].since = bodies.pose[body];
+            bodies.motion[body].clearDisplacement();
+            bodies.acceleration[body] = {};
+            contacts.activityChanged(body);
+            bodies.noteActivity(body);
+        }
+        returning_.insert(returning_.end(), island.contacts.begin(), island.contacts.end());
+        island.bodies.clear(); // keeps its capacity for the next island
+        island.contacts.clear();
+        freeIslands_.push_back(number);
+        std::push_heap(freeIslands_.begin(), freeIslands_.end(), std::greater<>());
     }
-    contacts.putBack(woken.contacts, bodies);
-    for (const std::uint32_t body : woken.bodies) {
-        contacts.activityChanged(body);
+    sleepingIslands_ -= woken_.size();
+    woken_.clear();
+    if (!returning_.empty()) {
+        contacts.putBack(returning_, bodies);
     }
-    woken.bodies.clear(); // keeps its capacity for the next island
-    woken.contacts.clear();
-    freeIslands_.push_back(island);
-    std::push_heap(freeIslands_.begin(), freeIslands_.end(), std::greater<>());
-    bodies.awakeStale = true;
+}
+
+/// Restarts the calm count of a body, and notes its island for wakeIslands().
+void SleepSystem::disturb(Bodies& bodies, std::uint32_t body) {
+    startCounting(bodies.sleep[body], bodies.pose[body]);
+    if (bodies.sleep[body].island != kNoIsland) {
+        woken_.push_back(bodies.sleep[body].island);
+    }
 }
 
 void SleepSystem::wake(Bodies& bodies, ContactSet& contacts, std::uint32_t body) {
-    startCounting(bodies.sleep[body], bodies.pose[body]);
-    if (bodies.sleep[body].island != kNoIsland) {
-        wakeIsland(bodies, contacts, bodies.sleep[body].island);
-    }
+    disturb(bodies, body);
+    wakeIslands(bodies, contacts);
 }
 
 void SleepSystem::wakeAll(Bodies& bodies, ContactSet& contacts) {
@@ -120,14 +134,15 @@ void SleepSystem::wakeAll(Bodies& bodies, ContactSet& contacts) {
     }
     for (std::uint32_t island = 0; island < islands_.size(); ++island) {
         if (!islands_[island].bodies.empty()) {
-            wakeIsland(bodies, contacts, island);
+            woken_.push_back(island);
         }
     }
+    wakeIslands(bodies, contacts);
 }
 
 void SleepSystem::wakeNeighbours(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
                                  std::uint32_t body) {
-    wake(bodies, contacts, body);
+    disturb(bodies, body);
     // An awake neighbour may have been about to fall asleep.
     contacts.touchedBy(body, members_);
     for (const std::uint32_t other : members_) {
@@ -137,35 +152,40 @@ void SleepSystem::wakeNeighbours(Bodies& bodies, ContactSet& contacts, const Joi
         const std::uint32_t a = firstBody(joint.def).index;
         const std::uint32_t b = secondBody(joint.def).index;
         if (a == body || b == body) {
-            wake(bodies, contacts, a == body ? b : a);
+            disturb(bodies, a == body ? b : a);
         }
     });
-    if (body >= neighbourIslands_.size()) {
-        return;
-    }
-    for (const NeighbourIsland& neighbour : neighbourIslands_[body]) {
-        if (!hasWoken(neighbour)) {
-            wakeIsland(bodies, contacts, neighbour.island);
+    if (body < neighbourIslands_.size()) {
+        for (const NeighbourIsland& neighbour : neighbourIslands_[body]) {
+            if (!hasWoken(neighbour)) {
+                woken_.push_back(neighbour.island);
+            }
         }
+        neighbourIslands_[body].clear();
     }
-    neighbourIslands_[body].clear();
+    wakeIslands(bodies, contacts);
 }
 
 void SleepSystem::wakeTouched(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances) {
-    // Contacts of woken islands are appended, and visited too.
-    for (std::size_t i = 0; i < contacts.summaries().size(); ++i) {
-        const ContactSummary summary = contacts.summaries()[i];
-        if (!summary.meets || summary.separation[0] > tolerances.slop ||
-            !(bodies.asleep(summary.bodyA) || bodies.asleep(summary.bodyB)) ||
-            !contacts.contacts()[i].responds()) {
-            continue;
-        }
-        for (const std::uint32_t body : {summary.bodyA, summary.bodyB}) {
-            if (bodies.sleep[body].island != kNoIsland) {
-                wakeIsland(bodies, contacts, bodies.sleep[body].island);
+    // Contacts of woken islands are appended, and visited in the next round.
+    std::size_t next = 0;
+    do {
+        const std::span<const ContactSummary> summaries = contacts.summaries();
+        for (; next < summaries.size(); ++next) {
+            const ContactSummary& summary = summaries[next];
+            if (!summary.meets || summary.separation[0] > tolerances.slop ||
+                !(bodies.asleep(summary.bodyA) || bodies.asleep(summary.bodyB)) ||
+                !contacts.contacts()[next].responds()) {
+                continue;
+            }
+            for (const std::uint32_t body : {summary.bodyA, summary.bodyB}) {
+                if (bodies.sleep[body].island != kNoIsland) {
+                    woken_.push_back(bodies.sleep[body].island);
+                }
             }
         }
-    }
+        wakeIslands(bodies, contacts);
+    } while (next < contacts.summaries().size());
 }
 
 void SleepSystem::wakeJointed(Bodies& bodies, ContactSet& contacts, const JointSet& joints) {
@@ -173,11 +193,12 @@ void SleepSystem::wakeJointed(Bodies& bodies, ContactSet& contacts, const JointS
         const std::uint32_t a = firstBody(joint.def).index;
         const std::uint32_t b = secondBody(joint.def).index;
         if (bodies.active(a) && bodies.asleep(b)) {
-            wake(bodies, contacts, b);
+            disturb(bodies, b);
         } else if (bodies.active(b) && bodies.asleep(a)) {
-            wake(bodies, contacts, a);
+            disturb(bodies, a);
         }
     });
+    wakeIslands(bodies, contacts);
 }
 
 bool SleepSystem::wakeRunOver(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances) {
@@ -211,8 +232,9 @@ bool SleepSystem::wakeRunOver(Bodies& bodies, ContactSet& contacts, const Tolera
         }
     }
     for (const std::uint32_t body : members_) {
-        wake(bodies, contacts, body);
+        disturb(bodies, body);
     }
+    wakeIslands(bodies, contacts);
     return !members_.empty();
 }
 
@@ -327,6 +349,7 @@ void SleepSystem::putToSleep(Bodies& bodies, std::span<const std::uint32_t> memb
         bodies.filter[body].flags |= kAsleep;
         bodies.sleep[body].island = island;
         bodies.motion[body].stop();
+        bodies.noteActivity(body);
     }
     ++sleepingIslands_;
     islands_[island].bodies.assign(members.begin(), members.end());
@@ -351,7 +374,8 @@ bool SleepSystem::updateSleep(Bodies& bodies, const ContactSet& contacts, const 
     return !sleepers_.empty();
 }
 
-void SleepSystem::sleepIslands(Bodies& bodies, ContactSet& contacts) {
+void SleepSystem::sleepIslands(Bodies& bodies, ContactSet& contacts,
+                               const std::function<void(Contact&)>& writeBack) {
     std::sort(sleepers_.begin(), sleepers_.end()); // total order: bodies are unique
     members_.clear();
     for (std::size_t i = 0; i < sleepers_.size(); ++i) {
@@ -364,13 +388,12 @@ void SleepSystem::sleepIslands(Bodies& bodies, ContactSet& contacts) {
     for (const auto& [root, body] : sleepers_) {
         members_.push_back(body);
     }
-    for (const Contact& contact : contacts.takeIdle(bodies, members_)) {
+    for (const Contact& contact : contacts.takeIdle(bodies, members_, writeBack)) {
         const std::uint32_t a = bodies.sleep[contact.key.bodyA].island;
         const std::uint32_t island = a != kNoIsland ? a : bodies.sleep[contact.key.bodyB].island;
         keep(islands_[island].contacts, contact);
         noteIslandContact(bodies, contact, island);
     }
-    bodies.awakeStale = true;
 }
 
 } // namespace KODO_PRECISION

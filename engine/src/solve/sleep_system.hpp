@@ -8,6 +8,7 @@
 #include "contacts/contact_set.hpp"
 #include "joints/joint_set.hpp"
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -39,8 +40,9 @@ public:
     /// Counts calm steps. True if islands have been calm for long enough for sleepIslands().
     bool updateSleep(Bodies& bodies, const ContactSet& contacts, const JointSet& joints,
                      const StepSettings& settings, const Tolerances& tolerances, Real dt);
-    /// Puts these islands to sleep with their contacts, which must not be resident.
-    void sleepIslands(Bodies& bodies, ContactSet& contacts);
+    /// Puts these islands to sleep with their contacts; writeBack(contact) is called before.
+    void sleepIslands(Bodies& bodies, ContactSet& contacts,
+                      const std::function<void(Contact&)>& writeBack);
 
     /// Restarts the calm count of a body, and wakes its island if it is asleep.
     void wake(Bodies& bodies, ContactSet& contacts, std::uint32_t body);
@@ -77,7 +79,8 @@ private:
         bool operator==(const NeighbourIsland&) const = default;
     };
 
-    void wakeIsland(Bodies& bodies, ContactSet& contacts, std::uint32_t island);
+    void wakeIslands(Bodies& bodies, ContactSet& contacts);
+    void disturb(Bodies& bodies, std::uint32_t body);
     void noteIslandContact(const Bodies& bodies, const Contact& contact, std::uint32_t island);
     bool hasWoken(const NeighbourIsland& neighbour) const {
         return islands_[neighbour.island].version != neighbour.version;
@@ -98,6 +101,8 @@ private:
     std::vector<std::uint32_t> supports_;                        // by body: points that support it
     std::vector<std::pair<std::uint32_t, std::uint32_t>> sleepers_; // root and body
     std::vector<std::uint32_t> members_;                            // of an island, or to be woken
+    std::vector<std::uint32_t> woken_;                              // islands: see wakeIslands
+    std::vector<Contact> returning_;                                // scratch of wakeIslands
 };
 
 } // namespace KODO_PRECISION

@@ -46,7 +46,7 @@ bool WorldImpl::updateRegion(std::uint32_t body) {
         bodies_.motion[body].clearDisplacement();
     }
     bodies_.teleported(body);
-    bodies_.awakeStale = true;
+    bodies_.noteActivity(body);
     return !inside && !waited;
 }
 
@@ -61,7 +61,6 @@ void WorldImpl::placeInRegion(std::uint32_t body) {
 /// Parks contacts without an active body if a body is outside the region. They return when a body
 /// becomes active: meanwhile they neither end nor begin.
 void WorldImpl::parkContacts() {
-    writeBackContacts();
     const auto waits = [&](std::uint32_t body) {
         return (bodies_.filter[body].flags & kOutside) != 0;
     };
@@ -70,7 +69,7 @@ void WorldImpl::parkContacts() {
     });
     // Contacts of frozen bodies return to the list, since their end is not yet recorded.
     unparked_.clear();
-    const std::span<const Contact> idle = contacts_.takeIdle(bodies_);
+    const std::span<const Contact> idle = contacts_.takeIdle(bodies_, writeBack());
     const auto byKey = [](const Contact& a, const Contact& b) { return a.key < b.key; };
     std::erase_if(parked_, [&](const Contact& old) { // found again since
         return std::binary_search(idle.begin(), idle.end(), old, byKey);
@@ -99,7 +98,6 @@ void WorldImpl::unpark(Which which) {
 
 void WorldImpl::unparkContactsOf(std::uint32_t body) {
     if (!parked_.empty()) {
-        writeBackContacts();
         unpark([=](const Contact& contact) {
             return contact.key.bodyA == body || contact.key.bodyB == body;
         });

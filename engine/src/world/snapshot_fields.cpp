@@ -104,8 +104,9 @@ void SnapshotFields::one(IdPool& pool) {
 
 void SnapshotFields::one(Bodies& bodies) {
     auto& [ids, stamp, motion, pose, acceleration, extent, teleportCount, hasTeleported, hasArrived,
-           start, filter, record, parts, rest, forced, awake, thinnest, loads, awakeStale,
-           anySleeping, turns, startStale, accelerationsStale, anyTeleported, anyArrived] = bodies;
+           start, filter, record, parts, rest, forced, awake, nextAwake, thinnest, loads, changes,
+           thinnestAge, awakeStale, anyStopped, anySleeping, turns, startStale,
+           accelerationsStale] = bodies;
     one(ids);
     if (reads()) {
         stamp = 0; // bytes do not store the World of an id
@@ -125,6 +126,9 @@ void SnapshotFields::one(Bodies& bodies) {
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
         one(teleportCount[i]); // kept for the next body in the slot
         one(hasArrived[i]);
+        if (reads() && hasArrived[i] != 0) {
+            changes.arrived.push_back(i);
+        }
         if (ids.aliveAt(i)) {
             auto& [geometry, userData, force, torque] = record[i];
             all(geometry, filter[i], userData, force, torque, pose[i], motion[i], acceleration[i],
@@ -134,20 +138,12 @@ void SnapshotFields::one(Bodies& bodies) {
             }
         }
     }
-    all(awake, awakeStale, thinnest, anyArrived);
+    awakeStale = awakeStale || !changes.activity.empty();
+    all(awake, awakeStale);
     if (reads()) {
+        findThinnest(bodies);
         checkAwake(bodies);
-        checkThinnest(bodies);
     }
-}
-
-/// The stored minimum may belong to a body that was removed.
-void SnapshotFields::checkThinnest(const Bodies& bodies) {
-    bool good = bodies.thinnest >= 0;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        good = good && (!bodies.ids.aliveAt(i) || bodies.thinnest <= bodies.extent[i].coreRadius);
-    }
-    require(good, "a core radius is below the stored minimum");
 }
 
 /// Sets the data that follow from geometry and flags.
@@ -253,15 +249,16 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
     // The state of the pair finder affects time, not results: it starts fresh.
     auto& [bounds, pairs, finder, still, movers, ghostCollisions, contacts, order, lists, gone,
            newOrder, news, newsFound, holes, added, summaries, live, found, onGround, slots, idle,
-           dropped, changes, hasChanged, stirred, touches, touchChanges, ended, endedInStep,
-           records, recordsDue, apart, fastestApproach, reorderPolicy, stale, pairsStale,
-           contactsChanged, liveStale, anySensors, anyBounces] = set;
-    auto& [parts, firstPart, firstBefore, replaced, convexes, corners, leftOver, tight, grown,
-           changed, isChanged, outgrown] = bounds;
+           dropped, changes, stirred, hasChanged, touches, touchChanges, ended, endedInStep,
+           records, recordsDue, apart, fastestApproach, reorderPolicy, stale, pairsStale, liveStale,
+           placesStale, contactsChanged, anySensors, anyBounces] = set;
+    auto& [parts, firstPart, count, firstBefore, from, usedCount, convexes, corners, leftOver,
+           tight, grown, changed, isChanged, outgrown] = bounds;
     set.writeRecords();
     if (!reads()) {
         set.applyChanges(bodies, tolerances);
-        set.sortContacts(); // the bytes do not depend on slots
+        set.compactBounds();
+        set.sortContacts(); // the bytes do not depend on slots, nor on indices of parts
     }
     all(contacts, ended, records, tight, grown, changed, reorderPolicy);
     if (!reads()) {
@@ -299,8 +296,7 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
 void SnapshotFields::world(WorldImpl& world) {
     auto& [guard, settings, tolerances, stepCount, count, bodies, fields, contacts, impacts,
            softSolver, propagation, contactVisits, continuous, sleep, joints, broken, frozen,
-           region, outsideVelocities, parked, unparked, previousAwake, activityChanges, queries,
-           lastGeometry] = world;
+           region, outsideVelocities, parked, unparked, queries, lastGeometry] = world;
     softSolver.blocks().writeBackAll(contacts.contacts(), bodies);
     all(settings, tolerances, stepCount);
     bodies.turns = settings.has(Feature::Rotation);

@@ -155,7 +155,6 @@ private:
     void one(Bodies& bodies);
     static void completeBody(Bodies& bodies, std::uint32_t body);
     static void checkAwake(const Bodies& bodies);
-    static void checkThinnest(const Bodies& bodies);
 
     // Force fields.
     void one(DragLaw& law);

@@ -17,7 +17,7 @@ bool SnapshotFields::inOrder(std::span<const std::uint32_t> bodies, std::size_t 
 
 void SnapshotFields::rest(SleepSystem& stage, Bodies& bodies) {
     auto& [islands, sleepingIslands, freeIslands, neighbourIslands, touching, leastCalm, supports,
-           sleepers, members] = stage;
+           sleepers, members, woken, returning] = stage;
     all(islands);
     if (!reads()) {
         return;

@@ -29,7 +29,7 @@ void WorldImpl::step(Real dt, const StepOptions& options) {
     enter(StepStage::Broad);
     updateAwake();
     WorkerTeam team(bodies_.awake.size() >= kMinBodiesForHelp ? options.executor : nullptr);
-    const bool arrivals = bodies_.anyArrived;
+    const bool arrivals = !bodies_.changes.arrived.empty();
     contacts_.updatePairs(bodies_, tolerances_, dt, team);
     clearArrivals(bodies_);
     enter(StepStage::Narrow);
@@ -57,8 +57,8 @@ void WorldImpl::step(Real dt, const StepOptions& options) {
     enter(StepStage::Sleep);
     if (settings_.has(Feature::Sleep) && !bodies_.awake.empty() &&
         sleep_.updateSleep(bodies_, contacts_, joints_, settings_, tolerances_, dt)) {
-        writeBackContacts();
-        sleep_.sleepIslands(bodies_, contacts_);
+        sleep_.sleepIslands(bodies_, contacts_, writeBack());
+        softSolver_.blocks().shrink(bodies_, contacts_.contacts());
     }
     ++stepCount_;
     if (options.listener != nullptr) {
@@ -79,17 +79,13 @@ void WorldImpl::updateManifolds(WorkerTeam& team) {
 
 /// Evicts the resident contacts of teleported bodies, so that their manifolds are updated.
 void WorldImpl::evictTeleported() {
-    if (!bodies_.anyTeleported) {
-        return;
-    }
-    const std::span<const ContactSummary> summaries = contacts_.summaries();
-    for (std::uint32_t i = 0; i < summaries.size(); ++i) {
-        if (summaries[i].row != ContactRow::kNone &&
-            (bodies_.hasTeleported[summaries[i].bodyA] |
-             bodies_.hasTeleported[summaries[i].bodyB]) != 0) {
-            softSolver_.blocks().evict(contacts_.contacts()[i], bodies_);
-            contacts_.noteRow(i);
-        }
+    for (const std::uint32_t body : bodies_.changes.teleported) {
+        contacts_.lists().forEach(body, [&](std::uint32_t slot) {
+            if (contacts_.summaries()[slot].row != ContactRow::kNone) {
+                softSolver_.blocks().evict(contacts_.contacts()[slot], bodies_);
+                contacts_.noteRow(slot);
+            }
+        });
     }
 }
 
@@ -167,19 +163,10 @@ void WorldImpl::updateAwake() {
             }
         }
     }
-    if (!bodies_.awakeStale) {
-        joints_.findBusy(bodies_, false);
-        return;
-    }
-    previousAwake_.assign(bodies_.awake.begin(), bodies_.awake.end());
-    refreshAwake(bodies_);
-    joints_.findBusy(bodies_, true);
-    if (sleep_.anyAsleep() || region_) {
-        activityChanges_.clear();
-        std::set_symmetric_difference(previousAwake_.begin(), previousAwake_.end(),
-                                      bodies_.awake.begin(), bodies_.awake.end(),
-                                      std::back_inserter(activityChanges_));
-        for (const std::uint32_t body : activityChanges_) {
+    const bool changed = refreshAwake(bodies_);
+    joints_.findBusy(bodies_, changed);
+    if (changed && (sleep_.anyAsleep() || region_)) {
+        for (const std::uint32_t body : bodies_.changes.toggled) {
             contacts_.activityChanged(body);
         }
     }

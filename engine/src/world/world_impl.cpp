@@ -90,23 +90,16 @@ std::span<const CollisionRecord> WorldImpl::collisions() const {
 }
 
 void WorldImpl::wake(std::uint32_t body) {
-    if (bodies_.sleep[body].island != SleepState::kNoIsland) {
-        writeBackContacts();
-    }
     sleep_.wake(bodies_, contacts_, body);
 }
 
 void WorldImpl::wakeAll() {
-    writeBackContacts();
     sleep_.wakeAll(bodies_, contacts_);
 }
 
 /// For a body that is removed, teleported or changed: wakes sleeping bodies that touch it or are
 /// jointed to it.
 void WorldImpl::wakeNeighbours(std::uint32_t body) {
-    if (sleep_.anyAsleep()) {
-        writeBackContacts();
-    }
     unparkContactsOf(body);
     sleep_.wakeNeighbours(bodies_, contacts_, joints_, body);
 }
@@ -119,7 +112,7 @@ void WorldImpl::bodyChanged(std::uint32_t body) {
     queries_.bodyChanged(body);
     bodies_.teleported(body);
     bodies_.noteArrival(body);
-    bodies_.awakeStale = true;
+    bodies_.noteActivity(body);
 }
 
 void WorldImpl::velocityChanged(std::uint32_t body) {
@@ -135,7 +128,7 @@ void WorldImpl::velocityChanged(std::uint32_t body) {
             parkContacts(); // again, since it stays outside the region
         }
     }
-    bodies_.awakeStale = true;
+    bodies_.noteActivity(body);
 }
 
 /// Ends the frozen state of a body.
@@ -169,8 +162,7 @@ void WorldImpl::applyImpulse(std::uint32_t body, Vec2 arm, Vec2 impulse) {
 void WorldImpl::remove(BodyId id) {
     kodo::requireAlive(bodies_, id);
     wakeNeighbours(id.index);
-    contacts_.drop(id.index,
-                   [&](Contact& contact) { softSolver_.blocks().writeBack(contact, bodies_); });
+    contacts_.drop(id.index, writeBack());
     joints_.dropBody(id);
     contacts_.setExcludedPairs(joints_.excludedPairs());
     removeBody(bodies_, id.index);

@@ -87,6 +87,9 @@ private:
     void requireValid(const FieldEntry& entry) const;
     void jointsChanged(const JointDef& def);
     Contact current(const Contact& contact) const;
+    auto writeBack() {
+        return [this](Contact& contact) { softSolver_.blocks().writeBack(contact, bodies_); };
+    }
     void writeBackContacts() { softSolver_.blocks().writeBackAll(contacts_.contacts(), bodies_); }
     void wake(std::uint32_t body);
     void wakeAll();
@@ -143,11 +146,9 @@ private:
     std::optional<Aabb> region_;
     // Of bodies outside the region, during the solve.
     std::vector<std::pair<std::uint32_t, BodyVelocity>> outsideVelocities_;
-    std::vector<Contact> parked_;                // of bodies outside the region; see parkContacts()
-    std::vector<Contact> unparked_;              // scratch: a step allocates nothing
-    std::vector<std::uint32_t> previousAwake_;   // scratch: before the update of the list
-    std::vector<std::uint32_t> activityChanges_; // scratch: bodies that became active or inactive
-    mutable QueryTree queries_;                  // a cache: updated by queries
+    std::vector<Contact> parked_;   // of bodies outside the region; see parkContacts()
+    std::vector<Contact> unparked_; // scratch: a step allocates nothing
+    mutable QueryTree queries_;     // a cache: updated by queries
     std::shared_ptr<const BodyGeometry> lastGeometry_; // equal bodies are usually added in sequence
 };
 
