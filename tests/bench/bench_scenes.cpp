@@ -1,9 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "bench_scenes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace bench {
+namespace {
+
+double widestPin(const scenes::SceneDef& scene, const Engine& engine) {
+    const auto now = [&](std::size_t body, scenes::Vec2 point) {
+        const scenes::BodyDef& def = scene.bodies[body]; // the initial rotation of the frame is 0
+        const BodyState state = engine.state(body);
+        return state.position + state.rotation * (point - def.position);
+    };
+    double widest = 0;
+    for (const scenes::RevoluteJointDef& joint : scene.joints) {
+        const scenes::Vec2 gap = now(joint.a, joint.point) - now(joint.b, joint.point);
+        widest = std::max(widest, std::sqrt(dot(gap, gap)));
+    }
+    return widest;
+}
+
+} // namespace
 
 Stage::Stage(Engine& engine, const scenes::SceneDef& scene) : engine_(engine) {
     for (const scenes::BodyDef& body : scene.bodies) {
@@ -84,6 +102,36 @@ scenes::BodyDef wall(double width, double height, scenes::Vec2 center, scenes::M
     return def;
 }
 
+std::vector<scenes::BodyDef> ringOfWalls(double radius) {
+    constexpr int kSides = 48;
+    std::vector<scenes::BodyDef> walls;
+    for (int i = 0; i < kSides; ++i) {
+        const scenes::Vec2 from = radius * scenes::direction(static_cast<double>(i) / kSides);
+        const scenes::Vec2 to = radius * scenes::direction(static_cast<double>(i + 1) / kSides);
+        const scenes::Vec2 middle = 0.5 * (from + to);
+        const double reach = std::sqrt(dot(middle, middle));
+        scenes::BodyDef side =
+            wall(std::sqrt(dot(to - from, to - from)) + 0.5, 1, ((reach + 0.5) / reach) * middle);
+        side.rotation = scenes::slope(to.y - from.y, to.x - from.x);
+        walls.push_back(side);
+    }
+    return walls;
+}
+
+std::vector<scenes::Vec2> addShelves(scenes::SceneDef& scene, int places, scenes::Vec2 pitch) {
+    const int shelves = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(places))));
+    for (int shelf = 0; shelf < shelves; ++shelf) {
+        const double width = pitch.x * shelves + 2;
+        scene.bodies.push_back(wall(width, 0.5, {0, pitch.y * shelf - 0.25}));
+    }
+    std::vector<scenes::Vec2> list;
+    for (int i = 0; i < places; ++i) {
+        const double x = pitch.x * (i % shelves - 0.5 * (shelves - 1));
+        list.push_back({x, pitch.y * (i / shelves)});
+    }
+    return list;
+}
+
 scenes::Polygon shard(scenes::Dice& dice, double radius) {
     return randomPolygon(dice, 3 + dice.below(5), 2 * radius, 2 * radius);
 }
@@ -95,6 +143,12 @@ double stretch(int size, int usual) {
 Error meanDepth() {
     return {"depth, mean", "mm",
             [](const Stage&, const Depths& depths) { return 1000 * depths.mean; }};
+}
+
+Error widestJoint(const scenes::SceneDef& scene) {
+    return {"largest gap at a joint", "mm", [scene](const Stage& stage, const Depths&) {
+                return 1000 * widestPin(scene, stage.engine());
+            }};
 }
 
 Error speedLost(std::vector<std::size_t> bodies, double speed) {

@@ -30,17 +30,17 @@ class EveryScene : public testing::TestWithParam<Recipe> {};
 // Box2D stores masses in float, like the float build of Kodo: 1e-5 is a hundred roundings.
 TEST_P(EveryScene, HasTheSameBodiesAndMassInEveryEngine) {
     const Result box2d = run(shortRun(GetParam(), "box2d"));
-    for (const char* engine : {"kodo", "kodo64"}) {
-        const Result kodo = run(shortRun(GetParam(), engine));
-        EXPECT_EQ(kodo.bodies, box2d.bodies);
-        EXPECT_EQ(kodo.locked, box2d.locked);
-        EXPECT_NEAR(kodo.mass, box2d.mass, 1e-5 * box2d.mass);
-        EXPECT_EQ(kodo.escaped, box2d.escaped);
+    for (const std::string& engine : builtEngines()) {
+        const Result other = run(shortRun(GetParam(), engine));
+        EXPECT_EQ(other.bodies, box2d.bodies) << engine;
+        EXPECT_EQ(other.locked, box2d.locked) << engine;
+        EXPECT_NEAR(other.mass, box2d.mass, 1e-5 * box2d.mass) << engine;
+        EXPECT_EQ(other.escaped, box2d.escaped) << engine;
     }
 }
 
 TEST_P(EveryScene, EndsInTheSameStateWhenRunAgain) {
-    for (const std::string& engine : engineNames()) {
+    for (const std::string& engine : builtEngines()) {
         const RunOptions options = shortRun(GetParam(), engine);
         EXPECT_EQ(run(options).stateHash, run(options).stateHash) << engine;
     }
@@ -188,6 +188,33 @@ TEST(Box2dInTheBench, HasItsSurfacesWhereTheNominalShapesAre) {
     EXPECT_LT(result.depths.max, 0.006);
     ASSERT_EQ(result.errorName, "top sinks"); // or is lifted, in mm
     EXPECT_LT(result.error, 15);
+}
+
+// Box2D 3 has neither skin nor slop: the stack sinks by its soft contacts alone.
+TEST(Box2d3InTheBench, HasItsSurfacesWhereTheNominalShapesAre) {
+    RunOptions options;
+    options.scene = "stack";
+    options.engine = "box2d3";
+    options.size = 3;
+    options.steps = 300;
+    if (!hasBox2d3()) {
+        EXPECT_THROW(run(options), WrongUse);
+        return;
+    }
+    const Result result = run(options);
+    EXPECT_GT(result.depths.pairs, 0u);
+    EXPECT_LT(result.depths.max, 0.006);
+    EXPECT_LT(result.error, 15);
+    options.step.substeps = 8;
+    options.step.set = {"contactHertz=60"};
+    EXPECT_LT(run(options).error, result.error);
+    for (const char* wrong : {"contactHertz", "contactHertz=-1", "contactHertz=6x", "mass=3"}) {
+        options.step.set = {wrong};
+        EXPECT_THROW(run(options), WrongUse) << wrong;
+    }
+    options.step.set = {};
+    options.step.passes = 8;
+    EXPECT_THROW(run(options), WrongUse);
 }
 
 // At most 100 bytes per contact in the solver passes, twice that in double: a large pile must fit
