@@ -89,6 +89,29 @@ Scene smallRoom(int size, std::uint64_t seed);
 Scene tiles(int size, std::uint64_t seed);
 Scene rays(int size, std::uint64_t seed);
 Scene churn(int size, std::uint64_t seed);
+// bench_changes.cpp
+Scene columns(int size, std::uint64_t seed);
+Scene pushed(int size, std::uint64_t seed);
+Scene removals(int size, std::uint64_t seed);
+Scene particles(int size, std::uint64_t seed);
+Scene events(int size, std::uint64_t seed);
+Scene contacts(int size, std::uint64_t seed);
+// bench_loads.cpp
+Scene heavyPair(int size, std::uint64_t seed);
+Scene slab(int size, std::uint64_t seed);
+Scene plank(int size, std::uint64_t seed);
+Scene pairs(int size, std::uint64_t seed);
+Scene balls(int size, std::uint64_t seed);
+// bench_jointed.cpp
+Scene ragdolls(int size, std::uint64_t seed);
+Scene chains(int size, std::uint64_t seed);
+Scene wheel(int size, std::uint64_t seed);
+Scene cars(int size, std::uint64_t seed);
+// bench_bursts.cpp
+Scene ring(int size, std::uint64_t seed);
+Scene shards(int size, std::uint64_t seed);
+Scene smash(int size, std::uint64_t seed);
+Scene crowdPoint(int size, std::uint64_t seed);
 // bench_laws.cpp
 Scene forces(int size, std::uint64_t seed);
 Scene slide(int size, std::uint64_t seed);

@@ -106,7 +106,7 @@ class Options(unittest.TestCase):
 
 class Figures(unittest.TestCase):
     def test_numbers_keep_three_significant_digits(self):
-        texts = [bench.number(value) for value in (12345.6, 1.0, 0.0123456, 0, None)]
+        texts = [measure.number(value) for value in (12345.6, 1.0, 0.0123456, 0, None)]
         self.assertEqual(texts, ["12,346", "1.00", "0.0123", "0", ""])
 
     def test_a_log_scale_maps_its_ends_and_its_middle(self):
