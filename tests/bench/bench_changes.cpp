@@ -36,7 +36,7 @@ Scene readPyramid(const char* name, int size, double (Engine::*read)() const) {
     scene.def.name = name;
     scene.every = 1;
     scene.actIsTimed = true;
-    const auto sum = std::make_shared<double>(0); // keeps the reading
+    const auto sum = std::make_shared<double>(0); // no compiler removes the reading
     scene.act = [=](Stage& stage, int) { *sum += (stage.engine().*read)(); };
     return scene;
 }
@@ -91,7 +91,7 @@ Scene pushed(int size, std::uint64_t seed) {
     return scene;
 }
 
-/// All boxes of high columns are removed between two steps, in random order. Only that is timed.
+/// All boxes of columns of ten are removed between two steps, in random order. Only that is timed.
 Scene removals(int size, std::uint64_t seed) {
     constexpr int kHigh = 10; // boxes
     Scene scene;

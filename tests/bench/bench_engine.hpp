@@ -72,7 +72,8 @@ public:
     /// Reads all touching pairs of the last step. Returns the sum of their normal impulses (N s).
     virtual double readContacts() const = 0;
     /// Reads what the engine lists for a game: begins, ends and hits; all touching pairs if it has
-    /// no such list. Needs StepOptions::events. The result only keeps the reading.
+    /// no such list. Needs StepOptions::events. Returns a sum, so that no compiler removes the
+    /// loop.
     virtual double readEvents() const { return readContacts(); }
     /// Normal impulse (N s) between two bodies in the last step, summed over all points.
     virtual double impulse(std::size_t a, std::size_t b) const = 0;
