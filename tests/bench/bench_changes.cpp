@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Loads of single events: something falls on, pushes, removes or adds bodies.
+// Loads of single events among many bodies: a fall, a push, removals, additions, and their reading.
 #include <algorithm>
 #include <memory>
 #include <optional>

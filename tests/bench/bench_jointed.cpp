@@ -14,7 +14,8 @@ using scenes::SceneDef;
 using scenes::Vec2;
 
 constexpr std::uint16_t kGround = 1; // categories
-constexpr std::uint16_t kGhost = 2;  // collides with the ground alone
+constexpr std::uint16_t kGhost = 2;  // collides with kNothing
+constexpr std::uint16_t kNothing = 4;
 
 /// A box between the soles at y = 0 and the head.
 struct Limb {
@@ -129,7 +130,7 @@ Scene chains(int size, std::uint64_t) {
         for (int i = 0; i < kLinks; ++i) {
             BodyDef link = scenes::box(kLength, 0.1, end + Vec2{kLength * (i + 0.5), 0});
             link.category = kGhost;
-            link.mask = kGhost << 1; // nothing
+            link.mask = kNothing;
             const std::size_t body = scene.def.bodies.size();
             scene.def.joints.push_back({body - 1, body, end + Vec2{kLength * i, 0}});
             scene.def.bodies.push_back(link);
@@ -149,7 +150,7 @@ Scene wheel(int size, std::uint64_t) {
         const Vec2 rim = kRadius * scenes::direction(static_cast<double>(i) / size);
         BodyDef spoke = scenes::box(0.05, 1, rim - Vec2{0, 0.5});
         spoke.category = kGhost;
-        spoke.mask = kGhost << 1; // nothing
+        spoke.mask = kNothing;
         scene.def.joints.push_back({1, scene.def.bodies.size(), rim});
         scene.def.bodies.push_back(spoke);
     }
