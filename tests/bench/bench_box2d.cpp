@@ -47,14 +47,24 @@ public:
         bodies_[body]->SetLinearVelocity({0, 0});
     }
 
+    void push(std::size_t body, scenes::Vec2 velocity) override {
+        bodies_[body]->SetLinearVelocity(scenes::toBox2d(velocity));
+    }
+
+    double readContacts() const override {
+        double sum = 0;
+        for (const b2Contact* contact = world_.GetContactList(); contact != nullptr;
+             contact = contact->GetNext()) {
+            sum += contact->IsTouching() ? impulseOf(*contact->GetManifold()) : 0;
+        }
+        return sum;
+    }
+
     double impulse(std::size_t a, std::size_t b) const override {
         double sum = 0;
         for (const b2ContactEdge* edge = bodies_[a]->GetContactList(); edge != nullptr;
              edge = edge->next) {
-            const b2Manifold& manifold = *edge->contact->GetManifold();
-            for (int i = 0; edge->other == bodies_[b] && i < manifold.pointCount; ++i) {
-                sum += static_cast<double>(manifold.points[i].normalImpulse);
-            }
+            sum += edge->other == bodies_[b] ? impulseOf(*edge->contact->GetManifold()) : 0;
         }
         return sum;
     }
@@ -104,6 +114,14 @@ private:
 
     static scenes::Vec2 wide(b2Vec2 v) {
         return {static_cast<double>(v.x), static_cast<double>(v.y)};
+    }
+
+    static double impulseOf(const b2Manifold& manifold) {
+        double sum = 0;
+        for (int i = 0; i < manifold.pointCount; ++i) {
+            sum += static_cast<double>(manifold.points[i].normalImpulse);
+        }
+        return sum;
     }
 
     static void refuse(const StepOptions& options) {

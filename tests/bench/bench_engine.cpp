@@ -4,8 +4,16 @@
 namespace bench {
 
 const std::vector<std::string>& engineNames() {
-    static const std::vector<std::string> kNames{"kodo", "kodo64", "box2d"};
+    static const std::vector<std::string> kNames{"kodo", "kodo64", "box2d", "box2d3"};
     return kNames;
+}
+
+std::vector<std::string> builtEngines() {
+    std::vector<std::string> names = engineNames();
+    if (!hasBox2d3()) {
+        names.pop_back();
+    }
+    return names;
 }
 
 const std::vector<std::string>& profileNames() {
@@ -35,7 +43,10 @@ std::unique_ptr<Engine> makeEngine(const std::string& name, const scenes::SceneD
     if (name == "box2d") {
         return makeBox2d(scene, options);
     }
-    throw WrongUse("there is no engine '" + name + "': it is kodo, kodo64 or box2d");
+    if (name == "box2d3") {
+        return makeBox2d3(scene, options);
+    }
+    throw WrongUse("there is no engine '" + name + "': it is kodo, kodo64, box2d or box2d3");
 }
 
 } // namespace bench

@@ -25,7 +25,7 @@ struct StepOptions {
     std::string profile = "default"; // see profileNames()
     std::optional<int> substeps{};
     std::vector<std::string> set{};      // values of Kodo's StepSettings, such as
-                                         // "contactHertz=120"
+                                         // "contactHertz=120", the only one of Box2D 3
     std::vector<std::string> leaveOut{}; // features of Kodo, see featureNames()
     std::optional<int> passes{};         // velocity iterations of Box2D
     std::optional<int> positionPasses{}; // position iterations of Box2D
@@ -33,6 +33,7 @@ struct StepOptions {
     int threads = 1;
     bool stages = false; // measure the time of each stage, at a small cost
     bool rest = false;   // enable sleep; set by the scene
+    bool events = false; // list begins, ends and hits of contacts; set by the scene
 };
 
 /// Invalid options, with a message for the user.
@@ -66,6 +67,14 @@ public:
     virtual void remove(std::size_t body) = 0;
     /// Teleports a body: keeps rotation and angular velocity, sets the velocity to 0.
     virtual void place(std::size_t body, scenes::Vec2 position) = 0;
+    /// Sets the velocity (m/s) of the centre of mass; wakes the body unless it is 0.
+    virtual void push(std::size_t body, scenes::Vec2 velocity) = 0;
+    /// Reads all touching pairs of the last step. Returns the sum of their normal impulses (N s).
+    virtual double readContacts() const = 0;
+    /// Reads what the engine lists for a game: begins, ends and hits; all touching pairs if it has
+    /// no such list. Needs StepOptions::events. Returns a sum, so that no compiler removes the
+    /// loop.
+    virtual double readEvents() const { return readContacts(); }
     /// Normal impulse (N s) between two bodies in the last step, summed over all points.
     virtual double impulse(std::size_t a, std::size_t b) const = 0;
     /// Fraction of the first hit of a ray; 1 if there is none.
@@ -83,8 +92,10 @@ public:
     virtual std::vector<StageTime> stages() const { return {}; }
 };
 
-/// kodo (float), kodo64 (double) and box2d (2.4.1).
+/// kodo (float), kodo64 (double), box2d (2.4.1) and box2d3.
 const std::vector<std::string>& engineNames();
+/// The engines of this build: box2d3 is optional.
+std::vector<std::string> builtEngines();
 const std::vector<std::string>& profileNames();
 const std::vector<std::string>& featureNames();
 const std::vector<std::string>& pairSearchNames();
@@ -102,5 +113,8 @@ std::unique_ptr<Engine> makeKodo(const scenes::SceneDef& scene, const StepOption
 /// Differences to Kodo are removed by scenes/in_box2d.hpp. The default is 8 velocity and 3 position
 /// iterations.
 std::unique_ptr<Engine> makeBox2d(const scenes::SceneDef& scene, const StepOptions& options);
+/// Box2D 3 with its defaults and 4 substeps. Throws WrongUse if the build does not have it.
+std::unique_ptr<Engine> makeBox2d3(const scenes::SceneDef& scene, const StepOptions& options);
+bool hasBox2d3();
 
 } // namespace bench

@@ -232,6 +232,18 @@ public:
         ref.setVelocity({});
     }
 
+    void push(std::size_t body, scenes::Vec2 velocity) override {
+        scene_.world[scene_.ids[body]].setVelocity(scenes::toKodo(velocity));
+    }
+
+    double readContacts() const override {
+        double sum = 0;
+        for (const kodo::CollisionRecord& record : scene_.world.collisions()) {
+            sum += wide(record.totalImpulse);
+        }
+        return sum;
+    }
+
     double impulse(std::size_t a, std::size_t b) const override {
         double sum = 0;
         for (const kodo::CollisionRecord& record : scene_.world.collisions()) {

@@ -14,29 +14,11 @@ namespace {
 using scenes::BodyDef;
 using scenes::Dice;
 using scenes::Material;
-using scenes::SceneDef;
 using scenes::Vec2;
 
 constexpr std::uint16_t kWall = 1;
 constexpr std::uint16_t kBall = 2;
 constexpr std::uint16_t kShard = 4;
-
-/// Static boxes of 1 m thickness around a disc.
-std::vector<BodyDef> ring(double radius) {
-    constexpr int kSides = 48;
-    std::vector<BodyDef> walls;
-    for (int i = 0; i < kSides; ++i) {
-        const Vec2 from = radius * scenes::direction(static_cast<double>(i) / kSides);
-        const Vec2 to = radius * scenes::direction(static_cast<double>(i + 1) / kSides);
-        const Vec2 middle = 0.5 * (from + to);
-        const double reach = std::sqrt(dot(middle, middle));
-        BodyDef side =
-            wall(std::sqrt(dot(to - from, to - from)) + 0.5, 1, ((reach + 0.5) / reach) * middle);
-        side.rotation = scenes::slope(to.y - from.y, to.x - from.x);
-        walls.push_back(side);
-    }
-    return walls;
-}
 
 /// A ball, box or polygon of the same size.
 BodyDef drop(Dice& dice, std::size_t kind, double radius) {
@@ -93,21 +75,6 @@ std::vector<BodyDef> breakoutRoom(Material material) {
         body.category = kWall;
     }
     return room;
-}
-
-/// Maximum joint error (m) of all revolute joints.
-double widestPin(const SceneDef& scene, const Engine& engine) {
-    const auto now = [&](std::size_t body, Vec2 point) {
-        const BodyDef& def = scene.bodies[body]; // the initial rotation of the frame is 0
-        const BodyState state = engine.state(body);
-        return state.position + state.rotation * (point - def.position);
-    };
-    double widest = 0;
-    for (const scenes::RevoluteJointDef& joint : scene.joints) {
-        const Vec2 gap = now(joint.a, joint.point) - now(joint.b, joint.point);
-        widest = std::max(widest, std::sqrt(dot(gap, gap)));
-    }
-    return widest;
 }
 
 } // namespace
@@ -211,10 +178,7 @@ Scene joints(int size, std::uint64_t) {
          ++column) {
         scene.def.bodies[static_cast<std::size_t>(column)].locked = true;
     }
-    scene.error = {"largest gap at a joint", "mm",
-                   [def = scene.def](const Stage& stage, const Depths&) {
-                       return 1000 * widestPin(def, stage.engine());
-                   }};
+    scene.error = widestJoint(scene.def);
     return scene;
 }
 
@@ -222,7 +186,7 @@ Scene spinner(int size, std::uint64_t seed) {
     Dice dice(seed);
     const double radius = 20 * stretch(size, 1000);
     Scene scene;
-    scene.def = {"spinner", scenes::kDown, ring(radius)};
+    scene.def = {"spinner", scenes::kDown, ringOfWalls(radius)};
     const std::size_t bar = scene.def.bodies.size();
     scene.def.bodies.push_back(scenes::box(1.5 * radius, 0.5, {}));
     scene.def.joints = {{0, bar, {}, 2, 1e6}};

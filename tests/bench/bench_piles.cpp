@@ -124,14 +124,8 @@ Scene massRatio(int size, std::uint64_t) {
 Scene asleep(int size, std::uint64_t) {
     Scene scene;
     scene.def = {"resting", scenes::kDown, {}};
-    const int shelves = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(size))));
-    for (int shelf = 0; shelf < shelves; ++shelf) {
-        const double width = 1.5 * shelves + 2;
-        scene.def.bodies.push_back(wall(width, 0.5, {0, 3.0 * shelf - 0.25}));
-    }
-    for (int i = 0; i < size; ++i) {
-        const double x = 1.5 * (i % shelves - 0.5 * (shelves - 1));
-        scene.def.bodies.push_back(scenes::box(1, 1, {x, 3.0 * (i / shelves) + 0.5}));
+    for (const scenes::Vec2 foot : addShelves(scene.def, size, {1.5, 3})) {
+        scene.def.bodies.push_back(scenes::box(1, 1, foot + scenes::Vec2{0, 0.5}));
     }
     scene.rest = true;
     scene.warmUp = 120;

@@ -93,6 +93,8 @@ std::string asJson(const Summary& summary, bool stages) {
     json.add("cpuMsPerStep", result.cpuMsPerStep());
     json.add("nsPerBodyStep", result.nsPerBodyStep());
     json.add("wallMsPerStep", result.wallMsPerStep());
+    json.add("worstStepMs",
+             result.worstSeconds ? std::optional(1e3 * *result.worstSeconds) : std::nullopt);
     json.add("runs", summary.runs);
     json.add("spread", summary.spread);
     if (!summary.against.empty()) {
@@ -119,7 +121,7 @@ std::string asJson(const Summary& summary, bool stages) {
     const auto contact = result.contactBytes;
     json.add("bytesPerContact", contact ? std::optional(contact->all) : std::nullopt);
     json.add("bytesPerContactRow", contact ? std::optional(contact->row) : std::nullopt);
-    json.add("allocationsPerStep", result.options.engine == "box2d"
+    json.add("allocationsPerStep", result.options.engine.starts_with("box2d")
                                        ? std::nullopt // its allocations bypass operator new
                                        : std::optional(result.allocationsPerStep));
     json.add("stateHash", fmt::format("{:016x}", result.stateHash));
@@ -137,6 +139,9 @@ std::string asText(const Summary& summary, bool stages) {
                                    result.cpuMsPerStep(), result.nsPerBodyStep());
     if (options.step.threads > 1) { // the other times cover only the calling thread
         text += fmt::format("; {:.4g} ms on the wall", result.wallMsPerStep());
+    }
+    if (result.worstSeconds) {
+        text += fmt::format("; longest step {:.4g} ms", 1e3 * *result.worstSeconds);
     }
     if (summary.runs > 1) {
         text += fmt::format(" (median of {}, spread {:.1f} %)", summary.runs, 100 * summary.spread);

@@ -35,11 +35,12 @@ private:
 /// clock takes as long as a hundred steps of an empty world.
 class Run {
 public:
-    Run(const Scene& scene, Engine& engine, bool peak)
+    Run(const Scene& scene, Engine& engine, const RunOptions& options)
         : scene_(scene),
           stage_(engine, scene.def),
           excludedPairs_(jointedPairs(scene.def)),
-          peak_(peak) {}
+          peak_(options.peak),
+          worst_(options.worst || scene.worstStep) {}
 
     void warmUp() {
         for (int done = 0; done < scene_.warmUp;) {
@@ -53,15 +54,22 @@ public:
         pairWorkBefore_ = stage_.engine().pairWork().value_or(0);
         for (int done = 0; done < steps;) {
             const std::uint64_t allocations = allocationCount();
-            start();
+            const double before = cpu_.seconds();
+            if (scene_.stepIsTimed) {
+                start();
+            }
             const int taken = stretch(done < steps / 2 ? steps / 2 - done : steps - done);
             if (done >= steps / 2) {
                 allocations_ += allocationCount() - allocations;
+            }
+            if (!scene_.stepIsTimed) {
+                start();
             }
             if (scene_.actIsTimed) {
                 act();
             }
             stop();
+            worstSeconds_ = std::max(worstSeconds_, cpu_.seconds() - before);
             if (!scene_.actIsTimed) {
                 act();
             }
@@ -80,6 +88,9 @@ public:
         result.bodies = stage_.engine().bodyCount() - result.locked;
         result.cpuSeconds = cpu_.seconds();
         result.wallSeconds = wall_.seconds();
+        if (worst_) {
+            result.worstSeconds = worstSeconds_;
+        }
         result.depths = depthsOf(bodies, excludedPairs_);
         if (peak_) {
             result.maxOverlap = std::max(maxOverlap_, result.depths.max);
@@ -111,7 +122,7 @@ private:
     /// Takes up to `left` steps, until the next action is due. Returns their number.
     int stretch(int left) {
         int count = left;
-        for (const int every : {scene_.every, peak_ ? kPeakEvery : 0}) {
+        for (const int every : {scene_.every, peak_ ? kPeakEvery : 0, worst_ ? 1 : 0}) {
             if (every > 0) {
                 count = std::min(count, every - taken_ % every);
             }
@@ -142,11 +153,13 @@ private:
     Stage stage_;
     ExcludedPairs excludedPairs_;
     bool peak_;
+    bool worst_;    // each step is a stretch of its own
     int taken_ = 0; // steps, including the warm-up
     int steps_ = 0; // measured steps
     std::uint64_t allocations_ = 0;
     std::uint64_t pairWorkBefore_ = 0;
     double maxOverlap_ = 0;
+    double worstSeconds_ = 0; // of a stretch
     StopWatch cpu_{CLOCK_THREAD_CPUTIME_ID};
     StopWatch wall_{CLOCK_MONOTONIC};
 };
@@ -163,10 +176,11 @@ Result run(const RunOptions& options) {
     const Scene scene = recipe.make(size, options.seed);
     StepOptions step = options.step;
     step.rest = scene.rest;
+    step.events = scene.events;
     const std::size_t before = heapBytes();
     const std::unique_ptr<Engine> engine = makeEngine(options.engine, scene.def, step);
     const std::size_t made = heapBytes() - before;
-    Run run(scene, *engine, options.peak);
+    Run run(scene, *engine, options);
     const std::size_t ready = heapBytes();
     run.warmUp();
     run.measure(steps);

@@ -16,7 +16,8 @@ struct RunOptions {
     std::optional<int> size{};  // default: the size of the recipe
     std::optional<int> steps{}; // default: the steps of the recipe
     std::uint64_t seed = 1;
-    bool peak = false; // also measure the maximum overlap, every 20 steps
+    bool peak = false;  // also measure the maximum overlap, every 20 steps
+    bool worst = false; // also measure the longest step
 };
 
 /// Results of one run of a scene.
@@ -28,6 +29,7 @@ struct Result {
     std::size_t locked = 0;
     double cpuSeconds = 0; // of the calling thread, during the measured steps
     double wallSeconds = 0;
+    std::optional<double> worstSeconds; // CPU time of the longest step with its action, if timed
     Depths depths;                      // at the end
     std::optional<double> maxOverlap;   // m, sampled every 20 steps
     std::optional<std::size_t> escaped; // empty: the scene has no region

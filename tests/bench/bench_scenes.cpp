@@ -1,9 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "bench_scenes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace bench {
+namespace {
+
+double widestPin(const scenes::SceneDef& scene, const Engine& engine) {
+    const auto now = [&](std::size_t body, scenes::Vec2 point) {
+        const scenes::BodyDef& def = scene.bodies[body]; // the initial rotation of the frame is 0
+        const BodyState state = engine.state(body);
+        return state.position + state.rotation * (point - def.position);
+    };
+    double widest = 0;
+    for (const scenes::RevoluteJointDef& joint : scene.joints) {
+        const scenes::Vec2 gap = now(joint.a, joint.point) - now(joint.b, joint.point);
+        widest = std::max(widest, std::sqrt(dot(gap, gap)));
+    }
+    return widest;
+}
+
+} // namespace
 
 Stage::Stage(Engine& engine, const scenes::SceneDef& scene) : engine_(engine) {
     for (const scenes::BodyDef& body : scene.bodies) {
@@ -58,6 +76,32 @@ std::span<const Recipe> recipes() {
          200, rays},
         {"churn", "a heap of balls; each step removes 100 and adds 100 above", "balls", 500, 300,
          churn},
+        {"columns", "balls fall on sleeping columns of four boxes, one every 2 s", "columns", 2000,
+         1200, columns},
+        {"pushed", "boxes asleep on shelves; each step pushes one", "boxes", 10000, 600, pushed},
+        {"removals", "all boxes are removed at once; only that is timed", "boxes", 10000, 1,
+         removals},
+        {"particles", "balls that live for a second over a floor", "balls in the air", 500, 600,
+         particles},
+        {"events", "pyramid; each step reads begins, ends and hits of contacts",
+         "boxes in the lowest row", 60, 300, events},
+        {"contacts", "pyramid; each step reads all touching pairs", "boxes in the lowest row", 60,
+         300, contacts},
+        {"heavypair", "a pyramid of 820 boxes, and a heavy box on a light one far away",
+         "times the density of the light", 1000, 300, heavyPair},
+        {"slab", "a heavy slab carries light boxes", "light boxes", 1000, 300, slab},
+        {"plank", "one plank lies on discs", "discs", 3000, 300, plank},
+        {"pairs", "separate pairs of boxes", "pairs", 1000, 300, pairs},
+        {"balls", "separate balls", "balls", 300, 600, balls},
+        {"ragdolls", "figures of 11 bodies with joint limits fall", "figures", 10, 600, ragdolls},
+        {"chains", "chains of 100 links swing", "chains", 10, 300, chains},
+        {"wheel", "bars hang on joints around a hub that a motor turns", "bars", 300, 600, wheel},
+        {"cars", "cars with two motors on uneven ground", "cars", 100, 600, cars},
+        {"ring", "a closed ring of bodies that get 40 m/s again and again", "bodies", 400, 300,
+         ring},
+        {"shards", "a burst of small polygons", "polygons", 500, 300, shards},
+        {"smash", "a heavy ball flies through a wall of boxes", "boxes", 500, 300, smash},
+        {"crowdpoint", "boxes that start on one point", "boxes", 100, 300, crowdPoint},
         {"empty", "nothing", "", 1, 100000, empty},
         {"smallroom", "a ball bounces between ten walls", "", 1, 60000, smallRoom},
         {"forces", "ten boxes, the top one heavy: what each contact carries", "times the density",
@@ -84,6 +128,36 @@ scenes::BodyDef wall(double width, double height, scenes::Vec2 center, scenes::M
     return def;
 }
 
+std::vector<scenes::BodyDef> ringOfWalls(double radius) {
+    constexpr int kSides = 48;
+    std::vector<scenes::BodyDef> walls;
+    for (int i = 0; i < kSides; ++i) {
+        const scenes::Vec2 from = radius * scenes::direction(static_cast<double>(i) / kSides);
+        const scenes::Vec2 to = radius * scenes::direction(static_cast<double>(i + 1) / kSides);
+        const scenes::Vec2 middle = 0.5 * (from + to);
+        const double reach = std::sqrt(dot(middle, middle));
+        scenes::BodyDef side =
+            wall(std::sqrt(dot(to - from, to - from)) + 0.5, 1, ((reach + 0.5) / reach) * middle);
+        side.rotation = scenes::slope(to.y - from.y, to.x - from.x);
+        walls.push_back(side);
+    }
+    return walls;
+}
+
+std::vector<scenes::Vec2> addShelves(scenes::SceneDef& scene, int places, scenes::Vec2 pitch) {
+    const int shelves = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(places))));
+    for (int shelf = 0; shelf < shelves; ++shelf) {
+        const double width = pitch.x * shelves + 2;
+        scene.bodies.push_back(wall(width, 0.5, {0, pitch.y * shelf - 0.25}));
+    }
+    std::vector<scenes::Vec2> list;
+    for (int i = 0; i < places; ++i) {
+        const double x = pitch.x * (i % shelves - 0.5 * (shelves - 1));
+        list.push_back({x, pitch.y * (i / shelves)});
+    }
+    return list;
+}
+
 scenes::Polygon shard(scenes::Dice& dice, double radius) {
     return randomPolygon(dice, 3 + dice.below(5), 2 * radius, 2 * radius);
 }
@@ -95,6 +169,12 @@ double stretch(int size, int usual) {
 Error meanDepth() {
     return {"depth, mean", "mm",
             [](const Stage&, const Depths& depths) { return 1000 * depths.mean; }};
+}
+
+Error widestJoint(const scenes::SceneDef& scene) {
+    return {"largest gap at a joint", "mm", [scene](const Stage& stage, const Depths&) {
+                return 1000 * widestPin(scene, stage.engine());
+            }};
 }
 
 Error speedLost(std::vector<std::size_t> bodies, double speed) {

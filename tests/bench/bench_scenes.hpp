@@ -45,6 +45,9 @@ struct Scene {
     /// Called every `every` steps of 1/60 s, outside the measured time unless `actIsTimed`.
     int every = 0;
     bool actIsTimed = false;
+    bool stepIsTimed = true;
+    bool worstStep = false; // also measure the longest step
+    bool events = false;    // the engine lists begins, ends and hits of contacts
     std::function<void(Stage&, int steps)> act{};
     std::optional<Region> region{};
     std::optional<Error> error{};
@@ -86,6 +89,29 @@ Scene smallRoom(int size, std::uint64_t seed);
 Scene tiles(int size, std::uint64_t seed);
 Scene rays(int size, std::uint64_t seed);
 Scene churn(int size, std::uint64_t seed);
+// bench_changes.cpp
+Scene columns(int size, std::uint64_t seed);
+Scene pushed(int size, std::uint64_t seed);
+Scene removals(int size, std::uint64_t seed);
+Scene particles(int size, std::uint64_t seed);
+Scene events(int size, std::uint64_t seed);
+Scene contacts(int size, std::uint64_t seed);
+// bench_loads.cpp
+Scene heavyPair(int size, std::uint64_t seed);
+Scene slab(int size, std::uint64_t seed);
+Scene plank(int size, std::uint64_t seed);
+Scene pairs(int size, std::uint64_t seed);
+Scene balls(int size, std::uint64_t seed);
+// bench_jointed.cpp
+Scene ragdolls(int size, std::uint64_t seed);
+Scene chains(int size, std::uint64_t seed);
+Scene wheel(int size, std::uint64_t seed);
+Scene cars(int size, std::uint64_t seed);
+// bench_bursts.cpp
+Scene ring(int size, std::uint64_t seed);
+Scene shards(int size, std::uint64_t seed);
+Scene smash(int size, std::uint64_t seed);
+Scene crowdPoint(int size, std::uint64_t seed);
 // bench_laws.cpp
 Scene forces(int size, std::uint64_t seed);
 Scene slide(int size, std::uint64_t seed);
@@ -95,6 +121,11 @@ Scene pendulum(int size, std::uint64_t seed);
 /// A static box.
 scenes::BodyDef wall(double width, double height, scenes::Vec2 center,
                      scenes::Material material = {});
+/// Static boxes of 1 m thickness around a disc.
+std::vector<scenes::BodyDef> ringOfWalls(double radius);
+/// Adds static shelves, about as many as there are places on each, with `pitch` (m) between places
+/// and between shelves. Returns the places.
+std::vector<scenes::Vec2> addShelves(scenes::SceneDef& scene, int places, scenes::Vec2 pitch);
 /// A convex polygon of 3 to 7 corners at a distance of `radius` (m) from the centre.
 scenes::Polygon shard(scenes::Dice& dice, double radius);
 /// Width factor of a scene that keeps its aspect ratio with `size` bodies instead of `usual`.
@@ -102,6 +133,9 @@ double stretch(int size, int usual);
 
 /// The mean overlap of all pairs, in mm.
 Error meanDepth();
+/// Maximum distance (mm) of the two anchors of a revolute joint. The initial rotation of its bodies
+/// is 0.
+Error widestJoint(const scenes::SceneDef& scene);
 /// Deviation of the root mean square speed of these bodies from `speed` (m/s).
 Error speedLost(std::vector<std::size_t> bodies, double speed);
 

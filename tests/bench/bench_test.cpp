@@ -30,17 +30,17 @@ class EveryScene : public testing::TestWithParam<Recipe> {};
 // Box2D stores masses in float, like the float build of Kodo: 1e-5 is a hundred roundings.
 TEST_P(EveryScene, HasTheSameBodiesAndMassInEveryEngine) {
     const Result box2d = run(shortRun(GetParam(), "box2d"));
-    for (const char* engine : {"kodo", "kodo64"}) {
-        const Result kodo = run(shortRun(GetParam(), engine));
-        EXPECT_EQ(kodo.bodies, box2d.bodies);
-        EXPECT_EQ(kodo.locked, box2d.locked);
-        EXPECT_NEAR(kodo.mass, box2d.mass, 1e-5 * box2d.mass);
-        EXPECT_EQ(kodo.escaped, box2d.escaped);
+    for (const std::string& engine : builtEngines()) {
+        const Result other = run(shortRun(GetParam(), engine));
+        EXPECT_EQ(other.bodies, box2d.bodies) << engine;
+        EXPECT_EQ(other.locked, box2d.locked) << engine;
+        EXPECT_NEAR(other.mass, box2d.mass, 1e-5 * box2d.mass) << engine;
+        EXPECT_EQ(other.escaped, box2d.escaped) << engine;
     }
 }
 
 TEST_P(EveryScene, EndsInTheSameStateWhenRunAgain) {
-    for (const std::string& engine : engineNames()) {
+    for (const std::string& engine : builtEngines()) {
         const RunOptions options = shortRun(GetParam(), engine);
         EXPECT_EQ(run(options).stateHash, run(options).stateHash) << engine;
     }
@@ -174,6 +174,57 @@ TEST(Ruler, AddsUpKineticEnergy) {
     EXPECT_NEAR(kineticEnergy(placed(scene)), 3 * std::numbers::pi, 1e-12);
 }
 
+TEST(Runs, MeasureTheLongestStepIfTheSceneOrAnOptionSaysSo) {
+    RunOptions options;
+    options.scene = "stack";
+    options.steps = 10;
+    EXPECT_FALSE(run(options).worstSeconds);
+    options.worst = true;
+    const Result result = run(options);
+    ASSERT_TRUE(result.worstSeconds);
+    EXPECT_GE(*result.worstSeconds, result.cpuSeconds / 10);
+    EXPECT_LE(*result.worstSeconds, result.cpuSeconds);
+    options.scene = "columns";
+    options.size = 2;
+    options.worst = false;
+    EXPECT_TRUE(run(options).worstSeconds);
+}
+
+TEST(Runs, ReadTheContactsOfAStackInEveryEngine) {
+    const Scene scene = recipeOf("stack").make(3, 1);
+    StepOptions options;
+    options.events = true;
+    for (const std::string& name : builtEngines()) {
+        const std::unique_ptr<Engine> engine = makeEngine(name, scene.def, options);
+        for (int i = 0; i < 300; ++i) {
+            engine->step(kDt);
+        }
+        // 3 + 2 + 1 weights of 10 N over a step; 5 % covers what still moves.
+        EXPECT_NEAR(engine->readContacts(), 60 * kDt, 0.05 * 60 * kDt) << name;
+        EXPECT_GE(engine->readEvents(), 0) << name;
+        engine->push(3, {0, 5});
+        EXPECT_EQ(engine->state(3).velocity.y, 5) << name;
+        engine->step(kDt);
+        EXPECT_GT(engine->state(3).velocity.y, 4) << name;
+    }
+}
+
+// Two boxes: b may turn by 0.25 rad to either side, and falls about the joint at its left end.
+TEST(Joints, KeepTheirLimitsInEveryEngine) {
+    scenes::SceneDef scene{"limits", scenes::kDown, {}};
+    scene.bodies = {wall(1, 1, {0, 0}), scenes::box(1, 0.1, {1, 0})};
+    scene.joints = {{0, 1, {0.5, 0}, 0, 0, scenes::AngleLimits{-0.25, 0.25}}};
+    for (const std::string& name : builtEngines()) {
+        const std::unique_ptr<Engine> engine = makeEngine(name, scene, {});
+        for (int i = 0; i < 300; ++i) {
+            engine->step(kDt);
+        }
+        const scenes::Rot rotation = engine->state(1).rotation;
+        // Box2D 2.4.1 leaves 2 degrees of slop, 0.035 rad.
+        EXPECT_NEAR(std::atan2(rotation.s, rotation.c), -0.25, 0.04) << name;
+    }
+}
+
 // Box2D allows an overlap of 5 mm per contact (slop) and adds a skin of 10 mm to each polygon. With
 // the skin removed, a stack of three stays within three slops of its position. Otherwise the top
 // would be lifted by at least 45 mm.
@@ -188,6 +239,33 @@ TEST(Box2dInTheBench, HasItsSurfacesWhereTheNominalShapesAre) {
     EXPECT_LT(result.depths.max, 0.006);
     ASSERT_EQ(result.errorName, "top sinks"); // or is lifted, in mm
     EXPECT_LT(result.error, 15);
+}
+
+// Box2D 3 has neither skin nor slop: the stack sinks by its soft contacts alone.
+TEST(Box2d3InTheBench, HasItsSurfacesWhereTheNominalShapesAre) {
+    RunOptions options;
+    options.scene = "stack";
+    options.engine = "box2d3";
+    options.size = 3;
+    options.steps = 300;
+    if (!hasBox2d3()) {
+        EXPECT_THROW(run(options), WrongUse);
+        return;
+    }
+    const Result result = run(options);
+    EXPECT_GT(result.depths.pairs, 0u);
+    EXPECT_LT(result.depths.max, 0.006);
+    EXPECT_LT(result.error, 15);
+    options.step.substeps = 8;
+    options.step.set = {"contactHertz=60"};
+    EXPECT_LT(run(options).error, result.error);
+    for (const char* wrong : {"contactHertz", "contactHertz=-1", "contactHertz=6x", "mass=3"}) {
+        options.step.set = {wrong};
+        EXPECT_THROW(run(options), WrongUse) << wrong;
+    }
+    options.step.set = {};
+    options.step.passes = 8;
+    EXPECT_THROW(run(options), WrongUse);
 }
 
 // At most 100 bytes per contact in the solver passes, twice that in double: a large pile must fit

@@ -13,6 +13,7 @@ import xml.etree.ElementTree
 sys.dont_write_bytecode = True  # no __pycache__ beside the tools
 sys.path.insert(0, sys.argv.pop())
 import bench  # noqa: E402
+import box2d3  # noqa: E402
 import chart  # noqa: E402
 import measure  # noqa: E402
 import trade  # noqa: E402
@@ -96,7 +97,7 @@ class Options(unittest.TestCase):
 
     def test_invalid_options_are_refused_in_one_line_before_the_build(self):
         for words in (["--repeat", "0"], ["--repeat", "1.5"], ["--profiles", "nonesuch"],
-                      ["--scenes", "nowhere"], ["--check"]):
+                      ["--scenes", "nowhere"], ["--box2d3", "nowhere"], ["--check"]):
             said, code = self.told(*words)
             self.assertEqual(code, 2)
             self.assertIn(words[-1], said)
@@ -104,9 +105,39 @@ class Options(unittest.TestCase):
         self.assertEqual(self.told("--repeat", "3", "--check-options"), ("", 0))
 
 
+class BesideBox2d3(unittest.TestCase):
+    def depths(self, name, *errors):
+        """A run that gives Kodo the first error, and Box2D 3 the others by number of substeps."""
+        by_substeps = dict(zip(box2d3.SUBSTEPS, errors[1:]))
+
+        def run(words):
+            substeps = words[words.index("--substeps") + 1] if "--substeps" in words else None
+            return {"errorName": name, "error": by_substeps.get(substeps, errors[0])}
+
+        return run
+
+    def test_equal_depth_takes_the_least_number_of_substeps(self):
+        for errors, wanted in (((1, 5, 1.05, 0.2, 0.1), 8), ((9, 5, 1, 0.2, 0.1), 4),
+                               ((0.01, 5, 1, 0.2, 0.1), None)):
+            self.assertEqual(box2d3.equal_depth([], self.depths("depth, mean", *errors)), wanted)
+        self.assertIsNone(box2d3.equal_depth([], self.depths("top sinks", 9, 1, 1, 1, 1)))
+
+    def test_contacts_are_as_stiff_as_the_substeps_allow(self):
+        self.assertEqual(box2d3.way_of(8)[-1], "contactHertz=60")
+
+    def test_a_row_has_the_ratio_of_both_engines(self):
+        more = {"depthMeanMm": 2, "escaped": None, "spread": 0.1, "worstStepMs": None}
+        ours = result(1, 3, **more | {"worstStepMs": 4})
+        theirs = result(2, 6, **more | {"worstStepMs": 2})
+        row = box2d3.row_of(bench.Wanted("stack", 20), [ours, theirs], None)
+        self.assertIn("| 1.00 / 2.00 | 0.500 |", row)
+        self.assertIn("| 4.00 / 2.00 | 2.00 |", row)
+        self.assertEqual(row.count("|"), box2d3.HEAD.splitlines()[0].count("|"))
+
+
 class Figures(unittest.TestCase):
     def test_numbers_keep_three_significant_digits(self):
-        texts = [bench.number(value) for value in (12345.6, 1.0, 0.0123456, 0, None)]
+        texts = [measure.number(value) for value in (12345.6, 1.0, 0.0123456, 0, None)]
         self.assertEqual(texts, ["12,346", "1.00", "0.0123", "0", ""])
 
     def test_a_log_scale_maps_its_ends_and_its_middle(self):

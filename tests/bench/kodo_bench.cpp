@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Benchmark of Kodo and Box2D 2.4.1: cost and accuracy of a step. Exit code: 0 done, 1 an engine
-// was not repeatable, 2 invalid options.
+// Benchmark of Kodo, Box2D 2.4.1 and Box2D 3: cost and accuracy of a step. Exit code: 0 done, 1 an
+// engine was not repeatable, 2 invalid options.
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -23,17 +23,21 @@ void addOptions(CLI::App& app, Options& options) {
     StepOptions& step = run.step;
     app.add_flag("--list", options.list, "List the scenes, their sizes and their error measures");
     app.add_option("--scene", run.scene, "The scene; pyramid unless given");
-    app.add_option("--engine", run.engine, "kodo, kodo64 or box2d; kodo unless given")
+    app.add_option("--engine", run.engine, "kodo, kodo64, box2d or box2d3; kodo unless given")
         ->check(CLI::IsMember(engineNames()));
     app.add_option("--profile", step.profile, "Settings of Kodo")
         ->check(CLI::IsMember(profileNames()));
-    app.add_option("--substeps", step.substeps, "Number of substeps, instead of the profile's")
+    app.add_option("--substeps", step.substeps,
+                   "Number of substeps, instead of the profile's; of Box2D 3 (4)")
         ->check(CLI::Range(1, 64));
-    app.add_option("--passes", step.passes, "Velocity iterations of Box2D (8)")
+    app.add_option("--passes", step.passes, "Velocity iterations of Box2D 2.4.1 (8)")
         ->check(CLI::Range(1, 1000));
-    app.add_option("--position-passes", step.positionPasses, "Position iterations of Box2D (3)")
+    app.add_option("--position-passes", step.positionPasses,
+                   "Position iterations of Box2D 2.4.1 (3)")
         ->check(CLI::Range(0, 1000));
-    app.add_option("--set", step.set, "Other numbers of Kodo's settings: contactHertz=120,...")
+    app.add_option(
+           "--set", step.set,
+           "Other numbers of Kodo's settings: contactHertz=120,...; of Box2D 3: contactHertz")
         ->delimiter(',');
     app.add_option("--leave-out", step.leaveOut, "Features that Kodo omits, separated by commas")
         ->delimiter(',')
@@ -49,6 +53,8 @@ void addOptions(CLI::App& app, Options& options) {
     app.add_option("--seed", run.seed, "Seed of the random numbers of a scene")
         ->check(CLI::Range(0u, 4294967295u)); // -1 would become 2^64 - 1
     app.add_flag("--peak", run.peak, "Measure depth in every 20th step (disturbs the caches)");
+    app.add_flag("--worst", run.worst,
+                 "Also the longest step (reads the clock in each, which takes some 0.5 us)");
     app.add_option("--repeat", options.repeat,
                    "Number of runs; the median of their times is printed")
         ->check(CLI::Range(1, 1000));
@@ -108,7 +114,7 @@ void runAll(const Options& options) {
 }
 
 int main(int argc, char** argv) {
-    CLI::App app("Cost and accuracy of a step, in Kodo and in Box2D 2.4.1.");
+    CLI::App app("Cost and accuracy of a step, in Kodo, Box2D 2.4.1 and Box2D 3.");
     app.name("kodo-bench");
     app.footer(
         "Times are CPU times of the calling thread during steps, also those of the ratio by "

@@ -28,6 +28,8 @@ def check(holds, what):
 
 SCENES = (
     "pyramid circles debris tumbler breakout stack massratio rain joints spinner resting shots tiles rays churn empty"
+    " columns pushed removals particles events contacts heavypair slab plank pairs balls ragdolls"
+    " chains wheel cars ring shards smash crowdpoint"
 ).split()
 code, text = bench("--list")
 check(code == 0, f"--list ends with {code}")
@@ -65,8 +67,20 @@ for engine in ("kodo", "kodo64"):
     bytes_told = told["bytesPerBody"]  # None if malloc provides no count, as under a sanitizer
     check(bytes_told is None or bytes_told > 50, f"bytes of bodies: {told}")
 
+done = run(*choice, "--engine", "box2d3", "--substeps", "8")
+if done.returncode:
+    check(done.returncode == 2 and "KODO_BENCH_BOX2D3=" in done.stderr, f"no way to box2d3: {done}")
+else:
+    told = json.loads(done.stdout)
+    check((told["engine"], told["bodies"], told["substeps"]) == ("box2d3", 15, 8), f"told {told}")
+
 code, text = bench(*choice)
 check(json.loads(text)["stateHash"] == kodo["stateHash"], "another state in another process")
+
+code, text = bench(*choice, "--worst")
+told = json.loads(text)
+check(told["worstStepMs"] >= told["cpuMsPerStep"], f"worst step: {told}")
+check(kodo["worstStepMs"] is None, f"a worst step that was not measured: {kodo}")
 
 for threads in ("1", "2"):
     code, text = bench("--scene", "debris", "--size", "6", "--steps", "4", "--threads", threads)

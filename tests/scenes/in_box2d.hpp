@@ -117,6 +117,11 @@ inline void addToBox2d(b2World& world, const RevoluteJointDef& joint,
     def.enableMotor = joint.motorTorque > 0;
     def.motorSpeed = static_cast<float>(joint.motorSpeed);
     def.maxMotorTorque = static_cast<float>(joint.motorTorque);
+    if (joint.limits) { // angles are relative to those at the start: see Initialize()
+        def.enableLimit = true;
+        def.lowerAngle = static_cast<float>(joint.limits->lower);
+        def.upperAngle = static_cast<float>(joint.limits->upper);
+    }
     world.CreateJoint(&def);
 }
 

@@ -5,6 +5,7 @@
 #include <scenes/scene_def.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 // In the engine's inline namespace, so that one program can build scenes in both precisions.
@@ -85,6 +86,13 @@ inline kodo::RevoluteJoint toKodo(const RevoluteJointDef& joint, const SceneDef&
     def.ends.anchorB = anchor(scene.bodies[joint.b]);
     def.motorSpeed = static_cast<kodo::Real>(joint.motorSpeed);
     def.motorTorque = static_cast<kodo::Real>(joint.motorTorque);
+    if (joint.limits) {
+        const auto angle = [](Rot q) { return std::atan2(q.s, q.c); };
+        def.reference = static_cast<kodo::Real>(angle(scene.bodies[joint.b].rotation) -
+                                                angle(scene.bodies[joint.a].rotation));
+        def.limits = kodo::Range{static_cast<kodo::Real>(joint.limits->lower),
+                                 static_cast<kodo::Real>(joint.limits->upper)};
+    }
     return def;
 }
 

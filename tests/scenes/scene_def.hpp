@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -89,13 +90,20 @@ struct BodyDef {
     std::uint16_t mask = 0; // categories to collide with; both masks must accept; 0: all
 };
 
-/// A revolute joint, optionally with a motor. The two bodies do not collide.
+/// Angles of b relative to a, 0 at the start.
+struct AngleLimits {
+    double lower = 0; // rad
+    double upper = 0; // rad
+};
+
+/// A revolute joint, optionally with a motor or limits. The two bodies do not collide.
 struct RevoluteJointDef {
     std::size_t a = 0; // indices of bodies
     std::size_t b = 0;
     Vec2 point{};           // m, world, at the start
     double motorSpeed = 0;  // rad/s, of b relative to a
     double motorTorque = 0; // N m, maximum; 0: no motor
+    std::optional<AngleLimits> limits{};
 };
 
 struct SceneDef {

@@ -5,8 +5,10 @@ import pathlib
 import sys
 import typing
 
+import box2d3
 import chart
 import measure
+from measure import number
 
 OUT = pathlib.Path("build/bench")
 
@@ -41,6 +43,32 @@ SCENES = [
     Wanted("smallroom", 1),
     Wanted("empty", 1),
 ]
+# Loads of games, measured beside Box2D 3 or where --scenes names them.
+LOADS = [
+    Wanted("columns", 2000),
+    Wanted("columns", 10000),
+    Wanted("pushed", 10000),
+    Wanted("removals", 10000),
+    Wanted("removals", 50000),
+    Wanted("particles", 500),
+    Wanted("events", 60),
+    Wanted("contacts", 60),
+    Wanted("heavypair", 1000),
+    Wanted("heavypair", 3000),
+    Wanted("slab", 1000),
+    Wanted("plank", 3000),
+    Wanted("pairs", 1000),
+    Wanted("balls", 300),
+    Wanted("ragdolls", 10),
+    Wanted("ragdolls", 100),
+    Wanted("chains", 10),
+    Wanted("wheel", 300),
+    Wanted("cars", 100),
+    Wanted("ring", 400),
+    Wanted("shards", 500),
+    Wanted("smash", 500),
+    Wanted("crowdpoint", 100),
+]
 PROFILES = ("default", "quick", "accurate", "thesis")
 # 1, 4 and 16 times the bodies, and 100,000. Heaps grow in width, pyramids in height.
 GROWTH = {
@@ -52,7 +80,8 @@ GROWTH = {
 
 def options():
     parser = measure.Options("tools/bench")
-    parser.add_argument("--scenes", nargs="+", choices=sorted({scene.name for scene in SCENES}))
+    parser.add_argument("--scenes", nargs="+", choices=sorted({scene.name for scene in SCENES + LOADS}))
+    parser.add_argument("--box2d3", metavar="DIR", type=box2d3.folder)
     parser.add_argument("--engines", nargs="+", choices=["kodo", "kodo64"])
     parser.add_argument("--profiles", nargs="+", default=["default"], choices=PROFILES)
     parser.add_argument("--repeat", type=measure.runs, default=5)
@@ -84,16 +113,6 @@ def with_ratios(results):
 def way_of(result):
     profile = result["profile"]
     return result["engine"] + ("" if profile == "default" else f" {profile}")
-
-
-def number(value, digits=3):
-    """Three significant digits, without an exponent."""
-    if value is None:
-        return ""
-    if value == 0:
-        return "0"
-    places = max(digits - 1 - math.floor(math.log10(abs(value))), 0)
-    return f"{value:,.{places}f}"
 
 
 def limits_of(wanted):
@@ -231,10 +250,20 @@ def growth(chosen):
     return growth_table(groups)
 
 
+def scenes_of(chosen):
+    """The named scenes; without names all, the loads only beside Box2D 3."""
+    if chosen.scenes:
+        return [scene for scene in SCENES + LOADS if scene.name in chosen.scenes]
+    return SCENES + LOADS if chosen.box2d3 else SCENES
+
+
 def main():
     chosen = options()
     measure.stay_on_one_core()
-    scenes = [scene for scene in SCENES if not chosen.scenes or scene.name in chosen.scenes]
+    scenes = scenes_of(chosen)
+    if chosen.box2d3:
+        box2d3.compare(scenes, chosen.repeat, OUT)
+        return 0
     jobs = [jobs_of(scene.name, scene.size, chosen) for scene in scenes]
     results = [with_ratios(group) for group in measure.run_in_turn(jobs, chosen.repeat)]
     measure.write_csv(OUT / "bench.csv", [result for group in results for result in group])

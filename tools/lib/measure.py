@@ -3,6 +3,7 @@
 import argparse
 import csv
 import json
+import math
 import os
 import pathlib
 import statistics
@@ -101,9 +102,21 @@ def summary_of(runs):
     result["runs"] = len(runs)
     result["cpuMsPerStep"] = statistics.median(times)
     result["cpuMsPerStepLeast"], result["cpuMsPerStepMost"] = min(times), max(times)
+    worst = [run["worstStepMs"] for run in runs if run.get("worstStepMs") is not None]
+    result["worstStepMs"] = statistics.median(worst) if worst else None
     result["spread"] = (max(times) - min(times)) / result["cpuMsPerStep"]
     result["nsPerBodyStep"] = 1e6 * result["cpuMsPerStep"] / max(result["bodies"], 1)
     return result
+
+
+def number(value, digits=3):
+    """Three significant digits, without an exponent."""
+    if value is None:
+        return ""
+    if value == 0:
+        return "0"
+    places = max(digits - 1 - math.floor(math.log10(abs(value))), 0)
+    return f"{value:,.{places}f}"
 
 
 def write_csv(path, rows):
