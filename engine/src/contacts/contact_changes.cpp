@@ -44,25 +44,21 @@ void ContactSet::settle() {
 }
 
 /// The contacts of each body.
-const ContactLists& ContactSet::lists() {
+const ContactLists& ContactSet::lists() const {
     if (!lists_.isValid()) {
-        settle();
         lists_.begin(touches_.size(), contacts_.size());
-        for (const Place& place : order_) {
-            const ContactSummary& summary = summaries_[place.slot];
-            lists_.add(place.slot, summary.bodyA, summary.bodyB);
-        }
+        forEachInOrder([&](std::uint32_t slot) {
+            lists_.add(slot, summaries_[slot].bodyA, summaries_[slot].bodyB);
+        });
     }
     return lists_;
 }
 
-void ContactSet::drop(std::uint32_t body, const std::function<void(Contact&)>& writeBack) {
+void ContactSet::drop(std::uint32_t body, const WriteBack& writeBack) {
     lists().forEach(body, [&](std::uint32_t slot) {
         Contact& contact = contacts_[slot];
         writeBack(contact);
-        if (recordsDue_ && contact.phase) {
-            recordContact(contact, dropped_);
-        }
+        records_.keep(contact);
         noteEnd(contact);
         detach(slot);
     });

@@ -253,9 +253,9 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
     // The state of the pair finder affects time, not results: it starts fresh.
     auto& [bounds, pairs, finder, still, movers, ghostCollisions, contacts, order, lists, gone,
            newOrder, news, newsFound, holes, added, summaries, live, found, onGround, slots, idle,
-           dropped, changes, hasChanged, stirred, touches, touchChanges, ended, endedInStep,
-           records, recordsDue, apart, fastestApproach, reorderPolicy, stale, pairsStale,
-           contactsChanged, liveStale, anySensors, anyBounces] = set;
+           changes, hasChanged, stirred, touches, touchChanges, records, apart, fastestApproach,
+           reorderPolicy, stale, pairsStale, contactsChanged, liveStale, anySensors, anyBounces] =
+        set;
     auto& [parts, firstPart, firstBefore, replaced, convexes, corners, leftOver, tight, grown,
            changed, isChanged, outgrown] = bounds;
     set.writeRecords();
@@ -263,7 +263,7 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
         set.applyChanges(bodies, tolerances);
         set.sortContacts(); // the bytes do not depend on slots
     }
-    all(contacts, ended, records, tight, grown, changed, reorderPolicy);
+    all(contacts, records.nextEnds, records.all, tight, grown, changed, reorderPolicy);
     if (!reads()) {
         return;
     }
@@ -284,6 +284,7 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
     }
     stale = false;
     pairsStale = false;
+    records.eventsDue = true;
     for (Contact& contact : contacts) {
         completeContact(contact, bodies);
     }

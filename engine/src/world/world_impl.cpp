@@ -78,15 +78,14 @@ BodyId WorldImpl::add(const BodyDef& def) {
     return id;
 }
 
-/// A copy of a contact with its solver state written back.
-Contact WorldImpl::current(const Contact& contact) const {
-    Contact copy = contact;
-    softSolver_.blocks().writeBack(copy, bodies_);
-    return copy;
+std::vector<CollisionRecord> WorldImpl::collisions(BodyId id) const {
+    kodo::requireAlive(bodies_, id);
+    return contacts_.recordsOf(id, writeBack());
 }
 
-std::span<const CollisionRecord> WorldImpl::collisions() const {
-    return contacts_.records([this](const Contact& contact) { return current(contact); });
+std::vector<CollisionRecord> WorldImpl::hits(Real minSpeed) const {
+    refuse(checkNotNegative("minSpeed", minSpeed, "m/s"));
+    return contacts_.hits(minSpeed, writeBack());
 }
 
 void WorldImpl::wake(std::uint32_t body) {
@@ -169,8 +168,7 @@ void WorldImpl::applyImpulse(std::uint32_t body, Vec2 arm, Vec2 impulse) {
 void WorldImpl::remove(BodyId id) {
     kodo::requireAlive(bodies_, id);
     wakeNeighbours(id.index);
-    contacts_.drop(id.index,
-                   [&](Contact& contact) { softSolver_.blocks().writeBack(contact, bodies_); });
+    contacts_.drop(id.index, writeBack());
     joints_.dropBody(id);
     contacts_.setExcludedPairs(joints_.excludedPairs());
     removeBody(bodies_, id.index);

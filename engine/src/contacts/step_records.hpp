@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/collision_record.hpp>
+
+#include "contacts/contact.hpp"
+#include "contacts/contact_report.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// Writes the state of a resident contact back to the contact, or to a copy of it.
+using WriteBack = std::function<void(Contact&)>;
+
+/// Records of the last step. A step only notes what began and ended; the records are written when
+/// they are first read. `begun` and `ended` then cost what began and ended, `all` costs all
+/// touching contacts. All lists are in the order of bodies and parts.
+struct StepRecords {
+    bool allDue = false;               // `all` can be written, since the contacts are unchanged
+    bool eventsDue = false;            // `begun` and `ended` are not written yet
+    std::vector<std::uint32_t> turned; // slots of contacts that began or ended in the last step
+    std::vector<CollisionRecord> all;
+    std::vector<CollisionRecord> begun;
+    std::vector<CollisionRecord> ended;
+    std::vector<CollisionRecord> removed;  // of contacts removed since the step, if `all` is due
+    std::vector<CollisionRecord> ends;     // of contacts removed by the step, or before it
+    std::vector<CollisionRecord> nextEnds; // of contacts removed since, for the next step
+
+    /// Starts a step: lists that were not read until now are not written any more.
+    void begin() {
+        allDue = false;
+        eventsDue = false;
+        turned.clear();
+        removed.clear();
+    }
+    void finish(bool wanted) {
+        for (std::vector<CollisionRecord>* list : {&all, &begun, &ended, &ends}) {
+            list->clear();
+        }
+        if (!nextEnds.empty()) {
+            std::swap(nextEnds, ends);
+            nextEnds.reserve(ends.capacity()); // the two vectors alternate
+        }
+        allDue = wanted;
+        eventsDue = wanted;
+    }
+    /// Keeps the record of a contact that is about to be removed. It must not be resident.
+    void keep(const Contact& contact) {
+        if (allDue) {
+            recordContact(contact, removed);
+        }
+    }
+};
+
+} // namespace KODO_PRECISION
+} // namespace kodo
