@@ -97,9 +97,11 @@ void ContactSet::partRemoved(std::uint32_t body, std::size_t part) {
 
 /// Moves a contact between inactive bodies to idle_.
 void ContactSet::takeIdle(std::uint32_t slot) {
+    records_.keep(contacts_[slot]);
     idle_.push_back(contacts_[slot]);
     Contact& taken = idle_.back();
     taken.row = {};
+    taken.phase.reset(); // no second record after putBack
     if (taken.wasTouching) {
         countTouch(taken, false);
     }
@@ -109,7 +111,6 @@ void ContactSet::takeIdle(std::uint32_t slot) {
 }
 
 std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies) {
-    writeRecords();
     idle_.clear();
     eraseIf([&](std::uint32_t slot) {
         const ContactSummary& summary = summaries_[slot];
@@ -124,7 +125,6 @@ std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies) {
 
 std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies,
                                               std::span<const std::uint32_t> of) {
-    writeRecords();
     idle_.clear();
     for (const std::uint32_t body : of) {
         lists().forEach(body, [&](std::uint32_t slot) {
@@ -142,7 +142,6 @@ std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies,
 }
 
 void ContactSet::putBack(std::span<const Contact> contacts, Bodies& bodies) {
-    writeRecords();
     settle();
     const auto keyOf = [&](const Place& place) { return contacts_[place.slot].key; };
     news_.clear();

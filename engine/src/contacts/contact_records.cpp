@@ -3,16 +3,23 @@
 #include "contacts/contact_set.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
+#include <utility>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-/// Appends the record of a contact with its state written back.
-void append(Contact copy, const WriteBack& writeBack, std::vector<CollisionRecord>& out) {
-    writeBack(copy);
-    recordContact(copy, out);
+/// Appends the record of a contact; of a resident one with its state written back to a copy.
+void append(const Contact& contact, const WriteBack& writeBack, std::vector<CollisionRecord>& out) {
+    if (contact.row.resident) {
+        Contact copy = contact;
+        writeBack(copy);
+        recordContact(copy, out);
+    } else {
+        recordContact(contact, out);
+    }
 }
 
 template <typename Accept>
@@ -37,24 +44,39 @@ std::span<const CollisionRecord> ContactSet::records(const WriteBack& writeBack)
     return records_.all;
 }
 
-/// Must be called before a contact that is not resident changes its key.
+/// Must be called before contacts change their keys. No contact may be resident.
 void ContactSet::writeRecords() const {
     records([](Contact&) {});
 }
 
-/// Appends the records of the last step for which accept(record) is true, in order. `find(out)`
-/// appends those of contacts in the list; it is not called if all records are written.
+/// Appends the records of the last step for which accept(record) is true, in order. find(slots)
+/// lists the contacts that may have one; it is not called if all records are written.
 template <typename Find, typename Accept>
-void ContactSet::select(Find find, Accept accept, std::vector<CollisionRecord>& out) const {
+void ContactSet::select(Find find, Accept accept, const WriteBack& writeBack,
+                        std::vector<CollisionRecord>& out) const {
     if (!records_.allDue) {
         appendIf(records_.all, out, accept);
         return;
     }
-    find(out);
+    std::vector<std::uint32_t>& slots = records_.slots;
+    slots.clear();
+    find(slots);
+    const auto before = [&](std::uint32_t a, std::uint32_t b) {
+        return contacts_[a].key < contacts_[b].key;
+    };
+    if (!std::is_sorted(slots.begin(), slots.end(), before)) {
+        std::sort(slots.begin(), slots.end(), before); // total order: keys are unique
+    }
+    for (const std::uint32_t slot : slots) {
+        append(contacts_[slot], writeBack, out);
+    }
     std::erase_if(out, std::not_fn(accept));
+    const std::size_t inOrder = out.size();
     appendIf(records_.removed, out, accept);
     appendIf(records_.ends, out, accept);
-    sortRecords(out);
+    if (out.size() > inOrder) {
+        sortRecords(out);
+    }
 }
 
 /// Writes the lists of begins and ends.
@@ -63,14 +85,9 @@ void ContactSet::writeEvents(const WriteBack& writeBack) const {
         return;
     }
     // First both in `begun`.
-    select(
-        [&](std::vector<CollisionRecord>& out) {
-            for (const std::uint32_t slot : records_.turned) {
-                append(contacts_[slot], writeBack, out);
-            }
-        },
-        [](const CollisionRecord& record) { return record.phase != TouchPhase::Persist; },
-        records_.begun);
+    select([&](std::vector<std::uint32_t>& slots) { slots = records_.turned; },
+           [](const CollisionRecord& record) { return record.phase != TouchPhase::Persist; },
+           writeBack, records_.begun);
     const auto isEnd = [](const CollisionRecord& r) { return r.phase == TouchPhase::End; };
     appendIf(records_.begun, records_.ended, isEnd);
     std::erase_if(records_.begun, isEnd);
@@ -87,33 +104,33 @@ std::span<const CollisionRecord> ContactSet::ended(const WriteBack& writeBack) c
 }
 
 std::vector<CollisionRecord> ContactSet::hits(Real minSpeed, const WriteBack& writeBack) const {
+    const auto isHit = [=](const CollisionRecord& record) {
+        return record.maxImpulse > 0 && record.approachSpeed >= minSpeed;
+    };
+    const auto findFast = [&](std::vector<std::uint32_t>& slots) {
+        if (fastestApproach_ < minSpeed) {
+            return;
+        }
+        forEachInOrder([&](std::uint32_t slot) {
+            const ContactSummary& summary = summaries_[slot];
+            if (summary.approachSpeed >= minSpeed && summary.wasTouching) {
+                slots.push_back(slot);
+            }
+        });
+    };
     std::vector<CollisionRecord> hits;
-    select(
-        [&](std::vector<CollisionRecord>& out) {
-            if (fastestApproach_ < minSpeed) {
-                return;
-            }
-            for (std::size_t slot = 0; slot < summaries_.size(); ++slot) {
-                if (summaries_[slot].approachSpeed >= minSpeed && contacts_[slot].phase) {
-                    append(contacts_[slot], writeBack, out);
-                }
-            }
-        },
-        [=](const CollisionRecord& record) {
-            return record.maxImpulse > 0 && record.approachSpeed >= minSpeed;
-        },
-        hits);
+    select(findFast, isHit, writeBack, hits);
     return hits;
 }
 
 std::vector<CollisionRecord> ContactSet::recordsOf(BodyId body, const WriteBack& writeBack) const {
+    const auto findOwn = [&](std::vector<std::uint32_t>& slots) {
+        lists().forEach(body.index, [&](std::uint32_t slot) { slots.push_back(slot); });
+    };
     std::vector<CollisionRecord> records;
     select(
-        [&](std::vector<CollisionRecord>& out) {
-            lists().forEach(body.index,
-                            [&](std::uint32_t slot) { append(contacts_[slot], writeBack, out); });
-        },
-        [=](const CollisionRecord& record) { return record.involves(body); }, records);
+        findOwn, [=](const CollisionRecord& record) { return record.involves(body); }, writeBack,
+        records);
     return records;
 }
 

@@ -78,7 +78,6 @@ void ContactSet::changed() {
 
 /// Moves the last contacts into the free slots.
 void ContactSet::fillHoles() {
-    KODO_ASSERT(!records_.allDue); // else slots of unread records would be invalid
     changed();
     if (holes_.empty()) {
         return;
@@ -105,6 +104,12 @@ void ContactSet::fillHoles() {
         contacts_[holes_[hole++]] = contacts_[slot];
     }
     reorderPolicy_.strayed += hole;
+    std::erase_if(records_.turned, [&](std::uint32_t slot) {
+        return std::binary_search(holes_.begin(), holes_.end(), slot);
+    });
+    for (std::uint32_t& slot : records_.turned) {
+        slot = slot < kept ? slot : movedTo[slot - kept];
+    }
     for (Place& place : order_) {
         if (place.slot >= kept) {
             place.slot = movedTo[place.slot - kept];

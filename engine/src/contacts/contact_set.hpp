@@ -165,7 +165,8 @@ private:
     void writeRecords() const;
     void writeEvents(const WriteBack& writeBack) const;
     template <typename Find, typename Accept>
-    void select(Find find, Accept accept, std::vector<CollisionRecord>& out) const;
+    void select(Find find, Accept accept, const WriteBack& writeBack,
+                std::vector<CollisionRecord>& out) const;
     void noteEnd(const Contact& contact);
     void countTouch(const Contact& contact, bool touches);
     void countTouches(const Bodies& bodies);

@@ -21,15 +21,16 @@ using WriteBack = std::function<void(Contact&)>;
 /// they are first read. `begun` and `ended` then cost what began and ended, `all` costs all
 /// touching contacts. All lists are in the order of bodies and parts.
 struct StepRecords {
-    bool allDue = false;               // `all` can be written, since the contacts are unchanged
+    bool allDue = false;               // `all` is not written yet, and the contacts still tell it
     bool eventsDue = false;            // `begun` and `ended` are not written yet
     std::vector<std::uint32_t> turned; // slots of contacts that began or ended in the last step
     std::vector<CollisionRecord> all;
     std::vector<CollisionRecord> begun;
     std::vector<CollisionRecord> ended;
-    std::vector<CollisionRecord> removed;  // of contacts removed since the step, if `all` is due
-    std::vector<CollisionRecord> ends;     // of contacts removed by the step, or before it
-    std::vector<CollisionRecord> nextEnds; // of contacts removed since, for the next step
+    std::vector<CollisionRecord> removed;  // of contacts removed since the step, while allDue
+    std::vector<CollisionRecord> ends;     // End records of contacts removed by or before the step
+    std::vector<CollisionRecord> nextEnds; // End records of contacts removed since
+    std::vector<std::uint32_t> slots;      // scratch: of contacts whose records are written
 
     /// Starts a step: lists that were not read until now are not written any more.
     void begin() {
