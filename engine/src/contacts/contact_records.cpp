@@ -67,6 +67,7 @@ void ContactSet::select(Find find, Accept accept, const WriteBack& writeBack,
     if (!std::is_sorted(slots.begin(), slots.end(), before)) {
         std::sort(slots.begin(), slots.end(), before); // total order: keys are unique
     }
+    reserveReusing(out, slots.size());
     for (const std::uint32_t slot : slots) {
         append(contacts_[slot], writeBack, out);
     }

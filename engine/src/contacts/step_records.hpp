@@ -21,8 +21,9 @@ using WriteBack = std::function<void(Contact&)>;
 /// they are first read. `begun` and `ended` then cost what began and ended, `all` costs all
 /// touching contacts. All lists are in the order of bodies and parts.
 struct StepRecords {
-    bool allDue = false;               // `all` is not written yet, and the contacts still tell it
-    bool eventsDue = false;            // `begun` and `ended` are not written yet
+    bool allDue = false;    // `all` is not written yet; it follows from the contacts
+    bool eventsDue = false; // `begun` and `ended` are not written yet
+
     std::vector<std::uint32_t> turned; // slots of contacts that began or ended in the last step
     std::vector<CollisionRecord> all;
     std::vector<CollisionRecord> begun;
