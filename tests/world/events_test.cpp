@@ -168,8 +168,11 @@ TEST(Events, MatchTheRecordsWhenIslandsSleepAndWake) {
     const std::vector<BodyId> other = support::addStack(world, 3, 5);
     world[other[2]].setVelocity({0, 3}); // falls asleep later
     for (int step = 0; step < 200; ++step) {
+        const bool wasAsleep = support::isAsleep(world, stack[0]);
         world.step(kDt);
         ASSERT_TRUE(eventsMatchRecords(world)) << "step " << step;
+        // The step in which it falls asleep still has its records, and those after have none.
+        ASSERT_EQ(world.collisions(stack[0]).size(), wasAsleep ? 0u : 2u) << "step " << step;
     }
     ASSERT_EQ(support::countAsleep(world), 7u);
     world[stack[3]].setVelocity({0, 1});

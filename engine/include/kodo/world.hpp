@@ -137,7 +137,7 @@ public:
     std::span<const CollisionRecord> begunCollisions() const;
     std::span<const CollisionRecord> endedCollisions() const;
     /// Of these, the impacts: the ones with an impulse whose approachSpeed is at least minSpeed
-    /// (m/s, >= 0). Costs the hits, and a look at one number of each contact if any is that fast.
+    /// (m/s, >= 0). Costs the hits and, if any contact is that fast, one number of each contact.
     std::vector<CollisionRecord> hits(Real minSpeed) const;
     /// Of these, the ones with this body. Costs its contacts and those that were removed; the first
     /// call also lists the contacts of all awake bodies.
