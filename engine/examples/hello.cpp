@@ -18,8 +18,8 @@ int main() {
 
     for (int step = 1; step <= 180; ++step) {
         world.step(1.0f / 60);
-        for (const kodo::CollisionRecord& hit : world.collisions()) {
-            if (hit.phase == kodo::TouchPhase::Begin && hit.involves(ground)) {
+        for (const kodo::CollisionRecord& hit : world.begunCollisions()) {
+            if (hit.involves(ground)) {
                 std::printf("%.2f s: hits the ground at %.1f m/s\n", step / 60.0,
                             hit.approachSpeed);
             }

@@ -22,9 +22,9 @@ int main() {
 
     // Supported: a contact of the last step that carries the player.
     const auto onGround = [&] {
-        for (const kodo::CollisionRecord& hit : world.collisions()) {
+        for (const kodo::CollisionRecord& hit : world.collisions(player)) {
             const float up = hit.a == player ? -hit.normal.y : hit.normal.y;
-            if (hit.involves(player) && hit.totalImpulse > 0 && up > 0.7f) {
+            if (hit.totalImpulse > 0 && up > 0.7f) {
                 return true;
             }
         }

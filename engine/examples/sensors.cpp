@@ -27,15 +27,18 @@ int main() {
     int inside = 0;
     for (int step = 1; step <= 150; ++step) {
         world.step(1.0f / 60);
-        for (const kodo::CollisionRecord& touch : world.collisions()) {
-            if (!touch.involves(gate) || touch.phase == kodo::TouchPhase::Persist) {
-                continue;
+        const auto report = [&](const kodo::CollisionRecord& touch, int change, const char* what) {
+            if (touch.involves(gate)) {
+                inside += change;
+                const auto ball = static_cast<int>(world[touch.other(gate)].userData());
+                std::printf("%.2f s: ball %d %s, %d inside\n", step / 60.0, ball, what, inside);
             }
-            const bool enters = touch.phase == kodo::TouchPhase::Begin;
-            inside += enters ? 1 : -1;
-            const auto ball = static_cast<int>(world[touch.other(gate)].userData());
-            std::printf("%.2f s: ball %d %s, %d inside\n", step / 60.0, ball,
-                        enters ? "enters" : "leaves", inside);
+        };
+        for (const kodo::CollisionRecord& touch : world.begunCollisions()) {
+            report(touch, 1, "enters");
+        }
+        for (const kodo::CollisionRecord& touch : world.endedCollisions()) {
+            report(touch, -1, "leaves");
         }
     }
 

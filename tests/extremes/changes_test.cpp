@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/solver.hpp"
 #include <support/random_shapes.hpp>
+#include <support/same_events.hpp>
 #include <support/scenes.hpp>
 
 #include <functional>
@@ -285,11 +286,13 @@ TEST_P(RandomChanges, ACopyContinuesWithTheSameBits) {
             change(world);
             change(copy);
             ASSERT_EQ(copy.stateHash(), world.stateHash()) << "after a change in step " << step;
+            ASSERT_TRUE(support::eventsMatchRecords(world)) << "after a change in step " << step;
         }
         world.step(support::kDt);
         copy.step(support::kDt);
         ASSERT_EQ(copy.stateHash(), world.stateHash()) << "after step " << step;
         ASSERT_TRUE(sameRecords(copy, world)) << "after step " << step;
+        ASSERT_TRUE(support::eventsMatchRecords(world)) << "after step " << step;
         ASSERT_TRUE(isSane(world)) << "after step " << step;
     }
 }

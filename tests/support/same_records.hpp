@@ -4,7 +4,9 @@
 #include <kodo/world.hpp>
 
 #include <algorithm>
+#include <span>
 #include <tuple>
+#include <vector>
 
 namespace support {
 inline namespace KODO_PRECISION {
@@ -12,8 +14,9 @@ inline namespace KODO_PRECISION {
 using kodo::CollisionRecord;
 using kodo::World;
 
-/// True if two worlds report bitwise equal records of their last step.
-inline bool sameRecords(const World& a, const World& b) {
+/// True if two lists have bitwise equal records in the same order.
+inline bool sameRecords(std::span<const CollisionRecord> one,
+                        std::span<const CollisionRecord> other) {
     const auto same = [](const CollisionRecord& r, const CollisionRecord& s) {
         const auto all = [](const CollisionRecord& x) {
             return std::tuple(x.a, x.b, x.partA, x.partB, x.phase, x.pointCount, x.point.x,
@@ -22,8 +25,22 @@ inline bool sameRecords(const World& a, const World& b) {
         };
         return all(r) == all(s);
     };
-    return std::equal(a.collisions().begin(), a.collisions().end(), b.collisions().begin(),
-                      b.collisions().end(), same);
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(), same);
+}
+
+/// True if two worlds report bitwise equal records of their last step.
+inline bool sameRecords(const World& a, const World& b) {
+    return sameRecords(a.begunCollisions(), b.begunCollisions()) &&
+           sameRecords(a.endedCollisions(), b.endedCollisions()) &&
+           sameRecords(a.collisions(), b.collisions());
+}
+
+/// The records of a list for which accept(record) is true.
+template <typename Accept>
+std::vector<CollisionRecord> recordsWith(std::span<const CollisionRecord> all, Accept accept) {
+    std::vector<CollisionRecord> some;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(some), accept);
+    return some;
 }
 
 } // namespace KODO_PRECISION

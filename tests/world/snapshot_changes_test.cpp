@@ -6,7 +6,7 @@
 #include <kodo/force_field.hpp>
 #include <kodo/snapshot.hpp>
 #include <support/draws.hpp>
-#include <support/same_records.hpp>
+#include <support/same_events.hpp>
 #include <support/scenes.hpp>
 
 #include <algorithm>
@@ -279,6 +279,29 @@ TEST(Snapshot, ContinuesWithTheSameBitsAfterRandomChanges) {
                 changes += " " + std::to_string(heap.change());
             }
             ASSERT_TRUE(stepsLikeItsSnapshot(heap.world())) << "step " << step << changes;
+        }
+    }
+}
+
+// S2: random changes between a step and the reading of its events.
+TEST(Events, MatchTheRecordsAfterRandomChanges) {
+    for (std::uint64_t seed = 201; seed <= (support::kSanitized ? 206 : 224); ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        Heap heap(seed);
+        std::string changes;
+        for (int step = 0; step < 150; ++step) {
+            heap.world().step(kDt);
+            ASSERT_TRUE(support::eventsMatchRecords(heap.world())) << "step " << step << changes;
+            const World before = heap.world();
+            bool changed = false;
+            for (int more = 0; heap.oneIn(3) && more < 3; ++more) {
+                changes += " " + std::to_string(heap.change());
+                changed = true;
+            }
+            if (changed) {
+                ASSERT_TRUE(support::eventsMatchRecords(heap.world())) << step << changes;
+                ASSERT_TRUE(support::sameRecords(heap.world(), before)) << step << changes;
+            }
         }
     }
 }

@@ -125,11 +125,23 @@ public:
     /// An exception of a listener passes through and leaves the step half done: the World can be
     /// used, but its state is unspecified. Go back to a copy or snapshot from before.
     void step(Real dt, const StepOptions& options = {});
-    /// Contacts that began, persisted or ended in the last step, in the order of bodies and parts.
-    /// Valid until the next step, whatever is added or removed meanwhile. Sleeping pairs and pairs
-    /// outside the region have no records until they continue; they have not ended. The first call
-    /// after a step writes the list: it must not run on two threads at once.
+
+    // Collisions of the last step, in the order of bodies and parts. The first call of each
+    // function after a step writes the records, so these functions must not run on two threads at
+    // once. Lists are valid until the next step, whatever is added or removed meanwhile.
+
+    /// Contacts that began, persisted or ended. Costs all touching pairs. Sleeping pairs and pairs
+    /// outside the region have no records until they continue; they have not ended.
     std::span<const CollisionRecord> collisions() const;
+    /// Of these, the ones that began. This list and the next cost what began and ended.
+    std::span<const CollisionRecord> begunCollisions() const;
+    std::span<const CollisionRecord> endedCollisions() const;
+    /// Of these, the impacts: the ones with an impulse whose approachSpeed is at least minSpeed
+    /// (m/s, >= 0). Costs the hits and, if any contact is that fast, one number of each contact.
+    std::vector<CollisionRecord> hits(Real minSpeed) const;
+    /// Of these, the ones with this body. Costs its contacts and those that were removed; the first
+    /// call also lists the contacts of all awake bodies.
+    std::vector<CollisionRecord> collisions(BodyId id) const;
     std::uint64_t stepCount() const;
 
     /// Only bodies whose bounds meet the region (m, world) are simulated. std::nullopt: all are.

@@ -45,19 +45,17 @@ void ContactSet::settle() {
 }
 
 /// The contacts of each body.
-const ContactLists& ContactSet::lists() {
+const ContactLists& ContactSet::lists() const {
     if (!lists_.isValid()) {
-        settle();
         lists_.begin(touches_.size(), contacts_.size());
-        for (const Place& place : order_) {
-            const ContactSummary& summary = summaries_[place.slot];
-            lists_.add(place.slot, summary.bodyA, summary.bodyB);
-        }
+        forEachInOrder([&](std::uint32_t slot) {
+            lists_.add(slot, summaries_[slot].bodyA, summaries_[slot].bodyB);
+        });
     }
     return lists_;
 }
 
-void ContactSet::drop(std::uint32_t body, const std::function<void(Contact&)>& writeBack) {
+void ContactSet::drop(std::uint32_t body, const WriteBack& writeBack) {
     lists().forEach(body, [&](std::uint32_t slot) {
         takeOut(contacts_[slot], writeBack);
         noteEnd(contacts_[slot]);
@@ -67,11 +65,9 @@ void ContactSet::drop(std::uint32_t body, const std::function<void(Contact&)>& w
 }
 
 /// Must be called before a contact leaves the list between two steps: keeps its record.
-void ContactSet::takeOut(Contact& contact, const std::function<void(Contact&)>& writeBack) {
+void ContactSet::takeOut(Contact& contact, const WriteBack& writeBack) {
     writeBack(contact);
-    if (recordsDue_ && contact.phase) {
-        recordContact(contact, dropped_);
-    }
+    records_.keep(contact);
     contact.phase.reset();
 }
 
@@ -107,7 +103,7 @@ void ContactSet::partRemoved(std::uint32_t body, std::size_t part) {
 }
 
 /// Moves a contact between inactive bodies to idle_.
-void ContactSet::takeIdle(std::uint32_t slot, const std::function<void(Contact&)>& writeBack) {
+void ContactSet::takeIdle(std::uint32_t slot, const WriteBack& writeBack) {
     takeOut(contacts_[slot], writeBack);
     idle_.push_back(contacts_[slot]);
     Contact& taken = idle_.back();
@@ -120,8 +116,7 @@ void ContactSet::takeIdle(std::uint32_t slot, const std::function<void(Contact&)
     clearImpactImpulses(taken);
 }
 
-std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies,
-                                              const std::function<void(Contact&)>& writeBack) {
+std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies, const WriteBack& writeBack) {
     idle_.clear();
     eraseIf([&](std::uint32_t slot) {
         const ContactSummary& summary = summaries_[slot];
@@ -136,7 +131,7 @@ std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies,
 
 std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies,
                                               std::span<const std::uint32_t> of,
-                                              const std::function<void(Contact&)>& writeBack) {
+                                              const WriteBack& writeBack) {
     idle_.clear();
     for (const std::uint32_t body : of) {
         lists().forEach(body, [&](std::uint32_t slot) {

@@ -71,16 +71,19 @@ void recordContact(const Contact& contact, std::vector<CollisionRecord>& out) {
     }
 }
 
-void addInOrder(std::span<const CollisionRecord> more, std::vector<CollisionRecord>& records) {
-    if (more.empty()) {
-        return;
-    }
-    records.insert(records.end(), more.begin(), more.end());
+void sortRecords(std::vector<CollisionRecord>& records) {
     const auto key = [](const CollisionRecord& r) {
         return std::make_tuple(r.a, r.partA, r.b, r.partB, r.phase != TouchPhase::End);
     };
     std::sort(records.begin(), records.end(), // total order: a pair has one record, or End, Begin
               [&](const CollisionRecord& r, const CollisionRecord& s) { return key(r) < key(s); });
+}
+
+void addInOrder(std::span<const CollisionRecord> more, std::vector<CollisionRecord>& records) {
+    if (!more.empty()) {
+        records.insert(records.end(), more.begin(), more.end());
+        sortRecords(records);
+    }
 }
 
 } // namespace KODO_PRECISION

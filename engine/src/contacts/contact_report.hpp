@@ -21,6 +21,9 @@ void finishContact(Contact& contact, bool touches);
 /// Appends the record of a finished contact, if it has a phase. It must not be resident.
 void recordContact(const Contact& contact, std::vector<CollisionRecord>& out);
 
+/// Sorts records by bodies and parts; of one pair, End comes before Begin.
+void sortRecords(std::vector<CollisionRecord>& records);
+
 /// Merges records of removed contacts into those of a step, in order.
 void addInOrder(std::span<const CollisionRecord> more, std::vector<CollisionRecord>& records);
 

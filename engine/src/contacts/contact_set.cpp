@@ -18,7 +18,7 @@ constexpr std::size_t kNewPerPiece = 32; // contacts
 
 void ContactSet::noteEnd(const Contact& contact) {
     if (contact.wasTouching) {
-        ended_.push_back(endOf(contact));
+        records_.nextEnds.push_back(endOf(contact));
         countTouch(contact, false);
     }
 }
@@ -56,21 +56,6 @@ void ContactSet::countTouches(const Bodies& bodies) {
     }
 }
 
-void ContactSet::finishStep(bool wantRecords) {
-    records_.clear();
-    endedInStep_.clear();
-    if (!ended_.empty()) {
-        std::swap(ended_, endedInStep_);
-        ended_.reserve(endedInStep_.capacity()); // the two vectors alternate
-    }
-    recordsDue_ = wantRecords;
-}
-
-/// Must be called before a contact is removed.
-void ContactSet::writeRecords() const {
-    records([](const Contact& contact) -> const Contact& { return contact; });
-}
-
 void ContactSet::forgetUnsound(const Bodies& bodies, const Tolerances& tolerances) {
     visitAll();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
@@ -80,7 +65,7 @@ void ContactSet::forgetUnsound(const Bodies& bodies, const Tolerances& tolerance
             followContact(contact, bodies, tolerances, false);
             findContact(contact, bodies, tolerances);
             kodo::measureApproach(contact, bodies);
-            summaries_[i].note(contact);
+            noteManifold(i);
         }
     }
 }
@@ -119,6 +104,12 @@ void ContactSet::fillHoles() {
         contacts_[holes_[hole++]] = contacts_[slot];
     }
     reorderPolicy_.strayed += hole;
+    std::erase_if(records_.turned, [&](std::uint32_t slot) {
+        return std::binary_search(holes_.begin(), holes_.end(), slot);
+    });
+    for (std::uint32_t& slot : records_.turned) {
+        slot = slot < kept ? slot : movedTo[slot - kept];
+    }
     for (Place& place : order_) {
         if (place.slot >= kept) {
             place.slot = movedTo[place.slot - kept];
@@ -164,8 +155,7 @@ void ContactSet::sortContacts() {
 
 void ContactSet::updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt,
                              WorkerTeam& team) {
-    recordsDue_ = false; // not requested since the last step
-    dropped_.clear();
+    records_.begin();
     applyChanges(bodies, tolerances);
     if (reorderPolicy_.countStep(contacts_.size())) {
         sortContacts();

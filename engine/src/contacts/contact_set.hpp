@@ -12,9 +12,9 @@
 #include "broad/pair_finder.hpp"
 #include "contacts/contact.hpp"
 #include "contacts/contact_lists.hpp"
-#include "contacts/contact_report.hpp"
 #include "contacts/ghost_collisions.hpp"
 #include "contacts/part_bounds.hpp"
+#include "contacts/step_records.hpp"
 #include "contacts/still_parts.hpp"
 
 #include <functional>
@@ -43,7 +43,7 @@ public:
     void bodiesChanged() { stale_ = true; }
     /// Removes the contacts of a body; calls writeBack(contact) before each removal. A contact that
     /// touched gets an End in the next records.
-    void drop(std::uint32_t body, const std::function<void(Contact&)>& writeBack);
+    void drop(std::uint32_t body, const WriteBack& writeBack);
     /// The bodies that touched a body in the last step, awake; may contain duplicates.
     void touchedBy(std::uint32_t body, std::vector<std::uint32_t>& others);
 
@@ -55,10 +55,9 @@ public:
 
     /// Removes and returns the contacts between bodies that are not active in a step, in order:
     /// all, or those `of` some bodies; calls writeBack(contact) before. Valid until the next call.
-    std::span<const Contact> takeIdle(const Bodies& bodies,
-                                      const std::function<void(Contact&)>& writeBack);
+    std::span<const Contact> takeIdle(const Bodies& bodies, const WriteBack& writeBack);
     std::span<const Contact> takeIdle(const Bodies& bodies, std::span<const std::uint32_t> of,
-                                      const std::function<void(Contact&)>& writeBack);
+                                      const WriteBack& writeBack);
     /// Puts back contacts that takeIdle returned. A contact already in the list stays unchanged.
     void putBack(std::span<const Contact> contacts, Bodies& bodies);
 
@@ -75,7 +74,7 @@ public:
     /// Measures all approach speeds again, after velocities have changed. No contact may be
     /// resident.
     void measureApproach(const Bodies& bodies);
-    /// m/s, largest approach speed at the last updateManifolds or measureApproach.
+    /// m/s, upper bound of the approach speeds; exact after updateManifolds and measureApproach.
     Real fastestApproach() const { return fastestApproach_; }
     /// Adds the pairs of bodies that the solver moved farther than updatePairs predicted.
     void coverDisplacements(const Bodies& bodies, const Tolerances& tolerances, WorkerTeam& team);
@@ -106,7 +105,7 @@ public:
     /// Sorts slots in the order of the keys of their contacts. Not valid after a change of bodies.
     void sortByKey(std::span<std::uint32_t> slots) const;
     /// Slots of the contacts of each body.
-    const ContactLists& lists();
+    const ContactLists& lists() const;
     /// Slots of the contacts that are not idle, in order. Not valid after a change of the list of
     /// contacts.
     std::span<const std::uint32_t> live();
@@ -130,23 +129,15 @@ public:
     std::span<const std::uint32_t> touchChanges() const { return touchChanges_; }
     void clearTouchChanges() { touchChanges_.clear(); }
     bool isTouched(std::uint32_t body) const { return touches_[body] > 0; }
-    void finishStep(bool wantRecords);
-    /// Records of the last step, in order, written at the first call or before a contact is
-    /// removed. current(contact) returns the contact with its state written back.
-    template <typename Current>
-    std::span<const CollisionRecord> records(Current current) const {
-        if (std::exchange(recordsDue_, false)) {
-            records_.reserve(contacts_.capacity() + dropped_.size() + endedInStep_.size());
-            forEachInOrder([&](std::uint32_t slot) {
-                if (contacts_[slot].phase) {
-                    recordContact(current(contacts_[slot]), records_);
-                }
-            });
-            addInOrder(dropped_, records_);
-            addInOrder(endedInStep_, records_);
-        }
-        return records_;
-    }
+    void finishStep(bool wantRecords) { records_.finish(wantRecords); }
+    // Records of the last step, in order. Each function writes back the contacts of its own records
+    // alone. All agree with records(), which has all of them.
+    std::span<const CollisionRecord> records(const WriteBack& writeBack) const;
+    std::span<const CollisionRecord> begun(const WriteBack& writeBack) const;
+    std::span<const CollisionRecord> ended(const WriteBack& writeBack) const;
+    /// Those with an impulse and an approach speed of at least minSpeed (m/s).
+    std::vector<CollisionRecord> hits(Real minSpeed, const WriteBack& writeBack) const;
+    std::vector<CollisionRecord> recordsOf(BodyId body, const WriteBack& writeBack) const;
 
 private:
     friend class SnapshotFields;
@@ -169,11 +160,15 @@ private:
 
     void settle();
     void detach(std::uint32_t slot);
-    void takeIdle(std::uint32_t slot, const std::function<void(Contact&)>& writeBack);
-    void takeOut(Contact& contact, const std::function<void(Contact&)>& writeBack);
+    void takeIdle(std::uint32_t slot, const WriteBack& writeBack);
+    void takeOut(Contact& contact, const WriteBack& writeBack);
     std::uint32_t appendSlot(const Contact& contact, Bodies& bodies);
     void insertPlaces();
     void writeRecords() const;
+    void writeEvents(const WriteBack& writeBack) const;
+    template <typename Find, typename Accept>
+    void select(Find find, Accept accept, const WriteBack& writeBack,
+                std::vector<CollisionRecord>& out) const;
     void noteEnd(const Contact& contact);
     void countTouch(const Contact& contact, bool touches);
     void countTouches(const Bodies& bodies);
@@ -203,9 +198,10 @@ private:
     void eraseIf(Gone gone);
     void fillHoles();
     void sortContacts();
+    void noteManifold(std::size_t slot);
     bool summaryAgrees(std::uint32_t place) const;
     void finishContact(std::uint32_t place, bool touchesInRow, const Tolerances& tolerances,
-                       const WorkerTeam& team, std::vector<std::uint32_t>& changes);
+                       const WorkerTeam& team, std::vector<std::uint32_t>& turned);
 
     PartBounds bounds_;
     std::vector<BoundsPair> pairs_;
@@ -215,7 +211,7 @@ private:
     GhostCollisions ghostCollisions_;
     std::vector<Contact> contacts_;
     std::vector<Place> order_;        // of the contacts, by key
-    ContactLists lists_;              // by body; see lists()
+    mutable ContactLists lists_;      // by body; see lists()
     std::vector<std::uint32_t> gone_; // slots of detached contacts, until settle()
     std::vector<Place> newOrder_;     // scratch: merging allocates nothing
     std::vector<News> news_;          // while merging
@@ -228,15 +224,11 @@ private:
     std::vector<std::uint32_t> onGround_;          // slots: argument of GhostCollisions::link
     std::vector<std::uint32_t> slots_;             // scratch of fillHoles and putBack
     std::vector<Contact> idle_;                    // result of takeIdle
-    std::vector<CollisionRecord> dropped_;         // of the last step, of contacts removed since
     std::vector<std::uint32_t> changes_, stirred_; // bodies: see bodyChanged and activityChanged
     std::vector<std::uint8_t> hasChanged_;         // by body: 1 if in changes_
     std::vector<std::uint32_t> touches_; // by body: see isTouched; the number of such contacts
     std::vector<std::uint32_t> touchChanges_;
-    // End records of contacts removed since the last step, and in the last step.
-    std::vector<CollisionRecord> ended_, endedInStep_;
-    mutable std::vector<CollisionRecord> records_;
-    mutable bool recordsDue_ = false;
+    mutable StepRecords records_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> excludedPairs_;
     Real fastestApproach_ = 0;
     ReorderPolicy reorderPolicy_; // of the contacts; order of keys: bodies are read in sequence

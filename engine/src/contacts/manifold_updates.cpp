@@ -21,8 +21,7 @@ void ContactSet::measureApproach(const Bodies& bodies) {
     fastestApproach_ = 0;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         kodo::measureApproach(contacts_[i], bodies);
-        summaries_[i].note(contacts_[i]);
-        fastestApproach_ = std::max(fastestApproach_, summaries_[i].approachSpeed);
+        noteManifold(i);
     }
 }
 
@@ -35,10 +34,10 @@ bool ContactSet::summaryAgrees(std::uint32_t place) const {
                               (!summary.steady || summary.wasTouching == contact.wasTouching));
 }
 
-/// Determines whether the contact touches. Adds its bodies to `changes` if that differs from the
-/// last step.
+/// Determines whether the contact touches. Adds its slot to `turned` if that differs from the last
+/// step.
 void ContactSet::finishContact(std::uint32_t place, bool touchesInRow, const Tolerances& tolerances,
-                               const WorkerTeam& team, std::vector<std::uint32_t>& changes) {
+                               const WorkerTeam& team, std::vector<std::uint32_t>& turned) {
     ContactSummary& summary = summaries_[place];
     Contact& contact = contacts_[place];
     const bool before = contact.wasTouching;
@@ -47,9 +46,9 @@ void ContactSet::finishContact(std::uint32_t place, bool touchesInRow, const Tol
     summary.wasTouching = contact.touching;
     summary.steady = !contact.phase || contact.phase == TouchPhase::Persist;
     if (contact.touching != before) {
+        turned.push_back(place);
         for (const std::uint32_t body : {summary.bodyA, summary.bodyB}) {
             team.count(touches_[body], before ? kOneLess : 1u);
-            changes.push_back(body);
         }
     }
 }
@@ -75,8 +74,13 @@ void ContactSet::visitAll() {
 
 void ContactSet::noteManifolds() {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        summaries_[i].note(contacts_[i]);
+        noteManifold(i);
     }
+}
+
+void ContactSet::noteManifold(std::size_t slot) {
+    summaries_[slot].note(contacts_[slot]);
+    fastestApproach_ = std::max(fastestApproach_, summaries_[slot].approachSpeed);
 }
 
 /// True if the contact stays resident and its manifold is kept. Updates its summary from the lane.
@@ -144,10 +148,11 @@ void ContactSet::finishStepOfContacts(std::span<const std::uint8_t> touched,
         return touchedOf[std::min<std::size_t>(summary.row, none)] != 0;
     };
     reserveReusing(touchChanges_, touchChanges_.size() + 2 * contacts_.capacity());
+    reserveReusing(records_.turned, contacts_.capacity());
     found_.gather(
-        team, live().size(), kContactsPerPiece, touchChanges_,
+        team, live().size(), kContactsPerPiece, records_.turned,
         [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
-            found.reserve(found.size() + 2 * (last - first));
+            found.reserve(found.size() + (last - first));
             forPieces(first, last, kContactsPerPiece, [&](std::size_t from, std::size_t to) {
                 PrefetchList<kContactsPerPiece> asked;
                 for (std::size_t i = from; i < to; ++i) {
@@ -162,6 +167,10 @@ void ContactSet::finishStepOfContacts(std::span<const std::uint8_t> touched,
                 });
             });
         });
+    for (const std::uint32_t slot : records_.turned) {
+        touchChanges_.push_back(summaries_[slot].bodyA);
+        touchChanges_.push_back(summaries_[slot].bodyB);
+    }
 }
 
 void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances,

@@ -70,7 +70,7 @@ void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, boo
 
 void ContactBlocks::shrink(const Bodies& bodies, std::span<Contact> contacts) {
     if (blocks_.size() > kFewBlocks + contacts.size()) {
-        evictAll(contacts, bodies);
+        writeBackAll(contacts, bodies);
         forgetLanes();
     }
 }

@@ -374,8 +374,7 @@ bool SleepSystem::updateSleep(Bodies& bodies, const ContactSet& contacts, const 
     return !sleepers_.empty();
 }
 
-void SleepSystem::sleepIslands(Bodies& bodies, ContactSet& contacts,
-                               const std::function<void(Contact&)>& writeBack) {
+void SleepSystem::sleepIslands(Bodies& bodies, ContactSet& contacts, const WriteBack& writeBack) {
     std::sort(sleepers_.begin(), sleepers_.end()); // total order: bodies are unique
     members_.clear();
     for (std::size_t i = 0; i < sleepers_.size(); ++i) {

@@ -8,7 +8,6 @@
 #include "contacts/contact_set.hpp"
 #include "joints/joint_set.hpp"
 
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -41,8 +40,7 @@ public:
     bool updateSleep(Bodies& bodies, const ContactSet& contacts, const JointSet& joints,
                      const StepSettings& settings, const Tolerances& tolerances, Real dt);
     /// Puts these islands to sleep with their contacts; writeBack(contact) is called before.
-    void sleepIslands(Bodies& bodies, ContactSet& contacts,
-                      const std::function<void(Contact&)>& writeBack);
+    void sleepIslands(Bodies& bodies, ContactSet& contacts, const WriteBack& writeBack);
 
     /// Restarts the calm count of a body, and wakes its island if it is asleep.
     void wake(Bodies& bodies, ContactSet& contacts, std::uint32_t body);

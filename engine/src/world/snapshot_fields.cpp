@@ -249,9 +249,9 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
     // The state of the pair finder affects time, not results: it starts fresh.
     auto& [bounds, pairs, finder, still, movers, ghostCollisions, contacts, order, lists, gone,
            newOrder, news, newsFound, holes, added, summaries, live, found, onGround, slots, idle,
-           dropped, changes, stirred, hasChanged, touches, touchChanges, ended, endedInStep,
-           records, recordsDue, apart, fastestApproach, reorderPolicy, stale, pairsStale, liveStale,
-           placesStale, contactsChanged, anySensors, anyBounces] = set;
+           changes, stirred, hasChanged, touches, touchChanges, records, apart, fastestApproach,
+           reorderPolicy, stale, pairsStale, liveStale, placesStale, contactsChanged, anySensors,
+           anyBounces] = set;
     auto& [parts, firstPart, count, firstBefore, from, usedCount, convexes, corners, leftOver,
            tight, grown, changed, isChanged, outgrown] = bounds;
     set.writeRecords();
@@ -260,7 +260,7 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
         set.compactBounds();
         set.sortContacts(); // the bytes do not depend on slots, nor on indices of parts
     }
-    all(contacts, ended, records, tight, grown, changed, reorderPolicy);
+    all(contacts, records.nextEnds, records.all, tight, grown, changed, reorderPolicy);
     if (!reads()) {
         return;
     }
@@ -281,6 +281,7 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
     }
     stale = false;
     pairsStale = false;
+    records.eventsDue = true;
     for (Contact& contact : contacts) {
         completeContact(contact, bodies);
     }

@@ -135,6 +135,18 @@ void World::step(Real dt, const StepOptions& options) {
 std::span<const CollisionRecord> World::collisions() const {
     return impl().collisions();
 }
+std::vector<CollisionRecord> World::collisions(BodyId id) const {
+    return impl().collisions(id);
+}
+std::span<const CollisionRecord> World::begunCollisions() const {
+    return impl().begunCollisions();
+}
+std::span<const CollisionRecord> World::endedCollisions() const {
+    return impl().endedCollisions();
+}
+std::vector<CollisionRecord> World::hits(Real minSpeed) const {
+    return impl().hits(minSpeed);
+}
 std::uint64_t World::stepCount() const {
     return impl().stepCount();
 }

@@ -45,8 +45,11 @@ std::uint64_t WorldImpl::stateHash() const {
             hash.add(value);
         }
     };
-    contacts_.forEachInOrder(
-        [&](std::uint32_t slot) { addContact(current(contacts_.contacts()[slot])); });
+    contacts_.forEachInOrder([&](std::uint32_t slot) {
+        Contact current = contacts_.contacts()[slot];
+        softSolver_.blocks().writeBack(current, bodies_);
+        addContact(current);
+    });
     sleep_.forEachContact(addContact);
     std::for_each(parked_.begin(), parked_.end(), addContact);
     joints_.forEach([&](const JointSet::Joint& joint) {

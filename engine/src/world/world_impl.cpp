@@ -78,15 +78,14 @@ BodyId WorldImpl::add(const BodyDef& def) {
     return id;
 }
 
-/// A copy of a contact with its solver state written back.
-Contact WorldImpl::current(const Contact& contact) const {
-    Contact copy = contact;
-    softSolver_.blocks().writeBack(copy, bodies_);
-    return copy;
+std::vector<CollisionRecord> WorldImpl::collisions(BodyId id) const {
+    kodo::requireAlive(bodies_, id);
+    return contacts_.recordsOf(id, writeBack());
 }
 
-std::span<const CollisionRecord> WorldImpl::collisions() const {
-    return contacts_.records([this](const Contact& contact) { return current(contact); });
+std::vector<CollisionRecord> WorldImpl::hits(Real minSpeed) const {
+    refuse(checkNotNegative("minSpeed", minSpeed, "m/s"));
+    return contacts_.hits(minSpeed, writeBack());
 }
 
 void WorldImpl::wake(std::uint32_t body) {

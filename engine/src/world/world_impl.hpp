@@ -55,7 +55,15 @@ public:
     void applyTorqueToAll(Real torque, CollisionFilter which);
 
     void step(Real dt, const StepOptions& options);
-    std::span<const CollisionRecord> collisions() const;
+    std::span<const CollisionRecord> collisions() const { return contacts_.records(writeBack()); }
+    std::vector<CollisionRecord> collisions(BodyId id) const;
+    std::span<const CollisionRecord> begunCollisions() const {
+        return contacts_.begun(writeBack());
+    }
+    std::span<const CollisionRecord> endedCollisions() const {
+        return contacts_.ended(writeBack());
+    }
+    std::vector<CollisionRecord> hits(Real minSpeed) const;
     std::uint64_t stepCount() const { return stepCount_; }
 
     void setRegion(std::optional<Aabb> region);
@@ -86,8 +94,7 @@ private:
     void requireAlive(JointId id) const;
     void requireValid(const FieldEntry& entry) const;
     void jointsChanged(const JointDef& def);
-    Contact current(const Contact& contact) const;
-    auto writeBack() {
+    WriteBack writeBack() const {
         return [this](Contact& contact) { softSolver_.blocks().writeBack(contact, bodies_); };
     }
     void writeBackContacts() { softSolver_.blocks().writeBackAll(contacts_.contacts(), bodies_); }
