@@ -247,8 +247,8 @@ void JointSet::beginStep() {
     }
 }
 
-void JointSet::beginGroup(const Bodies& bodies, std::span<const std::uint8_t> levels,
-                          std::uint32_t level) {
+void JointSet::beginGroup(const Bodies& bodies, DirectSolve direct,
+                          std::span<const std::uint8_t> levels, std::uint32_t level) {
     own_.clear();
     takenRevolutes_.clear();
     treeCandidates_.clear();
@@ -262,7 +262,9 @@ void JointSet::beginGroup(const Bodies& bodies, std::span<const std::uint8_t> le
         }
         own_.push_back(index);
         if (mayBeHeld(bodies, def)) {
-            treeCandidates_.push_back({index, a, b});
+            treeCandidates_.push_back(
+                {index, a, b,
+                 direct == DirectSolve::EveryTree || !std::holds_alternative<RevoluteJoint>(def)});
         }
     }
     trees_.find(bodies, treeCandidates_);
@@ -271,8 +273,7 @@ void JointSet::beginGroup(const Bodies& bodies, std::span<const std::uint8_t> le
 std::span<const std::uint32_t> JointSet::takeRevolutes() {
     std::size_t kept = 0;
     for (const std::uint32_t index : own_) {
-        const RevoluteJoint* const pin = std::get_if<RevoluteJoint>(&joints_[index].def);
-        if (pin != nullptr && pin->motorTorque == 0 && !pin->limits &&
+        if (std::holds_alternative<RevoluteJoint>(joints_[index].def) &&
             trees_.rowsOf(index) == nullptr) {
             takenRevolutes_.push_back(index);
         } else {

@@ -12,6 +12,9 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
+/// Which trees of revolute joints are solved directly; see ArticulatedTrees.
+enum class DirectSolve : std::uint8_t { EveryTree, LoadedTrees };
+
 /// All joints of a World.
 class JointSet {
 public:
@@ -74,10 +77,9 @@ public:
     /// Selects the joints of one level for the functions below, up to the next call: of the busy
     /// joints those with that level. A joint has the higher level of its two bodies; without
     /// `levels`, which is by body, all have level 0.
-    void beginGroup(const Bodies& bodies, std::span<const std::uint8_t> levels = {},
-                    std::uint32_t level = 0);
-    /// Revolute joints without motor and limits that belong to no tree. The caller solves them in
-    /// this step.
+    void beginGroup(const Bodies& bodies, DirectSolve direct,
+                    std::span<const std::uint8_t> levels = {}, std::uint32_t level = 0);
+    /// Revolute joints that belong to no tree. The caller solves them in this step.
     std::span<const std::uint32_t> takeRevolutes();
     /// Scales the accumulated impulses; `by`: new length of the substep divided by the old one.
     void scaleImpulses(Real by);

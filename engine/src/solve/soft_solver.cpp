@@ -331,7 +331,7 @@ void SoftSolver::solveGroup(Bodies& bodies, ContactSet& contactSet, JointSet& jo
     }
     const Real jointHertz = std::min(soft.jointHertz, kMostJointCycles / h);
     JointPass jointPass{h, Softness::from(jointHertz, soft.jointDamping, h)};
-    joints.beginGroup(bodies, refinement_.levels(), level);
+    joints.beginGroup(bodies, DirectSolve::LoadedTrees, refinement_.levels(), level);
     joints.scaleImpulses(1 / static_cast<Real>(parts));
     revolutes_.begin(bodies, joints);
     findJointed(joints);
