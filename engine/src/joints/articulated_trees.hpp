@@ -13,10 +13,11 @@ inline namespace KODO_PRECISION {
 
 /// Parameters of one pass over the joints.
 struct JointPass {
-    Real h = 0;          // s, length of the substep
-    Softness stiff;      // of all rigid constraints
-    bool biased = false; // false: relax pass
-    bool exact = false;  // the joint belongs to a tree, see ArticulatedTrees
+    Real h = 0;           // s, length of the substep
+    Softness stiff;       // of all rigid constraints
+    bool biased = false;  // false: relax pass
+    bool exact = false;   // the joint belongs to a tree, see ArticulatedTrees
+    int springPasses = 0; // further passes over springs with a lag, see Softness::spring()
 };
 
 /// Rigid constraints of one joint: up to three rows J = (a, b) on the velocities of its bodies,

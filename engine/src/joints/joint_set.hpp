@@ -4,6 +4,7 @@
 #include "base/id_pool.hpp"
 #include "joints/articulated_trees.hpp"
 #include "joints/body_rotations.hpp"
+#include "joints/spring_rates.hpp"
 
 #include <array>
 #include <span>
@@ -28,6 +29,7 @@ public:
         Vec2 force;                 // N, on b, mean of the last step that solved the joint
         Real torque = 0;            // N m, on b, mean of that step
         bool solved = false;        // in this step; false if both bodies are inactive
+        Real springBound = 0;       // 1/s^2, of this step, see SpringRates
 
         /// Slot of an impulse: 0 and 1 are the coordinates of point, the axes follow.
         std::size_t slotOf(const Vec2&) const { return 0; }
@@ -127,6 +129,7 @@ private:
     std::vector<BrokenJoint> broken_;
     ArticulatedTrees trees_;                             // of this step
     std::vector<ArticulatedTrees::Edge> treeCandidates_; // joints that may belong to a tree
+    SpringRates springs_;                                // of this step
     BodyRotations turned_;
     std::vector<std::uint32_t> own_;            // of this step, in order: see forEachOwn
     std::vector<std::uint32_t> takenRevolutes_; // of this step, in order: result of takeRevolutes
@@ -134,6 +137,7 @@ private:
     bool busyStale_ = true;
 
     void refreshLists();
+    void solveStiffSprings(Bodies& bodies, const JointPass& pass);
     void solveTrees(Bodies& bodies, const JointPass& pass);
 };
 
