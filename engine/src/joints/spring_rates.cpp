@@ -16,12 +16,10 @@ void SpringRates::add(const Bodies& bodies, std::uint32_t joint, const DistanceJ
     const Vec2 armA = armOf(bodies, a, bodies.pose[a].rotation, ends.anchorA);
     const Vec2 armB = armOf(bodies, b, bodies.pose[b].rotation, ends.anchorB);
     const Vec2 gap = bodies.pose[b].position - bodies.pose[a].position + armB - armA;
-    const Real distance = length(gap);
-    const Vec2 axis = distance > 0 ? gap / distance : Vec2{0, 1};
+    // The lever is at most the arm. The bodies may turn far within a step.
     const auto give = [&](std::uint32_t body, Vec2 arm) {
         const BodyVelocity& motion = bodies.motion[body];
-        const Real lever = cross(arm, axis);
-        return motion.invMass + motion.invInertia * lever * lever;
+        return motion.invMass + motion.invInertia * lengthSquared(arm);
     };
     const Real giveA = give(a, armA + gap);
     const Real giveB = give(b, armB);
