@@ -15,13 +15,12 @@ void SpringRates::add(const Bodies& bodies, std::uint32_t joint, const DistanceJ
     const std::uint32_t b = ends.b.index;
     const Vec2 armA = armOf(bodies, a, bodies.pose[a].rotation, ends.anchorA);
     const Vec2 armB = armOf(bodies, b, bodies.pose[b].rotation, ends.anchorB);
-    const Vec2 gap = bodies.pose[b].position - bodies.pose[a].position + armB - armA;
-    // The lever is at most the arm. The bodies may turn far within a step.
+    // The lever is at most the arm, as the spring itself has none. Bodies may turn far in a step.
     const auto give = [&](std::uint32_t body, Vec2 arm) {
         const BodyVelocity& motion = bodies.motion[body];
         return motion.invMass + motion.invInertia * lengthSquared(arm);
     };
-    const Real giveA = give(a, armA + gap);
+    const Real giveA = give(a, armA);
     const Real giveB = give(b, armB);
     const Real omega = 2 * std::numbers::pi_v<Real> * spring.hertz;
     const Real mass = bodies.motion[a].invMass + bodies.motion[b].invMass;
