@@ -8,6 +8,7 @@
 namespace kodo {
 namespace {
 
+using joints::energyOf;
 using support::byPrecision;
 
 /// Settings of both solvers, with `substeps`; 0: the default number.
@@ -19,19 +20,6 @@ std::vector<StepSettings> bothSolvers(int substeps) {
     }
     return {{.solver = soft, .leaveOut = Feature::Sleep},
             {.solver = propagation, .leaveOut = Feature::Sleep}};
-}
-
-/// J, kinetic energy and energy of height of all dynamic bodies.
-double energyOf(const World& world) {
-    const support::Totals totals = support::totalsOf(world);
-    double height = 0;
-    for (const BodyId id : world.bodies()) {
-        const BodyView body = world[id];
-        if (body.type() == BodyType::Dynamic) {
-            height += static_cast<double>(body.mass()) * static_cast<double>(body.center().y);
-        }
-    }
-    return static_cast<double>(totals.kinetic) + joints::kG * height;
 }
 
 /// Ten links of 0.2 m, level, on a post. The last one has another density. They collide with

@@ -147,5 +147,48 @@ TEST(Net, AJointKeepsItsImpulseWhenItGainsOrLosesAMotor) {
     EXPECT_LT(10 * length(driven - left), length(forgetful - left));
 }
 
+// F1: a ladder of hinged balls moves with the same bits alone and beside other ladders, whose
+// joints share its blocks. The order of blocks within an island must not depend on other islands.
+TEST(Net, MovesWithTheSameBitsBesideOtherNets) {
+    const auto addLadder = [](World& world, Real x, int rungs) {
+        std::vector<BodyId> balls;
+        const auto tie = [&](std::size_t a, std::size_t b) {
+            const Vec2 middle =
+                Real(0.5) * (world[balls[a]].position() + world[balls[b]].position());
+            world.add(RevoluteJoint{.ends = {.a = balls[a],
+                                             .b = balls[b],
+                                             .anchorA = middle - world[balls[a]].position(),
+                                             .anchorB = middle - world[balls[b]].position()}});
+        };
+        for (std::size_t i = 0; i < static_cast<std::size_t>(2 * rungs); ++i) {
+            const Vec2 place{x + static_cast<Real>(i % 2), -static_cast<Real>(i / 2)};
+            balls.push_back(world.add(support::ballDef(place, Real(0.25))));
+            if (i % 2 == 1) {
+                tie(i - 1, i);
+            }
+            if (i >= 2) {
+                tie(i - 2, i);
+            }
+        }
+        world[balls[0]].applyImpulse({3, 1});
+        return balls;
+    };
+    World alone({.gravity = support::kEarth});
+    const std::vector<BodyId> first = addLadder(alone, 0, 5);
+    World crowd({.gravity = support::kEarth});
+    for (int k = 1; k < 6; ++k) {
+        addLadder(crowd, static_cast<Real>(20 * k), k + 1);
+    }
+    const std::vector<BodyId> second = addLadder(crowd, 0, 5);
+    for (int step = 0; step < 100; ++step) {
+        alone.step(kDt);
+        crowd.step(kDt);
+        for (std::size_t i = 0; i < first.size(); ++i) {
+            ASSERT_EQ(alone[first[i]].position(), crowd[second[i]].position()) << step;
+            ASSERT_EQ(alone[first[i]].velocity(), crowd[second[i]].velocity()) << step;
+        }
+    }
+}
+
 } // namespace
 } // namespace kodo

@@ -49,4 +49,17 @@ inline kodo::Vec2 gapOf(const kodo::World& world, const kodo::JointEnds& ends) {
     return placeOf(world, ends.b, ends.anchorB) - placeOf(world, ends.a, ends.anchorA);
 }
 
+/// J, kinetic energy and energy of height of all dynamic bodies.
+inline double energyOf(const kodo::World& world) {
+    const support::Totals totals = support::totalsOf(world);
+    double height = 0;
+    for (const kodo::BodyId id : world.bodies()) {
+        const kodo::BodyView body = world[id];
+        if (body.type() == kodo::BodyType::Dynamic) {
+            height += static_cast<double>(body.mass()) * static_cast<double>(body.center().y);
+        }
+    }
+    return static_cast<double>(totals.kinetic) + kG * height;
+}
+
 } // namespace joints

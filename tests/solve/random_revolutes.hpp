@@ -16,20 +16,28 @@ inline constexpr auto kPinLanes = static_cast<std::size_t>(RevoluteBlock::kPins)
 
 /// Blocks of revolute joints between independent pairs of bodies. Some bodies are locked, some can
 /// only rotate, some have rotated far. Some lanes are empty: both bodies are the first
-/// BodyVelocity.
+/// BodyVelocity. Every second block has motors and limits if `angular`.
 struct RandomPins {
     static constexpr Real kStep = Real(1) / 300; // s
 
     std::vector<BodyVelocity> motion = std::vector<BodyVelocity>(1);
     std::vector<RevoluteBlock> blocks = std::vector<RevoluteBlock>(kPinBlocks);
     std::vector<RevoluteUse> use = std::vector<RevoluteUse>(kPinBlocks);
+    std::vector<RevoluteAngles> angles;
 
-    explicit RandomPins(std::uint64_t seed) {
+    explicit RandomPins(std::uint64_t seed, bool angular = false) {
         support::RandomNumbers random(seed);
         for (std::size_t i = 0; i < kPinBlocks; ++i) {
+            if (angular && i % 2 == 0) {
+                use[i].angles = static_cast<std::uint32_t>(angles.size());
+                angles.emplace_back();
+            }
             const std::size_t lanes = i % 3 == 0 ? kPinLanes - 1 - i % 5 : kPinLanes;
             for (std::size_t lane = 0; lane < lanes; ++lane) {
                 fill(random, i, lane);
+                if (use[i].angles != RevoluteUse::kNoAngles) {
+                    fillAngles(random, angles[use[i].angles], lane);
+                }
             }
         }
     }
@@ -67,8 +75,23 @@ struct RandomPins {
         use[i].movesB |= bit(b);
     }
 
+    /// Some joints have no motor, some no limits; some limits are exceeded.
+    static void fillAngles(support::RandomNumbers& random, RevoluteAngles& angles,
+                           std::size_t lane) {
+        const bool motor = random.below(3) > 0;
+        const bool limits = random.below(3) > 0;
+        angles.start[lane] = random.between(-1, 1);
+        angles.lower[lane] = limits ? random.between(-1.5, 0.2) : -RevoluteAngles::kFarAngle;
+        angles.upper[lane] = limits ? random.between(0.2, 1.5) : RevoluteAngles::kFarAngle;
+        angles.below[lane] = limits ? random.between(0, 0.1) : 0;
+        angles.above[lane] = limits ? random.between(0, 0.1) : 0;
+        angles.speed[lane] = random.between(-9, 9);
+        angles.torque[lane] = motor ? random.between(0, 30) : 0;
+        angles.motor[lane] = motor ? random.between(-0.1, 0.1) : 0;
+    }
+
     void run(RevolutePasses::Pass pass, const Softness& soft) {
-        pass({blocks.data(), use.data(), blocks.size(), motion.data(), kStep, soft});
+        pass({blocks.data(), use.data(), angles.data(), blocks.size(), motion.data(), kStep, soft});
     }
     void runAll(const RevolutePasses& passes) {
         const Softness soft = Softness::from(60, 2, kStep);

@@ -13,10 +13,11 @@ inline namespace KODO_PRECISION {
 
 /// Parameters of one pass over the joints.
 struct JointPass {
-    Real h = 0;          // s, length of the substep
-    Softness stiff;      // of all rigid constraints
-    bool biased = false; // false: relax pass
-    bool exact = false;  // the joint belongs to a tree, see ArticulatedTrees
+    Real h = 0;           // s, length of the substep
+    Softness stiff;       // of all rigid constraints
+    bool biased = false;  // false: relax pass
+    bool exact = false;   // the joint belongs to a tree, see ArticulatedTrees
+    int springPasses = 0; // further passes over springs with a lag, see Softness::spring()
 };
 
 /// Rigid constraints of one joint: up to three rows J = (a, b) on the velocities of its bodies,
@@ -62,6 +63,11 @@ struct HeldRows {
 /// effect, the error is left out of b, so that it adds no kinetic energy: the same factors give
 /// displacements dx with J dx = -h rate error instead. The arcs follow if they would add much.
 ///
+/// The soft solver solves a tree directly if it is loaded, that is if some joint carries more than
+/// kMostCarried times its own mass, the reduced mass of its two bodies. A soft joint opens in
+/// proportion to that ratio. Small anchored trees are solved directly too; see kFewJoints. The
+/// joints of other trees of revolute joints are solved one by one, as springs.
+///
 /// A tree has at most one joint to an immovable body as its root. Further joints to immovable
 /// bodies close loops; they are soft, within the direct solve. Joints of any other loop, and of an
 /// unanchored tree that touches something, are not part of a tree: they are solved one by one, as
@@ -73,6 +79,7 @@ public:
         std::uint32_t joint;
         std::uint32_t a;
         std::uint32_t b;
+        bool direct = true; // false: only a load makes its tree direct
     };
 
     /// Finds the trees among these joints. Each joint must have a movable body.
@@ -138,6 +145,7 @@ private:
     void grow(const Bodies& bodies, std::span<const Edge> edges, std::uint32_t root);
     bool growFrom(const Bodies& bodies, std::span<const Edge> edges, std::size_t from);
     std::uint32_t join(std::uint32_t body);
+    bool isDirect(const Bodies& bodies, std::span<const Edge> edges, bool anchored);
     void solveTree(Bodies& bodies, const JointPass& pass, Tree& tree);
     void factorizeTree(const Bodies& bodies, const JointPass& pass, Tree& tree);
     void solveLinear(const Bodies& bodies, const JointPass& pass, const Tree& tree);
@@ -167,6 +175,7 @@ private:
     std::vector<std::uint8_t> used_;      // by edge
     std::vector<std::uint32_t> reached_;  // bodies of the component being searched
     std::vector<Link> links_;             // edges of that component
+    std::vector<Real> carried_;           // kg, by body of that component: with its subtree
 };
 
 } // namespace KODO_PRECISION

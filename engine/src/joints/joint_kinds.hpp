@@ -4,6 +4,7 @@
 #include "joints/joint_set.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -27,7 +28,8 @@ struct JointFrame {
 /// How a constraint is solved in the relax pass.
 enum class Relax : std::uint8_t {
     Rigid, // without its error, so that the bias leaves no velocity
-    Same,  // with its error: springs, and limits that are not reached yet
+    Same,  // with its error: limits that are not reached yet, and motor and mouse joints
+    Done,  // not at all: the force of a spring has acted in full
 };
 
 /// Visits the constraints of a joint: visit(PointConstraint, Vec2& impulse, Relax) or
@@ -60,8 +62,8 @@ public:
         AxisConstraint along = linear(distance > 0 ? frame_.gap / distance : Vec2{0, 1}, {});
         if (spring.hertz > 0) {
             along.error = distance - spring.length;
-            along.softness = Softness::from(spring.hertz, spring.damping, pass_.h);
-            visit_(along, joint_.axes[0], Relax::Same);
+            along.softness = springOf(spring, along);
+            visit_(along, joint_.axes[0], Relax::Done);
         }
         if (spring.limits) {
             limit(along, 1, distance - spring.limits->lower);
@@ -122,6 +124,18 @@ private:
         const Softness rigid{pass_.stiff.biasRate, 1, 0};
         return {commonArm(), frame_.armB, gap, pass_.exact ? rigid : pass_.stiff,
                 (1 / pass_.h) * arc};
+    }
+
+    /// Stiffness and damping of a spring are those of the reduced mass of its bodies, whatever the
+    /// levers of its anchors are: a stiffness that varies with the direction would add energy.
+    /// Levers raise the frequency and the damping ratio along its axis by the same factor.
+    Softness springOf(const DistanceJoint& spring, const AxisConstraint& along) const {
+        const Real mass = frame_.a.invMass + frame_.b.invMass;
+        const Real give = mass + frame_.a.invInertia * along.leverA * along.leverA +
+                          frame_.b.invInertia * along.leverB * along.leverB;
+        const Real factor = mass > 0 ? std::sqrt(give / mass) : Real(1);
+        return Softness::spring(factor * spring.hertz, factor * spring.damping, pass_.h,
+                                joint_.springBound);
     }
 
     /// Arm of a (m) to anchor b. Both impulses of a joint act at anchor b, so that they conserve

@@ -5,14 +5,6 @@
 
 namespace kodo {
 inline namespace KODO_PRECISION {
-namespace {
-
-// Least fraction of 1 / inertia that remains after the subtraction of the point: below it the
-// difference is rounding error.
-constexpr Real kLeastShare = sizeof(Real) == 4 ? Real(1e-4) : Real(1e-9);
-
-} // namespace
-
 /// K maps an impulse at the anchors to the change of their relative velocity:
 ///
 ///   K = (1/mA + 1/mB) 1 + perp(rA) perp(rA)^T / IA + perp(rB) perp(rB)^T / IB      [Catto09]

@@ -17,6 +17,10 @@ inline namespace KODO_PRECISION {
 /// Relative to the product of the diagonal of K: a smaller determinant is rounding error.
 inline constexpr Real kSingularPoint = 16 * std::numeric_limits<Real>::epsilon();
 
+/// Least fraction of 1 / inertia that remains after the subtraction of the point, see CoupledPoint:
+/// below it the difference is rounding error.
+inline constexpr Real kLeastShare = sizeof(Real) == 4 ? Real(1e-4) : Real(1e-9);
+
 /// Point constraint: drives the relative velocity v_b + w_b x r_b - v_a - w_a x r_a of two anchors
 /// to zero, both coordinates at once [Catto09].
 struct PointConstraint {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "joints/joint_set.hpp"
 
-#include "joints/joint_kinds.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -11,50 +9,6 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
-
-JointFrame frameOf(Bodies& bodies, BodyRotations& turned, const JointEnds& ends) {
-    const std::uint32_t a = ends.a.index;
-    const std::uint32_t b = ends.b.index;
-    JointFrame frame{bodies.motion[a],           bodies.motion[b],          {}, {}, {},
-                     turned.rotation(bodies, a), turned.rotation(bodies, b)};
-    frame.armA = armOf(bodies, a, frame.rotationA, ends.anchorA);
-    frame.armB = armOf(bodies, b, frame.rotationB, ends.anchorB);
-    frame.gap = (bodies.pose[b].position - bodies.pose[a].position) +
-                (frame.b.deltaPosition - frame.a.deltaPosition) + (frame.armB - frame.armA);
-    return frame;
-}
-
-/// Body a of a mouse joint is the target: an immovable body.
-JointFrame frameOf(Bodies& bodies, BodyRotations& turned, const MouseJoint& mouse,
-                   BodyVelocity& hand) {
-    const std::uint32_t b = mouse.body.index;
-    JointFrame frame{hand, bodies.motion[b], {}, {}, {}, {}, turned.rotation(bodies, b)};
-    frame.armB = armOf(bodies, b, frame.rotationB, mouse.anchor);
-    frame.gap = bodies.pose[b].position + frame.b.deltaPosition + frame.armB - mouse.target;
-    return frame;
-}
-
-/// Calls visit(frame, constraint, impulse, relax) for all constraints of a joint.
-template <typename Visit>
-void forConstraints(JointSet::Joint& joint, Bodies& bodies, BodyRotations& turned,
-                    const JointPass& pass, Visit visit) {
-    const auto list = [&](const JointFrame& frame, const auto& kind) {
-        const auto one = [&](const auto& constraint, auto& impulse, Relax relax) {
-            visit(frame, constraint, impulse, relax);
-        };
-        JointKinds(joint, frame, pass, one)(kind);
-    };
-    std::visit(
-        [&](const auto& kind) {
-            if constexpr (requires { kind.ends; }) {
-                list(frameOf(bodies, turned, kind.ends), kind);
-            } else {
-                BodyVelocity hand;
-                list(frameOf(bodies, turned, kind, hand), kind);
-            }
-        },
-        joint.def);
-}
 
 bool idle(const Bodies& bodies, const JointDef& def) {
     return !bodies.active(firstBody(def).index) && !bodies.active(secondBody(def).index);
@@ -88,14 +42,6 @@ std::optional<JointDef> transferred(JointDef def, BodyId part, BodyId into,
     }
     std::visit([&](auto& kind) { transferEnd(kind, isFirst, into, place); }, def);
     return def;
-}
-
-/// True for equality constraints without bounds; false for springs, limits and motors.
-bool isHeld(const PointConstraint& point) {
-    return point.maxImpulse == std::numeric_limits<Real>::infinity();
-}
-bool isHeld(const AxisConstraint& axis) {
-    return axis.bounds == kUnbounded;
 }
 
 /// True if the joint may belong to a tree. Bodies that can only rotate are excluded: K of their
@@ -247,11 +193,12 @@ void JointSet::beginStep() {
     }
 }
 
-void JointSet::beginGroup(const Bodies& bodies, std::span<const std::uint8_t> levels,
-                          std::uint32_t level) {
+void JointSet::beginGroup(const Bodies& bodies, DirectSolve direct,
+                          std::span<const std::uint8_t> levels, std::uint32_t level) {
     own_.clear();
     takenRevolutes_.clear();
     treeCandidates_.clear();
+    springs_.clear();
     for (const std::uint32_t index : busy_) {
         const JointDef& def = joints_[index].def;
         const std::uint32_t a = firstBody(def).index;
@@ -261,18 +208,27 @@ void JointSet::beginGroup(const Bodies& bodies, std::span<const std::uint8_t> le
             continue;
         }
         own_.push_back(index);
+        if (const auto* spring = std::get_if<DistanceJoint>(&def);
+            spring != nullptr && spring->hertz > 0) {
+            springs_.add(bodies, index, *spring);
+        }
         if (mayBeHeld(bodies, def)) {
-            treeCandidates_.push_back({index, a, b});
+            treeCandidates_.push_back(
+                {index, a, b,
+                 direct == DirectSolve::EveryTree || !std::holds_alternative<RevoluteJoint>(def)});
         }
     }
     trees_.find(bodies, treeCandidates_);
+    springs_.find(bodies);
+    for (const SpringRates::Spring& spring : springs_.all()) {
+        joints_[spring.joint].springBound = spring.bound;
+    }
 }
 
 std::span<const std::uint32_t> JointSet::takeRevolutes() {
     std::size_t kept = 0;
     for (const std::uint32_t index : own_) {
-        const RevoluteJoint* const pin = std::get_if<RevoluteJoint>(&joints_[index].def);
-        if (pin != nullptr && pin->motorTorque == 0 && !pin->limits &&
+        if (std::holds_alternative<RevoluteJoint>(joints_[index].def) &&
             trees_.rowsOf(index) == nullptr) {
             takenRevolutes_.push_back(index);
         } else {
@@ -294,72 +250,6 @@ void JointSet::scaleImpulses(Real by) {
             joint.point *= by;
             for (Real& impulse : joint.axes) {
                 impulse *= by;
-            }
-        }
-    }
-}
-
-void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
-    for (const std::uint32_t index : own_) {
-        HeldRows* const rows = trees_.rowsOf(index);
-        const bool inTree = rows != nullptr;
-        if (inTree) {
-            rows->pull = length(joints_[index].point) / pass.h;
-        }
-        forConstraints(
-            joints_[index], bodies, turned_, {pass.h, pass.stiff, pass.biased, inTree},
-            [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
-                if (inTree && relax == Relax::Rigid && isHeld(constraint)) {
-                    impulse = {}; // the direct solve starts from zero
-                } else {
-                    constraint.push(frame.a, frame.b, impulse);
-                }
-            });
-    }
-}
-
-void JointSet::solve(Bodies& bodies, const JointPass& pass) {
-    for (const std::uint32_t index : own_) {
-        Joint& joint = joints_[index];
-        joint.solved = true;
-        HeldRows* const rows = trees_.rowsOf(index);
-        if (rows != nullptr) {
-            *rows = {.pull = rows->pull};
-        }
-        forConstraints(
-            joint, bodies, turned_, {pass.h, pass.stiff, pass.biased, rows != nullptr},
-            [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
-                if (rows != nullptr && relax == Relax::Rigid && isHeld(constraint)) {
-                    rows->add(constraint, impulse, joint.slotOf(impulse));
-                    return;
-                }
-                constraint.solve(frame.a, frame.b, impulse, pass.biased || relax == Relax::Same);
-                if (!pass.biased) { // the relax pass is the last one of the substep
-                    constraint.finishStepOfContacts(impulse, joint.linearImpulseSum,
-                                                    joint.angularImpulseSum);
-                }
-            });
-    }
-    solveTrees(bodies, pass);
-}
-
-/// Solves the articulated trees and stores the impulses of their rows in the joints.
-void JointSet::solveTrees(Bodies& bodies, const JointPass& pass) {
-    trees_.solve(bodies, pass);
-    for (const ArticulatedTrees::Edge& edge : treeCandidates_) {
-        const HeldRows* const rows = trees_.rowsOf(edge.joint);
-        if (rows == nullptr) {
-            continue;
-        }
-        Joint& joint = joints_[edge.joint];
-        for (std::size_t r = 0; r < rows->count; ++r) {
-            const Real impulse = rows->impulse[r];
-            const Vec2 along{rows->b[r][0], rows->b[r][1]};
-            joint.impulseAt(rows->slot[r]) = impulse;
-            if (!pass.biased && along == Vec2{}) {
-                joint.angularImpulseSum += impulse * rows->b[r][2];
-            } else if (!pass.biased) {
-                joint.linearImpulseSum += impulse * along;
             }
         }
     }

@@ -4,6 +4,7 @@
 #include "base/id_pool.hpp"
 #include "joints/articulated_trees.hpp"
 #include "joints/body_rotations.hpp"
+#include "joints/spring_rates.hpp"
 
 #include <array>
 #include <span>
@@ -11,6 +12,9 @@
 
 namespace kodo {
 inline namespace KODO_PRECISION {
+
+/// Which trees of revolute joints are solved directly; see ArticulatedTrees.
+enum class DirectSolve : std::uint8_t { EveryTree, LoadedTrees };
 
 /// All joints of a World.
 class JointSet {
@@ -25,6 +29,7 @@ public:
         Vec2 force;                 // N, on b, mean of the last step that solved the joint
         Real torque = 0;            // N m, on b, mean of that step
         bool solved = false;        // in this step; false if both bodies are inactive
+        Real springBound = 0;       // 1/s^2, of this step, see SpringRates
 
         /// Slot of an impulse: 0 and 1 are the coordinates of point, the axes follow.
         std::size_t slotOf(const Vec2&) const { return 0; }
@@ -74,10 +79,9 @@ public:
     /// Selects the joints of one level for the functions below, up to the next call: of the busy
     /// joints those with that level. A joint has the higher level of its two bodies; without
     /// `levels`, which is by body, all have level 0.
-    void beginGroup(const Bodies& bodies, std::span<const std::uint8_t> levels = {},
-                    std::uint32_t level = 0);
-    /// Revolute joints without motor and limits that belong to no tree. The caller solves them in
-    /// this step.
+    void beginGroup(const Bodies& bodies, DirectSolve direct,
+                    std::span<const std::uint8_t> levels = {}, std::uint32_t level = 0);
+    /// Revolute joints that belong to no tree. The caller solves them in this step.
     std::span<const std::uint32_t> takeRevolutes();
     /// Scales the accumulated impulses; `by`: new length of the substep divided by the old one.
     void scaleImpulses(Real by);
@@ -125,6 +129,7 @@ private:
     std::vector<BrokenJoint> broken_;
     ArticulatedTrees trees_;                             // of this step
     std::vector<ArticulatedTrees::Edge> treeCandidates_; // joints that may belong to a tree
+    SpringRates springs_;                                // of this step
     BodyRotations turned_;
     std::vector<std::uint32_t> own_;            // of this step, in order: see forEachOwn
     std::vector<std::uint32_t> takenRevolutes_; // of this step, in order: result of takeRevolutes
@@ -132,6 +137,7 @@ private:
     bool busyStale_ = true;
 
     void refreshLists();
+    void solveStiffSprings(Bodies& bodies, const JointPass& pass);
     void solveTrees(Bodies& bodies, const JointPass& pass);
 };
 

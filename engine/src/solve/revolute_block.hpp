@@ -41,16 +41,37 @@ struct alignas(64) RevoluteBlock {
     Both total;   // N s, over the step
 };
 
-/// Lane masks: body a, or b, is not locked.
+/// Motors and limits of the joints of a RevoluteBlock. Joints without a motor have no torque, those
+/// without limits have limits of kFarAngle. Impulses act on b, in N m s.
+struct alignas(64) RevoluteAngles {
+    using Each = RevoluteBlock::Each;
+    static constexpr Real kFarAngle = Real(1e6); // rad
+
+    Each start;  // rad, angle of b relative to a minus the reference, at the start of the step
+    Each angle;  // rad, at the last rotate()
+    Each lower;  // rad
+    Each upper;  // rad
+    Each speed;  // rad/s, of the motor
+    Each torque; // N m, >= 0; the largest of the motor
+    Each motor;  // impulse, of the substep
+    Each below;  // impulse of the lower limit, >= 0, of the substep
+    Each above;  // impulse of the upper limit, >= 0, against the direction of the others
+    Each total;  // impulse, over the step
+};
+
 struct RevoluteUse {
-    std::uint8_t movesA = 0;
+    static constexpr std::uint32_t kNoAngles = ~std::uint32_t{};
+
+    std::uint8_t movesA = 0; // lane mask: body a is not locked
     std::uint8_t movesB = 0;
+    std::uint32_t angles = kNoAngles; // index of the motors and limits of the block
 };
 
 /// One pass over `count` blocks in order. `motion` is indexed by body.
 struct RevolutePassArguments {
     RevoluteBlock* blocks;
     const RevoluteUse* use;
+    RevoluteAngles* angles;
     std::size_t count;
     BodyVelocity* motion;
     Real h; // s, of a substep
@@ -62,9 +83,9 @@ struct RevolutePasses {
     using Pass = void (*)(const RevolutePassArguments&);
 
     const char* name; // for tests
-    Pass rotate;      // updates arms, gaps and masses after displacements
+    Pass rotate;      // updates arms, gaps, masses and angles after displacements
     Pass warmStart;   // applies the accumulated impulses
-    Pass solve;       // biased: closes gaps as soft constraints
+    Pass solve;       // biased: closes gaps and restores limits as soft constraints
     Pass relax;       // without bias; adds up the impulses of the step
 
     static const RevolutePasses& baseline();

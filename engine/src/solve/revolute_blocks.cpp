@@ -11,8 +11,12 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-constexpr int kColours = std::numeric_limits<std::uint64_t>::digits;
 constexpr std::uint32_t kNone = ~std::uint32_t{};
+constexpr std::size_t kPins = RevoluteBlock::kPins;
+
+bool hasAngles(const RevoluteJoint& pin) {
+    return pin.motorTorque > 0 || pin.limits.has_value();
+}
 
 void set(RevoluteBlock::Both& to, std::size_t lane, Vec2 v) {
     to.x[lane] = v.x;
@@ -26,55 +30,98 @@ Vec2 get(const RevoluteBlock::Both& from, std::size_t lane) {
 
 void RevoluteBlocks::begin(Bodies& bodies, JointSet& joints) {
     blocks_.clear();
+    angles_.clear();
     use_.clear();
     jointOf_.clear();
-    const std::span<const std::uint32_t> resident = joints.takeRevolutes();
-    if (resident.empty()) {
+    const std::span<const std::uint32_t> list = joints.takeRevolutes();
+    if (list.empty()) {
         return;
     }
-    colours_.resize(bodies.size());
-    open_.assign(kColours, Open{});
-    for (const std::uint32_t index : resident) {
-        const JointSet::Joint& joint = joints.at(index);
-        const std::size_t lane = laneFor(bodies, std::get<RevoluteJoint>(joint.def).ends);
-        jointOf_[lane] = index;
+    assignColours(bodies, joints, list);
+    openBlocks(bodies);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const JointSet::Joint& joint = joints.at(list[i]);
+        const bool angular = hasAngles(std::get<RevoluteJoint>(joint.def));
+        const std::size_t lane = takeLane(colourOf_[i], angular);
+        jointOf_[lane] = list[i];
         fill(bodies, joint, lane);
+        if (angular) {
+            fillAngles(bodies, joint, lane);
+        }
     }
     rotate(bodies);
 }
 
-/// A free lane of a block that moves neither body yet. If a body has more joints than there are
-/// colours, each further joint gets a block of its own.
-std::size_t RevoluteBlocks::laneFor(const Bodies& bodies, const JointEnds& ends) {
+/// The lowest colour that is free at both bodies, or kNoColour.
+std::size_t RevoluteBlocks::colourFor(const Bodies& bodies, const JointEnds& ends) {
     const bool movesA = !bodies.locked(ends.a.index);
     const bool movesB = !bodies.locked(ends.b.index);
     Colours& ofA = colours_[ends.a.index];
     Colours& ofB = colours_[ends.b.index];
-    const int colour = std::countr_one((movesA ? ofA : 0) | (movesB ? ofB : 0));
-    Open alone;
-    Open& open = colour < kColours ? open_[static_cast<std::size_t>(colour)] : alone;
-    if (colour < kColours) {
+    const auto colour =
+        static_cast<std::size_t>(std::countr_one((movesA ? ofA : 0) | (movesB ? ofB : 0)));
+    if (colour < kNoColour) {
         ofA |= Colours{1} << colour;
         ofB |= Colours{1} << colour;
     }
-    if (open.lanes == RevoluteBlock::kPins) {
-        open = {blocks_.size(), 0};
-        RevoluteBlock& block = blocks_.emplace_back();
-        std::fill_n(block.a, RevoluteBlock::kPins, velocityOffset(bodies.spare()));
-        std::fill_n(block.b, RevoluteBlock::kPins, velocityOffset(bodies.spare()));
-        use_.emplace_back();
-        jointOf_.resize(jointOf_.size() + RevoluteBlock::kPins, kNone);
+    return colour;
+}
+
+/// Finds the colours of the joints, and counts the lanes of each colour.
+void RevoluteBlocks::assignColours(const Bodies& bodies, JointSet& joints,
+                                   std::span<const std::uint32_t> list) {
+    colours_.resize(bodies.size());
+    colourOf_.clear();
+    batches_ = {};
+    for (const std::uint32_t index : list) {
+        const auto& pin = std::get<RevoluteJoint>(joints.at(index).def);
+        const std::size_t colour = colourFor(bodies, pin.ends);
+        colourOf_.push_back(static_cast<std::uint8_t>(colour));
+        batches_[hasAngles(pin) ? 1 : 0][colour].lanes += colour == kNoColour ? kPins : 1;
     }
-    RevoluteUse& use = use_[open.block];
-    use.movesA |= static_cast<std::uint8_t>((movesA ? 1 : 0) << open.lanes);
-    use.movesB |= static_cast<std::uint8_t>((movesB ? 1 : 0) << open.lanes);
-    return open.block * RevoluteBlock::kPins + static_cast<std::size_t>(open.lanes++);
+    for (const std::uint32_t index : list) {
+        const JointEnds& ends = std::get<RevoluteJoint>(joints.at(index).def).ends;
+        colours_[ends.a.index] = colours_[ends.b.index] = 0;
+    }
+}
+
+/// Appends empty blocks for the lanes of all colours.
+void RevoluteBlocks::openBlocks(const Bodies& bodies) {
+    for (std::size_t colour = 0; colour <= kNoColour; ++colour) {
+        for (const bool angular : {false, true}) {
+            Batch& batch = batches_[angular ? 1 : 0][colour];
+            batch.firstBlock = blocks_.size();
+            for (std::size_t lane = 0; lane < batch.lanes; lane += kPins) {
+                RevoluteBlock& block = blocks_.emplace_back();
+                std::fill_n(block.a, kPins, velocityOffset(bodies.spare()));
+                std::fill_n(block.b, kPins, velocityOffset(bodies.spare()));
+                RevoluteUse& use = use_.emplace_back();
+                if (angular) {
+                    use.angles = static_cast<std::uint32_t>(angles_.size());
+                    angles_.emplace_back();
+                }
+            }
+            batch.lanes = 0;
+        }
+    }
+    jointOf_.resize(kPins * blocks_.size(), kNone);
+}
+
+/// The next free lane of a colour.
+std::size_t RevoluteBlocks::takeLane(std::size_t colour, bool angular) {
+    Batch& batch = batches_[angular ? 1 : 0][colour];
+    const std::size_t lane = kPins * batch.firstBlock + batch.lanes;
+    batch.lanes += colour == kNoColour ? kPins : 1;
+    return lane;
 }
 
 void RevoluteBlocks::fill(const Bodies& bodies, const JointSet::Joint& joint, std::size_t lane) {
     const JointEnds& ends = std::get<RevoluteJoint>(joint.def).ends;
-    RevoluteBlock& block = blocks_[lane / RevoluteBlock::kPins];
-    const std::size_t at = lane % RevoluteBlock::kPins;
+    RevoluteBlock& block = blocks_[lane / kPins];
+    const std::size_t at = lane % kPins;
+    RevoluteUse& use = use_[lane / kPins];
+    use.movesA |= static_cast<std::uint8_t>((bodies.locked(ends.a.index) ? 0 : 1) << at);
+    use.movesB |= static_cast<std::uint8_t>((bodies.locked(ends.b.index) ? 0 : 1) << at);
     block.a[at] = velocityOffset(ends.a.index);
     block.b[at] = velocityOffset(ends.b.index);
     const Transform& poseA = bodies.pose[ends.a.index];
@@ -90,23 +137,52 @@ void RevoluteBlocks::fill(const Bodies& bodies, const JointSet::Joint& joint, st
     set(block.impulse, at, joint.point);
 }
 
+void RevoluteBlocks::fillAngles(const Bodies& bodies, const JointSet::Joint& joint,
+                                std::size_t lane) {
+    const auto& pin = std::get<RevoluteJoint>(joint.def);
+    RevoluteAngles& angles = angles_[use_[lane / kPins].angles];
+    const std::size_t at = lane % kPins;
+    angles.lower[at] = -RevoluteAngles::kFarAngle;
+    angles.upper[at] = RevoluteAngles::kFarAngle;
+    if (pin.limits) {
+        const Rot turned = bodies.pose[pin.ends.b.index].rotation *
+                           bodies.pose[pin.ends.a.index].rotation.inverse() *
+                           Rot::fromAngle(-pin.reference);
+        angles.start[at] = turned.angle();
+        angles.lower[at] = pin.limits->lower;
+        angles.upper[at] = pin.limits->upper;
+        angles.below[at] = joint.axes[1];
+        angles.above[at] = joint.axes[2];
+    }
+    if (pin.motorTorque > 0) {
+        angles.speed[at] = pin.motorSpeed;
+        angles.torque[at] = pin.motorTorque;
+        angles.motor[at] = joint.axes[0];
+    }
+}
+
 void RevoluteBlocks::end(JointSet& joints) {
     for (std::size_t lane = 0; lane < jointOf_.size(); ++lane) {
         if (jointOf_[lane] == kNone) {
             continue;
         }
-        const RevoluteBlock& block = blocks_[lane / RevoluteBlock::kPins];
-        const std::size_t at = lane % RevoluteBlock::kPins;
+        const RevoluteBlock& block = blocks_[lane / kPins];
+        const std::size_t at = lane % kPins;
         JointSet::Joint& joint = joints.at(jointOf_[lane]);
         joint.point = get(block.impulse, at);
         joint.linearImpulseSum = get(block.total, at);
         joint.solved = true;
-        colours_[bodyOfPlace(block.a[at])] = colours_[bodyOfPlace(block.b[at])] = 0;
+        if (const std::uint32_t k = use_[lane / kPins].angles; k != RevoluteUse::kNoAngles) {
+            const RevoluteAngles& angles = angles_[k];
+            joint.axes = {angles.motor[at], angles.below[at], angles.above[at]};
+            joint.angularImpulseSum = angles.total[at];
+        }
     }
 }
 
 void RevoluteBlocks::run(Bodies& bodies, const JointPass& pass, RevolutePasses::Pass work) {
-    work({blocks_.data(), use_.data(), blocks_.size(), bodies.motion.data(), pass.h, pass.stiff});
+    work({blocks_.data(), use_.data(), angles_.data(), blocks_.size(), bodies.motion.data(), pass.h,
+          pass.stiff});
 }
 
 } // namespace KODO_PRECISION

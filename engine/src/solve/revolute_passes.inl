@@ -58,6 +58,10 @@ void rotateRevolutes(const RevolutePassArguments& pass) {
             store(block.armA, at, armA);
             store(block.armB, at, armB);
             store(block.gap, at, gap);
+            if (const std::uint32_t k = pass.use[i].angles; k != RevoluteUse::kNoAngles) {
+                RevoluteAngles& angles = pass.angles[k];
+                store(angles.angle + at, load(angles.start + at) + (moveB.z - moveA.z));
+            }
             const Lanes mass = load(block.mass + at);
             const Lanes ia = load(block.inertiaA + at);
             const Lanes ib = load(block.inertiaB + at);
@@ -83,6 +87,13 @@ KODO_LANES_INLINE RevolutePair pairOf(const RevolutePassArguments& pass, const R
             load(block.armB, at)};
 }
 
+/// Applies an angular impulse, without storing the velocities.
+KODO_LANES_INLINE void twistRevolutes(const RevoluteBlock& block, int at, RevolutePair& pair,
+                                      Lanes impulse) {
+    pair.a.z -= load(block.inertiaA + at) * impulse;
+    pair.b.z += load(block.inertiaB + at) * impulse;
+}
+
 /// Applies an impulse and stores the velocities.
 KODO_LANES_INLINE void pushRevolutes(const RevolutePassArguments& pass, std::size_t i, int at,
                                      RevolutePair& pair, const Couple& p) {
@@ -104,6 +115,12 @@ void warmStartRevolutes(const RevolutePassArguments& pass) {
             RevolutePair pair = pairOf(pass, block, at);
             store(block.torqueA + at, Lanes{});
             store(block.torqueB + at, Lanes{});
+            if (const std::uint32_t k = pass.use[i].angles; k != RevoluteUse::kNoAngles) {
+                const RevoluteAngles& angles = pass.angles[k];
+                twistRevolutes(block, at, pair,
+                               (load(angles.motor + at) + load(angles.below + at)) -
+                                   load(angles.above + at));
+            }
             pushRevolutes(pass, i, at, pair, load(block.impulse, at));
         }
     }
@@ -128,48 +145,142 @@ KODO_LANES_INLINE Couple rotatedBy(Lanes spin, const Couple& v, Real h) {
 
 enum class RevoluteTask { Solve, Relax };
 
+/// Impulse of a limit after its solution; the same rules as JointKinds::limit(). A positive `room`
+/// (rad) may be closed within the substep. `speed` (rad/s): of the room, once the point is solved.
+template <RevoluteTask task>
+KODO_LANES_INLINE Lanes limitImpulse(const RevolutePassArguments& pass, Lanes impulse, Lanes room,
+                                     Lanes speed, Lanes mass) {
+    const auto apart = room > Lanes{};
+    Lanes kept = all(1);
+    if constexpr (task == RevoluteTask::Solve) {
+        const Softness& soft = pass.soft;
+        speed += room * (apart ? all(1 / pass.h) : all(soft.biasRate));
+        mass *= apart ? all(1) : all(soft.massScale);
+        kept = apart ? all(1) : all(1 - soft.impulseScale);
+    } else {
+        speed += apart ? room * all(1 / pass.h) : Lanes{};
+    }
+    return larger(Lanes{}, kept * impulse - mass * speed);
+}
+
+/// Solves motors and limits, and returns the change of their impulses. `speed` (rad/s): of b
+/// relative to a, once the point is solved; `give`: its change per impulse. See CoupledPoint.
+template <RevoluteTask task>
+KODO_LANES_INLINE Lanes solveAngles(const RevolutePassArguments& pass, std::size_t i, int at,
+                                    Lanes speed, Lanes give) {
+    RevoluteAngles& angles = pass.angles[pass.use[i].angles];
+    const Lanes mass = give > Lanes{} ? all(1) / give : Lanes{};
+    const Lanes most = all(pass.h) * load(angles.torque + at);
+    const Lanes motor = load(angles.motor + at);
+    const Lanes driven =
+        smaller(most, larger(-most, motor - mass * (speed - load(angles.speed + at))));
+    speed += give * (driven - motor);
+    const Lanes angle = load(angles.angle + at);
+    const Lanes below = load(angles.below + at);
+    const Lanes raised =
+        limitImpulse<task>(pass, below, angle - load(angles.lower + at), speed, mass);
+    speed += give * (raised - below);
+    const Lanes above = load(angles.above + at);
+    const Lanes lowered =
+        limitImpulse<task>(pass, above, load(angles.upper + at) - angle, -speed, mass);
+    store(angles.motor + at, driven);
+    store(angles.below + at, raised);
+    store(angles.above + at, lowered);
+    if constexpr (task == RevoluteTask::Relax) {
+        store(angles.total + at, load(angles.total + at) + ((driven + raised) - lowered));
+    }
+    return ((driven - motor) + (raised - below)) - (lowered - above);
+}
+
+/// K^-1 of kLanes joints.
+struct PointMass {
+    Lanes xx;
+    Lanes xy;
+    Lanes yy;
+
+    KODO_LANES_INLINE Couple times(const Couple& v) const {
+        return {xx * v.x + xy * v.y, xy * v.x + yy * v.y};
+    }
+};
+
+/// Solves motors and limits before the point. `change`: impulse that the point would apply; `scale`
+/// of its softness. Afterwards it is the impulse that the point applies then.
+template <RevoluteTask task>
+KODO_LANES_INLINE void solveBeside(const RevolutePassArguments& pass, std::size_t i, int at,
+                                   RevolutePair& pair, const PointMass& mass, Couple& change) {
+    const RevoluteBlock& block = pass.blocks[i];
+    const Lanes ia = load(block.inertiaA + at);
+    const Lanes ib = load(block.inertiaB + at);
+    const Lanes scale = all(task == RevoluteTask::Solve ? pass.soft.massScale : Real(1));
+    const Couple& armA = pair.armA;
+    const Couple& armB = pair.armB;
+    const Couple u{-(ia * armA.y + ib * armB.y), ia * armA.x + ib * armB.x};
+    const Couple answer = mass.times(u);
+    const Couple taken{scale * answer.x, scale * answer.y};
+    const Lanes sum = ia + ib;
+    const Lanes give = larger(sum - (u.x * taken.x + u.y * taken.y), all(kLeastShare) * sum);
+    const Lanes speed = (pair.b.z - pair.a.z) + (u.x * change.x + u.y * change.y);
+    const Lanes twist = solveAngles<task>(pass, i, at, speed, give);
+    twistRevolutes(block, at, pair, twist);
+    change.x -= twist * taken.x;
+    change.y -= twist * taken.y;
+}
+
 /// Bodies start a substep with the velocity change of the substep before. It contains the impulses
 /// of the joints on the arms of then, so Solve first adds the change of their torques. Without it
 /// the restoring torque of a tight chain lags by a substep, which adds energy to vibrations.
+template <RevoluteTask task, bool angular>
+KODO_LANES_INLINE void solveBlock(const RevolutePassArguments& pass, std::size_t i) {
+    const Softness& soft = pass.soft;
+    RevoluteBlock& block = pass.blocks[i];
+    for (int at = 0; at < RevoluteBlock::kPins; at += kLanes) {
+        RevolutePair pair = pairOf(pass, block, at);
+        auto& [a, b, armA, armB] = pair;
+        if constexpr (task == RevoluteTask::Solve) {
+            a.z -= load(block.inertiaA + at) * load(block.torqueA + at);
+            b.z += load(block.inertiaB + at) * load(block.torqueB + at);
+            store(block.torqueA + at, Lanes{});
+            store(block.torqueB + at, Lanes{});
+        }
+        Couple speed{(b.x - a.x) - (b.z * armB.y - a.z * armA.y),
+                     (b.y - a.y) + (b.z * armB.x - a.z * armA.x)};
+        Lanes scale = all(-1);
+        Lanes kept = all(1);
+        if constexpr (task == RevoluteTask::Solve) {
+            const Couple gap = rotatedBy(a.z, load(block.gap, at), pass.h);
+            const Couple bendA = bendOf(a.z, armA, pass.h);
+            const Couple bendB = bendOf(b.z, armB, pass.h);
+            speed.x += all(soft.biasRate) * gap.x + (bendB.x - bendA.x) * all(1 / pass.h);
+            speed.y += all(soft.biasRate) * gap.y + (bendB.y - bendA.y) * all(1 / pass.h);
+            scale = all(-soft.massScale);
+            kept = all(1 - soft.impulseScale);
+        }
+        const PointMass mass{load(block.massXX + at), load(block.massXY + at),
+                             load(block.massYY + at)};
+        const Couple impulse = load(block.impulse, at);
+        const Couple answer = mass.times(speed);
+        Couple next{kept * impulse.x + scale * answer.x, kept * impulse.y + scale * answer.y};
+        Couple change{next.x - impulse.x, next.y - impulse.y};
+        if constexpr (angular) {
+            solveBeside<task>(pass, i, at, pair, mass, change);
+            next = {impulse.x + change.x, impulse.y + change.y};
+        }
+        store(block.impulse, at, next);
+        if constexpr (task == RevoluteTask::Relax) {
+            const Couple total = load(block.total, at);
+            store(block.total, at, {total.x + next.x, total.y + next.y});
+        }
+        pushRevolutes(pass, i, at, pair, change);
+    }
+}
 
 template <RevoluteTask task>
 void solveRevolutes(const RevolutePassArguments& pass) {
-    const Softness& soft = pass.soft;
     for (std::size_t i = 0; i < pass.count; ++i) {
-        RevoluteBlock& block = pass.blocks[i];
-        for (int at = 0; at < RevoluteBlock::kPins; at += kLanes) {
-            RevolutePair pair = pairOf(pass, block, at);
-            auto& [a, b, armA, armB] = pair;
-            if constexpr (task == RevoluteTask::Solve) {
-                a.z -= load(block.inertiaA + at) * load(block.torqueA + at);
-                b.z += load(block.inertiaB + at) * load(block.torqueB + at);
-                store(block.torqueA + at, Lanes{});
-                store(block.torqueB + at, Lanes{});
-            }
-            Couple speed{(b.x - a.x) - (b.z * armB.y - a.z * armA.y),
-                         (b.y - a.y) + (b.z * armB.x - a.z * armA.x)};
-            Lanes scale = all(-1);
-            Lanes kept = all(1);
-            if constexpr (task == RevoluteTask::Solve) {
-                const Couple gap = rotatedBy(a.z, load(block.gap, at), pass.h);
-                const Couple bendA = bendOf(a.z, armA, pass.h);
-                const Couple bendB = bendOf(b.z, armB, pass.h);
-                speed.x += all(soft.biasRate) * gap.x + (bendB.x - bendA.x) * all(1 / pass.h);
-                speed.y += all(soft.biasRate) * gap.y + (bendB.y - bendA.y) * all(1 / pass.h);
-                scale = all(-soft.massScale);
-                kept = all(1 - soft.impulseScale);
-            }
-            const Lanes xy = load(block.massXY + at);
-            const Couple impulse = load(block.impulse, at);
-            const Couple next{
-                kept * impulse.x + scale * (load(block.massXX + at) * speed.x + xy * speed.y),
-                kept * impulse.y + scale * (xy * speed.x + load(block.massYY + at) * speed.y)};
-            store(block.impulse, at, next);
-            if constexpr (task == RevoluteTask::Relax) {
-                const Couple total = load(block.total, at);
-                store(block.total, at, {total.x + next.x, total.y + next.y});
-            }
-            pushRevolutes(pass, i, at, pair, {next.x - impulse.x, next.y - impulse.y});
+        if (pass.use[i].angles == RevoluteUse::kNoAngles) {
+            solveBlock<task, false>(pass, i);
+        } else {
+            solveBlock<task, true>(pass, i);
         }
     }
 }

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// The passes over joints that are solved one by one, and over those of articulated trees.
+#include "joints/joint_kinds.hpp"
+#include "joints/joint_set.hpp"
+
+#include <limits>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+JointFrame frameOf(Bodies& bodies, BodyRotations& turned, const JointEnds& ends) {
+    const std::uint32_t a = ends.a.index;
+    const std::uint32_t b = ends.b.index;
+    JointFrame frame{bodies.motion[a],           bodies.motion[b],          {}, {}, {},
+                     turned.rotation(bodies, a), turned.rotation(bodies, b)};
+    frame.armA = armOf(bodies, a, frame.rotationA, ends.anchorA);
+    frame.armB = armOf(bodies, b, frame.rotationB, ends.anchorB);
+    frame.gap = (bodies.pose[b].position - bodies.pose[a].position) +
+                (frame.b.deltaPosition - frame.a.deltaPosition) + (frame.armB - frame.armA);
+    return frame;
+}
+
+/// Body a of a mouse joint is the target: an immovable body.
+JointFrame frameOf(Bodies& bodies, BodyRotations& turned, const MouseJoint& mouse,
+                   BodyVelocity& hand) {
+    const std::uint32_t b = mouse.body.index;
+    JointFrame frame{hand, bodies.motion[b], {}, {}, {}, {}, turned.rotation(bodies, b)};
+    frame.armB = armOf(bodies, b, frame.rotationB, mouse.anchor);
+    frame.gap = bodies.pose[b].position + frame.b.deltaPosition + frame.armB - mouse.target;
+    return frame;
+}
+
+/// Calls visit(frame, constraint, impulse, relax) for all constraints of a joint.
+template <typename Visit>
+void forConstraints(JointSet::Joint& joint, Bodies& bodies, BodyRotations& turned,
+                    const JointPass& pass, Visit visit) {
+    const auto list = [&](const JointFrame& frame, const auto& kind) {
+        const auto one = [&](const auto& constraint, auto& impulse, Relax relax) {
+            visit(frame, constraint, impulse, relax);
+        };
+        JointKinds(joint, frame, pass, one)(kind);
+    };
+    std::visit(
+        [&](const auto& kind) {
+            if constexpr (requires { kind.ends; }) {
+                list(frameOf(bodies, turned, kind.ends), kind);
+            } else {
+                BodyVelocity hand;
+                list(frameOf(bodies, turned, kind, hand), kind);
+            }
+        },
+        joint.def);
+}
+
+/// True for equality constraints without bounds; false for springs, limits and motors.
+bool isHeld(const PointConstraint& point) {
+    return point.maxImpulse == std::numeric_limits<Real>::infinity();
+}
+bool isHeld(const AxisConstraint& axis) {
+    return axis.bounds == kUnbounded;
+}
+
+} // namespace
+
+void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
+    for (const std::uint32_t index : own_) {
+        HeldRows* const rows = trees_.rowsOf(index);
+        const bool inTree = rows != nullptr;
+        if (inTree) {
+            rows->pull = length(joints_[index].point) / pass.h;
+        }
+        forConstraints(
+            joints_[index], bodies, turned_, {pass.h, pass.stiff, pass.biased, inTree},
+            [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
+                if (inTree && relax == Relax::Rigid && isHeld(constraint)) {
+                    impulse = {}; // the direct solve starts from zero
+                } else {
+                    constraint.push(frame.a, frame.b, impulse);
+                }
+            });
+    }
+}
+
+void JointSet::solve(Bodies& bodies, const JointPass& pass) {
+    for (const std::uint32_t index : own_) {
+        Joint& joint = joints_[index];
+        joint.solved = true;
+        HeldRows* const rows = trees_.rowsOf(index);
+        if (rows != nullptr) {
+            *rows = {.pull = rows->pull};
+        }
+        forConstraints(
+            joint, bodies, turned_, {pass.h, pass.stiff, pass.biased, rows != nullptr},
+            [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
+                if (rows != nullptr && relax == Relax::Rigid && isHeld(constraint)) {
+                    rows->add(constraint, impulse, joint.slotOf(impulse));
+                    return;
+                }
+                if (pass.biased || relax != Relax::Done) {
+                    constraint.solve(frame.a, frame.b, impulse,
+                                     pass.biased || relax == Relax::Same);
+                }
+                if (!pass.biased) { // the relax pass is the last one of the substep
+                    constraint.finishStepOfContacts(impulse, joint.linearImpulseSum,
+                                                    joint.angularImpulseSum);
+                }
+            });
+    }
+    if (pass.biased && pass.springPasses > 0) {
+        solveStiffSprings(bodies, pass);
+    }
+    solveTrees(bodies, pass);
+}
+
+/// Repeats the solution of springs with a lag. Their dampers couple all bodies of a row: after one
+/// pass, impulses of the substep before would still add energy.
+void JointSet::solveStiffSprings(Bodies& bodies, const JointPass& pass) {
+    for (int k = 0; k < pass.springPasses; ++k) {
+        for (const SpringRates::Spring& spring : springs_.all()) {
+            if (Softness::springLag(pass.h, spring.bound) == 0) {
+                continue;
+            }
+            forConstraints(
+                joints_[spring.joint], bodies, turned_, pass,
+                [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
+                    if (relax == Relax::Done) {
+                        constraint.solve(frame.a, frame.b, impulse, true);
+                    }
+                });
+        }
+    }
+}
+
+/// Solves the articulated trees and stores the impulses of their rows in the joints.
+void JointSet::solveTrees(Bodies& bodies, const JointPass& pass) {
+    trees_.solve(bodies, pass);
+    for (const ArticulatedTrees::Edge& edge : treeCandidates_) {
+        const HeldRows* const rows = trees_.rowsOf(edge.joint);
+        if (rows == nullptr) {
+            continue;
+        }
+        Joint& joint = joints_[edge.joint];
+        for (std::size_t r = 0; r < rows->count; ++r) {
+            const Real impulse = rows->impulse[r];
+            const Vec2 along{rows->b[r][0], rows->b[r][1]};
+            joint.impulseAt(rows->slot[r]) = impulse;
+            if (!pass.biased && along == Vec2{}) {
+                joint.angularImpulseSum += impulse * rows->b[r][2];
+            } else if (!pass.biased) {
+                joint.linearImpulseSum += impulse * along;
+            }
+        }
+    }
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo
