@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <vector>
 
@@ -55,8 +56,8 @@ struct Crowd {
     }
 };
 
-/// Checks that no body moves twice within a block or a colour, and that the lane masks mark exactly
-/// the bodies that are not locked.
+/// Checks that no body moves twice within a block or a colour, except one that all lanes of the
+/// block share, and that the lane masks mark exactly the bodies that are not locked.
 void expectNoBodyTwice(const Crowd& crowd, const ContactBlocks& blocks,
                        const ContactPassArguments& pass) {
     std::size_t i = 0;
@@ -73,10 +74,19 @@ void expectNoBodyTwice(const Crowd& crowd, const ContactBlocks& blocks,
                 EXPECT_EQ(moves, free) << "block " << i;
                 EXPECT_TRUE(!free || pushed.insert(body).second) << "block " << i;
             };
-            for (std::size_t lane = 0; lane < ContactBlock::kContacts; ++lane) {
-                expectNew(bodyOfPlace(block.a[lane]), (use.movesA >> lane & 1) != 0);
-                expectNew(bodyOfPlace(block.b[lane]), (use.movesB >> lane & 1) != 0);
-            }
+            const auto expectSide = [&](const auto& bodies, unsigned moves, bool shared) {
+                if (shared) {
+                    expectNew(bodyOfPlace(bodies[0]), moves != 0);
+                    EXPECT_EQ(std::count(std::begin(bodies), std::end(bodies), bodies[0]), 8);
+                    EXPECT_TRUE(colour.oneByOne);
+                    return;
+                }
+                for (std::size_t lane = 0; lane < ContactBlock::kContacts; ++lane) {
+                    expectNew(bodyOfPlace(bodies[lane]), (moves >> lane & 1) != 0);
+                }
+            };
+            expectSide(block.a, use.movesA, use.shared == Shared::BodyA);
+            expectSide(block.b, use.movesB, use.shared == Shared::BodyB);
         }
     }
     EXPECT_EQ(i, pass.count);

@@ -9,13 +9,13 @@
 namespace kodo {
 namespace {
 
-const std::vector<StepSettings> kSolvers{{}, thesis2006()};
+const std::vector<StepSettings> kImpactSolvers{{}, thesis2006()};
 
 // D7: a paddle that moves farther in a step than it is thick. No ball ends up behind it, whatever
 // the restitution e and the place of the ball in the step, and it leaves at (1 + e) times the
 // speed.
 TEST(KinematicImpact, AFastPaddlePassesThroughNoBall) {
-    for (const StepSettings& settings : kSolvers) {
+    for (const StepSettings& settings : kImpactSolvers) {
         for (const Real restitution : {Real(0), Real(0.5), Real(1)}) {
             for (const Real speed : {Real(10), Real(40), Real(100)}) {
                 for (const Real rate : {Real(60), Real(144)}) {
@@ -44,7 +44,7 @@ TEST(KinematicImpact, AFastPaddlePassesThroughNoBall) {
 // D7: a bar that turns by up to 2 rad in a step about its middle hits a ball at each place that it
 // passes over.
 TEST(KinematicImpact, AFastBarHitsEachBallInItsWay) {
-    for (const StepSettings& settings : kSolvers) {
+    for (const StepSettings& settings : kImpactSolvers) {
         for (const Real restitution : {Real(0), Real(0.5), Real(1)}) {
             for (const Real turn : {Real(0.6), Real(1), Real(2)}) { // rad per step
                 const Material material = withFriction(Real(0.3), restitution);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Rebuild of the constraint graph of ContactBlocks: assigns all lanes.
+// Constraint graph of ContactBlocks: blocks and lanes of contacts, and its rebuild.
 #include "solve/contact_blocks.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -100,6 +101,95 @@ void ContactBlocks::assignRow(Contact& contact) {
     ofA |= colourA;
     ofB |= colourB;
     giveLane(contact, binOf(row.colour, contact));
+}
+
+/// Index of a block of the bin that has a free lane.
+std::uint32_t ContactBlocks::openBlock(std::uint32_t bin, std::uint8_t partition) {
+    std::uint32_t& open = openOf(bin, partition);
+    return open != kNone ? open : open = addBlock(bin, partition);
+}
+
+std::uint32_t ContactBlocks::addBlock(std::uint32_t bin, std::uint8_t partition) {
+    const auto block = static_cast<std::uint32_t>(blocks_.size());
+    ContactBlock& lanes = blocks_.emplace_back();
+    states_.reserve(blocks_.capacity());
+    taken_.resize(blocks_.size() * ContactBlock::kContacts);
+    carried_.resize(taken_.size());
+    use_.reserve(blocks_.capacity());
+    order_.reserve(blocks_.capacity());
+    inUse_.reserve(blocks_.capacity());
+    std::fill_n(lanes.a, ContactBlock::kContacts, velocityOffset(spare_));
+    std::fill_n(lanes.b, ContactBlock::kContacts, velocityOffset(spare_));
+    states_.push_back({bin, kNone, 0, 0, 0, partition});
+    use_.push_back({-1, bin % 2 == 1, groupOf(bin) > kFreeColours, 0, 0, Shared::None});
+    return block;
+}
+
+/// Gives a contact without a colour a lane. Contacts of a body that has no free colour share
+/// blocks.
+void ContactBlocks::giveSingleLane(Contact& contact, std::uint32_t bin, Shared shared) {
+    if (shared == Shared::None) {
+        const std::uint32_t block = openBlock(bin, 0);
+        use_[block].shared = shared;
+        giveLaneOf(block, contact);
+        openOf(bin, 0) = states_[block].nextOpen;
+        return;
+    }
+    const bool isA = shared == Shared::BodyA;
+    const std::uint32_t body = isA ? contact.key.bodyA : contact.key.bodyB;
+    const std::uint32_t other = isA ? contact.key.bodyB : contact.key.bodyA;
+    std::uint32_t& open = sharedOf_[body];
+    const auto fits = [&](std::uint32_t block) {
+        const ContactBlock& lanes = blocks_[block];
+        const auto& others = isA ? lanes.b : lanes.a;
+        const bool fixed = isA ? contact.row.fixedB : contact.row.fixedA;
+        return states_[block].bin == bin && use_[block].shared == shared &&
+               states_[block].used != 0xff &&
+               (fixed || std::find(std::begin(others), std::end(others), velocityOffset(other)) ==
+                             std::end(others));
+    };
+    if (open == kNone) {
+        sharedBodies_.push_back(body);
+    }
+    if (open == kNone || !fits(open)) {
+        open = openBlock(bin, 0);
+        openOf(bin, 0) = states_[open].nextOpen;
+        use_[open].shared = shared;
+        ContactBlock& lanes = blocks_[open]; // also unused lanes have a copy
+        std::fill_n(isA ? lanes.a : lanes.b, ContactBlock::kContacts, velocityOffset(body));
+    }
+    giveLaneOf(open, contact);
+}
+
+void ContactBlocks::giveLane(Contact& contact, std::uint32_t bin) {
+    const std::uint8_t partition = partitionOfBody(contact.key.bodyA);
+    const std::uint32_t block = openBlock(bin, partition);
+    giveLaneOf(block, contact);
+    if (states_[block].used == 0xff) {
+        openOf(bin, partition) = states_[block].nextOpen;
+    }
+    ++reorderPolicy_.strayed;
+}
+
+void ContactBlocks::giveLaneOf(std::uint32_t block, Contact& contact) {
+    BlockState& state = states_[block];
+    const auto lane = static_cast<std::uint32_t>(std::countr_one(state.used));
+    orderStale_ = orderStale_ || state.used == 0;
+    const auto mask = static_cast<std::uint8_t>(1u << lane);
+    state.used |= mask;
+    const auto put = [&](std::uint8_t& lanes, bool value) {
+        lanes = static_cast<std::uint8_t>(value ? lanes | mask : lanes & ~mask);
+    };
+    put(state.fixedA, contact.row.fixedA);
+    put(state.fixedB, contact.row.fixedB);
+    put(use_[block].movesA, !contact.row.fixedA);
+    put(use_[block].movesB, !contact.row.fixedB);
+    ++rows_;
+    ++levels_[levelOfBin(state.bin)].rows;
+    contact.row.index = block * ContactBlock::kContacts + lane;
+    taken_[contact.row.index] = 1;
+    blocks_[block].a[lane] = velocityOffset(contact.key.bodyA);
+    blocks_[block].b[lane] = velocityOffset(contact.key.bodyB);
 }
 
 void ContactBlocks::forgetLanes() {

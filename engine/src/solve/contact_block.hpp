@@ -22,7 +22,8 @@ constexpr std::uint32_t bodyOfPlace(std::uint32_t place) {
 }
 
 /// Eight contacts as a structure of arrays. No two of them move the same body, so SIMD lanes solve
-/// them at once. All coefficients are computed before the passes, which only multiply and add.
+/// them at once; BlockUse::shared has the exception. All coefficients are computed before the
+/// passes, which only multiply and add.
 ///
 /// Contact arms are fixed for the step: a separation follows deltaPosition exactly and deltaAngle
 /// to first order. An empty lane has zero normal, masses and impulses, and both its bodies are
@@ -62,6 +63,11 @@ struct RollingBlock {
     ContactBlock::Each impulse; // N m s
 };
 
+/// The body that all lanes of a block share. Each lane pushes a copy of it with an eighth of mass
+/// and inertia; then the body gets the mean velocity of all copies. So the lanes are solved at
+/// once, and momentum is conserved [Tonge12].
+enum class Shared : std::uint8_t { None, BodyA, BodyB };
+
 /// Which data and lanes of a block are in use.
 struct BlockUse {
     std::int32_t rolling = -1; // index of its RollingBlock, or -1
@@ -69,6 +75,7 @@ struct BlockUse {
     bool onLocked = false;     // all contacts have a body of infinite mass: doubled frequency
     std::uint8_t movesA = 0;   // lane mask: body a is not locked
     std::uint8_t movesB = 0;
+    Shared shared = Shared::None;
 };
 
 /// Values shared by all contacts in a substep.

@@ -4,6 +4,7 @@
 #include "solve/leverage.hpp"
 
 #include <limits>
+#include <utility>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -13,6 +14,20 @@ Real effectiveMass(const BodyVelocity& a, const BodyVelocity& b, Real leverA, Re
     const Real k =
         a.invMass + b.invMass + a.invInertia * leverA * leverA + b.invInertia * leverB * leverB;
     return k >= std::numeric_limits<Real>::min() ? 1 / k : 0; // 0: neither body gives way
+}
+
+/// Both bodies of a contact; a shared one with the mass of a copy.
+std::pair<BodyVelocity, BodyVelocity> masses(const Bodies& bodies, const Contact& contact,
+                                             Shared shared) {
+    constexpr Real kCopies = ContactBlock::kContacts;
+    BodyVelocity a = bodies.motion[contact.key.bodyA];
+    BodyVelocity b = bodies.motion[contact.key.bodyB];
+    if (shared != Shared::None) {
+        BodyVelocity& own = shared == Shared::BodyA ? a : b;
+        own.invMass *= kCopies;
+        own.invInertia *= kCopies;
+    }
+    return {a, b};
 }
 
 struct PointValues {
@@ -35,9 +50,9 @@ void writePoint(ContactBlock::Point& point, std::size_t lane, const PointValues&
 } // namespace
 
 void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const Contact& contact,
-              Real pushSpeed, Real parts) {
-    const BodyVelocity& a = bodies.motion[contact.key.bodyA];
-    const BodyVelocity& b = bodies.motion[contact.key.bodyB];
+              const LaneRules& rules) {
+    const auto [a, b] = masses(bodies, contact, rules.shared);
+    const Real parts = rules.parts;
     const Manifold& manifold = contact.manifold;
     const Vec2 n = manifold.normal;
     block.normalX[lane] = n.x;
@@ -71,18 +86,17 @@ void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const
     block.friction[lane] = contact.friction / parts;
     block.staticFriction[lane] = contact.material.staticFriction;
     block.kineticFriction[lane] = contact.material.kineticFriction;
-    block.pushSpeed[lane] = pushSpeed;
+    block.pushSpeed[lane] = rules.pushSpeed;
     block.total[lane] = 0;
 }
 
 void fillLane(RollingBlock& block, std::size_t lane, const Bodies& bodies, const Contact& contact,
-              Real parts) {
-    const BodyVelocity& a = bodies.motion[contact.key.bodyA];
-    const BodyVelocity& b = bodies.motion[contact.key.bodyB];
+              const LaneRules& rules) {
+    const auto [a, b] = masses(bodies, contact, rules.shared);
     const bool rolls = contact.material.rollingResistance > 0 && a.invInertia + b.invInertia > 0;
     block.lever[lane] = rollingLever(contact, a, b);
     block.mass[lane] = rolls ? 1 / (a.invInertia + b.invInertia) : Real(0);
-    block.impulse[lane] = rolls ? contact.rolling / parts : Real(0);
+    block.impulse[lane] = rolls ? contact.rolling / rules.parts : Real(0);
 }
 
 void readImpulses(const ContactBlock& block, std::size_t lane, Contact& contact, Real parts) {

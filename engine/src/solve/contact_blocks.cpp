@@ -170,11 +170,12 @@ void ContactBlocks::release(std::uint32_t row) {
 /// Frees a lane.
 void ContactBlocks::empty(std::uint32_t row) {
     BlockState& state = states_[blockOf(row)];
-    if (state.used == 0xff || isSingleBin(state.bin)) {
+    const bool wasFull = state.used == 0xff;
+    state.used &= static_cast<std::uint8_t>(~maskOf(row));
+    if (isSingleBin(state.bin) ? state.used == 0 : wasFull) {
         state.nextOpen = std::exchange(openOf(state.bin, state.partition),
                                        static_cast<std::uint32_t>(blockOf(row)));
     }
-    state.used &= static_cast<std::uint8_t>(~maskOf(row));
     orderStale_ = orderStale_ || state.used == 0;
     --rows_;
     --levels_[levelOfBin(state.bin)].rows;
@@ -207,64 +208,25 @@ void ContactBlocks::colourNewcomer(const Bodies& bodies, Contact& contact) {
     const auto colour = static_cast<std::uint32_t>(std::countr_one(taken));
     if (colour == kColours || (colour >= kFreeColours && !onLocked)) {
         const std::uint32_t group = onLocked ? kGroups - 1 : kFreeColours;
+        const std::uint64_t allowed = onLocked ? ~kFree : kFree;
+        // In a crowd both bodies have many contacts: copies would push them apart too far.
+        const auto isFull = [&](std::uint32_t body) {
+            return (colours_[body] & allowed) == allowed;
+        };
+        const auto hasFew = [&](std::uint32_t body) {
+            return std::popcount(colours_[body]) <= kFewColours;
+        };
         ++singles_;
-        giveLane(contact, binOfGroup(group, contact));
+        giveSingleLane(contact, binOfGroup(group, contact),
+                       isFull(a) && !row.fixedA && hasFew(b)   ? Shared::BodyA
+                       : isFull(b) && !row.fixedB && hasFew(a) ? Shared::BodyB
+                                                               : Shared::None);
     } else {
         row.colour = static_cast<std::uint8_t>(colour);
         colours_[a] |= row.fixedA ? 0 : std::uint64_t{1} << colour;
         colours_[b] |= row.fixedB ? 0 : std::uint64_t{1} << colour;
         giveLane(contact, binOf(colour, contact));
     }
-}
-
-/// Index of a block of the bin that has a free lane.
-std::uint32_t ContactBlocks::openBlock(std::uint32_t bin, std::uint8_t partition) {
-    std::uint32_t& open = openOf(bin, partition);
-    return open != kNone ? open : open = addBlock(bin, partition);
-}
-
-std::uint32_t ContactBlocks::addBlock(std::uint32_t bin, std::uint8_t partition) {
-    const auto block = static_cast<std::uint32_t>(blocks_.size());
-    ContactBlock& lanes = blocks_.emplace_back();
-    states_.reserve(blocks_.capacity());
-    taken_.resize(blocks_.size() * ContactBlock::kContacts);
-    carried_.resize(taken_.size());
-    use_.reserve(blocks_.capacity());
-    order_.reserve(blocks_.capacity());
-    inUse_.reserve(blocks_.capacity());
-    std::fill_n(lanes.a, ContactBlock::kContacts, velocityOffset(spare_));
-    std::fill_n(lanes.b, ContactBlock::kContacts, velocityOffset(spare_));
-    states_.push_back({bin, kNone, 0, 0, 0, partition});
-    use_.push_back({-1, bin % 2 == 1, groupOf(bin) > kFreeColours, 0, 0});
-    return block;
-}
-
-void ContactBlocks::giveLane(Contact& contact, std::uint32_t bin) {
-    // Single contacts are solved in the order of their blocks, which must not depend on partitions.
-    const std::uint8_t partition = isSingleBin(bin) ? 0 : partitionOfBody(contact.key.bodyA);
-    const std::uint32_t block = openBlock(bin, partition);
-    BlockState& state = states_[block];
-    const auto lane = static_cast<std::uint32_t>(std::countr_one(state.used));
-    orderStale_ = orderStale_ || state.used == 0;
-    const auto mask = static_cast<std::uint8_t>(1u << lane);
-    state.used |= mask;
-    const auto put = [&](std::uint8_t& lanes, bool value) {
-        lanes = static_cast<std::uint8_t>(value ? lanes | mask : lanes & ~mask);
-    };
-    put(state.fixedA, contact.row.fixedA);
-    put(state.fixedB, contact.row.fixedB);
-    put(use_[block].movesA, !contact.row.fixedA);
-    put(use_[block].movesB, !contact.row.fixedB);
-    if (state.used == 0xff || isSingleBin(bin)) {
-        openOf(bin, partition) = state.nextOpen;
-    }
-    ++rows_;
-    ++levels_[levelOfBin(bin)].rows;
-    reorderPolicy_.strayed += isSingleBin(bin) ? 0 : 1; // singles get a new lane in every step
-    contact.row.index = block * ContactBlock::kContacts + lane;
-    taken_[contact.row.index] = 1;
-    blocks_[block].a[lane] = velocityOffset(contact.key.bodyA);
-    blocks_[block].b[lane] = velocityOffset(contact.key.bodyB);
 }
 
 /// Lists the blocks in use: order_ by bin, inUse_ in the order of memory.
@@ -310,6 +272,7 @@ void ContactBlocks::arrange(const Bodies& bodies, std::span<Contact> contacts,
                             std::span<const std::uint32_t> newcomers,
                             std::span<const std::uint16_t> crowd, Real pushSpeed) {
     freeLanes(bodies);
+    sharedOf_.resize(bodies.size(), kNone); // all kNone between steps
     for (const std::uint32_t place : newcomers) {
         Contact& contact = contacts[place];
         if (!keepsColour(bodies, contact)) {
@@ -321,6 +284,10 @@ void ContactBlocks::arrange(const Bodies& bodies, std::span<Contact> contacts,
         }
         fill(bodies, contact);
     }
+    for (const std::uint32_t body : sharedBodies_) {
+        sharedOf_[body] = kNone;
+    }
+    sharedBodies_.clear();
     if (orderStale_) {
         orderBlocks();
     }
@@ -351,8 +318,9 @@ void ContactBlocks::setPushSpeeds(std::span<const std::uint16_t> crowd, Real pus
 void ContactBlocks::fill(const Bodies& bodies, Contact& contact) {
     const std::size_t lane = laneOf(contact.row.index);
     ContactBlock& block = blocks_[blockOf(contact.row.index)];
-    const Real parts = partsOf(blockOf(contact.row.index));
-    fillLane(block, lane, bodies, contact, pushSpeed_, parts);
+    const LaneRules rules{pushSpeed_, partsOf(blockOf(contact.row.index)),
+                          use_[blockOf(contact.row.index)].shared};
+    fillLane(block, lane, bodies, contact, rules);
     std::int32_t& place = use_[blockOf(contact.row.index)].rolling;
     const bool rolls = rollingOn_ && contact.material.rollingResistance > 0;
     if (rolls && place < 0) {
@@ -360,7 +328,7 @@ void ContactBlocks::fill(const Bodies& bodies, Contact& contact) {
         rolling_.emplace_back();
     }
     if (place >= 0) {
-        fillLane(rolling_[static_cast<std::size_t>(place)], lane, bodies, contact, parts);
+        fillLane(rolling_[static_cast<std::size_t>(place)], lane, bodies, contact, rules);
     }
     contact.carried = true;
     makeResident(contact);

@@ -21,8 +21,8 @@ inline namespace KODO_PRECISION {
 ///
 /// A contact keeps its colour and its lane from step to step. While its manifold is valid its state
 /// is resident in the lane, which saves most of the work. Results depend on colours only, not on
-/// lanes, so a snapshot stores only colours. A contact without a free colour gets a block of its
-/// own, newly assigned in every step.
+/// lanes, so a snapshot stores only colours. A contact without a free colour gets a lane in a block
+/// for its body, or a block of its own, newly assigned in every step.
 class ContactBlocks {
 public:
     /// Deep overlaps that a body may have before their contacts share the push speed. No more
@@ -119,6 +119,7 @@ public:
 
 private:
     static constexpr std::uint32_t kFreeColours = 48;
+    static constexpr int kFewColours = 12; // of the other bodies of a shared one
     // Colours from kFreeColours on are for contacts with a body of infinite mass.
     static constexpr std::uint32_t kColours = 64;
     // A further group of each kind, behind its colours, is for single contacts without a colour.
@@ -191,6 +192,8 @@ private:
     std::uint32_t addBlock(std::uint32_t bin, std::uint8_t partition);
     std::uint32_t openBlock(std::uint32_t bin, std::uint8_t partition);
     void giveLane(Contact& contact, std::uint32_t bin);
+    void giveSingleLane(Contact& contact, std::uint32_t bin, Shared shared);
+    void giveLaneOf(std::uint32_t block, Contact& contact);
     void release(std::uint32_t row);
     void empty(std::uint32_t row);
     void orderBlocks();
@@ -212,6 +215,8 @@ private:
         std::vector<Colour> colours;
     };
     std::array<Level, kLevels> levels_;
+    std::vector<std::uint32_t> sharedOf_;      // by body without a free colour: its open block
+    std::vector<std::uint32_t> sharedBodies_;  // scratch of arrange(): bodies in sharedOf_
     std::vector<std::uint8_t> refinedLevels_;  // by body; empty if all are 0
     std::vector<Carried> carried_;             // by row
     std::vector<std::uint8_t> taken_;          // by row: taken in this step

@@ -1,34 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Included by contact_passes*.cpp, each of which is compiled for one instruction set. All functions
 // have internal linkage and call no inline function from elsewhere; lanes.hpp gives the reason.
-#include "solve/contact_block.hpp"
-#include "solve/velocity_lanes.hpp"
+#include "solve/contact_carry.inl"
+#include "solve/contact_lanes.inl"
 
 namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
-
-/// The members of Carried as an array.
-KODO_LANES_INLINE Real* numbers(Carried* carried) {
-    return carried->separation.data();
-}
-static_assert(sizeof(Carried) == 4 * sizeof(Real));
-
-/// The bodies of kLanes contacts.
-struct Pair {
-    Quad a; // x, y: velocity, z: angular velocity, w: 1/mass
-    Quad b;
-    Lanes inertiaA; // 1/inertia
-    Lanes inertiaB;
-};
-
-/// Applies the linear part of the impulse (x, y) * impulse (N s).
-KODO_LANES_INLINE void push(Pair& pair, Lanes x, Lanes y, Lanes impulse) {
-    pair.a.x -= (pair.a.w * x) * impulse;
-    pair.a.y -= (pair.a.w * y) * impulse;
-    pair.b.x += (pair.b.w * x) * impulse;
-    pair.b.y += (pair.b.w * y) * impulse;
-}
 
 /// Rotation of both bodies by an impulse along a line.
 struct Turning {
@@ -75,6 +53,8 @@ struct Rules {
     Real biasRate;
     Real massScale;
     const PassSettings& settings;
+    const BlockUse& use;
+    Copies& copies;
 };
 
 /// State of one point of each contact before the impulses of this visit.
@@ -153,30 +133,6 @@ KODO_LANES_INLINE void solveRolling(RollingBlock& block, int at, Pair& pair, Lan
     spin(pair, next - impulse, next - impulse);
 }
 
-/// Prefetch distance in blocks, for blocks outside the near cache. 4 and 8 are as fast.
-constexpr std::size_t kBlocksAhead = 6;
-
-KODO_LANES_INLINE void prefetchLines(const void* from, const void* end) {
-    for (const char* at = static_cast<const char*>(from); at < end; at += 64) { // bytes a line
-        __builtin_prefetch(at);
-    }
-}
-
-/// Prefetches what a pass reads of a later block: its points, and all members from `tail` on unless
-/// that is null.
-template <typename Arguments>
-KODO_LANES_INLINE void prefetchBlock(const Arguments& pass, std::size_t k,
-                                     ContactBlock::Each ContactBlock::*tail) {
-    if (pass.far && k + kBlocksAhead < pass.count) {
-        const std::size_t i = pass.order[k + kBlocksAhead];
-        const ContactBlock& next = pass.blocks[i];
-        prefetchLines(&next, next.points + (pass.use[i].twoPoints ? 2 : 1));
-        if (tail != nullptr) {
-            prefetchLines(&(next.*tail), &next + 1);
-        }
-    }
-}
-
 /// Solves kLanes contacts from the velocities before this visit. An impulse d1 at the first point
 /// lowers the unclamped impulse at the second by m2 k12 d1. It lowers the impulse that stops all
 /// sliding by mt k1t d1:
@@ -187,9 +143,9 @@ KODO_LANES_INLINE void prefetchBlock(const Arguments& pass, std::size_t k,
 /// t is the tangent; k1t has no 1/m since tangent and normal are perpendicular. k2t is the same for
 /// the second point. So the result is that of sequential impulses, with a short dependency chain.
 /// The function is not split: the compiler would keep a struct of these values in memory.
-template <Task task, int points>
+template <Task task, int points, bool isShared>
 KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, int at,
-                                  BodyVelocity* motion, const Rules& rules, const BlockUse& use) {
+                                  BodyVelocity* motion, const Rules& rules) {
     const PassSettings& settings = rules.settings;
     const Lanes nx = load(block.normalX + at);
     const Lanes ny = load(block.normalY + at);
@@ -197,6 +153,7 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
     const Quad moveB = gather(secondHalf(motion), block.b + at);
     Pair pair{gather(firstHalf(motion), block.a + at), gather(firstHalf(motion), block.b + at),
               moveA.w, moveB.w};
+    splitMass<isShared>(pair, rules.use.shared);
     ContactBlock::Point& point1 = block.points[0];
     ContactBlock::Point& point2 = block.points[points - 1]; // the first again if there is one
     const Turning line1 = turning(pair, point1.leverA + at, point1.leverB + at);
@@ -242,8 +199,29 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
     if constexpr (task == Task::Relax) {
         store(block.total + at, settings.kept * load(block.total + at) + sum);
     }
-    putBack(motion, block.a + at, pair.a, use.movesA, at);
-    putBack(motion, block.b + at, pair.b, use.movesB, at);
+    putBackPair<isShared>(pair, block, at, motion, rules.use, rules.copies);
+}
+
+template <Task task, int points, bool isShared>
+KODO_LANES_INLINE void solveBlock(ContactBlock& block, RollingBlock* rolling, BodyVelocity* motion,
+                                  const Rules& rules) {
+    for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
+        solveLanes<task, points, isShared>(block, rolling, at, motion, rules);
+    }
+    if constexpr (isShared) {
+        joinCopies(block, motion, rules.use, rules.copies);
+    }
+}
+
+/// solveBlock() for a block with a shared body. Not inlined: it is rare.
+template <Task task>
+__attribute__((noinline)) void solveShared(ContactBlock& block, RollingBlock* rolling,
+                                           BodyVelocity* motion, const Rules& rules) {
+    if (rules.use.twoPoints) {
+        solveBlock<task, 2, true>(block, rolling, motion, rules);
+    } else {
+        solveBlock<task, 1, true>(block, rolling, motion, rules);
+    }
 }
 
 template <Task task>
@@ -255,14 +233,16 @@ void solveBlocks(const ContactPassArguments& pass) {
         const std::size_t i = pass.order[k];
         const BlockUse& use = pass.use[i];
         const Softness& soft = use.onLocked ? settings.onLocked : settings.soft;
-        const Rules rules{soft.biasRate, soft.massScale, settings};
+        Copies copies;
+        const Rules rules{soft.biasRate, soft.massScale, settings, use, copies};
         RollingBlock* const rolling = use.rolling < 0 ? nullptr : pass.rolling + use.rolling;
-        for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
-            if (use.twoPoints) {
-                solveLanes<task, 2>(pass.blocks[i], rolling, at, pass.motion, rules, use);
-            } else {
-                solveLanes<task, 1>(pass.blocks[i], rolling, at, pass.motion, rules, use);
-            }
+        ContactBlock& block = pass.blocks[i];
+        if (use.shared != Shared::None) {
+            solveShared<task>(block, rolling, pass.motion, rules);
+        } else if (use.twoPoints) {
+            solveBlock<task, 2, false>(block, rolling, pass.motion, rules);
+        } else {
+            solveBlock<task, 1, false>(block, rolling, pass.motion, rules);
         }
     }
 }
@@ -272,13 +252,17 @@ void warmStartBlocks(const ContactPassArguments& pass) {
         prefetchBlock(pass, k, &ContactBlock::tangentLeverA);
         const std::size_t i = pass.order[k];
         ContactBlock& block = pass.blocks[i];
-        const RollingBlock* const rolling =
-            pass.use[i].rolling < 0 ? nullptr : pass.rolling + pass.use[i].rolling;
+        const BlockUse& use = pass.use[i];
+        const RollingBlock* const rolling = use.rolling < 0 ? nullptr : pass.rolling + use.rolling;
+        Copies copies;
         for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
             Pair pair{gather(firstHalf(pass.motion), block.a + at),
                       gather(firstHalf(pass.motion), block.b + at),
                       gather(secondHalf(pass.motion), block.a + at).w,
                       gather(secondHalf(pass.motion), block.b + at).w};
+            if (use.shared != Shared::None) {
+                splitMass<true>(pair, use.shared);
+            }
             const Lanes nx = load(block.normalX + at);
             const Lanes ny = load(block.normalY + at);
             const Lanes friction = load(block.friction + at);
@@ -294,69 +278,14 @@ void warmStartBlocks(const ContactPassArguments& pass) {
             spin(pair,
                  momentBy(block.points[0].leverA, block.points[1].leverA, block.tangentLeverA),
                  momentBy(block.points[0].leverB, block.points[1].leverB, block.tangentLeverB));
-            putBack(pass.motion, block.a + at, pair.a, pass.use[i].movesA, at);
-            putBack(pass.motion, block.b + at, pair.b, pass.use[i].movesB, at);
-        }
-    }
-}
-
-/// Bound (m) of the displacement of any surface point by a rotation (rad); see
-/// ConvexShape::rotationReach().
-KODO_LANES_INLINE Lanes rotationReachOf(const Extent* extent, const std::uint32_t* places,
-                                        Lanes turn) {
-    Lanes rotationReach{};
-    for (int i = 0; i < kLanes; ++i) {
-        rotationReach[i] = extent[bodyOfPlace(places[i])].rotationReach;
-    }
-    return larger(turn, -turn) * rotationReach;
-}
-
-/// carry() of contact_update.cpp for kLanes contacts, bit-identical.
-template <int points>
-KODO_LANES_INLINE void carryLanes(const CarryArguments& pass, ContactBlock& block, Carried* carried,
-                                  int at) {
-    BodyVelocity* const motion = pass.motion;
-    const Lanes nx = load(block.normalX + at);
-    const Lanes ny = load(block.normalY + at);
-    const Quad moveA = gather(secondHalf(motion), block.a + at);
-    const Quad moveB = gather(secondHalf(motion), block.b + at);
-    const Quad speedA = gather(firstHalf(motion), block.a + at);
-    const Quad speedB = gather(firstHalf(motion), block.b + at);
-    const Lanes dx = moveB.x - moveA.x;
-    const Lanes dy = moveB.y - moveA.y;
-    const Lanes moved = nx * dx + ny * dy;
-    const Lanes speed = nx * (speedB.x - speedA.x) + ny * (speedB.y - speedA.y);
-    // x, y: separations (m), z: approach speed (m/s), w: relative displacement (m)
-    Quad now = gather(numbers(carried + at), kRowStarts);
-    now.z = Lanes{};
-    now.w += larger(dx, -dx) + larger(dy, -dy) +
-             rotationReachOf(pass.extent, block.a + at, moveA.z) +
-             rotationReachOf(pass.extent, block.b + at, moveB.z);
-    const auto carry = [&](ContactBlock::Point& point, Lanes& separation) {
-        const Lanes leverA = load(point.leverA + at);
-        const Lanes leverB = load(point.leverB + at);
-        separation += moved + (leverB * moveB.z - leverA * moveA.z);
-        store(point.separation + at, separation);
-        now.z = larger(-(speed + (leverB * speedB.z - leverA * speedA.z)), now.z); // no -0
-    };
-    carry(block.points[0], now.x);
-    if constexpr (points == 2) {
-        carry(block.points[1], now.y);
-    }
-    scatter(numbers(carried + at), kRowStarts, now);
-}
-
-void carryBlocks(const CarryArguments& pass) {
-    for (std::size_t k = 0; k < pass.count; ++k) {
-        prefetchBlock(pass, k, nullptr);
-        const std::size_t i = pass.order[k];
-        Carried* const carried = pass.carried + i * ContactBlock::kContacts;
-        for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
-            if (pass.use[i].twoPoints) {
-                carryLanes<2>(pass, pass.blocks[i], carried, at);
+            if (use.shared != Shared::None) {
+                putBackPair<true>(pair, block, at, pass.motion, use, copies);
             } else {
-                carryLanes<1>(pass, pass.blocks[i], carried, at);
+                putBackPair<false>(pair, block, at, pass.motion, use, copies);
             }
+        }
+        if (use.shared != Shared::None) {
+            joinCopies(block, pass.motion, use, copies);
         }
     }
 }

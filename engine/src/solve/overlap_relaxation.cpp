@@ -202,8 +202,12 @@ void OverlapRelaxation::find(const Contacts& contacts) {
         }
         for (const std::uint32_t* const end = next + colour.count; next != end; ++next) {
             if (colour.oneByOne) {
+                int most = 0;
                 forTogether(all.blocks[*next], all.use[*next],
-                            [&](std::uint8_t, int passes) { addPart(*next, false, passes); });
+                            [&](std::uint8_t, int passes) { most = std::max(most, passes); });
+                if (most > 0) {
+                    addPart(*next, false, most);
+                }
             } else {
                 copyLanes(all, *next, open);
             }

@@ -16,23 +16,22 @@ constexpr Real kMaxCompression = Real(1.6);
 // which it presses on that body. Between steeper faces it is wedged, and presses harder than this.
 constexpr Real kLeastPress = Real(0.1);
 
-/// Acceleration (m/s^2) that the spring of a contact may have to carry, per mass of its lighter
-/// body; 0 if neither body presses on the other.
-Real loadOf(const Bodies& bodies, const Contact& contact) {
-    const auto& [bodyA, partA, bodyB, partB] = contact.key;
-    const Real a = bodies.motion[bodyA].invMass;
-    const Real b = bodies.motion[bodyB].invMass;
-    Real load = 0;
-    const auto press = [&](std::uint32_t body, Real own, Vec2 towards) {
-        const Vec2 acceleration = bodies.acceleration[body].linear;
-        const Real size = length(acceleration);
-        if (own > 0 && dot(acceleration, towards) > kLeastPress * size) {
-            load = std::max(load, (a + b) / own * size);
-        }
-    };
-    press(bodyA, a, contact.manifold.normal);
-    press(bodyB, b, -contact.manifold.normal);
-    return load;
+// Contacts of a body that carry its weight as one does alone. The weight may be uneven.
+constexpr Real kCarriers = 4;
+
+/// Acceleration (m/s^2) that the spring of a contact has to carry, per mass of its lighter body, if
+/// the body presses on the other one; else 0.
+Real loadOf(const Bodies& bodies, const Contact& contact, std::uint32_t body) {
+    const bool isA = contact.key.bodyA == body;
+    const Vec2 normal = contact.manifold.normal;
+    const Vec2 acceleration = bodies.acceleration[body].linear;
+    const Real size = length(acceleration);
+    if (!(dot(acceleration, isA ? normal : -normal) > kLeastPress * size)) {
+        return 0;
+    }
+    const Real own = bodies.motion[body].invMass;
+    const Real other = bodies.motion[isA ? contact.key.bodyB : contact.key.bodyA].invMass;
+    return (own + other) / own * size;
 }
 
 } // namespace
@@ -57,13 +56,17 @@ void Refinement::findSeeds(const Step& step) {
             continue;
         }
         Real load = 0;
+        Real carriers = 0;
         step.contactSet.lists().forEach(body, [&](std::uint32_t slot) {
             const Contact& contact = step.contactSet.contacts()[slot];
             const Real separation = step.contactSet.summaries()[slot].separation[0];
             if (contact.responds() && separation <= step.tolerances.slop) {
-                load = std::max(load, loadOf(bodies, contact));
+                const Real own = loadOf(bodies, contact, body);
+                load = std::max(load, own);
+                carriers += own > 0 ? 1 : 0;
             }
         });
+        load /= std::max(Real(1), carriers / kCarriers);
         std::uint8_t level = 0;
         while (level + 1u < kLevels && load > most * static_cast<Real>(1 << 2 * level)) {
             ++level;

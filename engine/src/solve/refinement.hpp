@@ -22,8 +22,8 @@ inline namespace KODO_PRECISION {
 ///
 ///   s = m_a a_a (1/m_a + 1/m_b) / omega^2
 ///
-/// and by a quarter of that against a body of infinite mass. Stiffer contacts need shorter
-/// substeps.
+/// and by a quarter of that against a body of infinite mass. Many contacts share the load. Stiffer
+/// contacts need shorter substeps.
 class Refinement {
 public:
     static constexpr std::uint32_t kLevels = 4; // 1, 2, 4 or 8 parts
