@@ -41,6 +41,10 @@ void PartBounds::number(const Bodies& bodies) {
     }
     usedCount_ = parts_.size();
     firstPart_[bodies.size()] = static_cast<std::uint32_t>(parts_.size());
+    const std::size_t room = parts_.capacity(); // so that the next body moves no array
+    tight_.reserve(room);
+    grown_.reserve(room);
+    isChanged_.reserve(room);
     tight_.resize(parts_.size());
     grown_.resize(parts_.size());
     isChanged_.assign(parts_.size(), 0);

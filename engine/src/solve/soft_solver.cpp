@@ -30,6 +30,11 @@ constexpr int kSpringPasses = 4;
 
 /// Clears the marks of all bodies, then marks those with joints.
 void SoftSolver::clearMarks(const Bodies& bodies, const JointSet& joints) {
+    const std::size_t room = bodies.record.capacity(); // so that the next body moves no array
+    exposure_.reserve(room);
+    near_.reserve(room);
+    touched_.reserve(room);
+    overlapCount_.reserve(room);
     exposure_.resize(bodies.size());
     near_.resize(bodies.size());
     touched_.resize(bodies.size());
