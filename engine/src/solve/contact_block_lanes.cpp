@@ -51,7 +51,9 @@ void writePoint(ContactBlock::Point& point, std::size_t lane, const PointValues&
 
 void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const Contact& contact,
               const LaneRules& rules) {
-    const auto [a, b] = masses(bodies, contact, rules.shared);
+    const std::pair<BodyVelocity, BodyVelocity> both = masses(bodies, contact, rules.shared);
+    const BodyVelocity& a = both.first;
+    const BodyVelocity& b = both.second;
     const Real parts = rules.parts;
     const Manifold& manifold = contact.manifold;
     const Vec2 n = manifold.normal;
@@ -92,7 +94,9 @@ void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const
 
 void fillLane(RollingBlock& block, std::size_t lane, const Bodies& bodies, const Contact& contact,
               const LaneRules& rules) {
-    const auto [a, b] = masses(bodies, contact, rules.shared);
+    const std::pair<BodyVelocity, BodyVelocity> both = masses(bodies, contact, rules.shared);
+    const BodyVelocity& a = both.first;
+    const BodyVelocity& b = both.second;
     const bool rolls = contact.material.rollingResistance > 0 && a.invInertia + b.invInertia > 0;
     block.lever[lane] = rollingLever(contact, a, b);
     block.mass[lane] = rolls ? 1 / (a.invInertia + b.invInertia) : Real(0);
