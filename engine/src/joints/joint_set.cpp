@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "joints/joint_set.hpp"
 
+#include "joints/anchor.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -193,6 +195,24 @@ void JointSet::beginStep() {
     }
 }
 
+namespace {
+
+/// True for a revolute joint that may be solved as a spring. With an anchor far outside of a body,
+/// the mass at the anchor is a small part of the body's, and a spring would open wide.
+bool isSoft(const Bodies& bodies, const JointDef& def) {
+    constexpr Real kLongArm = 16; // lever^2 m / I; a rod has 3 at its ends
+    const auto* const pin = std::get_if<RevoluteJoint>(&def);
+    const auto isLong = [&](BodyId body, Vec2 anchor) {
+        const BodyVelocity& motion = bodies.motion[body.index];
+        const Vec2 arm = armOf(bodies, body.index, {}, anchor);
+        return motion.invInertia * lengthSquared(arm) > kLongArm * motion.invMass;
+    };
+    return pin != nullptr && !isLong(pin->ends.a, pin->ends.anchorA) &&
+           !isLong(pin->ends.b, pin->ends.anchorB);
+}
+
+} // namespace
+
 void JointSet::beginGroup(const Bodies& bodies, DirectSolve direct,
                           std::span<const std::uint8_t> levels, std::uint32_t level) {
     own_.clear();
@@ -214,8 +234,7 @@ void JointSet::beginGroup(const Bodies& bodies, DirectSolve direct,
         }
         if (mayBeHeld(bodies, def)) {
             treeCandidates_.push_back(
-                {index, a, b,
-                 direct == DirectSolve::EveryTree || !std::holds_alternative<RevoluteJoint>(def)});
+                {index, a, b, direct == DirectSolve::EveryTree || !isSoft(bodies, def)});
         }
     }
     trees_.find(bodies, treeCandidates_);
