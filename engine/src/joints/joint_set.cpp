@@ -205,7 +205,8 @@ bool isSoft(const Bodies& bodies, const JointDef& def) {
     const auto isLong = [&](BodyId body, Vec2 anchor) {
         const BodyVelocity& motion = bodies.motion[body.index];
         const Vec2 arm = armOf(bodies, body.index, {}, anchor);
-        return motion.invInertia * lengthSquared(arm) > kLongArm * motion.invMass;
+        return motion.invMass > 0 &&
+               motion.invInertia * lengthSquared(arm) > kLongArm * motion.invMass;
     };
     return pin != nullptr && !isLong(pin->ends.a, pin->ends.anchorA) &&
            !isLong(pin->ends.b, pin->ends.anchorB);
