@@ -272,7 +272,8 @@ Real angleBetween(const World& world, const JointEnds& ends) {
 }
 
 // Boxes with random motion, each connected to an earlier one by a revolute or fixed joint, up to 2
-// m outside of both. The first impulses are a poor warm start.
+// m outside of both. The first impulses are a poor warm start. Gaps stay within a few centimetres
+// at 30 m/s.
 TEST(ArticulatedTrees, OfBoxesOnLongArmsGainNoEnergy) {
     constexpr std::uint64_t kSeed = 31;
     support::RandomNumbers random(kSeed);
@@ -308,7 +309,7 @@ TEST(ArticulatedTrees, OfBoxesOnLongArmsGainNoEnergy) {
                 world.add(RevoluteJoint{.ends = ties.back()});
             }
         }
-        expectSoundFlight(world, ties, Real(0.08));
+        expectSoundFlight(world, ties, Real(0.03));
     }
 }
 
