@@ -46,7 +46,7 @@ TEST(PartBounds, AreRenewedOnlyWhenOutgrown) {
     Discs discs;
     discs.bodies.motion[0].velocity = {1, 0};
     for (int step = 0; step < 60; ++step) {
-        discs.bounds.foresee(discs.bodies, kDistances, kDt, discs.team);
+        discs.bounds.coverPrediction(discs.bodies, kDistances, kDt, discs.team);
         EXPECT_EQ(discs.renewed(), step % 6 == 0) << step;
         EXPECT_TRUE(discs.hold({kDt, 0})) << step;
         discs.bodies.pose[0].position.x += kDt;
@@ -62,7 +62,7 @@ TEST(PartBounds, AreNotOutgrownByTheSpinOfADisc) {
     for (const Real rotationReach : {Real(0), Real(0.5)}) {
         EXPECT_TRUE(rotationReach > 0 || discs.bodies.extent[0].rotationReach == 0);
         discs.bodies.extent[0].rotationReach = rotationReach;
-        discs.bounds.foresee(discs.bodies, kDistances, kDt, discs.team);
+        discs.bounds.coverPrediction(discs.bodies, kDistances, kDt, discs.team);
         EXPECT_EQ(discs.renewed(), rotationReach > 0);
         discs.bounds.coverDisplacements(discs.bodies, kDistances, discs.team);
         EXPECT_FALSE(discs.renewed()); // the disc itself has not moved
@@ -72,7 +72,7 @@ TEST(PartBounds, AreNotOutgrownByTheSpinOfADisc) {
 // R10: a displacement beyond the bounds renews them; one within the bounds does not.
 TEST(PartBounds, CoverDisplacementsOfTheSolver) {
     Discs discs;
-    discs.bounds.foresee(discs.bodies, kDistances, kDt, discs.team);
+    discs.bounds.coverPrediction(discs.bodies, kDistances, kDt, discs.team);
     for (const Real way : {kDistances.margin, Real(2)}) {
         discs.bodies.motion[0].deltaPosition = {0, way};
         discs.bounds.coverDisplacements(discs.bodies, kDistances, discs.team);

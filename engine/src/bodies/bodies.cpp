@@ -205,7 +205,7 @@ void clearArrivals(Bodies& bodies) {
 }
 
 void noteStart(Bodies& bodies) {
-    bodies.start.resize(bodies.size());
+    resizeByBody(bodies.start, bodies);
     const auto note = [&](std::uint32_t body) { bodies.start[body] = bodies.pose[body].position; };
     if (std::exchange(bodies.startStale, false)) {
         for (std::uint32_t body = 0; body < bodies.size(); ++body) {

@@ -79,8 +79,8 @@ struct Bodies {
     Real thinnest = 0;
     LoadRange loads; // see noteLoads()
     BodyChanges changes;
-    /// 0 if `thinnest` is exact. Otherwise it counts changes and steps: their number pays for the
-    /// next computation.
+    /// 0 if `thinnest` is exact. Otherwise it counts changes and steps; a quarter of the number of
+    /// bodies starts the next computation.
     std::size_t thinnestAge = 1;
     bool awakeStale = true;         // any body may have become active or inactive
     bool anyStopped = false;        // a kinematic body in the list has become motionless
@@ -153,6 +153,14 @@ private:
         }
     }
 };
+
+/// Resizes an array by body. It gets as much room as the arrays of Bodies, so that a body that is
+/// added moves it as seldom as those.
+template <typename T>
+void resizeByBody(std::vector<T>& values, const Bodies& bodies, const T& added = {}) {
+    values.reserve(bodies.record.capacity());
+    values.resize(bodies.size(), added);
+}
 
 /// Throws BadBodyId for an id of no body of this World.
 void requireAlive(const Bodies& bodies, BodyId id);

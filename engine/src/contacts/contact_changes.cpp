@@ -156,7 +156,7 @@ void ContactSet::putBack(std::span<const Contact> contacts, Bodies& bodies) {
     std::sort(slots_.begin(), slots_.end(), [&](std::uint32_t i, std::uint32_t k) { // total order
         return contacts[i].key != contacts[k].key ? contacts[i].key < contacts[k].key : i < k;
     });
-    news_.clear();
+    pairChanges_.clear();
     auto place = order_.begin();
     for (std::size_t i = 0; i < slots_.size(); ++i) {
         const Contact& contact = contacts[slots_[i]];
@@ -167,8 +167,9 @@ void ContactSet::putBack(std::span<const Contact> contacts, Bodies& bodies) {
             place, order_.end(), contact.key,
             [&](const Place& at, const ContactKey& key) { return keyOf(at) < key; });
         if (place == order_.end() || keyOf(*place) != contact.key) {
-            news_.push_back({{0, 0}, static_cast<std::uint32_t>(place - order_.begin()), true});
-            news_.back().pair.first = appendSlot(contact, bodies);
+            pairChanges_.push_back(
+                {{0, 0}, static_cast<std::uint32_t>(place - order_.begin()), true});
+            pairChanges_.back().pair.first = appendSlot(contact, bodies);
         }
     }
     insertPlaces();
@@ -197,19 +198,20 @@ std::uint32_t ContactSet::appendSlot(const Contact& contact, Bodies& bodies) {
     return slot;
 }
 
-/// Inserts the places of the contacts that putBack has appended; news_ has their slots, in order.
+/// Inserts the places of the contacts that putBack has appended; pairChanges_ has their slots, in
+/// order.
 void ContactSet::insertPlaces() {
-    if (news_.empty()) {
+    if (pairChanges_.empty()) {
         return;
     }
     changed();
     newOrder_.clear();
-    newOrder_.reserve(std::max(order_.capacity(), order_.size() + news_.size()));
+    newOrder_.reserve(std::max(order_.capacity(), order_.size() + pairChanges_.size()));
     auto next = order_.begin();
-    for (const News& news : news_) {
-        const auto at = order_.begin() + static_cast<std::ptrdiff_t>(news.at);
+    for (const PairChange& change : pairChanges_) {
+        const auto at = order_.begin() + static_cast<std::ptrdiff_t>(change.at);
         newOrder_.insert(newOrder_.end(), next, at);
-        newOrder_.push_back({summaries_[news.pair.first].proxies, news.pair.first});
+        newOrder_.push_back({summaries_[change.pair.first].proxies, change.pair.first});
         next = at;
     }
     newOrder_.insert(newOrder_.end(), next, order_.end());
@@ -259,7 +261,7 @@ void ContactSet::renew(const Bodies& bodies, const Tolerances& tolerances) {
     bounds_.renew(bodies, tolerances);
     finder_.forget();
     still_.forget();
-    touches_.resize(bodies.size());
+    resizeByBody(touches_, bodies);
     for (Contact& contact : contacts_) {
         describeContact(contact, bodies);
     }
@@ -279,8 +281,8 @@ void ContactSet::bodyChanged(std::uint32_t body) {
 void ContactSet::renewChanged(const Bodies& bodies, const Tolerances& tolerances) {
     changed();
     std::sort(changes_.begin(), changes_.end()); // total order: bodies are unique
-    hasChanged_.resize(bodies.size(), 0);
-    touches_.resize(bodies.size());
+    resizeByBody(hasChanged_, bodies);
+    resizeByBody(touches_, bodies);
     const std::size_t before = bounds_.size();
     const bool renumbered = bounds_.renew(bodies, tolerances, changes_);
     if (renumbered || bounds_.size() != before) {
@@ -337,10 +339,10 @@ void ContactSet::applyChanges(const Bodies& bodies, const Tolerances& tolerances
     if (std::exchange(pairsStale_, false)) {
         bounds_.listAll();
     }
-    for (const std::uint32_t body : stirred_) {
+    for (const std::uint32_t body : activityChanges_) {
         bounds_.listBody(body);
     }
-    stirred_.clear();
+    activityChanges_.clear();
 }
 
 } // namespace KODO_PRECISION

@@ -86,7 +86,7 @@ void ContactSet::writeEvents(const WriteBack& writeBack) const {
         return;
     }
     // First both in `begun`.
-    select([&](std::vector<std::uint32_t>& slots) { slots = records_.turned; },
+    select([&](std::vector<std::uint32_t>& slots) { slots = records_.toggled; },
            [](const CollisionRecord& record) { return record.phase != TouchPhase::Persist; },
            writeBack, records_.begun);
     const auto isEnd = [](const CollisionRecord& r) { return r.phase == TouchPhase::End; };

@@ -104,10 +104,10 @@ void ContactSet::fillHoles() {
         contacts_[holes_[hole++]] = contacts_[slot];
     }
     reorderPolicy_.strayed += hole;
-    std::erase_if(records_.turned, [&](std::uint32_t slot) {
+    std::erase_if(records_.toggled, [&](std::uint32_t slot) {
         return std::binary_search(holes_.begin(), holes_.end(), slot);
     });
-    for (std::uint32_t& slot : records_.turned) {
+    for (std::uint32_t& slot : records_.toggled) {
         slot = slot < kept ? slot : movedTo[slot - kept];
     }
     for (Place& place : order_) {
@@ -160,7 +160,7 @@ void ContactSet::updatePairs(const Bodies& bodies, const Tolerances& tolerances,
     if (reorderPolicy_.countStep(contacts_.size())) {
         sortContacts();
     }
-    bounds_.foresee(bodies, tolerances, dt, team);
+    bounds_.coverPrediction(bodies, tolerances, dt, team);
     refreshPairs(bodies, team);
 }
 
@@ -222,7 +222,7 @@ void ContactSet::findPairs(const Bodies& bodies, WorkerTeam& team) {
     finder_.pairs(bounds_.grown(), {bounds_.changed(), bounds_.isChanged()}, accept, pairs_, team);
 }
 
-/// The same for listed parts alone; if it pays, with those of inactive bodies in a tree.
+/// The same for listed parts alone, and for those of inactive bodies in a tree if there is one.
 template <typename Accept>
 void ContactSet::findPairsOfMovers(const Bodies& bodies, Accept accept, WorkerTeam& team) {
     MovingParts& movers = movers_;
@@ -237,7 +237,7 @@ void ContactSet::findPairsOfMovers(const Bodies& bodies, Accept accept, WorkerTe
     for (BoundsPair& pair : pairs_) {
         pair = {movers.parts[pair.first], movers.parts[pair.second]};
     }
-    if (!still_.pays()) {
+    if (!still_.hasTree()) {
         return; // all parts were compared
     }
     const std::size_t among = pairs_.size();
@@ -262,11 +262,11 @@ void ContactSet::findPairsOfMovers(const Bodies& bodies, Accept accept, WorkerTe
 
 /// Merges pairs_ with order_: both are in the order of keys. A pair can only be added or removed if
 /// the bounds of one of its parts have changed.
-void ContactSet::findNews(WorkerTeam& team) {
-    news_.clear();
-    newsFound_.gather(
-        team, order_.size(), kContactsPerPiece, news_,
-        [&](std::size_t first, std::size_t last, std::vector<News>& news) {
+void ContactSet::findPairChanges(WorkerTeam& team) {
+    pairChanges_.clear();
+    changesFound_.gather(
+        team, order_.size(), kContactsPerPiece, pairChanges_,
+        [&](std::size_t first, std::size_t last, std::vector<PairChange>& change) {
             const std::uint8_t* const isChanged = bounds_.isChanged().data();
             const Place* const order = order_.data();
             const auto from = [&](std::size_t at) {
@@ -277,25 +277,25 @@ void ContactSet::findNews(WorkerTeam& team) {
             for (std::size_t at = first; at < last; ++at) {
                 const BoundsPair own = order[at].pair;
                 for (; pair != end && *pair < own; ++pair) {
-                    news.push_back({*pair, static_cast<std::uint32_t>(at), true});
+                    change.push_back({*pair, static_cast<std::uint32_t>(at), true});
                 }
                 const bool found = pair != end && *pair == own;
-                const bool asked = (isChanged[own.first] | isChanged[own.second]) != 0;
+                const bool affected = (isChanged[own.first] | isChanged[own.second]) != 0;
                 pair += found ? 1 : 0;
-                if (asked & !found) { // rare; branchless `&`, since `asked` alone mispredicts
-                    news.push_back({own, static_cast<std::uint32_t>(at), false});
+                if (affected & !found) { // rare; branchless `&`, since `affected` alone mispredicts
+                    change.push_back({own, static_cast<std::uint32_t>(at), false});
                 }
             }
             for (; pair != end; ++pair) {
-                news.push_back({*pair, static_cast<std::uint32_t>(last), true});
+                change.push_back({*pair, static_cast<std::uint32_t>(last), true});
             }
         });
 }
 
 /// Adds and removes contacts so that the list matches pairs_.
 void ContactSet::mergePairs(const Bodies& bodies, WorkerTeam& team) {
-    findNews(team);
-    if (news_.empty()) {
+    findPairChanges(team);
+    if (pairChanges_.empty()) {
         return;
     }
     newOrder_.clear();
@@ -308,11 +308,11 @@ void ContactSet::mergePairs(const Bodies& bodies, WorkerTeam& team) {
                          order_.begin() + static_cast<std::ptrdiff_t>(end));
         next = end;
     };
-    for (const News& news : news_) {
-        keepUpTo(news.at);
-        if (news.comes) {
+    for (const PairChange& change : pairChanges_) {
+        keepUpTo(change.at);
+        if (change.isNew) {
             added_.push_back(static_cast<std::uint32_t>(newOrder_.size()));
-            newOrder_.push_back({news.pair, 0});
+            newOrder_.push_back({change.pair, 0});
         } else {
             holes_.push_back(order_[next++].slot);
             release(holes_.back(), bodies);

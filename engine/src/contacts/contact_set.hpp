@@ -50,7 +50,7 @@ public:
     /// Must be called before the removal of a part; the index of each later part falls by one.
     void partRemoved(std::uint32_t body, std::size_t part);
     /// A body fell asleep or woke, or an immovable body started or stopped; or any of all bodies.
-    void activityChanged(std::uint32_t body) { stirred_.push_back(body); }
+    void activityChanged(std::uint32_t body) { activityChanges_.push_back(body); }
     void activityChanged() { pairsStale_ = true; }
 
     /// Removes and returns the contacts between bodies that are not active in a step, in order:
@@ -152,10 +152,10 @@ private:
         std::uint32_t slot;
     };
     /// A pair that is added or removed.
-    struct News {
+    struct PairChange {
         BoundsPair pair;
         std::uint32_t at; // index in order_: of the removed pair, or before which it is inserted
-        bool comes;
+        bool isNew;
     };
 
     void settle();
@@ -181,7 +181,7 @@ private:
     void findPairs(const Bodies& bodies, WorkerTeam& team);
     template <typename Accept>
     void findPairsOfMovers(const Bodies& bodies, Accept accept, WorkerTeam& team);
-    void findNews(WorkerTeam& team);
+    void findPairChanges(WorkerTeam& team);
     void mergePairs(const Bodies& bodies, WorkerTeam& team);
     void release(std::uint32_t slot, const Bodies& bodies);
     void addContacts(const Bodies& bodies, WorkerTeam& team);
@@ -201,7 +201,7 @@ private:
     void noteManifold(std::size_t slot);
     bool summaryAgrees(std::uint32_t place) const;
     void finishContact(std::uint32_t place, bool touchesInRow, const Tolerances& tolerances,
-                       const WorkerTeam& team, std::vector<std::uint32_t>& turned);
+                       const WorkerTeam& team, std::vector<std::uint32_t>& toggled);
 
     PartBounds bounds_;
     std::vector<BoundsPair> pairs_;
@@ -210,23 +210,24 @@ private:
     MovingParts movers_;
     GhostCollisions ghostCollisions_;
     std::vector<Contact> contacts_;
-    std::vector<Place> order_;        // of the contacts, by key
-    mutable ContactLists lists_;      // by body; see lists()
-    std::vector<std::uint32_t> gone_; // slots of detached contacts, until settle()
-    std::vector<Place> newOrder_;     // scratch: merging allocates nothing
-    std::vector<News> news_;          // while merging
-    ParallelCollector<News> newsFound_;
+    std::vector<Place> order_;            // of the contacts, by key
+    mutable ContactLists lists_;          // by body; see lists()
+    std::vector<std::uint32_t> gone_;     // slots of detached contacts, until settle()
+    std::vector<Place> newOrder_;         // scratch: merging allocates nothing
+    std::vector<PairChange> pairChanges_; // while merging
+    ParallelCollector<PairChange> changesFound_;
     // While merging: slots of removed contacts, and indices in order_ of new ones.
     std::vector<std::uint32_t> holes_, added_;
     std::vector<ContactSummary> summaries_;
     std::vector<std::uint32_t> live_;
     ParallelCollector<std::uint32_t> found_;
-    std::vector<std::uint32_t> onGround_;          // slots: argument of GhostCollisions::link
-    std::vector<std::uint32_t> slots_;             // scratch of fillHoles and putBack
-    std::vector<Contact> idle_;                    // result of takeIdle
-    std::vector<std::uint32_t> changes_, stirred_; // bodies: see bodyChanged and activityChanged
-    std::vector<std::uint8_t> hasChanged_;         // by body: 1 if in changes_
-    std::vector<std::uint32_t> touches_; // by body: see isTouched; the number of such contacts
+    std::vector<std::uint32_t> onGround_; // slots: argument of GhostCollisions::link
+    std::vector<std::uint32_t> slots_;    // scratch of fillHoles and putBack
+    std::vector<Contact> idle_;           // result of takeIdle
+    std::vector<std::uint32_t> changes_,
+        activityChanges_;                  // bodies: see bodyChanged and activityChanged
+    std::vector<std::uint8_t> hasChanged_; // by body: 1 if in changes_
+    std::vector<std::uint32_t> touches_;   // by body: see isTouched; the number of such contacts
     std::vector<std::uint32_t> touchChanges_;
     mutable StepRecords records_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> excludedPairs_;

@@ -34,10 +34,10 @@ bool ContactSet::summaryAgrees(std::uint32_t place) const {
                               (!summary.steady || summary.wasTouching == contact.wasTouching));
 }
 
-/// Determines whether the contact touches. Adds its slot to `turned` if that differs from the last
+/// Determines whether the contact touches. Adds its slot to `toggled` if that differs from the last
 /// step.
 void ContactSet::finishContact(std::uint32_t place, bool touchesInRow, const Tolerances& tolerances,
-                               const WorkerTeam& team, std::vector<std::uint32_t>& turned) {
+                               const WorkerTeam& team, std::vector<std::uint32_t>& toggled) {
     ContactSummary& summary = summaries_[place];
     Contact& contact = contacts_[place];
     const bool before = contact.wasTouching;
@@ -46,7 +46,7 @@ void ContactSet::finishContact(std::uint32_t place, bool touchesInRow, const Tol
     summary.wasTouching = contact.touching;
     summary.steady = !contact.phase || contact.phase == TouchPhase::Persist;
     if (contact.touching != before) {
-        turned.push_back(place);
+        toggled.push_back(place);
         for (const std::uint32_t body : {summary.bodyA, summary.bodyB}) {
             team.count(touches_[body], before ? kOneLess : 1u);
         }
@@ -102,7 +102,7 @@ void ContactSet::updatePiece(const Bodies& bodies, const Tolerances& tolerances,
                              const SolverStorage& keeper, const Piece& piece) {
     const auto& [first, last, end] = piece;
     const bool far = summaries_.size() >= kFar;
-    PrefetchList<kContactsPerPiece> asked;
+    PrefetchList<kContactsPerPiece> visited;
     for (std::size_t i = first; i < last; ++i) {
         if (far && i + kSummariesAhead < end) {
             const ContactSummary& next = summaries_[i + kSummariesAhead];
@@ -115,10 +115,10 @@ void ContactSet::updatePiece(const Bodies& bodies, const Tolerances& tolerances,
         }
         if (!staysKept(i, tolerances, keeper.carried) &&
             !(summaries_[i].idle && !boundsMeet(i, tolerances))) {
-            asked.add(static_cast<std::uint32_t>(i));
+            visited.add(static_cast<std::uint32_t>(i));
         }
     }
-    visitPrefetched<2>(asked.list(), contacts(), [&](std::uint32_t place) {
+    visitPrefetched<2>(visited.list(), contacts(), [&](std::uint32_t place) {
         updateManifold(bodies, tolerances, place, keeper);
     });
 }
@@ -148,26 +148,26 @@ void ContactSet::finishStepOfContacts(std::span<const std::uint8_t> touched,
         return touchedOf[std::min<std::size_t>(summary.row, none)] != 0;
     };
     reserveReusing(touchChanges_, touchChanges_.size() + 2 * contacts_.capacity());
-    reserveReusing(records_.turned, contacts_.capacity());
+    reserveReusing(records_.toggled, contacts_.capacity());
     found_.gather(
-        team, live().size(), kContactsPerPiece, records_.turned,
+        team, live().size(), kContactsPerPiece, records_.toggled,
         [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
             found.reserve(found.size() + (last - first));
             forPieces(first, last, kContactsPerPiece, [&](std::size_t from, std::size_t to) {
-                PrefetchList<kContactsPerPiece> asked;
+                PrefetchList<kContactsPerPiece> visited;
                 for (std::size_t i = from; i < to; ++i) {
                     const ContactSummary& summary = summaries_[live_[i]];
                     KODO_ASSERT(summaryAgrees(live_[i]));
-                    const bool asks = summary.meets & (summary.row == ContactRow::kNone);
-                    asked.add(live_[i],
-                              asks | !summary.steady | (touches(summary) != summary.wasTouching));
+                    const bool hasNoRow = summary.meets & (summary.row == ContactRow::kNone);
+                    visited.add(live_[i], hasNoRow | !summary.steady |
+                                              (touches(summary) != summary.wasTouching));
                 }
-                visitPrefetched<1>(asked.list(), contacts(), [&](std::uint32_t place) {
+                visitPrefetched<1>(visited.list(), contacts(), [&](std::uint32_t place) {
                     finishContact(place, touches(summaries_[place]), tolerances, team, found);
                 });
             });
         });
-    for (const std::uint32_t slot : records_.turned) {
+    for (const std::uint32_t slot : records_.toggled) {
         touchChanges_.push_back(summaries_[slot].bodyA);
         touchChanges_.push_back(summaries_[slot].bodyB);
     }

@@ -272,8 +272,8 @@ void PartBounds::listOutgrown(const Bodies& bodies, WorkerTeam& team, Outgrow ou
                      });
 }
 
-void PartBounds::foresee(const Bodies& bodies, const Tolerances& tolerances, Real dt,
-                         WorkerTeam& team) {
+void PartBounds::coverPrediction(const Bodies& bodies, const Tolerances& tolerances, Real dt,
+                                 WorkerTeam& team) {
     listOutgrown(bodies, team, [&](std::uint32_t body, std::size_t i) {
         const BodyVelocity& motion = bodies.motion[body];
         const Extent& extent = bodies.extent[body];

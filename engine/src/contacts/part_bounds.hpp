@@ -61,7 +61,8 @@ public:
     /// Lists the parts of one body.
     void listBody(std::uint32_t body);
     /// Before a step of dt: grows bounds that the predicted motion will leave.
-    void foresee(const Bodies& bodies, const Tolerances& tolerances, Real dt, WorkerTeam& team);
+    void coverPrediction(const Bodies& bodies, const Tolerances& tolerances, Real dt,
+                         WorkerTeam& team);
     /// After the solver: grows bounds that the actual displacement will leave.
     void coverDisplacements(const Bodies& bodies, const Tolerances& tolerances, WorkerTeam& team);
     /// Empties the list of changed parts, after their pairs have been found.

@@ -24,7 +24,7 @@ struct StepRecords {
     bool allDue = false;    // `all` is not written yet; it follows from the contacts
     bool eventsDue = false; // `begun` and `ended` are not written yet
 
-    std::vector<std::uint32_t> turned; // slots of contacts that began or ended in the last step
+    std::vector<std::uint32_t> toggled; // slots of contacts that began or ended in the last step
     std::vector<CollisionRecord> all;
     std::vector<CollisionRecord> begun;
     std::vector<CollisionRecord> ended;
@@ -37,10 +37,10 @@ struct StepRecords {
     void begin() {
         allDue = false;
         eventsDue = false;
-        turned.clear();
+        toggled.clear();
         removed.clear();
     }
-    void finish(bool wanted) {
+    void finish(bool enabled) {
         for (std::vector<CollisionRecord>* list : {&all, &begun, &ended, &ends}) {
             list->clear();
         }
@@ -48,8 +48,8 @@ struct StepRecords {
             std::swap(nextEnds, ends);
             nextEnds.reserve(ends.capacity()); // the two vectors alternate
         }
-        allDue = wanted;
-        eventsDue = wanted;
+        allDue = enabled;
+        eventsDue = enabled;
     }
     /// Keeps the record of a contact that is about to be removed. It must not be resident.
     void keep(const Contact& contact) {

@@ -36,9 +36,9 @@ bool StillParts::update(const Bodies& bodies, const PartBounds& bounds) {
             moving += bounds.countOf(body);
         }
         const std::size_t still = all_ - moving;
-        pays_ = still >= kFew && still >= moving;
+        hasTree_ = still >= kFew && still >= moving;
     }
-    if (!pays_) {
+    if (!hasTree_) {
         built_ = false;
     } else if (built_) {
         followAwake(bodies, bounds);
@@ -46,7 +46,7 @@ bool StillParts::update(const Bodies& bodies, const PartBounds& bounds) {
         rebuild(bodies, bounds);
         built_ = true;
     }
-    return pays_;
+    return hasTree_;
 }
 
 /// Moves the bodies that have become active or inactive.
@@ -116,7 +116,7 @@ void StillParts::removePlanes(std::uint32_t body) {
 void StillParts::listOthers(const Bodies& bodies, const PartBounds& bounds,
                             std::vector<std::uint32_t>& parts) const {
     parts.clear();
-    if (!pays_) {
+    if (!hasTree_) {
         for (std::uint32_t i = 0; i < bounds.size(); ++i) {
             if (bounds.isUsed(i)) {
                 parts.push_back(i);

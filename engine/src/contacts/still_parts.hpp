@@ -29,7 +29,7 @@ public:
     /// Number of awake bodies when the last update() decided.
     std::size_t awakeCount() const { return counted_; }
     /// Result of the last update().
-    bool pays() const { return pays_; }
+    bool hasTree() const { return hasTree_; }
 
     /// Lists the parts to search without the tree, in order: of active bodies, of planes, and the
     /// changed ones; all if there is no tree.
@@ -48,10 +48,10 @@ private:
     PartTree parts_;
     std::vector<std::uint32_t> planes_; // bodies with a plane, in order
     std::vector<std::uint32_t> active_; // Bodies::awake at the last update
-    std::size_t counted_ = 0;           // bodies awake when `pays_` was decided
+    std::size_t counted_ = 0;           // bodies awake when `hasTree_` was decided
     std::size_t all_ = 0;               // parts, at that time
     bool built_ = false;                // the tree is valid
-    bool pays_ = false;
+    bool hasTree_ = false;
 };
 
 /// Scratch: the parts that are searched beside the tree, and their bounds, contiguous.

@@ -152,8 +152,8 @@ void ArticulatedTrees::grow(const Bodies& bodies, std::span<const Edge> edges, s
 }
 
 /// True if the component in reached_ and links_ is to be solved directly. Depends on masses and
-/// joints alone, so the answer lasts from step to step. A joint of an anchored tree carries what
-/// hangs on it; one of a free tree carries the lighter side.
+/// joints alone, so the result lasts from step to step. A joint of an anchored tree carries the
+/// part beyond it; one of a free tree carries the lighter side.
 bool ArticulatedTrees::isDirect(const Bodies& bodies, std::span<const Edge> edges, bool anchored) {
     if (anchored && links_.size() <= kFewJoints) {
         return true;

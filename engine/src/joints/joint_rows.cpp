@@ -51,11 +51,11 @@ void PointConstraint::push(BodyVelocity& a, BodyVelocity& b, Vec2 impulse) const
     applyImpulse(b, armB, impulse);
 }
 
-void PointConstraint::finishStepOfContacts(Vec2 impulse, Vec2& pushes, Real&) const {
+void PointConstraint::addToSums(Vec2 impulse, Vec2& pushes, Real&) const {
     pushes += impulse;
 }
 
-void AxisConstraint::finishStepOfContacts(Real impulse, Vec2& pushes, Real& turns) const {
+void AxisConstraint::addToSums(Real impulse, Vec2& pushes, Real& turns) const {
     if (axis == Vec2{}) {
         turns += leverB * impulse;
     } else {

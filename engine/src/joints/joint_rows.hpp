@@ -41,7 +41,7 @@ struct PointConstraint {
     /// Applies an impulse to the bodies.
     void push(BodyVelocity& a, BodyVelocity& b, Vec2 impulse) const;
     /// Adds the impulse to the linear sum (N s, on b); `turns` is the angular one (N m s).
-    void finishStepOfContacts(Vec2 impulse, Vec2& pushes, Real& turns) const;
+    void addToSums(Vec2 impulse, Vec2& pushes, Real& turns) const;
 };
 
 inline constexpr Range kUnbounded{-std::numeric_limits<Real>::infinity(),
@@ -76,7 +76,7 @@ struct AxisConstraint {
 
     void solve(BodyVelocity& a, BodyVelocity& b, Real& impulse, bool biased) const;
     void push(BodyVelocity& a, BodyVelocity& b, Real impulse) const;
-    void finishStepOfContacts(Real impulse, Vec2& pushes, Real& turns) const;
+    void addToSums(Real impulse, Vec2& pushes, Real& turns) const;
 };
 
 } // namespace KODO_PRECISION

@@ -102,8 +102,7 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
                                      pass.biased || relax == Relax::Same);
                 }
                 if (!pass.biased) { // the relax pass is the last one of the substep
-                    constraint.finishStepOfContacts(impulse, joint.linearImpulseSum,
-                                                    joint.angularImpulseSum);
+                    constraint.addToSums(impulse, joint.linearImpulseSum, joint.angularImpulseSum);
                 }
             });
     }

@@ -35,8 +35,8 @@ void SpringRates::find(const Bodies& bodies) {
     if (springs_.empty()) {
         return;
     }
-    sums_.resize(bodies.size());
-    largest_.resize(bodies.size());
+    resizeByBody(sums_, bodies);
+    resizeByBody(largest_, bodies);
     for (const Spring& spring : springs_) {
         sums_[spring.a] += spring.ofA;
         sums_[spring.b] += spring.ofB;

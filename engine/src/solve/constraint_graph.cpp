@@ -75,7 +75,7 @@ void ContactBlocks::layOut(std::span<const Contact> contacts) {
 void ContactBlocks::rebuildGraph(const Bodies& bodies, ContactSet& contacts,
                                  std::uint32_t partitions) {
     findCuts(bodies, contacts, partitions);
-    colours_.resize(bodies.size());
+    resizeByBody(colours_, bodies);
     evictAll(contacts.contacts(), bodies);
     forgetLanes();
     layOut(contacts.contacts());

@@ -38,10 +38,9 @@ bool ContactBlocks::worthPartitioning() const {
 
 void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, bool friction,
                           bool rolling) {
-    colours_.reserve(bodies.record.capacity()); // so that the next body does not move it
-    colours_.resize(bodies.size());
+    resizeByBody(colours_, bodies);
     if (!refinedLevels_.empty()) {
-        refinedLevels_.resize(bodies.size(), 0);
+        resizeByBody(refinedLevels_, bodies);
     }
     const std::size_t bins = kLevelBins * (refinedLevels_.empty() ? 1 : kLevels);
     if (order_.size() > singles_ + bins * cuts_.size() + rows_ / 4) { // most lanes are empty
@@ -273,8 +272,7 @@ void ContactBlocks::arrange(const Bodies& bodies, std::span<Contact> contacts,
                             std::span<const std::uint32_t> newcomers,
                             std::span<const std::uint16_t> crowd, Real pushSpeed) {
     freeLanes(bodies);
-    sharedOf_.reserve(bodies.record.capacity());
-    sharedOf_.resize(bodies.size(), kNone); // all kNone between steps
+    resizeByBody(sharedOf_, bodies, kNone); // all kNone between steps
     for (const std::uint32_t place : newcomers) {
         Contact& contact = contacts[place];
         if (!keepsColour(bodies, contact)) {

@@ -154,7 +154,7 @@ bool ContinuousCollision::markSwift(const Bodies& bodies, bool mayBounce,
     const Real unseen =
         mayBounce ? Real(0) : allowedApproach(bodies.thinnest, bodies.thinnest, true) / 2;
     std::uint8_t anySwift = 0;
-    swift_.resize(bodies.size(), 0); // all 0 between steps
+    resizeByBody(swift_, bodies); // all 0 between steps
     team.forEach(bodies.awake.size(), kPathsPerPiece, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             const std::uint32_t body = bodies.awake[k];
@@ -180,8 +180,8 @@ void ContinuousCollision::run(Bodies& bodies, ContactSet& contactSet, const Step
         sensors = findCandidates(bodies, contactSet, tolerances, team);
     }
     if (!candidates_.empty() || sensors) {
-        stopAt_.resize(bodies.size(), 1); // all 1 between steps
-        push_.resize(bodies.size());      // all 0 between steps
+        resizeByBody(stopAt_, bodies, Real(1)); // all 1 between steps
+        resizeByBody(push_, bodies);            // all 0 between steps
         const bool driven =
             std::any_of(bodies.awake.begin(), bodies.awake.end(),
                         [&](std::uint32_t body) { return bodies.isMovingKinematic(body); });

@@ -70,7 +70,7 @@ std::size_t RevoluteBlocks::colourFor(const Bodies& bodies, const JointEnds& end
 /// Finds the colours of the joints, and counts the lanes of each colour.
 void RevoluteBlocks::assignColours(const Bodies& bodies, JointSet& joints,
                                    std::span<const std::uint32_t> list) {
-    colours_.resize(bodies.size());
+    resizeByBody(colours_, bodies);
     colourOf_.clear();
     batches_ = {};
     for (const std::uint32_t index : list) {

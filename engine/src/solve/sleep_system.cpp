@@ -265,7 +265,7 @@ bool SleepSystem::countCalm(Bodies& bodies, const StepSettings& settings,
 /// more. On a single corner a body can only balance.
 void SleepSystem::countSupports(const Bodies& bodies, const ContactSet& contacts,
                                 const JointSet& joints) {
-    supports_.resize(bodies.size());
+    resizeByBody(supports_, bodies);
     for (const std::uint32_t body : bodies.awake) {
         supports_[body] = 0;
     }
@@ -307,7 +307,7 @@ void SleepSystem::restartTipping(Bodies& bodies, std::uint32_t enough, Real dt) 
 void SleepSystem::joinTouching(const Bodies& bodies, const ContactSet& contacts,
                                const JointSet& joints) {
     touching_.resize(bodies.size());
-    leastCalm_.resize(bodies.size());
+    resizeByBody(leastCalm_, bodies);
     for (const std::uint32_t body : bodies.awake) {
         touching_.makeSet(body);
     }

@@ -30,15 +30,10 @@ constexpr int kSpringPasses = 4;
 
 /// Clears the marks of all bodies, then marks those with joints.
 void SoftSolver::clearMarks(const Bodies& bodies, const JointSet& joints) {
-    const std::size_t room = bodies.record.capacity(); // so that the next body moves no array
-    exposure_.reserve(room);
-    near_.reserve(room);
-    touched_.reserve(room);
-    overlapCount_.reserve(room);
-    exposure_.resize(bodies.size());
-    near_.resize(bodies.size());
-    touched_.resize(bodies.size());
-    overlapCount_.resize(bodies.size());
+    resizeByBody(exposure_, bodies);
+    resizeByBody(near_, bodies);
+    resizeByBody(touched_, bodies);
+    resizeByBody(overlapCount_, bodies);
     anyDeep_ = 0;
     const bool most = kMany * bodies.awake.size() > bodies.size();
     if (std::exchange(anyCrowded_, std::uint8_t{0}) != 0 || most) { // inactive bodies too
@@ -127,7 +122,7 @@ void SoftSolver::collectPiece(const Collecting& run, std::span<const std::uint32
     const bool restitution = step.settings.has(Feature::Restitution);
     const bool keeps = friction && blocks_.keepsLanes();
     const Real slop = step.tolerances.slop;
-    PrefetchList<kNewcomersPerPiece> asked;
+    PrefetchList<kNewcomersPerPiece> visited;
     for (const std::uint32_t place : places) {
         const ContactSummary& summary = summaryOf[place];
         if (keeps && summary.kept && needsRow(bodies, summary, restitution, slop)) {
@@ -135,10 +130,10 @@ void SoftSolver::collectPiece(const Collecting& run, std::span<const std::uint32
             blocks_.keep(summary.row);
             noteExposure(bodies, summary, slop, step.team);
         } else if (!keeps || summary.meets || summary.row != ContactRow::kNone) {
-            asked.add(place);
+            visited.add(place);
         }
     }
-    visitPrefetched<4>(asked.list(), contacts, [&](std::uint32_t place) {
+    visitPrefetched<4>(visited.list(), contacts, [&](std::uint32_t place) {
         if (needsRow(bodies, summaryOf[place], restitution, slop) && contacts[place].responds()) {
             takeNew(bodies, contactSet, place, friction, newcomers);
             noteExposure(bodies, summaryOf[place], slop, step.team);

@@ -122,8 +122,7 @@ void SoftSolver::runSubstep(Substeps& run, bool first) {
     JointPass& jointPass = run.jointPass;
     const PassSettings& settings = run.pass.settings;
     if (first) {
-        before_.reserve(bodies.record.capacity()); // so that the next body does not move it
-        before_.resize(bodies.size());
+        resizeByBody(before_, bodies);
         std::fill(fromJoints_.begin(), fromJoints_.end(), Velocity{});
     }
     for (std::size_t k = 0; k < jointed_.size() && !first; ++k) {

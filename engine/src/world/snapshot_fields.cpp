@@ -248,10 +248,10 @@ void SnapshotFields::completeContact(Contact& contact, const Bodies& bodies) {
 void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Tolerances& tolerances) {
     // The state of the pair finder affects time, not results: it starts fresh.
     auto& [bounds, pairs, finder, still, movers, ghostCollisions, contacts, order, lists, gone,
-           newOrder, news, newsFound, holes, added, summaries, live, found, onGround, slots, idle,
-           changes, stirred, hasChanged, touches, touchChanges, records, apart, fastestApproach,
-           reorderPolicy, stale, pairsStale, liveStale, placesStale, contactsChanged, anySensors,
-           anyBounces] = set;
+           newOrder, pairChanges, changesFound, holes, added, summaries, live, found, onGround,
+           slots, idle, changes, activityChanges, hasChanged, touches, touchChanges, records, apart,
+           fastestApproach, reorderPolicy, stale, pairsStale, liveStale, placesStale,
+           contactsChanged, anySensors, anyBounces] = set;
     auto& [parts, firstPart, count, firstBefore, from, usedCount, convexes, corners, leftOver,
            tight, grown, changed, isChanged, outgrown] = bounds;
     set.writeRecords();
