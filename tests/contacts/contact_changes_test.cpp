@@ -81,11 +81,11 @@ public:
     /// Parts that are near each other and may collide have a contact, in order and with correct
     /// indices. Parts whose grown bounds do not overlap have none.
     void expectAllPairs() {
-        const PartBounds& bounds = contacts_.bounds();
+        const PartBounds& bounds = contacts_.candidates().bounds();
         std::set<std::pair<std::uint32_t, std::uint32_t>> there;
         ContactKey last;
         std::map<std::uint32_t, std::multiset<std::uint32_t>> ofBody;
-        contacts_.forEachInOrder([&](std::uint32_t slot) {
+        contacts_.store().forEachInOrder([&](std::uint32_t slot) {
             const Contact& contact = contacts_.contacts()[slot];
             ofBody[contact.key.bodyA].insert(slot);
             ofBody[contact.key.bodyB].insert(slot);
@@ -99,7 +99,8 @@ public:
         });
         for (std::uint32_t body = 0; body < bodies_.size(); ++body) {
             std::multiset<std::uint32_t> listed;
-            contacts_.lists().forEach(body, [&](std::uint32_t slot) { listed.insert(slot); });
+            contacts_.store().lists().forEach(body,
+                                              [&](std::uint32_t slot) { listed.insert(slot); });
             EXPECT_EQ(listed, ofBody[body]) << "body " << body;
         }
         std::set<std::pair<std::uint32_t, std::uint32_t>> headed;
@@ -185,8 +186,8 @@ private:
         contacts_.activityChanged(body);
     }
     bool mayMeet(std::uint32_t i, std::uint32_t k) const {
-        const std::uint32_t a = contacts_.bounds().part(i).body;
-        const std::uint32_t b = contacts_.bounds().part(k).body;
+        const std::uint32_t a = contacts_.candidates().bounds().part(i).body;
+        const std::uint32_t b = contacts_.candidates().bounds().part(k).body;
         return a != b && (bodies_.active(a) || bodies_.active(b)) &&
                shouldCollide(bodies_.filter[a], bodies_.filter[b]);
     }

@@ -105,7 +105,7 @@ TEST(ContactOrder, IsRestoredAfterManyChanges) {
     std::size_t i = 0;
     const ContactSet& set = lattice.set;
     const ContactPassArguments pass = lattice.blocks.pass(lattice.bodies, 0, {});
-    lattice.set.forEachInOrder([&](std::uint32_t slot) {
+    lattice.set.store().forEachInOrder([&](std::uint32_t slot) {
         const Contact& contact = set.contacts()[slot];
         EXPECT_EQ(slot, i);
         const ContactSummary& summary = set.summaries()[i++];

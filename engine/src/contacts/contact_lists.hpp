@@ -16,9 +16,9 @@ public:
     /// False after changes of many contacts at once: then all must be added again.
     bool isValid() const { return valid_; }
     void forget() { valid_ = false; }
-    void begin(std::size_t bodies, std::size_t slots) {
+    void begin(std::size_t slots) {
         valid_ = true;
-        first_.assign(bodies, kEnd);
+        first_.clear();
         links_.resize(2 * slots);
     }
 

@@ -2,13 +2,14 @@
 #pragma once
 
 #include <kodo/collision_record.hpp>
+#include <kodo/settings.hpp>
 
 #include "contacts/contact.hpp"
-#include "contacts/contact_report.hpp"
+#include "contacts/contact_store.hpp"
 
 #include <cstdint>
 #include <functional>
-#include <utility>
+#include <span>
 #include <vector>
 
 namespace kodo {
@@ -18,45 +19,52 @@ inline namespace KODO_PRECISION {
 using WriteBack = std::function<void(Contact&)>;
 
 /// Records of the last step. A step only notes what began and ended; the records are written when
-/// they are first read. `begun` and `ended` then cost what began and ended, `all` costs all
-/// touching contacts. All lists are in the order of bodies and parts.
-struct StepRecords {
-    bool allDue = false;    // `all` is not written yet; it follows from the contacts
-    bool eventsDue = false; // `begun` and `ended` are not written yet
+/// they are first read. Lists of begins and ends then cost what began and ended, the list of all
+/// costs all touching contacts. All lists are in the order of bodies and parts, and agree.
+class StepRecords {
+public:
+    /// The contacts of the step, and what writes back the resident ones among them.
+    struct Source {
+        const ContactStore& store;
+        Real fastestApproach; // m/s
+        const WriteBack& writeBack;
+    };
 
-    std::vector<std::uint32_t> toggled; // slots of contacts that began or ended in the last step
-    std::vector<CollisionRecord> all;
-    std::vector<CollisionRecord> begun;
-    std::vector<CollisionRecord> ended;
-    std::vector<CollisionRecord> removed;  // of contacts removed since the step, while allDue
-    std::vector<CollisionRecord> ends;     // End records of contacts removed by or before the step
-    std::vector<CollisionRecord> nextEnds; // End records of contacts removed since
-    std::vector<std::uint32_t> slots;      // scratch: of contacts whose records are written
+    // Each function writes back the contacts of its own records alone.
+    std::span<const CollisionRecord> all(const Source& source);
+    std::span<const CollisionRecord> begun(const Source& source);
+    std::span<const CollisionRecord> ended(const Source& source);
+    /// Those with an impulse and an approach speed of at least minSpeed (m/s).
+    std::vector<CollisionRecord> hits(Real minSpeed, const Source& source);
+    std::vector<CollisionRecord> of(BodyId body, const Source& source);
 
     /// Starts a step: lists that were not read until now are not written any more.
-    void begin() {
-        allDue = false;
-        eventsDue = false;
-        toggled.clear();
-        removed.clear();
-    }
-    void finish(bool enabled) {
-        for (std::vector<CollisionRecord>* list : {&all, &begun, &ended, &ends}) {
-            list->clear();
-        }
-        if (!nextEnds.empty()) {
-            std::swap(nextEnds, ends);
-            nextEnds.reserve(ends.capacity()); // the two vectors alternate
-        }
-        allDue = enabled;
-        eventsDue = enabled;
-    }
+    void begin();
+    void finish(bool enabled);
     /// Keeps the record of a contact that is about to be removed. It must not be resident.
-    void keep(const Contact& contact) {
-        if (allDue) {
-            recordContact(contact, removed);
-        }
-    }
+    void keep(const Contact& contact);
+    /// A touching contact was removed: it gets an End record in the next step.
+    void noteEnd(const Contact& contact);
+    /// Slots of the contacts that began or ended in the last step.
+    std::vector<std::uint32_t>& toggled() { return toggled_; }
+
+private:
+    friend class SnapshotFields;
+
+    template <typename Find, typename Accept>
+    void select(Find find, Accept accept, const Source& source, std::vector<CollisionRecord>& out);
+    void writeEvents(const Source& source);
+
+    bool allDue_ = false;    // all_ is not written yet; it follows from the contacts
+    bool eventsDue_ = false; // begun_ and ended_ are not written yet
+    std::vector<std::uint32_t> toggled_;
+    std::vector<CollisionRecord> all_;
+    std::vector<CollisionRecord> begun_;
+    std::vector<CollisionRecord> ended_;
+    std::vector<CollisionRecord> removed_;  // of contacts removed since the step, while allDue_
+    std::vector<CollisionRecord> ends_;     // End records of contacts removed by or before the step
+    std::vector<CollisionRecord> nextEnds_; // End records of contacts removed since
+    std::vector<std::uint32_t> slots_;      // scratch: of contacts whose records are written
 };
 
 } // namespace KODO_PRECISION

@@ -79,7 +79,8 @@ void ContactBlocks::rebuildGraph(const Bodies& bodies, ContactSet& contacts,
     evictAll(contacts.contacts(), bodies);
     forgetLanes();
     layOut(contacts.contacts());
-    contacts.forEachInOrder([&](std::uint32_t slot) { assignRow(contacts.contacts()[slot]); });
+    contacts.store().forEachInOrder(
+        [&](std::uint32_t slot) { assignRow(contacts.contacts()[slot]); });
     finishGraph();
 }
 

@@ -222,6 +222,7 @@ void ContinuousCollision::finish(Bodies& bodies, bool driven, Real dt) {
 bool ContinuousCollision::findCandidates(const Bodies& bodies, const ContactSet& contactSet,
                                          const Tolerances& tolerances, WorkerTeam& team) {
     const std::span<const ContactSummary> summaries = contactSet.summaries();
+    const PartBounds& bounds = contactSet.candidates().bounds();
     std::uint8_t sensors = 0;
     found_.gather(team, summaries.size(), kPairsPerPiece, candidates_,
                   [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
@@ -230,7 +231,7 @@ bool ContinuousCollision::findCandidates(const Bodies& bodies, const ContactSet&
                           if (summary.sensor) {
                               WorkerTeam::mark(sensors);
                           } else if (isSwift(summary) &&
-                                     closes(bodies, contactSet.bounds(), summary, tolerances)) {
+                                     closes(bodies, bounds, summary, tolerances)) {
                               found.push_back(static_cast<std::uint32_t>(i));
                           }
                       }

@@ -40,7 +40,7 @@ void holdBack(Vec2& push, Vec2 normal) {
 /// with restitution has become faster than the kinematic body by its impact and needs no push.
 void ContinuousCollision::findPushes(const Step& step) {
     againstLocked_.clear();
-    step.contactSet.forEachInOrder([&](std::uint32_t i) {
+    step.contactSet.store().forEachInOrder([&](std::uint32_t i) {
         const ContactSummary& summary = step.summaries[i];
         if (summary.meets && !summary.bounces &&
             step.bodies.locked(summary.bodyA) != step.bodies.locked(summary.bodyB) &&

@@ -280,7 +280,7 @@ void ImpactSolver::solve(Bodies& bodies, ContactSet& contactSet, const ContactBl
     };
     const Inputs inputs{bodies, contactSet, blocks, step};
     bool any = false;
-    contactSet.forEachInOrder([&](std::uint32_t slot) {
+    contactSet.store().forEachInOrder([&](std::uint32_t slot) {
         const ContactSummary& summary = summaries[slot];
         if (summary.idle) {
             return;

@@ -124,7 +124,7 @@ void Propagation::findIslands(const Bodies& bodies, const ContactSet& contactSet
         return numbers_[islands_.rootOf(body)];
     };
     ends_.clear(); // at first the numbers of contacts
-    contactSet.forEachInOrder([&](std::uint32_t slot) {
+    contactSet.store().forEachInOrder([&](std::uint32_t slot) {
         if (takesPart(contacts[slot])) {
             std::uint32_t& island = islandOf(contacts[slot]);
             if (island == kNone) {
@@ -140,7 +140,7 @@ void Propagation::findIslands(const Bodies& bodies, const ContactSet& contactSet
     }
     reserveReusing(byIsland_, contacts.size());
     byIsland_.resize(sum);
-    contactSet.forEachInOrder([&](std::uint32_t slot) {
+    contactSet.store().forEachInOrder([&](std::uint32_t slot) {
         if (takesPart(contacts[slot])) {
             byIsland_[ends_[islandOf(contacts[slot])]++] = slot;
         }

@@ -57,7 +57,7 @@ void Refinement::findSeeds(const Step& step) {
         }
         Real load = 0;
         Real carriers = 0;
-        step.contactSet.lists().forEach(body, [&](std::uint32_t slot) {
+        step.contactSet.store().lists().forEach(body, [&](std::uint32_t slot) {
             const Contact& contact = step.contactSet.contacts()[slot];
             const Real separation = step.contactSet.summaries()[slot].separation[0];
             if (contact.responds() && separation <= step.tolerances.slop) {
@@ -105,7 +105,7 @@ void Refinement::spread(const Step& step, std::uint32_t body, std::uint8_t level
     while (!queue_.empty()) {
         const std::uint32_t next = queue_.back();
         queue_.pop_back();
-        step.contactSet.lists().forEach(next, [&](std::uint32_t slot) {
+        step.contactSet.store().lists().forEach(next, [&](std::uint32_t slot) {
             const ContactSummary& summary = step.contactSet.summaries()[slot];
             const std::uint32_t other = summary.bodyA == next ? summary.bodyB : summary.bodyA;
             if (summary.meets && levels_[other] == 0 &&

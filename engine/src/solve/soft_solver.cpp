@@ -289,7 +289,7 @@ void SoftSolver::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joi
         blocks_.refine(refinement_, contactSet, bodies);
     }
     collect(bodies, contactSet, joints, step);
-    contactSet.sortByKey(newcomers_); // colours depend on the order
+    contactSet.store().sortByKey(newcomers_); // colours depend on the order
     blocks_.arrange(bodies, contactSet.contacts(), newcomers_,
                     anyCrowded_ != 0 ? std::span<const std::uint16_t>(overlapCount_)
                                      : std::span<const std::uint16_t>(),

@@ -247,20 +247,25 @@ void SnapshotFields::completeContact(Contact& contact, const Bodies& bodies) {
 /// bodies, so they are stored.
 void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Tolerances& tolerances) {
     // The state of the pair finder affects time, not results: it starts fresh.
-    auto& [bounds, pairs, finder, still, movers, ghostCollisions, contacts, order, lists, gone,
-           newOrder, pairChanges, changesFound, holes, added, summaries, live, found, onGround,
-           slots, idle, changes, activityChanges, hasChanged, touches, touchChanges, records, apart,
-           fastestApproach, reorderPolicy, stale, pairsStale, liveStale, placesStale,
+    auto& [candidates, store, touchCounts, records, ghostCollisions, live, found, onGround, idle,
+           changes, activityChanges, hasChanged, fastestApproach, stale, pairsStale, liveStale,
            contactsChanged, anySensors, anyBounces] = set;
+    auto& [bounds, finder, still, movers, pairs, excluded] = candidates;
+    auto& [contacts, summaries, order, newOrder, lists, gone, pairChanges, changesFound, holes,
+           added, movedTo, slots, reorderPolicy, placesStale] = store;
+    auto& [allDue, eventsDue, toggled, allRecords, begun, ended, removed, ends, nextEnds,
+           recordSlots] = records;
     auto& [parts, firstPart, count, firstBefore, from, usedCount, convexes, corners, leftOver,
            tight, grown, changed, isChanged, outgrown] = bounds;
     set.writeRecords();
     if (!reads()) {
         set.applyChanges(bodies, tolerances);
-        set.compactBounds();
+        if (candidates.compact()) {
+            store.renewPlaces(bounds);
+        }
         set.sortContacts(); // the bytes do not depend on slots, nor on indices of parts
     }
-    all(contacts, records.nextEnds, records.all, tight, grown, changed, reorderPolicy);
+    all(contacts, nextEnds, allRecords, tight, grown, changed, reorderPolicy);
     if (!reads()) {
         return;
     }
@@ -281,12 +286,13 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
     }
     stale = false;
     pairsStale = false;
-    records.eventsDue = true;
+    eventsDue = true;
     for (Contact& contact : contacts) {
         completeContact(contact, bodies);
     }
-    set.orderContacts();
-    set.countTouches(bodies);
+    set.changed();
+    store.order(bounds);
+    touchCounts.recount(contacts, bodies);
     const auto before = [&all = contacts](const auto& a, const auto& b) {
         return all[a.slot].key < all[b.slot].key;
     };

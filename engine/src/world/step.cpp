@@ -46,7 +46,7 @@ void WorldImpl::step(Real dt, const StepOptions& options) {
     }
     enter(StepStage::Record);
     finishMoves(team);
-    if (!contacts_.contacts().empty() || !contacts_.touchChanges().empty()) {
+    if (!contacts_.contacts().empty() || !contacts_.touchCounts().changes().empty()) {
         recordCollisions(team);
     }
     contacts_.finishStep(settings_.has(Feature::Records));
@@ -80,7 +80,7 @@ void WorldImpl::updateManifolds(WorkerTeam& team) {
 /// Evicts the resident contacts of teleported bodies, so that their manifolds are updated.
 void WorldImpl::evictTeleported() {
     for (const std::uint32_t body : bodies_.changes.teleported) {
-        contacts_.lists().forEach(body, [&](std::uint32_t slot) {
+        contacts_.store().lists().forEach(body, [&](std::uint32_t slot) {
             if (contacts_.summaries()[slot].row != ContactRow::kNone) {
                 softSolver_.blocks().evict(contacts_.contacts()[slot], bodies_);
                 contacts_.noteRow(slot);
@@ -248,11 +248,11 @@ void WorldImpl::breakJoints(Real dt) {
 /// Updates the contact phases and kColliding. Only bodies whose flag changes are visited.
 void WorldImpl::recordCollisions(WorkerTeam& team) {
     contacts_.finishStepOfContacts(softSolver_.blocks().touched(), tolerances_, team);
-    for (const std::uint32_t body : contacts_.touchChanges()) {
+    for (const std::uint32_t body : contacts_.touchCounts().changes()) {
         Flags& flags = bodies_.filter[body].flags;
-        flags = contacts_.isTouched(body) ? flags | kColliding : flags & ~kColliding;
+        flags = contacts_.touchCounts().isTouched(body) ? flags | kColliding : flags & ~kColliding;
     }
-    contacts_.clearTouchChanges();
+    contacts_.touchCounts().clearChanges();
 }
 
 } // namespace KODO_PRECISION

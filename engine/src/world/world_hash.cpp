@@ -45,7 +45,7 @@ std::uint64_t WorldImpl::stateHash() const {
             hash.add(value);
         }
     };
-    contacts_.forEachInOrder([&](std::uint32_t slot) {
+    contacts_.store().forEachInOrder([&](std::uint32_t slot) {
         Contact current = contacts_.contacts()[slot];
         softSolver_.blocks().writeBack(current, bodies_);
         addContact(current);

@@ -80,12 +80,12 @@ BodyId WorldImpl::add(const BodyDef& def) {
 
 std::vector<CollisionRecord> WorldImpl::collisions(BodyId id) const {
     kodo::requireAlive(bodies_, id);
-    return contacts_.recordsOf(id, writeBack());
+    return contacts_.records().of(id, contacts_.recordSource(writeBack()));
 }
 
 std::vector<CollisionRecord> WorldImpl::hits(Real minSpeed) const {
     refuse(checkNotNegative("minSpeed", minSpeed, "m/s"));
-    return contacts_.hits(minSpeed, writeBack());
+    return contacts_.records().hits(minSpeed, contacts_.recordSource(writeBack()));
 }
 
 void WorldImpl::wake(std::uint32_t body) {

@@ -55,13 +55,15 @@ public:
     void applyTorqueToAll(Real torque, CollisionFilter which);
 
     void step(Real dt, const StepOptions& options);
-    std::span<const CollisionRecord> collisions() const { return contacts_.records(writeBack()); }
+    std::span<const CollisionRecord> collisions() const {
+        return contacts_.records().all(contacts_.recordSource(writeBack()));
+    }
     std::vector<CollisionRecord> collisions(BodyId id) const;
     std::span<const CollisionRecord> begunCollisions() const {
-        return contacts_.begun(writeBack());
+        return contacts_.records().begun(contacts_.recordSource(writeBack()));
     }
     std::span<const CollisionRecord> endedCollisions() const {
-        return contacts_.ended(writeBack());
+        return contacts_.records().ended(contacts_.recordSource(writeBack()));
     }
     std::vector<CollisionRecord> hits(Real minSpeed) const;
     std::uint64_t stepCount() const { return stepCount_; }
@@ -76,9 +78,11 @@ public:
 
     StepStats stats() const {
         return {bodies_.awake.size(), contactVisits_, joints_.busyCount(),
-                contacts_.pairFinder().work()};
+                contacts_.candidates().finder().work()};
     }
-    void setPairSearch(std::optional<PairSearch> only) { contacts_.pairFinder().use(only); }
+    void setPairSearch(std::optional<PairSearch> only) {
+        contacts_.candidates().finder().use(only);
+    }
 
     std::uint64_t stateHash() const;
 

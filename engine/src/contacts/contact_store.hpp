@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/reorder_policy.hpp"
+#include "base/worker_team.hpp"
+#include "contacts/candidate_pairs.hpp"
+#include "contacts/contact.hpp"
+#include "contacts/contact_lists.hpp"
+
+#include <span>
+#include <vector>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// Contacts by slot, their order by key, and the contacts of each body. A slot stays valid until
+/// settle(), merge(), sort() or order().
+class ContactStore {
+public:
+    std::size_t size() const { return contacts_.size(); }
+    std::size_t capacity() const { return contacts_.capacity(); }
+    std::span<Contact> contacts() { return contacts_; }
+    std::span<const Contact> contacts() const { return contacts_; }
+    std::span<ContactSummary> summaries() { return summaries_; }
+    std::span<const ContactSummary> summaries() const { return summaries_; }
+    /// Calls visit(slot) for all contacts in the order of their keys. Results may depend on this
+    /// order, but not on that of the slots: other islands change it.
+    template <typename Visit>
+    void forEachInOrder(Visit visit) const {
+        const bool anyGone = !gone_.empty();
+        for (const Place& place : order_) {
+            if (!anyGone || !summaries_[place.slot].gone) {
+                visit(place.slot);
+            }
+        }
+    }
+    /// Slot of the contact at an index in the order of keys.
+    std::uint32_t slotAt(std::size_t index) const { return order_[index].slot; }
+    /// Sorts slots in the order of the keys of their contacts. Not valid after a change of bodies.
+    void sortByKey(std::span<std::uint32_t> slots) const;
+    /// Slots of the contacts of each body.
+    const ContactLists& lists() const;
+
+    /// Takes a contact out of the lists of its bodies. Its slot stays in use until settle().
+    void detach(std::uint32_t slot);
+    /// Frees the slots of detached contacts. False if there are none.
+    bool settle();
+    /// Removes the slots that the last settle() freed from a list, and renumbers those that moved.
+    void renumber(std::vector<std::uint32_t>& slots) const;
+
+    /// Compares the contacts with the result of a search: false if they agree.
+    bool findChanges(const CandidatePairs& candidates, WorkerTeam& team);
+    /// Calls visit(slot) for each contact that the next merge() removes.
+    template <typename Visit>
+    void forEachRemoved(Visit visit) const {
+        for (const Change& change : changes_) {
+            if (!change.isNew) {
+                visit(order_[change.at].slot);
+            }
+        }
+    }
+    /// Adds and removes what findChanges() found.
+    void merge(const CandidatePairs& candidates, const Bodies& bodies, WorkerTeam& team);
+    /// Adds contacts that are not in the store, and returns their slots. Valid until the next call.
+    std::span<const std::uint32_t> putBack(std::span<const Contact> contacts,
+                                           const PartBounds& bounds);
+
+    /// Counts a step. True if the contacts should be sorted.
+    bool countStep() { return reorderPolicy_.countStep(contacts_.size()); }
+    /// Sorts the contacts by key, so that a loop over them reads bodies in sequence. False if they
+    /// were in order.
+    bool sort();
+    /// Rebuilds everything but the contacts.
+    void order(const PartBounds& bounds);
+    /// Describes all contacts again, after their bodies or the indices of bounds have changed.
+    void describe(const Bodies& bodies, const PartBounds& bounds);
+    /// The same for the contacts of one body.
+    void describe(std::uint32_t body, const Bodies& bodies, const PartBounds& bounds);
+    /// Copies all contacts to their summaries, and finds the indices of their bounds.
+    void renewPlaces(const PartBounds& bounds);
+    /// The indices of bounds have changed: see PartBounds::indexNow. refreshPlaces() must follow.
+    void renumberBounds(const PartBounds& bounds);
+    /// The keys of contacts have changed, but not their order. refreshPlaces() must follow.
+    void partsChanged() { placesStale_ = true; }
+    void refreshPlaces();
+
+private:
+    friend class SnapshotFields;
+    static constexpr std::size_t kContactsPerPiece = 128;
+    /// Slot of a contact. Pairs of bounds are in the order of the contact keys.
+    struct Place {
+        BoundsPair pair;
+        std::uint32_t slot;
+    };
+    /// A pair that is added or removed.
+    struct Change {
+        BoundsPair pair;
+        std::uint32_t at; // index in order_: of the removed pair, or before which it is inserted
+        bool isNew;
+    };
+
+    void fillHoles();
+    void addContacts(const CandidatePairs& candidates, const Bodies& bodies, WorkerTeam& team);
+    std::uint32_t append(const Contact& contact, const PartBounds& bounds);
+    void insertAppended();
+    void renewSummary(std::uint32_t slot, const PartBounds& bounds);
+
+    std::vector<Contact> contacts_;
+    std::vector<ContactSummary> summaries_;
+    std::vector<Place> order_;        // of the contacts, by key
+    std::vector<Place> newOrder_;     // scratch: merging allocates nothing
+    mutable ContactLists lists_;      // by body; see lists()
+    std::vector<std::uint32_t> gone_; // slots of detached contacts, until settle()
+    std::vector<Change> changes_;     // while merging
+    ParallelCollector<Change> changesFound_;
+    // While merging: slots of removed contacts, and indices in order_ of new ones.
+    std::vector<std::uint32_t> holes_, added_;
+    std::vector<std::uint32_t> movedTo_; // by slot beyond the end, of the last fillHoles
+    std::vector<std::uint32_t> slots_;   // scratch and result of putBack
+    ReorderPolicy reorderPolicy_;
+    bool placesStale_ = false; // pairs of bounds in order_
+};
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "contacts/step_records.hpp"
+
+#include "base/vector_reuse.hpp"
+#include "contacts/contact_report.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <utility>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+/// Appends the record of a contact; of a resident one with its state written back to a copy.
+void append(const Contact& contact, const WriteBack& writeBack, std::vector<CollisionRecord>& out) {
+    if (contact.row.resident) {
+        Contact copy = contact;
+        writeBack(copy);
+        recordContact(copy, out);
+    } else {
+        recordContact(contact, out);
+    }
+}
+
+template <typename Accept>
+void appendIf(std::span<const CollisionRecord> records, std::vector<CollisionRecord>& out,
+              Accept accept) {
+    std::copy_if(records.begin(), records.end(), std::back_inserter(out), accept);
+}
+
+} // namespace
+
+void StepRecords::begin() {
+    allDue_ = false;
+    eventsDue_ = false;
+    toggled_.clear();
+    removed_.clear();
+}
+
+void StepRecords::finish(bool enabled) {
+    for (std::vector<CollisionRecord>* list : {&all_, &begun_, &ended_, &ends_}) {
+        list->clear();
+    }
+    if (!nextEnds_.empty()) {
+        std::swap(nextEnds_, ends_);
+        nextEnds_.reserve(ends_.capacity()); // the two vectors alternate
+    }
+    allDue_ = enabled;
+    eventsDue_ = enabled;
+}
+
+void StepRecords::keep(const Contact& contact) {
+    if (allDue_) {
+        recordContact(contact, removed_);
+    }
+}
+
+void StepRecords::noteEnd(const Contact& contact) {
+    nextEnds_.push_back(endOf(contact));
+}
+
+std::span<const CollisionRecord> StepRecords::all(const Source& source) {
+    if (std::exchange(allDue_, false)) {
+        all_.reserve(source.store.capacity() + removed_.size() + ends_.size());
+        const std::span<const Contact> contacts = source.store.contacts();
+        source.store.forEachInOrder([&](std::uint32_t slot) {
+            if (contacts[slot].phase) {
+                append(contacts[slot], source.writeBack, all_);
+            }
+        });
+        addInOrder(removed_, all_);
+        addInOrder(ends_, all_);
+    }
+    return all_;
+}
+
+/// Appends the records of the last step for which accept(record) is true, in order. find(slots)
+/// lists the contacts that may have one; it is not called if all records are written.
+template <typename Find, typename Accept>
+void StepRecords::select(Find find, Accept accept, const Source& source,
+                         std::vector<CollisionRecord>& out) {
+    if (!allDue_) {
+        appendIf(all_, out, accept);
+        return;
+    }
+    slots_.clear();
+    find(slots_);
+    const std::span<const Contact> contacts = source.store.contacts();
+    const auto before = [&](std::uint32_t a, std::uint32_t b) {
+        return contacts[a].key < contacts[b].key;
+    };
+    if (!std::is_sorted(slots_.begin(), slots_.end(), before)) {
+        std::sort(slots_.begin(), slots_.end(), before); // total order: keys are unique
+    }
+    reserveReusing(out, slots_.size());
+    for (const std::uint32_t slot : slots_) {
+        append(contacts[slot], source.writeBack, out);
+    }
+    std::erase_if(out, std::not_fn(accept));
+    const std::size_t inOrder = out.size();
+    appendIf(removed_, out, accept);
+    appendIf(ends_, out, accept);
+    if (out.size() > inOrder) {
+        sortRecords(out);
+    }
+}
+
+/// Writes the lists of begins and ends.
+void StepRecords::writeEvents(const Source& source) {
+    if (!std::exchange(eventsDue_, false)) {
+        return;
+    }
+    // First both in begun_.
+    select([&](std::vector<std::uint32_t>& slots) { slots = toggled_; },
+           [](const CollisionRecord& record) { return record.phase != TouchPhase::Persist; },
+           source, begun_);
+    const auto isEnd = [](const CollisionRecord& r) { return r.phase == TouchPhase::End; };
+    appendIf(begun_, ended_, isEnd);
+    std::erase_if(begun_, isEnd);
+}
+
+std::span<const CollisionRecord> StepRecords::begun(const Source& source) {
+    writeEvents(source);
+    return begun_;
+}
+
+std::span<const CollisionRecord> StepRecords::ended(const Source& source) {
+    writeEvents(source);
+    return ended_;
+}
+
+std::vector<CollisionRecord> StepRecords::hits(Real minSpeed, const Source& source) {
+    const auto isHit = [=](const CollisionRecord& record) {
+        return record.maxImpulse > 0 && record.approachSpeed >= minSpeed;
+    };
+    const auto findFast = [&](std::vector<std::uint32_t>& slots) {
+        if (source.fastestApproach < minSpeed) {
+            return;
+        }
+        const std::span<const ContactSummary> summaries = source.store.summaries();
+        source.store.forEachInOrder([&](std::uint32_t slot) {
+            if (summaries[slot].approachSpeed >= minSpeed && summaries[slot].wasTouching) {
+                slots.push_back(slot);
+            }
+        });
+    };
+    std::vector<CollisionRecord> hits;
+    select(findFast, isHit, source, hits);
+    return hits;
+}
+
+std::vector<CollisionRecord> StepRecords::of(BodyId body, const Source& source) {
+    const auto findOwn = [&](std::vector<std::uint32_t>& slots) {
+        source.store.lists().forEach(body.index,
+                                     [&](std::uint32_t slot) { slots.push_back(slot); });
+    };
+    std::vector<CollisionRecord> records;
+    select(
+        findOwn, [=](const CollisionRecord& record) { return record.involves(body); }, source,
+        records);
+    return records;
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo
