@@ -139,7 +139,7 @@ TEST(ContactOrder, OfRebuiltLanesIsThatOfThePass) {
         blocks.rebuildGraph(lattice.bodies, lattice.set, partitions);
         lattice.take();
         EXPECT_EQ(blocks.size(), rows);
-        EXPECT_EQ(blocks.partitions(), partitions);
+        EXPECT_EQ(blocks.partitions().count(), partitions);
         for (std::size_t i = 0; i < colours.size(); ++i) {
             EXPECT_EQ(lattice.set.contacts()[i].row.colour, colours[i]);
         }
@@ -155,9 +155,10 @@ TEST(ContactOrder, OfRebuiltLanesIsThatOfThePass) {
             EXPECT_GT(lanes, 0u);
             EXPECT_TRUE(std::is_sorted(block.a, block.a + lanes)) << k;
             partial += lanes < 8 ? 1 : 0;
-            EXPECT_TRUE(k == 0 || blocks.partitionOf(k - 1) <= blocks.partitionOf(k)) << k;
+            EXPECT_TRUE(k == 0 || blocks.stateOf(k - 1).partition <= blocks.stateOf(k).partition)
+                << k;
         }
-        EXPECT_LE(partial, partitions * blocks.colours(0).size());
+        EXPECT_LE(partial, partitions * blocks.passOrder().colours(0).size());
     }
 }
 

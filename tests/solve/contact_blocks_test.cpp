@@ -61,7 +61,7 @@ struct Crowd {
 void expectNoBodyTwice(const Crowd& crowd, const ContactBlocks& blocks,
                        const ContactPassArguments& pass) {
     std::size_t i = 0;
-    for (const ContactBlocks::Colour& colour : blocks.colours(0)) {
+    for (const PassOrder::Colour& colour : blocks.passOrder().colours(0)) {
         std::set<std::uint32_t> pushed;
         for (std::size_t k = 0; k < colour.count; ++k, ++i) {
             const ContactBlock& block = pass.blocks[pass.order[i]];

@@ -27,7 +27,7 @@ struct Line {
     std::vector<ContactBlock> blocks;
     std::vector<BlockUse> use;
     std::vector<std::uint32_t> order;
-    std::vector<ContactBlocks::Colour> colours;
+    std::vector<PassOrder::Colour> colours;
     OverlapRelaxation relaxation;
 
     std::uint32_t addBody(Real speed, bool locked = false) {
@@ -241,7 +241,7 @@ TEST(OverlapRelaxation, HasTheBitsOfPassesOverTheOriginalBlocks) {
         blocks->motion.emplace_back(); // the spare one
     }
     const std::vector<std::uint16_t> crowd(some.motion.size() - 1, 1);
-    const std::vector<ContactBlocks::Colour> colours{{kBlocks, false}};
+    const std::vector<PassOrder::Colour> colours{{kBlocks, false}};
     OverlapRelaxation relaxation;
     relaxation.find({some.pass(), colours, kDeepBelow, crowd});
     relaxation.run(some.pass());

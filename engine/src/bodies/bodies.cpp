@@ -175,7 +175,7 @@ bool refreshAwake(Bodies& bodies) {
         std::copy_if(bodies.awake.begin(), bodies.awake.end(), std::back_inserter(changed),
                      [&](std::uint32_t body) { return !bodies.active(body); });
     }
-    if (std::exchange(bodies.awakeStale, false)) {
+    if (std::exchange(bodies.changes.allActivity, false)) {
         changed.resize(bodies.size());
         std::iota(changed.begin(), changed.end(), 0u);
     }
@@ -207,7 +207,7 @@ void clearArrivals(Bodies& bodies) {
 void noteStart(Bodies& bodies) {
     resizeByBody(bodies.start, bodies);
     const auto note = [&](std::uint32_t body) { bodies.start[body] = bodies.pose[body].position; };
-    if (std::exchange(bodies.startStale, false)) {
+    if (std::exchange(bodies.changes.allMoved, false)) {
         for (std::uint32_t body = 0; body < bodies.size(); ++body) {
             note(body);
         }
@@ -297,7 +297,7 @@ void setTurns(Bodies& bodies, bool turns) {
             bodies.motion[index].angularVelocity = 0;
         }
     }
-    bodies.awakeStale = true;
+    bodies.changes.allActivity = true;
 }
 
 } // namespace KODO_PRECISION

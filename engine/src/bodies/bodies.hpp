@@ -48,6 +48,8 @@ struct BodyChanges {
     std::vector<std::uint32_t> teleported; // see Bodies::hasTeleported
     std::vector<std::uint32_t> moved;      // inactive, with an outdated Bodies::start
     std::vector<std::uint32_t> toggled;    // that the last refreshAwake listed or removed, in order
+    bool allActivity = true;               // the same as if `activity` listed all bodies
+    bool allMoved = true;                  // the same as if `moved` listed all bodies
 };
 
 /// All bodies of a World as parallel arrays, indexed by BodyId::index. A free slot has zero
@@ -82,11 +84,9 @@ struct Bodies {
     /// 0 if `thinnest` is exact. Otherwise it counts changes and steps; a quarter of the number of
     /// bodies starts the next computation.
     std::size_t thinnestAge = 1;
-    bool awakeStale = true;         // any body may have become active or inactive
     bool anyStopped = false;        // a kinematic body in the list has become motionless
     bool anySleeping = true;        // during the solve
     bool turns = true;              // false: Feature::Rotation is off
-    bool startStale = true;         // of any body
     bool accelerationsStale = true; // accelerations, masses or the awake list have changed
 
     BodyId idAt(std::size_t index) const {
@@ -124,9 +124,9 @@ struct Bodies {
     void noteArrival(std::size_t index) { note(index, hasArrived, changes.arrived); }
     void noteTeleport(std::size_t index) { note(index, hasTeleported, changes.teleported); }
     /// The body may have become active or inactive.
-    void noteActivity(std::size_t index) { note(index, changes.activity, awakeStale); }
+    void noteActivity(std::size_t index) { note(index, changes.activity, changes.allActivity); }
     /// Bodies::start of the body is outdated, and the body is not active.
-    void noteMove(std::size_t index) { note(index, changes.moved, startStale); }
+    void noteMove(std::size_t index) { note(index, changes.moved, changes.allMoved); }
 
     /// True if the body takes part in a step.
     bool active(std::size_t index) const {

@@ -31,10 +31,10 @@ void forEachPushed(const ContactPassArguments& pass, std::uint32_t block, const 
 /// Marks the bodies that a block of another partition can move. The first partition solves all
 /// blocks of single contacts, so the bodies of these count as shared, even its own.
 void BlockPartitions::notePushed(const Step& step, std::uint32_t block) {
-    const bool single = step.blocks.isSingle(block);
-    const std::uint8_t partition = step.blocks.partitionOf(block);
+    const bool single = BlockBins::isSingle(step.blocks.stateOf(block).bin);
+    const std::uint8_t partition = step.blocks.stateOf(block).partition;
     forEachPushed(step.pass, block, [&](std::uint32_t body) {
-        if (single || step.blocks.partitionOfBody(body) != partition) {
+        if (single || step.blocks.partitions().of(body) != partition) {
             commonStale_ =
                 std::exchange(pushedByOthers_[body], std::uint8_t{1}) == 0 || commonStale_;
         }
@@ -50,8 +50,9 @@ bool BlockPartitions::pushesCommon(const Step& step, std::uint32_t block) const 
 
 void BlockPartitions::buildGraph(const Step& step, WorkerTeam& team) {
     const std::uint64_t before = std::exchange(lanesState_, step.blocks.lanesState());
-    const bool follows = before + 1 == lanesState_ && partitions_ == step.blocks.partitions();
-    partitions_ = step.blocks.partitions();
+    const bool follows =
+        before + 1 == lanesState_ && partitions_ == step.blocks.partitions().count();
+    partitions_ = step.blocks.partitions().count();
     common_.resize(step.blocks.blockCount());
     const std::span<const std::uint32_t> order(step.pass.order, step.pass.count);
     if (follows) {
@@ -93,11 +94,13 @@ void BlockPartitions::listBlocks(const Step& step) {
     ranges_.clear();
     order_.resize(step.pass.count);
     std::uint32_t first = 0;
-    for (const ContactBlocks::Colour& colour : step.blocks.colours(step.level)) {
+    for (const PassOrder::Colour& colour : step.blocks.passOrder().colours(step.level)) {
         const std::uint32_t end = first + static_cast<std::uint32_t>(colour.count);
         std::array<std::uint32_t, 2 * WorkerTeam::kMaxPartitions + 1> next{};
         const auto groupOf = [&](std::uint32_t block) {
-            return colour.oneByOne ? 0u : 2u * step.blocks.partitionOf(block) + 1u - common_[block];
+            return colour.oneByOne
+                       ? 0u
+                       : 2u * step.blocks.stateOf(block).partition + 1u - common_[block];
         };
         for (std::uint32_t k = first; k < end; ++k) {
             ++next[groupOf(order[k]) + 1];
@@ -123,7 +126,7 @@ void BlockPartitions::listBodies(const Step& step) {
     auto from = step.bodies.begin();
     for (std::uint32_t partition = 0; partition < partitions_; ++partition) {
         const auto to = std::partition_point(from, step.bodies.end(), [&](std::uint32_t body) {
-            return step.blocks.partitionOfBody(body) <= partition;
+            return step.blocks.partitions().of(body) <= partition;
         });
         parts_.push_back({static_cast<std::size_t>(from - step.bodies.begin()),
                           static_cast<std::size_t>(to - from)});

@@ -3,20 +3,12 @@
 #include "solve/contact_blocks.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <iterator>
-#include <numeric>
 #include <utility>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
-namespace {
-
-constexpr std::size_t kCutBins = 256; // bins of the histogram of bodies in findCuts()
-
-} // namespace
-
 /// Assigns a lane to every contact that has a colour, after a snapshot was read or most lanes were
 /// empty.
 void ContactBlocks::assignRows(std::span<Contact> contacts) {
@@ -24,48 +16,27 @@ void ContactBlocks::assignRows(std::span<Contact> contacts) {
     for (Contact& contact : contacts) {
         assignRow(contact);
     }
-    finishGraph();
-}
-
-void ContactBlocks::finishGraph() {
     rowsAssigned_ = true;
     lanesStale_ = true;
     reorderPolicy_ = {};
 }
 
-/// Finds the first body of each partition, so that all partitions have about as many contacts.
-void ContactBlocks::findCuts(const Bodies& bodies, ContactSet& contacts, std::uint32_t partitions) {
-    const std::uint32_t width = static_cast<std::uint32_t>(bodies.size() / kCutBins) + 1;
-    std::array<std::uint32_t, kCutBins> counts{};
-    for (const ContactSummary& summary : contacts.summaries()) {
-        counts[summary.bodyA / width] += summary.row != kNone ? 1 : 0;
-    }
-    const std::size_t all = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
-    cuts_.assign(1, 0);
-    std::size_t before = 0;
-    for (std::uint32_t bin = 0; cuts_.size() < partitions; ++bin) {
-        before += counts[bin];
-        while (cuts_.size() < partitions && (before * partitions >= all * cuts_.size())) {
-            cuts_.push_back((bin + 1) * width);
-        }
-    }
-}
-
 /// Adds as many blocks as the contacts need. The blocks of a partition and a colour are
 /// consecutive, in the order of a pass.
 void ContactBlocks::layOut(std::span<const Contact> contacts) {
-    open_.assign(kBins * cuts_.size(), 0); // at first the numbers of contacts
+    open_.assign(BlockBins::kBins * partitions_.count(), 0); // at first the numbers of contacts
     for (const Contact& contact : contacts) {
         if (contact.row.colour != ContactRow::kNoColour) {
-            ++openOf(binOf(contact.row.colour, contact), partitionOfBody(contact.key.bodyA));
+            const std::uint32_t group = BlockBins::groupOfColour(contact.row.colour);
+            ++openOf(binOf(group, contact), partitions_.of(contact.key.bodyA));
         }
     }
     for (std::uint32_t place = 0; place < open_.size(); ++place) {
         const std::size_t count = std::exchange(open_[place], kNone);
         std::uint32_t before = kNone;
         for (std::size_t first = 0; first < count; first += ContactBlock::kContacts) {
-            const std::uint32_t block =
-                addBlock(place % kBins, static_cast<std::uint8_t>(place / kBins));
+            const std::uint32_t block = addBlock(
+                place % BlockBins::kBins, static_cast<std::uint8_t>(place / BlockBins::kBins));
             (before == kNone ? open_[place] : states_[before].nextOpen) = block;
             before = block;
         }
@@ -74,14 +45,16 @@ void ContactBlocks::layOut(std::span<const Contact> contacts) {
 
 void ContactBlocks::rebuildGraph(const Bodies& bodies, ContactSet& contacts,
                                  std::uint32_t partitions) {
-    findCuts(bodies, contacts, partitions);
+    partitions_.find(bodies, contacts.summaries(), partitions);
     resizeByBody(colours_, bodies);
     evictAll(contacts.contacts(), bodies);
     forgetLanes();
     layOut(contacts.contacts());
     contacts.store().forEachInOrder(
         [&](std::uint32_t slot) { assignRow(contacts.contacts()[slot]); });
-    finishGraph();
+    rowsAssigned_ = true;
+    lanesStale_ = true;
+    reorderPolicy_ = {};
 }
 
 void ContactBlocks::assignRow(Contact& contact) {
@@ -101,7 +74,7 @@ void ContactBlocks::assignRow(Contact& contact) {
     }
     ofA |= colourA;
     ofB |= colourB;
-    giveLane(contact, binOf(row.colour, contact));
+    giveLane(contact, binOf(BlockBins::groupOfColour(row.colour), contact));
 }
 
 /// Index of a block of the bin that has a free lane.
@@ -117,12 +90,11 @@ std::uint32_t ContactBlocks::addBlock(std::uint32_t bin, std::uint8_t partition)
     taken_.resize(blocks_.size() * ContactBlock::kContacts);
     carried_.resize(taken_.size());
     use_.reserve(blocks_.capacity());
-    order_.reserve(blocks_.capacity());
-    inUse_.reserve(blocks_.capacity());
+    passOrder_.reserve(blocks_.capacity());
     std::fill_n(lanes.a, ContactBlock::kContacts, velocityOffset(spare_));
     std::fill_n(lanes.b, ContactBlock::kContacts, velocityOffset(spare_));
     states_.push_back({bin, kNone, 0, 0, 0, partition});
-    use_.push_back({-1, bin % 2 == 1, groupOf(bin) > kFreeColours, 0, 0, Shared::None});
+    use_.push_back({-1, bin % 2 == 1, BlockBins::groupOf(bin) > kFreeColours, 0, 0, Shared::None});
     return block;
 }
 
@@ -163,7 +135,7 @@ void ContactBlocks::giveSingleLane(Contact& contact, std::uint32_t bin, Shared s
 }
 
 void ContactBlocks::giveLane(Contact& contact, std::uint32_t bin) {
-    const std::uint8_t partition = partitionOfBody(contact.key.bodyA);
+    const std::uint8_t partition = partitions_.of(contact.key.bodyA);
     const std::uint32_t block = openBlock(bin, partition);
     giveLaneOf(block, contact);
     if (states_[block].used == 0xff) {
@@ -185,8 +157,7 @@ void ContactBlocks::giveLaneOf(std::uint32_t block, Contact& contact) {
     put(state.fixedB, contact.row.fixedB);
     put(use_[block].movesA, !contact.row.fixedA);
     put(use_[block].movesB, !contact.row.fixedB);
-    ++rows_;
-    ++levels_[levelOfBin(state.bin)].rows;
+    ++rows_[BlockBins::levelOf(state.bin)];
     contact.row.index = block * ContactBlock::kContacts + lane;
     taken_[contact.row.index] = 1;
     blocks_[block].a[lane] = velocityOffset(contact.key.bodyA);
@@ -207,12 +178,8 @@ void ContactBlocks::forgetLanes() {
     use_.clear();
     states_.clear();
     rolling_.clear();
-    order_.clear();
-    inUse_.clear();
-    rows_ = 0;
-    for (Level& level : levels_) {
-        level.rows = 0;
-    }
+    passOrder_.clear();
+    rows_ = {};
     lanesState_ += 2;
     orderStale_ = true;
     rowsAssigned_ = false;

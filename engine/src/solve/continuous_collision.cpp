@@ -18,8 +18,7 @@ inline namespace KODO_PRECISION {
 namespace {
 
 constexpr std::uint32_t kNoContact = ~std::uint32_t{};
-constexpr std::size_t kPairsPerPiece = 256;
-constexpr std::size_t kPathsPerPiece = 256;
+constexpr std::size_t kPiece = 256; // pairs or paths
 constexpr std::size_t kCandidatesPerPiece = 64;
 constexpr Real kTaken = -1; // as a time: the impact has been processed
 /// Fraction of the slop at which a separated pair is stopped before it touches. In a glancing
@@ -155,7 +154,7 @@ bool ContinuousCollision::markSwift(const Bodies& bodies, bool mayBounce,
         mayBounce ? Real(0) : allowedApproach(bodies.thinnest, bodies.thinnest, true) / 2;
     std::uint8_t anySwift = 0;
     resizeByBody(swift_, bodies); // all 0 between steps
-    team.forEach(bodies.awake.size(), kPathsPerPiece, [&](std::size_t first, std::size_t last) {
+    team.forEach(bodies.awake.size(), kPiece, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             const std::uint32_t body = bodies.awake[k];
             const BodyVelocity& motion = bodies.motion[body];
@@ -224,7 +223,7 @@ bool ContinuousCollision::findCandidates(const Bodies& bodies, const ContactSet&
     const std::span<const ContactSummary> summaries = contactSet.summaries();
     const PartBounds& bounds = contactSet.candidates().bounds();
     std::uint8_t sensors = 0;
-    found_.gather(team, summaries.size(), kPairsPerPiece, candidates_,
+    found_.gather(team, summaries.size(), kPiece, candidates_,
                   [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
                       for (std::size_t i = first; i < last; ++i) {
                           const ContactSummary& summary = summaries[i];

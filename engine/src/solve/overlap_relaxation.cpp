@@ -195,7 +195,7 @@ void OverlapRelaxation::find(const Contacts& contacts) {
     findClusters(contacts);
     const ContactPassArguments& all = contacts.all;
     const std::uint32_t* next = all.order;
-    for (const ContactBlocks::Colour& colour : contacts.colours) {
+    for (const PassOrder::Colour& colour : contacts.colours) {
         Open open;
         for (auto& blocks : open) {
             blocks.fill(kNone);

@@ -27,7 +27,7 @@ public:
     /// The contacts of a step, in the order and the colours of the passes over all of them.
     struct Contacts {
         const ContactPassArguments& all;
-        std::span<const ContactBlocks::Colour> colours;
+        std::span<const PassOrder::Colour> colours;
         Real deepBelow;                       // m
         std::span<const std::uint16_t> crowd; // by body: number of overlaps beyond four slops
     };

@@ -11,15 +11,16 @@ inline namespace KODO_PRECISION {
 void ContactBlocks::noteTouching(Real slop, WorkerTeam& team) {
     touching_.resize(taken_.size() + 1); // the last entry is false
     touching_.back() = 0;
-    team.forEach(inUse_.size(), kBlocksPerPiece, [&](std::size_t first, std::size_t last) {
+    const std::span<const std::uint32_t> inUse = passOrder_.inMemory();
+    team.forEach(inUse.size(), kBlocksPerPiece, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
-            const ContactBlock& block = blocks_[inUse_[k]];
+            const ContactBlock& block = blocks_[inUse[k]];
             std::uint8_t* const touching =
-                &touching_[inUse_[k] * std::size_t{ContactBlock::kContacts}];
+                &touching_[inUse[k] * std::size_t{ContactBlock::kContacts}];
             const auto touches = [&](const ContactBlock::Point& point, std::size_t lane) {
                 return point.separation[lane] <= slop || point.largest[lane] > 0;
             };
-            const bool two = use_[inUse_[k]].twoPoints;
+            const bool two = use_[inUse[k]].twoPoints;
             for (std::size_t lane = 0; lane < ContactBlock::kContacts; ++lane) {
                 touching[lane] =
                     touches(block.points[0], lane) || (two && touches(block.points[1], lane));
@@ -32,9 +33,10 @@ void ContactBlocks::carry(Bodies& bodies, WorkerTeam& team) {
     if (!anyResident_) {
         return;
     }
-    team.forEach(inUse_.size(), kBlocksPerPiece, [&](std::size_t first, std::size_t last) {
+    const std::span<const std::uint32_t> inUse = passOrder_.inMemory();
+    team.forEach(inUse.size(), kBlocksPerPiece, [&](std::size_t first, std::size_t last) {
         ContactPasses::best().carry({blocks_.data(), carried_.data(), use_.data(),
-                                     inUse_.data() + first, last - first, bodies.motion.data(),
+                                     inUse.data() + first, last - first, bodies.motion.data(),
                                      bodies.extent.data(), areFar()});
     });
 }
@@ -64,7 +66,7 @@ void ContactBlocks::evict(Contact& contact, const Bodies& bodies) const {
     contact.centerA = bodies.start[contact.key.bodyA];
     const std::size_t block = blockOf(contact.row.index);
     const std::size_t lane = laneOf(contact.row.index);
-    const Real parts = partsOf(block);
+    const Real parts = BlockBins::partsOf(states_[block].bin);
     readImpulses(blocks_[block], lane, contact, parts);
     const std::int32_t rolling = use_[block].rolling;
     contact.rolling =
@@ -83,7 +85,8 @@ void ContactBlocks::writeBack(Contact& contact, const Bodies& bodies) const {
     if (contact.row.resident) {
         evict(contact, bodies);
         const std::uint32_t row = contact.row.index;
-        readImpactImpulses(blocks_[blockOf(row)], laneOf(row), contact, partsOf(blockOf(row)));
+        readImpactImpulses(blocks_[blockOf(row)], laneOf(row), contact,
+                           BlockBins::partsOf(states_[blockOf(row)].bin));
     }
 }
 

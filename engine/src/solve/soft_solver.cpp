@@ -84,7 +84,7 @@ void SoftSolver::beginCollecting(const Bodies& bodies, ContactSet& contactSet,
                                  const JointSet& joints, const Step& step) {
     const std::uint32_t partitions = step.team.partitions();
     const bool shared = partitions > 1 && blocks_.worthPartitioning();
-    if (blocks_.countReorder() || (shared && blocks_.partitions() != partitions)) {
+    if (blocks_.countReorder() || (shared && blocks_.partitions().count() != partitions)) {
         blocks_.rebuildGraph(bodies, contactSet, shared ? partitions : 1);
     }
     blocks_.begin(bodies, contactSet.contacts(), step.settings.has(Feature::Friction),
@@ -325,7 +325,7 @@ void SoftSolver::solveGroup(Bodies& bodies, ContactSet& contactSet, JointSet& jo
                       Softness::from(2 * hertz, soft.contactDamping, h), 1 / h,
                       settings.has(Feature::Friction), 1});
     if (anyDeep_ != 0) {
-        group.overlapRelaxation.find({pass, blocks_.colours(level),
+        group.overlapRelaxation.find({pass, blocks_.passOrder().colours(level),
                                       OverlapRelaxation::deepBelow(tolerances.slop),
                                       overlapCount_});
     } else {
@@ -343,7 +343,7 @@ void SoftSolver::solveGroup(Bodies& bodies, ContactSet& contactSet, JointSet& jo
     }
     WorkerTeam serial;
     const bool helped =
-        blocks_.worthPartitioning(level) && blocks_.partitions() == team.partitions();
+        blocks_.worthPartitioning(level) && blocks_.partitions().count() == team.partitions();
     Substeps run{bodies, joints, group, pass, jointPass, helped ? team : serial};
     if (!run.team.alone()) {
         group.partitions.buildGraph(

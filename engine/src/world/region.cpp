@@ -31,7 +31,7 @@ void WorldImpl::setRegion(std::optional<Aabb> region) {
     for (const std::uint32_t body : touched) {
         wake(body);
     }
-    bodies_.awakeStale = true;
+    bodies_.changes.allActivity = true;
     contacts_.activityChanged();
 }
 

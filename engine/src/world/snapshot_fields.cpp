@@ -105,8 +105,7 @@ void SnapshotFields::one(IdPool& pool) {
 void SnapshotFields::one(Bodies& bodies) {
     auto& [ids, stamp, motion, pose, acceleration, extent, teleportCount, hasTeleported, hasArrived,
            start, filter, record, parts, rest, forced, awake, nextAwake, thinnest, loads, changes,
-           thinnestAge, awakeStale, anyStopped, anySleeping, turns, startStale,
-           accelerationsStale] = bodies;
+           thinnestAge, anyStopped, anySleeping, turns, accelerationsStale] = bodies;
     one(ids);
     if (reads()) {
         stamp = 0; // bytes do not store the World of an id
@@ -138,8 +137,8 @@ void SnapshotFields::one(Bodies& bodies) {
             }
         }
     }
-    awakeStale = awakeStale || !changes.activity.empty();
-    all(awake, awakeStale);
+    changes.allActivity = changes.allActivity || !changes.activity.empty();
+    all(awake, changes.allActivity);
     if (reads()) {
         findThinnest(bodies);
         checkAwake(bodies);
@@ -169,7 +168,7 @@ void SnapshotFields::checkAwake(const Bodies& bodies) {
     const char* const sentence = "the list of awake bodies is wrong";
     require(inOrder(bodies.awake, bodies.size()), sentence);
     std::size_t next = 0;
-    for (std::uint32_t i = 0; i < bodies.size() && !bodies.awakeStale; ++i) {
+    for (std::uint32_t i = 0; i < bodies.size() && !bodies.changes.allActivity; ++i) {
         const bool listed = next < bodies.awake.size() && bodies.awake[next] == i;
         next += listed ? 1 : 0;
         const bool alive = bodies.ids.aliveAt(i);

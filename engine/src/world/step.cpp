@@ -233,7 +233,7 @@ void WorldImpl::freezeUnsoundMotion() {
         contacts_.forgetUnsound(bodies_, tolerances_);
         joints_.forgetUnsound();
         contacts_.bodiesChanged();
-        bodies_.awakeStale = true;
+        bodies_.changes.allActivity = true;
     }
 }
 
