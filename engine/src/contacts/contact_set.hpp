@@ -108,8 +108,8 @@ public:
 
     /// Records of the last step. Reading them does not change the contacts.
     StepRecords& records() const { return records_; }
-    StepRecords::Source recordSource(const WriteBack& writeBack) const {
-        return {store_, fastestApproach_, writeBack};
+    StepRecords::Source recordSource(WriteBack writeBack) const {
+        return {store_, fastestApproach_, std::move(writeBack)};
     }
 
 private:

@@ -27,7 +27,7 @@ public:
     struct Source {
         const ContactStore& store;
         Real fastestApproach; // m/s
-        const WriteBack& writeBack;
+        WriteBack writeBack;
     };
 
     // Each function writes back the contacts of its own records alone.

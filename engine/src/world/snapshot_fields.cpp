@@ -40,13 +40,48 @@ std::size_t partCount(const Bodies& bodies) {
     return parts;
 }
 
+/// Sets the data that follow from geometry and flags.
+void completeBody(Bodies& bodies, std::uint32_t body) {
+    const BodyRecord& record = bodies.record[body];
+    require(record.geometry != nullptr, "a body has no geometry");
+    for (const Part& part : record.geometry->parts) {
+        require(checkPlaneType(part.primitive, bodies.filter[body].flags));
+    }
+    const Transform& pose = bodies.pose[body];
+    const BodyVelocity& motion = bodies.motion[body];
+    require(bounded(pose.position) && bounded(motion.velocity) && bounded(motion.angularVelocity) &&
+                bounded(motion.deltaPosition) && bounded(motion.deltaAngle),
+            "the pose or velocity of a body is out of range");
+    require(checkRotation("rotation", pose.rotation));
+    if (record.force != Vec2{} || record.torque != 0) {
+        bodies.forced.push_back(body);
+    }
+    refreshDerived(bodies, body);
+}
+
+void checkAwake(const Bodies& bodies) {
+    const char* const sentence = "the list of awake bodies is wrong";
+    require(areInOrder(bodies.awake, bodies.size()), sentence);
+    std::size_t next = 0;
+    for (std::uint32_t i = 0; i < bodies.size() && !bodies.changes.allActivity; ++i) {
+        const bool listed = next < bodies.awake.size() && bodies.awake[next] == i;
+        next += listed ? 1 : 0;
+        const bool alive = bodies.ids.aliveAt(i);
+        require(listed ? alive : !alive || !bodies.active(i), sentence);
+    }
+}
+
 } // namespace
 
-std::uint32_t SnapshotFields::lengthOf(std::size_t size) {
-    auto length = static_cast<std::uint32_t>(size);
-    one(length);
-    require(!reads() || length <= stream_.left(), "a list is longer than the remaining bytes");
-    return length;
+void completeContact(Contact& contact, const Bodies& bodies) {
+    const auto& [bodyA, partA, bodyB, partB] = contact.key;
+    const auto there = [&](std::uint32_t body, std::uint16_t part) {
+        return body < bodies.size() && bodies.ids.aliveAt(body) &&
+               part < bodies.geometry(body).parts.size();
+    };
+    require(bodyA < bodyB && there(bodyA, partA) && there(bodyB, partB),
+            "a contact refers to bodies or parts that do not exist");
+    describeContact(contact, bodies);
 }
 
 /// Each body geometry is written once, however many bodies share it.
@@ -145,37 +180,6 @@ void SnapshotFields::one(Bodies& bodies) {
     }
 }
 
-/// Sets the data that follow from geometry and flags.
-void SnapshotFields::completeBody(Bodies& bodies, std::uint32_t body) {
-    const BodyRecord& record = bodies.record[body];
-    require(record.geometry != nullptr, "a body has no geometry");
-    for (const Part& part : record.geometry->parts) {
-        require(checkPlaneType(part.primitive, bodies.filter[body].flags));
-    }
-    const Transform& pose = bodies.pose[body];
-    const BodyVelocity& motion = bodies.motion[body];
-    require(bounded(pose.position) && bounded(motion.velocity) && bounded(motion.angularVelocity) &&
-                bounded(motion.deltaPosition) && bounded(motion.deltaAngle),
-            "the pose or velocity of a body is out of range");
-    require(checkRotation("rotation", pose.rotation));
-    if (record.force != Vec2{} || record.torque != 0) {
-        bodies.forced.push_back(body);
-    }
-    refreshDerived(bodies, body);
-}
-
-void SnapshotFields::checkAwake(const Bodies& bodies) {
-    const char* const sentence = "the list of awake bodies is wrong";
-    require(inOrder(bodies.awake, bodies.size()), sentence);
-    std::size_t next = 0;
-    for (std::uint32_t i = 0; i < bodies.size() && !bodies.changes.allActivity; ++i) {
-        const bool listed = next < bodies.awake.size() && bodies.awake[next] == i;
-        next += listed ? 1 : 0;
-        const bool alive = bodies.ids.aliveAt(i);
-        require(listed ? alive : !alive || !bodies.active(i), sentence);
-    }
-}
-
 /// A field as the arguments of its constructor, returned by the given functions.
 template <typename Field, typename... Values>
 void SnapshotFields::field(std::shared_ptr<const ForceField>& field,
@@ -192,22 +196,19 @@ void SnapshotFields::field(std::shared_ptr<const ForceField>& field,
     }
 }
 
-std::shared_ptr<const ForceField> SnapshotFields::nextOwnField() {
-    require(!ownFields_.empty(),
-            "fewer user-defined force fields were given than the snapshot needs");
-    const std::shared_ptr<const ForceField> field = ownFields_.front();
-    require(field != nullptr, "a given force field is null");
-    ownFields_ = ownFields_.subspan(1);
-    return field;
-}
-
 void SnapshotFields::one(FieldEntry& entry) {
     auto& [shared, which] = entry;
     FieldKind kind = shared ? shared->kind() : FieldKind::Own;
     as<std::uint8_t>(kind);
     switch (kind) {
     case FieldKind::Own:
-        shared = reads() ? nextOwnField() : shared;
+        if (reads()) {
+            require(!ownFields_.empty(),
+                    "fewer user-defined force fields were given than the snapshot needs");
+            require(ownFields_.front() != nullptr, "a given force field is null");
+            shared = ownFields_.front();
+            ownFields_ = ownFields_.subspan(1);
+        }
         break;
     case FieldKind::Gravity:
         field(shared, &Gravity::acceleration);
@@ -229,17 +230,6 @@ void SnapshotFields::one(FieldEntry& entry) {
         require(false, "the kind of a force field is unknown");
     }
     one(which);
-}
-
-void SnapshotFields::completeContact(Contact& contact, const Bodies& bodies) {
-    const auto& [bodyA, partA, bodyB, partB] = contact.key;
-    const auto there = [&](std::uint32_t body, std::uint16_t part) {
-        return body < bodies.size() && bodies.ids.aliveAt(body) &&
-               part < bodies.geometry(body).parts.size();
-    };
-    require(bodyA < bodyB && there(bodyA, partA) && there(bodyB, partB),
-            "a contact refers to bodies or parts that do not exist");
-    describeContact(contact, bodies);
 }
 
 /// Bounds of bodies that do not move date from their last motion. They do not follow from the
@@ -302,7 +292,8 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
 void SnapshotFields::world(WorldImpl& world) {
     auto& [guard, settings, tolerances, stepCount, count, bodies, fields, contacts, impacts,
            softSolver, propagation, contactVisits, continuous, sleep, joints, broken, frozen,
-           region, outsideVelocities, parked, unparked, queries, lastGeometry] = world;
+           region, queries, lastGeometry] = world;
+    auto& [box, outsideVelocities, parked, unparked] = region;
     softSolver.blocks().writeBackAll(contacts.contacts(), bodies);
     all(settings, tolerances, stepCount);
     bodies.turns = settings.has(Feature::Rotation);
@@ -321,15 +312,15 @@ void SnapshotFields::world(WorldImpl& world) {
     this->contacts(contacts, bodies, tolerances);
     this->rest(sleep, bodies);
     as<std::uint64_t>(contactVisits);
-    all(broken, frozen, region, parked);
+    all(broken, frozen, box, parked);
     if (reads()) {
         for (Contact& contact : parked) {
             completeContact(contact, bodies);
             contact.row = {};
         }
     }
-    if (region) {
-        require(region->lower.x <= region->upper.x && region->lower.y <= region->upper.y,
+    if (box) {
+        require(box->lower.x <= box->upper.x && box->lower.y <= box->upper.y,
                 "the region has its corners swapped");
     }
     count = 0;

@@ -3,7 +3,7 @@
 
 #include <kodo/force_field.hpp>
 
-#include "base/byte_stream.hpp"
+#include "world/snapshot_stream.hpp"
 #include "world/world_impl.hpp"
 
 #include <map>
@@ -17,118 +17,19 @@ inline namespace KODO_PRECISION {
 /// until it is stored or omitted deliberately. Omitted is state that the next step computes before
 /// use: solver, continuous collision, ghost collisions, and the order of sweep and prune. Derived
 /// data are omitted too: masses, convex shapes, lists by body.
-class SnapshotFields {
+class SnapshotFields : SnapshotStream<SnapshotFields> {
 public:
     using OwnFields = std::span<const std::shared_ptr<const ForceField>>;
 
     SnapshotFields(ByteStream& stream, OwnFields ownFields)
-        : stream_(stream), ownFields_(ownFields) {}
+        : SnapshotStream(stream), ownFields_(ownFields) {}
 
     /// When reading, `world` must be new.
     void world(WorldImpl& world);
 
 private:
-    bool reads() const { return stream_.reads(); }
-    static void require(bool good, const char* sentence) {
-        if (!good) {
-            throw BadSnapshot(sentence);
-        }
-    }
-    static void require(const std::optional<Problem>& problem) {
-        if (problem) {
-            throw BadSnapshot(problem->text());
-        }
-    }
-
-    template <typename... Values>
-    void all(Values&... values) {
-        (one(values), ...);
-    }
-
-    template <typename Number>
-    requires std::is_arithmetic_v<Number>
-    void one(Number& number) { stream_.number(number); }
-    /// A number stored with another size, or an enumerator.
-    template <typename Stored, typename Value>
-    void as(Value& value) {
-        auto stored = static_cast<Stored>(value);
-        stream_.number(stored);
-        value = static_cast<Value>(stored);
-    }
-    void one(ReorderPolicy& reorderPolicy) {
-        auto& [strayed, cost] = reorderPolicy;
-        all(strayed, cost);
-    }
-    template <typename Value>
-    void one(std::vector<Value>& list) {
-        std::uint32_t length = lengthOf(list.size());
-        if (reads()) {
-            list.clear();
-            while (length-- > 0) {
-                one(list.emplace_back()); // a wrong length fails before the list is large
-            }
-            return;
-        }
-        for (Value& value : list) {
-            one(value);
-        }
-    }
-    template <typename Value, std::size_t N>
-    void one(std::array<Value, N>& values) {
-        for (Value& value : values) {
-            one(value);
-        }
-    }
-    template <typename Value>
-    void one(std::optional<Value>& value) {
-        bool there = value.has_value();
-        one(there);
-        if (there) {
-            one(reads() ? value.emplace() : *value);
-        } else {
-            value.reset();
-        }
-    }
-    template <typename... Kinds>
-    void one(std::variant<Kinds...>& value) {
-        std::uint8_t kind = static_cast<std::uint8_t>(value.index());
-        one(kind);
-        if (reads()) {
-            std::uint8_t i = 0;
-            const bool known = ((i++ == kind && (value = Kinds{}, true)) || ...);
-            require(known, "the kind of a shape, joint or solver is unknown");
-        }
-        std::visit([this](auto& alternative) { this->one(alternative); }, value);
-    }
-
-    template <typename T>
-    void one(BasicVec2<T>& v) {
-        auto& [x, y] = v;
-        all(x, y);
-    }
-    void one(Rot& q) {
-        auto& [c, s] = q;
-        all(c, s);
-    }
-    void one(Transform& t) {
-        auto& [position, rotation] = t;
-        all(position, rotation);
-    }
-    void one(Aabb& box) {
-        auto& [lower, upper] = box;
-        all(lower, upper);
-    }
-
-    void one(Octagon& octagon) {
-        auto& [lower, upper] = octagon;
-        for (Octagon::Each* each : {&lower, &upper}) {
-            for (int i = 0; i < 4; ++i) {
-                Real value = (*each)[i];
-                one(value);
-                (*each)[i] = value;
-            }
-        }
-    }
+    friend class SnapshotStream<SnapshotFields>;
+    using SnapshotStream::one;
 
     // Shapes and body geometry.
     void one(Circle& circle);
@@ -153,8 +54,6 @@ private:
     void one(SleepState& rest);
     void one(IdPool& pool);
     void one(Bodies& bodies);
-    static void completeBody(Bodies& bodies, std::uint32_t body);
-    static void checkAwake(const Bodies& bodies);
 
     // Force fields.
     void one(DragLaw& law);
@@ -163,7 +62,6 @@ private:
     void one(FieldEntry& entry);
     template <typename Field, typename... Values>
     void field(std::shared_ptr<const ForceField>& field, Values (Field::*... get)() const);
-    std::shared_ptr<const ForceField> nextOwnField();
 
     // Contacts.
     void one(ContactKey& key);
@@ -176,9 +74,6 @@ private:
     void one(SleepSystem::Island& island);
     void contacts(ContactSet& set, const Bodies& bodies, const Tolerances& tolerances);
     void rest(SleepSystem& stage, Bodies& bodies);
-    static void completeContact(Contact& contact, const Bodies& bodies);
-    /// True for ascending indices below `count`.
-    static bool inOrder(std::span<const std::uint32_t> bodies, std::size_t count);
 
     // Joints.
     void one(JointId& id) {
@@ -201,13 +96,17 @@ private:
     void one(PropagationSettings& settings);
     void one(StepSettings& settings);
     void one(Tolerances& tolerances);
-    std::uint32_t lengthOf(std::size_t size);
 
-    ByteStream& stream_;
     OwnFields ownFields_; // not used yet
     std::vector<std::shared_ptr<const BodyGeometry>> geometries_;
     std::map<const BodyGeometry*, std::uint32_t> geometryNumbers_; // for look-up, never iterated
 };
+
+/// Checks the bodies and parts of a contact that was read, and sets what follows from them.
+void completeContact(Contact& contact, const Bodies& bodies);
+
+/// True for ascending indices below `count`.
+bool areInOrder(std::span<const std::uint32_t> bodies, std::size_t count);
 
 } // namespace KODO_PRECISION
 } // namespace kodo

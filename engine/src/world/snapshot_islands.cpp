@@ -6,7 +6,7 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
-bool SnapshotFields::inOrder(std::span<const std::uint32_t> bodies, std::size_t count) {
+bool areInOrder(std::span<const std::uint32_t> bodies, std::size_t count) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies[i] >= count || (i > 0 && bodies[i - 1] >= bodies[i])) {
             return false;
@@ -25,7 +25,7 @@ void SnapshotFields::rest(SleepSystem& stage, Bodies& bodies) {
     const char* const sentence =
         "the snapshot is corrupt: a sleeping body is missing from its island";
     for (std::uint32_t island = 0; island < islands.size(); ++island) {
-        require(inOrder(islands[island].bodies, bodies.size()), sentence);
+        require(areInOrder(islands[island].bodies, bodies.size()), sentence);
         for (const std::uint32_t body : islands[island].bodies) {
             require(bodies.ids.aliveAt(body) && bodies.asleep(body) &&
                         bodies.sleep[body].island == SleepState::kNoIsland,

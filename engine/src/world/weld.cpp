@@ -121,7 +121,7 @@ BodyId WorldImpl::unweld(BodyId body, std::size_t part, Flags flags) {
     contacts_.partRemoved(body.index, part);
     const BodyId freed = unweldPart(bodies_, body.index, part, flags & ~(kStatusFlags | kTypeBits));
     placeInRegion(body.index);
-    updateRegion(freed.index);
+    region_.update(bodies_, freed.index);
     contacts_.bodyChanged(freed.index);
     queries_.bodyChanged(body.index);
     queries_.bodyChanged(freed.index);

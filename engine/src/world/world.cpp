@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/checks.hpp"
 #include "world/world_impl.hpp"
 
 #include <stdexcept>
@@ -60,19 +61,27 @@ BodyId World::clone(BodyId id, Vec2 position) {
     return change("World::clone").clone(id, position);
 }
 bool World::contains(BodyId id) const {
-    return impl().contains(id);
+    return impl().bodyData().alive(id);
 }
 std::size_t World::bodyCount() const {
     return impl().bodyCount();
 }
 std::vector<BodyId> World::bodies() const {
-    return impl().bodies();
+    const Bodies& all = impl().bodyData();
+    std::vector<BodyId> ids;
+    ids.reserve(bodyCount());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (all.ids.aliveAt(i)) {
+            ids.push_back(all.idAt(i));
+        }
+    }
+    return ids;
 }
 BodyRef World::operator[](BodyId id) {
     return impl()[id];
 }
 BodyView World::operator[](BodyId id) const {
-    return impl()[id];
+    return {impl().bodyData(), id};
 }
 std::size_t World::weld(BodyId into, BodyId part) {
     return change("World::weld").weld(into, part);
@@ -92,7 +101,7 @@ void World::remove(JointId id) {
     change("World::remove").remove(id);
 }
 bool World::contains(JointId id) const {
-    return impl().contains(id);
+    return impl().jointData().contains(id);
 }
 const JointDef& World::joint(JointId id) const {
     return impl().joint(id);
@@ -101,13 +110,15 @@ void World::setJoint(JointId id, const JointDef& def) {
     change("World::setJoint").setJoint(id, def);
 }
 Vec2 World::jointForce(JointId id) const {
-    return impl().jointForce(id);
+    impl().requireAlive(id);
+    return impl().jointData().force(id);
 }
 Real World::jointTorque(JointId id) const {
-    return impl().jointTorque(id);
+    impl().requireAlive(id);
+    return impl().jointData().torque(id);
 }
 std::vector<JointId> World::joints() const {
-    return impl().joints();
+    return impl().jointData().ids();
 }
 std::span<const BrokenJoint> World::brokenJoints() const {
     return impl().brokenJoints();
@@ -133,19 +144,21 @@ void World::step(Real dt, const StepOptions& options) {
     change("World::step").step(dt, options);
 }
 std::span<const CollisionRecord> World::collisions() const {
-    return impl().collisions();
+    return impl().records().all(impl().recordSource());
 }
 std::vector<CollisionRecord> World::collisions(BodyId id) const {
-    return impl().collisions(id);
+    requireAlive(impl().bodyData(), id);
+    return impl().records().of(id, impl().recordSource());
 }
 std::span<const CollisionRecord> World::begunCollisions() const {
-    return impl().begunCollisions();
+    return impl().records().begun(impl().recordSource());
 }
 std::span<const CollisionRecord> World::endedCollisions() const {
-    return impl().endedCollisions();
+    return impl().records().ended(impl().recordSource());
 }
 std::vector<CollisionRecord> World::hits(Real minSpeed) const {
-    return impl().hits(minSpeed);
+    refuse(checkNotNegative("minSpeed", minSpeed, "m/s"));
+    return impl().records().hits(minSpeed, impl().recordSource());
 }
 std::uint64_t World::stepCount() const {
     return impl().stepCount();

@@ -4,6 +4,7 @@
 #include "base/checks.hpp"
 #include "bodies/body_checks.hpp"
 #include "bodies/field_checks.hpp"
+#include "world/world_step.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -22,6 +23,15 @@ bool sameParts(const std::vector<Part>& a, const std::vector<Part>& b) {
 // Features that may keep bodies at rest: a change wakes all islands.
 constexpr Features kSleepFeatures =
     Feature::Friction | Feature::RollingResistance | Feature::Sleep | Feature::Rotation;
+
+void requireValid(const FieldEntry& entry, Real lengthUnit) {
+    if (!entry.field) {
+        refuse(Problem{"field", "must not be null: FieldEntry::field holds a std::shared_ptr to a "
+                                "field"});
+    }
+    refuse(checkFilter(entry.which));
+    refuse(checkField(*entry.field, lengthUnit));
+}
 
 /// Never 0, which matches all Worlds.
 std::uint32_t nextStamp() {
@@ -60,46 +70,87 @@ WorldImpl::WorldImpl(const WorldDef& def) : tolerances_() {
     }
 }
 
-std::shared_ptr<const BodyGeometry> WorldImpl::geometryFor(const BodyDef& def) {
+BodyId WorldImpl::add(const BodyDef& def) {
+    refuse(check(def, tolerances_.unit()));
     std::vector<Part> parts = partsOf(def);
     if (!lastGeometry_ || !sameParts(lastGeometry_->parts, parts)) {
         lastGeometry_ = makeGeometry(std::move(parts));
     }
-    return lastGeometry_;
-}
-
-BodyId WorldImpl::add(const BodyDef& def) {
-    refuse(check(def, tolerances_.unit()));
-    const BodyId id = addBody(bodies_, def, geometryFor(def));
-    updateRegion(id.index);
-    contacts_.bodyChanged(id.index);
-    queries_.bodyChanged(id.index);
-    ++count_;
+    const BodyId id = addBody(bodies_, def, lastGeometry_);
+    bodyAdded(id.index);
     return id;
 }
 
-std::vector<CollisionRecord> WorldImpl::collisions(BodyId id) const {
-    kodo::requireAlive(bodies_, id);
-    return contacts_.records().of(id, contacts_.recordSource(writeBack()));
+void WorldImpl::bodyAdded(std::uint32_t body) {
+    region_.update(bodies_, body);
+    contacts_.bodyChanged(body);
+    queries_.bodyChanged(body);
+    ++count_;
 }
 
-std::vector<CollisionRecord> WorldImpl::hits(Real minSpeed) const {
-    refuse(checkNotNegative("minSpeed", minSpeed, "m/s"));
-    return contacts_.records().hits(minSpeed, contacts_.recordSource(writeBack()));
+void WorldImpl::step(Real dt, const StepOptions& options) {
+    refuse(checkRange("dt", dt, kMinTimeStep, kMaxTimeStep, "s"));
+    const ChangeGuard::Step running(guard_);
+    if (options.listener != nullptr) {
+        options.listener->enter(StepStage::Broad);
+    }
+    updateAwake();
+    WorldStep(*this, dt, options.executor).run(options.listener);
+    ++stepCount_;
+}
+
+/// Deactivates bodies that left the region, and activates those that it reaches.
+void WorldImpl::updateAwake() {
+    if (region_.isActive()) {
+        for (const std::uint32_t body : bodies_.awake) {
+            if (bodies_.ids.aliveAt(body) && !region_.contains(bodies_, body)) {
+                region_.place(body, bodies_, contacts_, writeBack());
+            }
+        }
+    }
+    const bool changed = refreshAwake(bodies_);
+    joints_.findBusy(bodies_, changed);
+    if (changed && (sleep_.anyAsleep() || region_.isActive())) {
+        for (const std::uint32_t body : bodies_.changes.toggled) {
+            contacts_.activityChanged(body);
+        }
+    }
+}
+
+void WorldImpl::setRegion(std::optional<Aabb> region) {
+    if (region) {
+        refuse(checkBox("region", *region));
+    }
+    region_.setBox(region);
+    for (std::uint32_t body = 0; body < bodies_.size(); ++body) {
+        if (bodies_.ids.aliveAt(body)) {
+            region_.update(bodies_, body);
+        }
+    }
+    region_.park(bodies_, contacts_, writeBack());
+    // Sleeping bodies wake if they touch a body that is active again.
+    std::vector<std::uint32_t> touched;
+    sleep_.forEachContact([&](const Contact& contact) {
+        const ContactKey& key = contact.key;
+        if (contact.wasTouching && (bodies_.active(key.bodyA) || bodies_.active(key.bodyB))) {
+            touched.push_back(bodies_.asleep(key.bodyA) ? key.bodyA : key.bodyB);
+        }
+    });
+    for (const std::uint32_t body : touched) {
+        wake(body);
+    }
+    bodies_.changes.allActivity = true;
+    contacts_.activityChanged();
 }
 
 void WorldImpl::wake(std::uint32_t body) {
     sleep_.wake(bodies_, contacts_, body);
 }
 
-void WorldImpl::wakeAll() {
-    sleep_.wakeAll(bodies_, contacts_);
-}
-
 /// For a body that is removed, teleported or changed: wakes sleeping bodies that touch it or are
 /// jointed to it.
 void WorldImpl::wakeNeighbours(std::uint32_t body) {
-    unparkContactsOf(body);
+    region_.unparkContactsOf(body, bodies_, contacts_);
     sleep_.wakeNeighbours(bodies_, contacts_, joints_, body);
 }
 
@@ -124,7 +175,8 @@ void WorldImpl::velocityChanged(std::uint32_t body) {
     if (own.deltaPosition == Vec2{} && own.deltaAngle == 0) {
         wakeNeighbours(body);
         if ((bodies_.filter[body].flags & kOutside) != 0) {
-            parkContacts(); // again, since it stays outside the region
+            region_.park(bodies_, contacts_,
+                         writeBack()); // again, since it stays outside the region
         }
     }
     bodies_.noteActivity(body);
@@ -183,22 +235,8 @@ BodyId WorldImpl::clone(BodyId id, Vec2 position) {
     def.required = source.required();
     def.userData = source.userData();
     const BodyId copy = addBody(bodies_, def, bodies_.record[id.index].geometry);
-    updateRegion(copy.index);
-    contacts_.bodyChanged(copy.index);
-    queries_.bodyChanged(copy.index);
-    ++count_;
+    bodyAdded(copy.index);
     return copy;
-}
-
-std::vector<BodyId> WorldImpl::bodies() const {
-    std::vector<BodyId> ids;
-    ids.reserve(count_);
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        if (bodies_.ids.aliveAt(i)) {
-            ids.push_back(bodies_.idAt(i));
-        }
-    }
-    return ids;
 }
 
 void WorldImpl::requireAlive(JointId id) const {
@@ -258,47 +296,28 @@ void WorldImpl::setJoint(JointId id, const JointDef& def) {
     jointsChanged(def);
 }
 
-Vec2 WorldImpl::jointForce(JointId id) const {
-    requireAlive(id);
-    return joints_.force(id);
-}
-
-Real WorldImpl::jointTorque(JointId id) const {
-    requireAlive(id);
-    return joints_.torque(id);
-}
-
-void WorldImpl::requireValid(const FieldEntry& entry) const {
-    if (!entry.field) {
-        refuse(Problem{"field", "must not be null: FieldEntry::field holds a std::shared_ptr to a "
-                                "field"});
-    }
-    refuse(checkFilter(entry.which));
-    refuse(checkField(*entry.field, tolerances_.unit()));
-}
-
 void WorldImpl::addField(FieldEntry entry) {
-    requireValid(entry);
+    requireValid(entry, tolerances_.unit());
     fields_.push_back(std::move(entry));
     bodies_.accelerationsStale = true;
-    wakeAll();
+    sleep_.wakeAll(bodies_, contacts_);
 }
 
 void WorldImpl::setFields(std::vector<FieldEntry> fields) {
     for (const FieldEntry& entry : fields) {
-        requireValid(entry);
+        requireValid(entry, tolerances_.unit());
     }
     fields_ = std::move(fields);
     bodies_.accelerationsStale = true;
-    wakeAll();
+    sleep_.wakeAll(bodies_, contacts_);
 }
 
 void WorldImpl::applyForceToAll(Vec2 force, CollisionFilter which) {
     refuse(checkFilter(which));
     refuse(checkFinite("force", force));
-    for (const BodyId id : bodies()) {
-        if (accepts(which, bodies_.filter[id.index].flags)) {
-            (*this)[id].applyForce(force);
+    for (std::uint32_t body = 0; body < bodies_.size(); ++body) {
+        if (bodies_.ids.aliveAt(body) && accepts(which, bodies_.filter[body].flags)) {
+            applyForce(body, {}, force);
         }
     }
 }
@@ -306,9 +325,10 @@ void WorldImpl::applyForceToAll(Vec2 force, CollisionFilter which) {
 void WorldImpl::applyTorqueToAll(Real torque, CollisionFilter which) {
     refuse(checkFilter(which));
     refuse(checkFinite("torque", torque));
-    for (const BodyId id : bodies()) {
-        if (accepts(which, bodies_.filter[id.index].flags)) {
-            (*this)[id].applyTorque(torque);
+    for (std::uint32_t body = 0; body < bodies_.size(); ++body) {
+        if (bodies_.ids.aliveAt(body) && accepts(which, bodies_.filter[body].flags)) {
+            addForce(bodies_, body, {}, torque);
+            wake(body);
         }
     }
 }
@@ -317,7 +337,7 @@ void WorldImpl::setSettings(const StepSettings& settings) {
     refuse(check(settings));
     const int changed = settings_.leaveOut.bits ^ settings.leaveOut.bits;
     if ((changed & kSleepFeatures.bits) != 0) {
-        wakeAll();
+        sleep_.wakeAll(bodies_, contacts_);
     }
     writeBackContacts();
     settings_ = settings;

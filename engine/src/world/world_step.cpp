@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "base/checks.hpp"
+#include "world/world_step.hpp"
+
 #include "bodies/integrate.hpp"
-#include "solve/impact_solver.hpp"
-#include "world/world_impl.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,67 +17,83 @@ constexpr std::size_t kBodiesPerPiece = 256;
 
 } // namespace
 
-void WorldImpl::step(Real dt, const StepOptions& options) {
-    refuse(checkRange("dt", dt, kMinTimeStep, kMaxTimeStep, "s"));
-    const ChangeGuard::Step running(guard_);
+WorldStep::WorldStep(WorldImpl& world, Real dt, Executor* executor)
+    : settings_(world.settings_),
+      tolerances_(world.tolerances_),
+      fields_(world.fields_),
+      bodies_(world.bodies_),
+      contacts_(world.contacts_),
+      joints_(world.joints_),
+      sleep_(world.sleep_),
+      region_(world.region_),
+      queries_(world.queries_),
+      impacts_(world.impacts_),
+      softSolver_(world.softSolver_),
+      propagation_(world.propagation_),
+      continuous_(world.continuous_),
+      broken_(world.broken_),
+      frozen_(world.frozen_),
+      contactVisits_(world.contactVisits_),
+      writeBack_(world.writeBack()),
+      stepCount_(world.stepCount_),
+      dt_(dt),
+      team_(bodies_.awake.size() >= kMinBodiesForHelp ? executor : nullptr) {}
+
+void WorldStep::run(StageListener* listener) {
     const auto enter = [&](StepStage stage) {
-        if (options.listener != nullptr) {
-            options.listener->enter(stage);
+        if (listener != nullptr) {
+            listener->enter(stage);
         }
     };
-    enter(StepStage::Broad);
-    updateAwake();
-    WorkerTeam team(bodies_.awake.size() >= kMinBodiesForHelp ? options.executor : nullptr);
     const bool arrivals = !bodies_.changes.arrived.empty();
-    contacts_.updatePairs(bodies_, tolerances_, dt, team);
+    contacts_.updatePairs(bodies_, tolerances_, dt_, team_);
     clearArrivals(bodies_);
     enter(StepStage::Narrow);
-    updateManifolds(team);
+    updateManifolds();
     enter(StepStage::Forces);
-    forAwake(team, beginMotion);
+    forAwake(beginMotion);
     wakeIslands(arrivals);
-    gatherForces(dt, team);
+    gatherForces();
     enter(StepStage::Solve);
-    solve(dt, team);
+    solve();
     enter(StepStage::Continuous);
     if (settings_.has(Feature::ContinuousCollision)) {
-        runContinuous(dt, team);
+        runContinuous();
     }
     enter(StepStage::Record);
-    finishMoves(team);
+    finishMoves();
     if (!contacts_.contacts().empty() || !contacts_.touchCounts().changes().empty()) {
-        recordCollisions(team);
+        recordCollisions();
     }
     contacts_.finishStep(settings_.has(Feature::Records));
     broken_.clear();
     if (joints_.size() > 0) {
-        breakJoints(dt);
+        breakJoints();
     }
     enter(StepStage::Sleep);
     if (settings_.has(Feature::Sleep) && !bodies_.awake.empty() &&
-        sleep_.updateSleep(bodies_, contacts_, joints_, settings_, tolerances_, dt)) {
-        sleep_.sleepIslands(bodies_, contacts_, writeBack());
+        sleep_.updateSleep(bodies_, contacts_, joints_, settings_, tolerances_, dt_)) {
+        sleep_.sleepIslands(bodies_, contacts_, writeBack_);
         softSolver_.blocks().shrink(bodies_, contacts_.contacts());
     }
-    ++stepCount_;
-    if (options.listener != nullptr) {
-        options.listener->leave();
+    if (listener != nullptr) {
+        listener->leave();
     }
 }
 
 /// Updates the manifolds.
-void WorldImpl::updateManifolds(WorkerTeam& team) {
+void WorldStep::updateManifolds() {
     ContactBlocks& blocks = softSolver_.blocks();
     evictTeleported();
     noteStart(bodies_);
-    blocks.carry(bodies_, team);
+    blocks.carry(bodies_, team_);
     contacts_.updateManifolds(
         bodies_, tolerances_,
-        {blocks.carried(), [&](Contact& contact) { blocks.evict(contact, bodies_); }}, team);
+        {blocks.carried(), [&](Contact& contact) { blocks.evict(contact, bodies_); }}, team_);
 }
 
 /// Evicts the resident contacts of teleported bodies, so that their manifolds are updated.
-void WorldImpl::evictTeleported() {
+void WorldStep::evictTeleported() {
     for (const std::uint32_t body : bodies_.changes.teleported) {
         contacts_.store().lists().forEach(body, [&](std::uint32_t slot) {
             if (contacts_.summaries()[slot].row != ContactRow::kNone) {
@@ -90,7 +105,7 @@ void WorldImpl::evictTeleported() {
 }
 
 /// Wakes islands that awake bodies touch, or bodies that were added or changed.
-void WorldImpl::wakeIslands(bool arrivals) {
+void WorldStep::wakeIslands(bool arrivals) {
     if (canWake() || (arrivals && sleep_.anyAsleep())) {
         sleep_.wakeTouched(bodies_, contacts_, tolerances_);
         sleep_.wakeJointed(bodies_, contacts_, joints_);
@@ -98,81 +113,64 @@ void WorldImpl::wakeIslands(bool arrivals) {
 }
 
 /// Computes the accelerations.
-void WorldImpl::gatherForces(Real dt, WorkerTeam& team) {
+void WorldStep::gatherForces() {
     joints_.findBusy(bodies_, refreshAwake(bodies_));
     frozen_.clear();
     const bool changed = bodies_.accelerationsStale;
-    if (!gatherAccelerations(bodies_, fields_, dt, team)) {
+    if (!gatherAccelerations(bodies_, fields_, dt_, team_)) {
         freezeUnsoundForces();
     }
     if (changed) {
         noteLoads(bodies_);
     }
-    if (region_) {
-        makeOutsideStatic();
+    if (region_.isActive() && region_.makeOutsideStatic(bodies_, contacts_, joints_)) {
+        softSolver_.blocks().evictAll(contacts_.contacts(), bodies_);
+        contacts_.measureApproach(bodies_); // measured with the velocities that are restored later
     }
     bodies_.anySleeping = sleep_.anyAsleep();
 }
 
 /// Continuous collision: shortens displacements at the first impact.
-void WorldImpl::runContinuous(Real dt, WorkerTeam& team) {
-    contacts_.coverDisplacements(bodies_, tolerances_, team);
+void WorldStep::runContinuous() {
+    contacts_.coverDisplacements(bodies_, tolerances_, team_);
     if (canWake() && sleep_.wakeRunOver(bodies_, contacts_, tolerances_)) {
         joints_.findBusy(bodies_, refreshAwake(bodies_));
     }
     if (!contacts_.contacts().empty()) {
-        continuous_.run(bodies_, contacts_, settings_, tolerances_, dt, team);
+        continuous_.run(bodies_, contacts_, settings_, tolerances_, dt_, team_);
     }
 }
 
 /// Applies the displacements. Bodies with unsound motion freeze at their present poses.
-void WorldImpl::finishMoves(WorkerTeam& team) {
-    restoreOutside();
-    if (!allSound(team)) {
+void WorldStep::finishMoves() {
+    region_.restoreOutside(bodies_);
+    if (!allSound()) {
         freezeUnsoundMotion();
     }
-    forAwake(team, movePoses);
+    forAwake(movePoses);
     queries_.bodiesMoved(bodies_.awake);
 }
 
-void WorldImpl::forAwake(WorkerTeam& team, void (*work)(Bodies&, std::span<const std::uint32_t>)) {
-    team.forEach(bodies_.awake.size(), kBodiesPerPiece, [&](std::size_t first, std::size_t last) {
+void WorldStep::forAwake(void (*work)(Bodies&, std::span<const std::uint32_t>)) {
+    team_.forEach(bodies_.awake.size(), kBodiesPerPiece, [&](std::size_t first, std::size_t last) {
         work(bodies_, std::span<const std::uint32_t>(bodies_.awake).subspan(first, last - first));
     });
 }
 
-void WorldImpl::solve(Real dt, WorkerTeam& team) {
+void WorldStep::solve() {
     if (std::holds_alternative<PropagationSettings>(settings_.solver)) {
         contacts_.visitAll(); // it predicts contacts within the step
-        propagation_.solve(bodies_, contacts_, joints_, {settings_, tolerances_, dt, stepCount_});
+        propagation_.solve(bodies_, contacts_, joints_, {settings_, tolerances_, dt_, stepCount_});
         contacts_.noteManifolds();
         contactVisits_ = propagation_.visits();
         return;
     }
-    impacts_.solve(bodies_, contacts_, softSolver_.blocks(), {settings_, tolerances_, dt, team});
-    softSolver_.solve(bodies_, contacts_, joints_, {settings_, tolerances_, dt, team});
+    impacts_.solve(bodies_, contacts_, softSolver_.blocks(), {settings_, tolerances_, dt_, team_});
+    softSolver_.solve(bodies_, contacts_, joints_, {settings_, tolerances_, dt_, team_});
     contactVisits_ = softSolver_.visits();
 }
 
-/// Deactivates bodies that left the region, and activates those that it reaches.
-void WorldImpl::updateAwake() {
-    if (region_) {
-        for (const std::uint32_t body : bodies_.awake) {
-            if (bodies_.ids.aliveAt(body) && !overlap(*region_, boundsOfBody(bodies_, body))) {
-                placeInRegion(body);
-            }
-        }
-    }
-    const bool changed = refreshAwake(bodies_);
-    joints_.findBusy(bodies_, changed);
-    if (changed && (sleep_.anyAsleep() || region_)) {
-        for (const std::uint32_t body : bodies_.changes.toggled) {
-            contacts_.activityChanged(body);
-        }
-    }
-}
-
-void WorldImpl::freezeUnsoundForces() {
+void WorldStep::freezeUnsoundForces() {
     for (const std::uint32_t body : bodies_.awake) {
         if (!isSound(bodies_.acceleration[body])) {
             freeze(bodies_, body);
@@ -183,13 +181,13 @@ void WorldImpl::freezeUnsoundForces() {
     }
 }
 
-bool WorldImpl::allSound(WorkerTeam& team) const {
+bool WorldStep::allSound() {
     // Fast test, four numbers at a time; isSound() has the same limit for velocities and
     // displacements. A vector is shorter than the limit if both components are below half of it.
     const Real slow = kMaxSpeed * std::min(tolerances_.unit(), Real(1)) / 2;
     const Four bound{slow, slow, slow, 0}; // the fourth number is an inverse mass or inertia
     std::uint8_t fast = 0;
-    team.forEach(bodies_.awake.size(), kBodiesPerPiece, [&](std::size_t first, std::size_t last) {
+    team_.forEach(bodies_.awake.size(), kBodiesPerPiece, [&](std::size_t first, std::size_t last) {
         auto within = bound == bound;
         for (std::size_t k = first; k < last; ++k) {
             const BodyVelocity& motion = bodies_.motion[bodies_.awake[k]];
@@ -207,7 +205,7 @@ bool WorldImpl::allSound(WorkerTeam& team) const {
 
 /// A body that became unsound may have affected its neighbours within the step. All affected bodies
 /// stop; only those with finite velocities are frozen.
-void WorldImpl::freezeUnsoundMotion() {
+void WorldStep::freezeUnsoundMotion() {
     const std::size_t before = frozen_.size();
     for (const std::uint32_t body : bodies_.awake) {
         BodyVelocity& motion = bodies_.motion[body];
@@ -229,7 +227,7 @@ void WorldImpl::freezeUnsoundMotion() {
                 motion.stop();
             }
         }
-        writeBackContacts();
+        softSolver_.blocks().writeBackAll(contacts_.contacts(), bodies_);
         contacts_.forgetUnsound(bodies_, tolerances_);
         joints_.forgetUnsound();
         contacts_.bodiesChanged();
@@ -237,8 +235,8 @@ void WorldImpl::freezeUnsoundMotion() {
     }
 }
 
-void WorldImpl::breakJoints(Real dt) {
-    const std::span<const BrokenJoint> broken = joints_.endStep(dt);
+void WorldStep::breakJoints() {
+    const std::span<const BrokenJoint> broken = joints_.endStep(dt_);
     broken_.assign(broken.begin(), broken.end());
     if (!broken_.empty()) {
         contacts_.setExcludedPairs(joints_.excludedPairs());
@@ -246,8 +244,8 @@ void WorldImpl::breakJoints(Real dt) {
 }
 
 /// Updates the contact phases and kColliding. Only bodies whose flag changes are visited.
-void WorldImpl::recordCollisions(WorkerTeam& team) {
-    contacts_.finishStepOfContacts(softSolver_.blocks().touched(), tolerances_, team);
+void WorldStep::recordCollisions() {
+    contacts_.finishStepOfContacts(softSolver_.blocks().touched(), tolerances_, team_);
     for (const std::uint32_t body : contacts_.touchCounts().changes()) {
         Flags& flags = bodies_.filter[body].flags;
         flags = contacts_.touchCounts().isTouched(body) ? flags | kColliding : flags & ~kColliding;

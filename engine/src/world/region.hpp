@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "contacts/contact_set.hpp"
+#include "joints/joint_set.hpp"
+#include "solve/contact_blocks.hpp"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// The region of a World, and what waits outside: see World::setRegion. A contact without an active
+/// body, with a body outside, is parked until a body becomes active: meanwhile it neither ends nor
+/// begins.
+class Region {
+public:
+    const std::optional<Aabb>& box() const { return box_; }
+    /// update() of all bodies and park() must follow.
+    void setBox(const std::optional<Aabb>& box) { box_ = box; }
+    bool isActive() const { return box_.has_value(); }
+    bool contains(const Bodies& bodies, std::uint32_t body) const;
+
+    /// Updates kOutside after a change of the body or the region. True if the body has just left
+    /// the region.
+    bool update(Bodies& bodies, std::uint32_t body) const;
+    /// The same for a body that may have contacts.
+    void place(std::uint32_t body, Bodies& bodies, ContactSet& contacts,
+               const WriteBack& writeBack);
+    /// Parks contacts without an active body, and puts those with one back.
+    void park(Bodies& bodies, ContactSet& contacts, const WriteBack& writeBack);
+    void unparkContactsOf(std::uint32_t body, Bodies& bodies, ContactSet& contacts);
+    std::span<const Contact> parked() const { return parked_; }
+
+    /// Bodies outside the region count as static during the solve, for touching contacts and
+    /// joints. True if there are any.
+    bool makeOutsideStatic(Bodies& bodies, const ContactSet& contacts, const JointSet& joints);
+    void restoreOutside(Bodies& bodies);
+
+private:
+    friend class SnapshotFields;
+
+    template <typename Which>
+    void unpark(Which which, Bodies& bodies, ContactSet& contacts);
+
+    std::optional<Aabb> box_;
+    // Of bodies outside the region, during the solve.
+    std::vector<std::pair<std::uint32_t, BodyVelocity>> outsideVelocities_;
+    std::vector<Contact> parked_;
+    std::vector<Contact> unparked_; // scratch: a step allocates nothing
+};
+
+} // namespace KODO_PRECISION
+} // namespace kodo
