@@ -109,7 +109,7 @@ struct ContactSummary {
     bool wasTouching = false; // at the last finishStepOfContacts
     bool steady = false;      // the contact does not change if it touches again, or again does not
     bool kept = false;        // see Contact::isKept
-    bool gone = false;        // removed; its slot is still in use, see ContactSet::settle
+    bool gone = false;        // removed; its slot is still in use, see ContactStore::freeDetached
 
     /// For a contact that is new or may have changed in every field.
     static ContactSummary of(const Contact& contact, BoundsPair proxies) {

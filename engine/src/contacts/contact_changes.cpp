@@ -10,8 +10,8 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 
 /// Frees the slots of removed contacts.
-void ContactSet::settle() {
-    if (store_.settle()) {
+void ContactSet::freeDetached() {
+    if (store_.freeDetached()) {
         store_.renumber(records_.toggled());
         changed();
     }
@@ -20,13 +20,13 @@ void ContactSet::settle() {
 /// Removes the contacts for which gone(slot) is true, in the order of keys.
 template <typename Gone>
 void ContactSet::eraseIf(Gone gone) {
-    settle();
+    freeDetached();
     store_.forEachInOrder([&](std::uint32_t slot) {
         if (gone(slot)) {
             store_.detach(slot);
         }
     });
-    settle();
+    freeDetached();
 }
 
 void ContactSet::drop(std::uint32_t body, const WriteBack& writeBack) {
@@ -121,14 +121,14 @@ std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies,
             }
         });
     }
-    settle();
+    freeDetached();
     std::sort(idle_.begin(), idle_.end(), // total order: keys are unique
               [](const Contact& a, const Contact& b) { return a.key < b.key; });
     return idle_;
 }
 
 void ContactSet::putBack(std::span<const Contact> returning, Bodies& bodies) {
-    settle();
+    freeDetached();
     const std::span<const std::uint32_t> slots = store_.putBack(returning, candidates_.bounds());
     for (const std::uint32_t slot : slots) {
         const Contact& contact = contacts()[slot];
@@ -185,7 +185,7 @@ void ContactSet::setExcludedPairs(std::span<const std::pair<std::uint32_t, std::
 }
 
 void ContactSet::applyChanges(const Bodies& bodies, const Tolerances& tolerances) {
-    settle();
+    freeDetached();
     if (std::exchange(stale_, false)) {
         renew(bodies, tolerances);
         pairsStale_ = false;

@@ -115,7 +115,7 @@ public:
 private:
     friend class SnapshotFields;
 
-    void settle();
+    void freeDetached();
     template <typename Gone>
     void eraseIf(Gone gone);
     void takeIdle(std::uint32_t slot, const WriteBack& writeBack);

@@ -45,7 +45,7 @@ void ContactStore::detach(std::uint32_t slot) {
     gone_.push_back(slot);
 }
 
-bool ContactStore::settle() {
+bool ContactStore::freeDetached() {
     if (gone_.empty()) {
         return false;
     }

@@ -14,7 +14,7 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 
 /// Contacts by slot, their order by key, and the contacts of each body. A slot stays valid until
-/// settle(), merge(), sort() or order().
+/// freeDetached(), merge(), sort() or order().
 class ContactStore {
 public:
     std::size_t size() const { return contacts_.size(); }
@@ -41,11 +41,12 @@ public:
     /// Slots of the contacts of each body.
     const ContactLists& lists() const;
 
-    /// Takes a contact out of the lists of its bodies. Its slot stays in use until settle().
+    /// Takes a contact out of the lists of its bodies. Its slot stays in use until freeDetached().
     void detach(std::uint32_t slot);
     /// Frees the slots of detached contacts. False if there are none.
-    bool settle();
-    /// Removes the slots that the last settle() freed from a list, and renumbers those that moved.
+    bool freeDetached();
+    /// Removes the slots that the last freeDetached() freed from a list, and renumbers those that
+    /// moved.
     void renumber(std::vector<std::uint32_t>& slots) const;
 
     /// Compares the contacts with the result of a search: false if they agree.
@@ -110,7 +111,7 @@ private:
     std::vector<Place> order_;        // of the contacts, by key
     std::vector<Place> newOrder_;     // scratch: merging allocates nothing
     mutable ContactLists lists_;      // by body; see lists()
-    std::vector<std::uint32_t> gone_; // slots of detached contacts, until settle()
+    std::vector<std::uint32_t> gone_; // slots of detached contacts, until freeDetached()
     std::vector<Change> changes_;     // while merging
     ParallelCollector<Change> changesFound_;
     // While merging: slots of removed contacts, and indices in order_ of new ones.

@@ -64,9 +64,9 @@ private:
 };
 
 /// The bodies that a query visits.
-class Asked {
+class QueryScope {
 public:
-    Asked(const World& world, CollisionFilter which, std::span<const BodyId> except)
+    QueryScope(const World& world, CollisionFilter which, std::span<const BodyId> except)
         : bodies_(world.impl().bodyData()),
           view_(world.impl().queryView()),
           which_(which),
@@ -130,13 +130,13 @@ Real limitOf(const std::optional<QueryHit>& best) {
     return best ? best->fraction : 1;
 }
 
-std::optional<QueryHit> hitOf(const Asked& asked, std::uint32_t body, std::uint32_t part,
+std::optional<QueryHit> hitOf(const QueryScope& scope, std::uint32_t body, std::uint32_t part,
                               const Ray& ray) {
-    const auto hit = rayCast(asked.convex(body, part), asked.pose(body), ray);
+    const auto hit = rayCast(scope.convex(body, part), scope.pose(body), ray);
     if (!hit) {
         return std::nullopt;
     }
-    return QueryHit{asked.idOf(body), static_cast<std::uint16_t>(part), hit->fraction,
+    return QueryHit{scope.idOf(body), static_cast<std::uint16_t>(part), hit->fraction,
                     ray.at(hit->fraction), hit->normal};
 }
 
@@ -150,8 +150,8 @@ struct Candidate {
 /// Visits overlapping bodies in order, each once. overlapsSurely(convex, pose) may return true for
 /// parts that need no exact test.
 template <typename Surely, typename Visit>
-void forOverlapping(const Asked& asked, std::span<const ConvexShape> convexes, const Transform& at,
-                    Surely overlapsSurely, Visit visit) {
+void forOverlapping(const QueryScope& scope, std::span<const ConvexShape> convexes,
+                    const Transform& at, Surely overlapsSurely, Visit visit) {
     struct Pair {
         std::uint32_t body;
         std::uint32_t part;
@@ -159,7 +159,7 @@ void forOverlapping(const Asked& asked, std::span<const ConvexShape> convexes, c
     };
     SmallVector<Pair, 32> pairs;
     for (std::uint32_t i = 0; i < convexes.size(); ++i) {
-        asked.forPartsIn(withRounding(boundsOf(convexes[i], at)),
+        scope.forPartsIn(withRounding(boundsOf(convexes[i], at)),
                          [&](std::uint32_t body, std::uint32_t part) {
                              pairs.push_back({body, part, i});
                          });
@@ -170,13 +170,13 @@ void forOverlapping(const Asked& asked, std::span<const ConvexShape> convexes, c
               });
     for (std::size_t i = 0; i < pairs.size();) {
         const Pair& pair = pairs[i++];
-        const ConvexShape& convex = asked.convex(pair.body, pair.part);
-        const Transform& pose = asked.pose(pair.body);
+        const ConvexShape& convex = scope.convex(pair.body, pair.part);
+        const Transform& pose = scope.pose(pair.body);
         if (!overlapsSurely(convex, pose) &&
             distance(convex, pose, convexes[pair.convex], at).distance > 0) {
             continue;
         }
-        if (!visit(asked.idOf(pair.body))) {
+        if (!visit(scope.idOf(pair.body))) {
             return;
         }
         while (i < pairs.size() && pairs[i].body == pair.body) {
@@ -190,10 +190,10 @@ bool unsure(const ConvexShape&, const Transform&) {
 }
 
 template <typename Surely>
-std::vector<BodyId> overlapping(const Asked& asked, std::span<const ConvexShape> convexes,
+std::vector<BodyId> overlapping(const QueryScope& scope, std::span<const ConvexShape> convexes,
                                 const Transform& at, Surely overlapsSurely) {
     std::vector<BodyId> found;
-    forOverlapping(asked, convexes, at, overlapsSurely, [&](BodyId id) {
+    forOverlapping(scope, convexes, at, overlapsSurely, [&](BodyId id) {
         found.push_back(id);
         return true;
     });
@@ -206,11 +206,11 @@ std::optional<QueryHit> rayCast(const World& world, Vec2 from, Vec2 to, Collisio
                                 std::span<const BodyId> except) {
     std::optional<QueryHit> best;
     requireRay(world, from, to);
-    const Asked asked(world, which, except);
+    const QueryScope scope(world, which, except);
     const PathEntry path(from, to, {});
-    asked.forParts([&](const Aabb& box) { return path(box, limitOf(best)); },
+    scope.forParts([&](const Aabb& box) { return path(box, limitOf(best)); },
                    [&](std::uint32_t body, std::uint32_t part) {
-                       if (const auto hit = hitOf(asked, body, part, {from, to})) {
+                       if (const auto hit = hitOf(scope, body, part, {from, to})) {
                            keepFirst(best, *hit);
                        }
                    });
@@ -221,11 +221,11 @@ std::vector<QueryHit> rayCastAll(const World& world, Vec2 from, Vec2 to, Collisi
                                  std::span<const BodyId> except) {
     std::vector<QueryHit> hits;
     requireRay(world, from, to);
-    const Asked asked(world, which, except);
+    const QueryScope scope(world, which, except);
     const PathEntry path(from, to, {});
-    asked.forParts([&](const Aabb& box) { return path(box, 1); },
+    scope.forParts([&](const Aabb& box) { return path(box, 1); },
                    [&](std::uint32_t body, std::uint32_t part) {
-                       if (const auto hit = hitOf(asked, body, part, {from, to})) {
+                       if (const auto hit = hitOf(scope, body, part, {from, to})) {
                            hits.push_back(*hit);
                        }
                    });
@@ -238,12 +238,12 @@ void visitRay(const World& world, Vec2 from, Vec2 to,
               std::span<const BodyId> except) {
     requireVisitor(visit);
     requireRay(world, from, to);
-    const Asked asked(world, which, except);
+    const QueryScope scope(world, which, except);
     const PathEntry path(from, to, {});
     std::vector<Candidate> near;
-    asked.forParts([&](const Aabb& box) { return path(box, 1); },
+    scope.forParts([&](const Aabb& box) { return path(box, 1); },
                    [&](std::uint32_t body, std::uint32_t part) {
-                       const Aabb box = boundsOf(asked.convex(body, part), asked.pose(body));
+                       const Aabb box = boundsOf(scope.convex(body, part), scope.pose(body));
                        const Real entry = path(box, 1);
                        if (entry < BoundsTree::kMissed) {
                            near.push_back({entry, body, part});
@@ -259,7 +259,7 @@ void visitRay(const World& world, Vec2 from, Vec2 to,
     std::size_t next = 0;
     while (next < near.size() || !hits.empty()) {
         if (next < near.size() && (hits.empty() || near[next].entry <= hits.front().fraction)) {
-            if (const auto hit = hitOf(asked, near[next].body, near[next].part, {from, to})) {
+            if (const auto hit = hitOf(scope, near[next].body, near[next].part, {from, to})) {
                 hits.push_back(*hit);
                 std::push_heap(hits.begin(), hits.end(), isBehind);
             }
@@ -281,16 +281,16 @@ std::optional<QueryHit> shapeCast(const World& world, const Shape& shape, const 
     std::optional<QueryHit> best;
     const std::vector<ConvexShape> convexes = requireShape(world, shape, "start", start);
     requireDisplacement(world, convexes, start, displacement);
-    const Asked asked(world, which, except);
+    const QueryScope scope(world, which, except);
     for (const ConvexShape& convex : convexes) {
         const Aabb box = boundsOf(convex, start);
         const PathEntry path(box.center(), box.center() + displacement, Real(0.5) * box.extent());
-        asked.forParts([&](const Aabb& other) { return path(other, limitOf(best)); },
+        scope.forParts([&](const Aabb& other) { return path(other, limitOf(best)); },
                        [&](std::uint32_t body, std::uint32_t part) {
                            const auto hit = shapeCast(convex, start, displacement,
-                                                      asked.convex(body, part), asked.pose(body));
+                                                      scope.convex(body, part), scope.pose(body));
                            if (hit) {
-                               keepFirst(best, {asked.idOf(body), static_cast<std::uint16_t>(part),
+                               keepFirst(best, {scope.idOf(body), static_cast<std::uint16_t>(part),
                                                 hit->fraction, hit->point, hit->normal});
                            }
                        });
@@ -317,13 +317,14 @@ std::vector<BodyId> overlap(const World& world, const Aabb& box, CollisionFilter
                std::any_of(part.vertices.begin(), part.vertices.end(),
                            [&](Vec2 vertex) { return box.contains(pose * vertex); });
     };
-    return overlapping(Asked(world, which, except), {&convex, 1}, {center, {}}, hasCornerInside);
+    return overlapping(QueryScope(world, which, except), {&convex, 1}, {center, {}},
+                       hasCornerInside);
 }
 
 std::vector<BodyId> overlap(const World& world, const Shape& shape, const Transform& at,
                             CollisionFilter which, std::span<const BodyId> except) {
     const std::vector<ConvexShape> convexes = requireShape(world, shape, "at", at);
-    return overlapping(Asked(world, which, except), convexes, at, unsure);
+    return overlapping(QueryScope(world, which, except), convexes, at, unsure);
 }
 
 void visitOverlaps(const World& world, const Shape& shape, const Transform& at,
@@ -332,7 +333,7 @@ void visitOverlaps(const World& world, const Shape& shape, const Transform& at,
     requireVisitor(visit);
     const std::vector<ConvexShape> convexes = requireShape(world, shape, "at", at);
     const ChangeGuard::Visit visiting(world.impl().guard());
-    forOverlapping(Asked(world, which, except), convexes, at, unsure, visit);
+    forOverlapping(QueryScope(world, which, except), convexes, at, unsure, visit);
 }
 
 std::optional<QueryPoint> closestPoint(const World& world, Vec2 point, Real maxDistance,
@@ -340,7 +341,7 @@ std::optional<QueryPoint> closestPoint(const World& world, Vec2 point, Real maxD
     std::optional<QueryPoint> best;
     requirePoint(world, "point", point);
     requireDistance(maxDistance);
-    const Asked asked(world, which, except);
+    const QueryScope scope(world, which, except);
     const Real rounding = roundingOf(point, point);
     const auto entry = [&](const Aabb& box) {
         const Vec2 near{std::clamp(point.x, box.lower.x, box.upper.x),
@@ -348,9 +349,9 @@ std::optional<QueryPoint> closestPoint(const World& world, Vec2 point, Real maxD
         const Real least = length(near - point) - rounding;
         return least <= (best ? best->distance : maxDistance) ? least : BoundsTree::kMissed;
     };
-    asked.forParts(entry, [&](std::uint32_t body, std::uint32_t part) {
-        const ClosestPoints near = distance(asked.convex(body, part), asked.pose(body), point);
-        const BodyId id = asked.idOf(body);
+    scope.forParts(entry, [&](std::uint32_t body, std::uint32_t part) {
+        const ClosestPoints near = distance(scope.convex(body, part), scope.pose(body), point);
+        const BodyId id = scope.idOf(body);
         const auto number = static_cast<std::uint16_t>(part);
         if (near.distance <= maxDistance &&
             (!best || std::tie(near.distance, id, number) <
