@@ -242,6 +242,7 @@ void JointSet::beginGroup(const Bodies& bodies, DirectSolve direct,
     springs_.find(bodies);
     for (const SpringRates::Spring& spring : springs_.all()) {
         joints_[spring.joint].springBound = spring.bound;
+        joints_[spring.joint].stiffness = spring.stiffness;
     }
 }
 

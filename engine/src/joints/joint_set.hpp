@@ -4,6 +4,7 @@
 #include "base/id_pool.hpp"
 #include "joints/articulated_trees.hpp"
 #include "joints/body_rotations.hpp"
+#include "joints/inertia_bounds.hpp"
 #include "joints/spring_rates.hpp"
 
 #include <array>
@@ -30,6 +31,7 @@ public:
         Real torque = 0;            // N m, on b, mean of that step
         bool solved = false;        // in this step; false if both bodies are inactive
         Real springBound = 0;       // 1/s^2, of this step, see SpringRates
+        Real stiffness = 0;         // N/m, of a spring, of this step
 
         /// Slot of an impulse: 0 and 1 are the coordinates of point, the axes follow.
         std::size_t slotOf(const Vec2&) const { return 0; }
@@ -130,13 +132,16 @@ private:
     ArticulatedTrees trees_;                             // of this step
     std::vector<ArticulatedTrees::Edge> treeCandidates_; // joints that may belong to a tree
     SpringRates springs_;                                // of this step
+    InertiaBounds inertias_;                             // of a pass
     BodyRotations turned_;
     std::vector<std::uint32_t> own_;            // of this step, in order: see forEachOwn
     std::vector<std::uint32_t> takenRevolutes_; // of this step, in order: result of takeRevolutes
     std::vector<std::uint32_t> busy_; // in order; may contain joints that have become idle since
     bool busyStale_ = true;
+    bool warmStarted_ = false; // no biased pass since
 
     void refreshLists();
+    void raiseInertias(Bodies& bodies, const JointPass& pass);
     void solveStiffSprings(Bodies& bodies, const JointPass& pass);
     void solveTrees(Bodies& bodies, const JointPass& pass);
 };
