@@ -5,6 +5,7 @@
 #include "joints/articulated_trees.hpp"
 #include "joints/body_rotations.hpp"
 #include "joints/inertia_bounds.hpp"
+#include "joints/joint_lists.hpp"
 #include "joints/spring_rates.hpp"
 
 #include <array>
@@ -51,8 +52,8 @@ public:
     }
     /// Stamp of the World in all new ids; 0 matches every World.
     void setStamp(std::uint32_t stamp) { stamp_ = stamp; }
-    /// Removes the joints of one body.
-    void dropBody(BodyId body);
+    /// Removes the joints of one body. False if it has none.
+    bool dropBody(std::uint32_t body);
     const JointDef& def(JointId id) const { return joints_[id.index].def; }
     void setDef(JointId id, const JointDef& def);
     Vec2 force(JointId id) const { return joints_[id.index].force; }   // N, on b
@@ -103,6 +104,15 @@ public:
             visit(joints_[index]);
         }
     }
+    /// Visits the joints of a body in order.
+    template <typename Visit>
+    void forEachOf(std::uint32_t body, Visit visit) const {
+        if (lists_.hasAny(body)) {
+            for (const std::uint32_t index : lists_.of(body)) {
+                visit(joints_[index]);
+            }
+        }
+    }
     /// Visits the joints that findBusy has listed.
     template <typename Visit>
     void forEachBusy(Visit visit) const {
@@ -127,6 +137,7 @@ private:
     std::uint32_t stamp_ = 0;
     std::vector<Joint> joints_;
     std::vector<std::uint32_t> live_;                                    // in order
+    JointLists lists_;                                                   // of live joints
     std::vector<std::pair<std::uint32_t, std::uint32_t>> excludedPairs_; // bodies, in order
     std::vector<BrokenJoint> broken_;
     ArticulatedTrees trees_;                             // of this step
@@ -141,6 +152,9 @@ private:
     bool warmStarted_ = false; // no biased pass since
 
     void refreshLists();
+    void list(std::uint32_t index);
+    void unlist(std::uint32_t index);
+    void listBusy(const Bodies& bodies);
     void raiseInertias(Bodies& bodies, const JointPass& pass);
     void solveStiffSprings(Bodies& bodies, const JointPass& pass);
     void solveTrees(Bodies& bodies, const JointPass& pass);
