@@ -26,10 +26,15 @@ void JointLists::remove(std::uint32_t joint) {
     unlink(2 * joint + 1);
 }
 
-std::vector<std::uint32_t> JointLists::of(std::uint32_t body) const {
-    std::vector<std::uint32_t> joints;
+void JointLists::list(std::uint32_t body, std::vector<std::uint32_t>& joints) const {
+    joints.clear();
     forEach(body, [&](std::uint32_t joint) { joints.push_back(joint); });
     std::sort(joints.begin(), joints.end()); // total order: joints are unique
+}
+
+std::vector<std::uint32_t> JointLists::of(std::uint32_t body) const {
+    std::vector<std::uint32_t> joints;
+    list(body, joints);
     return joints;
 }
 

@@ -26,6 +26,8 @@ public:
             visit(end / 2);
         }
     }
+    /// Lists the joints of a body in order.
+    void list(std::uint32_t body, std::vector<std::uint32_t>& joints) const;
     /// The joints of a body, in order.
     std::vector<std::uint32_t> of(std::uint32_t body) const;
 

@@ -113,6 +113,11 @@ public:
             }
         }
     }
+    /// Lists the joints of a body in order.
+    void listOf(std::uint32_t body, std::vector<std::uint32_t>& joints) const {
+        lists_.list(body, joints);
+    }
+    const JointDef& defAt(std::uint32_t index) const { return joints_[index].def; }
     /// Visits the joints that findBusy has listed.
     template <typename Visit>
     void forEachBusy(Visit visit) const {

@@ -121,7 +121,7 @@ void WorldImpl::runContinuous(Real dt, WorkerTeam& team) {
         joints_.findBusy(bodies_, refreshAwake(bodies_));
     }
     if (!contacts_.contacts().empty()) {
-        continuous_.run(bodies_, contacts_, settings_, tolerances_, dt, team);
+        continuous_.run(bodies_, contacts_, joints_, {settings_, tolerances_, dt}, team);
     }
 }
 
