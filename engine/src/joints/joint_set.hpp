@@ -113,6 +113,11 @@ public:
             }
         }
     }
+    /// Visits the joints of a body, in no particular order.
+    template <typename Visit>
+    void visitOf(std::uint32_t body, Visit visit) const {
+        lists_.forEach(body, [&](std::uint32_t index) { visit(joints_[index]); });
+    }
     /// Lists the joints of a body in order.
     void listOf(std::uint32_t body, std::vector<std::uint32_t>& joints) const {
         lists_.list(body, joints);
