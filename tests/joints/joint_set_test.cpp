@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -253,6 +254,34 @@ TEST(JointSet, RefusesRemovedBodiesAndOtherKinds) {
     EXPECT_THROW(
         scene.world.setJoint(pin, RevoluteJoint{.ends = {.a = ends.a, .b = scene.bodies[3]}}),
         BadDefinition);
+}
+
+// Joints by body, after random changes, are those that a search of all joints finds.
+TEST(JointLists, FindTheJointsOfABody) {
+    support::RandomNumbers random(31);
+    JointLists lists;
+    std::vector<std::optional<std::pair<std::uint32_t, std::uint32_t>>> joints(60);
+    for (int change = 0; change < 3000; ++change) {
+        const auto joint = static_cast<std::uint32_t>(random.below(60));
+        const auto a = static_cast<std::uint32_t>(random.below(12));
+        const auto b = static_cast<std::uint32_t>(random.below(12));
+        if (joints[joint]) {
+            lists.remove(joint);
+            joints[joint].reset();
+        } else {
+            lists.add(joint, a, b);
+            joints[joint] = {a, b};
+        }
+        const auto body = static_cast<std::uint32_t>(random.below(13)); // 12 has none
+        std::vector<std::uint32_t> expected;
+        for (std::uint32_t index = 0; index < joints.size(); ++index) {
+            if (joints[index] && (joints[index]->first == body || joints[index]->second == body)) {
+                expected.push_back(index);
+            }
+        }
+        ASSERT_EQ(lists.of(body), expected);
+        ASSERT_EQ(lists.hasAny(body), !expected.empty());
+    }
 }
 
 } // namespace

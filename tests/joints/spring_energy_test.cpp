@@ -162,6 +162,88 @@ TEST(SpringEnergy, ARowOfSpringsWithAHeavyEndGainsNone) {
     }
 }
 
+/// A row of ten distance joints from rim to rim of boxes or discs of 0.2 m, let go level. The last
+/// body is 1,000 times as heavy as the others.
+struct RimRow : joints::Rig {
+    std::vector<BodyId> members;
+
+    RimRow(const Shape& shape, DistanceJoint joint, const StepSettings& settings)
+        : Rig(support::kEarth, settings) {
+        constexpr Real kPitch = Real(0.5); // m
+        constexpr Real kRim = Real(0.1);   // m
+        for (int i = 1; i <= 10; ++i) {
+            members.push_back(world.add({.shape = shape,
+                                         .position = {kPitch * static_cast<Real>(i), 0},
+                                         .density = i == 10 ? Real(1000) : Real(1),
+                                         .flags = kDisabled}));
+            const bool first = i == 1;
+            joint.ends = {.a = first ? post : members[members.size() - 2],
+                          .b = members.back(),
+                          .anchorA = {first ? 0 : kRim, 0},
+                          .anchorB = {-kRim, 0}};
+            joint.length = kPitch - (first ? kRim : 2 * kRim);
+            if (joint.hertz == 0) {
+                joint.limits = Range{0, joint.length};
+            }
+            world.add(joint);
+        }
+    }
+    /// Largest energy of height and motion above that of the start, in falls of the row.
+    double gain() {
+        const double fall = 50 * static_cast<double>(world[members.back()].mass());
+        double most = 0;
+        for (int step = 0; step < 600; ++step) {
+            world.step(support::kDt);
+            most = std::max(most, energyOf(world));
+        }
+        return most / fall;
+    }
+};
+
+std::vector<StepSettings> solversWith(int substeps) {
+    SoftSettings soft;
+    soft.substeps = substeps;
+    PropagationSettings propagation;
+    propagation.substeps = substeps;
+    return {{.solver = soft, .leaveOut = Feature::Sleep},
+            {.solver = propagation, .leaveOut = Feature::Sleep}};
+}
+
+// F1: tension turns the arms of light bodies by more than 2 rad in a substep. Their inertia is
+// bounded from below, so the row gains no energy at any number of substeps.
+TEST(SpringEnergy, ARowOnTheRimsOfLightBodiesGainsNone) {
+    for (const int substeps : {1, 2, 5, 16}) {
+        for (const StepSettings& settings : solversWith(substeps)) {
+            for (const Shape& shape :
+                 {Shape(Box{Real(0.2), Real(0.2)}), Shape(Circle{Real(0.1)})}) {
+                for (const double hertz : {1.0, 5.0, 30.0, 200.0, 1000.0}) {
+                    for (const double damping : {0.0, 0.1, 1.0}) {
+                        SCOPED_TRACE(testing::Message()
+                                     << substeps << " substeps, springs of " << hertz
+                                     << " Hz, damping " << damping << ", shape " << shape.index()
+                                     << ", solver " << settings.solver.index());
+                        RimRow row(shape,
+                                   {.hertz = static_cast<Real>(hertz),
+                                    .damping = static_cast<Real>(damping)},
+                                   settings);
+                        EXPECT_LT(row.gain(), 0.02);
+                    }
+                }
+            }
+        }
+    }
+}
+
+// F1: the same with ropes.
+TEST(SpringEnergy, RopesOnTheRimsOfLightBodiesGainNone) {
+    for (const int substeps : {1, 2, 5, 16}) {
+        for (const Shape& shape : {Shape(Box{Real(0.2), Real(0.2)}), Shape(Circle{Real(0.1)})}) {
+            RimRow row(shape, {}, solversWith(substeps)[0]);
+            EXPECT_LT(row.gain(), 0.02) << substeps << " substeps, shape " << shape.index();
+        }
+    }
+}
+
 // F1: a spring with long arms of its anchors has the stiffness of its reduced mass in every
 // direction, so bodies that turn under it gain no energy.
 TEST(SpringEnergy, ASpringOnLongArmsGainsNone) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -74,6 +75,14 @@ std::optional<std::pair<std::uint32_t, std::uint32_t>> excludedPairOf(const Join
         def);
 }
 
+/// Erases a number from a list in order, if it is there.
+void eraseFrom(std::vector<std::uint32_t>& list, std::uint32_t number) {
+    const auto at = std::lower_bound(list.begin(), list.end(), number);
+    if (at != list.end() && *at == number) {
+        list.erase(at);
+    }
+}
+
 } // namespace
 
 JointId JointSet::add(const JointDef& def) {
@@ -84,49 +93,59 @@ JointId JointSet::add(const JointDef& def) {
     joints_[slot.index] = {};
     joints_[slot.index].def = def;
     live_.insert(std::lower_bound(live_.begin(), live_.end(), slot.index), slot.index);
-    if (const auto pair = excludedPairOf(def)) {
-        const auto at = std::lower_bound(excludedPairs_.begin(), excludedPairs_.end(), *pair);
-        excludedPairs_.insert(at, *pair);
-    }
+    list(slot.index);
     busyStale_ = true;
     return idAt(slot.index);
 }
 
 void JointSet::remove(JointId id) {
     ids_.release(id.index);
-    std::erase(live_, id.index);
-    std::erase(busy_, id.index);
-    if (const auto pair = excludedPairOf(def(id))) { // one entry: other joints may exclude it too
+    eraseFrom(live_, id.index);
+    eraseFrom(busy_, id.index);
+    unlist(id.index);
+    busyStale_ = true;
+}
+
+/// Adds a joint to the lists of its bodies and its pair to the excluded pairs.
+void JointSet::list(std::uint32_t index) {
+    const JointDef& def = joints_[index].def;
+    lists_.add(index, firstBody(def).index, secondBody(def).index);
+    if (const auto pair = excludedPairOf(def)) {
+        const auto at = std::lower_bound(excludedPairs_.begin(), excludedPairs_.end(), *pair);
+        excludedPairs_.insert(at, *pair);
+    }
+}
+
+/// Undoes list().
+void JointSet::unlist(std::uint32_t index) {
+    lists_.remove(index);
+    if (const auto pair = excludedPairOf(joints_[index].def)) {
+        // one entry: other joints may exclude the pair too
         excludedPairs_.erase(std::lower_bound(excludedPairs_.begin(), excludedPairs_.end(), *pair));
     }
-    busyStale_ = true;
 }
 
 void JointSet::setDef(JointId id, const JointDef& def) {
-    const auto before = excludedPairOf(joints_[id.index].def);
+    unlist(id.index);
     joints_[id.index].def = def;
-    if (excludedPairOf(def) != before) {
-        refreshLists();
-    }
+    list(id.index);
     busyStale_ = true;
 }
 
-void JointSet::dropBody(BodyId body) {
-    for (const JointId id : ids()) {
-        if (firstBody(def(id)) == body || secondBody(def(id)) == body) {
-            remove(id);
-        }
+bool JointSet::dropBody(std::uint32_t body) {
+    if (!lists_.hasAny(body)) {
+        return false;
     }
+    for (const std::uint32_t index : lists_.of(body)) {
+        remove(idAt(index));
+    }
+    return true;
 }
 
 std::optional<Problem> JointSet::checkTransfer(BodyId part, BodyId into, const Transform& place,
                                                Real lengthUnit) const {
-    for (const std::uint32_t index : live_) {
-        const JointDef& def = joints_[index].def;
-        if (firstBody(def) != part && secondBody(def) != part) {
-            continue;
-        }
-        const auto after = transferred(def, part, into, place);
+    for (const std::uint32_t index : lists_.of(part.index)) {
+        const auto after = transferred(joints_[index].def, part, into, place);
         if (auto problem = after ? check(*after, lengthUnit) : std::nullopt) {
             return problem;
         }
@@ -135,18 +154,16 @@ std::optional<Problem> JointSet::checkTransfer(BodyId part, BodyId into, const T
 }
 
 void JointSet::transfer(BodyId part, BodyId into, const Transform& place) {
-    for (const JointId id : ids()) {
-        JointDef& def = joints_[id.index].def;
-        if (firstBody(def) != part && secondBody(def) != part) {
-            continue;
-        }
-        if (const auto after = transferred(def, part, into, place)) {
-            def = *after;
+    for (const std::uint32_t index : lists_.of(part.index)) {
+        if (const auto after = transferred(joints_[index].def, part, into, place)) {
+            unlist(index);
+            joints_[index].def = *after;
+            list(index);
         } else {
-            remove(id);
+            remove(idAt(index));
         }
     }
-    refreshLists();
+    busyStale_ = true;
 }
 
 std::vector<JointId> JointSet::ids() const {
@@ -159,13 +176,16 @@ std::vector<JointId> JointSet::ids() const {
 
 void JointSet::refreshLists() {
     live_.clear();
+    lists_.clear();
     excludedPairs_.clear();
     for (std::uint32_t index = 0; index < joints_.size(); ++index) {
         if (!ids_.aliveAt(index)) {
             continue;
         }
         live_.push_back(index);
-        if (const auto pair = excludedPairOf(joints_[index].def)) {
+        const JointDef& def = joints_[index].def;
+        lists_.add(index, firstBody(def).index, secondBody(def).index);
+        if (const auto pair = excludedPairOf(def)) {
             excludedPairs_.push_back(*pair);
         }
     }
@@ -180,12 +200,23 @@ void JointSet::findBusy(const Bodies& bodies, bool changed) {
         return;
     }
     busyStale_ = false;
+    listBusy(bodies);
+}
+
+/// Visits either all joints or those of the awake bodies, whichever are fewer.
+void JointSet::listBusy(const Bodies& bodies) {
+    constexpr std::size_t kFew = 4; // times as many awake bodies as joints: walks all joints
     busy_.clear();
-    for (const std::uint32_t index : live_) {
-        if (!idle(bodies, joints_[index].def)) {
-            busy_.push_back(index);
-        }
+    if (live_.size() < kFew * bodies.awake.size()) {
+        std::copy_if(live_.begin(), live_.end(), std::back_inserter(busy_),
+                     [&](std::uint32_t index) { return !idle(bodies, joints_[index].def); });
+        return;
     }
+    for (const std::uint32_t body : bodies.awake) {
+        lists_.forEach(body, [&](std::uint32_t index) { busy_.push_back(index); });
+    }
+    std::sort(busy_.begin(), busy_.end()); // total order: equal joints are identical
+    busy_.erase(std::unique(busy_.begin(), busy_.end()), busy_.end());
 }
 
 void JointSet::beginStep() {
@@ -242,6 +273,7 @@ void JointSet::beginGroup(const Bodies& bodies, DirectSolve direct,
     springs_.find(bodies);
     for (const SpringRates::Spring& spring : springs_.all()) {
         joints_[spring.joint].springBound = spring.bound;
+        joints_[spring.joint].stiffness = spring.stiffness;
     }
 }
 

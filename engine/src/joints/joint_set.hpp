@@ -4,6 +4,8 @@
 #include "base/id_pool.hpp"
 #include "joints/articulated_trees.hpp"
 #include "joints/body_rotations.hpp"
+#include "joints/inertia_bounds.hpp"
+#include "joints/joint_lists.hpp"
 #include "joints/spring_rates.hpp"
 
 #include <array>
@@ -30,6 +32,7 @@ public:
         Real torque = 0;            // N m, on b, mean of that step
         bool solved = false;        // in this step; false if both bodies are inactive
         Real springBound = 0;       // 1/s^2, of this step, see SpringRates
+        Real stiffness = 0;         // N/m, of a spring, of this step
 
         /// Slot of an impulse: 0 and 1 are the coordinates of point, the axes follow.
         std::size_t slotOf(const Vec2&) const { return 0; }
@@ -49,8 +52,8 @@ public:
     }
     /// Stamp of the World in all new ids; 0 matches every World.
     void setStamp(std::uint32_t stamp) { stamp_ = stamp; }
-    /// Removes the joints of one body.
-    void dropBody(BodyId body);
+    /// Removes the joints of one body. False if it has none.
+    bool dropBody(std::uint32_t body);
     const JointDef& def(JointId id) const { return joints_[id.index].def; }
     void setDef(JointId id, const JointDef& def);
     Vec2 force(JointId id) const { return joints_[id.index].force; }   // N, on b
@@ -101,6 +104,25 @@ public:
             visit(joints_[index]);
         }
     }
+    /// Visits the joints of a body in order.
+    template <typename Visit>
+    void forEachOf(std::uint32_t body, Visit visit) const {
+        if (lists_.hasAny(body)) {
+            for (const std::uint32_t index : lists_.of(body)) {
+                visit(joints_[index]);
+            }
+        }
+    }
+    /// Visits the joints of a body, in no particular order.
+    template <typename Visit>
+    void visitOf(std::uint32_t body, Visit visit) const {
+        lists_.forEach(body, [&](std::uint32_t index) { visit(joints_[index]); });
+    }
+    /// Lists the joints of a body in order.
+    void listOf(std::uint32_t body, std::vector<std::uint32_t>& joints) const {
+        lists_.list(body, joints);
+    }
+    const JointDef& defAt(std::uint32_t index) const { return joints_[index].def; }
     /// Visits the joints that findBusy has listed.
     template <typename Visit>
     void forEachBusy(Visit visit) const {
@@ -125,18 +147,25 @@ private:
     std::uint32_t stamp_ = 0;
     std::vector<Joint> joints_;
     std::vector<std::uint32_t> live_;                                    // in order
+    JointLists lists_;                                                   // of live joints
     std::vector<std::pair<std::uint32_t, std::uint32_t>> excludedPairs_; // bodies, in order
     std::vector<BrokenJoint> broken_;
     ArticulatedTrees trees_;                             // of this step
     std::vector<ArticulatedTrees::Edge> treeCandidates_; // joints that may belong to a tree
     SpringRates springs_;                                // of this step
+    InertiaBounds inertias_;                             // of a pass
     BodyRotations turned_;
     std::vector<std::uint32_t> own_;            // of this step, in order: see forEachOwn
     std::vector<std::uint32_t> takenRevolutes_; // of this step, in order: result of takeRevolutes
     std::vector<std::uint32_t> busy_; // in order; may contain joints that have become idle since
     bool busyStale_ = true;
+    bool warmStarted_ = false; // no biased pass since
 
     void refreshLists();
+    void list(std::uint32_t index);
+    void unlist(std::uint32_t index);
+    void listBusy(const Bodies& bodies);
+    void raiseInertias(Bodies& bodies, const JointPass& pass);
     void solveStiffSprings(Bodies& bodies, const JointPass& pass);
     void solveTrees(Bodies& bodies, const JointPass& pass);
 };

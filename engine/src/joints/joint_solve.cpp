@@ -3,7 +3,10 @@
 #include "joints/joint_kinds.hpp"
 #include "joints/joint_set.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -64,6 +67,7 @@ bool isHeld(const AxisConstraint& axis) {
 } // namespace
 
 void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
+    warmStarted_ = true;
     for (const std::uint32_t index : own_) {
         HeldRows* const rows = trees_.rowsOf(index);
         const bool inTree = rows != nullptr;
@@ -82,7 +86,33 @@ void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
     }
 }
 
+/// Raises inertia to the bounds that the forces of springs, ropes and rods ask for.
+void JointSet::raiseInertias(Bodies& bodies, const JointPass& pass) {
+    for (const std::uint32_t index : own_) {
+        const Joint& joint = joints_[index];
+        const auto* const kind = std::get_if<DistanceJoint>(&joint.def);
+        if (kind == nullptr) {
+            continue;
+        }
+        const JointFrame frame = frameOf(bodies, turned_, kind->ends);
+        Real force = 0;
+        for (const Real impulse : joint.axes) {
+            force += std::abs(impulse) / pass.h;
+        }
+        if (kind->hertz > 0) {
+            const Real extension = length(frame.gap) - kind->length;
+            force = std::max(force, joint.stiffness * std::abs(extension));
+        }
+        inertias_.add(bodies, kind->ends.a.index, force * length(frame.armA));
+        inertias_.add(bodies, kind->ends.b.index, force * length(frame.armB));
+    }
+    inertias_.raise(bodies, pass.h);
+}
+
 void JointSet::solve(Bodies& bodies, const JointPass& pass) {
+    if (pass.biased && std::exchange(warmStarted_, false)) {
+        raiseInertias(bodies, pass);
+    }
     for (const std::uint32_t index : own_) {
         Joint& joint = joints_[index];
         joint.solved = true;
@@ -109,6 +139,7 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
     if (pass.biased && pass.springPasses > 0) {
         solveStiffSprings(bodies, pass);
     }
+    inertias_.restore(bodies);
     solveTrees(bodies, pass);
 }
 

@@ -27,7 +27,7 @@ void SpringRates::add(const Bodies& bodies, std::uint32_t joint, const DistanceJ
     if (giveA + giveB > 0) {
         // N/m; bodies that can only rotate have no other mass than that at the anchors
         const Real stiffness = omega * omega / (mass > 0 ? mass : giveA + giveB);
-        springs_.push_back({joint, a, b, stiffness * giveA, stiffness * giveB});
+        springs_.push_back({joint, a, b, stiffness * giveA, stiffness * giveB, stiffness});
     }
 }
 

@@ -27,6 +27,7 @@ public:
         std::uint32_t b;
         Real ofA;       // 1/s^2, k J_a M_a^-1 J_a^T
         Real ofB;       // 1/s^2, likewise
+        Real stiffness; // N/m
         Real bound = 0; // 1/s^2, result of find()
     };
 

@@ -17,10 +17,8 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-constexpr std::uint32_t kNoContact = ~std::uint32_t{};
-constexpr std::size_t kPiece = 256; // pairs or paths
+constexpr std::size_t kPairsPerPiece = 256;
 constexpr std::size_t kCandidatesPerPiece = 64;
-constexpr Real kTaken = -1; // as a time: the impact has been processed
 /// Fraction of the slop at which a separated pair is stopped before it touches. In a glancing
 /// impact the normal of a round body is off by this distance relative to its size. Positions
 /// resolve this distance up to 64 m from the origin in float, and up to 3e8 m in double. Farther
@@ -154,7 +152,7 @@ bool ContinuousCollision::markSwift(const Bodies& bodies, bool mayBounce,
         mayBounce ? Real(0) : allowedApproach(bodies.thinnest, bodies.thinnest, true) / 2;
     std::uint8_t anySwift = 0;
     resizeByBody(swift_, bodies); // all 0 between steps
-    team.forEach(bodies.awake.size(), kPiece, [&](std::size_t first, std::size_t last) {
+    team.forEach(bodies.awake.size(), kPairsPerPiece, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             const std::uint32_t body = bodies.awake[k];
             const BodyVelocity& motion = bodies.motion[body];
@@ -170,8 +168,9 @@ bool ContinuousCollision::markSwift(const Bodies& bodies, bool mayBounce,
     return anySwift != 0;
 }
 
-void ContinuousCollision::run(Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,
-                              const Tolerances& tolerances, Real dt, WorkerTeam& team) {
+void ContinuousCollision::run(Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
+                              const Parameters& parameters, WorkerTeam& team) {
+    const auto& [settings, tolerances, dt] = parameters;
     candidates_.clear();
     bool sensors = false;
     if (markSwift(bodies, contactSet.mayBounce(), tolerances, team) ||
@@ -185,7 +184,7 @@ void ContinuousCollision::run(Bodies& bodies, ContactSet& contactSet, const Step
             std::any_of(bodies.awake.begin(), bodies.awake.end(),
                         [&](std::uint32_t body) { return bodies.isMovingKinematic(body); });
         const std::span<Contact> contacts = contactSet.contacts();
-        const Step step{bodies,   contactSet, contacts, contactSet.summaries(),
+        const Step step{bodies,   contactSet, joints, contacts, contactSet.summaries(),
                         settings, tolerances, driven};
         findImpacts(step, team);
         if (!events_.empty()) {
@@ -223,7 +222,7 @@ bool ContinuousCollision::findCandidates(const Bodies& bodies, const ContactSet&
     const std::span<const ContactSummary> summaries = contactSet.summaries();
     const PartBounds& bounds = contactSet.candidates().bounds();
     std::uint8_t sensors = 0;
-    found_.gather(team, summaries.size(), kPiece, candidates_,
+    found_.gather(team, summaries.size(), kPairsPerPiece, candidates_,
                   [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
                       for (std::size_t i = first; i < last; ++i) {
                           const ContactSummary& summary = summaries[i];
@@ -332,25 +331,7 @@ void ContinuousCollision::stopInOrder(const Step& step) {
         }
         cutShort(step, summary.bodyA, event.time);
         cutShort(step, summary.bodyB, event.time);
-    }
-}
-
-/// Stops a body at `time` and computes its impacts again: bodies that moved along with it may now
-/// hit it.
-void ContinuousCollision::cutShort(const Step& step, std::uint32_t body, Real time) {
-    if (step.bodies.locked(body) || stopAt_[body] <= time) {
-        return;
-    }
-    if (stopAt_[body] == 1) {
-        stopped_.push_back(body);
-    }
-    stopAt_[body] = time;
-    for (std::uint32_t i = first_[body]; i != kNoContact;) {
-        if (times_[i] != kTaken) {
-            findTime(step, i);
-            queueImpact(step, i);
-        }
-        i = next_[i][step.summaries[i].bodyA == body ? 0 : 1];
+        stopJointed(step);
     }
 }
 

@@ -7,6 +7,7 @@
 #include "bodies/bodies.hpp"
 #include "collide/time_of_impact.hpp"
 #include "contacts/contact_set.hpp"
+#include "joints/joint_set.hpp"
 
 #include <array>
 #include <span>
@@ -28,12 +29,23 @@ inline namespace KODO_PRECISION {
 ///
 /// A kinematic body cannot be stopped and would pass through bodies stopped in front of it. So it
 /// pushes these along, and also the bodies that they touch.
+///
+/// A body that a joint connects to a stopped one is stopped where the joint would open.
 class ContinuousCollision {
 public:
-    void run(Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,
-             const Tolerances& tolerances, Real dt, WorkerTeam& team);
+    /// Parameters of a step.
+    struct Parameters {
+        const StepSettings& settings;
+        const Tolerances& tolerances;
+        Real dt; // s
+    };
+    void run(Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
+             const Parameters& parameters, WorkerTeam& team);
 
 private:
+    static constexpr std::uint32_t kNoContact = ~std::uint32_t{};
+    static constexpr Real kTaken = -1; // as a time: the impact has been processed
+
     /// An impact; out of date if its contact has another time in times_.
     struct Event {
         Real time;
@@ -44,6 +56,7 @@ private:
     struct Step {
         const Bodies& bodies;
         const ContactSet& contactSet;
+        const JointSet& joints;
         std::span<const Contact> contacts;
         std::span<const ContactSummary> summaries;
         const StepSettings& settings;
@@ -69,6 +82,9 @@ private:
     void findPushes(const Step& step);
     void takePushedDisplacement(const Step& step, const Contact& contact, Real time);
     void cutShort(const Step& step, std::uint32_t body, Real time);
+    void stopJointed(const Step& step);
+    Real violationAt(const Bodies& bodies, const JointDef& def, Real fractionA,
+                     Real fractionB) const;
     void finish(Bodies& bodies, bool driven, Real dt);
     void noticeSensors(const Bodies& bodies, std::span<Contact> contacts,
                        const StepSettings& settings, const Tolerances& tolerances);
@@ -86,6 +102,8 @@ private:
     // and b.
     std::vector<std::uint32_t> first_;
     std::vector<std::array<std::uint32_t, 2>> next_;
+    std::vector<std::uint32_t> pulling_;       // stopped bodies whose joints are still to be tested
+    std::vector<std::uint32_t> jointsOf_;      // scratch: of one body
     std::vector<std::uint32_t> againstLocked_; // contacts with one locked body
     std::vector<Event> events_;                // heap, the earliest on top
 };

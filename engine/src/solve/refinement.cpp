@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "solve/refinement.hpp"
 
+#include "joints/anchor.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -32,6 +34,46 @@ Real loadOf(const Bodies& bodies, const Contact& contact, std::uint32_t body) {
     const Real own = bodies.motion[body].invMass;
     const Real other = bodies.motion[isA ? contact.key.bodyB : contact.key.bodyA].invMass;
     return (own + other) / own * size;
+}
+
+/// The same for the limit of a rope, rod or prismatic joint that the body loads. A row of such
+/// joints carries the load on light bodies at both ends, so it counts twice.
+Real loadOf(const Bodies& bodies, const JointDef& def, std::uint32_t body, Real slop) {
+    const auto atLimit = [&](const auto& kind) {
+        const JointEnds& ends = kind.ends;
+        const Rot rotationA = bodies.pose[ends.a.index].rotation;
+        const Vec2 armA = armOf(bodies, ends.a.index, rotationA, ends.anchorA);
+        const Vec2 armB =
+            armOf(bodies, ends.b.index, bodies.pose[ends.b.index].rotation, ends.anchorB);
+        const Vec2 gap = (bodies.pose[ends.b.index].position + armB) -
+                         (bodies.pose[ends.a.index].position + armA);
+        Real place = length(gap);
+        if constexpr (requires { kind.axis; }) {
+            place = dot(rotationA * kind.axis, gap);
+        }
+        return kind.limits &&
+               (place < kind.limits->lower + slop || place > kind.limits->upper - slop);
+    };
+    const bool loaded = std::visit(
+        [&](const auto& kind) {
+            if constexpr (requires {
+                              kind.limits->lower;
+                              kind.ends;
+                              kind.length;
+                          }) {
+                return atLimit(kind);
+            } else if constexpr (requires { kind.motorForce; }) {
+                return atLimit(kind);
+            } else {
+                return false;
+            }
+        },
+        def);
+    const std::uint32_t a = firstBody(def).index;
+    const std::uint32_t b = secondBody(def).index;
+    const Real own = bodies.motion[body].invMass;
+    const Real other = bodies.motion[a == body ? b : a].invMass;
+    return loaded ? 2 * (own + other) / own * length(bodies.acceleration[body].linear) : 0;
 }
 
 } // namespace
@@ -67,6 +109,9 @@ void Refinement::findSeeds(const Step& step) {
             }
         });
         load /= std::max(Real(1), carriers / kCarriers);
+        step.joints.visitOf(body, [&](const JointSet::Joint& joint) {
+            load = std::max(load, loadOf(bodies, joint.def, body, step.tolerances.slop));
+        });
         std::uint8_t level = 0;
         while (level + 1u < kLevels && load > most * static_cast<Real>(1 << 2 * level)) {
             ++level;

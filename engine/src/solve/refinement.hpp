@@ -23,7 +23,8 @@ inline namespace KODO_PRECISION {
 ///   s = m_a a_a (1/m_a + 1/m_b) / omega^2
 ///
 /// and by a quarter of that against a body of infinite mass. Many contacts share the load. Stiffer
-/// contacts need shorter substeps.
+/// contacts need shorter substeps. Joints of the island become stiffer with them. A limit of a
+/// rope, rod or prismatic joint that a heavy body reaches counts like a contact.
 class Refinement {
 public:
     static constexpr std::uint32_t kLevels = 4; // 1, 2, 4 or 8 parts

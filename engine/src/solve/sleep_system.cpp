@@ -148,12 +148,9 @@ void SleepSystem::wakeNeighbours(Bodies& bodies, ContactSet& contacts, const Joi
     for (const std::uint32_t other : members_) {
         startCounting(bodies.sleep[other], bodies.pose[other]);
     }
-    joints.forEach([&](const JointSet::Joint& joint) {
+    joints.forEachOf(body, [&](const JointSet::Joint& joint) {
         const std::uint32_t a = firstBody(joint.def).index;
-        const std::uint32_t b = secondBody(joint.def).index;
-        if (a == body || b == body) {
-            disturb(bodies, a == body ? b : a);
-        }
+        disturb(bodies, a == body ? secondBody(joint.def).index : a);
     });
     if (body < neighbourIslands_.size()) {
         for (const NeighbourIsland& neighbour : neighbourIslands_[body]) {

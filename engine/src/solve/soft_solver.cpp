@@ -331,7 +331,8 @@ void SoftSolver::solveGroup(Bodies& bodies, ContactSet& contactSet, JointSet& jo
     } else {
         group.overlapRelaxation.clear();
     }
-    const Real jointHertz = std::min(soft.jointHertz, kMostJointCycles / h);
+    const Real jointHertz =
+        std::min(soft.jointHertz * static_cast<Real>(parts), kMostJointCycles / h);
     JointPass jointPass{h, Softness::from(jointHertz, soft.jointDamping, h)};
     jointPass.springPasses = kSpringPasses;
     joints.beginGroup(bodies, DirectSolve::LoadedTrees, refinement_.levels(), level);

@@ -214,8 +214,9 @@ void WorldImpl::remove(BodyId id) {
     kodo::requireAlive(bodies_, id);
     wakeNeighbours(id.index);
     contacts_.drop(id.index, writeBack());
-    joints_.dropBody(id);
-    contacts_.setExcludedPairs(joints_.excludedPairs());
+    if (joints_.dropBody(id.index)) {
+        contacts_.setExcludedPairs(joints_.excludedPairs());
+    }
     removeBody(bodies_, id.index);
     queries_.bodyChanged(id.index);
     --count_;

@@ -137,7 +137,7 @@ void WorldStep::runContinuous() {
         joints_.findBusy(bodies_, refreshAwake(bodies_));
     }
     if (!contacts_.contacts().empty()) {
-        continuous_.run(bodies_, contacts_, settings_, tolerances_, dt_, team_);
+        continuous_.run(bodies_, contacts_, joints_, {settings_, tolerances_, dt_}, team_);
     }
 }
 

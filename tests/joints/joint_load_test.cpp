@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Limits of joints under loads that are much heavier than their bodies.
+#include <joints/rig.hpp>
+
+#include <algorithm>
+
+namespace kodo {
+namespace {
+
+using support::kDt;
+
+/// A static post, and a board of 2 x 0.1 m and 1 kg at (0, 2) that carries a box of `load` kg.
+struct LoadedBoard {
+    World world{{.gravity = support::kEarth, .settings = {.leaveOut = Feature::Sleep}}};
+    BodyId post = world.add({.shape = Box{1, 1}, .type = BodyType::Static, .flags = kDisabled});
+    BodyId board = world.add({.shape = Box{2, Real(0.1)}, .position = {0, 2}, .density = 5});
+
+    explicit LoadedBoard(Real load, Vec2 at = {0, Real(2.55)}) {
+        world.add({.shape = Box{1, 1}, .position = at, .density = load});
+    }
+    /// m, largest distance below the start in ten seconds.
+    Real sinks() {
+        Real lowest = 2;
+        for (int step = 0; step < 600; ++step) {
+            world.step(kDt);
+            lowest = std::min(lowest, world[board].position().y);
+        }
+        return 2 - lowest;
+    }
+};
+
+// B10: a lift at its lower limit gives way as little as a contact under the same load; before,
+// 9 and 119 mm.
+TEST(JointLoads, ALiftStaysAtItsLimit) {
+    for (const auto& [load, most] : {std::pair{Real(100), Real(0.005)}, {Real(1000), Real(0.01)}}) {
+        LoadedBoard lift(load);
+        lift.world.add(PrismaticJoint{.ends = {.a = lift.post, .b = lift.board, .anchorA = {0, 2}},
+                                      .axis = {0, 1},
+                                      .limits = Range{0, 2}});
+        EXPECT_LT(lift.sinks(), most) << load;
+    }
+}
+
+// B10: a board on two ropes, which carry it far from its centre of mass; before, 21 and 245 mm.
+TEST(JointLoads, ASwingStaysOnItsRopes) {
+    for (const auto& [load, most] : {std::pair{Real(100), Real(0.01)}, {Real(1000), Real(0.02)}}) {
+        LoadedBoard swing(load);
+        for (const Real x : {Real(-1), Real(1)}) {
+            swing.world.add(DistanceJoint{
+                .ends = {.a = swing.post, .b = swing.board, .anchorA = {x, 5}, .anchorB = {x, 0}},
+                .limits = Range{0, 3}});
+        }
+        EXPECT_LT(swing.sinks(), most) << load;
+    }
+}
+
+// B10: a row of four light discs on ropes, the last one 1,000 times as heavy; before, 802 mm.
+TEST(JointLoads, AHeavyEndDoesNotStretchARowOfRopes) {
+    World world({.gravity = support::kEarth, .settings = {.leaveOut = Feature::Sleep}});
+    BodyId last = world.add({.shape = Box{1, 1}, .type = BodyType::Static, .flags = kDisabled});
+    for (int i = 1; i <= 4; ++i) {
+        const BodyId disc = world.add({.shape = Circle{Real(0.2)},
+                                       .position = {0, -static_cast<Real>(i)},
+                                       .density = i == 4 ? Real(1000) : Real(1),
+                                       .flags = kDisabled});
+        world.add(DistanceJoint{.ends = {.a = last, .b = disc}, .limits = Range{0, 1}});
+        last = disc;
+    }
+    Real lowest = 0;
+    for (int step = 0; step < 600; ++step) {
+        world.step(kDt);
+        lowest = std::min(lowest, world[last].position().y);
+    }
+    EXPECT_GT(lowest, Real(-4.02));
+}
+
+// B10: an arm of 2 m at the lower limit of its hinge, the load on its half; before, 0.14 rad.
+TEST(JointLoads, AnArmStaysAtTheLimitOfItsHinge) {
+    LoadedBoard arm(1000, {Real(0.5), Real(2.55)});
+    arm.world.add(RevoluteJoint{
+        .ends = {.a = arm.post, .b = arm.board, .anchorA = {-1, 2}, .anchorB = {-1, 0}},
+        .limits = Range{0, 1}});
+    Real least = 0;
+    for (int step = 0; step < 600; ++step) {
+        arm.world.step(kDt);
+        least = std::min(least, arm.world[arm.board].rotation().angle());
+    }
+    EXPECT_GT(least, Real(-0.02));
+}
+
+} // namespace
+} // namespace kodo
