@@ -86,7 +86,7 @@ TEST(Bot, PredictsTheArrivalOfABallOnACurvedPath) {
 }
 
 TEST(Game, IsLostWithoutPaddleInput) {
-    Game game(std::get<Level>(loadLevel("first_light")), 1);
+    Game game(std::get<Level>(loadLevel("quarry")), 1);
     Input launch = towards(-10);
     launch.launch = true;
     while (game.result() == Result::Playing && game.ticks() < kFiveMinutes) {

@@ -115,7 +115,7 @@ bool isInSight(const Game& game, Vec2 from, kodo::BodyId body) {
 std::optional<Vec2> aim(const Game& game, Vec2 meeting) {
     std::vector<kodo::BodyId> wanted;
     for (const Block& block : game.blocks()) {
-        if (block.kind.breakable()) {
+        if (block.counts()) {
             wanted.push_back(block.body);
         }
     }
@@ -165,7 +165,7 @@ std::optional<Real> wayToBlock(const Game& game, Vec2 from, Vec2 heading) {
         }
         way += hit->fraction * kFarSight;
         const Block* block = game.findBlock(hit->body, hit->part);
-        if (block != nullptr && block->kind.breakable()) {
+        if (block != nullptr && block->counts()) {
             return way;
         }
         from += hit->fraction * kFarSight * heading + kOff * hit->normal;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Applies the governor to the balls.
+#include <apart/core/field.hpp>
 #include <apart/core/game.hpp>
 #include <apart/core/governor.hpp>
 #include <apart/core/tuning.hpp>
@@ -88,7 +89,7 @@ std::optional<kodo::QueryHit> Game::ahead(Vec2 from, Vec2 way) const {
 bool Game::meetsBlock(Vec2 from, Vec2 way) const {
     const std::optional<kodo::QueryHit> hit = ahead(from, way);
     const Block* block = hit ? findBlock(hit->body, hit->part) : nullptr;
-    return block != nullptr && block->kind.breakable();
+    return block != nullptr && block->counts();
 }
 
 bool Game::canCarry(BodyId body) const {
@@ -105,8 +106,11 @@ bool Game::isRubble(BodyId body) const {
     if (!world_.contains(body)) {
         return false;
     }
-    const Role role = roleOf(world_[body].flags());
-    return role == Role::Shard || role == Role::Part;
+    const kodo::Flags flags = world_[body].flags();
+    const Role role = roleOf(flags);
+    // A block of a building gives way like rubble.
+    return role == Role::Shard || role == Role::Part ||
+           (role == Role::Block && (flags & kStands) != 0);
 }
 
 } // namespace apart

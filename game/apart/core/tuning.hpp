@@ -12,7 +12,7 @@ namespace apart {
 using kodo::Real;
 
 // To be raised whenever the same inputs give another game. Older replays are then refused.
-inline constexpr std::uint32_t kRulesVersion = 20;
+inline constexpr std::uint32_t kRulesVersion = 21;
 
 inline constexpr int kTicksPerSecond = 120;
 inline constexpr Real kTickSeconds = Real(1) / 120;
@@ -121,6 +121,19 @@ inline constexpr Real kHingeTorque = Real(0.2); // N m; friction of its joint
 inline constexpr kodo::Material kLooseMaterial = kodo::withFriction(Real(0.5), Real(0.6));
 inline constexpr std::int32_t kFallDivisor = 2;  // divides the points of a block that fell
 inline constexpr Real kBossBreakOff = Real(0.5); // share of strength of a block that broke off
+
+// Buildings. A standing block has fallen once it is this far from its place, or turned this much.
+inline constexpr Real kFallenWay = 1;              // m
+inline constexpr Real kFallenCosine = Real(0.766); // cosine of 40 degrees
+inline constexpr kodo::Material kStandingMaterial = kodo::withFriction(Real(0.6), Real(0.15));
+inline constexpr Real kBuildingHertz = 120;       // contact stiffness in levels with buildings
+inline constexpr Real kHarmlessSpeed = Real(0.5); // m/s; a slower contact of blocks is no impact
+inline constexpr Real kFallenStrength =
+    Real(0.4); // share of the strength that a fallen block keeps
+inline constexpr std::uint32_t kFallenTicks = 480; // 4 s: lifetime of a fallen block
+inline constexpr std::uint32_t kRubbleTicks = 180; // 1.5 s: lifetime of its shards
+inline constexpr std::uint32_t kCollapseGap = 120; // 1 s without another block ends a collapse
+inline constexpr std::int32_t kTellCollapse = 3;   // blocks; a smaller collapse is not told
 
 // Force field of the paddle: acceleration towards or away from it, linear in the distance.
 inline constexpr Real kForceAcceleration = 36;        // m/s^2, at the paddle
