@@ -139,8 +139,10 @@ kodo::JointDef jointOf(const LinkDef& link, kodo::BodyView a, kodo::BodyView b) 
         return kodo::DistanceJoint{.ends = ends,
                                    .limits = kodo::Range{0, length(way) + metres(link.slack)}};
     case LinkKind::Spring:
-        return kodo::DistanceJoint{
-            .ends = ends, .length = length(way), .hertz = metres(link.hertz), .damping = Real(0.3)};
+        return kodo::DistanceJoint{.ends = ends,
+                                   .length = length(way) + metres(link.slack),
+                                   .hertz = metres(link.hertz),
+                                   .damping = Real(0.3)};
     case LinkKind::Slider: {
         kodo::PrismaticJoint slider{.ends = ends, .reference = reference};
         slider.axis = unrotate(a.rotation(), Rot::fromAngle(radians(link.axis)).xAxis());

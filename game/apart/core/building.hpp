@@ -79,7 +79,7 @@ struct LinkDef {
     std::int32_t fromY = 0; // a rope or spring
     std::int32_t toX = 0;   // 1/1000 m, world: the end at b of a rope or spring
     std::int32_t toY = 0;
-    std::int32_t slack = 0; // 1/1000 m, of a rope beyond the distance of its ends
+    std::int32_t slack = 0; // 1/1000 m, of a rope or spring beyond the distance of its ends
     std::int32_t hertz = 0; // 1/1000 Hz, stiffness of a spring
     std::int32_t axis = 0;  // 1/1000 degree, direction of a slider
     bool limited = false;   // low and high are given

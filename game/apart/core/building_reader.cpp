@@ -223,6 +223,7 @@ void BuildingReader::readNumbers(const toml::table& table, LinkDef& link) {
         link.slack = keys_.number(table, "slack", {0, kTop, 0});
     } else if (link.kind == LinkKind::Spring) {
         link.hertz = keys_.number(table, "hertz", {100, 20000, 2000});
+        link.slack = keys_.number(table, "slack", {0, kTop, 0});
     } else if (link.kind == LinkKind::Slider) {
         link.axis = keys_.number(table, "axis", {-kFullTurn, kFullTurn, 0});
     } else {

@@ -95,7 +95,8 @@ namespace apart {
 ///   at = [0, 8000]          # 1/1000 m, place of a pin, motor or slider
 ///   from = [0, 12000]       # of a rope or spring: its end at a
 ///   to = [0, 8000]          # and its end at b
-///   slack = 0               # 1/1000 m, of a rope beyond this distance
+///   slack = 0               # 1/1000 m, of a rope beyond this distance; or by which a spring is
+///                           # pressed at the start
 ///   hertz = 2000            # 1/1000 Hz, of a spring
 ///   axis = 0                # 1/1000 degree, direction of a slider
 ///   limits = [-30000, 9000] # 1/1000 degree of a pin, 1/1000 m of a slider; none unless given
