@@ -38,6 +38,9 @@ void Game::governBall(Ball& ball) {
             carried = carried || canCarry(hit.other(ball.body));
         }
     }
+    const bool quick = clock_.idleTicks() > kQuickTicks && mode_ == Mode::Standard &&
+                       world_[ball.body].position().y > kQuickHeight;
+    const Real target = quick ? kQuickFactor * ballSpeed() : ballSpeed();
     const bool slow = length(world_[ball.body].velocity()) < kSwallowed * ballSpeed();
     ball.carriedTicks = !slow ? 0 : carried ? ball.carriedTicks + 1 : ball.carriedTicks;
     rubble = rubble || (carried && ball.carriedTicks > kCarriedTicks);
@@ -45,7 +48,7 @@ void Game::governBall(Ball& ball) {
     const Vec2 velocity = body.velocity();
     Vec2 next = velocity;
     if (!touching || (normals.empty() && slow)) { // or slides along a wall without an impulse
-        next = servoVelocity(velocity, ball.heading, ballSpeed());
+        next = servoVelocity(velocity, ball.heading, target);
         const Real spin = body.angularVelocity();
         if (std::abs(spin) > kMostSpin) {
             body.setAngularVelocity(spin < 0 ? -kMostSpin : kMostSpin);

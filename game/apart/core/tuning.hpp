@@ -47,10 +47,15 @@ inline constexpr Real kServeSlope = Real(0.6); // |x/y| of the flattest serve
 // The governor. A servo holds the speed along the heading. The smallest rotation at a contact keeps
 // a ball out of a cone around the horizontal, where it would bounce between the side walls for
 // minutes.
-inline constexpr Real kServoBand = Real(0.01);       // tolerated relative error of the speed
-inline constexpr Real kServoShare = Real(1) / 8;     // share of the error corrected per tick
-inline constexpr Real kSwallowed = Real(0.7);        // share of speed; a slower ball is thrown off
-inline constexpr std::uint32_t kCarriedTicks = 20;   // slow on a dynamic body; then thrown off
+inline constexpr Real kServoBand = Real(0.01);     // tolerated relative error of the speed
+inline constexpr Real kServoShare = Real(1) / 8;   // share of the error corrected per tick
+inline constexpr Real kSwallowed = Real(0.7);      // share of speed; a slower ball is thrown off
+inline constexpr std::uint32_t kCarriedTicks = 20; // slow on a dynamic body; then thrown off
+// After this time without damage a ball above this height flies faster, so that a miss costs
+// little.
+inline constexpr std::uint32_t kQuickTicks = 144; // 1.2 s
+inline constexpr Real kQuickHeight = 4;           // m
+inline constexpr Real kQuickFactor = Real(1.6);
 inline constexpr Real kHaltSpeed = Real(0.1);        // m/s; below it the last heading is kept
 inline constexpr Real kFlatSine = Real(0.1908090);   // sine of 11 degrees
 inline constexpr Real kFlatCosine = Real(0.9816272); // cosine of 11 degrees
