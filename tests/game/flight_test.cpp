@@ -129,7 +129,11 @@ TEST(ContinuousCollision, PreventsTunnellingAtFourTimesTheTopSpeedInTenThousandS
     support::RandomNumbers random(kSeed);
     std::vector<Range> ranges;
     Real top = 0;
-    for (const std::string& name : levelNames()) {
+    std::vector<std::string> names = levelNames();
+    for (int number = 1; number <= 20; ++number) { // few levels have walls alone
+        names.push_back("endless:99:" + std::to_string(number));
+    }
+    for (const std::string& name : names) {
         const Level level = std::get<Level>(loadLevel(name));
         if (!isStill(level)) {
             continue;

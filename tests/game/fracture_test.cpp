@@ -248,9 +248,10 @@ TEST(Pieces, OfEveryKindOfBlockHaveTheMassOfTheBlock) {
     for (const Power power : {Power::None, Power::Weld, Power::Launch, Power::Split}) {
         const BlockKind kind{'x', Stuff::Brick, power, Pattern::Bricks, 1000};
         kodo::World world;
-        const kodo::BodyId block = world.add(blockDef(kind, {}));
+        const kodo::BodyId block = world.add(blockDef(kind, kodo::Vec2{}));
         Real mass = 0;
-        for (const Piece& piece : piecesOf(kind, {0, -kCellHeight / 2}, 3)) {
+        for (const Piece& piece :
+             piecesOf(kind, kodo::Box{kCellWidth, kCellHeight}, {0, -kCellHeight / 2}, 3)) {
             mass += piece.mass.mass;
         }
         EXPECT_TRUE(near(world[block].mass(), mass, Real(1e-5) * mass));

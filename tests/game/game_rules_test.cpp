@@ -209,4 +209,29 @@ TEST(Paddle, StaysInsideTheField) {
     }
 }
 
+/// Fastest flight of a ball that hits nothing, above and just over the paddle, relative to the
+/// speed of the level.
+std::pair<Real, Real> idleSpeeds(Mode mode) {
+    Game game(levelOf("b.............b\n"), 1, mode);
+    const kodo::BodyId ball = GameTestAccess::shoot(game, {0, 6}, {0, game.ballSpeed()});
+    std::pair<Real, Real> fastest;
+    for (int tick = 0; tick < 3 * kTicksPerSecond; ++tick) {
+        game.tick({});
+        const Real share = length(game.world()[ball].velocity()) / game.ballSpeed();
+        const Real height = game.world()[ball].position().y;
+        fastest.first = std::max(fastest.first, height > kQuickHeight ? share : 0);
+        fastest.second = std::max(fastest.second, height < Real(2.2) ? share : 0);
+    }
+    return fastest;
+}
+
+TEST(Game, AnIdleBallFliesFasterUntilItComesNearThePaddle) {
+    const auto [high, low] = idleSpeeds(Mode::Standard);
+    EXPECT_NEAR(high, kQuickFactor, kServoBand * kQuickFactor);
+    EXPECT_LT(low, Real(1.2));
+    const auto [pureHigh, pureLow] = idleSpeeds(Mode::Pure);
+    EXPECT_NEAR(pureHigh, 1, kServoBand);
+    EXPECT_NEAR(pureLow, 1, kServoBand);
+}
+
 } // namespace

@@ -55,7 +55,7 @@ TEST(LevelFile, NamesTheLineOfAnError) {
          "test.toml:7: a row of the grid has 15"},
         {changed(kGood, "..b.........X..", "..b.........Y.."), "test.toml:7: the letter Y is not"},
         {changed(kGood, "..b.........X..", "............X.."),
-         "test.toml:5: the grid holds no block"},
+         "test.toml:5: the level holds no block"},
         {changed(kGood, "\"brick\"", "\"brik\""), "test.toml:10: stuff must be one of glass, wood"},
         {changed(kGood, "7000", "0"), "test.toml:11: strength must be a whole number from 1"},
         {changed(kGood, "\"weld\"", "\"wield\""), "test.toml:12: power must be one of none, weld"},

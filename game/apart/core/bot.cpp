@@ -29,7 +29,7 @@ constexpr std::uint32_t kWhimTicks = 30;  // duration of a random choice of Erra
 constexpr int kAttempts = 3;              // to find a block in sight
 constexpr Real kLateHeight = 6;           // m; Clumsy ignores higher balls
 constexpr Real kFarSight = 40;            // m; length of casts along a path
-constexpr Real kTriedSeconds = 3;         // without damage; then it uses surestOffset()
+constexpr Real kTriedSeconds = 1;         // without damage; then it uses surestOffset()
 constexpr int kShots = 8;                 // tested on each side of the paddle's middle
 constexpr int kForesight = 6;             // bounces
 constexpr Real kLeapSeconds = Real(0.05); // before the ball arrives
@@ -115,7 +115,7 @@ bool isInSight(const Game& game, Vec2 from, kodo::BodyId body) {
 std::optional<Vec2> aim(const Game& game, Vec2 meeting) {
     std::vector<kodo::BodyId> wanted;
     for (const Block& block : game.blocks()) {
-        if (block.kind.breakable()) {
+        if (block.counts()) {
             wanted.push_back(block.body);
         }
     }
@@ -165,7 +165,7 @@ std::optional<Real> wayToBlock(const Game& game, Vec2 from, Vec2 heading) {
         }
         way += hit->fraction * kFarSight;
         const Block* block = game.findBlock(hit->body, hit->part);
-        if (block != nullptr && block->kind.breakable()) {
+        if (block != nullptr && block->counts()) {
             return way;
         }
         from += hit->fraction * kFarSight * heading + kOff * hit->normal;

@@ -141,14 +141,15 @@ struct ShardBroke {
     kodo::Real impulse = 0;
     int pieces = 0;
 };
-/// A block became Support::Loose.
+/// A block became Support::Loose, or Support::Fallen if it was standing.
 struct LetGo {
-    enum class Why : std::uint8_t { Fatigue, BrokeOff, Unsupported, Torn };
+    enum class Why : std::uint8_t { Fatigue, BrokeOff, Unsupported, Torn, Toppled };
     kodo::BodyId block;    // new if the block was part of a boss
     std::uint32_t key = 0; // Block::key
     Stuff stuff = Stuff::Brick;
     kodo::Vec2 point; // its centre
     Why why = Why::Fatigue;
+    int points = 0; // added to the score, of a standing block
 };
 /// A loose block left the field and counts as cleared.
 struct Fell {
@@ -205,10 +206,23 @@ struct LoopSeen {
     kodo::BodyId ball;
 };
 
+/// Blocks of a building fell or broke in one chain, which is now over. Told from kTellCollapse on.
+struct Collapsed {
+    int blocks = 0;
+    int points = 0;   // of these blocks, already in the score
+    kodo::Vec2 point; // mean of their places
+};
+/// A joint of the level broke.
+struct Snapped {
+    LinkKind kind = LinkKind::Pin;
+    kodo::Vec2 point;
+    kodo::Real force = 0; // N
+};
+
 using Event =
     std::variant<Struck, Cracked, Broke, Released, Caught, Welded, Stuck, Launched, Spent,
                  BallSplit, Served, BallLost, LifeLost, Cleared, Lost, KnockedOff, ShardBroke,
                  LetGo, Fell, BossDown, Bumped, PowerBegan, PowerEnded, BallChanged, Leapt,
-                 ForceChanged, ShardCaught, PatienceChanged, LoopSeen>;
+                 ForceChanged, ShardCaught, PatienceChanged, LoopSeen, Collapsed, Snapped>;
 
 } // namespace apart

@@ -60,9 +60,9 @@ Real leanOf(Power power) {
     return -kMoodLean;
 }
 
-std::vector<Piece> partPieces(const BlockKind& kind) {
+std::vector<Piece> partPieces(const BlockKind& kind, Vec2 size) {
     std::vector<Piece> pieces;
-    for (kodo::Polygon& polygon : cutOutMiddle(kCellWidth, kCellHeight, leanOf(kind.power))) {
+    for (kodo::Polygon& polygon : cutOutMiddle(size.x, size.y, leanOf(kind.power))) {
         const bool middle = pieces.empty();
         pieces.push_back(polygonPiece(std::move(polygon), middle ? kPartDensity : densityOf(kind),
                                       middle ? Role::Part : Role::Shard));
@@ -112,20 +112,32 @@ Vec2 centerOf(const Cell& cell) {
     return {columns * kCellWidth - kFieldWidth / 2, kFieldHeight - rows * kCellHeight};
 }
 
-kodo::BodyDef blockDef(const BlockKind& kind, Vec2 center) {
-    Real mass = densityOf(kind) * kCellWidth * kCellHeight;
+kodo::BodyDef blockDef(const BlockKind& kind, const PlacedShape& placed) {
+    kodo::BodyDef def{.shape = placed.shape,
+                      .position = placed.frame.position,
+                      .rotation = placed.frame.rotation,
+                      .material = kBlockMaterial,
+                      .density = densityOf(kind),
+                      .type = kodo::BodyType::Kinematic,
+                      .flags = flagsOf(Role::Block)};
     if (kind.power != Power::None) {
-        mass = 0;
-        for (const Piece& piece : piecesOf(kind, {}, 0)) {
+        Real mass = 0;
+        for (const Piece& piece : piecesOf(kind, placed.shape, {}, 0)) {
             mass += piece.mass.mass;
         }
+        const Vec2 size = extentOf(placed.shape).extent();
+        def.density = mass / (size.x * size.y);
     }
-    return {.shape = Box{kCellWidth, kCellHeight},
-            .position = center,
-            .material = kBlockMaterial,
-            .density = mass / (kCellWidth * kCellHeight),
-            .type = kodo::BodyType::Kinematic,
-            .flags = flagsOf(Role::Block)};
+    return def;
+}
+
+kodo::BodyDef blockDef(const BlockKind& kind, Vec2 center) {
+    return blockDef(kind, {Box{kCellWidth, kCellHeight}, {center, {}}});
+}
+
+std::int32_t pointsOf(const BlockKind& kind) {
+    return kPoints[static_cast<std::size_t>(kind.stuff)] +
+           (kind.power == Power::None ? 0 : kPowerPoints);
 }
 
 Real densityOf(const BlockKind& kind) {
@@ -141,17 +153,19 @@ Real shardStrength(Stuff stuff, Real area) {
     return whole * kShardToughness * area / (kCellWidth * kCellHeight);
 }
 
-std::vector<Piece> piecesOf(const BlockKind& kind, Vec2 hit, std::uint64_t key) {
+std::vector<Piece> piecesOf(const BlockKind& kind, const kodo::Shape& shape, Vec2 hit,
+                            std::uint64_t key) {
     if (kind.power == Power::Split) {
         return ballPieces();
     }
     if (kind.power != Power::None) {
-        return partPieces(kind);
+        return partPieces(kind, extentOf(shape).extent());
     }
-    const kodo::Polygon whole = rectangle(kCellWidth, kCellHeight);
     std::vector<Piece> pieces;
-    for (kodo::Polygon& polygon : fracture(whole, hit, kind.pattern, shardLimits(), key)) {
-        pieces.push_back(polygonPiece(std::move(polygon), densityOf(kind), Role::Shard));
+    for (const kodo::Polygon& whole : polygonsOf(shape)) {
+        for (kodo::Polygon& polygon : fracture(whole, hit, kind.pattern, shardLimits(), key)) {
+            pieces.push_back(polygonPiece(std::move(polygon), densityOf(kind), Role::Shard));
+        }
     }
     return pieces;
 }

@@ -12,8 +12,10 @@ namespace apart {
 
 // Body definitions of the objects of the game.
 
-// User flag of bodies that gravity acts on.
+// User flags of bodies that gravity acts on. Wind, wells and the paddle's field act on kFalls only,
+// so that a building stands.
 inline constexpr kodo::Flags kFalls = 64;
+inline constexpr kodo::Flags kStands = 256; // of a building, also once it has fallen
 
 std::array<kodo::BodyDef, 3> wallDefs(); // left, right, top
 kodo::BodyDef paddleDef(kodo::Real x);
@@ -30,7 +32,10 @@ bool isGone(kodo::Vec2 place);
 
 kodo::Vec2 centerOf(const Cell& cell);
 /// The mass of a block is the sum of the masses of its pieces.
-kodo::BodyDef blockDef(const BlockKind& kind, kodo::Vec2 center);
+kodo::BodyDef blockDef(const BlockKind& kind, const PlacedShape& placed);
+kodo::BodyDef blockDef(const BlockKind& kind, kodo::Vec2 center); // of the grid
+/// Points of a block, without a factor.
+std::int32_t pointsOf(const BlockKind& kind);
 /// Density (kg/m^2) of the material of a block.
 kodo::Real densityOf(const BlockKind& kind);
 /// Limits for all shards, also for those of broken shards.
@@ -45,8 +50,10 @@ struct Piece {
     Role role = Role::Shard; // Shard, Part or Ball
     kodo::Mass mass;         // of shape and density
 };
-/// All pieces of a block after an impact at `hit`. Their masses sum to that of the block.
-std::vector<Piece> piecesOf(const BlockKind& kind, kodo::Vec2 hit, std::uint64_t key);
+/// All pieces of a block of this shape after an impact at `hit`. Their masses sum to that of the
+/// block. A block with a power is a rectangle.
+std::vector<Piece> piecesOf(const BlockKind& kind, const kodo::Shape& shape, kodo::Vec2 hit,
+                            std::uint64_t key);
 
 /// Body of a Shard or Part; `frame` is that of the block.
 kodo::BodyDef pieceDef(const Piece& piece, const PieceMotion& motion, const kodo::Transform& frame);

@@ -35,6 +35,8 @@ Game::Game(std::shared_ptr<const Level> level, std::uint32_t seed, Mode mode)
     buildBlocks();
     buildBoss();
     buildObstructions();
+    buildFreeBlocks();
+    buildLinks();
     newPaddle();
     newServe();
 }
@@ -90,6 +92,7 @@ void Game::tick(const Input& input) {
     world_.step(kTickSeconds);
     judge();
     govern();
+    watchBuildings();
     watchProgress();
     removeGone();
     conclude();
@@ -161,6 +164,7 @@ void Game::conclude() {
         return;
     }
     if (blocksLeft_ == 0) {
+        endCollapse();
         result_ = Result::Won;
         score_ += lives_ * kLifePoints;
         events_.emplace_back(Cleared{score_});
@@ -185,7 +189,7 @@ void Game::conclude() {
 
 const Block* Game::findBlock(BodyId body, std::size_t part) const {
     const auto found = std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& block) {
-        return block.body == body && block.part == part;
+        return block.body == body && (block.ownsBody() || block.part == part);
     });
     return found == blocks_.end() ? nullptr : &*found;
 }

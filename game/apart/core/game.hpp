@@ -43,7 +43,7 @@ public:
     std::int32_t score() const { return score_; }
     std::int32_t lives() const { return lives_; } // including the one in play
     std::int32_t combo() const { return combo_; } // blocks broken since the last paddle hit
-    std::int32_t blocksLeft() const { return blocksLeft_; } // breakable, including loose ones
+    std::int32_t blocksLeft() const { return blocksLeft_; } // breakable and not fallen
     std::int32_t blocksAtStart() const { return blocksAtStart_; }
 
     const Level& level() const { return *level_; }
@@ -83,6 +83,8 @@ public:
     std::span<const Shard> shards() const { return shards_; }
     std::span<const Part> parts() const { return parts_; }
     std::span<const Obstruction> obstructions() const { return obstructions_; }
+    std::span<const Link> links() const { return links_; }
+    const Collapse& collapse() const { return collapse_; }
     std::optional<kodo::BodyId> boss() const; // nullopt: none, or defeated
     const Block* findBlock(kodo::BodyId body, std::size_t part = 0) const; // nullptr: none
     /// First wall, block or obstruction on the straight path of a ball along `way` (m).
@@ -105,6 +107,9 @@ private:
     void buildBlocks();
     void buildBoss();
     void buildObstructions();
+    void buildFreeBlocks();
+    void buildLinks();
+    void addBlock(Block block);
     void hang(Block& block);
     void newPaddle();
     void newServe();
@@ -142,6 +147,8 @@ private:
     void judgeBoss();
     void catchPart(std::size_t index, const kodo::CollisionRecord& hit);
     void catchShard(std::size_t index, kodo::Vec2 point);
+    void catchBlock(std::size_t index, kodo::Vec2 point);
+    void addToMeter(Stuff stuff, kodo::Real mass, kodo::Vec2 point);
     void knockOffWorn();
     void knockOff(std::size_t weld);
     Stuff stuffOf(kodo::BodyId body, std::size_t part) const;
@@ -151,8 +158,18 @@ private:
     void letGo(std::size_t index, LetGo::Why why);
     void letGoNext(LetGo::Why why);
     void dropUnsupported(kodo::Vec2 last);
+    void watchBuildings();
+    void watchLinks();
+    void dropLinks(kodo::BodyId body);
+    void markFallen(std::size_t index, LetGo::Why why);
+    std::int32_t addToCollapse(const Block& block, kodo::Vec2 place);
+    void endCollapse();
     void breakBlock(std::size_t index, kodo::Vec2 point, kodo::Vec2 impact);
-    int addPieces(const Block& block, const kodo::Transform& frame, const PieceMotion& carried,
+    struct Carried { // frame and motion of a block that breaks
+        kodo::Transform frame;
+        PieceMotion motion;
+    };
+    int addPieces(const Block& block, const kodo::Shape& shape, const Carried& before,
                   kodo::Vec2 hit, kodo::Vec2 impulse);
     void breakShard(std::size_t index, kodo::Vec2 point, kodo::Real impulse);
 
@@ -200,6 +217,8 @@ private:
     std::vector<Shard> shards_;
     std::vector<Part> parts_;
     std::vector<Obstruction> obstructions_;
+    std::vector<Link> links_;
+    Collapse collapse_;
     Sway sway_;
     Force force_ = Force::None;
     kodo::Real meter_ = 1;

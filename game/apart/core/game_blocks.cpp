@@ -34,7 +34,7 @@ kodo::Transform Game::frameOf(const Block& block) const {
 BodyId Game::detach(std::size_t index) {
     Block& block = blocks_[index];
     const BodyId whole = block.body;
-    if (world_[whole].partCount() == 1) {
+    if (block.ownsBody() || world_[whole].partCount() == 1) {
         return whole;
     }
     const std::size_t place = block.part;
@@ -49,6 +49,10 @@ BodyId Game::detach(std::size_t index) {
 }
 
 void Game::letGo(std::size_t index, LetGo::Why why) {
+    if (blocks_[index].support == Support::Standing) {
+        markFallen(index, why);
+        return;
+    }
     const BodyId body = detach(index);
     Block& block = blocks_[index];
     world_[body].setType(kodo::BodyType::Dynamic);
@@ -130,7 +134,7 @@ const Block* Game::nextToFall() const {
     const Block* lowest = nullptr;
     Real height = 0;
     for (const Block& block : blocks_) {
-        if (block.support == Support::Loose || !block.kind.breakable()) {
+        if (block.support == Support::Loose || !block.counts()) {
             continue;
         }
         const Real y = frameOf(block).position.y;
@@ -184,13 +188,15 @@ Real Game::idleSeconds() const {
 void Game::removeGoneBlocks() {
     for (std::size_t i = 0; i < blocks_.size();) {
         const Block block = blocks_[i];
-        if (block.support != Support::Loose) {
+        const bool fallen = block.support == Support::Fallen;
+        if (!fallen && block.support != Support::Loose && block.support != Support::Moving) {
             ++i;
             continue;
         }
         const Vec2 place = frameOf(block).position;
         if (!isGone(place)) {
-            const bool old = tick_ - block.looseTick > kLooseTicks;
+            const bool old = block.support != Support::Moving &&
+                             tick_ - block.looseTick > (fallen ? kFallenTicks : kLooseTicks);
             if (old && result_ == Result::Playing) { // after the end nothing is scored
                 breakBlock(i, place, {});
             } else {
@@ -201,7 +207,7 @@ void Game::removeGoneBlocks() {
         ledger_.removedMass += static_cast<double>(world_[block.body].mass());
         world_.remove(block.body);
         blocks_.erase(blocks_.begin() + static_cast<std::ptrdiff_t>(i));
-        if (block.kind.breakable() && result_ == Result::Playing) {
+        if (block.counts() && result_ == Result::Playing) {
             const std::int32_t points =
                 kPoints[static_cast<std::size_t>(block.kind.stuff)] / kFallDivisor;
             --blocksLeft_;

@@ -78,7 +78,8 @@ void Game::applyForces() {
         use(shard.body, false);
     }
     for (const Block& block : blocks_) {
-        if (block.support == Support::Loose || block.support == Support::Hanging) {
+        if (block.support == Support::Loose || block.support == Support::Hanging ||
+            block.support == Support::Fallen) {
             use(block.body, false);
         }
     }
@@ -104,7 +105,9 @@ Vec2 Game::tear(Vec2 center) {
     if (block->support == Support::Hanging) {
         return {}; // draw() acts on it, as on loose blocks
     }
-    return densityOf(block->kind) * kCellWidth * kCellHeight * gained * normalize(way);
+    const Real mass = block->ownsBody() ? world_[block->body].mass()
+                                        : densityOf(block->kind) * kCellWidth * kCellHeight;
+    return mass * gained * normalize(way);
 }
 
 void Game::pushPaddleBack(Vec2 impulse) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Applies the governor to the balls.
+#include <apart/core/field.hpp>
 #include <apart/core/game.hpp>
 #include <apart/core/governor.hpp>
 #include <apart/core/tuning.hpp>
@@ -37,6 +38,9 @@ void Game::governBall(Ball& ball) {
             carried = carried || canCarry(hit.other(ball.body));
         }
     }
+    const bool quick = clock_.idleTicks() > kQuickTicks && mode_ == Mode::Standard &&
+                       world_[ball.body].position().y > kQuickHeight;
+    const Real target = quick ? kQuickFactor * ballSpeed() : ballSpeed();
     const bool slow = length(world_[ball.body].velocity()) < kSwallowed * ballSpeed();
     ball.carriedTicks = !slow ? 0 : carried ? ball.carriedTicks + 1 : ball.carriedTicks;
     rubble = rubble || (carried && ball.carriedTicks > kCarriedTicks);
@@ -44,7 +48,7 @@ void Game::governBall(Ball& ball) {
     const Vec2 velocity = body.velocity();
     Vec2 next = velocity;
     if (!touching || (normals.empty() && slow)) { // or slides along a wall without an impulse
-        next = servoVelocity(velocity, ball.heading, ballSpeed());
+        next = servoVelocity(velocity, ball.heading, target);
         const Real spin = body.angularVelocity();
         if (std::abs(spin) > kMostSpin) {
             body.setAngularVelocity(spin < 0 ? -kMostSpin : kMostSpin);
@@ -88,7 +92,7 @@ std::optional<kodo::QueryHit> Game::ahead(Vec2 from, Vec2 way) const {
 bool Game::meetsBlock(Vec2 from, Vec2 way) const {
     const std::optional<kodo::QueryHit> hit = ahead(from, way);
     const Block* block = hit ? findBlock(hit->body, hit->part) : nullptr;
-    return block != nullptr && block->kind.breakable();
+    return block != nullptr && block->counts();
 }
 
 bool Game::canCarry(BodyId body) const {
@@ -105,8 +109,11 @@ bool Game::isRubble(BodyId body) const {
     if (!world_.contains(body)) {
         return false;
     }
-    const Role role = roleOf(world_[body].flags());
-    return role == Role::Shard || role == Role::Part;
+    const kodo::Flags flags = world_[body].flags();
+    const Role role = roleOf(flags);
+    // A block of a building gives way like rubble.
+    return role == Role::Shard || role == Role::Part ||
+           (role == Role::Block && (flags & kStands) != 0);
 }
 
 } // namespace apart

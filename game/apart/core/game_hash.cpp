@@ -60,6 +60,14 @@ void add(kodo::StateHash& hash, const Obstruction& obstruction) {
     hash.add(obstruction.hitTick);
 }
 
+void add(kodo::StateHash& hash, const Collapse& collapse) {
+    for (const std::int32_t number : {collapse.blocks, collapse.points, collapse.largest}) {
+        hash.add(number);
+    }
+    hash.add(collapse.lastTick);
+    add(hash, collapse.sum);
+}
+
 void add(kodo::StateHash& hash, const Effect& effect) {
     hash.add(static_cast<std::uint8_t>(effect.power));
     hash.add(effect.untilTick);
@@ -114,6 +122,8 @@ std::uint64_t Game::stateHash() const {
     add(hash, shards_);
     add(hash, parts_);
     add(hash, obstructions_);
+    hash.add(static_cast<std::uint64_t>(links_.size()));
+    add(hash, collapse_);
     add(hash, effects_);
     hash.add(clock_.stateHash());
     hash.add(static_cast<std::uint8_t>(shownPatience_));

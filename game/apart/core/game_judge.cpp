@@ -111,13 +111,28 @@ void Game::judgeBall(const CollisionRecord& hit, BodyId ball) {
 }
 
 void Game::judgeBlock(const CollisionRecord& hit, BodyId body) {
+    const bool drawnIn = force_ == Force::Pull && hit.other(body) == paddle_;
+    if (!drawnIn && hit.maxImpulse < kSlightestImpact) {
+        return; // most records: resting contacts
+    }
     const auto index =
         static_cast<std::size_t>(findBlock(body, partOf(hit, body)) - blocks_.data());
     Block& block = blocks_[index];
-    if (!block.kind.breakable() || hit.maxImpulse < kSlightestImpact) {
+    if (drawnIn && block.support == Support::Fallen) {
+        catchBlock(index, hit.point);
         return;
     }
-    clock_.progress();
+    // What rests on a block of a building presses without an impact.
+    const BodyId other = hit.other(body);
+    const bool byBall = world_.contains(other) && roleOf(world_[other].flags()) == Role::Ball;
+    const bool pressed =
+        (world_[body].flags() & kStands) != 0 && !byBall && hit.approachSpeed < kHarmlessSpeed;
+    if (!block.kind.breakable() || hit.maxImpulse < kSlightestImpact || pressed) {
+        return;
+    }
+    if (block.counts()) {
+        clock_.progress();
+    }
     if (hit.maxImpulse > block.strengthLeft) {
         const Vec2 impact = hit.totalImpulse * normalTowards(hit, body);
         if (block.support == Support::Boss) {
@@ -161,11 +176,23 @@ void Game::judgeShard(const CollisionRecord& hit, BodyId body) {
 void Game::catchShard(std::size_t index, Vec2 point) {
     const Shard shard = shards_[index];
     const Real mass = world_[shard.body].mass();
-    ledger_.removedMass += static_cast<double>(mass);
     world_.remove(shard.body);
     shards_.erase(shards_.begin() + static_cast<std::ptrdiff_t>(index));
+    addToMeter(shard.stuff, mass, point);
+}
+
+void Game::catchBlock(std::size_t index, Vec2 point) {
+    const Block block = blocks_[index];
+    const Real mass = world_[block.body].mass();
+    world_.remove(block.body);
+    blocks_.erase(blocks_.begin() + static_cast<std::ptrdiff_t>(index));
+    addToMeter(block.kind.stuff, mass, point);
+}
+
+void Game::addToMeter(Stuff stuff, Real mass, Vec2 point) {
+    ledger_.removedMass += static_cast<double>(mass);
     meter_ = std::min(meter_ + kMeterPerKilogram * mass, Real(1));
-    events_.emplace_back(ShardCaught{shard.stuff, point, meter_});
+    events_.emplace_back(ShardCaught{stuff, point, meter_});
 }
 
 void Game::judgePart(const CollisionRecord& hit, BodyId body) {

@@ -41,18 +41,21 @@ void Game::breakBlock(std::size_t index, Vec2 point, Vec2 impact) {
     const kodo::Transform frame = frameOf(block);
     const PieceMotion carried{world_[body].velocity(), world_[body].angularVelocity()};
     const kodo::Mass weight{world_[body].mass(), {}, world_[body].inertia()};
+    const kodo::Shape shape = shapeOfBlock(world_[body], block.part, block.ownsBody());
     world_.remove(body);
     if (world_.contains(block.pin)) {
         world_.remove(block.pin);
     }
     blocks_.erase(blocks_.begin() + static_cast<std::ptrdiff_t>(index));
     std::int32_t points = 0;
-    if (block.kind.breakable()) {
+    if (block.support == Support::Standing && block.counts()) {
+        points = addToCollapse(block, frame.position);
         --blocksLeft_;
         ++combo_;
-        const std::int32_t worth = kPoints[static_cast<std::size_t>(block.kind.stuff)] +
-                                   (block.kind.power == Power::None ? 0 : kPowerPoints);
-        points = worth * std::min(combo_, kMostCombo);
+    } else if (block.counts()) {
+        --blocksLeft_;
+        ++combo_;
+        points = pointsOf(block.kind) * std::min(combo_, kMostCombo);
         score_ += points;
     }
     const std::size_t place = events_.size();
@@ -66,19 +69,25 @@ void Game::breakBlock(std::size_t index, Vec2 point, Vec2 impact) {
                                .combo = combo_,
                                .points = points});
     const Vec2 local = toLocal(frame, point);
-    const Vec2 hit{std::clamp(local.x, -kCellWidth / 2, kCellWidth / 2),
-                   std::clamp(local.y, -kCellHeight / 2, kCellHeight / 2)};
+    const kodo::Aabb extent = extentOf(shape);
+    const Vec2 hit{std::clamp(local.x, extent.lower.x, extent.upper.x),
+                   std::clamp(local.y, extent.lower.y, extent.upper.y)};
     // The velocity of a dynamic block already contains the whole impulse.
     const bool mounted = block.support == Support::Mounted || block.support == Support::Boss;
     const Vec2 taken = mounted ? unrotate(frame.rotation, impact) : Vec2{};
     ledger_.breakWork -= energyOf(weight, carried);
     ledger_.mountTurn += turnOf(weight, carried, frame.position);
-    std::get<Broke>(events_[place]).shards = addPieces(block, frame, carried, hit, taken);
+    std::get<Broke>(events_[place]).shards = addPieces(block, shape, {frame, carried}, hit, taken);
 }
 
-int Game::addPieces(const Block& block, const kodo::Transform& frame, const PieceMotion& carried,
-                    Vec2 hit, Vec2 impact) {
-    const std::vector<Piece> pieces = piecesOf(block.kind, hit, mixKeys(seed_, block.key, 2));
+int Game::addPieces(const Block& block, const kodo::Shape& shape, const Carried& before, Vec2 hit,
+                    Vec2 impact) {
+    const kodo::Transform& frame = before.frame;
+    const PieceMotion& carried = before.motion;
+    const std::vector<Piece> pieces =
+        piecesOf(block.kind, shape, hit, mixKeys(seed_, block.key, 2));
+    const bool rubble = block.support == Support::Fallen;
+    const std::uint32_t born = rubble ? tick_ + kRubbleTicks - kShardTicks : tick_;
     std::vector<kodo::Mass> masses;
     kodo::Mass whole{};
     for (const Piece& piece : pieces) {
@@ -120,7 +129,7 @@ int Game::addPieces(const Block& block, const kodo::Transform& frame, const Piec
             events_.emplace_back(Released{body, block.kind.power, frame.position});
         } else {
             const Real strength = shardStrength(block.kind.stuff, world_[body].area());
-            shards_.push_back({body, block.kind.stuff, tick_, strength});
+            shards_.push_back({body, block.kind.stuff, born, strength});
             ++shards;
         }
     }

@@ -118,7 +118,7 @@ void Game::reshapeBalls() {
 void Game::renewFields() {
     std::vector<kodo::FieldEntry> fields;
     fields.push_back({std::make_shared<kodo::Gravity>(Vec2{0, -kGravity}),
-                      {.flags = kodo::kMatchAny, .required = kFalls}});
+                      {.flags = kodo::kMatchAny, .required = kFalls | kStands}});
     if (windSpeed() != 0) {
         fields.push_back({std::make_shared<kodo::Wind>(kWindLaw, Vec2{windSpeed(), 0}), kFlying});
     }

@@ -34,10 +34,59 @@ void Game::buildBlocks() {
         if (kind.support == Support::Hanging) {
             hang(block);
         }
-        blocks_.push_back(block);
-        blocksAtStart_ += kind.breakable() ? 1 : 0;
+        addBlock(block);
     }
+}
+
+/// Appends a block that has its body, unless it belongs to the boss.
+void Game::addBlock(Block block) {
+    if (block.support == Support::Standing || block.support == Support::Moving) {
+        kodo::BodyRef body = world_[block.body];
+        body.setType(kodo::BodyType::Dynamic);
+        body.setFlags(flagsOf(Role::Block) | kStands);
+        body.setMaterial(kStandingMaterial);
+        block.home = body.transform();
+    }
+    blocks_.push_back(block);
+    blocksAtStart_ += block.kind.breakable() ? 1 : 0;
     blocksLeft_ = blocksAtStart_;
+}
+
+void Game::buildFreeBlocks() {
+    if (!level_->freeBlocks.empty()) { // a tower sinks less into itself
+        kodo::StepSettings settings = world_.settings();
+        settings.soft().contactHertz = kBuildingHertz;
+        world_.setSettings(settings);
+    }
+    for (std::size_t i = 0; i < level_->freeBlocks.size(); ++i) {
+        const FreeBlock& def = level_->freeBlocks[i];
+        const BlockKind& kind = level_->kinds[def.kind];
+        addBlock({.body = world_.add(blockDef(kind, placedShapeOf(def))),
+                  .kind = kind,
+                  .strengthLeft = static_cast<Real>(kind.strength) / 1000,
+                  .key = keyOfFree(i),
+                  .support = kind.support});
+    }
+}
+
+void Game::buildLinks() {
+    const std::size_t first = level_->cells.size(); // free blocks follow those of the grid
+    const auto bodyOf = [&](std::int32_t index, Vec2 place) {
+        return index < 0 ? world_.add(pivotDef(place))
+                         : blocks_[first + static_cast<std::size_t>(index)].body;
+    };
+    for (const LinkDef& def : level_->links) {
+        const Vec2 place{static_cast<Real>(def.fromX) / 1000, static_cast<Real>(def.fromY) / 1000};
+        const BodyId a = bodyOf(def.a, place);
+        const BodyId b = bodyOf(def.b, place);
+        const kodo::World& world = world_;
+        const kodo::JointDef joint = jointOf(def, world[a], world[b]);
+        const kodo::JointId id =
+            std::visit([&](const auto& alternative) { return world_.add(alternative); }, joint);
+        links_.push_back({def.kind,
+                          id, // its end at b
+                          {static_cast<Real>(def.toX) / 1000, static_cast<Real>(def.toY) / 1000}});
+    }
 }
 
 void Game::hang(Block& block) {

@@ -21,10 +21,31 @@ void add(kodo::StateHash& hash, const ObstructionDef& def) {
     for (const std::int32_t number : {def.x, def.y, def.size, def.speed, def.spacing}) {
         hash.add(number);
     }
+    hash.add(def.height);
+    hash.add(def.turn);
     hash.add(static_cast<std::uint8_t>(def.facing));
     hash.add(static_cast<std::uint64_t>(def.heights.size()));
     for (const std::int32_t height : def.heights) {
         hash.add(height);
+    }
+}
+
+void add(kodo::StateHash& hash, const FreeBlock& block) {
+    hash.add(static_cast<std::uint8_t>(block.form));
+    hash.add(static_cast<std::uint8_t>(block.mirrored));
+    for (const std::int32_t number :
+         {block.x, block.y, block.turn, block.width, block.height, block.extra}) {
+        hash.add(number);
+    }
+}
+
+void add(kodo::StateHash& hash, const LinkDef& link) {
+    hash.add(static_cast<std::uint8_t>(link.kind));
+    hash.add(static_cast<std::uint8_t>(link.limited));
+    for (const std::int32_t number :
+         {link.a, link.b, link.fromX, link.fromY, link.toX, link.toY, link.slack, link.hertz,
+          link.axis, link.low, link.high, link.speed, link.torque, link.strength}) {
+        hash.add(number);
     }
 }
 
@@ -44,6 +65,15 @@ std::uint64_t digestOf(const Level& level) {
         hash.add(cell.row);
         hash.add(cell.column);
         add(hash, level.kinds[cell.kind]);
+    }
+    hash.add(static_cast<std::uint64_t>(level.freeBlocks.size()));
+    for (const FreeBlock& block : level.freeBlocks) {
+        add(hash, block);
+        add(hash, level.kinds[block.kind]);
+    }
+    hash.add(static_cast<std::uint64_t>(level.links.size()));
+    for (const LinkDef& link : level.links) {
+        add(hash, link);
     }
     hash.add(static_cast<std::uint64_t>(level.obstructions.size()));
     for (const ObstructionDef& def : level.obstructions) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <apart/core/building.hpp>
 #include <apart/core/theme.hpp>
 
 #include <array>
@@ -63,9 +64,14 @@ enum class Support : std::uint8_t {
     Mounted, // kinematic: fixed until it breaks or its mount fails
     Hanging, // on a revolute joint above it: it swings
     Boss,    // part of the boss, one body of many blocks
-    Loose,   // unsupported: it falls
+    // By what is below it, or by joints. Gravity acts on both.
+    Standing, // counts as cleared once it has fallen from its place
+    Moving,   // of a machine: counts once it breaks or leaves the field
+    Loose,    // unsupported: it falls
+    Fallen,   // was standing; cleared
 };
-inline constexpr std::array<std::string_view, 3> kSupportNames = {"mounted", "hanging", "boss"};
+inline constexpr std::array<std::string_view, 5> kSupportNames = {"mounted", "hanging", "boss",
+                                                                  "standing", "moving"};
 
 enum class BallKind : std::uint8_t {
     Round,
@@ -94,9 +100,10 @@ enum class ObstructionKind : std::uint8_t {
     Motor,  // a bar turned by a motor
     Gate,   // a one-sided line: bodies pass from behind only
     Ground, // a height map, solid from above
+    Ledge,  // a fixed rectangle to stand on
 };
-inline constexpr std::array<std::string_view, 5> kObstructionNames = {"bumper", "pin", "motor",
-                                                                      "gate", "ground"};
+inline constexpr std::array<std::string_view, 6> kObstructionNames = {"bumper", "pin",    "motor",
+                                                                      "gate",   "ground", "ledge"};
 
 /// Direction of the front of a gate. Bodies that come from there bounce.
 enum class Facing : std::uint8_t { Up, Down, Left, Right };
@@ -134,11 +141,13 @@ struct ObstructionDef {
     ObstructionKind kind = ObstructionKind::Bumper;
     std::int32_t x = 0; // 1/1000 m, of its centre; of the first height of a ground
     std::int32_t y = 0;
-    std::int32_t size = 0;  // 1/1000 m: radius of a bumper or pin, length of a bar or gate
+    std::int32_t size = 0;  // 1/1000 m: radius of a bumper or pin, length of a bar, gate or ledge
     std::int32_t speed = 0; // 1/1000 m/s of a bumper's kick, 1/1000 rad/s of a motor
     Facing facing = Facing::Up;
     std::int32_t spacing = 0;          // 1/1000 m, of a ground
     std::vector<std::int32_t> heights; // 1/1000 m above y, of a ground; at least two
+    std::int32_t height = 0;           // 1/1000 m, of a ledge
+    std::int32_t turn = 0;             // 1/1000 degree, of a ledge
 
     friend bool operator==(const ObstructionDef&, const ObstructionDef&) = default;
 };
@@ -171,6 +180,8 @@ struct Level {
     std::int32_t bossSpeed = 0; // 1/1000 m/s
     std::vector<BlockKind> kinds;
     std::vector<Cell> cells; // row by row, left to right
+    std::vector<FreeBlock> freeBlocks;
+    std::vector<LinkDef> links;
     std::vector<ObstructionDef> obstructions;
     std::vector<WellDef> wells;
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <apart/core/building_reader.hpp>
 #include <apart/core/level_file.hpp>
 #include <apart/core/toml_keys.hpp>
 #include <apart/core/tuning.hpp>
@@ -17,6 +18,7 @@ constexpr std::array<std::int32_t, 4> kUsualSpeed = {6000, 0, 2000, 0};
 
 constexpr std::size_t kMostObstructions = 64; // tables [[ground]]
 constexpr std::size_t kMostWells = 8;
+constexpr std::size_t kMostTables = 200; // each of [[ledge]], [[block]] and [[joint]]
 
 constexpr std::int32_t thousandths(Real value) {
     return static_cast<std::int32_t>(value * 1000 + (value < 0 ? Real(-0.5) : Real(0.5)));
@@ -33,7 +35,8 @@ public:
     Read<Level> read(const toml::table& root) {
         keys_.onlyKeys(root,
                        {"format", "place", "title", "idea", "theme", "ball-speed", "lives", "ball",
-                        "paddle", "wind", "boss", "grid", "legend", "ground", "well"},
+                        "paddle", "wind", "boss", "grid", "legend", "ground", "well", "ledge",
+                        "block", "joint"},
                        "");
         if (keys_.number(root, "format", {1, 1, std::nullopt}) == 1) {
             level_.place = keys_.number(root, "place", {1, 9999, 9999});
@@ -48,6 +51,7 @@ public:
             readLegend(root);
             readGrid(root);
             readBoss(root);
+            readBuilding(root);
             forTables(root, "ground", kMostObstructions, [&](const auto& t) { readGround(t); });
             forTables(root, "well", kMostWells, [&](const auto& t) { readWell(t); });
         }
@@ -79,6 +83,20 @@ private:
         }
         for (const toml::node& entry : *list) {
             use(*entry.as_table());
+        }
+    }
+
+    void readBuilding(const toml::table& root) {
+        BuildingReader reader(keys_, level_);
+        forTables(root, "ledge", kMostTables, [&](const auto& t) { reader.readLedge(t); });
+        forTables(root, "block", kMostTables, [&](const auto& t) { reader.readBlock(t); });
+        forTables(root, "joint", kMostTables, [&](const auto& t) { reader.readJoint(t); });
+        const auto breaks = [&](const auto& b) { return level_.kinds[b.kind].breakable(); };
+        if (!keys_.problem() && std::none_of(level_.cells.begin(), level_.cells.end(), breaks) &&
+            std::none_of(level_.freeBlocks.begin(), level_.freeBlocks.end(), breaks)) {
+            const toml::node* grid = root.get("grid");
+            keys_.fail(TomlKeys::lineOf(grid == nullptr ? root : *grid),
+                       "the level holds no block that can break");
         }
     }
 
@@ -161,6 +179,9 @@ private:
     void readGrid(const toml::table& root) {
         const toml::node* node = root.get("grid");
         const auto* grid = node == nullptr ? nullptr : node->as_string();
+        if (node == nullptr && root.contains("block")) {
+            return; // a level of free blocks alone
+        }
         if (grid == nullptr) {
             keys_.fail(TomlKeys::lineOf(node == nullptr ? root : *node),
                        "the text grid = '''...''' is missing");
@@ -172,12 +193,6 @@ private:
             const std::string_view line = rest.substr(0, rest.find('\n'));
             rest.remove_prefix(std::min(line.size() + 1, rest.size()));
             readRow(line, row, TomlKeys::lineOf(*grid) + 1 + row);
-        }
-        const bool some = std::any_of(level_.cells.begin(), level_.cells.end(), [&](const Cell& c) {
-            return level_.kinds[c.kind].breakable();
-        });
-        if (!some) {
-            keys_.fail(TomlKeys::lineOf(*grid), "the grid holds no block that can break");
         }
     }
 

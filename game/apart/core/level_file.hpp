@@ -36,7 +36,10 @@ namespace apart {
 ///   pattern = "bricks"      # halves slats bricks radial shatter; default by stuff
 ///   power = "weld"          # weld launch split heavy lopsided egg rough magnet spring wings well
 ///                           # wind; none unless given
-///   hold = "mounted"        # mounted hanging boss; mounted unless given
+///   hold = "mounted"        # mounted hanging boss standing moving; mounted unless given. Standing
+///                           # blocks rest on what is below them and count once they have fallen
+///                           # from their place, by 1 m or 40 degrees. Moving ones belong to a
+///                           # machine: they count once they break or leave the field.
 ///   arm = 800               # 1/1000 m up to the pin of a hanging block; 800 unless given
 ///   core = true             # of a block of the boss: the others fall with the last core
 ///   [legend.o]              # or an obstruction, at the centre of its cell
@@ -55,6 +58,53 @@ namespace apart {
 ///   x = 0
 ///   y = 9000
 ///   strength = 60000        # 1/1000 m^3/s^2; negative: it repels
+///
+/// Buildings have free blocks, which need no grid.
+///
+///   [[ledge]]               # a fixed rectangle to stand on
+///   x = 0                   # 1/1000 m, of its middle
+///   y = 6000
+///   width = 8000            # 1/1000 m
+///   height = 400            # 400 unless given
+///   turn = 0                # 1/1000 degree, counter-clockwise; 0 unless given
+///   [[block]]
+///   kind = "b"              # letter of the legend; mounted, standing or moving
+///   shape = "beam"          # brick beam plank square wedge gable round wheel voussoir L T; brick
+///                           # unless given. A power needs one of the first four.
+///   x = 0                   # 1/1000 m, of its middle
+///   y = 6400
+///   width = 3200            # 1/1000 m, also the diameter of a round one; default by shape, as is
+///   height = 400            # the height
+///   thick = 400             # 1/1000 m, of L and T; 400 unless given
+///   turn = 90000            # 1/1000 degree, counter-clockwise; 0 unless given
+///   name = "beam"           # for joints; copies are beam1, beam2, ...
+///   count = 4               # copies in a row; 1 unless given
+///   step = [1600, 0]        # 1/1000 m, from one copy to the next
+///   step-turn = 0           # 1/1000 degree, likewise
+///   rows = 3                # rows of copies; 1 unless given
+///   row-step = [0, 800]     # 1/1000 m, from one row to the next
+///   mirror = true           # the same again with left and right exchanged
+///   [[block]]               # of an arch: x and y are the centre of its ring
+///   shape = "voussoir"
+///   radius = 3000           # 1/1000 m, the inner one; height goes along the radius
+///   span = 20000            # 1/1000 degree; turn is measured from the crown
+///   [[joint]]
+///   kind = "pin"            # pin rope spring slider motor
+///   a = "beam1"             # a block by its name; the field unless given
+///   b = "beam2"
+///   at = [0, 8000]          # 1/1000 m, place of a pin, motor or slider
+///   from = [0, 12000]       # of a rope or spring: its end at a
+///   to = [0, 8000]          # and its end at b
+///   slack = 0               # 1/1000 m, of a rope beyond this distance; or by which a spring is
+///                           # pressed at the start
+///   hertz = 2000            # 1/1000 Hz, of a spring
+///   axis = 0                # 1/1000 degree, direction of a slider
+///   limits = [-30000, 9000] # 1/1000 degree of a pin, 1/1000 m of a slider; none unless given
+///   speed = 2000            # 1/1000 rad/s, of a motor
+///   torque = 300000         # 1/1000 N m, of a motor, or friction of a pin (0)
+///   break = 90000           # 1/1000 N; a larger force breaks it; unbreakable unless given
+///   count = 3               # copies; numbers at the end of names rise by 1
+///   step = [800, 0]         # 1/1000 m, from one copy to the next
 Read<Level> parseLevel(std::string_view text, const std::string& name, const std::string& file);
 
 /// The level's name is that of the file without its ending.

@@ -176,18 +176,52 @@ void judgeRun(const BotRun& run, LintReport& report) {
     }
 }
 
+/// True if something happened for the player in the last tick.
+bool isEventful(const Game& game) {
+    return std::any_of(game.events().begin(), game.events().end(), [](const Event& event) {
+        return std::holds_alternative<Cracked>(event) || std::holds_alternative<Broke>(event) ||
+               std::holds_alternative<LetGo>(event) || std::holds_alternative<Fell>(event) ||
+               std::holds_alternative<Caught>(event) || std::holds_alternative<ShardCaught>(event);
+    });
+}
+
+/// Measures the gaps between events.
+class GapMeter {
+public:
+    explicit GapMeter(BotRun& run) : run_(run) {}
+
+    void tick(const Game& game) {
+        ++gap_;
+        if (isEventful(game) || game.result() != Result::Playing) {
+            finish();
+        }
+    }
+    void finish() {
+        run_.longestGap = std::max(run_.longestGap, gap_);
+        run_.quietTicks += gap_ > kQuietGap ? gap_ : 0;
+        gap_ = 0;
+    }
+
+private:
+    BotRun& run_;
+    std::uint32_t gap_ = 0; // ticks
+};
+
 } // namespace
 
 BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks, BotKind kind) {
     Game game(level, seed);
     GameObserver observer;
     BotRun run{.seed = seed};
+    GapMeter gaps(run);
     while (game.result() == Result::Playing && game.ticks() < mostTicks) {
         game.tick(bot(game, kind));
         observer.observe(game);
+        gaps.tick(game);
         run.mostBodies = std::max(run.mostBodies, game.world().bodyCount());
         run.work += stepStats(game.world()).bodies + stepStats(game.world()).contacts;
     }
+    gaps.finish();
     run.ticks = game.ticks();
     run.result = game.result();
     run.livesLost = level.lives - game.lives();

@@ -11,6 +11,9 @@
 
 namespace apart {
 
+// A longer time without a crack, break, fall or catch counts as quiet (ticks): 3 s.
+inline constexpr std::uint32_t kQuietGap = 3 * kTicksPerSecond;
+
 /// Result of one game of a bot.
 struct BotRun {
     std::uint32_t seed = 0;
@@ -18,6 +21,8 @@ struct BotRun {
     Result result = Result::Playing;
     std::int32_t livesLost = 0;
     std::uint32_t longestWait = 0; // ticks without damage to a block
+    std::uint32_t longestGap = 0;  // ticks without a crack, break, fall or catch
+    std::uint32_t quietTicks = 0;  // in gaps longer than kQuietGap
     std::uint32_t faults = 0;      // halts, escapes, bent paths
     std::size_t mostBodies = 0;
     std::uint64_t work = 0; // bodies and contacts visited, summed over all ticks

@@ -3,6 +3,8 @@
 #include <apart/core/field.hpp>
 #include <apart/core/tuning.hpp>
 
+#include <numbers>
+
 namespace apart {
 
 using kodo::Real;
@@ -62,13 +64,17 @@ kodo::BodyDef obstructionDef(const ObstructionDef& def) {
         body.density = kBarDensity;
         body.type = kodo::BodyType::Dynamic;
         body.flags = flagsOf(Role::Obstruction) | kodo::kNeverSleep | kodo::kMatchAny;
-        body.required = static_cast<std::uint16_t>(flagsOf(Role::Ball) | kFalls);
+        body.required = static_cast<std::uint16_t>(flagsOf(Role::Ball) | kFalls | kStands);
         break;
     case ObstructionKind::Gate:
         body.shape = gate(metres(def.size), def.facing);
         break;
     case ObstructionKind::Ground:
         body.shape = ground(def);
+        break;
+    case ObstructionKind::Ledge:
+        body.shape = kodo::Box{metres(def.size), metres(def.height)};
+        body.rotation = kodo::Rot::fromAngle(metres(def.turn) / 180 * std::numbers::pi_v<Real>);
         break;
     }
     return body;

@@ -94,6 +94,8 @@ std::int64_t valueOf(const Game& game, Field field) {
         return static_cast<std::int64_t>(game.effects().size());
     case Field::Wind:
         return inThousandths(game.windSpeed());
+    case Field::LargestFall:
+        return game.collapse().largest;
     case Field::BentBounces:
         return game.ledger().bentBounces;
     case Field::BallKind:

@@ -70,6 +70,7 @@ enum class Field : std::uint8_t {
     Effects,     // number of active powers
     Wind,        // 1/1000 m/s
     BentBounces, // see Ledger
+    LargestFall, // most blocks of one collapse so far
     Result,      // playing won lost
     BallKind,    // round heavy lopsided egg rough
     Patience,    // calm glowing shaking failing
@@ -80,12 +81,12 @@ inline constexpr std::size_t kEventKinds = std::variant_size_v<Event>;
 inline constexpr std::array<std::string_view, kStateFields + kEventKinds> kFieldNames = {
     "blocksLeft", "score", "lives", "combo", "balls", "shards", "parts", "paddleParts", "paddleX",
     "paddleMass", "tilt", "lift", "ballX", "ballY", "ballSpeed", "looseBlocks", "meter", "effects",
-    "wind", "bentBounces", "result", "ballKind", "patience",
+    "wind", "bentBounces", "largestFall", "result", "ballKind", "patience",
     // In the order of Event's alternatives.
     "struck", "cracked", "broke", "released", "caught", "welded", "stuck", "launched", "spent",
     "ballSplit", "served", "ballLost", "lifeLost", "cleared", "lost", "knockedOff", "shardBroke",
     "letGo", "fell", "bossDown", "bumped", "powerBegan", "powerEnded", "ballChanged", "leapt",
-    "forceChanged", "shardCaught", "patienceChanged", "loopSeen"};
+    "forceChanged", "shardCaught", "patienceChanged", "loopSeen", "collapsed", "snapped"};
 /// Names of the values of a field; empty for a numeric field.
 std::span<const std::string_view> valueNames(Field field);
 /// Value of a state field.

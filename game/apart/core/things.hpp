@@ -16,17 +16,43 @@ namespace apart {
 enum class Mode : std::uint8_t { Standard, Pure };
 inline constexpr std::array<std::string_view, 2> kModeNames = {"standard", "pure"};
 
-/// An unbroken block. Its shape is part `part` of its body. Only blocks of a boss share a body.
+/// An unbroken block. Only blocks of a boss share a body; the shape of each is part `part` of it.
 struct Block {
     kodo::BodyId body{};
     BlockKind kind;
     kodo::Real strengthLeft = 0; // N s
-    std::uint32_t key = 0;       // constant: row * kColumns + column
+    std::uint32_t key = 0;       // constant: row * kColumns + column, or keyOfFree()
     std::size_t part = 0;
     Support support = Support::Mounted;
     kodo::Vec2 local{};          // m, its centre in the frame of the body's shape
     kodo::BodyId pin{};          // body that it hangs from
-    std::uint32_t looseTick = 0; // tick at which it was let go
+    std::uint32_t looseTick = 0; // tick at which it was let go, or fell
+    kodo::Transform home{};      // of its body at the start
+
+    bool ownsBody() const { return support != Support::Boss; }
+    /// True if it must still be cleared.
+    bool counts() const { return kind.breakable() && support != Support::Fallen; }
+};
+
+/// Key of a free block; keys of the grid are smaller.
+constexpr std::uint32_t keyOfFree(std::size_t index) {
+    return static_cast<std::uint32_t>(kColumns * kMostRows) + static_cast<std::uint32_t>(index);
+}
+
+/// A joint of the level that holds.
+struct Link {
+    LinkKind kind = LinkKind::Pin;
+    kodo::JointId joint{};
+    kodo::Vec2 place{}; // m, world; of the joint in the last tick
+};
+
+/// Blocks of a building that fell or broke in one chain.
+struct Collapse {
+    std::int32_t blocks = 0;    // 0: none is going on
+    std::int32_t points = 0;    // of its blocks
+    std::uint32_t lastTick = 0; // of its last block
+    kodo::Vec2 sum{};           // m, world; of the places of its blocks
+    std::int32_t largest = 0;   // most blocks of one collapse so far
 };
 
 struct Obstruction {

@@ -12,7 +12,7 @@ namespace apart {
 using kodo::Real;
 
 // To be raised whenever the same inputs give another game. Older replays are then refused.
-inline constexpr std::uint32_t kRulesVersion = 20;
+inline constexpr std::uint32_t kRulesVersion = 21;
 
 inline constexpr int kTicksPerSecond = 120;
 inline constexpr Real kTickSeconds = Real(1) / 120;
@@ -47,10 +47,15 @@ inline constexpr Real kServeSlope = Real(0.6); // |x/y| of the flattest serve
 // The governor. A servo holds the speed along the heading. The smallest rotation at a contact keeps
 // a ball out of a cone around the horizontal, where it would bounce between the side walls for
 // minutes.
-inline constexpr Real kServoBand = Real(0.01);       // tolerated relative error of the speed
-inline constexpr Real kServoShare = Real(1) / 8;     // share of the error corrected per tick
-inline constexpr Real kSwallowed = Real(0.7);        // share of speed; a slower ball is thrown off
-inline constexpr std::uint32_t kCarriedTicks = 20;   // slow on a dynamic body; then thrown off
+inline constexpr Real kServoBand = Real(0.01);     // tolerated relative error of the speed
+inline constexpr Real kServoShare = Real(1) / 8;   // share of the error corrected per tick
+inline constexpr Real kSwallowed = Real(0.7);      // share of speed; a slower ball is thrown off
+inline constexpr std::uint32_t kCarriedTicks = 20; // slow on a dynamic body; then thrown off
+// After this time without damage a ball above this height flies faster, so that a miss costs
+// little.
+inline constexpr std::uint32_t kQuickTicks = 144; // 1.2 s
+inline constexpr Real kQuickHeight = 4;           // m
+inline constexpr Real kQuickFactor = Real(1.6);
 inline constexpr Real kHaltSpeed = Real(0.1);        // m/s; below it the last heading is kept
 inline constexpr Real kFlatSine = Real(0.1908090);   // sine of 11 degrees
 inline constexpr Real kFlatCosine = Real(0.9816272); // cosine of 11 degrees
@@ -121,6 +126,19 @@ inline constexpr Real kHingeTorque = Real(0.2); // N m; friction of its joint
 inline constexpr kodo::Material kLooseMaterial = kodo::withFriction(Real(0.5), Real(0.6));
 inline constexpr std::int32_t kFallDivisor = 2;  // divides the points of a block that fell
 inline constexpr Real kBossBreakOff = Real(0.5); // share of strength of a block that broke off
+
+// Buildings. A standing block has fallen once it is this far from its place, or turned this much.
+inline constexpr Real kFallenWay = 1;              // m
+inline constexpr Real kFallenCosine = Real(0.766); // cosine of 40 degrees
+inline constexpr kodo::Material kStandingMaterial = kodo::withFriction(Real(0.6), Real(0.15));
+inline constexpr Real kBuildingHertz = 120;       // contact stiffness in levels with buildings
+inline constexpr Real kHarmlessSpeed = Real(0.5); // m/s; a slower contact of blocks is no impact
+inline constexpr Real kFallenStrength =
+    Real(0.4); // share of the strength that a fallen block keeps
+inline constexpr std::uint32_t kFallenTicks = 480; // 4 s: lifetime of a fallen block
+inline constexpr std::uint32_t kRubbleTicks = 180; // 1.5 s: lifetime of its shards
+inline constexpr std::uint32_t kCollapseGap = 120; // 1 s without another block ends a collapse
+inline constexpr std::int32_t kTellCollapse = 3;   // blocks; a smaller collapse is not told
 
 // Force field of the paddle: acceleration towards or away from it, linear in the distance.
 inline constexpr Real kForceAcceleration = 36;        // m/s^2, at the paddle

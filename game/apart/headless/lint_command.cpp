@@ -21,6 +21,12 @@ struct Summary {
     std::int32_t livesLost = 0;
     std::uint32_t longestWait = 0;
     std::size_t mostBodies = 0;
+    std::uint32_t longestGap = 0;
+    std::uint64_t quietTicks = 0;
+
+    double quietShare() const { // 0..1, of the time of all games
+        return ticks == 0 ? 0 : static_cast<double>(quietTicks) / static_cast<double>(ticks);
+    }
 };
 
 Summary summaryOf(const LintReport& report) {
@@ -31,6 +37,8 @@ Summary summaryOf(const LintReport& report) {
         sum.livesLost += run.livesLost;
         sum.longestWait = std::max(sum.longestWait, run.longestWait);
         sum.mostBodies = std::max(sum.mostBodies, run.mostBodies);
+        sum.longestGap = std::max(sum.longestGap, run.longestGap);
+        sum.quietTicks += run.quietTicks;
     }
     return sum;
 }
@@ -44,21 +52,22 @@ double meanSeconds(const Summary& sum, const LintReport& report) {
 }
 
 void printHead() {
-    fmt::print("{:<20} {:>6} {:>7} {:>12} {:>13} {:>9} {:>10} {:>6} {:>10} {:>7} {:>10}\n", "level",
-               "blocks", "reached", "waits s, <=", "clears s, <=", "bot wins", "in s, mean", "lost",
-               "waited s", "bodies", "work/tick");
+    fmt::print("{:<20} {:>6} {:>7} {:>12} {:>13} {:>9} {:>10} {:>6} {:>10} {:>7} {:>10} {:>8} "
+               "{:>6}\n",
+               "level", "blocks", "reached", "waits s, <=", "clears s, <=", "bot wins",
+               "in s, mean", "lost", "waited s", "bodies", "work/tick", "quiet %", "gap s");
 }
 
 void printRow(const LintReport& report) {
     const Summary sum = summaryOf(report);
     fmt::print("{:<20} {:>6} {:>7} {:>12.0f} {:>13.0f} {:>9} {:>10.1f} {:>6} {:>10.1f} {:>7} "
-               "{:>10}{}\n",
+               "{:>10} {:>8.1f} {:>6.1f}{}\n",
                report.level, report.blocks,
                report.blocks - static_cast<int>(report.outOfReach.size()),
                seconds(report.waitBound), seconds(report.clearBound),
                fmt::format("{} of {}", sum.won, report.runs.size()), meanSeconds(sum, report),
                sum.livesLost, seconds(sum.longestWait), sum.mostBodies, report.workPerTick,
-               report.passed() ? "" : "  FAILED");
+               100 * sum.quietShare(), seconds(sum.longestGap), report.passed() ? "" : "  FAILED");
 }
 
 std::string asJson(const LintReport& report) {
@@ -66,17 +75,50 @@ std::string asJson(const LintReport& report) {
     std::string text = fmt::format(
         R"({{"level": "{}", "passed": {}, "blocks": {}, "outOfReach": {}, "waitBoundTicks": {}, )"
         R"("clearBoundTicks": {}, "games": {}, "won": {}, "meanTicks": {}, "livesLost": {}, )"
-        R"("longestWaitTicks": {}, "mostBodies": {}, "workPerTick": {}, "problems": [)",
+        R"("longestWaitTicks": {}, "mostBodies": {}, "workPerTick": {}, "quietShare": {:.4f}, )"
+        R"("longestGapTicks": {}, "problems": [)",
         report.level, report.passed(), report.blocks, report.outOfReach.size(), report.waitBound,
         report.clearBound, report.runs.size(), sum.won,
         report.runs.empty() ? 0 : sum.ticks / report.runs.size(), sum.livesLost, sum.longestWait,
-        sum.mostBodies, report.workPerTick);
+        sum.mostBodies, report.workPerTick, sum.quietShare(), sum.longestGap);
     for (std::size_t i = 0; i < report.problems.size(); ++i) {
         // The sentences contain no character that JSON must escape.
         text += fmt::format(R"({}"{}")", i == 0 ? "" : ", ", report.problems[i]);
     }
     return text + "]}";
 }
+
+/// Quiet time over all levels: the mean of their shares, the worst level, and the longest gap.
+class Pace {
+public:
+    void add(const LintReport& report) {
+        const Summary sum = summaryOf(report);
+        total_ += sum.quietShare();
+        ++levels_;
+        if (sum.quietShare() >= worst_) {
+            worst_ = sum.quietShare();
+            worstLevel_ = report.level;
+        }
+        if (sum.longestGap >= longestGap_) {
+            longestGap_ = sum.longestGap;
+            longestLevel_ = report.level;
+        }
+    }
+    void print() const {
+        fmt::print("Time in gaps over {} s without a crack, break, fall or catch: {:.1f} % as mean "
+                   "of the levels, {:.1f} % at worst ({}); longest gap {:.1f} s ({}).\n",
+                   kQuietGap / kTicksPerSecond, 100 * total_ / std::max(levels_, 1), 100 * worst_,
+                   worstLevel_, seconds(longestGap_), longestLevel_);
+    }
+
+private:
+    double total_ = 0;
+    double worst_ = 0;
+    int levels_ = 0;
+    std::uint32_t longestGap_ = 0;
+    std::string worstLevel_;
+    std::string longestLevel_;
+};
 
 } // namespace
 
@@ -89,11 +131,13 @@ int runLint(const LintCommand& command) {
     }
     std::vector<LintReport> failed;
     std::string json;
+    Pace pace;
     if (!command.json) {
         printHead();
     }
     for (const Level& level : levels) {
         LintReport report = lint(level, command.options);
+        pace.add(report);
         if (command.json) {
             json += (json.empty() ? "" : ",\n ") + asJson(report);
         } else {
@@ -110,6 +154,9 @@ int runLint(const LintCommand& command) {
         for (const std::string& problem : report.problems) {
             fmt::print(stderr, "{}: {}.\n", report.level, problem);
         }
+    }
+    if (!command.json) {
+        pace.print();
     }
     if (!command.json && failed.empty()) {
         fmt::print("All {} levels pass.\n", levels.size());

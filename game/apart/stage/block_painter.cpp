@@ -37,9 +37,17 @@ void grainOfBrick(Canvas& canvas, const Grain& grain) {
     const Color line = faded(lighter(palette::of(Stuff::Brick), 0.45f), 0.5f);
     const Real width = Real(0.045);
     canvas.line(grain.at(Real(-0.96), 0), grain.at(Real(0.96), 0), width, line);
-    canvas.line(grain.at(Real(-0.33), 0), grain.at(Real(-0.33), Real(0.92)), width, line);
-    canvas.line(grain.at(Real(0.45), 0), grain.at(Real(0.45), Real(0.92)), width, line);
-    canvas.line(grain.at(Real(0.05), 0), grain.at(Real(0.05), Real(-0.92)), width, line);
+    // Two joints above and one below in each stretch of about the width of a brick.
+    const int stretches = std::max(1, static_cast<int>(grain.half.x / Real(0.8) + Real(0.5)));
+    const auto joint = [&](int stretch, Real share, Real to) {
+        const Real u = 2 * (static_cast<Real>(stretch) + share) / static_cast<Real>(stretches) - 1;
+        canvas.line(grain.at(u, 0), grain.at(u, to), width, line);
+    };
+    for (int i = 0; i < stretches; ++i) {
+        joint(i, Real(0.335), Real(0.92));
+        joint(i, Real(0.525), Real(-0.92));
+        joint(i, Real(0.725), Real(0.92));
+    }
 }
 
 void grainOfGlass(Canvas& canvas, const Grain& grain) {
@@ -68,10 +76,15 @@ void grainOfSteel(Canvas& canvas, const Grain& grain) {
         grain.at(Real(-0.9), Real(-0.8)), grain.at(Real(0.9), Real(-0.8)),
         grain.at(Real(0.9), Real(0.8)), grain.at(Real(-0.9), Real(0.8))};
     canvas.outline(frame, Real(0.035), edge);
-    for (const Real u : {Real(-0.76), Real(0.76)}) {
-        for (const Real v : {Real(-0.5), Real(0.5)}) {
-            canvas.disc(grain.at(u, v), Real(0.06), lighter(edge, 0.4f), edge);
+    const Real u = 1 - Real(0.19) / grain.half.x;
+    const Real rows = grain.half.y > Real(0.25) ? Real(0.5) : Real(0);
+    for (const Real side : {-u, u}) {
+        for (const Real v : {-rows, rows}) {
+            canvas.disc(grain.at(side, v), Real(0.06), lighter(edge, 0.4f), edge);
         }
+    }
+    if (grain.half.x > 3 * grain.half.y) {
+        return; // a rail
     }
     canvas.line(grain.at(Real(-0.55), Real(-0.5)), grain.at(Real(0.55), Real(0.5)), Real(0.05),
                 faded(edge, 0.45f));
@@ -164,24 +177,55 @@ void paintLit(Canvas& canvas, std::span<const Vec2> corners, Color color, Rim ri
     canvas.rimmed(corners, colors, rim.width, rim.color);
 }
 
-void paintBlock(Canvas& canvas, const kodo::ConvexShape& outline, const kodo::Transform& body,
-                const BlockLook& look) {
-    const kodo::Transform place{body * outline.middle, body.rotation};
-    const Vec2 half = Real(0.5) * kodo::aabbOf(std::span<const Vec2>(outline.vertices)).extent();
-    const Vec2 inner = look.scale * (half - Vec2{kGap, kGap});
-    const std::array<Vec2, 4> corners = {place * -inner, place * Vec2{inner.x, -inner.y},
-                                         place * inner, place * Vec2{-inner.x, inner.y}};
-    if (look.glow > 0) {
+namespace {
+
+struct Surface {
+    Color color;
+    Rim rim;
+};
+
+Surface surfaceOf(const BlockLook& look) {
+    const Color live = lighter(palette::of(look.kind.stuff), 0.75f * look.heat);
+    const Color color = faded(look.fallen ? darker(live, 0.3f) : live, look.left);
+    return {color, {Real(0.06), faded(lighter(color, 0.5f), 0.45f * look.left)}};
+}
+
+void paintGlow(Canvas& canvas, std::span<const Vec2> corners, Real glow) {
+    if (glow > 0) {
         canvas.setGlow(true);
-        canvas.outline(corners, Real(0.3), faded(palette::kAccent, 0.6f * look.glow));
+        canvas.outline(corners, Real(0.3), faded(palette::kAccent, 0.6f * glow));
         canvas.setGlow(false);
     }
-    const Color color = lighter(palette::of(look.kind.stuff), 0.75f * look.heat);
-    paintLit(canvas, corners, color, {Real(0.06), faded(lighter(color, 0.5f), 0.45f)});
-    if (look.scale < 1) {
+}
+
+bool isRectangle(const kodo::ConvexShape& outline) {
+    const Vec2 size = kodo::aabbOf(std::span<const Vec2>(outline.vertices)).extent();
+    Real twiceArea = 0;
+    for (std::size_t i = 1; i + 1 < outline.vertices.size(); ++i) {
+        twiceArea += cross(outline.vertices[i] - outline.vertices[0],
+                           outline.vertices[i + 1] - outline.vertices[0]);
+    }
+    return outline.vertices.size() == 4 && twiceArea > Real(1.98) * size.x * size.y;
+}
+
+void paintRectangle(Canvas& canvas, const kodo::ConvexShape& outline, const kodo::Transform& body,
+                    const BlockLook& look) {
+    const kodo::Transform place{body * outline.middle, body.rotation};
+    const Vec2 half = Real(0.5) * kodo::aabbOf(std::span<const Vec2>(outline.vertices)).extent();
+    const Real gap = std::min(kGap, Real(0.2) * std::min(half.x, half.y));
+    const Vec2 inner = look.scale * (half - Vec2{gap, gap});
+    const std::array<Vec2, 4> corners = {place * -inner, place * Vec2{inner.x, -inner.y},
+                                         place * inner, place * Vec2{-inner.x, inner.y}};
+    paintGlow(canvas, corners, look.glow);
+    const Surface surface = surfaceOf(look);
+    paintLit(canvas, corners, surface.color, surface.rim);
+    if (look.scale < 1 || look.left < 1) {
         return; // details appear at full size
     }
-    paintGrain(canvas, {place, inner}, look);
+    const bool upright = half.y > half.x; // the grain follows the longer side
+    const kodo::Transform along{place.position,
+                                upright ? place.rotation * kodo::Rot{0, 1} : place.rotation};
+    paintGrain(canvas, {along, upright ? Vec2{inner.y, inner.x} : inner}, look);
     if (look.kind.support == Support::Boss) {
         paintArmour(canvas, {place, inner});
     }
@@ -192,6 +236,61 @@ void paintBlock(Canvas& canvas, const kodo::ConvexShape& outline, const kodo::Tr
     }
     const Real hair = Real(0.03); // half the width of a crack
     paintCracks(canvas, place, look.cracks, {(inner.x - hair) / half.x, (inner.y - hair) / half.y});
+}
+
+/// A disc with a mark that shows its rotation, or a wheel with spokes.
+void paintRound(Canvas& canvas, const kodo::ConvexShape& outline, const kodo::Transform& body,
+                const BlockLook& look) {
+    const Vec2 middle = body * outline.middle;
+    const Real radius = look.scale * (outline.radius - Real(0.02));
+    const kodo::ConvexShape& shape = outline;
+    const std::vector<Vec2> corners = cornersOf(shape, body);
+    paintGlow(canvas, corners, look.glow);
+    const Surface surface = surfaceOf(look);
+    canvas.disc(middle, radius, lighter(surface.color, 0.15f), darker(surface.color, 0.22f));
+    canvas.ring(middle, Real(0.93) * radius, Real(0.14) * radius,
+                faded(lighter(surface.color, 0.45f), 0.6f * look.left));
+    const Color spoke = faded(darker(surface.color, 0.5f), 0.7f * look.left);
+    for (int i = 0; i < 3; ++i) {
+        const Vec2 way = body.rotation * towards(kTurn * static_cast<Real>(i) / 6);
+        canvas.line(middle - Real(0.8) * radius * way, middle + Real(0.8) * radius * way,
+                    Real(0.1) * radius, spoke);
+    }
+    canvas.disc(middle, Real(0.2) * radius, lighter(surface.color, 0.4f), surface.color);
+}
+
+void paintConvex(Canvas& canvas, const kodo::ConvexShape& outline, const kodo::Transform& body,
+                 const BlockLook& look) {
+    const Vec2 middle = body * outline.middle;
+    const auto shrunk = [&](Real share) {
+        std::vector<Vec2> corners = cornersOf(outline, body);
+        for (Vec2& corner : corners) {
+            corner = middle + share * (corner - middle);
+        }
+        return corners;
+    };
+    const std::vector<Vec2> corners = shrunk(Real(0.94) * look.scale);
+    paintGlow(canvas, corners, look.glow);
+    const Surface surface = surfaceOf(look);
+    paintLit(canvas, corners, surface.color, surface.rim);
+    if (look.scale < 1 || look.left < 1) {
+        return;
+    }
+    canvas.outline(shrunk(Real(0.62)), Real(0.045), faded(lighter(surface.color, 0.45f), 0.4f));
+    paintCracks(canvas, {middle, body.rotation}, look.cracks, {Real(0.9), Real(0.9)});
+}
+
+} // namespace
+
+void paintBlock(Canvas& canvas, const kodo::ConvexShape& outline, const kodo::Transform& place,
+                const BlockLook& look) {
+    if (outline.isRound()) {
+        paintRound(canvas, outline, place, look);
+    } else if (isRectangle(outline)) {
+        paintRectangle(canvas, outline, place, look);
+    } else {
+        paintConvex(canvas, outline, place, look);
+    }
 }
 
 } // namespace apart

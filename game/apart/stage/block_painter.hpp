@@ -20,6 +20,8 @@ struct BlockLook {
     Real glow = 0;         // 0..1; highlights a block to hit
     std::uint32_t key = 0; // seed of the block's grain
     std::span<const CrackLine> cracks{};
+    bool fallen = false; // rubble of a building
+    float left = 1;      // opacity, 0..1
 };
 
 /// World corners of a convex shape. A circle becomes a polygon.
@@ -33,7 +35,7 @@ struct Rim {
 /// Filled polygon, lit from above.
 void paintLit(Canvas& canvas, std::span<const Vec2> corners, Color color, Rim rim);
 
-/// Paints a block whose body has the frame `place`.
+/// Paints one convex part of a block whose body has the mass frame `place`.
 void paintBlock(Canvas& canvas, const kodo::ConvexShape& outline, const kodo::Transform& place,
                 const BlockLook& look);
 

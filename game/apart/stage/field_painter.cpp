@@ -61,20 +61,27 @@ void paintRope(Canvas& canvas, const Moment& moment, const Block& block, Vec2 mi
 void paintBlocks(Canvas& canvas, const Moment& moment) {
     for (const Block& block : moment.game.blocks()) {
         const kodo::BodyView body = moment.game.world()[block.body];
-        const kodo::ConvexShape& outline = body.part(block.part).convex;
         kodo::Transform place = moment.placeOf(block.body);
         const ImpactResponse response = moment.juice.responseOf(block.body);
         const ImpactResponse own = moment.juice.responseOfBlock(block.key);
         place.position += kNudge * response.push + shakeOf(moment, block);
-        const Vec2 middle = place * outline.middle;
+        const Vec2 middle = place * body.part(block.part).convex.middle;
         paintRope(canvas, moment, block, middle);
+        const bool fallen = block.support == Support::Fallen;
+        const auto age = static_cast<float>(moment.game.ticks() - block.looseTick);
         const BlockLook look{block.kind,
                              scaleOf(moment, middle),
                              std::max(block.support == Support::Boss ? 0 : response.heat, own.heat),
                              glowOf(moment, block),
                              block.key,
-                             moment.juice.cracks().of(block.key)};
-        paintBlock(canvas, outline, place, look);
+                             moment.juice.cracks().of(block.key),
+                             fallen,
+                             fallen ? std::clamp((kFallenTicks - age) / 60, 0.3f, 1.0f) : 1.0f};
+        const std::size_t first = block.ownsBody() ? 0 : block.part;
+        const std::size_t last = block.ownsBody() ? body.partCount() : block.part + 1;
+        for (std::size_t part = first; part < last; ++part) {
+            paintBlock(canvas, body.part(part).convex, place, look);
+        }
     }
 }
 
@@ -138,6 +145,7 @@ void paintFlash(Canvas& canvas, const Moment& moment) {
 void paintField(Canvas& canvas, const Moment& moment) {
     paintForces(canvas, moment);
     paintBlocks(canvas, moment);
+    paintLinks(canvas, moment);
     paintObstructions(canvas, moment);
     paintShards(canvas, moment);
     paintFlash(canvas, moment);

@@ -28,6 +28,7 @@ void paintField(Canvas& canvas, const Moment& moment);
 
 // Layers of the field.
 void paintForces(Canvas& canvas, const Moment& moment); // wind, wells, the paddle's field
+void paintLinks(Canvas& canvas, const Moment& moment);  // joints
 void paintObstructions(Canvas& canvas, const Moment& moment);
 void paintParts(Canvas& canvas, const Moment& moment);
 void paintPaddle(Canvas& canvas, const Moment& moment);

@@ -72,6 +72,8 @@ private:
     void hear(const Game& game, const Cleared& end);
     void hear(const Game& game, const ShardBroke& hit);
     void hear(const Game& game, const LetGo& let);
+    void hear(const Game& game, const Collapsed& collapse);
+    void hear(const Game& game, const Snapped& snap);
     void hear(const Game& game, const Fell& fell);
     void hear(const Game& game, const PatienceChanged& change);
     void hear(const Game& game, const BossDown& down);

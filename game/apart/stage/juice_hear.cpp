@@ -5,11 +5,14 @@
 #include <apart/stage/palette.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace apart {
 
 namespace {
+
+constexpr int kGreatFall = 7; // blocks of a collapse; it lights up the field
 
 int countFor(Real weight, Real most) {
     return static_cast<int>(weight * most + Real(0.5));
@@ -41,6 +44,16 @@ std::string_view praiseOf(int combo) {
     default:
         return {};
     }
+}
+
+/// "nine at a blow!"
+std::string fallText(int blocks) {
+    constexpr std::array<std::string_view, 10> kWords = {
+        "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"};
+    const auto index = static_cast<std::size_t>(blocks - kTellCollapse);
+    const std::string count =
+        index < kWords.size() ? std::string(kWords[index]) : std::to_string(blocks);
+    return count + " at a blow" + (blocks >= kGreatFall ? "!" : "");
 }
 
 } // namespace
@@ -87,6 +100,9 @@ void Juice::hear(const Game&, const Broke& hit) {
            5 + 7 * weight,
            Real(0.7),
            Real(0.09)});
+    if (hit.points == 0) {
+        return; // rubble
+    }
     push(Real(0.16) + Real(0.2) * weight);
     const Color color = hit.combo >= 3 ? palette::kAccent : palette::kText;
     const Real size = Real(0.45) + Real(0.025) * static_cast<Real>(std::min(hit.combo, 10));
@@ -144,9 +160,29 @@ void Juice::hear(const Game&, const ShardBroke& hit) {
 void Juice::hear(const Game&, const LetGo& let) {
     blast(let.point, palette::of(let.stuff), 16, 4);
     push(let.why == LetGo::Why::BrokeOff ? Real(0.3) : Real(0.1));
+    if (let.why == LetGo::Why::Toppled) { // dust
+        burst({let.point, {0, 1}, faded(palette::kQuiet, 0.5f), 8, 2, Real(1.1), Real(0.2)});
+    }
+    if (let.points > 0) {
+        popups_.add({"", let.point, palette::kText, Real(0.45), let.points});
+    }
     if (let.why == LetGo::Why::Torn) {
         popups_.add({"torn off", let.point, palette::kAccent, Real(0.5)});
     }
+}
+
+void Juice::hear(const Game&, const Collapsed& collapse) {
+    const Real size = Real(0.6) + Real(0.06) * static_cast<Real>(std::min(collapse.blocks, 12));
+    popups_.add({fallText(collapse.blocks), collapse.point, palette::kAccent, size});
+    if (collapse.blocks >= kGreatFall) {
+        light(palette::kAccent, 0.25f);
+    }
+}
+
+void Juice::hear(const Game&, const Snapped& snap) {
+    blast(snap.point, palette::kMachine, 14, 7);
+    push(Real(0.15));
+    popups_.add({"snap", snap.point, palette::kQuiet, Real(0.45)});
 }
 
 void Juice::hear(const Game&, const Fell& fell) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/tuning.hpp>
 #include <apart/stage/hud.hpp>
+#include <apart/stage/level_preview.hpp>
 #include <apart/stage/level_select.hpp>
 #include <apart/stage/marks.hpp>
 #include <apart/stage/palette.hpp>
@@ -33,23 +34,6 @@ std::array<Vec2, 4> cornersOf(const Aabb& box) {
 }
 
 } // namespace
-
-void paintPreview(Canvas& canvas, const Level& level, const Aabb& box) {
-    const Real scale = std::min(box.extent().x / (kColumns * kCellWidth),
-                                box.extent().y / (kMostRows * kCellHeight));
-    const Vec2 cellSize = scale * Vec2{kCellWidth, kCellHeight};
-    const Vec2 corner{box.center().x - Real(0.5) * kColumns * cellSize.x, box.upper.y};
-    for (const Cell& cell : level.cells) {
-        const BlockKind& kind = level.kinds[cell.kind];
-        const Vec2 upper = corner + Vec2{cellSize.x * static_cast<Real>(cell.column),
-                                         -cellSize.y * static_cast<Real>(cell.row)};
-        const Color color = kind.power == Power::None ? palette::of(kind.stuff)
-                                                      : lighter(palette::of(kind.power), 0.2f);
-        canvas.rectangle(
-            {upper + Vec2{0, Real(-0.86) * cellSize.y}, upper + Vec2{Real(0.92) * cellSize.x, 0}},
-            darker(color, 0.2f), color);
-    }
-}
 
 LevelSelect::LevelSelect(LevelList levels) : levels_(std::move(levels)) {
     for (std::size_t i = 0; i < levels_.size(); ++i) {

@@ -55,7 +55,4 @@ private:
     std::size_t topRow_ = 0; // first visible row
 };
 
-/// Paints all blocks of a level, scaled to fit into a box.
-void paintPreview(Canvas& canvas, const Level& level, const Aabb& box);
-
 } // namespace apart

@@ -205,6 +205,9 @@ std::vector<Power> powersOf(const Level& level) {
     for (const Cell& cell : level.cells) {
         held[static_cast<std::size_t>(level.kinds[cell.kind].power)] = true;
     }
+    for (const FreeBlock& block : level.freeBlocks) {
+        held[static_cast<std::size_t>(level.kinds[block.kind].power)] = true;
+    }
     std::vector<Power> powers;
     for (std::size_t i = 1; i < held.size(); ++i) {
         if (held[i]) {

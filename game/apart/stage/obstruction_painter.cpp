@@ -85,6 +85,12 @@ void paintGround(Canvas& canvas, const ObstructionDef& ground) {
     }
 }
 
+void paintLedge(Canvas& canvas, const kodo::ConvexShape& outline, const kodo::Transform& place) {
+    const std::vector<Vec2> corners = cornersOf(outline, place);
+    paintLit(canvas, corners, darker(palette::kGround, 0.1f),
+             {Real(0.08), lighter(palette::kGround, 0.35f)});
+}
+
 } // namespace
 
 void paintObstructions(Canvas& canvas, const Moment& moment) {
@@ -109,6 +115,9 @@ void paintObstructions(Canvas& canvas, const Moment& moment) {
             break;
         case ObstructionKind::Gate:
             paintGate(canvas, moment, thing);
+            break;
+        case ObstructionKind::Ledge:
+            paintLedge(canvas, body.part(0).convex, moment.placeOf(thing.body));
             break;
         case ObstructionKind::Ground:
             break; // drawn from the level

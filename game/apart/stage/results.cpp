@@ -20,6 +20,10 @@ void line(Canvas& canvas, Real y, std::string_view name, const std::string& valu
     canvas.text(value, {Real(0.3), y}, {Real(0.5), palette::kText, Typeface::Bold});
 }
 
+std::string countText(int blocks) {
+    return blocks == 0 ? "-" : fmt::format("{} block{}", blocks, blocks == 1 ? "" : "s");
+}
+
 /// A check mark.
 void paintCleared(Canvas& canvas, Vec2 middle, Real size, Color color) {
     const Vec2 foot = middle + size * Vec2{Real(-0.25), Real(-0.6)};
@@ -69,10 +73,11 @@ void paintResults(Canvas& canvas, const ResultsLook& look) {
                 {Real(0.5), look.newBest ? palette::kAccent : palette::kQuiet, Typeface::Plain,
                  Align::Middle});
     const std::uint32_t seconds = look.statistics.ticks / kTicksPerSecond;
-    line(canvas, Real(10.4), "blocks broken",
-         fmt::format("{} of {}", look.statistics.broken, game.blocksAtStart()));
-    line(canvas, Real(9.7), "best combo", fmt::format("{}", look.statistics.bestCombo));
-    line(canvas, Real(9.0), "time", fmt::format("{}:{:02}", seconds / 60, seconds % 60));
+    line(canvas, Real(10.6), "blocks cleared",
+         fmt::format("{} of {}", look.statistics.cleared, game.blocksAtStart()));
+    line(canvas, Real(9.95), "largest fall", countText(look.statistics.largestFall));
+    line(canvas, Real(9.3), "best combo", fmt::format("{}", look.statistics.bestCombo));
+    line(canvas, Real(8.65), "time", fmt::format("{}:{:02}", seconds / 60, seconds % 60));
     Best best = look.statistics.bestOf(game);
     best.cleared = best.cleared || look.before.cleared;
     best.unhurt = best.unhurt || look.before.unhurt;

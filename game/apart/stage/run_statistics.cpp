@@ -10,18 +10,19 @@ void RunStatistics::hear(const Game& game) {
     for (const Event& event : game.events()) {
         if (const auto* broke = std::get_if<Broke>(&event)) {
             bestCombo = std::max(bestCombo, broke->combo);
-            ++broken;
         }
         lifeLost = lifeLost || std::holds_alternative<LifeLost>(event);
     }
+    cleared = game.blocksAtStart() - game.blocksLeft();
+    largestFall = game.collapse().largest;
     if (game.result() == Result::Playing) {
         ticks = game.ticks();
     }
 }
 
 Best RunStatistics::bestOf(const Game& game) const {
-    const bool cleared = game.result() == Result::Won;
-    return {game.score(), cleared, cleared && !lifeLost, bestCombo >= kMostCombo};
+    const bool won = game.result() == Result::Won;
+    return {game.score(), won, won && !lifeLost, bestCombo >= kMostCombo};
 }
 
 } // namespace apart

@@ -9,7 +9,8 @@ namespace apart {
 /// Statistics of one game, for the result screen.
 struct RunStatistics {
     int bestCombo = 0;
-    int broken = 0; // blocks
+    int cleared = 0;     // blocks that broke or fell
+    int largestFall = 0; // most blocks of one collapse
     bool lifeLost = false;
     std::uint32_t ticks = 0; // until the end of the game
 

@@ -4,6 +4,7 @@
 #include <apart/stage/sound_cues.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace apart {
@@ -77,7 +78,18 @@ Note noteFor(const ShardBroke& hit) {
     return {voiceOf(hit.stuff), 1.6f, 0.4f * weightOf(hit.impulse), panOf(hit.point)};
 }
 Note noteFor(const LetGo& let) {
+    if (let.why == LetGo::Why::Toppled) { // lower for stuffs that are heavier
+        constexpr std::array<float, 5> kPitch = {1.5f, 1.25f, 1.0f, 0.8f, 0.65f};
+        return {Voice::Rumble, kPitch[static_cast<std::size_t>(let.stuff)], 0.7f, panOf(let.point)};
+    }
     return {Voice::Rumble, let.why == LetGo::Why::BrokeOff ? 0.8f : 1, 0.5f, panOf(let.point)};
+}
+Note noteFor(const Collapsed& collapse) {
+    const float size = std::min(static_cast<float>(collapse.blocks) / 12, 1.0f);
+    return {Voice::Boss, 1.6f - 0.6f * size, 0.3f + 0.4f * size, panOf(collapse.point)};
+}
+Note noteFor(const Snapped& snap) {
+    return {Voice::Wood, 1.8f, 0.7f, panOf(snap.point)};
 }
 Note noteFor(const Fell& fell) {
     return {voiceOf(fell.stuff), 0.5f, 0.5f, panOf(fell.point)};

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Joints of a level.
+#include <apart/stage/field_painter.hpp>
+#include <apart/stage/palette.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apart {
+
+namespace {
+
+constexpr int kRopeParts = 8;
+constexpr int kCoils = 14; // straight pieces of a spring
+
+/// The ends of a joint in the picture.
+struct Ends {
+    Vec2 a;
+    Vec2 b;
+};
+
+Vec2 shownAt(const Moment& moment, kodo::BodyId id, Vec2 anchor) {
+    const kodo::BodyView body = moment.game.world()[id];
+    return moment.placeOf(id) * toLocal(body.massFrame(), body.transform() * anchor);
+}
+
+Ends endsOf(const Moment& moment, const kodo::JointEnds& ends) {
+    return {shownAt(moment, ends.a, ends.anchorA), shownAt(moment, ends.b, ends.anchorB)};
+}
+
+void paintEnd(Canvas& canvas, Vec2 place, Real radius) {
+    canvas.disc(place, radius, lighter(palette::kMachine, 0.4f), darker(palette::kMachine, 0.35f));
+    canvas.ring(place, radius, Real(0.04), palette::kInk);
+}
+
+/// A slack rope sags as a parabola of its length: length = d + 8 sag^2 / (3 d).
+void paintRope(Canvas& canvas, const Ends& ends, Real length, Color color) {
+    const Vec2 way = ends.b - ends.a;
+    const Real distance = std::max(kodo::length(way), Real(0.05));
+    const Real sag = std::sqrt(std::max(length - distance, Real(0)) * distance * 3 / 8);
+    Vec2 last = ends.a;
+    for (int i = 1; i <= kRopeParts; ++i) {
+        const Real t = static_cast<Real>(i) / kRopeParts;
+        const Vec2 next = ends.a + t * way - Vec2{0, 4 * t * (1 - t) * sag};
+        canvas.line(last, next, Real(0.14), palette::kInk);
+        canvas.line(last, next, Real(0.08), color);
+        last = next;
+    }
+    paintEnd(canvas, ends.a, Real(0.11));
+    paintEnd(canvas, ends.b, Real(0.11));
+}
+
+void paintSpring(Canvas& canvas, const Ends& ends, Color color) {
+    const Vec2 way = ends.b - ends.a;
+    const Vec2 side = Real(0.22) * normalize(perp(way));
+    Vec2 last = ends.a;
+    for (int i = 1; i <= kCoils; ++i) {
+        const Real t = static_cast<Real>(i) / kCoils;
+        const Real wave = i == kCoils ? Real(0) : i % 2 == 0 ? Real(1) : Real(-1);
+        const Vec2 next = ends.a + t * way + wave * side;
+        canvas.line(last, next, Real(0.08), color);
+        last = next;
+    }
+    paintEnd(canvas, ends.a, Real(0.11));
+    paintEnd(canvas, ends.b, Real(0.11));
+}
+
+void paintLink(Canvas& canvas, const Moment& moment, const Link& link) {
+    const kodo::JointDef& def = moment.game.world().joint(link.joint);
+    const Color rope{222, 196, 150};
+    if (const auto* line = std::get_if<kodo::DistanceJoint>(&def)) {
+        const Ends ends = endsOf(moment, line->ends);
+        if (link.kind == LinkKind::Rope) {
+            paintRope(canvas, ends, line->limits ? line->limits->upper : 0, rope);
+        } else {
+            paintSpring(canvas, ends, lighter(palette::kMachine, 0.2f));
+        }
+    } else if (const auto* slider = std::get_if<kodo::PrismaticJoint>(&def)) {
+        const Ends ends = endsOf(moment, slider->ends);
+        const Vec2 axis = moment.placeOf(slider->ends.a).rotation * slider->axis;
+        const kodo::Range range = slider->limits.value_or(kodo::Range{-24, 24});
+        canvas.line(ends.a + range.lower * axis, ends.a + range.upper * axis, Real(0.1),
+                    faded(palette::kMachine, 0.6f));
+        paintEnd(canvas, ends.b, Real(0.12));
+    } else if (const auto* pin = std::get_if<kodo::RevoluteJoint>(&def)) {
+        const Vec2 place = shownAt(moment, pin->ends.b, pin->ends.anchorB);
+        paintEnd(canvas, place, Real(0.13));
+        if (link.kind == LinkKind::Motor) {
+            const Vec2 along = moment.placeOf(pin->ends.b).rotation * Vec2{Real(0.21), 0};
+            canvas.disc(place, Real(0.3), lighter(palette::kAccent, 0.35f),
+                        darker(palette::kAccent, 0.25f));
+            canvas.line(place - along, place + along, Real(0.1), palette::kInk);
+        }
+    }
+}
+
+} // namespace
+
+void paintLinks(Canvas& canvas, const Moment& moment) {
+    for (const Link& link : moment.game.links()) {
+        paintLink(canvas, moment, link);
+    }
+}
+
+} // namespace apart

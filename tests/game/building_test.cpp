@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+// Buildings: blocks that stand, fall, and count.
+#include <apart/core/assets.hpp>
+#include <apart/core/lint.hpp>
+
+#include <game/game_access.hpp>
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace apart;
+using kodo::Vec2;
+
+constexpr int kMinute = 60 * kTicksPerSecond;
+
+/// Two columns of squares on a ledge at y = 8 m, with `more` tables.
+Level columns(const std::string& more = "", const std::string& stuff = "brick") {
+    return levelFrom(R"(format = 1
+title = "t"
+idea = "i"
+[legend.b]
+stuff = ")" + stuff + R"("
+hold = "standing"
+[legend.x]
+stuff = "steel"
+hold = "moving"
+[legend.g]
+stuff = "glass"
+[[ledge]]
+x = 0
+y = 7800
+width = 10000
+[[block]]
+kind = "b"
+name = "column"
+shape = "square"
+x = 4000
+y = 8400
+rows = 3
+row-step = [0, 800]
+mirror = true
+)" + more);
+}
+
+void play(Game& game, int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+        game.tick({});
+    }
+}
+
+std::size_t fallen(const Game& game) {
+    return static_cast<std::size_t>(
+        std::count_if(game.blocks().begin(), game.blocks().end(),
+                      [](const Block& block) { return block.support == Support::Fallen; }));
+}
+
+/// Throws a block with this velocity (m/s).
+void toss(Game& game, std::size_t index, Vec2 velocity) {
+    GameTestAccess::world(game)[game.blocks()[index].body].setVelocity(velocity);
+}
+
+TEST(Building, ABlockOffItsPlaceCountsAtOnceAndIsRubble) {
+    Game game(columns(), 1);
+    play(game, 60);
+    toss(game, 2, {6, 2});
+    const auto let = playUntil<LetGo>(game, {}, 60);
+    ASSERT_TRUE(let);
+    EXPECT_EQ(let->why, LetGo::Why::Toppled);
+    EXPECT_EQ(let->points, 100);
+    EXPECT_EQ(game.blocksLeft(), 5);
+    EXPECT_EQ(game.score(), 100);
+    EXPECT_EQ(fallen(game), 1u);
+    play(game, static_cast<int>(kFallenTicks + kRubbleTicks) + 2);
+    EXPECT_EQ(fallen(game), 0u); // it crumbled
+    EXPECT_TRUE(game.shards().empty());
+    EXPECT_EQ(game.blocksLeft(), 5); // and counted once
+}
+
+TEST(Building, BlocksThatFallTogetherAreOneCollapse) {
+    Game game(columns(), 1);
+    play(game, 60);
+    for (const std::size_t i : {0u, 1u, 2u}) {
+        toss(game, i, {6, 0});
+    }
+    const auto told = playUntil<Collapsed>(game, {}, 400);
+    ASSERT_TRUE(told);
+    EXPECT_EQ(told->blocks, 3);
+    EXPECT_EQ(told->points, 100 + 200 + 300); // each times its number in the collapse
+    EXPECT_EQ(game.score(), told->points);
+    EXPECT_EQ(game.collapse().largest, 3);
+    EXPECT_EQ(game.collapse().blocks, 0);
+}
+
+TEST(Building, ALevelIsWonOnceAllHasFallen) {
+    Game game(columns(), 1);
+    play(game, 60);
+    for (std::size_t i = 0; i < game.blocks().size(); ++i) {
+        toss(game, i, {i < 3 ? kodo::Real(8) : kodo::Real(-8), 0});
+    }
+    ASSERT_TRUE(playUntil<Cleared>(game, {}, 300));
+    EXPECT_EQ(game.result(), Result::Won);
+    EXPECT_EQ(game.lives(), 3); // what falls costs none
+}
+
+TEST(Building, WhatRestsOnABlockDoesNotWearIt) {
+    // 32 kg of steel press glass by 3 N s in each tick, as much as its strength.
+    Game game(columns("[[block]]\nkind = \"x\"\nx = 4000\ny = 12400\nwidth = 2000\nheight = 4000\n",
+                      "glass"),
+              1);
+    for (int i = 0; i < kMinute / 4; ++i) {
+        game.tick({});
+        ASSERT_EQ(eventOf<Cracked>(game), nullptr);
+    }
+    EXPECT_EQ(game.blocksLeft(), 6);
+}
+
+TEST(Building, AFallBreaksGlassByItsTrueImpulse) {
+    Game game(columns("", "glass"), 1);
+    play(game, 60);
+    // 0.26 kg at 10 m/s: 2.6 N s and the restitution, split over the corners that touch first
+    toss(game, 2, {0, 14});
+    const auto broke = playUntil<Broke>(game, {}, 400);
+    ASSERT_TRUE(broke);
+    EXPECT_GT(broke->impulse, 0);
+}
+
+TEST(Building, ARopeBreaksByItsForce) {
+    const std::string weight = R"([[block]]
+kind = "x"
+name = "weight"
+shape = "round"
+x = 0
+y = 12000
+[[joint]]
+kind = "rope"
+b = "weight"
+from = [0, 16000]
+to = [0, 12000]
+break = )";
+    // 2 kg of steel weigh 24 N.
+    Game strong(columns(weight + "30000\n"), 1);
+    Game weak(columns(weight + "20000\n"), 1);
+    EXPECT_FALSE(playUntil<Snapped>(strong, {}, kMinute / 4));
+    const auto snapped = playUntil<Snapped>(weak, {}, 60);
+    ASSERT_TRUE(snapped);
+    EXPECT_NEAR(snapped->point.y, 12, 0.1);
+    EXPECT_EQ(strong.links().size(), 1u);
+    EXPECT_TRUE(weak.links().empty());
+}
+
+TEST(Building, ARopeGoesWithTheBlockThatHoldsIt) {
+    Game game(columns(R"([[block]]
+kind = "g"
+name = "hook"
+x = 0
+y = 16000
+[[block]]
+kind = "x"
+name = "weight"
+shape = "round"
+x = 0
+y = 12000
+[[joint]]
+kind = "rope"
+a = "hook"
+b = "weight"
+from = [0, 15600]
+to = [0, 12000]
+)"),
+              1);
+    play(game, 60);
+    GameTestAccess::breakBlock(game, 6, {0, 16}, {});
+    game.tick({});
+    EXPECT_TRUE(game.links().empty());
+    play(game, 60);
+    EXPECT_LT(game.world()[game.blocks().back().body].position().y, 11);
+}
+
+TEST(Building, APullCatchesAFallenBlock) {
+    Game game(columns(), 1);
+    play(game, 60);
+    GameTestAccess::letGo(game, 0);
+    kodo::World& world = GameTestAccess::world(game);
+    world[game.blocks()[0].body].setPosition({-1, 4});
+    GameTestAccess::setMeter(game, kodo::Real(0.5));
+    Input pull;
+    pull.force = Force::Pull;
+    const auto caught = playUntil<ShardCaught>(game, pull, 120);
+    ASSERT_TRUE(caught);
+    EXPECT_EQ(game.blocks().size(), 5u);
+}
+
+TEST(Building, TheFieldOfThePaddleLeavesAStandingBlockAlone) {
+    Game game(columns(), 1);
+    Input push;
+    push.force = Force::Push;
+    for (int i = 0; i < 240; ++i) {
+        game.tick(push);
+    }
+    EXPECT_EQ(fallen(game), 0u);
+    EXPECT_TRUE(game.world()[game.blocks()[2].body].isAsleep());
+}
+
+class EveryForm : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(EveryForm, BreaksIntoValidPiecesOfItsMass) {
+    const bool arch = static_cast<Form>(GetParam()) == Form::Voussoir;
+    const std::string shape = "shape = \"" + std::string(kFormNames[GetParam()]) + "\"\n";
+    const std::string size = arch ? "radius = 3000\nspan = 20000\n" : "";
+    for (const std::string_view stuff : kStuffNames) {
+        const Level level =
+            columns("[legend.n]\nstuff = \"" + std::string(stuff) +
+                    "\"\n[[block]]\nkind = \"n\"\nx = 0\ny = 12000\nturn = 20000\n" + shape + size);
+        const BlockKind kind = level.kinds[level.freeBlocks.back().kind];
+        const PlacedShape placed = placedShapeOf(level.freeBlocks.back());
+        kodo::World world;
+        const kodo::Real mass = world[world.add(blockDef(kind, placed))].mass();
+        for (std::uint64_t key = 1; key <= 50; ++key) {
+            double sum = 0;
+            const std::vector<Piece> pieces =
+                piecesOf(kind, placed.shape, extentOf(placed.shape).lower, key);
+            EXPECT_GE(pieces.size(), 2u) << stuff;
+            for (const Piece& piece : pieces) {
+                EXPECT_FALSE(check(piece.shape));
+                sum += static_cast<double>(piece.mass.mass);
+            }
+            EXPECT_NEAR(sum, static_cast<double>(mass), 1e-5 * sum);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Forms, EveryForm, testing::Range(std::size_t{0}, kFormNames.size()),
+                         [](const auto& form) { return std::string(kFormNames[form.param]); });
+
+class EveryBuilding : public testing::TestWithParam<std::string> {};
+
+/// Untouched for a minute, no standing block moves by 1 cm, and all of them sleep.
+TEST_P(EveryBuilding, StandsUntouched) {
+    const Level level = std::get<Level>(loadLevel(GetParam()));
+    Game game(level, 1);
+    const std::vector<Block> before(game.blocks().begin(), game.blocks().end());
+    play(game, kMinute);
+    ASSERT_EQ(game.blocks().size(), before.size());
+    for (const Block& block : before) {
+        if (block.support == Support::Standing) {
+            const kodo::BodyView body = game.world()[block.body];
+            SCOPED_TRACE("free block " + std::to_string(block.key - keyOfFree(0)));
+            EXPECT_LT(length(body.position() - block.home.position), kodo::Real(0.01));
+            EXPECT_TRUE(body.isAsleep());
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, EveryBuilding, testing::ValuesIn(levelNames()),
+                         [](const auto& level) { return level.param; });
+
+} // namespace
