@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Checks sizes against the limits: header 250 lines (public ones 300), source 400, test 500;
-function 60 lines (80 outside engine/ and game/apart/core); line 100 columns; 6 parameters.
+function 60 lines (80 outside engine/ and game/apart/core); line 100 columns; 6 parameters; class
+of the engine 25 data members and 50 functions (not counted: friends, constants, types, and what is
+defaulted or deleted).
 
 Run it from any folder: tools/check_sizes.py. It reads engine/, game/, tests/ and tools/.
 Functions are found by brace depth in formatted code, without a compiler."""
@@ -12,6 +14,8 @@ import sys
 
 MAX_COLUMNS = 100
 MAX_PARAMETERS = 6
+MAX_DATA_MEMBERS = 25
+MAX_MEMBER_FUNCTIONS = 50
 
 TOKEN = re.compile(
     r"""(?P<comment>//(?:\\\n|[^\n])*|/\*.*?\*/)
@@ -109,6 +113,36 @@ def is_declaration(head):
     return re.search(r"\w\s*\(\)|^\s*\(\)", outside) is not None and "=" not in outside
 
 
+def class_name(head):
+    """The name of the type whose brace follows, or None for a namespace."""
+    head = re.sub(r"\balignas\s*\(.*?\)|\[\[.*?\]\]", " ", head, flags=re.DOTALL)
+    match = re.search(r"\b(?:class|struct|union)\b\s*(?:[A-Z_]+_API\s+)?(\w*)[^()=]*$", head)
+    return match and (match.group(1) or "a type without a name")
+
+
+class Class:
+    """Counts the members of a type."""
+
+    def __init__(self, position, name):
+        self.position, self.name = position, name
+        self.data = self.functions = 0
+
+    def add_declaration(self, head):
+        """Of a member without a body."""
+        head = head.strip()
+        if re.search(r"=\s*(default|delete)$", head) or re.match(
+            r"(template\s*<[^;]*>\s*)?(using|friend|typedef|static_assert|enum|class|struct|union"
+            r"|static\s+constexpr|static\s+const|inline\s+static\s+const\w*)\b[^;]*$",
+            head,
+        ):
+            return
+        head = re.sub(r"^template\s*<.*?>\s*(?=\w)", "", head, flags=re.DOTALL)
+        if is_declaration(head):
+            self.functions += len(split_at_commas(head))
+        elif head:
+            self.data += len(split_at_commas(head))
+
+
 class Scanner:
     """Collects the functions of namespaces and types from code without comments."""
 
@@ -117,6 +151,8 @@ class Scanner:
             lambda match: re.sub(r"[^\n]", " ", match.group(0)), blank_comments_and_strings(text)
         )
         self.functions = []  # (begin, end, name, parameters); begin = end: a declaration
+        self.classes = []  # Class, in the order of their names in the code
+        self.scopes = []  # the Class of each open brace; None: a namespace
 
     def line(self, position):
         return self.code.count("\n", 0, position) + 1
@@ -130,6 +166,16 @@ class Scanner:
             if depth == 0:
                 break
         return i
+
+    def open_scope(self, start, head):
+        name = class_name(head)
+        self.scopes.append(name and Class(start + len(head) - len(head.lstrip()), name))
+        if name:
+            self.classes.append(self.scopes[-1])
+
+    def member_of(self):
+        """The type whose members are scanned, or a type that nobody reads."""
+        return (self.scopes and self.scopes[-1]) or Class(0, "")
 
     def add(self, start, end, head):
         first = start + len(head) - len(head.lstrip())
@@ -145,17 +191,22 @@ class Scanner:
             starts_anew = False
             if c == "{" and paren == 0 and is_scope(head):
                 starts_anew = True
+                self.open_scope(start, head)
             elif c == "{":
                 end = self.past_brace(i)
                 starts_anew = paren == 0 and is_body(head)
                 if starts_anew:
                     self.add(start, end, head)
+                    self.member_of().functions += not re.match(r"\s*friend\b", head)
             elif paren == 0 and c == ";":
                 starts_anew = True
+                self.member_of().add_declaration(head)
                 if is_declaration(head):
                     self.add(start, start, head)
             elif c == "}" or (c == ":" and ACCESS.fullmatch(head)):
                 starts_anew = True
+                if c == "}" and self.scopes:
+                    self.scopes.pop()
             if starts_anew:
                 start, head = end, ""
             else:
@@ -164,12 +215,26 @@ class Scanner:
         return self.functions
 
 
-def functions_of(text):
+def functions_of(scanner):
     """Yields (first line, number of lines, name, parameters); 0 lines for a declaration."""
-    scanner = Scanner(text)
-    for first, end, name, parameters in scanner.scan():
+    for first, end, name, parameters in scanner.functions:
         begin = scanner.line(first)
         yield begin, (scanner.line(end - 1) - begin + 1 if end > first else 0), name, parameters
+
+
+def check_classes(scanner):
+    """Yields (line number, message)."""
+    for found in scanner.classes:
+        if found.data > MAX_DATA_MEMBERS:
+            yield scanner.line(found.position), (
+                f"{found.name} has {found.data} data members; a class has at most"
+                f" {MAX_DATA_MEMBERS}"
+            )
+        if found.functions > MAX_MEMBER_FUNCTIONS:
+            yield scanner.line(found.position), (
+                f"{found.name} has {found.functions} functions; a class has at most"
+                f" {MAX_MEMBER_FUNCTIONS}"
+            )
 
 
 def check_file(path, name):
@@ -190,7 +255,11 @@ def check_file(path, name):
         if len(line) > MAX_COLUMNS:
             yield number, f"{len(line)} columns; a line has at most {MAX_COLUMNS}"
     longest = 60 if name.as_posix().startswith(("engine/", "game/apart/core/")) else 80
-    for first, count, function, parameters in functions_of(text):
+    scanner = Scanner(text)
+    scanner.scan()
+    if name.parts[0] == "engine":
+        yield from check_classes(scanner)
+    for first, count, function, parameters in functions_of(scanner):
         if count > longest:
             yield first, f"{function} has {count} lines; here a function has at most {longest}"
         if parameters > MAX_PARAMETERS:
