@@ -143,6 +143,16 @@ public:
         return hash.value();
     }
 
+    SnapshotWork snapshotWork() const override {
+        return {[this] {
+                    const int size = box2d3::b2World_Snapshot(world_, nullptr, 0);
+                    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
+                    box2d3::b2World_Snapshot(world_, bytes.data(), size);
+                    return bytes.size();
+                },
+                {}};
+    }
+
 private:
     static scenes::Vec2 wide(box2d3::b2Vec2 v) {
         return {static_cast<double>(v.x), static_cast<double>(v.y)};

@@ -17,7 +17,7 @@ std::vector<std::string> builtEngines() {
 }
 
 const std::vector<std::string>& profileNames() {
-    static const std::vector<std::string> kNames{"default", "quick", "accurate", "thesis"};
+    static const std::vector<std::string> kNames{"default", "fast", "accurate", "thesis2006"};
     return kNames;
 }
 

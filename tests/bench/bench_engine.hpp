@@ -4,6 +4,7 @@
 #include <scenes/scene_def.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -53,6 +54,12 @@ struct ContactBytes {
     std::size_t row = 0; // read and written by the solver passes
 };
 
+/// What it takes to keep a state of the whole scene. Where an engine has no such call, it is empty.
+struct SnapshotWork {
+    std::function<std::size_t()> write; // the state to bytes; returns their number
+    std::function<std::size_t()> copy;  // a second World in memory; returns bytes of the heap
+};
+
 /// A scene in an engine. Bodies are identified by their index in the scene; added bodies follow.
 class Engine {
 public:
@@ -88,6 +95,7 @@ public:
     virtual std::optional<std::uint64_t> pairWork() const { return std::nullopt; }
     /// Sizes of the engine's own types. Empty if the engine provides none.
     virtual std::optional<ContactBytes> contactBytes() const { return std::nullopt; }
+    virtual SnapshotWork snapshotWork() const { return {}; }
     /// Stages since the creation of the scene. Empty if the engine provides none.
     virtual std::vector<StageTime> stages() const { return {}; }
 };

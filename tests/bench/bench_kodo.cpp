@@ -13,27 +13,22 @@
 #include <ctime>
 
 #include "bench_engine.hpp"
+#include "heap.hpp"
 
 namespace bench::KODO_PRECISION {
 namespace {
 
 kodo::StepSettings profileOf(const std::string& name) {
-    kodo::StepSettings settings;
     if (name == "default") {
-        return settings;
+        return kodo::balanced();
     }
-    if (name == "quick") {
-        settings.soft().substeps = 2;
-        settings.soft().impactPasses = 4;
-        return settings;
+    if (name == "fast") {
+        return kodo::fast();
     }
     if (name == "accurate") {
-        settings.soft().substeps = 16;
-        settings.soft().contactHertz = 192;
-        settings.soft().impactPasses = 64;
-        return settings;
+        return kodo::accurate();
     }
-    if (name == "thesis") {
+    if (name == "thesis2006") {
         return kodo::thesis2006();
     }
     throw WrongUse("Kodo has no profile '" + name + "'");
@@ -279,6 +274,14 @@ public:
         constexpr std::size_t kRest =
             sizeof(kodo::Contact) + sizeof(kodo::ContactSummary) + sizeof(kodo::Carried);
         return ContactBytes{kRest + kRow, kRow};
+    }
+    SnapshotWork snapshotWork() const override {
+        return {[this] { return scene_.world.toBytes().size(); },
+                [this] {
+                    const std::size_t before = heapBytes();
+                    const kodo::World copy = scene_.world;
+                    return heapBytes() - before;
+                }};
     }
     std::vector<StageTime> stages() const override { return stages_.times(); }
 

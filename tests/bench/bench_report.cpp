@@ -121,6 +121,12 @@ std::string asJson(const Summary& summary, bool stages) {
     const auto contact = result.contactBytes;
     json.add("bytesPerContact", contact ? std::optional(contact->all) : std::nullopt);
     json.add("bytesPerContactRow", contact ? std::optional(contact->row) : std::nullopt);
+    json.add("snapshotMs",
+             result.snapshot ? std::optional(1e3 * result.snapshot->seconds) : std::nullopt);
+    json.add("snapshotBytes",
+             result.snapshot ? std::optional(result.snapshot->bytes) : std::nullopt);
+    json.add("copyMs", result.copy ? std::optional(1e3 * result.copy->seconds) : std::nullopt);
+    json.add("copyBytes", result.copy ? std::optional(result.copy->bytes) : std::nullopt);
     json.add("allocationsPerStep", result.options.engine.starts_with("box2d")
                                        ? std::nullopt // its allocations bypass operator new
                                        : std::optional(result.allocationsPerStep));
@@ -165,6 +171,14 @@ std::string asText(const Summary& summary, bool stages) {
     if (result.contactBytes) {
         text += fmt::format("\n  {} bytes a contact, {} of them its row in the solver",
                             result.contactBytes->all, result.contactBytes->row);
+    }
+    if (result.snapshot) {
+        text += fmt::format("\n  snapshot {:.4g} ms, {} bytes", 1e3 * result.snapshot->seconds,
+                            result.snapshot->bytes);
+    }
+    if (result.copy) {
+        text += fmt::format("\n  copy {:.4g} ms, {} bytes of the heap", 1e3 * result.copy->seconds,
+                            result.copy->bytes);
     }
     if (stages) {
         for (const StageTime& stage : withStages(result).stages) {

@@ -2,6 +2,7 @@
 #include "bench_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <ctime>
 
 #include "heap.hpp"
@@ -31,6 +32,27 @@ private:
     double sum_ = 0;
 };
 
+constexpr int kSnapshots = 9;
+
+/// Empty without work.
+std::optional<Cost> costOf(const std::function<std::size_t()>& work) {
+    if (!work) {
+        return std::nullopt;
+    }
+    std::array<double, kSnapshots> times{};
+    Cost cost;
+    for (double& time : times) {
+        StopWatch watch(CLOCK_THREAD_CPUTIME_ID);
+        watch.start();
+        cost.bytes = work();
+        watch.stop();
+        time = watch.seconds();
+    }
+    std::nth_element(times.begin(), times.begin() + kSnapshots / 2, times.end());
+    cost.seconds = times[kSnapshots / 2];
+    return cost;
+}
+
 /// One run from the first to the last step. Steps are measured in stretches, since reading the
 /// clock takes as long as a hundred steps of an empty world.
 class Run {
@@ -40,7 +62,8 @@ public:
           stage_(engine, scene.def),
           excludedPairs_(jointedPairs(scene.def)),
           peak_(options.peak),
-          worst_(options.worst || scene.worstStep) {}
+          worst_(options.worst || scene.worstStep),
+          snapshot_(options.snapshot) {}
 
     void warmUp() {
         for (int done = 0; done < scene_.warmUp;) {
@@ -108,6 +131,11 @@ public:
             result.error = scene_.error->measure(stage_, result.depths);
         }
         result.contactBytes = stage_.engine().contactBytes();
+        if (snapshot_) {
+            const SnapshotWork work = stage_.engine().snapshotWork();
+            result.snapshot = costOf(work.write);
+            result.copy = costOf(work.copy);
+        }
         result.stages = stage_.engine().stages();
         if (const auto pairWork = stage_.engine().pairWork()) {
             result.pairWorkPerStep =
@@ -153,7 +181,8 @@ private:
     Stage stage_;
     ExcludedPairs excludedPairs_;
     bool peak_;
-    bool worst_;    // each step is a stretch of its own
+    bool worst_;
+    bool snapshot_; // each step is a stretch of its own
     int taken_ = 0; // steps, including the warm-up
     int steps_ = 0; // measured steps
     std::uint64_t allocations_ = 0;

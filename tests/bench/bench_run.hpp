@@ -16,8 +16,15 @@ struct RunOptions {
     std::optional<int> size{};  // default: the size of the recipe
     std::optional<int> steps{}; // default: the steps of the recipe
     std::uint64_t seed = 1;
-    bool peak = false;  // also measure the maximum overlap, every 20 steps
-    bool worst = false; // also measure the longest step
+    bool peak = false;     // also measure the maximum overlap, every 20 steps
+    bool worst = false;    // also measure the longest step
+    bool snapshot = false; // also measure a snapshot and a copy of the state at the end
+};
+
+/// Median CPU time and size of something that was repeated.
+struct Cost {
+    double seconds = 0;
+    std::size_t bytes = 0;
 };
 
 /// Results of one run of a scene.
@@ -45,6 +52,8 @@ struct Result {
     double allocationsPerStep = 0;         // during the second half of the steps
     double bytesPerBody = 0; // of the heap: all memory of the engine, including static bodies
     std::optional<ContactBytes> contactBytes;
+    std::optional<Cost> snapshot; // if measured, and the engine has it
+    std::optional<Cost> copy;
 
     double cpuMsPerStep() const { return 1e3 * cpuSeconds / steps; }
     double wallMsPerStep() const { return 1e3 * wallSeconds / steps; }

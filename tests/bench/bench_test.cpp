@@ -286,6 +286,22 @@ TEST(Memory, AContactRowIsSmall) {
     }
 }
 
+TEST(Memory, ASnapshotAndACopyAreMeasuredOnRequest) {
+    RunOptions options;
+    options.scene = "stack";
+    options.size = 3;
+    options.steps = 3;
+    options.engine = "kodo";
+    EXPECT_FALSE(run(options).snapshot);
+    options.snapshot = true;
+    const Result result = run(options);
+    ASSERT_TRUE(result.snapshot && result.copy);
+    EXPECT_GT(result.snapshot->bytes, 0u);
+    EXPECT_GT(result.copy->bytes, 0u);
+    options.engine = "box2d"; // without a call for it
+    EXPECT_FALSE(run(options).snapshot);
+}
+
 TEST(Options, AreRefusedIfTheEngineDoesNotSupportThem) {
     RunOptions options;
     options.scene = "stack";

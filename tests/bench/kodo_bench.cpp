@@ -55,6 +55,8 @@ void addOptions(CLI::App& app, Options& options) {
     app.add_flag("--peak", run.peak, "Measure depth in every 20th step (disturbs the caches)");
     app.add_flag("--worst", run.worst,
                  "Also the longest step (reads the clock in each, which takes some 0.5 us)");
+    app.add_flag("--snapshot", run.snapshot,
+                 "Also time and size of a snapshot and of a copy of the World at the end");
     app.add_option("--repeat", options.repeat,
                    "Number of runs; the median of their times is printed")
         ->check(CLI::Range(1, 1000));

@@ -56,10 +56,10 @@ check(abs(kodo["ratio"] - kodo["cpuMsPerStep"] / box2d["cpuMsPerStep"]) < 1e-9, 
 wanted = {"substeps": 3, "steps": 4, "size": 6, "seed": 7, "threads": 1}
 words = [word for name, value in wanted.items() for word in (f"--{name}", str(value))]
 for engine in ("kodo", "kodo64"):
-    code, text = bench("--scene", "debris", "--engine", engine, "--profile", "quick", "--json", *words)
+    code, text = bench("--scene", "debris", "--engine", engine, "--profile", "fast", "--json", *words)
     check(code == 0, f"{words} ends with {code}")
     told = json.loads(text)
-    wanted |= {"scene": "debris", "engine": engine, "profile": "quick", "bodies": 6}
+    wanted |= {"scene": "debris", "engine": engine, "profile": "fast", "bodies": 6}
     check(wanted.items() <= told.items(), f"asked for {wanted}, told {told}")
     # At most 100 bytes per row in float.
     check(0 < told["bytesPerContactRow"] <= (100 if engine == "kodo" else 200), f"rows: {told}")
@@ -89,7 +89,7 @@ for threads in ("1", "2"):
 
 for wrong in (["--scene", "nowhere"], ["--engine", "nothing"], ["--threads", "0"],
               ["--substeps", "0"], ["--seed", "-1"], ["--nonesuch"], ["--set", "mass=3"],
-              ["--set", "contactHertz=abc"], ["--against-profile", "quick"]):
+              ["--set", "contactHertz=abc"], ["--against-profile", "fast"]):
     done = run(*wrong)
     check(done.returncode == 2 and not done.stdout, f"{wrong} ends with {done.returncode}, not 2")
     word = wrong[0] if wrong[0].startswith("--against") else wrong[-1]

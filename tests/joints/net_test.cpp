@@ -5,6 +5,7 @@
 #include <joints/rig.hpp>
 
 #include <algorithm>
+#include <variant>
 #include <vector>
 
 namespace kodo {
@@ -100,6 +101,38 @@ TEST(Net, SupportForceIsItsWeightPlusItsChangeOfMomentum) {
         least = std::min(least, gained.y / dt);
     }
     EXPECT_LT(least, -weight / 2); // it does swing
+}
+
+/// Largest distance between the two anchors of any joint, m.
+Real largestGap(const World& world) {
+    Real largest = 0;
+    for (const JointId id : world.joints()) {
+        const JointEnds& ends = std::get<RevoluteJoint>(world.joint(id)).ends;
+        const Vec2 a = world[ends.a].position() + world[ends.a].rotation() * ends.anchorA;
+        const Vec2 b = world[ends.b].position() + world[ends.b].rotation() * ends.anchorB;
+        largest = std::max(largest, length(b - a));
+    }
+    return largest;
+}
+
+// A soft joint under the force F opens by F / (m_e (2 pi f)^2), where f is at most jointHertz and a
+// quarter of the substep rate: 30, 60 and 240 Hz in the profiles. The net swings, so phases differ
+// between the profiles; each is at least twice as stiff as the one before.
+TEST(Net, ProfilesKeepItCloserInTheirOrder) {
+    std::vector<Real> gaps;
+    for (const StepSettings& settings : {fast(), balanced(), accurate()}) {
+        Net net;
+        net.world.setSettings(settings);
+        Real largest = 0;
+        for (int step = 0; step < 200; ++step) {
+            net.world.step(kDt);
+            largest = std::max(largest, largestGap(net.world));
+        }
+        gaps.push_back(largest);
+    }
+    EXPECT_LT(gaps[1], gaps[0] / 2);
+    EXPECT_LT(gaps[2], gaps[1] / 4);
+    EXPECT_LT(gaps[2], Real(0.005)) << gaps[0] << ' ' << gaps[1];
 }
 
 // F1: joint impulses are internal, so a net in free space conserves momentum to the rounding of 100

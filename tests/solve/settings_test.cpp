@@ -8,8 +8,11 @@ namespace kodo {
 namespace {
 
 TEST(StepSettings, DefaultsAndProfilesAreValid) {
-    EXPECT_FALSE(check(StepSettings{}).has_value());
-    EXPECT_FALSE(check(thesis2006()).has_value());
+    for (const StepSettings& settings :
+         {StepSettings{}, fast(), balanced(), accurate(), thesis2006()}) {
+        EXPECT_FALSE(check(settings).has_value());
+    }
+    EXPECT_EQ(balanced(), StepSettings{});
 }
 
 // A refusal of a single number out of range names its field.

@@ -69,7 +69,7 @@ LOADS = [
     Wanted("smash", 500),
     Wanted("crowdpoint", 100),
 ]
-PROFILES = ("default", "quick", "accurate", "thesis")
+PROFILES = ("default", "fast", "accurate", "thesis2006")
 # 1, 4 and 16 times the bodies, and 100,000. Heaps grow in width, pyramids in height.
 GROWTH = {
     "pyramid": (60, 120, 240),

@@ -80,11 +80,11 @@ def settings():
         for n, hertz in ((4, 30), (8, 30), (8, 96), (16, 96), (16, 192), (32, 384))
     ]
     ways += [("impacts", f"{n} impacts", ["--set", f"impactPasses={n}"]) for n in (1, 4, 64)]
-    ways += [("profile", name, ["--profile", name]) for name in ("default", "quick", "accurate")]
+    ways += [("profile", name, ["--profile", name]) for name in ("default", "fast", "accurate")]
     double = ["--engine", "kodo64", "--substeps"]
     ways += [("double", f"{n}", [*double, n]) for n in (1, 2, 4, 8, 16)]
     ways += [("left out", f"no {name}", ["--leave-out", name]) for name in FEATURES]
-    thesis = ["--profile", "thesis", "--set"]
+    thesis = ["--profile", "thesis2006", "--set"]
     ways += [
         ("propagation", f"{n}", [*thesis, f"contactPasses={n}"]) for n in (4, 10, 20, 40)
     ]

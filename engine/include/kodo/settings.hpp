@@ -96,6 +96,25 @@ struct StepSettings {
 
 KODO_API std::optional<Problem> check(const StepSettings& settings);
 
+// Profiles. Each sets every number; times and errors of each are in docs/tuning.md.
+
+/// For many bodies without close inspection: piles overlap five times as much as with balanced().
+constexpr StepSettings fast() {
+    return {.solver = SoftSettings{.substeps = 2, .impactPasses = 4}};
+}
+
+/// The defaults: for a game, as a rule.
+constexpr StepSettings balanced() {
+    return {.solver = SoftSettings{}};
+}
+
+/// For measurements, nets under load, and columns under a thousandfold weight. A step takes two to
+/// four times as long as with balanced().
+constexpr StepSettings accurate() {
+    return {.solver = SoftSettings{
+                .substeps = 16, .impactPasses = 64, .contactHertz = 192, .jointHertz = 240}};
+}
+
 /// The solver of the thesis, with the passes that [Guendelman03] found enough.
 constexpr StepSettings thesis2006() {
     return {.solver = PropagationSettings{}};
