@@ -63,6 +63,8 @@ public:
         if (spring.hertz > 0) {
             along.error = distance - spring.length;
             along.softness = springOf(spring, along);
+            const Real most = mostError(along.softness);
+            along.error = std::clamp(along.error, -most, most);
             visit_(along, joint_.axes[0], Relax::Done);
         }
         if (spring.limits) {
@@ -117,13 +119,21 @@ private:
     /// present gap, as rotated with body a, is removed at the rate of the stiffness.
     PointConstraint anchors() const {
         const Real angleA = pass_.h * frame_.a.angularVelocity;
-        const Vec2 gap =
-            frame_.gap + angleA * perp(frame_.gap) + fromTangentToArc(angleA, frame_.gap);
+        Vec2 gap = frame_.gap + angleA * perp(frame_.gap) + fromTangentToArc(angleA, frame_.gap);
+        const Real size = length(gap);
+        if (const Real most = mostError(pass_.stiff); size > most) {
+            gap = (most / size) * gap;
+        }
         const Vec2 arc = fromTangentToArc(pass_.h * frame_.b.angularVelocity, frame_.armB) -
                          fromTangentToArc(angleA, commonArm());
         const Softness rigid{pass_.stiff.biasRate, 1, 0};
         return {commonArm(), frame_.armB, gap, pass_.exact ? rigid : pass_.stiff,
                 (1 / pass_.h) * arc};
+    }
+
+    /// Largest error (m or rad) that counts, see JointSet::boundBias().
+    Real mostError(const Softness& softness) const {
+        return joint_.mostBias / (softness.biasRate * softness.massScale);
     }
 
     /// Stiffness and damping of a spring are those of the reduced mass of its bodies, whatever the
@@ -166,7 +176,8 @@ private:
     }
 
     void fix(AxisConstraint axis, std::size_t slot, Real error) {
-        axis.error = error;
+        const Real most = mostError(pass_.stiff);
+        axis.error = std::clamp(error, -most, most);
         axis.softness = pass_.stiff;
         visit_(axis, joint_.axes[slot], Relax::Rigid);
     }
@@ -182,7 +193,7 @@ private:
     /// Keeps `room` (m or rad) at or above zero. A positive room may be closed within the substep,
     /// but not exceeded.
     void limit(AxisConstraint axis, std::size_t slot, Real room) {
-        axis.error = room;
+        axis.error = std::max(room, -mostError(pass_.stiff));
         axis.softness = room > 0 ? Softness::rigid(pass_.h) : pass_.stiff;
         axis.bounds.lower = 0;
         visit_(axis, joint_.axes[slot], room > 0 ? Relax::Same : Relax::Rigid);

@@ -281,7 +281,7 @@ std::span<const std::uint32_t> JointSet::takeRevolutes() {
     std::size_t kept = 0;
     for (const std::uint32_t index : own_) {
         if (std::holds_alternative<RevoluteJoint>(joints_[index].def) &&
-            trees_.rowsOf(index) == nullptr) {
+            trees_.rowsOf(index) == nullptr && joints_[index].mostBias == Joint::kNoBound) {
             takenRevolutes_.push_back(index);
         } else {
             own_[kept++] = index;
