@@ -19,11 +19,33 @@ struct JointFrame {
     Rot rotationA;
     Rot rotationB;
 
+    /// Arm of a (m) to anchor b. Both impulses of a joint act at anchor b, so that they conserve
+    /// angular momentum however wide the gap is. The gap is then measured in the frame of a.
+    Vec2 commonArm() const { return armA + gap; }
+
     /// Angle of b relative to a (rad), minus a reference; -pi to pi.
     Real angle(Real reference) const {
         return (rotationB * rotationA.inverse() * Rot::fromAngle(-reference)).angle();
     }
 };
+
+/// Anchors move on circles about the centres of mass, but the velocity constraint is tangential.
+/// The difference widens the gap within the substep and is removed in full. The present gap, as
+/// rotated with body a, is removed at the rate of the stiffness; at most `mostError` (m) of it
+/// counts.
+inline PointConstraint anchorsOf(const JointFrame& frame, const JointPass& pass, Real mostError) {
+    const Real angleA = pass.h * frame.a.angularVelocity;
+    Vec2 gap = frame.gap + angleA * perp(frame.gap) + fromTangentToArc(angleA, frame.gap);
+    const Real size = length(gap);
+    if (size > mostError) {
+        gap = (mostError / size) * gap;
+    }
+    const Vec2 arc = fromTangentToArc(pass.h * frame.b.angularVelocity, frame.armB) -
+                     fromTangentToArc(angleA, frame.commonArm());
+    const Softness rigid{pass.stiff.biasRate, 1, 0};
+    return {frame.commonArm(), frame.armB, gap, pass.exact ? rigid : pass.stiff,
+            (1 / pass.h) * arc};
+}
 
 /// How a constraint is solved in the relax pass.
 enum class Relax : std::uint8_t {
@@ -91,7 +113,7 @@ public:
         if (motor.force > 0) {
             visit_(
                 PointConstraint{
-                    commonArm(), frame_.armB, frame_.gap, soft, {}, motor.force * pass_.h},
+                    frame_.commonArm(), frame_.armB, frame_.gap, soft, {}, motor.force * pass_.h},
                 joint_.point, Relax::Same);
         }
         if (motor.torque > 0) {
@@ -114,22 +136,7 @@ public:
     }
 
 private:
-    /// Anchors move on circles about the centres of mass, but the velocity constraint is
-    /// tangential. The difference widens the gap within the substep and is removed in full. The
-    /// present gap, as rotated with body a, is removed at the rate of the stiffness.
-    PointConstraint anchors() const {
-        const Real angleA = pass_.h * frame_.a.angularVelocity;
-        Vec2 gap = frame_.gap + angleA * perp(frame_.gap) + fromTangentToArc(angleA, frame_.gap);
-        const Real size = length(gap);
-        if (const Real most = mostError(pass_.stiff); size > most) {
-            gap = (most / size) * gap;
-        }
-        const Vec2 arc = fromTangentToArc(pass_.h * frame_.b.angularVelocity, frame_.armB) -
-                         fromTangentToArc(angleA, commonArm());
-        const Softness rigid{pass_.stiff.biasRate, 1, 0};
-        return {commonArm(), frame_.armB, gap, pass_.exact ? rigid : pass_.stiff,
-                (1 / pass_.h) * arc};
-    }
+    PointConstraint anchors() const { return anchorsOf(frame_, pass_, mostError(pass_.stiff)); }
 
     /// Largest error (m or rad) that counts, see JointSet::boundBias().
     Real mostError(const Softness& softness) const {
@@ -147,10 +154,6 @@ private:
         return Softness::spring(factor * spring.hertz, factor * spring.damping, pass_.h,
                                 joint_.springBound);
     }
-
-    /// Arm of a (m) to anchor b. Both impulses of a joint act at anchor b, so that they conserve
-    /// angular momentum however wide the gap is. The gap is then measured in the frame of a.
-    Vec2 commonArm() const { return frame_.armA + frame_.gap; }
 
     AxisConstraint angular() const { return {{}, 1, 1, 0, 0, {}, kUnbounded, {}}; }
 

@@ -270,10 +270,26 @@ void JointSet::beginGroup(const Bodies& bodies, DirectSolve direct,
         }
     }
     trees_.find(bodies, treeCandidates_);
+    listHinges(bodies);
     springs_.find(bodies);
     for (const SpringRates::Spring& spring : springs_.all()) {
         joints_[spring.joint].springBound = spring.bound;
         joints_[spring.joint].stiffness = spring.stiffness;
+    }
+}
+
+void JointSet::listHinges(const Bodies& bodies) {
+    hinges_.clear();
+    for (const ArticulatedTrees::Edge& edge : treeCandidates_) {
+        HeldRows* const rows = trees_.rowsOf(edge.joint);
+        const auto* const pin = std::get_if<RevoluteJoint>(&joints_[edge.joint].def);
+        if (rows == nullptr || pin == nullptr || pin->motorTorque > 0 || pin->limits) {
+            continue;
+        }
+        rows->hinge = true;
+        hinges_.push_back({edge.joint, edge.a, edge.b,
+                           pin->ends.anchorA - bodies.geometry(edge.a).mass.center,
+                           pin->ends.anchorB - bodies.geometry(edge.b).mass.center, rows});
     }
 }
 

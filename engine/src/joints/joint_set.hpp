@@ -150,6 +150,16 @@ public:
 private:
     friend class SnapshotFields;
 
+    /// A revolute joint of a tree without motor and limits.
+    struct Hinge {
+        std::uint32_t joint;
+        std::uint32_t a; // bodies
+        std::uint32_t b;
+        Vec2 anchorA; // m, from the centre of mass, in the frame of the body
+        Vec2 anchorB;
+        HeldRows* rows;
+    };
+
     JointId idAt(std::uint32_t index) const { return {index, ids_.generationAt(index), stamp_}; }
 
     IdPool ids_;
@@ -161,6 +171,7 @@ private:
     std::vector<BrokenJoint> broken_;
     ArticulatedTrees trees_;                             // of this step
     std::vector<ArticulatedTrees::Edge> treeCandidates_; // joints that may belong to a tree
+    std::vector<Hinge> hinges_;                          // of this step
     SpringRates springs_;                                // of this step
     InertiaBounds inertias_;                             // of a pass
     BodyRotations turned_;
@@ -174,6 +185,8 @@ private:
     void list(std::uint32_t index);
     void unlist(std::uint32_t index);
     void listBusy(const Bodies& bodies);
+    void listHinges(const Bodies& bodies);
+    void measureHinges(Bodies& bodies, const JointPass& pass);
     void raiseInertias(Bodies& bodies, const JointPass& pass);
     void solveStiffSprings(Bodies& bodies, const JointPass& pass);
     void solveTrees(Bodies& bodies, const JointPass& pass);
