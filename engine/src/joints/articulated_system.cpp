@@ -18,9 +18,9 @@ constexpr Real kLoopGive = Real(0.4);
 
 } // namespace
 
-/// Initialises A of every body. Forces at the anchors exert a restoring torque on a body. The
-/// step is unstable if its angular frequency exceeds 1 rad per substep. So the inertia has a lower
-/// bound, for any direction of the arms:
+/// Finds inertia and angular velocity of every body. Forces at the anchors exert a restoring torque
+/// on a body. The step is unstable if its angular frequency exceeds 1 rad per substep. So the
+/// inertia has a lower bound, for any direction of the arms:
 ///
 ///   I >= h^2 sum of |force| |arm|
 ///
@@ -29,15 +29,12 @@ constexpr Real kLoopGive = Real(0.4);
 void ArticulatedTrees::begin(const Bodies& bodies, const JointPass& pass, Tree& tree) {
     for (Member& member : membersOf(tree)) {
         const BodyVelocity& motion = bodies.motion[member.body];
-        const Real mass = 1 / motion.invMass;
-        member.inertia = {mass, 0, mass, 0, 0, 1};
         member.spin = motion.angularVelocity;
         member.ownInertia = std::numeric_limits<Real>::infinity();
         if (motion.invInertia > 0) {
             const Real least = pass.biased ? pass.h * pass.h * member.pull : 0;
             tree.stiff = tree.stiff || least * motion.invInertia > 1;
             member.ownInertia = std::max(1 / motion.invInertia, least);
-            member.inertia.zz = member.ownInertia;
             const Real share = 1 / (member.ownInertia * motion.invInertia);
             member.spin = share < 1 ? share * member.spin + (1 - share) * tree.spin : member.spin;
         }
@@ -236,14 +233,32 @@ void ArticulatedTrees::fromRoots(std::span<Tree* const> trees, Visit visit) {
     }
 }
 
-/// Factorizes the linear systems for the present estimates of forces.
+/// Initialises A of every body.
+void ArticulatedTrees::resetInertia(const Bodies& bodies, const Tree& tree) {
+    for (Member& member : membersOf(tree)) {
+        const BodyVelocity& motion = bodies.motion[member.body];
+        const Real mass = 1 / motion.invMass;
+        const Real inertia = motion.invInertia > 0 ? member.ownInertia : Real(1);
+        member.inertia = {mass, 0, mass, 0, 0, inertia};
+    }
+}
+
+/// Factorizes the linear systems for the present estimates of forces. The factors of the relax pass
+/// serve the next substep too, since it begins at the same positions.
 void ArticulatedTrees::factorizeTrees(const Bodies& bodies, const JointPass& pass,
                                       std::span<Tree* const> trees) {
+    changed_.clear();
     for (Tree* const tree : trees) {
         begin(bodies, pass, *tree);
+        if (pass.biased && tree->factorized && tree->reusable && !tree->stiff) {
+            continue;
+        }
+        tree->factorized = !tree->stiff;
+        resetInertia(bodies, *tree);
+        changed_.push_back(tree);
     }
-    fromLeaves(trees, [&](Node& node) { factorize(bodies, node, pass); });
-    for (const Tree* tree : trees) {
+    fromLeaves(changed_, [&](Node& node) { factorize(bodies, node, pass); });
+    for (const Tree* tree : changed_) {
         if (!tree->anchored) {
             Member& root = members_[tree->firstMember];
             root.factors = Symmetric3::Factors(root.inertia);

@@ -143,8 +143,10 @@ private:
         std::size_t members;
         bool anchored; // false: the first member has no parent joint
         bool arcsInVelocity = true;
-        bool stiff = false; // the lower bound of inertia is in effect, see begin()
-        Real spin = 0;      // rad/s, see spinOf()
+        bool stiff = false;      // the lower bound of inertia is in effect, see begin()
+        bool factorized = false; // for the present positions and the true inertia
+        bool reusable = true;    // the factors of one pass may serve another
+        Real spin = 0;           // rad/s, see spinOf()
     };
 
     /// An edge found during the search of a tree, with the fields of its future Node.
@@ -165,6 +167,7 @@ private:
     bool isDirect(const Bodies& bodies, std::span<const Edge> edges, bool anchored);
     void solveBatch(Bodies& bodies, const JointPass& pass, std::span<Tree> trees);
     Next nextOf(const Bodies& bodies, Tree& tree, Real h);
+    void resetInertia(const Bodies& bodies, const Tree& tree);
     void factorizeTrees(const Bodies& bodies, const JointPass& pass, std::span<Tree* const> trees);
     void solveLinear(const Bodies& bodies, const JointPass& pass, std::span<Tree* const> trees);
     Real spinOf(const Bodies& bodies, const Tree& tree);
@@ -195,6 +198,7 @@ private:
 
     std::vector<Node> nodes_;
     std::vector<Tree*> unsolved_; // scratch of solveBatch()
+    std::vector<Tree*> changed_;  // scratch of factorizeTrees()
     std::vector<Tree*> raised_;   // likewise: those to be factorized again
     std::vector<Member> members_;
     std::vector<Tree> trees_;
