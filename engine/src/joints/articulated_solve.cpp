@@ -21,6 +21,7 @@ constexpr Real kMostGain = Real(1) / 256;
 constexpr Real kMostStiffGain = Real(1) / 4096;
 // Solutions of one substep; loads of 1e5 links need up to eight.
 constexpr int kMostSolutions = 8;
+constexpr std::size_t kSideBySide = 4; // trees
 
 } // namespace
 
@@ -163,32 +164,50 @@ void ArticulatedTrees::apply(Bodies& bodies, const JointPass& pass, const Tree& 
     }
 }
 
-void ArticulatedTrees::solveTree(Bodies& bodies, const JointPass& pass, Tree& tree) {
-    addPulls(tree);
-    tree.arcsInVelocity = true;
-    tree.stiff = false;
-    tree.spin = pass.biased ? spinOf(bodies, tree) : 0;
-    factorizeTree(bodies, pass, tree);
-    solveLinear(bodies, pass, tree);
-    for (int solution = 1; pass.biased && solution < kMostSolutions; ++solution) {
-        const bool raised = raisePulls(tree, pass.h);
-        const bool bent = updateArcs(bodies, tree, pass.h);
-        const bool gains = tree.arcsInVelocity && addsEnergy(bodies, tree, pass.h);
-        if (!raised && !bent && !gains) {
-            break;
+/// Updates what a tree depends on by its solution. True if the tree is to be solved again; it is
+/// factorized first if `raised`.
+ArticulatedTrees::Next ArticulatedTrees::nextOf(const Bodies& bodies, Tree& tree, Real h) {
+    const bool raised = raisePulls(tree, h);
+    const bool bent = updateArcs(bodies, tree, h);
+    const bool gains = tree.arcsInVelocity && addsEnergy(bodies, tree, h);
+    tree.arcsInVelocity = tree.arcsInVelocity && !gains;
+    return raised ? Next::Factorize : bent || gains ? Next::Solve : Next::Done;
+}
+
+void ArticulatedTrees::solveBatch(Bodies& bodies, const JointPass& pass, std::span<Tree> trees) {
+    unsolved_.clear();
+    for (Tree& tree : trees) {
+        if (pass.biased) {
+            addPulls(tree);
         }
-        tree.arcsInVelocity = tree.arcsInVelocity && !gains;
-        if (raised) {
-            factorizeTree(bodies, pass, tree);
-        }
-        solveLinear(bodies, pass, tree);
+        tree.arcsInVelocity = true;
+        tree.stiff = false;
+        tree.spin = pass.biased ? spinOf(bodies, tree) : 0;
+        unsolved_.push_back(&tree);
     }
-    apply(bodies, pass, tree);
+    factorizeTrees(bodies, pass, unsolved_);
+    solveLinear(bodies, pass, unsolved_);
+    for (int solution = 1; pass.biased && solution < kMostSolutions; ++solution) {
+        raised_.clear();
+        std::erase_if(unsolved_, [&](Tree* tree) {
+            const Next next = nextOf(bodies, *tree, pass.h);
+            if (next == Next::Factorize) {
+                raised_.push_back(tree);
+            }
+            return next == Next::Done;
+        });
+        factorizeTrees(bodies, pass, raised_);
+        solveLinear(bodies, pass, unsolved_);
+    }
+    for (const Tree& tree : trees) {
+        apply(bodies, pass, tree);
+    }
 }
 
 void ArticulatedTrees::solve(Bodies& bodies, const JointPass& pass) {
-    for (Tree& tree : trees_) {
-        solveTree(bodies, pass, tree);
+    for (std::size_t first = 0; first < trees_.size(); first += kSideBySide) {
+        const std::size_t count = std::min(kSideBySide, trees_.size() - first);
+        solveBatch(bodies, pass, std::span(trees_).subspan(first, count));
     }
 }
 

@@ -18,9 +18,9 @@ constexpr Real kLoopGive = Real(0.4);
 
 } // namespace
 
-/// Initialises A of every body. Forces at the anchors exert a restoring torque on a body. The
-/// step is unstable if its angular frequency exceeds 1 rad per substep. So the inertia has a lower
-/// bound, for any direction of the arms:
+/// Finds inertia and angular velocity of every body. Forces at the anchors exert a restoring torque
+/// on a body. The step is unstable if its angular frequency exceeds 1 rad per substep. So the
+/// inertia has a lower bound, for any direction of the arms:
 ///
 ///   I >= h^2 sum of |force| |arm|
 ///
@@ -29,15 +29,12 @@ constexpr Real kLoopGive = Real(0.4);
 void ArticulatedTrees::begin(const Bodies& bodies, const JointPass& pass, Tree& tree) {
     for (Member& member : membersOf(tree)) {
         const BodyVelocity& motion = bodies.motion[member.body];
-        const Real mass = 1 / motion.invMass;
-        member.inertia = {mass, 0, mass, 0, 0, 1};
         member.spin = motion.angularVelocity;
         member.ownInertia = std::numeric_limits<Real>::infinity();
         if (motion.invInertia > 0) {
             const Real least = pass.biased ? pass.h * pass.h * member.pull : 0;
             tree.stiff = tree.stiff || least * motion.invInertia > 1;
             member.ownInertia = std::max(1 / motion.invInertia, least);
-            member.inertia.zz = member.ownInertia;
             const Real share = 1 / (member.ownInertia * motion.invInertia);
             member.spin = share < 1 ? share * member.spin + (1 - share) * tree.spin : member.spin;
         }
@@ -72,17 +69,17 @@ void ArticulatedTrees::measure(const Bodies& bodies, const JointPass& pass, cons
     }
 }
 
-/// S of a joint with a child: J_c A_c^-1 J_c^T.
+/// S of a joint with a child: J_c A_c^-1 J_c^T. N: number of rows.
+template <std::size_t N>
 Symmetric3 ArticulatedTrees::carry(Node& node) {
     Member& child = members_[node.child];
     child.factors = Symmetric3::Factors(child.inertia);
-    const HeldRows& rows = node.rows;
-    const std::array<Triple, 3>& j = node.childIsB ? rows.b : rows.a;
+    const std::array<Triple, 3>& j = node.childIsB ? node.rows.b : node.rows.a;
     Real s[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    for (std::size_t r = 0; r < rows.count; ++r) {
-        const Triple answer = child.factors.solve(j[r]);
+    for (std::size_t r = 0; r < N; ++r) {
+        node.answer[r] = child.factors.solve(j[r]);
         for (std::size_t k = 0; k <= r; ++k) {
-            s[r][k] = dot(answer, j[k]);
+            s[r][k] = dot(node.answer[r], j[k]);
         }
     }
     return {s[0][0], s[1][0], s[1][1], s[2][0], s[2][1], s[2][2]};
@@ -116,29 +113,33 @@ void ArticulatedTrees::factorize(const Bodies& bodies, Node& node, const JointPa
     };
     clearLevers(node.a, node.rows.a);
     clearLevers(node.b, node.rows.b);
+    const bool two = node.rows.count == 2;
     if (node.child == kNone) {
         node.give = giving(bodies, node, pass);
         node.factors = Symmetric3::Factors({node.give[0], 0, node.give[1], 0, 0, node.give[2]});
     } else {
-        node.factors = Symmetric3::Factors(carry(node));
+        node.factors = Symmetric3::Factors(two ? carry<2>(node) : carry<3>(node));
     }
-    if (node.parent == kNone) {
-        return;
+    if (node.parent != kNone) {
+        two ? addToParent<2>(node) : addToParent<3>(node);
     }
-    const HeldRows& rows = node.rows;
-    const std::array<Triple, 3>& j = node.childIsB ? rows.a : rows.b;
-    Triple columns[3] = {}; // of S^-1 J_p
+}
+
+/// Adds J_p^T S^-1 J_p to A of the parent.
+template <std::size_t N>
+void ArticulatedTrees::addToParent(Node& node) {
+    const std::array<Triple, 3>& j = node.childIsB ? node.rows.a : node.rows.b;
     for (std::size_t k = 0; k < 3; ++k) {
         Triple column{};
-        for (std::size_t r = 0; r < rows.count; ++r) {
+        for (std::size_t r = 0; r < N; ++r) {
             column[r] = j[r][k];
         }
-        columns[k] = node.factors.solve(column);
+        node.columns[k] = node.factors.solveFirst<N>(column);
     }
     const auto entry = [&](std::size_t k, std::size_t l) {
         Real sum = 0;
-        for (std::size_t r = 0; r < rows.count; ++r) {
-            sum += columns[k][r] * j[r][l];
+        for (std::size_t r = 0; r < N; ++r) {
+            sum += node.columns[k][r] * j[r][l];
         }
         return sum;
     };
@@ -151,97 +152,152 @@ void ArticulatedTrees::factorize(const Bodies& bodies, Node& node, const JointPa
     m.zz += entry(2, 2);
 }
 
-/// Subtracts J_c A_c^-1 c_c from q, then adds J_p^T S^-1 q to c of the parent. `c` is Member::push
-/// with Node::wanted, or the same of the displacement.
-void ArticulatedTrees::reduce(Node& node, Triple Member::*c, Triple Node::*q) {
-    const HeldRows& rows = node.rows;
-    Triple& wanted = node.*q;
+/// Subtracts J_c A_c^-1 c_c from q, then adds J_p^T S^-1 q to c of the parent.
+template <std::size_t N>
+void ArticulatedTrees::reduce(Node& node, const Unknowns& of) {
+    Triple& wanted = node.*of.wanted;
     if (node.child != kNone) {
-        const Member& child = members_[node.child];
-        const std::array<Triple, 3>& j = node.childIsB ? rows.b : rows.a;
-        const Triple answer = child.factors.solve(child.*c);
-        for (std::size_t r = 0; r < rows.count; ++r) {
-            wanted[r] -= dot(j[r], answer);
+        const Triple& push = members_[node.child].*of.push;
+        for (std::size_t r = 0; r < N; ++r) {
+            wanted[r] -= dot(node.answer[r], push);
         }
     }
+    const Triple impulse = node.factors.solveFirst<N>(wanted);
+    node.*of.impulse = impulse;
     if (node.parent == kNone) {
         return;
     }
-    Triple& push = members_[node.parent].*c;
-    const std::array<Triple, 3>& j = node.childIsB ? rows.a : rows.b;
-    const Triple impulse = node.factors.solve(wanted);
-    for (std::size_t r = 0; r < rows.count; ++r) {
+    Triple& push = members_[node.parent].*of.push;
+    const std::array<Triple, 3>& j = node.childIsB ? node.rows.a : node.rows.b;
+    for (std::size_t r = 0; r < N; ++r) {
         for (std::size_t k = 0; k < 3; ++k) {
             push[k] += impulse[r] * j[r][k];
         }
     }
 }
 
-/// Back substitution: the impulse l from the change of the parent, then the change of the child,
-/// as `c` with `dx`.
-Triple ArticulatedTrees::backSubstitute(Node& node, Triple Member::*c, Triple Member::*dx,
-                                        Triple Node::*q) {
-    const HeldRows& rows = node.rows;
-    Triple& wanted = node.*q;
+/// Back substitution: the impulse l from the change of the parent, then the change of the child.
+template <std::size_t N>
+void ArticulatedTrees::backSubstitute(Node& node, const Unknowns& of) {
+    Triple& impulse = node.*of.impulse;
     if (node.parent != kNone) {
-        const Triple& change = members_[node.parent].*dx;
-        const std::array<Triple, 3>& j = node.childIsB ? rows.a : rows.b;
-        for (std::size_t r = 0; r < rows.count; ++r) {
-            wanted[r] -= dot(j[r], change);
+        const Triple& change = members_[node.parent].*of.change;
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (std::size_t r = 0; r < N; ++r) {
+                impulse[r] -= node.columns[k][r] * change[k];
+            }
         }
     }
-    const Triple impulse = node.factors.solve(wanted);
     if (node.child == kNone) {
-        return impulse;
+        return;
     }
     Member& child = members_[node.child];
-    const std::array<Triple, 3>& j = node.childIsB ? rows.b : rows.a;
-    Triple push = child.*c;
-    for (std::size_t r = 0; r < rows.count; ++r) {
+    Triple change = child.factors.solve(child.*of.push);
+    for (std::size_t r = 0; r < N; ++r) {
         for (std::size_t k = 0; k < 3; ++k) {
-            push[k] += impulse[r] * j[r][k];
+            change[k] += impulse[r] * node.answer[r][k];
         }
     }
-    child.*dx = child.factors.solve(push);
-    return impulse;
+    child.*of.change = change;
 }
 
-/// Factorizes the linear system for the present estimates of forces.
-void ArticulatedTrees::factorizeTree(const Bodies& bodies, const JointPass& pass, Tree& tree) {
-    begin(bodies, pass, tree);
-    const std::span<Node> nodes = nodesOf(tree);
-    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
-        factorize(bodies, *node, pass);
+/// Visits all nodes, those of each tree from the leaves to the root, tree by tree in turn.
+template <typename Visit>
+void ArticulatedTrees::fromLeaves(std::span<Tree* const> trees, Visit visit) {
+    std::size_t most = 0;
+    for (const Tree* tree : trees) {
+        most = std::max(most, tree->nodes);
     }
-    if (!tree.anchored) {
-        Member& root = members_[tree.firstMember];
-        root.factors = Symmetric3::Factors(root.inertia);
+    for (std::size_t k = most; k-- > 0;) {
+        for (const Tree* tree : trees) {
+            if (k < tree->nodes) {
+                visit(nodes_[tree->firstNode + k]);
+            }
+        }
     }
 }
 
-/// Solves the linear system for the present arcs.
-void ArticulatedTrees::solveLinear(const Bodies& bodies, const JointPass& pass, const Tree& tree) {
-    const std::span<Node> nodes = nodesOf(tree);
-    Member& root = members_[tree.firstMember];
-    const bool drifts = pass.biased && (tree.stiff || !tree.arcsInVelocity);
+/// The same from the roots to the leaves.
+template <typename Visit>
+void ArticulatedTrees::fromRoots(std::span<Tree* const> trees, Visit visit) {
+    std::size_t most = 0;
+    for (const Tree* tree : trees) {
+        most = std::max(most, tree->nodes);
+    }
+    for (std::size_t k = 0; k < most; ++k) {
+        for (const Tree* tree : trees) {
+            if (k < tree->nodes) {
+                visit(nodes_[tree->firstNode + k]);
+            }
+        }
+    }
+}
+
+/// Initialises A of every body.
+void ArticulatedTrees::resetInertia(const Bodies& bodies, const Tree& tree) {
     for (Member& member : membersOf(tree)) {
-        member.push = member.driftPush = member.drift = {};
+        const BodyVelocity& motion = bodies.motion[member.body];
+        const Real mass = 1 / motion.invMass;
+        const Real inertia = motion.invInertia > 0 ? member.ownInertia : Real(1);
+        member.inertia = {mass, 0, mass, 0, 0, inertia};
     }
-    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
-        measure(bodies, pass, tree, *node);
-        reduce(*node, &Member::push, &Node::wanted);
-        if (drifts) {
-            reduce(*node, &Member::driftPush, &Node::wantedDrift);
+}
+
+/// Factorizes the linear systems for the present estimates of forces. The factors of the relax pass
+/// serve the next substep too, since it begins at the same positions.
+void ArticulatedTrees::factorizeTrees(const Bodies& bodies, const JointPass& pass,
+                                      std::span<Tree* const> trees) {
+    changed_.clear();
+    for (Tree* const tree : trees) {
+        begin(bodies, pass, *tree);
+        if (pass.biased && tree->factorized && tree->reusable && !tree->stiff) {
+            continue;
+        }
+        tree->factorized = !tree->stiff;
+        resetInertia(bodies, *tree);
+        changed_.push_back(tree);
+    }
+    fromLeaves(changed_, [&](Node& node) { factorize(bodies, node, pass); });
+    for (const Tree* tree : changed_) {
+        if (!tree->anchored) {
+            Member& root = members_[tree->firstMember];
+            root.factors = Symmetric3::Factors(root.inertia);
         }
     }
-    if (!tree.anchored) {
-        root.change = root.factors.solve(root.push);
-        root.drift = drifts ? root.factors.solve(root.driftPush) : Triple{};
+}
+
+/// Solves for the unknowns from `wanted` of all nodes.
+void ArticulatedTrees::solveNodes(std::span<Tree* const> trees, const Unknowns& of) {
+    fromLeaves(trees, [&](Node& node) {
+        node.rows.count == 2 ? reduce<2>(node, of) : reduce<3>(node, of);
+    });
+    for (const Tree* tree : trees) {
+        if (!tree->anchored) {
+            Member& root = members_[tree->firstMember];
+            root.*of.change = root.factors.solve(root.*of.push);
+        }
     }
-    for (Node& node : nodes) {
-        node.impulse = backSubstitute(node, &Member::push, &Member::change, &Node::wanted);
-        if (drifts) {
-            backSubstitute(node, &Member::driftPush, &Member::drift, &Node::wantedDrift);
+    fromRoots(trees, [&](Node& node) {
+        node.rows.count == 2 ? backSubstitute<2>(node, of) : backSubstitute<3>(node, of);
+    });
+}
+
+/// Solves the linear systems for the present arcs.
+void ArticulatedTrees::solveLinear(const Bodies& bodies, const JointPass& pass,
+                                   std::span<Tree* const> trees) {
+    for (const Tree* tree : trees) {
+        for (Member& member : membersOf(*tree)) {
+            member.push = member.driftPush = member.drift = {};
+        }
+        for (Node& node : nodesOf(*tree)) {
+            measure(bodies, pass, *tree, node);
+        }
+    }
+    solveNodes(trees, {&Member::push, &Member::change, &Node::wanted, &Node::impulse});
+    for (Tree* const tree : trees) {
+        if (pass.biased && (tree->stiff || !tree->arcsInVelocity)) {
+            solveNodes({&tree, 1}, {&Member::driftPush, &Member::drift, &Node::wantedDrift,
+                                    &Node::driftImpulse});
         }
     }
 }

@@ -142,10 +142,14 @@ void ArticulatedTrees::grow(const Bodies& bodies, std::span<const Edge> edges, s
                       .firstMember = members_.size(),
                       .members = reached_.size(),
                       .anchored = anchored});
+    bool& reusable = trees_.back().reusable;
     for (const std::uint32_t body : reached_) {
         members_.emplace_back().body = body;
+        reusable = reusable && bodies.motion[body].invInertia > 0; // else levers are cleared
     }
     for (const Link& link : links_) {
+        // the compliance of a joint that closes a loop depends on the pass
+        reusable = reusable && link.child != kNone;
         const Edge& held = edges[link.edge];
         nodes_.push_back({held.joint, held.a, held.b, link.child, link.parent, link.childIsB});
     }

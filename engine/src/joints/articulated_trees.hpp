@@ -5,6 +5,7 @@
 #include "math/symmetric3.hpp"
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -33,7 +34,8 @@ struct HeldRows {
     std::size_t point = kNoPoint;      // index of the first row of the anchors
     Vec2 armA{};                       // m, from the centre of mass to the anchor
     Vec2 armB{};
-    Real pull = 0; // N, estimate of the force at the anchors
+    Real pull = 0;      // N, estimate of the force at the anchors
+    bool hinge = false; // two rows of a revolute joint and nothing else, see JointSet::Hinge
 
     static constexpr std::size_t kNoPoint = 3;
     bool hasPoint() const { return point != kNoPoint; }
@@ -55,8 +57,8 @@ struct HeldRows {
 ///   S = J_c A_c^-1 J_c^T,   q = -(J v + b) - J_c A_c^-1 c_c
 ///   A_p += J_p^T S^-1 J_p,  c_p += J_p^T S^-1 q
 ///
-/// From the root back to the leaves: l = S^-1 (q - J_p dv_p), dv_c = A_c^-1 (c_c + J_c^T l). A is a
-/// sum of positive terms, so mass ratios of a million lose no digits.
+/// From the root back to the leaves: l = S^-1 q - S^-1 J_p dv_p, dv_c = A_c^-1 c_c + A_c^-1 J_c^T
+/// l. A is a sum of positive terms, so mass ratios of a million lose no digits.
 ///
 /// The system is solved again while its solution changes what it depends on: the arcs of the
 /// anchors, and the forces that bound inertia from below (see begin()). Where that bound is in
@@ -67,6 +69,8 @@ struct HeldRows {
 /// kMostCarried times its own mass, the reduced mass of its two bodies. A soft joint opens in
 /// proportion to that ratio. Small anchored trees are solved directly too; see kFewJoints. The
 /// joints of other trees of revolute joints are solved one by one, as springs.
+///
+/// Each elimination waits for the one before. So some trees are solved side by side, node by node.
 ///
 /// A tree has at most one joint to an immovable body as its root. Further joints to immovable
 /// bodies close loops; they are soft, within the direct solve. Joints of any other loop, and of an
@@ -116,10 +120,20 @@ private:
         bool childIsB = true;
         HeldRows rows{};
         Symmetric3::Factors factors{Symmetric3{}}; // of S
+        std::array<Triple, 3> answer{};            // rows of J_c A_c^-1
+        std::array<Triple, 3> columns{};           // of S^-1 J_p
         Triple give{};                             // see giving()
         Triple wanted{};                           // q
         Triple wantedDrift{};                      // q of the displacement
-        Triple impulse{};                          // l
+        Triple impulse{};                          // l; from reduce() on, S^-1 q
+        Triple driftImpulse{};                     // the same of the displacement
+    };
+    /// The members of a linear system: that of the velocities, or that of the displacements.
+    struct Unknowns {
+        Triple Member::*push;
+        Triple Member::*change;
+        Triple Node::*wanted;
+        Triple Node::*impulse;
     };
     /// A range of nodes, from the root to the leaves, and of members.
     struct Tree {
@@ -129,8 +143,10 @@ private:
         std::size_t members;
         bool anchored; // false: the first member has no parent joint
         bool arcsInVelocity = true;
-        bool stiff = false; // the lower bound of inertia is in effect, see begin()
-        Real spin = 0;      // rad/s, see spinOf()
+        bool stiff = false;      // the lower bound of inertia is in effect, see begin()
+        bool factorized = false; // for the present positions and the true inertia
+        bool reusable = true;    // the factors of one pass may serve another
+        Real spin = 0;           // rad/s, see spinOf()
     };
 
     /// An edge found during the search of a tree, with the fields of its future Node.
@@ -141,14 +157,19 @@ private:
         bool childIsB;
     };
 
+    /// What a tree needs after a solution.
+    enum class Next : std::uint8_t { Done, Solve, Factorize };
+
     void listEdges(const Bodies& bodies, std::span<const Edge> edges);
     void grow(const Bodies& bodies, std::span<const Edge> edges, std::uint32_t root);
     bool growFrom(const Bodies& bodies, std::span<const Edge> edges, std::size_t from);
     std::uint32_t join(std::uint32_t body);
     bool isDirect(const Bodies& bodies, std::span<const Edge> edges, bool anchored);
-    void solveTree(Bodies& bodies, const JointPass& pass, Tree& tree);
-    void factorizeTree(const Bodies& bodies, const JointPass& pass, Tree& tree);
-    void solveLinear(const Bodies& bodies, const JointPass& pass, const Tree& tree);
+    void solveBatch(Bodies& bodies, const JointPass& pass, std::span<Tree> trees);
+    Next nextOf(const Bodies& bodies, Tree& tree, Real h);
+    void resetInertia(const Bodies& bodies, const Tree& tree);
+    void factorizeTrees(const Bodies& bodies, const JointPass& pass, std::span<Tree* const> trees);
+    void solveLinear(const Bodies& bodies, const JointPass& pass, std::span<Tree* const> trees);
     Real spinOf(const Bodies& bodies, const Tree& tree);
     void addPulls(const Tree& tree);
     bool raisePulls(const Tree& tree, Real h);
@@ -156,16 +177,29 @@ private:
     bool addsEnergy(const Bodies& bodies, const Tree& tree, Real h);
     void begin(const Bodies& bodies, const JointPass& pass, Tree& tree);
     void measure(const Bodies& bodies, const JointPass& pass, const Tree& tree, Node& node);
+    template <std::size_t N>
     Symmetric3 carry(Node& node);
     Triple giving(const Bodies& bodies, const Node& node, const JointPass& pass) const;
     void factorize(const Bodies& bodies, Node& node, const JointPass& pass);
-    void reduce(Node& node, Triple Member::*c, Triple Node::*q);
-    Triple backSubstitute(Node& node, Triple Member::*c, Triple Member::*dx, Triple Node::*q);
+    template <std::size_t N>
+    void addToParent(Node& node);
+    template <std::size_t N>
+    void reduce(Node& node, const Unknowns& of);
+    template <std::size_t N>
+    void backSubstitute(Node& node, const Unknowns& of);
+    void solveNodes(std::span<Tree* const> trees, const Unknowns& of);
+    template <typename Visit>
+    void fromLeaves(std::span<Tree* const> trees, Visit visit);
+    template <typename Visit>
+    void fromRoots(std::span<Tree* const> trees, Visit visit);
     void apply(Bodies& bodies, const JointPass& pass, const Tree& tree);
     std::span<Node> nodesOf(const Tree& tree);
     std::span<Member> membersOf(const Tree& tree);
 
     std::vector<Node> nodes_;
+    std::vector<Tree*> unsolved_; // scratch of solveBatch()
+    std::vector<Tree*> changed_;  // scratch of factorizeTrees()
+    std::vector<Tree*> raised_;   // likewise: those to be factorized again
     std::vector<Member> members_;
     std::vector<Tree> trees_;
     std::vector<std::uint32_t> nodeOf_;   // by joint

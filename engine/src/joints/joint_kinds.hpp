@@ -19,11 +19,33 @@ struct JointFrame {
     Rot rotationA;
     Rot rotationB;
 
+    /// Arm of a (m) to anchor b. Both impulses of a joint act at anchor b, so that they conserve
+    /// angular momentum however wide the gap is. The gap is then measured in the frame of a.
+    Vec2 commonArm() const { return armA + gap; }
+
     /// Angle of b relative to a (rad), minus a reference; -pi to pi.
     Real angle(Real reference) const {
         return (rotationB * rotationA.inverse() * Rot::fromAngle(-reference)).angle();
     }
 };
+
+/// Anchors move on circles about the centres of mass, but the velocity constraint is tangential.
+/// The difference widens the gap within the substep and is removed in full. The present gap, as
+/// rotated with body a, is removed at the rate of the stiffness; at most `mostError` (m) of it
+/// counts.
+inline PointConstraint anchorsOf(const JointFrame& frame, const JointPass& pass, Real mostError) {
+    const Real angleA = pass.h * frame.a.angularVelocity;
+    Vec2 gap = frame.gap + angleA * perp(frame.gap) + fromTangentToArc(angleA, frame.gap);
+    const Real size = length(gap);
+    if (size > mostError) {
+        gap = (mostError / size) * gap;
+    }
+    const Vec2 arc = fromTangentToArc(pass.h * frame.b.angularVelocity, frame.armB) -
+                     fromTangentToArc(angleA, frame.commonArm());
+    const Softness rigid{pass.stiff.biasRate, 1, 0};
+    return {frame.commonArm(), frame.armB, gap, pass.exact ? rigid : pass.stiff,
+            (1 / pass.h) * arc};
+}
 
 /// How a constraint is solved in the relax pass.
 enum class Relax : std::uint8_t {
@@ -63,6 +85,8 @@ public:
         if (spring.hertz > 0) {
             along.error = distance - spring.length;
             along.softness = springOf(spring, along);
+            const Real most = mostError(along.softness);
+            along.error = std::clamp(along.error, -most, most);
             visit_(along, joint_.axes[0], Relax::Done);
         }
         if (spring.limits) {
@@ -89,7 +113,7 @@ public:
         if (motor.force > 0) {
             visit_(
                 PointConstraint{
-                    commonArm(), frame_.armB, frame_.gap, soft, {}, motor.force * pass_.h},
+                    frame_.commonArm(), frame_.armB, frame_.gap, soft, {}, motor.force * pass_.h},
                 joint_.point, Relax::Same);
         }
         if (motor.torque > 0) {
@@ -112,18 +136,11 @@ public:
     }
 
 private:
-    /// Anchors move on circles about the centres of mass, but the velocity constraint is
-    /// tangential. The difference widens the gap within the substep and is removed in full. The
-    /// present gap, as rotated with body a, is removed at the rate of the stiffness.
-    PointConstraint anchors() const {
-        const Real angleA = pass_.h * frame_.a.angularVelocity;
-        const Vec2 gap =
-            frame_.gap + angleA * perp(frame_.gap) + fromTangentToArc(angleA, frame_.gap);
-        const Vec2 arc = fromTangentToArc(pass_.h * frame_.b.angularVelocity, frame_.armB) -
-                         fromTangentToArc(angleA, commonArm());
-        const Softness rigid{pass_.stiff.biasRate, 1, 0};
-        return {commonArm(), frame_.armB, gap, pass_.exact ? rigid : pass_.stiff,
-                (1 / pass_.h) * arc};
+    PointConstraint anchors() const { return anchorsOf(frame_, pass_, mostError(pass_.stiff)); }
+
+    /// Largest error (m or rad) that counts, see JointSet::boundBias().
+    Real mostError(const Softness& softness) const {
+        return joint_.mostBias / (softness.biasRate * softness.massScale);
     }
 
     /// Stiffness and damping of a spring are those of the reduced mass of its bodies, whatever the
@@ -137,10 +154,6 @@ private:
         return Softness::spring(factor * spring.hertz, factor * spring.damping, pass_.h,
                                 joint_.springBound);
     }
-
-    /// Arm of a (m) to anchor b. Both impulses of a joint act at anchor b, so that they conserve
-    /// angular momentum however wide the gap is. The gap is then measured in the frame of a.
-    Vec2 commonArm() const { return frame_.armA + frame_.gap; }
 
     AxisConstraint angular() const { return {{}, 1, 1, 0, 0, {}, kUnbounded, {}}; }
 
@@ -166,7 +179,8 @@ private:
     }
 
     void fix(AxisConstraint axis, std::size_t slot, Real error) {
-        axis.error = error;
+        const Real most = mostError(pass_.stiff);
+        axis.error = std::clamp(error, -most, most);
         axis.softness = pass_.stiff;
         visit_(axis, joint_.axes[slot], Relax::Rigid);
     }
@@ -182,7 +196,7 @@ private:
     /// Keeps `room` (m or rad) at or above zero. A positive room may be closed within the substep,
     /// but not exceeded.
     void limit(AxisConstraint axis, std::size_t slot, Real room) {
-        axis.error = room;
+        axis.error = std::max(room, -mostError(pass_.stiff));
         axis.softness = room > 0 ? Softness::rigid(pass_.h) : pass_.stiff;
         axis.bounds.lower = 0;
         visit_(axis, joint_.axes[slot], room > 0 ? Relax::Same : Relax::Rigid);

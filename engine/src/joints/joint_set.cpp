@@ -270,6 +270,7 @@ void JointSet::beginGroup(const Bodies& bodies, DirectSolve direct,
         }
     }
     trees_.find(bodies, treeCandidates_);
+    listHinges(bodies);
     springs_.find(bodies);
     for (const SpringRates::Spring& spring : springs_.all()) {
         joints_[spring.joint].springBound = spring.bound;
@@ -277,11 +278,26 @@ void JointSet::beginGroup(const Bodies& bodies, DirectSolve direct,
     }
 }
 
+void JointSet::listHinges(const Bodies& bodies) {
+    hinges_.clear();
+    for (const ArticulatedTrees::Edge& edge : treeCandidates_) {
+        HeldRows* const rows = trees_.rowsOf(edge.joint);
+        const auto* const pin = std::get_if<RevoluteJoint>(&joints_[edge.joint].def);
+        if (rows == nullptr || pin == nullptr || pin->motorTorque > 0 || pin->limits) {
+            continue;
+        }
+        rows->hinge = true;
+        hinges_.push_back({edge.joint, edge.a, edge.b,
+                           pin->ends.anchorA - bodies.geometry(edge.a).mass.center,
+                           pin->ends.anchorB - bodies.geometry(edge.b).mass.center, rows});
+    }
+}
+
 std::span<const std::uint32_t> JointSet::takeRevolutes() {
     std::size_t kept = 0;
     for (const std::uint32_t index : own_) {
         if (std::holds_alternative<RevoluteJoint>(joints_[index].def) &&
-            trees_.rowsOf(index) == nullptr) {
+            trees_.rowsOf(index) == nullptr && joints_[index].mostBias == Joint::kNoBound) {
             takenRevolutes_.push_back(index);
         } else {
             own_[kept++] = index;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/id_pool.hpp"
+#include "contacts/contact_set.hpp"
 #include "joints/articulated_trees.hpp"
 #include "joints/body_rotations.hpp"
 #include "joints/inertia_bounds.hpp"
@@ -9,6 +10,7 @@
 #include "joints/spring_rates.hpp"
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -33,6 +35,9 @@ public:
         bool solved = false;        // in this step; false if both bodies are inactive
         Real springBound = 0;       // 1/s^2, of this step, see SpringRates
         Real stiffness = 0;         // N/m, of a spring, of this step
+        Real mostBias = kNoBound;   // m/s or rad/s, see boundBias()
+
+        static constexpr Real kNoBound = std::numeric_limits<Real>::infinity();
 
         /// Slot of an impulse: 0 and 1 are the coordinates of point, the axes follow.
         std::size_t slotOf(const Vec2&) const { return 0; }
@@ -78,6 +83,10 @@ public:
     void findBusy(const Bodies& bodies, bool changed);
     std::size_t busyCount() const { return busy_.size(); }
 
+    /// Bounds the speed at which a joint removes its error while its bodies overlap. A joint and a
+    /// contact that exclude each other would store energy without end. `pushSpeed` (m/s or rad/s):
+    /// the largest at which contacts part.
+    void boundBias(const ContactSet& contactSet, Real slop, Real pushSpeed);
     void beginStep();
     /// Selects the joints of one level for the functions below, up to the next call: of the busy
     /// joints those with that level. A joint has the higher level of its two bodies; without
@@ -141,6 +150,16 @@ public:
 private:
     friend class SnapshotFields;
 
+    /// A revolute joint of a tree without motor and limits.
+    struct Hinge {
+        std::uint32_t joint;
+        std::uint32_t a; // bodies
+        std::uint32_t b;
+        Vec2 anchorA; // m, from the centre of mass, in the frame of the body
+        Vec2 anchorB;
+        HeldRows* rows;
+    };
+
     JointId idAt(std::uint32_t index) const { return {index, ids_.generationAt(index), stamp_}; }
 
     IdPool ids_;
@@ -152,6 +171,7 @@ private:
     std::vector<BrokenJoint> broken_;
     ArticulatedTrees trees_;                             // of this step
     std::vector<ArticulatedTrees::Edge> treeCandidates_; // joints that may belong to a tree
+    std::vector<Hinge> hinges_;                          // of this step
     SpringRates springs_;                                // of this step
     InertiaBounds inertias_;                             // of a pass
     BodyRotations turned_;
@@ -165,6 +185,8 @@ private:
     void list(std::uint32_t index);
     void unlist(std::uint32_t index);
     void listBusy(const Bodies& bodies);
+    void listHinges(const Bodies& bodies);
+    void measureHinges(Bodies& bodies, const JointPass& pass);
     void raiseInertias(Bodies& bodies, const JointPass& pass);
     void solveStiffSprings(Bodies& bodies, const JointPass& pass);
     void solveTrees(Bodies& bodies, const JointPass& pass);

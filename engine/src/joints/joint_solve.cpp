@@ -73,6 +73,10 @@ void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
         const bool inTree = rows != nullptr;
         if (inTree) {
             rows->pull = length(joints_[index].point) / pass.h;
+            if (rows->hinge) {
+                joints_[index].point = {}; // the direct solve starts from zero
+                continue;
+            }
         }
         forConstraints(
             joints_[index], bodies, turned_, {pass.h, pass.stiff, pass.biased, inTree},
@@ -117,6 +121,9 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
         Joint& joint = joints_[index];
         joint.solved = true;
         HeldRows* const rows = trees_.rowsOf(index);
+        if (rows != nullptr && rows->hinge) {
+            continue;
+        }
         if (rows != nullptr) {
             *rows = {.pull = rows->pull};
         }
@@ -140,7 +147,30 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
         solveStiffSprings(bodies, pass);
     }
     inertias_.restore(bodies);
+    measureHinges(bodies, pass);
     solveTrees(bodies, pass);
+}
+
+/// Updates the rows of the hinges of trees.
+void JointSet::measureHinges(Bodies& bodies, const JointPass& pass) {
+    constexpr Real kAll = std::numeric_limits<Real>::infinity();
+    for (const Hinge& hinge : hinges_) {
+        JointFrame frame{bodies.motion[hinge.a],
+                         bodies.motion[hinge.b],
+                         {},
+                         {},
+                         {},
+                         turned_.rotation(bodies, hinge.a),
+                         turned_.rotation(bodies, hinge.b)};
+        frame.armA = frame.rotationA * hinge.anchorA;
+        frame.armB = frame.rotationB * hinge.anchorB;
+        frame.gap = (bodies.pose[hinge.b].position - bodies.pose[hinge.a].position) +
+                    (frame.b.deltaPosition - frame.a.deltaPosition) + (frame.armB - frame.armA);
+        hinge.rows->count = 0;
+        hinge.rows->add(pass.biased ? anchorsOf(frame, pass, kAll)
+                                    : PointConstraint{frame.commonArm(), frame.armB, {}, {}},
+                        joints_[hinge.joint].point, 0);
+    }
 }
 
 /// Repeats the solution of springs with a lag. Their dampers couple all bodies of a row: after one

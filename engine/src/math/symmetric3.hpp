@@ -48,6 +48,17 @@ struct Symmetric3 {
             return x;
         }
 
+        /// The first N components of solve(v), for a matrix whose other rows are those of 1.
+        template <std::size_t N>
+        Triple solveFirst(const Triple& v) const {
+            if constexpr (N == 2) {
+                const Real x1 = perY_ * (v[1] - yx_ * v[0]);
+                return {perX_ * v[0] - yx_ * x1, x1, 0};
+            } else {
+                return solve(v);
+            }
+        }
+
     private:
         static Real inverseOf(Real pivot, Real diagonal) {
             constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();

@@ -332,6 +332,8 @@ void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints
     JointPass pass{h, Softness::from(settings.jointHertz, settings.jointDamping, h), true};
     visits_ = 0;
     joints.beginStep();
+    joints.boundBias(contactSet, step.tolerances.slop,
+                     settings.pushSpeed * step.tolerances.slop * Tolerances::kSlopsPerUnit);
     joints.beginGroup(bodies, DirectSolve::EveryTree);
     for (int part = 0; part < settings.substeps; ++part) {
         substep_ = step.count * static_cast<std::uint64_t>(settings.substeps) +

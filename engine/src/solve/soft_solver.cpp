@@ -298,6 +298,8 @@ void SoftSolver::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joi
         contactSet.noteRow(place);
     }
     joints.beginStep();
+    joints.boundBias(contactSet, tolerances.slop,
+                     soft.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit);
     moveFree(bodies, dt);
     visits_ = 0;
     for (std::uint32_t level = 0; level < Refinement::kLevels; ++level) {

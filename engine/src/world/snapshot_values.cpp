@@ -177,7 +177,7 @@ void SnapshotFields::one(MouseJoint& mouse) {
 /// The sums of a step are not stored: the next step resets them.
 void SnapshotFields::one(JointSet::Joint& joint) {
     auto& [def, point, axes, linearImpulseSum, angularImpulseSum, force, torque, solved,
-           springBound, stiffness] = joint;
+           springBound, stiffness, mostBias] = joint;
     all(def, point, axes, force, torque);
 }
 
