@@ -85,6 +85,25 @@ void paintBlocks(Canvas& canvas, const Moment& moment) {
     }
 }
 
+/// Marks the places at the bottom above which a heavy block comes down.
+void paintWarnings(Canvas& canvas, const Moment& moment) {
+    constexpr Real kHeavy = Real(0.7); // kg
+    constexpr Real kFast = 2;          // m/s
+    constexpr Real kSeen = 12;         // m; height from which on the mark shows
+    for (const Block& block : moment.game.blocks()) {
+        const kodo::BodyView body = moment.game.world()[block.body];
+        const bool loose = block.support == Support::Fallen || block.support == Support::Moving;
+        const Real height = body.center().y - kPaddleY;
+        if (!loose || body.mass() < kHeavy || body.velocity().y > -kFast || height < 0) {
+            continue;
+        }
+        const float near = std::clamp(1 - height / kSeen, Real(0), Real(1));
+        const Aabb bounds = body.bounds();
+        const Color color = faded(palette::kAccent, 0.8f * near);
+        canvas.rectangle({{bounds.lower.x, Real(0.05)}, {bounds.upper.x, Real(0.2)}}, color, color);
+    }
+}
+
 void paintShards(Canvas& canvas, const Moment& moment) {
     for (const Shard& shard : moment.game.shards()) {
         const kodo::BodyView body = moment.game.world()[shard.body];
@@ -148,6 +167,7 @@ void paintField(Canvas& canvas, const Moment& moment) {
     paintLinks(canvas, moment);
     paintObstructions(canvas, moment);
     paintShards(canvas, moment);
+    paintWarnings(canvas, moment);
     paintFlash(canvas, moment);
     paintParts(canvas, moment);
     paintPaddle(canvas, moment);

@@ -84,6 +84,12 @@ void paintLink(Canvas& canvas, const Moment& moment, const Link& link) {
         paintEnd(canvas, ends.b, Real(0.12));
     } else if (const auto* pin = std::get_if<kodo::RevoluteJoint>(&def)) {
         const Vec2 place = shownAt(moment, pin->ends.b, pin->ends.anchorB);
+        const kodo::BodyView held = moment.game.world()[pin->ends.b];
+        if (!held.contains(held.transform() * pin->ends.anchorB)) { // on an arm
+            const Vec2 middle = moment.placeOf(pin->ends.b).position;
+            canvas.line(place, middle, Real(0.2), palette::kInk);
+            canvas.line(place, middle, Real(0.13), palette::kMachine);
+        }
         paintEnd(canvas, place, Real(0.13));
         if (link.kind == LinkKind::Motor) {
             const Vec2 along = moment.placeOf(pin->ends.b).rotation * Vec2{Real(0.21), 0};

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Picture of buildings: previews, falls and results.
+#include <apart/core/assets.hpp>
+#include <apart/stage/level_preview.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "stage_rig.hpp"
+
+namespace apart {
+namespace {
+
+std::shared_ptr<const Level> shipped(const std::string& name) {
+    return std::make_shared<const Level>(std::get<Level>(loadLevel(name)));
+}
+
+StageDef played(const std::string& name) {
+    StageDef def = StageRig::played();
+    def.levels = {shipped(name), def.levels[0]};
+    return def;
+}
+
+bool tells(const RecordingCanvas& canvas, std::string_view words) {
+    return std::any_of(canvas.strokes().begin(), canvas.strokes().end(), [&](const Stroke& stroke) {
+        return stroke.text.find(words) != std::string::npos;
+    });
+}
+
+TEST(Preview, ShowsEveryBlockLedgeAndJointInsideItsBox) {
+    const Aabb box{{-5, -4}, {5, 4}};
+    for (const std::string& name : levelNames()) {
+        SCOPED_TRACE(name);
+        const Level level = *shipped(name);
+        RecordingCanvas canvas;
+        paintPreview(canvas, level, box);
+        EXPECT_GE(canvas.strokes().size(),
+                  level.cells.size() + level.freeBlocks.size() + level.links.size());
+        for (const Stroke& stroke : canvas.strokes()) {
+            EXPECT_TRUE(box.grown(Real(0.1)).contains(stroke.place))
+                << stroke.place.x << " " << stroke.place.y;
+        }
+    }
+}
+
+TEST(Preview, AJointAndALedgeAddToIt) {
+    Level level = *shipped("rope_bridge");
+    RecordingCanvas whole;
+    paintPreview(whole, level, {{-5, -4}, {5, 4}});
+    level.links.clear();
+    level.obstructions.clear();
+    RecordingCanvas bare;
+    paintPreview(bare, level, {{-5, -4}, {5, 4}});
+    EXPECT_GT(whole.strokes().size(), bare.strokes().size() + 15);
+}
+
+TEST(Collapse, IsToldInWordsAndInTheResults) {
+    StageRig rig(played("tower"));
+    bool told = false;
+    for (int i = 0; i < 60 * 120 && rig.stage.screen() == Screen::Playing; ++i) {
+        rig.frame();
+        told = told || tells(rig.picture(), " at a blow");
+    }
+    EXPECT_TRUE(told);
+    rig.frames(240);
+    EXPECT_TRUE(tells(rig.picture(), "largest fall"));
+}
+
+TEST(Collapse, IsSlowedUnlessTheFreezeIsOff) {
+    const auto framesOf = [](int freeze) {
+        StageDef def = played("card_house");
+        def.profile.settings.freeze = freeze;
+        StageRig rig(def);
+        int frames = 0;
+        while (frames < 6000 && rig.stage.game().collapse().largest < 20) {
+            rig.frame();
+            ++frames;
+        }
+        return frames;
+    };
+    EXPECT_GT(framesOf(100), framesOf(0) + 10);
+}
+
+} // namespace
+} // namespace apart
