@@ -51,15 +51,15 @@ struct FallingRods {
 };
 
 // G2: a rod that is stopped at the ground does not lose the others, which would move on by the rest
-// of their displacement: 0.12, 0.27 and 0.52 m here. They open by what the impact leaves in soft
-// joints.
+// of their displacement: 0.12, 0.27 and 0.52 m here. They open by at most 16 slops of 5 mm, and by
+// what the impact leaves in soft joints. Ropes have a length of 10 mm.
 TEST(ContinuousJoints, AStoppedBodyKeepsItsJointsClosed) {
     struct Case {
         Real speed;
         Real most;
     };
     for (const auto& [speed, most] :
-         {Case{10, Real(0.07)}, Case{20, Real(0.13)}, Case{40, Real(0.2)}}) {
+         {Case{10, Real(0.09)}, Case{20, Real(0.13)}, Case{40, Real(0.2)}}) {
         FallingRods hinged(speed, [](const JointEnds& e) { return RevoluteJoint{.ends = e}; });
         EXPECT_LT(hinged.largestGap(), most) << "hinges, " << speed;
         FallingRods fixed(speed, [](const JointEnds& e) { return FixedJoint{.ends = e}; });

@@ -88,6 +88,7 @@ public:
 
     /// Finds the trees among these joints. Each joint must have a movable body.
     void find(const Bodies& bodies, std::span<const Edge> edges);
+    bool empty() const { return trees_.empty(); }
     /// The rows of a joint of a tree; nullptr for other joints.
     HeldRows* rowsOf(std::uint32_t joint);
 

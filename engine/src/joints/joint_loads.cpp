@@ -56,6 +56,9 @@ void JointSet::boundBias(const ContactSet& contactSet, Real slop, Real pushSpeed
     // With all of the speed, a joint and a contact gain ten times as much energy. With a sixteenth,
     // the joint opens so far that it closes with force once the bodies have parted.
     const Real most = pushSpeed / 4;
+    if (excludedPairs_.size() == live_.size()) {
+        return; // no joint lets its bodies collide, nor is any left bounded: see setDef()
+    }
     for (const std::uint32_t index : busy_) {
         Joint& joint = joints_[index];
         const JointEnds* const ends = collidingEnds(joint.def);

@@ -128,6 +128,7 @@ void JointSet::unlist(std::uint32_t index) {
 void JointSet::setDef(JointId id, const JointDef& def) {
     unlist(id.index);
     joints_[id.index].def = def;
+    joints_[id.index].mostBias = Joint::kNoBound;
     list(id.index);
     busyStale_ = true;
 }
@@ -280,6 +281,9 @@ void JointSet::beginGroup(const Bodies& bodies, DirectSolve direct,
 
 void JointSet::listHinges(const Bodies& bodies) {
     hinges_.clear();
+    if (trees_.empty()) {
+        return;
+    }
     for (const ArticulatedTrees::Edge& edge : treeCandidates_) {
         HeldRows* const rows = trees_.rowsOf(edge.joint);
         const auto* const pin = std::get_if<RevoluteJoint>(&joints_[edge.joint].def);

@@ -194,6 +194,9 @@ void JointSet::solveStiffSprings(Bodies& bodies, const JointPass& pass) {
 
 /// Solves the articulated trees and stores the impulses of their rows in the joints.
 void JointSet::solveTrees(Bodies& bodies, const JointPass& pass) {
+    if (trees_.empty()) {
+        return;
+    }
     trees_.solve(bodies, pass);
     for (const ArticulatedTrees::Edge& edge : treeCandidates_) {
         const HeldRows* const rows = trees_.rowsOf(edge.joint);
