@@ -211,7 +211,7 @@ TEST(Playback, ReportsFailedExpectations) {
     replay.expectations[0].value = 2;
     const Playback playback = played(replay);
     ASSERT_EQ(playback.failures().size(), 1u);
-    EXPECT_EQ(playback.failures()[0].text(), "expect 100 lives == 2, but lives is 3");
+    EXPECT_EQ(playback.failures()[0].text(), "expect 100 lives == 2, but lives is 4");
 }
 
 } // namespace
