@@ -50,7 +50,7 @@ handwritten
 40 -127 - 0
 90 0 2500 0
 hash 60 0123456789abcdef
-expect 100 lives == 3
+expect 100 lives == 4
 expect 120 result == playing
 end 120
 )";
