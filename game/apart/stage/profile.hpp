@@ -16,7 +16,7 @@ struct Best {
     std::int32_t score = 0;
     bool cleared = false;
     bool unhurt = false; // cleared without losing the last ball in play
-    bool chain = false;  // reached a combo of kMostCombo
+    bool chain = false;  // reached a combo or a collapse of kMostCombo
 
     friend bool operator==(Best, Best) = default;
 };

@@ -82,7 +82,7 @@ void paintResults(Canvas& canvas, const ResultsLook& look) {
     best.cleared = best.cleared || look.before.cleared;
     best.unhurt = best.unhurt || look.before.unhurt;
     best.chain = best.chain || look.before.chain;
-    constexpr std::array<const char*, 3> kHonours = {"cleared", "no ball lost", "combo of 8"};
+    constexpr std::array<const char*, 3> kHonours = {"cleared", "no ball lost", "chain of 8"};
     const Vec2 step{Real(3.4), 0};
     paintHonours(canvas, Vec2{0, Real(7.75)} - step, step, Real(0.42), best);
     for (std::size_t i = 0; i < kHonours.size(); ++i) {

@@ -22,7 +22,7 @@ void RunStatistics::hear(const Game& game) {
 
 Best RunStatistics::bestOf(const Game& game) const {
     const bool won = game.result() == Result::Won;
-    return {game.score(), won, won && !lifeLost, bestCombo >= kMostCombo};
+    return {game.score(), won, won && !lifeLost, std::max(bestCombo, largestFall) >= kMostCombo};
 }
 
 } // namespace apart
