@@ -276,7 +276,7 @@ public:
         return ContactBytes{kRest + kRow, kRow};
     }
     SnapshotWork snapshotWork() const override {
-        return {[this] { return scene_.world.toBytes().size(); },
+        return {[this] { return kodo::toBytes(scene_.world).size(); },
                 [this] {
                     const std::size_t before = heapBytes();
                     const kodo::World copy = scene_.world;

@@ -41,7 +41,7 @@ const JointEnds* collidingEnds(const JointDef& def) {
 /// True if some contact of two bodies overlaps by more than the slop.
 bool overlaps(const ContactSet& contactSet, std::uint32_t a, std::uint32_t b, Real slop) {
     bool any = false;
-    contactSet.lists().forEach(a, [&](std::uint32_t slot) {
+    contactSet.store().lists().forEach(a, [&](std::uint32_t slot) {
         const Contact& contact = contactSet.contacts()[slot];
         const bool meets = contact.key.bodyA == b || contact.key.bodyB == b;
         any = any || (meets && contact.responds() && contact.manifold.count > 0 &&
