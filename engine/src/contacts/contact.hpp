@@ -66,6 +66,7 @@ struct alignas(128) Contact {
     bool carried = false;   // the solver stores the contact with this manifold
     bool bounces = false;   // restitution > 0
     bool sensor = false;    // without response
+    bool sliding = false;   // with the kinetic coefficient, if that is below the static one
     bool passing = false;   // through a one-sided line from behind; see letPass
     bool hidden = false;    // ghost collision of this step; see GhostCollisions
     bool touching =

@@ -88,6 +88,7 @@ void replaceManifold(Contact& contact, const Manifold& manifold, Real near) {
     contact.impulse = impulse;
     contact.manifold = manifold;
     if (manifold.count == 0) {
+        contact.sliding = false;
         contact.friction = 0;
         contact.rolling = 0;
     }
@@ -280,6 +281,7 @@ void clearContact(Contact& contact) {
     contact.rolling = 0;
     contact.carried = false;
     contact.passing = false;
+    contact.sliding = false;
     contact.row = {}; // discards the state in the lane
 }
 

@@ -196,7 +196,7 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
         noteKinds(bodies, team);
         ghostCollisions_.link(bodies, summaries_, onGround_);
     }
-    ghostCollisions_.hide(bodies, contacts_, summaries_, tolerances);
+    ghostCollisions_.hide({bodies, contacts_, summaries_, tolerances, keeper.evict});
 }
 
 /// Notes whether any contact has a sensor or restitution. Lists the contacts between an immovable

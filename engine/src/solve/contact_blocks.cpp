@@ -321,6 +321,9 @@ void ContactBlocks::fill(const Bodies& bodies, Contact& contact) {
     const LaneRules rules{pushSpeed_, partsOf(blockOf(contact.row.index)),
                           use_[blockOf(contact.row.index)].shared};
     fillLane(block, lane, bodies, contact, rules);
+    if (contact.material.staticFriction > contact.material.kineticFriction) {
+        use_[blockOf(contact.row.index)].unlike = true;
+    }
     std::int32_t& place = use_[blockOf(contact.row.index)].rolling;
     const bool rolls = rollingOn_ && contact.material.rollingResistance > 0;
     if (rolls && place < 0) {

@@ -108,6 +108,14 @@ public:
     /// false.
     std::span<const std::uint8_t> touched() const { return touching_; }
 
+    /// Coefficients and impulses of a contact in the passes.
+    struct Lane {
+        ContactBlock& block;
+        RollingBlock* rolling; // or nullptr
+        std::size_t lane;
+    };
+    Lane laneAt(std::uint32_t row);
+
     /// Writes the state of a resident contact back as far as the next step needs it. The contact is
     /// not resident then.
     void evict(Contact& contact, const Bodies& bodies) const;

@@ -344,7 +344,8 @@ void SoftSolver::solveGroup(Bodies& bodies, ContactSet& contactSet, JointSet& jo
     WorkerTeam serial;
     const bool helped =
         blocks_.worthPartitioning(level) && blocks_.partitions() == team.partitions();
-    Substeps run{bodies, joints, group, pass, jointPass, helped ? team : serial};
+    Substeps run{bodies, contactSet, joints,     group,
+                 pass,   jointPass,  tolerances, helped ? team : serial};
     if (!run.team.alone()) {
         group.partitions.buildGraph(
             {blocks_, level, pass, contactSet.contacts(), newcomers_, group.bound, bodies.size()},

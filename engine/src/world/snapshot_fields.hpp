@@ -26,6 +26,9 @@ public:
 
     /// When reading, `world` must be new.
     void world(WorldImpl& world);
+    /// Writes what decides the future beside the motion: settings, fields, geometry, materials,
+    /// user data and the numbers of joints. Of a user's own fields only that they exist.
+    void definitions(const WorldImpl& world);
 
 private:
     bool reads() const { return stream_.reads(); }
