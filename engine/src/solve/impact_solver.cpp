@@ -280,6 +280,7 @@ bool ImpactSolver::solvePass(const Inputs& inputs, std::span<const std::uint32_t
             return again;
         }
         solveRound(inputs, pass);
+        list = bouncing_; // the contact solver follows for the others
     }
 }
 

@@ -8,7 +8,7 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-constexpr int kMostIterations = 200;
+constexpr int kMostIterations = 100;
 // Of the fastest approach: the change of a speed in one iteration at which the result is final.
 constexpr Real kFinal = sizeof(Real) == 4 ? Real(1e-6) : Real(1e-12);
 // Share of the energy that moves at which a gain is not an error of the iteration.
@@ -108,7 +108,12 @@ void SimultaneousImpacts::solve(std::span<const Impact> hits, const Tolerances& 
     for (const Point& point : points_) {
         fastest = std::max(fastest, -point.before.x);
     }
-    if (!iterate(kFinal * fastest, kMostIterations)) {
+    const bool bounces = std::any_of(hits.begin(), hits.end(), [](const Impact& hit) {
+        return hit.contact->material.restitution > 0;
+    });
+    if (!bounces) {
+        iterate(0, 1); // the contact solver follows
+    } else if (!iterate(kFinal * fastest, kMostIterations)) {
         undo();
         iterate(0, 1);
     } else if (gainsEnergy()) {
