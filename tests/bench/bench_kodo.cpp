@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Compiled twice: for kodo::kodo into bench::f32, for kodo::kodo64 into bench::f64.
 #include <kodo/query.hpp>
+#include <kodo/snapshot.hpp>
 #include <scenes/in_kodo.hpp>
 
 #include "contacts/contact.hpp"

@@ -82,6 +82,37 @@ TEST(LevelFile, IsRefusedIfItIsTooLarge) {
     EXPECT_EQ(problemOf(tall), "test.toml:21: the grid has more than 15 rows");
 }
 
+// D3: a key of 40,000 names would overflow the stack of the parser. Dots within texts are no names.
+TEST(LevelFile, IsRefusedIfAKeyHasTooManyNames) {
+    std::string key = "a";
+    for (int i = 0; i < 40000; ++i) {
+        key += ".a";
+    }
+    const Read<Level> read = parseLevel(kGood + key + " = 1\n", "test", "test.toml");
+    ASSERT_TRUE(std::holds_alternative<FileProblem>(read));
+    EXPECT_EQ(std::get<FileProblem>(read).text(),
+              "test.toml:15: a key has more than 16 names, separated by dots");
+}
+
+// D5: problems are shown on terminals. Control characters, C1, bidirectional marks and bytes that
+// are not UTF-8 become '?'; letters of other languages stay.
+TEST(FileProblem, ShowsNoControlCharacters) {
+    EXPECT_EQ(printable("a\x1b[2Jb\n\x7f"), "a?[2Jb??");
+    EXPECT_EQ(printable("\xc2\x9b"
+                        "1m \xe2\x80\xae \xe2\x81\xa6"),
+              "?1m ? ?");
+    EXPECT_EQ(printable("\xff\xc3"), "??");
+    EXPECT_EQ(printable("gr\xc3\xbc\xc3\x9f \xe4\xb8\x96"), "gr\xc3\xbc\xc3\x9f \xe4\xb8\x96");
+    EXPECT_EQ((FileProblem{"a\x1b", 3, "b\x07"}.text()), "a?:3: b?");
+}
+
+// D6: reading a pipe or a device might never end.
+TEST(TextFile, OnlyRegularFilesAreRead) {
+    const Read<std::string> read = readTextFile("/dev/zero", 100);
+    ASSERT_TRUE(std::holds_alternative<FileProblem>(read));
+    EXPECT_EQ(std::get<FileProblem>(read).reason, "is a pipe, a device or a socket, not a file");
+}
+
 TEST(LevelFile, IsReportedIfItIsMissing) {
     const Read<Level> level = loadLevel("no_such_level");
     ASSERT_TRUE(std::holds_alternative<FileProblem>(level));

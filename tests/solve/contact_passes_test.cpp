@@ -65,7 +65,7 @@ TEST(ContactPasses, ImpulsesNeverPullAndFrictionStaysInItsCone) {
             EXPECT_GE(first, 0);
             EXPECT_GE(second, 0);
             EXPECT_LE(std::abs(block.friction[lane]),
-                      block.staticFriction[lane] * (first + second));
+                      std::abs(block.staticFriction[lane]) * (first + second));
         }
     }
 }
@@ -141,6 +141,7 @@ TEST(ContactPasses, StickingFrictionStopsAllSliding) {
                 1 / (alone.a.invMass + alone.b.invMass + alone.a.invInertia * leverA * leverA +
                      alone.b.invInertia * leverB * leverB);
             block.staticFriction[lane] = 1000;
+            block.kineticFriction[lane] = 1000;
         }
     }
     ContactPasses::best().relax(blocks.pass());

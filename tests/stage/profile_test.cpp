@@ -83,7 +83,7 @@ TEST_F(ProfileFile, ABrokenFileIsRenamedAndReported) {
 
 TEST_F(ProfileFile, AnInvalidFileIsKeptAndNotOverwritten) {
     for (const char* text :
-         {"", "format = 2\n", "format = 1\nnew = 3\n", "format = 1\n[settings]\nspin = 3\n",
+         {"", "format = 0\n", "format = 1\nnew = 3\n", "format = 1\n[settings]\nspin = 3\n",
           "format = 1\n[settings]\nsound = 101\n", "format = 1\n[settings]\nsound = -1\n",
           "format = 1\n[settings]\nmouse = 19\n", "format = 1\n[settings]\npure = 1\n",
           "format = 1\nsettings = 3\n", "format = 1\nbest = 3\n", "format = 1\n[best]\na = 3\n",
@@ -94,17 +94,93 @@ TEST_F(ProfileFile, AnInvalidFileIsKeptAndNotOverwritten) {
         const LoadedProfile loaded = loadProfile(file_);
         EXPECT_EQ(loaded.profile, Profile{});
         EXPECT_NE(loaded.notice, "");
+        EXPECT_FALSE(loaded.keepFile);
         EXPECT_EQ(read(file_.string() + ".broken"), text);
+        fs::remove(file_.string() + ".broken");
+    }
+}
+
+// D4: what is kept from an earlier fault is not lost by the next one.
+TEST_F(ProfileFile, AnEarlierBrokenFileIsNotOverwritten) {
+    for (const char* text : {"one", "two", "three"}) {
+        write(text);
+        EXPECT_NE(loadProfile(file_).notice, "");
+    }
+    EXPECT_EQ(read(file_.string() + ".broken"), "one");
+    EXPECT_EQ(read(file_.string() + ".broken-2"), "two");
+    EXPECT_EQ(read(file_.string() + ".broken-3"), "three");
+}
+
+// D4: a newer format is neither damage nor replaced.
+TEST_F(ProfileFile, OneOfANewerGameStays) {
+    const std::string newer = "format = 2\nfuture = 1\n";
+    write(newer);
+    const LoadedProfile loaded = loadProfile(file_);
+    EXPECT_EQ(loaded.profile, Profile{});
+    EXPECT_NE(loaded.notice.find("newer game"), std::string::npos) << loaded.notice;
+    EXPECT_TRUE(loaded.keepFile);
+    EXPECT_EQ(read(file_), newer);
+}
+
+// D4, D6: what cannot be read is not damaged, and nothing is renamed.
+TEST_F(ProfileFile, OneThatCannotBeReadStays) {
+    fs::create_directories(file_ / "inside");
+    const LoadedProfile loaded = loadProfile(file_);
+    EXPECT_TRUE(loaded.keepFile);
+    EXPECT_NE(loaded.notice, "");
+    EXPECT_TRUE(fs::is_directory(file_));
+}
+
+// D4: of two games that run at once, neither loses the scores of the other.
+TEST_F(ProfileFile, SavingKeepsTheBetterScores) {
+    Profile one;
+    one.enter(Mode::Standard, "a", {100, true, false, false});
+    one.enter(Mode::Standard, "b", {50, false, false, false});
+    Profile other;
+    other.enter(Mode::Standard, "b", {70, false, false, true});
+    ASSERT_FALSE(saveProfile(file_, one));
+    ASSERT_FALSE(saveProfile(file_, other));
+    const Profile both = loadProfile(file_).profile;
+    EXPECT_EQ(both.bestOf(Mode::Standard, "a"), (Best{100, true, false, false}));
+    EXPECT_EQ(both.bestOf(Mode::Standard, "b"), (Best{70, false, false, true}));
+}
+
+// D7: level names that are no bare keys of TOML.
+TEST_F(ProfileFile, KeepsScoresOfAnyLevelName) {
+    for (const char* name : {"a b", "a.b", "\"", "\\", "x\ty", "\x7f", "", "grün", "]"}) {
+        Profile profile;
+        profile.enter(Mode::Standard, name, {100, true, false, false});
+        const auto read = profileFrom(toText(profile), "x");
+        ASSERT_TRUE(std::holds_alternative<Profile>(read)) << name;
+        EXPECT_EQ(std::get<Profile>(read), profile) << name;
+    }
+}
+
+// D3: a key of 40,000 names would overflow the stack of the parser.
+TEST_F(ProfileFile, AVeryLongKeyIsRefused) {
+    std::string key = "a";
+    for (int i = 0; i < 40000; ++i) {
+        key += ".a";
+    }
+    for (const std::string& text : {"format = 1\n" + key + " = 1\n", "format = 1\n[" + key + "]\n",
+                                    "format = 1\nbest = {" + key + " = 1}\n"}) {
+        write(text);
+        const LoadedProfile loaded = loadProfile(file_);
+        EXPECT_NE(loaded.notice.find("profile.toml:2: a key has more than 16 names"),
+                  std::string::npos)
+            << loaded.notice;
+        EXPECT_FALSE(loaded.keepFile);
     }
 }
 
 TEST_F(ProfileFile, AFailedSaveLeavesTheOldFileUnchanged) {
-    write("format = 1\n");
-    fs::create_directories(file_.string() + ".new"); // blocks the temporary file
+    fs::create_directories(file_ / "inside"); // cannot be replaced
     const auto problem = saveProfile(file_, someProfile());
     ASSERT_TRUE(problem);
     EXPECT_NE(problem->text().find("profile.toml"), std::string::npos);
-    EXPECT_EQ(read(file_), "format = 1\n");
+    EXPECT_TRUE(fs::exists(file_ / "inside"));
+    const auto files = fs::directory_iterator(file_.parent_path());
+    EXPECT_EQ(std::distance(begin(files), end(files)), 1) << "no temporary file is left";
 }
 
 TEST_F(ProfileFile, SavingLeavesNoTemporaryFile) {
@@ -112,7 +188,7 @@ TEST_F(ProfileFile, SavingLeavesNoTemporaryFile) {
     ASSERT_FALSE(saveProfile(file_, Profile{}));
     const auto files = fs::directory_iterator(file_.parent_path());
     EXPECT_EQ(std::distance(begin(files), end(files)), 1);
-    EXPECT_EQ(loadProfile(file_).profile, Profile{});
+    EXPECT_EQ(loadProfile(file_).profile.settings, Profile{}.settings);
 }
 
 TEST_F(ProfileFile, IsInTheConfigurationFolderOfTheUser) {

@@ -104,5 +104,59 @@ TEST(WorldValue, IdsAreValidInACopy) {
     EXPECT_EQ(copy.add(support::ballDef({}, 1)), world.add(support::ballDef({}, 1)));
 }
 
+// D9: the hash covers all that decides the future, also where nothing has moved yet.
+TEST(WorldValue, TheHashCoversWhatDecidesTheFuture) {
+    struct Change {
+        const char* name;
+        void (*apply)(World& world, BodyId ball, JointId joint);
+    };
+    const Change changes[] = {
+        {"gravity",
+         [](World& w, BodyId, JointId) {
+             w.setFields({{std::make_shared<Gravity>(Vec2{0, -9})}});
+         }},
+        {"no field", [](World& w, BodyId, JointId) { w.setFields({}); }},
+        {"settings",
+         [](World& w, BodyId, JointId) {
+             StepSettings settings;
+             settings.soft().contactHertz = 61;
+             w.setSettings(settings);
+         }},
+        {"features",
+         [](World& w, BodyId, JointId) {
+             StepSettings settings;
+             settings.leaveOut = Feature::Records;
+             w.setSettings(settings);
+         }},
+        {"region",
+         [](World& w, BodyId, JointId) {
+             w.setRegion(Aabb{{-9, -9}, {9, 9}});
+         }},
+        {"material", [](World& w, BodyId b, JointId) { w[b].setMaterial(withFriction(0, 1)); }},
+        {"user data", [](World& w, BodyId b, JointId) { w[b].setUserData(7); }},
+        {"joint",
+         [](World& w, BodyId, JointId j) {
+             auto def = std::get<DistanceJoint>(w.joint(j));
+             def.length += 1;
+             w.setJoint(j, def);
+         }},
+    };
+    World world({.gravity = support::kEarth});
+    const BodyId ball = world.add(support::ballDef({0, 3}, 1));
+    const BodyId other = world.add(support::ballDef({4, 3}, 1));
+    const JointId joint =
+        world.add(DistanceJoint{.ends = {.a = ball, .b = other}, .length = 4, .hertz = 2});
+    for (const Change& change : changes) {
+        World changed = world;
+        change.apply(changed, ball, joint);
+        EXPECT_NE(changed.stateHash(), world.stateHash()) << change.name;
+    }
+    World sameButShape({.gravity = support::kEarth});
+    World shape({.gravity = support::kEarth});
+    sameButShape.add({.shape = Box{1, 2}});
+    shape.add({.shape = Box{2, 1}, .rotation = Rot{}});
+    EXPECT_NE(sameButShape.stateHash(), shape.stateHash());
+}
+
 } // namespace
 } // namespace kodo

@@ -57,8 +57,8 @@ struct Carried {
 /// centerA.
 struct alignas(128) Contact {
     ContactKey key;
-    std::uint32_t teleportCountA = 0; // of the bodies, when the manifold was found
-    std::uint32_t teleportCountB = 0;
+    /// Bodies::teleportCount of both bodies, when the manifold was found.
+    std::array<std::uint32_t, 2> teleportCounts{};
     Real relativeDisplacement = 0; // m; see Carried
     ContactRow row;
     Real approachSpeed = 0; // m/s, before the solver
@@ -66,6 +66,7 @@ struct alignas(128) Contact {
     bool carried = false;   // the solver stores the contact with this manifold
     bool bounces = false;   // restitution > 0
     bool sensor = false;    // without response
+    bool sliding = false;   // with the kinetic coefficient, if that is below the static one
     bool passing = false;   // through a one-sided line from behind; see letPass
     bool hidden = false;    // ghost collision of this step; see GhostCollisions
     bool touching =

@@ -133,8 +133,8 @@ void ContactSet::putBack(std::span<const Contact> returning, Bodies& bodies) {
     for (const std::uint32_t slot : slots) {
         const Contact& contact = contacts()[slot];
         // Teleports during its absence from the list are not in the contact yet.
-        if (contact.teleportCountA != bodies.teleportCount[contact.key.bodyA] ||
-            contact.teleportCountB != bodies.teleportCount[contact.key.bodyB]) {
+        if (contact.teleportCounts[0] != bodies.teleportCount[contact.key.bodyA] ||
+            contact.teleportCounts[1] != bodies.teleportCount[contact.key.bodyB]) {
             bodies.noteTeleport(contact.key.bodyA);
             bodies.noteTeleport(contact.key.bodyB);
         }

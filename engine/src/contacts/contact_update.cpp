@@ -88,6 +88,7 @@ void replaceManifold(Contact& contact, const Manifold& manifold, Real near) {
     contact.impulse = impulse;
     contact.manifold = manifold;
     if (manifold.count == 0) {
+        contact.sliding = false;
         contact.friction = 0;
         contact.rolling = 0;
     }
@@ -109,8 +110,8 @@ bool addDisplacement(const Bodies& bodies, Contact& contact) {
     contact.relativeDisplacement += std::abs(between.x) + std::abs(between.y) +
                                     std::abs(motionA.deltaAngle) * bodies.extent[a].rotationReach +
                                     std::abs(motionB.deltaAngle) * bodies.extent[b].rotationReach;
-    return contact.teleportCountA == bodies.teleportCount[a] &&
-           contact.teleportCountB == bodies.teleportCount[b];
+    return contact.teleportCounts[0] == bodies.teleportCount[a] &&
+           contact.teleportCounts[1] == bodies.teleportCount[b];
 }
 
 /// True if two separated parts have not moved far enough to be within the margin.
@@ -204,8 +205,8 @@ void findContact(Contact& contact, const Bodies& bodies, const Tolerances& toler
     replaceManifold(contact, manifold,
                     std::min(kSamePlace * tolerances.slop, kSameShare * thinner));
     contact.relativeDisplacement = 0;
-    contact.teleportCountA = bodies.teleportCount[key.bodyA];
-    contact.teleportCountB = bodies.teleportCount[key.bodyB];
+    contact.teleportCounts[0] = bodies.teleportCount[key.bodyA];
+    contact.teleportCounts[1] = bodies.teleportCount[key.bodyB];
 }
 
 void measureApproach(Contact& contact, const Bodies& bodies) {
@@ -280,6 +281,7 @@ void clearContact(Contact& contact) {
     contact.rolling = 0;
     contact.carried = false;
     contact.passing = false;
+    contact.sliding = false;
     contact.row = {}; // discards the state in the lane
 }
 

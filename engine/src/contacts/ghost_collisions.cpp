@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "contacts/ghost_collisions.hpp"
 
+#include "collide/rising_face.hpp"
+#include "contacts/contact_update.hpp"
+
+#include <optional>
 #include <utility>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
+
+constexpr Real kSimilarNormals = Real(0.9); // least cosine between which impulses are kept
 
 /// Contact of a movable body with an immovable one, as seen from the movable one.
 struct Ground {
@@ -49,6 +55,39 @@ bool liesUnder(const ConvexShape& convex, const Transform& pose, Vec2 normal, Ve
     return true;
 }
 
+/// Replaces a contact at the vertex where its ground rises from the carrying face; see
+/// contactWithRisingFace(). False if it stays.
+bool replaceByRisingFace(const GhostCollisions::Step& step, Contact& contact,
+                         const CarryingFace& carrying) {
+    const Bodies& bodies = step.bodies;
+    const ContactKey& key = contact.key;
+    const ConvexShape& a = bodies.convex(key.bodyA, key.partA);
+    const ConvexShape& b = bodies.convex(key.bodyB, key.partB);
+    const Transform& poseA = bodies.pose[key.bodyA];
+    const Transform& poseB = bodies.pose[key.bodyB];
+    const bool groundIsA = bodies.locked(key.bodyA);
+    std::optional<Manifold> ahead =
+        groundIsA ? contactWithRisingFace(a, poseA, b, poseB, contact.manifold, carrying)
+                  : contactWithRisingFace(b, poseB, a, poseA, swapped(contact.manifold), carrying);
+    if (!ahead) {
+        return false;
+    }
+    step.evict(contact);
+    if (!groundIsA) {
+        ahead = swapped(*ahead);
+    }
+    if (ahead->count == 0 || dot(ahead->normal, contact.manifold.normal) < kSimilarNormals) {
+        contact.impulse = {};
+        contact.friction = 0;
+        contact.rolling = 0;
+    }
+    contact.impulse[1] = {};
+    contact.manifold = *ahead;
+    contact.carried = false;
+    measureApproach(contact, bodies);
+    return true;
+}
+
 } // namespace
 
 void GhostCollisions::link(const Bodies& bodies, std::span<const ContactSummary> summaries,
@@ -66,30 +105,45 @@ void GhostCollisions::link(const Bodies& bodies, std::span<const ContactSummary>
     }
 }
 
-void GhostCollisions::hide(const Bodies& bodies, std::span<Contact> contacts,
-                           std::span<ContactSummary> summaries,
-                           const Tolerances& tolerances) const {
+/// Hides or replaces one contact if it is a ghost beside that of the carrier.
+void GhostCollisions::hideBehind(const Step& step, std::uint32_t carrier, std::uint32_t slot) {
+    const Bodies& bodies = step.bodies;
+    const std::span<Contact> contacts = step.contacts;
+    const std::span<ContactSummary> summaries = step.summaries;
+    const Tolerances& tolerances = step.tolerances;
+    const Ground carrying = groundOf(bodies, contacts[carrier]);
+    const Vec2 point = bodies.pose[carrying.body].position + carrying.arm;
+    Contact& contact = contacts[slot];
+    const Ground ground = groundOf(bodies, contact);
+    const bool sameWay =
+        contact.manifold.count > 0 && dot(ground.normal, carrying.normal) > Real(0.99999);
+    if (sameWay || ground.carried != carrying.carried || areChain(bodies, carrying, ground)) {
+        return;
+    }
+    const ConvexShape& convex = bodies.convex(ground.body, ground.part);
+    if (liesUnder(convex, bodies.pose[ground.body], carrying.normal, point, tolerances.slop)) {
+        contact.hidden = true;
+        summaries[slot].idle = false;
+        summaries[slot].kept = false;
+        return;
+    }
+    if (contact.manifold.count > 0 && !contact.hidden) {
+        if (replaceByRisingFace(step, contact,
+                                {carrying.normal, point, tolerances.slop, tolerances.margin})) {
+            summaries[slot].idle = false;
+            summaries[slot].note(contact);
+        }
+    }
+}
+
+void GhostCollisions::hide(const Step& step) const {
     for (const std::uint32_t body : onPieces_) {
         for (std::uint32_t i = first_[body]; i != kEnd; i = next_[i]) {
-            const Contact& carrier = contacts[i];
-            if (carrier.hidden || !carrier.responds() ||
-                summaries[i].separation[0] > tolerances.slop) {
-                continue;
-            }
-            const Ground carrying = groundOf(bodies, carrier);
-            const Vec2 point = bodies.pose[carrying.body].position + carrying.arm;
             for (std::uint32_t k = first_[body]; k != kEnd; k = next_[k]) {
-                Contact& other = contacts[k];
-                const Ground ground = groundOf(bodies, other);
-                const bool sameWay =
-                    other.manifold.count > 0 && dot(ground.normal, carrying.normal) > Real(0.99999);
-                if (k != i && !sameWay && ground.carried == carrying.carried &&
-                    !areChain(bodies, carrying, ground) &&
-                    liesUnder(bodies.convex(ground.body, ground.part), bodies.pose[ground.body],
-                              carrying.normal, point, tolerances.slop)) {
-                    other.hidden = true;
-                    summaries[k].idle = false;
-                    summaries[k].kept = false;
+                const Contact& carrier = step.contacts[i];
+                if (k != i && !carrier.hidden && carrier.responds() &&
+                    step.summaries[i].separation[0] <= step.tolerances.slop) {
+                    hideBehind(step, i, k);
                 }
             }
         }

@@ -6,6 +6,7 @@
 #include "bodies/bodies.hpp"
 #include "contacts/contact.hpp"
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -16,7 +17,8 @@ inline namespace KODO_PRECISION {
 ///
 /// A body that slides over two flush immovable pieces touches the side or a corner of the second.
 /// If the whole second piece lies below the surface that carries the body, that contact is hidden
-/// for the step. A real step or wall rises above the surface, and its contact stays. Only contacts
+/// for the step. If the piece rises from the surface, a contact at its lowest vertex becomes one
+/// with the face that rises. A real step or wall keeps its contact. Only contacts
 /// of the same part are compared: another part, such as a fork around a wall, may be below the
 /// surface.
 class GhostCollisions {
@@ -26,11 +28,19 @@ public:
     /// order, without sensors.
     void link(const Bodies& bodies, std::span<const ContactSummary> summaries,
               std::span<const std::uint32_t> onGround);
-    /// Hides the ghost collisions of this step.
-    void hide(const Bodies& bodies, std::span<Contact> contacts,
-              std::span<ContactSummary> summaries, const Tolerances& tolerances) const;
+    struct Step {
+        const Bodies& bodies;
+        std::span<Contact> contacts;
+        std::span<ContactSummary> summaries;
+        const Tolerances& tolerances;
+        const std::function<void(Contact&)>& evict; // see SolverStorage
+    };
+    /// Hides or replaces the ghost collisions of this step.
+    void hide(const Step& step) const;
 
 private:
+    static void hideBehind(const Step& step, std::uint32_t carrier, std::uint32_t slot);
+
     static constexpr std::uint32_t kEnd = ~std::uint32_t{};
 
     std::vector<std::uint32_t> first_;    // by body: its first contact with an immovable body

@@ -240,7 +240,7 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
         noteKinds(bodies, team);
         ghostCollisions_.link(bodies, summaries(), onGround_);
     }
-    ghostCollisions_.hide(bodies, contacts(), store_.summaries(), tolerances);
+    ghostCollisions_.hide({bodies, contacts(), store_.summaries(), tolerances, keeper.evict});
 }
 
 /// Notes whether any contact has a sensor or restitution. Lists the contacts between an immovable

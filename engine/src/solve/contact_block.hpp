@@ -47,9 +47,9 @@ struct alignas(64) ContactBlock {
     Point points[2];
     Each tangentLeverA; // m, for the mean of both points, which share one friction impulse
     Each tangentLeverB;
-    Each tangentMass; // kg
-    Each friction;    // N s
-    Each staticFriction;
+    Each tangentMass;    // kg
+    Each friction;       // N s
+    Each staticFriction; // < 0, with its sign reversed: the contact slides
     Each kineticFriction;
     Each pushSpeed; // m/s, largest speed that separates an overlap
     Each total;     // N s, normal impulses, sum over the step
@@ -76,6 +76,7 @@ struct BlockUse {
     std::uint8_t movesA = 0;   // lane mask: body a is not locked
     std::uint8_t movesB = 0;
     Shared shared = Shared::None;
+    bool unlike = false; // some contact has a static friction above the kinetic one
 };
 
 /// Values shared by all contacts in a substep.
@@ -84,7 +85,8 @@ struct PassSettings {
     Softness onLocked;
     Real invH;
     bool friction;
-    Real kept; // factor of the sums so far: 0 in the first substep, else 1
+    Real kept;     // factor of the sums so far: 0 in the first substep, else 1
+    Real left = 1; // substeps of the step that are left, with this one
 };
 
 /// One pass over `count` blocks in the order of `order`. `motion` is indexed by body.

@@ -86,7 +86,8 @@ void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const
     block.tangentMass[lane] =
         effectiveMass(a, b, block.tangentLeverA[lane], block.tangentLeverB[lane]);
     block.friction[lane] = contact.friction / parts;
-    block.staticFriction[lane] = contact.material.staticFriction;
+    block.staticFriction[lane] =
+        contact.sliding ? -contact.material.staticFriction : contact.material.staticFriction;
     block.kineticFriction[lane] = contact.material.kineticFriction;
     block.pushSpeed[lane] = rules.pushSpeed;
     block.total[lane] = 0;
@@ -108,6 +109,7 @@ void readImpulses(const ContactBlock& block, std::size_t lane, Contact& contact,
         contact.impulse[i].normal = parts * block.points[i].impulse[lane];
     }
     contact.friction = parts * block.friction[lane];
+    contact.sliding = block.staticFriction[lane] < 0;
 }
 
 void readImpactImpulses(const ContactBlock& block, std::size_t lane, Contact& contact, Real parts) {

@@ -50,15 +50,6 @@ void ContactBlocks::refine(const Refinement& refinement, ContactSet& contacts,
     }
 }
 
-bool ContactBlocks::worthPartitioning() const {
-    for (std::uint32_t level = 0; level < kLevels; ++level) {
-        if (worthPartitioning(level)) {
-            return true;
-        }
-    }
-    return false;
-}
-
 void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, bool friction,
                           bool rolling) {
     resizeByBody(colours_, bodies);
@@ -286,6 +277,9 @@ void ContactBlocks::fill(const Bodies& bodies, Contact& contact) {
                           BlockBins::partsOf(states_[blockOf(contact.row.index)].bin),
                           use_[blockOf(contact.row.index)].shared};
     fillLane(block, lane, bodies, contact, rules);
+    if (contact.material.staticFriction > contact.material.kineticFriction) {
+        use_[blockOf(contact.row.index)].unlike = true;
+    }
     std::int32_t& place = use_[blockOf(contact.row.index)].rolling;
     const bool rolls = features_.rolling && contact.material.rollingResistance > 0;
     if (rolls && place < 0) {

@@ -85,7 +85,6 @@ public:
     bool worthPartitioning(std::uint32_t level) const {
         return rows_[level] > kWorthPartitioning * passOrder_.colours(level).size();
     }
-    bool worthPartitioning() const;
     /// Lanes in use, of all levels or of one.
     std::size_t size() const { return std::accumulate(rows_.begin(), rows_.end(), std::size_t{0}); }
     std::size_t size(std::uint32_t level) const { return rows_[level]; }
@@ -100,6 +99,14 @@ public:
     /// By row: true if the contact touched in the last step. The entry behind the last row is
     /// false.
     std::span<const std::uint8_t> touched() const { return touching_; }
+
+    /// Coefficients and impulses of a contact in the passes.
+    struct Lane {
+        ContactBlock& block;
+        RollingBlock* rolling; // or nullptr
+        std::size_t lane;
+    };
+    Lane laneAt(std::uint32_t row);
 
     /// Writes the state of a resident contact back as far as the next step needs it. The contact is
     /// not resident then.

@@ -2,6 +2,7 @@
 // Included by contact_passes*.cpp, each of which is compiled for one instruction set. All functions
 // have internal linkage and call no inline function from elsewhere; lanes.hpp gives the reason.
 #include "solve/contact_carry.inl"
+#include "solve/contact_friction.inl"
 #include "solve/contact_lanes.inl"
 
 namespace kodo {
@@ -64,12 +65,6 @@ struct Approach {
     Lanes pushSpeed; // m/s, largest separating speed
 };
 
-/// Impulse before clamping, from the velocities before the impulses of this visit.
-struct Unclamped {
-    Lanes impulse; // N s
-    Lanes mass;    // kg; decrease of the impulse per m/s that other impulses add along the line
-};
-
 /// Unclamped impulse of one point of each contact:
 ///
 ///   lambda = mass_scale (lambda_sum - m (v_n + bias))
@@ -111,19 +106,6 @@ KODO_LANES_INLINE Lanes pushPoint(ContactBlock::Point& point, int at, Lanes uncl
     return next - impulse;
 }
 
-/// Both points share one friction impulse: |friction| <= mu (sum of normal impulses). `stick` is
-/// the impulse that stops all sliding. The static coefficient applies while it allows `stick`, else
-/// the kinetic one. Returns the change (N s).
-KODO_LANES_INLINE Lanes applyFriction(ContactBlock& block, int at, Lanes stick, Lanes pressed) {
-    const Lanes friction = load(block.friction + at);
-    const Lanes hold = load(block.staticFriction + at) * pressed;
-    const Lanes slip = load(block.kineticFriction + at) * pressed;
-    const auto slides = (larger(stick, -stick) > hold);
-    const Lanes next = slides ? larger(smaller(stick, slip), -slip) : stick;
-    store(block.friction + at, next);
-    return next - friction;
-}
-
 KODO_LANES_INLINE void solveRolling(RollingBlock& block, int at, Pair& pair, Lanes pressed) {
     const Lanes impulse = load(block.impulse + at);
     const Lanes limit = load(block.lever + at) * pressed;
@@ -131,6 +113,16 @@ KODO_LANES_INLINE void solveRolling(RollingBlock& block, int at, Pair& pair, Lan
     const Lanes next = larger(smaller(wanted, limit), -limit);
     store(block.impulse + at, next);
     spin(pair, next - impulse, next - impulse);
+}
+
+/// The velocities of kLanes contacts. `inertias`: 1/inertia of bodies a and b.
+template <bool isShared>
+KODO_LANES_INLINE Pair gatherPair(const ContactBlock& block, int at, BodyVelocity* motion,
+                                  const Couple& inertias, Shared shared) {
+    Pair pair{gather(firstHalf(motion), block.a + at), gather(firstHalf(motion), block.b + at),
+              inertias.x, inertias.y};
+    splitMass<isShared>(pair, shared);
+    return pair;
 }
 
 /// Solves kLanes contacts from the velocities before this visit. An impulse d1 at the first point
@@ -143,7 +135,7 @@ KODO_LANES_INLINE void solveRolling(RollingBlock& block, int at, Pair& pair, Lan
 /// t is the tangent; k1t has no 1/m since tangent and normal are perpendicular. k2t is the same for
 /// the second point. So the result is that of sequential impulses, with a short dependency chain.
 /// The function is not split: the compiler would keep a struct of these values in memory.
-template <Task task, int points, bool isShared>
+template <Task task, int points, bool isShared, bool unlike>
 KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, int at,
                                   BodyVelocity* motion, const Rules& rules) {
     const PassSettings& settings = rules.settings;
@@ -151,9 +143,7 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
     const Lanes ny = load(block.normalY + at);
     const Quad moveA = gather(secondHalf(motion), block.a + at);
     const Quad moveB = gather(secondHalf(motion), block.b + at);
-    Pair pair{gather(firstHalf(motion), block.a + at), gather(firstHalf(motion), block.b + at),
-              moveA.w, moveB.w};
-    splitMass<isShared>(pair, rules.use.shared);
+    Pair pair = gatherPair<isShared>(block, at, motion, {moveA.w, moveB.w}, rules.use.shared);
     ContactBlock::Point& point1 = block.points[0];
     ContactBlock::Point& point2 = block.points[points - 1]; // the first again if there is one
     const Turning line1 = turning(pair, point1.leverA + at, point1.leverB + at);
@@ -162,26 +152,30 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
     const Lanes moved = nx * (moveB.x - moveA.x) + ny * (moveB.y - moveA.y);
     const Lanes dx = pair.b.x - pair.a.x;
     const Lanes dy = pair.b.y - pair.a.y;
-    const Lanes along = nx * dx + ny * dy;
     const auto approachAt = [&](const ContactBlock::Point& point, const Turning& line) {
         return Approach{load(point.separation + at) + moved + speedOfTurns(line, moveA.z, moveB.z),
-                        along + speedOfTurns(line, pair.a.z, pair.b.z), load(block.pushSpeed + at)};
+                        (nx * dx + ny * dy) + speedOfTurns(line, pair.a.z, pair.b.z),
+                        load(block.pushSpeed + at)};
     };
     const Unclamped first = unclampedAt<task>(point1, at, approachAt(point1, line1), rules);
     const Unclamped second = unclampedAt<task>(point2, at, approachAt(point2, line2), rules);
-    const Lanes coupling12 = second.mass * ((pair.a.w + pair.b.w) + turnCoupling(line2, line1));
+    const Lanes response12 = (pair.a.w + pair.b.w) + turnCoupling(line2, line1);
     const Lanes tangentMass = load(block.tangentMass + at);
     Lanes stick = load(block.friction + at) -
                   tangentMass * ((nx * dy - ny * dx) + speedOfTurns(tangent, pair.a.z, pair.b.z));
     const Lanes coupling1t = tangentMass * turnCoupling(line1, tangent);
     const Lanes coupling2t = tangentMass * turnCoupling(line2, tangent);
-    Lanes change = pushPoint<task>(point1, at, first.impulse, settings.kept);
+    const Together wanted = together < points == 2 && task == Task::Relax,
+                   unlike > (block, at, first, second,
+                             {response12, coupling1t, coupling2t, tangentMass, stick});
+    Lanes change = pushPoint<task>(point1, at, wanted.first, settings.kept);
     Lanes sum = load(point1.impulse + at);
     spin(pair, line1, change);
     stick -= coupling1t * change;
     if constexpr (points == 2) {
-        const Lanes more =
-            pushPoint<task>(point2, at, second.impulse - coupling12 * change, settings.kept);
+        const Lanes alone = second.impulse - second.mass * response12 * change;
+        const Lanes next = unlike ? (wanted.sticks ? wanted.second : alone) : alone;
+        const Lanes more = pushPoint<task>(point2, at, next, settings.kept);
         sum += load(point2.impulse + at);
         spin(pair, line2, more);
         stick -= coupling2t * more;
@@ -189,7 +183,7 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
     }
     push(pair, nx, ny, change);
     if (task == Task::Relax && settings.friction) {
-        const Lanes rubbed = applyFriction(block, at, stick, sum);
+        const Lanes rubbed = rub<unlike>(block, at, stick, sum, settings.left);
         push(pair, -ny, nx, rubbed);
         spin(pair, tangent, rubbed);
     }
@@ -202,25 +196,26 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
     putBackPair<isShared>(pair, block, at, motion, rules.use, rules.copies);
 }
 
-template <Task task, int points, bool isShared>
+template <Task task, int points, bool isShared, bool unlike = false>
 KODO_LANES_INLINE void solveBlock(ContactBlock& block, RollingBlock* rolling, BodyVelocity* motion,
                                   const Rules& rules) {
     for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
-        solveLanes<task, points, isShared>(block, rolling, at, motion, rules);
+        solveLanes<task, points, isShared, unlike>(block, rolling, at, motion, rules);
     }
     if constexpr (isShared) {
         joinCopies(block, motion, rules.use, rules.copies);
     }
 }
 
-/// solveBlock() for a block with a shared body. Not inlined: it is rare.
-template <Task task>
-__attribute__((noinline)) void solveShared(ContactBlock& block, RollingBlock* rolling,
-                                           BodyVelocity* motion, const Rules& rules) {
+/// solveBlock() for a block with a shared body, or in the relax pass for one whose static friction
+/// differs from the kinetic one. Not inlined: both are rare.
+template <Task task, bool isShared, bool unlike>
+__attribute__((noinline)) void solveRare(ContactBlock& block, RollingBlock* rolling,
+                                         BodyVelocity* motion, const Rules& rules) {
     if (rules.use.twoPoints) {
-        solveBlock<task, 2, true>(block, rolling, motion, rules);
+        solveBlock<task, 2, isShared, unlike>(block, rolling, motion, rules);
     } else {
-        solveBlock<task, 1, true>(block, rolling, motion, rules);
+        solveBlock<task, 1, isShared, unlike>(block, rolling, motion, rules);
     }
 }
 
@@ -237,8 +232,12 @@ void solveBlocks(const ContactPassArguments& pass) {
         const Rules rules{soft.biasRate, soft.massScale, settings, use, copies};
         RollingBlock* const rolling = use.rolling < 0 ? nullptr : pass.rolling + use.rolling;
         ContactBlock& block = pass.blocks[i];
+        const bool unlike = task == Task::Relax && use.unlike;
         if (use.shared != Shared::None) {
-            solveShared<task>(block, rolling, pass.motion, rules);
+            (unlike ? solveRare<task, true, task == Task::Relax>
+                    : solveRare<task, true, false>)(block, rolling, pass.motion, rules);
+        } else if (unlike) {
+            solveRare<task, false, task == Task::Relax>(block, rolling, pass.motion, rules);
         } else if (use.twoPoints) {
             solveBlock<task, 2, false>(block, rolling, pass.motion, rules);
         } else {

@@ -2,7 +2,7 @@
 #include "solve/impact_solver.hpp"
 
 #include "contacts/contact_update.hpp"
-#include "solve/leverage.hpp"
+#include "solve/impact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,46 +23,6 @@ struct Response {
 constexpr Real kSingular = sizeof(Real) == 4 ? Real(1e-5) : Real(1e-12);
 // Largest ratio of an impact impulse on both points to that on one of them.
 constexpr Real kHardest = 16;
-
-/// One contact with its two bodies.
-struct Impact {
-    const Bodies& bodies;
-    Contact& contact;
-    BodyVelocity& a;
-    BodyVelocity& b;
-    bool frictionless;
-
-    Vec2 normal() const { return contact.manifold.normal; }
-    Vec2 tangent() const { return perp(contact.manifold.normal); }
-    const ManifoldPoint& point(std::size_t i) const { return contact.manifold.points[i]; }
-    Vec2 relativeVelocity(std::size_t i) const {
-        return velocityAt(b, point(i).armB) - velocityAt(a, point(i).armA);
-    }
-    /// True if neither body gives way along the normal.
-    bool blocked(std::size_t i) const { return isBlocked(bodies, contact, i); }
-    /// Applies an impact impulse (N s) along normal and tangent.
-    void push(std::size_t i, Real jn, Real jt) const {
-        const Vec2 impulse = jn * normal() + jt * tangent();
-        const auto& [armA, armB, separation, feature] = point(i);
-        a.velocity -= a.invMass * impulse;
-        b.velocity += b.invMass * impulse;
-        a.angularVelocity -=
-            a.invInertia * (leverOf(armA, normal()) * jn + leverOf(armA, tangent()) * jt);
-        b.angularVelocity +=
-            b.invInertia * (leverOf(armB, normal()) * jn + leverOf(armB, tangent()) * jt);
-        contact.impulse[i].impact += jn;
-        contact.hasStepImpulses = true;
-    }
-};
-
-/// Relative velocity along u at point i per impulse along v at point k (m/s per N s).
-Real response(const Impact& hit, std::size_t i, Vec2 u, std::size_t k, Vec2 v) {
-    const ManifoldPoint& p = hit.point(i);
-    const ManifoldPoint& q = hit.point(k);
-    return (hit.a.invMass + hit.b.invMass) * dot(u, v) +
-           hit.a.invInertia * leverOf(p.armA, u) * leverOf(q.armA, v) +
-           hit.b.invInertia * leverOf(p.armB, u) * leverOf(q.armB, v);
-}
 
 /// The friction impulse of one point, along t (N s). The impulses with the correct rebound speed
 /// are
@@ -98,7 +58,7 @@ void hitPoint(const Impact& hit, std::size_t i) {
     const Vec2 v = hit.relativeVelocity(i);
     const Response k{response(hit, i, n, i, n), response(hit, i, n, i, t),
                      response(hit, i, t, i, t)};
-    const Material& material = hit.contact.material;
+    const Material& material = hit.contact->material;
     const Real stop = -dot(n, v) / k.nn;
     const bool slides = !hit.frictionless && material.staticFriction > 0;
     const bool givesWay = k.nn * k.tt - k.nt * k.nt >= kSingular * k.nn * k.tt;
@@ -114,14 +74,14 @@ void applyFriction(const Impact& hit, std::size_t i, Real jn) {
         return; // neither body gives way along the tangent
     }
     const Real stick = -dot(t, hit.relativeVelocity(i)) / k;
-    const Material& material = hit.contact.material;
+    const Material& material = hit.contact->material;
     const Real limit = material.kineticFriction * jn;
     const bool sticks = std::abs(stick) <= material.staticFriction * jn;
     hit.push(i, 0, sticks ? stick : std::clamp(stick, -limit, limit));
 }
 
 void applyFrictionToBoth(const Impact& hit, Real j1, Real j2) {
-    if (!hit.frictionless && hit.contact.material.staticFriction > 0) {
+    if (!hit.frictionless && hit.contact->material.staticFriction > 0) {
         applyFriction(hit, 0, j1);
         applyFriction(hit, 1, j2);
     }
@@ -134,7 +94,7 @@ bool hitBoth(const Impact& hit) {
     const Real k11 = response(hit, 0, n, 0, n);
     const Real k22 = response(hit, 1, n, 1, n);
     const Real k12 = response(hit, 0, n, 1, n);
-    const Real gain = -(1 + hit.contact.material.restitution);
+    const Real gain = -(1 + hit.contact->material.restitution);
     const Real w1 = gain * dot(n, hit.relativeVelocity(0));
     const Real w2 = gain * dot(n, hit.relativeVelocity(1));
     const Real determinant = k11 * k22 - k12 * k12;
@@ -164,16 +124,10 @@ bool hitBoth(const Impact& hit) {
     return true;
 }
 
-/// Approach speed (m/s) at point i if it is an impact, else 0.
-Real approach(const Impact& hit, std::size_t i, Real restSpeed) {
-    const Real speed = -dot(hit.normal(), hit.relativeVelocity(i));
-    return speed > restSpeed ? speed : 0;
-}
-
 /// True if an impact impulse was applied.
 bool hitContact(const Impact& hit, const Tolerances& tolerances, Real restSpeed) {
     Real speed[2] = {0, 0};
-    for (std::size_t i = 0; i < static_cast<std::size_t>(hit.contact.manifold.count); ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(hit.contact->manifold.count); ++i) {
         if (hit.point(i).separation <= tolerances.slop && !hit.blocked(i)) {
             speed[i] = approach(hit, i, restSpeed);
         }
@@ -191,12 +145,18 @@ bool hitContact(const Impact& hit, const Tolerances& tolerances, Real restSpeed)
 /// True if the contact touches and approaches, so that solveImpact() may act. It reads the
 /// separations of the summary, so that a resident contact stays resident.
 bool approaches(const Impact& hit, const ContactSummary& summary, Real slop, Real restSpeed) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(hit.contact.manifold.count); ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(hit.contact->manifold.count); ++i) {
         if (summary.separation[i] <= slop && approach(hit, i, restSpeed) > 0) {
             return true;
         }
     }
     return false;
+}
+
+/// A body that can only rotate, pinched between moving walls, would get ever larger impulses.
+bool isPinched(const Impact& hit) {
+    const bool hinged = hit.a->invMass == 0 && hit.b->invMass == 0;
+    return hinged && hit.contact->impulse[0].impact + hit.contact->impulse[1].impact > 0;
 }
 
 constexpr std::size_t kContactsPerPiece = 512;
@@ -244,14 +204,9 @@ bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,
     if (!contact.responds()) {
         return false;
     }
-    const Impact hit{bodies, contact, bodies.motion[contact.key.bodyA],
-                     bodies.motion[contact.key.bodyB], !settings.has(Feature::Friction)};
-    // A body that can only rotate, pinched between moving walls, would get ever larger impulses.
-    const bool hinged = hit.a.invMass == 0 && hit.b.invMass == 0;
-    if (hinged && contact.impulse[0].impact + contact.impulse[1].impact > 0) {
-        return false;
-    }
-    return hitContact(hit, tolerances, restSpeedOf(bodies, contact, dt));
+    const Impact hit{&bodies, &contact, &bodies.motion[contact.key.bodyA],
+                     &bodies.motion[contact.key.bodyB], !settings.has(Feature::Friction)};
+    return !isPinched(hit) && hitContact(hit, tolerances, restSpeedOf(bodies, contact, dt));
 }
 
 void ImpactSolver::solve(Bodies& bodies, ContactSet& contactSet, const ContactBlocks& blocks,
@@ -273,55 +228,138 @@ void ImpactSolver::solve(Bodies& bodies, ContactSet& contactSet, const ContactBl
         return;
     }
     wasHit_.assign(bodies.size(), 0);
+    lastPass_.assign(summaries.size(), 0);
+    sets_.resize(bodies.size());
+    present_.clear();
     bouncing_.clear();
-    // Neither body was hit in this step: the contact approaches as measured.
-    const auto isUnmoved = [&](const ContactSummary& summary) {
-        return (wasHit_[summary.bodyA] | wasHit_[summary.bodyB]) == 0 && !wasFast(summary);
-    };
-    const Inputs inputs{bodies, contactSet, blocks, step};
-    bool any = false;
     contactSet.store().forEachInOrder([&](std::uint32_t slot) {
-        const ContactSummary& summary = summaries[slot];
-        if (summary.idle) {
-            return;
+        if (!summaries[slot].idle) {
+            present_.push_back(slot);
+            if (summaries[slot].bounces) {
+                bouncing_.push_back(slot);
+            }
         }
-        if (summary.bounces) {
-            bouncing_.push_back(slot);
-        }
-        any = (!isUnmoved(summary) && solveContact(inputs, slot)) || any;
     });
+    const Inputs inputs{bodies, contactSet, blocks, step, restSpeed};
+    const int passes = std::max(1, std::get<SoftSettings>(step.settings.solver).impactPasses);
+    bool again = solvePass(inputs, present_, 1);
     // Without restitution once; the contact solver follows.
-    const int passes = std::get<SoftSettings>(step.settings.solver).impactPasses;
-    for (int pass = 1; pass < passes && std::exchange(any, false); ++pass) {
-        for (const std::uint32_t slot : bouncing_) {
-            any = (!isUnmoved(summaries[slot]) && solveContact(inputs, slot)) || any;
-        }
+    for (int pass = 2; pass <= passes && again; ++pass) {
+        again = solvePass(inputs, bouncing_, static_cast<std::uint32_t>(pass));
     }
 }
 
-/// True if the contact got an impulse.
-bool ImpactSolver::solveContact(const Inputs& inputs, std::uint32_t slot) {
-    const auto& [bodies, contactSet, blocks, step] = inputs;
-    const ContactSummary& summary = contactSet.summaries()[slot];
-    Contact& contact = contactSet.contacts()[slot];
-    const Impact hit{bodies, contact, bodies.motion[summary.bodyA], bodies.motion[summary.bodyB],
-                     !step.settings.has(Feature::Friction)};
-    if (!approaches(hit, summary, step.tolerances.slop, restSpeedOf(bodies, contact, step.dt))) {
-        return false;
+/// Solves each contact of a list at most once: in each round, all that approach. True if a contact
+/// approaches again.
+bool ImpactSolver::solvePass(const Inputs& inputs, std::span<const std::uint32_t> list,
+                             std::uint32_t pass) {
+    const auto& [bodies, contactSet, blocks, step, restSpeed] = inputs;
+    const std::span<const ContactSummary> summaries = contactSet.summaries();
+    for (;;) {
+        bool again = false;
+        approaching_.clear();
+        for (const std::uint32_t slot : list) {
+            const ContactSummary& summary = summaries[slot];
+            if (bodies.locked(summary.bodyA) && bodies.locked(summary.bodyB)) {
+                continue;
+            }
+            if ((wasHit_[summary.bodyA] | wasHit_[summary.bodyB]) == 0 &&
+                !(summary.approachSpeed > inputs.restSpeed && isFast(bodies, summary, step.dt))) {
+                continue; // neither body was hit in this step: it approaches as measured
+            }
+            const Impact hit = impactOf(inputs, slot);
+            if (hit.contact->responds() && approaches(hit, summary, step.tolerances.slop,
+                                                      restSpeedOf(bodies, *hit.contact, step.dt))) {
+                again = again || lastPass_[slot] == pass;
+                if (lastPass_[slot] != pass) {
+                    approaching_.push_back(slot);
+                }
+            }
+        }
+        if (approaching_.empty()) {
+            return again;
+        }
+        solveRound(inputs, pass);
+        list = bouncing_; // the contact solver follows for the others
     }
-    blocks.evict(contact, bodies);
-    if (contact.bounces && contact.relativeDisplacement > 0) {
-        // Arms that are off by this would change the angular momentum.
-        findContact(contact, bodies, step.tolerances);
-        contact.carried = false;
+}
+
+/// Solves the contacts in approaching_. Those that share bodies are solved together.
+void ImpactSolver::solveRound(const Inputs& inputs, std::uint32_t pass) {
+    const Bodies& bodies = inputs.bodies;
+    const std::span<const ContactSummary> summaries = inputs.contactSet.summaries();
+    const auto forMovable = [&](std::uint32_t slot, auto work) {
+        for (const std::uint32_t body : {summaries[slot].bodyA, summaries[slot].bodyB}) {
+            if (!bodies.locked(body)) {
+                work(body);
+            }
+        }
+    };
+    for (const std::uint32_t slot : approaching_) {
+        forMovable(slot, [&](std::uint32_t body) { sets_.makeSet(body); });
     }
-    contactSet.noteContact(slot);
-    if (!solveImpact(bodies, contact, step.settings, step.tolerances, step.dt)) {
-        return false;
+    for (const std::uint32_t slot : approaching_) {
+        if (!bodies.locked(summaries[slot].bodyA) && !bodies.locked(summaries[slot].bodyB)) {
+            sets_.join(summaries[slot].bodyA, summaries[slot].bodyB);
+        }
     }
-    wasHit_[summary.bodyA] = bodies.locked(summary.bodyA) ? 0 : 1;
-    wasHit_[summary.bodyB] = bodies.locked(summary.bodyB) ? 0 : 1;
-    return true;
+    grouped_.clear();
+    for (const std::uint32_t slot : approaching_) {
+        const bool movesA = !bodies.locked(summaries[slot].bodyA);
+        grouped_.emplace_back(sets_.rootOf(movesA ? summaries[slot].bodyA : summaries[slot].bodyB),
+                              static_cast<std::uint32_t>(grouped_.size()));
+        lastPass_[slot] = pass;
+    }
+    std::sort(grouped_.begin(), grouped_.end()); // total order: the second numbers are unique
+    for (const std::uint32_t slot : approaching_) {
+        forMovable(slot, [&](std::uint32_t body) { sets_.drop(body); });
+    }
+    for (std::size_t first = 0; first < grouped_.size();) {
+        group_.clear();
+        const std::uint32_t root = grouped_[first].first;
+        for (; first < grouped_.size() && grouped_[first].first == root; ++first) {
+            group_.push_back(approaching_[grouped_[first].second]);
+        }
+        solveGroup(inputs);
+    }
+}
+
+/// Solves the contacts in group_ together.
+void ImpactSolver::solveGroup(const Inputs& inputs) {
+    const auto& [bodies, contactSet, blocks, step, restSpeed] = inputs;
+    hits_.clear();
+    for (const std::uint32_t slot : group_) {
+        Contact& contact = contactSet.contacts()[slot];
+        blocks.evict(contact, bodies);
+        if (contact.bounces && contact.relativeDisplacement > 0) {
+            // Arms that are off by this would change the angular momentum.
+            findContact(contact, bodies, step.tolerances);
+            contact.carried = false;
+        }
+        contactSet.noteContact(slot);
+        if (group_.size() > 1) {
+            const Impact hit = impactOf(inputs, slot);
+            if (hit.contact->responds() && !isPinched(hit)) {
+                hits_.push_back(hit);
+            }
+        } else if (!solveImpact(bodies, contact, step.settings, step.tolerances, step.dt)) {
+            return;
+        }
+    }
+    together_.solve(hits_, step.tolerances);
+    for (const std::uint32_t slot : group_) {
+        const ContactSummary& summary = contactSet.summaries()[slot];
+        wasHit_[summary.bodyA] = bodies.locked(summary.bodyA) ? 0 : 1;
+        wasHit_[summary.bodyB] = bodies.locked(summary.bodyB) ? 0 : 1;
+    }
+}
+
+/// One contact with its bodies.
+Impact ImpactSolver::impactOf(const Inputs& inputs, std::uint32_t slot) {
+    const ContactSummary& summary = inputs.contactSet.summaries()[slot];
+    return {&inputs.bodies, &inputs.contactSet.contacts()[slot],
+            &inputs.bodies.motion[summary.bodyA], &inputs.bodies.motion[summary.bodyB],
+            !inputs.step.settings.has(Feature::Friction)};
 }
 
 } // namespace KODO_PRECISION

@@ -3,10 +3,15 @@
 
 #include <kodo/settings.hpp>
 
+#include "base/disjoint_sets.hpp"
 #include "bodies/bodies.hpp"
 #include "contacts/contact_set.hpp"
 #include "solve/contact_blocks.hpp"
+#include "solve/impact.hpp"
+#include "solve/simultaneous_impacts.hpp"
 
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace kodo {
@@ -16,15 +21,17 @@ inline namespace KODO_PRECISION {
 /// force acts in the step [Guendelman03; Thesis06, 4.2.2.1]. Bodies at rest have no velocity then,
 /// so no speed threshold is needed to end bouncing, and slow impacts are as exact as fast ones.
 ///
-/// Contacts that touch and approach are solved one after the other,
+/// Rounds of simultaneous impacts follow each other until no contact approaches. In a round all
+/// contacts that touch and approach are hit at once. One that shares no body with another gets
 ///
-///   J = -(1 + e) v_n / (1/m_n),  only while v_n < 0               [Thesis06, eq. 4.9]
+///   J = -(1 + e) v_n / (1/m_n)                                    [Thesis06, eq. 4.9]
 ///
-/// in repeated passes until none approaches. This propagates an impact impulse through a row of
-/// bodies and conserves energy for e = 1. Contacts without restitution are solved once, so that
-/// soft contacts need not absorb the impact. Both points of a contact are solved at once. An
-/// approach that forces alone cause within one step is left to the contact solver, since it belongs
-/// to a contact at rest.
+/// and the others see SimultaneousImpacts. So an impulse passes through a row of bodies, energy is
+/// conserved for e = 1, and the result does not depend on the order of contacts: a symmetric scene
+/// stays symmetric. A pass solves each contact at most once. Contacts without restitution take part
+/// in the first pass alone, so that soft contacts need not absorb the impact. An approach that
+/// forces alone cause within one step is left to the contact solver, since it belongs to a contact
+/// at rest.
 class ImpactSolver {
 public:
     struct Step {
@@ -43,11 +50,23 @@ private:
         ContactSet& contactSet;
         const ContactBlocks& blocks;
         const Step& step;
+        Real restSpeed; // m/s; no slower contact has an impact
     };
-    bool solveContact(const Inputs& inputs, std::uint32_t slot);
+    static Impact impactOf(const Inputs& inputs, std::uint32_t slot);
+    bool solvePass(const Inputs& inputs, std::span<const std::uint32_t> list, std::uint32_t pass);
+    void solveRound(const Inputs& inputs, std::uint32_t pass);
+    void solveGroup(const Inputs& inputs);
 
-    std::vector<std::uint8_t> wasHit_;    // by body, in this step
-    std::vector<std::uint32_t> bouncing_; // slots of contacts with restitution, in order
+    std::vector<std::uint8_t> wasHit_;       // by body, in this step
+    std::vector<std::uint32_t> lastPass_;    // by slot: the last pass that solved it; 0: none
+    std::vector<std::uint32_t> present_;     // slots of contacts that are not idle, in order
+    std::vector<std::uint32_t> bouncing_;    // of these, the ones with restitution
+    std::vector<std::uint32_t> approaching_; // slots of this round, in order
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> grouped_; // root; index in approaching_
+    std::vector<std::uint32_t> group_;                             // slots that are solved together
+    std::vector<Impact> hits_;                                     // the same contacts
+    DisjointSets sets_;                                            // of movable bodies
+    SimultaneousImpacts together_;
 };
 
 /// Applies one impact impulse to a contact that touches and approaches, and adds it to

@@ -73,6 +73,12 @@ void ContactBlocks::evict(Contact& contact, const Bodies& bodies) const {
         rolling < 0 ? Real(0) : parts * rolling_[static_cast<std::size_t>(rolling)].impulse[lane];
 }
 
+ContactBlocks::Lane ContactBlocks::laneAt(std::uint32_t row) {
+    const std::int32_t rolling = use_[blockOf(row)].rolling;
+    return {blocks_[blockOf(row)],
+            rolling < 0 ? nullptr : &rolling_[static_cast<std::size_t>(rolling)], laneOf(row)};
+}
+
 void ContactBlocks::evictAll(std::span<Contact> contacts, const Bodies& bodies) {
     if (std::exchange(anyResident_, false)) {
         for (Contact& contact : contacts) {

@@ -83,7 +83,10 @@ void SoftSolver::releaseRow(const Bodies& bodies, ContactSet& contactSet, std::u
 void SoftSolver::beginCollecting(const Bodies& bodies, ContactSet& contactSet,
                                  const JointSet& joints, const Step& step) {
     const std::uint32_t partitions = step.team.partitions();
-    const bool shared = partitions > 1 && blocks_.worthPartitioning();
+    bool shared = false;
+    for (std::uint32_t level = 0; partitions > 1 && level < ContactBlocks::kLevels; ++level) {
+        shared = shared || blocks_.worthPartitioning(level);
+    }
     if (blocks_.countReorder() || (shared && blocks_.partitions().count() != partitions)) {
         blocks_.rebuildGraph(bodies, contactSet, shared ? partitions : 1);
     }
@@ -347,7 +350,8 @@ void SoftSolver::solveGroup(Bodies& bodies, ContactSet& contactSet, JointSet& jo
     WorkerTeam serial;
     const bool helped =
         blocks_.worthPartitioning(level) && blocks_.partitions().count() == team.partitions();
-    Substeps run{bodies, joints, group, pass, jointPass, helped ? team : serial};
+    Substeps run{bodies, contactSet, joints,     group,
+                 pass,   jointPass,  tolerances, helped ? team : serial};
     if (!run.team.alone()) {
         group.partitions.buildGraph(
             {blocks_, level, pass, contactSet.contacts(), newcomers_, group.bound, bodies.size()},

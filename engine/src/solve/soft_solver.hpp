@@ -10,6 +10,7 @@
 #include "joints/joint_set.hpp"
 #include "solve/block_partitions.hpp"
 #include "solve/contact_blocks.hpp"
+#include "solve/load_release.hpp"
 #include "solve/overlap_relaxation.hpp"
 #include "solve/refinement.hpp"
 #include "solve/revolute_blocks.hpp"
@@ -52,10 +53,7 @@ public:
     ContactBlocks& blocks() { return blocks_; }
 
 private:
-    /// Value or change of speeds(). The fourth component, 1/mass, stays constant.
-    struct Velocity {
-        Four speeds{};
-    };
+    using Velocity = LoadRelease::Velocity;
 
     /// What is solved with substeps of one length: the islands of one level of Refinement.
     struct Group {
@@ -67,10 +65,12 @@ private:
     /// Inputs of all substeps of a group.
     struct Substeps {
         Bodies& bodies;
+        ContactSet& contactSet;
         JointSet& joints;
         Group& group;
         const ContactPassArguments& pass;
         JointPass& jointPass;
+        const Tolerances& tolerances;
         WorkerTeam& team;
     };
     /// A part of a substep: a pass over all blocks, or work on all bodies of the group.
@@ -114,8 +114,9 @@ private:
     template <typename Pass>
     void passJoints(Substeps& run, Pass pass);
     void runSubsteps(Substeps& run, int substeps);
-    void runSubstep(Substeps& run, bool first);
+    void runSubstep(Substeps& run, int substep, int substeps);
     void relaxDeepOverlaps(Substeps& run);
+    void releaseLoads(Substeps& run);
     void beginVelocities(Bodies& bodies, std::span<const std::uint32_t> list, Real h);
     void nextVelocities(Bodies& bodies, std::span<const std::uint32_t> list, Real h);
     void move(Bodies& bodies, std::span<const std::uint32_t> list, Real h);
@@ -126,6 +127,7 @@ private:
     Refinement refinement_;
     std::array<Group, Refinement::kLevels> groups_; // by level
     RevoluteBlocks revolutes_;
+    LoadRelease loadRelease_;
     std::vector<Phase> phases_;            // queued for the worker team
     std::vector<std::uint32_t> newcomers_; // indices of contacts that need a lane
     ParallelCollector<std::uint32_t> found_;

@@ -111,11 +111,21 @@ void SoftSolver::relaxDeepOverlaps(Substeps& run) {
     }
 }
 
+/// After the warm start: releases impulses that carried a load which is gone.
+void SoftSolver::releaseLoads(Substeps& run) {
+    if (!run.team.alone()) {
+        runPhases(run);
+    }
+    loadRelease_.run({run.bodies, run.contactSet, run.joints, blocks_, run.tolerances},
+                     run.group.bound, before_, run.jointPass.h);
+}
+
 /// Joint arms rotate within a step, so joints warm start with their own impulses in each substep.
 /// Their velocity change in the substep before does not count as that of contacts. That of
 /// RevoluteBlocks does, since these are soft: the next pass corrects the small rotation of their
 /// arms in one substep.
-void SoftSolver::runSubstep(Substeps& run, bool first) {
+void SoftSolver::runSubstep(Substeps& run, int substep, int substeps) {
+    const bool first = substep == 0;
     const ContactPasses& passes = ContactPasses::best();
     Bodies& bodies = run.bodies;
     JointSet& joints = run.joints;
@@ -134,6 +144,7 @@ void SoftSolver::runSubstep(Substeps& run, bool first) {
     if (first) {
         revolutes_.warmStart(bodies, jointPass);
         addPhase(run, {passes.warmStart, settings});
+        releaseLoads(run);
     }
     const auto solveJoints = [&](bool biased) {
         jointPass.biased = biased;
@@ -148,13 +159,14 @@ void SoftSolver::runSubstep(Substeps& run, bool first) {
     relaxDeepOverlaps(run);
     PassSettings relax = settings;
     relax.kept = first ? Real(0) : Real(1);
+    relax.left = static_cast<Real>(substeps - substep);
     addPhase(run, {passes.relax, relax});
 }
 
 void SoftSolver::runSubsteps(Substeps& run, int substeps) {
     phases_.clear();
     for (int substep = 0; substep < substeps; ++substep) {
-        runSubstep(run, substep == 0);
+        runSubstep(run, substep, substeps);
     }
     if (!run.team.alone()) {
         runPhases(run);

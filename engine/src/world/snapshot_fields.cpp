@@ -289,6 +289,29 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
             "a contact occurs twice");
 }
 
+void SnapshotFields::definitions(const WorldImpl& world) {
+    StepSettings settings = world.settings_;
+    Tolerances tolerances = world.tolerances_;
+    std::optional<Aabb> region = world.region_.box();
+    all(settings, tolerances, region);
+    for (FieldEntry entry : world.fields_) {
+        one(entry);
+    }
+    for (std::uint32_t i = 0; i < world.bodies_.size(); ++i) {
+        if (world.bodies_.ids.aliveAt(i)) {
+            std::uint64_t userData = world.bodies_.record[i].userData;
+            one(userData);
+            for (Part part : world.bodies_.geometry(i).parts) {
+                one(part);
+            }
+        }
+    }
+    world.joints_.forEach([&](const JointSet::Joint& joint) {
+        JointDef def = joint.def;
+        one(def);
+    });
+}
+
 void SnapshotFields::world(WorldImpl& world) {
     auto& [guard, settings, tolerances, stepCount, count, bodies, fields, contacts, impacts,
            softSolver, propagation, contactVisits, continuous, sleep, joints, broken, frozen,

@@ -26,6 +26,9 @@ public:
 
     /// When reading, `world` must be new.
     void world(WorldImpl& world);
+    /// Writes what decides the future beside the motion: settings, fields, geometry, materials,
+    /// user data and the numbers of joints. Of a user's own fields only that they exist.
+    void definitions(const WorldImpl& world);
 
 private:
     friend class SnapshotStream<SnapshotFields>;
@@ -44,10 +47,6 @@ private:
     void geometries(WorldImpl& world);
 
     // Bodies.
-    void one(BodyId& id) {
-        auto& [index, generation, world] = id; // the World is not stored
-        all(index, generation);
-    }
     void one(CollisionFilter& filter);
     void one(BodyVelocity& motion);
     void one(Acceleration& acceleration);
@@ -76,10 +75,6 @@ private:
     void rest(SleepSystem& stage, Bodies& bodies);
 
     // Joints.
-    void one(JointId& id) {
-        auto& [index, generation, world] = id; // the World is not stored
-        all(index, generation);
-    }
     void one(Range& range);
     void one(JointEnds& ends);
     void one(RevoluteJoint& pin);

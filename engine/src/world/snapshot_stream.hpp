@@ -3,6 +3,7 @@
 
 #include <kodo/error.hpp>
 #include <kodo/geometry.hpp>
+#include <kodo/joint.hpp>
 
 #include "base/byte_stream.hpp"
 #include "base/checks.hpp"
@@ -53,6 +54,14 @@ protected:
         auto stored = static_cast<Stored>(value);
         stream_.number(stored);
         value = static_cast<Value>(stored);
+    }
+    void one(BodyId& id) {
+        auto& [index, generation, world] = id; // the World is not stored
+        all(index, generation);
+    }
+    void one(JointId& id) {
+        auto& [index, generation, world] = id; // likewise
+        all(index, generation);
     }
     void one(ReorderPolicy& reorderPolicy) {
         auto& [strayed, cost] = reorderPolicy;

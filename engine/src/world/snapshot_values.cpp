@@ -110,13 +110,13 @@ void SnapshotFields::one(ContactRow& row) {
 }
 
 void SnapshotFields::one(Contact& contact) {
-    auto& [key, teleportCountA, teleportCountB, relativeDisplacement, row, approachSpeed, near,
-           carried, bounces, sensor, passing, hidden, touching, wasTouching, hasStepImpulses, phase,
-           manifold, centerA, impulse, friction, rolling, total, a, b, material] =
-        contact; // the phase is part of the records
-    all(key, centerA, manifold, teleportCountA, teleportCountB, relativeDisplacement, impulse, row,
-        friction, rolling, approachSpeed, total);
-    all(near, carried, passing, hidden, touching, wasTouching);
+    auto& [key, teleportCounts, relativeDisplacement, row, approachSpeed, near, carried, bounces,
+           sensor, sliding, passing, hidden, touching, wasTouching, hasStepImpulses, phase,
+           manifold, centerA, impulse, friction, rolling, total, a, b,
+           material] = contact; // the phase is part of the records
+    all(key, centerA, manifold, teleportCounts, relativeDisplacement, impulse, row, friction,
+        rolling, approachSpeed, total);
+    all(near, carried, sliding, passing, hidden, touching, wasTouching);
     hasStepImpulses = true; // conservative: it is not stored
 }
 

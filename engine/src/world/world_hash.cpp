@@ -2,12 +2,23 @@
 #include <kodo/state_hash.hpp>
 
 #include "bodies/body_checks.hpp"
+#include "world/snapshot_fields.hpp"
 #include "world/world_impl.hpp"
 
 #include <algorithm>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
+
+namespace {
+
+void addBytes(StateHash& hash, const std::vector<std::byte>& bytes) {
+    for (const std::byte byte : bytes) {
+        hash.add(static_cast<std::uint8_t>(byte));
+    }
+}
+
+} // namespace
 
 std::uint64_t WorldImpl::stateHash() const {
     StateHash hash;
@@ -44,6 +55,7 @@ std::uint64_t WorldImpl::stateHash() const {
                                  contact.friction, contact.rolling}) {
             hash.add(value);
         }
+        hash.add(static_cast<std::uint8_t>(contact.sliding ? 1 : 0));
     };
     contacts_.store().forEachInOrder([&](std::uint32_t slot) {
         Contact current = contacts_.contacts()[slot];
@@ -62,6 +74,9 @@ std::uint64_t WorldImpl::stateHash() const {
             hash.add(impulse);
         }
     });
+    ByteStream stream;
+    SnapshotFields(stream, {}).definitions(*this);
+    addBytes(hash, stream.takeWritten());
     return hash.value();
 }
 

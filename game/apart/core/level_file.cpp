@@ -304,13 +304,11 @@ Read<Level> parseLevel(std::string_view text, const std::string& name, const std
     if (text.size() > kLargestLevel) {
         return FileProblem{file, 0, "is longer than " + std::to_string(kLargestLevel) + " bytes"};
     }
-    try {
-        const toml::table root = toml::parse(text, file);
-        return LevelReader(name, file).read(root);
-    } catch (const toml::parse_error& error) {
-        return FileProblem{file, static_cast<int>(error.source().begin.line),
-                           std::string(error.description())};
+    const Read<toml::table> root = parseToml(text, file);
+    if (const auto* problem = std::get_if<FileProblem>(&root)) {
+        return *problem;
     }
+    return LevelReader(name, file).read(std::get<toml::table>(root));
 }
 
 Read<Level> readLevelFile(const std::filesystem::path& path) {

@@ -2,12 +2,118 @@
 #include <apart/core/text_file.hpp>
 #include <kodo/state_hash.hpp>
 
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
 #include <charconv>
+#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <system_error>
 
+#ifdef _WIN32
+#include <io.h>
+#include <process.h>
+#else
+#include <unistd.h>
+#endif
+
 namespace apart {
+
+namespace {
+
+#ifdef _WIN32
+int processId() {
+    return _getpid();
+}
+int syncToDisk(std::FILE* file) {
+    return _commit(_fileno(file));
+}
+#else
+int processId() {
+    return getpid();
+}
+int syncToDisk(std::FILE* file) {
+    return fsync(fileno(file));
+}
+#endif
+
+/// A decoded character: its code point and length in bytes.
+struct Character {
+    std::uint32_t code = 0;
+    std::size_t length = 0; // 0: not UTF-8
+};
+
+Character decode(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
+    const std::uint8_t first = byte(0);
+    if (first < 0x80) {
+        return {first, 1};
+    }
+    const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+    constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
+    if (first < 0xc2 || first > 0xf4 || text.size() < length) {
+        return {};
+    }
+    std::uint32_t code = first & (0x7fu >> length);
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xc0) != 0x80) {
+            return {};
+        }
+        code = code << 6 | (byte(i) & 0x3fu);
+    }
+    const bool surrogate = code >= 0xd800 && code <= 0xdfff;
+    return code < kLeast[length] || code > 0x10ffff || surrogate ? Character{}
+                                                                 : Character{code, length};
+}
+
+/// True for characters that command a terminal, or change the order of the text around them.
+bool isCommand(std::uint32_t code) {
+    return code < 0x20 || (code >= 0x7f && code <= 0x9f) || code == 0x61c || code == 0x200e ||
+           code == 0x200f || (code >= 0x2028 && code <= 0x202e) ||
+           (code >= 0x2066 && code <= 0x2069);
+}
+
+/// Name of a temporary file beside `path`, which no other program and no other call uses.
+std::filesystem::path temporaryFor(const std::filesystem::path& path) {
+    static std::atomic<unsigned> calls{0};
+    std::filesystem::path fresh = path;
+    fresh += '.' + std::to_string(processId()) + '-' + std::to_string(++calls) + ".new";
+    return fresh;
+}
+
+/// Writes and closes a file that is on the disk then. Returns 0, or the number of the error.
+int writeToDisk(const std::filesystem::path& path, std::string_view text) {
+    std::FILE* const file = std::fopen(path.string().c_str(), "wb");
+    if (file == nullptr) {
+        return errno;
+    }
+    int error = 0;
+    if (std::fwrite(text.data(), 1, text.size(), file) != text.size() || std::fflush(file) != 0 ||
+        syncToDisk(file) != 0) {
+        error = errno;
+    }
+    if (std::fclose(file) != 0 && error == 0) {
+        error = errno;
+    }
+    return error;
+}
+
+} // namespace
+
+std::string printable(std::string_view text) {
+    std::string shown;
+    while (!text.empty()) {
+        const auto [code, length] = decode(text);
+        if (length == 0 || isCommand(code)) {
+            shown += '?';
+        } else {
+            shown += text.substr(0, length);
+        }
+        text.remove_prefix(std::max<std::size_t>(1, length));
+    }
+    return shown;
+}
 
 std::string FileProblem::text() const {
     std::string text = file;
@@ -16,7 +122,7 @@ std::string FileProblem::text() const {
         text += std::to_string(line);
     }
     text += ": ";
-    return text += reason;
+    return printable(text += reason);
 }
 
 Read<std::string> readTextFile(const std::filesystem::path& path, std::size_t limit) {
@@ -30,6 +136,9 @@ Read<std::string> readTextFile(const std::filesystem::path& path, std::size_t li
     }
     if (std::filesystem::is_directory(status)) {
         return wrong("is a folder, not a file");
+    }
+    if (!std::filesystem::is_regular_file(status)) {
+        return wrong("is a pipe, a device or a socket, not a file"); // it might never end
     }
     std::ifstream stream(path, std::ios::binary);
     std::string bytes(limit + 1, '\0');
@@ -45,17 +154,12 @@ Read<std::string> readTextFile(const std::filesystem::path& path, std::size_t li
 }
 
 std::optional<FileProblem> writeTextFile(const std::filesystem::path& path, std::string_view text) {
-    std::filesystem::path fresh = path;
-    fresh += ".new";
-    {
-        std::ofstream stream(fresh, std::ios::binary | std::ios::trunc);
-        stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-        stream.flush();
-        if (!stream) {
-            std::error_code ignored;
-            std::filesystem::remove(fresh, ignored);
-            return FileProblem{path.string(), 0, "cannot be written"};
-        }
+    const std::filesystem::path fresh = temporaryFor(path);
+    if (const int number = writeToDisk(fresh, text)) {
+        std::error_code ignored;
+        std::filesystem::remove(fresh, ignored);
+        return FileProblem{path.string(), 0,
+                           "cannot be written: " + std::generic_category().message(number)};
     }
     std::error_code error;
     std::filesystem::rename(fresh, path, error);

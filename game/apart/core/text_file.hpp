@@ -17,18 +17,23 @@ struct FileProblem {
     int line = 0; // from 1; 0: the file as a whole
     std::string reason;
 
-    /// "levels/arch.toml:12: the reason".
+    /// "levels/arch.toml:12: the reason", printable.
     std::string text() const;
 };
+
+/// The text for a terminal: every control character (C0, C1, DEL), bidirectional mark, line
+/// separator and byte that is not UTF-8 becomes '?'.
+std::string printable(std::string_view text);
 
 /// A value, or the reason why it could not be read.
 template <typename T>
 using Read = std::variant<T, FileProblem>;
 
-/// The bytes of a file of at most `limit` bytes.
+/// The bytes of a regular file of at most `limit` bytes.
 Read<std::string> readTextFile(const std::filesystem::path& path, std::size_t limit);
 
-/// Writes a temporary file beside `path` and then renames it, so that a failure keeps the old file.
+/// Writes a temporary file beside `path`, brings it to the disk and then renames it, so that a
+/// failure keeps the old file. Its name is its own, so that two programs may save at once.
 std::optional<FileProblem> writeTextFile(const std::filesystem::path& path, std::string_view text);
 
 /// 64-bit FNV-1a; detects damage, not forgery.

@@ -9,7 +9,67 @@ namespace {
 
 constexpr std::size_t kLongestText = 160; // bytes of title or idea
 
+constexpr int kMostNames = 16; // of a dotted key
+
+/// Index behind the quoted text that begins at `start`.
+std::size_t behindQuoted(std::string_view text, std::size_t start) {
+    const char quote = text[start];
+    const std::string three(3, quote);
+    const bool multiline = text.substr(start, 3) == three;
+    std::size_t i = start + (multiline ? 3 : 1);
+    for (; i < text.size(); ++i) {
+        if (text[i] == '\\' && quote == '"') {
+            ++i;
+        } else if (multiline && text.substr(i, 3) == three) {
+            return i + 3;
+        } else if (!multiline && (text[i] == quote || text[i] == '\n')) {
+            return i + 1;
+        }
+    }
+    return text.size();
+}
+
+/// Line of the first key with too many names; 0 if there is none.
+int lineOfLongKey(std::string_view text) {
+    constexpr std::string_view kEndOfKey = "\n=,[]{}";
+    int line = 1;
+    int names = 1;
+    for (std::size_t i = 0; i < text.size();) {
+        std::size_t next = i + 1;
+        if (text[i] == '"' || text[i] == '\'') {
+            next = behindQuoted(text, i);
+        } else if (text[i] == '#') {
+            next = std::min(text.find('\n', i), text.size());
+        } else if (text[i] == '.') {
+            if (++names > kMostNames) {
+                return line;
+            }
+        } else if (kEndOfKey.find(text[i]) != std::string_view::npos) {
+            names = 1;
+        }
+        line +=
+            static_cast<int>(std::count(text.begin() + static_cast<std::ptrdiff_t>(i),
+                                        text.begin() + static_cast<std::ptrdiff_t>(next), '\n'));
+        i = next;
+    }
+    return 0;
+}
+
 } // namespace
+
+Read<toml::table> parseToml(std::string_view text, const std::string& file) {
+    if (const int line = lineOfLongKey(text)) {
+        return FileProblem{file, line,
+                           "a key has more than " + std::to_string(kMostNames) +
+                               " names, separated by dots"};
+    }
+    try {
+        return toml::table(toml::parse(text, file));
+    } catch (const toml::parse_error& error) {
+        return FileProblem{file, static_cast<int>(error.source().begin.line),
+                           std::string(error.description())};
+    }
+}
 
 void TomlKeys::fail(int line, std::string reason) {
     if (!problem_) {

@@ -14,6 +14,10 @@
 
 namespace apart {
 
+/// Parses a TOML text. Keys of more than 16 names are refused: each name is a table within the one
+/// before, and the parser recurs for each.
+Read<toml::table> parseToml(std::string_view text, const std::string& file);
+
 /// Reads keys of TOML tables and keeps the first problem with its line.
 class TomlKeys {
 public:

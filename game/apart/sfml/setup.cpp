@@ -106,12 +106,15 @@ void takeProfile(StageDef& def) {
     if (!loaded.notice.empty()) {
         def.notices.push_back(std::move(loaded.notice));
     }
+    def.keepReplay = [folder = file->parent_path()](const Replay& replay, bool best) {
+        return keepReplay(folder, replay, best);
+    };
+    if (loaded.keepFile) {
+        return;
+    }
     def.save = [path = *file](const Profile& profile) -> std::string {
         const std::optional<FileProblem> problem = saveProfile(path, profile);
         return problem ? "Settings and scores are not kept: " + problem->text() + "." : "";
-    };
-    def.keepReplay = [folder = file->parent_path()](const Replay& replay, bool best) {
-        return keepReplay(folder, replay, best);
     };
 }
 

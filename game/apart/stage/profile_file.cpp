@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <apart/core/toml_keys.hpp>
 #include <apart/stage/profile_file.hpp>
 
 #include <fmt/format.h>
@@ -116,10 +117,66 @@ std::optional<std::filesystem::path> folderOf(const char* variable) {
     return std::filesystem::path(value);
 }
 
-std::filesystem::path asideOf(const std::filesystem::path& file) {
-    std::filesystem::path aside = file;
-    aside += ".broken";
-    return aside;
+constexpr const char* kNotKept = "Settings and scores are neither read nor kept: ";
+
+/// The first of *.broken, *.broken-2, ... that does not exist.
+std::filesystem::path freeAside(const std::filesystem::path& file) {
+    for (int i = 1;; ++i) {
+        std::filesystem::path aside = file;
+        aside += i == 1 ? ".broken" : ".broken-" + std::to_string(i);
+        std::error_code error;
+        if (!std::filesystem::exists(aside, error)) {
+            return aside;
+        }
+    }
+}
+
+/// True for a profile whose format this game does not know yet.
+bool isNewer(std::string_view text, const std::string& file) {
+    const Read<toml::table> root = parseToml(text, file);
+    const auto* table = std::get_if<toml::table>(&root);
+    return table != nullptr && (*table)["format"].value_or(std::int64_t{0}) > 1;
+}
+
+/// The profile with the better of its scores and those in the file, which another game that ran
+/// meanwhile may have saved.
+Profile withScoresOf(const std::filesystem::path& file, Profile profile) {
+    const Read<std::string> text = readTextFile(file, kLongestFile);
+    if (std::holds_alternative<FileProblem>(text)) {
+        return profile;
+    }
+    const Read<Profile> saved = profileFrom(std::get<std::string>(text), file.string());
+    if (const auto* known = std::get_if<Profile>(&saved)) {
+        for (std::size_t mode = 0; mode < known->best.size(); ++mode) {
+            for (const auto& [level, best] : known->best[mode]) {
+                profile.enter(static_cast<Mode>(mode), level, best);
+            }
+        }
+    }
+    return profile;
+}
+
+/// A level name as a TOML key.
+std::string keyOf(const std::string& level) {
+    const auto isBare = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               c == '_' || c == '-';
+    };
+    if (!level.empty() && std::all_of(level.begin(), level.end(), isBare)) {
+        return level;
+    }
+    std::string key = "\"";
+    for (const char c : level) {
+        if (c == '"' || c == '\\') {
+            key += '\\';
+            key += c;
+        } else if ((c >= 0 && c < ' ') || c == '\x7f') {
+            key += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+        } else {
+            key += c;
+        }
+    }
+    return key += '"';
 }
 
 } // namespace
@@ -144,40 +201,41 @@ std::string toText(const Profile& profile) {
     text += fmt::format("pure = {}\n", profile.mode == Mode::Pure);
     for (std::size_t i = 0; i < kTables.size(); ++i) {
         for (const auto& [level, best] : profile.best[i]) {
-            text +=
-                fmt::format("\n[{}.{}]\nscore = {}\ncleared = {}\nunhurt = {}\nchain = {}\n",
-                            kTables[i], level, best.score, best.cleared, best.unhurt, best.chain);
+            text += fmt::format("\n[{}.{}]\nscore = {}\ncleared = {}\nunhurt = {}\nchain = {}\n",
+                                kTables[i], keyOf(level), best.score, best.cleared, best.unhurt,
+                                best.chain);
         }
     }
     return text;
 }
 
 Read<Profile> profileFrom(std::string_view text, const std::string& file) {
-    try {
-        return ProfileReader(file).read(toml::parse(text, file));
-    } catch (const toml::parse_error& error) {
-        return FileProblem{file, static_cast<int>(error.source().begin.line),
-                           std::string(error.description())};
+    const Read<toml::table> root = parseToml(text, file);
+    if (const auto* problem = std::get_if<FileProblem>(&root)) {
+        return *problem;
     }
+    return ProfileReader(file).read(std::get<toml::table>(root));
 }
 
 LoadedProfile loadProfile(const std::filesystem::path& file) {
     std::error_code error;
-    if (!std::filesystem::exists(file, error)) {
+    const bool exists = std::filesystem::exists(file, error);
+    if (!exists && !error) {
         return {};
     }
-    Read<std::string> text = readTextFile(file, kLongestFile);
-    FileProblem problem;
+    const Read<std::string> text = readTextFile(file, kLongestFile);
     if (const auto* unread = std::get_if<FileProblem>(&text)) {
-        problem = *unread;
-    } else {
-        Read<Profile> profile = profileFrom(std::get<std::string>(text), file.string());
-        if (auto* good = std::get_if<Profile>(&profile)) {
-            return {std::move(*good), {}};
-        }
-        problem = std::get<FileProblem>(profile);
+        return {{}, kNotKept + unread->text() + ".", true};
     }
-    const std::filesystem::path aside = asideOf(file);
+    Read<Profile> profile = profileFrom(std::get<std::string>(text), file.string());
+    if (auto* good = std::get_if<Profile>(&profile)) {
+        return {std::move(*good), {}};
+    }
+    const FileProblem problem = std::get<FileProblem>(profile);
+    if (isNewer(std::get<std::string>(text), file.string())) {
+        return {{}, kNotKept + file.string() + ": was written by a newer game.", true};
+    }
+    const std::filesystem::path aside = freeAside(file);
     std::filesystem::rename(file, aside, error);
     const std::string kept =
         error ? "It cannot be renamed." : "It is kept as " + aside.filename().string() + ".";
@@ -190,7 +248,7 @@ std::optional<FileProblem> saveProfile(const std::filesystem::path& file, const 
     if (error) {
         return FileProblem{file.string(), 0, "its folder cannot be made: " + error.message()};
     }
-    return writeTextFile(file, toText(profile));
+    return writeTextFile(file, toText(withScoresOf(file, profile)));
 }
 
 } // namespace apart

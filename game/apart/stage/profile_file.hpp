@@ -20,13 +20,16 @@ Read<Profile> profileFrom(std::string_view text, const std::string& file);
 
 struct LoadedProfile {
     Profile profile;
-    std::string notice; // a sentence for the player, or empty
+    std::string notice;    // a sentence for the player, or empty
+    bool keepFile = false; // it must not be replaced: it cannot be read, or is of a newer game
 };
 
-/// An invalid file is renamed to *.broken, which keeps its content. A default profile is returned.
+/// An invalid file is renamed to *.broken (*.broken-2, ...), which keeps its content. A default
+/// profile is returned. A file that cannot be read, and one of a newer game, stay as they are.
 LoadedProfile loadProfile(const std::filesystem::path& file);
 
-/// Creates the folder if needed. On failure the old file stays intact.
+/// Keeps the better scores of the file, if another game has saved some meanwhile. Creates the
+/// folder if needed. On failure the old file stays intact.
 std::optional<FileProblem> saveProfile(const std::filesystem::path& file, const Profile& profile);
 
 } // namespace apart

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "solve/load_release.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+// Speed of a kick below which it is left to the passes, in slops per second: 0.01 m/s, which lifts
+// a body by 5 um on the earth. Contacts at rest cause smaller ones.
+constexpr Real kSmallKick = Real(2.56);
+// Overlap, in slops, from which on impulses push apart instead of carrying a load.
+constexpr Real kDeep = 4;
+// Visits of one body in a step. A tower or a pyramid needs one for each body above.
+constexpr std::uint8_t kMostVisits = 16;
+
+/// Velocity of a body, and its kinetic energy.
+struct Twist {
+    Vec2 velocity;
+    Real angular = 0;
+};
+
+Twist twistOf(const Four& speeds) {
+    return {{speeds[0], speeds[1]}, speeds[2]};
+}
+
+/// Velocity change of a body by the warm start and the forces of a substep.
+Twist kickOf(const Bodies& bodies, const LoadRelease::Velocity& before, std::uint32_t body,
+             Real h) {
+    const Four time{h, h, h, 0};
+    return twistOf(speeds(bodies.motion[body]) -
+                   (before.speeds - time * rates(bodies.acceleration[body])));
+}
+
+/// Square of the speed (m/s) at which the energy would be linear.
+Real squareOf(const BodyVelocity& motion, const Twist& twist) {
+    const Real gyration = motion.invInertia > 0 ? motion.invMass / motion.invInertia : Real(0);
+    return lengthSquared(twist.velocity) + gyration * twist.angular * twist.angular;
+}
+
+/// Applies a share of the impulses of a contact again, to both bodies.
+void applyShare(Bodies& bodies, const ContactBlocks::Lane& at, Real share) {
+    const ContactBlock& block = at.block;
+    const std::size_t lane = at.lane;
+    const Vec2 n{block.normalX[lane], block.normalY[lane]};
+    const Real first = share * block.points[0].impulse[lane];
+    const Real second = share * block.points[1].impulse[lane];
+    const Real friction = share * block.friction[lane];
+    const Real roll = at.rolling == nullptr ? Real(0) : share * at.rolling->impulse[lane];
+    const Vec2 impulse = (first + second) * n + friction * perp(n);
+    const auto momentBy = [&](Real lever1, Real lever2, Real tangent) {
+        return lever1 * first + lever2 * second + tangent * friction + roll;
+    };
+    BodyVelocity& a = bodies.motion[bodyOfPlace(block.a[lane])];
+    BodyVelocity& b = bodies.motion[bodyOfPlace(block.b[lane])];
+    a.velocity -= a.invMass * impulse;
+    b.velocity += b.invMass * impulse;
+    a.angularVelocity -=
+        a.invInertia * momentBy(block.points[0].leverA[lane], block.points[1].leverA[lane],
+                                block.tangentLeverA[lane]);
+    b.angularVelocity +=
+        b.invInertia * momentBy(block.points[0].leverB[lane], block.points[1].leverB[lane],
+                                block.tangentLeverB[lane]);
+}
+
+void scaleImpulses(const ContactBlocks::Lane& at, Real factor) {
+    at.block.points[0].impulse[at.lane] *= factor;
+    at.block.points[1].impulse[at.lane] *= factor;
+    at.block.friction[at.lane] *= factor;
+    if (at.rolling != nullptr) {
+        at.rolling->impulse[at.lane] *= factor;
+    }
+}
+
+} // namespace
+
+bool LoadRelease::isKicked(const Inputs& inputs, std::uint32_t body, Real h) const {
+    const BodyVelocity& motion = inputs.bodies.motion[body];
+    const Real force = h * inputs.bodies.acceleration[body].effort;
+    const Real least = std::max(kSmallKick * inputs.tolerances.slop, force / 2);
+    return motion.invMass > 0 &&
+           squareOf(motion, kickOf(inputs.bodies, before_[body], body, h)) > least * least;
+}
+
+void LoadRelease::addKicked(std::uint32_t body) {
+    if (waits_[body] == 0 && visits_[body] < kMostVisits) {
+        waits_[body] = 1;
+        ++visits_[body];
+        queue_.push_back(body);
+    }
+}
+
+/// Finds the velocity change of a body by each of its contacts.
+void LoadRelease::findGains(const Inputs& inputs, std::uint32_t body) {
+    slots_.clear();
+    gains_.clear();
+    const std::span<const ContactSummary> summaries = inputs.contactSet.summaries();
+    const Real deepest = -kDeep * inputs.tolerances.slop;
+    bool wedged = false;
+    inputs.contactSet.store().lists().forEach(body, [&](std::uint32_t slot) {
+        if (summaries[slot].row != ContactRow::kNone) {
+            slots_.push_back(slot);
+            wedged = wedged || summaries[slot].separation[0] < deepest;
+        }
+    });
+    if (wedged) {
+        return;
+    }
+    inputs.contactSet.store().sortByKey(slots_); // sums depend on the order
+    BodyVelocity& motion = inputs.bodies.motion[body];
+    const BodyVelocity kept = motion;
+    for (const std::uint32_t slot : slots_) {
+        const ContactSummary& summary = summaries[slot];
+        BodyVelocity& other =
+            inputs.bodies.motion[summary.bodyA == body ? summary.bodyB : summary.bodyA];
+        const BodyVelocity otherKept = other;
+        applyShare(inputs.bodies, inputs.blocks.laneAt(summary.row), 1);
+        gains_.push_back(
+            {slot, motion.velocity - kept.velocity, motion.angularVelocity - kept.angularVelocity});
+        motion = kept;
+        other = otherKept;
+    }
+}
+
+/// Takes back the impulses that kick a body. Adds the bodies that this kicks to the queue.
+void LoadRelease::release(const Inputs& inputs, std::uint32_t body, Real h) {
+    Bodies& bodies = inputs.bodies;
+    ContactBlocks& blocks = inputs.blocks;
+    const BodyVelocity& motion = bodies.motion[body];
+    const Twist kick = kickOf(bodies, before_[body], body, h);
+    const Real gyration = motion.invInertia > 0 ? motion.invMass / motion.invInertia : Real(0);
+    const auto along = [&](const Gain& gain) {
+        return dot(kick.velocity, gain.velocity) + gyration * kick.angular * gain.angular;
+    };
+    findGains(inputs, body);
+    std::erase_if(gains_, [&](const Gain& gain) { return !(along(gain) > 0); });
+    Twist gained;
+    for (const Gain& gain : gains_) {
+        gained.velocity += gain.velocity;
+        gained.angular += gain.angular;
+    }
+    const Real square = squareOf(motion, gained);
+    if (!(square > 0)) {
+        return;
+    }
+    const Real share =
+        std::clamp(along({0, gained.velocity, gained.angular}) / square, Real(0), Real(1));
+    for (const Gain& gain : gains_) {
+        const ContactSummary& summary = inputs.contactSet.summaries()[gain.slot];
+        const ContactBlocks::Lane lane = blocks.laneAt(summary.row);
+        applyShare(bodies, lane, -share);
+        scaleImpulses(lane, 1 - share);
+        const std::uint32_t other = summary.bodyA == body ? summary.bodyB : summary.bodyA;
+        if (isKicked(inputs, other, h)) {
+            addKicked(other);
+        }
+    }
+}
+
+void LoadRelease::run(const Inputs& inputs, std::span<const std::uint32_t> list,
+                      std::span<const Velocity> before, Real h) {
+    before_ = before;
+    queue_.clear();
+    const Bodies& bodies = inputs.bodies;
+    resizeByBody(visits_, bodies);
+    resizeByBody(waits_, bodies);
+    for (const std::uint32_t body : list) {
+        if (isKicked(inputs, body, h)) {
+            addKicked(body);
+        }
+    }
+    if (queue_.empty()) {
+        return;
+    }
+    jointed_.assign(bodies.size(), 0);
+    inputs.joints.forEachBusy([&](const JointSet::Joint& joint) {
+        jointed_[firstBody(joint.def).index] = 1;
+        jointed_[secondBody(joint.def).index] = 1;
+    });
+    for (std::size_t next = 0; next < queue_.size(); ++next) {
+        const std::uint32_t body = queue_[next];
+        waits_[body] = 0;
+        if (jointed_[body] == 0) {
+            release(inputs, body, h);
+        }
+    }
+    for (const std::uint32_t body : queue_) {
+        visits_[body] = 0;
+    }
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo
