@@ -8,9 +8,9 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-// Speed of a kick below which it is left to the passes, in slops per second: 0.01 m/s, which lifts
-// a body by 5 um on the earth. Contacts at rest cause smaller ones.
-constexpr Real kSmallKick = Real(2.56);
+// Speed of a kick below which it is left to the passes, in slops per second: 0.14 m/s, which lifts
+// a body by 1 mm on the earth. Contacts in motion cause smaller ones in most steps.
+constexpr Real kSmallKick = 36;
 // Overlap, in slops, from which on impulses push apart instead of carrying a load.
 constexpr Real kDeep = 4;
 // Visits of one body in a step. A tower or a pyramid needs one for each body above.
