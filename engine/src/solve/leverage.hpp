@@ -41,10 +41,10 @@ inline Real rollingLever(const Contact& contact, const BodyVelocity& a, const Bo
     if (contact.material.rollingResistance == 0 || a.invInertia + b.invInertia == 0) {
         return 0;
     }
-    constexpr Real kNone = std::numeric_limits<Real>::max();
+    constexpr Real kUnlimited = std::numeric_limits<Real>::max();
     const ManifoldPoint& p = contact.manifold.points[0];
-    const Real radiusA = a.invInertia > 0 ? length(p.armA) : kNone;
-    const Real radiusB = b.invInertia > 0 ? length(p.armB) : kNone;
+    const Real radiusA = a.invInertia > 0 ? length(p.armA) : kUnlimited;
+    const Real radiusB = b.invInertia > 0 ? length(p.armB) : kUnlimited;
     return contact.material.rollingResistance * std::min(radiusA, radiusB);
 }
 
