@@ -174,7 +174,7 @@ class Scanner:
             self.classes.append(self.scopes[-1])
 
     def member_of(self):
-        """The type whose members are scanned, or a type that nobody reads."""
+        """The innermost type that is open, or in a namespace an unlisted one, which is discarded."""
         return (self.scopes and self.scopes[-1]) or Class(0, "")
 
     def add(self, start, end, head):

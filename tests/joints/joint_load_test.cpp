@@ -29,7 +29,7 @@ struct LoadedBoard {
     }
 };
 
-// B10: a lift at its lower limit gives way as little as a contact under the same load; before,
+// B10: a lift at its lower limit sinks as little as a contact under the same load; before,
 // 9 and 119 mm.
 TEST(JointLoads, ALiftStaysAtItsLimit) {
     for (const auto& [load, most] : {std::pair{Real(100), Real(0.005)}, {Real(1000), Real(0.01)}}) {

@@ -4,6 +4,7 @@
 #include <support/scenes.hpp>
 
 #include <cmath>
+#include <utility>
 
 namespace kodo {
 namespace {
@@ -59,18 +60,30 @@ TEST(StaticFriction, LetsGoBelowItsLimit) {
     }
 }
 
+struct Belt {
+    World world;
+    BodyId belt;
+    BodyId box;
+};
+
+/// A box on a belt, with a static friction of 0.6.
+Belt makeBelt() {
+    const Material material{Real(0.6), kKinetic, 0, 0};
+    World world({.gravity = kEarth});
+    const BodyId belt = world.add({.shape = Box{400, 1},
+                                   .position = {0, Real(-0.5)},
+                                   .material = material,
+                                   .type = BodyType::Kinematic});
+    const BodyId box = world.add(support::boxDef({0, Real(0.25)}, 1, Real(0.5), material));
+    return {std::move(world), belt, box};
+}
+
 // A belt that speeds up carries a box while its acceleration is below mu g = 6 m/s^2. It changes
 // its speed once a step; the substeps share that.
 TEST(StaticFriction, CarriesABoxOnABeltThatSpeedsUp) {
     for (const Real rate : {Real(30), Real(60), Real(240)}) {
         for (const Real acceleration : {Real(3), Real(4.5), Real(5.5), Real(5.9)}) {
-            const Material material{Real(0.6), kKinetic, 0, 0};
-            World world({.gravity = kEarth});
-            const BodyId belt = world.add({.shape = Box{400, 1},
-                                           .position = {0, Real(-0.5)},
-                                           .material = material,
-                                           .type = BodyType::Kinematic});
-            const BodyId box = world.add(support::boxDef({0, Real(0.25)}, 1, Real(0.5), material));
+            auto [world, belt, box] = makeBelt();
             support::run(world, static_cast<int>(rate), 1 / rate);
             for (int step = 1; step <= static_cast<int>(2 * rate); ++step) {
                 world[belt].setVelocity({acceleration * static_cast<Real>(step) / rate, 0});
@@ -84,13 +97,7 @@ TEST(StaticFriction, CarriesABoxOnABeltThatSpeedsUp) {
 
 // Above that it slides with the kinetic coefficient: a box gains 2 m/s in a second.
 TEST(StaticFriction, LeavesABoxBehindOnAFasterBelt) {
-    const Material material{Real(0.6), kKinetic, 0, 0};
-    World world({.gravity = kEarth});
-    const BodyId belt = world.add({.shape = Box{400, 1},
-                                   .position = {0, Real(-0.5)},
-                                   .material = material,
-                                   .type = BodyType::Kinematic});
-    const BodyId box = world.add(support::boxDef({0, Real(0.25)}, 1, Real(0.5), material));
+    auto [world, belt, box] = makeBelt();
     support::run(world, 60);
     for (int step = 1; step <= 60; ++step) {
         world[belt].setVelocity({10 * static_cast<Real>(step) / 60, 0});

@@ -53,7 +53,7 @@ public:
     void reserveChanges(std::size_t contacts) {
         reserveReusing(changes_, changes_.size() + 2 * contacts);
     }
-    /// Counts all contacts anew. A body whose kColliding disagrees is a change.
+    /// Sets the counts from all contacts. Lists the bodies whose flag kColliding is out of date.
     void recount(std::span<const Contact> contacts, const Bodies& bodies) {
         counts_.assign(bodies.size(), 0);
         for (const Contact& contact : contacts) {

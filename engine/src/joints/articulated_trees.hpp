@@ -70,7 +70,7 @@ struct HeldRows {
 /// proportion to that ratio. Small anchored trees are solved directly too; see kFewJoints. The
 /// joints of other trees of revolute joints are solved one by one, as springs.
 ///
-/// Each elimination waits for the one before. So some trees are solved side by side, node by node.
+/// Each elimination depends on the one before. So some trees are solved side by side, node by node.
 ///
 /// A tree has at most one joint to an immovable body as its root. Further joints to immovable
 /// bodies close loops; they are soft, within the direct solve. Joints of any other loop, and of an

@@ -90,7 +90,7 @@ void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
     }
 }
 
-/// Raises inertia to the bounds that the forces of springs, ropes and rods ask for.
+/// Raises inertia to the bounds that follow from the forces of springs, ropes and rods.
 void JointSet::raiseInertias(Bodies& bodies, const JointPass& pass) {
     for (const std::uint32_t index : own_) {
         const Joint& joint = joints_[index];

@@ -23,7 +23,7 @@ struct Impact {
     Vec2 relativeVelocity(std::size_t i) const {
         return velocityAt(*b, point(i).armB) - velocityAt(*a, point(i).armA);
     }
-    /// True if neither body gives way along the normal.
+    /// True if an impulse along the normal moves neither body.
     bool blocked(std::size_t i) const { return isBlocked(*bodies, *contact, i); }
     /// Applies an impact impulse (N s) along normal and tangent.
     void push(std::size_t i, Real jn, Real jt) const {

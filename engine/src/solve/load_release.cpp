@@ -85,8 +85,8 @@ bool LoadRelease::isKicked(const Inputs& inputs, std::uint32_t body, Real h) con
 }
 
 void LoadRelease::addKicked(std::uint32_t body) {
-    if (waits_[body] == 0 && visits_[body] < kMostVisits) {
-        waits_[body] = 1;
+    if (queued_[body] == 0 && visits_[body] < kMostVisits) {
+        queued_[body] = 1;
         ++visits_[body];
         queue_.push_back(body);
     }
@@ -165,7 +165,7 @@ void LoadRelease::run(const Inputs& inputs, std::span<const std::uint32_t> list,
     queue_.clear();
     const Bodies& bodies = inputs.bodies;
     resizeByBody(visits_, bodies);
-    resizeByBody(waits_, bodies);
+    resizeByBody(queued_, bodies);
     for (const std::uint32_t body : list) {
         if (isKicked(inputs, body, h)) {
             addKicked(body);
@@ -181,7 +181,7 @@ void LoadRelease::run(const Inputs& inputs, std::span<const std::uint32_t> list,
     });
     for (std::size_t next = 0; next < queue_.size(); ++next) {
         const std::uint32_t body = queue_[next];
-        waits_[body] = 0;
+        queued_[body] = 0;
         if (jointed_[body] == 0) {
             release(inputs, body, h);
         }

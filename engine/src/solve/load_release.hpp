@@ -14,8 +14,8 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 
 /// Takes back warm started impulses that carried a load which is gone: a body on top was removed,
-/// thrown off, became lighter, or a field was switched off. Passes over a tower spread the velocity
-/// that such impulses cause instead of removing it, and the bodies below leap.
+/// teleported or became lighter, or a field was switched off. Passes over a tower spread the
+/// velocity that such impulses cause instead of removing it, and the bodies below leap.
 ///
 /// A warm start that fits balances the forces of the step. Where it does not, it kicks a body. The
 /// contacts that push in the direction of the kick give up the share of their impulses that does,
@@ -63,7 +63,7 @@ private:
     std::vector<std::uint32_t> slots_;
     std::vector<Gain> gains_;
     std::vector<std::uint8_t> visits_;  // by body; 0 between steps
-    std::vector<std::uint8_t> waits_;   // by body: is in the queue
+    std::vector<std::uint8_t> queued_;  // by body: is in queue_
     std::vector<std::uint8_t> jointed_; // by body; valid while the queue is not empty
 };
 

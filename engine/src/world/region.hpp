@@ -12,9 +12,9 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
-/// The region of a World, and what waits outside: see World::setRegion. A contact without an active
-/// body, with a body outside, is parked until a body becomes active: meanwhile it neither ends nor
-/// begins.
+/// The region of a World, and the contacts outside: see World::setRegion. A contact without an
+/// active body, with a body outside, is parked until a body becomes active. A parked contact
+/// neither ends nor begins.
 class Region {
 public:
     const std::optional<Aabb>& box() const { return box_; }

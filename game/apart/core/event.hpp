@@ -206,7 +206,7 @@ struct LoopSeen {
     kodo::BodyId ball;
 };
 
-/// Blocks of a building fell or broke in one chain, which is now over. Told from kTellCollapse on.
+/// Blocks of a building fell or broke in one chain, which is now over. At least kLeastCollapse.
 struct Collapsed {
     int blocks = 0;
     int points = 0;   // of these blocks, already in the score

@@ -84,7 +84,7 @@ std::int32_t Game::addToCollapse(const Block& block, Vec2 place) {
 }
 
 void Game::endCollapse() {
-    if (collapse_.blocks >= kTellCollapse) {
+    if (collapse_.blocks >= kLeastCollapse) {
         const Vec2 middle = collapse_.sum / static_cast<Real>(collapse_.blocks);
         events_.emplace_back(Collapsed{collapse_.blocks, collapse_.points, middle});
     }

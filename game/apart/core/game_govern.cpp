@@ -111,7 +111,7 @@ bool Game::isRubble(BodyId body) const {
     }
     const kodo::Flags flags = world_[body].flags();
     const Role role = roleOf(flags);
-    // A block of a building gives way like rubble.
+    // A block of a building falls as rubble does.
     return role == Role::Shard || role == Role::Part ||
            (role == Role::Block && (flags & kStands) != 0);
 }

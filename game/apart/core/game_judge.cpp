@@ -122,7 +122,7 @@ void Game::judgeBlock(const CollisionRecord& hit, BodyId body) {
         catchBlock(index, hit.point);
         return;
     }
-    // What rests on a block of a building presses without an impact.
+    // A resting load on a block of a building is not an impact: its approach speed is small.
     const BodyId other = hit.other(body);
     const bool byBall = world_.contains(other) && roleOf(world_[other].flags()) == Role::Ball;
     const bool pressed =

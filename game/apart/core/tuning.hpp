@@ -138,7 +138,7 @@ inline constexpr Real kFallenStrength =
 inline constexpr std::uint32_t kFallenTicks = 480; // 4 s: lifetime of a fallen block
 inline constexpr std::uint32_t kRubbleTicks = 180; // 1.5 s: lifetime of its shards
 inline constexpr std::uint32_t kCollapseGap = 120; // 1 s without another block ends a collapse
-inline constexpr std::int32_t kTellCollapse = 3;   // blocks; a smaller collapse is not told
+inline constexpr std::int32_t kLeastCollapse = 3;  // blocks; a smaller collapse is no event
 
 // Force field of the paddle: acceleration towards or away from it, linear in the distance.
 inline constexpr Real kForceAcceleration = 36;        // m/s^2, at the paddle

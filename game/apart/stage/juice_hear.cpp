@@ -50,7 +50,7 @@ std::string_view praiseOf(int combo) {
 std::string fallText(int blocks) {
     constexpr std::array<std::string_view, 10> kWords = {
         "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"};
-    const auto index = static_cast<std::size_t>(blocks - kTellCollapse);
+    const auto index = static_cast<std::size_t>(blocks - kLeastCollapse);
     const std::string count =
         index < kWords.size() ? std::string(kWords[index]) : std::to_string(blocks);
     return count + " at a blow" + (blocks >= kGreatFall ? "!" : "");
