@@ -17,8 +17,8 @@ ENGINE = "base math shapes broad collide bodies contacts joints solve world".spl
 # engine may include those of its own layer and of lower ones.
 PUBLIC = {
     "base": "real version export error executor state_hash step_stats",
-    "math": "math affine",
-    "shapes": "shape measure ray convex_shape geometry",
+    "math": "math",
+    "shapes": "shape measure ray geometry",
     "bodies": "body force_field settings collision_record joint",
     "world": "world query snapshot kodo",
 }

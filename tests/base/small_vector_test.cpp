@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/convex_shape.hpp>
+#include <kodo/shape.hpp>
 
 #include <gtest/gtest.h>
 

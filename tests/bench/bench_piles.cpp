@@ -123,7 +123,7 @@ Scene massRatio(int size, std::uint64_t) {
 
 Scene asleep(int size, std::uint64_t) {
     Scene scene;
-    scene.def = {"resting", scenes::kDown, {}};
+    scene.def = {"asleep", scenes::kDown, {}};
     for (const scenes::Vec2 foot : addShelves(scene.def, size, {1.5, 3})) {
         scene.def.bodies.push_back(scenes::box(1, 1, foot + scenes::Vec2{0, 0.5}));
     }

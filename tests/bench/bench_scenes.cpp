@@ -67,7 +67,7 @@ std::span<const Recipe> recipes() {
          300, joints},
         {"spinner", "a bar with a motor stirs balls, boxes and polygons", "bodies", 1000, 600,
          spinner},
-        {"resting", "boxes on shelves, asleep before the measurement starts", "boxes", 10000, 6000,
+        {"asleep", "boxes on shelves, asleep before the measurement starts", "boxes", 10000, 6000,
          asleep},
         {"shots", "boxes asleep on shelves; each step adds a ball above and removes the last",
          "boxes", 10000, 600, shots},

@@ -87,22 +87,22 @@ class Summaries(unittest.TestCase):
 
 
 class Options(unittest.TestCase):
-    def told(self, *words):
+    def printed(self, *words):
         """Returns the error message and the exit code for invalid options."""
-        said = io.StringIO()
-        with contextlib.redirect_stderr(said), unittest.mock.patch("sys.argv", ["", *words]):
+        output = io.StringIO()
+        with contextlib.redirect_stderr(output), unittest.mock.patch("sys.argv", ["", *words]):
             with self.assertRaises(SystemExit) as stopped:
                 bench.options()
-        return said.getvalue(), stopped.exception.code
+        return output.getvalue(), stopped.exception.code
 
     def test_invalid_options_are_refused_in_one_line_before_the_build(self):
         for words in (["--repeat", "0"], ["--repeat", "1.5"], ["--profiles", "nonesuch"],
                       ["--scenes", "nowhere"], ["--box2d3", "nowhere"], ["--check"]):
-            said, code = self.told(*words)
+            output, code = self.printed(*words)
             self.assertEqual(code, 2)
-            self.assertIn(words[-1], said)
-            self.assertTrue(said.startswith("tools/bench: ") and said.count("\n") == 1, said)
-        self.assertEqual(self.told("--repeat", "3", "--check-options"), ("", 0))
+            self.assertIn(words[-1], output)
+            self.assertTrue(output.startswith("tools/bench: ") and output.count("\n") == 1, output)
+        self.assertEqual(self.printed("--repeat", "3", "--check-options"), ("", 0))
 
 
 class BesideBox2d3(unittest.TestCase):

@@ -27,7 +27,7 @@ def check(holds, what):
 
 
 SCENES = (
-    "pyramid circles debris tumbler breakout stack massratio rain joints spinner resting shots tiles rays churn empty"
+    "pyramid circles debris tumbler breakout stack massratio rain joints spinner asleep shots tiles rays churn empty"
     " columns pushed removals particles events contacts heavypair slab plank pairs balls ragdolls"
     " chains wheel cars ring shards smash crowdpoint"
 ).split()
@@ -58,34 +58,36 @@ words = [word for name, value in wanted.items() for word in (f"--{name}", str(va
 for engine in ("kodo", "kodo64"):
     code, text = bench("--scene", "debris", "--engine", engine, "--profile", "fast", "--json", *words)
     check(code == 0, f"{words} ends with {code}")
-    told = json.loads(text)
+    printed = json.loads(text)
     wanted |= {"scene": "debris", "engine": engine, "profile": "fast", "bodies": 6}
-    check(wanted.items() <= told.items(), f"asked for {wanted}, told {told}")
+    check(wanted.items() <= printed.items(), f"wanted {wanted}, printed {printed}")
     # At most 100 bytes per row in float.
-    check(0 < told["bytesPerContactRow"] <= (100 if engine == "kodo" else 200), f"rows: {told}")
-    check(told["bytesPerContact"] > told["bytesPerContactRow"], f"bytes of contacts: {told}")
-    bytes_told = told["bytesPerBody"]  # None if malloc provides no count, as under a sanitizer
-    check(bytes_told is None or bytes_told > 50, f"bytes of bodies: {told}")
+    rows = printed["bytesPerContactRow"]
+    check(0 < rows <= (100 if engine == "kodo" else 200), f"rows: {printed}")
+    check(printed["bytesPerContact"] > printed["bytesPerContactRow"], f"contacts: {printed}")
+    bytes_printed = printed["bytesPerBody"]  # None without a count, as under a sanitizer
+    check(bytes_printed is None or bytes_printed > 50, f"bytes of bodies: {printed}")
 
 done = run(*choice, "--engine", "box2d3", "--substeps", "8")
 if done.returncode:
     check(done.returncode == 2 and "KODO_BENCH_BOX2D3=" in done.stderr, f"no way to box2d3: {done}")
 else:
-    told = json.loads(done.stdout)
-    check((told["engine"], told["bodies"], told["substeps"]) == ("box2d3", 15, 8), f"told {told}")
+    printed = json.loads(done.stdout)
+    step = (printed["engine"], printed["bodies"], printed["substeps"])
+    check(step == ("box2d3", 15, 8), f"printed {printed}")
 
 code, text = bench(*choice)
 check(json.loads(text)["stateHash"] == kodo["stateHash"], "another state in another process")
 
 code, text = bench(*choice, "--worst")
-told = json.loads(text)
-check(told["worstStepMs"] >= told["cpuMsPerStep"], f"worst step: {told}")
+printed = json.loads(text)
+check(printed["worstStepMs"] >= printed["cpuMsPerStep"], f"worst step: {printed}")
 check(kodo["worstStepMs"] is None, f"a worst step that was not measured: {kodo}")
 
 for threads in ("1", "2"):
     code, text = bench("--scene", "debris", "--size", "6", "--steps", "4", "--threads", threads)
-    told = "ms on the wall" in text
-    check(code == 0 and told == (threads == "2"), f"{threads} threads: {text}")
+    printed = "ms on the wall" in text
+    check(code == 0 and printed == (threads == "2"), f"{threads} threads: {text}")
 
 for wrong in (["--scene", "nowhere"], ["--engine", "nothing"], ["--threads", "0"],
               ["--substeps", "0"], ["--seed", "-1"], ["--nonesuch"], ["--set", "mass=3"],
@@ -96,5 +98,5 @@ for wrong in (["--scene", "nowhere"], ["--engine", "nothing"], ["--threads", "0"
     check(word in done.stderr, f"{wrong} is refused without a word of it: {done.stderr}")
     if wrong[1:] in (["0"], ["-1"]):
         check(wrong[0] in done.stderr, f"{wrong} is refused without its name: {done.stderr}")
-check("contactPasses" in run("--set", "mass=3").stderr, "what --set can set is not told")
-check("NUMBER" in run("--set", "contactHertz=abc").stderr, "a wrong number is told as a wrong name")
+check("contactPasses" in run("--set", "mass=3").stderr, "the settings of --set are not listed")
+check("NUMBER" in run("--set", "contactHertz=abc").stderr, "a wrong number is not reported as one")

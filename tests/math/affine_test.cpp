@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/affine.hpp>
+#include <kodo/geometry.hpp>
 #include <support/near.hpp>
 #include <support/random_numbers.hpp>
 

@@ -57,7 +57,7 @@ struct Crowd {
 };
 
 /// Checks that no body moves twice within a block or a colour, except one that all lanes of the
-/// block share, and that the lane masks mark exactly the bodies that are not locked.
+/// block share. Checks that the lane masks mark exactly the dynamic bodies.
 void expectNoBodyTwice(const Crowd& crowd, const ContactBlocks& blocks,
                        const ContactPassArguments& pass) {
     std::size_t i = 0;

@@ -12,7 +12,7 @@
 namespace kodo {
 
 inline constexpr std::size_t kPinBlocks = 40;
-inline constexpr auto kPinLanes = static_cast<std::size_t>(RevoluteBlock::kPins);
+inline constexpr auto kPinLanes = static_cast<std::size_t>(RevoluteBlock::kJoints);
 
 /// Blocks of revolute joints between independent pairs of bodies. Some bodies are locked, some can
 /// only rotate, some have rotated far. Some lanes are empty: both bodies are the first

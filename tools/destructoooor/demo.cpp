@@ -162,7 +162,7 @@ void Demo::draw(kodo_sfml::Painter& painter, sf::Vector2u pixels) {
         line("deepest overlap  %.1f mm", 1000 * static_cast<double>(now.maxOverlap)),
         line("top at %.3f m, fastest %.2f m/s", static_cast<double>(now.highest),
              static_cast<double>(now.fastest)),
-        line("%zu bodies, %zu asleep", now.bodies, now.resting),
+        line("%zu bodies, %zu asleep", now.bodies, now.asleep),
         line("%zu contacts, %zu visits", now.contacts, now.visits),
         line("step %.2f ms of 16.67", stepMilliseconds_)};
     panel_.setSize(pixels);

@@ -133,7 +133,7 @@ Measures Sandbox::measures() const {
             continue;
         }
         ++found.bodies;
-        found.resting += (body.flags() & kodo::kAsleep) != 0 ? 1 : 0;
+        found.asleep += (body.flags() & kodo::kAsleep) != 0 ? 1 : 0;
         found.highest = std::max(found.highest, body.bounds().upper.y);
         found.fastest = std::max(found.fastest, length(body.velocity()));
     }

@@ -27,7 +27,7 @@ struct Measures {
     kodo::Real highest = 0;    // m, top of the highest body; the ground is at 0
     kodo::Real fastest = 0;    // m/s
     std::size_t bodies = 0;    // dynamic ones
-    std::size_t resting = 0;   // sleeping ones
+    std::size_t asleep = 0;    // sleeping ones
     std::size_t contacts = 0;
     std::size_t visits = 0; // of contacts by the solver: cost without a clock
 };

@@ -35,7 +35,7 @@ SCENES = [
     Wanted("rain", 1000),
     Wanted("joints", 40),
     Wanted("spinner", 1000),
-    Wanted("resting", 10000),
+    Wanted("asleep", 10000),
     Wanted("shots", 10000),
     Wanted("tiles", 10000),
     Wanted("rays", 10000),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/convex_shape.hpp>
+#include <kodo/shape.hpp>
 
 #include <compare>
 #include <cstddef>
@@ -148,8 +148,8 @@ inline constexpr Real kMaxCoordinate = sizeof(Real) == 4 ? Real(1e5) : Real(1e13
 inline constexpr Real kMaxSpeed = Real(1e7);    // m/s, times the length unit; or rad/s
 inline constexpr Real kMinDensity = Real(1e-9); // kg/m^2
 inline constexpr Real kMaxDensity = Real(1e9);  // kg/m^2
-/// Masses (kg) of bodies and parts lie between 1 / kMaxMass and kMaxMass, moments of inertia
-/// (kg m^2) between the squares of these, so that products of two stay finite.
+/// Masses (kg) of bodies and parts lie between 1 / kMaxMass and kMaxMass. Moments of inertia
+/// (kg m^2) lie between the squares of these. So products of two stay finite.
 inline constexpr Real kMaxMass = sizeof(Real) == 4 ? Real(1e18) : Real(1e100);
 
 /// The reason why World::add() would refuse a definition, in a World with that length unit (m).

@@ -8,12 +8,12 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
-/// Lends threads to a step. The engine starts none of its own: use a ThreadPool, or wrap the thread
-/// pool of the game in this interface.
+/// Provides threads to a step. The engine starts none of its own: use a ThreadPool, or wrap the
+/// thread pool of the game in this interface.
 ///
-/// Helpers take pieces of the step's loops as they come. Nothing waits for a helper that has not
-/// begun, so late or missing threads make a step slower, never wrong, and the result has the same
-/// bits with any number of them. A helper stays for the whole step and spins where there is no
+/// Each thread of the step takes parts of its loops as they come. A step does not wait for a thread
+/// that has not begun: late or missing threads make it slower, never wrong. The result has the same
+/// bits with any number of them. A thread stays for the whole step and spins where there is no
 /// work.
 class KODO_API Executor {
 public:

@@ -42,8 +42,8 @@ public:
     /// is stopped, see World::frozenBodies().
     virtual FieldForce at(const BodyView& body, Real dt) const = 0;
 
-    /// True if the force depends on mass, shape and flags of the body alone. It is then asked again
-    /// only after a change.
+    /// True if the force depends on mass, shape and flags of the body alone. at() is then called
+    /// again only after a change of the body.
     virtual bool steady() const { return false; }
     /// Not virtual, so that a class compiled without RTTI is known as Own.
     FieldKind kind() const { return kind_; }

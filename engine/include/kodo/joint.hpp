@@ -109,8 +109,8 @@ struct MouseJoint {
 using JointDef =
     std::variant<RevoluteJoint, FixedJoint, DistanceJoint, PrismaticJoint, MotorJoint, MouseJoint>;
 
-/// The reason why World::add() would refuse a joint, in a World with that length unit (m). Only the
-/// World itself knows whether the bodies exist.
+/// The reason why World::add() would refuse a joint, in a World with that length unit (m). It
+/// does not check that the bodies exist.
 KODO_API std::optional<Problem> check(const JointDef& def, Real lengthUnit = 1);
 
 /// The bodies of a joint; those of a MouseJoint are equal.

@@ -16,7 +16,6 @@
 ///             that are no snapshot BadSnapshot, changes within a step std::logic_error. Nothing
 ///             has changed then.
 
-#include <kodo/affine.hpp>
 #include <kodo/executor.hpp>
 #include <kodo/geometry.hpp>
 #include <kodo/query.hpp>

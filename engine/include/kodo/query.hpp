@@ -19,8 +19,8 @@ inline namespace KODO_PRECISION {
 // threads may query one World at once. Points and displacements are in the world (m).
 //
 // Queries throw BadDefinition for a coordinate that is not finite or beyond kMaxQueryCoordinate,
-// for a filter with two match modes, or with `required` and no mode, and for what the comment of a
-// query names. A visitor must not change the World: those calls throw std::logic_error.
+// and for a filter with two match modes, or with `required` and no mode. The comment of a query
+// names what else it refuses. A visitor that changes the World gets std::logic_error.
 
 /// Largest coordinate of a query (m, times the length unit of the World): far beyond
 /// kMaxCoordinate, for bodies that have moved there.

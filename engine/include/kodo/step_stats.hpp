@@ -39,7 +39,7 @@ enum class StepStage : std::uint8_t { Broad, Narrow, Forces, Solve, Continuous, 
 inline constexpr std::array<std::string_view, 7> kStepStageNames = {
     "broad", "narrow", "forces", "solve", "continuous", "record", "sleep"};
 
-/// Is told when a step enters a stage, to measure times. The engine itself reads no clock. It may
+/// Called when a step enters a stage, to measure times. The engine itself reads no clock. It may
 /// read the World, which is then between two states, but not change it, see World::step().
 class KODO_API StageListener {
 public:

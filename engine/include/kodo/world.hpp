@@ -31,7 +31,7 @@ KODO_API std::optional<Problem> check(const WorldDef& def);
 
 /// Threads and listeners of one step. None of them changes the result.
 struct StepOptions {
-    Executor* executor = nullptr;      // lends threads to steps with hundreds of awake bodies
+    Executor* executor = nullptr;      // threads for steps with hundreds of awake bodies
     StageListener* listener = nullptr; // see step_stats.hpp
 };
 

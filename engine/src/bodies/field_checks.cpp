@@ -51,7 +51,8 @@ std::optional<Problem> checkBuoyancy(const Buoyancy& buoyancy, Real unit) {
         return problem;
     }
     if (buoyancy.gravity() == Vec2{}) {
-        return Problem{"field.gravity", "must not be zero: it tells where the surface faces"};
+        return Problem{"field.gravity",
+                       "must not be zero: its direction defines the upward side of the fluid"};
     }
     return checkVelocity("field.gravity", buoyancy.gravity(), unit, "m/s^2");
 }

@@ -53,8 +53,8 @@ bool SweepAndPrune::chooseAxis(std::span<const Octagon> bounds) {
 }
 
 void SweepAndPrune::sort(std::span<const Octagon> bounds) {
-    bool anew = entries_.size() != bounds.size();
-    if (anew) {
+    bool unsorted = entries_.size() != bounds.size();
+    if (unsorted) {
         entries_.resize(bounds.size());
         for (std::size_t i = 0; i < bounds.size(); ++i) {
             entries_[i].index = static_cast<std::uint32_t>(i);
@@ -62,7 +62,7 @@ void SweepAndPrune::sort(std::span<const Octagon> bounds) {
         calls_ = 0;
     }
     if (!bounds.empty() && calls_++ % kAxisInterval == 0) {
-        anew = chooseAxis(bounds) || anew;
+        unsorted = chooseAxis(bounds) || unsorted;
     }
     for (Entry& e : entries_) {
         const Aabb box = bounds[e.index].box();
@@ -70,7 +70,7 @@ void SweepAndPrune::sort(std::span<const Octagon> bounds) {
         e.high = alongX_ ? box.upper.x : box.upper.y;
     }
     work_.addRefreshed(entries_.size());
-    if (anew || !insertAll()) {
+    if (unsorted || !insertAll()) {
         sortAll();
     }
 }

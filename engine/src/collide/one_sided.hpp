@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/convex_shape.hpp>
+#include <kodo/shape.hpp>
 
 #include "collide/manifold.hpp"
 
@@ -23,8 +23,8 @@ struct ContactLimits {
 /// normals. A contact therefore never has a normal that the ground lacks, and a shape slides
 /// smoothly over a flush vertex.
 ///
-/// Reach: a circle or corner that comes along a valley within it already has a contact with
-/// the lines ahead, so that it follows their slope within the step. Without these contacts it moves
+/// Reach: a circle or corner that comes along a valley within it already has a contact with the
+/// lines ahead. So it follows their slope within the step. Without these contacts it moves
 /// straight, enters the rising ground, and is lifted out of it at no cost of velocity: it gains
 /// energy.
 Manifold collideOneSided(const ConvexShape& line, const Transform& a, const ConvexShape& other,

@@ -11,7 +11,7 @@ namespace {
 
 // Largest mass that a soft joint carries, relative to the reduced mass of its bodies. Ragdolls have
 // 4 to 10, a chain of n equal links 2 n - 2. At 60 Hz a ratio of 16 opens a joint by 1 mm under the
-// earth's gravity, and a swinging chain of that ratio by 3 % of a link.
+// earth's gravity. A swinging chain of that ratio opens by 3 % of a link.
 constexpr Real kMostCarried = 16;
 // An anchored tree of at most so many joints is solved directly without a load, too: a pendulum
 // then has the period and the energy of the exact solution.

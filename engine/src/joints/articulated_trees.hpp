@@ -65,9 +65,9 @@ struct HeldRows {
 /// effect, the error is left out of b, so that it adds no kinetic energy: the same factors give
 /// displacements dx with J dx = -h rate error instead. The arcs follow if they would add much.
 ///
-/// The soft solver solves a tree directly if it is loaded, that is if some joint carries more than
-/// kMostCarried times its own mass, the reduced mass of its two bodies. A soft joint opens in
-/// proportion to that ratio. Small anchored trees are solved directly too; see kFewJoints. The
+/// The soft solver solves a loaded tree directly. A tree is loaded if a joint carries more than
+/// kMostCarried times the reduced mass of its two bodies: a soft joint opens in proportion to that
+/// ratio. Small anchored trees are solved directly too; see kFewJoints. The
 /// joints of other trees of revolute joints are solved one by one, as springs.
 ///
 /// Each elimination depends on the one before. So some trees are solved side by side, node by node.

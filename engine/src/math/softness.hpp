@@ -39,11 +39,12 @@ struct Softness {
     ///
     ///   v' = d (v - q omega x),  x' = x + h v',  1 / d = 1 + 2 damping q + O(q^2) + lag
     ///
-    /// Without damping this is the symplectic step: it keeps the energy of an oscillation but for a
-    /// ripple of q / 2, has an error of second order, and is stable for q < 2. `bound` (1/s^2): see
-    /// SpringRates. Where its root exceeds half a radian in h, a further damping `lag` keeps the
-    /// step stable. The extension under a constant force stays exact. A lag above kMostLag would
-    /// couple too many springs for the passes of a substep, so the stiffness is reduced instead.
+    /// Without damping this is the symplectic step. It keeps the energy of an oscillation but for a
+    /// ripple of q / 2. Its error is of second order, and it is stable for q < 2. `bound` (1/s^2):
+    /// see SpringRates. Where its root exceeds half a radian in h, a further damping `lag` keeps
+    /// the step stable. The extension under a constant force stays exact. A lag above kMostLag
+    /// would couple too many springs for the passes of a substep, so the stiffness is reduced
+    /// instead.
     static Softness spring(Real hertz, Real damping, Real h, Real bound) {
         constexpr Real kMostLag = 32;
         constexpr Real kLeast = Real(1e-9); // the stiffness is stored as rate times scale

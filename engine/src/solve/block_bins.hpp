@@ -11,9 +11,9 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 
 /// Numbers of bins. A bin has the blocks of one level of Refinement, one group and one number of
-/// points; passes go through the bins in their order. A group is a colour. Behind the colours of
-/// contacts between movable bodies, and behind those with a body of infinite mass, a further group
-/// has the blocks of contacts without a colour.
+/// points; passes go through the bins in their order. A group is a colour. Contacts between movable
+/// bodies have their colours, and so have contacts with a body of infinite mass. Behind either, a
+/// further group has the blocks of contacts without a colour.
 struct BlockBins {
     static constexpr std::uint32_t kFreeColours = 48;
     // Colours from kFreeColours on are for contacts with a body of infinite mass.

@@ -14,15 +14,15 @@ inline namespace KODO_PRECISION {
 /// solve them at once. In an empty lane both bodies are Bodies::spare(), and arms and masses are
 /// zero.
 struct alignas(64) RevoluteBlock {
-    static constexpr int kPins = 8;
-    using Each = Real[kPins];
+    static constexpr int kJoints = 8;
+    using Each = Real[kJoints];
     struct Both {
         Each x;
         Each y;
     };
 
-    std::uint32_t a[kPins]; // see velocityOffset
-    std::uint32_t b[kPins];
+    std::uint32_t a[kJoints]; // see velocityOffset
+    std::uint32_t b[kJoints];
     Both startA; // m, from a's centre of mass to its anchor at the start of the step
     Both startB;
     Both between;  // m, from a's centre of mass to b's at the start of the step

@@ -12,7 +12,7 @@ inline namespace KODO_PRECISION {
 namespace {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{};
-constexpr std::size_t kPins = RevoluteBlock::kPins;
+constexpr std::size_t kJoints = RevoluteBlock::kJoints;
 
 bool hasAngles(const RevoluteJoint& pin) {
     return pin.motorTorque > 0 || pin.limits.has_value();
@@ -77,7 +77,7 @@ void RevoluteBlocks::assignColours(const Bodies& bodies, JointSet& joints,
         const auto& pin = std::get<RevoluteJoint>(joints.at(index).def);
         const std::size_t colour = colourFor(bodies, pin.ends);
         colourOf_.push_back(static_cast<std::uint8_t>(colour));
-        batches_[hasAngles(pin) ? 1 : 0][colour].lanes += colour == kNoColour ? kPins : 1;
+        batches_[hasAngles(pin) ? 1 : 0][colour].lanes += colour == kNoColour ? kJoints : 1;
     }
     for (const std::uint32_t index : list) {
         const JointEnds& ends = std::get<RevoluteJoint>(joints.at(index).def).ends;
@@ -91,10 +91,10 @@ void RevoluteBlocks::openBlocks(const Bodies& bodies) {
         for (const bool angular : {false, true}) {
             Batch& batch = batches_[angular ? 1 : 0][colour];
             batch.firstBlock = blocks_.size();
-            for (std::size_t lane = 0; lane < batch.lanes; lane += kPins) {
+            for (std::size_t lane = 0; lane < batch.lanes; lane += kJoints) {
                 RevoluteBlock& block = blocks_.emplace_back();
-                std::fill_n(block.a, kPins, velocityOffset(bodies.spare()));
-                std::fill_n(block.b, kPins, velocityOffset(bodies.spare()));
+                std::fill_n(block.a, kJoints, velocityOffset(bodies.spare()));
+                std::fill_n(block.b, kJoints, velocityOffset(bodies.spare()));
                 RevoluteUse& use = use_.emplace_back();
                 if (angular) {
                     use.angles = static_cast<std::uint32_t>(angles_.size());
@@ -104,22 +104,22 @@ void RevoluteBlocks::openBlocks(const Bodies& bodies) {
             batch.lanes = 0;
         }
     }
-    jointOf_.resize(kPins * blocks_.size(), kNone);
+    jointOf_.resize(kJoints * blocks_.size(), kNone);
 }
 
 /// The next free lane of a colour.
 std::size_t RevoluteBlocks::takeLane(std::size_t colour, bool angular) {
     Batch& batch = batches_[angular ? 1 : 0][colour];
-    const std::size_t lane = kPins * batch.firstBlock + batch.lanes;
-    batch.lanes += colour == kNoColour ? kPins : 1;
+    const std::size_t lane = kJoints * batch.firstBlock + batch.lanes;
+    batch.lanes += colour == kNoColour ? kJoints : 1;
     return lane;
 }
 
 void RevoluteBlocks::fill(const Bodies& bodies, const JointSet::Joint& joint, std::size_t lane) {
     const JointEnds& ends = std::get<RevoluteJoint>(joint.def).ends;
-    RevoluteBlock& block = blocks_[lane / kPins];
-    const std::size_t at = lane % kPins;
-    RevoluteUse& use = use_[lane / kPins];
+    RevoluteBlock& block = blocks_[lane / kJoints];
+    const std::size_t at = lane % kJoints;
+    RevoluteUse& use = use_[lane / kJoints];
     use.movesA |= static_cast<std::uint8_t>((bodies.locked(ends.a.index) ? 0 : 1) << at);
     use.movesB |= static_cast<std::uint8_t>((bodies.locked(ends.b.index) ? 0 : 1) << at);
     block.a[at] = velocityOffset(ends.a.index);
@@ -140,8 +140,8 @@ void RevoluteBlocks::fill(const Bodies& bodies, const JointSet::Joint& joint, st
 void RevoluteBlocks::fillAngles(const Bodies& bodies, const JointSet::Joint& joint,
                                 std::size_t lane) {
     const auto& pin = std::get<RevoluteJoint>(joint.def);
-    RevoluteAngles& angles = angles_[use_[lane / kPins].angles];
-    const std::size_t at = lane % kPins;
+    RevoluteAngles& angles = angles_[use_[lane / kJoints].angles];
+    const std::size_t at = lane % kJoints;
     angles.lower[at] = -RevoluteAngles::kFarAngle;
     angles.upper[at] = RevoluteAngles::kFarAngle;
     if (pin.limits) {
@@ -166,13 +166,13 @@ void RevoluteBlocks::end(JointSet& joints) {
         if (jointOf_[lane] == kNone) {
             continue;
         }
-        const RevoluteBlock& block = blocks_[lane / kPins];
-        const std::size_t at = lane % kPins;
+        const RevoluteBlock& block = blocks_[lane / kJoints];
+        const std::size_t at = lane % kJoints;
         JointSet::Joint& joint = joints.at(jointOf_[lane]);
         joint.point = get(block.impulse, at);
         joint.linearImpulseSum = get(block.total, at);
         joint.solved = true;
-        if (const std::uint32_t k = use_[lane / kPins].angles; k != RevoluteUse::kNoAngles) {
+        if (const std::uint32_t k = use_[lane / kJoints].angles; k != RevoluteUse::kNoAngles) {
             const RevoluteAngles& angles = angles_[k];
             joint.axes = {angles.motor[at], angles.below[at], angles.above[at]};
             joint.angularImpulseSum = angles.total[at];

@@ -43,7 +43,7 @@ KODO_LANES_INLINE Lanes torqueChange(const Couple& from, const Couple& to, const
 void rotateRevolutes(const RevolutePassArguments& pass) {
     for (std::size_t i = 0; i < pass.count; ++i) {
         RevoluteBlock& block = pass.blocks[i];
-        for (int at = 0; at < RevoluteBlock::kPins; at += kLanes) {
+        for (int at = 0; at < RevoluteBlock::kJoints; at += kLanes) {
             const Quad moveA = gather(secondHalf(pass.motion), block.a + at);
             const Quad moveB = gather(secondHalf(pass.motion), block.b + at);
             const Couple anchorA = turnedBy(cosSin(moveA.z), load(block.startA, at));
@@ -111,7 +111,7 @@ KODO_LANES_INLINE void pushRevolutes(const RevolutePassArguments& pass, std::siz
 void warmStartRevolutes(const RevolutePassArguments& pass) {
     for (std::size_t i = 0; i < pass.count; ++i) {
         RevoluteBlock& block = pass.blocks[i];
-        for (int at = 0; at < RevoluteBlock::kPins; at += kLanes) {
+        for (int at = 0; at < RevoluteBlock::kJoints; at += kLanes) {
             RevolutePair pair = pairOf(pass, block, at);
             store(block.torqueA + at, Lanes{});
             store(block.torqueB + at, Lanes{});
@@ -233,7 +233,7 @@ template <RevoluteTask task, bool angular>
 KODO_LANES_INLINE void solveBlock(const RevolutePassArguments& pass, std::size_t i) {
     const Softness& soft = pass.soft;
     RevoluteBlock& block = pass.blocks[i];
-    for (int at = 0; at < RevoluteBlock::kPins; at += kLanes) {
+    for (int at = 0; at < RevoluteBlock::kJoints; at += kLanes) {
         RevolutePair pair = pairOf(pass, block, at);
         auto& [a, b, armA, armB] = pair;
         if constexpr (task == RevoluteTask::Solve) {

@@ -30,7 +30,7 @@ public:
     };
 
     QueryTree() = default;
-    QueryTree(const QueryTree&) {} // a copy builds its own when it is asked
+    QueryTree(const QueryTree&) {} // a copy builds its own at its first query
     QueryTree& operator=(const QueryTree&) {
         allStale_ = true; // the bodies are others now; most of the bounds may fit
         stale_ = true;

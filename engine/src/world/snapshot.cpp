@@ -28,7 +28,8 @@ void header(ByteStream& stream) {
     refuseUnless(magic == kMagic, "these bytes are no snapshot of a Kodo World");
     stream.number(format);
     refuseUnless(format == kFormat, "the snapshot has format " + std::to_string(format) +
-                                        ", but this Kodo knows format " + std::to_string(kFormat));
+                                        ", but this version of Kodo reads format " +
+                                        std::to_string(kFormat));
     stream.number(precision);
     refuseUnless(precision == sizeof(Real),
                  "the snapshot has numbers of " + std::to_string(precision) +
