@@ -73,17 +73,17 @@ void StillParts::followAwake(const Bodies& bodies, const PartBounds& bounds) {
 void StillParts::rebuild(const Bodies& bodies, const PartBounds& bounds) {
     planes_.clear();
     std::vector<BoundsTree::Leaf> leaves;
-    for (std::uint32_t i = 0; i < bounds.size(); ++i) {
-        const auto [body, part] = bounds.part(i);
-        if (!bounds.isUsed(i) || isAwake(bodies, body)) {
+    for (std::uint32_t body = 0; body < bodies.size(); ++body) {
+        const std::uint32_t count = bounds.countOf(body);
+        if (count == 0 || isAwake(bodies, body)) {
             continue;
         }
         if (hasPlane(bodies, body)) {
-            if (planes_.empty() || planes_.back() != body) {
-                planes_.push_back(body);
-            }
-        } else {
-            leaves.push_back({bounds.grown()[i].box(), body, part});
+            planes_.push_back(body);
+            continue;
+        }
+        for (std::uint16_t part = 0; part < count; ++part) {
+            leaves.push_back({bounds.grown()[bounds.indexOf(body, part)].box(), body, part});
         }
     }
     parts_.build(leaves);
