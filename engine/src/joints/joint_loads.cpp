@@ -38,14 +38,15 @@ const JointEnds* collidingEnds(const JointDef& def) {
         def);
 }
 
-/// True if some contact of two bodies overlaps by more than the slop.
+/// True if some contact of two bodies overlaps by more than the slop. While a contact is resident,
+/// its summary alone has the separation of this step.
 bool overlaps(const ContactSet& contactSet, std::uint32_t a, std::uint32_t b, Real slop) {
     bool any = false;
     contactSet.store().lists().forEach(a, [&](std::uint32_t slot) {
         const Contact& contact = contactSet.contacts()[slot];
         const bool meets = contact.key.bodyA == b || contact.key.bodyB == b;
-        any = any || (meets && contact.responds() && contact.manifold.count > 0 &&
-                      contact.manifold.points[0].separation < -slop);
+        any = any ||
+              (meets && contact.responds() && contactSet.summaries()[slot].separation[0] < -slop);
     });
     return any;
 }

@@ -85,9 +85,12 @@ KODO_LANES_INLINE Together sticking(const ContactBlock& block, int at, const Unc
     const Lanes next1 = before1 + d1;
     const Lanes next2 = before2 + d2;
     const Lanes friction = by.stick - by.first * d1 - by.second * d2;
-    const Lanes most = load(block.staticFriction + at) * (next1 + next2); // < 0: it slides
+    const Lanes holds = load(block.staticFriction + at);            // < 0: it slides
+    const auto isUnlike = load(block.kineticFriction + at) < holds; // other lanes are as if alone
+    const Lanes most = holds * (next1 + next2);
     return {next1, next2,
-            regular & (next1 > Lanes{}) & (next2 > Lanes{}) & (larger(friction, -friction) < most)};
+            regular & isUnlike & (next1 > Lanes{}) & (next2 > Lanes{}) &
+                (larger(friction, -friction) < most)};
 }
 
 /// Unclamped impulses of a contact, in the relax pass of two points such that they suit each other.
@@ -126,9 +129,11 @@ KODO_LANES_INLINE Lanes applyUnlikeFriction(ContactBlock& block, int at, Lanes s
     const Lanes known = load(block.staticFriction + at);
     const Lanes coefficient = larger(known, -known);
     const Lanes hold = coefficient * pressed;
-    const Lanes slip = load(block.kineticFriction + at) * pressed;
+    const Lanes kinetic = load(block.kineticFriction + at);
+    const Lanes slip = kinetic * pressed;
     const Lanes reach = known < Lanes{} ? hold : all(left) * hold;
-    const auto slides = (larger(stick, -stick) > reach) & (pressed > Lanes{});
+    const auto slides =
+        (larger(stick, -stick) > reach) & (pressed > Lanes{}) & (kinetic < coefficient);
     const Lanes limit = slides ? slip : hold;
     const Lanes next = larger(smaller(stick, limit), -limit);
     store(block.friction + at, next);

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include <support/scenes.hpp>
+
+#include <worlds/judges.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+namespace worlds {
+
+using namespace kodo;
+
+namespace {
+
+long double wide(Real value) {
+    return static_cast<long double>(value);
+}
+
+bool isDynamic(const World& world, BodyId id) {
+    return world[id].type() == BodyType::Dynamic;
+}
+
+/// kg; the upper bound of what a spring between two bodies moves.
+long double reducedMass(const World& world, const DistanceJoint& joint) {
+    const auto inverse = [&](BodyId id) {
+        return isDynamic(world, id) ? 1 / wide(world[id].mass()) : 0.0L;
+    };
+    const long double sum = inverse(joint.ends.a) + inverse(joint.ends.b);
+    return sum > 0 ? 1 / sum : 0;
+}
+
+/// Largest force (N) and torque (N m) with which a joint drives its bodies.
+struct Drive {
+    Real force = 0;
+    Real torque = 0;
+};
+Drive driveOf(const JointDef& def) {
+    if (const auto* joint = std::get_if<RevoluteJoint>(&def)) {
+        return {0, joint->motorSpeed != 0 ? joint->motorTorque : 0};
+    }
+    if (const auto* joint = std::get_if<PrismaticJoint>(&def)) {
+        return {joint->motorSpeed != 0 ? joint->motorForce : 0, 0};
+    }
+    if (const auto* joint = std::get_if<MotorJoint>(&def)) {
+        return {joint->force, joint->torque};
+    }
+    if (const auto* joint = std::get_if<MouseJoint>(&def)) {
+        return {joint->force, 0};
+    }
+    return {};
+}
+
+Vec2 anchorAt(const World& world, BodyId id, Vec2 anchor) {
+    return world[id].transform() * anchor;
+}
+
+} // namespace
+
+EnergyJudge::Ends EnergyJudge::endsOf(const World& world, const JointDef& def) {
+    return std::visit(
+        [&](const auto& joint) {
+            if constexpr (requires { joint.ends; }) {
+                const BodyView a = world[joint.ends.a];
+                const BodyView b = world[joint.ends.b];
+                const Vec2 onA = anchorAt(world, joint.ends.a, joint.ends.anchorA);
+                const Vec2 onB = anchorAt(world, joint.ends.b, joint.ends.anchorB);
+                return Ends{onB - onA, b.velocityAt(onB) - a.velocityAt(onA),
+                            b.rotation() * a.rotation().inverse(),
+                            b.angularVelocity() - a.angularVelocity()};
+            } else {
+                const Vec2 on = anchorAt(world, joint.body, joint.anchor);
+                return Ends{on - joint.target, world[joint.body].velocityAt(on), {}, 0};
+            }
+        },
+        def);
+}
+
+long double EnergyJudge::energyOf(const World& world) const {
+    long double energy = support::totalsOf(world).kinetic;
+    for (const BodyId id : world.bodies()) {
+        if (isDynamic(world, id) && (world[id].flags() & kLockMove) == 0) {
+            const Vec2 c = world[id].center();
+            energy -= wide(world[id].mass()) *
+                      (wide(gravity_.x) * wide(c.x) + wide(gravity_.y) * wide(c.y));
+        }
+    }
+    return energy;
+}
+
+void EnergyJudge::restart(const World& world) {
+    budget_ = energyOf(world);
+    scale_ = std::max(scale_, support::totalsOf(world).kinetic);
+    long double weight = 0;
+    for (const BodyId id : world.bodies()) {
+        weight += isDynamic(world, id) ? wide(world[id].mass() * length(gravity_)) : 0;
+    }
+    scale_ = std::max(scale_, weight * wide(world.tolerances().unit()));
+    before_.clear();
+    for (const JointId id : world.joints()) {
+        const JointDef& def = world.joint(id);
+        before_[id] = endsOf(world, def);
+        const auto* spring = std::get_if<DistanceJoint>(&def);
+        if (spring != nullptr && spring->hertz > 0) {
+            const long double omega = 2 * std::numbers::pi_v<long double> * wide(spring->hertz);
+            const long double stretch = wide(length(before_[id].gap) - spring->length);
+            budget_ += reducedMass(world, *spring) * omega * omega * stretch * stretch / 2;
+        }
+    }
+    scale_ = std::max(scale_, std::abs(budget_ - energyOf(world)));
+}
+
+long double EnergyJudge::workOfJoints(const World& world) {
+    long double work = 0;
+    for (const JointId id : world.joints()) {
+        const JointDef& def = world.joint(id);
+        const Ends now = endsOf(world, def);
+        const Ends& last = before_[id];
+        const Drive drive = driveOf(def);
+        const Real moved = std::max(
+            {length(now.gap - last.gap), dt_ * length(now.velocity), dt_ * length(last.velocity)});
+        const Real turned = std::max({std::abs((now.angle * last.angle.inverse()).angle()),
+                                      dt_ * std::abs(now.spin), dt_ * std::abs(last.spin)});
+        work += wide(drive.force * moved) + wide(drive.torque * turned);
+        for (const BodyId end : {firstBody(def), secondBody(def)}) {
+            const BodyView body = world[end];
+            if (body.type() == BodyType::Kinematic) {
+                const Real speed =
+                    length(body.velocity()) +
+                    std::abs(body.angularVelocity()) * (length(now.gap) + 30); // anchors far away
+                work += wide(dt_ * length(world.jointForce(id)) * speed);
+                work += wide(dt_ * std::abs(world.jointTorque(id) * body.angularVelocity()));
+            }
+        }
+        before_[id] = now;
+    }
+    return work;
+}
+
+/// The work of a kinematic body is at most its impulses times the speed of its surface: along the
+/// normal only if it moves towards the other, across by friction of at most 1.5.
+long double EnergyJudge::workOfContacts(const World& world) const {
+    long double work = 0;
+    for (const CollisionRecord& record : world.collisions()) {
+        for (const BodyId id : {record.a, record.b}) {
+            if (!world.contains(id) || world[id].type() != BodyType::Kinematic) {
+                continue;
+            }
+            const BodyView body = world[id];
+            const Vec2 away = id == record.a ? record.normal : -record.normal;
+            const Aabb bounds = body.bounds();
+            const Real rim = std::abs(body.angularVelocity()) * length(bounds.extent());
+            const Real along = std::max(Real(0), dot(body.velocity(), away)) + rim;
+            const Real across = std::abs(cross(body.velocity(), away)) + rim;
+            work += wide(record.totalImpulse * (along + Real(1.5) * across));
+        }
+    }
+    return work;
+}
+
+std::optional<std::string> EnergyJudge::afterStep(const World& world) {
+    const long double work = workOfJoints(world) + workOfContacts(world);
+    budget_ += work;
+    scale_ += work;
+    const long double energy = energyOf(world);
+    const long double kinetic = support::totalsOf(world).kinetic;
+    scale_ = std::max(scale_, kinetic);
+    const long double excess = energy - budget_;
+    if (excess <= 0.005L * scale_) { // also false for NaN
+        return std::nullopt;
+    }
+    std::ostringstream text;
+    text << "energy " << static_cast<double>(energy) << " J, put in "
+         << static_cast<double>(budget_) << " J: " << static_cast<double>(excess) << " J more, "
+         << static_cast<double>(excess / scale_) << " of the scale";
+    return text.str();
+}
+
+} // namespace worlds

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// Judges random worlds from the command line; see tools/worlds.
+#include <base/assert.hpp>
+#include <worlds/recipe.hpp>
+
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+namespace {
+
+constexpr const char* kPrecision = sizeof(kodo::Real) == 4 ? "float" : "double";
+
+struct Options {
+    std::uint64_t seed = 1;
+    std::uint64_t count = 1000;
+    unsigned jobs = 1;
+    bool shrink = false;
+    std::string into = ".";  // folder of shrunk worlds
+    std::string replay = {}; // file
+    bool print = false;
+};
+
+void throwFailure(const char* condition, const char* file, int line) {
+    throw std::logic_error(std::string(file) + ":" + std::to_string(line) + ": " + condition);
+}
+
+bool readOptions(int argc, char** argv, Options& options) {
+    for (int i = 1; i < argc; ++i) {
+        const std::string name = argv[i];
+        if (name == "--shrink" || name == "--print") {
+            (name == "--shrink" ? options.shrink : options.print) = true;
+            continue;
+        }
+        if (i + 1 == argc) {
+            return false;
+        }
+        const char* const value = argv[++i];
+        if (name == "--into" || name == "--replay") {
+            (name == "--into" ? options.into : options.replay) = value;
+            continue;
+        }
+        char* end = nullptr;
+        const std::uint64_t number = std::strtoull(value, &end, 10);
+        if (*value == '\0' || *end != '\0') {
+            return false;
+        }
+        if (name == "--seed") {
+            options.seed = number;
+        } else if (name == "--count") {
+            options.count = number;
+        } else if (name == "--jobs") {
+            options.jobs = static_cast<unsigned>(number);
+        } else {
+            return false;
+        }
+    }
+    return options.jobs >= 1 && options.jobs <= 256;
+}
+
+/// Judges seeds on several threads, each at its own pace.
+class Judging {
+public:
+    explicit Judging(const Options& options) : options_(options) {}
+
+    bool run() {
+        std::vector<std::thread> threads;
+        for (unsigned i = 0; i < options_.jobs; ++i) {
+            threads.emplace_back([this] { work(); });
+        }
+        for (std::thread& thread : threads) {
+            thread.join();
+        }
+        std::printf("%s: %llu worlds from seed %llu on, %zu findings", kPrecision,
+                    static_cast<unsigned long long>(options_.count),
+                    static_cast<unsigned long long>(options_.seed), findings_);
+        const char* comma = ": ";
+        for (const auto& entry : byJudge_) {
+            std::printf("%s%d %s", comma, entry.second, entry.first.c_str());
+            comma = ", ";
+        }
+        std::printf("\n");
+        return findings_ == 0;
+    }
+
+private:
+    void work() {
+        for (;;) {
+            const std::uint64_t index = next_++;
+            if (index >= options_.count) {
+                return;
+            }
+            const worlds::Recipe recipe = worlds::randomRecipe(options_.seed + index);
+            const std::optional<worlds::Finding> finding = worlds::judge(recipe);
+            if (finding) {
+                report(options_.seed + index, recipe, *finding);
+            }
+            const std::uint64_t done = ++done_;
+            if (done % (options_.count / 20 + 1) == 0) {
+                const std::lock_guard lock(mutex_);
+                std::printf("%s: %llu of %llu worlds, %zu findings\n", kPrecision,
+                            static_cast<unsigned long long>(done),
+                            static_cast<unsigned long long>(options_.count), findings_);
+                std::fflush(stdout);
+            }
+        }
+    }
+
+    void report(std::uint64_t seed, const worlds::Recipe& recipe, const worlds::Finding& finding) {
+        std::string file;
+        if (options_.shrink) {
+            const worlds::Recipe small = worlds::shrink(recipe, finding);
+            file = options_.into + "/" + finding.judge + "_" + kPrecision + "_" +
+                   std::to_string(seed) + ".world";
+            std::ofstream(file) << worlds::toText(small);
+        }
+        const std::lock_guard lock(mutex_);
+        ++findings_;
+        ++byJudge_[finding.judge];
+        std::printf("%s: seed %llu (%s): %s, step %d: %s %s\n", kPrecision,
+                    static_cast<unsigned long long>(seed), worlds::kindOf(recipe).c_str(),
+                    finding.judge.c_str(), finding.step, finding.text.c_str(), file.c_str());
+        std::fflush(stdout);
+    }
+
+    const Options& options_;
+    std::atomic<std::uint64_t> next_{0};
+    std::atomic<std::uint64_t> done_{0};
+    std::mutex mutex_;
+    std::size_t findings_ = 0;
+    std::map<std::string, int> byJudge_;
+};
+
+int replay(const Options& options) {
+    std::ifstream file(options.replay);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::optional<worlds::Recipe> recipe = worlds::fromText(text);
+    if (!recipe) {
+        std::fprintf(stderr, "%s is no world.\n", options.replay.c_str());
+        return 2;
+    }
+    const std::optional<worlds::Finding> finding = worlds::judge(*recipe);
+    std::printf("%s: %s: %s", kPrecision, options.replay.c_str(), finding ? "" : "no finding\n");
+    if (finding) {
+        std::printf("%s, step %d: %s\n", finding->judge.c_str(), finding->step,
+                    finding->text.c_str());
+    }
+    return finding ? 1 : 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    Options options;
+    if (!readOptions(argc, argv, options)) {
+        std::fputs("worlds [--seed N] [--count N] [--jobs N] [--shrink] [--into FOLDER]\n"
+                   "worlds --replay FILE\nworlds --seed N --print\n",
+                   stderr);
+        return 2;
+    }
+    kodo::setAssertHandler(&throwFailure);
+    if (!options.replay.empty()) {
+        return replay(options);
+    }
+    if (options.print) {
+        std::fputs(worlds::toText(worlds::randomRecipe(options.seed)).c_str(), stdout);
+        return 0;
+    }
+    return Judging(options).run() ? 0 : 1;
+}
