@@ -6,6 +6,8 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace crosscheck {
 
@@ -21,17 +23,29 @@ struct State {
 
 /// A joint between two bodies of a scene. Points are in world coordinates (m) at the start.
 struct Link {
-    enum class Kind { RevoluteJoint, FixedJoint, DistanceJoint };
+    enum class Kind { RevoluteJoint, FixedJoint, DistanceJoint, RopeJoint, PrismaticJoint };
 
     Kind kind = Kind::RevoluteJoint;
     std::size_t a = 0;
     std::size_t b = 0;
-    scenes::Vec2 point{};   // anchor of both; DistanceJoint: anchor of a
-    scenes::Vec2 pointB{};  // DistanceJoint: anchor of b; the distance of both is the rest length
-    double motorSpeed = 0;  // rad/s, of b relative to a; RevoluteJoint only
-    double motorTorque = 0; // N m, maximum
-    double hertz = 0;       // DistanceJoint: frequency with the masses of both bodies
-    double damping = 0;     // DistanceJoint: damping ratio; 1 is critical
+    scenes::Vec2 point{};    // anchor of both; DistanceJoint and RopeJoint: anchor of a
+    scenes::Vec2 pointB{};   // DistanceJoint: anchor of b; the distance of both is the rest length;
+                             // RopeJoint: anchor of b; the distance is the largest
+    double motorSpeed = 0;   // rad/s, of b relative to a; PrismaticJoint: m/s along the axis
+    double motorTorque = 0;  // N m, maximum; PrismaticJoint: N
+    double hertz = 0;        // DistanceJoint: frequency with the masses of both bodies
+    double damping = 0;      // DistanceJoint: damping ratio; 1 is critical
+    scenes::Vec2 axis{0, 1}; // PrismaticJoint: unit, world
+    std::optional<double> limit{}; // RevoluteJoint: +- rad; PrismaticJoint: +- m
+};
+
+/// Two parts in contact in the last step; a < b.
+struct Touch {
+    std::size_t a = 0;
+    std::size_t partA = 0;
+    std::size_t b = 0;
+    std::size_t partB = 0;
+    double impulse = 0; // N s, normal, summed over the points
 };
 
 /// A scene in one engine. Bodies are identified by their index in the scene.
@@ -43,15 +57,30 @@ public:
     virtual ~Engine() = default;
 
     virtual void step(double dt) = 0;
-    /// Must be called before the first step. The two bodies no longer collide.
+    /// The two bodies no longer collide. Joints are numbered from 0.
     virtual void join(const Link& link) = 0;
+    /// Makes a part a body of its own, which gets the next index. Momentum is kept.
+    virtual void split(std::size_t body, std::size_t part) = 0;
     virtual State state(std::size_t body) const = 0;
+    /// Pairs that touched in the last step, sensors included.
+    virtual std::vector<Touch> touches() const = 0;
+    /// Force (N) of a joint on its body b, as mean of the last step.
+    virtual scenes::Vec2 jointForce(std::size_t joint) const = 0;
+
     /// Normal impulse (N s) between two bodies in the last step, summed over all points.
-    virtual double impulse(std::size_t a, std::size_t b) const = 0;
+    double impulse(std::size_t a, std::size_t b) const;
+    bool touching(std::size_t a, std::size_t b) const;
 };
 
-/// Kodo with default settings but without sleep.
-std::unique_ptr<Engine> makeKodo(const scenes::SceneDef& scene);
+enum class Solver { Soft, Propagation };
+
+/// Kodo with default settings but without sleep, since sleeping bodies report no impulses.
+namespace f32 {
+std::unique_ptr<Engine> makeKodo(const scenes::SceneDef& scene, Solver solver);
+}
+namespace f64 {
+std::unique_ptr<Engine> makeKodo(const scenes::SceneDef& scene, Solver solver);
+}
 
 /// Box2D 2.4.1 with its default 8 velocity and 3 position iterations. These differences to Kodo are
 /// removed:

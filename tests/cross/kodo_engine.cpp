@@ -1,77 +1,129 @@
 // SPDX-License-Identifier: MIT
+// Compiled twice, against both libraries.
 #include <scenes/in_kodo.hpp>
+
+#include <algorithm>
+#include <utility>
 
 #include "engine.hpp"
 
-namespace crosscheck {
+namespace crosscheck::KODO_PRECISION {
 namespace {
 
-/// Without sleep, since sleeping bodies report no impulses.
-kodo::StepSettings settings() {
-    kodo::StepSettings result;
+kodo::StepSettings settingsOf(Solver solver) {
+    kodo::StepSettings result = solver == Solver::Soft ? kodo::balanced() : kodo::thesis2006();
     result.leaveOut = kodo::Feature::Sleep;
     return result;
 }
 
+double number(kodo::Real value) {
+    return static_cast<double>(value);
+}
+kodo::Real real(double value) {
+    return static_cast<kodo::Real>(value);
+}
+
 class KodoEngine final : public Engine {
 public:
-    explicit KodoEngine(const scenes::SceneDef& scene)
-        : scene_(scenes::inKodo(scene, settings())) {}
+    KodoEngine(const scenes::SceneDef& scene, Solver solver)
+        : scene_(scenes::inKodo(scene, settingsOf(solver))) {}
 
-    void step(double dt) override { scene_.world.step(static_cast<kodo::Real>(dt)); }
+    void step(double dt) override { scene_.world.step(real(dt)); }
 
     void join(const Link& link) override {
         const kodo::JointEnds ends{scene_.ids[link.a], scene_.ids[link.b],
                                    anchor(link.a, link.point), anchor(link.b, link.point)};
-        if (link.kind == Link::Kind::FixedJoint) {
-            scene_.world.add(kodo::FixedJoint{.ends = ends});
-        } else if (link.kind == Link::Kind::RevoluteJoint) {
-            scene_.world.add(
-                kodo::RevoluteJoint{.ends = ends,
-                                    .motorSpeed = static_cast<kodo::Real>(link.motorSpeed),
-                                    .motorTorque = static_cast<kodo::Real>(link.motorTorque)});
-        } else {
-            kodo::DistanceJoint spring{.ends = ends};
-            spring.ends.anchorB = anchor(link.b, link.pointB);
-            spring.length = length(scenes::toKodo(link.pointB - link.point));
-            spring.hertz = static_cast<kodo::Real>(link.hertz);
-            spring.damping = static_cast<kodo::Real>(link.damping);
-            scene_.world.add(spring);
-        }
+        joints_.push_back(add(link, ends));
+    }
+
+    void split(std::size_t body, std::size_t part) override {
+        const kodo::BodyId id = scene_.ids[body];
+        scene_.ids.push_back(
+            scene_.world.unweld(id, part, scene_.world[id].flags() & kodo::kUserFlags));
     }
 
     State state(std::size_t body) const override {
         const kodo::BodyView view = scene_.world[scene_.ids[body]];
-        const auto number = [](kodo::Real value) { return static_cast<double>(value); };
         return {{number(view.center().x), number(view.center().y)},
                 number(view.rotation().angle()),
                 {number(view.velocity().x), number(view.velocity().y)},
                 number(view.angularVelocity())};
     }
 
-    double impulse(std::size_t a, std::size_t b) const override {
-        double sum = 0;
+    std::vector<Touch> touches() const override {
+        std::vector<Touch> result;
         for (const kodo::CollisionRecord& record : scene_.world.collisions()) {
-            if (record.involves(scene_.ids[a]) && record.involves(scene_.ids[b])) {
-                sum += static_cast<double>(record.totalImpulse);
+            if (record.phase == kodo::TouchPhase::End) {
+                continue;
             }
+            Touch one{indexOf(record.a), record.partA, indexOf(record.b), record.partB,
+                      number(record.totalImpulse)};
+            if (one.a > one.b) {
+                std::swap(one.a, one.b);
+                std::swap(one.partA, one.partB);
+            }
+            result.push_back(one);
         }
-        return sum;
+        return result;
+    }
+
+    scenes::Vec2 jointForce(std::size_t joint) const override {
+        const kodo::Vec2 force = scene_.world.jointForce(joints_[joint]);
+        return {number(force.x), number(force.y)};
     }
 
 private:
+    kodo::JointId add(const Link& link, const kodo::JointEnds& ends) {
+        using Kind = Link::Kind;
+        if (link.kind == Kind::FixedJoint) {
+            return scene_.world.add(kodo::FixedJoint{.ends = ends});
+        }
+        if (link.kind == Kind::RevoluteJoint) {
+            return scene_.world.add(kodo::RevoluteJoint{.ends = ends,
+                                                        .limits = range(link.limit),
+                                                        .motorSpeed = real(link.motorSpeed),
+                                                        .motorTorque = real(link.motorTorque)});
+        }
+        if (link.kind == Kind::PrismaticJoint) {
+            return scene_.world.add(kodo::PrismaticJoint{.ends = ends,
+                                                         .axis = scenes::toKodo(link.axis),
+                                                         .limits = range(link.limit),
+                                                         .motorSpeed = real(link.motorSpeed),
+                                                         .motorForce = real(link.motorTorque)});
+        }
+        kodo::DistanceJoint spring{.ends = ends};
+        spring.ends.anchorB = anchor(link.b, link.pointB);
+        spring.length = length(scenes::toKodo(link.pointB - link.point));
+        spring.hertz = real(link.hertz);
+        spring.damping = real(link.damping);
+        if (link.kind == Kind::RopeJoint) {
+            spring.limits = kodo::Range{0, spring.length};
+        }
+        return scene_.world.add(spring);
+    }
+
+    static std::optional<kodo::Range> range(std::optional<double> limit) {
+        return limit ? std::optional(kodo::Range{real(-*limit), real(*limit)}) : std::nullopt;
+    }
+
+    std::size_t indexOf(kodo::BodyId id) const {
+        const auto at = std::find(scene_.ids.begin(), scene_.ids.end(), id);
+        return static_cast<std::size_t>(at - scene_.ids.begin());
+    }
+
     kodo::Vec2 anchor(std::size_t body, scenes::Vec2 point) const {
         const kodo::BodyView view = scene_.world[scene_.ids[body]];
         return unrotate(view.rotation(), scenes::toKodo(point) - view.position());
     }
 
     scenes::KodoScene scene_;
+    std::vector<kodo::JointId> joints_;
 };
 
 } // namespace
 
-std::unique_ptr<Engine> makeKodo(const scenes::SceneDef& scene) {
-    return std::make_unique<KodoEngine>(scene);
+std::unique_ptr<Engine> makeKodo(const scenes::SceneDef& scene, Solver solver) {
+    return std::make_unique<KodoEngine>(scene, solver);
 }
 
-} // namespace crosscheck
+} // namespace crosscheck::KODO_PRECISION

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace scenes {
 
@@ -74,13 +75,15 @@ inline void giveNominalMass(b2Body& body, const BodyDef& source) {
     body.SetMassData(&data);
 }
 
-/// `bounceThreshold`: the approach speed (m/s) below which restitution is 0.
+/// `bounceThreshold`: the approach speed (m/s) below which restitution is 0. The user data of a
+/// fixture is the index of its part.
 inline b2Body* addToBox2d(b2World& world, const BodyDef& source, float bounceThreshold = 1) {
     b2BodyDef def;
     def.type = box2dType(source);
     def.position = toBox2d(source.position);
     def.angle = static_cast<float>(std::atan2(source.rotation.s, source.rotation.c));
     def.gravityScale = source.weightless ? 0.0f : 1.0f;
+    def.fixedRotation = source.upright;
     b2Body* body = world.CreateBody(&def);
     for (const Part& part : source.parts) {
         b2FixtureDef fixture;
@@ -88,6 +91,8 @@ inline b2Body* addToBox2d(b2World& world, const BodyDef& source, float bounceThr
         fixture.friction = static_cast<float>(source.material.friction);
         fixture.restitution = static_cast<float>(source.material.restitution);
         fixture.restitutionThreshold = bounceThreshold;
+        fixture.isSensor = source.sensor;
+        fixture.userData.pointer = static_cast<std::uintptr_t>(&part - source.parts.data());
         if (source.category != 0) {
             fixture.filter.categoryBits = source.category;
         }

@@ -63,6 +63,8 @@ inline kodo::BodyDef toKodo(const BodyDef& body) {
                : moves      ? kodo::BodyType::Kinematic
                             : kodo::BodyType::Static;
     def.flags = body.category;
+    def.flags |= body.upright ? kodo::kLockRotate : 0;
+    def.flags |= body.sensor ? kodo::kSensor : 0;
     if (body.mask != 0) {
         def.flags |= kodo::kMatchAny;
         def.required = body.mask;

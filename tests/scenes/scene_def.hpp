@@ -85,6 +85,8 @@ struct BodyDef {
     Material material{};
     bool locked = false;     // static, or kinematic if it has a velocity
     bool weightless = false; // not affected by gravity
+    bool upright = false;    // never rotates
+    bool sensor = false;     // detects overlap, without any response
     // Collision filter bits, for scenes with filtering. There, every body needs a category.
     std::uint16_t category = 0;
     std::uint16_t mask = 0; // categories to collide with; both masks must accept; 0: all

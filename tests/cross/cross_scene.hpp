@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine.hpp"
+
+namespace crosscheck {
+
+inline constexpr double kDt = 1.0 / 60; // s, a common step size of both engines
+inline constexpr double kPi = 3.14159265358979323846;
+
+/// What a figure of a scene must agree with.
+enum class Rule {
+    Exact,     // Kodo and Box2D with the closed form
+    KodoExact, // Kodo with the closed form; Box2D deviates by design
+    Agree,     // Kodo with Box2D; there is no closed form
+    AtMost,    // Kodo is not above `exact`
+    Show,      // nothing
+};
+
+/// A wider tolerance of Kodo's solver of the thesis, with its reason. Negative: not judged.
+struct Wider {
+    double tolerance = 0;
+    std::string reason;
+};
+
+/// One measured number of a scene and how it is judged.
+struct Figure {
+    std::string what;
+    std::string unit;
+    Rule rule = Rule::Show;
+    double exact = 0;
+    double tolerance = 0;
+    std::string reason; // of the tolerance
+    std::optional<Wider> propagation{};
+};
+
+/// The one definition of a scene: the tests judge it, and the page shows it.
+struct CrossScene {
+    std::string name; // of the test
+    std::string title;
+    std::string text;       // what happens, and the closed form
+    std::string difference; // who is right where the engines differ, and why
+    scenes::SceneDef def;
+    double bounceThreshold = 1;       // m/s, of Box2D
+    std::vector<std::size_t> drawn{}; // bodies whose paths are drawn
+    std::function<std::vector<double>(Engine&)> measure{};
+    std::vector<Figure> figures{}; // one for each number that `measure` returns
+};
+
+/// Adds to the figures of a scene: adder(scene)("first hit", "s").exact(...).
+class FigureAdder {
+public:
+    FigureAdder(CrossScene& scene, std::string what, std::string unit);
+    FigureAdder& exact(double value, double tolerance, const std::string& reason);
+    FigureAdder& kodoExact(double value, double tolerance, const std::string& reason);
+    FigureAdder& agree(double tolerance, const std::string& reason);
+    FigureAdder& atMost(double value, const std::string& reason);
+    /// For Kodo's solver of the thesis.
+    FigureAdder& propagation(double tolerance, const std::string& reason);
+
+private:
+    FigureAdder& set(Rule rule, double value, double tolerance, const std::string& reason);
+    Figure& last();
+
+    CrossScene& scene_;
+};
+
+inline FigureAdder figure(CrossScene& scene, const std::string& what, const std::string& unit) {
+    return {scene, what, unit};
+}
+
+/// All scenes, in the order of the page.
+const std::vector<CrossScene>& sceneBook();
+
+// The chapters of the book.
+std::vector<CrossScene> impactScenes();
+std::vector<CrossScene> dropScenes();
+std::vector<CrossScene> slideScenes();
+std::vector<CrossScene> pileScenes();
+std::vector<CrossScene> jointScenes();
+std::vector<CrossScene> loadScenes();
+std::vector<CrossScene> filterScenes();
+std::vector<CrossScene> moverScenes();
+std::vector<CrossScene> fractureScenes();
+
+/// Where a body was at the end of a step.
+struct TrackPoint {
+    double time = 0; // s
+    scenes::Vec2 position;
+    double angle = 0; // rad
+};
+
+/// A pair that began to exchange impulses in a step.
+struct Impact {
+    double time = 0; // s
+    std::size_t a = 0;
+    std::size_t b = 0;
+    double impulse = 0; // N s, of that step
+};
+
+/// A scene as one engine played it.
+struct Played {
+    std::vector<double> values;
+    std::map<std::size_t, std::vector<TrackPoint>> tracks; // by body
+    std::vector<Impact> impacts;                           // the first of them
+};
+Played play(const CrossScene& scene, Engine& engine);
+
+/// True if Kodo's value, and Box2D's where the rule says so, satisfy the rule.
+bool holds(const Figure& figure, Solver solver, double kodo, double box2d);
+/// The tolerance that applies to a solver; negative: not judged.
+double toleranceOf(const Figure& figure, Solver solver);
+
+// Used by measurements.
+
+void run(Engine& engine, double seconds, double dt = kDt);
+
+/// The first impact between two bodies: the end of the first step with an impulse, and the sum of
+/// that step and the next two. Kodo may distribute a soft impact over two steps. Box2D follows a
+/// time-of-impact step by a regular one. The engine's state is the one after the three steps.
+struct Hit {
+    double time = -1; // s; -1: never
+    double impulse = 0;
+};
+Hit runToHit(Engine& engine, std::size_t a, std::size_t b, double mostSeconds, double dt = kDt);
+
+/// The time (s) from which no body from `first` to `last` is faster than `speed` (m/s or rad/s). -1
+/// if one still is at the end.
+double runToRest(Engine& engine, std::size_t first, std::size_t last, double seconds,
+                 double speed = 0.01);
+
+/// Mean normal force (N) between two bodies over the next second.
+double meanForce(Engine& engine, std::size_t a, std::size_t b);
+
+/// Kinetic and potential energy (J) of the dynamic bodies.
+double energy(const Engine& engine, const scenes::SceneDef& scene);
+
+inline double sizeOf(scenes::Vec2 v) {
+    return std::sqrt(dot(v, v));
+}
+
+} // namespace crosscheck

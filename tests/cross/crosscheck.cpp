@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// Plays every scene of the book in Kodo (both solvers, float and double) and in Box2D 2.4.1, and
+// prints all as JSON for tools/lib/crosscheck.py. Exit code: 0 all figures hold, 1 some do not.
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "cross_scene.hpp"
+
+namespace {
+
+using namespace crosscheck;
+
+/// The plays of one scene: Kodo soft and propagation, each float and double, then Box2D.
+struct Plays {
+    std::vector<Played> kodo;
+    Played box2d;
+};
+const char* const kNames[] = {"soft, float", "soft, double", "propagation, float",
+                              "propagation, double"};
+
+Solver solverOf(std::size_t play) {
+    return play < 2 ? Solver::Soft : Solver::Propagation;
+}
+
+std::string text(const std::string& words) {
+    std::string result = "\"";
+    for (const char c : words) {
+        result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+    }
+    return result + '"';
+}
+
+std::string number(double value) {
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.9g", value);
+    return std::isfinite(value) ? digits : "null";
+}
+
+template <typename List, typename Write>
+std::string list(const List& all, Write write) {
+    std::string result = "[";
+    for (const auto& one : all) {
+        result += (result.size() > 1 ? "," : "") + write(one);
+    }
+    return result + "]";
+}
+
+std::string point(scenes::Vec2 p) {
+    return "[" + number(p.x) + "," + number(p.y) + "]";
+}
+
+std::string partOf(const scenes::Part& part) {
+    if (const auto* circle = std::get_if<scenes::Circle>(&part)) {
+        return R"({"radius":)" + number(circle->radius) + R"(,"center":)" + point(circle->center) +
+               "}";
+    }
+    const auto* box = std::get_if<scenes::Box>(&part);
+    return R"({"corners":)" +
+           list(box != nullptr ? cornersOf(*box) : std::get<scenes::Polygon>(part).corners, point) +
+           "}";
+}
+
+std::string bodyOf(const scenes::BodyDef& body) {
+    return R"({"position":)" + point(body.position) + R"(,"rotation":)" +
+           point({body.rotation.c, body.rotation.s}) + R"(,"center":)" +
+           point(massOf(body).center) + R"(,"locked":)" + (body.locked ? "true" : "false") +
+           R"(,"parts":)" + list(body.parts, partOf) + "}";
+}
+
+std::string playOf(const std::string& name, const Played& played) {
+    return R"({"name":)" + text(name) + R"(,"tracks":)" +
+           list(played.tracks,
+                [](const auto& one) {
+                    return R"({"body":)" + number(static_cast<double>(one.first)) +
+                           R"(,"points":)" +
+                           list(one.second,
+                                [](const TrackPoint& at) {
+                                    return "[" + number(at.time) + "," + number(at.position.x) +
+                                           "," + number(at.position.y) + "," + number(at.angle) +
+                                           "]";
+                                }) +
+                           "}";
+                }) +
+           R"(,"impacts":)" +
+           list(played.impacts,
+                [](const Impact& one) {
+                    return "[" + number(one.time) + "," + number(static_cast<double>(one.a)) + "," +
+                           number(static_cast<double>(one.b)) + "," + number(one.impulse) + "]";
+                }) +
+           "}";
+}
+
+const char* ruleName(Rule rule) {
+    switch (rule) {
+    case Rule::Exact:
+        return "exact";
+    case Rule::KodoExact:
+        return "kodo";
+    case Rule::Agree:
+        return "agree";
+    case Rule::AtMost:
+        return "most";
+    case Rule::Show:
+        break;
+    }
+    return "show";
+}
+
+std::string figureOf(const Figure& figure, const Plays& plays, std::size_t index, bool& good) {
+    std::string values;
+    std::string verdicts;
+    const double box2d = plays.box2d.values[index];
+    for (std::size_t i = 0; i < plays.kodo.size(); ++i) {
+        const double value = plays.kodo[i].values[index];
+        const bool right = holds(figure, solverOf(i), value, box2d);
+        good = good && right;
+        values += (i > 0 ? "," : "") + number(value);
+        verdicts += std::string(i > 0 ? "," : "") + (right ? "true" : "false");
+    }
+    std::string result = R"({"what":)" + text(figure.what) + R"(,"unit":)" + text(figure.unit) +
+                         R"(,"rule":")" + ruleName(figure.rule) + R"(","exact":)" +
+                         number(figure.exact) + R"(,"tolerance":)" + number(figure.tolerance) +
+                         R"(,"reason":)" + text(figure.reason) + R"(,"kodo":[)" + values +
+                         R"(],"holds":[)" + verdicts + R"(],"box2d":)" + number(box2d);
+    if (figure.propagation) {
+        result += R"(,"wider":)" + number(figure.propagation->tolerance) + R"(,"widerReason":)" +
+                  text(figure.propagation->reason);
+    }
+    return result + "}";
+}
+
+Plays playAll(const CrossScene& scene) {
+    Plays plays;
+    for (const Solver solver : {Solver::Soft, Solver::Propagation}) {
+        plays.kodo.push_back(play(scene, *f32::makeKodo(scene.def, solver)));
+        plays.kodo.push_back(play(scene, *f64::makeKodo(scene.def, solver)));
+    }
+    plays.box2d = play(scene, *makeBox2d(scene.def, scene.bounceThreshold));
+    return plays;
+}
+
+std::string sceneOf(const CrossScene& scene, bool& good) {
+    const Plays plays = playAll(scene);
+    std::string figures;
+    for (std::size_t i = 0; i < scene.figures.size(); ++i) {
+        figures += (i > 0 ? "," : "") + figureOf(scene.figures[i], plays, i, good);
+    }
+    std::string played;
+    for (std::size_t i = 0; i < plays.kodo.size(); ++i) {
+        played += playOf(kNames[i], plays.kodo[i]) + ",";
+    }
+    return R"({"name":)" + text(scene.name) + R"(,"title":)" + text(scene.title) + R"(,"text":)" +
+           text(scene.text) + R"(,"difference":)" + text(scene.difference) + R"(,"bodies":)" +
+           list(scene.def.bodies, bodyOf) + R"(,"figures":[)" + figures + R"(],"plays":[)" +
+           played + playOf("Box2D 2.4.1", plays.box2d) + "]}";
+}
+
+} // namespace
+
+int main() {
+    bool good = true;
+    std::string separator = "[";
+    for (const CrossScene& scene : sceneBook()) {
+        std::cout << separator << sceneOf(scene, good) << "\n";
+        separator = ",";
+    }
+    std::cout << "]\n";
+    return good ? 0 : 1;
+}

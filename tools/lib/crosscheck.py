@@ -1,0 +1,502 @@
+# SPDX-License-Identifier: MIT
+"""The page of tools/crosscheck: reads the JSON of build/release/bin/crosscheck, writes HTML."""
+import html
+import json
+import math
+import pathlib
+import subprocess
+import sys
+
+from options import Options
+
+KODO, THESIS, BOX2D = "#1f6feb", "#2da44e", "#d1570b"
+INK, FAINT, GREY = "#24292f", "#d0d7de", "#57606a"
+# Colour, dash, width and opacity of each play, in the order of the program. Later lines cover
+# earlier ones where they agree: the first is a broad band, doubles are dotted.
+STYLES = (
+    ("soft, float", KODO, "", 6, 0.4),
+    ("soft, double", "#0a3069", "1.5 4", 2, 1),
+    ("propagation, float", THESIS, "", 1.8, 1),
+    ("propagation, double", "#116329", "1.5 4", 1.6, 1),
+    ("Box2D 2.4.1", BOX2D, "7 5", 1.6, 1),
+)
+PICTURE = (  # scenes of the picture in README.md
+    "SpinningBarThrowsABall",
+    "BallBouncesAtRestitution08",
+    "BoxOnItsCornerTipsOverAndLiesFlat",
+    "BallThroughPinsBouncesAndFallsOut",
+)
+CHARTED = ("BallBouncesAtRestitution08",)  # over time instead of in the plane
+STYLE_SHEET = """
+:root { color-scheme: light; }
+body { font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; color: #24292f; margin: 0;
+       background: #f6f8fa; }
+main { max-width: 1180px; margin: 0 auto; padding: 24px; }
+h1 { font-size: 26px; margin: 8px 0; }
+h2 { font-size: 18px; margin: 0 0 4px; }
+section, .intro { background: white; border: 1px solid #d0d7de; border-radius: 8px;
+                  padding: 18px 20px; margin: 18px 0; }
+.name { color: #57606a; font: 12px ui-monospace, "DejaVu Sans Mono", monospace; }
+.top { display: flex; gap: 24px; align-items: flex-start; flex-wrap: wrap; }
+.top > div { flex: 1 1 340px; }
+svg { display: block; max-width: 100%; height: auto; }
+table { border-collapse: collapse; width: 100%; font-size: 13px; margin-top: 12px; }
+th { text-align: right; font-weight: 600; color: #57606a; border-bottom: 2px solid #d0d7de;
+     padding: 4px 8px; vertical-align: bottom; }
+td { text-align: right; border-bottom: 1px solid #eaeef2; padding: 4px 8px; vertical-align: top;
+     font-variant-numeric: tabular-nums; white-space: nowrap; }
+td.words, th.words { text-align: left; white-space: normal; }
+td.reason { text-align: left; white-space: normal; color: #57606a; min-width: 200px; }
+td.first { min-width: 150px; }
+td.rule { text-align: left; }
+td.far { color: #bc4c00; font-weight: 600; }
+td.bad { background: #ffebe9; color: #cf222e; font-weight: 600; }
+td.unjudged { color: #8c959f; }
+.verdict { display: inline-block; border-radius: 10px; padding: 1px 10px; font-size: 13px;
+           font-weight: 600; }
+.good { background: #dafbe1; color: #116329; }
+.wrong { background: #ffebe9; color: #cf222e; }
+.differ { background: #fff8c5; color: #7d4e00; }
+.legend span { margin-right: 18px; white-space: nowrap; }
+nav { columns: 2; font-size: 14px; }
+nav a { display: block; color: #0969da; text-decoration: none; break-inside: avoid; }
+.small { font-size: 13px; color: #57606a; }
+table.hits { width: auto; }
+"""
+RULES = {
+    "exact": "both = form",
+    "kodo": "Kodo = form",
+    "agree": "Kodo = Box2D",
+    "most": "Kodo at most",
+    "show": "not judged",
+}
+
+
+def escape(text):
+    return html.escape(text, quote=True)
+
+
+def number(value):
+    if value is None:
+        return "–"
+    if value == 0:
+        return "0"
+    if abs(value) < 1e-3 or abs(value) >= 1e5:
+        mantissa, exponent = f"{value:.2e}".split("e")
+        return f"{mantissa}e{int(exponent)}".replace("-", "−")
+    return f"{value:.5g}".replace("-", "−")
+
+
+def place(body):
+    (x, y), (c, s) = body["position"], body["rotation"]
+    return lambda p: (x + c * p[0] - s * p[1], y + s * p[0] + c * p[1])
+
+
+def frame_at(body, point):
+    """The frame of the shapes when the centre of mass is at a point of a track."""
+    _, x, y, angle = point
+    c, s = math.cos(angle), math.sin(angle)
+    cx, cy = body["center"]
+    origin = (x - c * cx + s * cy, y - s * cx - c * cy)
+    return {**body, "position": origin, "rotation": (c, s)}
+
+
+def outline(body):
+    """Points (m) that span the shapes of a body."""
+    put = place(body)
+    for part in body["parts"]:
+        if "radius" in part:
+            x, y = put(part["center"])
+            r = part["radius"]
+            yield from ((x - r, y - r), (x + r, y + r))
+        else:
+            yield from map(put, part["corners"])
+
+
+def extent(scene):
+    """The box (m) of the paths, with the bodies at both ends."""
+    points = []
+    for play in scene["plays"]:
+        if play["name"].startswith("propagation"):
+            continue  # what falls over must not shrink what stands
+        for track in play["tracks"]:
+            body = scene["bodies"][track["body"]]
+            points += [(x, y) for _, x, y, _ in track["points"]]
+            points += outline(body)
+            points += outline(frame_at(body, track["points"][-1]))
+    xs, ys = zip(*points)
+    left, right, low, high = min(xs), max(xs), min(ys), max(ys)
+    pad = 0.06 * max(right - left, high - low, 0.5)
+    return left - pad, right + pad, low - pad, high + pad
+
+
+class View:
+    """Metres to pixels, with equal scales on both axes."""
+
+    def __init__(self, box, width, height):
+        left, right, low, high = box
+        self.scale = min(width / (right - left), height / (high - low))
+        self.left = (left + right) / 2 - width / 2 / self.scale
+        self.top = (low + high) / 2 + height / 2 / self.scale
+        self.width, self.height = width, height
+
+    def at(self, p):
+        return ((p[0] - self.left) * self.scale, (self.top - p[1]) * self.scale)
+
+
+def shapes(view, body, look):
+    put = place(body)
+    result = ""
+    for part in body["parts"]:
+        if "radius" in part:
+            x, y = view.at(put(part["center"]))
+            result += f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{part["radius"] * view.scale:.1f}" {look}/>'
+        else:
+            points = " ".join("%.1f,%.1f" % view.at(put(c)) for c in part["corners"])
+            result += f'<polygon points="{points}" {look}/>'
+    return result
+
+
+def path(view, points):
+    """Drops points that are nearer than half a pixel to the last one."""
+    kept = []
+    for _, x, y, _ in points:
+        p = view.at((x, y))
+        if not kept or math.dist(kept[-1], p) >= 0.5:
+            kept.append(p)
+    if len(kept) == 1:
+        kept.append((kept[0][0] + 0.1, kept[0][1]))
+    return " ".join("%.1f,%.1f" % p for p in kept)
+
+
+def ruler(view):
+    length = max(
+        s for s in (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50) if s * view.scale <= 120
+    )
+    x, y = 10, view.height - 10
+    right = x + length * view.scale
+    return (
+        f'<path d="M{x} {y - 4}V{y}H{right:.1f}V{y - 4}" fill="none" stroke="{GREY}"/>'
+        f'<text x="{right + 6:.1f}" y="{y}" font-size="12" fill="{GREY}"'
+        f' stroke="white" stroke-width="3" paint-order="stroke">{length:g} m</text>'
+    )
+
+
+def drawing(scene, width=520, height=330, frame=True):
+    view = View(extent(scene), width, height)
+    drawn = {track["body"] for track in scene["plays"][0]["tracks"]}
+    inner = f'<rect width="{width}" height="{height}" fill="white"/>'
+    for i, body in enumerate(scene["bodies"]):
+        fill = "#d8dee4" if body["locked"] else "#f6f8fa"
+        inner += shapes(view, body, f'fill="{fill}" stroke="#8c959f" stroke-width="0.8"')
+        if i in drawn and not body["locked"]:
+            x, y = view.at(place(body)(body["center"]))
+            inner += f'<circle cx="{x:.1f}" cy="{y:.1f}" r="2.2" fill="{GREY}"/>'
+    for play, (_, colour, dash, stroke, opacity) in zip(scene["plays"], STYLES):
+        for track in play["tracks"]:
+            body = scene["bodies"][track["body"]]
+            if "double" not in play["name"] and not body["locked"]:
+                inner += shapes(
+                    view,
+                    frame_at(body, track["points"][-1]),
+                    f'fill="{colour}" fill-opacity="0.06" stroke="{colour}" stroke-width="1"'
+                    f' stroke-dasharray="{dash}"',
+                )
+            inner += (
+                f'<polyline points="{path(view, track["points"])}" fill="none" stroke="{colour}"'
+                f' stroke-width="{stroke}" stroke-opacity="{opacity}" stroke-dasharray="{dash}"'
+                ' stroke-linejoin="round"/>'
+            )
+    inner += ruler(view)
+    if frame:
+        inner += (
+            f'<rect x="0.5" y="0.5" width="{width - 1}" height="{height - 1}" fill="none"'
+            f' stroke="{FAINT}"/>'
+        )
+    return (
+        f'<svg viewBox="0 0 {width} {height}" width="{width}" height="{height}" role="img"'
+        f' aria-label="Paths of {escape(scene["title"])}">{inner}</svg>'
+    )
+
+
+def ticks(low, high, most):
+    """Round numbers within a range, at most so many."""
+    size = 10 ** math.floor(math.log10((high - low) / most))
+    step = next(size * k for k in (1, 2, 5, 10, 20) if (high - low) / (size * k) <= most)
+    first = math.ceil(low / step)
+    return [k * step for k in range(first, math.floor(high / step) + 1)]
+
+
+def moving_coordinate(scene):
+    """The body and the coordinate (1: x, 2: y, 3: angle) that change most in Kodo's soft solver."""
+    best = (-1, None, 1)
+    for track in scene["plays"][0]["tracks"]:
+        for axis in (1, 2, 3):
+            values = [p[axis] for p in track["points"]]
+            spread = (max(values) - min(values)) * (0.2 if axis == 3 else 1)
+            if spread > best[0] + 1e-9:
+                best = (spread, track["body"], axis)
+    return best[1], best[2]
+
+
+def chart(scene, width=560, height=230):
+    """One coordinate over time, in all plays."""
+    body, axis = moving_coordinate(scene)
+    lines = []
+    for play in scene["plays"]:
+        points = next(t["points"] for t in play["tracks"] if t["body"] == body)
+        lines.append([(p[0], p[axis]) for p in points])
+    seen = lines[0] + lines[1] + lines[4]  # what falls in the thesis's solver is cut off
+    low, high = min(v for _, v in seen), max(v for _, v in seen)
+    pad = max(0.08 * (high - low), 1e-3)
+    low, high, end = low - pad, high + pad, max(t for t, _ in seen)
+    left, right, top, bottom = 52, width - 10, 24, height - 30
+
+    def at(time, value):
+        return (
+            left + (right - left) * time / end,
+            bottom - (bottom - top) * (value - low) / (high - low),
+        )
+
+    what = {1: "x (m)", 2: "height (m)", 3: "angle (rad)"}[axis]
+    inner = f'<rect width="{width}" height="{height}" fill="white"/>'
+    grid = f'stroke="{FAINT}" stroke-width="0.7"'
+    for value in ticks(low, high, 5):
+        y = at(0, value)[1]
+        inner += f'<path d="M{left} {y:.1f}H{right}" {grid}/>'
+        inner += (
+            f'<text x="{left - 6}" y="{y + 4:.1f}" text-anchor="end" font-size="12"'
+            f' fill="{GREY}">{number(round(value, 9))}</text>'
+        )
+    for time in ticks(0, end, 8):
+        x = at(time, low)[0]
+        inner += f'<path d="M{x:.1f} {top}V{bottom}" {grid}/>'
+        inner += (
+            f'<text x="{x:.1f}" y="{bottom + 16}" text-anchor="middle" font-size="12"'
+            f' fill="{GREY}">{number(round(time, 9))}</text>'
+        )
+    inner += f'<text x="{left}" y="15" font-size="12" fill="{INK}">{what} of body {body}</text>'
+    inner += f'<text x="{right}" y="{height - 2}" font-size="12" text-anchor="end"'
+    inner += f' fill="{GREY}">time (s)</text>'
+    clip = f"clip-{scene['name']}"
+    inner += f'<clipPath id="{clip}"><rect x="{left}" y="{top}" width="{right - left}"'
+    inner += f' height="{bottom - top}"/></clipPath><g clip-path="url(#{clip})">'
+    for line, (_, colour, dash, stroke, opacity) in zip(lines, STYLES):
+        kept = []
+        for time, value in line:
+            p = at(time, value)
+            if not kept or math.dist(kept[-1], p) >= 1:
+                kept.append(p)
+        inner += (
+            f'<polyline points="{" ".join("%.1f,%.1f" % p for p in kept)}" fill="none"'
+            f' stroke="{colour}" stroke-width="{stroke}" stroke-opacity="{opacity}"'
+            f' stroke-dasharray="{dash}" stroke-linejoin="round"/>'
+        )
+    inner += "</g>"
+    return (
+        f'<svg viewBox="0 0 {width} {height}" width="{width}" height="{height}" role="img"'
+        f' aria-label="{what} over time">{inner}</svg>'
+    )
+
+
+def box2d_is_far(figure):
+    if figure["rule"] not in ("exact", "kodo"):
+        return False
+    return abs(figure["box2d"] - figure["exact"]) > max(figure["tolerance"], 0)
+
+
+def verdict(scene):
+    good = all(all(f["holds"]) for f in scene["figures"])
+    if not good:
+        return "wrong", "does not hold"
+    far = sum(box2d_is_far(f) for f in scene["figures"])
+    loose = any(f.get("wider", 0) < 0 for f in scene["figures"])
+    if far:
+        return "differ", f"holds; Box2D differs in {far} figure{'s' if far > 1 else ''}"
+    if loose:
+        return "differ", "holds; the thesis’s solver is not judged in all figures"
+    return "good", "all agree"
+
+
+def row(figure):
+    unit = f' <span class="small">{escape(figure["unit"])}</span>' if figure["unit"] else ""
+    cells = f'<td class="words first">{escape(figure["what"])}{unit}</td>'
+    unjudged = figure.get("wider", 0) < 0
+    for i, value in enumerate(figure["kodo"]):
+        kind = "" if figure["holds"][i] else "bad"
+        if i >= 2 and unjudged:
+            kind = "unjudged"
+        cells += f'<td class="{kind}">{number(value)}</td>'
+    cells += f'<td class="{"far" if box2d_is_far(figure) else ""}">{number(figure["box2d"])}</td>'
+    exact = number(figure["exact"]) if figure["rule"] in ("exact", "kodo", "most") else ""
+    exact = "≤ " + exact if figure["rule"] == "most" else exact
+    tolerance = "" if figure["rule"] in ("show", "most") else "± " + number(figure["tolerance"])
+    reason = escape(figure["reason"])
+    if "wider" in figure:
+        wide = "not judged" if unjudged else "± " + number(figure["wider"])
+        reason += f'<br>Propagation: {wide}; {escape(figure["widerReason"])}'
+    cells += f"<td>{exact}</td>"
+    cells += f'<td class="rule">{RULES[figure["rule"]]}</td>'
+    cells += f'<td>{tolerance}</td><td class="reason">{reason}</td>'
+    return f"<tr>{cells}</tr>"
+
+
+def figures(scene):
+    head = (
+        '<tr><th class="words">figure</th><th>soft<br>float</th><th>soft<br>double</th>'
+        "<th>propag.<br>float</th><th>propag.<br>double</th><th>Box2D<br>2.4.1</th>"
+        '<th>closed<br>form</th><th class="words">must agree</th><th>tolerance</th>'
+        '<th class="words">its reason</th></tr>'
+    )
+    return f'<table>{head}{"".join(row(f) for f in scene["figures"])}</table>'
+
+
+def hits(scene):
+    """The first impacts of float, soft and of Box2D, side by side."""
+    rows = ""
+    both = (scene["plays"][0]["impacts"], scene["plays"][2]["impacts"], scene["plays"][4]["impacts"])
+    for i in range(max(len(one) for one in both)):
+        cells = ""
+        for one in both:
+            if i < len(one):
+                time, a, b, impulse = one[i]
+                cells += f"<td>{time:.3f}</td><td>{a}–{b}</td><td>{number(impulse)}</td>"
+            else:
+                cells += "<td></td><td></td><td></td>"
+        rows += f"<tr>{cells}</tr>"
+    if not rows:
+        return '<p class="small">No impacts.</p>'
+    head = "".join(
+        f'<th colspan="3" style="text-align:center">{name}</th>'
+        for name in ("soft, float", "propagation, float", "Box2D")
+    )
+    units = "<th>s</th><th>bodies</th><th>N s</th>" * 3
+    return (
+        '<p class="small" style="margin-bottom:0">First impacts: end of the step, bodies, impulse'
+        f' of that step.</p><table class="hits"><tr>{head}</tr><tr>{units}</tr>{rows}</table>'
+    )
+
+
+def section(scene):
+    kind, words = verdict(scene)
+    return (
+        f'<section id="{scene["name"]}"><h2>{escape(scene["title"])}</h2>'
+        f'<div class="name">{scene["name"]}</div>'
+        f'<p>{escape(scene["text"])}</p>'
+        f'<p><span class="verdict {kind}">{words}</span> {escape(scene["difference"])}</p>'
+        f'<div class="top"><div>{drawing(scene)}</div><div>{chart(scene)}{hits(scene)}</div></div>'
+        f"{figures(scene)}</section>"
+    )
+
+
+def legend():
+    result = ""
+    for name, colour, dash, stroke, opacity in STYLES:
+        result += (
+            f'<span><svg style="display:inline;vertical-align:middle" width="46" height="10">'
+            f'<path d="M1 5H45" stroke="{colour}" stroke-width="{stroke}"'
+            f' stroke-opacity="{opacity}" stroke-dasharray="{dash}"/></svg>'
+            f' {name if "Box2D" in name else "Kodo " + name}</span>'
+        )
+    return f'<p class="legend">{result}</p>'
+
+
+def page(scenes):
+    kinds = [verdict(scene)[0] for scene in scenes]
+    judged = sum(len(s["figures"]) for s in scenes)
+    bad = kinds.count("wrong")
+    summary = (
+        f"{len(scenes)} scenes with {judged} figures: "
+        f"{kinds.count('good')} agree in all, {kinds.count('differ')} hold with a known difference, "
+        f"{bad} {'does' if bad == 1 else 'do'} not hold."
+    )
+    links = "".join(
+        f'<a href="#{s["name"]}">{escape(s["title"])}'
+        f'{" ✗" if kind == "wrong" else " ≠" if kind == "differ" else ""}</a>'
+        for s, kind in zip(scenes, kinds)
+    )
+    return (
+        '<!doctype html><html lang="en"><head><meta charset="utf-8">'
+        '<meta name="viewport" content="width=device-width">'
+        f"<title>Kodo beside Box2D 2.4.1</title><style>{STYLE_SHEET}</style></head><body><main>"
+        "<h1>Kodo beside Box2D 2.4.1</h1>"
+        f"<div class=\"intro\"><p><b>{summary}</b></p><p>Each scene is played by Kodo’s soft solver"
+        " and by the solver of the thesis (profile <code>thesis2006()</code>), in float and double,"
+        " and by Box2D with 8 velocity and 3 position iterations. Steps of 1/60 s; nothing sleeps."
+        " Both mix restitution by the minimum, and boxes have equal size with their skin."
+        " <code>tests/cross</code> holds the scenes and judges the same figures.</p>"
+        f"{legend()}"
+        '<p class="small">Light outlines: the start; coloured ones: the end. Lines are paths of'
+        " centres of mass. <span style=\"color:#bc4c00;font-weight:600\">Orange</span>: Box2D is"
+        " farther from the closed form than the tolerance. Grey figures are not judged.</p></div>"
+        f'<div class="intro"><nav>{links}</nav></div>'
+        f'{"".join(section(s) for s in scenes)}</main></body></html>\n'
+    )
+
+
+def picture(scenes):
+    """Four scenes in one SVG, with a legend."""
+    by_name = {scene["name"]: scene for scene in scenes}
+    width, height, gap = 400, 250, 12
+    inner = ""
+    for i, name in enumerate(PICTURE):
+        scene = by_name[name]
+        x, y = gap + i % 2 * (width + gap), 40 + i // 2 * (height + 34)
+        shown = (chart if name in CHARTED else drawing)(scene, width, height)
+        inner += (
+            f'<text x="{x}" y="{y - 8}" font-size="14" font-weight="600" fill="{INK}">'
+            f'{escape(scene["title"])}</text><g transform="translate({x} {y})">{shown}</g>'
+        )
+    bottom = 40 + 2 * (height + 34) - 10
+    x = gap
+    for name, colour, dash, stroke, opacity in STYLES:
+        label = name if "Box2D" in name else "Kodo " + name
+        inner += (
+            f'<path d="M{x} {bottom}h30" stroke="{colour}" stroke-width="{stroke}"'
+            f' stroke-opacity="{opacity}" stroke-dasharray="{dash}"/>'
+            f'<text x="{x + 36}" y="{bottom + 4}" font-size="12" fill="{INK}">{label}</text>'
+        )
+        x += 48 + 6.1 * len(label) + (8 if "double" in label else 0)
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{2 * width + 3 * gap}"'
+        f' height="{bottom + 20}" font-family="system-ui, DejaVu Sans, sans-serif">'
+        f'<rect width="100%" height="100%" fill="white"/>{inner}</svg>\n'
+    )
+
+
+def main():
+    options = Options("tools/crosscheck", add_help=False)
+    options.add_argument("--output", type=pathlib.Path)
+    options.add_argument("--picture", type=pathlib.Path)
+    options.add_argument("--scenes", nargs="+", metavar="NAME")
+    options.add_argument("--program", type=pathlib.Path)  # for the test of this page
+    options.add_argument("--check-options", action="store_true")
+    chosen = options.parse_args()
+    if chosen.check_options:
+        return 0
+    program = chosen.program or pathlib.Path("build/release/bin/crosscheck")
+    run = subprocess.run([program], stdout=subprocess.PIPE, check=False)
+    if run.returncode not in (0, 1):
+        sys.stderr.write(f"{program} ended with {run.returncode}.\n")
+        return 1
+    scenes = json.loads(run.stdout)
+    if chosen.picture:
+        chosen.picture.write_text(picture(scenes), encoding="utf-8")
+        print(f"Written: {chosen.picture}")
+    if chosen.scenes:
+        scenes = [s for s in scenes if any(n in s["name"] for n in chosen.scenes)]
+        if not scenes:
+            sys.stderr.write("tools/crosscheck: no scene has such a name.\n")
+            return 2
+    output = chosen.output or pathlib.Path("build/crosscheck/crosscheck.html")
+    output.parent.mkdir(parents=True, exist_ok=True)
+    output.write_text(page(scenes), encoding="utf-8")
+    bad = [s["name"] for s in scenes if verdict(s)[0] == "wrong"]
+    print(f"Written: {output} ({len(scenes)} scenes)")
+    for name in bad:
+        print(f"Does not hold: {name}")
+    return 1 if bad else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
