@@ -65,7 +65,7 @@ struct LevelChain : joints::Rig {
 // would vibrate at up to 6 rad per substep. The energy never rises by more than a part of the fall
 // that a step of first order may give, and no joint opens by more than half a per cent of a link.
 TEST(ChainEnergy, ASwingingChainWithAHeavyEndGainsNoneAndKeepsItsLength) {
-    for (const int substeps : {0, 4, 16}) {
+    for (const int substeps : support::variants({0, 4, 16})) {
         for (const StepSettings& settings : bothSolvers(substeps)) {
             for (const Real ratio : {Real(100), Real(1e3), Real(1e4)}) {
                 for (const bool discs : {false, true}) {
@@ -129,7 +129,7 @@ TEST(ChainEnergy, ALinkWithLockedRotationDoesNotTurn) {
 // work of the pull.
 TEST(ChainEnergy, AChainDraggedOverTheGroundGainsNoneAndStaysTogether) {
     constexpr Real kPull = 20; // N
-    for (const int substeps : {0, 4, 16}) {
+    for (const int substeps : support::variants({0, 4, 16})) {
         for (const StepSettings& settings : bothSolvers(substeps)) {
             for (const Real friction : {Real(0), Real(0.1), Real(0.6)}) {
                 SCOPED_TRACE("friction " + std::to_string(friction) + ", substeps " +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <support/draws.hpp>
 #include <support/scenes.hpp>
 
 #include <memory>

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdlib>
+#include <initializer_list>
+#include <vector>
 
 namespace support {
 
@@ -21,6 +23,12 @@ inline constexpr bool kSanitized = false;
 /// Number of random cases: a tenth of `whole` under a sanitizer.
 constexpr int draws(int whole) {
     return kSanitized ? whole / 10 : whole;
+}
+
+/// All values; under a sanitizer the first one, since the others run the same code.
+template <typename T>
+std::vector<T> variants(std::initializer_list<T> values) {
+    return kSanitized ? std::vector<T>{*values.begin()} : std::vector<T>(values);
 }
 
 /// Number of random poses for each pair of kinds of shapes in tests/collide. The environment
