@@ -43,7 +43,8 @@ TEST_P(ScriptedReplay, MeetsItsExpectations) {
         ADD_FAILURE() << GetParam().string() << ":" << failure.expectation.line << ": "
                       << failure.text();
     }
-    EXPECT_FALSE(playback.divergence());
+    EXPECT_FALSE(playback.divergence())
+        << "the hashes change with the game; made by: apart-headless hash FILE...";
 }
 
 /// Most blocks of one collapse, with all targets of the paddle moved by `shift`
