@@ -214,4 +214,83 @@ TEST(Playback, ReportsFailedExpectations) {
     EXPECT_EQ(playback.failures()[0].text(), "expect 100 lives == 2, but lives is 4");
 }
 
+/// The replay by hand with these expectations alone, which end at tick 200.
+Replay expecting(const std::string& lines) {
+    const std::string text = "apart-replay 2\nlevel first_light\nseed 7\nhandwritten\n"
+                             "0 0 0 0\n90 0 0 1\n" +
+                             lines + "end 200\n";
+    const Read<Replay> read = parseReplay(text, "test.replay");
+    if (const auto* problem = std::get_if<FileProblem>(&read)) {
+        ADD_FAILURE() << problem->text();
+        return {};
+    }
+    return std::get<Replay>(read);
+}
+
+TEST(Playback, JudgesSpansByNeverAndAlways) {
+    EXPECT_TRUE(played(expecting("expect by 200 served == 1\n"
+                                 "expect never 0-89 served > 0\n"
+                                 "expect always 95-200 served == 1\n"
+                                 "expect always 0-200 lives > 0\n"))
+                    .failures()
+                    .empty());
+    const Playback late = played(expecting("expect by 80 served == 1\n"));
+    ASSERT_EQ(late.failures().size(), 1u);
+    EXPECT_EQ(late.failures()[0].text(), "expect by 80 served == 1, but served is 0 at tick 80");
+    const Playback once = played(expecting("expect never 50-200 served == 1\n"));
+    ASSERT_EQ(once.failures().size(), 1u); // once, not at each tick
+    EXPECT_GT(once.failures()[0].tick, 89u);
+    const Playback broken = played(expecting("expect always 0-200 served == 0\n"));
+    ASSERT_EQ(broken.failures().size(), 1u);
+    EXPECT_EQ(broken.failures()[0].tick, once.failures()[0].tick);
+}
+
+TEST(ReplayFile, KeepsSpansWhenWritten) {
+    const Replay replay = expecting("expect by 200 served == 1\n"
+                                    "expect by 50-120 served == 1\n"
+                                    "expect never 0-89 power == well\n"
+                                    "expect always 95-200 lives == 3\n"
+                                    "expect 200 hitImpulse >= 0\n");
+    const Read<Replay> again = parseReplay(toText(replay), "again.replay");
+    ASSERT_TRUE(std::holds_alternative<Replay>(again));
+    const auto& expectations = std::get<Replay>(again).expectations;
+    ASSERT_EQ(expectations.size(), replay.expectations.size());
+    for (std::size_t i = 0; i < expectations.size(); ++i) {
+        EXPECT_EQ(expectations[i].text(), replay.expectations[i].text());
+    }
+    EXPECT_EQ(replay.expectations[1].text(), "expect by 50-120 served == 1");
+}
+
+TEST(ReplayFile, RefusesBadSpans) {
+    const auto reasonOf = [](const std::string& line) {
+        const Read<Replay> read = parseReplay(
+            "apart-replay 2\nlevel first_light\nseed 7\nhandwritten\n" + line + "\nend 200\n",
+            "test.replay");
+        return std::holds_alternative<FileProblem>(read) ? std::get<FileProblem>(read).reason
+                                                         : std::string("none");
+    };
+    EXPECT_NE(reasonOf("expect by 90-80 served == 1").find("is no span"), std::string::npos);
+    EXPECT_NE(reasonOf("expect until 90 served == 1").find("reads: expect"), std::string::npos);
+    EXPECT_NE(reasonOf("expect never 0-201 served == 1").find("after the end"), std::string::npos);
+    EXPECT_NE(reasonOf("expect never 0-x served == 1").find("is no span"), std::string::npos);
+    EXPECT_NE(reasonOf("expect 100 power == dragon").find("no value of power"), std::string::npos);
+}
+
+TEST(Playback, MomentumOfPiecesAndMountIsTheImpulseOfTheBreak) {
+    const Read<Replay> read = readReplayFile(std::string(APART_REPLAYS) + "/pattern_halves.replay");
+    ASSERT_TRUE(std::holds_alternative<Replay>(read));
+    Replay replay = std::get<Replay>(read);
+    const Read<Level> level = loadLevelOf(std::string(APART_REPLAYS) + "/x", replay.level);
+    ASSERT_TRUE(std::holds_alternative<Level>(level));
+    Playback playback(replay, std::make_shared<const Level>(std::get<Level>(level)));
+    while (playback.valueOf(Field::BreakPieces) == 0 && !playback.done()) {
+        playback.tick();
+    }
+    EXPECT_GT(playback.valueOf(Field::BreakImpulse), 0);
+    EXPECT_NEAR(static_cast<double>(playback.valueOf(Field::PieceMomentumY) +
+                                    playback.valueOf(Field::MountImpulseY)),
+                static_cast<double>(playback.valueOf(Field::BreakImpulse)), 3);
+    EXPECT_EQ(playback.valueOf(Field::BreakPieces), playback.valueOf(Field::Shards));
+}
+
 } // namespace

@@ -34,6 +34,19 @@ expect 0 "$json, \"hashesChecked\": 15, \"firstDifference\": null\\}\$" \
 expect 0 "$json, \"expectationsFailed\": 0\\}\$" \
     "$program" replay "$replays/keystone_caught.replay" --json
 
+# What happens, by tick; and the hash lines of a handwritten replay.
+expect 0 '^166 broke block 169 .* impulse 19.5.* pieces 5 ' \
+    "$program" trace "$replays/pattern_slats.replay" --from 160
+expect 0 '^166 pieceMomentumY = 307' \
+    "$program" trace "$replays/pattern_slats.replay" --field pieceMomentumY
+expect 2 'there is no field nothing' "$program" trace a.replay --field nothing
+mkdir levels && cp "$replays"/levels/patterns.toml levels/ 2>/dev/null
+grep -v '^hash' "$replays/pattern_slats.replay" >slats.replay
+expect 0 '^slats.replay: hash 42 ' "$program" hash slats.replay
+cmp -s slats.replay "$replays/pattern_slats.replay" ||
+    { echo 'FAILED: the hash lines made anew differ'; failed=1; }
+expect 2 'was recorded, and has the hashes' "$program" hash a.replay
+
 # A generated level: its name in the replay suffices to play it again.
 expect 0 "^endless:7:3, seed 5: " \
     "$program" bot --level endless:7:3 --seed 5 --ticks 900 --record endless.replay

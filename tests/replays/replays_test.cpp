@@ -30,6 +30,7 @@ TEST_P(ScriptedReplay, MeetsItsExpectations) {
     ASSERT_TRUE(std::holds_alternative<Replay>(read)) << std::get<FileProblem>(read).text();
     const Replay& replay = std::get<Replay>(read);
     EXPECT_FALSE(replay.expectations.empty());
+    EXPECT_FALSE(replay.hashes.empty()) << "made by: apart-headless hash FILE...";
     const Read<Level> level = loadLevelOf(GetParam(), replay.level);
     ASSERT_TRUE(std::holds_alternative<Level>(level)) << std::get<FileProblem>(level).text();
     ASSERT_EQ(refusal(replay, std::get<Level>(level)), std::nullopt);
@@ -43,7 +44,8 @@ TEST_P(ScriptedReplay, MeetsItsExpectations) {
         ADD_FAILURE() << GetParam().string() << ":" << failure.expectation.line << ": "
                       << failure.text();
     }
-    EXPECT_FALSE(playback.divergence());
+    EXPECT_FALSE(playback.divergence())
+        << "the hashes change with the game; made by: apart-headless hash FILE...";
 }
 
 /// Most blocks of one collapse, with all targets of the paddle moved by `shift`

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/real.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>

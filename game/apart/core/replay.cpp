@@ -7,107 +7,6 @@
 
 namespace apart {
 
-namespace {
-
-std::int64_t inThousandths(kodo::Real value) {
-    return static_cast<std::int64_t>(value * 1000);
-}
-
-/// Value of the first ball; 0 without one.
-std::int64_t valueOfBall(const Game& game, Field field) {
-    if (game.balls().empty()) {
-        return 0;
-    }
-    const kodo::BodyView ball = game.world()[game.balls()[0].body];
-    if (field == Field::BallSpeed) {
-        return inThousandths(length(ball.velocity()));
-    }
-    return inThousandths(field == Field::BallX ? ball.position().x : ball.position().y);
-}
-
-std::int64_t valueOfPaddle(const Game& game, Field field) {
-    const kodo::BodyView paddle = game.world()[game.paddle()];
-    switch (field) {
-    case Field::PaddleX:
-        return inThousandths(paddle.position().x);
-    case Field::PaddleMass:
-        return inThousandths(paddle.mass());
-    case Field::Tilt:
-        return inThousandths(game.sway().tilt);
-    default:
-        return inThousandths(game.sway().lift);
-    }
-}
-
-std::int64_t looseBlocks(const Game& game) {
-    return std::count_if(game.blocks().begin(), game.blocks().end(),
-                         [](const Block& block) { return block.support == Support::Loose; });
-}
-
-} // namespace
-
-std::span<const std::string_view> valueNames(Field field) {
-    switch (field) {
-    case Field::Result:
-        return kResultNames;
-    case Field::BallKind:
-        return kBallKindNames;
-    case Field::Patience:
-        return kPatienceNames;
-    default:
-        return {};
-    }
-}
-
-std::int64_t valueOf(const Game& game, Field field) {
-    switch (field) {
-    case Field::BlocksLeft:
-        return game.blocksLeft();
-    case Field::Score:
-        return game.score();
-    case Field::Lives:
-        return game.lives();
-    case Field::Combo:
-        return game.combo();
-    case Field::Balls:
-        return static_cast<std::int64_t>(game.balls().size());
-    case Field::Shards:
-        return static_cast<std::int64_t>(game.shards().size());
-    case Field::Parts:
-        return static_cast<std::int64_t>(game.parts().size());
-    case Field::PaddleParts:
-        return game.weldedParts();
-    case Field::PaddleX:
-    case Field::PaddleMass:
-    case Field::Tilt:
-    case Field::Lift:
-        return valueOfPaddle(game, field);
-    case Field::BallX:
-    case Field::BallY:
-    case Field::BallSpeed:
-        return valueOfBall(game, field);
-    case Field::LooseBlocks:
-        return looseBlocks(game);
-    case Field::Meter:
-        return inThousandths(game.meter());
-    case Field::Effects:
-        return static_cast<std::int64_t>(game.effects().size());
-    case Field::Wind:
-        return inThousandths(game.windSpeed());
-    case Field::LargestFall:
-        return game.collapse().largest;
-    case Field::BentBounces:
-        return game.ledger().bentBounces;
-    case Field::BallKind:
-        return static_cast<std::int64_t>(game.ballKind());
-    case Field::Patience:
-        return static_cast<std::int64_t>(game.patience());
-    default:
-        break;
-    }
-    return static_cast<std::int64_t>(game.result());
-}
-
 bool holds(std::int64_t left, Comparison comparison, std::int64_t right) {
     switch (comparison) {
     case Comparison::Equal:
@@ -140,6 +39,7 @@ std::optional<std::string> refusal(const Replay& replay, const Level& level) {
 
 Playback::Playback(Replay replay, std::shared_ptr<const Level> level)
     : replay_(std::move(replay)), game_(std::move(level), replay_.seed, replay_.mode) {
+    settled_.resize(replay_.expectations.size());
     look();
 }
 
@@ -149,18 +49,11 @@ void Playback::tick() {
         ++nextInput_;
     }
     game_.tick(input_);
-    for (const Event& event : game_.events()) {
-        ++eventCounts_[event.index()];
-    }
+    values_.note(game_);
     look();
 }
 
-std::int64_t Playback::valueNow(Field field) const {
-    const auto index = static_cast<std::size_t>(field);
-    return index < kStateFields ? valueOf(game_, field) : eventCounts_[index - kStateFields];
-}
-
-void Playback::look() {
+void Playback::compareHashes() {
     for (; nextHash_ < replay_.hashes.size() && replay_.hashes[nextHash_].tick <= game_.ticks();
          ++nextHash_) {
         const HashMark& mark = replay_.hashes[nextHash_];
@@ -173,14 +66,33 @@ void Playback::look() {
             divergence_ = Divergence{mark.tick, agreed_};
         }
     }
-    for (const Expectation& expectation : replay_.expectations) {
-        if (expectation.tick != game_.ticks()) {
-            continue;
+}
+
+void Playback::judge(std::size_t index) {
+    const Expectation& expectation = replay_.expectations[index];
+    const std::uint32_t tick = game_.ticks();
+    if (settled_[index] != 0 || tick < expectation.from || tick > expectation.tick) {
+        return;
+    }
+    const std::int64_t found = values_.valueOf(game_, expectation.field);
+    const bool holdsNow = holds(found, expectation.comparison, expectation.value);
+    const bool last = tick == expectation.tick;
+    const bool fails = expectation.when == When::Never ? holdsNow : !holdsNow;
+    if (expectation.when == When::By) {
+        settled_[index] = holdsNow ? 1 : 0;
+        if (last && !holdsNow) {
+            failures_.push_back({expectation, found, tick});
         }
-        const std::int64_t found = valueNow(expectation.field);
-        if (!holds(found, expectation.comparison, expectation.value)) {
-            failures_.push_back({expectation, found});
-        }
+    } else if (fails) {
+        settled_[index] = 1;
+        failures_.push_back({expectation, found, tick});
+    }
+}
+
+void Playback::look() {
+    compareHashes();
+    for (std::size_t i = 0; i < replay_.expectations.size(); ++i) {
+        judge(i);
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <apart/core/game.hpp>
+#include <apart/core/replay_field.hpp>
 #include <apart/core/text_file.hpp>
 
 #include <cstdint>
@@ -30,12 +31,15 @@ namespace apart {
 ///   hash 60 5c1d... 120 91ab...      # state after so many ticks; any number of pairs
 ///   expect 600 blocksLeft <= 20      # tick, field, == != < <= > >=, number or name
 ///   expect 600 shardBroke >= 3       # number of events of this name until that tick
+///   expect by 600 breakImpulse > 9000      # at one tick at least, from 0 to 600
+///   expect always 300-600 lives == 3       # at each tick from 300 to 600
+///   expect never 300-600 ballSpeed > 20000 # at none
 ///   end 1200                         # ticks; always the last line except for the digest
 ///   digest 77aa...                   # over all bytes before this line
 ///
 /// The input line of tick t is applied to the state after t ticks and holds until the next line.
 /// See Input. A target of - is none. force is 0, pull or push, and may be omitted. # starts a
-/// comment.
+/// comment. game/replays.md describes the format and all fields.
 struct InputChange {
     std::uint32_t tick = 0;
     Input input;
@@ -47,62 +51,23 @@ struct HashMark {
     friend bool operator==(const HashMark&, const HashMark&) = default;
 };
 
-/// Quantity of an expectation: a value of the state after the tick, or the number of events of a
-/// kind so far. Event fields follow in the order of Event's alternatives.
-enum class Field : std::uint8_t {
-    BlocksLeft,
-    Score,
-    Lives,
-    Combo,
-    Balls,
-    Shards,
-    Parts,       // loose, stuck or launched
-    PaddleParts, // welded to the paddle
-    PaddleX,     // 1/1000 m
-    PaddleMass,  // 1/1000 kg
-    Tilt,        // 1/1000 rad, of the paddle
-    Lift,        // 1/1000 m, of the paddle
-    BallX,       // 1/1000 m, of the first ball; 0 without one
-    BallY,
-    BallSpeed,   // 1/1000 m/s
-    LooseBlocks, // Support::Loose
-    Meter,       // 1/1000
-    Effects,     // number of active powers
-    Wind,        // 1/1000 m/s
-    BentBounces, // see Ledger
-    LargestFall, // most blocks of one collapse so far
-    Result,      // playing won lost
-    BallKind,    // round heavy lopsided egg rough
-    Patience,    // calm glowing shaking failing
-    FirstEvent,
-};
-inline constexpr std::size_t kStateFields = static_cast<std::size_t>(Field::FirstEvent);
-inline constexpr std::size_t kEventKinds = std::variant_size_v<Event>;
-inline constexpr std::array<std::string_view, kStateFields + kEventKinds> kFieldNames = {
-    "blocksLeft", "score", "lives", "combo", "balls", "shards", "parts", "paddleParts", "paddleX",
-    "paddleMass", "tilt", "lift", "ballX", "ballY", "ballSpeed", "looseBlocks", "meter", "effects",
-    "wind", "bentBounces", "largestFall", "result", "ballKind", "patience",
-    // In the order of Event's alternatives.
-    "struck", "cracked", "broke", "released", "caught", "welded", "stuck", "launched", "spent",
-    "ballSplit", "served", "ballLost", "lifeLost", "cleared", "lost", "knockedOff", "shardBroke",
-    "letGo", "fell", "bossDown", "bumped", "powerBegan", "powerEnded", "ballChanged", "leapt",
-    "forceChanged", "shardCaught", "patienceChanged", "loopSeen", "collapsed", "snapped"};
-/// Names of the values of a field; empty for a numeric field.
-std::span<const std::string_view> valueNames(Field field);
-/// Value of a state field.
-std::int64_t valueOf(const Game& game, Field field);
-
 enum class Comparison : std::uint8_t { Equal, NotEqual, Less, AtMost, Greater, AtLeast };
 inline constexpr std::array<std::string_view, 6> kComparisonNames = {"==", "!=", "<",
                                                                      "<=", ">",  ">="};
 bool holds(std::int64_t left, Comparison comparison, std::int64_t right);
 
+/// The ticks of a span at which an expectation must hold.
+enum class When : std::uint8_t { At, By, Never, Always };
+inline constexpr std::array<std::string_view, 4> kWhenNames = {"at", "by", "never", "always"};
+
 struct Expectation {
-    std::uint32_t tick = 0;
+    std::uint32_t tick = 0; // the last one
     Field field = Field::Result;
     Comparison comparison = Comparison::Equal;
     std::int64_t value = 0;
     int line = 0; // in the file, from 1
+    When when = When::At;
+    std::uint32_t from = 0; // the first tick of a span
 
     std::string text() const; // as in the file
     friend bool operator==(const Expectation&, const Expectation&) = default;
@@ -143,6 +108,8 @@ public:
     void tick();
     const Game& game() const { return game_; }
     const Replay& replay() const { return replay_; }
+    /// After the last tick.
+    std::int64_t valueOf(Field field) const { return values_.valueOf(game_, field); }
 
     /// First hash that differs from the recorded one.
     struct Divergence {
@@ -154,6 +121,7 @@ public:
     struct Failure {
         Expectation expectation;
         std::int64_t found = 0;
+        std::uint32_t tick = 0; // at which it was found
 
         /// For example "expect 600 lives == 3, but lives is 2".
         std::string text() const;
@@ -162,7 +130,8 @@ public:
 
 private:
     void look();
-    std::int64_t valueNow(Field field) const;
+    void compareHashes();
+    void judge(std::size_t index);
 
     Replay replay_;
     Game game_;
@@ -172,7 +141,8 @@ private:
     std::optional<Divergence> divergence_;
     std::optional<std::uint32_t> agreed_;
     std::vector<Failure> failures_;
-    std::array<std::int64_t, kEventKinds> eventCounts_{};
+    FieldValues values_;
+    std::vector<char> settled_; // of each expectation: met (By), or broken (Never, Always)
 };
 
 /// Records a running game. record() must be called after each tick with its input.

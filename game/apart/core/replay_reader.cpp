@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <tuple>
+#include <utility>
 
 namespace apart {
 
@@ -232,33 +234,78 @@ private:
         return "";
     }
 
+    /// A tick, or two with a hyphen between them.
+    static std::optional<std::pair<std::uint32_t, std::uint32_t>> spanOf(std::string_view word) {
+        const std::size_t hyphen = word.find('-');
+        if (hyphen == std::string_view::npos) {
+            const std::optional<std::uint32_t> tick = tickOf(word);
+            return tick ? std::optional(std::pair{std::uint32_t{0}, *tick}) : std::nullopt;
+        }
+        const std::optional<std::uint32_t> from = tickOf(word.substr(0, hyphen));
+        const std::optional<std::uint32_t> to = tickOf(word.substr(hyphen + 1));
+        if (!from || !to || *from > *to) {
+            return std::nullopt;
+        }
+        return std::pair{*from, *to};
+    }
+
     std::string readExpectation(const Words& words) {
-        if (words.size() != 5) {
-            return "an expectation reads: expect TICK FIELD OPERATOR VALUE";
+        const std::optional<std::size_t> when =
+            words.size() == 6 ? indexOf(words[1], kWhenNames) : std::optional<std::size_t>(0);
+        if (!when || words.size() < 5 || words.size() > 6) {
+            return "an expectation reads: expect TICK FIELD OPERATOR VALUE, or with by, never or "
+                   "always and a span FROM-TO in place of the tick";
         }
-        const std::optional<std::uint32_t> tick = tickOf(words[1]);
-        const std::optional<std::size_t> field = indexOf(words[2], kFieldNames);
-        const std::optional<std::size_t> comparison = indexOf(words[3], kComparisonNames);
-        if (!tick) {
-            return tickReason(words[1]);
+        const std::size_t at = words.size() - 4;
+        Expectation expectation;
+        expectation.when = static_cast<When>(*when);
+        expectation.line = line_;
+        if (expectation.when == When::At) {
+            const std::optional<std::uint32_t> tick = tickOf(words[at]);
+            if (!tick) {
+                return tickReason(words[at]);
+            }
+            expectation.from = expectation.tick = *tick;
+        } else {
+            const auto span = spanOf(words[at]);
+            if (!span) {
+                return quoted(words[at]) +
+                       " is no span: TICK or FROM-TO, with whole numbers from "
+                       "0 to " +
+                       std::to_string(kLongestReplay);
+            }
+            std::tie(expectation.from, expectation.tick) = *span;
         }
+        const std::string reason = readComparison(words, at + 1, expectation);
+        if (reason.empty()) {
+            replay_.expectations.push_back(expectation);
+        }
+        return reason;
+    }
+
+    /// Field, operator and value, from the word `at` on.
+    static std::string readComparison(const Words& words, std::size_t at,
+                                      Expectation& expectation) {
+        const std::optional<std::size_t> field = indexOf(words[at], kFieldNames);
+        const std::optional<std::size_t> comparison = indexOf(words[at + 1], kComparisonNames);
         if (!field) {
-            return "there is no field " + quoted(words[2]);
+            return "there is no field " + quoted(words[at]);
         }
         if (!comparison) {
-            return "there is no operator " + quoted(words[3]);
+            return "there is no operator " + quoted(words[at + 1]);
         }
-        std::optional<std::int64_t> value = toNumber(words[4]);
+        std::optional<std::int64_t> value = toNumber(words[at + 2]);
         const std::span<const std::string_view> names = valueNames(static_cast<Field>(*field));
         if (!names.empty()) {
-            const std::optional<std::size_t> name = indexOf(words[4], names);
+            const std::optional<std::size_t> name = indexOf(words[at + 2], names);
             value = name ? std::optional(static_cast<std::int64_t>(*name)) : std::nullopt;
         }
         if (!value) {
-            return quoted(words[4]) + " is no value of " + std::string(words[2]);
+            return quoted(words[at + 2]) + " is no value of " + std::string(words[at]);
         }
-        replay_.expectations.push_back({*tick, static_cast<Field>(*field),
-                                        static_cast<Comparison>(*comparison), *value, line_});
+        expectation.field = static_cast<Field>(*field);
+        expectation.comparison = static_cast<Comparison>(*comparison);
+        expectation.value = *value;
         return "";
     }
 

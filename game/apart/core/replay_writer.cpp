@@ -18,14 +18,22 @@ std::string fieldName(Field field) {
 } // namespace
 
 std::string Expectation::text() const {
-    return "expect " + std::to_string(tick) + " " + fieldName(field) + " " +
+    std::string span = std::to_string(tick);
+    if (when == When::Never || when == When::Always || (when == When::By && from > 0)) {
+        span = std::to_string(from) + "-" + span;
+    }
+    if (when != When::At) {
+        span = std::string(kWhenNames[static_cast<std::size_t>(when)]) + " " + span;
+    }
+    return "expect " + span + " " + fieldName(field) + " " +
            std::string(kComparisonNames[static_cast<std::size_t>(comparison)]) + " " +
            valueText(field, value);
 }
 
 std::string Playback::Failure::text() const {
     return expectation.text() + ", but " + fieldName(expectation.field) + " is " +
-           valueText(expectation.field, found);
+           valueText(expectation.field, found) +
+           (expectation.when == When::At ? "" : " at tick " + std::to_string(tick));
 }
 
 std::string toText(const Replay& replay) {

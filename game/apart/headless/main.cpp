@@ -8,6 +8,7 @@
 #include <apart/core/tuning.hpp>
 #include <apart/headless/lint_command.hpp>
 #include <apart/headless/refusal.hpp>
+#include <apart/headless/replay_commands.hpp>
 #include <apart/headless/report.hpp>
 #include <apart/headless/soak_command.hpp>
 
@@ -85,25 +86,8 @@ int playBot(const BotOptions& options) {
     return 0;
 }
 
-Playback open(const std::string& file) {
-    Replay replay = valueOrRefuse(readReplayFile(file));
-    auto level = std::make_shared<const Level>(valueOrRefuse(loadLevelOf(file, replay.level)));
-    if (const std::optional<std::string> reason = refusal(replay, *level)) {
-        throw Refusal{file + ": " + *reason};
-    }
-    return Playback(std::move(replay), std::move(level));
-}
-
-void playToEnd(Playback& playback) {
-    Progress progress;
-    while (!playback.done()) {
-        playback.tick();
-        progress.show(playback.game(), playback.replay().end);
-    }
-}
-
 int playReplay(const std::string& file, bool json) {
-    Playback playback = open(file);
+    Playback playback = openReplay(file);
     playToEnd(playback);
     for (const Playback::Failure& failure : playback.failures()) {
         fmt::print(stderr, "{}:{}: {}\n", file, failure.expectation.line, failure.text());
@@ -120,7 +104,7 @@ int playReplay(const std::string& file, bool json) {
 }
 
 int verify(const std::string& file, bool json) {
-    Playback playback = open(file);
+    Playback playback = openReplay(file);
     const std::size_t hashes = playback.replay().hashes.size();
     if (hashes == 0) {
         throw Refusal{file + ": there is no hash line to verify"};
@@ -154,11 +138,23 @@ int listLevels() {
     return 0;
 }
 
-/// Options of `lint` and `soak`.
+/// Options of `lint`, `soak` and `trace`.
 struct Checks {
     LintCommand lint;
     SoakCommand soak;
+    TraceCommand trace;
+    std::vector<std::string> hashed; // files
 };
+
+CLI::App* addTrace(CLI::App& app, TraceCommand& trace) {
+    CLI::App* command = app.add_subcommand("trace", "Print what happens in a replay, by tick");
+    command->add_option("FILE", trace.file, "The replay")->required();
+    command->add_option("--from", trace.from, "First tick, 0 unless given");
+    command->add_option("--to", trace.to, "Last tick, the end unless given");
+    command->add_option("--field", trace.fields,
+                        "A field of expectations; its value is printed when it changes");
+    return command;
+}
 
 CLI::App* addLint(CLI::App& app, LintCommand& lint) {
     CLI::App* command = app.add_subcommand("lint", "Check that levels can be played and won");
@@ -240,6 +236,10 @@ int run(int argc, char** argv) {
     Checks checks;
     const CLI::App* lintCommand = addLint(app, checks.lint);
     const CLI::App* soakCommand = addSoak(app, checks.soak);
+    const CLI::App* traceCommand = addTrace(app, checks.trace);
+    CLI::App* hashCommand =
+        app.add_subcommand("hash", "Play handwritten replays; write their hash lines anew");
+    hashCommand->add_option("FILE", checks.hashed, "The replays")->required();
     CLI::App* levelsCommand = app.add_subcommand("levels", "List the levels");
 
     try {
@@ -257,6 +257,12 @@ int run(int argc, char** argv) {
     }
     if (verifyCommand->parsed()) {
         return verify(file, json);
+    }
+    if (traceCommand->parsed()) {
+        return runTrace(checks.trace);
+    }
+    if (hashCommand->parsed()) {
+        return runHash(checks.hashed);
     }
     if (lintCommand->parsed()) {
         return runLint(checks.lint);

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/assets.hpp>
+#include <apart/headless/refusal.hpp>
+#include <apart/headless/replay_commands.hpp>
+#include <apart/headless/report.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+namespace apart {
+
+namespace {
+
+/// The numbers that an event has, in units of metre, kilogram and second.
+template <typename E>
+std::string numbersOf(const E& event) {
+    std::string text;
+    const auto add = [&](std::string_view name, const auto& value) {
+        text += fmt::format(" {} {}", name, value);
+    };
+    if constexpr (requires { event.key; }) {
+        add("block", event.key);
+    }
+    if constexpr (requires { event.what; }) {
+        add("role", static_cast<int>(event.what));
+    }
+    if constexpr (requires { event.power; }) {
+        add("power", kPowerNames[static_cast<std::size_t>(event.power)]);
+    }
+    if constexpr (requires { event.point; }) {
+        text += fmt::format(" at ({:.3f}, {:.3f})", event.point.x, event.point.y);
+    }
+    if constexpr (requires { event.normal; }) {
+        text += fmt::format(" normal ({:.3f}, {:.3f})", event.normal.x, event.normal.y);
+    }
+    if constexpr (requires { event.impulse; }) {
+        text += fmt::format(" impulse {:.4g}", event.impulse);
+    }
+    if constexpr (requires { event.force + kodo::Real(0); }) {
+        text += fmt::format(" force {:.4g}", event.force);
+    }
+    if constexpr (requires { event.shards; }) {
+        add("pieces", event.shards);
+    }
+    if constexpr (requires { event.pieces; }) {
+        add("pieces", event.pieces);
+    }
+    if constexpr (requires { event.strengthLeft; }) {
+        text += fmt::format(" left {:.3f}", event.strengthLeft);
+    }
+    if constexpr (requires { event.blocks; }) {
+        add("blocks", event.blocks);
+    }
+    if constexpr (requires { event.points; }) {
+        add("points", event.points);
+    }
+    if constexpr (requires { event.balls; }) {
+        add("balls", event.balls);
+    }
+    if constexpr (requires { event.untilTick; }) {
+        add("until", event.untilTick);
+    }
+    return text;
+}
+
+std::vector<Field> fieldsOf(const std::vector<std::string>& names) {
+    std::vector<Field> fields;
+    for (const std::string& name : names) {
+        const auto found = std::find(kFieldNames.begin(), kFieldNames.end(), name);
+        if (found == kFieldNames.end()) {
+            throw Refusal{"there is no field " + name};
+        }
+        fields.push_back(static_cast<Field>(found - kFieldNames.begin()));
+    }
+    return fields;
+}
+
+void printEvents(const Game& game) {
+    for (const Event& event : game.events()) {
+        const std::string numbers =
+            std::visit([](const auto& one) { return numbersOf(one); }, event);
+        fmt::print("{} {}{}\n", game.ticks(), kFieldNames[kValueFields + event.index()], numbers);
+    }
+}
+
+/// At most four a replay, so that a change of them stays small.
+std::string hashLine(const std::string& file) {
+    Playback playback = openReplay(file);
+    const std::uint32_t end = playback.replay().end;
+    std::string line = "hash";
+    for (std::uint32_t part = 1; part <= 4; ++part) {
+        const std::uint32_t tick = part * end / 4;
+        while (playback.game().ticks() < tick) {
+            playback.tick();
+        }
+        if (tick > (part - 1) * end / 4) {
+            line += " " + std::to_string(tick) + " " + toHex(playback.game().stateHash());
+        }
+    }
+    return line;
+}
+
+} // namespace
+
+Playback openReplay(const std::string& file) {
+    Replay replay = valueOrRefuse(readReplayFile(file));
+    auto level = std::make_shared<const Level>(valueOrRefuse(loadLevelOf(file, replay.level)));
+    if (const std::optional<std::string> reason = refusal(replay, *level)) {
+        throw Refusal{file + ": " + *reason};
+    }
+    return Playback(std::move(replay), std::move(level));
+}
+
+void playToEnd(Playback& playback) {
+    Progress progress;
+    while (!playback.done()) {
+        playback.tick();
+        progress.show(playback.game(), playback.replay().end);
+    }
+}
+
+int runTrace(const TraceCommand& command) {
+    const std::vector<Field> fields = fieldsOf(command.fields);
+    Playback playback = openReplay(command.file);
+    std::map<Field, std::int64_t> before;
+    while (!playback.done() && playback.game().ticks() < command.to) {
+        playback.tick();
+        if (playback.game().ticks() < command.from) {
+            continue;
+        }
+        printEvents(playback.game());
+        for (const Field field : fields) {
+            const std::int64_t now = playback.valueOf(field);
+            const auto known = before.find(field);
+            if (known == before.end() || known->second != now) {
+                fmt::print("{} {} = {}\n", playback.game().ticks(),
+                           kFieldNames[static_cast<std::size_t>(field)], now);
+                before[field] = now;
+            }
+        }
+    }
+    return 0;
+}
+
+int runHash(const std::vector<std::string>& files) {
+    for (const std::string& file : files) {
+        const std::string text = valueOrRefuse(readTextFile(file, kLargestReplay));
+        if (!valueOrRefuse(parseReplay(text, file)).handwritten) {
+            throw Refusal{file + ": was recorded, and has the hashes of its recording"};
+        }
+        std::istringstream lines(text);
+        std::string result;
+        const std::string hashes = hashLine(file);
+        for (std::string line; std::getline(lines, line);) {
+            if (line.starts_with("end ")) {
+                result += hashes + "\n";
+            }
+            result += line.starts_with("hash ") ? "" : line + "\n";
+        }
+        if (const auto problem = writeTextFile(file, result)) {
+            throw Refusal{problem->text()};
+        }
+        fmt::print("{}: {}\n", file, hashes);
+    }
+    return 0;
+}
+
+} // namespace apart
