@@ -2,13 +2,17 @@
 """Measurements of tools/trade; see its --help."""
 import math
 import pathlib
+import shutil
 import sys
 import typing
 
 import chart
+import dials
 import measure
 
 OUT = pathlib.Path("build/trade")
+DOCS = pathlib.Path("engine/docs")
+PICTURES = ("pyramid",)  # of the scenes, in engine/docs
 
 
 class Question(typing.NamedTuple):
@@ -104,6 +108,8 @@ def options():
     parser.add_argument("--scenes", nargs="+", choices=names, default=names)
     parser.add_argument("--repeat", type=measure.runs, default=3)
     parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--dials", action="store_true")
+    parser.add_argument("--docs", action="store_true")
     chosen = parser.parse_args()
     if chosen.quick:
         chosen.repeat = 1
@@ -153,7 +159,7 @@ def knee_of(front):
     """The point of diminishing returns: the point of the front farthest below the line between its
     ends. Both axes are logarithmic and scaled to the extent of the front."""
     if len(front) < 3:
-        return front[-1] if front else None
+        return None  # a line has no knee
     times = [math.log(one["cpuMsPerStep"]) for one in front]
     errors = [math.log(error_of(one)) for one in front]
     width, height = times[-1] - times[0], errors[0] - errors[-1]
@@ -195,7 +201,9 @@ def draw(results, front, knee, path):
     title = f"{first['scene']} {first['size']}: {first['errorName']} against CPU time"
     page = chart.Page(1040, 600, title)
     heading(page, first)
-    times = [1e3 * result["cpuMsPerStep"] for result in results]
+    # What is lost stretches no axis: it is drawn at the border.
+    holding = [result for result in results if not result["lost"]] or results
+    times = [1e3 * result["cpuMsPerStep"] for result in holding]
     errors = [error_of(result) for result in results if not result["lost"]] or [1]
     across = chart.LogScale(min(times) / 1.3, max(times) * 1.3, 90, 770)
     up = chart.LogScale(min(errors) / 1.6, max(errors) * 2, 540, 66)
@@ -276,6 +284,9 @@ def verdict_of(question, ours):
 
 def main():
     chosen = options()
+    if chosen.dials:
+        dials.draw(DOCS if chosen.docs else OUT)
+        return 0
     measure.stay_on_one_core()
     ways = settings()
     questions = [question for question in QUESTIONS if question.name in chosen.scenes]
@@ -297,6 +308,10 @@ def main():
         text += front_table(front, knee, ours)
         verdicts.append(verdict_of(question, ours))
         rows += results
+    if chosen.docs:
+        dials.draw(DOCS)
+        for name in set(chosen.scenes) & set(PICTURES):
+            shutil.copy(OUT / f"{name}.svg", DOCS / f"tuning-{name}.svg")
     text += "\n".join(verdicts) + "\n"
     measure.write_csv(OUT / "trade.csv", rows)
     (OUT / "trade.md").write_text(text, encoding="utf-8")
