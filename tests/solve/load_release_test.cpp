@@ -107,6 +107,28 @@ TEST(LoadRelease, WhatCarriedALoadStaysWhenTheLoadGoes) {
     }
 }
 
+// A load that is thrown up does not take what carried it along. Until it comes down again, after
+// two seconds, that is within 1 mm of where it comes to rest.
+TEST(LoadRelease, WhatCarriedALoadStaysWhenTheLoadIsThrownOff) {
+    for (const Real rate : {Real(30), Real(60), Real(240)}) {
+        for (const Real mass : {Real(100), Real(1000)}) {
+            for (const Below below : kBelow) {
+                Scene scene = sceneOf(below, mass);
+                support::run(scene.world, static_cast<int>(2 * rate), 1 / rate);
+                scene.world[scene.load].applyImpulse({0, 10 * mass});
+                Real highest = 0;
+                for (int i = 0; i < static_cast<int>(Real(1.5) * rate); ++i) {
+                    scene.world.step(1 / rate);
+                    highest = std::max(highest, scene.world[scene.top].position().y);
+                }
+                EXPECT_LT(highest - scene.world[scene.top].position().y, Real(1e-3))
+                    << "rate " << rate << ", mass " << mass << ", below "
+                    << static_cast<int>(below);
+            }
+        }
+    }
+}
+
 // Only what carried the load is concerned: not a bit changes in a tower beside it.
 TEST(LoadRelease, OtherTowersKeepTheirImpulses) {
     Scene scene = sceneOf(Below::Tower, 1000);

@@ -204,6 +204,16 @@ void clearArrivals(Bodies& bodies) {
     bodies.changes.arrived.clear();
 }
 
+void countLostLoads(Bodies& bodies) {
+    if (!std::exchange(bodies.changes.anyLostLoad, false)) {
+        return;
+    }
+    for (BodyRecord& record : bodies.record) {
+        record.lostLoad = static_cast<std::uint8_t>(record.lostLoad - (record.lostLoad > 0));
+        bodies.changes.anyLostLoad = bodies.changes.anyLostLoad || record.lostLoad > 0;
+    }
+}
+
 void noteStart(Bodies& bodies) {
     resizeByBody(bodies.start, bodies);
     const auto note = [&](std::uint32_t body) { bodies.start[body] = bodies.pose[body].position; };

@@ -5,6 +5,7 @@
 #include "bodies/body_geometry.hpp"
 #include "bodies/body_velocity.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -21,6 +22,8 @@ struct BodyRecord {
     std::uint64_t userData = 0;
     Vec2 force;      // N; accumulated since the last step, see addForce()
     Real torque = 0; // N m
+    /// Number of steps, with the next one, in which LoadRelease looks at the body.
+    std::uint8_t lostLoad = 0;
 };
 
 /// Duration of calm, and the island in which a body sleeps.
@@ -50,6 +53,7 @@ struct BodyChanges {
     std::vector<std::uint32_t> toggled;    // that the last refreshAwake listed or removed, in order
     bool allActivity = true;               // the same as if `activity` listed all bodies
     bool allMoved = true;                  // the same as if `moved` listed all bodies
+    bool anyLostLoad = false;              // some BodyRecord::lostLoad is not 0
 };
 
 /// All bodies of a World as parallel arrays, indexed by BodyId::index. A free slot has zero
@@ -123,6 +127,11 @@ struct Bodies {
     }
     void noteArrival(std::size_t index) { note(index, hasArrived, changes.arrived); }
     void noteTeleport(std::size_t index) { note(index, hasTeleported, changes.teleported); }
+    /// A contact, joint or force that may have pressed the body changed or is gone.
+    void noteLostLoad(std::size_t index, std::uint8_t steps = 1) {
+        record[index].lostLoad = std::max(record[index].lostLoad, steps);
+        changes.anyLostLoad = true;
+    }
     /// The body may have become active or inactive.
     void noteActivity(std::size_t index) { note(index, changes.activity, changes.allActivity); }
     /// Bodies::start of the body is outdated, and the body is not active.
@@ -208,6 +217,9 @@ void findThinnest(Bodies& bodies);
 
 /// Clears the list of arrivals.
 void clearArrivals(Bodies& bodies);
+
+/// After the solver: counts BodyRecord::lostLoad down.
+void countLostLoads(Bodies& bodies);
 
 /// Stores the positions at the start of a step, and clears the teleport flags.
 void noteStart(Bodies& bodies);

@@ -86,6 +86,7 @@ bool gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Rea
     for (const std::uint32_t i : bodies.forced) { // also of inactive bodies
         bodies.record[i].force = {};
         bodies.record[i].torque = 0;
+        bodies.noteLostLoad(i, 2); // the next step has another force
     }
     bodies.forced.clear();
     return unsound == 0;

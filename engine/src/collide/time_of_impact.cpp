@@ -58,16 +58,17 @@ RelativePath relativePathFrom(Mover a, Mover b, Real t, Real target) {
             .target = target};
 }
 
-/// True if the bounding discs of both shapes come within `target` of each other on their paths.
-bool discsMeet(Mover a, Mover b, Real target) {
+/// True if the bounding discs of both shapes come within `target` of each other on their paths,
+/// from the fraction `from` of the step on.
+bool discsMeet(Mover a, Mover b, Real target, Real from) {
     if (a.shape.isPlane() || b.shape.isPlane()) {
         return true; // a plane has no bounding disc
     }
     // A little larger, for rounding.
     const Real near =
         Real(1.001) * (a.shape.boundingRadius + b.shape.boundingRadius + std::max(target, Real(0)));
-    Vec2 apart = b.sweep.start.position - a.sweep.start.position;
-    for (Real t = 0; t < 1;) {
+    Vec2 apart = b.sweep.positionAt(from) - a.sweep.positionAt(from);
+    for (Real t = from; t < 1;) {
         const RelativePath path = relativePathFrom(a, b, t, target);
         const Vec2 way = -path.length * path.towards;
         const Real square = lengthSquared(way);
@@ -82,10 +83,10 @@ bool discsMeet(Mover a, Mover b, Real target) {
     return false;
 }
 
-/// Conservative advancement with a given function for the bound.
+/// Conservative advancement from the fraction t of the step on, with a given function for the
+/// bound.
 template <typename Look>
-Real advance(Mover a, Mover b, Real target, Look lookAhead) {
-    Real t = 0;
+Real advance(Mover a, Mover b, Real target, Real t, Look lookAhead) {
     Real most = 1;
     for (int round = 0; round < kMostRounds; ++round) {
         RelativePath path = relativePathFrom(a, b, t, target);
@@ -111,7 +112,7 @@ Real advance(Mover a, Mover b, Real target, Look lookAhead) {
 /// The same with one axis at a time.
 template <typename Measure>
 Real advanceAlong(Mover a, Mover b, Real target, Measure separationAt) {
-    return advance(a, b, target,
+    return advance(a, b, target, 0,
                    [&](const Transform& at, const Transform& bt, const RelativePath& path) {
                        const Separation now = separationAt(at, bt);
                        SeparationBound separationBound;
@@ -183,14 +184,14 @@ bool turnsAway(Mover line, Mover plane) {
 } // namespace
 
 Real timeOfImpact(const ConvexShape& shapeA, const MotionPath& a, const ConvexShape& shapeB,
-                  const MotionPath& b, Real target) {
+                  const MotionPath& b, Real target, Real from) {
     const Mover moverA{shapeA, a};
     const Mover moverB{shapeB, b};
     if ((shapeA.oneSided && shapeB.isPlane() && turnsAway(moverA, moverB)) ||
         (shapeB.oneSided && shapeA.isPlane() && turnsAway(moverB, moverA))) {
         return kNever;
     }
-    if (!discsMeet(moverA, moverB, target)) {
+    if (!discsMeet(moverA, moverB, target, from)) {
         return kNever;
     }
     if (shapeA.oneSided && !shapeB.isPlane()) {
@@ -199,7 +200,7 @@ Real timeOfImpact(const ConvexShape& shapeA, const MotionPath& a, const ConvexSh
     if (shapeB.oneSided && !shapeA.isPlane()) {
         return impactOnOneSided(moverB, moverA, target);
     }
-    return advance(moverA, moverB, target,
+    return advance(moverA, moverB, target, from,
                    [&](const Transform& at, const Transform& bt, const RelativePath& path) {
                        return separationBoundOf(shapeA, at, shapeB, bt, path);
                    });

@@ -15,10 +15,13 @@ struct MotionPath {
     Real stopAt = 1;     // fraction of the step after which its own motion ends
     Vec2 push{};         // m per whole step: translation after stopAt
 
+    Vec2 positionAt(Real fraction) const {
+        const Real t = fraction < stopAt ? fraction : stopAt;
+        return start.position + t * deltaPosition + (fraction - t) * push;
+    }
     Transform at(Real fraction) const {
         const Real t = fraction < stopAt ? fraction : stopAt;
-        return {start.position + t * deltaPosition + (fraction - t) * push,
-                turned(start.rotation, t * deltaAngle)};
+        return {positionAt(fraction), turned(start.rotation, t * deltaAngle)};
     }
 };
 
@@ -32,10 +35,13 @@ struct MotionPath {
 /// A one-sided line is hit only from its front. A chain of lines has no ghost impacts at its
 /// vertices.
 ///
+/// `from`: fraction before which the shapes are known not to come so near; ignored for one-sided
+/// lines.
+///
 /// Accuracy: half of `target`. With `target` < 0, the result is when touching shapes reach that
 /// overlap.
 Real timeOfImpact(const ConvexShape& shapeA, const MotionPath& a, const ConvexShape& shapeB,
-                  const MotionPath& b, Real target);
+                  const MotionPath& b, Real target, Real from = 0);
 
 } // namespace KODO_PRECISION
 } // namespace kodo

@@ -169,6 +169,26 @@ void spreadConcentric(Manifold& manifold, const ConvexShape& a, const ConvexShap
     point.armB += shift;
 }
 
+/// Displacement (m) of the second body under which the manifold of two bodies on one point is
+/// found; 0 for others. There, all directions of separation are equally good, and bodies that all
+/// take the same would build a tower. So each gets a place of its own, within two slops, by its
+/// index: fractions of multiples of the powers of the plastic number, which fill a square evenly.
+Vec2 spreadOf(const Bodies& bodies, const ContactKey& key, Real slop) {
+    const Vec2 between = bodies.pose[key.bodyB].position - bodies.pose[key.bodyA].position;
+    if (lengthSquared(between) > slop * slop || bodies.locked(key.bodyA) ||
+        bodies.locked(key.bodyB)) {
+        return {};
+    }
+    const auto fraction = [](std::uint32_t body, std::uint32_t factor) {
+        return static_cast<Real>(static_cast<std::int32_t>((body * factor) >> 8)) / (1 << 24);
+    };
+    constexpr std::uint32_t kFirst = 3242174889;  // 2^32 / 1.3247
+    constexpr std::uint32_t kSecond = 2447445414; // 2^32 / 1.3247^2
+    return 2 * slop *
+           Vec2{fraction(key.bodyB, kFirst) - fraction(key.bodyA, kFirst),
+                fraction(key.bodyB, kSecond) - fraction(key.bodyA, kSecond)};
+}
+
 /// Resets the fields that belong to one step.
 void beginStep(Contact& contact) {
     contact.hidden = false;
@@ -194,9 +214,18 @@ void findContact(Contact& contact, const Bodies& bodies, const Tolerances& toler
     const ContactKey& key = contact.key;
     // m; keeps the reference face of parallel faces constant despite rounding.
     const Real preference = tolerances.slop / 8;
-    Manifold manifold = collideAhead(bodies.convex(key.bodyA, key.partA), bodies.pose[key.bodyA],
-                                     bodies.convex(key.bodyB, key.partB), bodies.pose[key.bodyB],
-                                     {tolerances.margin, preference, reachOf(bodies, key)});
+    const Vec2 spread = spreadOf(bodies, key, tolerances.slop);
+    const Transform& poseB = bodies.pose[key.bodyB];
+    Manifold manifold =
+        collideAhead(bodies.convex(key.bodyA, key.partA), bodies.pose[key.bodyA],
+                     bodies.convex(key.bodyB, key.partB), {poseB.position + spread, poseB.rotation},
+                     {tolerances.margin, preference, reachOf(bodies, key)});
+    if (spread != Vec2{}) {
+        for (ManifoldPoint& point : manifold.points) {
+            point.armB += spread;
+            point.separation -= dot(manifold.normal, spread);
+        }
+    }
     spreadConcentric(manifold, bodies.convex(key.bodyA, key.partA),
                      bodies.convex(key.bodyB, key.partB), key.bodyB);
     contact.passing = letPass(contact.passing, manifold);

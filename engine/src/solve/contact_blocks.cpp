@@ -261,9 +261,10 @@ void ContactBlocks::setPushSpeeds(std::span<const std::uint16_t> crowd, Real pus
         ContactBlock& block = blocks_[i];
         for (std::uint32_t used = states_[i].used; used != 0; used &= used - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(used));
-            const int crowded = pushLimit_.shared ? std::max(crowd[bodyOfPlace(block.a[lane])],
-                                                             crowd[bodyOfPlace(block.b[lane])])
-                                                  : 0;
+            const int most = pushLimit_.shared ? std::max(crowd[bodyOfPlace(block.a[lane])],
+                                                          crowd[bodyOfPlace(block.b[lane])])
+                                               : 0;
+            const int crowded = std::min(most, kMostOverlaps);
             block.pushSpeed[lane] =
                 pushSpeed / static_cast<Real>(std::max(1, crowded + 1 - kNeighbours));
         }

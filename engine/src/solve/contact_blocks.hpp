@@ -32,6 +32,9 @@ public:
     /// Deep overlaps that a body may have before their contacts share the push speed. No more
     /// bodies fit around one.
     static constexpr int kNeighbours = 8;
+    /// Of more overlaps than this, a body has about as many that are solved: see
+    /// SoftSolver::thinOut().
+    static constexpr int kMostOverlaps = 16;
 
     /// Blocks of one level of Refinement, and of one colour after the other.
     static constexpr std::uint32_t kLevels = Refinement::kLevels;

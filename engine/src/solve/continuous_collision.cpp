@@ -263,20 +263,22 @@ Real ContinuousCollision::motionOf(const Bodies& bodies, const Contact& contact)
     return relativeMotion(bodies, moverOf(bodyA, partA), moverOf(bodyB, partB));
 }
 
-Real ContinuousCollision::impactTime(const Bodies& bodies, const Contact& contact, Real gap) const {
+Real ContinuousCollision::impactTime(const Bodies& bodies, const Contact& contact, Real gap,
+                                     Real from) const {
     const ContactKey& key = contact.key;
     return timeOfImpact(bodies.convex(key.bodyA, key.partA), pathOf(bodies, key.bodyA),
-                        bodies.convex(key.bodyB, key.partB), pathOf(bodies, key.bodyB), gap);
+                        bodies.convex(key.bodyB, key.partB), pathOf(bodies, key.bodyB), gap, from);
 }
 
-/// Finds the time of impact of a pair, given the bodies that are stopped so far.
-void ContinuousCollision::findTime(const Step& step, std::uint32_t i) {
+/// Finds the time of impact of a pair from the fraction `from` of the step on, given the bodies
+/// that are stopped so far.
+void ContinuousCollision::findTime(const Step& step, std::uint32_t i, Real from) {
     const Contact& contact = step.contacts[i];
     const Real motion = motionOf(step.bodies, contact);
     const auto timeFrom = [&](Real gap) {
         const auto target =
             stoppingGap(step.bodies, contact, gap, motion, step.settings, step.tolerances);
-        return target ? impactTime(step.bodies, contact, *target) : Real(1);
+        return target ? impactTime(step.bodies, contact, *target, from) : Real(1);
     };
     const Real gap = gapOf(step.summaries[i], step.tolerances);
     Real& time = times_[i];
@@ -303,7 +305,8 @@ void ContinuousCollision::findImpacts(const Step& step, WorkerTeam& team) {
     assignReusing(times_, step.contacts.size(), Real(1));
     team.forEach(candidates_.size(), kCandidatesPerPiece, [&](std::size_t first, std::size_t last) {
         visitPrefetched<2>(std::span<const std::uint32_t>(candidates_).subspan(first, last - first),
-                           step.contacts, [&](std::uint32_t contact) { findTime(step, contact); });
+                           step.contacts,
+                           [&](std::uint32_t contact) { findTime(step, contact, 0); });
     });
     for (const std::uint32_t contact : candidates_) {
         queueImpact(step, contact);
@@ -349,7 +352,7 @@ void ContinuousCollision::noticeSensors(const Bodies& bodies, std::span<Contact>
         const Real motion = motionOf(bodies, contact);
         const auto gap =
             stoppingGap(bodies, contact, gapOf(contact, tolerances), motion, settings, tolerances);
-        const Real fraction = gap ? impactTime(bodies, contact, *gap) : 1;
+        const Real fraction = gap ? impactTime(bodies, contact, *gap, 0) : 1;
         if (fraction < 1) {
             recordSensorImpact(bodies, contact, fraction, tolerances);
         }

@@ -72,16 +72,17 @@ private:
         return (swift_[summary.bodyA] | swift_[summary.bodyB]) != 0;
     }
     void linkContacts(const Step& step);
-    void findTime(const Step& step, std::uint32_t contact);
+    void findTime(const Step& step, std::uint32_t contact, Real from);
     void queueImpact(const Step& step, std::uint32_t contact);
     void findImpacts(const Step& step, WorkerTeam& team);
     void stopInOrder(const Step& step);
     MotionPath pathOf(const Bodies& bodies, std::uint32_t body) const;
     Real motionOf(const Bodies& bodies, const Contact& contact) const;
-    Real impactTime(const Bodies& bodies, const Contact& contact, Real gap) const;
+    Real impactTime(const Bodies& bodies, const Contact& contact, Real gap, Real from) const;
     void findPushes(const Step& step);
     void takePushedDisplacement(const Step& step, const Contact& contact, Real time);
     void cutShort(const Step& step, std::uint32_t body, Real time);
+    bool mayMeetStopped(const Step& step, std::uint32_t body, std::uint32_t other) const;
     void stopJointed(const Step& step);
     Real violationAt(const Bodies& bodies, const JointDef& def, Real fractionA,
                      Real fractionB) const;

@@ -36,26 +36,6 @@ Real violation(const JointDef& def, Vec2 gap, Rot rotationA) {
 
 } // namespace
 
-/// Stops a body at `time` and computes its impacts again: bodies that moved along with it may now
-/// hit it.
-void ContinuousCollision::cutShort(const Step& step, std::uint32_t body, Real time) {
-    if (step.bodies.locked(body) || stopAt_[body] <= time) {
-        return;
-    }
-    if (stopAt_[body] == 1) {
-        stopped_.push_back(body);
-    }
-    stopAt_[body] = time;
-    pulling_.push_back(body);
-    for (std::uint32_t i = first_[body]; i != kNoContact;) {
-        if (times_[i] != kTaken) {
-            findTime(step, i);
-            queueImpact(step, i);
-        }
-        i = next_[i][step.summaries[i].bodyA == body ? 0 : 1];
-    }
-}
-
 /// Violation (m) of a joint if its bodies are at these fractions of the step.
 Real ContinuousCollision::violationAt(const Bodies& bodies, const JointDef& def, Real fractionA,
                                       Real fractionB) const {

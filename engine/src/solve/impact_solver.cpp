@@ -349,8 +349,12 @@ void ImpactSolver::solveGroup(const Inputs& inputs) {
     together_.solve(hits_, step.tolerances);
     for (const std::uint32_t slot : group_) {
         const ContactSummary& summary = contactSet.summaries()[slot];
-        wasHit_[summary.bodyA] = bodies.locked(summary.bodyA) ? 0 : 1;
-        wasHit_[summary.bodyB] = bodies.locked(summary.bodyB) ? 0 : 1;
+        for (const std::uint32_t body : {summary.bodyA, summary.bodyB}) {
+            wasHit_[body] = bodies.locked(body) ? 0 : 1;
+            if (wasHit_[body] != 0) {
+                inputs.bodies.noteLostLoad(body);
+            }
+        }
     }
 }
 

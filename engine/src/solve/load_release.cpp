@@ -3,14 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-// Speed of a kick below which it is left to the passes, in slops per second: 0.14 m/s, which lifts
-// a body by 1 mm on the earth. Contacts in motion cause smaller ones in most steps.
-constexpr Real kSmallKick = 36;
+// Speed of a kick below which it is left to the passes, in slops per second: 0.02 m/s.
+constexpr Real kSmallKick = 4;
+// Speed, in slops per second and in changes by the forces of a substep, from which on a separating
+// contact carries nothing.
+constexpr Real kThrown = 36;
+constexpr Real kThrownAgainst = 4;
 // Overlap, in slops, from which on impulses push apart instead of carrying a load.
 constexpr Real kDeep = 4;
 // Visits of one body in a step. A tower or a pyramid needs one for each body above.
@@ -159,26 +164,89 @@ void LoadRelease::release(const Inputs& inputs, std::uint32_t body, Real h) {
     }
 }
 
-void LoadRelease::run(const Inputs& inputs, std::span<const std::uint32_t> list,
-                      std::span<const Velocity> before, Real h) {
-    before_ = before;
-    queue_.clear();
-    const Bodies& bodies = inputs.bodies;
-    resizeByBody(visits_, bodies);
-    resizeByBody(queued_, bodies);
-    for (const std::uint32_t body : list) {
-        if (isKicked(inputs, body, h)) {
-            addKicked(body);
+/// Least speed (m/s) at which a loaded point of a contact separates, without contacts and joints.
+Real LoadRelease::separatingSpeed(const Bodies& bodies, const ContactBlocks::Lane& at) const {
+    const ContactBlock& block = at.block;
+    const std::size_t lane = at.lane;
+    const std::uint32_t a = bodyOfPlace(block.a[lane]);
+    const std::uint32_t b = bodyOfPlace(block.b[lane]);
+    // kinematic bodies have their velocity here, too
+    const Twist ofA = twistOf(bodies.locked(a) ? speeds(bodies.motion[a]) : before_[a].speeds);
+    const Twist ofB = twistOf(bodies.locked(b) ? speeds(bodies.motion[b]) : before_[b].speeds);
+    const Real middle =
+        dot({block.normalX[lane], block.normalY[lane]}, ofB.velocity - ofA.velocity);
+    Real least = std::numeric_limits<Real>::max();
+    for (const ContactBlock::Point& point : block.points) {
+        if (point.impulse[lane] > 0) {
+            least = std::min(least, middle + point.leverB[lane] * ofB.angular -
+                                        point.leverA[lane] * ofA.angular);
         }
     }
-    if (queue_.empty()) {
-        return;
+    return least;
+}
+
+/// Takes back the impulses of contacts that separate too fast to carry anything.
+void LoadRelease::releaseSeparating(const Inputs& inputs, std::uint32_t body, Real h) {
+    slots_.clear();
+    inputs.contactSet.store().lists().forEach(body, [&](std::uint32_t slot) {
+        if (inputs.contactSet.summaries()[slot].row != ContactRow::kNone) {
+            slots_.push_back(slot);
+        }
+    });
+    inputs.contactSet.store().sortByKey(slots_); // sums depend on the order
+    for (const std::uint32_t slot : slots_) {
+        const ContactSummary& summary = inputs.contactSet.summaries()[slot];
+        const ContactBlocks::Lane lane = inputs.blocks.laneAt(summary.row);
+        const Real fall = h * (inputs.bodies.acceleration[summary.bodyA].effort +
+                               inputs.bodies.acceleration[summary.bodyB].effort);
+        const Real sum =
+            lane.block.points[0].impulse[lane.lane] + lane.block.points[1].impulse[lane.lane];
+        const Real give = inputs.bodies.motion[summary.bodyA].invMass +
+                          inputs.bodies.motion[summary.bodyB].invMass;
+        if (give * sum > kSmallKick * inputs.tolerances.slop &&
+            separatingSpeed(inputs.bodies, lane) >
+                std::max(kThrown * inputs.tolerances.slop, kThrownAgainst * fall)) {
+            applyShare(inputs.bodies, lane, -1);
+            scaleImpulses(lane, 0);
+            changed_.push_back(summary.bodyA == body ? summary.bodyB : summary.bodyA);
+        }
     }
-    jointed_.assign(bodies.size(), 0);
+}
+
+void LoadRelease::findJointed(const Inputs& inputs) {
+    jointed_.assign(inputs.bodies.size(), 0);
     inputs.joints.forEachBusy([&](const JointSet::Joint& joint) {
         jointed_[firstBody(joint.def).index] = 1;
         jointed_[secondBody(joint.def).index] = 1;
     });
+}
+
+void LoadRelease::run(const Inputs& inputs, std::span<const std::uint32_t> list,
+                      std::span<const Velocity> before, Real h) {
+    const Bodies& bodies = inputs.bodies;
+    if (!bodies.changes.anyLostLoad) {
+        return;
+    }
+    changed_.clear();
+    std::copy_if(list.begin(), list.end(), std::back_inserter(changed_), [&](std::uint32_t body) {
+        return bodies.record[body].lostLoad != 0 && bodies.motion[body].invMass > 0;
+    });
+    if (changed_.empty()) {
+        return;
+    }
+    before_ = before;
+    queue_.clear();
+    resizeByBody(visits_, bodies);
+    resizeByBody(queued_, bodies);
+    findJointed(inputs);
+    for (std::size_t i = 0, count = changed_.size(); i < count; ++i) {
+        releaseSeparating(inputs, changed_[i], h);
+    }
+    for (const std::uint32_t body : changed_) {
+        if (isKicked(inputs, body, h)) {
+            addKicked(body);
+        }
+    }
     for (std::size_t next = 0; next < queue_.size(); ++next) {
         const std::uint32_t body = queue_[next];
         queued_[body] = 0;

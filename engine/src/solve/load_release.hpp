@@ -26,6 +26,10 @@ inline namespace KODO_PRECISION {
 /// the same way, down to what cannot move. With all impulses gone there is no kick. So this adds no
 /// energy, and impulses within the islands of other bodies stay as they are. Bodies with joints are
 /// never kicked, since trees of joints are solved without a warm start.
+///
+/// It starts at bodies with BodyRecord::lostLoad, so a step without changes or impacts costs
+/// nothing. A contact of such a body that separates faster than the forces of a substep could stop
+/// loses its impulses first: so it does where the load was thrown off.
 class LoadRelease {
 public:
     /// Velocity or change of speeds(). The fourth component, 1/mass, stays constant.
@@ -54,17 +58,21 @@ private:
     };
 
     bool isKicked(const Inputs& inputs, std::uint32_t body, Real h) const;
+    Real separatingSpeed(const Bodies& bodies, const ContactBlocks::Lane& at) const;
+    void releaseSeparating(const Inputs& inputs, std::uint32_t body, Real h);
+    void findJointed(const Inputs& inputs);
     void addKicked(std::uint32_t body);
     void release(const Inputs& inputs, std::uint32_t body, Real h);
     void findGains(const Inputs& inputs, std::uint32_t body);
 
     std::span<const Velocity> before_;
+    std::vector<std::uint32_t> changed_; // bodies with BodyRecord::lostLoad
     std::vector<std::uint32_t> queue_;
     std::vector<std::uint32_t> slots_;
     std::vector<Gain> gains_;
     std::vector<std::uint8_t> visits_;  // by body; 0 between steps
     std::vector<std::uint8_t> queued_;  // by body: is in queue_
-    std::vector<std::uint8_t> jointed_; // by body; valid while the queue is not empty
+    std::vector<std::uint8_t> jointed_; // by body; valid within run()
 };
 
 } // namespace KODO_PRECISION

@@ -37,6 +37,23 @@ unsigned deeperLanes(const ContactBlock& block, Real separation) {
     return lanes;
 }
 
+/// Sets the normal impulses of a contact back, and the velocities of its bodies accordingly.
+void takeBack(ContactBlock& block, std::size_t lane, const std::array<Real, 2>& before,
+              BodyVelocity* motion) {
+    BodyVelocity& a = motion[bodyOfPlace(block.a[lane])];
+    BodyVelocity& b = motion[bodyOfPlace(block.b[lane])];
+    const Vec2 normal{block.normalX[lane], block.normalY[lane]};
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        ContactBlock::Point& point = block.points[i];
+        const Real change = before[i] - point.impulse[lane];
+        point.impulse[lane] = before[i];
+        a.velocity -= a.invMass * change * normal;
+        b.velocity += b.invMass * change * normal;
+        a.angularVelocity -= a.invInertia * change * point.leverA[lane];
+        b.angularVelocity += b.invInertia * change * point.leverB[lane];
+    }
+}
+
 void copyPoint(const ContactBlock::Point& from, std::size_t lane, ContactBlock::Point& to,
                std::size_t toLane) {
     to.leverA[toLane] = from.leverA[lane];
@@ -59,6 +76,8 @@ void OverlapRelaxation::clear() {
     }
     joined_.clear();
     copied_.clear();
+    pushes_.clear();
+    crowded_.clear();
     blocks_.clear();
     use_.clear();
     parts_.clear();
@@ -121,8 +140,8 @@ unsigned OverlapRelaxation::inClusters(const ContactBlock& block, const BlockUse
     return (a | ~movesA) & (b | ~movesB) & pushed(use);
 }
 
-/// Calls work(lane, passes) for the contacts of a block within one cluster, and counts their
-/// visits.
+/// Calls work(lane, passes, in a crowd) for the contacts of a block within one cluster, and counts
+/// their visits.
 template <typename Work>
 void OverlapRelaxation::forTogether(const ContactBlock& block, const BlockUse& use, Work work) {
     forPairs(block, use, inClusters(block, use),
@@ -131,7 +150,7 @@ void OverlapRelaxation::forTogether(const ContactBlock& block, const BlockUse& u
                  if (root == sets_.rootOf(b)) {
                      const int passes = passesOf(clusters_[root]);
                      visits_ += static_cast<std::size_t>(passes);
-                     work(lane, passes);
+                     work(lane, passes, isCrowd(clusters_[root]));
                  }
              });
 }
@@ -175,7 +194,10 @@ void OverlapRelaxation::copyLane(const ContactPassArguments& all, const Copied& 
 void OverlapRelaxation::copyLanes(const ContactPassArguments& all, std::uint32_t block,
                                   Open& open) {
     const BlockUse& use = all.use[block];
-    forTogether(all.blocks[block], use, [&](std::uint8_t lane, int passes) {
+    forTogether(all.blocks[block], use, [&](std::uint8_t lane, int passes, bool crowd) {
+        if (crowd) {
+            pushes_.push_back({block, lane, {}});
+        }
         std::uint32_t& at = open[use.twoPoints ? 1 : 0][static_cast<std::size_t>(passes)];
         if (at == kNone) {
             at = openBlock(use.twoPoints, passes);
@@ -204,7 +226,12 @@ void OverlapRelaxation::find(const Contacts& contacts) {
             if (colour.oneByOne) {
                 int most = 0;
                 forTogether(all.blocks[*next], all.use[*next],
-                            [&](std::uint8_t, int passes) { most = std::max(most, passes); });
+                            [&](std::uint8_t lane, int passes, bool crowd) {
+                                most = std::max(most, passes);
+                                if (crowd) {
+                                    pushes_.push_back({*next, lane, {}});
+                                }
+                            });
                 if (most > 0) {
                     addPart(*next, false, most);
                 }
@@ -214,7 +241,41 @@ void OverlapRelaxation::find(const Contacts& contacts) {
         }
     }
     KODO_ASSERT(next == all.order + all.count);
+    for (const std::uint32_t body : joined_) {
+        if (isCrowd(clusters_[sets_.rootOf(body)])) {
+            crowded_.push_back(body);
+        }
+    }
     order_.reserve(parts_.capacity());
+}
+
+void OverlapRelaxation::notePushes(const ContactPassArguments& all) {
+    for (Push& push : pushes_) {
+        const ContactBlock& block = all.blocks[push.block];
+        push.before = {block.points[0].impulse[push.lane], block.points[1].impulse[push.lane]};
+    }
+}
+
+void OverlapRelaxation::takeBackPushes(const ContactPassArguments& all, Real h, Real pushSpeed) {
+    velocities_.clear();
+    angularVelocities_.clear();
+    for (const std::uint32_t body : crowded_) {
+        velocities_.push_back(all.motion[body].velocity);
+        angularVelocities_.push_back(all.motion[body].angularVelocity);
+    }
+    for (const Push& push : pushes_) {
+        ContactBlock& block = all.blocks[push.block];
+        takeBack(block, push.lane, push.before, all.motion);
+    }
+    for (std::size_t k = 0; k < crowded_.size(); ++k) {
+        BodyVelocity& motion = all.motion[crowded_[k]];
+        const Vec2 pushed = velocities_[k] - motion.velocity;
+        if (const Real speed = length(pushed); speed > pushSpeed) {
+            const Real excess = h * (1 - pushSpeed / speed);
+            motion.deltaPosition -= excess * pushed;
+            motion.deltaAngle -= excess * (angularVelocities_[k] - motion.angularVelocity);
+        }
+    }
 }
 
 /// Runs one pass, on alternating runs of copies and original blocks.

@@ -19,6 +19,10 @@ inline namespace KODO_PRECISION {
 /// are in one cluster. So the result does not depend on overlaps elsewhere. These contacts are few
 /// and scattered in memory, so consecutive blocks hold copies of what the passes need. Contacts
 /// without a colour are not copied, since each has a block of its own.
+///
+/// Even these passes leave much of the velocity in a crowd, where a body overlaps with many. Its
+/// pushes are taken back after they have moved the bodies, so they leave none at all [Catto09,
+/// split impulses]. They move no body faster than the push speed.
 class OverlapRelaxation {
 public:
     /// Separation (m) below which an overlap is deep.
@@ -37,6 +41,11 @@ public:
     /// For a step without deep overlaps.
     void clear();
     bool empty() const { return passes_ == 0; }
+    /// Before the biased pass of a substep: remembers the impulses in crowds.
+    void notePushes(const ContactPassArguments& all);
+    /// After the displacements of a substep of h (s): takes back what the biased pass added in
+    /// crowds, and shortens displacements by more than `pushSpeed` (m/s).
+    void takeBackPushes(const ContactPassArguments& all, Real h, Real pushSpeed);
     /// Runs the passes of a substep.
     void run(const ContactPassArguments& all);
     /// Visits of contacts in the passes of a substep.
@@ -59,6 +68,12 @@ private:
         std::uint8_t lane;
         std::uint8_t copyLane;
     };
+    /// A contact in a crowd.
+    struct Push {
+        std::uint32_t block;
+        std::uint32_t lane;
+        std::array<Real, 2> before; // N s, impulses at its points before the biased pass
+    };
     /// A block that takes part in the first `passes` passes.
     struct Part {
         std::uint32_t block;
@@ -69,6 +84,9 @@ private:
     using Open = std::array<std::array<std::uint32_t, kMostPasses + 1>, 2>;
 
     static int passesOf(const Cluster& cluster);
+    static bool isCrowd(const Cluster& cluster) {
+        return cluster.crowd > ContactBlocks::kNeighbours;
+    }
     void begin(std::size_t bodies);
     void join(std::uint32_t bodyA, std::uint32_t bodyB, std::span<const std::uint16_t> crowd);
     void findClusters(const Contacts& contacts);
@@ -87,6 +105,10 @@ private:
     std::vector<std::uint32_t> joined_; // bodies in clusters
     std::vector<Cluster> clusters_;     // by root
     std::vector<Copied> copied_;
+    std::vector<Push> pushes_;
+    std::vector<std::uint32_t> crowded_; // bodies in crowds
+    std::vector<Vec2> velocities_;       // of these, before takeBackPushes(), as the next
+    std::vector<Real> angularVelocities_;
     std::vector<ContactBlock> blocks_; // copies
     std::vector<BlockUse> use_;
     std::vector<Part> parts_;          // in the order of the passes

@@ -19,6 +19,8 @@ namespace {
 // touching. Its impulse may be a remnant of an underflowed speed, which other length units would
 // round to zero.
 constexpr Real kLeastHold = Real(1e-9);
+// Passes over the contacts of joints, after the displacements.
+constexpr int kRelaxPasses = 4;
 
 bool bounces(const Contact& contact, const StepSettings& settings) {
     return contact.material.restitution > 0 && settings.has(Feature::Restitution);
@@ -267,6 +269,11 @@ void Propagation::separate(Bodies& bodies, const Step& step, Real h) {
     }
     for (const PropagationRow& row : rows_) {
         for (const std::uint32_t body : {row.a, row.b}) { // applied once, then cleared
+            const Real way = length(parting_[body].deltaPosition);
+            if (way > limits.most) { // in a crowd
+                parting_[body].deltaPosition *= limits.most / way;
+                parting_[body].deltaAngle *= limits.most / way;
+            }
             bodies.motion[body].deltaPosition += parting_[body].deltaPosition;
             bodies.motion[body].deltaAngle += parting_[body].deltaAngle;
             parting_[body] = {};
@@ -294,6 +301,30 @@ void Propagation::markExposure(const Bodies& bodies, const JointSet& joints, Rea
         exposure_[firstBody(joint.def).index] = ContactExposure::Touched;
         exposure_[secondBody(joint.def).index] = ContactExposure::Touched;
     });
+}
+
+/// After the displacements: removes the velocity that the errors of joints have added. Where
+/// contacts of their bodies resisted it, their impulses are taken back as well. Otherwise the
+/// bodies would leave at that velocity.
+void Propagation::relax(Bodies& bodies, JointSet& joints, const JointPass& pass,
+                        const PropagationSettings& settings) {
+    joints.solve(bodies, pass);
+    if (joints.busyCount() == 0) {
+        return;
+    }
+    jointed_.assign(bodies.size(), 0);
+    joints.forEachBusy([&](const JointSet::Joint& joint) {
+        jointed_[firstBody(joint.def).index] = 1;
+        jointed_[secondBody(joint.def).index] = 1;
+    });
+    for (int k = 1; k <= kRelaxPasses; ++k) {
+        forEachRow(Stage::Contacts, settings.contactPasses + k, [&](PropagationRow& row) {
+            if ((jointed_[row.a] | jointed_[row.b]) != 0) {
+                solveRow(row, bodies, massesOf(bodies, row, false, false), 1, 1 / pass.h);
+            }
+        });
+        joints.solve(bodies, pass);
+    }
 }
 
 /// Adds the impulses of this substep to the contacts.
@@ -355,7 +386,7 @@ void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints
         markExposure(bodies, joints, h, step.tolerances.slop);
         integrateMoves(bodies, bodies.awake, exposure_, h);
         pass.biased = false;
-        joints.solve(bodies, pass);
+        relax(bodies, joints, pass, settings);
         store(contacts);
     }
 }

@@ -92,6 +92,8 @@ private:
     void propagateShock(Bodies& bodies, const PropagationSettings& settings, Real invH);
     void separate(Bodies& bodies, const Step& step, Real h);
     void markExposure(const Bodies& bodies, const JointSet& joints, Real h, Real slop);
+    void relax(Bodies& bodies, JointSet& joints, const JointPass& pass,
+               const PropagationSettings& settings);
     void store(std::span<Contact> contacts);
 
     template <typename Visit>
@@ -112,6 +114,7 @@ private:
     std::vector<std::uint32_t> struckEnds_; // by island: its end in struck_
     std::vector<SeparationShift> parting_;  // by body
     std::vector<ContactExposure> exposure_; // by body
+    std::vector<std::uint8_t> jointed_;     // by body
     std::vector<std::uint32_t> node_;       // by body: its node in the contact graph
     std::vector<std::uint32_t> immovable_;  // nodes
     std::vector<SupportEdge> supports_;     // between nodes

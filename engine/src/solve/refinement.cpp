@@ -18,14 +18,21 @@ constexpr Real kMaxCompression = Real(1.6);
 // which it presses on that body. Between steeper faces it is wedged, and presses harder than this.
 constexpr Real kLeastPress = Real(0.1);
 
+// Speed, in slops per second, from which on a body that leaves another one does not press on it.
+constexpr Real kLeaves = 36;
 // Contacts of a body that carry its weight as one does alone. The weight may be uneven.
 constexpr Real kCarriers = 4;
 
 /// Acceleration (m/s^2) that the spring of a contact has to carry, per mass of its lighter body, if
 /// the body presses on the other one; else 0.
-Real loadOf(const Bodies& bodies, const Contact& contact, std::uint32_t body) {
+Real loadOf(const Bodies& bodies, const Contact& contact, std::uint32_t body, Real slop) {
     const bool isA = contact.key.bodyA == body;
     const Vec2 normal = contact.manifold.normal;
+    const Vec2 between =
+        bodies.motion[contact.key.bodyB].velocity - bodies.motion[contact.key.bodyA].velocity;
+    if (dot(normal, between) > kLeaves * slop) {
+        return 0;
+    }
     const Vec2 acceleration = bodies.acceleration[body].linear;
     const Real size = length(acceleration);
     if (!(dot(acceleration, isA ? normal : -normal) > kLeastPress * size)) {
@@ -103,7 +110,7 @@ void Refinement::findSeeds(const Step& step) {
             const Contact& contact = step.contactSet.contacts()[slot];
             const Real separation = step.contactSet.summaries()[slot].separation[0];
             if (contact.responds() && separation <= step.tolerances.slop) {
-                const Real own = loadOf(bodies, contact, body);
+                const Real own = loadOf(bodies, contact, body, step.tolerances.slop);
                 load = std::max(load, own);
                 carriers += own > 0 ? 1 : 0;
             }

@@ -138,6 +138,9 @@ void SleepSystem::wakeAll(Bodies& bodies, ContactSet& contacts) {
         }
     }
     wakeIslands(bodies, contacts);
+    for (std::uint32_t body = 0; body < bodies.size(); ++body) {
+        bodies.noteLostLoad(body);
+    }
 }
 
 void SleepSystem::wakeNeighbours(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
@@ -145,9 +148,8 @@ void SleepSystem::wakeNeighbours(Bodies& bodies, ContactSet& contacts, const Joi
     disturb(bodies, body);
     // An awake neighbour may have been about to fall asleep.
     contacts.touchedBy(body, members_);
-    for (const std::uint32_t other : members_) {
-        startCounting(bodies.sleep[other], bodies.pose[other]);
-    }
+    std::for_each(members_.begin(), members_.end(),
+                  [&](auto i) { startCounting(bodies.sleep[i], bodies.pose[i]); });
     joints.forEachOf(body, [&](const JointSet::Joint& joint) {
         const std::uint32_t a = firstBody(joint.def).index;
         disturb(bodies, a == body ? secondBody(joint.def).index : a);
@@ -161,6 +163,8 @@ void SleepSystem::wakeNeighbours(Bodies& bodies, ContactSet& contacts, const Joi
         neighbourIslands_[body].clear();
     }
     wakeIslands(bodies, contacts);
+    contacts.touchedBy(body, members_); // again, with the contacts of the islands
+    std::for_each(members_.begin(), members_.end(), [&](auto i) { bodies.noteLostLoad(i); });
 }
 
 void SleepSystem::wakeTouched(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances) {

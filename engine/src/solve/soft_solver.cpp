@@ -21,6 +21,13 @@ constexpr Real kMostJointCycles = Real(0.25);
 // With 0, rows of ten springs of 1,000 Hz gain energy; with 4 or 8 they gain none.
 constexpr int kSpringPasses = 4;
 
+std::uint32_t hashOf(const ContactKey& key) {
+    std::uint32_t hash = key.bodyA * 0x9e3779b1u ^ key.bodyB * 0x85ebca77u;
+    hash = (hash ^ hash >> 16) * 0x7feb352du;
+    hash = (hash ^ hash >> 15) * 0x846ca68bu;
+    return hash ^ hash >> 16;
+}
+
 /// True if the contact is kept, as its summary says.
 [[maybe_unused]] bool isKept(const Contact& contact, const ContactSummary& summary) {
     return contact.isKept() && contact.row.index == summary.row;
@@ -175,6 +182,26 @@ void SoftSolver::countOverlap(const Bodies& bodies, const ContactSummary& summar
     }
 }
 
+/// In a crowd, drops new contacts without a colour, so that about kMostOverlaps of a body are left:
+/// always the same, by a hash. The others follow as the crowd thins out.
+void SoftSolver::thinOut(Bodies& bodies, ContactSet& contactSet) {
+    std::erase_if(newcomers_, [&](std::uint32_t place) {
+        const Contact& contact = contactSet.contacts()[place];
+        const auto& [bodyA, partA, bodyB, partB] = contact.key;
+        if (contact.row.colour != ContactRow::kNoColour || bodies.locked(bodyA) ||
+            bodies.locked(bodyB)) {
+            return false;
+        }
+        constexpr std::uint32_t kMost = ContactBlocks::kMostOverlaps;
+        const std::uint32_t crowd = std::max(overlapCount_[bodyA], overlapCount_[bodyB]);
+        const bool drops = crowd > kMost && hashOf(contact.key) % crowd >= kMost;
+        if (drops) {
+            releaseRow(bodies, contactSet, place);
+        }
+        return drops;
+    });
+}
+
 /// Lists the bodies of joints that RevoluteBlocks does not solve, each once.
 void SoftSolver::findJointed(const JointSet& joints) {
     jointed_.clear();
@@ -292,6 +319,9 @@ void SoftSolver::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joi
         blocks_.refine(refinement_, contactSet, bodies);
     }
     collect(bodies, contactSet, joints, step);
+    if (anyCrowded_ != 0) {
+        thinOut(bodies, contactSet);
+    }
     contactSet.store().sortByKey(newcomers_); // colours depend on the order
     blocks_.arrange(bodies, contactSet.contacts(), newcomers_,
                     anyCrowded_ != 0 ? std::span<const std::uint16_t>(overlapCount_)
@@ -350,8 +380,10 @@ void SoftSolver::solveGroup(Bodies& bodies, ContactSet& contactSet, JointSet& jo
     WorkerTeam serial;
     const bool helped =
         blocks_.worthPartitioning(level) && blocks_.partitions().count() == team.partitions();
-    Substeps run{bodies, contactSet, joints,     group,
-                 pass,   jointPass,  tolerances, helped ? team : serial};
+    const Real pushSpeed = soft.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit;
+    Substeps run{bodies,     contactSet, joints,
+                 group,      pass,       jointPass,
+                 tolerances, pushSpeed,  helped ? team : serial};
     if (!run.team.alone()) {
         group.partitions.buildGraph(
             {blocks_, level, pass, contactSet.contacts(), newcomers_, group.bound, bodies.size()},

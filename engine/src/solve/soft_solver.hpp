@@ -71,6 +71,7 @@ private:
         const ContactPassArguments& pass;
         JointPass& jointPass;
         const Tolerances& tolerances;
+        Real pushSpeed; // m/s
         WorkerTeam& team;
     };
     /// A part of a substep: a pass over all blocks, or work on all bodies of the group.
@@ -102,6 +103,7 @@ private:
                  std::vector<std::uint32_t>& newcomers);
     void releaseRow(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place);
     void countOverlap(const Bodies& bodies, const ContactSummary& summary, const WorkerTeam& team);
+    void thinOut(Bodies& bodies, ContactSet& contactSet);
     void findJointed(const JointSet& joints);
     void solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step);
     bool noneNeedsRow(const Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,

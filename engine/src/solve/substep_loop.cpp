@@ -107,6 +107,7 @@ void SoftSolver::passJoints(Substeps& run, Pass pass) {
 void SoftSolver::relaxDeepOverlaps(Substeps& run) {
     if (!run.group.overlapRelaxation.empty()) {
         runPhases(run);
+        run.group.overlapRelaxation.takeBackPushes(run.pass, run.jointPass.h, run.pushSpeed);
         run.group.overlapRelaxation.run(run.pass);
     }
 }
@@ -152,6 +153,10 @@ void SoftSolver::runSubstep(Substeps& run, int substep, int substeps) {
         revolutes_.solve(bodies, jointPass);
     };
     solveJoints(true);
+    if (!run.group.overlapRelaxation.empty()) {
+        runPhases(run);
+        run.group.overlapRelaxation.notePushes(run.pass);
+    }
     addPhase(run, {passes.solve, settings});
     addPhase(run, {.work = &SoftSolver::move});
     revolutes_.rotate(bodies);

@@ -164,9 +164,10 @@ void SnapshotFields::one(Bodies& bodies) {
             changes.arrived.push_back(i);
         }
         if (ids.aliveAt(i)) {
-            auto& [geometry, userData, force, torque] = record[i];
-            all(geometry, filter[i], userData, force, torque, pose[i], motion[i], acceleration[i],
-                rest[i]);
+            auto& [geometry, userData, force, torque, lostLoad] = record[i];
+            all(geometry, filter[i], userData, force, torque, lostLoad, pose[i], motion[i],
+                acceleration[i], rest[i]);
+            changes.anyLostLoad = changes.anyLostLoad || lostLoad != 0;
             if (reads()) {
                 completeBody(bodies, i);
             }

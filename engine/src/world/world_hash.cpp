@@ -38,6 +38,7 @@ std::uint64_t WorldImpl::stateHash() const {
             hash.add(value);
         }
         hash.add(bodies_.sleep[i].calmSteps);
+        hash.add(record.lostLoad);
         const Flags flags = bodies_.filter[i].flags; // the type counts as its motion locks
         hash.add((flags & ~kTypeBits) | locksOf(flags));
         hash.add(bodies_.filter[i].required);

@@ -168,6 +168,7 @@ void WorldImpl::bodyChanged(std::uint32_t body) {
 void WorldImpl::velocityChanged(std::uint32_t body) {
     wake(body);
     if (!bodies_.locked(body)) {
+        bodies_.noteLostLoad(body);
         return;
     }
     const BodyVelocity& own = bodies_.motion[body];
@@ -257,8 +258,10 @@ void WorldImpl::requireAlive(JointId id) const {
 
 /// Wakes the bodies of a joint and updates the excluded pairs.
 void WorldImpl::jointsChanged(const JointDef& def) {
-    wake(firstBody(def).index);
-    wake(secondBody(def).index);
+    for (const std::uint32_t body : {firstBody(def).index, secondBody(def).index}) {
+        wake(body);
+        bodies_.noteLostLoad(body);
+    }
     contacts_.setExcludedPairs(joints_.excludedPairs());
 }
 

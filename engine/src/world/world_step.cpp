@@ -56,6 +56,7 @@ void WorldStep::run(StageListener* listener) {
     gatherForces();
     enter(StepStage::Solve);
     solve();
+    countLostLoads(bodies_);
     enter(StepStage::Continuous);
     if (settings_.has(Feature::ContinuousCollision)) {
         runContinuous();
@@ -238,6 +239,10 @@ void WorldStep::freezeUnsoundMotion() {
 void WorldStep::breakJoints() {
     const std::span<const BrokenJoint> broken = joints_.endStep(dt_);
     broken_.assign(broken.begin(), broken.end());
+    for (const BrokenJoint& joint : broken_) {
+        bodies_.noteLostLoad(joint.a.index);
+        bodies_.noteLostLoad(joint.b.index);
+    }
     if (!broken_.empty()) {
         contacts_.setExcludedPairs(joints_.excludedPairs());
     }
