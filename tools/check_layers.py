@@ -153,10 +153,21 @@ def check_same_bits(raw, code):
                 )
 
 
+def check_precision(text):
+    """The message for a file without the macro of its inline namespace, or None. Such a file
+    compiles, and its functions have names that no other file can link."""
+    if re.search(r"^#include [<\"](?!kodo/export)\w+/", text, re.MULTILINE):
+        return None
+    return "uses KODO_PRECISION without an include that defines it: <kodo/real.hpp> at least"
+
+
 def check_file(path, name):
     """Yields (line number, message)."""
     folder = name.parent.as_posix()
     text = path.read_text(encoding="utf-8")
+    if folder.startswith("engine/") and "namespace KODO_PRECISION" in text:
+        if name.name != "real.hpp" and (sentence := check_precision(text)):
+            yield 1, sentence
     owner = owner_of(folder)
     if owner is None and folder.startswith(("engine", "game")):
         yield 1, f"the folder {folder} is not in the table of tools/check_layers.py"

@@ -65,9 +65,13 @@ endif()
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE COMPONENT kodo-dev
     DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kodo)
-install(FILES CHANGELOG.md docs/manual.md docs/glossary.md docs/tuning.md OPTIONAL
-    COMPONENT kodo-dev
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kodo)
+install(FILES CHANGELOG.md README.md COMPONENT kodo-dev DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kodo)
+# The pages, their pictures and the examples lie beside each other as in the sources, so that links
+# between them hold.
+install(DIRECTORY docs examples COMPONENT kodo-dev
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kodo
+    FILES_MATCHING PATTERN *.md PATTERN *.svg PATTERN *.cpp PATTERN *.txt
+    PATTERN CMakeLists.txt EXCLUDE)
 if(BUILD_SHARED_LIBS)
     install(FILES ${PROJECT_SOURCE_DIR}/LICENSE COMPONENT kodo-runtime
         DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kodo-runtime)

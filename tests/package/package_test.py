@@ -12,6 +12,7 @@ import json
 import os
 import pathlib
 import platform
+import re
 import shlex
 import shutil
 import subprocess
@@ -183,8 +184,12 @@ def check_unknown_component(prefix):
 
 
 def check_documents(prefix):
-    for name in ("LICENSE", "CHANGELOG.md", "manual.md", "glossary.md", "tuning.md"):
-        check((prefix / "share/doc/kodo" / name).is_file(), f"share/doc/kodo has no {name}")
+    documents = prefix / "share/doc/kodo"
+    for name in ("LICENSE", "CHANGELOG.md", "docs/manual.md", "examples/hello.cpp"):
+        check((documents / name).is_file(), f"share/doc/kodo has no {name}")
+    for page in (documents / "docs").glob("*.md"):
+        for link in re.findall(r"\]\(([\w/-]*\.[\w./-]+)", page.read_text(encoding="utf-8")):
+            check((page.parent / link).exists(), f"{page.name} links to {link}")
 
 
 def check_headers_alone(include):

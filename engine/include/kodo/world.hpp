@@ -76,9 +76,9 @@ public:
     /// Adds a part, in the frame of the shape of `into`, with its velocity. Throws BadDefinition
     /// for what add() would refuse.
     std::size_t weld(BodyId into, const Primitive& shape, const Material& material, Real density);
-    /// Makes a part a body of its own, with these flags. Later parts move up by one. Keeps momentum
-    /// and angular momentum. Throws BadDefinition for a part that does not exist, for the only
-    /// part, and for flags that add() would refuse.
+    /// Makes a part a body of its own, with these flags. The indices of later parts decrease by
+    /// one. Keeps momentum and angular momentum. Throws BadDefinition for a part that does not
+    /// exist, for the only part, and for flags that add() would refuse.
     BodyId unweld(BodyId body, std::size_t part, Flags flags = 0);
 
     // Joints. Functions that take an id throw BadDefinition for one that names no joint.
