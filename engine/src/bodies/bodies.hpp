@@ -5,6 +5,7 @@
 #include "bodies/body_geometry.hpp"
 #include "bodies/body_velocity.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -32,6 +33,12 @@ struct SleepState {
     Transform since; // pose when it became calm
     /// J; least kinetic energy since then.
     Real leastEnergy = std::numeric_limits<Real>::max();
+    /// Velocities (m/s and rad/s) at the last two of regular intervals of the count, later first.
+    struct Sample {
+        Vec2 velocity;
+        Real angularVelocity = 0;
+    };
+    std::array<Sample, 2> samples;
 };
 
 /// Sizes from the body geometry, contiguous for loops over many bodies.
