@@ -95,6 +95,12 @@ private:
               record.approachSpeed, record.maxImpulse, record.totalImpulse}) {
             records_.add(value);
         }
+        for (const kodo::RecordPoint& point : record.points) {
+            for (const kodo::Real value :
+                 {point.position.x, point.position.y, point.separation, point.maxImpulse}) {
+                records_.add(value);
+            }
+        }
     }
 
     void change() {

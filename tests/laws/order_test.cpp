@@ -41,6 +41,25 @@ TEST(ConvergenceOrder, OfTheStoppingDistance) {
         1e-4);
 }
 
+// C6: a disc that slides at 10 m/s rolls at 20/3 m/s after 10/9 s. Its rolling radius is shorter by
+// half of the compression of its contact, so the stiffness has to rise with the rate.
+TEST(ConvergenceOrder, OfSlidingThatBecomesRolling) {
+    const auto roll = [](Real rate) {
+        StepSettings settings = sleepless();
+        settings.soft().contactHertz = rate;
+        World world({.gravity = support::kEarth, .settings = settings});
+        support::addFloor(world, withFriction(Real(0.3)));
+        BodyDef def = support::ballDef({0, Real(0.5)}, Real(0.5), withFriction(Real(0.3)));
+        def.velocity = {10, 0};
+        const BodyId disc = world.add(def);
+        support::run(world, static_cast<int>(2 * rate), 1 / rate);
+        return std::pair(static_cast<double>(world[disc].velocity().x) - 20.0 / 3,
+                         static_cast<double>(world[disc].position().x) - 410.0 / 27);
+    };
+    expectFirstOrder([&](Real rate) { return roll(rate).first; }, sizeof(Real) == 4 ? 4e-4 : 1e-12);
+    expectFirstOrder([&](Real rate) { return roll(rate).second; }, sizeof(Real) == 4 ? 2e-3 : 1e-9);
+}
+
 // Speed and distance of a box slipping for 2 s down a slope of 3 over 4 with friction 0.3: a = g
 // (0.6 - 0.8 mu) = 3.6 m/s^2.
 TEST(ConvergenceOrder, OfSlidingDownASlope) {

@@ -181,7 +181,7 @@ inline std::vector<Profile> profiles() {
     return {{"soft solver", {}},
             {"propagation 4", propagation(4, 0)},
             {"propagation 4 + shock 4", propagation(4, 4)},
-            {"propagation 10 (thesis2006)", propagation(10, 0)},
+            {"propagation 10", propagation(10, 0)},
             {"propagation 10 + shock 10", propagation(10, 10)},
             {"propagation 40", propagation(40, 0)}};
 }

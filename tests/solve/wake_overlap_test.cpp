@@ -48,13 +48,15 @@ const Way kWays[] = {
      [](World& world, BodyId wall) { world[wall].setFlags(world[wall].flags() & ~kDisabled); }},
     {"setFlags",
      [](BodyDef wall) {
-         wall.flags |= kMatchAny; // with required 0: accepts nothing
+         wall.flags |= kMatchAny;
+         wall.required = 0x8000; // a category of no body
          return wall;
      },
      [](World& world, BodyId wall) { world[wall].setFlags(world[wall].flags() & ~kMatchAny); }},
     {"setRequired",
      [](BodyDef wall) {
          wall.flags |= kMatchAny;
+         wall.required = 0x8000;
          return wall;
      },
      [](World& world, BodyId wall) { world[wall].setRequired(kBox); }},

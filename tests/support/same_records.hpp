@@ -19,9 +19,11 @@ inline bool sameRecords(std::span<const CollisionRecord> one,
                         std::span<const CollisionRecord> other) {
     const auto same = [](const CollisionRecord& r, const CollisionRecord& s) {
         const auto all = [](const CollisionRecord& x) {
-            return std::tuple(x.a, x.b, x.partA, x.partB, x.phase, x.pointCount, x.point.x,
-                              x.point.y, x.normal.x, x.normal.y, x.separation, x.approachSpeed,
-                              x.maxImpulse, x.totalImpulse);
+            const auto& [p, q] = x.points;
+            return std::tuple(p.position.x, p.position.y, p.separation, p.maxImpulse, q.position.x,
+                              q.position.y, q.separation, q.maxImpulse, x.a, x.b, x.partA, x.partB,
+                              x.phase, x.pointCount, x.point.x, x.point.y, x.normal.x, x.normal.y,
+                              x.separation, x.approachSpeed, x.maxImpulse, x.totalImpulse);
         };
         return all(r) == all(s);
     };

@@ -97,8 +97,9 @@ TEST(CollisionRecord, ImpulseUnderABoxAtRestIsItsWeightTimesDt) {
     EXPECT_EQ(hit->pointCount, 2);
     // The impulse converges over the steps; after 2 s its error is at most 1e-3.
     EXPECT_TRUE(nearShare(hit->totalImpulse, 10.0L / 60, 1e-3L));
-    const int corners = 2 * world.settings().soft().substeps; // one of two corners, in one substep
-    EXPECT_TRUE(nearShare(hit->maxImpulse, 10.0L / 60 / corners, 2e-3L));
+    const int substeps = world.settings().soft().substeps;
+    EXPECT_TRUE(nearShare(hit->maxImpulse, 10.0L / 60 / substeps, 2e-3L));
+    EXPECT_TRUE(nearShare(hit->maxPointImpulse(), 10.0L / 60 / (2 * substeps), 2e-3L));
     EXPECT_TRUE(near(hit->normal, Vec2{0, 1}, byPrecision(1e-5, 1e-9)));
     EXPECT_LT(hit->approachSpeed, Real(1e-3));
 }

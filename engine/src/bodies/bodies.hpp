@@ -6,6 +6,7 @@
 #include "bodies/body_velocity.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -35,6 +36,12 @@ struct SleepState {
     Transform since; // pose when it became calm
     /// J; least kinetic energy since then.
     Real leastEnergy = std::numeric_limits<Real>::max();
+    /// Velocities (m/s and rad/s) at the last two of regular intervals of the count, later first.
+    struct Sample {
+        Vec2 velocity;
+        Real angularVelocity = 0;
+    };
+    std::array<Sample, 2> samples;
 };
 
 /// Sizes from the body geometry, contiguous for loops over many bodies.

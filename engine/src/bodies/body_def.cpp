@@ -37,7 +37,11 @@ std::optional<Problem> checkModes(const char* field, Flags value) {
 } // namespace
 
 std::optional<Problem> checkPosition(const char* field, Vec2 value, Real lengthUnit) {
-    return checkCoordinates(field, value, kMaxCoordinate * lengthUnit, "m");
+    auto problem = checkCoordinates(field, value, kMaxCoordinate * lengthUnit, "m");
+    if (problem && isFinite(value)) {
+        problem->reason += ": a larger WorldDef::lengthUnit or kodo64 reaches farther";
+    }
+    return problem;
 }
 
 std::optional<Problem> checkVelocity(const char* field, Vec2 value, Real lengthUnit,
@@ -116,6 +120,10 @@ std::optional<Problem> check(const BodyDef& def, Real lengthUnit) {
     }
     if (auto problem = checkFlags("flags", def.flags)) {
         return problem;
+    }
+    if (def.required == 0 && (def.flags & (kMatchAny | kMatchAll)) != 0) {
+        return Problem{"required", "must have a category with kMatchAny or kMatchAll, but is 0: "
+                                   "the body would collide with nothing, as kDisabled says"};
     }
     if (auto problem = checkPosition("position", def.position, lengthUnit)) {
         return problem;

@@ -60,15 +60,24 @@ void recordContact(const Contact& contact, std::vector<CollisionRecord>& out) {
     record.separation = contact.manifold.points[0].separation;
     record.approachSpeed = contact.approachSpeed;
     record.totalImpulse = contact.total;
+    Real impacts = 0;
+    Real substeps = 0;
+    Real most = 0;
     for (std::size_t i = 0; i < record.pointCount; ++i) {
         const PointImpulse& impulse = contact.impulse[i];
-        record.totalImpulse += impulse.impact;
-        const Real largest = std::max(impulse.largest, impulse.impact);
-        if (largest > record.maxImpulse) {
-            record.maxImpulse = largest;
-            record.point = contact.centerA + contact.manifold.points[i].armA;
+        RecordPoint& point = record.points[i];
+        point.position = contact.centerA + contact.manifold.points[i].armA;
+        point.separation = contact.manifold.points[i].separation;
+        point.maxImpulse = std::max(impulse.largest, impulse.impact);
+        impacts += impulse.impact;
+        substeps += impulse.largest;
+        if (point.maxImpulse > most) {
+            most = point.maxImpulse;
+            record.point = point.position;
         }
     }
+    record.totalImpulse += impacts;
+    record.maxImpulse = std::max(impacts, substeps);
 }
 
 void sortRecords(std::vector<CollisionRecord>& records) {

@@ -239,6 +239,10 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
     if (std::exchange(contactsChanged_, false)) {
         noteKinds(bodies, team);
         ghostCollisions_.link(bodies, summaries(), onGround_);
+        oneWayBodies_.link(bodies, contacts(), summaries());
+    }
+    if (!oneWayBodies_.empty()) {
+        oneWayBodies_.hide({bodies, contacts(), store_.summaries(), tolerances, keeper.evict});
     }
     ghostCollisions_.hide({bodies, contacts(), store_.summaries(), tolerances, keeper.evict});
 }

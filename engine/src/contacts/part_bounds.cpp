@@ -310,7 +310,8 @@ void PartBounds::coverDisplacements(const Bodies& bodies, const Tolerances& tole
         if (grown_[i].contains(after)) {
             return false;
         }
-        grown_[i] = unite(tight_[i], after).grown(tolerances.margin);
+        // With the prediction, so that a pair that has just collided keeps its contact and record.
+        grown_[i] = unite(unite(tight_[i], after).grown(tolerances.margin), grown_[i]);
         return true;
     });
 }

@@ -57,7 +57,7 @@ std::optional<Problem> checkDistinct(const std::vector<Vec2>& corners) {
         for (std::size_t i = 0; i < k; ++i) {
             if (corners[i] == corners[k]) {
                 return Problem{corner(k), "is the same point as corner " + std::to_string(i) +
-                                              ": leave it out"};
+                                              ": leave it out, or use convexHull()"};
             }
         }
     }

@@ -7,6 +7,7 @@
 #include "base/vector_reuse.hpp"
 #include "collide/time_of_impact.hpp"
 #include "solve/relative_motion.hpp"
+#include "solve/stop_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -127,17 +128,6 @@ bool closes(const Bodies& bodies, const PartBounds& bounds, const ContactSummary
 template <typename Event>
 bool later(const Event& e, const Event& f) {
     return e.time > f.time || (e.time == f.time && f.pair < e.pair);
-}
-
-/// Ends the displacement of a body at `fraction` of the step; from there on only `push` (m, per
-/// whole step) moves it. The velocity loses what the forces added after that time.
-void stop(Bodies& bodies, std::uint32_t body, Real fraction, Vec2 push, Real dt) {
-    BodyVelocity& motion = bodies.motion[body];
-    motion.deltaPosition = fraction * motion.deltaPosition + (1 - fraction) * push;
-    motion.deltaAngle *= fraction;
-    const Real lost = (1 - fraction) * dt;
-    motion.velocity -= lost * bodies.acceleration[body].linear;
-    motion.angularVelocity -= lost * bodies.acceleration[body].angular;
 }
 
 } // namespace

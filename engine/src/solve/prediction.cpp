@@ -77,6 +77,18 @@ public:
     bool outruns() const {
         return motion() > std::min(convexA().coreRadius, convexB().coreRadius) / 2;
     }
+    /// True if the bodies, without a touch in the last step, have moved so far since the start of
+    /// the step that they may have passed each other. Continuous collision then stops them.
+    bool outran() const {
+        return !contact_.wasTouching &&
+               length(hereB_.deltaPosition - hereA_.deltaPosition) >
+                   std::min(convexA().coreRadius, convexB().coreRadius) / 2;
+    }
+    /// Removes the manifold.
+    void clear() {
+        contact_.manifold.count = 0;
+        contact_.passing = false;
+    }
     /// A segment has no interior, so the side of a body is known only at its current pose.
     bool ofLine() const { return convexA().isLine() || convexB().isLine(); }
 
@@ -100,8 +112,7 @@ private:
         const Transform b = placed(bodies_.pose[contact_.key.bodyB], atB);
         const Real reach = convexA().boundingRadius + convexB().boundingRadius + tolerances_.margin;
         if (lengthSquared(b.position - a.position) > reach * reach) {
-            contact_.manifold.count = 0;
-            contact_.passing = false;
+            clear();
             return;
         }
         contact_.near = true;
@@ -127,7 +138,9 @@ std::array<Real, 2> predictContact(Contact& contact, const Bodies& bodies,
     Way way(contact, bodies, prediction);
     const bool hardlyMoves = way.motion() <= prediction.tolerances.margin / 2;
     const bool outruns = way.ofLine() || (prediction.swept && way.outruns());
-    if (!hardlyMoves && !outruns) {
+    if (prediction.swept && !prediction.fresh && outruns && way.outran()) {
+        way.clear();
+    } else if (!hardlyMoves && !outruns) {
         way.findThere();
     } else if (!prediction.fresh) {
         way.findHere();

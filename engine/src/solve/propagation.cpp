@@ -327,40 +327,16 @@ void Propagation::relax(Bodies& bodies, JointSet& joints, const JointPass& pass,
     }
 }
 
-/// Adds the impulses of this substep to the contacts.
-void Propagation::store(std::span<Contact> contacts) {
-    for (Contact& contact : contacts) {
-        contact.carried = false;
-        contact.row = {}; // not in a lane of the soft solver
-        contact.hasStepImpulses = true;
-        contact.friction = 0;
-        contact.rolling = 0;
-        for (PointImpulse& impulse : contact.impulse) {
-            impulse.largest = std::max(impulse.largest, impulse.impact);
-            contact.total += impulse.impact;
-            impulse.impact = 0;
-            impulse.normal = 0;
-        }
-    }
-    for (const PropagationRow& row : rows_) {
-        Contact& contact = contacts[row.contact];
-        contact.friction = row.friction;
-        contact.rolling = row.rolling;
-        for (std::size_t i = 0; i < row.count; ++i) {
-            PointImpulse& impulse = contact.impulse[i];
-            impulse.normal = row.impulse[i];
-            impulse.largest = std::max(impulse.largest, impulse.normal);
-            contact.total += impulse.normal;
-        }
-    }
-}
-
 void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints,
                         const Step& step) {
     const std::span<Contact> contacts = contactSet.contacts();
     const PropagationSettings& settings = step.own();
     const Real h = step.dt / static_cast<Real>(settings.substeps);
     JointPass pass{h, Softness::from(settings.jointHertz, settings.jointDamping, h), true};
+    const bool several = settings.substeps > 1;
+    if (several) {
+        assignReusing(strongest_, contacts.size(), StrongestGroup{});
+    }
     visits_ = 0;
     joints.beginStep();
     joints.boundBias(contactSet, step.tolerances.slop,
@@ -387,7 +363,13 @@ void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints
         integrateMoves(bodies, bodies.awake, exposure_, h);
         pass.biased = false;
         relax(bodies, joints, pass, settings);
+        if (several) {
+            noteStrongest(contacts);
+        }
         store(contacts);
+    }
+    if (several) {
+        restoreStrongest(contacts);
     }
 }
 

@@ -74,6 +74,13 @@ private:
         std::uint32_t level;
     };
 
+    /// The largest impulse of a contact in the substeps so far, with the manifold it acted at.
+    struct StrongestGroup {
+        Real impulse = 0; // N s, of both points
+        Manifold manifold;
+        Vec2 centerA; // m, see Contact::centerA
+    };
+
     std::uint64_t numberOf(PassNumber number) const {
         return (substep_ * kStages + static_cast<std::uint64_t>(number.stage)) << 32 | number.pass;
     }
@@ -95,6 +102,8 @@ private:
     void relax(Bodies& bodies, JointSet& joints, const JointPass& pass,
                const PropagationSettings& settings);
     void store(std::span<Contact> contacts);
+    void noteStrongest(std::span<const Contact> contacts);
+    void restoreStrongest(std::span<Contact> contacts) const;
 
     template <typename Visit>
     void forEachIn(std::span<const std::uint32_t> ends, PassNumber number, Visit visit);
@@ -110,6 +119,7 @@ private:
     std::vector<PropagationRow> rows_;      // by island
     std::vector<std::uint32_t> rowEnds_;    // by island: its end in rows_
     std::vector<std::array<Real, 2>> gaps_; // by contact: m, at the start of the substep
+    std::vector<StrongestGroup> strongest_; // by contact, with several substeps
     std::vector<std::uint32_t> struck_;     // contacts that are tested for impacts, by island
     std::vector<std::uint32_t> struckEnds_; // by island: its end in struck_
     std::vector<SeparationShift> parting_;  // by body

@@ -14,22 +14,6 @@ namespace {
 
 constexpr std::uint32_t kNoIsland = SleepState::kNoIsland;
 
-// Speed that contacts and rounding cause on a body at rest, as a fraction of the speed that its
-// forces would cause in a step.
-constexpr Real kNoise = Real(1) / 2048;
-
-Real kineticEnergy(const BodyVelocity& motion, const Mass& mass) {
-    const Real w = motion.angularVelocity;
-    return (mass.mass * lengthSquared(motion.velocity) + mass.inertia * w * w) / 2;
-}
-
-/// Kinetic energy (J) that the forces give a body within dt from rest.
-Real energyOfForces(const Acceleration& acceleration, const Mass& mass, Real dt) {
-    const Real v = dt * acceleration.effort;
-    const Real w = dt * acceleration.angular;
-    return (mass.mass * v * v + mass.inertia * w * w) / 2;
-}
-
 /// Inserts a contact into those of an island, in the order of keys. An existing contact of that key
 /// dates from before a neighbour woke, and is replaced.
 void keep(std::vector<Contact>& held, const Contact& contact) {
@@ -45,21 +29,6 @@ void keep(std::vector<Contact>& held, const Contact& contact) {
     } else {
         held.insert(place, contact);
     }
-}
-
-/// True if any point of the body has moved by more than `distance` (m) from `since`.
-bool hasCrept(const Transform& pose, const Transform& since, Real reach, Real distance) {
-    const Rot turn = pose.rotation * since.rotation.inverse();
-    const Real moved = lengthSquared(pose.position - since.position);
-    const Real turned = reach * reach * turn.s * turn.s;
-    return moved + turned > distance * distance || turn.c < 0;
-}
-
-void startCounting(SleepState& rest, const Transform& pose) {
-    const std::uint32_t island = rest.island;
-    rest = {};
-    rest.island = island;
-    rest.since = pose;
 }
 
 } // namespace
@@ -117,7 +86,7 @@ void SleepSystem::wakeIslands(Bodies& bodies, ContactSet& contacts) {
 
 /// Restarts the calm count of a body, and notes its island for wakeIslands().
 void SleepSystem::disturb(Bodies& bodies, std::uint32_t body) {
-    startCounting(bodies.sleep[body], bodies.pose[body]);
+    restartCount(bodies.sleep[body], bodies.pose[body]);
     if (bodies.sleep[body].island != kNoIsland) {
         woken_.push_back(bodies.sleep[body].island);
     }
@@ -130,7 +99,7 @@ void SleepSystem::wake(Bodies& bodies, ContactSet& contacts, std::uint32_t body)
 
 void SleepSystem::wakeAll(Bodies& bodies, ContactSet& contacts) {
     for (const std::uint32_t body : bodies.awake) {
-        startCounting(bodies.sleep[body], bodies.pose[body]);
+        restartCount(bodies.sleep[body], bodies.pose[body]);
     }
     for (std::uint32_t island = 0; island < islands_.size(); ++island) {
         if (!islands_[island].bodies.empty()) {
@@ -148,8 +117,9 @@ void SleepSystem::wakeNeighbours(Bodies& bodies, ContactSet& contacts, const Joi
     disturb(bodies, body);
     // An awake neighbour may have been about to fall asleep.
     contacts.touchedBy(body, members_);
-    std::for_each(members_.begin(), members_.end(),
-                  [&](auto i) { startCounting(bodies.sleep[i], bodies.pose[i]); });
+    for (const std::uint32_t other : members_) {
+        restartCount(bodies.sleep[other], bodies.pose[other]);
+    }
     joints.forEachOf(body, [&](const JointSet::Joint& joint) {
         const std::uint32_t a = firstBody(joint.def).index;
         disturb(bodies, a == body ? secondBody(joint.def).index : a);
@@ -239,104 +209,6 @@ bool SleepSystem::wakeRunOver(Bodies& bodies, ContactSet& contacts, const Tolera
     return !members_.empty();
 }
 
-/// True if any body has been calm for long enough, so that islands must be checked.
-bool SleepSystem::countCalm(Bodies& bodies, const StepSettings& settings,
-                            const Tolerances& tolerances, Real dt) {
-    bool any = false;
-    for (const std::uint32_t body : bodies.awake) {
-        SleepState& rest = bodies.sleep[body];
-        const BodyGeometry& geometry = bodies.geometry(body);
-        const Real energy = kineticEnergy(bodies.motion[body], geometry.mass);
-        const bool calm =
-            (bodies.filter[body].flags & kNeverSleep) == 0 &&
-            energy <= energyOfForces(bodies.acceleration[body], geometry.mass, dt) &&
-            !hasCrept(bodies.pose[body], rest.since, geometry.boundingRadius, tolerances.slop / 4);
-        if (calm) {
-            ++rest.calmSteps;
-            rest.leastEnergy = std::min(rest.leastEnergy, energy);
-        } else {
-            startCounting(rest, bodies.pose[body]);
-        }
-        any = any || rest.calmSteps >= static_cast<std::uint32_t>(settings.sleepSteps);
-    }
-    return any;
-}
-
-/// Counts the points that support each body. A face, a round shape or a joint counts as two or
-/// more. On a single corner a body can only balance.
-void SleepSystem::countSupports(const Bodies& bodies, const ContactSet& contacts,
-                                const JointSet& joints) {
-    resizeByBody(supports_, bodies);
-    for (const std::uint32_t body : bodies.awake) {
-        supports_[body] = 0;
-    }
-    for (const Contact& contact : contacts.contacts()) {
-        const ContactKey& key = contact.key;
-        if (contact.touching && !contact.sensor) {
-            const bool round = bodies.convex(key.bodyA, key.partA).isRound() ||
-                               bodies.convex(key.bodyB, key.partB).isRound();
-            const auto points = static_cast<std::uint32_t>(round ? 2 : contact.manifold.count);
-            supports_[key.bodyA] += points;
-            supports_[key.bodyB] += points;
-        }
-    }
-    joints.forEachBusy([&](const JointSet::Joint& joint) {
-        supports_[firstBody(joint.def).index] += 2;
-        supports_[secondBody(joint.def).index] += 2;
-    });
-}
-
-/// Among the bodies of calm islands: one that balances on a corner and is faster than its slowest
-/// calm step is tipping over. Its island stays awake.
-void SleepSystem::restartTipping(Bodies& bodies, std::uint32_t enough, Real dt) {
-    for (const std::uint32_t body : bodies.awake) {
-        std::uint32_t& least = leastCalm_[touching_.rootOf(body)];
-        SleepState& rest = bodies.sleep[body];
-        if (least < enough || supports_[body] != 1) {
-            continue;
-        }
-        const Mass& mass = bodies.geometry(body).mass;
-        const Real now = std::sqrt(kineticEnergy(bodies.motion[body], mass));
-        const Real noise = kNoise * std::sqrt(energyOfForces(bodies.acceleration[body], mass, dt));
-        if (now - std::sqrt(rest.leastEnergy) > noise) {
-            startCounting(rest, bodies.pose[body]);
-            least = 0;
-        }
-    }
-}
-
-void SleepSystem::joinTouching(const Bodies& bodies, const ContactSet& contacts,
-                               const JointSet& joints) {
-    touching_.resize(bodies.size());
-    resizeByBody(leastCalm_, bodies);
-    for (const std::uint32_t body : bodies.awake) {
-        touching_.makeSet(body);
-    }
-    for (const Contact& contact : contacts.contacts()) {
-        const ContactKey& key = contact.key;
-        if (contact.touching && !contact.sensor && bodies.active(key.bodyA) &&
-            bodies.active(key.bodyB)) {
-            // A kinematic body joins the bodies that it carries, so none of them falls asleep.
-            touching_.join(key.bodyA, key.bodyB);
-        }
-    }
-    joints.forEachBusy([&](const JointSet::Joint& joint) {
-        const std::uint32_t a = firstBody(joint.def).index;
-        const std::uint32_t b = secondBody(joint.def).index;
-        if (bodies.active(a) && bodies.active(b)) {
-            touching_.join(a, b);
-        }
-    });
-    for (const std::uint32_t body : bodies.awake) {
-        leastCalm_[body] = bodies.locked(body) ? 0 : bodies.sleep[body].calmSteps;
-    }
-    for (const std::uint32_t body : bodies.awake) {
-        std::uint32_t& least = leastCalm_[touching_.rootOf(body)];
-        const std::uint32_t own = bodies.locked(body) ? 0 : bodies.sleep[body].calmSteps;
-        least = std::min(least, own);
-    }
-}
-
 void SleepSystem::putToSleep(Bodies& bodies, std::span<const std::uint32_t> members) {
     auto island = static_cast<std::uint32_t>(islands_.size());
     if (freeIslands_.empty()) {
@@ -354,25 +226,6 @@ void SleepSystem::putToSleep(Bodies& bodies, std::span<const std::uint32_t> memb
     }
     ++sleepingIslands_;
     islands_[island].bodies.assign(members.begin(), members.end());
-}
-
-bool SleepSystem::updateSleep(Bodies& bodies, const ContactSet& contacts, const JointSet& joints,
-                              const StepSettings& settings, const Tolerances& tolerances, Real dt) {
-    if (!countCalm(bodies, settings, tolerances, dt)) {
-        return false;
-    }
-    joinTouching(bodies, contacts, joints);
-    const auto enough = static_cast<std::uint32_t>(settings.sleepSteps);
-    countSupports(bodies, contacts, joints);
-    restartTipping(bodies, enough, dt);
-    sleepers_.clear();
-    for (const std::uint32_t body : bodies.awake) {
-        const std::uint32_t root = touching_.rootOf(body);
-        if (leastCalm_[root] >= enough) {
-            sleepers_.emplace_back(root, body);
-        }
-    }
-    return !sleepers_.empty();
 }
 
 void SleepSystem::sleepIslands(Bodies& bodies, ContactSet& contacts, const WriteBack& writeBack) {

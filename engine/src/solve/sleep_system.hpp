@@ -14,6 +14,8 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
+void restartCount(SleepState& rest, const Transform& pose);
+
 /// Puts islands of still bodies to sleep, and wakes them [Thesis06, 5.2].
 ///
 /// A body is calm in a step if its kinetic energy is at most what its forces would give it from
@@ -23,9 +25,10 @@ inline namespace KODO_PRECISION {
 ///   m v^2 + I w^2 <= m (sum |F| / m dt)^2 + I (alpha dt)^2          [after Thesis06, eq. 5]
 ///
 /// A calm body must also stay where it was when it became calm. A slowly tipping body (fig. 5.3) is
-/// recognised by its single supporting corner and its increasing speed, however small. Touching
-/// bodies form an island. It falls asleep as a whole, once all its bodies have been calm for
-/// sleepSteps steps. Its bodies and contacts are then not in the lists of a step.
+/// recognised by its increasing speed, however small, and a swinging one by a velocity that still
+/// changes where it turns back. Touching bodies form an island. It falls asleep as a whole, once
+/// all its bodies have been calm for sleepSteps steps. Its bodies and contacts are then not in the
+/// lists of a step.
 class SleepSystem {
 public:
     /// Wakes the islands that an active body touches. Needs fresh manifolds.
@@ -77,6 +80,12 @@ private:
         bool operator==(const NeighbourIsland&) const = default;
     };
 
+    /// Range of the points that support a body, across its acceleration, from its centre of mass.
+    struct Base {
+        Real least = 0; // m
+        Real most = 0;
+    };
+
     void wakeIslands(Bodies& bodies, ContactSet& contacts);
     void disturb(Bodies& bodies, std::uint32_t body);
     void noteIslandContact(const Bodies& bodies, const Contact& contact, std::uint32_t island);
@@ -87,16 +96,16 @@ private:
     bool countCalm(Bodies& bodies, const StepSettings& settings, const Tolerances& tolerances,
                    Real dt);
     void joinTouching(const Bodies& bodies, const ContactSet& contacts, const JointSet& joints);
-    void countSupports(const Bodies& bodies, const ContactSet& contacts, const JointSet& joints);
-    void restartTipping(Bodies& bodies, std::uint32_t enough, Real dt);
+    void findBases(const Bodies& bodies, const ContactSet& contacts);
+    void holdMoving(Bodies& bodies, std::uint32_t enough, const Tolerances& tolerances, Real dt);
 
     std::vector<Island> islands_;
     std::size_t sleepingIslands_ = 0;
-    std::vector<std::uint32_t> freeIslands_;                     // heap, the lowest on top
-    std::vector<std::vector<NeighbourIsland>> neighbourIslands_; // by body
-    DisjointSets touching_;                                      // islands of the awake bodies
-    std::vector<std::uint32_t> leastCalm_;                       // by root: calm steps
-    std::vector<std::uint32_t> supports_;                        // by body: points that support it
+    std::vector<std::uint32_t> freeIslands_;                        // heap, the lowest on top
+    std::vector<std::vector<NeighbourIsland>> neighbourIslands_;    // by body
+    DisjointSets touching_;                                         // islands of the awake bodies
+    std::vector<std::uint32_t> leastCalm_;                          // by root: calm steps
+    std::vector<Base> bases_;                                       // by body
     std::vector<std::pair<std::uint32_t, std::uint32_t>> sleepers_; // root and body
     std::vector<std::uint32_t> members_;                            // of an island, or to be woken
     std::vector<std::uint32_t> woken_;                              // islands: see wakeIslands

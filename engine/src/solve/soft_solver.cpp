@@ -33,6 +33,28 @@ std::uint32_t hashOf(const ContactKey& key) {
     return contact.isKept() && contact.row.index == summary.row;
 }
 
+/// True for a contact with an impact in this step after which its points separate, and stay apart
+/// until the end of the step although the forces press them together.
+bool isLeaving(const Bodies& bodies, const Contact& contact, Real dt) {
+    if (!(contact.impulse[0].impact + contact.impulse[1].impact > 0)) {
+        return false;
+    }
+    const std::uint32_t a = contact.key.bodyA;
+    const std::uint32_t b = contact.key.bodyB;
+    const Vec2 n = contact.manifold.normal;
+    const Real pressing =
+        dot(n, bodies.acceleration[a].linear - bodies.acceleration[b].linear) * dt / 2;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        const ManifoldPoint& p = contact.manifold.points[i];
+        const Vec2 apart =
+            velocityAt(bodies.motion[b], p.armB) - velocityAt(bodies.motion[a], p.armA);
+        if (dot(n, apart) < std::max(pressing, Real(0))) {
+            return false;
+        }
+    }
+    return true;
+}
+
 } // namespace
 
 /// Clears the marks of all bodies, then marks those with joints.
@@ -138,7 +160,7 @@ void SoftSolver::collectPiece(const Collecting& run, std::span<const std::uint32
         if (keeps && summary.kept && needsRow(bodies, summary, restitution, slop)) {
             KODO_ASSERT(isKept(contacts[place], summary));
             blocks_.keep(summary.row);
-            noteExposure(bodies, summary, slop, step.team);
+            noteExposure(run, summary, false);
         } else if (!keeps || summary.meets || summary.row != ContactRow::kNone) {
             visited.add(place);
         }
@@ -146,18 +168,21 @@ void SoftSolver::collectPiece(const Collecting& run, std::span<const std::uint32
     visitPrefetched<4>(visited.list(), contacts, [&](std::uint32_t place) {
         if (needsRow(bodies, summaryOf[place], restitution, slop) && contacts[place].responds()) {
             takeNew(bodies, contactSet, place, friction, newcomers);
-            noteExposure(bodies, summaryOf[place], slop, step.team);
+            noteExposure(run, summaryOf[place], isLeaving(bodies, contacts[place], step.dt));
         } else {
             releaseRow(bodies, contactSet, place);
         }
     });
 }
 
-/// Marks both bodies as touched or near, and notes deep overlaps.
-void SoftSolver::noteExposure(const Bodies& bodies, const ContactSummary& summary, Real slop,
-                              const WorkerTeam& team) {
+/// Marks both bodies as touched or near, and notes deep overlaps. A body that leaves is only near,
+/// so it follows its parabola from the impact on.
+void SoftSolver::noteExposure(const Collecting& run, const ContactSummary& summary, bool leaves) {
+    const Bodies& bodies = run.bodies;
+    const WorkerTeam& team = run.step.team;
+    const Real slop = run.step.tolerances.slop;
     const Real separation = summary.separation[0];
-    std::uint8_t* const marks = separation <= slop ? touched_.data() : near_.data();
+    std::uint8_t* const marks = separation <= slop && !leaves ? touched_.data() : near_.data();
     WorkerTeam::mark(marks[summary.bodyA]);
     WorkerTeam::mark(marks[summary.bodyB]);
     if (separation < -4 * slop) {

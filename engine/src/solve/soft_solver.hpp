@@ -94,8 +94,7 @@ private:
                  const Step& step);
     void collectPiece(const Collecting& run, std::span<const std::uint32_t> places,
                       std::vector<std::uint32_t>& newcomers);
-    void noteExposure(const Bodies& bodies, const ContactSummary& summary, Real slop,
-                      const WorkerTeam& team);
+    void noteExposure(const Collecting& run, const ContactSummary& summary, bool leaves);
     void clearMarks(const Bodies& bodies, const JointSet& joints);
     void beginCollecting(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
                          const Step& step);

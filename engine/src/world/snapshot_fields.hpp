@@ -51,6 +51,7 @@ private:
     void one(BodyVelocity& motion);
     void one(Acceleration& acceleration);
     void one(SleepState& rest);
+    void one(SleepState::Sample& sample);
     void one(IdPool& pool);
     void one(Bodies& bodies);
 

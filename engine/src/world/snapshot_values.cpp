@@ -61,8 +61,13 @@ void SnapshotFields::one(Acceleration& acceleration) {
 }
 
 void SnapshotFields::one(SleepState& rest) {
-    auto& [calmSteps, island, since, leastEnergy] = rest;
-    all(calmSteps, since, leastEnergy);
+    auto& [calmSteps, island, since, leastEnergy, samples] = rest;
+    all(calmSteps, since, leastEnergy, samples);
+}
+
+void SnapshotFields::one(SleepState::Sample& sample) {
+    auto& [velocity, angularVelocity] = sample;
+    all(velocity, angularVelocity);
 }
 
 void SnapshotFields::one(DragLaw& law) {
@@ -121,12 +126,17 @@ void SnapshotFields::one(Contact& contact) {
 }
 
 void SnapshotFields::one(CollisionRecord& record) {
-    auto& [a, b, partA, partB, phase, pointCount, point, normal, separation, approachSpeed,
+    auto& [a, b, partA, partB, phase, pointCount, points, point, normal, separation, approachSpeed,
            maxImpulse, totalImpulse] = record;
     all(a, b, partA, partB);
     as<std::uint8_t>(phase);
     require(phase <= TouchPhase::End, "the phase of a collision record is unknown");
-    all(pointCount, point, normal, separation, approachSpeed, maxImpulse, totalImpulse);
+    all(pointCount);
+    require(pointCount <= 2, "a collision record has more than two points");
+    for (auto& [position, gap, largest] : points) {
+        all(position, gap, largest);
+    }
+    all(point, normal, separation, approachSpeed, maxImpulse, totalImpulse);
 }
 
 void SnapshotFields::one(SleepSystem::Island& island) {

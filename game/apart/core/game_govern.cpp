@@ -31,8 +31,8 @@ void Game::governBall(Ball& ball) {
         if (!hit.involves(ball.body)) {
             continue;
         }
-        touching = touching || hit.maxImpulse > 0 || hit.separation < 0;
-        if (hit.maxImpulse > 0) {
+        touching = touching || hit.maxPointImpulse() > 0 || hit.separation < 0;
+        if (hit.maxPointImpulse() > 0) {
             normals.push_back(hit.b == ball.body ? hit.normal : -hit.normal);
             rubble = rubble || isRubble(hit.other(ball.body));
             carried = carried || canCarry(hit.other(ball.body));

@@ -31,7 +31,7 @@ void Game::judge() {
         return;
     }
     for (const CollisionRecord& hit : world_.collisions()) {
-        if (hit.maxImpulse <= 0) {
+        if (hit.maxPointImpulse() <= 0) {
             continue;
         }
         for (const BodyId body : {hit.a, hit.b}) {
@@ -98,7 +98,7 @@ void Game::judgeBall(const CollisionRecord& hit, BodyId ball) {
             events_.emplace_back(LoopSeen{ball});
         }
     }
-    if (hit.maxImpulse < kSlightestImpact) {
+    if (hit.maxPointImpulse() < kSlightestImpact) {
         return;
     }
     events_.emplace_back(Struck{.ball = ball,
@@ -107,12 +107,12 @@ void Game::judgeBall(const CollisionRecord& hit, BodyId ball) {
                                 .stuff = stuffOf(other, partOf(hit, other)),
                                 .point = hit.point,
                                 .normal = normalTowards(hit, ball),
-                                .impulse = hit.maxImpulse});
+                                .impulse = hit.maxPointImpulse()});
 }
 
 void Game::judgeBlock(const CollisionRecord& hit, BodyId body) {
     const bool drawnIn = force_ == Force::Pull && hit.other(body) == paddle_;
-    if (!drawnIn && hit.maxImpulse < kSlightestImpact) {
+    if (!drawnIn && hit.maxPointImpulse() < kSlightestImpact) {
         return; // most records: resting contacts
     }
     const auto index =
@@ -127,13 +127,13 @@ void Game::judgeBlock(const CollisionRecord& hit, BodyId body) {
     const bool byBall = world_.contains(other) && roleOf(world_[other].flags()) == Role::Ball;
     const bool pressed =
         (world_[body].flags() & kStands) != 0 && !byBall && hit.approachSpeed < kHarmlessSpeed;
-    if (!block.kind.breakable() || hit.maxImpulse < kSlightestImpact || pressed) {
+    if (!block.kind.breakable() || hit.maxPointImpulse() < kSlightestImpact || pressed) {
         return;
     }
     if (block.counts()) {
         clock_.progress();
     }
-    if (hit.maxImpulse > block.strengthLeft) {
+    if (hit.maxPointImpulse() > block.strengthLeft) {
         const Vec2 impact = hit.totalImpulse * normalTowards(hit, body);
         if (block.support == Support::Boss) {
             bossImpacts_.push_back({block.key, hit.point, impact});
@@ -142,19 +142,19 @@ void Game::judgeBlock(const CollisionRecord& hit, BodyId body) {
         }
         return;
     }
-    block.strengthLeft -= hit.maxImpulse;
+    block.strengthLeft -= hit.maxPointImpulse();
     const Real full = static_cast<Real>(block.kind.strength) / 1000;
     events_.emplace_back(Cracked{.block = body,
                                  .key = block.key,
                                  .stuff = block.kind.stuff,
                                  .point = hit.point,
-                                 .impulse = hit.maxImpulse,
+                                 .impulse = hit.maxPointImpulse(),
                                  .strengthLeft = block.strengthLeft / full});
 }
 
 void Game::judgeShard(const CollisionRecord& hit, BodyId body) {
     const bool drawnIn = force_ == Force::Pull && hit.other(body) == paddle_;
-    if (!drawnIn && hit.maxImpulse < kSlightestImpact) {
+    if (!drawnIn && hit.maxPointImpulse() < kSlightestImpact) {
         return; // most records: resting contacts of shards
     }
     const auto found = std::find_if(shards_.begin(), shards_.end(),
@@ -167,9 +167,9 @@ void Game::judgeShard(const CollisionRecord& hit, BodyId body) {
     if (found->stuff == Stuff::Steel) {
         return;
     }
-    found->strengthLeft -= hit.maxImpulse;
+    found->strengthLeft -= hit.maxPointImpulse();
     if (found->strengthLeft < 0) {
-        breakShard(index, hit.point, hit.maxImpulse);
+        breakShard(index, hit.point, hit.maxPointImpulse());
     }
 }
 
@@ -225,7 +225,7 @@ void Game::catchPart(std::size_t index, const CollisionRecord& hit) {
         return;
     }
     score_ += kCatchPoints;
-    events_.emplace_back(Caught{body, power, hit.point, hit.maxImpulse});
+    events_.emplace_back(Caught{body, power, hit.point, hit.maxPointImpulse()});
     if (power == Power::Launch) {
         kodo::BodyRef stuck = world_[body];
         stuck.setType(kodo::BodyType::Kinematic);
@@ -261,14 +261,15 @@ void Game::judgePaddle(const CollisionRecord& hit) {
     sway_ = pushed(sway_, paddleKind(), {paddle.mass(), {}, paddle.inertia()},
                    hit.point - paddle.center(), hit.totalImpulse * normalTowards(hit, paddle_));
     const std::size_t part = partOf(hit, paddle_);
-    if (part == 0 || hit.maxImpulse < kSlightestImpact) {
+    if (part == 0 || hit.maxPointImpulse() < kSlightestImpact) {
         return;
     }
     Weld& weld = welds_[part - 1];
-    weld.strengthLeft =
-        hit.maxImpulse < kKnockOffImpact ? weld.strengthLeft - hit.maxImpulse : Real(-1);
+    weld.strengthLeft = hit.maxPointImpulse() < kKnockOffImpact
+                            ? weld.strengthLeft - hit.maxPointImpulse()
+                            : Real(-1);
     weld.lastPoint = hit.point;
-    weld.lastImpulse = hit.maxImpulse;
+    weld.lastImpulse = hit.maxPointImpulse();
 }
 
 void Game::judgeObstruction(const CollisionRecord& hit, BodyId body) {
@@ -278,7 +279,8 @@ void Game::judgeObstruction(const CollisionRecord& hit, BodyId body) {
         return; // the pin of a hanging block, or a passive obstruction
     }
     kodo::BodyRef other = world_[hit.other(body)];
-    const bool impact = hit.phase == kodo::TouchPhase::Begin || hit.maxImpulse >= kSlightestImpact;
+    const bool impact =
+        hit.phase == kodo::TouchPhase::Begin || hit.maxPointImpulse() >= kSlightestImpact;
     if (!impact || other.type() != kodo::BodyType::Dynamic) {
         return;
     }
