@@ -8,10 +8,6 @@ namespace apart {
 
 namespace {
 
-constexpr double kTick = 1.0 / kTicksPerSecond;
-constexpr double kLongestFrame = 0.1;                      // s; longer frames lose the excess
-constexpr int kEndTicks = kTicksPerSecond * 5 / 4;         // from the end of the game to the result
-                                                           // screen
 constexpr double kAttractSeconds = 20;                     // without input
 constexpr std::uint32_t kDemoTicks = 60 * kTicksPerSecond; // until the bot shows the next level
 constexpr const char* kEndlessName = "endless";            // key of endless runs in the profile
@@ -51,42 +47,37 @@ Settings Stage::audible() const {
 void Stage::beginGame(std::shared_ptr<const Level> level) {
     showing_ = false;
     enter(
-        std::make_unique<Play>(std::move(level), def_.seed + games_, def_.profile.mode, audible()));
+        std::make_unique<Play>(std::move(level), def_.seed + games_, def_.profile.mode, audible()),
+        true);
     ++games_;
-    recorder_.emplace(play_->game());
 }
 
 void Stage::beginShow() {
     showing_ = true;
-    enter(std::make_unique<Play>(def_.show->level, def_.show->seed, def_.show->mode, audible()));
+    enter(std::make_unique<Play>(def_.show->level, def_.show->seed, def_.show->mode, audible()),
+          false);
 }
 
-void Stage::enter(std::unique_ptr<Play> play) {
-    play_ = std::move(play);
+void Stage::enter(std::unique_ptr<Play> play, bool recorded) {
+    session_.begin(std::move(play), recorded);
     screen_ = Screen::Playing;
-    recorder_.reset();
-    played_.reset();
-    statistics_ = {};
     inputMapper_.letGo();
-    fanfare_.stop();
-    owed_ = 0;
-    endTicks_ = 0;
 }
 
 void Stage::begin(std::size_t level) {
     level_ = level;
-    endless_ = 0;
+    endless_.number = 0;
     beginGame(def_.levels[level]);
 }
 
 void Stage::beginEndless(std::uint32_t number) {
-    endless_ = number;
+    endless_.number = number;
     beginGame(def_.endless(number));
 }
 
 /// Starts a new run of endless levels.
 void Stage::startEndless() {
-    endlessScore_ = 0;
+    endless_.score = 0;
     beginEndless(std::max(def_.firstEndless, 1u));
 }
 
@@ -94,16 +85,16 @@ void Stage::again() {
     if (showing_) {
         return beginShow();
     }
-    if (endless_ == 0) {
+    if (endless_.number == 0) {
         return begin(level_);
     }
     startEndless();
 }
 
 void Stage::next() {
-    if (endless_ > 0) {
-        endlessScore_ += play_->game().score();
-        beginEndless(endless_ + 1);
+    if (endless_.number > 0) {
+        endless_.score += session_.game().score();
+        beginEndless(endless_.number + 1);
     } else {
         begin(std::min(level_ + 1, def_.levels.size() - 1));
     }
@@ -134,20 +125,17 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     if (screen_ == Screen::Paused || (screen_ == Screen::Options && !demoRuns())) {
         return;
     }
-    const double pace = timeScale_.next(play_->game(), seconds) * settings().speed / 100;
-    owed_ += pace * std::min(seconds, kLongestFrame);
-    for (; owed_ >= kTick; owed_ -= kTick) {
+    session_.elapse(seconds, settings());
+    while (session_.takeTick()) {
         tick(speaker);
     }
 }
 
 void Stage::tickDemo() {
     SilentSpeaker silence;
-    const Game& game = play_->game();
-    const std::optional<Input> input = def_.bot ? def_.bot(game) : Input{};
-    play_->tick(input.value_or(Input{}), silence);
-    endTicks_ += game.result() == Result::Playing ? 0 : 1;
-    if (endTicks_ >= kEndTicks || game.ticks() >= kDemoTicks) {
+    const std::optional<Input> input = def_.bot ? def_.bot(game()) : Input{};
+    session_.tick(input.value_or(Input{}), settings(), silence);
+    if (session_.overdue() || game().ticks() >= kDemoTicks) {
         const std::size_t own = level_;
         const std::size_t shown = screen_ == Screen::Levels ? own : demos_++ % def_.levels.size();
         demo(shown);
@@ -161,31 +149,10 @@ void Stage::tick(Speaker& speaker) {
     }
     std::optional<Input> input = inputMapper_.next();
     if (const Pilot& pilot = showing_ ? def_.show->pilot : def_.pilot) {
-        input = pilot(play_->game());
+        input = pilot(game());
     }
-    const bool wasPlaying = play_->game().result() == Result::Playing;
-    play_->tick(input.value_or(Input{}), speaker);
-    const Game& game = play_->game();
-    if (recorder_ && wasPlaying) {
-        recorder_->record(input.value_or(Input{}), game);
-        if (game.result() != Result::Playing) {
-            played_ = recorder_->finish(game);
-        }
-    }
-    timeScale_.tick(game, settings());
-    statistics_.hear(game);
-    if (!fanfare_.done()) {
-        play_->celebrate(fanfare_, speaker);
-    }
-    if (input && game.result() == Result::Playing) {
-        return;
-    }
-    if (wasPlaying && game.result() == Result::Won) {
-        fanfare_.begin();
-    }
-    ++endTicks_;
-    const int wait = game.result() == Result::Won ? Fanfare::kTicks : kEndTicks;
-    if (endTicks_ >= wait && screen_ == Screen::Playing) {
+    session_.tick(input, settings(), speaker);
+    if (session_.overdue() && screen_ == Screen::Playing) {
         finish();
     }
 }
@@ -209,22 +176,22 @@ void Stage::note(std::string problem) {
 void Stage::finish() {
     screen_ = Screen::Over;
     overSeconds_ = 0;
-    fanfare_.stop();
-    const Game& game = play_->game();
-    const std::string name = endless_ > 0 ? kEndlessName : game.level().name;
-    Best best = statistics_.bestOf(game);
-    best.score += endless_ > 0 ? endlessScore_ : 0;
+    session_.endFanfare();
+    const Game& game = session_.game();
+    const std::string name = endless_.number > 0 ? kEndlessName : game.level().name;
+    Best best = session_.statistics().bestOf(game);
+    best.score += endless_.number > 0 ? endless_.score : 0;
     before_ = def_.profile.bestOf(game.mode(), name);
     newBest_ = false;
     if (!def_.pilot && !showing_ && game.result() != Result::Playing) {
         newBest_ = def_.profile.enter(game.mode(), name, best);
         keep();
-        if (def_.keepReplay && played_) {
-            note(def_.keepReplay(*played_, best.score > before_.score));
+        if (const auto record = session_.record(); def_.keepReplay && record) {
+            note(def_.keepReplay(*record, best.score > before_.score));
         }
     }
     std::vector<MenuItem> items;
-    const bool more = endless_ > 0 || level_ + 1 < def_.levels.size();
+    const bool more = endless_.number > 0 || level_ + 1 < def_.levels.size();
     if (game.result() == Result::Won && more && !showing_) {
         items.push_back({Action::NextLevel, "Next level"});
     }

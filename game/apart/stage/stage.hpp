@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <apart/core/replay.hpp>
-#include <apart/stage/fanfare.hpp>
 #include <apart/stage/hud.hpp>
 #include <apart/stage/input_mapper.hpp>
 #include <apart/stage/level_select.hpp>
 #include <apart/stage/menu.hpp>
-#include <apart/stage/play.hpp>
-#include <apart/stage/run_statistics.hpp>
-#include <apart/stage/time_scale.hpp>
+#include <apart/stage/session.hpp>
 
 #include <functional>
 #include <memory>
@@ -51,6 +47,11 @@ struct StageDef {
     Pilot pilot{};              // plays all games instead of the player, if set
 };
 
+struct EndlessRun {
+    std::uint32_t number = 0; // of the current level; 0: none
+    std::int32_t score = 0;   // of the previous levels
+};
+
 enum class Screen : std::uint8_t { Title, Levels, Options, Playing, Paused, Over };
 
 /// The application without its window: screens, time, and the effect of input on each screen. All
@@ -67,7 +68,7 @@ public:
     bool wantsToQuit() const { return quit_; }
     bool wantsPointer() const { return screen_ != Screen::Playing; }
     Screen screen() const { return screen_; }
-    const Game& game() const { return play_->game(); }
+    const Game& game() const { return session_.game(); }
     const Profile& profile() const { return def_.profile; }
     const Settings& settings() const { return def_.profile.settings; }
     std::size_t levelIndex() const { return level_; }
@@ -101,7 +102,7 @@ private:
     void startEndless();
     void beginShow();
     void beginGame(std::shared_ptr<const Level> level);
-    void enter(std::unique_ptr<Play> play);
+    void enter(std::unique_ptr<Play> play, bool recorded);
     void again();
     void next();
     void demo(std::size_t level);
@@ -117,10 +118,6 @@ private:
 
     // Pictures (stage_picture.cpp).
     void drawTitle(Canvas& canvas) const;
-    void drawNotices(Canvas& canvas) const;
-    void drawFeast(Canvas& canvas) const;
-    void drawPaused(Canvas& canvas) const;
-    void drawOver(Canvas& canvas) const;
     HudLook hudLook() const;
     std::string placeOfLevel() const;
 
@@ -129,25 +126,17 @@ private:
     Screen behindOptions_ = Screen::Title;
     bool quit_ = false;
     std::size_t level_ = 0;
-    std::uint32_t endless_ = 0;     // number of the current endless level; 0: none
-    std::int32_t endlessScore_ = 0; // of the previous endless levels
-    bool showing_ = false;          // the current game is the recorded one
-    std::uint32_t games_ = 0;       // number of games started by the player
-    std::size_t demos_ = 0;         // number of games started by the bot
-    std::unique_ptr<Play> play_;
-    std::optional<Recorder> recorder_; // of the player's game
-    std::optional<Replay> played_;     // the player's game after its end
-    RunStatistics statistics_;
+    EndlessRun endless_;
+    bool showing_ = false;    // the current game is the recorded one
+    std::uint32_t games_ = 0; // number of games started by the player
+    std::size_t demos_ = 0;   // number of games started by the bot
+    Session session_;
     InputMapper inputMapper_;
     Menu menu_;
     LevelSelect select_;
-    TimeScale timeScale_;
-    Fanfare fanfare_;
-    double owed_ = 0;        // s of game time to be simulated
     double seconds_ = 0;     // s since the start, for animations
     double idleSeconds_ = 0; // s since the last input
     double overSeconds_ = 0; // s since the result screen appeared
-    int endTicks_ = 0;       // since the end of the game
     bool muted_ = false;
     bool newBest_ = false;
     Best before_{}; // best results of the level before the last game

@@ -21,13 +21,63 @@ constexpr TextStyle quiet(Real height) {
     return {height, palette::kQuiet, Typeface::Plain, Align::Middle};
 }
 
+/// Notices stacked from the bottom, latest last, in the place of the hint. Older ones are omitted
+/// if they do not fit below the menu.
+void paintNotices(Canvas& canvas, const std::vector<std::string>& notices) {
+    constexpr std::size_t kLetters = 120; // per line
+    constexpr std::size_t kMostLines = 4;
+    std::vector<std::string> lines;
+    for (std::size_t i = notices.size(); i-- > 0;) {
+        const std::vector<std::string> own = wrapped(notices[i], kLetters);
+        if (!lines.empty() && lines.size() + own.size() > kMostLines) {
+            break;
+        }
+        lines.insert(lines.begin(), own.begin(), own.end());
+    }
+    if (lines.empty()) {
+        lines = {"arrows and enter, or the mouse      escape: quit"};
+    }
+    Real y = Real(0.1);
+    for (std::size_t i = lines.size(); i-- > 0;) {
+        canvas.text(lines[i], {0, y}, quiet(Real(0.42)));
+        y += Real(0.62);
+    }
+}
+
+/// `ticks` since the end of a won game.
+void paintFeast(Canvas& canvas, int ticks) {
+    const float t = std::min(static_cast<float>(ticks) / 30, 1.0f);
+    const Real size = Real(2.4) - Real(0.5) * t; // shrinks to its final size
+    const auto line = [&](const char* text, Real y, Real height, Color color) {
+        const TextStyle shadow{height, faded(palette::kInk, t), Typeface::Bold, Align::Middle};
+        canvas.text(text, {Real(0.07), y - Real(0.07)}, shadow);
+        canvas.text(text, {0, y}, {height, faded(color, t), Typeface::Bold, Align::Middle});
+    };
+    line("Cleared!", Real(9.2), size, palette::kAccent);
+    line("space or click: on", Real(7.8), Real(0.5), palette::kText);
+}
+
+void paintPaused(Canvas& canvas, const Menu& menu) {
+    paintVeil(canvas, faded(palette::kNight, 0.72f));
+    canvas.text("Paused", {0, Real(13)},
+                {Real(1.6), palette::kText, Typeface::Bold, Align::Middle});
+    menu.draw(canvas);
+    Real y = Real(5.4);
+    for (const char* line : {"mouse, arrows or A and D: move      space or click: serve",
+                             "left button, down or S: pull      right button, up or W: push",
+                             "R: restart      M: sound      F3: what the engine sees"}) {
+        canvas.text(line, {0, y}, quiet(Real(0.42)));
+        y -= Real(0.7);
+    }
+}
+
 } // namespace
 
 /// Position of the current level in its list.
 std::string Stage::placeOfLevel() const {
     const std::optional<EndlessName> row = parseEndless(game().level().name);
-    if (row || endless_ > 0) {
-        return fmt::format("ENDLESS {}", row ? row->number : endless_);
+    if (row || endless_.number > 0) {
+        return fmt::format("ENDLESS {}", row ? row->number : endless_.number);
     }
     const auto found = std::find_if(def_.levels.begin(), def_.levels.end(),
                                     [&](const auto& level) { return *level == game().level(); });
@@ -40,8 +90,9 @@ std::string Stage::placeOfLevel() const {
 HudLook Stage::hudLook() const {
     HudLook look;
     look.place = placeOfLevel();
-    look.scoreBefore = endless_ > 0 ? endlessScore_ : 0;
-    look.best = endless_ > 0 ? 0 : def_.profile.bestOf(game().mode(), game().level().name).score;
+    look.scoreBefore = endless_.number > 0 ? endless_.score : 0;
+    look.best =
+        endless_.number > 0 ? 0 : def_.profile.bestOf(game().mode(), game().level().name).score;
     look.muted = audible().sound == 0;
     look.pilot = showing_ ? "REPLAY" : "";
     return look;
@@ -49,9 +100,9 @@ HudLook Stage::hudLook() const {
 
 void Stage::draw(Canvas& canvas) const {
     const bool wide = demoRuns();
-    canvas.begin(wide ? layout::kShownTitle : layout::kShown, play_->juice().shake());
+    canvas.begin(wide ? layout::kShownTitle : layout::kShown, session_.play().juice().shake());
     paintBackdrop(canvas, game().level().theme, seconds_);
-    play_->draw(canvas, static_cast<Real>(std::min(owed_ * kTicksPerSecond, 1.0)));
+    session_.play().draw(canvas, session_.share());
     if (!wide) {
         paintHud(canvas, game(), hudLook());
     }
@@ -69,11 +120,19 @@ void Stage::draw(Canvas& canvas) const {
         return menu_.draw(canvas);
     case Screen::Playing:
         paintServeHint(canvas, game());
-        return drawFeast(canvas);
+        if (game().result() == Result::Won) {
+            paintFeast(canvas, session_.endTicks());
+        }
+        return;
     case Screen::Paused:
-        return drawPaused(canvas);
-    case Screen::Over:
-        return drawOver(canvas);
+        return paintPaused(canvas, menu_);
+    case Screen::Over: {
+        paintVeil(canvas, faded(palette::kNight, 0.72f));
+        const std::int32_t score = game().score() + (endless_.number > 0 ? endless_.score : 0);
+        paintResults(canvas,
+                     {game(), session_.statistics(), score, before_, newBest_, overSeconds_});
+        return menu_.draw(canvas);
+    }
     }
 }
 
@@ -89,66 +148,7 @@ void Stage::drawTitle(Canvas& canvas) const {
     paintVeil(canvas, faded(palette::kNight, 0.74f));
     paintTitle(canvas, seconds_);
     menu_.draw(canvas);
-    drawNotices(canvas);
-}
-
-/// Notices stacked from the bottom, latest last, in the place of the hint. Older ones are omitted
-/// if they do not fit below the menu.
-void Stage::drawNotices(Canvas& canvas) const {
-    constexpr std::size_t kLetters = 120; // per line
-    constexpr std::size_t kMostLines = 4;
-    std::vector<std::string> lines;
-    for (std::size_t i = def_.notices.size(); i-- > 0;) {
-        const std::vector<std::string> own = wrapped(def_.notices[i], kLetters);
-        if (!lines.empty() && lines.size() + own.size() > kMostLines) {
-            break;
-        }
-        lines.insert(lines.begin(), own.begin(), own.end());
-    }
-    if (lines.empty()) {
-        lines = {"arrows and enter, or the mouse      escape: quit"};
-    }
-    Real y = Real(0.1);
-    for (std::size_t i = lines.size(); i-- > 0;) {
-        canvas.text(lines[i], {0, y}, quiet(Real(0.42)));
-        y += Real(0.62);
-    }
-}
-
-void Stage::drawFeast(Canvas& canvas) const {
-    if (game().result() != Result::Won) {
-        return;
-    }
-    const float t = std::min(static_cast<float>(endTicks_) / 30, 1.0f);
-    const Real size = Real(2.4) - Real(0.5) * t; // shrinks to its final size
-    const auto line = [&](const char* text, Real y, Real height, Color color) {
-        const TextStyle shadow{height, faded(palette::kInk, t), Typeface::Bold, Align::Middle};
-        canvas.text(text, {Real(0.07), y - Real(0.07)}, shadow);
-        canvas.text(text, {0, y}, {height, faded(color, t), Typeface::Bold, Align::Middle});
-    };
-    line("Cleared!", Real(9.2), size, palette::kAccent);
-    line("space or click: on", Real(7.8), Real(0.5), palette::kText);
-}
-
-void Stage::drawPaused(Canvas& canvas) const {
-    paintVeil(canvas, faded(palette::kNight, 0.72f));
-    canvas.text("Paused", {0, Real(13)},
-                {Real(1.6), palette::kText, Typeface::Bold, Align::Middle});
-    menu_.draw(canvas);
-    Real y = Real(5.4);
-    for (const char* line : {"mouse, arrows or A and D: move      space or click: serve",
-                             "left button, down or S: pull      right button, up or W: push",
-                             "R: restart      M: sound      F3: what the engine sees"}) {
-        canvas.text(line, {0, y}, quiet(Real(0.42)));
-        y -= Real(0.7);
-    }
-}
-
-void Stage::drawOver(Canvas& canvas) const {
-    paintVeil(canvas, faded(palette::kNight, 0.72f));
-    const std::int32_t score = game().score() + (endless_ > 0 ? endlessScore_ : 0);
-    paintResults(canvas, {game(), statistics_, score, before_, newBest_, overSeconds_});
-    menu_.draw(canvas);
+    paintNotices(canvas, def_.notices);
 }
 
 } // namespace apart

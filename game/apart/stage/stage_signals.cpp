@@ -143,7 +143,7 @@ void Stage::takeLevels(const Signals& signals, Speaker& speaker) {
 }
 
 void Stage::takePlaying(const Signals& signals) {
-    const Game& game = play_->game();
+    const Game& game = session_.game();
     const Real paddleX = game.world()[game.paddle()].position().x;
     inputMapper_.take(signals, paddleX, static_cast<Real>(settings().mouse / kPercent));
     const bool over = game.result() != Result::Playing;
@@ -279,7 +279,7 @@ void Stage::turn(std::size_t dial, int percent) {
 }
 
 void Stage::applySettings() {
-    play_->setSettings(audible());
+    session_.setSettings(audible());
 }
 
 } // namespace apart
