@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -44,7 +45,9 @@ constexpr std::size_t kBest = 30; // candidates whose neighbours are played
 constexpr std::uint32_t kLongestScan = kServeTick + 8 * kTicksPerSecond;
 constexpr std::uint32_t kCalmTicks = 2 * kTicksPerSecond; // without a further fall: it is over
 constexpr std::int32_t kLeastFall = 6;                    // as in the test of buildings
-constexpr std::uint32_t kTries = 20000;                   // of other replays
+constexpr std::uint32_t kTries = 12000;                   // of other replays
+
+constexpr std::chrono::seconds kLongestSearch{20}; // of one of these
 
 /// Calls work(i) for i in 0..count-1 on all cores.
 void inParallel(std::size_t count, const std::function<void(std::size_t)>& work) {
@@ -68,8 +71,7 @@ Collapsing collapseOf(const LevelPointer& level, std::uint32_t seed, int target)
     Collapsing found{.seed = seed, .target = target, .blocks = game.blocksAtStart()};
     Input input;
     input.target = static_cast<std::int16_t>(target);
-    while (game.ticks() < kLongestScan && game.result() == Result::Playing &&
-           game.lives() == level->lives) {
+    while (game.ticks() < kLongestScan && game.result() == Result::Playing) {
         input.launch = game.ticks() == kServeTick;
         game.tick(input);
         for (const Event& event : game.events()) {
@@ -200,11 +202,12 @@ std::string remadeScript(const std::string& text, const Replay& replay, const Le
         return {};
     }
     constexpr std::array<int, 4> kTolerances = {-10, 10, -30, 30}; // 1/1000 m
+    const auto end = std::chrono::steady_clock::now() + kLongestSearch;
     std::vector<int> tolerated(kTries, -1);
-    std::atomic<std::uint32_t> firstFirm = kTries;
+    std::atomic<std::uint32_t> firstFirm = kTries; // the search ends there
     inParallel(kTries, [&](std::size_t i) {
         const auto attempt = static_cast<std::uint32_t>(i);
-        if (attempt > firstFirm) {
+        if (attempt > firstFirm || std::chrono::steady_clock::now() > end) {
             return;
         }
         Replay changed = replay;

@@ -56,9 +56,9 @@ void moveGroups(Replay& replay, const std::vector<int>& shifts);
 std::string withTargets(const std::string& text, std::uint32_t seed,
                         const std::vector<int>& shifts);
 
-/// The first 10000 attempts keep the seed; then it changes every hundred.
+/// The first 8000 attempts keep the seed; then it changes every hundred.
 constexpr std::uint32_t seedOfAttempt(std::uint32_t seed, std::uint32_t attempt) {
-    return attempt < 10000 ? seed : 1 + (attempt - 10000) / 100;
+    return attempt < 8000 ? seed : 1 + (attempt - 8000) / 100;
 }
 
 } // namespace apart
