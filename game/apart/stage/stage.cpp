@@ -40,26 +40,27 @@ std::size_t Stage::nextToPlay() const {
 
 Settings Stage::audible() const {
     Settings settings = def_.profile.settings;
-    settings.sound = muted_ ? 0 : settings.sound;
+    settings.sound = def_.profile.muted ? 0 : settings.sound;
     return settings;
 }
 
-void Stage::beginGame(std::shared_ptr<const Level> level) {
-    showing_ = false;
+void Stage::beginGame(std::shared_ptr<const Level> level, Session::Kind kind) {
     enter(
         std::make_unique<Play>(std::move(level), def_.seed + games_, def_.profile.mode, audible()),
-        true);
-    ++games_;
+        kind);
+    games_ += kind == Session::Kind::Own ? 1 : 0;
 }
 
 void Stage::beginShow() {
-    showing_ = true;
+    theatre_.begin();
     enter(std::make_unique<Play>(def_.show->level, def_.show->seed, def_.show->mode, audible()),
-          false);
+          Session::Kind::Show);
 }
 
-void Stage::enter(std::unique_ptr<Play> play, bool recorded) {
-    session_.begin(std::move(play), recorded);
+void Stage::enter(std::unique_ptr<Play> play, Session::Kind kind) {
+    keepGame(false);
+    session_.begin(std::move(play), kind);
+    rerun_.reset();
     screen_ = Screen::Playing;
     inputMapper_.letGo();
 }
@@ -67,28 +68,23 @@ void Stage::enter(std::unique_ptr<Play> play, bool recorded) {
 void Stage::begin(std::size_t level) {
     level_ = level;
     endless_.number = 0;
-    beginGame(def_.levels[level]);
+    beginGame(def_.levels[level], Session::Kind::Own);
 }
 
 void Stage::beginEndless(std::uint32_t number) {
     endless_.number = number;
-    beginGame(def_.endless(number));
-}
-
-/// Starts a new run of endless levels.
-void Stage::startEndless() {
-    endless_.score = 0;
-    beginEndless(std::max(def_.firstEndless, 1u));
+    beginGame(def_.endless(number), Session::Kind::Own);
 }
 
 void Stage::again() {
-    if (showing_) {
+    if (showing()) {
         return beginShow();
     }
     if (endless_.number == 0) {
         return begin(level_);
     }
-    startEndless();
+    endless_.score = 0;
+    beginEndless(std::max(def_.firstEndless, 1u));
 }
 
 void Stage::next() {
@@ -103,14 +99,14 @@ void Stage::next() {
 /// Starts a game of the bot behind a menu.
 void Stage::demo(std::size_t level) {
     const Screen screen = screen_;
-    begin(level);
-    --games_;
+    level_ = level;
+    endless_.number = 0;
+    beginGame(def_.levels[level], Session::Kind::Demo);
     screen_ = screen;
 }
 
 bool Stage::demoRuns() const {
-    return screen_ == Screen::Title || screen_ == Screen::Levels ||
-           (screen_ == Screen::Options && behindOptions_ == Screen::Title);
+    return session_.kind() == Session::Kind::Demo;
 }
 
 bool Stage::attracting() const {
@@ -122,10 +118,15 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     overSeconds_ += seconds;
     idleSeconds_ += seconds;
     take(signals, speaker);
-    if (screen_ == Screen::Paused || (screen_ == Screen::Options && !demoRuns())) {
+    reloadLevel();
+    const bool menu = screen_ == Screen::Options || screen_ == Screen::Help;
+    if (screen_ == Screen::Paused || (menu && !demoRuns())) {
         return;
     }
-    session_.elapse(seconds, settings());
+    if (rerun_) {
+        return rerun_->advance(seconds);
+    }
+    session_.elapse(seconds, showing() ? theatre_.pace() : 1, settings());
     while (session_.takeTick()) {
         tick(speaker);
     }
@@ -148,7 +149,7 @@ void Stage::tick(Speaker& speaker) {
         return tickDemo();
     }
     std::optional<Input> input = inputMapper_.next();
-    if (const Pilot& pilot = showing_ ? def_.show->pilot : def_.pilot) {
+    if (const Pilot& pilot = showing() ? def_.show->pilot : def_.pilot) {
         input = pilot(game());
     }
     session_.tick(input, settings(), speaker);
@@ -173,6 +174,35 @@ void Stage::note(std::string problem) {
     }
 }
 
+/// Starts the level of a file again when the file has changed, or shows its errors.
+void Stage::reloadLevel() {
+    constexpr double kEvery = 0.5; // s
+    if (!def_.reload || seconds_ < reloadAt_) {
+        return;
+    }
+    reloadAt_ = seconds_ + kEvery;
+    if (std::optional<LevelChange> change = def_.reload()) {
+        faults_ = std::move(change->errors);
+        if (change->level) {
+            def_.levels[def_.firstLevel] = std::move(change->level);
+            select_ = LevelSelect(def_.levels);
+            if (screen_ == Screen::Playing && level_ == def_.firstLevel) {
+                begin(level_);
+            }
+        }
+    }
+}
+
+/// Saves the replay of the player's game, whether it has ended or not. Once per game.
+void Stage::keepGame(bool best) {
+    if (def_.pilot || !def_.keepReplay || !session_.takeUnkept()) {
+        return;
+    }
+    if (const std::optional<Replay> record = session_.record()) {
+        note(def_.keepReplay(*record, best));
+    }
+}
+
 void Stage::finish() {
     screen_ = Screen::Over;
     overSeconds_ = 0;
@@ -183,19 +213,18 @@ void Stage::finish() {
     best.score += endless_.number > 0 ? endless_.score : 0;
     before_ = def_.profile.bestOf(game.mode(), name);
     newBest_ = false;
-    if (!def_.pilot && !showing_ && game.result() != Result::Playing) {
+    if (!def_.pilot && session_.kind() == Session::Kind::Own && game.result() != Result::Playing) {
         newBest_ = def_.profile.enter(game.mode(), name, best);
         keep();
-        if (const auto record = session_.record(); def_.keepReplay && record) {
-            note(def_.keepReplay(*record, best.score > before_.score));
-        }
+        keepGame(best.score > before_.score);
     }
+    rerun_ = session_.rerun();
     std::vector<MenuItem> items;
     const bool more = endless_.number > 0 || level_ + 1 < def_.levels.size();
-    if (game.result() == Result::Won && more && !showing_) {
+    if (game.result() == Result::Won && more && !showing()) {
         items.push_back({Action::NextLevel, "Next level"});
     }
-    items.push_back({Action::Restart, showing_ ? "Watch again" : "Play again"});
+    items.push_back({Action::Restart, showing() ? "Watch again" : "Play again"});
     items.push_back({Action::Levels, "All levels"});
     items.push_back({Action::ToTitle, "Title"});
     menu_ = Menu(std::move(items), Real(5.6));

@@ -2,6 +2,7 @@
 #include <apart/core/endless.hpp>
 #include <apart/core/tuning.hpp>
 #include <apart/stage/backdrop.hpp>
+#include <apart/stage/help.hpp>
 #include <apart/stage/layout.hpp>
 #include <apart/stage/palette.hpp>
 #include <apart/stage/results.hpp>
@@ -44,6 +45,30 @@ void paintNotices(Canvas& canvas, const std::vector<std::string>& notices) {
     }
 }
 
+/// Errors of the level file that is being edited.
+void paintFaults(Canvas& canvas, const std::vector<std::string>& faults) {
+    constexpr std::size_t kMost = 8;
+    constexpr std::size_t kLetters = 90; // per line
+    Real y = Real(16.8);
+    for (std::size_t i = 0; i < std::min(faults.size(), kMost); ++i) {
+        for (const std::string& line : wrapped(faults[i], kLetters)) {
+            canvas.rectangle({{Real(-11.8), y - Real(0.15)}, {Real(11.8), y + Real(0.45)}},
+                             faded(palette::kInk, 0.9f), faded(palette::kInk, 0.9f));
+            canvas.text(line, {Real(-11.5), y}, {Real(0.4), palette::kDanger});
+            y -= Real(0.6);
+        }
+    }
+}
+
+void paintQuestion(Canvas& canvas, std::string_view question) {
+    if (!question.empty()) {
+        canvas.rectangle({{Real(-5.5), Real(4.3)}, {Real(5.5), Real(5.4)}},
+                         faded(palette::kInk, 0.9f), faded(palette::kInk, 0.9f));
+        canvas.text(question, {0, Real(4.65)},
+                    {Real(0.6), palette::kAccent, Typeface::Bold, Align::Middle});
+    }
+}
+
 /// `ticks` since the end of a won game.
 void paintFeast(Canvas& canvas, int ticks) {
     const float t = std::min(static_cast<float>(ticks) / 30, 1.0f);
@@ -71,30 +96,30 @@ void paintPaused(Canvas& canvas, const Menu& menu) {
     }
 }
 
-} // namespace
-
-/// Position of the current level in its list.
-std::string Stage::placeOfLevel() const {
-    const std::optional<EndlessName> row = parseEndless(game().level().name);
-    if (row || endless_.number > 0) {
-        return fmt::format("ENDLESS {}", row ? row->number : endless_.number);
+/// Position of a level in the list; `number` of an endless run, or 0.
+std::string placeOf(const Level& level, const LevelList& levels, std::uint32_t number) {
+    const std::optional<EndlessName> row = parseEndless(level.name);
+    if (row || number > 0) {
+        return fmt::format("ENDLESS {}", row ? row->number : number);
     }
-    const auto found = std::find_if(def_.levels.begin(), def_.levels.end(),
-                                    [&](const auto& level) { return *level == game().level(); });
-    if (found == def_.levels.end()) {
+    const auto found = std::find_if(levels.begin(), levels.end(),
+                                    [&](const auto& other) { return *other == level; });
+    if (found == levels.end()) {
         return "A LEVEL OF ITS OWN";
     }
-    return fmt::format("LEVEL {} OF {}", found - def_.levels.begin() + 1, def_.levels.size());
+    return fmt::format("LEVEL {} OF {}", found - levels.begin() + 1, levels.size());
 }
+
+} // namespace
 
 HudLook Stage::hudLook() const {
     HudLook look;
-    look.place = placeOfLevel();
+    look.place = placeOf(game().level(), def_.levels, endless_.number);
     look.scoreBefore = endless_.number > 0 ? endless_.score : 0;
     look.best =
         endless_.number > 0 ? 0 : def_.profile.bestOf(game().mode(), game().level().name).score;
     look.muted = audible().sound == 0;
-    look.pilot = showing_ ? "REPLAY" : "";
+    look.pilot = showing() ? "REPLAY" : session_.kind() == Session::Kind::WhatIf ? "WHAT IF" : "";
     return look;
 }
 
@@ -102,7 +127,11 @@ void Stage::draw(Canvas& canvas) const {
     const bool wide = demoRuns();
     canvas.begin(wide ? layout::kShownTitle : layout::kShown, session_.play().juice().shake());
     paintBackdrop(canvas, game().level().theme, seconds_);
-    session_.play().draw(canvas, session_.share());
+    if (rerun_) {
+        rerun_->play().draw(canvas, rerun_->share());
+    } else {
+        session_.play().draw(canvas, session_.share());
+    }
     if (!wide) {
         paintHud(canvas, game(), hudLook());
     }
@@ -118,7 +147,20 @@ void Stage::draw(Canvas& canvas) const {
                     {Real(1.4), palette::kText, Typeface::Bold, Align::Middle});
         canvas.text("left and right, or a click on the bar", {0, Real(2.05)}, quiet(Real(0.42)));
         return menu_.draw(canvas);
+    case Screen::Replays:
+        paintVeil(canvas, faded(palette::kNight, 0.80f));
+        canvas.text("Replays", {0, Real(14.4)},
+                    {Real(1.4), palette::kText, Typeface::Bold, Align::Middle});
+        return menu_.draw(canvas);
+    case Screen::Help:
+        paintVeil(canvas, faded(palette::kNight, 0.86f));
+        return paintHelp(canvas);
     case Screen::Playing:
+        if (showing()) {
+            return paintTheatre(canvas, theatre_, game().ticks(), def_.show->end);
+        }
+        paintFaults(canvas, faults_);
+        paintQuestion(canvas, confirm_.question(seconds_));
         paintServeHint(canvas, game());
         if (game().result() == Result::Won) {
             paintFeast(canvas, session_.endTicks());
@@ -127,7 +169,7 @@ void Stage::draw(Canvas& canvas) const {
     case Screen::Paused:
         return paintPaused(canvas, menu_);
     case Screen::Over: {
-        paintVeil(canvas, faded(palette::kNight, 0.72f));
+        paintVeil(canvas, faded(palette::kNight, rerun_ ? 0.55f : 0.72f));
         const std::int32_t score = game().score() + (endless_.number > 0 ? endless_.score : 0);
         paintResults(canvas,
                      {game(), session_.statistics(), score, before_, newBest_, overSeconds_});
@@ -149,6 +191,7 @@ void Stage::drawTitle(Canvas& canvas) const {
     paintTitle(canvas, seconds_);
     menu_.draw(canvas);
     paintNotices(canvas, def_.notices);
+    paintQuestion(canvas, confirm_.question(seconds_));
 }
 
 } // namespace apart
