@@ -43,19 +43,20 @@ def after(game, report, name, action, least=20000):
 def first_run(screen, apart, report, profile):
     with Program(screen, "aPart", apart, "--mute", "--seed", "1") as game:
         time.sleep(1)
-        after(game, report, "menu_levels.png", lambda: game.click(*item(9.4, 1)))
+        after(game, report, "menu_levels.png", lambda: game.click(*item(10.2, 1)))
         after(game, report, "menu_title.png", lambda: game.click(*at(-13, 0.7)))
         check("level select and back, by mouse", True)
-        after(game, report, "menu_options.png", lambda: game.click(*item(9.4, 4)))
+        after(game, report, "menu_options.png", lambda: game.click(*item(10.2, 6)))
         game.click(*at(1.75, 13.2 - 0.45))  # the middle of the sound bar
         game.key("Escape")
         wait_until("the settings are written", profile.exists)
         check("a click on a bar turns it: half the sound", "sound = 50" in profile.read_text())
-        after(game, report, "menu_play.png", lambda: game.click(*item(9.4, 0)))
+        after(game, report, "menu_play.png", lambda: game.click(*item(10.2, 0)))
         check("play, by mouse", True)
         game.key("Escape", "Up", "Return")
         time.sleep(0.5)
-        game.click(*item(9.4, 5))
+        game.click(*item(10.2, 7))
+        game.click(*item(10.2, 7))  # it asks once
         code, output = game.wait_for_end()
         check(f"quit, by mouse: exit code {code}", code == 0 and output.strip() == "")
 
@@ -65,7 +66,7 @@ def second_run(screen, apart, report, profile):
         time.sleep(0.5)
         game.key("Up", "Up", "Return")  # options
         time.sleep(0.5)
-        game.key("Up", "Down", "Left", "Escape", "Escape")
+        game.key("Up", "Down", "Left", "Escape", "Escape", "Escape")
         code, _ = game.wait_for_end()
         check("the settings of the last run were read", code == 0 and "sound = 40" in profile.read_text())
 
@@ -74,7 +75,7 @@ def broken_run(screen, apart, profile):
     profile.write_text("format = 1\n[settings]\nsound = \"loud\"\n")
     with Program(screen, "aPart", apart, "--mute") as game:
         time.sleep(0.5)
-        game.key("Escape")
+        game.key("Escape", "Escape")
         code, output = game.wait_for_end()
         check("a broken file is said in a sentence", code == 0 and "profile.toml.broken" in output)
         check("it is kept aside", "loud" in profile.with_name("profile.toml.broken").read_text())

@@ -118,7 +118,7 @@ def play(screen, apart, report):
 
         game.key("Escape", "Escape")  # resume and pause again
         game.key("Up", "Return")      # to the title
-        game.key("Escape")
+        game.key("Escape", "Escape")
         code, output = game.wait_for_end()
         check(f"escape leaves the title: exit code {code}", code == 0)
         check("nothing was written to the terminal", output.strip() == "")

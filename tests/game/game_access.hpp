@@ -3,6 +3,7 @@
 
 #include <apart/core/field.hpp>
 #include <apart/core/game.hpp>
+#include <apart/core/game_rules.hpp>
 #include <apart/core/level_file.hpp>
 #include <apart/core/tuning.hpp>
 
@@ -18,43 +19,45 @@ namespace apart {
 
 /// Sets up states that normal play takes long to reach.
 struct GameTestAccess {
-    static kodo::World& world(Game& game) { return game.world_; }
-    static std::vector<Weld>& welds(Game& game) { return game.welds_; }
-    static void setMeter(Game& game, kodo::Real meter) { game.meter_ = meter; }
-    static void idle(Game& game) { game.watchProgress(); }       // one tick without damage
-    static void progress(Game& game) { game.clock_.progress(); } // as after damage to a block
-    static void letGo(Game& game, std::size_t index) { game.letGo(index, LetGo::Why::Fatigue); }
+    static kodo::World& world(Game& game) { return game.state_.world; }
+    static std::vector<Weld>& welds(Game& game) { return game.state_.paddle.welds; }
+    static void setMeter(Game& game, kodo::Real meter) { game.state_.field.meter = meter; }
+    static void idle(Game& game) { apart::watchProgress(game.state_); } // one tick without damage
+    static void progress(Game& game) { game.state_.clock.progress(); } // as after damage to a block
+    static void letGo(Game& game, std::size_t index) {
+        apart::letGo(game.state_, index, LetGo::Why::Fatigue);
+    }
     /// Begins a power as if its part had been caught.
     static void give(Game& game, Power power, kodo::Vec2 origin = {0, 9}) {
-        game.beginPower(power, {}, origin);
-        game.refreshPowers();
+        apart::beginPower(game.state_, power, {}, origin);
+        apart::refreshPowers(game.state_);
     }
     static void breakShard(Game& game, std::size_t index, kodo::Vec2 point) {
-        game.breakShard(index, point, 0);
+        apart::breakShard(game.state_, index, point, 0);
     }
-    static void weldWings(Game& game) { game.weldWings(); }
+    static void weldWings(Game& game) { apart::weldWings(game.state_); }
 
     /// Removes all balls but the first, which flies with this state.
     static kodo::BodyId shoot(Game& game, kodo::Vec2 from, kodo::Vec2 velocity) {
-        while (game.balls_.size() > 1) {
-            game.world_.remove(game.balls_.back().body);
-            game.balls_.pop_back();
+        while (game.state_.balls.size() > 1) {
+            game.state_.world.remove(game.state_.balls.back().body);
+            game.state_.balls.pop_back();
         }
-        Ball& ball = game.balls_.front();
+        Ball& ball = game.state_.balls.front();
         ball.riding = false;
         ball.heading = normalize(velocity);
-        kodo::BodyRef body = game.world_[ball.body];
+        kodo::BodyRef body = game.state_.world[ball.body];
         body.setType(kodo::BodyType::Dynamic);
         body.setPosition(from);
         body.setVelocity(velocity);
         return ball.body;
     }
     static void breakBlock(Game& game, std::size_t index, kodo::Vec2 point, kodo::Vec2 impact) {
-        game.breakBlock(index, point, impact);
+        apart::breakBlock(game.state_, index, point, impact);
     }
     /// Breaks a block by an impact from below, without events.
     static void breakBlock(Game& game, std::size_t index, kodo::Vec2 impact) {
-        const kodo::Vec2 center = game.world_[game.blocks_[index].body].position();
+        const kodo::Vec2 center = game.state_.world[game.state_.blocks[index].body].position();
         breakBlock(game, index, center - kodo::Vec2{kCellWidth / 8, kCellHeight / 2}, impact);
     }
 };

@@ -50,7 +50,7 @@ handwritten
 40 -127 - 0
 90 0 2500 0
 hash 60 0123456789abcdef
-expect 100 lives == 4
+expect 100 lives == 5
 expect 120 result == playing
 end 120
 )";
@@ -211,7 +211,7 @@ TEST(Playback, ReportsFailedExpectations) {
     replay.expectations[0].value = 2;
     const Playback playback = played(replay);
     ASSERT_EQ(playback.failures().size(), 1u);
-    EXPECT_EQ(playback.failures()[0].text(), "expect 100 lives == 2, but lives is 4");
+    EXPECT_EQ(playback.failures()[0].text(), "expect 100 lives == 2, but lives is 5");
 }
 
 /// The replay by hand with these expectations alone, which end at tick 200.

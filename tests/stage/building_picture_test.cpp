@@ -65,7 +65,7 @@ TEST(Collapse, IsToldInWordsAndInTheResults) {
     }
     EXPECT_TRUE(told);
     rig.frames(240);
-    EXPECT_TRUE(tells(rig.picture(), "largest fall"));
+    EXPECT_TRUE(tells(rig.picture(), "points") && tells(rig.picture(), " at a blow"));
 }
 
 TEST(Collapse, IsSlowedUnlessTheFreezeIsOff) {

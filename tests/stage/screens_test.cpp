@@ -65,11 +65,19 @@ TEST(Screens, EveryMenuReturnsToItsOrigin) {
     rig.clickItem(Action::ToTitle);
     EXPECT_EQ(rig.stage.screen(), Screen::Title);
     rig.clickItem(Action::Quit);
+    EXPECT_FALSE(rig.stage.wantsToQuit());
+    EXPECT_TRUE(rig.picture().says("once more to quit"));
+    rig.clickItem(Action::Quit);
     EXPECT_TRUE(rig.stage.wantsToQuit());
 }
 
 TEST(Screens, EscapeLeavesTheTitleAndTheWindowButtonQuits) {
     StageRig title(StageRig::twoLevels());
+    title.press(Command::Back);
+    EXPECT_FALSE(title.stage.wantsToQuit());
+    title.frames(60 * 3);
+    title.press(Command::Back);
+    EXPECT_FALSE(title.stage.wantsToQuit()) << "the question has expired";
     title.press(Command::Back);
     EXPECT_TRUE(title.stage.wantsToQuit());
 

@@ -17,17 +17,32 @@ constexpr unsigned kFrameOfWindow = 80; // pixels, estimate for title bar and pa
 
 } // namespace
 
-Window::Window(const std::string& title, sf::Vector2u wantedPixels) {
+Window::Window(const std::string& title, sf::Vector2u wantedPixels)
+    : title_(title), wanted_(wantedPixels) {
+    open(false);
+}
+
+void Window::toggleFullScreen() {
+    fullScreen_ = !fullScreen_;
+    open(fullScreen_);
+}
+
+void Window::open(bool fullScreen) {
     const QuietSfml quiet; // a virtual display has no vertical sync, which SFML reports
     const sf::VideoMode screen = sf::VideoMode::getDesktopMode();
     const auto fit = [](unsigned wanted, unsigned room) {
         return room > 2 * kFrameOfWindow ? std::min(wanted, room - kFrameOfWindow) : wanted;
     };
-    const sf::Vector2u size{fit(wantedPixels.x, screen.width), fit(wantedPixels.y, screen.height)};
-    window_.create({size.x, size.y}, title);
-    // Done here: SFML 2.5.1 uses the width of the screen for both directions.
-    window_.setPosition({static_cast<int>((screen.width - std::min(size.x, screen.width)) / 2),
-                         static_cast<int>((screen.height - std::min(size.y, screen.height)) / 2)});
+    const sf::Vector2u size{fit(wanted_.x, screen.width), fit(wanted_.y, screen.height)};
+    if (fullScreen) {
+        window_.create(screen, title_, sf::Style::Fullscreen);
+    } else {
+        window_.create({size.x, size.y}, title_);
+        // Done here: SFML 2.5.1 uses the width of the screen for both directions.
+        window_.setPosition(
+            {static_cast<int>((screen.width - std::min(size.x, screen.width)) / 2),
+             static_cast<int>((screen.height - std::min(size.y, screen.height)) / 2)});
+    }
     setPaced(true);
     window_.setKeyRepeatEnabled(false);
     window_.requestFocus(); // without a window manager the focus is not given automatically

@@ -29,6 +29,9 @@ public:
     /// Shows a picture. If paced, waits for the vertical sync or the frame limit.
     void show(const Painter& picture, sf::Color background);
 
+    /// From a window to the whole screen in its usual resolution, or back. Held keys are forgotten.
+    void toggleFullScreen();
+
     /// true: vertical sync and a frame limit; false: no limit.
     void setPaced(bool paced);
     bool hasFocus() const { return window_.hasFocus(); }
@@ -38,6 +41,11 @@ public:
     void putPointer(sf::Vector2i pixels) { sf::Mouse::setPosition(pixels, window_); }
 
 private:
+    void open(bool fullScreen);
+
+    std::string title_;
+    sf::Vector2u wanted_; // pixels
+    bool fullScreen_ = false;
     sf::RenderWindow window_;
 };
 

@@ -109,9 +109,14 @@ Read<Level> loadLevel(const std::string& name) {
 }
 
 Read<Level> loadLevelOf(const fs::path& replay, const std::string& name) {
-    const fs::path beside = replay.parent_path() / "levels" / (name + ".toml");
+    const fs::path file = fs::path("levels") / (name + ".toml");
     std::error_code error;
-    return isName(name) && fs::exists(beside, error) ? readLevelFile(beside) : loadLevel(name);
+    for (const fs::path& folder : {replay.parent_path(), replay.parent_path() / ".."}) {
+        if (isName(name) && fs::exists(folder / file, error)) {
+            return readLevelFile(folder / file);
+        }
+    }
+    return loadLevel(name);
 }
 
 std::string wrongName(const std::string& name) {

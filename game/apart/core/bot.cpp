@@ -27,9 +27,8 @@ constexpr Real kPullHeight = 8;           // m; lower balls are not pulled
 constexpr Real kPullSpare = 1;            // s; if a ball arrives earlier, no block is torn
 constexpr std::uint32_t kWhimTicks = 30;  // duration of a random choice of Erratic
 constexpr int kAttempts = 3;              // to find a block in sight
-constexpr Real kLateHeight = 6;           // m; Clumsy ignores higher balls
 constexpr Real kFarSight = 40;            // m; length of casts along a path
-constexpr Real kTriedSeconds = 1;         // without damage; then it uses surestOffset()
+constexpr Real kTriedSeconds = 3;         // without damage; then luck may help
 constexpr int kShots = 8;                 // tested on each side of the paddle's middle
 constexpr int kForesight = 6;             // bounces
 constexpr Real kLeapSeconds = Real(0.05); // before the ball arrives
@@ -207,7 +206,7 @@ bool wantsLuck(const Game& game) {
 }
 
 /// x (m) of the paddle's middle that sends the ball to the target.
-Real placeFor(const Game& game, const Ball& ball, const Arrival& arrival) {
+Real placeFor(const Game& game, const Ball& ball, const Arrival& arrival, BotKind kind) {
     const std::optional<Vec2> goal = aim(game, {arrival.x, meetingHeight(0)});
     if (!goal) {
         return arrival.x;
@@ -216,7 +215,8 @@ Real placeFor(const Game& game, const Ball& ball, const Arrival& arrival) {
     const Vec2 heading =
         mirroredHeading(ball.heading, body.position().x, body.velocity().x * arrival.seconds);
     Real offset = offsetFor(*goal, {arrival.x, meetingHeight(0)}, heading);
-    if (game.idleSeconds() > kTriedSeconds && !wantsLuck(game)) {
+    const bool tried = game.idleSeconds() > kTriedSeconds;
+    if (!wantsLuck(game) || (kind == BotKind::Perfect && !tried)) {
         offset = surestOffset(game, arrival.x, heading).value_or(offset);
     }
     const std::optional<Arrival> refined = arrivalAt(game, ball, meetingHeight(offset));
@@ -273,19 +273,41 @@ Force forceFor(const Game& game) {
     return Force::None;
 }
 
-Input clumsyBot(const Game& game) {
+/// Skill of a bot that does not aim.
+struct Hand {
+    Real sight;  // m; higher balls are ignored
+    Real error;  // m; largest distance from the ball to the paddle's middle
+    Real errors; // share of the intervals of kAimTicks with that error, else half of it
+};
+
+Hand handOf(BotKind kind) {
+    constexpr Real kBeside = kPaddleHalfWidth + kRimMargin / 2; // a miss
+    switch (kind) {
+    case BotKind::Clumsy:
+        return {6, kBeside, 1};
+    case BotKind::Novice:
+        return {8, kBeside, Real(0.5)};
+    default:
+        return {kFieldHeight, kPaddleHalfWidth - kRimMargin, 1};
+    }
+}
+
+/// A player with keys.
+Input keyBot(const Game& game, const Hand& hand) {
     Input input;
     input.launch = game.serving();
     std::optional<Arrival> first;
     for (const Ball& ball : game.balls()) {
         const std::optional<Arrival> arrival = arrivalAt(game, ball, meetingHeight(0));
-        const bool seen = game.world()[ball.body].position().y < kLateHeight;
+        const bool seen = game.world()[ball.body].position().y < hand.sight;
         if (seen && arrival && (!first || arrival->seconds < first->seconds)) {
             first = arrival;
         }
     }
     if (first) {
-        const Real goal = first->x + someOffset(game, kPaddleHalfWidth + kRimMargin / 2);
+        Generator chance(mixKeys(game.seed(), game.ticks() / kAimTicks, 13));
+        const Real error = chance.unit() < hand.errors ? hand.error : hand.error / 2;
+        const Real goal = first->x + someOffset(game, error);
         const Real way = goal - game.world()[game.paddle()].position().x;
         const Real share = std::clamp(way / (kKeySpeed * kTickSeconds), Real(-1), Real(1));
         input.paddle = static_cast<std::int8_t>(share * 127);
@@ -320,8 +342,9 @@ std::optional<Arrival> arrivalOf(const Game& game, const Ball& ball) {
 }
 
 Input bot(const Game& game, BotKind kind) {
-    if (kind == BotKind::Clumsy) {
-        return clumsyBot(game);
+    const bool aims = kind == BotKind::Good || kind == BotKind::Perfect;
+    if (kind == BotKind::Clumsy || kind == BotKind::Novice || kind == BotKind::Fair) {
+        return keyBot(game, handOf(kind));
     }
     if (kind == BotKind::Erratic) {
         return erraticBot(game);
@@ -337,20 +360,20 @@ Input bot(const Game& game, BotKind kind) {
         }
     }
     if (next != nullptr) {
-        place = kind == BotKind::Good ? placeFor(game, *next, first)
+        place = aims ? placeFor(game, *next, first, kind)
                 : kind == BotKind::Random
                     ? first.x - someOffset(game, kPaddleHalfWidth - kRimMargin)
                     : first.x;
     } else if (!game.balls().empty() && !game.serving()) {
         place = game.world()[game.balls()[0].body].position().x / 2; // half of its x, to stay near
         const Block* tired = game.patience() == Patience::Calm ? nullptr : game.nextToFall();
-        if (kind == BotKind::Good && tired != nullptr) {
+        if (aims && tired != nullptr) {
             place = game.world()[tired->body].position().x; // there its pull is strongest
         }
     }
     Input input;
     input.launch = game.serving();
-    if (kind == BotKind::Good) {
+    if (aims) {
         place = partToCatch(game, first.seconds).value_or(place);
         input.force = forceFor(game);
         input.launch = input.launch || first.seconds < kLeapSeconds;

@@ -22,11 +22,18 @@ enum class BotKind : std::uint8_t {
     Good,    // aims: meets the ball where the dome sends it to a block
     Lazy,    // meets the ball with the middle of the dome
     Random,  // meets the ball with a random point of the dome
-    Clumsy,  // uses keys, reacts late, misses at times: measures the difficulty of a level
+    Clumsy,  // uses keys, reacts late, misses at times
     Erratic, // as Good, with random moves and buttons
+    Novice,  // as Clumsy, but sees the ball earlier and misses seldom
+    Fair,    // as Clumsy, but follows the ball from the top, without a miss of its own
+    Perfect, // as Good, but each shot is the surest one
 };
-inline constexpr std::array<std::string_view, 5> kBotNames = {"good", "lazy", "random", "clumsy",
-                                                              "erratic"};
+inline constexpr std::array<std::string_view, 8> kBotNames = {
+    "good", "lazy", "random", "clumsy", "erratic", "novice", "fair", "perfect"};
+
+/// The scale of skills by which the difficulty of levels is measured, from the lowest.
+inline constexpr std::array<BotKind, 5> kSkills = {BotKind::Clumsy, BotKind::Novice, BotKind::Fair,
+                                                   BotKind::Good, BotKind::Perfect};
 
 /// Input of a bot, a function of the current state. It meets the ball that arrives first and serves
 /// at once. Good also catches parts that do no harm, if time allows.

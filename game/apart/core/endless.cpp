@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/endless.hpp>
+#include <apart/core/endless_building.hpp>
 #include <apart/core/generator.hpp>
 #include <apart/core/text_file.hpp>
 #include <apart/core/tuning.hpp>
@@ -12,9 +13,10 @@ namespace apart {
 
 namespace {
 
-constexpr int kHalf = kColumns / 2;    // levels are symmetric: columns 0..7 from the middle
-constexpr int kFewest = 24;            // least number of breakable blocks
-constexpr std::uint32_t kHardest = 24; // largest hardness; level n has n - 1
+constexpr int kHalf = kColumns / 2;      // levels are symmetric: columns 0..7 from the middle
+constexpr std::uint32_t kCandidates = 6; // to make a building that stands and can be won
+constexpr int kFewest = 24;              // least number of breakable blocks
+constexpr std::uint32_t kHardest = 24;   // largest hardness; level n has n - 1
 
 /// Grid under construction: for each cell kEmpty or an index into Level::kinds.
 constexpr std::uint8_t kEmpty = 255;
@@ -351,7 +353,26 @@ std::optional<EndlessName> parseEndless(std::string_view name) {
     return EndlessName{*values[0], *values[1]};
 }
 
+Level endlessBuilding(const EndlessName& name, std::uint32_t attempt) {
+    const std::uint32_t hardness = std::min(name.number - 1, kHardest);
+    Generator chance(mixKeys(mixKeys(name.seed, name.number), attempt, 17));
+    Level level;
+    level.name = name.text();
+    level.ballSpeed = 11000 + 150 * static_cast<std::int32_t>(hardness);
+    level.theme = static_cast<Theme>(chance.below(static_cast<std::uint32_t>(kThemeNames.size())));
+    level.title = std::string(kAdjectives[chance.below(kAdjectives.size())]) + " towers";
+    level.idea = "Storeys on pillars: what stands below carries all above.";
+    addBuildings(level, chance, hardness);
+    return level;
+}
+
 Level endlessLevel(const EndlessName& name) {
+    for (std::uint32_t attempt = 0; name.number % 2 == 1 && attempt < kCandidates; ++attempt) {
+        Level level = endlessBuilding(name, attempt);
+        if (stands(level) && isSolvable(level)) {
+            return level;
+        }
+    }
     return Builder(name).build();
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Blocks that lose their support: parts of the boss, and failing mounts.
 #include <apart/core/field.hpp>
-#include <apart/core/game.hpp>
+#include <apart/core/game_rules.hpp>
 #include <apart/core/tuning.hpp>
 
 #include <algorithm>
@@ -24,23 +24,20 @@ bool areNeighbours(std::uint32_t a, std::uint32_t b) {
 
 } // namespace
 
-kodo::Transform Game::frameOf(const Block& block) const {
-    const kodo::BodyView body = world_[block.body];
-    const kodo::Transform frame{body.position(), body.rotation()};
-    return {frame * block.local, frame.rotation};
-}
+static void letGoNext(GameState& game, LetGo::Why why);
+static void dropUnsupported(GameState& game, Vec2 last);
 
 /// Gives the block its own body.
-BodyId Game::detach(std::size_t index) {
-    Block& block = blocks_[index];
+BodyId detach(GameState& game, std::size_t index) {
+    Block& block = game.blocks[index];
     const BodyId whole = block.body;
-    if (block.ownsBody() || world_[whole].partCount() == 1) {
+    if (block.ownsBody() || game.world[whole].partCount() == 1) {
         return whole;
     }
     const std::size_t place = block.part;
-    block.body = world_.unweld(whole, place, flagsOf(Role::Block) | kFalls);
+    block.body = game.world.unweld(whole, place, flagsOf(Role::Block) | kFalls);
     block.part = 0;
-    for (Block& other : blocks_) {
+    for (Block& other : game.blocks) {
         if (other.body == whole && other.part > place) {
             --other.part;
         }
@@ -48,76 +45,77 @@ BodyId Game::detach(std::size_t index) {
     return block.body;
 }
 
-void Game::letGo(std::size_t index, LetGo::Why why) {
-    if (blocks_[index].support == Support::Standing) {
-        markFallen(index, why);
+void letGo(GameState& game, std::size_t index, LetGo::Why why) {
+    if (game.blocks[index].support == Support::Standing) {
+        markFallen(game, index, why);
         return;
     }
-    const BodyId body = detach(index);
-    Block& block = blocks_[index];
-    world_[body].setType(kodo::BodyType::Dynamic);
-    world_[body].setFlags(flagsOf(Role::Block) | kFalls);
-    world_[body].setMaterial(kLooseMaterial);
-    if (world_.contains(block.pin)) {
-        world_.remove(block.pin); // with its joint
+    const BodyId body = detach(game, index);
+    Block& block = game.blocks[index];
+    game.world[body].setType(kodo::BodyType::Dynamic);
+    game.world[body].setFlags(flagsOf(Role::Block) | kFalls);
+    game.world[body].setMaterial(kLooseMaterial);
+    if (game.world.contains(block.pin)) {
+        game.world.remove(block.pin); // with its joint
     }
     block.pin = {};
     block.support = Support::Loose;
-    block.looseTick = tick_;
-    events_.emplace_back(LetGo{.block = body,
-                               .key = block.key,
-                               .stuff = block.kind.stuff,
-                               .point = frameOf(block).position,
-                               .why = why});
+    block.looseTick = game.tick;
+    game.events.emplace_back(LetGo{.block = body,
+                                   .key = block.key,
+                                   .stuff = block.kind.stuff,
+                                   .point = game.frameOf(block).position,
+                                   .why = why});
 }
 
-void Game::judgeBoss() {
-    if (bossImpacts_.empty()) {
+void judgeBoss(GameState& game) {
+    if (game.boss.impacts.empty()) {
         return;
     }
     std::optional<Vec2> last; // centre of the block detached last
-    for (const BossImpact& impact : bossImpacts_) {
-        const auto found = std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& block) {
-            return block.key == impact.key && block.support == Support::Boss;
-        });
-        if (found == blocks_.end()) {
+    for (const Boss::Impact& impact : game.boss.impacts) {
+        const auto found =
+            std::find_if(game.blocks.begin(), game.blocks.end(), [&](const Block& block) {
+                return block.key == impact.key && block.support == Support::Boss;
+            });
+        if (found == game.blocks.end()) {
             continue; // already detached by another ball in this tick
         }
-        const auto index = static_cast<std::size_t>(found - blocks_.begin());
-        last = frameOf(*found).position;
+        const auto index = static_cast<std::size_t>(found - game.blocks.begin());
+        last = game.frameOf(*found).position;
         if (found->kind.core) {
-            breakBlock(index, impact.point, impact.impulse);
+            breakBlock(game, index, impact.point, impact.impulse);
             continue;
         }
         const Real strength = found->strengthLeft;
-        letGo(index, LetGo::Why::BrokeOff);
-        Block& block = blocks_[index];
+        letGo(game, index, LetGo::Why::BrokeOff);
+        Block& block = game.blocks[index];
         block.strengthLeft = kBossBreakOff * static_cast<Real>(block.kind.strength) / 1000;
-        kodo::BodyRef body = world_[block.body];
+        kodo::BodyRef body = game.world[block.body];
         body.applyImpulse(impulseOnPieces(impact.impulse, strength, body.mass()), impact.point);
     }
-    bossImpacts_.clear();
+    game.boss.impacts.clear();
     if (last) {
-        dropUnsupported(*last);
+        dropUnsupported(game, *last);
     }
 }
 
 /// Lets go boss blocks without connection to a core. `last`: centre of the block detached last.
-void Game::dropUnsupported(Vec2 last) {
+void dropUnsupported(GameState& game, Vec2 last) {
     std::vector<std::size_t> boss;
     std::vector<std::size_t> held; // cores, and blocks connected to one by cell sides
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-        if (blocks_[i].support == Support::Boss) {
-            (blocks_[i].kind.core ? held : boss).push_back(i);
+    for (std::size_t i = 0; i < game.blocks.size(); ++i) {
+        if (game.blocks[i].support == Support::Boss) {
+            (game.blocks[i].kind.core ? held : boss).push_back(i);
         }
     }
     if (held.empty()) {
-        events_.emplace_back(
-            BossDown{boss.empty() ? last : frameOf(blocks_[boss.front()]).position});
+        game.events.emplace_back(
+            BossDown{boss.empty() ? last : game.frameOf(game.blocks[boss.front()]).position});
     }
     for (std::size_t next = 0; next < held.size(); ++next) {
         for (std::size_t i = 0; i < boss.size();) {
-            if (areNeighbours(blocks_[held[next]].key, blocks_[boss[i]].key)) {
+            if (areNeighbours(game.blocks[held[next]].key, game.blocks[boss[i]].key)) {
                 held.push_back(boss[i]);
                 boss.erase(boss.begin() + static_cast<std::ptrdiff_t>(i));
             } else {
@@ -126,93 +124,69 @@ void Game::dropUnsupported(Vec2 last) {
         }
     }
     for (const std::size_t index : boss) {
-        letGo(index, LetGo::Why::Unsupported);
+        letGo(game, index, LetGo::Why::Unsupported);
     }
 }
 
-const Block* Game::nextToFall() const {
-    const Block* lowest = nullptr;
-    Real height = 0;
-    for (const Block& block : blocks_) {
-        if (block.support == Support::Loose || !block.counts()) {
-            continue;
-        }
-        const Real y = frameOf(block).position.y;
-        if (lowest == nullptr || y < height) { // ties: the first in grid order
-            lowest = &block;
-            height = y;
-        }
-    }
-    return lowest;
-}
-
-void Game::letGoNext(LetGo::Why why) {
-    tornSpeed_ = 0; // it belongs to one block
-    const Block* block = nextToFall();
+void letGoNext(GameState& game, LetGo::Why why) {
+    game.field.tornSpeed = 0; // it belongs to one block
+    const Block* block = game.nextToFall();
     if (block == nullptr) {
         return;
     }
     const bool boss = block->support == Support::Boss;
-    const Vec2 place = frameOf(*block).position;
-    letGo(static_cast<std::size_t>(block - blocks_.data()), why);
+    const Vec2 place = game.frameOf(*block).position;
+    letGo(game, static_cast<std::size_t>(block - game.blocks.data()), why);
     if (boss) {
-        dropUnsupported(place);
+        dropUnsupported(game, place);
     }
 }
 
-void Game::watchProgress() {
-    const std::uint32_t hurry = blocksLeft_ <= kLastBlocks ? kLastHurry : 1;
-    if (result_ == Result::Playing && !serving() && clock_.tick(hurry)) {
-        letGoNext(LetGo::Why::Fatigue);
-    } else if (tornSpeed_ >= kTornSpeed) {
-        letGoNext(LetGo::Why::Torn);
-        clock_.progress(); // counts as damage by the player
+void watchProgress(GameState& game) {
+    const std::uint32_t hurry = game.counts.blocksLeft <= kLastBlocks ? kLastHurry : 1;
+    if (game.result == Result::Playing && !game.serving() && game.clock.tick(hurry)) {
+        letGoNext(game, LetGo::Why::Fatigue);
+    } else if (game.field.tornSpeed >= kTornSpeed) {
+        letGoNext(game, LetGo::Why::Torn);
+        game.clock.progress(); // counts as damage by the player
     }
-    if (patience() == Patience::Calm) {
-        tornSpeed_ = 0;
+    if (game.patience() == Patience::Calm) {
+        game.field.tornSpeed = 0;
     }
-    if (patience() != shownPatience_) {
-        shownPatience_ = patience();
-        events_.emplace_back(PatienceChanged{shownPatience_});
+    if (game.patience() != game.shownPatience) {
+        game.shownPatience = game.patience();
+        game.events.emplace_back(PatienceChanged{game.shownPatience});
     }
 }
 
-Real Game::tornShare() const {
-    return std::min(tornSpeed_ / kTornSpeed, Real(1));
-}
-
-Real Game::idleSeconds() const {
-    return static_cast<Real>(clock_.idleTicks()) * kTickSeconds;
-}
-
-void Game::removeGoneBlocks() {
-    for (std::size_t i = 0; i < blocks_.size();) {
-        const Block block = blocks_[i];
+void removeGoneBlocks(GameState& game) {
+    for (std::size_t i = 0; i < game.blocks.size();) {
+        const Block block = game.blocks[i];
         const bool fallen = block.support == Support::Fallen;
         if (!fallen && block.support != Support::Loose && block.support != Support::Moving) {
             ++i;
             continue;
         }
-        const Vec2 place = frameOf(block).position;
+        const Vec2 place = game.frameOf(block).position;
         if (!isGone(place)) {
             const bool old = block.support != Support::Moving &&
-                             tick_ - block.looseTick > (fallen ? kFallenTicks : kLooseTicks);
-            if (old && result_ == Result::Playing) { // after the end nothing is scored
-                breakBlock(i, place, {});
+                             game.tick - block.looseTick > (fallen ? kFallenTicks : kLooseTicks);
+            if (old && game.result == Result::Playing) { // after the end nothing is scored
+                breakBlock(game, i, place, {});
             } else {
                 ++i;
             }
             continue;
         }
-        ledger_.removedMass += static_cast<double>(world_[block.body].mass());
-        world_.remove(block.body);
-        blocks_.erase(blocks_.begin() + static_cast<std::ptrdiff_t>(i));
-        if (block.counts() && result_ == Result::Playing) {
+        game.ledger.removedMass += static_cast<double>(game.world[block.body].mass());
+        game.world.remove(block.body);
+        game.blocks.erase(game.blocks.begin() + static_cast<std::ptrdiff_t>(i));
+        if (block.counts() && game.result == Result::Playing) {
             const std::int32_t points =
                 kPoints[static_cast<std::size_t>(block.kind.stuff)] / kFallDivisor;
-            --blocksLeft_;
-            score_ += points;
-            events_.emplace_back(Fell{block.kind.stuff, place, points});
+            --game.counts.blocksLeft;
+            game.counts.score += points;
+            game.events.emplace_back(Fell{block.kind.stuff, place, points});
         }
     }
 }

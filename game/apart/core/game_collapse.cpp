@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Buildings: blocks that fall from their place, the collapses that they form, and broken joints.
 #include <apart/core/field.hpp>
-#include <apart/core/game.hpp>
+#include <apart/core/game_rules.hpp>
 #include <apart/core/tuning.hpp>
 
 #include <algorithm>
@@ -24,85 +24,89 @@ bool hasFallen(kodo::BodyView body, const kodo::Transform& home) {
 
 } // namespace
 
-void Game::watchBuildings() {
-    watchLinks();
-    if (result_ != Result::Playing) {
+static void watchLinks(GameState& game);
+static void dropLinks(GameState& game, BodyId body);
+
+void watchBuildings(GameState& game) {
+    watchLinks(game);
+    if (game.result != Result::Playing) {
         return;
     }
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-        if (blocks_[i].support != Support::Standing) {
+    for (std::size_t i = 0; i < game.blocks.size(); ++i) {
+        if (game.blocks[i].support != Support::Standing) {
             continue;
         }
-        const kodo::BodyView body = std::as_const(world_)[blocks_[i].body];
-        if (!body.isAsleep() && hasFallen(body, blocks_[i].home)) {
-            markFallen(i, LetGo::Why::Toppled);
+        const kodo::BodyView body = std::as_const(game.world)[game.blocks[i].body];
+        if (!body.isAsleep() && hasFallen(body, game.blocks[i].home)) {
+            markFallen(game, i, LetGo::Why::Toppled);
         }
     }
-    if (collapse_.blocks > 0 && tick_ - collapse_.lastTick > kCollapseGap) {
-        endCollapse();
+    if (game.collapse.blocks > 0 && game.tick - game.collapse.lastTick > kCollapseGap) {
+        endCollapse(game);
     }
 }
 
 /// A standing block falls, or is let go: it counts as cleared, and is rubble from now on.
-void Game::markFallen(std::size_t index, LetGo::Why why) {
-    Block& block = blocks_[index];
-    const Vec2 place = frameOf(block).position;
+void markFallen(GameState& game, std::size_t index, LetGo::Why why) {
+    Block& block = game.blocks[index];
+    const Vec2 place = game.frameOf(block).position;
     std::int32_t points = 0;
     if (block.counts()) {
-        points = addToCollapse(block, place);
-        --blocksLeft_;
+        points = addToCollapse(game, block, place);
+        --game.counts.blocksLeft;
     }
     if (why == LetGo::Why::Toppled) {
-        clock_.progress();
+        game.clock.progress();
     } else {
-        dropLinks(block.body);
+        dropLinks(game, block.body);
     }
-    world_[block.body].setFlags(flagsOf(Role::Block) | kFalls | kStands);
+    game.world[block.body].setFlags(flagsOf(Role::Block) | kFalls | kStands);
     block.support = Support::Fallen;
-    block.looseTick = tick_;
+    block.looseTick = game.tick;
     block.strengthLeft *= kFallenStrength;
-    events_.emplace_back(LetGo{.block = block.body,
-                               .key = block.key,
-                               .stuff = block.kind.stuff,
-                               .point = place,
-                               .why = why,
-                               .points = points});
+    game.events.emplace_back(LetGo{.block = block.body,
+                                   .key = block.key,
+                                   .stuff = block.kind.stuff,
+                                   .point = place,
+                                   .why = why,
+                                   .points = points});
 }
 
 /// Returns the points of the block: its own times the number of blocks in this collapse, or times
 /// the combo if that is larger.
-std::int32_t Game::addToCollapse(const Block& block, Vec2 place) {
-    ++collapse_.blocks;
-    collapse_.lastTick = tick_;
-    collapse_.sum += place;
-    collapse_.largest = std::max(collapse_.largest, collapse_.blocks);
-    const std::int32_t factor = std::min(std::max(collapse_.blocks, combo_), kMostCombo);
+std::int32_t addToCollapse(GameState& game, const Block& block, Vec2 place) {
+    ++game.collapse.blocks;
+    game.collapse.lastTick = game.tick;
+    game.collapse.sum += place;
+    game.collapse.largest = std::max(game.collapse.largest, game.collapse.blocks);
+    const std::int32_t factor =
+        std::min(std::max(game.collapse.blocks, game.counts.combo), kMostCombo);
     const std::int32_t points = pointsOf(block.kind) * factor;
-    collapse_.points += points;
-    score_ += points;
+    game.collapse.points += points;
+    game.counts.score += points;
     return points;
 }
 
-void Game::endCollapse() {
-    if (collapse_.blocks >= kLeastCollapse) {
-        const Vec2 middle = collapse_.sum / static_cast<Real>(collapse_.blocks);
-        events_.emplace_back(Collapsed{collapse_.blocks, collapse_.points, middle});
+void endCollapse(GameState& game) {
+    if (game.collapse.blocks >= kLeastCollapse) {
+        const Vec2 middle = game.collapse.sum / static_cast<Real>(game.collapse.blocks);
+        game.events.emplace_back(Collapsed{game.collapse.blocks, game.collapse.points, middle});
     }
-    collapse_ = {.largest = collapse_.largest};
+    game.collapse = {.largest = game.collapse.largest};
 }
 
-void Game::watchLinks() {
-    for (const kodo::BrokenJoint& broken : world_.brokenJoints()) {
-        const auto found = std::find_if(links_.begin(), links_.end(),
+void watchLinks(GameState& game) {
+    for (const kodo::BrokenJoint& broken : game.world.brokenJoints()) {
+        const auto found = std::find_if(game.links.begin(), game.links.end(),
                                         [&](const Link& link) { return link.joint == broken.id; });
-        if (found != links_.end()) {
-            events_.emplace_back(Snapped{found->kind, found->place, broken.force});
-            clock_.progress();
+        if (found != game.links.end()) {
+            game.events.emplace_back(Snapped{found->kind, found->place, broken.force});
+            game.clock.progress();
         }
     }
-    std::erase_if(links_, [&](const Link& link) { return !world_.contains(link.joint); });
-    const kodo::World& world = world_;
-    for (Link& link : links_) {
+    std::erase_if(game.links, [&](const Link& link) { return !game.world.contains(link.joint); });
+    const kodo::World& world = game.world;
+    for (Link& link : game.links) {
         const kodo::JointDef& def = world.joint(link.joint);
         const Vec2 anchor = std::visit(
             [](const auto& joint) {
@@ -118,14 +122,14 @@ void Game::watchLinks() {
 }
 
 /// Removes the joints of a body.
-void Game::dropLinks(BodyId body) {
-    for (const Link& link : links_) {
-        const kodo::JointDef& def = world_.joint(link.joint);
+void dropLinks(GameState& game, BodyId body) {
+    for (const Link& link : game.links) {
+        const kodo::JointDef& def = game.world.joint(link.joint);
         if (firstBody(def) == body || secondBody(def) == body) {
-            world_.remove(link.joint);
+            game.world.remove(link.joint);
         }
     }
-    std::erase_if(links_, [&](const Link& link) { return !world_.contains(link.joint); });
+    std::erase_if(game.links, [&](const Link& link) { return !game.world.contains(link.joint); });
 }
 
 } // namespace apart

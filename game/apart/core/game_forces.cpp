@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Force field and magnet of the paddle. The paddle receives the opposite impulse.
 #include <apart/core/field.hpp>
-#include <apart/core/game.hpp>
+#include <apart/core/game_rules.hpp>
 #include <apart/core/tuning.hpp>
 
 #include <algorithm>
@@ -12,25 +12,30 @@ using kodo::BodyId;
 using kodo::Real;
 using kodo::Vec2;
 
-void Game::useForce(const Input& input) {
-    const bool wanted = input.force != Force::None && result_ == Result::Playing;
+static Vec2 draw(GameState& game, BodyId body, Vec2 center, Real acceleration, Real reach);
+static void pushPaddleBack(GameState& game, Vec2 impulse);
+static Vec2 tear(GameState& game, Vec2 center);
+
+void useForce(GameState& game, const Input& input) {
+    const bool wanted = input.force != Force::None && game.result == Result::Playing;
     // Hysteresis: a field that started at an almost empty meter would flicker.
-    const bool enough = input.force == force_ ? meter_ > 0 : meter_ >= kMeterStart;
+    const bool enough =
+        input.force == game.field.force ? game.field.meter > 0 : game.field.meter >= kMeterStart;
     const Force next = wanted && enough ? input.force : Force::None;
-    if (next != force_) {
-        force_ = next;
-        events_.emplace_back(ForceChanged{next});
+    if (next != game.field.force) {
+        game.field.force = next;
+        game.events.emplace_back(ForceChanged{next});
     }
-    if (force_ != Force::None) {
-        meter_ = std::max(meter_ - kTickSeconds / kMeterSeconds, Real(0));
+    if (game.field.force != Force::None) {
+        game.field.meter = std::max(game.field.meter - kTickSeconds / kMeterSeconds, Real(0));
         return;
     }
-    const Real hurry = patience() == Patience::Calm ? Real(1) : kHurry;
-    meter_ = std::min(meter_ + hurry * kTickSeconds / kRefillSeconds, Real(1));
+    const Real hurry = game.patience() == Patience::Calm ? Real(1) : kHurry;
+    game.field.meter = std::min(game.field.meter + hurry * kTickSeconds / kRefillSeconds, Real(1));
 }
 
-Vec2 Game::draw(BodyId body, Vec2 center, Real acceleration, Real reach) {
-    kodo::BodyRef drawn = world_[body];
+Vec2 draw(GameState& game, BodyId body, Vec2 center, Real acceleration, Real reach) {
+    kodo::BodyRef drawn = game.world[body];
     const Vec2 way = center - drawn.center();
     const Real distance = length(way);
     if (distance >= reach || distance <= 0) {
@@ -41,82 +46,77 @@ Vec2 Game::draw(BodyId body, Vec2 center, Real acceleration, Real reach) {
     drawn.applyForce(force);
     const bool falls = (drawn.flags() & kFalls) != 0;
     const Vec2 gained = kTickSeconds * (force / drawn.mass() - Vec2{0, falls ? kGravity : 0});
-    ledger_.fieldWork +=
+    game.ledger.fieldWork +=
         static_cast<double>(kTickSeconds * dot(force, drawn.velocity() + gained / 2));
     return kTickSeconds * force;
 }
 
-void Game::applyForces() {
-    const bool magnet = secondsLeft(Power::Magnet) > 0;
-    if (force_ == Force::None && !magnet) {
+void applyForces(GameState& game) {
+    const bool magnet = game.secondsLeft(Power::Magnet) > 0;
+    if (game.field.force == Force::None && !magnet) {
         return;
     }
-    const Vec2 center = world_[paddle_].position();
-    const Real pull = force_ == Force::None   ? Real(0)
-                      : force_ == Force::Pull ? kForceAcceleration
-                                              : -kForceAcceleration;
+    const Vec2 center = game.world[game.paddle.body].position();
+    const Real pull = game.field.force == Force::None   ? Real(0)
+                      : game.field.force == Force::Pull ? kForceAcceleration
+                                                        : -kForceAcceleration;
     Vec2 given;
     const auto use = [&](BodyId body, bool magnetic) {
         if (pull != 0) {
-            given += draw(body, center, pull, kForceReach);
+            given += draw(game, body, center, pull, kForceReach);
         }
         if (magnet && magnetic) {
-            given += draw(body, center, kMagnetAcceleration, kMagnetReach);
+            given += draw(game, body, center, kMagnetAcceleration, kMagnetReach);
         }
     };
-    for (const Ball& ball : balls_) {
+    for (const Ball& ball : game.balls) {
         if (!ball.riding) {
             use(ball.body, true);
         }
     }
-    for (const Part& part : parts_) {
+    for (const Part& part : game.parts) {
         if (part.state == PartState::Loose) {
             use(part.body, true);
         }
     }
-    for (const Shard& shard : shards_) {
+    for (const Shard& shard : game.shards) {
         use(shard.body, false);
     }
-    for (const Block& block : blocks_) {
+    for (const Block& block : game.blocks) {
         if (block.support == Support::Loose || block.support == Support::Hanging ||
             block.support == Support::Fallen) {
             use(block.body, false);
         }
     }
-    if (tears()) {
-        given += tear(center);
+    if (game.tears()) {
+        given += tear(game, center);
     }
-    pushPaddleBack(given);
-}
-
-bool Game::tears() const {
-    return force_ == Force::Pull && patience() != Patience::Calm && !serving() &&
-           nextToFall() != nullptr;
+    pushPaddleBack(game, given);
 }
 
 /// One tick of the pull on the mount of nextToFall(), which fails once the free block would move at
 /// kTornSpeed. Returns the impulse (N s) that the mount took.
-Vec2 Game::tear(Vec2 center) {
-    const Block* block = nextToFall();
-    const Vec2 way = center - frameOf(*block).position;
+Vec2 tear(GameState& game, Vec2 center) {
+    const Block* block = game.nextToFall();
+    const Vec2 way = center - game.frameOf(*block).position;
     const Real share = std::max(1 - length(way) / kForceReach, Real(0));
     const Real gained = kForceAcceleration * share * kTickSeconds;
-    tornSpeed_ += gained;
+    game.field.tornSpeed += gained;
     if (block->support == Support::Hanging) {
-        return {}; // draw() acts on it, as on loose blocks
+        return {}; // draw(game) acts on it, as on loose blocks
     }
-    const Real mass = block->ownsBody() ? world_[block->body].mass()
+    const Real mass = block->ownsBody() ? game.world[block->body].mass()
                                         : densityOf(block->kind) * kCellWidth * kCellHeight;
     return mass * gained * normalize(way);
 }
 
-void Game::pushPaddleBack(Vec2 impulse) {
-    ledger_.fieldImpulseX += static_cast<double>(impulse.x);
-    ledger_.fieldImpulseY += static_cast<double>(impulse.y);
-    const Real mass = world_[paddle_].mass();
-    paddleSpeed_ -= impulse.x / mass;
-    if (recoils(paddleKind())) {
-        sway_.liftSpeed -= impulse.y / mass; // otherwise the carriage takes it
+void pushPaddleBack(GameState& game, Vec2 impulse) {
+    game.ledger.fieldImpulseX += static_cast<double>(impulse.x);
+    game.ledger.fieldImpulseY += static_cast<double>(impulse.y);
+    const Real mass = game.world[game.paddle.body].mass();
+    game.paddle.speed -= impulse.x / mass;
+    if (recoils(game.paddleKind())) {
+        game.paddle.sway.liftSpeed -= impulse.y / mass; // otherwise the carriage takes it
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <apart/core/game.hpp>
+#include <apart/core/game_state.hpp>
 #include <kodo/state_hash.hpp>
 
 namespace apart {
@@ -96,40 +96,41 @@ void add(kodo::StateHash& hash, const std::vector<T>& list) {
 
 } // namespace
 
-std::uint64_t Game::stateHash() const {
-    kodo::StateHash hash;
-    hash.add(world_.stateHash());
-    hash.add(seed_);
-    hash.add(static_cast<std::uint8_t>(mode_));
-    hash.add(tick_);
-    hash.add(static_cast<std::uint8_t>(result_));
-    for (const std::int32_t number : {score_, lives_, combo_, blocksLeft_, blocksAtStart_}) {
-        hash.add(number);
+std::uint64_t GameState::hash() const {
+    kodo::StateHash sum;
+    sum.add(world.stateHash());
+    sum.add(seed);
+    sum.add(static_cast<std::uint8_t>(mode));
+    sum.add(tick);
+    sum.add(static_cast<std::uint8_t>(result));
+    for (const std::int32_t number :
+         {counts.score, counts.lives, counts.combo, counts.blocksLeft, counts.blocksAtStart}) {
+        sum.add(number);
     }
-    hash.add(serves_);
-    add(hash, paddle_);
-    for (const Real number : {paddleSpeed_, sway_.tilt, sway_.tiltSpeed, sway_.lift,
-                              sway_.liftSpeed, meter_, bossHome_}) {
-        hash.add(number);
+    sum.add(counts.serves);
+    add(sum, paddle.body);
+    for (const Real number : {paddle.speed, paddle.sway.tilt, paddle.sway.tiltSpeed,
+                              paddle.sway.lift, paddle.sway.liftSpeed, field.meter, boss.home}) {
+        sum.add(number);
     }
-    hash.add(static_cast<std::uint8_t>(force_));
-    add(hash, boss_);
-    hash.add(bossWay_);
-    add(hash, serveHeading_);
-    add(hash, welds_);
-    add(hash, blocks_);
-    add(hash, balls_);
-    add(hash, shards_);
-    add(hash, parts_);
-    add(hash, obstructions_);
-    hash.add(static_cast<std::uint64_t>(links_.size()));
-    add(hash, collapse_);
-    add(hash, effects_);
-    hash.add(clock_.stateHash());
-    hash.add(static_cast<std::uint8_t>(shownPatience_));
-    hash.add(tornSpeed_);
-    add(hash, ledger_);
-    return hash.value();
+    sum.add(static_cast<std::uint8_t>(field.force));
+    add(sum, boss.body);
+    sum.add(boss.way);
+    add(sum, serveHeading);
+    add(sum, paddle.welds);
+    add(sum, blocks);
+    add(sum, balls);
+    add(sum, shards);
+    add(sum, parts);
+    add(sum, obstructions);
+    sum.add(static_cast<std::uint64_t>(links.size()));
+    add(sum, collapse);
+    add(sum, effects);
+    sum.add(clock.stateHash());
+    sum.add(static_cast<std::uint8_t>(shownPatience));
+    sum.add(field.tornSpeed);
+    add(sum, ledger);
+    return sum.value();
 }
 
 } // namespace apart

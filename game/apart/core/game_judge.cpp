@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Evaluation of the collisions of a tick.
 #include <apart/core/field.hpp>
-#include <apart/core/game.hpp>
+#include <apart/core/game_rules.hpp>
 #include <apart/core/tuning.hpp>
 
 #include <algorithm>
@@ -26,142 +26,158 @@ std::size_t partOf(const CollisionRecord& hit, BodyId body) {
 
 } // namespace
 
-void Game::judge() {
-    if (result_ != Result::Playing) {
+static void judgeAlive(GameState& game, const CollisionRecord& hit, BodyId body);
+static void judgeBreakable(GameState& game, const CollisionRecord& hit, BodyId body);
+static void judgeBall(GameState& game, const CollisionRecord& hit, BodyId ball);
+static void judgeBlock(GameState& game, const CollisionRecord& hit, BodyId body);
+static void judgeShard(GameState& game, const CollisionRecord& hit, BodyId body);
+static void judgePart(GameState& game, const CollisionRecord& hit, BodyId body);
+static void judgePaddle(GameState& game, const CollisionRecord& hit);
+static void judgeObstruction(GameState& game, const CollisionRecord& hit, BodyId body);
+static void catchPart(GameState& game, std::size_t index, const CollisionRecord& hit);
+static void catchShard(GameState& game, std::size_t index, Vec2 point);
+static void catchBlock(GameState& game, std::size_t index, Vec2 point);
+static void addToMeter(GameState& game, Stuff stuff, Real mass, Vec2 point);
+static void knockOffWorn(GameState& game);
+static void knockOff(GameState& game, std::size_t weld);
+
+void judge(GameState& game) {
+    if (game.result != Result::Playing) {
         return;
     }
-    for (const CollisionRecord& hit : world_.collisions()) {
+    for (const CollisionRecord& hit : game.world.collisions()) {
         if (hit.maxPointImpulse() <= 0) {
             continue;
         }
         for (const BodyId body : {hit.a, hit.b}) {
             // An earlier record may have removed a body.
-            if (!world_.contains(hit.a) || !world_.contains(hit.b)) {
+            if (!game.world.contains(hit.a) || !game.world.contains(hit.b)) {
                 break;
             }
-            judgeAlive(hit, body);
+            judgeAlive(game, hit, body);
         }
         for (const BodyId body : {hit.a, hit.b}) {
-            if (world_.contains(body)) {
-                judgeBreakable(hit, body);
+            if (game.world.contains(body)) {
+                judgeBreakable(game, hit, body);
             }
         }
     }
     // After all records, because these refer to parts of bodies by index.
-    judgeBoss();
-    knockOffWorn();
-    refreshPowers();
+    judgeBoss(game);
+    knockOffWorn(game);
+    refreshPowers(game);
 }
 
-void Game::judgeAlive(const CollisionRecord& hit, BodyId body) {
-    switch (roleOf(world_[body].flags())) {
+void judgeAlive(GameState& game, const CollisionRecord& hit, BodyId body) {
+    switch (roleOf(game.world[body].flags())) {
     case Role::Ball:
-        judgeBall(hit, body);
+        judgeBall(game, hit, body);
         break;
     case Role::Part:
-        judgePart(hit, body);
+        judgePart(game, hit, body);
         break;
     case Role::Paddle:
-        judgePaddle(hit);
+        judgePaddle(game, hit);
         break;
     case Role::Obstruction:
-        judgeObstruction(hit, body);
+        judgeObstruction(game, hit, body);
         break;
     default:
         break;
     }
 }
 
-void Game::judgeBreakable(const CollisionRecord& hit, BodyId body) {
-    switch (roleOf(world_[body].flags())) {
+void judgeBreakable(GameState& game, const CollisionRecord& hit, BodyId body) {
+    switch (roleOf(game.world[body].flags())) {
     case Role::Block:
-        judgeBlock(hit, body);
+        judgeBlock(game, hit, body);
         break;
     case Role::Shard:
-        judgeShard(hit, body);
+        judgeShard(game, hit, body);
         break;
     default:
         break;
     }
 }
 
-void Game::judgeBall(const CollisionRecord& hit, BodyId ball) {
+void judgeBall(GameState& game, const CollisionRecord& hit, BodyId ball) {
     const BodyId other = hit.other(ball);
-    const Role what = roleOf(world_[other].flags());
+    const Role what = roleOf(game.world[other].flags());
     if (what == Role::Paddle) {
-        combo_ = 0;
-        const auto met = std::find_if(balls_.begin(), balls_.end(),
+        game.counts.combo = 0;
+        const auto met = std::find_if(game.balls.begin(), game.balls.end(),
                                       [&](const Ball& b) { return b.body == ball; });
         const bool begins = hit.phase == kodo::TouchPhase::Begin;
-        if (begins &&
-            clock_.metPaddle(world_[ball].position(), met->heading, world_[paddle_].position().x)) {
-            events_.emplace_back(LoopSeen{ball});
+        if (begins && game.clock.metPaddle(game.world[ball].position(), met->heading,
+                                           game.world[game.paddle.body].position().x)) {
+            game.events.emplace_back(LoopSeen{ball});
         }
     }
     if (hit.maxPointImpulse() < kSlightestImpact) {
         return;
     }
-    events_.emplace_back(Struck{.ball = ball,
-                                .other = other,
-                                .what = what,
-                                .stuff = stuffOf(other, partOf(hit, other)),
-                                .point = hit.point,
-                                .normal = normalTowards(hit, ball),
-                                .impulse = hit.maxPointImpulse()});
+    game.events.emplace_back(Struck{.ball = ball,
+                                    .other = other,
+                                    .what = what,
+                                    .stuff = game.stuffOf(other, partOf(hit, other)),
+                                    .point = hit.point,
+                                    .normal = normalTowards(hit, ball),
+                                    .impulse = hit.maxPointImpulse()});
 }
 
-void Game::judgeBlock(const CollisionRecord& hit, BodyId body) {
-    const bool drawnIn = force_ == Force::Pull && hit.other(body) == paddle_;
+void judgeBlock(GameState& game, const CollisionRecord& hit, BodyId body) {
+    const bool drawnIn = game.field.force == Force::Pull && hit.other(body) == game.paddle.body;
     if (!drawnIn && hit.maxPointImpulse() < kSlightestImpact) {
         return; // most records: resting contacts
     }
     const auto index =
-        static_cast<std::size_t>(findBlock(body, partOf(hit, body)) - blocks_.data());
-    Block& block = blocks_[index];
+        static_cast<std::size_t>(game.findBlock(body, partOf(hit, body)) - game.blocks.data());
+    Block& block = game.blocks[index];
     if (drawnIn && block.support == Support::Fallen) {
-        catchBlock(index, hit.point);
+        catchBlock(game, index, hit.point);
         return;
     }
     // A resting load on a block of a building is not an impact: its approach speed is small.
     const BodyId other = hit.other(body);
-    const bool byBall = world_.contains(other) && roleOf(world_[other].flags()) == Role::Ball;
+    const bool byBall =
+        game.world.contains(other) && roleOf(game.world[other].flags()) == Role::Ball;
     const bool pressed =
-        (world_[body].flags() & kStands) != 0 && !byBall && hit.approachSpeed < kHarmlessSpeed;
+        (game.world[body].flags() & kStands) != 0 && !byBall && hit.approachSpeed < kHarmlessSpeed;
     if (!block.kind.breakable() || hit.maxPointImpulse() < kSlightestImpact || pressed) {
         return;
     }
     if (block.counts()) {
-        clock_.progress();
+        game.clock.progress();
     }
     if (hit.maxPointImpulse() > block.strengthLeft) {
         const Vec2 impact = hit.totalImpulse * normalTowards(hit, body);
         if (block.support == Support::Boss) {
-            bossImpacts_.push_back({block.key, hit.point, impact});
+            game.boss.impacts.push_back({block.key, hit.point, impact});
         } else {
-            breakBlock(index, hit.point, impact);
+            breakBlock(game, index, hit.point, impact);
         }
         return;
     }
     block.strengthLeft -= hit.maxPointImpulse();
     const Real full = static_cast<Real>(block.kind.strength) / 1000;
-    events_.emplace_back(Cracked{.block = body,
-                                 .key = block.key,
-                                 .stuff = block.kind.stuff,
-                                 .point = hit.point,
-                                 .impulse = hit.maxPointImpulse(),
-                                 .strengthLeft = block.strengthLeft / full});
+    game.events.emplace_back(Cracked{.block = body,
+                                     .key = block.key,
+                                     .stuff = block.kind.stuff,
+                                     .point = hit.point,
+                                     .impulse = hit.maxPointImpulse(),
+                                     .strengthLeft = block.strengthLeft / full});
 }
 
-void Game::judgeShard(const CollisionRecord& hit, BodyId body) {
-    const bool drawnIn = force_ == Force::Pull && hit.other(body) == paddle_;
+void judgeShard(GameState& game, const CollisionRecord& hit, BodyId body) {
+    const bool drawnIn = game.field.force == Force::Pull && hit.other(body) == game.paddle.body;
     if (!drawnIn && hit.maxPointImpulse() < kSlightestImpact) {
         return; // most records: resting contacts of shards
     }
-    const auto found = std::find_if(shards_.begin(), shards_.end(),
+    const auto found = std::find_if(game.shards.begin(), game.shards.end(),
                                     [&](const Shard& shard) { return shard.body == body; });
-    const auto index = static_cast<std::size_t>(found - shards_.begin());
+    const auto index = static_cast<std::size_t>(found - game.shards.begin());
     if (drawnIn) {
-        catchShard(index, hit.point);
+        catchShard(game, index, hit.point);
         return;
     }
     if (found->stuff == Stuff::Steel) {
@@ -169,154 +185,147 @@ void Game::judgeShard(const CollisionRecord& hit, BodyId body) {
     }
     found->strengthLeft -= hit.maxPointImpulse();
     if (found->strengthLeft < 0) {
-        breakShard(index, hit.point, hit.maxPointImpulse());
+        breakShard(game, index, hit.point, hit.maxPointImpulse());
     }
 }
 
-void Game::catchShard(std::size_t index, Vec2 point) {
-    const Shard shard = shards_[index];
-    const Real mass = world_[shard.body].mass();
-    world_.remove(shard.body);
-    shards_.erase(shards_.begin() + static_cast<std::ptrdiff_t>(index));
-    addToMeter(shard.stuff, mass, point);
+void catchShard(GameState& game, std::size_t index, Vec2 point) {
+    const Shard shard = game.shards[index];
+    const Real mass = game.world[shard.body].mass();
+    game.world.remove(shard.body);
+    game.shards.erase(game.shards.begin() + static_cast<std::ptrdiff_t>(index));
+    addToMeter(game, shard.stuff, mass, point);
 }
 
-void Game::catchBlock(std::size_t index, Vec2 point) {
-    const Block block = blocks_[index];
-    const Real mass = world_[block.body].mass();
-    world_.remove(block.body);
-    blocks_.erase(blocks_.begin() + static_cast<std::ptrdiff_t>(index));
-    addToMeter(block.kind.stuff, mass, point);
+void catchBlock(GameState& game, std::size_t index, Vec2 point) {
+    const Block block = game.blocks[index];
+    const Real mass = game.world[block.body].mass();
+    game.world.remove(block.body);
+    game.blocks.erase(game.blocks.begin() + static_cast<std::ptrdiff_t>(index));
+    addToMeter(game, block.kind.stuff, mass, point);
 }
 
-void Game::addToMeter(Stuff stuff, Real mass, Vec2 point) {
-    ledger_.removedMass += static_cast<double>(mass);
-    meter_ = std::min(meter_ + kMeterPerKilogram * mass, Real(1));
-    events_.emplace_back(ShardCaught{stuff, point, meter_});
+void addToMeter(GameState& game, Stuff stuff, Real mass, Vec2 point) {
+    game.ledger.removedMass += static_cast<double>(mass);
+    game.field.meter = std::min(game.field.meter + kMeterPerKilogram * mass, Real(1));
+    game.events.emplace_back(ShardCaught{stuff, point, game.field.meter});
 }
 
-void Game::judgePart(const CollisionRecord& hit, BodyId body) {
-    const auto found = std::find_if(parts_.begin(), parts_.end(),
+void judgePart(GameState& game, const CollisionRecord& hit, BodyId body) {
+    const auto found = std::find_if(game.parts.begin(), game.parts.end(),
                                     [&](const Part& part) { return part.body == body; });
     const BodyId other = hit.other(body);
     if (found->state == PartState::Launched) {
-        const Block* block = findBlock(other, partOf(hit, other));
+        const Block* block = game.findBlock(other, partOf(hit, other));
         if (block != nullptr && !block->kind.breakable()) {
-            events_.emplace_back(Spent{hit.point, true});
-            ledger_.removedMass += static_cast<double>(world_[body].mass());
-            world_.remove(body);
-            parts_.erase(found);
+            game.events.emplace_back(Spent{hit.point, true});
+            game.ledger.removedMass += static_cast<double>(game.world[body].mass());
+            game.world.remove(body);
+            game.parts.erase(found);
         }
         return;
     }
-    if (found->state == PartState::Loose && other == paddle_) {
-        catchPart(static_cast<std::size_t>(found - parts_.begin()), hit);
+    if (found->state == PartState::Loose && other == game.paddle.body) {
+        catchPart(game, static_cast<std::size_t>(found - game.parts.begin()), hit);
     }
 }
 
-void Game::catchPart(std::size_t index, const CollisionRecord& hit) {
-    Part& part = parts_[index];
+void catchPart(GameState& game, std::size_t index, const CollisionRecord& hit) {
+    Part& part = game.parts[index];
     const BodyId body = part.body;
     const Power power = part.power;
-    if (power == Power::Weld && weldedParts() >= kMostWelded) {
+    if (power == Power::Weld && game.weldedParts() >= kMostWelded) {
         return; // the part bounces off
     }
-    if (power == Power::Wings && !weldWings()) {
+    if (power == Power::Wings && !weldWings(game)) {
         return;
     }
-    score_ += kCatchPoints;
-    events_.emplace_back(Caught{body, power, hit.point, hit.maxPointImpulse()});
+    game.counts.score += kCatchPoints;
+    game.events.emplace_back(Caught{body, power, hit.point, hit.maxPointImpulse()});
     if (power == Power::Launch) {
-        kodo::BodyRef stuck = world_[body];
+        kodo::BodyRef stuck = game.world[body];
         stuck.setType(kodo::BodyType::Kinematic);
         stuck.setFlags(flagsOf(Role::Part));
         stuck.setMaterial(kPaddleMaterial);
         stuck.setAngularVelocity(0);
         part.state = PartState::Stuck;
-        part.sinceTick = tick_;
-        const kodo::BodyView paddle = world_[paddle_];
+        part.sinceTick = game.tick;
+        const kodo::BodyView paddle = game.world[game.paddle.body];
         part.offset = unrotate(paddle.rotation(), stuck.position() - paddle.position());
-        events_.emplace_back(Stuck{body, hit.point});
+        game.events.emplace_back(Stuck{body, hit.point});
         return;
     }
     const Vec2 origin = part.origin;
-    parts_.erase(parts_.begin() + static_cast<std::ptrdiff_t>(index));
+    game.parts.erase(game.parts.begin() + static_cast<std::ptrdiff_t>(index));
     if (power == Power::Weld) {
-        world_.weld(paddle_, body);
-        world_[paddle_].setMaterial(kPaddleMaterial); // for all parts
-        welds_.push_back({.strengthLeft = kWeldStrength});
+        game.world.weld(game.paddle.body, body);
+        game.world[game.paddle.body].setMaterial(kPaddleMaterial); // for all parts
+        game.paddle.welds.push_back({.strengthLeft = kWeldStrength});
     } else {
-        ledger_.removedMass += static_cast<double>(world_[body].mass());
-        world_.remove(body);
+        game.ledger.removedMass += static_cast<double>(game.world[body].mass());
+        game.world.remove(body);
     }
     if (power == Power::Weld || power == Power::Wings) {
-        events_.emplace_back(Welded{hit.point, world_[paddle_].mass(), weldedParts()});
+        game.events.emplace_back(
+            Welded{hit.point, game.world[game.paddle.body].mass(), game.weldedParts()});
     } else {
-        beginPower(power, hit.point, origin);
+        beginPower(game, power, hit.point, origin);
     }
 }
 
-void Game::judgePaddle(const CollisionRecord& hit) {
-    const kodo::BodyView paddle = world_[paddle_];
-    sway_ = pushed(sway_, paddleKind(), {paddle.mass(), {}, paddle.inertia()},
-                   hit.point - paddle.center(), hit.totalImpulse * normalTowards(hit, paddle_));
-    const std::size_t part = partOf(hit, paddle_);
+void judgePaddle(GameState& game, const CollisionRecord& hit) {
+    const kodo::BodyView paddle = game.world[game.paddle.body];
+    game.paddle.sway = pushed(game.paddle.sway, game.paddleKind(),
+                              {paddle.mass(), {}, paddle.inertia()}, hit.point - paddle.center(),
+                              hit.totalImpulse * normalTowards(hit, game.paddle.body));
+    const std::size_t part = partOf(hit, game.paddle.body);
     if (part == 0 || hit.maxPointImpulse() < kSlightestImpact) {
         return;
     }
-    Weld& weld = welds_[part - 1];
-    weld.strengthLeft = hit.maxPointImpulse() < kKnockOffImpact
-                            ? weld.strengthLeft - hit.maxPointImpulse()
-                            : Real(-1);
+    Weld& weld = game.paddle.welds[part - 1];
+    weld.strengthLeft =
+        hit.maxPointImpulse() < kKnockOffImpact ? weld.strengthLeft - hit.maxPointImpulse() : Real(-1);
     weld.lastPoint = hit.point;
     weld.lastImpulse = hit.maxPointImpulse();
 }
 
-void Game::judgeObstruction(const CollisionRecord& hit, BodyId body) {
-    const auto found = std::find_if(obstructions_.begin(), obstructions_.end(),
+void judgeObstruction(GameState& game, const CollisionRecord& hit, BodyId body) {
+    const auto found = std::find_if(game.obstructions.begin(), game.obstructions.end(),
                                     [&](const Obstruction& o) { return o.body == body; });
-    if (found == obstructions_.end() || found->kind != ObstructionKind::Bumper) {
+    if (found == game.obstructions.end() || found->kind != ObstructionKind::Bumper) {
         return; // the pin of a hanging block, or a passive obstruction
     }
-    kodo::BodyRef other = world_[hit.other(body)];
-    const bool impact =
-        hit.phase == kodo::TouchPhase::Begin || hit.maxPointImpulse() >= kSlightestImpact;
+    kodo::BodyRef other = game.world[hit.other(body)];
+    const bool impact = hit.phase == kodo::TouchPhase::Begin || hit.maxPointImpulse() >= kSlightestImpact;
     if (!impact || other.type() != kodo::BodyType::Dynamic) {
         return;
     }
     const Vec2 normal = normalTowards(hit, other.id());
-    drive(other, other.velocity() + found->kick * normal, ledger_.kickWork);
-    found->hitTick = tick_;
-    events_.emplace_back(Bumped{other.id(), body, hit.point, normal});
+    drive(other, other.velocity() + found->kick * normal, game.ledger.kickWork);
+    found->hitTick = game.tick;
+    game.events.emplace_back(Bumped{other.id(), body, hit.point, normal});
 }
 
-void Game::knockOffWorn() {
-    for (std::size_t i = welds_.size(); i-- > 0;) {
-        if (welds_[i].strengthLeft < 0) {
-            knockOff(i);
+void knockOffWorn(GameState& game) {
+    for (std::size_t i = game.paddle.welds.size(); i-- > 0;) {
+        if (game.paddle.welds[i].strengthLeft < 0) {
+            knockOff(game, i);
         }
     }
 }
 
-void Game::knockOff(std::size_t weld) {
-    const BodyId body = world_.unweld(paddle_, weld + 1, flagsOf(Role::Shard) | kFalls);
-    kodo::BodyRef part = world_[body];
-    const Vec2 away = normalize(part.center() - world_[paddle_].position());
+void knockOff(GameState& game, std::size_t weld) {
+    const BodyId body =
+        game.world.unweld(game.paddle.body, weld + 1, flagsOf(Role::Shard) | kFalls);
+    kodo::BodyRef part = game.world[body];
+    const Vec2 away = normalize(part.center() - game.world[game.paddle.body].position());
     part.setMaterial(kShardMaterial);
-    drive(part, part.velocity() + kKnockOffSpeed * away, ledger_.kickWork);
-    const Weld worn = welds_[weld];
-    welds_.erase(welds_.begin() + static_cast<std::ptrdiff_t>(weld));
-    shards_.push_back({body, Stuff::Steel, tick_, 0});
-    events_.emplace_back(KnockedOff{body, worn.lastPoint, worn.lastImpulse, weldedParts()});
-}
-
-Stuff Game::stuffOf(BodyId body, std::size_t part) const {
-    if (const Block* block = findBlock(body, part)) {
-        return block->kind.stuff;
-    }
-    const auto shard = std::find_if(shards_.begin(), shards_.end(),
-                                    [&](const Shard& piece) { return piece.body == body; });
-    return shard == shards_.end() ? Stuff::Steel : shard->stuff;
+    drive(part, part.velocity() + kKnockOffSpeed * away, game.ledger.kickWork);
+    const Weld worn = game.paddle.welds[weld];
+    game.paddle.welds.erase(game.paddle.welds.begin() + static_cast<std::ptrdiff_t>(weld));
+    game.shards.push_back({body, Stuff::Steel, game.tick, 0});
+    game.events.emplace_back(
+        KnockedOff{body, worn.lastPoint, worn.lastImpulse, game.weldedParts()});
 }
 
 } // namespace apart

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Initial scene of a game, and the motion of the boss.
 #include <apart/core/field.hpp>
-#include <apart/core/game.hpp>
+#include <apart/core/game_rules.hpp>
 #include <apart/core/tuning.hpp>
 
 #include <algorithm>
@@ -12,162 +12,175 @@ using kodo::BodyId;
 using kodo::Real;
 using kodo::Vec2;
 
-void Game::buildField() {
-    renewFields();
+static void buildField(GameState& game);
+static void buildBlocks(GameState& game);
+static void buildBoss(GameState& game);
+static void buildObstructions(GameState& game);
+static void buildFreeBlocks(GameState& game);
+static void buildLinks(GameState& game);
+static void addBlock(GameState& game, Block block);
+static void hang(GameState& game, Block& block);
+
+void buildField(GameState& game) {
+    renewFields(game);
     for (const kodo::BodyDef& def : wallDefs()) {
-        walls_.push_back(world_.add(def));
+        game.walls.push_back(game.world.add(def));
     }
 }
 
-void Game::buildBlocks() {
-    for (const Cell& cell : level_->cells) {
-        const BlockKind& kind = level_->kinds[cell.kind];
+void buildBlocks(GameState& game) {
+    for (const Cell& cell : game.level->cells) {
+        const BlockKind& kind = game.level->kinds[cell.kind];
         Block block{.kind = kind,
                     .strengthLeft = static_cast<Real>(kind.strength) / 1000,
                     .key = static_cast<std::uint32_t>(cell.row * kColumns + cell.column),
                     .support = kind.support};
         if (kind.support == Support::Boss) {
-            block.local = centerOf(cell); // m, world; until buildBoss()
+            block.local = centerOf(cell); // m, world; until buildBoss(game)
         } else {
-            block.body = world_.add(blockDef(kind, centerOf(cell)));
+            block.body = game.world.add(blockDef(kind, centerOf(cell)));
         }
         if (kind.support == Support::Hanging) {
-            hang(block);
+            hang(game, block);
         }
-        addBlock(block);
+        addBlock(game, block);
     }
 }
 
 /// Appends a block that has its body, unless it belongs to the boss.
-void Game::addBlock(Block block) {
+void addBlock(GameState& game, Block block) {
     if (block.support == Support::Standing || block.support == Support::Moving) {
-        kodo::BodyRef body = world_[block.body];
+        kodo::BodyRef body = game.world[block.body];
         body.setType(kodo::BodyType::Dynamic);
         body.setFlags(flagsOf(Role::Block) | kStands);
         body.setMaterial(kStandingMaterial);
         block.home = body.transform();
     }
-    blocks_.push_back(block);
-    blocksAtStart_ += block.kind.breakable() ? 1 : 0;
-    blocksLeft_ = blocksAtStart_;
+    game.blocks.push_back(block);
+    game.counts.blocksAtStart += block.kind.breakable() ? 1 : 0;
+    game.counts.blocksLeft = game.counts.blocksAtStart;
 }
 
-void Game::buildFreeBlocks() {
-    if (!level_->freeBlocks.empty()) { // a tower sinks less into itself
-        kodo::StepSettings settings = world_.settings();
+void buildFreeBlocks(GameState& game) {
+    if (!game.level->freeBlocks.empty()) { // a tower sinks less into itself
+        kodo::StepSettings settings = game.world.settings();
         settings.soft().contactHertz = kBuildingHertz;
-        world_.setSettings(settings);
+        game.world.setSettings(settings);
     }
-    for (std::size_t i = 0; i < level_->freeBlocks.size(); ++i) {
-        const FreeBlock& def = level_->freeBlocks[i];
-        const BlockKind& kind = level_->kinds[def.kind];
-        addBlock({.body = world_.add(blockDef(kind, placedShapeOf(def))),
-                  .kind = kind,
-                  .strengthLeft = static_cast<Real>(kind.strength) / 1000,
-                  .key = keyOfFree(i),
-                  .support = kind.support});
+    for (std::size_t i = 0; i < game.level->freeBlocks.size(); ++i) {
+        const FreeBlock& def = game.level->freeBlocks[i];
+        const BlockKind& kind = game.level->kinds[def.kind];
+        addBlock(game, {.body = game.world.add(blockDef(kind, placedShapeOf(def))),
+                        .kind = kind,
+                        .strengthLeft = static_cast<Real>(kind.strength) / 1000,
+                        .key = keyOfFree(i),
+                        .support = kind.support});
     }
 }
 
-void Game::buildLinks() {
-    const std::size_t first = level_->cells.size(); // free blocks follow those of the grid
+void buildLinks(GameState& game) {
+    const std::size_t first = game.level->cells.size(); // free blocks follow those of the grid
     const auto bodyOf = [&](std::int32_t index, Vec2 place) {
-        return index < 0 ? world_.add(pivotDef(place))
-                         : blocks_[first + static_cast<std::size_t>(index)].body;
+        return index < 0 ? game.world.add(pivotDef(place))
+                         : game.blocks[first + static_cast<std::size_t>(index)].body;
     };
-    for (const LinkDef& def : level_->links) {
+    for (const LinkDef& def : game.level->links) {
         const Vec2 place{static_cast<Real>(def.fromX) / 1000, static_cast<Real>(def.fromY) / 1000};
         const BodyId a = bodyOf(def.a, place);
         const BodyId b = bodyOf(def.b, place);
-        const kodo::World& world = world_;
+        const kodo::World& world = game.world;
         const kodo::JointDef joint = jointOf(def, world[a], world[b]);
         const kodo::JointId id =
-            std::visit([&](const auto& alternative) { return world_.add(alternative); }, joint);
-        links_.push_back({def.kind,
-                          id, // its end at b
-                          {static_cast<Real>(def.toX) / 1000, static_cast<Real>(def.toY) / 1000}});
+            std::visit([&](const auto& alternative) { return game.world.add(alternative); }, joint);
+        game.links.push_back(
+            {def.kind,
+             id, // its end at b
+             {static_cast<Real>(def.toX) / 1000, static_cast<Real>(def.toY) / 1000}});
     }
 }
 
-void Game::hang(Block& block) {
+void hang(GameState& game, Block& block) {
     const Vec2 up{0, static_cast<Real>(block.kind.arm) / 1000};
-    kodo::BodyRef body = world_[block.body];
+    kodo::BodyRef body = game.world[block.body];
     body.setType(kodo::BodyType::Dynamic);
     body.setFlags(flagsOf(Role::Block) | kFalls);
-    block.pin = world_.add(pinDef(body.position() + up));
-    world_.add(kodo::RevoluteJoint{.ends = {.a = block.pin, .b = block.body, .anchorB = up},
-                                   .motorTorque = kHingeTorque});
+    block.pin = game.world.add(pinDef(body.position() + up));
+    game.world.add(kodo::RevoluteJoint{.ends = {.a = block.pin, .b = block.body, .anchorB = up},
+                                       .motorTorque = kHingeTorque});
 }
 
-void Game::buildBoss() {
+void buildBoss(GameState& game) {
     Vec2 low{kFieldWidth, kFieldHeight};
     Vec2 high{-kFieldWidth, 0};
-    for (const Block& block : blocks_) {
+    for (const Block& block : game.blocks) {
         if (block.support == Support::Boss) {
             low = {std::min(low.x, block.local.x), std::min(low.y, block.local.y)};
             high = {std::max(high.x, block.local.x), std::max(high.y, block.local.y)};
         }
     }
     const Vec2 middle = (low + high) / Real(2);
-    bossHome_ = middle.x;
-    for (Block& block : blocks_) {
+    game.boss.home = middle.x;
+    for (Block& block : game.blocks) {
         if (block.support != Support::Boss) {
             continue;
         }
         block.local -= middle;
         kodo::BodyDef def = blockDef(block.kind, middle);
         const kodo::Box box{kCellWidth, kCellHeight, block.local};
-        if (world_.contains(boss_)) {
-            block.part = world_.weld(boss_, box, def.material, def.density);
+        if (game.world.contains(game.boss.body)) {
+            block.part = game.world.weld(game.boss.body, box, def.material, def.density);
         } else {
             def.shape = box;
-            boss_ = world_.add(def);
+            game.boss.body = game.world.add(def);
         }
-        block.body = boss_;
+        block.body = game.boss.body;
     }
 }
 
-void Game::buildObstructions() {
-    for (const ObstructionDef& def : level_->obstructions) {
-        Obstruction obstruction{.kind = def.kind, .body = world_.add(obstructionDef(def))};
+void buildObstructions(GameState& game) {
+    for (const ObstructionDef& def : game.level->obstructions) {
+        Obstruction obstruction{.kind = def.kind, .body = game.world.add(obstructionDef(def))};
         const auto speed = static_cast<Real>(def.speed) / 1000;
         if (def.kind == ObstructionKind::Bumper) {
             obstruction.kick = speed;
         }
         if (def.kind == ObstructionKind::Motor) {
-            obstruction.pivot = world_.add(pivotDef(world_[obstruction.body].position()));
-            world_.add(kodo::RevoluteJoint{.ends = {.a = obstruction.pivot, .b = obstruction.body},
-                                           .motorSpeed = speed,
-                                           .motorTorque = kMotorTorque});
+            obstruction.pivot = game.world.add(pivotDef(game.world[obstruction.body].position()));
+            game.world.add(
+                kodo::RevoluteJoint{.ends = {.a = obstruction.pivot, .b = obstruction.body},
+                                    .motorSpeed = speed,
+                                    .motorTorque = kMotorTorque});
         }
-        obstructions_.push_back(obstruction);
+        game.obstructions.push_back(obstruction);
     }
 }
 
-void Game::driveBoss() {
-    if (!boss() || level_->bossSpeed == 0) {
+void driveBoss(GameState& game) {
+    if (!game.livingBoss() || game.level->bossSpeed == 0) {
         return;
     }
-    kodo::BodyRef body = world_[boss_];
+    kodo::BodyRef body = game.world[game.boss.body];
     const kodo::Aabb bounds = body.bounds();
     const Vec2 place = body.position();
-    const auto drift = static_cast<Real>(level_->bossDrift) / 1000;
+    const auto drift = static_cast<Real>(game.level->bossDrift) / 1000;
     // The walls limit the amplitude.
-    const Real left = std::max(bossHome_ - drift, place.x - bounds.lower.x - kFieldWidth / 2);
-    const Real right = std::min(bossHome_ + drift, place.x - bounds.upper.x + kFieldWidth / 2);
-    const Real way = static_cast<Real>(bossWay_ * level_->bossSpeed) / 1000 * kTickSeconds;
+    const Real left = std::max(game.boss.home - drift, place.x - bounds.lower.x - kFieldWidth / 2);
+    const Real right = std::min(game.boss.home + drift, place.x - bounds.upper.x + kFieldWidth / 2);
+    const Real way = static_cast<Real>(game.boss.way * game.level->bossSpeed) / 1000 * kTickSeconds;
     const Real next = std::clamp(place.x + way, std::min(left, place.x), std::max(right, place.x));
     if (next <= left || next >= right) {
-        bossWay_ = next <= left ? 1 : -1;
+        game.boss.way = next <= left ? 1 : -1;
     }
     body.moveTo({next, place.y}, kTickSeconds);
 }
 
-std::optional<BodyId> Game::boss() const {
-    const bool lives = std::any_of(blocks_.begin(), blocks_.end(), [](const Block& block) {
-        return block.support == Support::Boss;
-    });
-    return lives ? std::optional(boss_) : std::nullopt;
+void buildScene(GameState& game) {
+    buildField(game);
+    buildBlocks(game);
+    buildBoss(game);
+    buildObstructions(game);
+    buildFreeBlocks(game);
+    buildLinks(game);
 }
 
 } // namespace apart

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -82,6 +83,22 @@ enum class BallKind : std::uint8_t {
 };
 inline constexpr std::array<std::string_view, 5> kBallKindNames = {"round", "heavy", "lopsided",
                                                                    "egg", "rough"};
+
+/// Kind that a power gives to all balls; nullopt: it does not change them.
+constexpr std::optional<BallKind> ballKindOf(Power power) {
+    switch (power) {
+    case Power::Heavy:
+        return BallKind::Heavy;
+    case Power::Lopsided:
+        return BallKind::Lopsided;
+    case Power::Egg:
+        return BallKind::Egg;
+    case Power::Rough:
+        return BallKind::Rough;
+    default:
+        return std::nullopt;
+    }
+}
 
 /// How the paddle is mounted on its carriage.
 enum class PaddleKind : std::uint8_t {

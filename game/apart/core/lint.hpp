@@ -25,6 +25,7 @@ struct BotRun {
     std::uint32_t quietTicks = 0;  // in gaps longer than kQuietGap
     std::uint32_t faults = 0;      // halts, escapes, bent paths
     std::size_t mostBodies = 0;
+    double cleared = 0;     // 0..1, share of the blocks that broke or fell
     std::uint64_t work = 0; // bodies and contacts visited, summed over all ticks
 };
 /// Plays until the game ends or `mostTicks` have passed.

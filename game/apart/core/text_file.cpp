@@ -125,6 +125,14 @@ std::string FileProblem::text() const {
     return printable(text += reason);
 }
 
+std::vector<std::string> FileProblem::texts() const {
+    std::vector<std::string> all = {text()};
+    for (const auto& [otherLine, otherReason] : more) {
+        all.push_back(FileProblem{file, otherLine, otherReason}.text());
+    }
+    return all;
+}
+
 Read<std::string> readTextFile(const std::filesystem::path& path, std::size_t limit) {
     const auto wrong = [&](std::string reason) {
         return FileProblem{path.string(), 0, std::move(reason)};

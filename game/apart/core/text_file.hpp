@@ -7,7 +7,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace apart {
 
@@ -16,9 +18,12 @@ struct FileProblem {
     std::string file;
     int line = 0; // from 1; 0: the file as a whole
     std::string reason;
+    std::vector<std::pair<int, std::string>> more{}; // further errors: line and reason
 
-    /// "levels/arch.toml:12: the reason", printable.
+    /// "levels/arch.toml:12: the reason", printable. Of the first error.
     std::string text() const;
+    /// The text of each error.
+    std::vector<std::string> texts() const;
 };
 
 /// The text for a terminal: every control character (C0, C1, DEL), bidirectional mark, line

@@ -72,8 +72,16 @@ Read<toml::table> parseToml(std::string_view text, const std::string& file) {
 }
 
 void TomlKeys::fail(int line, std::string reason) {
+    constexpr std::size_t kMost = 20;
     if (!problem_) {
         problem_ = FileProblem{file_, line, std::move(reason)};
+        return;
+    }
+    const auto sameLine = [&](const auto& known) { return known.first == line; };
+    const bool told = problem_->line == line || // the first error of a line may cause others
+                      std::any_of(problem_->more.begin(), problem_->more.end(), sameLine);
+    if (!told && problem_->more.size() < kMost) {
+        problem_->more.emplace_back(line, std::move(reason));
     }
 }
 

@@ -12,7 +12,7 @@ namespace apart {
 using kodo::Real;
 
 // To be raised whenever the same inputs give another game. Older replays are then refused.
-inline constexpr std::uint32_t kRulesVersion = 21;
+inline constexpr std::uint32_t kRulesVersion = 22;
 
 inline constexpr int kTicksPerSecond = 120;
 inline constexpr Real kTickSeconds = Real(1) / 120;
@@ -53,9 +53,9 @@ inline constexpr Real kSwallowed = Real(0.7);      // share of speed; a slower b
 inline constexpr std::uint32_t kCarriedTicks = 20; // slow on a dynamic body; then thrown off
 // After this time without damage a ball above this height flies faster, so that a miss costs
 // little.
-inline constexpr std::uint32_t kQuickTicks = 144; // 1.2 s
+inline constexpr std::uint32_t kQuickTicks = 108; // 0.9 s
 inline constexpr Real kQuickHeight = 4;           // m
-inline constexpr Real kQuickFactor = Real(1.6);
+inline constexpr Real kQuickFactor = Real(1.65);
 inline constexpr Real kHaltSpeed = Real(0.1);        // m/s; below it the last heading is kept
 inline constexpr Real kFlatSine = Real(0.1908090);   // sine of 11 degrees
 inline constexpr Real kFlatCosine = Real(0.9816272); // cosine of 11 degrees

@@ -166,7 +166,11 @@ CLI::App* addLint(CLI::App& app, LintCommand& lint) {
     command
         ->add_option("--ticks", lint.options.mostTicks, "Longest game in ticks, 36000 unless given")
         ->check(CLI::Range(1u, kLongestReplay));
-    command->add_flag("--json", lint.json, "Print one JSON object");
+    auto* json = command->add_flag("--json", lint.json, "Print one JSON object");
+    command
+        ->add_flag("--difficulty", lint.difficulty,
+                   "Instead, what bots of each skill win, and how difficulty rises level by level")
+        ->excludes(json);
     return command;
 }
 
@@ -265,7 +269,7 @@ int run(int argc, char** argv) {
         return runHash(checks.hashed);
     }
     if (lintCommand->parsed()) {
-        return runLint(checks.lint);
+        return checks.lint.difficulty ? runDifficulty(checks.lint) : runLint(checks.lint);
     }
     if (soakCommand->parsed()) {
         return runSoak(checks.soak);

@@ -19,7 +19,11 @@ struct Refusal {
 template <typename T>
 T valueOrRefuse(Read<T> read) {
     if (const auto* problem = std::get_if<FileProblem>(&read)) {
-        throw Refusal{problem->text()};
+        std::string all;
+        for (const std::string& text : problem->texts()) {
+            all += (all.empty() ? "" : "\n") + text;
+        }
+        throw Refusal{all};
     }
     return std::get<T>(std::move(read));
 }

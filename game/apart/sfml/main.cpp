@@ -66,6 +66,10 @@ int play(StageDef def, const Options& options) {
         if (controls.takeInspect()) {
             inspector.toggle();
         }
+        if (controls.takeFullScreen()) {
+            window.toggleFullScreen();
+            window.setPointerVisible(stage.wantsPointer());
+        }
         canvas.setSize(window.size());
         stage.draw(canvas);
         inspector.draw(canvas, stage.game());

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <memory>
 #include <random>
+#include <utility>
 
 namespace apart {
 
@@ -20,27 +21,99 @@ Pilot pilotOf(const Replay& replay) {
         if (game.ticks() >= replay.end) {
             return std::nullopt;
         }
-        const auto later = std::upper_bound(
-            replay.inputs.begin(), replay.inputs.end(), game.ticks(),
-            [](std::uint32_t tick, const InputChange& change) { return tick < change.tick; });
-        return later == replay.inputs.begin() ? Input{} : std::prev(later)->input;
+        return inputAt(replay, game.ticks());
     };
 }
 
-/// All levels, or the problem of the first invalid one, as a sentence.
-std::variant<std::vector<std::shared_ptr<const Level>>, std::string> readLevels() {
-    std::vector<std::shared_ptr<const Level>> levels;
+/// All valid levels of the game. Each error of the others is a notice.
+LevelList readLevels(std::vector<std::string>& notices) {
+    LevelList levels;
     for (const std::string& name : levelNames()) {
         Read<Level> level = loadLevel(name);
         if (const auto* problem = std::get_if<FileProblem>(&level)) {
-            return problem->text();
+            notices.push_back(problem->text() + ". The level is left out.");
+        } else {
+            levels.push_back(std::make_shared<const Level>(std::get<Level>(std::move(level))));
         }
-        levels.push_back(std::make_shared<const Level>(std::get<Level>(std::move(level))));
-    }
-    if (levels.empty()) {
-        return "There are no levels in " + (assetsFolder() / "levels").string() + ".";
     }
     return levels;
+}
+
+/// Adds the valid levels of the player's folder, by name. Each of the others is a notice.
+void addOwnLevels(StageDef& def, const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    std::error_code error;
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        if (entry->path().extension() == ".toml") {
+            files.push_back(entry->path());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    for (const std::filesystem::path& file : files) {
+        Read<Level> read = readLevelFile(file);
+        if (const auto* problem = std::get_if<FileProblem>(&read)) {
+            def.notices.push_back(problem->text() + ". The level is left out.");
+            continue;
+        }
+        auto level = std::make_shared<const Level>(std::get<Level>(std::move(read)));
+        const bool taken =
+            std::any_of(def.levels.begin(), def.levels.end(),
+                        [&](const auto& other) { return other->name == level->name; });
+        if (taken) {
+            def.notices.push_back(file.string() + ": the game has a level " + level->name +
+                                  " already. The level is left out.");
+        } else {
+            def.levels.push_back(std::move(level));
+        }
+    }
+}
+
+/// Reads a level file again whenever it has changed.
+class LevelWatch {
+public:
+    explicit LevelWatch(std::filesystem::path file) : file_(std::move(file)) { look(); }
+
+    /// The level, or its errors; nullopt while the file stays as it is.
+    std::optional<LevelChange> operator()() {
+        if (!look()) {
+            return std::nullopt;
+        }
+        Read<Level> read = readLevelFile(file_);
+        if (const auto* problem = std::get_if<FileProblem>(&read)) {
+            return LevelChange{nullptr, problem->texts()};
+        }
+        return LevelChange{std::make_shared<const Level>(std::get<Level>(std::move(read))), {}};
+    }
+
+private:
+    bool look() {
+        std::error_code error;
+        const auto time = std::filesystem::last_write_time(file_, error);
+        return !error && std::exchange(time_, time) != time;
+    }
+
+    std::filesystem::path file_;
+    std::filesystem::file_time_type time_{};
+};
+
+/// Starts with the level of a file, wherever it is, and follows its changes.
+std::string takeLevelFile(StageDef& def, const std::filesystem::path& file) {
+    Read<Level> read = readLevelFile(file);
+    if (const auto* problem = std::get_if<FileProblem>(&read)) {
+        std::string all;
+        for (const std::string& text : problem->texts()) {
+            all += (all.empty() ? "" : "\n") + text;
+        }
+        return all;
+    }
+    auto level = std::make_shared<const Level>(std::get<Level>(std::move(read)));
+    std::erase_if(def.levels, [&](const auto& other) { return other->name == level->name; });
+    def.levels.push_back(std::move(level));
+    def.firstLevel = def.levels.size() - 1;
+    def.startAtOnce = true;
+    def.reload = LevelWatch(file);
+    return {};
 }
 
 /// Returns the reason if the level cannot be used, else "".
@@ -56,7 +129,8 @@ std::string takeLevel(StageDef& def, const std::string& name) {
     return {};
 }
 
-std::string takeReplay(StageDef& def, const std::string& file) {
+/// The show of a replay file, or the reason why it cannot be played.
+std::variant<Show, std::string> showOf(const std::filesystem::path& file) {
     const Read<Replay> read = readReplayFile(file);
     if (const auto* problem = std::get_if<FileProblem>(&read)) {
         return problem->text();
@@ -67,11 +141,47 @@ std::string takeReplay(StageDef& def, const std::string& file) {
         return problem->text();
     }
     if (const auto problem = refusal(replay, std::get<Level>(level))) {
-        return *problem;
+        return file.string() + " " + *problem + ".";
     }
-    def.show = Show{std::make_shared<const Level>(std::get<Level>(std::move(level))), replay.seed,
-                    replay.mode, pilotOf(replay)};
+    return Show{std::make_shared<const Level>(std::get<Level>(std::move(level))), replay.seed,
+                replay.mode, pilotOf(replay), replay.end};
+}
+
+std::string takeReplay(StageDef& def, const std::string& file) {
+    std::variant<Show, std::string> show = showOf(file);
+    if (auto* problem = std::get_if<std::string>(&show)) {
+        return std::move(*problem);
+    }
+    def.show = std::get<Show>(std::move(show));
     return {};
+}
+
+/// The replays of the player: the last game, then the best ones, the latest first.
+std::vector<ShowEntry> replaysIn(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::vector<std::filesystem::path> files;
+    for (std::filesystem::directory_iterator entry(folder / "best", error), end;
+         !error && entry != end; entry.increment(error)) {
+        if (entry->path().extension() == ".replay") {
+            files.push_back(entry->path());
+        }
+    }
+    const auto timeOf = [](const std::filesystem::path& file) {
+        std::error_code unread;
+        return std::filesystem::last_write_time(file, unread);
+    };
+    std::sort(files.begin(), files.end(),
+              [&](const auto& a, const auto& b) { return timeOf(a) > timeOf(b); });
+    std::vector<ShowEntry> entries;
+    if (std::filesystem::exists(folder / "last.replay", error)) {
+        files.insert(files.begin(), folder / "last.replay");
+    }
+    for (const std::filesystem::path& file : files) {
+        const bool last = file.filename() == "last.replay";
+        entries.push_back({last ? "the last game" : "best of " + file.stem().string(),
+                           [file] { return showOf(file); }});
+    }
+    return entries;
 }
 
 /// Writes the game to last.replay and, if it is the best of its level and mode, to best/. Endless
@@ -101,11 +211,13 @@ void takeProfile(StageDef& def) {
             "Settings and scores are not kept: neither XDG_CONFIG_HOME nor HOME is set.");
         return;
     }
+    addOwnLevels(def, file->parent_path() / "levels");
     LoadedProfile loaded = loadProfile(*file);
     def.profile = std::move(loaded.profile);
     if (!loaded.notice.empty()) {
         def.notices.push_back(std::move(loaded.notice));
     }
+    def.replays = [folder = file->parent_path()] { return replaysIn(folder); };
     def.keepReplay = [folder = file->parent_path()](const Replay& replay, bool best) {
         return keepReplay(folder, replay, best);
     };
@@ -121,12 +233,11 @@ void takeProfile(StageDef& def) {
 } // namespace
 
 std::variant<StageDef, std::string> setUp(const Options& options) {
-    auto levels = readLevels();
-    if (auto* problem = std::get_if<std::string>(&levels)) {
-        return std::move(*problem);
-    }
     StageDef def;
-    def.levels = std::get<0>(std::move(levels));
+    def.levels = readLevels(def.notices);
+    if (def.levels.empty()) {
+        return "There are no levels in " + (assetsFolder() / "levels").string() + ".";
+    }
     def.bot = [](const Game& game) { return std::optional(bot(game)); };
     const bool picture = !options.screenshot.empty() || options.frames > 0;
     if (!picture) { // a picture does not depend on the profile
@@ -140,6 +251,8 @@ std::variant<StageDef, std::string> setUp(const Options& options) {
     } else if (const auto row = parseEndless(options.level)) {
         endless = options.level == "endless" ? endless : *row;
         def.firstEndless = endless.number;
+    } else if (options.level.ends_with(".toml")) {
+        problem = takeLevelFile(def, options.level);
     } else if (!options.level.empty()) {
         problem = takeLevel(def, options.level);
     }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <apart/sfml/sfml_controls.hpp>
 
+#include <SFML/Window/Joystick.hpp>
+
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -33,7 +37,45 @@ constexpr std::array<std::pair<Key, Command>, 17> kKeys = {{
 constexpr std::array<Key, 8> kHeldKeys = {Key::Left, Key::A, Key::Right, Key::D,
                                           Key::Down, Key::S, Key::Up,    Key::W};
 
+// Buttons of a gamepad in the order of most drivers: A B X Y, two shoulders, back, start.
+constexpr std::array<Command, 8> kPadButtons = {Command::Launch,  Command::Back, Command::Next,
+                                                Command::Mute,    Command::Up,   Command::Down,
+                                                Command::Restart, Command::Pause};
+constexpr unsigned kPadPull = 4; // held: the left shoulder pulls, the right one pushes
+constexpr unsigned kPadPush = 5;
+constexpr float kDeadZone = 0.2f; // share of the way of a stick
+
+/// -1..1, from the end of the dead zone on.
+Real beyondDeadZone(float share) {
+    const float way = std::max(std::abs(share) - kDeadZone, 0.0f) / (1 - kDeadZone);
+    return static_cast<Real>(share < 0 ? -way : way);
+}
+
 } // namespace
+
+/// Sticks and held buttons of the first gamepad.
+void SfmlControls::pollPad(Signals& signals) {
+    constexpr unsigned kPad = 0;
+    using sf::Joystick;
+    if (!window_.hasFocus() || !Joystick::isConnected(kPad)) {
+        return;
+    }
+    signals.stick = beyondDeadZone(Joystick::getAxisPosition(kPad, Joystick::X) / 100);
+    signals.pullHeld = signals.pullHeld || Joystick::isButtonPressed(kPad, kPadPull);
+    signals.pushHeld = signals.pushHeld || Joystick::isButtonPressed(kPad, kPadPush);
+    const Real x = beyondDeadZone(Joystick::getAxisPosition(kPad, Joystick::PovX) / 100);
+    const Real y = beyondDeadZone(Joystick::getAxisPosition(kPad, Joystick::PovY) / 100);
+    signals.stick = x != 0 ? x : signals.stick;
+    const std::array<int, 2> tilt = {x == 0 ? 0 : x < 0 ? -1 : 1, y == 0 ? 0 : y < 0 ? -1 : 1};
+    if (tilt != padTilt_) { // a menu moves once per press
+        padTilt_ = tilt;
+        if (tilt[1] != 0) {
+            signals.commands.push_back(tilt[1] < 0 ? Command::Up : Command::Down);
+        } else if (tilt[0] != 0) {
+            signals.commands.push_back(tilt[0] < 0 ? Command::Left : Command::Right);
+        }
+    }
+}
 
 Signals SfmlControls::poll() {
     Signals signals;
@@ -45,6 +87,7 @@ Signals SfmlControls::poll() {
     signals.pullHeld = held_[4] || held_[5] || buttons_[0];
     signals.pushHeld = held_[6] || held_[7] || buttons_[1];
     signals.pointerNow = pointer_;
+    pollPad(signals);
     recentre();
     return signals;
 }
@@ -105,10 +148,20 @@ void SfmlControls::take(const sf::Event& event, Signals& signals) {
         return;
     case sf::Event::KeyPressed:
         signals.anyKey = true;
+        if (event.key.code == Key::F11 || (event.key.alt && event.key.code == Key::Enter)) {
+            fullScreen_ = true;
+            return;
+        }
         hold(event.key.code, true);
         return press(event.key.code, signals);
     case sf::Event::KeyReleased:
         return hold(event.key.code, false);
+    case sf::Event::JoystickButtonPressed:
+        signals.anyKey = true;
+        if (event.joystickButton.button < kPadButtons.size()) {
+            signals.commands.push_back(kPadButtons[event.joystickButton.button]);
+        }
+        return;
     case sf::Event::MouseMoved:
         return move({event.mouseMove.x, event.mouseMove.y}, signals);
     case sf::Event::MouseButtonPressed:
@@ -148,6 +201,17 @@ void SfmlControls::hold(sf::Mouse::Button button, bool down) {
     if (button == sf::Mouse::Left || button == sf::Mouse::Right) {
         buttons_[button == sf::Mouse::Left ? 0 : 1] = down;
     }
+}
+
+bool SfmlControls::takeFullScreen() {
+    const bool taken = std::exchange(fullScreen_, false);
+    if (taken) { // the new window knows no keys that are held
+        held_ = {};
+        buttons_ = {};
+        recentred_.reset();
+        focused_ = false;
+    }
+    return taken;
 }
 
 bool SfmlControls::takeInspect() {

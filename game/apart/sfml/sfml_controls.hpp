@@ -12,8 +12,8 @@
 
 namespace apart {
 
-/// Keys and mouse of a window. The state of keys follows events, so that only keys pressed in the
-/// window count.
+/// Keys and mouse of a window, and a gamepad. The state of keys follows events, so that only keys
+/// pressed in the window count.
 class SfmlControls : public Controls {
 public:
     SfmlControls(kodo_sfml::Window& window, const SfmlCanvas& canvas)
@@ -23,6 +23,8 @@ public:
     void capture(bool on) override;
     /// True if F3, which toggles the Inspector, was pressed since the last call.
     bool takeInspect();
+    /// True if F11 or alt and enter were pressed since the last call.
+    bool takeFullScreen();
 
 private:
     void take(const sf::Event& event, Signals& signals);
@@ -31,6 +33,7 @@ private:
     void hold(sf::Mouse::Button button, bool down);
     void move(sf::Vector2i place, Signals& signals);
     void recentre();
+    void pollPad(Signals& signals);
 
     kodo_sfml::Window& window_;
     const SfmlCanvas& canvas_;
@@ -42,6 +45,8 @@ private:
     sf::Vector2i last_;                     // pixels; last place of the mouse
     std::optional<sf::Vector2i> recentred_; // pixels; place set, while its event is pending
     bool inspect_ = false;
+    bool fullScreen_ = false;
+    std::array<int, 2> padTilt_{}; // -1, 0 or 1 along x and y of the directional pad
 };
 
 } // namespace apart

@@ -43,8 +43,8 @@ void paintLevel(Canvas& canvas, const Game& game, const HudLook& look) {
                     {Real(0.42), palette::kAccent, Typeface::Bold, Align::Right});
     }
     Real y = Real(15.3);
-    for (const std::string& line : wrapped(game.level().title, 13)) {
-        canvas.text(line, {kPanelLeft, y}, strong(Real(0.58)));
+    for (const std::string& line : wrapped(game.level().title, 12)) {
+        canvas.text(line, {kPanelLeft, y}, strong(line.size() > 10 ? Real(0.52) : Real(0.58)));
         y -= Real(0.72);
     }
 }

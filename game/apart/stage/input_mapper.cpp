@@ -23,7 +23,8 @@ void InputMapper::take(const Signals& signals, kodo::Real paddleX, kodo::Real sp
         held_ = held;
         speed_ = kFirstSpeed;
     }
-    if (signals.leftHeld || signals.rightHeld) {
+    stick_ = signals.stick;
+    if (signals.leftHeld || signals.rightHeld || stick_ != 0) {
         target_.reset();
     } else if (signals.moved != 0) {
         const kodo::Real from = target_.value_or(paddleX);
@@ -36,7 +37,8 @@ void InputMapper::take(const Signals& signals, kodo::Real paddleX, kodo::Real sp
 
 Input InputMapper::next() {
     Input input;
-    input.paddle = static_cast<std::int8_t>(held_ * speed_);
+    const int keys = held_ * speed_;
+    input.paddle = static_cast<std::int8_t>(keys != 0 ? keys : static_cast<int>(127 * stick_));
     if (target_) {
         input.target = static_cast<std::int16_t>(1000 * *target_);
     }

@@ -4,6 +4,8 @@
 #include <apart/core/input.hpp>
 #include <apart/stage/controls.hpp>
 
+#include <optional>
+
 namespace apart {
 
 /// Maps held keys and mouse displacements to the input of each tick. Mouse displacements move a
@@ -23,8 +25,9 @@ public:
     void letGo() { *this = {}; }
 
 private:
-    int held_ = 0;  // -1 left, 1 right
-    int speed_ = 0; // 0..127, while a key is held
+    int held_ = 0;         // -1 left, 1 right
+    int speed_ = 0;        // 0..127, while a key is held
+    kodo::Real stick_ = 0; // -1..1
     Force force_ = Force::None;
     bool launch_ = false;
     bool pullSpent_ = false;

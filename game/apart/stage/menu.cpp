@@ -68,7 +68,7 @@ std::optional<MenuOutcome> Menu::take(Command command) {
         return item.action == Action::Mode ? std::optional(MenuOutcome{item.action}) : std::nullopt;
     case Command::Launch:
     case Command::Confirm:
-        return item.gauge ? std::nullopt : std::optional(MenuOutcome{item.action});
+        return item.gauge ? std::nullopt : std::optional(MenuOutcome{item.action, item.dial});
     default:
         return std::nullopt;
     }
@@ -81,7 +81,7 @@ std::optional<MenuOutcome> Menu::click(Vec2 place) const {
     }
     const MenuItem& item = items_[*found];
     if (!item.gauge) {
-        return MenuOutcome{item.action};
+        return MenuOutcome{item.action, item.dial};
     }
     const Aabb range = bar(*found);
     if (place.x < range.lower.x) {

@@ -16,6 +16,9 @@ enum class Action : std::uint8_t {
     Levels,
     Endless,
     Mode, // toggles standard and pure
+    Replays,
+    Replay, // MenuItem::dial is its index
+    Help,
     Options,
     Quit,
     Resume,

@@ -25,6 +25,7 @@ struct Best {
 struct Profile {
     Settings settings{};
     Mode mode = Mode::Standard; // last choice
+    bool muted = false;
     /// Indexed by Mode, then by level name: scores of different modes are never compared.
     std::array<std::map<std::string, Best>, kModeNames.size()> best{};
 

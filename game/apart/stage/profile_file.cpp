@@ -78,6 +78,8 @@ private:
                              [name = key.str()](const Dial& d) { return d.key == name; });
             if (key == "pure") {
                 profile_.mode = truth(*table, "pure") ? Mode::Pure : Mode::Standard;
+            } else if (key == "muted") {
+                profile_.muted = truth(*table, "muted");
             } else if (dial != kDials.end()) {
                 profile_.settings.*dial->value = number(*table, dial->key, dial->least, dial->most);
             } else {
@@ -198,7 +200,7 @@ std::string toText(const Profile& profile) {
     for (const Dial& dial : kDials) {
         text += fmt::format("{} = {}\n", dial.key, profile.settings.*dial.value);
     }
-    text += fmt::format("pure = {}\n", profile.mode == Mode::Pure);
+    text += fmt::format("pure = {}\nmuted = {}\n", profile.mode == Mode::Pure, profile.muted);
     for (std::size_t i = 0; i < kTables.size(); ++i) {
         for (const auto& [level, best] : profile.best[i]) {
             text += fmt::format("\n[{}.{}]\nscore = {}\ncleared = {}\nunhurt = {}\nchain = {}\n",

@@ -15,13 +15,45 @@ namespace {
 
 constexpr double kCountSeconds = 1.2; // duration of the score counter
 
-void line(Canvas& canvas, Real y, std::string_view name, const std::string& value) {
-    canvas.text(name, {Real(-0.3), y}, {Real(0.5), palette::kQuiet, Typeface::Plain, Align::Right});
-    canvas.text(value, {Real(0.3), y}, {Real(0.5), palette::kText, Typeface::Bold});
+std::string countText(int count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-std::string countText(int blocks) {
-    return blocks == 0 ? "-" : fmt::format("{} block{}", blocks, blocks == 1 ? "" : "s");
+/// The score line by line: what was counted, and its points. The lines add up to the score.
+void paintScoreLines(Canvas& canvas, const ResultsLook& look) {
+    const RunStatistics& run = look.statistics;
+    Real y = Real(10.75);
+    const auto line = [&](std::string_view name, const std::string& count, std::int32_t points) {
+        canvas.text(name, {Real(-2.6), y},
+                    {Real(0.46), palette::kQuiet, Typeface::Plain, Align::Right});
+        canvas.text(count, {Real(-2.2), y}, {Real(0.46), palette::kText, Typeface::Plain});
+        canvas.text(grouped(points), {Real(5.6), y},
+                    {Real(0.46), palette::kText, Typeface::Bold, Align::Right});
+        y -= Real(0.56);
+    };
+    line("broken", countText(run.broken, "block") + fmt::format(", combo {}", run.bestCombo),
+         run.points.broken);
+    if (run.fallen > 0) {
+        line("fallen",
+             countText(run.fallen, "block") + fmt::format(", {} at a blow", run.largestFall),
+             run.points.fallen);
+    }
+    if (run.dropped > 0) {
+        line("dropped", countText(run.dropped, "block"), run.points.dropped);
+    }
+    if (run.caught > 0) {
+        line("caught", countText(run.caught, "part"), run.points.caught);
+    }
+    if (look.game.result() == Result::Won) {
+        line("left", countText(look.game.lives(), "ball"), run.points.lives);
+    }
+    if (look.score != run.points.sum()) {
+        line("before", "earlier levels", look.score - run.points.sum());
+    }
+    const std::uint32_t seconds = run.ticks / kTicksPerSecond;
+    canvas.text(fmt::format("{} of {} blocks in {}:{:02}", run.cleared, look.game.blocksAtStart(),
+                            seconds / 60, seconds % 60),
+                {0, y - Real(0.08)}, {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Middle});
 }
 
 /// A check mark.
@@ -69,24 +101,19 @@ void paintResults(Canvas& canvas, const ResultsLook& look) {
     const auto shown = static_cast<int>(share * look.score);
     canvas.text(grouped(shown), {0, Real(12.3)},
                 {Real(1.6), palette::kText, Typeface::Bold, Align::Middle});
-    canvas.text(look.newBest ? "your best so far" : "points", {0, Real(11.5)},
+    canvas.text(look.newBest ? "your best so far" : "points", {0, Real(11.6)},
                 {Real(0.5), look.newBest ? palette::kAccent : palette::kQuiet, Typeface::Plain,
                  Align::Middle});
-    const std::uint32_t seconds = look.statistics.ticks / kTicksPerSecond;
-    line(canvas, Real(10.6), "blocks cleared",
-         fmt::format("{} of {}", look.statistics.cleared, game.blocksAtStart()));
-    line(canvas, Real(9.95), "largest fall", countText(look.statistics.largestFall));
-    line(canvas, Real(9.3), "best combo", fmt::format("{}", look.statistics.bestCombo));
-    line(canvas, Real(8.65), "time", fmt::format("{}:{:02}", seconds / 60, seconds % 60));
+    paintScoreLines(canvas, look);
     Best best = look.statistics.bestOf(game);
     best.cleared = best.cleared || look.before.cleared;
     best.unhurt = best.unhurt || look.before.unhurt;
     best.chain = best.chain || look.before.chain;
     constexpr std::array<const char*, 3> kHonours = {"cleared", "no ball lost", "chain of 8"};
     const Vec2 step{Real(3.4), 0};
-    paintHonours(canvas, Vec2{0, Real(7.75)} - step, step, Real(0.42), best);
+    paintHonours(canvas, Vec2{0, Real(6.65)} - step, step, Real(0.42), best);
     for (std::size_t i = 0; i < kHonours.size(); ++i) {
-        const Vec2 place = Vec2{0, Real(6.85)} + (static_cast<Real>(i) - 1) * step;
+        const Vec2 place = Vec2{0, Real(5.85)} + (static_cast<Real>(i) - 1) * step;
         canvas.text(kHonours[i], place,
                     {Real(0.4), palette::kQuiet, Typeface::Plain, Align::Middle});
     }

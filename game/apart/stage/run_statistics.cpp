@@ -10,6 +10,22 @@ void RunStatistics::hear(const Game& game) {
     for (const Event& event : game.events()) {
         if (const auto* broke = std::get_if<Broke>(&event)) {
             bestCombo = std::max(bestCombo, broke->combo);
+            points.broken += broke->points;
+            broken += broke->points > 0 ? 1 : 0;
+        } else if (const auto* let = std::get_if<LetGo>(&event)) {
+            points.fallen += let->points;
+            fallen += let->points > 0 ? 1 : 0;
+        } else if (const auto* fell = std::get_if<Fell>(&event)) {
+            points.dropped += fell->points;
+            ++dropped;
+        } else if (std::holds_alternative<Caught>(event)) {
+            points.caught += kCatchPoints;
+            ++caught;
+        } else if (std::holds_alternative<Cleared>(event)) {
+            points.lives = game.lives() * kLifePoints;
+        } else if (const auto* collapse = std::get_if<Collapsed>(&event)) {
+            lastFall = collapse->blocks;
+            lastFallTick = game.ticks();
         }
         lifeLost = lifeLost || std::holds_alternative<LifeLost>(event);
     }

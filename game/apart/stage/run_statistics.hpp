@@ -6,8 +6,26 @@
 
 namespace apart {
 
+/// Points of a game by their source. They add up to its score.
+struct ScoreParts {
+    std::int32_t broken = 0;  // blocks hit to pieces, combo included
+    std::int32_t fallen = 0;  // blocks of buildings, times those of the same collapse
+    std::int32_t dropped = 0; // other blocks that fell out of the field
+    std::int32_t caught = 0;  // parts
+    std::int32_t lives = 0;   // balls left at the end
+
+    std::int32_t sum() const { return broken + fallen + dropped + caught + lives; }
+};
+
 /// Statistics of one game, for the result screen.
 struct RunStatistics {
+    ScoreParts points;
+    int broken = 0; // blocks
+    int fallen = 0;
+    int dropped = 0;
+    int caught = 0;   // parts
+    int lastFall = 0; // blocks of the last collapse
+    std::uint32_t lastFallTick = 0;
     int bestCombo = 0;
     int cleared = 0;     // blocks that broke or fell
     int largestFall = 0; // most blocks of one collapse

@@ -8,10 +8,6 @@ namespace apart {
 
 namespace {
 
-constexpr double kTick = 1.0 / kTicksPerSecond;
-constexpr double kLongestFrame = 0.1;                      // s; longer frames lose the excess
-constexpr int kEndTicks = kTicksPerSecond * 5 / 4;         // from the end of the game to the result
-                                                           // screen
 constexpr double kAttractSeconds = 20;                     // without input
 constexpr std::uint32_t kDemoTicks = 60 * kTicksPerSecond; // until the bot shows the next level
 constexpr const char* kEndlessName = "endless";            // key of endless runs in the profile
@@ -44,66 +40,57 @@ std::size_t Stage::nextToPlay() const {
 
 Settings Stage::audible() const {
     Settings settings = def_.profile.settings;
-    settings.sound = muted_ ? 0 : settings.sound;
+    settings.sound = def_.profile.muted ? 0 : settings.sound;
     return settings;
 }
 
-void Stage::beginGame(std::shared_ptr<const Level> level) {
-    showing_ = false;
+void Stage::beginGame(std::shared_ptr<const Level> level, Session::Kind kind) {
     enter(
-        std::make_unique<Play>(std::move(level), def_.seed + games_, def_.profile.mode, audible()));
-    ++games_;
-    recorder_.emplace(play_->game());
+        std::make_unique<Play>(std::move(level), def_.seed + games_, def_.profile.mode, audible()),
+        kind);
+    games_ += kind == Session::Kind::Own ? 1 : 0;
 }
 
 void Stage::beginShow() {
-    showing_ = true;
-    enter(std::make_unique<Play>(def_.show->level, def_.show->seed, def_.show->mode, audible()));
+    theatre_.begin();
+    enter(std::make_unique<Play>(def_.show->level, def_.show->seed, def_.show->mode, audible()),
+          Session::Kind::Show);
 }
 
-void Stage::enter(std::unique_ptr<Play> play) {
-    play_ = std::move(play);
+void Stage::enter(std::unique_ptr<Play> play, Session::Kind kind) {
+    keepGame(false);
+    session_.begin(std::move(play), kind);
+    rerun_.reset();
     screen_ = Screen::Playing;
-    recorder_.reset();
-    played_.reset();
-    statistics_ = {};
     inputMapper_.letGo();
-    fanfare_.stop();
-    owed_ = 0;
-    endTicks_ = 0;
 }
 
 void Stage::begin(std::size_t level) {
     level_ = level;
-    endless_ = 0;
-    beginGame(def_.levels[level]);
+    endless_.number = 0;
+    beginGame(def_.levels[level], Session::Kind::Own);
 }
 
 void Stage::beginEndless(std::uint32_t number) {
-    endless_ = number;
-    beginGame(def_.endless(number));
-}
-
-/// Starts a new run of endless levels.
-void Stage::startEndless() {
-    endlessScore_ = 0;
-    beginEndless(std::max(def_.firstEndless, 1u));
+    endless_.number = number;
+    beginGame(def_.endless(number), Session::Kind::Own);
 }
 
 void Stage::again() {
-    if (showing_) {
+    if (showing()) {
         return beginShow();
     }
-    if (endless_ == 0) {
+    if (endless_.number == 0) {
         return begin(level_);
     }
-    startEndless();
+    endless_.score = 0;
+    beginEndless(std::max(def_.firstEndless, 1u));
 }
 
 void Stage::next() {
-    if (endless_ > 0) {
-        endlessScore_ += play_->game().score();
-        beginEndless(endless_ + 1);
+    if (endless_.number > 0) {
+        endless_.score += session_.game().score();
+        beginEndless(endless_.number + 1);
     } else {
         begin(std::min(level_ + 1, def_.levels.size() - 1));
     }
@@ -112,14 +99,14 @@ void Stage::next() {
 /// Starts a game of the bot behind a menu.
 void Stage::demo(std::size_t level) {
     const Screen screen = screen_;
-    begin(level);
-    --games_;
+    level_ = level;
+    endless_.number = 0;
+    beginGame(def_.levels[level], Session::Kind::Demo);
     screen_ = screen;
 }
 
 bool Stage::demoRuns() const {
-    return screen_ == Screen::Title || screen_ == Screen::Levels ||
-           (screen_ == Screen::Options && behindOptions_ == Screen::Title);
+    return session_.kind() == Session::Kind::Demo;
 }
 
 bool Stage::attracting() const {
@@ -131,23 +118,25 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     overSeconds_ += seconds;
     idleSeconds_ += seconds;
     take(signals, speaker);
-    if (screen_ == Screen::Paused || (screen_ == Screen::Options && !demoRuns())) {
+    reloadLevel();
+    const bool menu = screen_ == Screen::Options || screen_ == Screen::Help;
+    if (screen_ == Screen::Paused || (menu && !demoRuns())) {
         return;
     }
-    const double pace = timeScale_.next(play_->game(), seconds) * settings().speed / 100;
-    owed_ += pace * std::min(seconds, kLongestFrame);
-    for (; owed_ >= kTick; owed_ -= kTick) {
+    if (rerun_) {
+        return rerun_->advance(seconds);
+    }
+    session_.elapse(seconds, showing() ? theatre_.pace() : 1, settings());
+    while (session_.takeTick()) {
         tick(speaker);
     }
 }
 
 void Stage::tickDemo() {
     SilentSpeaker silence;
-    const Game& game = play_->game();
-    const std::optional<Input> input = def_.bot ? def_.bot(game) : Input{};
-    play_->tick(input.value_or(Input{}), silence);
-    endTicks_ += game.result() == Result::Playing ? 0 : 1;
-    if (endTicks_ >= kEndTicks || game.ticks() >= kDemoTicks) {
+    const std::optional<Input> input = def_.bot ? def_.bot(game()) : Input{};
+    session_.tick(input.value_or(Input{}), settings(), silence);
+    if (session_.overdue() || game().ticks() >= kDemoTicks) {
         const std::size_t own = level_;
         const std::size_t shown = screen_ == Screen::Levels ? own : demos_++ % def_.levels.size();
         demo(shown);
@@ -160,32 +149,11 @@ void Stage::tick(Speaker& speaker) {
         return tickDemo();
     }
     std::optional<Input> input = inputMapper_.next();
-    if (const Pilot& pilot = showing_ ? def_.show->pilot : def_.pilot) {
-        input = pilot(play_->game());
+    if (const Pilot& pilot = showing() ? def_.show->pilot : def_.pilot) {
+        input = pilot(game());
     }
-    const bool wasPlaying = play_->game().result() == Result::Playing;
-    play_->tick(input.value_or(Input{}), speaker);
-    const Game& game = play_->game();
-    if (recorder_ && wasPlaying) {
-        recorder_->record(input.value_or(Input{}), game);
-        if (game.result() != Result::Playing) {
-            played_ = recorder_->finish(game);
-        }
-    }
-    timeScale_.tick(game, settings());
-    statistics_.hear(game);
-    if (!fanfare_.done()) {
-        play_->celebrate(fanfare_, speaker);
-    }
-    if (input && game.result() == Result::Playing) {
-        return;
-    }
-    if (wasPlaying && game.result() == Result::Won) {
-        fanfare_.begin();
-    }
-    ++endTicks_;
-    const int wait = game.result() == Result::Won ? Fanfare::kTicks : kEndTicks;
-    if (endTicks_ >= wait && screen_ == Screen::Playing) {
+    session_.tick(input, settings(), speaker);
+    if (session_.overdue() && screen_ == Screen::Playing) {
         finish();
     }
 }
@@ -206,29 +174,57 @@ void Stage::note(std::string problem) {
     }
 }
 
+/// Starts the level of a file again when the file has changed, or shows its errors.
+void Stage::reloadLevel() {
+    constexpr double kEvery = 0.5; // s
+    if (!def_.reload || seconds_ < reloadAt_) {
+        return;
+    }
+    reloadAt_ = seconds_ + kEvery;
+    if (std::optional<LevelChange> change = def_.reload()) {
+        faults_ = std::move(change->errors);
+        if (change->level) {
+            def_.levels[def_.firstLevel] = std::move(change->level);
+            select_ = LevelSelect(def_.levels);
+            if (screen_ == Screen::Playing && level_ == def_.firstLevel) {
+                begin(level_);
+            }
+        }
+    }
+}
+
+/// Saves the replay of the player's game, whether it has ended or not. Once per game.
+void Stage::keepGame(bool best) {
+    if (def_.pilot || !def_.keepReplay || !session_.takeUnkept()) {
+        return;
+    }
+    if (const std::optional<Replay> record = session_.record()) {
+        note(def_.keepReplay(*record, best));
+    }
+}
+
 void Stage::finish() {
     screen_ = Screen::Over;
     overSeconds_ = 0;
-    fanfare_.stop();
-    const Game& game = play_->game();
-    const std::string name = endless_ > 0 ? kEndlessName : game.level().name;
-    Best best = statistics_.bestOf(game);
-    best.score += endless_ > 0 ? endlessScore_ : 0;
+    session_.endFanfare();
+    const Game& game = session_.game();
+    const std::string name = endless_.number > 0 ? kEndlessName : game.level().name;
+    Best best = session_.statistics().bestOf(game);
+    best.score += endless_.number > 0 ? endless_.score : 0;
     before_ = def_.profile.bestOf(game.mode(), name);
     newBest_ = false;
-    if (!def_.pilot && !showing_ && game.result() != Result::Playing) {
+    if (!def_.pilot && session_.kind() == Session::Kind::Own && game.result() != Result::Playing) {
         newBest_ = def_.profile.enter(game.mode(), name, best);
         keep();
-        if (def_.keepReplay && played_) {
-            note(def_.keepReplay(*played_, best.score > before_.score));
-        }
+        keepGame(best.score > before_.score);
     }
+    rerun_ = session_.rerun();
     std::vector<MenuItem> items;
-    const bool more = endless_ > 0 || level_ + 1 < def_.levels.size();
-    if (game.result() == Result::Won && more && !showing_) {
+    const bool more = endless_.number > 0 || level_ + 1 < def_.levels.size();
+    if (game.result() == Result::Won && more && !showing()) {
         items.push_back({Action::NextLevel, "Next level"});
     }
-    items.push_back({Action::Restart, showing_ ? "Watch again" : "Play again"});
+    items.push_back({Action::Restart, showing() ? "Watch again" : "Play again"});
     items.push_back({Action::Levels, "All levels"});
     items.push_back({Action::ToTitle, "Title"});
     menu_ = Menu(std::move(items), Real(5.6));

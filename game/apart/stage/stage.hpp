@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <apart/core/replay.hpp>
-#include <apart/stage/fanfare.hpp>
+#include <apart/stage/confirm.hpp>
 #include <apart/stage/hud.hpp>
 #include <apart/stage/input_mapper.hpp>
 #include <apart/stage/level_select.hpp>
 #include <apart/stage/menu.hpp>
-#include <apart/stage/play.hpp>
-#include <apart/stage/run_statistics.hpp>
-#include <apart/stage/time_scale.hpp>
+#include <apart/stage/session.hpp>
+#include <apart/stage/theatre.hpp>
 
 #include <functional>
 #include <memory>
@@ -19,15 +17,10 @@
 
 namespace apart {
 
-/// Replaces the player: input of the next tick, or nothing at its end.
-using Pilot = std::function<std::optional<Input>(const Game&)>;
-
-/// A recorded game to watch. Its level need not be in the level list.
-struct Show {
+/// A level file that has changed: its new content, or its errors.
+struct LevelChange {
     std::shared_ptr<const Level> level;
-    std::uint32_t seed = 1;
-    Mode mode = Mode::Standard;
-    Pilot pilot;
+    std::vector<std::string> errors{};
 };
 
 struct StageDef {
@@ -38,20 +31,29 @@ struct StageDef {
     Profile profile{};
     /// Saves the profile. Returns a sentence for the player on failure, else an empty text.
     std::function<std::string(const Profile&)> save{};
-    /// Saves a finished game of the player; `best` if it has the best score of its level. Returns a
-    /// sentence for the player on failure, else an empty text.
+    /// Saves a game of the player, finished or not; `best` if it has the best score of its level.
+    /// Returns a sentence for the player on failure, else an empty text.
     std::function<std::string(const Replay&, bool best)> keepReplay{};
     std::vector<std::string> notices{}; // shown on the title screen
     /// Number of the endless level to start with; 0: none.
     std::uint32_t firstEndless = 0;
     /// The endless level of a number from 1. Empty if there are no endless levels.
     std::function<std::shared_ptr<const Level>(std::uint32_t)> endless{};
+    /// Called twice a second, if set: the first level, if its file has changed.
+    std::function<std::optional<LevelChange>()> reload{};
+    /// Replays to watch, the latest first.
+    std::function<std::vector<ShowEntry>()> replays{};
     std::optional<Show> show{}; // starts at once; later games are the player's
     Pilot bot{};                // plays behind the title screen, if set
     Pilot pilot{};              // plays all games instead of the player, if set
 };
 
-enum class Screen : std::uint8_t { Title, Levels, Options, Playing, Paused, Over };
+struct EndlessRun {
+    std::uint32_t number = 0; // of the current level; 0: none
+    std::int32_t score = 0;   // of the previous levels
+};
+
+enum class Screen : std::uint8_t { Title, Levels, Options, Replays, Help, Playing, Paused, Over };
 
 /// The application without its window: screens, time, and the effect of input on each screen. All
 /// external dependencies are arguments.
@@ -67,7 +69,7 @@ public:
     bool wantsToQuit() const { return quit_; }
     bool wantsPointer() const { return screen_ != Screen::Playing; }
     Screen screen() const { return screen_; }
-    const Game& game() const { return play_->game(); }
+    const Game& game() const { return session_.game(); }
     const Profile& profile() const { return def_.profile; }
     const Settings& settings() const { return def_.profile.settings; }
     std::size_t levelIndex() const { return level_; }
@@ -82,34 +84,35 @@ private:
     void takeOne(const Signals& signals, Speaker& speaker);
     void takeLevels(const Signals& signals, Speaker& speaker);
     void takePlaying(const Signals& signals);
+    void takeShow(const Signals& signals);
     void takeMenu(const Signals& signals, Speaker& speaker);
     bool takeShortcut(Command command);
     void back();
     void act(const MenuOutcome& outcome);
     void turn(std::size_t dial, int percent);
-    void applySettings();
-    void chirp(Speaker& speaker, bool chosen) const;
 
     // Screens and games.
     void toTitle();
     void toLevels();
     void toOptions();
+    void toReplays();
+    void toHelp();
     void pause();
-    void resume();
     void begin(std::size_t level);
     void beginEndless(std::uint32_t number);
-    void startEndless();
     void beginShow();
-    void beginGame(std::shared_ptr<const Level> level);
-    void enter(std::unique_ptr<Play> play);
+    void beginGame(std::shared_ptr<const Level> level, Session::Kind kind);
+    void enter(std::unique_ptr<Play> play, Session::Kind kind);
     void again();
     void next();
     void demo(std::size_t level);
     std::size_t nextToPlay() const;
-    std::string playLabel() const;
     void tick(Speaker& speaker);
     void tickDemo();
     void finish();
+    void keepGame(bool best);
+    void reloadLevel();
+    bool showing() const { return session_.kind() == Session::Kind::Show; }
     void keep();
     void note(std::string problem);
     Settings audible() const;
@@ -117,38 +120,30 @@ private:
 
     // Pictures (stage_picture.cpp).
     void drawTitle(Canvas& canvas) const;
-    void drawNotices(Canvas& canvas) const;
-    void drawFeast(Canvas& canvas) const;
-    void drawPaused(Canvas& canvas) const;
-    void drawOver(Canvas& canvas) const;
     HudLook hudLook() const;
-    std::string placeOfLevel() const;
 
     StageDef def_;
     Screen screen_ = Screen::Title;
-    Screen behindOptions_ = Screen::Title;
+    Screen behind_ = Screen::Title; // the options or the help
     bool quit_ = false;
     std::size_t level_ = 0;
-    std::uint32_t endless_ = 0;     // number of the current endless level; 0: none
-    std::int32_t endlessScore_ = 0; // of the previous endless levels
-    bool showing_ = false;          // the current game is the recorded one
-    std::uint32_t games_ = 0;       // number of games started by the player
-    std::size_t demos_ = 0;         // number of games started by the bot
-    std::unique_ptr<Play> play_;
-    std::optional<Recorder> recorder_; // of the player's game
-    std::optional<Replay> played_;     // the player's game after its end
-    RunStatistics statistics_;
+    EndlessRun endless_;
+    bool showing_ = false;    // the current game is the recorded one
+    std::uint32_t games_ = 0; // number of games started by the player
+    std::size_t demos_ = 0;   // number of games started by the bot
+    Session session_;
+    std::optional<Rerun> rerun_; // behind the result screen
+    Theatre theatre_;
+    std::vector<ShowEntry> replays_; // of Screen::Replays
+    Confirm confirm_;
+    double reloadAt_ = 0;             // s, of the next look at the file of the level
+    std::vector<std::string> faults_; // of that file
     InputMapper inputMapper_;
     Menu menu_;
     LevelSelect select_;
-    TimeScale timeScale_;
-    Fanfare fanfare_;
-    double owed_ = 0;        // s of game time to be simulated
     double seconds_ = 0;     // s since the start, for animations
     double idleSeconds_ = 0; // s since the last input
     double overSeconds_ = 0; // s since the result screen appeared
-    int endTicks_ = 0;       // since the end of the game
-    bool muted_ = false;
     bool newBest_ = false;
     Best before_{}; // best results of the level before the last game
 };

@@ -2,6 +2,7 @@
 #include <apart/core/endless.hpp>
 #include <apart/core/tuning.hpp>
 #include <apart/stage/backdrop.hpp>
+#include <apart/stage/help.hpp>
 #include <apart/stage/layout.hpp>
 #include <apart/stage/palette.hpp>
 #include <apart/stage/results.hpp>
@@ -21,85 +22,14 @@ constexpr TextStyle quiet(Real height) {
     return {height, palette::kQuiet, Typeface::Plain, Align::Middle};
 }
 
-} // namespace
-
-/// Position of the current level in its list.
-std::string Stage::placeOfLevel() const {
-    const std::optional<EndlessName> row = parseEndless(game().level().name);
-    if (row || endless_ > 0) {
-        return fmt::format("ENDLESS {}", row ? row->number : endless_);
-    }
-    const auto found = std::find_if(def_.levels.begin(), def_.levels.end(),
-                                    [&](const auto& level) { return *level == game().level(); });
-    if (found == def_.levels.end()) {
-        return "A LEVEL OF ITS OWN";
-    }
-    return fmt::format("LEVEL {} OF {}", found - def_.levels.begin() + 1, def_.levels.size());
-}
-
-HudLook Stage::hudLook() const {
-    HudLook look;
-    look.place = placeOfLevel();
-    look.scoreBefore = endless_ > 0 ? endlessScore_ : 0;
-    look.best = endless_ > 0 ? 0 : def_.profile.bestOf(game().mode(), game().level().name).score;
-    look.muted = audible().sound == 0;
-    look.pilot = showing_ ? "REPLAY" : "";
-    return look;
-}
-
-void Stage::draw(Canvas& canvas) const {
-    const bool wide = demoRuns();
-    canvas.begin(wide ? layout::kShownTitle : layout::kShown, play_->juice().shake());
-    paintBackdrop(canvas, game().level().theme, seconds_);
-    play_->draw(canvas, static_cast<Real>(std::min(owed_ * kTicksPerSecond, 1.0)));
-    if (!wide) {
-        paintHud(canvas, game(), hudLook());
-    }
-    switch (screen_) {
-    case Screen::Title:
-        return drawTitle(canvas);
-    case Screen::Levels:
-        paintVeil(canvas, faded(palette::kNight, 0.82f));
-        return select_.draw(canvas, def_.profile, seconds_);
-    case Screen::Options:
-        paintVeil(canvas, faded(palette::kNight, 0.80f));
-        canvas.text("Options", {0, Real(14.4)},
-                    {Real(1.4), palette::kText, Typeface::Bold, Align::Middle});
-        canvas.text("left and right, or a click on the bar", {0, Real(2.05)}, quiet(Real(0.42)));
-        return menu_.draw(canvas);
-    case Screen::Playing:
-        paintServeHint(canvas, game());
-        return drawFeast(canvas);
-    case Screen::Paused:
-        return drawPaused(canvas);
-    case Screen::Over:
-        return drawOver(canvas);
-    }
-}
-
-void Stage::drawTitle(Canvas& canvas) const {
-    if (attracting()) {
-        const float pulse = 0.6f + 0.4f * static_cast<float>(std::sin(2 * seconds_));
-        canvas.text("aPart", {0, Real(4.1)},
-                    {Real(1.6), palette::kAccent, Typeface::Bold, Align::Middle});
-        canvas.text("press any key", {0, Real(3.2)},
-                    {Real(0.6), faded(palette::kText, pulse), Typeface::Bold, Align::Middle});
-        return;
-    }
-    paintVeil(canvas, faded(palette::kNight, 0.74f));
-    paintTitle(canvas, seconds_);
-    menu_.draw(canvas);
-    drawNotices(canvas);
-}
-
 /// Notices stacked from the bottom, latest last, in the place of the hint. Older ones are omitted
 /// if they do not fit below the menu.
-void Stage::drawNotices(Canvas& canvas) const {
+void paintNotices(Canvas& canvas, const std::vector<std::string>& notices) {
     constexpr std::size_t kLetters = 120; // per line
     constexpr std::size_t kMostLines = 4;
     std::vector<std::string> lines;
-    for (std::size_t i = def_.notices.size(); i-- > 0;) {
-        const std::vector<std::string> own = wrapped(def_.notices[i], kLetters);
+    for (std::size_t i = notices.size(); i-- > 0;) {
+        const std::vector<std::string> own = wrapped(notices[i], kLetters);
         if (!lines.empty() && lines.size() + own.size() > kMostLines) {
             break;
         }
@@ -115,11 +45,33 @@ void Stage::drawNotices(Canvas& canvas) const {
     }
 }
 
-void Stage::drawFeast(Canvas& canvas) const {
-    if (game().result() != Result::Won) {
-        return;
+/// Errors of the level file that is being edited.
+void paintFaults(Canvas& canvas, const std::vector<std::string>& faults) {
+    constexpr std::size_t kMost = 8;
+    constexpr std::size_t kLetters = 90; // per line
+    Real y = Real(16.8);
+    for (std::size_t i = 0; i < std::min(faults.size(), kMost); ++i) {
+        for (const std::string& line : wrapped(faults[i], kLetters)) {
+            canvas.rectangle({{Real(-11.8), y - Real(0.15)}, {Real(11.8), y + Real(0.45)}},
+                             faded(palette::kInk, 0.9f), faded(palette::kInk, 0.9f));
+            canvas.text(line, {Real(-11.5), y}, {Real(0.4), palette::kDanger});
+            y -= Real(0.6);
+        }
     }
-    const float t = std::min(static_cast<float>(endTicks_) / 30, 1.0f);
+}
+
+void paintQuestion(Canvas& canvas, std::string_view question) {
+    if (!question.empty()) {
+        canvas.rectangle({{Real(-5.5), Real(4.3)}, {Real(5.5), Real(5.4)}},
+                         faded(palette::kInk, 0.9f), faded(palette::kInk, 0.9f));
+        canvas.text(question, {0, Real(4.65)},
+                    {Real(0.6), palette::kAccent, Typeface::Bold, Align::Middle});
+    }
+}
+
+/// `ticks` since the end of a won game.
+void paintFeast(Canvas& canvas, int ticks) {
+    const float t = std::min(static_cast<float>(ticks) / 30, 1.0f);
     const Real size = Real(2.4) - Real(0.5) * t; // shrinks to its final size
     const auto line = [&](const char* text, Real y, Real height, Color color) {
         const TextStyle shadow{height, faded(palette::kInk, t), Typeface::Bold, Align::Middle};
@@ -130,11 +82,11 @@ void Stage::drawFeast(Canvas& canvas) const {
     line("space or click: on", Real(7.8), Real(0.5), palette::kText);
 }
 
-void Stage::drawPaused(Canvas& canvas) const {
+void paintPaused(Canvas& canvas, const Menu& menu) {
     paintVeil(canvas, faded(palette::kNight, 0.72f));
     canvas.text("Paused", {0, Real(13)},
                 {Real(1.6), palette::kText, Typeface::Bold, Align::Middle});
-    menu_.draw(canvas);
+    menu.draw(canvas);
     Real y = Real(5.4);
     for (const char* line : {"mouse, arrows or A and D: move      space or click: serve",
                              "left button, down or S: pull      right button, up or W: push",
@@ -144,11 +96,102 @@ void Stage::drawPaused(Canvas& canvas) const {
     }
 }
 
-void Stage::drawOver(Canvas& canvas) const {
-    paintVeil(canvas, faded(palette::kNight, 0.72f));
-    const std::int32_t score = game().score() + (endless_ > 0 ? endlessScore_ : 0);
-    paintResults(canvas, {game(), statistics_, score, before_, newBest_, overSeconds_});
+/// Position of a level in the list; `number` of an endless run, or 0.
+std::string placeOf(const Level& level, const LevelList& levels, std::uint32_t number) {
+    const std::optional<EndlessName> row = parseEndless(level.name);
+    if (row || number > 0) {
+        return fmt::format("ENDLESS {}", row ? row->number : number);
+    }
+    const auto found = std::find_if(levels.begin(), levels.end(),
+                                    [&](const auto& other) { return *other == level; });
+    if (found == levels.end()) {
+        return "A LEVEL OF ITS OWN";
+    }
+    return fmt::format("LEVEL {} OF {}", found - levels.begin() + 1, levels.size());
+}
+
+} // namespace
+
+HudLook Stage::hudLook() const {
+    HudLook look;
+    look.place = placeOf(game().level(), def_.levels, endless_.number);
+    look.scoreBefore = endless_.number > 0 ? endless_.score : 0;
+    look.best =
+        endless_.number > 0 ? 0 : def_.profile.bestOf(game().mode(), game().level().name).score;
+    look.muted = audible().sound == 0;
+    look.pilot = showing() ? "REPLAY" : session_.kind() == Session::Kind::WhatIf ? "WHAT IF" : "";
+    return look;
+}
+
+void Stage::draw(Canvas& canvas) const {
+    const bool wide = demoRuns();
+    canvas.begin(wide ? layout::kShownTitle : layout::kShown, session_.play().juice().shake());
+    paintBackdrop(canvas, game().level().theme, seconds_);
+    if (rerun_) {
+        rerun_->play().draw(canvas, rerun_->share());
+    } else {
+        session_.play().draw(canvas, session_.share());
+    }
+    if (!wide) {
+        paintHud(canvas, game(), hudLook());
+    }
+    switch (screen_) {
+    case Screen::Title:
+        return drawTitle(canvas);
+    case Screen::Levels:
+        paintVeil(canvas, faded(palette::kNight, 0.82f));
+        return select_.draw(canvas, def_.profile, seconds_);
+    case Screen::Options:
+        paintVeil(canvas, faded(palette::kNight, 0.80f));
+        canvas.text("Options", {0, Real(14.4)},
+                    {Real(1.4), palette::kText, Typeface::Bold, Align::Middle});
+        canvas.text("left and right, or a click on the bar", {0, Real(2.05)}, quiet(Real(0.42)));
+        return menu_.draw(canvas);
+    case Screen::Replays:
+        paintVeil(canvas, faded(palette::kNight, 0.80f));
+        canvas.text("Replays", {0, Real(14.4)},
+                    {Real(1.4), palette::kText, Typeface::Bold, Align::Middle});
+        return menu_.draw(canvas);
+    case Screen::Help:
+        paintVeil(canvas, faded(palette::kNight, 0.86f));
+        return paintHelp(canvas);
+    case Screen::Playing:
+        if (showing()) {
+            return paintTheatre(canvas, theatre_, game().ticks(), def_.show->end);
+        }
+        paintFaults(canvas, faults_);
+        paintQuestion(canvas, confirm_.question(seconds_));
+        paintServeHint(canvas, game());
+        if (game().result() == Result::Won) {
+            paintFeast(canvas, session_.endTicks());
+        }
+        return;
+    case Screen::Paused:
+        return paintPaused(canvas, menu_);
+    case Screen::Over: {
+        paintVeil(canvas, faded(palette::kNight, rerun_ ? 0.55f : 0.72f));
+        const std::int32_t score = game().score() + (endless_.number > 0 ? endless_.score : 0);
+        paintResults(canvas,
+                     {game(), session_.statistics(), score, before_, newBest_, overSeconds_});
+        return menu_.draw(canvas);
+    }
+    }
+}
+
+void Stage::drawTitle(Canvas& canvas) const {
+    if (attracting()) {
+        const float pulse = 0.6f + 0.4f * static_cast<float>(std::sin(2 * seconds_));
+        canvas.text("aPart", {0, Real(4.1)},
+                    {Real(1.6), palette::kAccent, Typeface::Bold, Align::Middle});
+        canvas.text("press any key", {0, Real(3.2)},
+                    {Real(0.6), faded(palette::kText, pulse), Typeface::Bold, Align::Middle});
+        return;
+    }
+    paintVeil(canvas, faded(palette::kNight, 0.74f));
+    paintTitle(canvas, seconds_);
     menu_.draw(canvas);
+    paintNotices(canvas, def_.notices);
+    paintQuestion(canvas, confirm_.question(seconds_));
 }
 
 } // namespace apart

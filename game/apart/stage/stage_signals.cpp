@@ -11,10 +11,23 @@ namespace apart {
 namespace {
 
 constexpr double kPercent = 100;
+constexpr std::size_t kMostReplays = 10; // in the list
 
 std::string modeLabel(Mode mode) {
     return mode == Mode::Pure ? "\u2039  Pure: no path is ever bent  \u203a"
                               : "\u2039  Standard rules  \u203a";
+}
+
+std::string playLabel(std::size_t index, const Level& level) {
+    return fmt::format("Play   {}  {}", index + 1, level.title);
+}
+
+/// Sound of a menu; `sound` in percent.
+void chirp(Speaker& speaker, int sound, bool chosen) {
+    const float volume = (chosen ? 1 : 0.6f) * share(sound);
+    if (volume > 0) {
+        speaker.play({Voice::Choose, chosen ? 1.5f : 1, volume, 0});
+    }
 }
 
 bool anything(const Signals& signals) {
@@ -28,18 +41,37 @@ void Stage::toTitle() {
     screen_ = Screen::Title;
     level_ = nextToPlay();
     demo(level_);
-    std::vector<MenuItem> items = {{Action::Play, playLabel()}, {Action::Levels, "Choose a level"}};
+    std::vector<MenuItem> items = {{Action::Play, playLabel(level_, *def_.levels[level_])},
+                                   {Action::Levels, "Choose a level"}};
     if (def_.endless) {
         items.push_back({Action::Endless, "Endless"});
     }
     items.push_back({Action::Mode, modeLabel(def_.profile.mode)});
+    if (def_.replays) {
+        items.push_back({Action::Replays, "Replays"});
+    }
+    items.push_back({Action::Help, "How to play"});
     items.push_back({Action::Options, "Options"});
     items.push_back({Action::Quit, "Quit"});
-    menu_ = Menu(std::move(items), Real(9.4));
+    menu_ = Menu(std::move(items), Real(10.2));
 }
 
-std::string Stage::playLabel() const {
-    return fmt::format("Play   {}  {}", level_ + 1, def_.levels[level_]->title);
+void Stage::toReplays() {
+    screen_ = Screen::Replays;
+    replays_ = def_.replays();
+    replays_.resize(std::min(replays_.size(), kMostReplays));
+    std::vector<MenuItem> items;
+    for (std::size_t i = 0; i < replays_.size(); ++i) {
+        items.push_back({Action::Replay, replays_[i].label, std::nullopt, i});
+    }
+    items.push_back({Action::Back, "Back"});
+    menu_ = Menu(std::move(items), Real(13.2));
+}
+
+void Stage::toHelp() {
+    behind_ = screen_;
+    screen_ = Screen::Help;
+    menu_ = Menu({{Action::Back, "Back"}}, Real(-2)); // below the picture
 }
 
 void Stage::toLevels() {
@@ -49,7 +81,7 @@ void Stage::toLevels() {
 }
 
 void Stage::toOptions() {
-    behindOptions_ = screen_;
+    behind_ = screen_;
     screen_ = Screen::Options;
     std::vector<MenuItem> items;
     for (std::size_t i = 0; i < kDials.size(); ++i) {
@@ -66,20 +98,17 @@ void Stage::pause() {
     screen_ = Screen::Paused;
     menu_ = Menu({{Action::Resume, "Go on"},
                   {Action::Restart, "Restart"},
+                  {Action::Help, "How to play"},
                   {Action::Options, "Options"},
                   {Action::Levels, "All levels"},
                   {Action::ToTitle, "Title"}},
                  Real(11.6));
 }
 
-void Stage::resume() {
-    screen_ = Screen::Playing;
-    inputMapper_.letGo();
-}
-
 void Stage::take(const Signals& signals, Speaker& speaker) {
     if (signals.closed) {
         quit_ = true;
+        keepGame(false);
         return keep();
     }
     const bool asleep = attracting();
@@ -104,23 +133,17 @@ void Stage::take(const Signals& signals, Speaker& speaker) {
 
 void Stage::takeOne(const Signals& signals, Speaker& speaker) {
     if (!signals.commands.empty() && signals.commands[0] == Command::Mute) {
-        muted_ = !muted_;
-        return applySettings();
+        def_.profile.muted = !def_.profile.muted;
+        session_.setSettings(audible());
+        return keep();
     }
     switch (screen_) {
     case Screen::Levels:
         return takeLevels(signals, speaker);
     case Screen::Playing:
-        return takePlaying(signals);
+        return showing() ? takeShow(signals) : takePlaying(signals);
     default:
         return takeMenu(signals, speaker);
-    }
-}
-
-void Stage::chirp(Speaker& speaker, bool chosen) const {
-    const float volume = (chosen ? 1 : 0.6f) * share(audible().sound);
-    if (volume > 0) {
-        speaker.play({Voice::Choose, chosen ? 1.5f : 1, volume, 0});
     }
 }
 
@@ -134,16 +157,16 @@ void Stage::takeLevels(const Signals& signals, Speaker& speaker) {
     }
     const std::size_t before = select_.chosen();
     if (const std::optional<std::size_t> level = select_.take(signals)) {
-        chirp(speaker, true);
+        chirp(speaker, audible().sound, true);
         begin(*level);
     } else if (select_.chosen() != before) {
-        chirp(speaker, false);
+        chirp(speaker, audible().sound, false);
         demo(select_.chosen());
     }
 }
 
 void Stage::takePlaying(const Signals& signals) {
-    const Game& game = play_->game();
+    const Game& game = session_.game();
     const Real paddleX = game.world()[game.paddle()].position().x;
     inputMapper_.take(signals, paddleX, static_cast<Real>(settings().mouse / kPercent));
     const bool over = game.result() != Result::Playing;
@@ -167,13 +190,32 @@ void Stage::takePlaying(const Signals& signals) {
         case Command::Pause:
             return over ? finish() : pause();
         case Command::Restart:
-            return again();
+            if (over || game.score() == 0 || confirm_.ask(Command::Restart, seconds_)) {
+                return again();
+            }
+            break;
         default:
             break;
         }
     }
     if (signals.focusLost && !over) {
         pause();
+    }
+}
+
+void Stage::takeShow(const Signals& signals) {
+    for (const Command command : signals.commands) {
+        if (command == Command::Back) {
+            return pause();
+        }
+        const Theatre::Request request = theatre_.take(command, game().ticks());
+        if (request.tick) {
+            session_.seek(*request.tick, def_.show->pilot, settings());
+        }
+        if (request.takeOver && game().result() == Result::Playing) {
+            session_.takeOver();
+            return inputMapper_.letGo();
+        }
     }
 }
 
@@ -186,7 +228,7 @@ bool Stage::takeShortcut(Command command) {
         return true;
     }
     if (command == Command::Pause && paused) {
-        resume();
+        back();
         return true;
     }
     if (command == Command::Restart && (paused || over)) {
@@ -203,18 +245,22 @@ bool Stage::takeShortcut(Command command) {
 void Stage::back() {
     switch (screen_) {
     case Screen::Title:
-        quit_ = true;
-        return keep();
+        quit_ = confirm_.ask(Command::Back, seconds_);
+        return quit_ ? keep() : void();
     case Screen::Paused:
-        return resume();
+        screen_ = Screen::Playing;
+        return inputMapper_.letGo();
     case Screen::Options:
+    case Screen::Help: {
+        const Action left = screen_ == Screen::Options ? Action::Options : Action::Help;
         keep();
-        if (behindOptions_ == Screen::Title) {
+        if (behind_ == Screen::Title) {
             toTitle();
         } else {
             pause();
         }
-        return menu_.choose(Action::Options);
+        return menu_.choose(left);
+    }
     default:
         return toTitle();
     }
@@ -229,7 +275,7 @@ void Stage::takeMenu(const Signals& signals, Speaker& speaker) {
     const std::size_t before = menu_.chosen();
     const std::optional<MenuOutcome> outcome = menu_.take(signals);
     if (outcome || menu_.chosen() != before) {
-        chirp(speaker, outcome.has_value());
+        chirp(speaker, audible().sound, outcome.has_value());
     }
     if (outcome) {
         act(*outcome);
@@ -243,19 +289,32 @@ void Stage::act(const MenuOutcome& outcome) {
     case Action::Levels:
         return toLevels();
     case Action::Endless:
-        return startEndless();
+        endless_.score = 0;
+        return beginEndless(std::max(def_.firstEndless, 1u));
+    case Action::Replays:
+        return toReplays();
+    case Action::Replay: {
+        std::variant<Show, std::string> read = replays_[outcome.dial].load();
+        if (auto* show = std::get_if<Show>(&read)) {
+            def_.show = std::move(*show);
+            return beginShow();
+        }
+        note(std::get<std::string>(read));
+        return toTitle();
+    }
+    case Action::Help:
+        return toHelp();
     case Action::Mode:
         def_.profile.mode = def_.profile.mode == Mode::Pure ? Mode::Standard : Mode::Pure;
         level_ = nextToPlay();
-        menu_.setLabel(Action::Play, playLabel());
+        menu_.setLabel(Action::Play, playLabel(level_, *def_.levels[level_]));
         return menu_.setLabel(Action::Mode, modeLabel(def_.profile.mode));
     case Action::Options:
         return toOptions();
     case Action::Quit:
     case Action::Back:
-        return back();
     case Action::Resume:
-        return resume();
+        return back();
     case Action::Restart:
         return again();
     case Action::NextLevel:
@@ -275,11 +334,7 @@ void Stage::act(const MenuOutcome& outcome) {
 void Stage::turn(std::size_t dial, int percent) {
     def_.profile.settings.*kDials[dial].value = percent;
     menu_.setPercent(dial, percent);
-    applySettings();
-}
-
-void Stage::applySettings() {
-    play_->setSettings(audible());
+    session_.setSettings(audible());
 }
 
 } // namespace apart

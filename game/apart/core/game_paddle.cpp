@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// Paddle, serve, and the parts that stick to the paddle.
+#include <apart/core/field.hpp>
+#include <apart/core/game_rules.hpp>
+#include <apart/core/generator.hpp>
+#include <apart/core/paddle.hpp>
+#include <apart/core/tuning.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apart {
+
+using kodo::BodyId;
+using kodo::Real;
+using kodo::Vec2;
+
+namespace {
+
+// Gap (m) between the paddle and a riding ball, so that they do not touch.
+constexpr Real kRideGap = Real(0.05);
+
+Vec2 rideOffset(BallKind kind) {
+    return {0, domeHeight(0) + reachOf(kind) + kRideGap};
+}
+
+} // namespace
+
+void newPaddle(GameState& game) {
+    Real x = 0;
+    if (game.world.contains(game.paddle.body)) {
+        x = game.world[game.paddle.body].position().x;
+        game.world.remove(game.paddle.body);
+    }
+    game.paddle.body = game.world.add(paddleDef(x));
+    game.paddle.speed = 0;
+    game.paddle.sway = {};
+    game.paddle.welds.clear();
+}
+
+void newServe(GameState& game) {
+    Generator chance(mixKeys(game.seed, game.counts.serves, 1));
+    ++game.counts.serves;
+    const Real slope = chance.between(kServeSlope / 4, kServeSlope);
+    game.serveHeading = normalize(Vec2{chance.below(2) == 0 ? slope : -slope, 1});
+    const BallKind kind = game.ballKind();
+    const BodyId ball =
+        addBall(game.world, game.world[game.paddle.body].position() + rideOffset(kind), kind);
+    game.world[ball].setType(kodo::BodyType::Kinematic);
+    game.balls.push_back({ball, game.serveHeading, true, kind});
+}
+
+void serve(GameState& game) {
+    for (Ball& ball : game.balls) {
+        if (ball.riding) {
+            ball.riding = false;
+            ball.heading = game.serveHeading;
+            kodo::BodyRef body = game.world[ball.body];
+            body.setType(kodo::BodyType::Dynamic);
+            body.setVelocity(game.ballSpeed() * game.serveHeading);
+            game.events.emplace_back(Served{ball.body, body.position(), game.serveHeading});
+        }
+    }
+}
+
+void leap(GameState& game) {
+    if (game.secondsLeft(Power::Spring) > 0 && std::abs(game.paddle.sway.lift) < kLeapReady) {
+        game.paddle.sway.liftSpeed = kLeapSpeed;
+        game.events.emplace_back(Leapt{game.world[game.paddle.body].position()});
+    }
+}
+
+void steer(GameState& game, const Input& input) {
+    kodo::BodyRef paddle = game.world[game.paddle.body];
+    const Vec2 position = paddle.position();
+    game.paddle.sway = swayed(game.paddle.sway, game.paddleKind());
+    game.paddle.speed = drivenSpeed(input, position.x, game.paddle.speed, paddle.mass());
+
+    // Welded parts must stay inside the field too.
+    const kodo::Aabb bounds = paddle.bounds();
+    const Real roomLeft = std::min(-kFieldWidth / 2 - bounds.lower.x, Real(0));
+    const Real roomRight = std::max(kFieldWidth / 2 - bounds.upper.x, Real(0));
+    const Real way = std::clamp(game.paddle.speed * kTickSeconds, roomLeft, roomRight);
+    game.paddle.speed = way / kTickSeconds;
+
+    const kodo::Transform target{{position.x + way, kPaddleY + game.paddle.sway.lift},
+                                 kodo::Rot::fromAngle(game.paddle.sway.tilt)};
+    paddle.moveTo(target.position, target.rotation, kTickSeconds);
+    for (const Ball& ball : game.balls) {
+        if (ball.riding) {
+            game.world[ball.body].moveTo(target * rideOffset(ball.kind), kTickSeconds);
+        }
+    }
+    for (const Part& part : game.parts) {
+        if (part.state == PartState::Stuck) {
+            game.world[part.body].moveTo(target * part.offset, kTickSeconds);
+        }
+    }
+}
+
+void fireParts(GameState& game) {
+    for (Part& part : game.parts) {
+        kodo::BodyRef body = game.world[part.body];
+        if (part.state == PartState::Stuck && game.tick - part.sinceTick >= kStickTicks) {
+            part.state = PartState::Launched;
+            part.sinceTick = game.tick;
+            // From now on it collides with blocks only, not with other bodies or the top wall.
+            body.setType(kodo::BodyType::Dynamic);
+            body.setFlags(flagsOf(Role::Part) | kodo::kLockRotate | kodo::kMatchAny);
+            body.setRequired(static_cast<std::uint16_t>(flagsOf(Role::Block)));
+            body.setMaterial(kodo::withFriction(0, 0));
+            body.setAngularVelocity(0);
+            game.events.emplace_back(Launched{part.body, body.position()});
+        }
+        if (part.state == PartState::Launched) { // the drive restores the speed lost in impacts
+            drive(body, {0, kLaunchSpeed}, game.ledger.kickWork);
+        }
+    }
+}
+
+void drive(kodo::BodyRef body, Vec2 velocity, double& work) {
+    const Real gained = lengthSquared(velocity) - lengthSquared(body.velocity());
+    work += static_cast<double>(body.mass() * gained / 2);
+    body.setVelocity(velocity);
+}
+
+void letGoOfParts(GameState& game) {
+    for (Part& part : game.parts) {
+        if (part.state == PartState::Stuck) {
+            part.state = PartState::Loose;
+            part.sinceTick = game.tick;
+            kodo::BodyRef body = game.world[part.body];
+            body.setType(kodo::BodyType::Dynamic);
+            body.setFlags(flagsOf(Role::Part) | kFalls);
+            body.setMaterial(kShardMaterial);
+        }
+    }
+}
+
+} // namespace apart

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <apart/core/event.hpp>
+#include <apart/core/input.hpp>
+#include <apart/core/level.hpp>
+#include <apart/core/paddle.hpp>
+#include <apart/core/progress.hpp>
+#include <apart/core/things.hpp>
+#include <kodo/kodo.hpp>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace apart {
+
+enum class Result : std::uint8_t { Playing, Won, Lost };
+inline constexpr std::array<std::string_view, 3> kResultNames = {"playing", "won", "lost"};
+
+struct Counts {
+    std::int32_t score = 0;
+    std::int32_t lives = 0;      // including the one in play
+    std::int32_t combo = 0;      // blocks broken since the last paddle hit
+    std::int32_t blocksLeft = 0; // breakable and not fallen
+    std::int32_t blocksAtStart = 0;
+    std::uint32_t serves = 0;
+};
+
+struct Paddle {
+    kodo::BodyId body;
+    kodo::Real speed = 0; // m/s
+    Sway sway;
+    std::vector<Weld> welds; // by part of the body, from part 1
+};
+
+/// Force field of the paddle.
+struct PaddleField {
+    Force force = Force::None; // active one; None when the meter is empty
+    kodo::Real meter = 1;      // 0..1
+    kodo::Real tornSpeed = 0;  // m/s that the pull would have given a free nextToFall()
+};
+
+struct Boss {
+    struct Impact {
+        std::uint32_t key = 0;
+        kodo::Vec2 point;
+        kodo::Vec2 impulse;
+    };
+    kodo::BodyId body;
+    kodo::Real home = 0;         // m; x of the middle of its oscillation
+    int way = 1;                 // 1: to the right
+    std::vector<Impact> impacts; // of this tick
+};
+
+/// State of a Game. The rules (game_rules.hpp) change it; this class answers questions about it.
+struct GameState {
+    std::shared_ptr<const Level> level;
+    std::uint32_t seed = 0;
+    Mode mode = Mode::Standard;
+    std::uint32_t tick = 0;
+    Result result = Result::Playing;
+    Counts counts;
+
+    kodo::World world;
+    std::vector<kodo::BodyId> walls;
+    Paddle paddle;
+    kodo::Vec2 serveHeading{0, 1}; // unit; of the next serve
+    std::vector<Block> blocks;
+    std::vector<Ball> balls;
+    std::vector<Shard> shards;
+    std::vector<Part> parts;
+    std::vector<Obstruction> obstructions;
+    std::vector<Link> links;
+    Boss boss;
+    Collapse collapse;
+
+    PaddleField field;
+    std::vector<Effect> effects;
+    bool fieldsStale = false; // within a tick: the force fields of `effects` must be set again
+    ProgressClock clock;
+    Patience shownPatience = Patience::Calm; // of the last PatienceChanged
+    Ledger ledger;
+    std::vector<Event> events; // of the last tick
+
+    int weldedParts() const { return static_cast<int>(paddle.welds.size()); }
+    kodo::Real secondsLeft(Power power) const; // 0: not active
+    BallKind ballKind() const;                 // of all balls in play
+    PaddleKind paddleKind() const;
+    kodo::Real windSpeed() const; // m/s, to the right; level and effects together
+    Patience patience() const { return clock.patience(); }
+    kodo::Real idleSeconds() const;
+    const Block* nextToFall() const; // its mount fails next; nullptr: none
+    bool tears() const;              // a pull acts on nextToFall()
+    kodo::Real tornShare() const;    // 0..1, progress of that pull
+    std::optional<kodo::BodyId> livingBoss() const;
+    const Block* findBlock(kodo::BodyId body, std::size_t part = 0) const; // nullptr: none
+    kodo::Transform frameOf(const Block& block) const; // at the centre of the block
+    Stuff stuffOf(kodo::BodyId body, std::size_t part) const;
+    bool isRubble(kodo::BodyId body) const;
+    bool canCarry(kodo::BodyId body) const; // dynamic bar of a motor or block
+    std::optional<kodo::QueryHit> ahead(kodo::Vec2 from, kodo::Vec2 way) const;
+    bool meetsBlock(kodo::Vec2 from, kodo::Vec2 way) const;
+    bool serving() const;
+    kodo::Real ballSpeed() const; // m/s
+    std::uint64_t hash() const;
+};
+
+} // namespace apart

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <apart/stage/canvas.hpp>
+
+namespace apart {
+
+/// The page that explains the game.
+void paintHelp(Canvas& canvas);
+
+} // namespace apart

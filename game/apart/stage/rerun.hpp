@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <apart/core/replay.hpp>
+#include <apart/stage/play.hpp>
+
+#include <cstdint>
+#include <optional>
+
+namespace apart {
+
+/// The collapse that ended a game, shown again and again in slow motion.
+class Rerun {
+public:
+    static constexpr double kPace = 0.3; // ratio to the usual speed
+
+    /// `start`: the game shortly before the collapse; `record`: of the whole game.
+    Rerun(const Play& start, Replay record)
+        : start_(start), now_(start), record_(std::move(record)) {}
+
+    void advance(double seconds);
+    const Play& play() const { return now_; }
+    Real share() const;
+
+private:
+    Play start_;
+    Play now_;
+    Replay record_;
+    double owed_ = 0; // s
+};
+
+/// Input of a replay at a tick.
+Input inputAt(const Replay& replay, std::uint32_t tick);
+
+} // namespace apart

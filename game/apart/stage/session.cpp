@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/tuning.hpp>
+#include <apart/stage/session.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace apart {
+
+namespace {
+
+constexpr double kTick = 1.0 / kTicksPerSecond;
+constexpr double kLongestFrame = 0.1;              // s; longer frames lose the excess
+constexpr int kEndTicks = kTicksPerSecond * 5 / 4; // from the end to the result screen
+constexpr std::size_t kMostMarks = 96;             // of a show; then each second one is dropped
+constexpr std::uint32_t kShowMark = 600;           // ticks; 5 s, doubled with each dropping
+constexpr std::uint32_t kOwnMark = 60;             // ticks; how long before a collapse, at least
+constexpr std::uint32_t kWorthKeeping = 240;       // ticks; shorter games are not kept
+constexpr std::int32_t kWorthRerun = 5;            // blocks of the collapse that ends a game
+
+} // namespace
+
+void Session::begin(std::unique_ptr<Play> play, Kind kind) {
+    kind_ = kind;
+    play_ = std::move(play);
+    recorder_.reset();
+    record_.reset();
+    if (kind != Kind::Demo) {
+        recorder_.emplace(play_->game());
+    }
+    statistics_ = {};
+    fanfare_.stop();
+    beforeFall_.reset();
+    marks_.clear();
+    markEvery_ = kind == Kind::Show ? kShowMark : kOwnMark;
+    owed_ = 0;
+    endTicks_ = 0;
+    kept_ = false;
+    mark();
+}
+
+void Session::elapse(double seconds, double pace, const Settings& settings) {
+    pace *= timeScale_.next(game(), seconds) * settings.speed / 100;
+    owed_ += pace * std::min(seconds, kLongestFrame);
+}
+
+bool Session::takeTick() {
+    if (owed_ < kTick) {
+        return false;
+    }
+    owed_ -= kTick;
+    return true;
+}
+
+void Session::mark() {
+    if (kind_ == Kind::Demo) {
+        return;
+    }
+    if (kind_ != Kind::Show && marks_.size() >= 2) {
+        marks_.erase(marks_.begin());
+    }
+    marks_.push_back({*play_, statistics_, recorder_});
+    if (marks_.size() > kMostMarks) {
+        for (std::size_t i = 1; i < marks_.size(); ++i) {
+            marks_.erase(marks_.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+        markEvery_ *= 2;
+    }
+}
+
+void Session::tick(const std::optional<Input>& input, const Settings& settings, Speaker& speaker) {
+    const bool wasPlaying = game().result() == Result::Playing;
+    const std::int32_t fallen = game().collapse().blocks;
+    play_->tick(input.value_or(Input{}), speaker);
+    if (recorder_ && wasPlaying) {
+        recorder_->record(input.value_or(Input{}), game());
+        if (game().result() != Result::Playing) {
+            record_ = recorder_->finish(game());
+        }
+    }
+    timeScale_.tick(game(), settings);
+    statistics_.hear(game());
+    if (fallen == 0 && game().collapse().blocks > 0 && kind_ == Kind::Own) {
+        beforeFall_ = marks_.front().play;
+    }
+    if (!marks_.empty() && wasPlaying && game().ticks() % markEvery_ == 0 &&
+        game().ticks() > marks_.back().play.game().ticks()) {
+        mark();
+    }
+    if (!fanfare_.done()) {
+        play_->celebrate(fanfare_, speaker);
+    }
+    if (wasPlaying && game().result() == Result::Won) {
+        fanfare_.begin();
+    }
+    endTicks_ += !input || game().result() != Result::Playing ? 1 : 0;
+}
+
+void Session::seek(std::int64_t tick, const Pilot& pilot, const Settings& settings) {
+    const auto later = std::upper_bound(
+        marks_.begin() + 1, marks_.end(), tick,
+        [](std::int64_t wanted, const Mark& known) { return wanted < known.play.game().ticks(); });
+    const Mark& from = *std::prev(later);
+    const std::int64_t now = game().ticks();
+    if (tick < now || from.play.game().ticks() > now) {
+        *play_ = from.play;
+        statistics_ = from.statistics;
+        recorder_ = from.recorder;
+        record_.reset();
+        fanfare_.stop();
+    }
+    SilentSpeaker silence;
+    while (game().ticks() < tick) {
+        const std::optional<Input> input = pilot(game());
+        if (!input) {
+            break;
+        }
+        this->tick(input, settings, silence);
+    }
+    endTicks_ = 0;
+    owed_ = 0;
+}
+
+void Session::takeOver() {
+    kind_ = Kind::WhatIf;
+    marks_.erase(marks_.begin(), marks_.end() - 1);
+    markEvery_ = kOwnMark;
+}
+
+std::optional<Replay> Session::record() const {
+    if (record_ || !recorder_) {
+        return record_;
+    }
+    return recorder_->finish(game());
+}
+
+std::optional<Rerun> Session::rerun() const {
+    const bool ends = statistics_.lastFall >= kWorthRerun && game().result() == Result::Won &&
+                      statistics_.ticks <= statistics_.lastFallTick + kTicksPerSecond;
+    if (!ends || !beforeFall_ || !record_) {
+        return std::nullopt;
+    }
+    return Rerun(*beforeFall_, *record_);
+}
+
+bool Session::takeUnkept() {
+    const bool own = kind_ == Kind::Own || kind_ == Kind::WhatIf;
+    const bool fresh = own && !kept_ && game().ticks() > kWorthKeeping;
+    kept_ = kept_ || fresh;
+    return fresh;
+}
+
+bool Session::overdue() const {
+    return endTicks_ >= (game().result() == Result::Won ? Fanfare::kTicks : kEndTicks);
+}
+
+Real Session::share() const {
+    return static_cast<Real>(std::min(owed_ * kTicksPerSecond, 1.0));
+}
+
+} // namespace apart

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/tuning.hpp>
+#include <apart/stage/layout.hpp>
+#include <apart/stage/palette.hpp>
+#include <apart/stage/theatre.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace apart {
+
+namespace {
+
+std::string timeText(std::uint32_t ticks) {
+    const std::uint32_t seconds = ticks / kTicksPerSecond;
+    return fmt::format("{}:{:02}", seconds / 60, seconds % 60);
+}
+
+} // namespace
+
+Theatre::Request Theatre::take(Command command, std::uint32_t tick) {
+    const std::int64_t now = tick;
+    switch (command) {
+    case Command::Launch:
+    case Command::Pause:
+        paused_ = !paused_;
+        return {};
+    case Command::Up:
+        speed_ = std::min(speed_ + 1, kFastest);
+        return {};
+    case Command::Down:
+        speed_ = std::max(speed_ - 1, kSlowest);
+        return {};
+    case Command::Left:
+        return {.tick = now - kSkip};
+    case Command::Right:
+        return {.tick = now + kSkip};
+    case Command::Next:
+        paused_ = true;
+        return {.tick = now + 1};
+    case Command::Restart:
+        return {.tick = 0};
+    case Command::Confirm:
+        return {.takeOver = true};
+    default:
+        return {};
+    }
+}
+
+double Theatre::pace() const {
+    if (paused_) {
+        return 0;
+    }
+    return speed_ < 0 ? 1.0 / (1 << -speed_) : 1 << speed_;
+}
+
+std::string Theatre::speedText() const {
+    return speed_ < 0 ? fmt::format("1/{}", 1 << -speed_) : fmt::format("{}", 1 << speed_);
+}
+
+void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick, std::uint32_t end) {
+    constexpr Real kLow = Real(1.05);
+    constexpr Real kHigh = Real(1.2);
+    constexpr Real kHalf = Real(9); // m, half the length of the bar
+    const Real share =
+        end > 0 ? std::min(static_cast<Real>(tick) / static_cast<Real>(end), Real(1)) : Real(0);
+    const Real place = -kHalf + 2 * kHalf * share;
+    canvas.rectangle({{-kHalf, kLow}, {kHalf, kHigh}}, {255, 255, 255, 50}, {255, 255, 255, 50});
+    canvas.rectangle({{-kHalf, kLow}, {place, kHigh}}, palette::kAccent, palette::kAccent);
+    canvas.disc({place, (kLow + kHigh) / 2}, Real(0.18), palette::kText, palette::kAccent);
+    const std::string state = fmt::format("{} of {}      {}", timeText(tick), timeText(end),
+                                          theatre.paused() ? "paused" : theatre.speedText() + " x");
+    canvas.text(state, {0, Real(1.5)}, {Real(0.5), palette::kText, Typeface::Bold, Align::Middle});
+    canvas.text(
+        "space: pause   left, right: 5 s   up, down: speed   N: one tick   enter: take over",
+        {0, Real(0.35)}, {Real(0.4), palette::kQuiet, Typeface::Plain, Align::Middle});
+}
+
+} // namespace apart

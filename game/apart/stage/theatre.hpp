@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <apart/core/game.hpp>
+#include <apart/stage/canvas.hpp>
+#include <apart/stage/controls.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace apart {
+
+/// Replaces the player: input of the next tick, or nothing at its end.
+using Pilot = std::function<std::optional<Input>(const Game&)>;
+
+/// A recorded game to watch. Its level need not be in the level list.
+struct Show {
+    std::shared_ptr<const Level> level;
+    std::uint32_t seed = 1;
+    Mode mode = Mode::Standard;
+    Pilot pilot;
+    std::uint32_t end = 0; // ticks
+};
+
+/// A replay of the player's list. `load` reads it, or gives the reason why it cannot be played.
+struct ShowEntry {
+    std::string label;
+    std::function<std::variant<Show, std::string>()> load;
+};
+
+/// Controls of a show: pause, speed, and places to go to.
+class Theatre {
+public:
+    static constexpr int kSlowest = -3; // powers of 2: 1/8 to 8
+    static constexpr int kFastest = 3;
+    static constexpr std::int64_t kSkip = 600; // ticks: 5 s
+
+    /// What a command asks for.
+    struct Request {
+        std::optional<std::int64_t> tick{}; // to go to; may lie outside of the show
+        bool takeOver = false;
+    };
+    void begin() { *this = {}; }
+    Request take(Command command, std::uint32_t tick);
+
+    bool paused() const { return paused_; }
+    /// Ratio to the usual speed; 0 while paused.
+    double pace() const;
+    std::string speedText() const; // 1/4, 1, 2
+private:
+    bool paused_ = false;
+    int speed_ = 0;
+};
+
+/// Paints time, speed and keys of a show.
+void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick, std::uint32_t end);
+
+} // namespace apart

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/difficulty.hpp>
+
+#include <array>
+
+#include "game_access.hpp"
+
+namespace {
+
+using namespace apart;
+
+TEST(Difficulty, RankCorrelationOfKnownLists) {
+    const std::array<double, 4> rising = {1, 2, 5, 9};
+    const std::array<double, 4> falling = {0.9, 0.5, 0.2, 0.1};
+    const std::array<double, 4> tied = {3, 3, 3, 3};
+    EXPECT_DOUBLE_EQ(rankCorrelation(rising, rising), 1);
+    EXPECT_DOUBLE_EQ(rankCorrelation(rising, falling), -1);
+    EXPECT_DOUBLE_EQ(rankCorrelation(rising, tied), 0);
+    const std::array<double, 5> a = {1, 2, 3, 4, 5};
+    const std::array<double, 5> b = {2, 1, 4, 3, 5}; // 1 - 6 * 4 / (5 * 24)
+    EXPECT_DOUBLE_EQ(rankCorrelation(a, b), 0.8);
+}
+
+// Each skill of the scale clears at least as much of a wall as the one below it, within a tenth.
+TEST(Difficulty, SkillsRise) {
+    const Level level = levelOf("bbbbbbbbbbbbbbb\nbbbbbbbbbbbbbbb\nbbbbbbbbbbbbbbb\n", 15000);
+    const LevelDifficulty found = difficultyOf(level, 2, 3600);
+    for (std::size_t i = 1; i < kSkills.size(); ++i) {
+        EXPECT_GT(found.skills[i].cleared, found.skills[i - 1].cleared - 0.1) << i;
+    }
+    EXPECT_GT(found.skills.back().cleared, found.skills.front().cleared + 0.2);
+}
+
+TEST(Difficulty, SharesByThemeLeaveOutThemesWithoutALevel) {
+    std::vector<LevelDifficulty> levels(3);
+    levels[0].skills[0] = {.games = 4, .won = 4, .cleared = 1};
+    levels[1].skills[0] = {.games = 4, .won = 2, .cleared = 0.5};
+    levels[2].theme = Theme::Fortress;
+    const std::vector<ThemeShare> shares = sharesByTheme(levels, 0);
+    ASSERT_EQ(shares.size(), 2u);
+    EXPECT_DOUBLE_EQ(shares[0].won, 0.75);
+    EXPECT_DOUBLE_EQ(shares[0].cleared, 0.75);
+    EXPECT_EQ(shares[1].theme, Theme::Fortress);
+}
+
+} // namespace

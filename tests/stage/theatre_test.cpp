@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/assets.hpp>
+
+#include "stage_rig.hpp"
+
+namespace {
+
+using namespace apart;
+
+constexpr std::uint32_t kLength = 1500; // ticks
+
+/// A replay of the bot's game on a level.
+Replay recorded(const std::shared_ptr<const Level>& level) {
+    Game game(level, 3);
+    Recorder recorder(game);
+    while (game.ticks() < kLength && game.result() == Result::Playing) {
+        const Input input = bot(game);
+        game.tick(input);
+        recorder.record(input, game);
+    }
+    return recorder.finish(game);
+}
+
+StageDef watching() {
+    const auto level = std::make_shared<const Level>(std::get<Level>(loadLevel("keystones")));
+    StageDef def = StageRig::twoLevels();
+    const Replay replay = recorded(level);
+    const Pilot pilot = [replay](const Game& game) {
+        return game.ticks() < replay.end ? std::optional(inputAt(replay, game.ticks()))
+                                         : std::nullopt;
+    };
+    def.show = Show{level, 3, Mode::Standard, pilot, replay.end};
+    return def;
+}
+
+TEST(Theatre, SeekingGivesTheSameStateAsPlaying) {
+    StageRig rig(watching());
+    while (rig.stage.game().ticks() < 900) {
+        rig.frame();
+    }
+    rig.press(Command::Pause);
+    const std::uint32_t tick = rig.stage.game().ticks();
+    const std::uint64_t hash = rig.stage.game().stateHash();
+    rig.press(Command::Left);
+    EXPECT_EQ(rig.stage.game().ticks(), tick - 600);
+    rig.press(Command::Right);
+    EXPECT_EQ(rig.stage.game().ticks(), tick);
+    EXPECT_EQ(rig.stage.game().stateHash(), hash);
+    rig.press(Command::Next);
+    EXPECT_EQ(rig.stage.game().ticks(), tick + 1);
+    rig.press(Command::Restart);
+    EXPECT_EQ(rig.stage.game().ticks(), 0u);
+    for (int i = 0; i < 10; ++i) {
+        rig.press(Command::Left); // before the start
+    }
+    EXPECT_EQ(rig.stage.game().ticks(), 0u);
+}
+
+TEST(Theatre, PausesAndChangesItsSpeed) {
+    Theatre theatre;
+    EXPECT_EQ(theatre.pace(), 1);
+    for (int i = 0; i < 5; ++i) {
+        theatre.take(Command::Up, 0);
+    }
+    EXPECT_EQ(theatre.pace(), 8);
+    for (int i = 0; i < 9; ++i) {
+        theatre.take(Command::Down, 0);
+    }
+    EXPECT_EQ(theatre.pace(), 0.125);
+    EXPECT_EQ(theatre.speedText(), "1/8");
+    theatre.take(Command::Launch, 0);
+    EXPECT_EQ(theatre.pace(), 0);
+}
+
+// The record of the continued game has the inputs of the show before it, so it replays from the
+// first tick. It has no score.
+TEST(Theatre, AGameTakenOverIsRecordedFromTheFirstTick) {
+    std::vector<Replay> kept;
+    std::vector<Profile> saved;
+    StageDef def = watching();
+    def.keepReplay = [&](const Replay& replay, bool best) {
+        EXPECT_FALSE(best);
+        kept.push_back(replay);
+        return std::string();
+    };
+    def.save = StageRig::keeping(saved);
+    const std::shared_ptr<const Level> level = def.show->level;
+    StageRig rig(std::move(def));
+    rig.press(Command::Right);
+    rig.press(Command::Confirm);
+    EXPECT_TRUE(rig.picture().says("WHAT IF"));
+    rig.frames(60);
+    rig.press(Command::Pause);
+    rig.clickItem(Action::ToTitle);
+    ASSERT_EQ(kept.size(), 1u);
+    EXPECT_GT(kept[0].end, 600u);
+    Playback playback(kept[0], level);
+    while (!playback.done()) {
+        playback.tick();
+    }
+    EXPECT_FALSE(playback.divergence());
+}
+
+TEST(Theatre, ListsReplaysAndTellsWhyOneCannotBePlayed) {
+    StageDef def = StageRig::twoLevels();
+    def.replays = [] {
+        std::vector<ShowEntry> entries;
+        entries.push_back({"a game", [] { return watching().show.value(); }});
+        entries.push_back(
+            {"an old game", [] { return std::variant<Show, std::string>("It is too old."); }});
+        return entries;
+    };
+    StageRig rig(std::move(def));
+    rig.clickItem(Action::Replays);
+    EXPECT_TRUE(rig.picture().says("an old game"));
+    rig.click(rig.stage.menu().place(1).center());
+    EXPECT_EQ(rig.stage.screen(), Screen::Title);
+    EXPECT_TRUE(rig.picture().says("It is too old."));
+    rig.clickItem(Action::Replays);
+    rig.click(rig.stage.menu().place(0).center());
+    EXPECT_EQ(rig.stage.screen(), Screen::Playing);
+    EXPECT_TRUE(rig.picture().says("REPLAY"));
+}
+
+// Also a game that the player left is kept.
+TEST(Theatre, AnUnfinishedGameIsKept) {
+    std::vector<Replay> kept;
+    StageDef def = StageRig::playing();
+    def.keepReplay = [&](const Replay& replay, bool) {
+        kept.push_back(replay);
+        return std::string();
+    };
+    StageRig rig(std::move(def));
+    rig.frames(200);
+    rig.press(Command::Pause);
+    rig.clickItem(Action::ToTitle);
+    ASSERT_EQ(kept.size(), 1u);
+    EXPECT_EQ(kept[0].end, 400u);
+}
+
+// The lines of the result screen add up, for each way to earn points.
+TEST(Results, ThePointsBySourceAddUpToTheScore) {
+    for (const char* name : {"first_light", "tower", "keystones", "galleon", "castle"}) {
+        Game game(std::get<Level>(loadLevel(name)), 2);
+        RunStatistics statistics;
+        while (game.result() == Result::Playing && game.ticks() < 9000) {
+            game.tick(bot(game));
+            statistics.hear(game);
+            ASSERT_EQ(statistics.points.sum(), game.score()) << name << " " << game.ticks();
+        }
+    }
+}
+
+} // namespace
