@@ -4,12 +4,11 @@
 #include "base/id_pool.hpp"
 #include "bodies/body_geometry.hpp"
 #include "bodies/body_velocity.hpp"
+#include "bodies/sleep_state.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -25,23 +24,6 @@ struct BodyRecord {
     Real torque = 0; // N m
     /// Number of steps, with the next one, in which LoadRelease looks at the body.
     std::uint8_t lostLoad = 0;
-};
-
-/// Duration of calm, and the island in which a body sleeps.
-struct SleepState {
-    static constexpr std::uint32_t kNoIsland = ~std::uint32_t{};
-
-    std::uint32_t calmSteps = 0;
-    std::uint32_t island = kNoIsland;
-    Transform since; // pose when it became calm
-    /// J; least kinetic energy since then.
-    Real leastEnergy = std::numeric_limits<Real>::max();
-    /// Velocities (m/s and rad/s) at the last two of regular intervals of the count, later first.
-    struct Sample {
-        Vec2 velocity;
-        Real angularVelocity = 0;
-    };
-    std::array<Sample, 2> samples;
 };
 
 /// Sizes from the body geometry, contiguous for loops over many bodies.

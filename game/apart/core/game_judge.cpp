@@ -283,8 +283,9 @@ void judgePaddle(GameState& game, const CollisionRecord& hit) {
         return;
     }
     Weld& weld = game.paddle.welds[part - 1];
-    weld.strengthLeft =
-        hit.maxPointImpulse() < kKnockOffImpact ? weld.strengthLeft - hit.maxPointImpulse() : Real(-1);
+    weld.strengthLeft = hit.maxPointImpulse() < kKnockOffImpact
+                            ? weld.strengthLeft - hit.maxPointImpulse()
+                            : Real(-1);
     weld.lastPoint = hit.point;
     weld.lastImpulse = hit.maxPointImpulse();
 }
@@ -296,7 +297,8 @@ void judgeObstruction(GameState& game, const CollisionRecord& hit, BodyId body) 
         return; // the pin of a hanging block, or a passive obstruction
     }
     kodo::BodyRef other = game.world[hit.other(body)];
-    const bool impact = hit.phase == kodo::TouchPhase::Begin || hit.maxPointImpulse() >= kSlightestImpact;
+    const bool impact =
+        hit.phase == kodo::TouchPhase::Begin || hit.maxPointImpulse() >= kSlightestImpact;
     if (!impact || other.type() != kodo::BodyType::Dynamic) {
         return;
     }
