@@ -95,6 +95,7 @@ void GhostCollisions::link(const Bodies& bodies, std::span<const ContactSummary>
     first_.assign(bodies.size(), kEnd);
     next_.resize(summaries.size());
     onPieces_.clear();
+    onPieces_.reserve(bodies.record.capacity());
     for (auto i = onGround.rbegin(); i != onGround.rend(); ++i) {
         const ContactSummary& summary = summaries[*i];
         const std::uint32_t body = bodies.locked(summary.bodyA) ? summary.bodyB : summary.bodyA;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "contacts/one_way.hpp"
 
+#include "base/vector_reuse.hpp"
+
 #include <algorithm>
 #include <tuple>
 
@@ -75,6 +77,7 @@ void OneWayBodies::link(const Bodies& bodies, std::span<const Contact> contacts,
         const bool lineA = isLedge(bodies.convex(key.bodyA, key.partA));
         const bool lineB = isLedge(bodies.convex(key.bodyB, key.partB));
         if (lineA != lineB && isCompound(lineA ? key.bodyB : key.bodyA)) {
+            reserveReusing(slots_, summaries.size());
             slots_.push_back(slot);
         }
     }

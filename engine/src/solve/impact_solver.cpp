@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solve/impact_solver.hpp"
 
+#include "base/vector_reuse.hpp"
 #include "contacts/contact_update.hpp"
 #include "solve/impact.hpp"
 
@@ -232,6 +233,8 @@ void ImpactSolver::solve(Bodies& bodies, ContactSet& contactSet, const ContactBl
     sets_.resize(bodies.size());
     present_.clear();
     bouncing_.clear();
+    reserveReusing(present_, summaries.size());
+    reserveReusing(bouncing_, summaries.size());
     contactSet.store().forEachInOrder([&](std::uint32_t slot) {
         if (!summaries[slot].idle) {
             present_.push_back(slot);

@@ -122,6 +122,7 @@ void SleepSystem::holdMoving(Bodies& bodies, std::uint32_t enough, const Toleran
         return base.least < -tolerances.slop && base.most > tolerances.slop;
     };
     sleepers_.clear(); // here: the calm bodies
+    sleepers_.reserve(bodies.record.capacity());
     for (const std::uint32_t body : bodies.awake) {
         const std::uint32_t root = touching_.rootOf(body);
         if (leastCalm_[root] >= enough) {
