@@ -2,6 +2,11 @@
 #include <support/draws.hpp>
 #include <support/scenes.hpp>
 
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+
 namespace kodo {
 namespace {
 
@@ -9,7 +14,12 @@ using support::byPrecision;
 using support::near;
 using support::nearShare;
 
-// Under a sanitizer each of these runs has a tenth of its steps.
+// Under a sanitizer each of these runs has a tenth of its steps. The environment variable
+// SOAK_STEPS sets the steps of the awake stack and of the pile, as 1000000 for the long form.
+int stepsOr(int everyday) {
+    const char* const wanted = std::getenv("SOAK_STEPS");
+    return wanted == nullptr ? support::draws(everyday) : std::atoi(wanted);
+}
 
 // A sleeping stack does not change by one bit in 1e7 steps (46 hours).
 TEST(Soak, ASleepingStackKeepsItsBits) {
@@ -40,7 +50,7 @@ TEST(Soak, AnAwakeStackDoesNotCreep) {
     for (const BodyId box : boxes) {
         before.push_back(world[box].position());
     }
-    support::run(world, support::draws(100000));
+    support::run(world, stepsOr(100000));
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         EXPECT_TRUE(near(world[boxes[i]].position(), before[i], byPrecision(2e-5, 1e-6))) << i;
     }
@@ -90,6 +100,82 @@ TEST(Soak, ABallBetweenWallsKeepsItsSpeed) {
     }
     EXPECT_GT(hits, static_cast<std::size_t>(support::draws(50000)));
     EXPECT_TRUE(nearShare(length(world[ball].velocity()), speed, 5000 * support::kEpsilon));
+}
+
+/// A pile of twelve bodies in which the oldest one is replaced every ten steps.
+class ChurningPile {
+public:
+    ChurningPile() : world_({.gravity = support::kEarth}) {
+        support::addFloor(world_);
+        for (const Real side : {Real(-1), Real(1)}) {
+            world_.add(
+                {.shape = Box{Real(0.5), 8}, .position = {2 * side, 4}, .type = BodyType::Static});
+        }
+        for (std::size_t i = 0; i < 12; ++i) {
+            bodies_.push_back(addBody());
+        }
+    }
+
+    void step() {
+        if (++steps_ % 10 == 0) {
+            world_.remove(bodies_.front());
+            bodies_.erase(bodies_.begin());
+            bodies_.push_back(addBody());
+        }
+        world_.step(support::kDt);
+    }
+    const World& world() const { return world_; }
+    ChurningPile restored() const {
+        ChurningPile other = *this;
+        other.world_ = fromBytes(toBytes(world_));
+        return other;
+    }
+
+private:
+    BodyId addBody() {
+        const Real size = random_.between(0.2, 0.4);
+        const Real x = random_.between(-1, 1);
+        BodyDef def = random_.below(2) == 0 ? support::ballDef({x, 6}, size)
+                                            : support::boxDef({x, 6}, 2 * size, size);
+        def.rotation = random_.rotation();
+        return world_.add(def);
+    }
+
+    World world_;
+    std::vector<BodyId> bodies_;
+    support::RandomNumbers random_{5};
+    int steps_ = 0;
+};
+
+// A pile with churn stays inside its walls, and its snapshot does not grow: nothing of removed
+// bodies is kept. A World restored from bytes halfway has the same bits at the end.
+TEST(Soak, APileWithChurnKeepsItsSize) {
+    const int steps = stepsOr(5000);
+    ChurningPile pile;
+    std::optional<ChurningPile> restored;
+    std::size_t early = 0;
+    for (int step = 0; step < steps; ++step) {
+        if (step == steps / 2) {
+            restored = pile.restored();
+        }
+        pile.step();
+        if (restored) {
+            restored->step();
+        }
+        if (step % 500 == 499) {
+            const std::size_t size = toBytes(pile.world()).size();
+            early = step < 1000 ? std::max(early, size) : early;
+            ASSERT_LT(size, 2 * early + 2000) << "step " << step;
+            ASSERT_EQ(pile.world().bodyCount(), 15u);
+            for (const BodyId id : pile.world().bodies()) {
+                const Vec2 at = pile.world()[id].position();
+                ASSERT_TRUE(std::abs(at.x) <= 2 && at.y > -1 && at.y < 20) << "step " << step;
+            }
+        }
+    }
+    EXPECT_EQ(restored->world().stateHash(), pile.world().stateHash());
+    std::printf("%d steps, state %016llx\n", steps,
+                static_cast<unsigned long long>(pile.world().stateHash()));
 }
 
 } // namespace
