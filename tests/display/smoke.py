@@ -103,7 +103,7 @@ def play(screen, apart, report):
         (report / "on.png").unlink()
         screen.xdotool("windowfocus", screen.root())
         wait_until("losing the focus pauses",
-                   lambda: difference(screen, one, game.picture(report / "away.png"), MENU) < 3000)
+                   lambda: difference(screen, one, game.picture(report / "away.png"), MENU) < 8000)
         (report / "away.png").unlink()
         screen.xdotool("windowfocus", game.window)
         check("losing the focus pauses", True)

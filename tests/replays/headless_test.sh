@@ -90,7 +90,7 @@ sed -e 's/^seed 7$/seed 8/' -e 's/^digest .*/x/' -e '/^x$/d' -e 's/^rules/handwr
     a.replay >other.replay
 expect 1 'tick 60 is the first whose hash differs' "$program" verify other.replay
 sed 's/^expect 600   lives .*/expect 600 lives == 1/' "$replays/keystone_caught.replay" >unmet.replay
-expect 1 '^unmet.replay:[0-9]+: expect 600 lives == 1, but lives is 3$' "$program" replay unmet.replay
+expect 1 '^unmet.replay:[0-9]+: expect 600 lives == 1, but lives is 8$' "$program" replay unmet.replay
 expect 2 'there is no level nowhere' "$program" bot --level nowhere
 expect 2 'a whole number from 0 to 4294967295, not .99999999999' "$program" bot --seed 99999999999
 expect 2 'level' "$program" bot --level=

@@ -111,9 +111,9 @@ void paintResults(Canvas& canvas, const ResultsLook& look) {
     best.chain = best.chain || look.before.chain;
     constexpr std::array<const char*, 3> kHonours = {"cleared", "no ball lost", "chain of 8"};
     const Vec2 step{Real(3.4), 0};
-    paintHonours(canvas, Vec2{0, Real(6.65)} - step, step, Real(0.42), best);
+    paintHonours(canvas, Vec2{0, Real(6.95)} - step, step, Real(0.42), best);
     for (std::size_t i = 0; i < kHonours.size(); ++i) {
-        const Vec2 place = Vec2{0, Real(5.85)} + (static_cast<Real>(i) - 1) * step;
+        const Vec2 place = Vec2{0, Real(6.1)} + (static_cast<Real>(i) - 1) * step;
         canvas.text(kHonours[i], place,
                     {Real(0.4), palette::kQuiet, Typeface::Plain, Align::Middle});
     }

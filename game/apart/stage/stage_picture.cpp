@@ -87,7 +87,7 @@ void paintPaused(Canvas& canvas, const Menu& menu) {
     canvas.text("Paused", {0, Real(13)},
                 {Real(1.6), palette::kText, Typeface::Bold, Align::Middle});
     menu.draw(canvas);
-    Real y = Real(5.4);
+    Real y = Real(4.9);
     for (const char* line : {"mouse, arrows or A and D: move      space or click: serve",
                              "left button, down or S: pull      right button, up or W: push",
                              "R: restart      M: sound      F3: what the engine sees"}) {

@@ -61,9 +61,9 @@ std::string Theatre::speedText() const {
 }
 
 void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick, std::uint32_t end) {
-    constexpr Real kLow = Real(1.05);
-    constexpr Real kHigh = Real(1.2);
-    constexpr Real kHalf = Real(9); // m, half the length of the bar
+    constexpr Real kLow = Real(-0.2); // below the paddle
+    constexpr Real kHigh = Real(-0.08);
+    constexpr Real kHalf = Real(11.5); // m, half the length of the bar
     const Real share =
         end > 0 ? std::min(static_cast<Real>(tick) / static_cast<Real>(end), Real(1)) : Real(0);
     const Real place = -kHalf + 2 * kHalf * share;
@@ -72,10 +72,10 @@ void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick, st
     canvas.disc({place, (kLow + kHigh) / 2}, Real(0.18), palette::kText, palette::kAccent);
     const std::string state = fmt::format("{} of {}      {}", timeText(tick), timeText(end),
                                           theatre.paused() ? "paused" : theatre.speedText() + " x");
-    canvas.text(state, {0, Real(1.5)}, {Real(0.5), palette::kText, Typeface::Bold, Align::Middle});
+    canvas.text(state, {-kHalf, Real(0.2)}, {Real(0.42), palette::kText, Typeface::Bold});
     canvas.text(
         "space: pause   left, right: 5 s   up, down: speed   N: one tick   enter: take over",
-        {0, Real(0.35)}, {Real(0.4), palette::kQuiet, Typeface::Plain, Align::Middle});
+        {kHalf, Real(0.2)}, {Real(0.38), palette::kQuiet, Typeface::Plain, Align::Right});
 }
 
 } // namespace apart
