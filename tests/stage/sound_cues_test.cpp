@@ -48,20 +48,20 @@ TEST(SoundCues, ThePitchClimbsWithTheComboForTwoOctaves) {
 }
 
 TEST(SoundCues, TheSameVoiceIsNotStartedTwiceAtOnce) {
-    SoundCues ear;
+    SoundCues cues;
     RecordingSpeaker speaker;
     const std::vector<Event> two = {strikeOf(Role::Wall, 20), strikeOf(Role::Wall, 20)};
-    ear.hear(two, 100, 1, speaker);
+    cues.play(two, 100, 1, speaker);
     EXPECT_EQ(speaker.notes.size(), 1u);
-    ear.hear(two, 130, 1, speaker);
+    cues.play(two, 130, 1, speaker);
     EXPECT_EQ(speaker.notes.size(), 2u);
 }
 
 TEST(SoundCues, WithoutVolumeNoNoteIsPlayed) {
-    SoundCues ear;
+    SoundCues cues;
     RecordingSpeaker speaker;
     const std::vector<Event> events = {strikeOf(Role::Wall, 20), Cleared{}};
-    ear.hear(events, 1, 0, speaker);
+    cues.play(events, 1, 0, speaker);
     EXPECT_TRUE(speaker.notes.empty());
 }
 

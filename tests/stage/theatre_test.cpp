@@ -145,7 +145,7 @@ TEST(Results, ThePointsBySourceAddUpToTheScore) {
         RunStatistics statistics;
         while (game.result() == Result::Playing && game.ticks() < 9000) {
             game.tick(bot(game));
-            statistics.hear(game);
+            statistics.update(game);
             ASSERT_EQ(statistics.points.sum(), game.score()) << name << " " << game.ticks();
         }
     }

@@ -29,7 +29,7 @@ void Juice::tick(const Game& game) {
     now_ = game.ticks();
     age();
     for (const Event& event : game.events()) {
-        std::visit([&](const auto& what) { hear(game, what); }, event);
+        std::visit([&](const auto& what) { onEvent(game, what); }, event);
     }
     followBalls(game);
     feedFlames(game);

@@ -58,32 +58,32 @@ private:
         std::vector<Vec2> places;
     };
 
-    // Effects of each event (juice_hear.cpp).
-    void hear(const Game& game, const Struck& hit);
-    void hear(const Game& game, const Cracked& hit);
-    void hear(const Game& game, const Broke& hit);
-    void hear(const Game& game, const Welded& weld);
-    void hear(const Game& game, const KnockedOff& off);
-    void hear(const Game& game, const Launched& launch);
-    void hear(const Game& game, const Spent& end);
-    void hear(const Game& game, const BallSplit& split);
-    void hear(const Game& game, const BallLost& lost);
-    void hear(const Game& game, const LifeLost& lost);
-    void hear(const Game& game, const Cleared& end);
-    void hear(const Game& game, const ShardBroke& hit);
-    void hear(const Game& game, const LetGo& let);
-    void hear(const Game& game, const Collapsed& collapse);
-    void hear(const Game& game, const Snapped& snap);
-    void hear(const Game& game, const Fell& fell);
-    void hear(const Game& game, const PatienceChanged& change);
-    void hear(const Game& game, const BossDown& down);
-    void hear(const Game& game, const Bumped& bump);
-    void hear(const Game& game, const PowerBegan& power);
-    void hear(const Game& game, const BallChanged& change);
-    void hear(const Game& game, const Leapt& leap);
-    void hear(const Game& game, const ShardCaught& shard);
+    // Effects of each event (juice_events.cpp).
+    void onEvent(const Game& game, const Struck& hit);
+    void onEvent(const Game& game, const Cracked& hit);
+    void onEvent(const Game& game, const Broke& hit);
+    void onEvent(const Game& game, const Welded& weld);
+    void onEvent(const Game& game, const KnockedOff& off);
+    void onEvent(const Game& game, const Launched& launch);
+    void onEvent(const Game& game, const Spent& end);
+    void onEvent(const Game& game, const BallSplit& split);
+    void onEvent(const Game& game, const BallLost& lost);
+    void onEvent(const Game& game, const LifeLost& lost);
+    void onEvent(const Game& game, const Cleared& end);
+    void onEvent(const Game& game, const ShardBroke& hit);
+    void onEvent(const Game& game, const LetGo& let);
+    void onEvent(const Game& game, const Collapsed& collapse);
+    void onEvent(const Game& game, const Snapped& snap);
+    void onEvent(const Game& game, const Fell& fell);
+    void onEvent(const Game& game, const PatienceChanged& change);
+    void onEvent(const Game& game, const BossDown& down);
+    void onEvent(const Game& game, const Bumped& bump);
+    void onEvent(const Game& game, const PowerBegan& power);
+    void onEvent(const Game& game, const BallChanged& change);
+    void onEvent(const Game& game, const Leapt& leap);
+    void onEvent(const Game& game, const ShardCaught& shard);
     template <typename Other>
-    void hear(const Game&, const Other&) {} // events without effects
+    void onEvent(const Game&, const Other&) {} // events without effects
 
     void burst(Burst burst);
     void blast(Vec2 point, Color color, int count, Real speed);

@@ -7,7 +7,7 @@ void Play::tick(const Input& input, Speaker& speaker) {
     poses_.remember(game_.world());
     game_.tick(input);
     juice_.tick(game_);
-    soundCues_.hear(game_.events(), game_.ticks(), share(juice_.settings().sound), speaker);
+    soundCues_.play(game_.events(), game_.ticks(), share(juice_.settings().sound), speaker);
 }
 
 void Play::draw(Canvas& canvas, Real share) const {

@@ -6,7 +6,7 @@
 
 namespace apart {
 
-void RunStatistics::hear(const Game& game) {
+void RunStatistics::update(const Game& game) {
     for (const Event& event : game.events()) {
         if (const auto* broke = std::get_if<Broke>(&event)) {
             bestCombo = std::max(bestCombo, broke->combo);

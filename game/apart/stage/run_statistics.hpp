@@ -33,7 +33,7 @@ struct RunStatistics {
     std::uint32_t ticks = 0; // until the end of the game
 
     /// Call after each tick of the game.
-    void hear(const Game& game);
+    void update(const Game& game);
     Best bestOf(const Game& game) const;
 };
 

@@ -79,7 +79,7 @@ void Session::tick(const std::optional<Input>& input, const Settings& settings, 
         }
     }
     timeScale_.tick(game(), settings);
-    statistics_.hear(game());
+    statistics_.update(game());
     if (fallen == 0 && game().collapse().blocks > 0 && kind_ == Kind::Own) {
         beforeFall_ = marks_.front().play;
     }

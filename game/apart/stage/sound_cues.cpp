@@ -143,7 +143,7 @@ Note noteOf(const Event& event) {
     return std::visit([](const auto& what) { return noteFor(what); }, event);
 }
 
-void SoundCues::hear(std::span<const Event> events, std::uint32_t tick, float volume,
+void SoundCues::play(std::span<const Event> events, std::uint32_t tick, float volume,
                      Speaker& speaker) {
     const auto play = [&](Note note) {
         note.volume *= volume;

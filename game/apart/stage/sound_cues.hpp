@@ -14,7 +14,7 @@ namespace apart {
 class SoundCues {
 public:
     /// `volume` 0..1 scales all notes. Repeated notes of one voice within a few ticks are dropped.
-    void hear(std::span<const Event> events, std::uint32_t tick, float volume, Speaker& speaker);
+    void play(std::span<const Event> events, std::uint32_t tick, float volume, Speaker& speaker);
 
 private:
     std::array<std::uint32_t, kVoiceNames.size()> lastTick_{}; // tick of the last note plus 1; 0:

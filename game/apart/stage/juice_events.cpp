@@ -67,7 +67,7 @@ void Juice::firework(Vec2 place, Color color) {
     burst({place, {}, lighter(color, 0.5f), 24, 7, Real(1.1), Real(0.1)});
 }
 
-void Juice::hear(const Game&, const Struck& hit) {
+void Juice::onEvent(const Game&, const Struck& hit) {
     const Real weight = weightOf(hit.impulse);
     if (weight < Real(0.12)) {
         return; // rolling and resting contacts
@@ -78,7 +78,7 @@ void Juice::hear(const Game&, const Struck& hit) {
     heat(nameOf(hit.ball), weight * hit.normal);
 }
 
-void Juice::hear(const Game& game, const Cracked& hit) {
+void Juice::onEvent(const Game& game, const Cracked& hit) {
     heat(nameOfBlock(hit.key), {});
     burst({hit.point, {}, palette::of(hit.stuff), countFor(weightOf(hit.impulse), 12), 5});
     for (const Block& block : game.blocks()) {
@@ -90,7 +90,7 @@ void Juice::hear(const Game& game, const Cracked& hit) {
     }
 }
 
-void Juice::hear(const Game&, const Broke& hit) {
+void Juice::onEvent(const Game&, const Broke& hit) {
     const Real weight = weightOf(hit.impulse);
     cracks_.forget(hit.key);
     burst({hit.point,
@@ -113,51 +113,51 @@ void Juice::hear(const Game&, const Broke& hit) {
     }
 }
 
-void Juice::hear(const Game&, const Welded& weld) {
+void Juice::onEvent(const Game&, const Welded& weld) {
     burst({weld.point, {0, 1}, palette::of(Power::Weld), 40, 8, Real(0.6)});
     popups_.add({"welded", weld.point + Vec2{0, Real(0.8)}, palette::of(Power::Weld), Real(0.55)});
 }
 
-void Juice::hear(const Game&, const KnockedOff& off) {
+void Juice::onEvent(const Game&, const KnockedOff& off) {
     blast(off.point, palette::of(Power::Weld), 24, 8);
     push(Real(0.25));
     popups_.add({"knocked off", off.point + Vec2{0, Real(0.8)}, palette::kQuiet, Real(0.5)});
 }
 
-void Juice::hear(const Game&, const Launched& launch) {
+void Juice::onEvent(const Game&, const Launched& launch) {
     burst({launch.point, {0, -1}, palette::of(Power::Launch), 40, 10, Real(0.5)});
     push(Real(0.3));
 }
 
-void Juice::hear(const Game&, const Spent& end) {
+void Juice::onEvent(const Game&, const Spent& end) {
     blast(end.point, palette::of(Power::Launch), 30, 9);
 }
 
-void Juice::hear(const Game&, const BallSplit& split) {
+void Juice::onEvent(const Game&, const BallSplit& split) {
     burst({split.point, {}, palette::of(Power::Split), 50, 10, Real(0.8)});
     const std::string text =
         split.balls == 1 ? "1 ball more" : std::to_string(split.balls) + " balls more";
     popups_.add({text, split.point + Vec2{0, Real(1.1)}, palette::of(Power::Split), Real(0.6)});
 }
 
-void Juice::hear(const Game&, const BallLost& lost) {
+void Juice::onEvent(const Game&, const BallLost& lost) {
     burst({{lost.point.x, 0}, {0, 1}, palette::kDanger, 40, 11, Real(0.8)});
 }
 
-void Juice::hear(const Game&, const LifeLost&) {
+void Juice::onEvent(const Game&, const LifeLost&) {
     push(Real(0.7));
     light(palette::kDanger, 0.55f);
 }
 
-void Juice::hear(const Game&, const Cleared&) {
+void Juice::onEvent(const Game&, const Cleared&) {
     light(palette::kAccent, 0.4f);
 }
 
-void Juice::hear(const Game&, const ShardBroke& hit) {
+void Juice::onEvent(const Game&, const ShardBroke& hit) {
     blast(hit.point, palette::of(hit.stuff), 3 + countFor(weightOf(hit.impulse), 8), 5);
 }
 
-void Juice::hear(const Game&, const LetGo& let) {
+void Juice::onEvent(const Game&, const LetGo& let) {
     blast(let.point, palette::of(let.stuff), 16, 4);
     push(let.why == LetGo::Why::BrokeOff ? Real(0.3) : Real(0.1));
     if (let.why == LetGo::Why::Toppled) { // dust
@@ -171,7 +171,7 @@ void Juice::hear(const Game&, const LetGo& let) {
     }
 }
 
-void Juice::hear(const Game&, const Collapsed& collapse) {
+void Juice::onEvent(const Game&, const Collapsed& collapse) {
     const Real size = Real(0.6) + Real(0.06) * static_cast<Real>(std::min(collapse.blocks, 12));
     popups_.add({fallText(collapse.blocks), collapse.point, palette::kAccent, size});
     if (collapse.blocks >= kGreatFall) {
@@ -179,17 +179,17 @@ void Juice::hear(const Game&, const Collapsed& collapse) {
     }
 }
 
-void Juice::hear(const Game&, const Snapped& snap) {
+void Juice::onEvent(const Game&, const Snapped& snap) {
     blast(snap.point, palette::kMachine, 14, 7);
     push(Real(0.15));
     popups_.add({"snap", snap.point, palette::kQuiet, Real(0.45)});
 }
 
-void Juice::hear(const Game&, const Fell& fell) {
+void Juice::onEvent(const Game&, const Fell& fell) {
     popups_.add({"", {fell.point.x, Real(1.2)}, palette::kText, Real(0.45), fell.points});
 }
 
-void Juice::hear(const Game& game, const PatienceChanged& change) {
+void Juice::onEvent(const Game& game, const PatienceChanged& change) {
     const Block* next = game.nextToFall();
     if (change.patience == Patience::Glowing && next != nullptr) {
         const kodo::BodyView body = game.world()[next->body];
@@ -201,7 +201,7 @@ void Juice::hear(const Game& game, const PatienceChanged& change) {
     }
 }
 
-void Juice::hear(const Game&, const BossDown& down) {
+void Juice::onEvent(const Game&, const BossDown& down) {
     push(1);
     light(palette::kAccent, 0.5f);
     firework(down.point, palette::kDanger);
@@ -210,20 +210,20 @@ void Juice::hear(const Game&, const BossDown& down) {
     popups_.add({"boss down!", down.point + Vec2{0, Real(1.5)}, palette::kAccent, Real(1.1)});
 }
 
-void Juice::hear(const Game&, const Bumped& bump) {
+void Juice::onEvent(const Game&, const Bumped& bump) {
     heat(nameOf(bump.bumper), -bump.normal);
     burst({bump.point, bump.normal, palette::kBumper, 14, 9, Real(0.4)});
     push(Real(0.12));
 }
 
-void Juice::hear(const Game&, const PowerBegan& power) {
+void Juice::onEvent(const Game&, const PowerBegan& power) {
     const Color color = palette::of(power.power);
     blast(power.point, color, 40, 9);
     popups_.add(
         {std::string(wordsOf(power.power)), power.point + Vec2{0, Real(0.9)}, color, Real(0.55)});
 }
 
-void Juice::hear(const Game& game, const BallChanged& change) {
+void Juice::onEvent(const Game& game, const BallChanged& change) {
     for (Trail& trail : trails_) {
         if (trail.ball == change.before) {
             trail.ball = change.now;
@@ -234,11 +234,11 @@ void Juice::hear(const Game& game, const BallChanged& change) {
     }
 }
 
-void Juice::hear(const Game&, const Leapt& leap) {
+void Juice::onEvent(const Game&, const Leapt& leap) {
     burst({leap.point, {0, -1}, palette::of(Power::Spring), 30, 9, Real(0.4)});
 }
 
-void Juice::hear(const Game&, const ShardCaught& shard) {
+void Juice::onEvent(const Game&, const ShardCaught& shard) {
     burst({shard.point, {0, 1}, palette::of(shard.stuff), 6, 5, Real(0.35)});
 }
 
