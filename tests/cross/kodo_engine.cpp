@@ -10,8 +10,13 @@
 namespace crosscheck::KODO_PRECISION {
 namespace {
 
+/// Without shock passes, which treat lower levels of a pile as static: the records would lack the
+/// load that they carry.
 kodo::StepSettings settingsOf(Solver solver) {
     kodo::StepSettings result = solver == Solver::Soft ? kodo::balanced() : kodo::thesis2006();
+    if (solver == Solver::Propagation) {
+        result.propagation().shockPasses = 0;
+    }
     result.leaveOut = kodo::Feature::Sleep;
     return result;
 }

@@ -11,6 +11,17 @@ inline namespace KODO_PRECISION {
 namespace {
 
 constexpr std::size_t kFewUnused = 64; // indices; so many are never removed
+// Largest size of stored bounds relative to the needed ones. A body that was fast for one step
+// would otherwise be a candidate for contacts on all of that way, as long as it stays there.
+constexpr Real kMostExcess = 16;
+constexpr Real kMostPredicted = 4; // at the end of a step
+
+/// True if the size of the stored bounds exceeds `factor` times that of the needed ones.
+bool isFarLarger(const Octagon& stored, const Octagon& needed, Real factor) {
+    const Vec2 own = stored.box().extent();
+    const Vec2 least = needed.box().extent();
+    return own.x + own.y > factor * (least.x + least.y);
+}
 
 /// Pose at the end of the displacement of this step.
 Transform poseAfter(const Transform& pose, const BodyVelocity& motion) {
@@ -282,7 +293,7 @@ void PartBounds::coverPrediction(const Bodies& bodies, const Tolerances& toleran
         tight_[i] = boundsAt(bodies, i, bodies.pose[body]);
         const Octagon needed =
             unite(tight_[i], tight_[i].moved(ahead)).grown(tolerances.margin + rotationReach);
-        if (grown_[i].contains(needed)) {
+        if (grown_[i].contains(needed) && !isFarLarger(grown_[i], needed, kMostExcess)) {
             return false;
         }
         const Real slack = std::min(tolerances.grown, extent.coreRadius / 8);
@@ -311,7 +322,9 @@ void PartBounds::coverDisplacements(const Bodies& bodies, const Tolerances& tole
             return false;
         }
         // With the prediction, so that a pair that has just collided keeps its contact and record.
-        grown_[i] = unite(unite(tight_[i], after).grown(tolerances.margin), grown_[i]);
+        const Octagon needed = unite(tight_[i], after).grown(tolerances.margin);
+        const bool far = isFarLarger(grown_[i], needed, kMostPredicted);
+        grown_[i] = far ? needed : unite(needed, grown_[i]);
         return true;
     });
 }
