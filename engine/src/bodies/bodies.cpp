@@ -87,6 +87,7 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const BodyGeo
     record.geometry = std::move(geometry);
     record.userData = def.userData;
     bodies.record[slot.index] = std::move(record);
+    bodies.changes.lostLoads.reserve(bodies.record.capacity());
     bodies.filter[slot.index] = {(def.flags & ~(kStatusFlags | kTypeBits)) | bitsOf(def.type),
                                  def.required};
     bodies.sleep[slot.index] = {};
@@ -205,13 +206,14 @@ void clearArrivals(Bodies& bodies) {
 }
 
 void countLostLoads(Bodies& bodies) {
-    if (!std::exchange(bodies.changes.anyLostLoad, false)) {
-        return;
-    }
-    for (BodyRecord& record : bodies.record) {
-        record.lostLoad = static_cast<std::uint8_t>(record.lostLoad - (record.lostLoad > 0));
-        bodies.changes.anyLostLoad = bodies.changes.anyLostLoad || record.lostLoad > 0;
-    }
+    std::vector<std::uint32_t>& list = bodies.changes.lostLoads;
+    std::sort(list.begin(), list.end()); // total order: equal indices are identical
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    std::erase_if(list, [&](std::uint32_t body) {
+        std::uint8_t& steps = bodies.record[body].lostLoad;
+        steps = static_cast<std::uint8_t>(steps - (steps > 0));
+        return steps == 0;
+    });
 }
 
 void noteStart(Bodies& bodies) {

@@ -42,7 +42,7 @@ struct BodyChanges {
     std::vector<std::uint32_t> toggled;    // that the last refreshAwake listed or removed, in order
     bool allActivity = true;               // the same as if `activity` listed all bodies
     bool allMoved = true;                  // the same as if `moved` listed all bodies
-    bool anyLostLoad = false;              // some BodyRecord::lostLoad is not 0
+    std::vector<std::uint32_t> lostLoads;  // with BodyRecord::lostLoad > 0; also repeated or gone
 };
 
 /// All bodies of a World as parallel arrays, indexed by BodyId::index. A free slot has zero
@@ -118,8 +118,10 @@ struct Bodies {
     void noteTeleport(std::size_t index) { note(index, hasTeleported, changes.teleported); }
     /// A contact, joint or force that may have pressed the body changed or is gone.
     void noteLostLoad(std::size_t index, std::uint8_t steps = 1) {
+        if (record[index].lostLoad == 0) {
+            changes.lostLoads.push_back(static_cast<std::uint32_t>(index));
+        }
         record[index].lostLoad = std::max(record[index].lostLoad, steps);
-        changes.anyLostLoad = true;
     }
     /// The body may have become active or inactive.
     void noteActivity(std::size_t index) { note(index, changes.activity, changes.allActivity); }

@@ -19,6 +19,7 @@ struct JointPass {
     bool biased = false;  // false: relax pass
     bool exact = false;   // the joint belongs to a tree, see ArticulatedTrees
     int springPasses = 0; // further passes over springs with a lag, see Softness::spring()
+    bool last = true;     // of a substep, if not biased: adds the impulses to the sums of the step
 };
 
 /// Rigid constraints of one joint: up to three rows J = (a, b) on the velocities of its bodies,

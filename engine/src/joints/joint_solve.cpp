@@ -138,7 +138,7 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
                     constraint.solve(frame.a, frame.b, impulse,
                                      pass.biased || relax == Relax::Same);
                 }
-                if (!pass.biased) { // the relax pass is the last one of the substep
+                if (!pass.biased && pass.last) {
                     constraint.addToSums(impulse, joint.linearImpulseSum, joint.angularImpulseSum);
                 }
             });
@@ -208,9 +208,12 @@ void JointSet::solveTrees(Bodies& bodies, const JointPass& pass) {
             const Real impulse = rows->impulse[r];
             const Vec2 along{rows->b[r][0], rows->b[r][1]};
             joint.impulseAt(rows->slot[r]) = impulse;
-            if (!pass.biased && along == Vec2{}) {
+            if (pass.biased || !pass.last) {
+                continue;
+            }
+            if (along == Vec2{}) {
                 joint.angularImpulseSum += impulse * rows->b[r][2];
-            } else if (!pass.biased) {
+            } else {
                 joint.linearImpulseSum += impulse * along;
             }
         }

@@ -214,18 +214,18 @@ void LoadRelease::releaseSeparating(const Inputs& inputs, std::uint32_t body, Re
     }
 }
 
-void LoadRelease::findJointed(const Inputs& inputs) {
-    jointed_.assign(inputs.bodies.size(), 0);
+void LoadRelease::markJointed(const Inputs& inputs, std::uint8_t mark) {
+    resizeByBody(jointed_, inputs.bodies);
     inputs.joints.forEachBusy([&](const JointSet::Joint& joint) {
-        jointed_[firstBody(joint.def).index] = 1;
-        jointed_[secondBody(joint.def).index] = 1;
+        jointed_[firstBody(joint.def).index] = mark;
+        jointed_[secondBody(joint.def).index] = mark;
     });
 }
 
 void LoadRelease::run(const Inputs& inputs, std::span<const std::uint32_t> list,
                       std::span<const Velocity> before, Real h) {
     const Bodies& bodies = inputs.bodies;
-    if (!bodies.changes.anyLostLoad) {
+    if (bodies.changes.lostLoads.empty()) {
         return;
     }
     changed_.clear();
@@ -239,7 +239,7 @@ void LoadRelease::run(const Inputs& inputs, std::span<const std::uint32_t> list,
     queue_.clear();
     resizeByBody(visits_, bodies);
     resizeByBody(queued_, bodies);
-    findJointed(inputs);
+    markJointed(inputs, 1);
     for (std::size_t i = 0, count = changed_.size(); i < count; ++i) {
         releaseSeparating(inputs, changed_[i], h);
     }
@@ -258,6 +258,7 @@ void LoadRelease::run(const Inputs& inputs, std::span<const std::uint32_t> list,
     for (const std::uint32_t body : queue_) {
         visits_[body] = 0;
     }
+    markJointed(inputs, 0);
 }
 
 } // namespace KODO_PRECISION

@@ -60,7 +60,7 @@ private:
     bool isKicked(const Inputs& inputs, std::uint32_t body, Real h) const;
     Real separatingSpeed(const Bodies& bodies, const ContactBlocks::Lane& at) const;
     void releaseSeparating(const Inputs& inputs, std::uint32_t body, Real h);
-    void findJointed(const Inputs& inputs);
+    void markJointed(const Inputs& inputs, std::uint8_t mark);
     void addKicked(std::uint32_t body);
     void release(const Inputs& inputs, std::uint32_t body, Real h);
     void findGains(const Inputs& inputs, std::uint32_t body);
@@ -72,7 +72,7 @@ private:
     std::vector<Gain> gains_;
     std::vector<std::uint8_t> visits_;  // by body; 0 between steps
     std::vector<std::uint8_t> queued_;  // by body: is in queue_
-    std::vector<std::uint8_t> jointed_; // by body; valid within run()
+    std::vector<std::uint8_t> jointed_; // by body; 0 outside run()
 };
 
 } // namespace KODO_PRECISION

@@ -306,12 +306,13 @@ void Propagation::markExposure(const Bodies& bodies, const JointSet& joints, Rea
 /// After the displacements: removes the velocity that the errors of joints have added. Where
 /// contacts of their bodies resisted it, their impulses are taken back as well. Otherwise the
 /// bodies would leave at that velocity.
-void Propagation::relax(Bodies& bodies, JointSet& joints, const JointPass& pass,
+void Propagation::relax(Bodies& bodies, JointSet& joints, JointPass pass,
                         const PropagationSettings& settings) {
-    joints.solve(bodies, pass);
     if (joints.busyCount() == 0) {
         return;
     }
+    pass.last = false;
+    joints.solve(bodies, pass);
     jointed_.assign(bodies.size(), 0);
     joints.forEachBusy([&](const JointSet::Joint& joint) {
         jointed_[firstBody(joint.def).index] = 1;
@@ -323,6 +324,7 @@ void Propagation::relax(Bodies& bodies, JointSet& joints, const JointPass& pass,
                 solveRow(row, bodies, massesOf(bodies, row, false, false), 1, 1 / pass.h);
             }
         });
+        pass.last = k == kRelaxPasses;
         joints.solve(bodies, pass);
     }
 }

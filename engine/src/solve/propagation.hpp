@@ -99,7 +99,7 @@ private:
     void propagateShock(Bodies& bodies, const PropagationSettings& settings, Real invH);
     void separate(Bodies& bodies, const Step& step, Real h);
     void markExposure(const Bodies& bodies, const JointSet& joints, Real h, Real slop);
-    void relax(Bodies& bodies, JointSet& joints, const JointPass& pass,
+    void relax(Bodies& bodies, JointSet& joints, JointPass pass,
                const PropagationSettings& settings);
     void store(std::span<Contact> contacts);
     void noteStrongest(std::span<const Contact> contacts);

@@ -167,7 +167,9 @@ void SnapshotFields::one(Bodies& bodies) {
             auto& [geometry, userData, force, torque, lostLoad] = record[i];
             all(geometry, filter[i], userData, force, torque, lostLoad, pose[i], motion[i],
                 acceleration[i], rest[i]);
-            changes.anyLostLoad = changes.anyLostLoad || lostLoad != 0;
+            if (reads() && lostLoad != 0) {
+                changes.lostLoads.push_back(i);
+            }
             if (reads()) {
                 completeBody(bodies, i);
             }
