@@ -48,6 +48,7 @@ TEST(TouchPhase, AGapBelowTheSlopIsATouch) {
 TEST(TouchPhase, AnImpulseIsATouchAtAnyGap) {
     Contact contact = contactOf(kTolerances.margin);
     contact.impulse[1].largest = 2;
+    contact.total = 2;
     const auto records = recordsOf(contact);
     ASSERT_EQ(records.size(), 1u);
     EXPECT_EQ(records[0].maxImpulse, 2);
@@ -68,6 +69,27 @@ TEST(TouchPhase, AGapAfterATouchEnds) {
     EXPECT_EQ(records[0].phase, TouchPhase::End);
     EXPECT_EQ(records[0].pointCount, 0);
     EXPECT_EQ(records[0].totalImpulse, 0);
+}
+
+// F2: refined substeps store an upper bound of their largest impulse; the total is exact.
+TEST(TouchPhase, TheLargestImpulseIsAtMostTheTotal) {
+    Contact contact = contactOf(0);
+    contact.impulse[0].largest = 8;
+    contact.total = 4;
+    const auto records = recordsOf(contact);
+    ASSERT_EQ(records.size(), 1u);
+    EXPECT_EQ(records[0].maxImpulse, 4);
+    EXPECT_EQ(records[0].maxPointImpulse(), 4);
+}
+
+// F2: the gap of a pair is that of its deepest point.
+TEST(TouchPhase, TheSeparationIsThatOfTheDeepestPoint) {
+    Contact contact = contactOf(0);
+    contact.manifold.points[1].separation = Real(-0.125);
+    const auto records = recordsOf(contact);
+    ASSERT_EQ(records.size(), 1u);
+    EXPECT_EQ(records[0].separation, Real(-0.125));
+    EXPECT_EQ(records[0].point, (Vec2{11, 20}));
 }
 
 // S2: the impact impulse counts as one of the groups, and in the total.

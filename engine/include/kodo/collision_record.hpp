@@ -41,10 +41,11 @@ struct CollisionRecord {
     std::array<RecordPoint, 2> points{}; // the first pointCount of them
     Vec2 point{};           // m, world; that of the largest impulse, else the deepest one
     Vec2 normal{};          // unit, from a to b
-    Real separation = 0;    // m, before the solver; < 0 in overlap
+    Real separation = 0;    // m, before the solver; < 0 in overlap; of the deepest point
     Real approachSpeed = 0; // m/s along the normal before the solver, of the fastest point; >= 0
-    /// N s; largest normal impulse of all points in one group. If the points have their largest in
-    /// different substeps, the sum of these.
+    /// N s; largest normal impulse of all points in one group, at most totalImpulse. If the points
+    /// have their largest in different substeps, the sum of these. Where substeps are refined, an
+    /// upper bound.
     Real maxImpulse = 0;
     Real totalImpulse = 0; // N s; normal impulses of all points, summed over the step
 

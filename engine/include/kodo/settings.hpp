@@ -81,7 +81,7 @@ struct PropagationSettings {
 /// How a World steps: the trade of speed against accuracy.
 struct StepSettings {
     std::variant<SoftSettings, PropagationSettings> solver = SoftSettings{};
-    int sleepSteps = 30; // 1 to 1000000; still steps in a row before an island falls asleep
+    int sleepSteps = 30; // 1 to 1000000; calm steps in a row before an island falls asleep
     Features leaveOut{};
 
     /// The numbers of the solver in use. Asking for those of the other one throws BadDefinition.

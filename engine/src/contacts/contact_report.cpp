@@ -60,6 +60,9 @@ void recordContact(const Contact& contact, std::vector<CollisionRecord>& out) {
     record.separation = contact.manifold.points[0].separation;
     record.approachSpeed = contact.approachSpeed;
     record.totalImpulse = contact.total;
+    for (std::size_t i = 0; i < record.pointCount; ++i) {
+        record.totalImpulse += contact.impulse[i].impact;
+    }
     Real impacts = 0;
     Real substeps = 0;
     Real most = 0;
@@ -68,16 +71,18 @@ void recordContact(const Contact& contact, std::vector<CollisionRecord>& out) {
         RecordPoint& point = record.points[i];
         point.position = contact.centerA + contact.manifold.points[i].armA;
         point.separation = contact.manifold.points[i].separation;
-        point.maxImpulse = std::max(impulse.largest, impulse.impact);
+        // Refined substeps store their largest part times the number of parts: an upper bound.
+        point.maxImpulse = std::min(std::max(impulse.largest, impulse.impact), record.totalImpulse);
         impacts += impulse.impact;
         substeps += impulse.largest;
-        if (point.maxImpulse > most) {
+        const bool deeper = most == 0 && point.separation < record.separation;
+        if (point.maxImpulse > most || deeper) {
             most = point.maxImpulse;
             record.point = point.position;
         }
+        record.separation = std::min(record.separation, point.separation);
     }
-    record.totalImpulse += impacts;
-    record.maxImpulse = std::max(impacts, substeps);
+    record.maxImpulse = std::min(std::max(impacts, substeps), record.totalImpulse);
 }
 
 void sortRecords(std::vector<CollisionRecord>& records) {
