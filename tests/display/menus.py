@@ -56,7 +56,7 @@ def first_run(screen, apart, report, profile):
         game.key("Escape", "Up", "Return")
         time.sleep(0.5)
         game.click(*item(10.2, 7))
-        game.click(*item(10.2, 7))  # it asks once
+        game.click(*item(10.2, 7))  # opens the question
         code, output = game.wait_for_end()
         check(f"quit, by mouse: exit code {code}", code == 0 and output.strip() == "")
 

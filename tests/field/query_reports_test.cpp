@@ -28,7 +28,7 @@ TEST(FieldQuery, APointQuerySeesTeleportsAndChangesOfTypeAtOnce) {
     }
 }
 
-// A shape query forgets that it has found a body if a later candidate does not overlap.
+// A shape query loses a body that it has found if a later candidate does not overlap.
 // https://github.com/slembcke/Chipmunk2D/pull/197
 TEST(FieldQuery, AShapeQueryKeepsWhatItFoundBeforeACandidateThatMisses) {
     World world;

@@ -44,7 +44,7 @@ mkdir levels && cp "$replays"/levels/patterns.toml levels/ 2>/dev/null
 grep -v '^hash' "$replays/pattern_slats.replay" >slats.replay
 expect 0 '^slats.replay: hash 42 ' "$program" hash slats.replay
 cmp -s slats.replay "$replays/pattern_slats.replay" ||
-    { echo 'FAILED: the hash lines made anew differ'; failed=1; }
+    { echo 'FAILED: the replaced hash lines differ'; failed=1; }
 expect 2 'was recorded, and has the hashes' "$program" hash a.replay
 
 # A generated level: its name in the replay suffices to play it again.

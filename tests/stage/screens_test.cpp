@@ -420,9 +420,9 @@ TEST(Screens, TheFirstGameHasTheRequestedSeed) {
 
 TEST(Screens, ANoticeIsShownOnTheTitle) {
     StageDef def = StageRig::twoLevels();
-    def.notices = {"Scores begin anew."};
+    def.notices = {"Scores are reset."};
     StageRig rig(std::move(def));
-    EXPECT_TRUE(rig.picture().says("Scores begin anew."));
+    EXPECT_TRUE(rig.picture().says("Scores are reset."));
 }
 
 // An earlier notice stays when another one is added; an equal one is not repeated.
@@ -430,7 +430,7 @@ TEST(Screens, NoticesAreStackedOnTheTitle) {
     StageDef def = StageRig::playing();
     def.levels = {glassLevel("One block", {7})};
     def.bot = [](const Game& game) { return std::optional(bot(game)); };
-    def.notices = {"Scores begin anew."};
+    def.notices = {"Scores are reset."};
     def.save = [](const Profile&) { return std::string("Scores are not kept."); };
     def.keepReplay = [](const Replay&, bool) { return std::string("The game is not recorded."); };
     StageRig rig(std::move(def));
@@ -444,7 +444,7 @@ TEST(Screens, NoticesAreStackedOnTheTitle) {
     std::vector<Real> heights;
     for (const Stroke& stroke : rig.picture().strokes()) {
         for (const char* notice :
-             {"Scores begin anew.", "Scores are not kept.", "The game is not recorded."}) {
+             {"Scores are reset.", "Scores are not kept.", "The game is not recorded."}) {
             if (stroke.text == notice) {
                 heights.push_back(stroke.place.y);
             }

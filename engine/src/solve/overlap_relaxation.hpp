@@ -41,7 +41,7 @@ public:
     /// For a step without deep overlaps.
     void clear();
     bool empty() const { return passes_ == 0; }
-    /// Before the biased pass of a substep: remembers the impulses in crowds.
+    /// Before the biased pass of a substep: stores the impulses in crowds.
     void notePushes(const ContactPassArguments& all);
     /// After the displacements of a substep of h (s): takes back what the biased pass added in
     /// crowds, and shortens displacements by more than `pushSpeed` (m/s).

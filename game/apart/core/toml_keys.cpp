@@ -78,9 +78,9 @@ void TomlKeys::fail(int line, std::string reason) {
         return;
     }
     const auto sameLine = [&](const auto& known) { return known.first == line; };
-    const bool told = problem_->line == line || // the first error of a line may cause others
-                      std::any_of(problem_->more.begin(), problem_->more.end(), sameLine);
-    if (!told && problem_->more.size() < kMost) {
+    const bool isListed = problem_->line == line || // the first error of a line may cause others
+                          std::any_of(problem_->more.begin(), problem_->more.end(), sameLine);
+    if (!isListed && problem_->more.size() < kMost) {
         problem_->more.emplace_back(line, std::move(reason));
     }
 }

@@ -242,7 +242,7 @@ int run(int argc, char** argv) {
     const CLI::App* soakCommand = addSoak(app, checks.soak);
     const CLI::App* traceCommand = addTrace(app, checks.trace);
     CLI::App* hashCommand =
-        app.add_subcommand("hash", "Play handwritten replays; write their hash lines anew");
+        app.add_subcommand("hash", "Play handwritten replays and replace their hash lines");
     hashCommand->add_option("FILE", checks.hashed, "The replays")->required();
     CLI::App* levelsCommand = app.add_subcommand("levels", "List the levels");
 

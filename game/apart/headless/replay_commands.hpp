@@ -24,7 +24,7 @@ struct TraceCommand {
 /// 0.
 int runTrace(const TraceCommand& command);
 
-/// Plays handwritten replays and writes their hash lines anew. Returns 0.
+/// Plays handwritten replays and replaces their hash lines. Returns 0.
 int runHash(const std::vector<std::string>& files);
 
 } // namespace apart

@@ -195,7 +195,7 @@ std::optional<std::filesystem::path> profileFile() {
 }
 
 std::string toText(const Profile& profile) {
-    std::string text = "# Settings and best scores of aPart. The game writes all of it anew.\n"
+    std::string text = "# Settings and best scores of aPart. The game replaces the whole file.\n"
                        "format = 1\n\n[settings]\n";
     for (const Dial& dial : kDials) {
         text += fmt::format("{} = {}\n", dial.key, profile.settings.*dial.value);
@@ -241,7 +241,7 @@ LoadedProfile loadProfile(const std::filesystem::path& file) {
     std::filesystem::rename(file, aside, error);
     const std::string kept =
         error ? "It cannot be renamed." : "It is kept as " + aside.filename().string() + ".";
-    return {{}, fmt::format("Settings and scores begin anew: {}. {}", problem.text(), kept)};
+    return {{}, fmt::format("Settings and scores are reset: {}. {}", problem.text(), kept)};
 }
 
 std::optional<FileProblem> saveProfile(const std::filesystem::path& file, const Profile& profile) {
