@@ -57,8 +57,7 @@ bool liesUnder(const ConvexShape& convex, const Transform& pose, Vec2 normal, Ve
 
 /// Replaces a contact at the vertex where its ground rises from the carrying face; see
 /// contactWithRisingFace(). False if it stays.
-bool replaceByRisingFace(const GhostCollisions::Step& step, Contact& contact,
-                         const CarryingFace& carrying) {
+bool replaceByRisingFace(const HidingStep& step, Contact& contact, const CarryingFace& carrying) {
     const Bodies& bodies = step.bodies;
     const ContactKey& key = contact.key;
     const ConvexShape& a = bodies.convex(key.bodyA, key.partA);
@@ -107,7 +106,8 @@ void GhostCollisions::link(const Bodies& bodies, std::span<const ContactSummary>
 }
 
 /// Hides or replaces one contact if it is a ghost beside that of the carrier.
-void GhostCollisions::hideBehind(const Step& step, std::uint32_t carrier, std::uint32_t slot) {
+void GhostCollisions::hideBehind(const HidingStep& step, std::uint32_t carrier,
+                                 std::uint32_t slot) {
     const Bodies& bodies = step.bodies;
     const std::span<Contact> contacts = step.contacts;
     const std::span<ContactSummary> summaries = step.summaries;
@@ -137,7 +137,7 @@ void GhostCollisions::hideBehind(const Step& step, std::uint32_t carrier, std::u
     }
 }
 
-void GhostCollisions::hide(const Step& step) const {
+void GhostCollisions::hide(const HidingStep& step) const {
     for (const std::uint32_t body : onPieces_) {
         for (std::uint32_t i = first_[body]; i != kEnd; i = next_[i]) {
             for (std::uint32_t k = first_[body]; k != kEnd; k = next_[k]) {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/settings.hpp>
+#include "contacts/hiding_step.hpp"
 
-#include "bodies/bodies.hpp"
-#include "contacts/contact.hpp"
-
-#include <functional>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -28,18 +25,11 @@ public:
     /// order, without sensors.
     void link(const Bodies& bodies, std::span<const ContactSummary> summaries,
               std::span<const std::uint32_t> onGround);
-    struct Step {
-        const Bodies& bodies;
-        std::span<Contact> contacts;
-        std::span<ContactSummary> summaries;
-        const Tolerances& tolerances;
-        const std::function<void(Contact&)>& evict; // see SolverStorage
-    };
     /// Hides or replaces the ghost collisions of this step.
-    void hide(const Step& step) const;
+    void hide(const HidingStep& step) const;
 
 private:
-    static void hideBehind(const Step& step, std::uint32_t carrier, std::uint32_t slot);
+    static void hideBehind(const HidingStep& step, std::uint32_t carrier, std::uint32_t slot);
 
     static constexpr std::uint32_t kEnd = ~std::uint32_t{};
 

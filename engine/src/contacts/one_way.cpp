@@ -11,7 +11,7 @@ inline namespace KODO_PRECISION {
 namespace {
 
 /// True for a one-sided segment without neighbours. Chains and heightmaps are ground: a body that
-/// is partly below it must not fall through, so each part decides for itself there.
+/// is partly below it must not fall through, so the side is determined for each part there.
 bool isLedge(const ConvexShape& shape) {
     return shape.oneSided && shape.before == Vec2{} && shape.after == Vec2{};
 }
@@ -89,7 +89,7 @@ void OneWayBodies::link(const Bodies& bodies, std::span<const Contact> contacts,
               [&](std::uint32_t a, std::uint32_t b) { return order(a) < order(b); });
 }
 
-void OneWayBodies::hide(const Step& step) const {
+void OneWayBodies::hide(const HidingStep& step) const {
     const Bodies& bodies = step.bodies;
     for (std::size_t first = 0; first < slots_.size();) {
         std::size_t end = first;

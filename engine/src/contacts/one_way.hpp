@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/settings.hpp>
+#include "contacts/hiding_step.hpp"
 
-#include "bodies/bodies.hpp"
-#include "contacts/contact.hpp"
-
-#include <functional>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -19,23 +16,16 @@ inline namespace KODO_PRECISION {
 /// front would touch the line while another part is still behind it: a jumping figure would hang
 /// by its head. So a part begins no contact with a line while another part of its body passes one
 /// of the same body, or lies behind the line. A contact that touched in the last step stays. Chains
-/// and heightmaps are ground: there each part decides for itself.
+/// and heightmaps are ground: there the side is determined for each part.
 class OneWayBodies {
 public:
-    struct Step {
-        const Bodies& bodies;
-        std::span<Contact> contacts;
-        std::span<ContactSummary> summaries;
-        const Tolerances& tolerances;
-        const std::function<void(Contact&)>& evict; // see SolverStorage
-    };
     /// Must be called after contacts were added, removed or moved. Lists the contacts of one-sided
     /// lines with bodies of several parts.
     void link(const Bodies& bodies, std::span<const Contact> contacts,
               std::span<const ContactSummary> summaries);
     bool empty() const { return slots_.empty(); }
     /// Hides the contacts of this step that must not begin.
-    void hide(const Step& step) const;
+    void hide(const HidingStep& step) const;
 
 private:
     std::vector<std::uint32_t> slots_; // by the two bodies and the key

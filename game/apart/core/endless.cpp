@@ -102,13 +102,7 @@ public:
 
 private:
     std::uint8_t addKind(char letter, Stuff stuff, Power power) {
-        const auto index = static_cast<std::size_t>(stuff);
-        level_.kinds.push_back({.letter = letter,
-                                .stuff = stuff,
-                                .power = power,
-                                .pattern = kUsualPattern[index],
-                                .strength = kStrength[index]});
-        return static_cast<std::uint8_t>(level_.kinds.size() - 1);
+        return addUsualKind(level_, letter, stuff, power, Support::Mounted);
     }
 
     void addKinds() {
@@ -374,6 +368,17 @@ Level endlessLevel(const EndlessName& name) {
         }
     }
     return Builder(name).build();
+}
+
+std::uint8_t addUsualKind(Level& level, char letter, Stuff stuff, Power power, Support support) {
+    const auto index = static_cast<std::size_t>(stuff);
+    level.kinds.push_back({.letter = letter,
+                           .stuff = stuff,
+                           .power = power,
+                           .pattern = kUsualPattern[index],
+                           .strength = kStrength[index],
+                           .support = support});
+    return static_cast<std::uint8_t>(level.kinds.size() - 1);
 }
 
 } // namespace apart

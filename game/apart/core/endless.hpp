@@ -30,4 +30,8 @@ std::optional<EndlessName> parseEndless(std::string_view name);
 /// endless_building.hpp; a wall, if none of the first is. They depend on kRulesVersion.
 Level endlessLevel(const EndlessName& name);
 
+/// Adds a kind of block with the usual pattern and strength of its stuff to a generated level.
+/// Returns its index in Level::kinds.
+std::uint8_t addUsualKind(Level& level, char letter, Stuff stuff, Power power, Support support);
+
 } // namespace apart

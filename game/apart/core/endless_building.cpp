@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/bot.hpp>
+#include <apart/core/endless.hpp>
 #include <apart/core/endless_building.hpp>
 #include <apart/core/game.hpp>
 #include <apart/core/tuning.hpp>
@@ -20,12 +21,13 @@ constexpr std::int32_t kPostWide = 600;
 constexpr std::int32_t kHighest = 15400; // top of the highest row
 constexpr std::int32_t kSpread = 7600;   // of the towers at the sides, from the middle
 
-class Mason {
+class BuildingMaker {
 public:
-    Mason(Level& level, Generator& chance, std::uint32_t hardness)
+    BuildingMaker(Level& level, Generator& chance, std::uint32_t hardness)
         : level_(level), chance_(chance), hardness_(hardness) {
         for (std::size_t i = 0; i < kindOf_.size(); ++i) {
-            kindOf_[i] = addKind(static_cast<char>('1' + i), static_cast<Stuff>(i), Power::None);
+            kindOf_[i] = addUsualKind(level_, static_cast<char>('1' + i), static_cast<Stuff>(i),
+                                      Power::None, Support::Standing);
         }
     }
 
@@ -45,17 +47,6 @@ public:
     }
 
 private:
-    std::uint8_t addKind(char letter, Stuff stuff, Power power) {
-        const auto index = static_cast<std::size_t>(stuff);
-        level_.kinds.push_back({.letter = letter,
-                                .stuff = stuff,
-                                .power = power,
-                                .pattern = kUsualPattern[index],
-                                .strength = kStrength[index],
-                                .support = Support::Standing});
-        return static_cast<std::uint8_t>(level_.kinds.size() - 1);
-    }
-
     /// Glass and wood at first; brick and stone with the hardness.
     std::uint8_t someKind() {
         const std::uint32_t hard = chance_.below(40) + hardness_;
@@ -141,7 +132,8 @@ private:
             chance_.below(static_cast<std::uint32_t>(level_.freeBlocks.size()));
         FreeBlock& block = level_.freeBlocks[index];
         if (isRectangle(block.form)) {
-            block.kind = addKind('p', level_.kinds[block.kind].stuff, power);
+            block.kind =
+                addUsualKind(level_, 'p', level_.kinds[block.kind].stuff, power, Support::Standing);
         }
     }
 
@@ -155,7 +147,7 @@ private:
 } // namespace
 
 void addBuildings(Level& level, Generator& chance, std::uint32_t hardness) {
-    Mason(level, chance, hardness).build();
+    BuildingMaker(level, chance, hardness).build();
 }
 
 bool stands(const Level& level) {
