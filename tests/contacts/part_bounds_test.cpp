@@ -53,6 +53,36 @@ TEST(PartBounds, AreRenewedOnlyWhenOutgrown) {
     }
 }
 
+// F2: bounds that one fast step has stretched over 600 m shrink in the next slow one. The body was
+// a candidate for contacts on all of that way before.
+TEST(PartBounds, ShrinkAfterAFastStep) {
+    Discs discs;
+    for (const Vec2 fast : {Vec2{20000, 0}, Vec2{-20000, 20000}}) {
+        discs.bodies.motion[0].velocity = fast;
+        discs.bounds.coverPrediction(discs.bodies, kDistances, kDt, discs.team);
+        EXPECT_TRUE(discs.renewed());
+        discs.bodies.motion[0].velocity = {};
+        discs.bounds.coverPrediction(discs.bodies, kDistances, kDt, discs.team);
+        EXPECT_TRUE(discs.renewed());
+        EXPECT_LT(discs.bounds.grown()[0].box().extent().x, 2);
+        discs.bounds.coverPrediction(discs.bodies, kDistances, kDt, discs.team);
+        EXPECT_FALSE(discs.renewed());
+    }
+}
+
+// F2: a displacement out of a far longer prediction drops it.
+TEST(PartBounds, DropAFarLongerPredictionOutsideIt) {
+    Discs discs;
+    discs.bodies.motion[0].velocity = {20000, 0};
+    discs.bounds.coverPrediction(discs.bodies, kDistances, kDt, discs.team);
+    EXPECT_TRUE(discs.renewed());
+    discs.bodies.motion[0].deltaPosition = {0, 5};
+    discs.bounds.coverDisplacements(discs.bodies, kDistances, discs.team);
+    EXPECT_TRUE(discs.renewed());
+    EXPECT_TRUE(discs.hold({0, 5}));
+    EXPECT_LT(discs.bounds.grown()[0].box().extent().x, 2);
+}
+
 // A disc that spins about its middle stays within its bounds. A body with a rotation reach needs
 // new ones.
 TEST(PartBounds, AreNotOutgrownByTheSpinOfADisc) {

@@ -205,7 +205,7 @@ void SfmlControls::hold(sf::Mouse::Button button, bool down) {
 
 bool SfmlControls::takeFullScreen() {
     const bool taken = std::exchange(fullScreen_, false);
-    if (taken) { // the new window knows no keys that are held
+    if (taken) { // the new window has no state of held keys
         held_ = {};
         buttons_ = {};
         recentred_.reset();

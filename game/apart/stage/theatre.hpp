@@ -40,7 +40,7 @@ public:
     static constexpr int kFastest = 3;
     static constexpr std::int64_t kSkip = 600; // ticks: 5 s
 
-    /// What a command asks for.
+    /// Actions that a command requests.
     struct Request {
         std::optional<std::int64_t> tick{}; // to go to; may lie outside of the show
         bool takeOver = false;
