@@ -91,14 +91,21 @@ bool replaceByRisingFace(const HidingStep& step, Contact& contact, const Carryin
 
 void GhostCollisions::link(const Bodies& bodies, std::span<const ContactSummary> summaries,
                            std::span<const std::uint32_t> onGround) {
-    first_.assign(bodies.size(), kEnd);
+    for (const std::uint32_t body : linked_) {
+        first_[body] = kEnd;
+    }
+    linked_.clear();
+    first_.resize(bodies.size(), kEnd);
     next_.resize(summaries.size());
     onPieces_.clear();
     onPieces_.reserve(bodies.record.capacity());
+    linked_.reserve(bodies.record.capacity());
     for (auto i = onGround.rbegin(); i != onGround.rend(); ++i) {
         const ContactSummary& summary = summaries[*i];
         const std::uint32_t body = bodies.locked(summary.bodyA) ? summary.bodyB : summary.bodyA;
-        if (first_[body] != kEnd && next_[first_[body]] == kEnd) {
+        if (first_[body] == kEnd) {
+            linked_.push_back(body);
+        } else if (next_[first_[body]] == kEnd) {
             onPieces_.push_back(body);
         }
         next_[*i] = std::exchange(first_[body], *i);

@@ -34,6 +34,7 @@ private:
     static constexpr std::uint32_t kEnd = ~std::uint32_t{};
 
     std::vector<std::uint32_t> first_;    // by body: its first contact with an immovable body
+    std::vector<std::uint32_t> linked_;   // bodies with such a contact
     std::vector<std::uint32_t> next_;     // by contact: the next one of the same body
     std::vector<std::uint32_t> onPieces_; // bodies with two or more such contacts
 };

@@ -7,6 +7,10 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
+/// By which the leaf of a body that stops exceeds its bounds, as a share of their half perimeter: a
+/// body that wakes and moves a little keeps its leaf.
+constexpr Real kSpare = Real(1) / 32;
+
 bool hasPlane(const Bodies& bodies, std::uint32_t body) {
     const std::vector<Part>& parts = bodies.geometry(body).parts;
     return std::any_of(parts.begin(), parts.end(),
@@ -58,15 +62,15 @@ void StillParts::followAwake(const Bodies& bodies, const PartBounds& bounds) {
     auto was = active_.begin();
     for (const std::uint32_t body : bodies.awake) {
         for (; was != active_.end() && *was < body; ++was) {
-            place(bodies, bounds, *was);
+            stop(bodies, bounds, *was);
         }
         if (was != active_.end() && *was == body) {
             ++was;
         } else {
-            place(bodies, bounds, body);
+            removePlanes(body);
         }
     }
-    std::for_each(was, active_.end(), [&](std::uint32_t body) { place(bodies, bounds, body); });
+    std::for_each(was, active_.end(), [&](std::uint32_t body) { stop(bodies, bounds, body); });
     active_ = bodies.awake;
 }
 
@@ -90,19 +94,37 @@ void StillParts::rebuild(const Bodies& bodies, const PartBounds& bounds) {
     active_ = bodies.awake;
 }
 
-/// Puts the parts of a body where they belong now.
+/// Puts the parts of a changed body where they belong now.
 void StillParts::place(const Bodies& bodies, const PartBounds& bounds, std::uint32_t body) {
     parts_.remove(body);
     removePlanes(body);
-    if (body >= bodies.size() || !bodies.ids.aliveAt(body) || isAwake(bodies, body)) {
-        return;
+    if (body < bodies.size() && bodies.ids.aliveAt(body) && !isAwake(bodies, body)) {
+        insert(bodies, bounds, body);
     }
+}
+
+/// Puts the parts of a body that has become inactive into the tree, unless they are within the
+/// leaves that it has kept.
+void StillParts::stop(const Bodies& bodies, const PartBounds& bounds, std::uint32_t body) {
+    const auto isInside = [&](const Aabb& leaf, std::size_t part) {
+        const auto i = bounds.indexOf(body, static_cast<std::uint16_t>(part));
+        return leaf.contains(bounds.grown()[i].box());
+    };
+    const bool alive = body < bodies.size() && bodies.ids.aliveAt(body);
+    if (!alive || !parts_.fits(body, bounds.countOf(body), isInside)) {
+        place(bodies, bounds, body);
+    }
+}
+
+void StillParts::insert(const Bodies& bodies, const PartBounds& bounds, std::uint32_t body) {
     if (hasPlane(bodies, body)) {
         planes_.insert(std::lower_bound(planes_.begin(), planes_.end(), body), body);
         return;
     }
     for (std::uint16_t part = 0; part < bounds.countOf(body); ++part) {
-        parts_.insert({bounds.grown()[bounds.indexOf(body, part)].box(), body, part});
+        const Aabb box = bounds.grown()[bounds.indexOf(body, part)].box();
+        const Vec2 size = box.upper - box.lower;
+        parts_.insert({box.grown(kSpare * (size.x + size.y)), body, part});
     }
 }
 

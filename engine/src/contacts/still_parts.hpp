@@ -16,6 +16,9 @@ inline namespace KODO_PRECISION {
 /// the pairs of what moves are searched among what moves, and in the tree: many tiles cost the
 /// logarithm of their number. Scratch: it follows from bodies and bounds.
 ///
+/// A body that wakes keeps its leaves, since it often falls asleep within them again. A search of
+/// the tree must skip the parts of active bodies.
+///
 /// Parts of planes have no bounds worth a tree: they are searched with what moves.
 class StillParts {
 public:
@@ -41,6 +44,8 @@ private:
     static constexpr std::size_t kFew = 512; // still parts; fewer are compared one by one
 
     void place(const Bodies& bodies, const PartBounds& bounds, std::uint32_t body);
+    void stop(const Bodies& bodies, const PartBounds& bounds, std::uint32_t body);
+    void insert(const Bodies& bodies, const PartBounds& bounds, std::uint32_t body);
     void removePlanes(std::uint32_t body);
     void rebuild(const Bodies& bodies, const PartBounds& bounds);
     void followAwake(const Bodies& bodies, const PartBounds& bounds);
