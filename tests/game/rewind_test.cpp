@@ -13,7 +13,7 @@ TEST(Rewind, ACopiedGameContinuesWithTheSameBits) {
     for (const std::string& name : levelNames()) {
         SCOPED_TRACE(name);
         Game game(std::get<Level>(loadLevel(name)), 3);
-        for (int part = 0; part < (support::kSanitized ? 2 : 8); ++part) {
+        for (int part = 0; part < (support::kSanitized ? 1 : 4); ++part) {
             for (int tick = 0; tick < 397; ++tick) {
                 game.tick(bot(game));
             }
