@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -227,6 +228,16 @@ Manifold collideCornerAhead(const ConvexShape& line, const Transform& a, const C
 }
 
 } // namespace
+
+ConvexShape facingTo(const ConvexShape& line, Vec2 direction) {
+    ConvexShape facing = line;
+    facing.oneSided = true;
+    if (dot(direction, line.normals[1]) < 0) {
+        std::swap(facing.vertices.data()[0], facing.vertices.data()[1]);
+        std::swap(facing.normals.data()[0], facing.normals.data()[1]);
+    }
+    return facing;
+}
 
 bool ownsVertex(const ConvexShape& line, std::size_t end) {
     return isFree(line, end) || (end == 0 && turnAt(line, 0) < -kFlush);

@@ -30,6 +30,9 @@ struct ContactLimits {
 Manifold collideOneSided(const ConvexShape& line, const Transform& a, const ConvexShape& other,
                          const Transform& b, const ContactLimits& limits);
 
+/// A one-sided copy of a two-sided line. Its front is on the side of `direction` (line's frame).
+ConvexShape facingTo(const ConvexShape& line, Vec2 direction);
+
 /// collide(), with a reach along one-sided lines.
 Manifold collideAhead(const ConvexShape& shapeA, const Transform& a, const ConvexShape& shapeB,
                       const Transform& b, const ContactLimits& limits);

@@ -21,6 +21,9 @@ namespace {
 // touch yet.
 constexpr int kMostRounds = 40;
 constexpr Real kNever = RelativePath::kNever;
+// Targets along a valley from which a shape that stops short of a line counts as over it: a point
+// meets the line at the vertex itself.
+constexpr Real kAhead = 64;
 
 /// One of the two moving shapes.
 struct Mover {
@@ -152,7 +155,7 @@ Real impactOnOneSided(Mover line, Mover other, Real target) {
     if (above(line.sweep.start, other.sweep.start).distance > target * Real(1.5)) {
         const Real t = advanceAlong(line, other, target, above);
         if (t > 1 || collideOneSided(line.shape, line.sweep.at(t), other.shape, other.sweep.at(t),
-                                     {2 * target, 0})
+                                     {8 * target, 0, kAhead * target})
                              .count > 0) {
             return t;
         }
@@ -173,6 +176,31 @@ Real impactOnOneSided(Mover line, Mover other, Real target) {
         }
     }
     return first;
+}
+
+/// Height (m) of a point of another body over a line, along a normal in the line's frame.
+Real heightOver(Vec2 normal, const ConvexShape& line, const Transform& a, Vec2 point,
+                const Transform& b) {
+    return dot(normal, between(a, b) * point - line.vertices[0]);
+}
+
+/// Fraction of the step after which a point of another body, which starts higher than `slop` (m)
+/// over a line, has come down to slop / 4 between the ends of the line; kNever if it does not.
+Real timeOfPoint(Mover line, Vec2 normal, Mover other, Vec2 point, Real slop) {
+    const auto above = [&](const Transform& a, const Transform& b) {
+        return Separation{a.rotation * normal, heightOver(normal, line.shape, a, point, b)};
+    };
+    if (above(line.sweep.start, other.sweep.start).distance <= slop) {
+        return kNever;
+    }
+    const Real t = advanceAlong(line, other, slop / 4, above);
+    if (t > 1) {
+        return kNever;
+    }
+    const Vec2 place = between(line.sweep.at(t), other.sweep.at(t)) * point;
+    const Vec2 along = line.shape.vertices[1] - line.shape.vertices[0];
+    const Real at = dot(along, place - line.shape.vertices[0]);
+    return at >= 0 && at <= lengthSquared(along) ? t : kNever;
 }
 
 /// True if a one-sided line faces away from a plane.
@@ -204,6 +232,32 @@ Real timeOfImpact(const ConvexShape& shapeA, const MotionPath& a, const ConvexSh
                    [&](const Transform& at, const Transform& bt, const RelativePath& path) {
                        return separationBoundOf(shapeA, at, shapeB, bt, path);
                    });
+}
+
+Real timeBehind(const ConvexShape& line, const MotionPath& a, const ConvexShape& other,
+                const MotionPath& b, Real slop) {
+    const Vec2 normal = line.normals[1];
+    if (heightOver(normal, line, a.start, other.middle, b.start) < 0) {
+        return kNever;
+    }
+    const Mover ground{line, a};
+    const Mover above{other, b};
+    Real first = timeOfPoint(ground, normal, above, other.middle, slop);
+    if (other.coreRadius < slop) {
+        for (const Vec2 vertex : other.vertices) {
+            first = std::min(first, timeOfPoint(ground, normal, above, vertex, slop));
+        }
+    }
+    for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
+        if (other.isLine() && ownsVertex(line, end)) {
+            const Vec2 vertex = line.vertices[end];
+            const Vec2 side = other.normals[1];
+            const bool isBelow = heightOver(side, other, b.start, vertex, a.start) < 0;
+            first =
+                std::min(first, timeOfPoint(above, isBelow ? -side : side, ground, vertex, slop));
+        }
+    }
+    return first;
 }
 
 } // namespace KODO_PRECISION

@@ -97,7 +97,10 @@ void replaceManifold(Contact& contact, const Manifold& manifold, Real near) {
 // Slops of relative displacement up to which a manifold is kept. With restitution it is small:
 // impact impulses that act on two parallel lines would form a couple and rotate both bodies.
 constexpr Real kKept = 8;
+// Likewise for two shapes thinner than the slop: a point that was beyond the margin must be found
+// before it has passed to the other side.
 constexpr Real kKeptToBounce = Real(1) / 8;
+constexpr Real kKeptIfThin = 1;
 
 /// Adds the relative displacement of the last step. False if a body was teleported: the sum is then
 /// meaningless.
@@ -208,6 +211,41 @@ Real reachOf(const Bodies& bodies, const ContactKey& key) {
            length(bodies.motion[key.bodyB].deltaPosition - bodies.motion[key.bodyA].deltaPosition);
 }
 
+/// A two-sided line has no thickness: a shape that overlaps it by a fraction of the slop may be
+/// pushed off to the wrong side. So a contact with such a line keeps its side while the overlap is
+/// below the margin. Does nothing unless the new normal is on the other side than the old one.
+void keepSide(Manifold& manifold, const Contact& contact, const Bodies& bodies,
+              const ContactLimits& limits) {
+    const ContactKey& key = contact.key;
+    const Manifold& old = contact.manifold;
+    if (manifold.count == 0 || old.count == 0 || !(dot(manifold.normal, old.normal) < 0) ||
+        contact.teleportCounts[0] != bodies.teleportCount[key.bodyA] ||
+        contact.teleportCounts[1] != bodies.teleportCount[key.bodyB]) {
+        return;
+    }
+    const ConvexShape& shapeA = bodies.convex(key.bodyA, key.partA);
+    const ConvexShape& shapeB = bodies.convex(key.bodyB, key.partB);
+    const Transform& a = bodies.pose[key.bodyA];
+    const Transform& b = bodies.pose[key.bodyB];
+    for (const bool isA : {true, false}) {
+        const ConvexShape& line = isA ? shapeA : shapeB;
+        const ConvexShape& other = isA ? shapeB : shapeA;
+        const Vec2 side = unrotate((isA ? a : b).rotation, isA ? old.normal : -old.normal);
+        if (!line.isLine() || line.oneSided || other.isPlane() || other.oneSided ||
+            std::abs(dot(side, line.normals[1])) < Real(0.99)) {
+            continue;
+        }
+        const ConvexShape facing = facingTo(line, side);
+        Manifold kept = isA ? collideAhead(facing, a, shapeB, b, limits)
+                            : collideAhead(shapeA, a, facing, b, limits);
+        kept.fromBehind = false;
+        if (kept.count > 0 && kept.points[0].separation > -limits.margin) {
+            manifold = kept;
+            return;
+        }
+    }
+}
+
 } // namespace
 
 void findContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) {
@@ -216,10 +254,11 @@ void findContact(Contact& contact, const Bodies& bodies, const Tolerances& toler
     const Real preference = tolerances.slop / 8;
     const Vec2 spread = spreadOf(bodies, key, tolerances.slop);
     const Transform& poseB = bodies.pose[key.bodyB];
-    Manifold manifold =
-        collideAhead(bodies.convex(key.bodyA, key.partA), bodies.pose[key.bodyA],
-                     bodies.convex(key.bodyB, key.partB), {poseB.position + spread, poseB.rotation},
-                     {tolerances.margin, preference, reachOf(bodies, key)});
+    const ContactLimits limits{tolerances.margin, preference, reachOf(bodies, key)};
+    Manifold manifold = collideAhead(bodies.convex(key.bodyA, key.partA), bodies.pose[key.bodyA],
+                                     bodies.convex(key.bodyB, key.partB),
+                                     {poseB.position + spread, poseB.rotation}, limits);
+    keepSide(manifold, contact, bodies, limits);
     if (spread != Vec2{}) {
         for (ManifoldPoint& point : manifold.points) {
             point.armB += spread;
@@ -229,11 +268,12 @@ void findContact(Contact& contact, const Bodies& bodies, const Tolerances& toler
     spreadConcentric(manifold, bodies.convex(key.bodyA, key.partA),
                      bodies.convex(key.bodyB, key.partB), key.bodyB);
     contact.passing = letPass(contact.passing, manifold);
-    const Real thinner = std::min(bodies.convex(key.bodyA, key.partA).coreRadius,
-                                  bodies.convex(key.bodyB, key.partB).coreRadius);
+    const auto [thinner, thicker] = std::minmax(bodies.convex(key.bodyA, key.partA).coreRadius,
+                                                bodies.convex(key.bodyB, key.partB).coreRadius);
     replaceManifold(contact, manifold,
                     std::min(kSamePlace * tolerances.slop, kSameShare * thinner));
-    contact.relativeDisplacement = 0;
+    const bool thin = thicker < tolerances.slop;
+    contact.relativeDisplacement = thin ? (kKept - kKeptIfThin) * tolerances.slop : Real(0);
     contact.teleportCounts[0] = bodies.teleportCount[key.bodyA];
     contact.teleportCounts[1] = bodies.teleportCount[key.bodyB];
 }

@@ -6,6 +6,7 @@
 #include "base/prefetch.hpp"
 #include "base/vector_reuse.hpp"
 #include "collide/time_of_impact.hpp"
+#include "solve/allowed_approach.hpp"
 #include "solve/relative_motion.hpp"
 #include "solve/stop_motion.hpp"
 
@@ -33,13 +34,6 @@ Real gapOf(const Contact& contact, const Tolerances& tolerances) {
 /// The same for a pair without a sensor, from its summary.
 Real gapOf(const ContactSummary& summary, const Tolerances& tolerances) {
     return summary.meets ? summary.separation[0] : tolerances.margin;
-}
-
-/// Approach (m) that a pair with these core radii may have without continuous collision. The centre
-/// of the thinner part is then still outside the other part, so contact points separate the pair to
-/// the correct side. A locked body does not give way, so half of that is allowed against it.
-Real allowedApproach(Real coreRadiusA, Real coreRadiusB, bool againstLocked) {
-    return std::min(coreRadiusA, coreRadiusB) * (againstLocked ? Real(0.5) : Real(1));
 }
 
 /// Separation (m) at which to stop a pair that has the separation `gap` and approaches by `motion`
@@ -162,6 +156,7 @@ void ContinuousCollision::run(Bodies& bodies, ContactSet& contactSet, const Join
                               const Parameters& parameters, WorkerTeam& team) {
     const auto& [settings, tolerances, dt] = parameters;
     candidates_.clear();
+    stoppedAtLines_.clear();
     bool sensors = false;
     if (markSwift(bodies, contactSet.mayBounce(), tolerances, team) ||
         contactSet.mayHaveSensors()) {
@@ -273,6 +268,9 @@ void ContinuousCollision::findTime(const Step& step, std::uint32_t i, Real from)
     const Real gap = gapOf(step.summaries[i], step.tolerances);
     Real& time = times_[i];
     time = timeFrom(gap);
+    if (time >= 1) {
+        time = timeThroughLine(step, contact, motion);
+    }
     // The pair practically touches corner to corner, where the manifold has a gap or no point. The
     // next step would have no contact for it. Stopping it here would leave it hanging in the air,
     // even if it separates.
@@ -319,6 +317,7 @@ void ContinuousCollision::stopInOrder(const Step& step) {
         }
         times_[event.contact] = kTaken;
         const ContactSummary& summary = step.summaries[event.contact];
+        noteLine(step, event.contact);
         if (step.driven) {
             takePushedDisplacement(step, step.contacts[event.contact], event.time);
         }

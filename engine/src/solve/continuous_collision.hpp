@@ -41,6 +41,9 @@ public:
     };
     void run(Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
              const Parameters& parameters, WorkerTeam& team);
+    /// Slots of the contacts with lines whose bodies the last run stopped: a corner that was far
+    /// off may now be near, so their manifolds must be found again.
+    std::span<const std::uint32_t> stoppedAtLines() const { return stoppedAtLines_; }
 
 private:
     static constexpr std::uint32_t kNoContact = ~std::uint32_t{};
@@ -79,6 +82,8 @@ private:
     MotionPath pathOf(const Bodies& bodies, std::uint32_t body) const;
     Real motionOf(const Bodies& bodies, const Contact& contact) const;
     Real impactTime(const Bodies& bodies, const Contact& contact, Real gap, Real from) const;
+    void noteLine(const Step& step, std::uint32_t contact);
+    Real timeThroughLine(const Step& step, const Contact& contact, Real motion) const;
     void findPushes(const Step& step);
     void takePushedDisplacement(const Step& step, const Contact& contact, Real time);
     void cutShort(const Step& step, std::uint32_t body, Real time);
@@ -106,7 +111,8 @@ private:
     std::vector<std::uint32_t> pulling_;       // stopped bodies whose joints are still to be tested
     std::vector<std::uint32_t> jointsOf_;      // scratch: of one body
     std::vector<std::uint32_t> againstLocked_; // contacts with one locked body
-    std::vector<Event> events_;                // heap, the earliest on top
+    std::vector<std::uint32_t> stoppedAtLines_; // see stoppedAtLines()
+    std::vector<Event> events_;                 // heap, the earliest on top
 };
 
 } // namespace KODO_PRECISION

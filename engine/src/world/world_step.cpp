@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -139,6 +140,12 @@ void WorldStep::runContinuous() {
     }
     if (!contacts_.contacts().empty()) {
         continuous_.run(bodies_, contacts_, joints_, {settings_, tolerances_, dt_}, team_);
+        for (const std::uint32_t slot : continuous_.stoppedAtLines()) {
+            Contact& contact = contacts_.contacts()[slot];
+            softSolver_.blocks().evict(contact, bodies_);
+            contact.relativeDisplacement = std::numeric_limits<Real>::max() / 4; // find it again
+            contacts_.noteRow(slot);
+        }
     }
 }
 
