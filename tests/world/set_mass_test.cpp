@@ -193,7 +193,7 @@ TEST(SetMass, SurvivesOtherSetters) {
 // X3: clones, copies and bytes hold a set mass, and the state hash tells it from others.
 TEST(SetMass, IsHeldByClonesCopiesBytesAndTheHash) {
     World world({.gravity = support::kEarth});
-    support::addFloor(world);
+    const BodyId floor = support::addFloor(world);
     const BodyId id = world.add(boxDef({0, 2}, 2, 1));
     const MassDef mass{.mass = 7, .center = Vec2{Real(0.25), Real(0.125)}, .inertia = 3};
     std::vector<std::uint64_t> hashes{world.stateHash()};
@@ -205,6 +205,11 @@ TEST(SetMass, IsHeldByClonesCopiesBytesAndTheHash) {
         hashes.push_back(world.stateHash());
     }
     world[id].setMass(mass);
+    for (const Real heavy : {Real(100), Real(200)}) { // static: it counts once it is dynamic
+        world[floor].setMass(heavy);
+        EXPECT_EQ(std::count(hashes.begin(), hashes.end(), world.stateHash()), 0);
+        hashes.push_back(world.stateHash());
+    }
     const BodyId other = world.clone(id, {5, 2});
     World copy = world;
     World loaded = fromBytes(toBytes(world));
