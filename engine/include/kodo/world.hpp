@@ -79,7 +79,8 @@ public:
     std::size_t weld(BodyId into, const Primitive& shape, const Material& material, Real density);
     /// Makes a part a body of its own. A part that was one before gets back its type, flags,
     /// `required` and user data; another is a dynamic body without flags. With `flags`, it is a
-    /// dynamic body with these flags and `required` 0. The indices of later parts decrease by one.
+    /// dynamic body with these flags, `required` 0 and its user data. The indices of later parts
+    /// decrease by one.
     /// Keeps momentum and angular momentum, unless the part is static, kinematic or locked then: it
     /// stands still. A mass that was set before weld() is taken off; of one that was set for
     /// several parts, the share of the part by density. Throws BadDefinition for a part that does
