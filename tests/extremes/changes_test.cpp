@@ -96,7 +96,7 @@ private:
         constexpr Flags kFlags[] = {0,           0,         1,       kLockMove | kLockRotate,
                                     kLockRotate, kDisabled, kSensor, kMatchAny};
         const Flags flags = kFlags[random_.below(std::size(kFlags))];
-        switch (random_.below(6)) {
+        switch (random_.below(8)) {
         case 0:
             return [=](World& w) { w[one].setPosition(to); };
         case 1:
@@ -107,6 +107,10 @@ private:
             return [=](World& w) { w[one].setRequired(static_cast<std::uint16_t>(flags & 1)); };
         case 4:
             return [=](World& w) { w[one].setMaterial(withFriction(number, 1 - number)); };
+        case 5:
+            return [=](World& w) { w[one].setMass((Real(0.5) + number) * w[one].mass()); };
+        case 6:
+            return [=](World& w) { w[one].wake(); };
         default:
             return [=](World& w) { w.clone(one, to); };
         }

@@ -98,6 +98,7 @@ private:
 
     void changeBody() {
         const BodyId id = any();
+        const BodyId other = any();
         const Vec2 point = feed_.point();
         const Rot turned = feed_.rotation();
         constexpr Flags kFlags[] = {0,       1,         kLockRotate,   kLockMove,
@@ -115,6 +116,11 @@ private:
             [=](World& w) { w[id].setMaterial(withFriction(point.x, point.y)); },
             [=](World& w) { w[id].setType(static_cast<BodyType>(flags % 3)); },
             [=](World& w) { w[id].moveTo(point, Real(1) / 60); },
+            [=](World& w) { w[id].setMass(point.x); },
+            [=](World& w) { w[id].setMass({.mass = 2, .center = point, .inertia = turned.s}); },
+            [=](World& w) { w[id].setMassFromDensity(); },
+            [=](World& w) { w[id].copyFrom(w[other]); },
+            [=](World& w) { w[id].wake(); },
         };
         change(changes[feed_.below(std::size(changes))]);
     }

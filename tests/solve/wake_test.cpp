@@ -105,6 +105,12 @@ const Cause kCauses[] = {
     {"Flags", [](Quiet& q) { q.world[q.stack[4]].setFlags(1); }},
     {"Required", [](Quiet& q) { q.world[q.stack[4]].setRequired(1); }},
     {"Material", [](Quiet& q) { q.world[q.stack[4]].setMaterial(slippery()); }},
+    {"Mass", [](Quiet& q) { q.world[q.stack[4]].setMass(3); }},
+    {"MassFromDensity", [](Quiet& q) { q.world[q.stack[4]].setMassFromDensity(); }},
+    {"CopyOfABody", [](Quiet& q) { q.world[q.stack[4]].copyFrom(q.world[q.weight]); }},
+    {"ByHand", [](Quiet& q) { q.world[q.stack[4]].wake(); }},
+    {"ByHandOfTheLowest", [](Quiet& q) { q.world[q.stack[0]].wake(); }},
+    {"TableByHand", [](Quiet& q) { q.world[q.table].wake(); }},
     {"WeldOfAPart",
      [](Quiet& q) {
          q.world.weld(q.stack[3], Box{1, 1, {1, 0}}, Material{}, Real(1));
@@ -241,6 +247,40 @@ TEST(Wake, AChangeOfASupportWakesAHangingBody) {
         cause.act(scene);
         scene.world.step(kDt);
         EXPECT_FALSE(isAsleep(scene.world, scene.weight)) << cause.name;
+    }
+}
+
+// X6: wake() wakes a pile without changing it: it falls asleep again where it was. Other piles
+// stay asleep.
+TEST(Wake, ByHandChangesNoPose) {
+    Quiet scene = quiet();
+    scene.world[scene.stack[2]].wake();
+    EXPECT_EQ(support::countAsleep(scene.world), 6u); // the other pile and the weight
+    run(scene.world, 60);
+    EXPECT_EQ(support::countAsleep(scene.world), 11u);
+    for (const BodyId id : scene.stack) {
+        const Vec2 moved = scene.world[id].position() - quiet().world[id].position();
+        EXPECT_LT(length(moved), scene.world.tolerances().slop / 4);
+    }
+}
+
+// X6: of a support it wakes all that leans on it or hangs on it, at once.
+TEST(Wake, OfASupportByHandWakesWhatLeansOnIt) {
+    Quiet scene = quiet();
+    scene.world[scene.table].wake();
+    EXPECT_EQ(support::countAsleep(scene.world), 5u);
+    EXPECT_FALSE(isAsleep(scene.world, scene.weight));
+    scene.world[scene.floor].wake();
+    EXPECT_EQ(support::countAsleep(scene.world), 0u);
+}
+
+// X6: of an awake body it restarts the count of calm steps, so that it does not fall asleep.
+TEST(Wake, ByHandInEachStepKeepsAPileAwake) {
+    Quiet scene = quiet();
+    for (int step = 0; step < 100; ++step) {
+        scene.world[scene.stack[4]].wake();
+        scene.world.step(kDt);
+        ASSERT_EQ(support::countAsleep(scene.world), 6u);
     }
 }
 

@@ -85,6 +85,10 @@ const GuardedCall kChanges[] = {
     {"BodyRef::setRequired", [](GuardedScene& s) { s.world[s.box].setRequired(1); }},
     {"BodyRef::setUserData", [](GuardedScene& s) { s.world[s.box].setUserData(1); }},
     {"BodyRef::setMaterial", [](GuardedScene& s) { s.world[s.box].setMaterial({}); }},
+    {"BodyRef::setMass", [](GuardedScene& s) { s.world[s.box].setMass(1); }},
+    {"BodyRef::setMassFromDensity", [](GuardedScene& s) { s.world[s.box].setMassFromDensity(); }},
+    {"BodyRef::copyFrom", [](GuardedScene& s) { s.world[s.box].copyFrom(s.world[s.ball]); }},
+    {"BodyRef::wake", [](GuardedScene& s) { s.world[s.box].wake(); }},
 };
 
 /// Reads that need a World between two steps.

@@ -73,6 +73,17 @@ TEST(Sentences, OfABody) {
             {.flags = 1u << 25}),
         add("required: must have a category with kMatchAny or kMatchAll, but is 0",
             {.flags = kMatchAny}),
+        add("required: has no effect without a match mode: add kMatchAny, kMatchAll or kMatchEqual "
+            "to flags",
+            {.required = 1}),
+        add("velocity: must be zero for a static body: make it Kinematic",
+            {.velocity = {1, 0}, .type = BodyType::Static}),
+        add("angularVelocity: must be zero for a static body: make it Kinematic",
+            {.angularVelocity = 1, .type = BodyType::Static}),
+        add("mass: must be from", {.mass = MassDef{}}),
+        add("mass.inertia: must be from", {.mass = MassDef{.mass = 1, .inertia = -1}}),
+        add("mass: must not be set for a body with a plane, which has no mass",
+            {.shape = Plane{}, .mass = MassDef{.mass = 1}, .type = BodyType::Static}),
         add("shape.corners[2]: is the same point as corner 1: leave it out, or use convexHull()",
             {.shape = Polygon{{{0, 0}, {1, 0}, {1, 0}, {0, 1}}}}),
         add("shape.corners: must be from 3 to 1024 points, but there are 2",
@@ -127,6 +138,11 @@ TEST(Sentences, OfAJoint) {
         add("hertz: is 0 and there are no limits, so the joint would do nothing: set hertz for a "
             "spring, equal limits for a rod",
             [](Beginning& s) { return DistanceJoint{.ends = s.ends()}; }),
+        add("force: and torque are 0, so the joint would do nothing: set the largest force, the "
+            "largest torque, or both",
+            [](Beginning& s) { return MotorJoint{.ends = s.ends()}; }),
+        add("force: is 0, so the joint would do nothing: set the largest force",
+            [](Beginning& s) { return MouseJoint{.body = s.box}; }),
     });
 }
 
@@ -173,6 +189,19 @@ TEST(Sentences, OfOtherCalls) {
              s.world.setRegion(Aabb{{1, 0}, {0, 1}});
          }},
         {"dt: must be from 1e-07 to 1 s, but is 16", [](Beginning& s) { s.world.step(16); }},
+        {"dt: must be from 1e-07 to 1 s, but is 0: 1/60 divides integers, which gives 0; write "
+         "1.0f / 60",
+         [](Beginning& s) { s.world.step(1 / 60); }},
+        {"dt: must be from 1e-07 to 1 s, but is 0: 1/60 divides integers",
+         [](Beginning& s) {
+             s.world[s.box].moveTo({0, 5}, 1 / 60);
+         }},
+        {"velocity: must be zero for a static body: make it Kinematic",
+         [](Beginning& s) {
+             s.world[s.wall].setVelocity({1, 0});
+         }},
+        {"angularVelocity: must be zero for a static body: make it Kinematic",
+         [](Beginning& s) { s.world[s.wall].setAngularVelocity(1); }},
         {"force: must be finite, but is {nan, 0}",
          [](Beginning& s) {
              s.world[s.box].applyForce({kNan, 0});
@@ -201,6 +230,19 @@ TEST(Sentences, OfOtherCalls) {
     });
 }
 
+TEST(Sentences, OfFlagsThatUnlockAPlaneNameTheFlags) {
+    Beginning scene;
+    scene.world[scene.ground].setFlags(kLockMove | kLockRotate);
+    scene.world[scene.ground].setType(BodyType::Dynamic); // held by its locks
+    try {
+        scene.world[scene.ground].setFlags(0);
+        ADD_FAILURE() << "accepted";
+    } catch (const BadDefinition& bad) {
+        EXPECT_EQ(std::string(bad.what()),
+                  "flags: must have kLockMove and kLockRotate: a plane has no mass");
+    }
+}
+
 // Bodies at the limit of speed keep it: what is accepted is not frozen by the next step.
 TEST(Sentences, ASpeedThatIsAcceptedIsNotFrozen) {
     World world;
@@ -216,13 +258,16 @@ TEST(Sentences, ASpeedThatIsAcceptedIsNotFrozen) {
 TEST(Sentences, OfAFilter) {
     const CollisionFilter two{kMatchAny | kMatchAll, 1};
     const CollisionFilter none{0, 1};
+    const CollisionFilter sensor{kMatchAny | kSensor, 1};
     std::vector<Mistake> mistakes;
-    for (const CollisionFilter which : {two, none}) {
-        const std::string sentence = which.flags == 0
-                                         ? "which.required: has no effect without a match mode: "
-                                           "add kMatchAny, kMatchAll or kMatchEqual to which.flags"
-                                         : "which.flags: must have one of kMatchAny, kMatchAll and "
-                                           "kMatchEqual at most";
+    for (const CollisionFilter which : {two, none, sensor}) {
+        const std::string sentence =
+            which.flags == 0              ? "which.required: has no effect without a match mode: "
+                                            "add kMatchAny, kMatchAll or kMatchEqual to which.flags"
+            : which.flags == sensor.flags ? "which.flags: must have categories and a match mode "
+                                            "alone: a filter does not compare"
+                                          : "which.flags: must have one of kMatchAny, kMatchAll "
+                                            "and kMatchEqual at most";
         const auto add = [&](std::function<void(Beginning&)> make) {
             mistakes.push_back({sentence, std::move(make)});
         };

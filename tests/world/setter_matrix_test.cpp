@@ -131,6 +131,12 @@ const std::vector<NamedChange>& bodyChanges() {
          [](World& w, BodyId, BodyId b) {
              w[b].applyImpulse({Real(0.2), Real(0.05)});
          }},
+    };
+    return changes;
+}
+
+const std::vector<NamedChange>& propertyChanges() {
+    static const std::vector<NamedChange> changes = {
         {"setType static", [](World& w, BodyId, BodyId b) { w[b].setType(BodyType::Static); }},
         {"setType kinematic",
          [](World& w, BodyId, BodyId b) { w[b].setType(BodyType::Kinematic); }},
@@ -147,6 +153,24 @@ const std::vector<NamedChange>& bodyChanges() {
          }},
         {"setUserData", [](World& w, BodyId, BodyId b) { w[b].setUserData(7); }},
         {"setMaterial", [](World& w, BodyId, BodyId b) { w[b].setMaterial(support::slippery(1)); }},
+        {"setMass", [](World& w, BodyId, BodyId b) { w[b].setMass(3); }},
+        {"setMass of the box, with a centre",
+         [](World& w, BodyId a, BodyId) {
+             w[a].setMass({.mass = 2, .center = Vec2{Real(0.1), Real(-0.2)}});
+         }},
+        {"setMass and setMassFromDensity",
+         [](World& w, BodyId, BodyId b) {
+             w[b].setMass(3);
+             w[b].setMassFromDensity();
+         }},
+        {"copyFrom the box",
+         [](World& w, BodyId a, BodyId b) {
+             w[b].copyFrom(w[a]);
+             w[b].setPosition({4, Real(0.25)});
+         }},
+        {"wake", [](World& w, BodyId, BodyId b) { w[b].wake(); }},
+        {"wake the box", [](World& w, BodyId a, BodyId) { w[a].wake(); }},
+        {"wake the floor", [](World& w, BodyId, BodyId) { w[w.bodies()[0]].wake(); }},
         {"remove", [](World& w, BodyId, BodyId b) { w.remove(b); }},
         {"remove the floor", [](World& w, BodyId, BodyId) { w.remove(w.bodies()[0]); }},
         {"clone onto the box",
@@ -330,7 +354,8 @@ TEST_P(SetterMatrix, SleepDoesNotShowAfterAnyChange) {
                 const int settled = is.state == State::Awake          ? 5
                                     : is.state == State::AboutToSleep ? asleep - 1
                                                                       : asleep + 1;
-                for (const auto* const list : {&bodyChanges(), &worldChanges()}) {
+                for (const auto* const list :
+                     {&bodyChanges(), &propertyChanges(), &worldChanges()}) {
                     for (const NamedChange& change : *list) {
                         SCOPED_TRACE(testing::Message()
                                      << change.name << ", relation " << static_cast<int>(relation)

@@ -31,6 +31,25 @@ bool stepsLikeItsSnapshot(World& world) {
            stepStats(restored).contacts == stepStats(world).contacts;
 }
 
+// R2: forces that cancel out, or that acted on a body that was removed, leave nothing for the next
+// body in its slot.
+TEST(Snapshot, ContinuesWithTheSameBitsAfterForcesThatCannotAct) {
+    for (const bool removed : {false, true}) {
+        World world({.gravity = support::kEarth});
+        support::addFloor(world);
+        BodyId id = world.add(support::boxDef({0, Real(0.5)}, 1, 1));
+        run(world, 5);
+        world[id].applyForce({3, 1});
+        if (removed) {
+            world.remove(id);
+            id = world.add(support::boxDef({0, Real(0.5)}, 1, 1));
+        } else {
+            world[id].applyForce({-3, -1});
+        }
+        EXPECT_TRUE(stepsLikeItsSnapshot(world)) << removed;
+    }
+}
+
 // Without Feature::Friction, contacts discard their friction impulses, even if no step follows.
 TEST(Snapshot, ContinuesWithTheSameBitsAfterFrictionWasOffAndOn) {
     World world(support::withoutSleep());

@@ -129,6 +129,10 @@ inline kodo::World busyWorld(const kodo::StepSettings& settings = {}) {
     for (const int gone : {13, 17, 29}) {
         world.remove(pieces[static_cast<std::size_t>(gone)]);
     }
+    // A mass that was set, and a part with flags, user data and a set mass of its own.
+    world[pieces[20]].setMass({.mass = 3, .center = kodo::Vec2{kodo::Real(0.05), 0}});
+    world[pieces[21]].setMass(2);
+    world.weld(pieces[22], pieces[21]);
     // A stack inside the region that falls asleep early.
     for (int i = 0; i < 3; ++i) {
         world.add({.shape = kodo::Box{kodo::Real(0.5), kodo::Real(0.5)},

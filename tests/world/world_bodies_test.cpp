@@ -24,7 +24,7 @@ TEST(WorldBodies, ABodyIsAsItWasDefined) {
                                  .velocity = {3, -4},
                                  .angularVelocity = Real(0.5),
                                  .density = 3,
-                                 .flags = 0x0005,
+                                 .flags = 0x0005 | kMatchAny,
                                  .required = 0x0003,
                                  .userData = 0xfedcba9876543210u});
     const BodyView body = world[id];
@@ -37,7 +37,7 @@ TEST(WorldBodies, ABodyIsAsItWasDefined) {
     EXPECT_EQ(body.mass(), 24);
     EXPECT_EQ(body.inertia(), 40); // 24 (4 + 16) / 12
     EXPECT_EQ(body.area(), 8);
-    EXPECT_EQ(body.flags(), 0x0005u);
+    EXPECT_EQ(body.flags(), 0x0005 | kMatchAny);
     EXPECT_EQ(body.required(), 0x0003);
     EXPECT_EQ(body.userData(), 0xfedcba9876543210u);
     EXPECT_EQ(body.bounds(), (Aabb{{-1, 1}, {3, 3}}));
@@ -94,7 +94,7 @@ TEST(WorldBodies, ACloneDiffersInIdAndPositionOnly) {
     def.velocity = {1, 2};
     def.angularVelocity = 3;
     def.density = 5;
-    def.flags = 0x10;
+    def.flags = 0x10 | kMatchAny;
     def.required = 7;
     def.userData = 99;
     const BodyId original = world.add(def);
@@ -105,7 +105,7 @@ TEST(WorldBodies, ACloneDiffersInIdAndPositionOnly) {
     EXPECT_EQ(world[copy].velocity(), (Vec2{1, 2}));
     EXPECT_EQ(world[copy].angularVelocity(), 3);
     EXPECT_EQ(world[copy].mass(), world[original].mass());
-    EXPECT_EQ(world[copy].flags(), 0x10u);
+    EXPECT_EQ(world[copy].flags(), 0x10 | kMatchAny);
     EXPECT_EQ(world[copy].required(), 7);
     EXPECT_EQ(world[copy].userData(), 99u);
     EXPECT_EQ(world[copy].part(0).material, withFriction(Real(0.3), Real(0.7)));

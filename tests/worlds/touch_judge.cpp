@@ -13,7 +13,7 @@ namespace {
 
 /// True for a body that causes no records itself.
 bool isStill(const World& world, BodyId id) {
-    return world.contains(id) && ((world[id].flags() & (kAsleep | kOutside)) != 0 ||
+    return world.contains(id) && ((world[id].flags() & (kAsleep | kOutside | kFrozen)) != 0 ||
                                   world[id].type() != BodyType::Dynamic);
 }
 

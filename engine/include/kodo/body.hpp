@@ -79,7 +79,7 @@ inline constexpr Flags kMatchModes = kMatchAny | kMatchAll | kMatchEqual;
 
 /// Decides which bodies collide, or which ones a query or a field concerns [Thesis06, 4.1.6].
 struct CollisionFilter {
-    Flags flags = 0;            // user flags, and at most one of kMatchModes
+    Flags flags = 0;            // user flags, and at most one of kMatchModes; queries refuse others
     std::uint16_t required = 0; // user flags that the other must have, as the mode says
 };
 
@@ -126,18 +126,31 @@ KODO_API std::optional<Problem> check(const Material& material);
 /// the smaller one [Thesis06, 4.3.3]. Rolling resistance: the larger one.
 KODO_API Material mix(const Material& a, const Material& b);
 
+/// With less, the rim of a body would give way to its contacts. That of a disc is 1/2.
+inline constexpr Real kMinInertiaShare = Real(1) / 256;
+
+/// A mass that is set, instead of that from the shapes and their densities [Thesis06, 4.1.5].
+struct MassDef {
+    Real mass = 0;                // kg, 1 / kMaxMass to kMaxMass
+    std::optional<Vec2> center{}; // m, in the frame of the shape; default: that of the shapes
+    /// kg m^2, about the centre of mass; at least kMinInertiaShare m r^2, r being the largest
+    /// distance of a point from this centre. Default: that of the shapes, scaled to the mass.
+    std::optional<Real> inertia{};
+};
+
 /// All that a body starts with.
 struct BodyDef {
     Shape shape = Circle{Real(0.5)};
-    Vec2 position{};          // m, world: origin of the shape's frame
-    Rot rotation{};           // of the shape's frame
-    Vec2 velocity{};          // m/s, of the centre of mass
-    Real angularVelocity = 0; // rad/s, counter-clockwise
-    Material material{};      // of all parts
-    Real density = 1;         // kg/m^2
+    Vec2 position{};               // m, world: origin of the shape's frame
+    Rot rotation{};                // of the shape's frame
+    Vec2 velocity{};               // m/s, of the centre of mass
+    Real angularVelocity = 0;      // rad/s, counter-clockwise
+    Material material{};           // of all parts
+    Real density = 1;              // kg/m^2; the mass follows from it and the shape
+    std::optional<MassDef> mass{}; // instead of that mass
     BodyType type = BodyType::Dynamic;
     Flags flags = 0;            // categories in the low 16 bits, motion locks, kSensor, ...
-    std::uint16_t required = 0; // see CollisionFilter
+    std::uint16_t required = 0; // see CollisionFilter; refused without a match mode
     std::uint64_t userData = 0; // the engine never reads it
 };
 
@@ -182,9 +195,11 @@ public:
     Real angularVelocity() const;      // rad/s, counter-clockwise
     Vec2 velocityAt(Vec2 point) const; // m/s, of the body at a world point (m)
 
-    Real mass() const;    // kg, also of a static or kinematic body
-    Real inertia() const; // kg m^2, about the centre of mass
-    Real area() const;    // m^2; overlapping parts count twice
+    Real mass() const;        // kg, also of a static or kinematic body
+    Real inertia() const;     // kg m^2, about the centre of mass
+    Vec2 localCenter() const; // m, in the frame of the shape: centre of mass
+    bool hasSetMass() const;  // false: mass and inertia follow from shapes and densities
+    Real area() const;        // m^2; overlapping parts count twice
     Flags flags() const;
     std::uint16_t required() const;
     std::uint64_t userData() const;
@@ -236,6 +251,23 @@ public:
     void setRequired(std::uint16_t required);
     void setUserData(std::uint64_t userData);
     void setMaterial(const Material& material); // of all parts
+
+    /// Sets the mass (kg), also of a static or kinematic body, for which it counts once the body is
+    /// dynamic. All points keep their velocities. World::weld() adds masses, set or not, and
+    /// World::unweld() takes them off again. Refused for a body with a plane.
+    void setMass(const MassDef& mass);
+    void setMass(Real mass) { setMass(MassDef{mass, {}, {}}); }
+    void setMassFromDensity(); // as it was before setMass(): that of the shapes
+
+    /// Makes the body move as another one, of this or another World, with its own shapes [Thesis06,
+    /// 4.1.8]. Copies pose, velocities, type, flags without status, `required`, mass, centre of
+    /// mass and moment of inertia; the material of each part, or of the last one for parts that the
+    /// other has not. User data, forces and joints stay. Refused where a setter would refuse it.
+    void copyFrom(const BodyView& other);
+
+    /// Wakes the body, its island, and all that touches it or shares a joint with it; restarts the
+    /// count of calm steps of what is awake. Setters do so too.
+    void wake();
 
 private:
     std::uint32_t changing(const char* call) const;

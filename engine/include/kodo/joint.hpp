@@ -85,7 +85,8 @@ struct PrismaticJoint {
     Real motorForce = 0;           // N, >= 0; the largest; 0: no motor
 };
 
-/// Motor joint: drives b to a position and an angle relative to a, with limited force.
+/// Motor joint: drives b to a position and an angle relative to a, with limited force. Force and
+/// torque of 0 together are refused.
 struct MotorJoint {
     JointEnds ends{};   // anchor b is driven to anchor a
     Real reference = 0; // rad, within 1e4; target of the relative angle of b
@@ -100,7 +101,7 @@ struct MouseJoint {
     BodyId body{};
     Vec2 anchor{};            // m, in the frame of the body's shape; within kMaxCoordinate
     Vec2 target{};            // m, world; within kMaxCoordinate
-    Real force = 0;           // N, >= 0; the largest
+    Real force = 0;           // N, > 0; the largest
     Real hertz = 5;           // 1e-3 to 1e4; stiffness, with the body's mass
     Real damping = Real(0.7); // 0 to 1e4; damping ratio; 1 is critical
 };

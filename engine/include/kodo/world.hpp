@@ -69,17 +69,24 @@ public:
 
     /// Makes the parts of `part` parts of `into`, at their places, and removes `part`. Keeps mass,
     /// centre of mass, momentum and angular momentum of the pair; a static or kinematic `into`
-    /// stays what it is. Returns the index of the first part added. Throws BadDefinition for equal
+    /// stays what it is. unweld() knows what the parts were: their type, flags, `required`, user
+    /// data and set mass. Returns the index of the first part added. Throws BadDefinition for equal
     /// ids, for a plane in a dynamic body, for too many parts or too much mass, and for a part or
     /// an anchor of its joints that would be beyond kMaxCoordinate.
     std::size_t weld(BodyId into, BodyId part);
     /// Adds a part, in the frame of the shape of `into`, with its velocity. Throws BadDefinition
     /// for what add() would refuse.
     std::size_t weld(BodyId into, const Primitive& shape, const Material& material, Real density);
-    /// Makes a part a body of its own, with these flags. The indices of later parts decrease by
-    /// one. Keeps momentum and angular momentum. Throws BadDefinition for a part that does not
-    /// exist, for the only part, and for flags that add() would refuse.
-    BodyId unweld(BodyId body, std::size_t part, Flags flags = 0);
+    /// Makes a part a body of its own. A part that was one before gets back its type, flags,
+    /// `required` and user data; another is a dynamic body without flags. With `flags`, it is a
+    /// dynamic body with these flags, `required` 0 and its user data. The indices of later parts
+    /// decrease by one.
+    /// Keeps momentum and angular momentum, unless the part is static, kinematic or locked then: it
+    /// stands still. A mass that was set before weld() is taken off; of one that was set for
+    /// several parts, the share of the part by density. Throws BadDefinition for a part that does
+    /// not exist, for the only part, for flags that add() would refuse, and for a mass out of
+    /// range.
+    BodyId unweld(BodyId body, std::size_t part, std::optional<Flags> flags = std::nullopt);
 
     // Joints. Functions that take an id throw BadDefinition for one that names no joint.
 

@@ -112,23 +112,33 @@ void removeBody(Bodies& bodies, std::uint32_t index) {
     bodies.noteActivity(index);
 }
 
-BodyId unweldPart(Bodies& bodies, std::uint32_t body, std::size_t part, Flags flags) {
+FormerBody formerBodyOf(const Bodies& bodies, std::uint32_t body) {
+    CollisionFilter filter = bodies.filter[body];
+    filter.flags &= ~kStatusFlags;
+    return {true, filter, bodies.record[body].userData};
+}
+
+BodyId unweldPart(Bodies& bodies, std::uint32_t body, const DividedGeometry& geometry,
+                  const FormerBody& made) {
     const Transform frame{bodies.originOf(body), bodies.pose[body].rotation};
     const BodyVelocity before = bodies.motion[body];
     const Vec2 center = bodies.pose[body].position;
 
-    std::vector<Part> rest = bodies.geometry(body).parts;
-    const std::vector<Part> taken{rest[part]};
-    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(part));
     BodyDef def;
     def.position = frame.position;
     def.rotation = frame.rotation;
     def.angularVelocity = before.angularVelocity;
-    def.flags = flags;
-    const BodyId freed = addBody(bodies, def, makeGeometry(taken));
-    setGeometry(bodies, body, makeGeometry(std::move(rest)));
+    def.type = typeOf(made.filter.flags);
+    def.flags = made.filter.flags;
+    def.required = made.filter.required;
+    def.userData = made.userData;
+    const BodyId freed = addBody(bodies, def, geometry.taken);
+    setGeometry(bodies, body, geometry.rest);
     for (const std::uint32_t index : {body, freed.index}) {
         bodies.motion[index].velocity = velocityAt(before, bodies.pose[index].position - center);
+    }
+    if (bodies.locked(freed.index)) {
+        bodies.motion[freed.index].stop();
     }
     return freed;
 }
@@ -248,16 +258,22 @@ void setGeometry(Bodies& bodies, std::uint32_t index,
     refreshDerived(bodies, index);
 }
 
+void setGeometryInMotion(Bodies& bodies, std::uint32_t index,
+                         std::shared_ptr<const BodyGeometry> geometry) {
+    const Vec2 center = bodies.pose[index].position;
+    setGeometry(bodies, index, std::move(geometry));
+    BodyVelocity& motion = bodies.motion[index];
+    motion.velocity = velocityAt(motion, bodies.pose[index].position - center);
+}
+
 void weldBodies(Bodies& bodies, std::uint32_t into, std::uint32_t part) {
     const Transform frame{bodies.originOf(into), bodies.pose[into].rotation};
     const Transform other{bodies.originOf(part), bodies.pose[part].rotation};
     Transform place = between(frame, other);
     place.rotation = normalize(place.rotation); // rounding errors of repeated welds would add up
-    std::vector<Part> parts = bodies.geometry(into).parts;
-    for (const Part& added : bodies.geometry(part).parts) {
-        parts.push_back({moved(added.primitive, place), added.material, added.density});
-    }
-    const std::shared_ptr<const BodyGeometry> geometry = makeGeometry(std::move(parts));
+    PartList list = bodies.geometry(into);
+    append(list, bodies.geometry(part), place, formerBodyOf(bodies, part));
+    const std::shared_ptr<const BodyGeometry> geometry = makeGeometry(std::move(list));
 
     const Vec2 center = frame * geometry->mass.center;
     Vec2 momentum;

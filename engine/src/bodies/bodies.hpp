@@ -171,15 +171,22 @@ void removeBody(Bodies& bodies, std::uint32_t index);
 
 /// Replaces the geometry. The world position of the shape's frame stays.
 void setGeometry(Bodies& bodies, std::uint32_t index, std::shared_ptr<const BodyGeometry> geometry);
+/// The same; all points keep their velocities, though the centre of mass moves to another one.
+void setGeometryInMotion(Bodies& bodies, std::uint32_t index,
+                         std::shared_ptr<const BodyGeometry> geometry);
 
 /// Adds the parts of body `part` to `into` at their world poses. Conserves momentum and angular
 /// momentum of the pair unless `into` is locked. `part` is unchanged; the caller removes it.
 void weldBodies(Bodies& bodies, std::uint32_t into, std::uint32_t part);
 
-/// Makes a part a body of its own at the same pose, with the given flags. Both bodies keep the
-/// velocities of their points, which conserves momentum and angular momentum. At least one part
-/// must remain.
-BodyId unweldPart(Bodies& bodies, std::uint32_t body, std::size_t part, Flags flags);
+/// Makes the part that was taken a body of its own at the same pose, with flags and user data of
+/// `made`. Both bodies keep the velocities of their points, which conserves momentum and angular
+/// momentum, unless the new body is locked: then it stands still.
+BodyId unweldPart(Bodies& bodies, std::uint32_t body, const DividedGeometry& geometry,
+                  const FormerBody& made);
+
+/// The body as what its parts were, for World::unweld().
+FormerBody formerBodyOf(const Bodies& bodies, std::uint32_t body);
 
 /// Adds a force (N, at the centre of mass) and a torque (N m) to the next step. They act in that
 /// step only, even if the body is inactive then.

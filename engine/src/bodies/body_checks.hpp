@@ -19,6 +19,9 @@ std::optional<Problem> checkVelocity(const char* field, Vec2 value, Real lengthU
                                      const char* unit = "m/s");
 std::optional<Problem> checkAngularVelocity(const char* field, Real value);
 std::optional<Problem> checkDensity(Real value);
+std::optional<Problem> checkTimeStep(Real dt);
+inline constexpr const char* kMustBeZeroForStatic =
+    "must be zero for a static body: make it Kinematic";
 // Flag bits in which the engine stores the type of a body; neither: dynamic.
 inline constexpr Flags kTypeStatic = 1u << 25;
 inline constexpr Flags kTypeKinematic = 1u << 26;

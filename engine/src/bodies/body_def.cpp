@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/settings.hpp>
+
 #include "base/checks.hpp"
 #include "bodies/body_checks.hpp"
 #include "bodies/body_geometry.hpp"
@@ -21,7 +23,8 @@ std::optional<Problem> checkType(const BodyDef& def) {
         return Problem{"type", "must be one of the enumerators of BodyType"};
     }
     if (def.type == BodyType::Static && (def.velocity != Vec2{} || def.angularVelocity != 0)) {
-        return Problem{"velocity", "must be zero for a static body: make it Kinematic"};
+        return Problem{def.velocity != Vec2{} ? "velocity" : "angularVelocity",
+                       kMustBeZeroForStatic};
     }
     return checkPlaneType(needsLock(def.shape), def.flags | bitsOf(def.type));
 }
@@ -61,6 +64,14 @@ std::optional<Problem> checkDensity(Real value) {
     return problem;
 }
 
+std::optional<Problem> checkTimeStep(Real dt) {
+    auto problem = checkRange("dt", dt, kMinTimeStep, kMaxTimeStep, "s");
+    if (problem && dt == 0) {
+        problem->reason += ": 1/60 divides integers, which gives 0; write 1.0f / 60";
+    }
+    return problem;
+}
+
 std::optional<Problem> checkFlags(const char* field, Flags value) {
     if ((value & kTypeBits) != 0) {
         return Problem{field, "must not have bits 25 and 26, which are reserved: the type of a "
@@ -82,6 +93,10 @@ std::optional<Problem> checkFlags(const char* field, Flags value) {
 std::optional<Problem> checkFilter(CollisionFilter which) {
     if (auto problem = checkModes("which.flags", which.flags)) {
         return problem;
+    }
+    if ((which.flags & ~(kUserFlags | kMatchModes)) != 0) {
+        return Problem{"which.flags", "must have categories and a match mode alone: a filter does "
+                                      "not compare locks, kSensor and other flags"};
     }
     if (which.required != 0 && (which.flags & kMatchModes) == 0) {
         return Problem{"which.required", "has no effect without a match mode: add kMatchAny, "
@@ -125,6 +140,11 @@ std::optional<Problem> check(const BodyDef& def, Real lengthUnit) {
         return Problem{"required", "must have a category with kMatchAny or kMatchAll, but is 0: "
                                    "the body would collide with nothing, as kDisabled says"};
     }
+    if (def.required != 0 && (def.flags & kMatchModes) == 0) {
+        return Problem{"required",
+                       "has no effect without a match mode: add kMatchAny, kMatchAll or "
+                       "kMatchEqual to flags"};
+    }
     if (auto problem = checkPosition("position", def.position, lengthUnit)) {
         return problem;
     }
@@ -143,7 +163,11 @@ std::optional<Problem> check(const BodyDef& def, Real lengthUnit) {
     if (auto problem = checkDensity(def.density)) {
         return problem;
     }
-    return checkParts(partsOf(def), lengthUnit);
+    const std::vector<Part> parts = partsOf(def);
+    if (auto problem = checkParts(parts, lengthUnit)) {
+        return problem;
+    }
+    return def.mass ? checkMassDef(*def.mass, parts, lengthUnit) : std::nullopt;
 }
 
 } // namespace KODO_PRECISION

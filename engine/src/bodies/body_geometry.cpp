@@ -15,10 +15,6 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-Mass massOf(const Part& part) {
-    return std::visit([&](const auto& kind) { return massOf(kind, part.density); }, part.primitive);
-}
-
 /// Largest absolute coordinate (m) of a primitive in its frame; of a plane, its distance from the
 /// origin.
 Real extentOf(const Primitive& primitive) {
@@ -32,6 +28,11 @@ Real extentOf(const Primitive& primitive) {
             }
         },
         primitive);
+}
+
+bool hasPlane(std::span<const Part> parts) {
+    return std::any_of(parts.begin(), parts.end(),
+                       [](const Part& part) { return needsLock(part.primitive); });
 }
 
 /// checkRange() with a message about a property of the shape.
@@ -69,6 +70,50 @@ std::optional<Problem> checkExtent(const Primitive& primitive, Real lengthUnit) 
     return std::nullopt;
 }
 
+bool hasFirmRim(const BodyGeometry& geometry) {
+    const Real rim = geometry.boundingRadius;
+    return geometry.setMasses.empty() || geometry.mass.inertia == 0 || hasPlane(geometry.parts) ||
+           rim * rim <= 1024 * kMaxMass * geometry.mass.inertia;
+}
+
+std::optional<Problem> checkMassDef(const MassDef& def, std::span<const Part> parts,
+                                    Real lengthUnit) {
+    if (hasPlane(parts)) {
+        return Problem{"mass", "must not be set for a body with a plane, which has no mass"};
+    }
+    if (auto problem = checkRange("mass", def.mass, 1 / kMaxMass, kMaxMass, "kg")) {
+        return problem;
+    }
+    if (def.center) {
+        if (auto problem = checkPosition("mass.center", *def.center, lengthUnit)) {
+            return problem;
+        }
+    }
+    const Mass mass = massOf(def, massFromDensity(parts));
+    constexpr Real kMost = kMaxMass * kMaxMass;
+    Real least = 1 / kMost;
+    if (def.center || def.inertia) {
+        Real rim = 0; // m; largest distance of a point from the centre of mass
+        for (const Part& part : parts) {
+            rim = std::max(rim, convexShapeOf(part.primitive, mass.center).boundingRadius);
+        }
+        least = std::max(least, kMinInertiaShare * def.mass * rim * rim);
+    }
+    if (def.inertia) {
+        auto problem = checkRange("mass.inertia", *def.inertia, least, kMost, "kg m^2");
+        if (problem && *def.inertia == 0) {
+            problem->reason += ": kLockRotate stops the rotation of a body";
+        }
+        return problem;
+    }
+    auto problem = mass.inertia == 0 ? std::nullopt // a particle
+                                     : checkRange("mass", mass.inertia, least, kMost, "kg m^2");
+    if (problem) {
+        problem->reason = "gives a moment of inertia that " + problem->reason + ": set it too";
+    }
+    return problem;
+}
+
 std::optional<Problem> checkParts(std::span<const Part> parts, Real lengthUnit) {
     Mass sum;
     for (const Part& part : parts) {
@@ -78,21 +123,13 @@ std::optional<Problem> checkParts(std::span<const Part> parts, Real lengthUnit) 
         if (needsLock(part.primitive)) {
             continue; // has no mass
         }
-        const Mass mass = massOf(part);
+        const Mass mass = massFromDensity({&part, 1});
         if (auto problem = checkMass(mass)) {
             return problem;
         }
         sum = combine(sum, mass);
     }
     return sum.mass > 0 ? checkMass(sum) : std::nullopt;
-}
-
-std::vector<Part> partsOf(const BodyDef& def) {
-    std::vector<Part> parts;
-    for (Primitive& primitive : primitivesOf(def.shape)) {
-        parts.push_back(Part{std::move(primitive), def.material, def.density});
-    }
-    return parts;
 }
 
 namespace {
@@ -122,12 +159,11 @@ void findValleys(std::span<Part> parts) {
 
 } // namespace
 
-std::shared_ptr<const BodyGeometry> makeGeometry(std::vector<Part> parts) {
+std::shared_ptr<const BodyGeometry> makeGeometry(PartList list) {
     auto geometry = std::make_shared<BodyGeometry>();
-    geometry->mass = massOf(parts[0]);
-    for (std::size_t i = 1; i < parts.size(); ++i) {
-        geometry->mass = combine(geometry->mass, massOf(parts[i]));
-    }
+    static_cast<PartList&>(*geometry) = std::move(list);
+    std::vector<Part>& parts = geometry->parts;
+    geometry->mass = massOf(*geometry);
     geometry->coreRadius = std::numeric_limits<Real>::max();
     for (Part& part : parts) {
         part.convex = convexShapeOf(part.primitive, geometry->mass.center);
@@ -137,7 +173,6 @@ std::shared_ptr<const BodyGeometry> makeGeometry(std::vector<Part> parts) {
         geometry->area += std::visit([](const auto& kind) { return areaOf(kind); }, part.primitive);
     }
     findValleys(parts);
-    geometry->parts = std::move(parts);
     return geometry;
 }
 

@@ -6,17 +6,18 @@
 #include <kodo/shape.hpp>
 
 #include "bodies/body_checks.hpp"
+#include "bodies/part_list.hpp"
 
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
 
 /// Immutable geometry of a body, shared by equal bodies, clones and copies of a World.
-struct BodyGeometry {
-    std::vector<Part> parts;
+struct BodyGeometry : PartList {
     Mass mass;               // centre in the frame of the shape
     Real area = 0;           // m^2; overlapping parts count twice
     Real boundingRadius = 0; // m; largest distance of a point from the centre of mass
@@ -24,8 +25,11 @@ struct BodyGeometry {
     Real coreRadius = 0;     // m; smallest of all parts
 };
 
-/// The parts of a valid definition: one for each primitive of its shape.
-std::vector<Part> partsOf(const BodyDef& def);
+/// A body without one of its parts, and that part.
+struct DividedGeometry {
+    std::shared_ptr<const BodyGeometry> rest;
+    std::shared_ptr<const BodyGeometry> taken;
+};
 
 /// Checks mass and moment of inertia of a body or a part.
 std::optional<Problem> checkMass(const Mass& mass);
@@ -36,8 +40,18 @@ std::optional<Problem> checkExtent(const Primitive& primitive, Real lengthUnit);
 /// Checks size and mass of parts that form one body.
 std::optional<Problem> checkParts(std::span<const Part> parts, Real lengthUnit);
 
+/// Checks a mass that is to be set for a body of these parts.
+std::optional<Problem> checkMassDef(const MassDef& def, std::span<const Part> parts,
+                                    Real lengthUnit);
+
+/// False if an impulse at the rim of a body with a set mass could give a speed that is not finite.
+bool hasFirmRim(const BodyGeometry& geometry);
+
 /// Computes mass, centre and convex shapes. Overwrites `convex` of the parts.
-std::shared_ptr<const BodyGeometry> makeGeometry(std::vector<Part> parts);
+std::shared_ptr<const BodyGeometry> makeGeometry(PartList list);
+inline std::shared_ptr<const BodyGeometry> makeGeometry(std::vector<Part> parts) {
+    return makeGeometry(PartList{std::move(parts), {}, {}});
+}
 
 } // namespace KODO_PRECISION
 } // namespace kodo

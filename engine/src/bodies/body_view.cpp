@@ -51,6 +51,12 @@ Real BodyView::mass() const {
 Real BodyView::inertia() const {
     return bodies_->geometry(index()).mass.inertia;
 }
+Vec2 BodyView::localCenter() const {
+    return bodies_->geometry(index()).mass.center;
+}
+bool BodyView::hasSetMass() const {
+    return !bodies_->geometry(index()).setMasses.empty();
+}
 Real BodyView::area() const {
     return bodies_->geometry(index()).area;
 }

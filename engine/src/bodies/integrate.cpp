@@ -84,8 +84,12 @@ bool gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Rea
         }
     });
     for (const std::uint32_t i : bodies.forced) { // also of inactive bodies
-        bodies.record[i].force = {};
-        bodies.record[i].torque = 0;
+        BodyRecord& record = bodies.record[i];
+        if (record.force == Vec2{} && record.torque == 0) {
+            continue; // cancelled, or of a body that was removed
+        }
+        record.force = {};
+        record.torque = 0;
         bodies.noteLostLoad(i, 2); // the next step has another force
     }
     bodies.forced.clear();

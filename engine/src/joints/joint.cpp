@@ -148,10 +148,17 @@ std::optional<Problem> checkKind(const MotorJoint& motor, Real) {
     if (auto problem = checkReference(motor.reference)) {
         return problem;
     }
-    return checkFields({{"force", motor.force, 0, kNoLimit, "N"},
-                        {"torque", motor.torque, 0, kNoLimit, "N m"},
-                        {"hertz", motor.hertz, Real(1e-3), Real(1e4), "Hz"},
-                        {"damping", motor.damping, 0, Real(1e4), ""}});
+    if (auto problem = checkFields({{"force", motor.force, 0, kNoLimit, "N"},
+                                    {"torque", motor.torque, 0, kNoLimit, "N m"},
+                                    {"hertz", motor.hertz, Real(1e-3), Real(1e4), "Hz"},
+                                    {"damping", motor.damping, 0, Real(1e4), ""}})) {
+        return problem;
+    }
+    if (motor.force == 0 && motor.torque == 0) {
+        return Problem{"force", "and torque are 0, so the joint would do nothing: set the largest "
+                                "force, the largest torque, or both"};
+    }
+    return std::nullopt;
 }
 
 std::optional<Problem> checkMouse(const MouseJoint& mouse, Real unit) {
@@ -164,9 +171,15 @@ std::optional<Problem> checkMouse(const MouseJoint& mouse, Real unit) {
     if (auto problem = checkPosition("target", mouse.target, unit)) {
         return problem;
     }
-    return checkFields({{"force", mouse.force, 0, kNoLimit, "N"},
-                        {"hertz", mouse.hertz, Real(1e-3), Real(1e4), "Hz"},
-                        {"damping", mouse.damping, 0, Real(1e4), ""}});
+    if (auto problem = checkFields({{"force", mouse.force, 0, kNoLimit, "N"},
+                                    {"hertz", mouse.hertz, Real(1e-3), Real(1e4), "Hz"},
+                                    {"damping", mouse.damping, 0, Real(1e4), ""}})) {
+        return problem;
+    }
+    if (mouse.force == 0) {
+        return Problem{"force", "is 0, so the joint would do nothing: set the largest force"};
+    }
+    return std::nullopt;
 }
 
 } // namespace

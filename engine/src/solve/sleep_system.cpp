@@ -112,8 +112,8 @@ void SleepSystem::wakeAll(Bodies& bodies, ContactSet& contacts) {
     }
 }
 
-void SleepSystem::wakeNeighbours(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
-                                 std::uint32_t body) {
+void SleepSystem::wakeAround(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
+                             std::uint32_t body) {
     disturb(bodies, body);
     // An awake neighbour may have been about to fall asleep.
     contacts.touchedBy(body, members_);
@@ -133,6 +133,11 @@ void SleepSystem::wakeNeighbours(Bodies& bodies, ContactSet& contacts, const Joi
         neighbourIslands_[body].clear();
     }
     wakeIslands(bodies, contacts);
+}
+
+void SleepSystem::wakeNeighbours(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
+                                 std::uint32_t body) {
+    wakeAround(bodies, contacts, joints, body);
     contacts.touchedBy(body, members_); // again, with the contacts of the islands
     std::for_each(members_.begin(), members_.end(), [&](auto i) { bodies.noteLostLoad(i); });
 }

@@ -51,6 +51,9 @@ public:
     /// body that is removed, teleported or changed.
     void wakeNeighbours(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
                         std::uint32_t body);
+    /// The same without a change of the body: what pressed it still does.
+    void wakeAround(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
+                    std::uint32_t body);
     void wakeAll(Bodies& bodies, ContactSet& contacts);
     bool anyAsleep() const { return sleepingIslands_ > 0; }
 

@@ -3,7 +3,9 @@
 #include "bodies/body_checks.hpp"
 #include "world/world_impl.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -11,9 +13,9 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-void refuseIfStatic(const BodyView& body, bool moves) {
+void refuseIfStatic(const char* field, const BodyView& body, bool moves) {
     if (moves && body.type() == BodyType::Static) {
-        refuse(Problem{"velocity", "must be zero for a static body: make it Kinematic"});
+        refuse(Problem{field, kMustBeZeroForStatic});
     }
 }
 
@@ -23,6 +25,26 @@ Problem tooFar(const char* field, Real speed, Real most, const char* unit, Real 
                               textOf(speed) + " " + unit + ", but a body has at most " +
                               textOf(most) + " " + unit +
                               "; setPosition() and setRotation() teleport"};
+}
+
+/// The material of each part of another body; that of its last part for the parts beyond.
+void copyMaterials(PartList& list, const BodyView& other) {
+    for (std::size_t i = 0; i < list.parts.size(); ++i) {
+        list.parts[i].material = other.part(std::min(i, other.partCount() - 1)).material;
+    }
+}
+
+/// Checks the mass of another body for these parts. The inertia of a particle is 0.
+std::optional<Problem> checkCopied(const BodyView& other, std::span<const Part> parts, Real unit) {
+    MassDef mass{other.mass(), other.localCenter(), other.inertia()};
+    if (mass.inertia == 0 && massFromDensity(parts).inertia == 0) {
+        mass.inertia.reset();
+    }
+    auto problem = checkMassDef(mass, parts, unit);
+    if (problem) {
+        problem->field = "other." + problem->field;
+    }
+    return problem;
 }
 
 } // namespace
@@ -56,7 +78,7 @@ void BodyRef::setRotation(Rot rotation) {
 void BodyRef::setVelocity(Vec2 velocity) {
     const std::uint32_t body = changing("BodyRef::setVelocity");
     refuse(checkVelocity("velocity", velocity, world_->tolerances_.unit()));
-    refuseIfStatic(*this, velocity != Vec2{});
+    refuseIfStatic("velocity", *this, velocity != Vec2{});
     world_->thaw(body);
     world_->bodies_.motion[body].velocity = velocity;
     world_->velocityChanged(body);
@@ -65,7 +87,7 @@ void BodyRef::setVelocity(Vec2 velocity) {
 void BodyRef::setAngularVelocity(Real radiansPerSecond) {
     const std::uint32_t body = changing("BodyRef::setAngularVelocity");
     refuse(checkAngularVelocity("angularVelocity", radiansPerSecond));
-    refuseIfStatic(*this, radiansPerSecond != 0);
+    refuseIfStatic("angularVelocity", *this, radiansPerSecond != 0);
     world_->thaw(body);
     world_->bodies_.motion[body].angularVelocity = radiansPerSecond;
     world_->velocityChanged(body);
@@ -80,7 +102,7 @@ void BodyRef::moveTo(Vec2 position, Rot rotation, Real dt) {
     const Real unit = world_->tolerances_.unit();
     refuse(checkPosition("position", position, unit));
     refuse(checkRotation("rotation", rotation));
-    refuse(checkRange("dt", dt, kMinTimeStep, kMaxTimeStep, "s"));
+    refuse(checkTimeStep(dt));
     const Vec2 target = position + rotation * world_->bodies_.geometry(body).mass.center;
     const Vec2 velocity = (target - center()) / dt;
     const Real spin = (rotation * this->rotation().inverse()).angle() / dt;
@@ -149,10 +171,12 @@ void BodyRef::setFlags(Flags flags) {
     const std::uint32_t body = changing("BodyRef::setFlags");
     constexpr Flags kKept = kStatusFlags | kTypeBits;
     const Flags kept = world_->bodies_.filter[body].flags & kKept;
-    for (std::size_t i = 0; i < partCount(); ++i) {
-        refuse(checkPlaneType(part(i).primitive, (flags & ~kKept) | kept));
-    }
     refuse(checkFlags("flags", flags));
+    for (std::size_t i = 0; i < partCount(); ++i) {
+        if (checkPlaneType(part(i).primitive, (flags & ~kKept) | kept)) {
+            refuse(Problem{"flags", "must have kLockMove and kLockRotate: a plane has no mass"});
+        }
+    }
     world_->bodyChanged(body);
     Flags& own = world_->bodies_.filter[body].flags; // bodyChanged() may have changed the status
     own = (flags & ~kKept) | (own & kKept);
@@ -172,12 +196,71 @@ void BodyRef::setUserData(std::uint64_t userData) {
 void BodyRef::setMaterial(const Material& material) {
     const std::uint32_t body = changing("BodyRef::setMaterial");
     refuse(check(material));
-    std::vector<Part> parts = world_->bodies_.geometry(body).parts;
-    for (Part& part : parts) {
+    PartList list = world_->bodies_.geometry(body);
+    for (Part& part : list.parts) {
         part.material = material;
     }
-    setGeometry(world_->bodies_, body, makeGeometry(std::move(parts)));
+    setGeometry(world_->bodies_, body, makeGeometry(std::move(list)));
     world_->bodyChanged(body);
+}
+
+void BodyRef::setMass(const MassDef& mass) {
+    const std::uint32_t body = changing("BodyRef::setMass");
+    PartList list = world_->bodies_.geometry(body);
+    refuse(checkMassDef(mass, list.parts, world_->tolerances_.unit()));
+    kodo::setMass(list, massOf(mass, massFromDensity(list.parts)));
+    setGeometryInMotion(world_->bodies_, body, makeGeometry(std::move(list)));
+    world_->bodyChanged(body);
+}
+
+void BodyRef::setMassFromDensity() {
+    const std::uint32_t body = changing("BodyRef::setMassFromDensity");
+    PartList list = world_->bodies_.geometry(body);
+    list.setMasses.clear();
+    setGeometryInMotion(world_->bodies_, body, makeGeometry(std::move(list)));
+    world_->bodyChanged(body);
+}
+
+void BodyRef::copyFrom(const BodyView& other) {
+    const std::uint32_t body = changing("BodyRef::copyFrom");
+    const Real unit = world_->tolerances_.unit();
+    refuse(checkPosition("other.position", other.position(), unit));
+    refuse(checkVelocity("other.velocity", other.velocity(), unit));
+    const Flags given = (other.flags() & ~kStatusFlags) | bitsOf(other.type());
+    PartList list = world_->bodies_.geometry(body);
+    for (const Part& part : list.parts) {
+        refuse(checkPlaneType(part.primitive, given));
+    }
+    copyMaterials(list, other);
+    const Mass fromDensity = massFromDensity(list.parts);
+    list.setMasses.clear();
+    if (other.mass() != fromDensity.mass || other.localCenter() != fromDensity.center ||
+        other.inertia() != fromDensity.inertia) {
+        refuse(checkCopied(other, list.parts, unit));
+        kodo::setMass(list, {other.mass(), other.localCenter(), other.inertia()});
+    }
+    Bodies& bodies = world_->bodies_;
+    const Transform pose = other.massFrame(); // copies: `other` may be this body
+    const Vec2 velocity = other.velocity();
+    const Real spin = other.angularVelocity();
+    const std::uint16_t required = other.required();
+    setGeometry(bodies, body, makeGeometry(std::move(list)));
+    bodies.pose[body] = pose;
+    world_->bodyChanged(body);
+    CollisionFilter& filter = bodies.filter[body]; // after bodyChanged, which may wake the body
+    filter = {(filter.flags & kStatusFlags & ~kFrozen) | given, required};
+    bodies.motion[body].velocity = velocity;
+    bodies.motion[body].angularVelocity = spin;
+    if (type() == BodyType::Static) {
+        bodies.motion[body].stop();
+    }
+    refreshDerived(bodies, body);
+    world_->velocityChanged(body);
+}
+
+void BodyRef::wake() {
+    const std::uint32_t body = changing("BodyRef::wake");
+    world_->sleep_.wakeAround(world_->bodies_, world_->contacts_, world_->joints_, body);
 }
 
 } // namespace KODO_PRECISION

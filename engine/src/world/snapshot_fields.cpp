@@ -40,6 +40,29 @@ std::size_t partCount(const Bodies& bodies) {
     return parts;
 }
 
+void checkList(const PartList& list) {
+    require(!list.parts.empty(), "a body has no parts");
+    for (const Part& part : list.parts) {
+        require(checkMoved(part.primitive));
+        require(check(part.material));
+        require(checkDensity(part.density));
+    }
+    std::size_t next = 0;
+    for (const SetMass& set : list.setMasses) {
+        require(set.firstPart >= next && set.partCount > 0 &&
+                    set.firstPart + std::uint64_t{set.partCount} <= list.parts.size() &&
+                    bounded(set.mass.center),
+                "a mass that was set has wrong parts or a wrong centre");
+        require(checkMass(set.mass));
+        next = set.firstPart + std::size_t{set.partCount};
+    }
+    require(list.former.empty() || list.former.size() == list.parts.size(),
+            "what parts were before does not fit the parts");
+    for (const FormerBody& former : list.former) {
+        require(checkFlags("flags", former.filter.flags & ~kTypeBits));
+    }
+}
+
 /// Sets the data that follow from geometry and flags.
 void completeBody(Bodies& bodies, std::uint32_t body) {
     const BodyRecord& record = bodies.record[body];
@@ -98,20 +121,17 @@ void SnapshotFields::geometries(WorldImpl& world) {
     note(world.lastGeometry_);
     geometries_.resize(lengthOf(geometries_.size()));
     for (std::shared_ptr<const BodyGeometry>& geometry : geometries_) {
-        std::vector<Part> parts = geometry ? geometry->parts : std::vector<Part>{};
-        one(parts);
+        PartList list = geometry ? PartList(*geometry) : PartList{};
+        auto& [parts, setMasses, former] = list;
+        all(parts, setMasses, former);
         if (!reads()) {
             continue;
         }
-        require(!parts.empty(), "a body has no parts");
-        for (const Part& part : parts) {
-            require(checkMoved(part.primitive));
-            require(check(part.material));
-            require(checkDensity(part.density));
-        }
-        geometry = makeGeometry(std::move(parts));
+        checkList(list);
+        geometry = makeGeometry(std::move(list));
         require(geometry->mass.mass >= 0 && geometry->mass.inertia >= 0 &&
-                    bounded(geometry->mass.center) && bounded(geometry->boundingRadius),
+                    bounded(geometry->mass.center) && bounded(geometry->boundingRadius) &&
+                    hasFirmRim(*geometry),
                 "the geometry of a body is out of range");
     }
 }
@@ -304,8 +324,18 @@ void SnapshotFields::definitions(const WorldImpl& world) {
         if (world.bodies_.ids.aliveAt(i)) {
             std::uint64_t userData = world.bodies_.record[i].userData;
             one(userData);
-            for (Part part : world.bodies_.geometry(i).parts) {
+            const PartList& list = world.bodies_.geometry(i);
+            for (Part part : list.parts) {
                 one(part);
+            }
+            for (SetMass set : list.setMasses) { // nothing is added if none was set
+                one(set);
+            }
+            for (FormerBody former : list.former) { // likewise
+                if (former.filter.flags != 0 || former.filter.required != 0 ||
+                    former.userData != 0) {
+                    one(former);
+                }
             }
         }
     }

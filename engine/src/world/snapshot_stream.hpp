@@ -8,6 +8,7 @@
 #include "base/byte_stream.hpp"
 #include "base/checks.hpp"
 #include "base/reorder_policy.hpp"
+#include "bodies/part_list.hpp"
 #include "math/octagon.hpp"
 
 #include <array>
@@ -127,6 +128,15 @@ protected:
         all(lower, upper);
     }
 
+    void one(SetMass& set) {
+        auto& [firstPart, partCount, whole] = set;
+        auto& [mass, center, inertia] = whole;
+        all(firstPart, partCount, mass, center, inertia);
+    }
+    void one(FormerBody& former) {
+        auto& [known, filter, userData] = former;
+        all(known, filter, userData);
+    }
     void one(Octagon& octagon) {
         auto& [lower, upper] = octagon;
         for (Octagon::Each* each : {&lower, &upper}) {

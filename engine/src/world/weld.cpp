@@ -46,6 +46,21 @@ std::optional<Problem> checkNear(const Primitive& movedPart, Real lengthUnit) {
     return problem;
 }
 
+/// A body without one of its parts, and that part. Throws BadDefinition for a set mass whose shares
+/// are out of range.
+DividedGeometry divide(const BodyGeometry& whole, std::size_t part) {
+    PartList list = whole;
+    DividedGeometry both;
+    both.taken = makeGeometry(takePart(list, part));
+    both.rest = makeGeometry(std::move(list));
+    for (const BodyGeometry* each : {both.rest.get(), both.taken.get()}) {
+        if (auto problem = each->setMasses.empty() ? std::nullopt : checkMass(each->mass)) {
+            throw BadDefinition({"part", "divides the mass that was set: " + problem->reason});
+        }
+    }
+    return both;
+}
+
 } // namespace
 
 std::size_t WorldImpl::weld(BodyId into, BodyId part) {
@@ -90,19 +105,19 @@ std::size_t WorldImpl::weld(BodyId into, const Primitive& shape, const Material&
     refuse(checkTogether(bodies_.geometry(into.index), *makeGeometry({part}), {}));
     writeBackContacts();
     wakeNeighbours(into.index);
-    std::vector<Part> parts = bodies_.geometry(into.index).parts;
-    parts.push_back(part);
-    const Vec2 center = bodies_.pose[into.index].position;
-    setGeometry(bodies_, into.index, makeGeometry(std::move(parts)));
-    BodyVelocity& motion = bodies_.motion[into.index];
-    motion.velocity = velocityAt(motion, bodies_.pose[into.index].position - center);
+    PartList list = bodies_.geometry(into.index);
+    list.parts.push_back(part);
+    if (!list.former.empty()) {
+        list.former.emplace_back();
+    }
+    setGeometryInMotion(bodies_, into.index, makeGeometry(std::move(list)));
     placeInRegion(into.index);
     contacts_.bodyChanged(into.index);
     queries_.bodyChanged(into.index);
     return bodies_.geometry(into.index).parts.size() - 1;
 }
 
-BodyId WorldImpl::unweld(BodyId body, std::size_t part, Flags flags) {
+BodyId WorldImpl::unweld(BodyId body, std::size_t part, std::optional<Flags> flags) {
     kodo::requireAlive(bodies_, body);
     const std::vector<Part>& parts = bodies_.geometry(body.index).parts;
     if (part >= parts.size()) {
@@ -113,14 +128,19 @@ BodyId WorldImpl::unweld(BodyId body, std::size_t part, Flags flags) {
     if (parts.size() == 1) {
         throw BadDefinition({"part", "is the only part of the body, which would be left empty"});
     }
-    if (needsLock(parts[part].primitive) && (flags & kLockBoth) != kLockBoth) {
+    FormerBody made = formerBody(bodies_.geometry(body.index), part);
+    if (flags) {
+        refuse(checkFlags("flags", *flags));
+        made.filter = {*flags & ~kStatusFlags, 0};
+    }
+    if (needsLock(parts[part].primitive) && locksOf(made.filter.flags) != kLockBoth) {
         refuse(Problem{"flags", "must have kLockMove and kLockRotate: a plane has no mass"});
     }
-    refuse(checkFlags("flags", flags));
+    const DividedGeometry geometry = divide(bodies_.geometry(body.index), part);
     writeBackContacts();
     wakeNeighbours(body.index);
     contacts_.partRemoved(body.index, part);
-    const BodyId freed = unweldPart(bodies_, body.index, part, flags & ~(kStatusFlags | kTypeBits));
+    const BodyId freed = unweldPart(bodies_, body.index, geometry, made);
     placeInRegion(body.index);
     region_.update(bodies_, freed.index);
     contacts_.bodyChanged(freed.index);

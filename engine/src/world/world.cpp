@@ -90,7 +90,7 @@ std::size_t World::weld(BodyId into, const Primitive& shape, const Material& mat
                         Real density) {
     return change("World::weld").weld(into, shape, material, density);
 }
-BodyId World::unweld(BodyId body, std::size_t part, Flags flags) {
+BodyId World::unweld(BodyId body, std::size_t part, std::optional<Flags> flags) {
     return change("World::unweld").unweld(body, part, flags);
 }
 

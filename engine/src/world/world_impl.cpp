@@ -14,10 +14,17 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-bool sameParts(const std::vector<Part>& a, const std::vector<Part>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Part& p, const Part& q) {
+bool sameParts(const PartList& a, const PartList& b) {
+    const auto same = [](const Part& p, const Part& q) {
         return p.primitive == q.primitive && p.material == q.material && p.density == q.density;
-    });
+    };
+    const auto sameMass = [](const SetMass& p, const SetMass& q) {
+        return p.mass.mass == q.mass.mass && p.mass.center == q.mass.center &&
+               p.mass.inertia == q.mass.inertia; // of all parts
+    };
+    return std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(), same) &&
+           std::equal(a.setMasses.begin(), a.setMasses.end(), b.setMasses.begin(),
+                      b.setMasses.end(), sameMass);
 }
 
 // Features that may keep bodies at rest: a change wakes all islands.
@@ -72,9 +79,9 @@ WorldImpl::WorldImpl(const WorldDef& def) : tolerances_() {
 
 BodyId WorldImpl::add(const BodyDef& def) {
     refuse(check(def, tolerances_.unit()));
-    std::vector<Part> parts = partsOf(def);
-    if (!lastGeometry_ || !sameParts(lastGeometry_->parts, parts)) {
-        lastGeometry_ = makeGeometry(std::move(parts));
+    PartList list = partListOf(def);
+    if (!lastGeometry_ || !sameParts(*lastGeometry_, list)) {
+        lastGeometry_ = makeGeometry(std::move(list));
     }
     const BodyId id = addBody(bodies_, def, lastGeometry_);
     bodyAdded(id.index);
@@ -89,7 +96,7 @@ void WorldImpl::bodyAdded(std::uint32_t body) {
 }
 
 void WorldImpl::step(Real dt, const StepOptions& options) {
-    refuse(checkRange("dt", dt, kMinTimeStep, kMaxTimeStep, "s"));
+    refuse(checkTimeStep(dt));
     const ChangeGuard::Step running(guard_);
     if (options.listener != nullptr) {
         options.listener->enter(StepStage::Broad);

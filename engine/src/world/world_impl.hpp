@@ -35,7 +35,7 @@ public:
 
     std::size_t weld(BodyId into, BodyId part);
     std::size_t weld(BodyId into, const Primitive& shape, const Material& material, Real density);
-    BodyId unweld(BodyId body, std::size_t part, Flags flags);
+    BodyId unweld(BodyId body, std::size_t part, std::optional<Flags> flags);
 
     JointId add(const JointDef& def);
     void remove(JointId id);
