@@ -86,8 +86,9 @@ int playBot(const BotOptions& options) {
     return 0;
 }
 
-int playReplay(const std::string& file, bool json) {
-    Playback playback = openReplay(file);
+/// Plays one replay of a file and prints its report. Returns the number of unmet expectations.
+std::size_t playReplay(const std::string& file, const Replay& replay, bool json) {
+    Playback playback = openReplay(file, replay);
     playToEnd(playback);
     for (const Playback::Failure& failure : playback.failures()) {
         fmt::print(stderr, "{}:{}: {}\n", file, failure.expectation.line, failure.text());
@@ -100,12 +101,21 @@ int playReplay(const std::string& file, bool json) {
                    playback.replay().expectations.size() - playback.failures().size(),
                    playback.replay().expectations.size());
     }
-    return playback.failures().empty() ? 0 : 1;
+    return playback.failures().size();
 }
 
-int verify(const std::string& file, bool json) {
-    Playback playback = openReplay(file);
-    const std::size_t hashes = playback.replay().hashes.size();
+int playRun(const std::string& file, bool json) {
+    std::size_t failed = 0;
+    for (const Replay& replay : readRun(file)) {
+        failed += playReplay(file, replay, json);
+    }
+    return failed == 0 ? 0 : 1;
+}
+
+/// False if the game diverges.
+bool verifyReplay(const std::string& file, const Replay& replay, bool json) {
+    Playback playback = openReplay(file, replay);
+    const std::size_t hashes = replay.hashes.size();
     if (hashes == 0) {
         throw Refusal{file + ": there is no hash line to verify"};
     }
@@ -121,12 +131,21 @@ int verify(const std::string& file, bool json) {
         fmt::print(stderr, "{}: the game diverges: tick {} is the first whose hash differs", file,
                    tick);
         fmt::print(stderr, "{}\n", agreed ? fmt::format("; tick {} agrees", *agreed) : "");
-        return 1;
+        return false;
     }
     if (!json) {
         fmt::print("All {} hashes agree.\n", hashes);
     }
-    return 0;
+    return true;
+}
+
+int verify(const std::string& file, bool json) {
+    const ReplayRun run = readRun(file);
+    bool agreed = true;
+    for (const Replay& replay : run) {
+        agreed = verifyReplay(file, replay, json) && agreed;
+    }
+    return agreed ? 0 : 1;
 }
 
 int listLevels() {
@@ -257,7 +276,7 @@ int run(int argc, char** argv) {
         return 2;
     }
     if (replayCommand->parsed()) {
-        return playReplay(file, json);
+        return playRun(file, json);
     }
     if (verifyCommand->parsed()) {
         return verify(file, json);

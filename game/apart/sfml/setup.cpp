@@ -2,7 +2,7 @@
 #include <apart/core/assets.hpp>
 #include <apart/core/bot.hpp>
 #include <apart/core/endless.hpp>
-#include <apart/core/replay.hpp>
+#include <apart/core/run.hpp>
 #include <apart/sfml/setup.hpp>
 #include <apart/stage/profile_file.hpp>
 
@@ -129,13 +129,11 @@ std::string takeLevel(StageDef& def, const std::string& name) {
     return {};
 }
 
-/// The show of a replay file, or the reason why it cannot be played.
-std::variant<Show, std::string> showOf(const std::filesystem::path& file) {
-    const Read<Replay> read = readReplayFile(file);
-    if (const auto* problem = std::get_if<FileProblem>(&read)) {
-        return problem->text();
-    }
-    const Replay& replay = std::get<Replay>(read);
+/// The show of one replay of a file, or the reason why it cannot be played.
+std::variant<Show, std::string> showOf(const std::filesystem::path& file,
+                                       const std::shared_ptr<const ReplayRun>& run,
+                                       std::size_t number) {
+    const Replay& replay = (*run)[number];
     Read<Level> level = loadLevelOf(file, replay.level);
     if (const auto* problem = std::get_if<FileProblem>(&level)) {
         return problem->text();
@@ -143,8 +141,21 @@ std::variant<Show, std::string> showOf(const std::filesystem::path& file) {
     if (const auto problem = refusal(replay, std::get<Level>(level))) {
         return file.string() + " " + *problem + ".";
     }
-    return Show{std::make_shared<const Level>(std::get<Level>(std::move(level))), replay.seed,
-                replay.mode, pilotOf(replay), replay.end};
+    Show show{std::make_shared<const Level>(std::get<Level>(std::move(level))), replay.seed,
+              replay.mode, pilotOf(replay), replay.end};
+    if (number + 1 < run->size()) {
+        show.next = [file, run, number] { return showOf(file, run, number + 1); };
+    }
+    return show;
+}
+
+/// The show of a replay file, or the reason why it cannot be played.
+std::variant<Show, std::string> showOf(const std::filesystem::path& file) {
+    Read<ReplayRun> read = readRunFile(file);
+    if (const auto* problem = std::get_if<FileProblem>(&read)) {
+        return problem->text();
+    }
+    return showOf(file, std::make_shared<const ReplayRun>(std::get<ReplayRun>(std::move(read))), 0);
 }
 
 std::string takeReplay(StageDef& def, const std::string& file) {
@@ -184,23 +195,79 @@ std::vector<ShowEntry> replaysIn(const std::filesystem::path& folder) {
     return entries;
 }
 
-/// Writes the game to last.replay and, if it is the best of its level and mode, to best/. Endless
-/// runs have several games, so only the last one is kept. Returns an error sentence or "".
-std::string keepReplay(const std::filesystem::path& folder, const Replay& replay, bool best) {
-    std::vector<std::filesystem::path> files = {folder / "last.replay"};
-    if (best && !parseEndless(replay.level)) {
-        const std::string mode(kModeNames[static_cast<std::size_t>(replay.mode)]);
-        files.push_back(folder / "best" / (replay.level + "-" + mode + ".replay"));
+std::filesystem::path bestFile(const std::filesystem::path& folder, Mode mode,
+                               const std::string& level) {
+    const std::string name(kModeNames[static_cast<std::size_t>(mode)]);
+    return folder / "best" / (level + "-" + name + ".replay");
+}
+
+/// Renames the best game so far if it cannot be compared with games of this version: it is kept.
+void setAside(const std::filesystem::path& file, const ReplayRun& better) {
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) {
+        return;
     }
-    const std::string text = toText(replay);
-    for (const std::filesystem::path& file : files) {
+    const Read<ReplayRun> read = readRunFile(file);
+    const auto* old = std::get_if<ReplayRun>(&read);
+    std::string ending;
+    if (old == nullptr) {
+        ending = ".broken";
+    } else if ((*old)[0].rules != better[0].rules) {
+        ending = ".rules-" + std::to_string((*old)[0].rules.value_or(0));
+    } else if ((*old)[0].level == better[0].level &&
+               (*old)[0].levelDigest != better[0].levelDigest) {
+        ending = ".older-level";
+    }
+    if (!ending.empty()) {
+        std::filesystem::rename(file, freeAside(file, ending), error);
+    }
+}
+
+/// Writes a game to last.replay or, if `best` names its level, to best/. Returns an error sentence
+/// or "".
+std::string keepReplay(const std::filesystem::path& folder, const ReplayRun& run,
+                       const std::string& best) {
+    const std::filesystem::path file =
+        best.empty() ? folder / "last.replay" : bestFile(folder, run[0].mode, best);
+    std::error_code error;
+    std::filesystem::create_directories(file.parent_path(), error);
+    if (!best.empty()) {
+        setAside(file, run);
+    }
+    const std::optional<FileProblem> problem = writeTextFile(file, toText(run));
+    return problem ? "The game is not recorded: " + problem->text() + "." : "";
+}
+
+/// The recorded best games in the player's folder.
+ScoreStore scoresIn(const std::filesystem::path& folder, const LevelList& levels) {
+    ScoreStore store;
+    store.load = [folder](Mode mode,
+                          const std::string& level) -> std::variant<ReplayRun, std::string> {
+        const std::filesystem::path file = bestFile(folder, mode, level);
         std::error_code error;
-        std::filesystem::create_directories(file.parent_path(), error);
-        if (const std::optional<FileProblem> problem = writeTextFile(file, text)) {
-            return "The game is not recorded: " + problem->text() + ".";
+        if (!std::filesystem::exists(file, error)) {
+            return "no replay";
         }
-    }
-    return {};
+        Read<ReplayRun> read = readRunFile(file);
+        if (auto* run = std::get_if<ReplayRun>(&read)) {
+            return std::move(*run);
+        }
+        return "damaged replay";
+    };
+    store.levelOf = [folder, levels](const Replay& replay) -> LevelOrReason {
+        const auto listed = std::find_if(levels.begin(), levels.end(), [&](const auto& level) {
+            return level->name == replay.level;
+        });
+        if (listed != levels.end()) {
+            return *listed;
+        }
+        Read<Level> level = loadLevelOf(folder / "last.replay", replay.level);
+        if (const auto* problem = std::get_if<FileProblem>(&level)) {
+            return problem->text();
+        }
+        return std::make_shared<const Level>(std::get<Level>(std::move(level)));
+    };
+    return store;
 }
 
 /// Loads the profile and installs the functions that save it.
@@ -218,13 +285,15 @@ void takeProfile(StageDef& def) {
         def.notices.push_back(std::move(loaded.notice));
     }
     def.replays = [folder = file->parent_path()] { return replaysIn(folder); };
-    def.keepReplay = [folder = file->parent_path()](const Replay& replay, bool best) {
-        return keepReplay(folder, replay, best);
+    def.scores = scoresIn(file->parent_path(), def.levels);
+    def.keeping.keepReplay = [folder = file->parent_path()](const ReplayRun& run,
+                                                            const std::string& best) {
+        return keepReplay(folder, run, best);
     };
     if (loaded.keepFile) {
         return;
     }
-    def.save = [path = *file](const Profile& profile) -> std::string {
+    def.keeping.save = [path = *file](const Profile& profile) -> std::string {
         const std::optional<FileProblem> problem = saveProfile(path, profile);
         return problem ? "Settings and scores are not kept: " + problem->text() + "." : "";
     };

@@ -99,9 +99,11 @@ private:
                 fail(value, "a best score must be a table");
                 continue;
             }
+            constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
             bests[std::string(level.str())] = {
-                number(*best, "score", 0, std::numeric_limits<std::int32_t>::max()),
-                truth(*best, "cleared"), truth(*best, "unhurt"), truth(*best, "chain")};
+                number(*best, "score", 0, kMost), truth(*best, "cleared"), truth(*best, "unhurt"),
+                truth(*best, "chain"),
+                best->contains("unproved") ? number(*best, "unproved", 0, kMost) : 0};
         }
     }
 
@@ -121,18 +123,6 @@ std::optional<std::filesystem::path> folderOf(const char* variable) {
 
 constexpr const char* kNotKept = "Settings and scores are neither read nor kept: ";
 
-/// The first of *.broken, *.broken-2, ... that does not exist.
-std::filesystem::path freeAside(const std::filesystem::path& file) {
-    for (int i = 1;; ++i) {
-        std::filesystem::path aside = file;
-        aside += i == 1 ? ".broken" : ".broken-" + std::to_string(i);
-        std::error_code error;
-        if (!std::filesystem::exists(aside, error)) {
-            return aside;
-        }
-    }
-}
-
 /// True for a profile whose format this game does not know yet.
 bool isNewer(std::string_view text, const std::string& file) {
     const Read<toml::table> root = parseToml(text, file);
@@ -151,7 +141,11 @@ Profile withScoresOf(const std::filesystem::path& file, Profile profile) {
     if (const auto* known = std::get_if<Profile>(&saved)) {
         for (std::size_t mode = 0; mode < known->best.size(); ++mode) {
             for (const auto& [level, best] : known->best[mode]) {
-                profile.enter(static_cast<Mode>(mode), level, best);
+                Best other = best;
+                if (other.score <= profile.bestOf(static_cast<Mode>(mode), level).unproved) {
+                    other.score = 0; // it has been replaced since
+                }
+                profile.enter(static_cast<Mode>(mode), level, other);
             }
         }
     }
@@ -194,6 +188,17 @@ std::optional<std::filesystem::path> profileFile() {
     return home ? std::optional(*home / ".config" / inside) : std::nullopt;
 }
 
+std::filesystem::path freeAside(const std::filesystem::path& file, const std::string& ending) {
+    for (int i = 1;; ++i) {
+        std::filesystem::path aside = file;
+        aside += i == 1 ? ending : ending + "-" + std::to_string(i);
+        std::error_code error;
+        if (!std::filesystem::exists(aside, error)) {
+            return aside;
+        }
+    }
+}
+
 std::string toText(const Profile& profile) {
     std::string text = "# Settings and best scores of aPart. The game replaces the whole file.\n"
                        "format = 1\n\n[settings]\n";
@@ -206,6 +211,9 @@ std::string toText(const Profile& profile) {
             text += fmt::format("\n[{}.{}]\nscore = {}\ncleared = {}\nunhurt = {}\nchain = {}\n",
                                 kTables[i], keyOf(level), best.score, best.cleared, best.unhurt,
                                 best.chain);
+            if (best.unproved > 0) {
+                text += fmt::format("unproved = {}\n", best.unproved);
+            }
         }
     }
     return text;
@@ -237,7 +245,7 @@ LoadedProfile loadProfile(const std::filesystem::path& file) {
     if (isNewer(std::get<std::string>(text), file.string())) {
         return {{}, kNotKept + file.string() + ": was written by a newer game.", true};
     }
-    const std::filesystem::path aside = freeAside(file);
+    const std::filesystem::path aside = freeAside(file, ".broken");
     std::filesystem::rename(file, aside, error);
     const std::string kept =
         error ? "It cannot be renamed." : "It is kept as " + aside.filename().string() + ".";

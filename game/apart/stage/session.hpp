@@ -42,6 +42,8 @@ public:
     void takeOver();
 
     Kind kind() const { return kind_; }
+    bool isDemo() const { return kind_ == Kind::Demo; }
+    bool isShow() const { return kind_ == Kind::Show; }
     const Play& play() const { return *play_; }
     const Game& game() const { return play_->game(); }
     const RunStatistics& statistics() const { return statistics_; }

@@ -116,15 +116,16 @@ HudLook Stage::hudLook() const {
     HudLook look;
     look.place = placeOf(game().level(), def_.levels, endless_.number);
     look.scoreBefore = endless_.number > 0 ? endless_.score : 0;
-    look.best =
-        endless_.number > 0 ? 0 : def_.profile.bestOf(game().mode(), game().level().name).score;
-    look.muted = audible().sound == 0;
-    look.pilot = showing() ? "REPLAY" : session_.kind() == Session::Kind::WhatIf ? "WHAT IF" : "";
+    look.best = records_.provedScore(game().mode(), endless_.keyOf(game()));
+    look.muted = profile().audible().sound == 0;
+    look.pilot = session_.isShow()                          ? "REPLAY"
+                 : session_.kind() == Session::Kind::WhatIf ? "WHAT IF"
+                                                            : "";
     return look;
 }
 
 void Stage::draw(Canvas& canvas) const {
-    const bool wide = demoRuns();
+    const bool wide = session_.isDemo();
     canvas.begin(wide ? layout::kShownTitle : layout::kShown, session_.play().juice().shake());
     paintBackdrop(canvas, game().level().theme, seconds_);
     if (rerun_) {
@@ -140,7 +141,7 @@ void Stage::draw(Canvas& canvas) const {
         return drawTitle(canvas);
     case Screen::Levels:
         paintVeil(canvas, faded(palette::kNight, 0.82f));
-        return select_.draw(canvas, def_.profile, seconds_);
+        return select_.draw(canvas, records_, seconds_);
     case Screen::Options:
         paintVeil(canvas, faded(palette::kNight, 0.80f));
         canvas.text("Options", {0, Real(14.4)},
@@ -156,8 +157,8 @@ void Stage::draw(Canvas& canvas) const {
         paintVeil(canvas, faded(palette::kNight, 0.86f));
         return paintHelp(canvas);
     case Screen::Playing:
-        if (showing()) {
-            return paintTheatre(canvas, theatre_, game().ticks(), def_.show->end);
+        if (session_.isShow()) {
+            return paintTheatre(canvas, theatre_, game().ticks(), theatre_.show().end);
         }
         paintFaults(canvas, faults_);
         paintQuestion(canvas, confirm_.question(seconds_));
@@ -190,7 +191,7 @@ void Stage::drawTitle(Canvas& canvas) const {
     paintVeil(canvas, faded(palette::kNight, 0.74f));
     paintTitle(canvas, seconds_);
     menu_.draw(canvas);
-    paintNotices(canvas, def_.notices);
+    paintNotices(canvas, records_.notices());
     paintQuestion(canvas, confirm_.question(seconds_));
 }
 

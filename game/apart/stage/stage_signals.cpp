@@ -22,6 +22,11 @@ std::string playLabel(std::size_t index, const Level& level) {
     return fmt::format("Play   {}  {}", index + 1, level.title);
 }
 
+/// An item with the best score of its runs, if one is proved.
+std::string runLabel(std::string_view name, std::int32_t best) {
+    return best > 0 ? fmt::format("{}   best {}", name, grouped(best)) : std::string(name);
+}
+
 /// Sound of a menu; `sound` in percent.
 void chirp(Speaker& speaker, int sound, bool chosen) {
     const float volume = (chosen ? 1 : 0.6f) * share(sound);
@@ -39,14 +44,15 @@ bool anything(const Signals& signals) {
 
 void Stage::toTitle() {
     screen_ = Screen::Title;
-    level_ = nextToPlay();
+    level_ = nextToPlay(def_.levels, profile());
     demo(level_);
     std::vector<MenuItem> items = {{Action::Play, playLabel(level_, *def_.levels[level_])},
                                    {Action::Levels, "Choose a level"}};
     if (def_.endless) {
-        items.push_back({Action::Endless, "Endless"});
+        items.push_back({Action::Endless, endlessLabel(records_)});
+        records_.checkFirst(records_.profile().mode, kEndlessKey);
     }
-    items.push_back({Action::Mode, modeLabel(def_.profile.mode)});
+    items.push_back({Action::Mode, modeLabel(records_.profile().mode)});
     if (def_.replays) {
         items.push_back({Action::Replays, "Replays"});
     }
@@ -54,6 +60,10 @@ void Stage::toTitle() {
     items.push_back({Action::Options, "Options"});
     items.push_back({Action::Quit, "Quit"});
     menu_ = Menu(std::move(items), Real(10.2));
+}
+
+std::string endlessLabel(const Records& records) {
+    return runLabel("Endless", records.provedScore(records.profile().mode, kEndlessKey));
 }
 
 void Stage::toReplays() {
@@ -78,6 +88,7 @@ void Stage::toLevels() {
     screen_ = Screen::Levels;
     select_.choose(level_);
     demo(level_);
+    checkScores();
 }
 
 void Stage::toOptions() {
@@ -107,9 +118,7 @@ void Stage::pause() {
 
 void Stage::take(const Signals& signals, Speaker& speaker) {
     if (signals.closed) {
-        quit_ = true;
-        keepGame(false);
-        return keep();
+        return quit();
     }
     const bool asleep = attracting();
     if (anything(signals)) {
@@ -133,15 +142,15 @@ void Stage::take(const Signals& signals, Speaker& speaker) {
 
 void Stage::takeOne(const Signals& signals, Speaker& speaker) {
     if (!signals.commands.empty() && signals.commands[0] == Command::Mute) {
-        def_.profile.muted = !def_.profile.muted;
-        session_.setSettings(audible());
-        return keep();
+        records_.profile().muted = !records_.profile().muted;
+        session_.setSettings(profile().audible());
+        return records_.save();
     }
     switch (screen_) {
     case Screen::Levels:
         return takeLevels(signals, speaker);
     case Screen::Playing:
-        return showing() ? takeShow(signals) : takePlaying(signals);
+        return session_.isShow() ? takeShow(signals) : takePlaying(signals);
     default:
         return takeMenu(signals, speaker);
     }
@@ -157,11 +166,12 @@ void Stage::takeLevels(const Signals& signals, Speaker& speaker) {
     }
     const std::size_t before = select_.chosen();
     if (const std::optional<std::size_t> level = select_.take(signals)) {
-        chirp(speaker, audible().sound, true);
+        chirp(speaker, profile().audible().sound, true);
         begin(*level);
     } else if (select_.chosen() != before) {
-        chirp(speaker, audible().sound, false);
+        chirp(speaker, profile().audible().sound, false);
         demo(select_.chosen());
+        checkScores();
     }
 }
 
@@ -210,7 +220,7 @@ void Stage::takeShow(const Signals& signals) {
         }
         const Theatre::Request request = theatre_.take(command, game().ticks());
         if (request.tick) {
-            session_.seek(*request.tick, def_.show->pilot, settings());
+            session_.seek(*request.tick, theatre_.show().pilot, settings());
         }
         if (request.takeOver && game().result() == Result::Playing) {
             session_.takeOver();
@@ -242,18 +252,23 @@ bool Stage::takeShortcut(Command command) {
     return false;
 }
 
+void Stage::quit() {
+    quit_ = true;
+    keepGame();
+    records_.close();
+}
+
 void Stage::back() {
     switch (screen_) {
     case Screen::Title:
-        quit_ = confirm_.ask(Command::Back, seconds_);
-        return quit_ ? keep() : void();
+        return confirm_.ask(Command::Back, seconds_) ? quit() : void();
     case Screen::Paused:
         screen_ = Screen::Playing;
         return inputMapper_.letGo();
     case Screen::Options:
     case Screen::Help: {
         const Action left = screen_ == Screen::Options ? Action::Options : Action::Help;
-        keep();
+        records_.save();
         if (behind_ == Screen::Title) {
             toTitle();
         } else {
@@ -275,7 +290,7 @@ void Stage::takeMenu(const Signals& signals, Speaker& speaker) {
     const std::size_t before = menu_.chosen();
     const std::optional<MenuOutcome> outcome = menu_.take(signals);
     if (outcome || menu_.chosen() != before) {
-        chirp(speaker, audible().sound, outcome.has_value());
+        chirp(speaker, profile().audible().sound, outcome.has_value());
     }
     if (outcome) {
         act(*outcome);
@@ -289,8 +304,7 @@ void Stage::act(const MenuOutcome& outcome) {
     case Action::Levels:
         return toLevels();
     case Action::Endless:
-        endless_.score = 0;
-        return beginEndless(std::max(def_.firstEndless, 1u));
+        return beginRun();
     case Action::Replays:
         return toReplays();
     case Action::Replay: {
@@ -299,16 +313,19 @@ void Stage::act(const MenuOutcome& outcome) {
             def_.show = std::move(*show);
             return beginShow();
         }
-        note(std::get<std::string>(read));
+        records_.note(std::get<std::string>(read));
         return toTitle();
     }
     case Action::Help:
         return toHelp();
     case Action::Mode:
-        def_.profile.mode = def_.profile.mode == Mode::Pure ? Mode::Standard : Mode::Pure;
-        level_ = nextToPlay();
+        records_.profile().mode =
+            records_.profile().mode == Mode::Pure ? Mode::Standard : Mode::Pure;
+        level_ = nextToPlay(def_.levels, profile());
         menu_.setLabel(Action::Play, playLabel(level_, *def_.levels[level_]));
-        return menu_.setLabel(Action::Mode, modeLabel(def_.profile.mode));
+        menu_.setLabel(Action::Endless, endlessLabel(records_));
+        records_.checkFirst(records_.profile().mode, kEndlessKey);
+        return menu_.setLabel(Action::Mode, modeLabel(records_.profile().mode));
     case Action::Options:
         return toOptions();
     case Action::Quit:
@@ -332,9 +349,9 @@ void Stage::act(const MenuOutcome& outcome) {
 }
 
 void Stage::turn(std::size_t dial, int percent) {
-    def_.profile.settings.*kDials[dial].value = percent;
+    records_.profile().settings.*kDials[dial].value = percent;
     menu_.setPercent(dial, percent);
-    session_.setSettings(audible());
+    session_.setSettings(profile().audible());
 }
 
 } // namespace apart

@@ -20,6 +20,24 @@ std::string timeText(std::uint32_t ticks) {
 
 } // namespace
 
+void Theatre::begin(Show show) {
+    *this = {};
+    show_ = std::move(show);
+}
+
+bool Theatre::next(std::string& problem) {
+    if (!show_.next) {
+        return false;
+    }
+    std::variant<Show, std::string> following = show_.next();
+    if (auto* show = std::get_if<Show>(&following)) {
+        show_ = std::move(*show);
+        return true;
+    }
+    problem = std::get<std::string>(following);
+    return false;
+}
+
 Theatre::Request Theatre::take(Command command, std::uint32_t tick) {
     const std::int64_t now = tick;
     switch (command) {
