@@ -43,20 +43,20 @@ def after(game, report, name, action, least=20000):
 def first_run(screen, apart, report, profile):
     with Program(screen, "aPart", apart, "--mute", "--seed", "1") as game:
         time.sleep(1)
-        after(game, report, "menu_levels.png", lambda: game.click(*item(10.2, 1)))
+        after(game, report, "menu_levels.png", lambda: game.click(*item(10.5, 1)))
         after(game, report, "menu_title.png", lambda: game.click(*at(-13, 0.7)))
         check("level select and back, by mouse", True)
-        after(game, report, "menu_options.png", lambda: game.click(*item(10.2, 6)))
+        after(game, report, "menu_options.png", lambda: game.click(*item(10.5, 7)))
         game.click(*at(1.75, 13.2 - 0.45))  # the middle of the sound bar
         game.key("Escape")
         wait_until("the settings are written", profile.exists)
         check("a click on a bar turns it: half the sound", "sound = 50" in profile.read_text())
-        after(game, report, "menu_play.png", lambda: game.click(*item(10.2, 0)))
+        after(game, report, "menu_play.png", lambda: game.click(*item(10.5, 0)))
         check("play, by mouse", True)
         game.key("Escape", "Up", "Return")
         time.sleep(0.5)
-        game.click(*item(10.2, 7))
-        game.click(*item(10.2, 7))  # opens the question
+        game.click(*item(10.5, 8))
+        game.click(*item(10.5, 8))  # opens the question
         code, output = game.wait_for_end()
         check(f"quit, by mouse: exit code {code}", code == 0 and output.strip() == "")
 

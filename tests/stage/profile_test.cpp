@@ -44,6 +44,7 @@ Profile someProfile() {
     profile.mode = Mode::Pure;
     profile.enter(Mode::Standard, "first_light", {12300, true, false, true});
     profile.enter(Mode::Pure, "lift_off", {70, false, false, false});
+    profile.totals[2] = {3, 1, 500, 40, 12, 8, 5};
     return profile;
 }
 
@@ -90,7 +91,9 @@ TEST_F(ProfileFile, AnInvalidFileIsKeptAndNotOverwritten) {
           "format = 1\n[best.a]\nscore = -1\ncleared = true\nunhurt = false\nchain = false\n",
           "format = 1\n[best.a]\nscore = 1\ncleared = true\nunhurt = true\nchain = true\n"
           "unproved = -1\n",
-          "format = 1\n[best.a]\nscore = 1\n", "[[[", "format = 1\nformat = 1\n"}) {
+          "format = 1\nstatistics = 1\n", "format = 1\n[statistics.nowhere]\n",
+          "format = 1\n[statistics.quarry]\ngames = 1\n", "format = 1\n[best.a]\nscore = 1\n",
+          "[[[", "format = 1\nformat = 1\n"}) {
         SCOPED_TRACE(text);
         write(text);
         const LoadedProfile loaded = loadProfile(file_);

@@ -99,11 +99,13 @@ TEST(Theatre, ListsReplaysAndTellsWhyOneCannotBePlayed) {
         return entries;
     };
     StageRig rig(std::move(def));
+    rig.clickItem(Action::Records);
     rig.clickItem(Action::Replays);
     EXPECT_TRUE(rig.picture().says("an old game"));
     rig.click(rig.stage.menu().place(1).center());
     EXPECT_EQ(rig.stage.screen(), Screen::Title);
     EXPECT_TRUE(rig.picture().says("It is too old."));
+    rig.clickItem(Action::Records);
     rig.clickItem(Action::Replays);
     rig.click(rig.stage.menu().place(0).center());
     EXPECT_EQ(rig.stage.screen(), Screen::Playing);

@@ -224,6 +224,7 @@ BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks, B
     gaps.finish();
     run.ticks = game.ticks();
     run.result = game.result();
+    run.score = game.score();
     run.livesLost = level.lives - game.lives();
     run.cleared = 1 - static_cast<double>(game.blocksLeft()) / std::max(game.blocksAtStart(), 1);
     run.longestWait = observer.observations().longestWait;

@@ -19,6 +19,7 @@ struct BotRun {
     std::uint32_t seed = 0;
     std::uint32_t ticks = 0;
     Result result = Result::Playing;
+    std::int32_t score = 0;
     std::int32_t livesLost = 0;
     std::uint32_t longestWait = 0; // ticks without damage to a block
     std::uint32_t longestGap = 0;  // ticks without a crack, break, fall or catch

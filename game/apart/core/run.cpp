@@ -130,6 +130,10 @@ void RunCheck::advance(std::uint32_t ticks) {
     }
 }
 
+bool RunCheck::loads() const {
+    return !done_ && !playback_ && parseEndless(run_[next_].level).has_value();
+}
+
 double RunCheck::share() const {
     return done_ || allTicks_ == 0 ? 1
                                    : static_cast<double>(ticks_) / static_cast<double>(allTicks_);

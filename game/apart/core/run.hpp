@@ -36,6 +36,8 @@ public:
     /// Plays at most so many ticks.
     void advance(std::uint32_t ticks);
     bool done() const { return done_; }
+    /// True if the next advance() makes an endless level, which takes long.
+    bool loads() const;
     double share() const; // 0..1, of all ticks
     /// Sum of the scores. nullopt before the end, and if the run is no proof: a level cannot be
     /// loaded, a hash differs, or a level before the last one is not won.

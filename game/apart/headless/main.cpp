@@ -162,6 +162,7 @@ struct Checks {
     LintCommand lint;
     SoakCommand soak;
     TraceCommand trace;
+    MedalsCommand medals;
     std::vector<std::string> hashed; // files
 };
 
@@ -190,6 +191,20 @@ CLI::App* addLint(CLI::App& app, LintCommand& lint) {
         ->add_flag("--difficulty", lint.difficulty,
                    "Instead, what bots of each skill win, and how difficulty rises level by level")
         ->excludes(json);
+    return command;
+}
+
+CLI::App* addMedals(CLI::App& app, MedalsCommand& medals) {
+    CLI::App* command =
+        app.add_subcommand("medals", "Measure the scores for medals; print assets/medals.toml");
+    command->add_option("LEVEL", medals.levels, "Names of levels; all unless given");
+    command->add_option("--file", medals.file,
+                        "Write this file instead, in which other levels keep their marks");
+    command
+        ->add_option("--seeds", medals.seeds, "Games of each skill on each level, 5 unless given")
+        ->check(CLI::Range(1u, 10000u));
+    command->add_option("--ticks", medals.mostTicks, "Longest game in ticks, 43200 unless given")
+        ->check(CLI::Range(1u, kLongestReplay));
     return command;
 }
 
@@ -258,6 +273,7 @@ int run(int argc, char** argv) {
     botCommand->add_flag("--json", options.json, "Print one JSON object");
     Checks checks;
     const CLI::App* lintCommand = addLint(app, checks.lint);
+    const CLI::App* medalsCommand = addMedals(app, checks.medals);
     const CLI::App* soakCommand = addSoak(app, checks.soak);
     const CLI::App* traceCommand = addTrace(app, checks.trace);
     CLI::App* hashCommand =
@@ -289,6 +305,9 @@ int run(int argc, char** argv) {
     }
     if (lintCommand->parsed()) {
         return checks.lint.difficulty ? runDifficulty(checks.lint) : runLint(checks.lint);
+    }
+    if (medalsCommand->parsed()) {
+        return runMedals(checks.medals);
     }
     if (soakCommand->parsed()) {
         return runSoak(checks.soak);

@@ -2,11 +2,13 @@
 #include <apart/core/assets.hpp>
 #include <apart/core/bot.hpp>
 #include <apart/core/endless.hpp>
+#include <apart/core/medals.hpp>
 #include <apart/core/run.hpp>
 #include <apart/sfml/setup.hpp>
 #include <apart/stage/profile_file.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <random>
 #include <utility>
@@ -299,6 +301,34 @@ void takeProfile(StageDef& def) {
     };
 }
 
+/// The current day (UTC).
+Day today() {
+    using namespace std::chrono;
+    const year_month_day date(floor<days>(system_clock::now()));
+    return static_cast<Day>(10000 * static_cast<int>(date.year())) +
+           100 * static_cast<unsigned>(date.month()) + static_cast<unsigned>(date.day());
+}
+
+/// The scores for medals of the levels that are as they were measured.
+void takeMarks(StageDef& def) {
+    const std::filesystem::path file = assetsFolder() / "medals.toml";
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) {
+        return;
+    }
+    Read<std::vector<MedalMarks>> read = readMedals(file);
+    if (const auto* problem = std::get_if<FileProblem>(&read)) {
+        def.notices.push_back(problem->text() + ". There are no medals.");
+        return;
+    }
+    for (MedalMarks& marks : std::get<std::vector<MedalMarks>>(read)) {
+        if (std::any_of(def.levels.begin(), def.levels.end(),
+                        [&](const auto& level) { return measuredOn(marks, *level); })) {
+            def.marks.push_back(std::move(marks));
+        }
+    }
+}
+
 } // namespace
 
 std::variant<StageDef, std::string> setUp(const Options& options) {
@@ -328,6 +358,11 @@ std::variant<StageDef, std::string> setUp(const Options& options) {
     def.endless = [seed = endless.seed](std::uint32_t number) {
         return std::make_shared<const Level>(endlessLevel({seed, number}));
     };
+    def.today = today;
+    def.daily = [](Day day, std::uint32_t number) {
+        return std::make_shared<const Level>(endlessLevel({day, number}));
+    };
+    takeMarks(def);
     if (!problem.empty()) {
         return problem;
     }

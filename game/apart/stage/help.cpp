@@ -24,7 +24,7 @@ constexpr std::array<Topic, 12> kTopics = {{
     {"combo", "blocks broken without a touch of the paddle count up to eightfold"},
     {"marks", "a part is released: disc good, square mixed, triangle bad"},
     {"glow", "nothing hit for long: now a pull tears the lowest block off"},
-    {"honours", "cleared; no ball lost; eight blocks in one combo or one fall"},
+    {"honours", "cleared; no ball lost; eight blocks in one combo or one fall; medals by score"},
     {"pure", "rules that never bend a path, with scores of their own"},
     {"keys", "P pause   R again   M sound   F11 full screen   F3 what the engine sees"},
 }};

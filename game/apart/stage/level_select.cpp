@@ -144,7 +144,7 @@ std::optional<std::size_t> LevelSelect::take(const Signals& signals) {
     return under(signals.pointerNow);
 }
 
-void LevelSelect::drawTile(Canvas& canvas, std::size_t level, Best best) const {
+void LevelSelect::drawTile(Canvas& canvas, std::size_t level, Best best, Medal medal) const {
     const Aabb box = tile(level);
     const bool chosen = level == chosen_;
     const Color rim = chosen ? palette::kAccent : faded(palette::kQuiet, 0.45f);
@@ -155,6 +155,7 @@ void LevelSelect::drawTile(Canvas& canvas, std::size_t level, Best best) const {
                 {Real(0.42), chosen ? palette::kAccent : palette::kQuiet, Typeface::Bold});
     paintHonours(canvas, {box.upper.x - Real(1.3), box.lower.y + Real(0.33)}, {Real(0.5), 0},
                  Real(0.19), best);
+    paintMedal(canvas, box.upper - Vec2{Real(0.36), Real(0.36)}, Real(0.24), medal);
 }
 
 /// Best score and honours of the chosen level. An unproved score is dim, with its reason.
@@ -168,6 +169,14 @@ void LevelSelect::drawBest(Canvas& canvas, const Records& records, Mode mode, Ve
                 {Real(0.4), counts ? palette::kAccent : palette::kQuiet});
     canvas.text(shown ? grouped(standing.score) : "-", place - Vec2{0, Real(0.9)},
                 {Real(0.8), proved ? palette::kText : palette::kQuiet, Typeface::Bold});
+    const Medal medal = records.medalOf(mode, level);
+    const std::int32_t next = nextMark(proved ? standing.score : 0, level, records.marks());
+    paintMedal(canvas, place + Vec2{Real(3.6), Real(-0.62)}, Real(0.36), medal);
+    if (counts && next > 0) {
+        canvas.text(fmt::format("{} from {}", kMedalNames[static_cast<std::size_t>(medal) + 1],
+                                grouped(next)),
+                    place + Vec2{0, Real(-2.75)}, {Real(0.4), palette::kQuiet});
+    }
     const std::string note = standing.proof == Proof::Missing
                                  ? fmt::format("{}: {}", grouped(standing.score), standing.note)
                                  : standing.note;
@@ -250,7 +259,8 @@ void LevelSelect::draw(Canvas& canvas, const Records& records, double seconds) c
                         {Real(0.46), theme.glow, Typeface::Bold});
         }
         for (std::size_t i = levels.first; i < levels.first + levels.count; ++i) {
-            drawTile(canvas, i, profile.bestOf(profile.mode, levels_[i]->name));
+            drawTile(canvas, i, profile.bestOf(profile.mode, levels_[i]->name),
+                     records.medalOf(profile.mode, levels_[i]->name));
         }
     }
     drawArrows(canvas);

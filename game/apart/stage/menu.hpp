@@ -15,7 +15,9 @@ enum class Action : std::uint8_t {
     Play, // the first level not cleared yet
     Levels,
     Endless,
+    Daily,
     Mode, // toggles standard and pure
+    Records,
     Replays,
     Replay, // MenuItem::dial is its index
     Help,

@@ -24,8 +24,4 @@ void Profile::correct(Mode in, const std::string& level, std::int32_t score) {
     known.score = score;
 }
 
-bool isRunKey(const std::string& level) {
-    return level == kEndlessKey;
-}
-
 } // namespace apart

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <apart/core/game.hpp>
+#include <apart/stage/play_totals.hpp>
 #include <apart/stage/player_settings.hpp>
 
 #include <array>
@@ -25,8 +26,6 @@ struct Best {
 
 /// Key of the best endless run in Profile::best. No level has this name.
 inline constexpr const char* kEndlessKey = "endless";
-/// True for keys that stand for runs of endless levels.
-bool isRunKey(const std::string& level);
 
 /// Player data that persists between runs of the program.
 struct Profile {
@@ -35,6 +34,7 @@ struct Profile {
     bool muted = false;
     /// Indexed by Mode, then by level name: scores of different modes are never compared.
     std::array<std::map<std::string, Best>, kModeNames.size()> best{};
+    TotalsByTheme totals{};
 
     /// The settings, without sound while muted.
     Settings audible() const {

@@ -29,6 +29,8 @@ public:
         for (const auto& [key, node] : root) {
             if (key == "settings") {
                 readSettings(node);
+            } else if (key == "statistics") {
+                readTotals(node);
             } else if (key == kTables[0] || key == kTables[1]) {
                 readBests(node, profile_.best[key == kTables[1] ? 1 : 0]);
             } else if (key != "format") {
@@ -107,6 +109,26 @@ private:
         }
     }
 
+    void readTotals(const toml::node& node) {
+        const toml::table* table = node.as_table();
+        if (table == nullptr) {
+            return fail(node, "statistics must be a table");
+        }
+        for (const auto& [theme, value] : *table) {
+            const auto known = std::find(kThemeNames.begin(), kThemeNames.end(), theme.str());
+            const toml::table* totals = value.as_table();
+            if (known == kThemeNames.end() || totals == nullptr) {
+                fail(value, "statistics have a table for each theme");
+                continue;
+            }
+            PlayTotals& sums =
+                profile_.totals[static_cast<std::size_t>(known - kThemeNames.begin())];
+            for (const TotalField& field : kTotalFields) {
+                sums.*field.value = number(*totals, field.key, 0, kMostTotal);
+            }
+        }
+    }
+
     const std::string& file_;
     Profile profile_;
     std::optional<FileProblem> problem_;
@@ -131,7 +153,7 @@ bool isNewer(std::string_view text, const std::string& file) {
 }
 
 /// The profile with the better of its scores and those in the file, which another game that ran
-/// meanwhile may have saved.
+/// meanwhile may have saved. Of two totals the higher one stays.
 Profile withScoresOf(const std::filesystem::path& file, Profile profile) {
     const Read<std::string> text = readTextFile(file, kLongestFile);
     if (std::holds_alternative<FileProblem>(text)) {
@@ -139,6 +161,12 @@ Profile withScoresOf(const std::filesystem::path& file, Profile profile) {
     }
     const Read<Profile> saved = profileFrom(std::get<std::string>(text), file.string());
     if (const auto* known = std::get_if<Profile>(&saved)) {
+        for (std::size_t i = 0; i < known->totals.size(); ++i) {
+            for (const TotalField& field : kTotalFields) {
+                std::int32_t& value = profile.totals[i].*field.value;
+                value = std::max(value, known->totals[i].*field.value);
+            }
+        }
         for (std::size_t mode = 0; mode < known->best.size(); ++mode) {
             for (const auto& [level, best] : known->best[mode]) {
                 Best other = best;
@@ -214,6 +242,15 @@ std::string toText(const Profile& profile) {
             if (best.unproved > 0) {
                 text += fmt::format("unproved = {}\n", best.unproved);
             }
+        }
+    }
+    for (std::size_t i = 0; i < profile.totals.size(); ++i) {
+        if (profile.totals[i] == PlayTotals{}) {
+            continue;
+        }
+        text += fmt::format("\n[statistics.{}]\n", kThemeNames[i]);
+        for (const TotalField& field : kTotalFields) {
+            text += fmt::format("{} = {}\n", field.key, profile.totals[i].*field.value);
         }
     }
     return text;

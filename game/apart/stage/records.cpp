@@ -30,8 +30,8 @@ void Records::checkLast(Mode mode, const std::string& key) {
     book_.checkLast({mode, key}, profile_.bestOf(mode, key).score);
 }
 
-bool Records::advance(std::uint32_t ticks) {
-    const std::optional<ScoreBook::Finding> finding = book_.advance(ticks);
+bool Records::advance(std::uint32_t ticks, bool loads) {
+    const std::optional<ScoreBook::Finding> finding = book_.advance(ticks, loads);
     if (!finding) {
         return false;
     }
@@ -56,6 +56,26 @@ bool Records::advance(std::uint32_t ticks) {
         save();
     }
     return true;
+}
+
+std::optional<Replay> Records::bestGame(Mode mode, const Level& level) const {
+    const Proof proof = standingOf(mode, level.name).proof;
+    if (!scores_.load || (proof != Proof::Proved && proof != Proof::Waiting)) {
+        return std::nullopt;
+    }
+    const std::variant<ReplayRun, std::string> loaded = scores_.load(mode, level.name);
+    const auto* run = std::get_if<ReplayRun>(&loaded);
+    const bool fits = run != nullptr && run->size() == 1 && (*run)[0].level == level.name &&
+                      (*run)[0].mode == mode && !refusal((*run)[0], level);
+    return fits ? std::optional((*run)[0]) : std::nullopt;
+}
+
+Medal Records::medalOf(Mode mode, const std::string& level) const {
+    return apart::medalOf(provedScore(mode, level), level, marks_);
+}
+
+void Records::count(Theme theme, const PlayTotals& game) {
+    add(profile_.totals[static_cast<std::size_t>(theme)], game);
 }
 
 /// Enters a result whose rival is known: it replaces a score that is not proved.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <apart/core/medals.hpp>
 #include <apart/stage/score_book.hpp>
 
 #include <cstdint>
@@ -45,8 +46,17 @@ public:
     /// Checks a score next, or after all others.
     void checkFirst(Mode mode, const std::string& key);
     void checkLast(Mode mode, const std::string& key);
-    /// Goes on with the checks, by about so many ticks. True if one has ended.
-    bool advance(std::uint32_t ticks);
+    /// Goes on with the checks, by about so many ticks; see ScoreBook. True if one has ended.
+    bool advance(std::uint32_t ticks, bool loads = true);
+    /// The replay of the best game of a level, unless it is known to be none.
+    std::optional<Replay> bestGame(Mode mode, const Level& level) const;
+
+    /// The medal of the proved score of a level.
+    Medal medalOf(Mode mode, const std::string& level) const;
+    void setMarks(std::vector<MedalMarks> marks) { marks_ = std::move(marks); }
+    const std::vector<MedalMarks>& marks() const { return marks_; }
+    /// Adds a game to the totals of its theme.
+    void count(Theme theme, const PlayTotals& game);
 
     /// Enters a result and keeps its replay. True if it beats a proved score. One that does not
     /// beat an unchecked score waits for its check.
@@ -72,6 +82,7 @@ private:
     ScoreBook book_;
     std::vector<Result> waiting_; // for the check of the score that they may replace
     std::vector<std::string> notices_;
+    std::vector<MedalMarks> marks_;
 };
 
 } // namespace apart

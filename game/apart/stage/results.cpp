@@ -56,6 +56,34 @@ void paintScoreLines(Canvas& canvas, const ResultsLook& look) {
                 {0, y - Real(0.08)}, {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Middle});
 }
 
+constexpr std::array<Color, kMedalNames.size()> kMedalColors = {
+    palette::kQuiet, Color{214, 142, 88}, Color{206, 214, 228}, Color{255, 204, 92}};
+
+/// The medal of the game, and the score of the next one.
+void paintMedalLine(Canvas& canvas, const ResultsLook& look) {
+    const std::string& level = look.game.level().name;
+    const Medal medal = medalOf(look.score, level, look.marks);
+    const std::int32_t next = nextMark(look.score, level, look.marks);
+    std::string text;
+    if (medal != Medal::None) {
+        text = fmt::format("{} medal", kMedalNames[static_cast<std::size_t>(medal)]);
+    }
+    if (next > 0) {
+        const auto better = static_cast<std::size_t>(medal) + 1;
+        text += fmt::format("{}{} from {}", text.empty() ? "" : ", ", kMedalNames[better],
+                            grouped(next));
+    }
+    if (medal == Medal::None) {
+        canvas.text(text, {0, Real(13.75)},
+                    {Real(0.46), palette::kQuiet, Typeface::Plain, Align::Middle});
+        return;
+    }
+    paintMedal(canvas, {Real(-4.6), Real(12.75)}, Real(0.62), medal);
+    canvas.text(
+        text, {0, Real(13.75)},
+        {Real(0.46), kMedalColors[static_cast<std::size_t>(medal)], Typeface::Bold, Align::Middle});
+}
+
 /// A check mark.
 void paintCleared(Canvas& canvas, Vec2 middle, Real size, Color color) {
     const Vec2 foot = middle + size * Vec2{Real(-0.25), Real(-0.6)};
@@ -77,6 +105,20 @@ void paintChain(Canvas& canvas, Vec2 middle, Real size, Color color) {
 }
 
 } // namespace
+
+void paintMedal(Canvas& canvas, Vec2 middle, Real size, Medal medal) {
+    if (medal == Medal::None) {
+        return;
+    }
+    const Color color = kMedalColors[static_cast<std::size_t>(medal)];
+    canvas.disc(middle, size, lighter(color, 0.25f), darker(color, 0.25f));
+    canvas.ring(middle, Real(0.82) * size, Real(0.14) * size, darker(color, 0.5f));
+    const auto dots = static_cast<int>(medal);
+    for (int i = 0; i < dots; ++i) {
+        const Real x = Real(0.42) * size * (static_cast<Real>(i) - Real(dots - 1) / 2);
+        canvas.disc(middle + Vec2{x, 0}, Real(0.16) * size, palette::kInk, palette::kInk);
+    }
+}
 
 void paintHonours(Canvas& canvas, Vec2 place, Vec2 step, Real size, Best best) {
     const auto colorOf = [](bool won) {
@@ -104,6 +146,7 @@ void paintResults(Canvas& canvas, const ResultsLook& look) {
     canvas.text(look.newBest ? "your best so far" : "points", {0, Real(11.6)},
                 {Real(0.5), look.newBest ? palette::kAccent : palette::kQuiet, Typeface::Plain,
                  Align::Middle});
+    paintMedalLine(canvas, look);
     paintScoreLines(canvas, look);
     Best best = look.statistics.bestOf(game);
     best.cleared = best.cleared || look.before.cleared;

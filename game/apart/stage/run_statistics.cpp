@@ -41,4 +41,16 @@ Best RunStatistics::bestOf(const Game& game) const {
     return {game.score(), won, won && !lifeLost, std::max(bestCombo, largestFall) >= kMostCombo};
 }
 
+PlayTotals RunStatistics::totalsOf(const Game& game) const {
+    PlayTotals totals;
+    totals.games = 1;
+    totals.won = game.result() == Result::Won ? 1 : 0;
+    totals.seconds = static_cast<std::int32_t>(ticks / kTicksPerSecond);
+    totals.broken = broken;
+    totals.fallen = fallen + dropped;
+    totals.largestFall = largestFall;
+    totals.bestCombo = bestCombo;
+    return totals;
+}
+
 } // namespace apart

@@ -35,6 +35,8 @@ struct RunStatistics {
     /// Call after each tick of the game.
     void update(const Game& game);
     Best bestOf(const Game& game) const;
+    /// This game as a part of the player's totals.
+    PlayTotals totalsOf(const Game& game) const;
 };
 
 } // namespace apart

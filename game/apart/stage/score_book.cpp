@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/endless.hpp>
 #include <apart/core/tuning.hpp>
+#include <apart/stage/daily.hpp>
 #include <apart/stage/score_book.hpp>
 
 #include <fmt/format.h>
@@ -17,7 +18,10 @@ bool fits(const ReplayRun& run, const ScoreBook::Key& key) {
     if (run.empty() || run[0].mode != mode) {
         return false;
     }
-    return run[0].level == level || (isRunKey(level) && parseEndless(run[0].level).has_value());
+    if (const std::optional<Day> day = dayOf(level)) {
+        return isDaily(run, *day);
+    }
+    return level == kEndlessKey ? parseEndless(run[0].level).has_value() : run[0].level == level;
 }
 
 } // namespace
@@ -76,6 +80,10 @@ std::optional<ScoreBook::Finding> ScoreBook::begin(Check& check) {
     if (run[0].rules.value_or(kRulesVersion) != kRulesVersion) {
         return settle({Proof::Older, check.score, fmt::format("rules {}", *run[0].rules)});
     }
+    if (parseEndless(run[0].level)) { // it is made later, and depends on the rules alone
+        check.run.emplace(std::move(run), store_.levelOf);
+        return std::nullopt;
+    }
     const LevelOrReason level = store_.levelOf(run[0]);
     const auto* found = std::get_if<std::shared_ptr<const Level>>(&level);
     if (found == nullptr) {
@@ -88,13 +96,16 @@ std::optional<ScoreBook::Finding> ScoreBook::begin(Check& check) {
     return std::nullopt;
 }
 
-std::optional<ScoreBook::Finding> ScoreBook::advance(std::uint32_t ticks) {
+std::optional<ScoreBook::Finding> ScoreBook::advance(std::uint32_t ticks, bool loads) {
     if (checks_.empty()) {
         return std::nullopt;
     }
     Check& check = checks_[0];
     if (!check.run) {
         return begin(check);
+    }
+    if (!loads && check.run->loads()) {
+        return std::nullopt;
     }
     check.run->advance(ticks);
     if (!check.run->done()) {

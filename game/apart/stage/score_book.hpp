@@ -57,8 +57,9 @@ public:
     /// A game that was just played has this score: it needs no check.
     void prove(const Key& key, std::int32_t score);
 
-    /// Goes on with the first check, by about so many ticks of its game.
-    std::optional<Finding> advance(std::uint32_t ticks);
+    /// Goes on with the first check, by about so many ticks of its game. Without `loads`, it waits
+    /// where an endless level must be made, which takes as long as some frames.
+    std::optional<Finding> advance(std::uint32_t ticks, bool loads = true);
     bool busy() const { return !checks_.empty(); }
     Standing standingOf(const Key& key, std::int32_t score) const;
 

@@ -21,6 +21,7 @@ Stage::Stage(StageDef def)
       records_(std::move(def_.profile), def_.pilot ? Keeping{} : std::move(def_.keeping),
                std::move(def_.scores), std::move(def_.notices)),
       select_(def_.levels) {
+    records_.setMarks(std::move(def_.marks));
     level_ = std::min(def_.firstLevel, def_.levels.size() - 1);
     if (def_.show) {
         level_ = nextToPlay(def_.levels, profile());
@@ -44,11 +45,19 @@ std::size_t nextToPlay(const LevelList& levels, const Profile& profile) {
     return 0;
 }
 
-void Stage::beginGame(std::shared_ptr<const Level> level, Session::Kind kind) {
-    enter(std::make_unique<Play>(std::move(level), def_.seed + games_, records_.profile().mode,
-                                 profile().audible()),
-          kind);
-    games_ += kind == Session::Kind::Own ? 1 : 0;
+/// Starts a game of the player.
+void Stage::beginGame(std::shared_ptr<const Level> level, std::uint32_t seed) {
+    const Mode mode = profile().mode;
+    enter(std::make_unique<Play>(std::move(level), seed, mode, profile().audible()),
+          Session::Kind::Own);
+    ++games_;
+    records_.checkFirst(mode, endless_.keyOf(game()));
+    if (endless_.number > 0 || settings().ghost == 0 || def_.pilot) {
+        return;
+    }
+    if (std::optional<Replay> best = records_.bestGame(mode, game().level())) {
+        session_.setGhost(Ghost(std::move(*best), session_.play().sharedLevel()));
+    }
 }
 
 void Stage::beginShow() {
@@ -68,27 +77,30 @@ void Stage::enter(std::unique_ptr<Play> play, Session::Kind kind) {
     rerun_.reset();
     screen_ = Screen::Playing;
     inputMapper_.letGo();
-    if (kind == Session::Kind::Own) {
-        records_.checkFirst(records_.profile().mode, endless_.keyOf(game()));
-    }
 }
 
 void Stage::begin(std::size_t level) {
     keepGame();
     level_ = level;
     endless_ = {};
-    beginGame(def_.levels[level], Session::Kind::Own);
+    beginGame(def_.levels[level], def_.seed + games_);
 }
 
 void Stage::beginEndless(std::uint32_t number) {
     endless_.number = number;
-    beginGame(def_.endless(number), Session::Kind::Own);
+    if (endless_.day > 0) {
+        beginGame(def_.daily(endless_.day, number), dailySeed(endless_.day, number));
+    } else {
+        beginGame(def_.endless(number), def_.seed + games_);
+    }
 }
 
-void Stage::beginRun() {
+/// Starts the daily run of a day, or an endless run if it is 0.
+void Stage::beginRun(Day day) {
     keepGame();
     endless_ = {};
-    beginEndless(std::max(def_.firstEndless, 1u));
+    endless_.day = day;
+    beginEndless(day > 0 ? 1 : std::max(def_.firstEndless, 1u));
 }
 
 void Stage::again() {
@@ -98,7 +110,7 @@ void Stage::again() {
     if (endless_.number == 0) {
         return begin(level_);
     }
-    beginRun();
+    beginRun(endless_.day);
 }
 
 void Stage::next() {
@@ -117,7 +129,9 @@ void Stage::demo(std::size_t level) {
     keepGame();
     level_ = level;
     endless_ = {};
-    beginGame(def_.levels[level], Session::Kind::Demo);
+    enter(std::make_unique<Play>(def_.levels[level], def_.seed + games_, profile().mode,
+                                 profile().audible()),
+          Session::Kind::Demo);
     screen_ = screen;
 }
 
@@ -131,8 +145,10 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     idleSeconds_ += seconds;
     take(signals, speaker);
     reloadLevel();
-    if (records_.advance(screen_ == Screen::Playing ? kCheckInGames : kCheckInMenus)) {
-        menu_.setLabel(Action::Endless, endlessLabel(records_));
+    const bool playing = screen_ == Screen::Playing;
+    if (records_.advance(playing ? kCheckInGames : kCheckInMenus, !playing) &&
+        screen_ == Screen::Title) {
+        refreshTitle(menu_, offer(), records_);
     }
     const bool menu = screen_ == Screen::Options || screen_ == Screen::Help;
     if (screen_ == Screen::Paused || (menu && !session_.isDemo())) {
@@ -178,8 +194,11 @@ void Stage::tick(Speaker& speaker) {
     }
 }
 
-/// Saves the replay of the player's game, whether it has ended or not. Once per game.
+/// Saves the replay of the player's game and counts it, whether it has ended or not. Once per game.
 void Stage::keepGame() {
+    if (session_.takeUncounted() && !def_.pilot) {
+        records_.count(game().level().theme, session_.statistics().totalsOf(game()));
+    }
     if (session_.takeUnkept()) {
         records_.keepLast(endless_.with(session_.record()));
     }
@@ -227,7 +246,8 @@ void Stage::finish() {
     before_.score = records_.provedScore(game.mode(), name);
     newBest_ = false;
     if (!def_.pilot && session_.kind() == Session::Kind::Own && game.result() != Result::Playing) {
-        session_.takeUnkept();
+        session_.takeUnkept(); // enter() keeps it
+        keepGame();
         newBest_ = records_.enter({{game.mode(), name}, best, endless_.with(session_.record())});
     }
     rerun_ = session_.rerun();

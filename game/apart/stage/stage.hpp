@@ -5,8 +5,7 @@
 #include <apart/stage/hud.hpp>
 #include <apart/stage/input_mapper.hpp>
 #include <apart/stage/level_select.hpp>
-#include <apart/stage/menu.hpp>
-#include <apart/stage/records.hpp>
+#include <apart/stage/menus.hpp>
 #include <apart/stage/session.hpp>
 #include <apart/stage/theatre.hpp>
 
@@ -32,11 +31,15 @@ struct StageDef {
     Profile profile{};
     Keeping keeping{};
     ScoreStore scores{};                // the best games
+    std::vector<MedalMarks> marks{};    // of the levels
     std::vector<std::string> notices{}; // shown on the title screen
     /// Number of the endless level to start with; 0: none.
     std::uint32_t firstEndless = 0;
     /// The endless level of a number from 1. Empty if there are no endless levels.
     std::function<std::shared_ptr<const Level>(std::uint32_t)> endless{};
+    /// The current day, for daily runs, and their levels.
+    std::function<Day()> today{};
+    std::function<std::shared_ptr<const Level>(Day, std::uint32_t)> daily{};
     /// Called twice a second, if set: the first level, if its file has changed.
     std::function<std::optional<LevelChange>()> reload{};
     /// Replays to watch, the latest first.
@@ -50,10 +53,11 @@ struct EndlessRun {
     std::uint32_t number = 0; // of the current level; 0: none
     std::int32_t score = 0;   // of the previous levels
     ReplayRun before{};       // their replays
+    Day day = 0;              // of a daily run; 0: it is none
 
     /// Key of the scores of a game: of the run, or else of its level.
     std::string keyOf(const Game& game) const {
-        return number > 0 ? kEndlessKey : game.level().name;
+        return day > 0 ? dailyKey(day) : number > 0 ? kEndlessKey : game.level().name;
     }
     /// The run with its current level.
     ReplayRun with(std::optional<Replay> last) const {
@@ -65,12 +69,20 @@ struct EndlessRun {
     }
 };
 
-enum class Screen : std::uint8_t { Title, Levels, Options, Replays, Help, Playing, Paused, Over };
+enum class Screen : std::uint8_t {
+    Title,
+    Levels,
+    Options,
+    Records,
+    Replays,
+    Help,
+    Playing,
+    Paused,
+    Over
+};
 
 /// Index of the first level that is not cleared; 0 if all are.
 std::size_t nextToPlay(const LevelList& levels, const Profile& profile);
-/// Label of the menu item that starts an endless run, with the best score if it is proved.
-std::string endlessLabel(const Records& records);
 
 /// The application without its window: screens, time, and the effect of input on each screen. All
 /// external dependencies are arguments.
@@ -114,15 +126,14 @@ private:
     void toTitle();
     void toLevels();
     void toOptions();
-    void toReplays();
-    void toHelp();
+    void open(Screen screen, Menu menu);
     void pause();
     void begin(std::size_t level);
     void beginEndless(std::uint32_t number);
-    void beginRun();
+    void beginRun(Day day);
     void beginShow();
     void enterShow();
-    void beginGame(std::shared_ptr<const Level> level, Session::Kind kind);
+    void beginGame(std::shared_ptr<const Level> level, std::uint32_t seed);
     void enter(std::unique_ptr<Play> play, Session::Kind kind);
     void again();
     void next();
@@ -133,6 +144,7 @@ private:
     void reloadLevel();
     void keepGame();
     void checkScores();
+    TitleOffer offer() const;
 
     // Pictures (stage_picture.cpp).
     void drawTitle(Canvas& canvas) const;

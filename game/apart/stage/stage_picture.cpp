@@ -7,6 +7,7 @@
 #include <apart/stage/palette.hpp>
 #include <apart/stage/results.hpp>
 #include <apart/stage/stage.hpp>
+#include <apart/stage/statistics_page.hpp>
 #include <apart/stage/title.hpp>
 
 #include <fmt/format.h>
@@ -26,7 +27,7 @@ constexpr TextStyle quiet(Real height) {
 /// if they do not fit below the menu.
 void paintNotices(Canvas& canvas, const std::vector<std::string>& notices) {
     constexpr std::size_t kLetters = 120; // per line
-    constexpr std::size_t kMostLines = 4;
+    constexpr std::size_t kMostLines = 3;
     std::vector<std::string> lines;
     for (std::size_t i = notices.size(); i-- > 0;) {
         const std::vector<std::string> own = wrapped(notices[i], kLetters);
@@ -96,9 +97,13 @@ void paintPaused(Canvas& canvas, const Menu& menu) {
     }
 }
 
-/// Position of a level in the list; `number` of an endless run, or 0.
-std::string placeOf(const Level& level, const LevelList& levels, std::uint32_t number) {
+/// Position of a level in the list, or in an endless or a daily run.
+std::string placeOf(const Level& level, const LevelList& levels, const EndlessRun& run) {
+    const std::uint32_t number = run.number;
     const std::optional<EndlessName> row = parseEndless(level.name);
+    if (run.day > 0) {
+        return fmt::format("DAILY {}   {}", number, dayText(run.day));
+    }
     if (row || number > 0) {
         return fmt::format("ENDLESS {}", row ? row->number : number);
     }
@@ -114,7 +119,7 @@ std::string placeOf(const Level& level, const LevelList& levels, std::uint32_t n
 
 HudLook Stage::hudLook() const {
     HudLook look;
-    look.place = placeOf(game().level(), def_.levels, endless_.number);
+    look.place = placeOf(game().level(), def_.levels, endless_);
     look.scoreBefore = endless_.number > 0 ? endless_.score : 0;
     look.best = records_.provedScore(game().mode(), endless_.keyOf(game()));
     look.muted = profile().audible().sound == 0;
@@ -132,6 +137,9 @@ void Stage::draw(Canvas& canvas) const {
         rerun_->play().draw(canvas, rerun_->share());
     } else {
         session_.play().draw(canvas, session_.share());
+        if (session_.ghost() && screen_ != Screen::Over) {
+            session_.ghost()->draw(canvas, session_.share(), share(settings().ghost));
+        }
     }
     if (!wide) {
         paintHud(canvas, game(), hudLook());
@@ -146,7 +154,11 @@ void Stage::draw(Canvas& canvas) const {
         paintVeil(canvas, faded(palette::kNight, 0.80f));
         canvas.text("Options", {0, Real(14.4)},
                     {Real(1.4), palette::kText, Typeface::Bold, Align::Middle});
-        canvas.text("left and right, or a click on the bar", {0, Real(2.05)}, quiet(Real(0.42)));
+        canvas.text("left and right, or a click on the bar", {0, Real(0.9)}, quiet(Real(0.42)));
+        return menu_.draw(canvas);
+    case Screen::Records:
+        paintVeil(canvas, faded(palette::kNight, 0.84f));
+        paintStatistics(canvas, profile().totals);
         return menu_.draw(canvas);
     case Screen::Replays:
         paintVeil(canvas, faded(palette::kNight, 0.80f));
@@ -173,7 +185,8 @@ void Stage::draw(Canvas& canvas) const {
         paintVeil(canvas, faded(palette::kNight, rerun_ ? 0.55f : 0.72f));
         const std::int32_t score = game().score() + (endless_.number > 0 ? endless_.score : 0);
         paintResults(canvas,
-                     {game(), session_.statistics(), score, before_, newBest_, overSeconds_});
+                     {game(), session_.statistics(), score, before_, newBest_, overSeconds_,
+                      endless_.number > 0 ? std::span<const MedalMarks>() : records_.marks()});
         return menu_.draw(canvas);
     }
     }

@@ -13,20 +13,6 @@ namespace {
 constexpr double kPercent = 100;
 constexpr std::size_t kMostReplays = 10; // in the list
 
-std::string modeLabel(Mode mode) {
-    return mode == Mode::Pure ? "\u2039  Pure: no path is ever bent  \u203a"
-                              : "\u2039  Standard rules  \u203a";
-}
-
-std::string playLabel(std::size_t index, const Level& level) {
-    return fmt::format("Play   {}  {}", index + 1, level.title);
-}
-
-/// An item with the best score of its runs, if one is proved.
-std::string runLabel(std::string_view name, std::int32_t best) {
-    return best > 0 ? fmt::format("{}   best {}", name, grouped(best)) : std::string(name);
-}
-
 /// Sound of a menu; `sound` in percent.
 void chirp(Speaker& speaker, int sound, bool chosen) {
     const float volume = (chosen ? 1 : 0.6f) * share(sound);
@@ -42,46 +28,26 @@ bool anything(const Signals& signals) {
 
 } // namespace
 
+void Stage::open(Screen screen, Menu menu) {
+    screen_ = screen;
+    menu_ = std::move(menu);
+}
+
+TitleOffer Stage::offer() const {
+    const Level& level = *def_.levels[level_];
+    return {fmt::format("Play   {}  {}", level_ + 1, level.title), def_.endless != nullptr,
+            def_.today && def_.daily ? def_.today() : 0};
+}
+
 void Stage::toTitle() {
     screen_ = Screen::Title;
     level_ = nextToPlay(def_.levels, profile());
     demo(level_);
-    std::vector<MenuItem> items = {{Action::Play, playLabel(level_, *def_.levels[level_])},
-                                   {Action::Levels, "Choose a level"}};
     if (def_.endless) {
-        items.push_back({Action::Endless, endlessLabel(records_)});
-        records_.checkFirst(records_.profile().mode, kEndlessKey);
+        records_.checkFirst(profile().mode, dailyKey(offer().today));
+        records_.checkFirst(profile().mode, kEndlessKey);
     }
-    items.push_back({Action::Mode, modeLabel(records_.profile().mode)});
-    if (def_.replays) {
-        items.push_back({Action::Replays, "Replays"});
-    }
-    items.push_back({Action::Help, "How to play"});
-    items.push_back({Action::Options, "Options"});
-    items.push_back({Action::Quit, "Quit"});
-    menu_ = Menu(std::move(items), Real(10.2));
-}
-
-std::string endlessLabel(const Records& records) {
-    return runLabel("Endless", records.provedScore(records.profile().mode, kEndlessKey));
-}
-
-void Stage::toReplays() {
-    screen_ = Screen::Replays;
-    replays_ = def_.replays();
-    replays_.resize(std::min(replays_.size(), kMostReplays));
-    std::vector<MenuItem> items;
-    for (std::size_t i = 0; i < replays_.size(); ++i) {
-        items.push_back({Action::Replay, replays_[i].label, std::nullopt, i});
-    }
-    items.push_back({Action::Back, "Back"});
-    menu_ = Menu(std::move(items), Real(13.2));
-}
-
-void Stage::toHelp() {
-    behind_ = screen_;
-    screen_ = Screen::Help;
-    menu_ = Menu({{Action::Back, "Back"}}, Real(-2)); // below the picture
+    open(Screen::Title, titleMenu(offer(), records_));
 }
 
 void Stage::toLevels() {
@@ -93,27 +59,11 @@ void Stage::toLevels() {
 
 void Stage::toOptions() {
     behind_ = screen_;
-    screen_ = Screen::Options;
-    std::vector<MenuItem> items;
-    for (std::size_t i = 0; i < kDials.size(); ++i) {
-        const Dial& dial = kDials[i];
-        items.push_back({Action::Dial, std::string(dial.label),
-                         Gauge{settings().*dial.value, dial.least, dial.most}, i});
-    }
-    items.push_back({Action::Reset, "As they were at first"});
-    items.push_back({Action::Back, "Back"});
-    menu_ = Menu(std::move(items), Real(13.2));
+    open(Screen::Options, optionsMenu(settings()));
 }
 
 void Stage::pause() {
-    screen_ = Screen::Paused;
-    menu_ = Menu({{Action::Resume, "Go on"},
-                  {Action::Restart, "Restart"},
-                  {Action::Help, "How to play"},
-                  {Action::Options, "Options"},
-                  {Action::Levels, "All levels"},
-                  {Action::ToTitle, "Title"}},
-                 Real(11.6));
+    open(Screen::Paused, pauseMenu());
 }
 
 void Stage::take(const Signals& signals, Speaker& speaker) {
@@ -276,6 +226,11 @@ void Stage::back() {
         }
         return menu_.choose(left);
     }
+    case Screen::Replays:
+        return open(Screen::Records, recordsMenu(true));
+    case Screen::Records:
+        toTitle();
+        return menu_.choose(Action::Records);
     default:
         return toTitle();
     }
@@ -304,9 +259,15 @@ void Stage::act(const MenuOutcome& outcome) {
     case Action::Levels:
         return toLevels();
     case Action::Endless:
-        return beginRun();
+        return beginRun(0);
+    case Action::Daily:
+        return beginRun(offer().today);
+    case Action::Records:
+        return open(Screen::Records, recordsMenu(def_.replays != nullptr));
     case Action::Replays:
-        return toReplays();
+        replays_ = def_.replays();
+        replays_.resize(std::min(replays_.size(), kMostReplays));
+        return open(Screen::Replays, replaysMenu(replays_));
     case Action::Replay: {
         std::variant<Show, std::string> read = replays_[outcome.dial].load();
         if (auto* show = std::get_if<Show>(&read)) {
@@ -317,15 +278,14 @@ void Stage::act(const MenuOutcome& outcome) {
         return toTitle();
     }
     case Action::Help:
-        return toHelp();
+        behind_ = screen_;
+        return open(Screen::Help, helpMenu());
     case Action::Mode:
-        records_.profile().mode =
-            records_.profile().mode == Mode::Pure ? Mode::Standard : Mode::Pure;
+        records_.profile().mode = profile().mode == Mode::Pure ? Mode::Standard : Mode::Pure;
         level_ = nextToPlay(def_.levels, profile());
-        menu_.setLabel(Action::Play, playLabel(level_, *def_.levels[level_]));
-        menu_.setLabel(Action::Endless, endlessLabel(records_));
-        records_.checkFirst(records_.profile().mode, kEndlessKey);
-        return menu_.setLabel(Action::Mode, modeLabel(records_.profile().mode));
+        records_.checkFirst(profile().mode, dailyKey(offer().today));
+        records_.checkFirst(profile().mode, kEndlessKey);
+        return refreshTitle(menu_, offer(), records_);
     case Action::Options:
         return toOptions();
     case Action::Quit:

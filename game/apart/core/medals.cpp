@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/bot.hpp>
+#include <apart/core/lint.hpp>
+#include <apart/core/medals.hpp>
+#include <apart/core/toml_keys.hpp>
+#include <apart/core/tuning.hpp>
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace apart {
+
+namespace {
+
+constexpr std::size_t kLargestTable = std::size_t{1} << 20; // bytes
+
+const MedalMarks* marksFor(const std::string& level, std::span<const MedalMarks> marks) {
+    const auto found = std::find_if(marks.begin(), marks.end(),
+                                    [&](const MedalMarks& m) { return m.level == level; });
+    return found != marks.end() ? &*found : nullptr;
+}
+
+/// The marks in a table of one level; nullopt if it is invalid.
+std::optional<MedalMarks> marksIn(std::string_view level, const toml::node& node) {
+    const toml::table* table = node.as_table();
+    const auto* digest = table != nullptr ? table->get_as<std::string>("digest") : nullptr;
+    const toml::array* scores = table != nullptr ? table->get_as<toml::array>("scores") : nullptr;
+    if (digest == nullptr || !fromHex(digest->get()) || scores == nullptr || scores->size() != 3) {
+        return std::nullopt;
+    }
+    MedalMarks marks{std::string(level), *fromHex(digest->get())};
+    for (std::size_t i = 0; i < marks.scores.size(); ++i) {
+        const auto score = scores->get(i)->value<std::int64_t>();
+        const std::int32_t least = i == 0 ? 1 : marks.scores[i - 1];
+        if (!score || *score < least || *score > std::numeric_limits<std::int32_t>::max()) {
+            return std::nullopt;
+        }
+        marks.scores[i] = static_cast<std::int32_t>(*score);
+    }
+    return marks;
+}
+
+} // namespace
+
+std::array<std::int32_t, 3> marksOf(std::vector<std::int32_t> scores) {
+    std::sort(scores.begin(), scores.end()); // total order: equal numbers do not differ
+    std::array<std::int32_t, 3> marks{};
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        const double rank = kMedalShares[i] * static_cast<double>(scores.size() - 1);
+        const std::int32_t score = scores[static_cast<std::size_t>(rank + 0.5)];
+        marks[i] = std::max(1, (score + kMedalStep - 1) / kMedalStep) * kMedalStep;
+    }
+    return marks;
+}
+
+MedalMarks measureMedals(const Level& level, std::uint32_t seeds, std::uint32_t mostTicks) {
+    std::vector<std::int32_t> scores;
+    for (const BotKind skill : kSkills) {
+        for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
+            scores.push_back(runBot(level, seed, mostTicks, skill).score);
+        }
+    }
+    return {level.name, digestOf(level), marksOf(std::move(scores))};
+}
+
+Medal medalOf(std::int32_t score, const std::string& level, std::span<const MedalMarks> marks) {
+    const MedalMarks* own = marksFor(level, marks);
+    if (own == nullptr) {
+        return Medal::None;
+    }
+    const auto reached = std::count_if(own->scores.begin(), own->scores.end(),
+                                       [&](std::int32_t mark) { return score >= mark; });
+    return static_cast<Medal>(reached);
+}
+
+std::int32_t nextMark(std::int32_t score, const std::string& level,
+                      std::span<const MedalMarks> marks) {
+    const MedalMarks* own = marksFor(level, marks);
+    const Medal medal = medalOf(score, level, marks);
+    return own == nullptr || medal == Medal::Gold ? 0
+                                                  : own->scores[static_cast<std::size_t>(medal)];
+}
+
+bool measuredOn(const MedalMarks& marks, const Level& level) {
+    return marks.level == level.name && marks.digest == digestOf(level);
+}
+
+std::string toText(std::span<const MedalMarks> marks) {
+    std::string text = "# Scores for bronze, silver and gold, measured by bots. Remade by "
+                       "tools/medals.\nformat = 1\nrules = " +
+                       std::to_string(kRulesVersion) + "\n";
+    for (const MedalMarks& level : marks) {
+        text += "\n[" + level.level + "]\ndigest = \"" + toHex(level.digest) + "\"\nscores = [" +
+                std::to_string(level.scores[0]) + ", " + std::to_string(level.scores[1]) + ", " +
+                std::to_string(level.scores[2]) + "]\n";
+    }
+    return text;
+}
+
+Read<std::vector<MedalMarks>> parseMedals(std::string_view text, const std::string& file) {
+    const Read<toml::table> read = parseToml(text, file);
+    if (const auto* problem = std::get_if<FileProblem>(&read)) {
+        return *problem;
+    }
+    const auto& root = std::get<toml::table>(read);
+    if (root["format"].value_or(std::int64_t{0}) != 1) {
+        return FileProblem{file, 1, "format must be 1"};
+    }
+    if (root["rules"].value_or(std::int64_t{0}) != std::int64_t{kRulesVersion}) {
+        return FileProblem{file, 0,
+                           "was measured with other rules than version " +
+                               std::to_string(kRulesVersion) + "; tools/medals remakes it"};
+    }
+    std::vector<MedalMarks> marks;
+    for (const auto& [key, node] : root) {
+        if (key == "format" || key == "rules") {
+            continue;
+        }
+        const std::optional<MedalMarks> level = marksIn(key.str(), node);
+        if (!level) {
+            return FileProblem{file, static_cast<int>(node.source().begin.line),
+                               "a level needs a digest and three rising scores"};
+        }
+        marks.push_back(*level);
+    }
+    return marks;
+}
+
+Read<std::vector<MedalMarks>> readMedals(const std::filesystem::path& path) {
+    const Read<std::string> text = readTextFile(path, kLargestTable);
+    if (const auto* problem = std::get_if<FileProblem>(&text)) {
+        return *problem;
+    }
+    return parseMedals(std::get<std::string>(text), path.string());
+}
+
+} // namespace apart
