@@ -71,6 +71,29 @@ def second_run(screen, apart, report, profile):
         check("the settings of the last run were read", code == 0 and "sound = 40" in profile.read_text())
 
 
+def bound_run(screen, apart, report, profile):
+    """Binds X to serve: the profile keeps it, and it serves in the game."""
+    with Program(screen, "aPart", apart, "--mute", "--seed", "1") as game:
+        time.sleep(0.5)
+        game.key("Up", "Up", "Return", "Up", "Up", "Up", "Return")  # keys and buttons
+        time.sleep(0.3)
+        game.key("Down", "Down", "Down", "Down", "Return")
+        after(game, report, "menu_keys.png", lambda: game.key("p"), least=1500)  # refused: in use
+        game.key("Return", "x", "Escape", "Escape")
+        time.sleep(0.3)
+        game.click(*item(10.5, 0))  # play
+        time.sleep(1.2)
+        game.key("space")  # not bound any more
+        # Title and hint of the level vanish with the serve.
+        after(game, report, "menu_served.png", lambda: game.key("x"), least=4000)
+        check("a bound key serves", True)
+        game.key("Escape", "Up", "Return")
+        time.sleep(0.5)
+        game.key("Escape", "Escape")
+        code, _ = game.wait_for_end()
+        check("it is kept", code == 0 and 'serve = ["X", "-", 1]' in profile.read_text())
+
+
 def broken_run(screen, apart, profile):
     profile.write_text("format = 1\n[settings]\nsound = \"loud\"\n")
     with Program(screen, "aPart", apart, "--mute") as game:
@@ -92,6 +115,7 @@ def main():
             profile = pathlib.Path(screen.config.name) / "apart" / "profile.toml"
             first_run(screen, apart, report, profile)
             second_run(screen, apart, report, profile)
+            bound_run(screen, apart, report, profile)
             broken_run(screen, apart, profile)
     return judged(work, report)
 

@@ -29,6 +29,7 @@ enum class Action : std::uint8_t {
     ToTitle,
     Back,
     Reset, // resets all dials
+    Keys,  // opens the table of keys and buttons
     Dial,  // adjusted by left and right
 };
 

@@ -77,6 +77,7 @@ Menu optionsMenu(const Settings& settings) {
         items.push_back({Action::Dial, std::string(dial.label),
                          Gauge{settings.*dial.value, dial.least, dial.most}, i});
     }
+    items.push_back({Action::Keys, "Keys and buttons"});
     items.push_back({Action::Reset, "As they were at first"});
     items.push_back({Action::Back, "Back"});
     return {std::move(items), Real(13.2)};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <apart/core/game.hpp>
+#include <apart/stage/bindings.hpp>
 #include <apart/stage/play_totals.hpp>
 #include <apart/stage/player_settings.hpp>
 
@@ -32,6 +33,7 @@ struct Profile {
     Settings settings{};
     Mode mode = Mode::Standard; // last choice
     bool muted = false;
+    Bindings bindings{};
     /// Indexed by Mode, then by level name: scores of different modes are never compared.
     std::array<std::map<std::string, Best>, kModeNames.size()> best{};
     TotalsByTheme totals{};

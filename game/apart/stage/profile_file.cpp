@@ -29,6 +29,8 @@ public:
         for (const auto& [key, node] : root) {
             if (key == "settings") {
                 readSettings(node);
+            } else if (key == "keys") {
+                readKeys(node);
             } else if (key == "statistics") {
                 readTotals(node);
             } else if (key == kTables[0] || key == kTables[1]) {
@@ -107,6 +109,46 @@ private:
                 truth(*best, "chain"),
                 best->contains("unproved") ? number(*best, "unproved", 0, kMost) : 0};
         }
+    }
+
+    /// The keys and the button of each act: texts and a number, 0 and "-" for none.
+    void readKeys(const toml::node& node) {
+        const toml::table* table = node.as_table();
+        if (table == nullptr) {
+            return fail(node, "keys must be a table");
+        }
+        Bindings read;
+        for (Bindings::Row& row : read.rows) {
+            row.fill(kNoKey);
+        }
+        for (const auto& [name, value] : *table) {
+            const auto act = std::find(kActNames.begin(), kActNames.end(), name.str());
+            const toml::array* row = value.as_array();
+            if (act == kActNames.end() || row == nullptr || row->size() != Bindings::kColumns) {
+                return fail(value, "keys has, for each act, two names of keys and a button");
+            }
+            for (std::size_t column = 0; column < Bindings::kColumns; ++column) {
+                const std::optional<int> code = codeOf(*row->get(column), column);
+                const std::string reason =
+                    code ? read.bind(static_cast<Act>(act - kActNames.begin()), column, *code)
+                         : "there is no such key or button";
+                if (!reason.empty()) {
+                    return fail(value, reason);
+                }
+            }
+        }
+        profile_.bindings = read;
+    }
+
+    static std::optional<int> codeOf(const toml::node& node, std::size_t column) {
+        if (column == Bindings::kPadColumn) {
+            const auto button = node.value_exact<std::int64_t>();
+            return button && *button >= 0 && *button <= kMostButtons
+                       ? std::optional(static_cast<int>(*button) - 1)
+                       : std::nullopt;
+        }
+        const auto name = node.value_exact<std::string_view>();
+        return name == "-" ? std::optional(kNoKey) : name ? keyNamed(*name) : std::nullopt;
     }
 
     void readTotals(const toml::node& node) {
@@ -234,6 +276,13 @@ std::string toText(const Profile& profile) {
         text += fmt::format("{} = {}\n", dial.key, profile.settings.*dial.value);
     }
     text += fmt::format("pure = {}\nmuted = {}\n", profile.mode == Mode::Pure, profile.muted);
+    text += "\n[keys] # two keys and a button of the gamepad\n";
+    for (std::size_t i = 0; i < kActs; ++i) {
+        const auto act = static_cast<Act>(i);
+        text += fmt::format("{} = [\"{}\", \"{}\", {}]\n", kActNames[i],
+                            profile.bindings.text(act, 0), profile.bindings.text(act, 1),
+                            profile.bindings.at(act, Bindings::kPadColumn) + 1);
+    }
     for (std::size_t i = 0; i < kTables.size(); ++i) {
         for (const auto& [level, best] : profile.best[i]) {
             text += fmt::format("\n[{}.{}]\nscore = {}\ncleared = {}\nunhurt = {}\nchain = {}\n",

@@ -150,7 +150,8 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
         screen_ == Screen::Title) {
         refreshTitle(menu_, offer(), records_);
     }
-    const bool menu = screen_ == Screen::Options || screen_ == Screen::Help;
+    const bool menu =
+        screen_ == Screen::Options || screen_ == Screen::Keys || screen_ == Screen::Help;
     if (screen_ == Screen::Paused || (menu && !session_.isDemo())) {
         return;
     }

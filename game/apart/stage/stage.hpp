@@ -4,6 +4,7 @@
 #include <apart/stage/confirm.hpp>
 #include <apart/stage/hud.hpp>
 #include <apart/stage/input_mapper.hpp>
+#include <apart/stage/key_screen.hpp>
 #include <apart/stage/level_select.hpp>
 #include <apart/stage/menus.hpp>
 #include <apart/stage/session.hpp>
@@ -73,6 +74,7 @@ enum class Screen : std::uint8_t {
     Title,
     Levels,
     Options,
+    Keys,
     Records,
     Replays,
     Help,
@@ -113,6 +115,7 @@ private:
     void take(const Signals& signals, Speaker& speaker);
     void takeOne(const Signals& signals, Speaker& speaker);
     void takeLevels(const Signals& signals, Speaker& speaker);
+    void takeKeys(const Signals& signals, Speaker& speaker);
     void takePlaying(const Signals& signals);
     void takeShow(const Signals& signals);
     void takeMenu(const Signals& signals, Speaker& speaker);
@@ -168,6 +171,7 @@ private:
     std::vector<std::string> faults_; // of that file
     InputMapper inputMapper_;
     Menu menu_;
+    KeyScreen keys_;
     LevelSelect select_;
     double seconds_ = 0;     // s since the start, for animations
     double idleSeconds_ = 0; // s since the last input

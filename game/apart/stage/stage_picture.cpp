@@ -71,27 +71,32 @@ void paintQuestion(Canvas& canvas, std::string_view question) {
 }
 
 /// `ticks` since the end of a won game.
-void paintFeast(Canvas& canvas, int ticks) {
+void paintFeast(Canvas& canvas, int ticks, const Bindings& keys) {
     const float t = std::min(static_cast<float>(ticks) / 30, 1.0f);
     const Real size = Real(2.4) - Real(0.5) * t; // shrinks to its final size
-    const auto line = [&](const char* text, Real y, Real height, Color color) {
+    const auto line = [&](std::string_view text, Real y, Real height, Color color) {
         const TextStyle shadow{height, faded(palette::kInk, t), Typeface::Bold, Align::Middle};
         canvas.text(text, {Real(0.07), y - Real(0.07)}, shadow);
         canvas.text(text, {0, y}, {height, faded(color, t), Typeface::Bold, Align::Middle});
     };
     line("Cleared!", Real(9.2), size, palette::kAccent);
-    line("space or click: on", Real(7.8), Real(0.5), palette::kText);
+    line(keys.prompt(Act::Serve) + " or click: on", Real(7.8), Real(0.5), palette::kText);
 }
 
-void paintPaused(Canvas& canvas, const Menu& menu) {
+void paintPaused(Canvas& canvas, const Menu& menu, const Bindings& keys) {
     paintVeil(canvas, faded(palette::kNight, 0.72f));
     canvas.text("Paused", {0, Real(13)},
                 {Real(1.6), palette::kText, Typeface::Bold, Align::Middle});
     menu.draw(canvas);
     Real y = Real(4.9);
-    for (const char* line : {"mouse, arrows or A and D: move      space or click: serve",
-                             "left button, down or S: pull      right button, up or W: push",
-                             "R: restart      M: sound      F3: what the engine sees"}) {
+    const auto prompt = [&](Act act) { return keys.prompt(act); };
+    for (const std::string& line :
+         {fmt::format("mouse; {}: left; {}: right      {} or click: serve", prompt(Act::Left),
+                      prompt(Act::Right), prompt(Act::Serve)),
+          fmt::format("left button, {}: pull      right button, {}: push", prompt(Act::Pull),
+                      prompt(Act::Push)),
+          fmt::format("{}: start again      {}: sound      F3: what the engine sees",
+                      prompt(Act::Restart), prompt(Act::Mute))}) {
         canvas.text(line, {0, y}, quiet(Real(0.42)));
         y -= Real(0.7);
     }
@@ -122,6 +127,7 @@ HudLook Stage::hudLook() const {
     look.place = placeOf(game().level(), def_.levels, endless_);
     look.scoreBefore = endless_.number > 0 ? endless_.score : 0;
     look.best = records_.provedScore(game().mode(), endless_.keyOf(game()));
+    look.keys = profile().bindings;
     look.muted = profile().audible().sound == 0;
     look.pilot = session_.isShow()                          ? "REPLAY"
                  : session_.kind() == Session::Kind::WhatIf ? "WHAT IF"
@@ -156,6 +162,9 @@ void Stage::draw(Canvas& canvas) const {
                     {Real(1.4), palette::kText, Typeface::Bold, Align::Middle});
         canvas.text("left and right, or a click on the bar", {0, Real(0.9)}, quiet(Real(0.42)));
         return menu_.draw(canvas);
+    case Screen::Keys:
+        paintVeil(canvas, faded(palette::kNight, 0.84f));
+        return keys_.draw(canvas, profile().bindings);
     case Screen::Records:
         paintVeil(canvas, faded(palette::kNight, 0.84f));
         paintStatistics(canvas, profile().totals);
@@ -167,20 +176,20 @@ void Stage::draw(Canvas& canvas) const {
         return menu_.draw(canvas);
     case Screen::Help:
         paintVeil(canvas, faded(palette::kNight, 0.86f));
-        return paintHelp(canvas);
+        return paintHelp(canvas, profile().bindings);
     case Screen::Playing:
         if (session_.isShow()) {
-            return paintTheatre(canvas, theatre_, game().ticks(), theatre_.show().end);
+            return paintTheatre(canvas, theatre_, game().ticks(), profile().bindings);
         }
         paintFaults(canvas, faults_);
         paintQuestion(canvas, confirm_.question(seconds_));
-        paintServeHint(canvas, game());
+        paintServeHint(canvas, game(), profile().bindings);
         if (game().result() == Result::Won) {
-            paintFeast(canvas, session_.endTicks());
+            paintFeast(canvas, session_.endTicks(), profile().bindings);
         }
         return;
     case Screen::Paused:
-        return paintPaused(canvas, menu_);
+        return paintPaused(canvas, menu_, profile().bindings);
     case Screen::Over: {
         paintVeil(canvas, faded(palette::kNight, rerun_ ? 0.55f : 0.72f));
         const std::int32_t score = game().score() + (endless_.number > 0 ? endless_.score : 0);

@@ -82,6 +82,7 @@ void Stage::take(const Signals& signals, Speaker& speaker) {
     one.commands.resize(std::min<std::size_t>(signals.commands.size(), 1));
     takeOne(one, speaker);
     one.pointer.reset();
+    one.presses.clear();
     one.moved = 0;
     one.clicked = one.focusLost = false;
     for (std::size_t i = 1; i < signals.commands.size(); ++i) {
@@ -91,6 +92,9 @@ void Stage::take(const Signals& signals, Speaker& speaker) {
 }
 
 void Stage::takeOne(const Signals& signals, Speaker& speaker) {
+    if (screen_ == Screen::Keys) { // before all commands: a key may be about to change
+        return takeKeys(signals, speaker);
+    }
     if (!signals.commands.empty() && signals.commands[0] == Command::Mute) {
         records_.profile().muted = !records_.profile().muted;
         session_.setSettings(profile().audible());
@@ -103,6 +107,18 @@ void Stage::takeOne(const Signals& signals, Speaker& speaker) {
         return session_.isShow() ? takeShow(signals) : takePlaying(signals);
     default:
         return takeMenu(signals, speaker);
+    }
+}
+
+void Stage::takeKeys(const Signals& signals, Speaker& speaker) {
+    const Bindings before = profile().bindings;
+    const bool left = keys_.take(signals, records_.profile().bindings);
+    if (left || profile().bindings != before) {
+        chirp(speaker, profile().audible().sound, true);
+    }
+    if (left) {
+        open(Screen::Options, optionsMenu(settings()));
+        menu_.choose(Action::Keys);
     }
 }
 
@@ -288,6 +304,9 @@ void Stage::act(const MenuOutcome& outcome) {
         return refreshTitle(menu_, offer(), records_);
     case Action::Options:
         return toOptions();
+    case Action::Keys:
+        keys_ = {};
+        return open(Screen::Keys, {});
     case Action::Quit:
     case Action::Back:
     case Action::Resume:

@@ -66,6 +66,6 @@ private:
 };
 
 /// Paints time, speed and keys of a show.
-void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick, std::uint32_t end);
+void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick, const Bindings& keys);
 
 } // namespace apart
