@@ -10,7 +10,7 @@
 namespace apart {
 namespace {
 
-const std::vector<MedalMarks> kMarks = {{"a", 7, {100, 200, 400}}, {"b", 8, {50, 50, 50}}};
+const std::vector<MedalMarks> kMarks = {{"a", 7, {100, 200, 400}, 12, 20}, {"b", 8, {50, 50, 50}}};
 
 TEST(Medals, AScoreEarnsTheHighestMarkThatItReaches) {
     EXPECT_EQ(medalOf(99, "a", kMarks), Medal::None);
@@ -54,6 +54,7 @@ TEST(Medals, MeasuringIsRepeatable) {
     const Level level = std::get<Level>(loadLevel("first_light"));
     const MedalMarks marks = measureMedals(level, 1, 600);
     EXPECT_EQ(marks, measureMedals(level, 1, 600));
+    EXPECT_GE(marks.oneFall, 8) << "the temple falls";
     EXPECT_TRUE(measuredOn(marks, level));
     EXPECT_FALSE(measuredOn({"first_light", marks.digest + 1, {}}, level));
 }

@@ -43,7 +43,7 @@ Profile someProfile() {
     profile.settings.mouse = 250;
     profile.mode = Mode::Pure;
     profile.enter(Mode::Standard, "first_light", {12300, true, false, true});
-    profile.enter(Mode::Pure, "lift_off", {70, false, false, false});
+    profile.enter(Mode::Pure, "lift_off", {70, false, false, false, 0, true, true});
     profile.totals[2] = {3, 1, 500, 40, 12, 8, 5};
     return profile;
 }

@@ -164,19 +164,47 @@ TEST(Ghost, FollowsTheReplayTickByTickAndEndsWithIt) {
     EXPECT_EQ(ghost.game().ticks(), best.end);
 }
 
+TEST(Honours, ThoseOfALevelDependOnItsMarks) {
+    Game game(*glassLevel("One block", {7}), 3);
+    RunStatistics statistics;
+    while (game.result() == Result::Playing) {
+        game.tick(bot(game));
+        statistics.update(game);
+    }
+    ASSERT_EQ(game.result(), Result::Won);
+    const int hits = statistics.paddleHits;
+    ASSERT_GT(hits, 0);
+    MedalMarks marks{"x", 0, {1, 2, 3}, hits, 5};
+    EXPECT_TRUE(statistics.bestOf(game, &marks).fewHits);
+    EXPECT_FALSE(statistics.bestOf(game, &marks).oneFall);
+    marks.fewHits = hits - 1;
+    EXPECT_FALSE(statistics.bestOf(game, &marks).fewHits);
+    EXPECT_FALSE(statistics.bestOf(game).fewHits) << "a level without marks";
+    for (int i = 0; i < 600; ++i) { // the game is over: nothing counts any more
+        game.tick(bot(game));
+        statistics.update(game);
+    }
+    EXPECT_EQ(statistics.paddleHits, hits);
+    statistics.largestFall = 5;
+    EXPECT_TRUE(statistics.bestOf(game, &marks).oneFall);
+}
+
 TEST(Medals, TheResultAndTheLevelSelectShowThem) {
     StageDef def = StageRig::playing();
     const std::string name = def.levels[0]->name;
-    def.marks = {{name, 0, {10, 20, 9999999}}};
+    def.marks = {{name, 0, {10, 20, 9999999}, 99, 7}};
     StageRig rig(std::move(def));
     playToTheEnd(rig);
     ASSERT_GT(rig.stage.game().score(), 20);
     EXPECT_TRUE(rig.picture().says("silver medal, gold from 9 999 999"));
+    EXPECT_TRUE(rig.picture().says("99 hits at most"));
+    EXPECT_TRUE(rig.picture().says("7 in one fall"));
+    EXPECT_TRUE(rig.stage.profile().bestOf(Mode::Standard, name).fewHits);
     EXPECT_EQ(rig.stage.records().medalOf(Mode::Standard, name), Medal::Silver);
     EXPECT_EQ(rig.stage.records().medalOf(Mode::Pure, name), Medal::None);
     rig.clickItem(Action::Levels);
     rig.press(Command::Left);
-    EXPECT_TRUE(rig.picture().says("gold from 9 999 999"));
+    EXPECT_TRUE(rig.picture().says("gold 9 999 999"));
 }
 
 } // namespace

@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::size_t kLargestTable = std::size_t{1} << 20; // bytes
 
-const MedalMarks* marksFor(const std::string& level, std::span<const MedalMarks> marks) {
-    const auto found = std::find_if(marks.begin(), marks.end(),
-                                    [&](const MedalMarks& m) { return m.level == level; });
-    return found != marks.end() ? &*found : nullptr;
+/// The value at a quantile, 0..1. At least one value.
+std::int32_t quantile(std::vector<std::int32_t> values, double share) {
+    std::sort(values.begin(), values.end()); // total order: equal numbers do not differ
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
 }
 
 /// The marks in a table of one level; nullopt if it is invalid.
@@ -31,6 +31,11 @@ std::optional<MedalMarks> marksIn(std::string_view level, const toml::node& node
         return std::nullopt;
     }
     MedalMarks marks{std::string(level), *fromHex(digest->get())};
+    for (const auto& [key, value] : {std::pair("few-hits", &MedalMarks::fewHits),
+                                     std::pair("one-fall", &MedalMarks::oneFall)}) {
+        const std::int64_t count = (*table)[key].value_or(std::int64_t{0});
+        marks.*value = static_cast<std::int32_t>(std::clamp<std::int64_t>(count, 0, 1000000));
+    }
     for (std::size_t i = 0; i < marks.scores.size(); ++i) {
         const auto score = scores->get(i)->value<std::int64_t>();
         const std::int32_t least = i == 0 ? 1 : marks.scores[i - 1];
@@ -44,12 +49,10 @@ std::optional<MedalMarks> marksIn(std::string_view level, const toml::node& node
 
 } // namespace
 
-std::array<std::int32_t, 3> marksOf(std::vector<std::int32_t> scores) {
-    std::sort(scores.begin(), scores.end()); // total order: equal numbers do not differ
+std::array<std::int32_t, 3> marksOf(const std::vector<std::int32_t>& scores) {
     std::array<std::int32_t, 3> marks{};
     for (std::size_t i = 0; i < marks.size(); ++i) {
-        const double rank = kMedalShares[i] * static_cast<double>(scores.size() - 1);
-        const std::int32_t score = scores[static_cast<std::size_t>(rank + 0.5)];
+        const std::int32_t score = quantile(scores, kMedalShares[i]);
         marks[i] = std::max(1, (score + kMedalStep - 1) / kMedalStep) * kMedalStep;
     }
     return marks;
@@ -57,12 +60,23 @@ std::array<std::int32_t, 3> marksOf(std::vector<std::int32_t> scores) {
 
 MedalMarks measureMedals(const Level& level, std::uint32_t seeds, std::uint32_t mostTicks) {
     std::vector<std::int32_t> scores;
+    std::vector<std::int32_t> falls;
+    std::vector<std::int32_t> hits; // of won games
     for (const BotKind skill : kSkills) {
         for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
-            scores.push_back(runBot(level, seed, mostTicks, skill).score);
+            const BotRun run = runBot(level, seed, mostTicks, skill);
+            scores.push_back(run.score);
+            falls.push_back(run.largestFall);
+            if (run.result == Result::Won) {
+                hits.push_back(run.paddleHits);
+            }
         }
     }
-    return {level.name, digestOf(level), marksOf(std::move(scores))};
+    MedalMarks marks{level.name, digestOf(level), marksOf(scores)};
+    const std::int32_t fall = quantile(std::move(falls), kOneFallShare);
+    marks.oneFall = fall >= kLeastOneFall ? fall : 0;
+    marks.fewHits = hits.empty() ? 0 : std::max(1, quantile(std::move(hits), kFewHitsShare));
+    return marks;
 }
 
 Medal medalOf(std::int32_t score, const std::string& level, std::span<const MedalMarks> marks) {
@@ -83,18 +97,25 @@ std::int32_t nextMark(std::int32_t score, const std::string& level,
                                                   : own->scores[static_cast<std::size_t>(medal)];
 }
 
+const MedalMarks* marksFor(const std::string& level, std::span<const MedalMarks> marks) {
+    const auto found = std::find_if(marks.begin(), marks.end(),
+                                    [&](const MedalMarks& m) { return m.level == level; });
+    return found != marks.end() ? &*found : nullptr;
+}
+
 bool measuredOn(const MedalMarks& marks, const Level& level) {
     return marks.level == level.name && marks.digest == digestOf(level);
 }
 
 std::string toText(std::span<const MedalMarks> marks) {
-    std::string text = "# Scores for bronze, silver and gold, measured by bots. Remade by "
+    std::string text = "# What medals and honours need, measured by bots. Remade by "
                        "tools/medals.\nformat = 1\nrules = " +
                        std::to_string(kRulesVersion) + "\n";
     for (const MedalMarks& level : marks) {
         text += "\n[" + level.level + "]\ndigest = \"" + toHex(level.digest) + "\"\nscores = [" +
                 std::to_string(level.scores[0]) + ", " + std::to_string(level.scores[1]) + ", " +
-                std::to_string(level.scores[2]) + "]\n";
+                std::to_string(level.scores[2]) + "]\nfew-hits = " + std::to_string(level.fewHits) +
+                "\none-fall = " + std::to_string(level.oneFall) + "\n";
     }
     return text;
 }

@@ -144,7 +144,9 @@ std::optional<std::size_t> LevelSelect::take(const Signals& signals) {
     return under(signals.pointerNow);
 }
 
-void LevelSelect::drawTile(Canvas& canvas, std::size_t level, Best best, Medal medal) const {
+void LevelSelect::drawTile(Canvas& canvas, std::size_t level, const Records& records) const {
+    const std::string& name = levels_[level]->name;
+    const Mode mode = records.profile().mode;
     const Aabb box = tile(level);
     const bool chosen = level == chosen_;
     const Color rim = chosen ? palette::kAccent : faded(palette::kQuiet, 0.45f);
@@ -153,9 +155,12 @@ void LevelSelect::drawTile(Canvas& canvas, std::size_t level, Best best, Medal m
     canvas.outline(cornersOf(box), chosen ? Real(0.09) : Real(0.04), rim);
     canvas.text(std::to_string(level + 1), {box.lower.x + Real(0.18), box.lower.y + Real(0.17)},
                 {Real(0.42), chosen ? palette::kAccent : palette::kQuiet, Typeface::Bold});
-    paintHonours(canvas, {box.upper.x - Real(1.3), box.lower.y + Real(0.33)}, {Real(0.5), 0},
-                 Real(0.19), best);
-    paintMedal(canvas, box.upper - Vec2{Real(0.36), Real(0.36)}, Real(0.24), medal);
+    const MedalMarks* marks = marksFor(name, records.marks());
+    const Real left = Real(0.3) + Real(0.37) * static_cast<Real>(honourNames(marks).size() - 1);
+    paintHonours(canvas, {box.upper.x - left, box.lower.y + Real(0.33)}, {Real(0.37), 0},
+                 Real(0.15), records.profile().bestOf(mode, name), marks);
+    paintMedal(canvas, box.upper - Vec2{Real(0.36), Real(0.36)}, Real(0.24),
+               records.medalOf(mode, name));
 }
 
 /// Best score and honours of the chosen level. An unproved score is dim, with its reason.
@@ -172,17 +177,27 @@ void LevelSelect::drawBest(Canvas& canvas, const Records& records, Mode mode, Ve
     const Medal medal = records.medalOf(mode, level);
     const std::int32_t next = nextMark(proved ? standing.score : 0, level, records.marks());
     paintMedal(canvas, place + Vec2{Real(3.6), Real(-0.62)}, Real(0.36), medal);
+    if (mode == Mode::Standard) {
+        std::string offers;
+        for (const std::string& name : honourNames(marksFor(level, records.marks()))) {
+            offers += name == "cleared" || name == "no ball lost" || name == "chain of 8"
+                          ? ""
+                          : (offers.empty() ? "" : ", ") + name;
+        }
+        canvas.text(offers, place + Vec2{0, Real(-2.75)}, {Real(0.4), palette::kQuiet});
+    }
     if (counts && next > 0) {
-        canvas.text(fmt::format("{} from {}", kMedalNames[static_cast<std::size_t>(medal) + 1],
-                                grouped(next)),
-                    place + Vec2{0, Real(-2.75)}, {Real(0.4), palette::kQuiet});
+        canvas.text(
+            fmt::format("{} {}", kMedalNames[static_cast<std::size_t>(medal) + 1], grouped(next)),
+            place + Vec2{Real(1.4), 0}, {Real(0.4), palette::kQuiet});
     }
     const std::string note = standing.proof == Proof::Missing
                                  ? fmt::format("{}: {}", grouped(standing.score), standing.note)
                                  : standing.note;
     canvas.text(note, place - Vec2{0, Real(1.35)}, {Real(0.36), palette::kQuiet});
+    const MedalMarks* marks = marksFor(level, records.marks());
     paintHonours(canvas, place + Vec2{Real(0.3), Real(-1.95)}, {Real(0.85), 0}, Real(0.28),
-                 records.profile().bestOf(mode, level));
+                 records.profile().bestOf(mode, level), marks);
 }
 
 void LevelSelect::drawChosen(Canvas& canvas, const Records& records, double seconds) const {
@@ -259,8 +274,7 @@ void LevelSelect::draw(Canvas& canvas, const Records& records, double seconds) c
                         {Real(0.46), theme.glow, Typeface::Bold});
         }
         for (std::size_t i = levels.first; i < levels.first + levels.count; ++i) {
-            drawTile(canvas, i, profile.bestOf(profile.mode, levels_[i]->name),
-                     records.medalOf(profile.mode, levels_[i]->name));
+            drawTile(canvas, i, records);
         }
     }
     drawArrows(canvas);

@@ -46,7 +46,7 @@ private:
     void move(Command command);
     bool scroll(Vec2 click);
     void drawArrows(Canvas& canvas) const;
-    void drawTile(Canvas& canvas, std::size_t level, Best best, Medal medal) const;
+    void drawTile(Canvas& canvas, std::size_t level, const Records& records) const;
     void drawChosen(Canvas& canvas, const Records& records, double seconds) const;
     void drawBest(Canvas& canvas, const Records& records, Mode mode, Vec2 place) const;
     void drawFoot(Canvas& canvas, const Records& records) const;

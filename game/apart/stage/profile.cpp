@@ -12,6 +12,8 @@ bool Profile::enter(Mode in, const std::string& level, Best game) {
     known.cleared = known.cleared || game.cleared;
     known.unhurt = known.unhurt || game.unhurt;
     known.chain = known.chain || game.chain;
+    known.fewHits = known.fewHits || game.fewHits;
+    known.oneFall = known.oneFall || game.oneFall;
     known.unproved = std::max(known.unproved, game.unproved);
     return beaten;
 }

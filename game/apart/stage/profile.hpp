@@ -21,6 +21,9 @@ struct Best {
     bool chain = false;  // reached a combo or a collapse of kMostCombo
     // Highest score that a lower one has replaced, because its replay did not give it.
     std::int32_t unproved = 0;
+    // Honours whose numbers depend on the level, see MedalMarks.
+    bool fewHits = false;
+    bool oneFall = false;
 
     friend bool operator==(Best, Best) = default;
 };

@@ -105,9 +105,13 @@ private:
             }
             constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
             bests[std::string(level.str())] = {
-                number(*best, "score", 0, kMost), truth(*best, "cleared"), truth(*best, "unhurt"),
+                number(*best, "score", 0, kMost),
+                truth(*best, "cleared"),
+                truth(*best, "unhurt"),
                 truth(*best, "chain"),
-                best->contains("unproved") ? number(*best, "unproved", 0, kMost) : 0};
+                best->contains("unproved") ? number(*best, "unproved", 0, kMost) : 0,
+                best->contains("few-hits") && truth(*best, "few-hits"),
+                best->contains("one-fall") && truth(*best, "one-fall")};
         }
     }
 
@@ -291,6 +295,8 @@ std::string toText(const Profile& profile) {
             if (best.unproved > 0) {
                 text += fmt::format("unproved = {}\n", best.unproved);
             }
+            text += best.fewHits ? "few-hits = true\n" : "";
+            text += best.oneFall ? "one-fall = true\n" : "";
         }
     }
     for (std::size_t i = 0; i < profile.totals.size(); ++i) {

@@ -21,8 +21,12 @@ struct ResultsLook {
 
 void paintResults(Canvas& canvas, const ResultsLook& look);
 
-/// Paints the three honours of a level, `step` apart. Honours not won yet are dim.
-void paintHonours(Canvas& canvas, Vec2 place, Vec2 step, Real size, Best best);
+/// Paints the honours of a level, `step` apart: three, and those that its marks offer. Honours not
+/// won yet are dim.
+void paintHonours(Canvas& canvas, Vec2 place, Vec2 step, Real size, Best best,
+                  const MedalMarks* marks);
+/// Number of honours, and their names.
+std::vector<std::string> honourNames(const MedalMarks* marks);
 
 /// Paints a medal: bronze has one dot, silver two, gold three. Nothing for Medal::None.
 void paintMedal(Canvas& canvas, Vec2 middle, Real size, Medal medal);

@@ -241,7 +241,8 @@ void Stage::finish() {
     session_.endFanfare();
     const Game& game = session_.game();
     const std::string name = endless_.keyOf(game);
-    Best best = session_.statistics().bestOf(game);
+    const MedalMarks* marks = endless_.number > 0 ? nullptr : marksFor(name, records_.marks());
+    Best best = session_.statistics().bestOf(game, marks);
     best.score += endless_.number > 0 ? endless_.score : 0;
     before_ = records_.profile().bestOf(game.mode(), name);
     before_.score = records_.provedScore(game.mode(), name);
