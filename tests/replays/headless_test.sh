@@ -64,6 +64,14 @@ expect 2 'pipe: is a pipe, a device or a socket, not a file' \
 expect 0 "^endless:7:3, seed 5: " \
     "$program" bot --level endless:7:3 --seed 5 --ticks 900 --record endless.replay
 expect 0 'All 15 hashes agree' "$program" verify endless.replay
+# A run of several levels in one file, each verified; levels that are no run are refused.
+"$program" bot --level endless:7:4 --seed 5 --ticks 300 --record next.replay >/dev/null
+cat endless.replay next.replay >run.replay
+expect 0 '^endless:7:3, seed 5: ' "$program" verify run.replay
+expect 0 '^endless:7:4, seed 5: ' "$program" verify run.replay
+expect 0 '^level endless:7:4$' "$program" trace run.replay --to 10
+cat next.replay endless.replay >run.replay
+expect 2 'not consecutive endless levels' "$program" verify run.replay
 expect 0 '"level": "endless:9:1", "seed": 9' "$program" bot --level endless --seed 9 --ticks 10 --json
 expect 2 'endless:7:0.*SEED from 0 to 4294967295 and a NUMBER from 1' "$program" bot --level endless:7:0
 expect 2 '/nowhere: there are no levels in it' env APART_ASSETS=/nowhere "$program" levels
