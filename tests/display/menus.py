@@ -43,20 +43,20 @@ def after(game, report, name, action, least=20000):
 def first_run(screen, apart, report, profile):
     with Program(screen, "aPart", apart, "--mute", "--seed", "1") as game:
         time.sleep(1)
-        after(game, report, "menu_levels.png", lambda: game.click(*item(10.2, 1)))
+        after(game, report, "menu_levels.png", lambda: game.click(*item(10.5, 1)))
         after(game, report, "menu_title.png", lambda: game.click(*at(-13, 0.7)))
         check("level select and back, by mouse", True)
-        after(game, report, "menu_options.png", lambda: game.click(*item(10.2, 6)))
+        after(game, report, "menu_options.png", lambda: game.click(*item(10.5, 7)))
         game.click(*at(1.75, 13.2 - 0.45))  # the middle of the sound bar
         game.key("Escape")
         wait_until("the settings are written", profile.exists)
         check("a click on a bar turns it: half the sound", "sound = 50" in profile.read_text())
-        after(game, report, "menu_play.png", lambda: game.click(*item(10.2, 0)))
+        after(game, report, "menu_play.png", lambda: game.click(*item(10.5, 0)))
         check("play, by mouse", True)
         game.key("Escape", "Up", "Return")
         time.sleep(0.5)
-        game.click(*item(10.2, 7))
-        game.click(*item(10.2, 7))  # opens the question
+        game.click(*item(10.5, 8))
+        game.click(*item(10.5, 8))  # opens the question
         code, output = game.wait_for_end()
         check(f"quit, by mouse: exit code {code}", code == 0 and output.strip() == "")
 
@@ -69,6 +69,29 @@ def second_run(screen, apart, report, profile):
         game.key("Up", "Down", "Left", "Escape", "Escape", "Escape")
         code, _ = game.wait_for_end()
         check("the settings of the last run were read", code == 0 and "sound = 40" in profile.read_text())
+
+
+def bound_run(screen, apart, report, profile):
+    """Binds X to serve: the profile keeps it, and it serves in the game."""
+    with Program(screen, "aPart", apart, "--mute", "--seed", "1") as game:
+        time.sleep(0.5)
+        game.key("Up", "Up", "Return", "Up", "Up", "Up", "Return")  # keys and buttons
+        time.sleep(0.3)
+        game.key("Down", "Down", "Down", "Down", "Return")
+        after(game, report, "menu_keys.png", lambda: game.key("p"), least=1500)  # refused: in use
+        game.key("Return", "x", "Escape", "Escape")
+        time.sleep(0.3)
+        game.click(*item(10.5, 0))  # play
+        time.sleep(1.2)
+        game.key("space")  # not bound any more
+        # Title and hint of the level vanish with the serve.
+        after(game, report, "menu_served.png", lambda: game.key("x"), least=4000)
+        check("a bound key serves", True)
+        game.key("Escape", "Up", "Return")
+        time.sleep(0.5)
+        game.key("Escape", "Escape")
+        code, _ = game.wait_for_end()
+        check("it is kept", code == 0 and 'serve = ["X", "-", 1]' in profile.read_text())
 
 
 def broken_run(screen, apart, profile):
@@ -92,6 +115,7 @@ def main():
             profile = pathlib.Path(screen.config.name) / "apart" / "profile.toml"
             first_run(screen, apart, report, profile)
             second_run(screen, apart, report, profile)
+            bound_run(screen, apart, report, profile)
             broken_run(screen, apart, profile)
     return judged(work, report)
 

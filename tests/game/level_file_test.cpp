@@ -107,13 +107,6 @@ TEST(FileProblem, ShowsNoControlCharacters) {
     EXPECT_EQ((FileProblem{"a\x1b", 3, "b\x07"}.text()), "a?:3: b?");
 }
 
-// D6: reading a pipe or a device might never end.
-TEST(TextFile, OnlyRegularFilesAreRead) {
-    const Read<std::string> read = readTextFile("/dev/zero", 100);
-    ASSERT_TRUE(std::holds_alternative<FileProblem>(read));
-    EXPECT_EQ(std::get<FileProblem>(read).reason, "is a pipe, a device or a socket, not a file");
-}
-
 TEST(LevelFile, IsReportedIfItIsMissing) {
     const Read<Level> level = loadLevel("no_such_level");
     ASSERT_TRUE(std::holds_alternative<FileProblem>(level));

@@ -47,10 +47,31 @@ cmp -s slats.replay "$replays/pattern_slats.replay" ||
     { echo 'FAILED: the replaced hash lines differ'; failed=1; }
 expect 2 'was recorded, and has the hashes' "$program" hash a.replay
 
+# A few bytes can ask for ten hours of play: on a terminal each command shows how far it is.
+printf 'apart-replay 2\nlevel first_light\nseed 7\nhandwritten\nend 3000\n' >long.replay
+if command -v script >/dev/null; then
+    for command in 'replay long.replay' 'hash long.replay' 'trace long.replay >trace.txt'; do
+        expect 0 'first_light  0:[0-9]+ of 0:25  score 0' \
+            script -qec "$program $command" /dev/null
+    done
+fi
+mkfifo pipe
+expect 2 'pipe: is a pipe, a device or a socket, not a file' "$program" verify pipe
+expect 2 'pipe: is a pipe, a device or a socket, not a file' \
+    "$program" bot --ticks 10 --record pipe
+
 # A generated level: its name in the replay suffices to play it again.
 expect 0 "^endless:7:3, seed 5: " \
     "$program" bot --level endless:7:3 --seed 5 --ticks 900 --record endless.replay
 expect 0 'All 15 hashes agree' "$program" verify endless.replay
+# A run of several levels in one file, each verified; levels that are no run are refused.
+"$program" bot --level endless:7:4 --seed 5 --ticks 300 --record next.replay >/dev/null
+cat endless.replay next.replay >run.replay
+expect 0 '^endless:7:3, seed 5: ' "$program" verify run.replay
+expect 0 '^endless:7:4, seed 5: ' "$program" verify run.replay
+expect 0 '^level endless:7:4$' "$program" trace run.replay --to 10
+cat next.replay endless.replay >run.replay
+expect 2 'not consecutive endless levels' "$program" verify run.replay
 expect 0 '"level": "endless:9:1", "seed": 9' "$program" bot --level endless --seed 9 --ticks 10 --json
 expect 2 'endless:7:0.*SEED from 0 to 4294967295 and a NUMBER from 1' "$program" bot --level endless:7:0
 expect 2 '/nowhere: there are no levels in it' env APART_ASSETS=/nowhere "$program" levels

@@ -108,14 +108,15 @@ TEST(LevelSelect, HiddenRowsScrollIntoViewWhenChosen) {
 
 TEST(LevelSelect, ShowsThemeTitleIdeaBestScoresAndProgress) {
     LevelSelect select(elevenLevels());
-    Profile profile;
-    profile.enter(Mode::Standard, "level_8", {12300, true, false, false});
-    profile.enter(Mode::Pure, "level_8", {4500, false, false, false});
     select.choose(8);
+    Records records({}, {}, {}, {});
+    records.enter({{Mode::Standard, "level_8"}, {12300, true, false, false}, {}});
+    records.enter({{Mode::Pure, "level_8"}, {4500, false, false, false}, {}});
     RecordingCanvas canvas;
     canvas.begin({{-16, 0}, {16, 20}}, {});
-    select.draw(canvas, profile, 0);
-    for (const char* text : {"Title 8", "Only for tests.", "12 300", "4 500", "1 of 11 cleared"}) {
+    select.draw(canvas, records, 0);
+    for (const char* text :
+         {"Title 8", "Only for tests.", "12 300", "4 500", "1 of 11 cleared, 12 300 points"}) {
         EXPECT_TRUE(canvas.says(text)) << text;
     }
     EXPECT_TRUE(canvas.says(lookOf(Theme::Daybreak).title));

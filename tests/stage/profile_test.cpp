@@ -43,7 +43,8 @@ Profile someProfile() {
     profile.settings.mouse = 250;
     profile.mode = Mode::Pure;
     profile.enter(Mode::Standard, "first_light", {12300, true, false, true});
-    profile.enter(Mode::Pure, "lift_off", {70, false, false, false});
+    profile.enter(Mode::Pure, "lift_off", {70, false, false, false, 0, true, true});
+    profile.totals[2] = {3, 1, 500, 40, 12, 8, 5};
     return profile;
 }
 
@@ -88,7 +89,11 @@ TEST_F(ProfileFile, AnInvalidFileIsKeptAndNotOverwritten) {
           "format = 1\n[settings]\nmouse = 19\n", "format = 1\n[settings]\npure = 1\n",
           "format = 1\nsettings = 3\n", "format = 1\nbest = 3\n", "format = 1\n[best]\na = 3\n",
           "format = 1\n[best.a]\nscore = -1\ncleared = true\nunhurt = false\nchain = false\n",
-          "format = 1\n[best.a]\nscore = 1\n", "[[[", "format = 1\nformat = 1\n"}) {
+          "format = 1\n[best.a]\nscore = 1\ncleared = true\nunhurt = true\nchain = true\n"
+          "unproved = -1\n",
+          "format = 1\nstatistics = 1\n", "format = 1\n[statistics.nowhere]\n",
+          "format = 1\n[statistics.quarry]\ngames = 1\n", "format = 1\n[best.a]\nscore = 1\n",
+          "[[[", "format = 1\nformat = 1\n"}) {
         SCOPED_TRACE(text);
         write(text);
         const LoadedProfile loaded = loadProfile(file_);
@@ -143,6 +148,19 @@ TEST_F(ProfileFile, SavingKeepsTheBetterScores) {
     const Profile both = loadProfile(file_).profile;
     EXPECT_EQ(both.bestOf(Mode::Standard, "a"), (Best{100, true, false, false}));
     EXPECT_EQ(both.bestOf(Mode::Standard, "b"), (Best{70, false, false, true}));
+}
+
+// D12: a score that its replay did not give does not come back from the file.
+TEST_F(ProfileFile, SavingDoesNotBringBackACorrectedScore) {
+    Profile claimed;
+    claimed.enter(Mode::Standard, "a", {99999999, false, false, false});
+    ASSERT_FALSE(saveProfile(file_, claimed));
+    Profile profile = loadProfile(file_).profile;
+    profile.correct(Mode::Standard, "a", 0);
+    profile.enter(Mode::Standard, "a", {120, true, false, false});
+    ASSERT_FALSE(saveProfile(file_, profile));
+    EXPECT_EQ(loadProfile(file_).profile.bestOf(Mode::Standard, "a"),
+              (Best{120, true, false, false, 99999999}));
 }
 
 // D7: level names that are no bare keys of TOML.

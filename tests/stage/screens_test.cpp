@@ -181,7 +181,7 @@ TEST(Screens, OptionsStayInTheirRangeAndCanBeReset) {
 TEST(Screens, SettingsAndResultsAreSaved) {
     std::vector<Profile> kept;
     StageDef def = StageRig::playing();
-    def.save = StageRig::keeping(kept);
+    def.keeping.save = StageRig::keeping(kept);
     StageRig rig(std::move(def));
     rig.press(Command::Pause);
     rig.clickItem(Action::Options);
@@ -193,30 +193,12 @@ TEST(Screens, SettingsAndResultsAreSaved) {
     EXPECT_EQ(kept[0].settings.sound, Settings{}.sound - 10);
 }
 
-/// Plays the bot's moves by keys and mouse.
-void playToTheEnd(StageRig& rig) {
-    for (int i = 0; i < 120 * 300 && rig.stage.screen() == Screen::Playing; ++i) {
-        const Game& game = rig.stage.game();
-        const Input wish = bot(game);
-        Signals signals;
-        const Real x = game.world()[game.paddle()].position().x;
-        if (wish.target) {
-            signals.leftHeld = Real(*wish.target) / 1000 < x - Real(0.2);
-            signals.rightHeld = Real(*wish.target) / 1000 > x + Real(0.2);
-        }
-        if (wish.launch && game.result() == Result::Playing) {
-            signals.commands = {Command::Launch};
-        }
-        rig.frame(signals, 1.0 / kTicksPerSecond);
-    }
-}
-
 TEST(Screens, TheScoreOfAGameIsEnteredInItsOwnTable) {
     for (const Mode mode : {Mode::Standard, Mode::Pure}) {
         std::vector<Profile> kept;
         StageDef def = StageRig::playing();
         def.profile.mode = mode;
-        def.save = StageRig::keeping(kept);
+        def.keeping.save = StageRig::keeping(kept);
         StageRig rig(std::move(def));
         playToTheEnd(rig);
         ASSERT_EQ(rig.stage.screen(), Screen::Over);
@@ -231,19 +213,23 @@ TEST(Screens, TheScoreOfAGameIsEnteredInItsOwnTable) {
 }
 
 TEST(Screens, AGameOfThePlayerIsRecordedBitForBit) {
-    std::vector<std::pair<Replay, bool>> kept;
+    std::vector<std::pair<ReplayRun, std::string>> kept;
     StageDef def = StageRig::playing();
-    def.keepReplay = [&kept](const Replay& replay, bool best) {
-        kept.emplace_back(replay, best);
+    def.keeping.keepReplay = [&kept](const ReplayRun& run, const std::string& best) {
+        kept.emplace_back(run, best);
         return std::string("It was kept.");
     };
     const std::shared_ptr<const Level> level = def.levels[0];
     StageRig rig(std::move(def));
     playToTheEnd(rig);
     ASSERT_EQ(rig.stage.screen(), Screen::Over);
-    ASSERT_EQ(kept.size(), 1u);
-    EXPECT_EQ(kept[0].second, rig.stage.game().score() > 0) << "it is the first";
-    Playback playback(kept[0].first, level);
+    ASSERT_GT(rig.stage.game().score(), 0);
+    ASSERT_EQ(kept.size(), 2u);
+    EXPECT_EQ(kept[0].second, "") << "the last game";
+    EXPECT_EQ(kept[1].second, level->name) << "the best one: it is the first";
+    EXPECT_EQ(kept[0].first, kept[1].first);
+    ASSERT_EQ(kept[0].first.size(), 1u);
+    Playback playback(kept[0].first[0], level);
     while (!playback.done()) {
         playback.tick();
     }
@@ -257,9 +243,9 @@ TEST(Screens, AGameOfThePlayerIsRecordedBitForBit) {
 TEST(Screens, GamesOfAPilotAreNotSaved) {
     std::vector<Profile> kept;
     StageDef def = StageRig::played();
-    def.save = StageRig::keeping(kept);
+    def.keeping.save = StageRig::keeping(kept);
     bool recorded = false;
-    def.keepReplay = [&recorded](const Replay&, bool) {
+    def.keeping.keepReplay = [&recorded](const ReplayRun&, const std::string&) {
         recorded = true;
         return std::string();
     };
@@ -320,9 +306,14 @@ TEST(Screens, TheBotPlaysADemoWithoutInput) {
 TEST(Screens, AnEndlessRunContinuesAndSumsItsScores) {
     std::vector<Profile> kept;
     StageDef def = StageRig::twoLevels();
-    def.save = StageRig::keeping(kept);
+    def.keeping.save = StageRig::keeping(kept);
     def.endless = [](std::uint32_t number) {
         return glassLevel(number == 1 ? "Row 1" : "Row 2", {7});
+    };
+    std::vector<std::pair<ReplayRun, std::string>> recorded;
+    def.keeping.keepReplay = [&recorded](const ReplayRun& run, const std::string& best) {
+        recorded.emplace_back(run, best);
+        return std::string();
     };
     StageRig rig(std::move(def));
     rig.clickItem(Action::Endless);
@@ -337,6 +328,17 @@ TEST(Screens, AnEndlessRunContinuesAndSumsItsScores) {
     ASSERT_EQ(rig.stage.screen(), Screen::Over);
     EXPECT_EQ(kept.back().bestOf(Mode::Standard, "endless").score,
               first + rig.stage.game().score());
+    // The whole run is recorded, level by level.
+    ASSERT_EQ(recorded.size(), 4u);
+    EXPECT_EQ(recorded[1].first.size(), 1u);
+    EXPECT_EQ(recorded[3].first.size(), 2u);
+    EXPECT_EQ(recorded[3].second, kEndlessKey);
+    EXPECT_EQ(recorded[3].first[0], recorded[1].first[0]);
+    rig.clickItem(Action::ToTitle);
+    EXPECT_TRUE(rig.picture().says("Endless   best"));
+    rig.clickItem(Action::Play);
+    playToTheEnd(rig);
+    EXPECT_EQ(recorded.back().first.size(), 1u) << "a later game is not a part of it";
 }
 
 TEST(Screens, AnEndlessRunRestartsAtItsFirstLevel) {
@@ -381,7 +383,7 @@ TEST(Screens, ARecordedGameShowsTheNumberOfItsLevel) {
 TEST(Screens, ARecordedGameCanBeReplayedAndLaterGamesUsePlayerInput) {
     std::vector<Profile> kept;
     StageDef def = showing(StageRig::twoLevels().levels[0]);
-    def.save = StageRig::keeping(kept);
+    def.keeping.save = StageRig::keeping(kept);
     StageRig rig(std::move(def));
     EXPECT_TRUE(rig.picture().says("REPLAY"));
     rig.untilOver();
@@ -431,8 +433,10 @@ TEST(Screens, NoticesAreStackedOnTheTitle) {
     def.levels = {glassLevel("One block", {7})};
     def.bot = [](const Game& game) { return std::optional(bot(game)); };
     def.notices = {"Scores are reset."};
-    def.save = [](const Profile&) { return std::string("Scores are not kept."); };
-    def.keepReplay = [](const Replay&, bool) { return std::string("The game is not recorded."); };
+    def.keeping.save = [](const Profile&) { return std::string("Scores are not kept."); };
+    def.keeping.keepReplay = [](const ReplayRun&, const std::string&) {
+        return std::string("The game is not recorded.");
+    };
     StageRig rig(std::move(def));
     for (int game = 0; game < 2; ++game) { // lost without a move
         while (rig.stage.screen() == Screen::Playing) {

@@ -33,6 +33,19 @@ inline std::shared_ptr<const Level> glassLevel(const char* title,
     return std::make_shared<const Level>(level);
 }
 
+/// The bot's game on a level, recorded, of at most so many ticks.
+inline Replay recordedGame(const std::shared_ptr<const Level>& level, std::uint32_t seed,
+                           std::uint32_t mostTicks = 5 * 60 * kTicksPerSecond) {
+    Game game(level, seed);
+    Recorder recorder(game);
+    while (game.ticks() < mostTicks && game.result() == Result::Playing) {
+        const Input input = bot(game);
+        game.tick(input);
+        recorder.record(input, game);
+    }
+    return recorder.finish(game);
+}
+
 /// A stage with recording canvas and speaker.
 struct StageRig {
     explicit StageRig(StageDef def) : stage(std::move(def)) {}
@@ -103,5 +116,23 @@ struct StageRig {
     RecordingSpeaker speaker;
     RecordingCanvas canvas;
 };
+
+/// Plays the bot's moves by keys and mouse.
+inline void playToTheEnd(StageRig& rig) {
+    for (int i = 0; i < 120 * 300 && rig.stage.screen() == Screen::Playing; ++i) {
+        const Game& game = rig.stage.game();
+        const Input wish = bot(game);
+        Signals signals;
+        const Real x = game.world()[game.paddle()].position().x;
+        if (wish.target) {
+            signals.leftHeld = Real(*wish.target) / 1000 < x - Real(0.2);
+            signals.rightHeld = Real(*wish.target) / 1000 > x + Real(0.2);
+        }
+        if (wish.launch && game.result() == Result::Playing) {
+            signals.commands = {Command::Launch};
+        }
+        rig.frame(signals, 1.0 / kTicksPerSecond);
+    }
+}
 
 } // namespace apart

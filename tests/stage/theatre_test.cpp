@@ -9,22 +9,10 @@ using namespace apart;
 
 constexpr std::uint32_t kLength = 1500; // ticks
 
-/// A replay of the bot's game on a level.
-Replay recorded(const std::shared_ptr<const Level>& level) {
-    Game game(level, 3);
-    Recorder recorder(game);
-    while (game.ticks() < kLength && game.result() == Result::Playing) {
-        const Input input = bot(game);
-        game.tick(input);
-        recorder.record(input, game);
-    }
-    return recorder.finish(game);
-}
-
 StageDef watching() {
     const auto level = std::make_shared<const Level>(std::get<Level>(loadLevel("keystones")));
     StageDef def = StageRig::twoLevels();
-    const Replay replay = recorded(level);
+    const Replay replay = recordedGame(level, 3, kLength);
     const Pilot pilot = [replay](const Game& game) {
         return game.ticks() < replay.end ? std::optional(inputAt(replay, game.ticks()))
                                          : std::nullopt;
@@ -78,12 +66,12 @@ TEST(Theatre, AGameTakenOverIsRecordedFromTheFirstTick) {
     std::vector<Replay> kept;
     std::vector<Profile> saved;
     StageDef def = watching();
-    def.keepReplay = [&](const Replay& replay, bool best) {
-        EXPECT_FALSE(best);
-        kept.push_back(replay);
+    def.keeping.keepReplay = [&](const ReplayRun& run, const std::string& best) {
+        EXPECT_EQ(best, "");
+        kept.push_back(run.at(0));
         return std::string();
     };
-    def.save = StageRig::keeping(saved);
+    def.keeping.save = StageRig::keeping(saved);
     const std::shared_ptr<const Level> level = def.show->level;
     StageRig rig(std::move(def));
     rig.press(Command::Right);
@@ -111,23 +99,63 @@ TEST(Theatre, ListsReplaysAndTellsWhyOneCannotBePlayed) {
         return entries;
     };
     StageRig rig(std::move(def));
+    rig.clickItem(Action::Records);
     rig.clickItem(Action::Replays);
     EXPECT_TRUE(rig.picture().says("an old game"));
     rig.click(rig.stage.menu().place(1).center());
     EXPECT_EQ(rig.stage.screen(), Screen::Title);
     EXPECT_TRUE(rig.picture().says("It is too old."));
+    rig.clickItem(Action::Records);
     rig.clickItem(Action::Replays);
     rig.click(rig.stage.menu().place(0).center());
     EXPECT_EQ(rig.stage.screen(), Screen::Playing);
     EXPECT_TRUE(rig.picture().says("REPLAY"));
 }
 
+/// A replay of 100 ticks without input.
+Show idle(std::shared_ptr<const Level> level) {
+    return Show{
+        std::move(level), 1, Mode::Standard,
+        [](const Game& game) { return game.ticks() < 100 ? std::optional(Input{}) : std::nullopt; },
+        100};
+}
+
+TEST(Theatre, ARunIsShownLevelByLevelAndFromItsStartAgain) {
+    StageDef def = StageRig::twoLevels();
+    Show second = idle(def.levels[1]);
+    def.show = idle(def.levels[0]);
+    def.show->next = [second] { return second; };
+    StageRig rig(std::move(def));
+    EXPECT_EQ(rig.stage.game().level().title, "One block");
+    rig.press(Command::Up); // twice the speed, kept in the next level
+    for (int i = 0; i < 600 && rig.stage.game().level().title == "One block"; ++i) {
+        rig.frame();
+    }
+    EXPECT_EQ(rig.stage.game().level().title, "Three blocks");
+    EXPECT_EQ(rig.stage.screen(), Screen::Playing);
+    EXPECT_TRUE(rig.picture().says("2 x"));
+    rig.untilOver();
+    rig.clickItem(Action::Restart);
+    EXPECT_EQ(rig.stage.game().level().title, "One block");
+}
+
+TEST(Theatre, ARunWhoseNextLevelCannotBePlayedEndsWithANotice) {
+    StageDef def = StageRig::twoLevels();
+    def.show = idle(def.levels[0]);
+    def.show->next = [] { return std::variant<Show, std::string>("It is too old."); };
+    StageRig rig(std::move(def));
+    rig.untilOver();
+    EXPECT_EQ(rig.stage.screen(), Screen::Over);
+    rig.clickItem(Action::ToTitle);
+    EXPECT_TRUE(rig.picture().says("It is too old."));
+}
+
 // Also a game that the player left is kept.
 TEST(Theatre, AnUnfinishedGameIsKept) {
     std::vector<Replay> kept;
     StageDef def = StageRig::playing();
-    def.keepReplay = [&](const Replay& replay, bool) {
-        kept.push_back(replay);
+    def.keeping.keepReplay = [&](const ReplayRun& run, const std::string&) {
+        kept.push_back(run.at(0));
         return std::string();
     };
     StageRig rig(std::move(def));

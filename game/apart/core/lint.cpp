@@ -209,6 +209,16 @@ private:
 
 } // namespace
 
+std::int32_t paddleHitsOf(const Game& game) {
+    const auto hits =
+        std::count_if(game.events().begin(), game.events().end(), [](const Event& event) {
+            const auto* struck = std::get_if<Struck>(&event);
+            return (struck != nullptr && struck->what == Role::Paddle) ||
+                   std::holds_alternative<Served>(event);
+        });
+    return static_cast<std::int32_t>(hits);
+}
+
 BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks, BotKind kind) {
     Game game(level, seed);
     GameObserver observer;
@@ -218,12 +228,15 @@ BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks, B
         game.tick(bot(game, kind));
         observer.observe(game);
         gaps.tick(game);
+        run.paddleHits += paddleHitsOf(game);
         run.mostBodies = std::max(run.mostBodies, game.world().bodyCount());
         run.work += stepStats(game.world()).bodies + stepStats(game.world()).contacts;
     }
     gaps.finish();
     run.ticks = game.ticks();
     run.result = game.result();
+    run.score = game.score();
+    run.largestFall = game.collapse().largest;
     run.livesLost = level.lives - game.lives();
     run.cleared = 1 - static_cast<double>(game.blocksLeft()) / std::max(game.blocksAtStart(), 1);
     run.longestWait = observer.observations().longestWait;

@@ -19,7 +19,10 @@ struct BotRun {
     std::uint32_t seed = 0;
     std::uint32_t ticks = 0;
     Result result = Result::Playing;
+    std::int32_t score = 0;
     std::int32_t livesLost = 0;
+    std::int32_t paddleHits = 0;   // of balls on the paddle
+    std::int32_t largestFall = 0;  // blocks of one collapse
     std::uint32_t longestWait = 0; // ticks without damage to a block
     std::uint32_t longestGap = 0;  // ticks without a crack, break, fall or catch
     std::uint32_t quietTicks = 0;  // in gaps longer than kQuietGap
@@ -28,6 +31,9 @@ struct BotRun {
     double cleared = 0;     // 0..1, share of the blocks that broke or fell
     std::uint64_t work = 0; // bodies and contacts visited, summed over all ticks
 };
+/// Hits of balls on the paddle in the last tick; a serve is one.
+std::int32_t paddleHitsOf(const Game& game);
+
 /// Plays until the game ends or `mostTicks` have passed.
 BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks,
               BotKind kind = BotKind::Good);

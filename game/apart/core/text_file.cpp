@@ -15,6 +15,9 @@
 #include <io.h>
 #include <process.h>
 #else
+#include <sys/stat.h>
+
+#include <fcntl.h>
 #include <unistd.h>
 #endif
 
@@ -35,6 +38,76 @@ int processId() {
 }
 int syncToDisk(std::FILE* file) {
     return fsync(fileno(file));
+}
+#endif
+
+/// Reason not to read or replace what stands at a path; empty if it is a regular file. A pipe or a
+/// device might never end.
+std::string notAFile(std::filesystem::file_status status) {
+    if (!std::filesystem::exists(status)) {
+        return "there is no such file";
+    }
+    if (std::filesystem::is_directory(status)) {
+        return "is a folder, not a file";
+    }
+    return std::filesystem::is_regular_file(status) ? ""
+                                                    : "is a pipe, a device or a socket, not a file";
+}
+
+/// Reads at most `limit` + 1 bytes of a regular file into `bytes`, none of a longer one. Returns
+/// the reason why it cannot be read, or "".
+#ifdef _WIN32
+std::string readBytes(const std::filesystem::path& path, std::size_t limit, std::string& bytes) {
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    if (error || size > limit) {
+        bytes.resize(error ? 0 : limit + 1);
+        return error ? "cannot be read" : "";
+    }
+    std::ifstream stream(path, std::ios::binary);
+    bytes.resize(static_cast<std::size_t>(size));
+    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<std::size_t>(stream.gcount()));
+    return stream.is_open() && !stream.bad() ? "" : "cannot be read";
+}
+#else
+/// A file descriptor that is closed at the end of its scope.
+struct Descriptor {
+    explicit Descriptor(int opened) : number(opened) {}
+    ~Descriptor() {
+        if (number >= 0) {
+            close(number);
+        }
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int number;
+};
+
+std::string readBytes(const std::filesystem::path& path, std::size_t limit, std::string& bytes) {
+    // Without O_NONBLOCK, opening a pipe that has replaced the file meanwhile would wait for ever.
+    const Descriptor file(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+    struct stat about {};
+    if (file.number < 0 || fstat(file.number, &about) != 0) {
+        return "cannot be read";
+    }
+    if (!S_ISREG(about.st_mode)) {
+        return "is a pipe, a device or a socket, not a file";
+    }
+    if (about.st_size > 0 && static_cast<std::uintmax_t>(about.st_size) > limit) {
+        bytes.resize(limit + 1);
+        return "";
+    }
+    constexpr std::size_t kChunk = 65536; // files of /proc are regular, but report no size
+    for (std::size_t had = 0; had <= limit; had = bytes.size()) {
+        bytes.resize(std::min(had + kChunk, limit + 1));
+        const ssize_t count = read(file.number, bytes.data() + had, bytes.size() - had);
+        bytes.resize(had + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+        if (count <= 0) {
+            return count < 0 ? "cannot be read" : "";
+        }
+    }
+    return "";
 }
 #endif
 
@@ -138,23 +211,14 @@ Read<std::string> readTextFile(const std::filesystem::path& path, std::size_t li
         return FileProblem{path.string(), 0, std::move(reason)};
     };
     std::error_code error;
-    const auto status = std::filesystem::status(path, error);
-    if (!std::filesystem::exists(status)) {
-        return wrong("there is no such file");
+    std::string reason = notAFile(std::filesystem::status(path, error));
+    std::string bytes;
+    if (reason.empty()) {
+        reason = readBytes(path, limit, bytes);
     }
-    if (std::filesystem::is_directory(status)) {
-        return wrong("is a folder, not a file");
+    if (!reason.empty()) {
+        return wrong(std::move(reason));
     }
-    if (!std::filesystem::is_regular_file(status)) {
-        return wrong("is a pipe, a device or a socket, not a file"); // it might never end
-    }
-    std::ifstream stream(path, std::ios::binary);
-    std::string bytes(limit + 1, '\0');
-    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    if (!stream.is_open() || stream.bad()) {
-        return wrong("cannot be read");
-    }
-    bytes.resize(static_cast<std::size_t>(stream.gcount()));
     if (bytes.size() > limit) {
         return wrong("is longer than " + std::to_string(limit) + " bytes");
     }
@@ -162,6 +226,13 @@ Read<std::string> readTextFile(const std::filesystem::path& path, std::size_t li
 }
 
 std::optional<FileProblem> writeTextFile(const std::filesystem::path& path, std::string_view text) {
+    std::error_code unknown;
+    const auto status = std::filesystem::status(path, unknown);
+    if (std::filesystem::exists(status) && !std::filesystem::is_directory(status)) {
+        if (std::string reason = notAFile(status); !reason.empty()) { // it would be replaced
+            return FileProblem{path.string(), 0, std::move(reason)};
+        }
+    }
     const std::filesystem::path fresh = temporaryFor(path);
     if (const int number = writeToDisk(fresh, text)) {
         std::error_code ignored;

@@ -34,11 +34,13 @@ std::string printable(std::string_view text);
 template <typename T>
 using Read = std::variant<T, FileProblem>;
 
-/// The bytes of a regular file of at most `limit` bytes.
+/// The bytes of a regular file of at most `limit` bytes. A pipe, a device, a folder or a longer
+/// file is refused before any of it is read.
 Read<std::string> readTextFile(const std::filesystem::path& path, std::size_t limit);
 
 /// Writes a temporary file beside `path`, brings it to the disk and then renames it, so that a
-/// failure keeps the old file. Its name is its own, so that two programs may save at once.
+/// failure keeps the old file. Its name is its own, so that two programs may save at once. A pipe
+/// or a device is refused, since the renamed file would replace it.
 std::optional<FileProblem> writeTextFile(const std::filesystem::path& path, std::string_view text);
 
 /// 64-bit FNV-1a; detects damage, not forgery.

@@ -23,4 +23,15 @@ int runLint(const LintCommand& command);
 /// of the levels. Returns 1 if it does not rise as required, else 0.
 int runDifficulty(const LintCommand& command);
 
+struct MedalsCommand {
+    std::vector<std::string> levels; // names; empty: all of assets/levels
+    std::string file;                // where other levels keep their marks; empty: print the table
+    std::uint32_t seeds = 5;         // games of each skill
+    std::uint32_t mostTicks = 3 * 14400; // of each game; six minutes
+};
+
+/// Measures the scores for medals and prints or writes them as the file assets/medals.toml. Returns
+/// 0.
+int runMedals(const MedalsCommand& command);
+
 } // namespace apart

@@ -86,8 +86,9 @@ int playBot(const BotOptions& options) {
     return 0;
 }
 
-int playReplay(const std::string& file, bool json) {
-    Playback playback = openReplay(file);
+/// Plays one replay of a file and prints its report. Returns the number of unmet expectations.
+std::size_t playReplay(const std::string& file, const Replay& replay, bool json) {
+    Playback playback = openReplay(file, replay);
     playToEnd(playback);
     for (const Playback::Failure& failure : playback.failures()) {
         fmt::print(stderr, "{}:{}: {}\n", file, failure.expectation.line, failure.text());
@@ -100,12 +101,21 @@ int playReplay(const std::string& file, bool json) {
                    playback.replay().expectations.size() - playback.failures().size(),
                    playback.replay().expectations.size());
     }
-    return playback.failures().empty() ? 0 : 1;
+    return playback.failures().size();
 }
 
-int verify(const std::string& file, bool json) {
-    Playback playback = openReplay(file);
-    const std::size_t hashes = playback.replay().hashes.size();
+int playRun(const std::string& file, bool json) {
+    std::size_t failed = 0;
+    for (const Replay& replay : readRun(file)) {
+        failed += playReplay(file, replay, json);
+    }
+    return failed == 0 ? 0 : 1;
+}
+
+/// False if the game diverges.
+bool verifyReplay(const std::string& file, const Replay& replay, bool json) {
+    Playback playback = openReplay(file, replay);
+    const std::size_t hashes = replay.hashes.size();
     if (hashes == 0) {
         throw Refusal{file + ": there is no hash line to verify"};
     }
@@ -121,12 +131,21 @@ int verify(const std::string& file, bool json) {
         fmt::print(stderr, "{}: the game diverges: tick {} is the first whose hash differs", file,
                    tick);
         fmt::print(stderr, "{}\n", agreed ? fmt::format("; tick {} agrees", *agreed) : "");
-        return 1;
+        return false;
     }
     if (!json) {
         fmt::print("All {} hashes agree.\n", hashes);
     }
-    return 0;
+    return true;
+}
+
+int verify(const std::string& file, bool json) {
+    const ReplayRun run = readRun(file);
+    bool agreed = true;
+    for (const Replay& replay : run) {
+        agreed = verifyReplay(file, replay, json) && agreed;
+    }
+    return agreed ? 0 : 1;
 }
 
 int listLevels() {
@@ -143,6 +162,7 @@ struct Checks {
     LintCommand lint;
     SoakCommand soak;
     TraceCommand trace;
+    MedalsCommand medals;
     std::vector<std::string> hashed; // files
 };
 
@@ -171,6 +191,20 @@ CLI::App* addLint(CLI::App& app, LintCommand& lint) {
         ->add_flag("--difficulty", lint.difficulty,
                    "Instead, what bots of each skill win, and how difficulty rises level by level")
         ->excludes(json);
+    return command;
+}
+
+CLI::App* addMedals(CLI::App& app, MedalsCommand& medals) {
+    CLI::App* command =
+        app.add_subcommand("medals", "Measure the scores for medals; print assets/medals.toml");
+    command->add_option("LEVEL", medals.levels, "Names of levels; all unless given");
+    command->add_option("--file", medals.file,
+                        "Write this file instead, in which other levels keep their marks");
+    command
+        ->add_option("--seeds", medals.seeds, "Games of each skill on each level, 5 unless given")
+        ->check(CLI::Range(1u, 10000u));
+    command->add_option("--ticks", medals.mostTicks, "Longest game in ticks, 43200 unless given")
+        ->check(CLI::Range(1u, kLongestReplay));
     return command;
 }
 
@@ -239,6 +273,7 @@ int run(int argc, char** argv) {
     botCommand->add_flag("--json", options.json, "Print one JSON object");
     Checks checks;
     const CLI::App* lintCommand = addLint(app, checks.lint);
+    const CLI::App* medalsCommand = addMedals(app, checks.medals);
     const CLI::App* soakCommand = addSoak(app, checks.soak);
     const CLI::App* traceCommand = addTrace(app, checks.trace);
     CLI::App* hashCommand =
@@ -257,7 +292,7 @@ int run(int argc, char** argv) {
         return 2;
     }
     if (replayCommand->parsed()) {
-        return playReplay(file, json);
+        return playRun(file, json);
     }
     if (verifyCommand->parsed()) {
         return verify(file, json);
@@ -270,6 +305,9 @@ int run(int argc, char** argv) {
     }
     if (lintCommand->parsed()) {
         return checks.lint.difficulty ? runDifficulty(checks.lint) : runLint(checks.lint);
+    }
+    if (medalsCommand->parsed()) {
+        return runMedals(checks.medals);
     }
     if (soakCommand->parsed()) {
         return runSoak(checks.soak);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <map>
 #include <sstream>
+#include <unistd.h>
 
 namespace apart {
 
@@ -87,14 +88,16 @@ void printEvents(const Game& game) {
 }
 
 /// At most four a replay, so that a change of them stays small.
-std::string hashLine(const std::string& file) {
-    Playback playback = openReplay(file);
+std::string hashLine(const std::string& file, const Replay& replay) {
+    Playback playback = openReplay(file, replay);
     const std::uint32_t end = playback.replay().end;
+    Progress progress;
     std::string line = "hash";
     for (std::uint32_t part = 1; part <= 4; ++part) {
         const std::uint32_t tick = part * end / 4;
         while (playback.game().ticks() < tick) {
             playback.tick();
+            progress.show(playback.game(), end);
         }
         if (tick > (part - 1) * end / 4) {
             line += " " + std::to_string(tick) + " " + toHex(playback.game().stateHash());
@@ -103,31 +106,13 @@ std::string hashLine(const std::string& file) {
     return line;
 }
 
-} // namespace
-
-Playback openReplay(const std::string& file) {
-    Replay replay = valueOrRefuse(readReplayFile(file));
-    auto level = std::make_shared<const Level>(valueOrRefuse(loadLevelOf(file, replay.level)));
-    if (const std::optional<std::string> reason = refusal(replay, *level)) {
-        throw Refusal{file + ": " + *reason};
-    }
-    return Playback(std::move(replay), std::move(level));
-}
-
-void playToEnd(Playback& playback) {
-    Progress progress;
-    while (!playback.done()) {
-        playback.tick();
-        progress.show(playback.game(), playback.replay().end);
-    }
-}
-
-int runTrace(const TraceCommand& command) {
-    const std::vector<Field> fields = fieldsOf(command.fields);
-    Playback playback = openReplay(command.file);
+void trace(Playback playback, const TraceCommand& command, const std::vector<Field>& fields) {
     std::map<Field, std::int64_t> before;
-    while (!playback.done() && playback.game().ticks() < command.to) {
+    Progress progress(STDOUT_FILENO);
+    const std::uint32_t end = std::min(command.to, playback.replay().end);
+    while (playback.game().ticks() < end) {
         playback.tick();
+        progress.show(playback.game(), end);
         if (playback.game().ticks() < command.from) {
             continue;
         }
@@ -142,18 +127,52 @@ int runTrace(const TraceCommand& command) {
             }
         }
     }
+}
+
+} // namespace
+
+ReplayRun readRun(const std::string& file) {
+    return valueOrRefuse(readRunFile(file));
+}
+
+Playback openReplay(const std::string& file, const Replay& replay) {
+    auto level = std::make_shared<const Level>(valueOrRefuse(loadLevelOf(file, replay.level)));
+    if (const std::optional<std::string> reason = refusal(replay, *level)) {
+        throw Refusal{file + ": " + *reason};
+    }
+    return Playback(replay, std::move(level));
+}
+
+void playToEnd(Playback& playback) {
+    Progress progress;
+    while (!playback.done()) {
+        playback.tick();
+        progress.show(playback.game(), playback.replay().end);
+    }
+}
+
+int runTrace(const TraceCommand& command) {
+    const std::vector<Field> fields = fieldsOf(command.fields);
+    const ReplayRun run = readRun(command.file);
+    for (const Replay& replay : run) {
+        if (run.size() > 1) {
+            fmt::print("level {}\n", replay.level);
+        }
+        trace(openReplay(command.file, replay), command, fields);
+    }
     return 0;
 }
 
 int runHash(const std::vector<std::string>& files) {
     for (const std::string& file : files) {
         const std::string text = valueOrRefuse(readTextFile(file, kLargestReplay));
-        if (!valueOrRefuse(parseReplay(text, file)).handwritten) {
+        const Replay replay = valueOrRefuse(parseReplay(text, file));
+        if (!replay.handwritten) {
             throw Refusal{file + ": was recorded, and has the hashes of its recording"};
         }
         std::istringstream lines(text);
         std::string result;
-        const std::string hashes = hashLine(file);
+        const std::string hashes = hashLine(file, replay);
         for (std::string line; std::getline(lines, line);) {
             if (line.starts_with("end ")) {
                 result += hashes + "\n";

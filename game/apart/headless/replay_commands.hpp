@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <apart/core/replay.hpp>
+#include <apart/core/run.hpp>
 
 #include <cstdint>
 #include <string>
@@ -9,8 +9,10 @@
 
 namespace apart {
 
-/// A replay and its level, ready to be played. Throws Refusal.
-Playback openReplay(const std::string& file);
+/// The replays of a file. Throws Refusal.
+ReplayRun readRun(const std::string& file);
+/// A replay of a file with its level, ready to be played. Throws Refusal.
+Playback openReplay(const std::string& file, const Replay& replay);
 void playToEnd(Playback& playback);
 
 struct TraceCommand {
@@ -20,8 +22,8 @@ struct TraceCommand {
     std::vector<std::string> fields; // whose values are printed when they change
 };
 
-/// Prints what happened in a replay, an event a line: tick, name of the event, its numbers. Returns
-/// 0.
+/// Prints what happened in a replay, an event a line: tick, name of the event, its numbers. In a
+/// run of several levels, a line with the name of each comes first. Returns 0.
 int runTrace(const TraceCommand& command);
 
 /// Plays handwritten replays and replaces their hash lines. Returns 0.

@@ -11,7 +11,8 @@ namespace apart {
 
 namespace {
 
-constexpr std::uint32_t kShowEvery = 600; // ticks
+constexpr std::uint32_t kLookEvery = 120; // ticks, between looks at the clock
+constexpr std::chrono::milliseconds kShowEvery{100};
 
 std::string clockOf(std::uint32_t ticks) {
     const std::uint32_t seconds = ticks / kTicksPerSecond;
@@ -61,6 +62,8 @@ std::string asSentence(const Report& report) {
 
 Progress::Progress() : terminal_(isatty(STDERR_FILENO) == 1) {}
 
+Progress::Progress(int beside) : terminal_(isatty(STDERR_FILENO) == 1 && isatty(beside) != 1) {}
+
 Progress::~Progress() {
     clear();
 }
@@ -81,7 +84,11 @@ void Progress::show(const std::string& line) {
 }
 
 void Progress::show(const Game& game, std::uint32_t end) {
-    if (terminal_ && game.ticks() % kShowEvery == 0) {
+    if (!terminal_ || game.ticks() % kLookEvery != 0) {
+        return;
+    }
+    if (const auto now = std::chrono::steady_clock::now(); now >= next_) {
+        next_ = now + kShowEvery;
         show(fmt::format("{}  {} of {}  score {}  lives {}  blocks left {}", game.level().name,
                          clockOf(game.ticks()), clockOf(end), game.score(), game.lives(),
                          game.blocksLeft()));

@@ -3,6 +3,7 @@
 
 #include <apart/core/replay.hpp>
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -30,10 +31,13 @@ Report reportOf(const Game& game);
 std::string asJson(const Report& report);
 std::string asSentence(const Report& report);
 
-/// Progress line on stderr, overwritten in place. Silent unless stderr is a terminal.
+/// Progress line on stderr, overwritten in place ten times a second at most. Silent unless stderr
+/// is a terminal.
 class Progress {
 public:
     Progress();
+    /// Silent also if `beside` is a terminal (STDOUT_FILENO): its lines would be mixed up.
+    explicit Progress(int beside);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -46,6 +50,7 @@ public:
 private:
     bool terminal_ = false;
     bool shown_ = false;
+    std::chrono::steady_clock::time_point next_{}; // earliest time of the next line of a game
 };
 
 } // namespace apart

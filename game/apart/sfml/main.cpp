@@ -57,6 +57,7 @@ int play(StageDef def, const Options& options) {
     Inspector inspector;
     auto last = Clock::now();
     while (!stage.wantsToQuit()) {
+        controls.setBindings(stage.profile().bindings);
         const Signals signals = controls.poll();
         const auto now = Clock::now();
         const double frame = secondsBetween(last, now);

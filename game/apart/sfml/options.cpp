@@ -15,11 +15,11 @@ std::variant<Options, int> parseOptions(int argc, char** argv) {
     app.footer(
         "Keys: mouse, left/right or A/D move the paddle; space or click serves; left button,\n"
         "down or S pulls, right button, up or W pushes; P or escape pauses, R restarts,\n"
-        "M sound, F3 debug overlay of the engine. In menus: arrows, enter, escape, or the mouse.\n"
+        "M sound, F3 debug overlay of the engine; Options binds other keys. In menus: arrows,\n"
+        "enter, escape, or the mouse.\n"
         "Settings and best scores: apart/profile.toml in XDG_CONFIG_HOME or ~/.config; beside\n"
         "it last.replay, the last game, and best/, the best one of each level\n"
-        "and mode; of an endless run only its last level is kept. Files in levels/ there are\n"
-        "levels of your own.\n"
+        "and mode, and the best endless runs. Files in levels/ there are levels of your own.\n"
         "Exit code: 0 done, 2 wrong use or a bad file, 3 no display.");
     app.add_option("--level", options.level,
                    "Start with this level: the name of one of the game, or a file .toml,\n"

@@ -2,11 +2,14 @@
 #include <apart/core/assets.hpp>
 #include <apart/core/bot.hpp>
 #include <apart/core/endless.hpp>
-#include <apart/core/replay.hpp>
+#include <apart/core/medals.hpp>
+#include <apart/core/run.hpp>
 #include <apart/sfml/setup.hpp>
 #include <apart/stage/profile_file.hpp>
+#include <apart/stage/replay_store.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <random>
 #include <utility>
@@ -129,13 +132,11 @@ std::string takeLevel(StageDef& def, const std::string& name) {
     return {};
 }
 
-/// The show of a replay file, or the reason why it cannot be played.
-std::variant<Show, std::string> showOf(const std::filesystem::path& file) {
-    const Read<Replay> read = readReplayFile(file);
-    if (const auto* problem = std::get_if<FileProblem>(&read)) {
-        return problem->text();
-    }
-    const Replay& replay = std::get<Replay>(read);
+/// The show of one replay of a file, or the reason why it cannot be played.
+std::variant<Show, std::string> showOf(const std::filesystem::path& file,
+                                       const std::shared_ptr<const ReplayRun>& run,
+                                       std::size_t number) {
+    const Replay& replay = (*run)[number];
     Read<Level> level = loadLevelOf(file, replay.level);
     if (const auto* problem = std::get_if<FileProblem>(&level)) {
         return problem->text();
@@ -143,8 +144,21 @@ std::variant<Show, std::string> showOf(const std::filesystem::path& file) {
     if (const auto problem = refusal(replay, std::get<Level>(level))) {
         return file.string() + " " + *problem + ".";
     }
-    return Show{std::make_shared<const Level>(std::get<Level>(std::move(level))), replay.seed,
-                replay.mode, pilotOf(replay), replay.end};
+    Show show{std::make_shared<const Level>(std::get<Level>(std::move(level))), replay.seed,
+              replay.mode, pilotOf(replay), replay.end};
+    if (number + 1 < run->size()) {
+        show.next = [file, run, number] { return showOf(file, run, number + 1); };
+    }
+    return show;
+}
+
+/// The show of a replay file, or the reason why it cannot be played.
+std::variant<Show, std::string> showOf(const std::filesystem::path& file) {
+    Read<ReplayRun> read = readRunFile(file);
+    if (const auto* problem = std::get_if<FileProblem>(&read)) {
+        return problem->text();
+    }
+    return showOf(file, std::make_shared<const ReplayRun>(std::get<ReplayRun>(std::move(read))), 0);
 }
 
 std::string takeReplay(StageDef& def, const std::string& file) {
@@ -184,25 +198,6 @@ std::vector<ShowEntry> replaysIn(const std::filesystem::path& folder) {
     return entries;
 }
 
-/// Writes the game to last.replay and, if it is the best of its level and mode, to best/. Endless
-/// runs have several games, so only the last one is kept. Returns an error sentence or "".
-std::string keepReplay(const std::filesystem::path& folder, const Replay& replay, bool best) {
-    std::vector<std::filesystem::path> files = {folder / "last.replay"};
-    if (best && !parseEndless(replay.level)) {
-        const std::string mode(kModeNames[static_cast<std::size_t>(replay.mode)]);
-        files.push_back(folder / "best" / (replay.level + "-" + mode + ".replay"));
-    }
-    const std::string text = toText(replay);
-    for (const std::filesystem::path& file : files) {
-        std::error_code error;
-        std::filesystem::create_directories(file.parent_path(), error);
-        if (const std::optional<FileProblem> problem = writeTextFile(file, text)) {
-            return "The game is not recorded: " + problem->text() + ".";
-        }
-    }
-    return {};
-}
-
 /// Loads the profile and installs the functions that save it.
 void takeProfile(StageDef& def) {
     const std::optional<std::filesystem::path> file = profileFile();
@@ -218,16 +213,46 @@ void takeProfile(StageDef& def) {
         def.notices.push_back(std::move(loaded.notice));
     }
     def.replays = [folder = file->parent_path()] { return replaysIn(folder); };
-    def.keepReplay = [folder = file->parent_path()](const Replay& replay, bool best) {
-        return keepReplay(folder, replay, best);
+    def.scores = scoresIn(file->parent_path(), def.levels);
+    def.keeping.keepReplay = [folder = file->parent_path()](const ReplayRun& run,
+                                                            const std::string& best) {
+        return keepReplay(folder, run, best);
     };
     if (loaded.keepFile) {
         return;
     }
-    def.save = [path = *file](const Profile& profile) -> std::string {
+    def.keeping.save = [path = *file](const Profile& profile) -> std::string {
         const std::optional<FileProblem> problem = saveProfile(path, profile);
         return problem ? "Settings and scores are not kept: " + problem->text() + "." : "";
     };
+}
+
+/// The current day (UTC).
+Day today() {
+    using namespace std::chrono;
+    const year_month_day date(floor<days>(system_clock::now()));
+    return static_cast<Day>(10000 * static_cast<int>(date.year())) +
+           100 * static_cast<unsigned>(date.month()) + static_cast<unsigned>(date.day());
+}
+
+/// The scores for medals of the levels that are as they were measured.
+void takeMarks(StageDef& def) {
+    const std::filesystem::path file = assetsFolder() / "medals.toml";
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) {
+        return;
+    }
+    Read<std::vector<MedalMarks>> read = readMedals(file);
+    if (const auto* problem = std::get_if<FileProblem>(&read)) {
+        def.notices.push_back(problem->text() + ". There are no medals.");
+        return;
+    }
+    for (MedalMarks& marks : std::get<std::vector<MedalMarks>>(read)) {
+        if (std::any_of(def.levels.begin(), def.levels.end(),
+                        [&](const auto& level) { return measuredOn(marks, *level); })) {
+            def.marks.push_back(std::move(marks));
+        }
+    }
 }
 
 } // namespace
@@ -259,6 +284,11 @@ std::variant<StageDef, std::string> setUp(const Options& options) {
     def.endless = [seed = endless.seed](std::uint32_t number) {
         return std::make_shared<const Level>(endlessLevel({seed, number}));
     };
+    def.today = today;
+    def.daily = [](Day day, std::uint32_t number) {
+        return std::make_shared<const Level>(endlessLevel({day, number}));
+    };
+    takeMarks(def);
     if (!problem.empty()) {
         return problem;
     }

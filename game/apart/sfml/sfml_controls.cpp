@@ -14,35 +14,54 @@ namespace {
 
 using Key = sf::Keyboard::Key;
 
-constexpr std::array<std::pair<Key, Command>, 17> kKeys = {{
-    {Key::Space, Command::Launch},
+static_assert(kKeyNames.size() == static_cast<std::size_t>(Key::KeyCount));
+static_assert(kKeyNames[static_cast<std::size_t>(Key::Space)] == "space" &&
+              kKeyNames[static_cast<std::size_t>(Key::Down)] == "down" &&
+              kKeyNames[static_cast<std::size_t>(Key::F3)] == "F3" &&
+              kKeyNames[static_cast<std::size_t>(Key::Pause)] == "pause");
+
+/// The meaning of a key that is the same for every player. In menus it precedes the bound one, so
+/// that no binding makes a menu unusable; in a game it holds for keys that are not bound.
+struct Fixed {
+    Key key;
+    Command command;
+    bool inGames = true;
+};
+constexpr std::array<Fixed, 13> kFixedKeys = {{
     {Key::Enter, Command::Confirm},
     {Key::Escape, Command::Back},
-    {Key::P, Command::Pause},
-    {Key::Pause, Command::Pause},
-    {Key::R, Command::Restart},
-    {Key::N, Command::Next},
-    {Key::M, Command::Mute},
     {Key::Up, Command::Up},
-    {Key::W, Command::Up},
     {Key::Down, Command::Down},
-    {Key::S, Command::Down},
     {Key::Left, Command::Left},
-    {Key::A, Command::Left},
     {Key::Right, Command::Right},
-    {Key::D, Command::Right},
     {Key::Tab, Command::Down},
+    {Key::N, Command::Next},
+    {Key::Space, Command::Launch, false},
+    {Key::W, Command::Up, false},
+    {Key::S, Command::Down, false},
+    {Key::A, Command::Left, false},
+    {Key::D, Command::Right, false},
 }};
-// Two keys each for left, right, pull and push.
-constexpr std::array<Key, 8> kHeldKeys = {Key::Left, Key::A, Key::Right, Key::D,
-                                          Key::Down, Key::S, Key::Up,    Key::W};
+// The same of the buttons of a gamepad, in the order of most drivers: A B X Y, two shoulders, back,
+// start.
+constexpr std::array<Command, 8> kFixedButtons = {Command::Launch,  Command::Back, Command::Next,
+                                                  Command::Mute,    Command::Up,   Command::Down,
+                                                  Command::Restart, Command::Pause};
+constexpr std::array<Command, kActs> kCommands = {Command::Left,    Command::Right,  Command::Down,
+                                                  Command::Up,      Command::Launch, Command::Pause,
+                                                  Command::Restart, Command::Mute};
 
-// Buttons of a gamepad in the order of most drivers: A B X Y, two shoulders, back, start.
-constexpr std::array<Command, 8> kPadButtons = {Command::Launch,  Command::Back, Command::Next,
-                                                Command::Mute,    Command::Up,   Command::Down,
-                                                Command::Restart, Command::Pause};
-constexpr unsigned kPadPull = 4; // held: the left shoulder pulls, the right one pushes
-constexpr unsigned kPadPush = 5;
+std::optional<Command> fixedCommand(Key key, bool inGames) {
+    const auto found = std::find_if(kFixedKeys.begin(), kFixedKeys.end(),
+                                    [&](const Fixed& fixed) { return fixed.key == key; });
+    const bool holds = found != kFixedKeys.end() && (found->inGames || !inGames);
+    return holds ? std::optional(found->command) : std::nullopt;
+}
+
+std::optional<Command> fixedCommand(unsigned button) {
+    return button < kFixedButtons.size() ? std::optional(kFixedButtons[button]) : std::nullopt;
+}
+
 constexpr float kDeadZone = 0.2f; // share of the way of a stick
 
 /// -1..1, from the end of the dead zone on.
@@ -61,8 +80,12 @@ void SfmlControls::pollPad(Signals& signals) {
         return;
     }
     signals.stick = beyondDeadZone(Joystick::getAxisPosition(kPad, Joystick::X) / 100);
-    signals.pullHeld = signals.pullHeld || Joystick::isButtonPressed(kPad, kPadPull);
-    signals.pushHeld = signals.pushHeld || Joystick::isButtonPressed(kPad, kPadPush);
+    const auto pressed = [&](Act act) {
+        const int button = bindings_.at(act, Bindings::kPadColumn);
+        return button >= 0 && Joystick::isButtonPressed(kPad, static_cast<unsigned>(button));
+    };
+    signals.pullHeld = signals.pullHeld || pressed(Act::Pull);
+    signals.pushHeld = signals.pushHeld || pressed(Act::Push);
     const Real x = beyondDeadZone(Joystick::getAxisPosition(kPad, Joystick::PovX) / 100);
     const Real y = beyondDeadZone(Joystick::getAxisPosition(kPad, Joystick::PovY) / 100);
     signals.stick = x != 0 ? x : signals.stick;
@@ -82,10 +105,10 @@ Signals SfmlControls::poll() {
     while (const std::optional<sf::Event> event = window_.nextEvent()) {
         take(*event, signals);
     }
-    signals.leftHeld = held_[0] || held_[1];
-    signals.rightHeld = held_[2] || held_[3];
-    signals.pullHeld = held_[4] || held_[5] || buttons_[0];
-    signals.pushHeld = held_[6] || held_[7] || buttons_[1];
+    signals.leftHeld = holds(Act::Left);
+    signals.rightHeld = holds(Act::Right);
+    signals.pullHeld = holds(Act::Pull) || buttons_[0];
+    signals.pushHeld = holds(Act::Push) || buttons_[1];
     signals.pointerNow = pointer_;
     pollPad(signals);
     recentre();
@@ -158,10 +181,7 @@ void SfmlControls::take(const sf::Event& event, Signals& signals) {
         return hold(event.key.code, false);
     case sf::Event::JoystickButtonPressed:
         signals.anyKey = true;
-        if (event.joystickButton.button < kPadButtons.size()) {
-            signals.commands.push_back(kPadButtons[event.joystickButton.button]);
-        }
-        return;
+        return pressButton(event.joystickButton.button, signals);
     case sf::Event::MouseMoved:
         return move({event.mouseMove.x, event.mouseMove.y}, signals);
     case sf::Event::MouseButtonPressed:
@@ -182,18 +202,42 @@ void SfmlControls::press(Key key, Signals& signals) {
     if (key == Key::F3) {
         inspect_ = true;
     }
-    for (const auto& [known, command] : kKeys) {
-        if (known == key) {
-            signals.commands.push_back(command);
-        }
+    const Press pressed{false, static_cast<int>(key)};
+    signals.presses.push_back(pressed);
+    const std::optional<Act> act = bindings_.actOf(pressed);
+    const std::optional<Command> bound =
+        act ? std::optional(kCommands[static_cast<std::size_t>(*act)]) : std::nullopt;
+    const std::optional<Command> fixed = fixedCommand(key, captured_);
+    if (const auto command = captured_ ? (bound ? bound : fixed) : (fixed ? fixed : bound)) {
+        signals.commands.push_back(*command);
     }
 }
 
-void SfmlControls::hold(Key key, bool down) {
-    for (std::size_t i = 0; i < kHeldKeys.size(); ++i) {
-        if (kHeldKeys[i] == key) {
-            held_[i] = down;
+void SfmlControls::pressButton(unsigned button, Signals& signals) {
+    const Press pressed{true, static_cast<int>(button)};
+    signals.presses.push_back(pressed);
+    const std::optional<Act> act = bindings_.actOf(pressed);
+    const std::optional<Command> bound =
+        act ? std::optional(kCommands[static_cast<std::size_t>(*act)]) : std::nullopt;
+    const std::optional<Command> fixed = fixedCommand(button);
+    if (const auto command = captured_ ? (bound ? bound : fixed) : (fixed ? fixed : bound)) {
+        signals.commands.push_back(*command);
+    }
+}
+
+bool SfmlControls::holds(Act act) const {
+    for (std::size_t column = 0; column < Bindings::kPadColumn; ++column) {
+        const int key = bindings_.at(act, column);
+        if (key >= 0 && held_[static_cast<std::size_t>(key)]) {
+            return true;
         }
+    }
+    return false;
+}
+
+void SfmlControls::hold(Key key, bool down) {
+    if (key >= 0 && static_cast<std::size_t>(key) < held_.size()) {
+        held_[static_cast<std::size_t>(key)] = down;
     }
 }
 

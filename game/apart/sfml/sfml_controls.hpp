@@ -19,6 +19,8 @@ public:
     SfmlControls(kodo_sfml::Window& window, const SfmlCanvas& canvas)
         : window_(window), canvas_(canvas) {}
 
+    /// Keys and buttons of the player; the current ones until the next call.
+    void setBindings(const Bindings& bindings) { bindings_ = bindings; }
     Signals poll() override;
     void capture(bool on) override;
     /// True if F3, which toggles the Inspector, was pressed since the last call.
@@ -29,6 +31,8 @@ public:
 private:
     void take(const sf::Event& event, Signals& signals);
     void press(sf::Keyboard::Key key, Signals& signals);
+    void pressButton(unsigned button, Signals& signals);
+    bool holds(Act act) const;
     void hold(sf::Keyboard::Key key, bool down);
     void hold(sf::Mouse::Button button, bool down);
     void move(sf::Vector2i place, Signals& signals);
@@ -37,10 +41,11 @@ private:
 
     kodo_sfml::Window& window_;
     const SfmlCanvas& canvas_;
-    std::array<bool, 8> held_{};    // by kHeldKeys
-    std::array<bool, 2> buttons_{}; // left, right
-    Vec2 pointer_;                  // m
-    bool focused_ = false;          // at least once so far
+    Bindings bindings_;
+    std::array<bool, kKeyNames.size()> held_{}; // by key
+    std::array<bool, 2> buttons_{};             // left, right
+    Vec2 pointer_;                              // m
+    bool focused_ = false;                      // at least once so far
     bool captured_ = false;
     sf::Vector2i last_;                     // pixels; last place of the mouse
     std::optional<sf::Vector2i> recentred_; // pixels; place set, while its event is pending

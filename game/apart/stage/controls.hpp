@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <apart/stage/bindings.hpp>
 #include <kodo/math.hpp>
 
 #include <cstdint>
@@ -36,6 +37,7 @@ struct Signals {
     bool clicked = false;                // at `pointerNow`; also for a captured mouse
     kodo::Vec2 pointerNow{};             // m
     std::vector<Command> commands{};     // in order of pressing
+    std::vector<Press> presses{};        // the same keys and buttons, whatever they mean
     bool anyKey = false;                 // any key was pressed, even an unassigned one
     bool focusLost = false;
     bool closed = false; // by the window's close button

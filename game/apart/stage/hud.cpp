@@ -136,8 +136,9 @@ void paintFoot(Canvas& canvas, const HudLook& look) {
     if (*look.pilot != '\0') {
         canvas.text(look.pilot, {kPanelLeft, Real(0.9)}, strong(Real(0.5), palette::kAccent));
     }
-    canvas.text(look.muted ? "sound off (M)" : "P: pause, and all keys", {kPanelLeft, Real(0.2)},
-                quiet(Real(0.36)));
+    const std::string pause = fmt::format("{}: pause", look.keys.firstKey(Act::Pause));
+    const std::string sound = fmt::format("sound off ({})", look.keys.firstKey(Act::Mute));
+    canvas.text(look.muted ? sound : pause, {kPanelLeft, Real(0.2)}, quiet(Real(0.36)));
 }
 
 } // namespace
@@ -171,7 +172,7 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t letters) {
     return lines;
 }
 
-void paintServeHint(Canvas& canvas, const Game& game) {
+void paintServeHint(Canvas& canvas, const Game& game, const Bindings& keys) {
     if (!game.serving() || game.result() != Result::Playing) {
         return;
     }
@@ -189,10 +190,12 @@ void paintServeHint(Canvas& canvas, const Game& game) {
         }
     }
     const float pulse = 0.75f + 0.25f * std::sin(0.07f * static_cast<float>(game.ticks() % 12000));
-    line("space or click to serve", y - Real(1.1), Real(0.5), faded(palette::kText, pulse));
+    line(keys.prompt(Act::Serve) + " or click to serve", y - Real(1.1), Real(0.5),
+         faded(palette::kText, pulse));
     if (game.score() == 0) {
-        line("left button or down: pull      right button or up: push", y - Real(1.8), Real(0.42),
-             palette::kQuiet);
+        line(fmt::format("left button, {}: pull      right button, {}: push",
+                         keys.prompt(Act::Pull), keys.prompt(Act::Push)),
+             y - Real(1.8), Real(0.42), palette::kQuiet);
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <apart/core/game.hpp>
+#include <apart/stage/bindings.hpp>
 #include <apart/stage/canvas.hpp>
 
 #include <string>
@@ -15,6 +16,7 @@ struct HudLook {
     std::string place;            // number of the level, or the endless row
     std::int32_t scoreBefore = 0; // of the previous endless levels
     std::int32_t best = 0;        // score to beat; 0: none
+    Bindings keys{};
     bool muted = false;
     const char* pilot = ""; // label of the player in control; empty: the human player
 };
@@ -22,7 +24,7 @@ struct HudLook {
 void paintHud(Canvas& canvas, const Game& game, const HudLook& look);
 
 /// Level hint and serve instructions, shown while a ball rides on the paddle.
-void paintServeHint(Canvas& canvas, const Game& game);
+void paintServeHint(Canvas& canvas, const Game& game, const Bindings& keys);
 
 /// 12345 -> "12 345".
 std::string grouped(int number);

@@ -144,7 +144,9 @@ std::optional<std::size_t> LevelSelect::take(const Signals& signals) {
     return under(signals.pointerNow);
 }
 
-void LevelSelect::drawTile(Canvas& canvas, std::size_t level, Best best) const {
+void LevelSelect::drawTile(Canvas& canvas, std::size_t level, const Records& records) const {
+    const std::string& name = levels_[level]->name;
+    const Mode mode = records.profile().mode;
     const Aabb box = tile(level);
     const bool chosen = level == chosen_;
     const Color rim = chosen ? palette::kAccent : faded(palette::kQuiet, 0.45f);
@@ -153,11 +155,52 @@ void LevelSelect::drawTile(Canvas& canvas, std::size_t level, Best best) const {
     canvas.outline(cornersOf(box), chosen ? Real(0.09) : Real(0.04), rim);
     canvas.text(std::to_string(level + 1), {box.lower.x + Real(0.18), box.lower.y + Real(0.17)},
                 {Real(0.42), chosen ? palette::kAccent : palette::kQuiet, Typeface::Bold});
-    paintHonours(canvas, {box.upper.x - Real(1.3), box.lower.y + Real(0.33)}, {Real(0.5), 0},
-                 Real(0.19), best);
+    const MedalMarks* marks = marksFor(name, records.marks());
+    const Real left = Real(0.3) + Real(0.37) * static_cast<Real>(honourNames(marks).size() - 1);
+    paintHonours(canvas, {box.upper.x - left, box.lower.y + Real(0.33)}, {Real(0.37), 0},
+                 Real(0.15), records.profile().bestOf(mode, name), marks);
+    paintMedal(canvas, box.upper - Vec2{Real(0.36), Real(0.36)}, Real(0.24),
+               records.medalOf(mode, name));
 }
 
-void LevelSelect::drawChosen(Canvas& canvas, const Profile& profile, double seconds) const {
+/// Best score and honours of the chosen level. An unproved score is dim, with its reason.
+void LevelSelect::drawBest(Canvas& canvas, const Records& records, Mode mode, Vec2 place) const {
+    const std::string& level = levels_[chosen_]->name;
+    const Standing standing = records.standingOf(mode, level);
+    const bool counts = mode == records.profile().mode;
+    const bool proved = standing.proof == Proof::Proved;
+    const bool shown = standing.proof != Proof::None && standing.proof != Proof::Missing;
+    canvas.text(mode == Mode::Pure ? "BEST, PURE" : "BEST", place,
+                {Real(0.4), counts ? palette::kAccent : palette::kQuiet});
+    canvas.text(shown ? grouped(standing.score) : "-", place - Vec2{0, Real(0.9)},
+                {Real(0.8), proved ? palette::kText : palette::kQuiet, Typeface::Bold});
+    const Medal medal = records.medalOf(mode, level);
+    const std::int32_t next = nextMark(proved ? standing.score : 0, level, records.marks());
+    paintMedal(canvas, place + Vec2{Real(3.6), Real(-0.62)}, Real(0.36), medal);
+    if (mode == Mode::Standard) {
+        std::string offers;
+        for (const std::string& name : honourNames(marksFor(level, records.marks()))) {
+            offers += name == "cleared" || name == "no ball lost" || name == "chain of 8"
+                          ? ""
+                          : (offers.empty() ? "" : ", ") + name;
+        }
+        canvas.text(offers, place + Vec2{0, Real(-2.75)}, {Real(0.4), palette::kQuiet});
+    }
+    if (counts && next > 0) {
+        canvas.text(
+            fmt::format("{} {}", kMedalNames[static_cast<std::size_t>(medal) + 1], grouped(next)),
+            place + Vec2{Real(1.4), 0}, {Real(0.4), palette::kQuiet});
+    }
+    const std::string note = standing.proof == Proof::Missing
+                                 ? fmt::format("{}: {}", grouped(standing.score), standing.note)
+                                 : standing.note;
+    canvas.text(note, place - Vec2{0, Real(1.35)}, {Real(0.36), palette::kQuiet});
+    const MedalMarks* marks = marksFor(level, records.marks());
+    paintHonours(canvas, place + Vec2{Real(0.3), Real(-1.95)}, {Real(0.85), 0}, Real(0.28),
+                 records.profile().bestOf(mode, level), marks);
+}
+
+void LevelSelect::drawChosen(Canvas& canvas, const Records& records, double seconds) const {
     const Level& level = *levels_[chosen_];
     const ThemeLook& look = lookOf(level.theme);
     canvas.text(fmt::format("LEVEL {}   {}", chosen_ + 1, look.title), {kAboutLeft, Real(14.9)},
@@ -183,25 +226,18 @@ void LevelSelect::drawChosen(Canvas& canvas, const Profile& profile, double seco
         x += Real(0.8);
     }
     y -= Real(1.1);
-    constexpr std::array<const char*, 2> kNames = {"BEST", "BEST, PURE"};
-    for (std::size_t i = 0; i < kNames.size(); ++i) {
-        const Best best = profile.bestOf(static_cast<Mode>(i), level.name);
-        const Real left = kAboutLeft + Real(5) * static_cast<Real>(i);
-        const bool counts = static_cast<Mode>(i) == profile.mode;
-        canvas.text(kNames[i], {left, y}, {Real(0.4), counts ? palette::kAccent : palette::kQuiet});
-        canvas.text(best.score > 0 ? grouped(best.score) : "-", {left, y - Real(0.9)},
-                    {Real(0.8), palette::kText, Typeface::Bold});
-        paintHonours(canvas, {left + Real(0.3), y - Real(1.6)}, {Real(0.85), 0}, Real(0.28), best);
-    }
+    drawBest(canvas, records, Mode::Standard, {kAboutLeft, y});
+    drawBest(canvas, records, Mode::Pure, {kAboutLeft + Real(5), y});
 }
 
-void LevelSelect::drawFoot(Canvas& canvas, const Profile& profile) const {
+void LevelSelect::drawFoot(Canvas& canvas, const Records& records) const {
     int cleared = 0;
     std::int64_t points = 0;
     for (const auto& level : levels_) {
-        const Best best = profile.bestOf(profile.mode, level->name);
-        cleared += best.cleared ? 1 : 0;
-        points += best.score;
+        const Mode mode = records.profile().mode;
+        const Standing standing = records.standingOf(mode, level->name);
+        cleared += records.profile().bestOf(mode, level->name).cleared ? 1 : 0;
+        points += standing.proof == Proof::Proved ? standing.score : 0;
     }
     const Aabb back = backPlace();
     canvas.text("\u2039 back (escape)", {back.lower.x, back.lower.y + Real(0.35)},
@@ -224,7 +260,8 @@ void LevelSelect::drawArrows(Canvas& canvas) const {
     }
 }
 
-void LevelSelect::draw(Canvas& canvas, const Profile& profile, double seconds) const {
+void LevelSelect::draw(Canvas& canvas, const Records& records, double seconds) const {
+    const Profile& profile = records.profile();
     const bool pure = profile.mode == Mode::Pure;
     canvas.text(pure ? "Choose a level (pure)" : "Choose a level", {kTilesLeft, Real(16.6)},
                 {Real(1.2), palette::kText, Typeface::Bold});
@@ -232,17 +269,17 @@ void LevelSelect::draw(Canvas& canvas, const Profile& profile, double seconds) c
     for (std::size_t row = topRow_; row < end; ++row) {
         const Row& levels = rows_[row];
         if (levels.newTheme) {
-            const ThemeLook& look = lookOf(levels_[levels.first]->theme);
-            canvas.text(look.title, {kTilesLeft, rowTop(row) - Real(0.5)},
-                        {Real(0.46), look.glow, Typeface::Bold});
+            const ThemeLook& theme = lookOf(levels_[levels.first]->theme);
+            canvas.text(theme.title, {kTilesLeft, rowTop(row) - Real(0.5)},
+                        {Real(0.46), theme.glow, Typeface::Bold});
         }
         for (std::size_t i = levels.first; i < levels.first + levels.count; ++i) {
-            drawTile(canvas, i, profile.bestOf(profile.mode, levels_[i]->name));
+            drawTile(canvas, i, records);
         }
     }
     drawArrows(canvas);
-    drawChosen(canvas, profile, seconds);
-    drawFoot(canvas, profile);
+    drawChosen(canvas, records, seconds);
+    drawFoot(canvas, records);
 }
 
 } // namespace apart

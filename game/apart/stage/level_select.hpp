@@ -4,7 +4,7 @@
 #include <apart/core/level.hpp>
 #include <apart/stage/canvas.hpp>
 #include <apart/stage/controls.hpp>
-#include <apart/stage/profile.hpp>
+#include <apart/stage/records.hpp>
 
 #include <memory>
 #include <optional>
@@ -24,7 +24,8 @@ public:
     void choose(std::size_t level);
     std::size_t chosen() const { return chosen_; }
 
-    void draw(Canvas& canvas, const Profile& profile, double seconds) const;
+    /// `seconds`: of animations.
+    void draw(Canvas& canvas, const Records& records, double seconds) const;
     /// Clickable area of a level's tile. Far outside the picture if its row is scrolled away.
     Aabb tile(std::size_t level) const;
     /// Clickable area that returns to the title.
@@ -45,9 +46,10 @@ private:
     void move(Command command);
     bool scroll(Vec2 click);
     void drawArrows(Canvas& canvas) const;
-    void drawTile(Canvas& canvas, std::size_t level, Best best) const;
-    void drawChosen(Canvas& canvas, const Profile& profile, double seconds) const;
-    void drawFoot(Canvas& canvas, const Profile& profile) const;
+    void drawTile(Canvas& canvas, std::size_t level, const Records& records) const;
+    void drawChosen(Canvas& canvas, const Records& records, double seconds) const;
+    void drawBest(Canvas& canvas, const Records& records, Mode mode, Vec2 place) const;
+    void drawFoot(Canvas& canvas, const Records& records) const;
 
     LevelList levels_;
     std::vector<Row> rows_;

@@ -15,7 +15,9 @@ enum class Action : std::uint8_t {
     Play, // the first level not cleared yet
     Levels,
     Endless,
+    Daily,
     Mode, // toggles standard and pure
+    Records,
     Replays,
     Replay, // MenuItem::dial is its index
     Help,
@@ -27,6 +29,7 @@ enum class Action : std::uint8_t {
     ToTitle,
     Back,
     Reset, // resets all dials
+    Keys,  // opens the table of keys and buttons
     Dial,  // adjusted by left and right
 };
 

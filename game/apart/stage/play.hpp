@@ -18,13 +18,14 @@ class Play {
 public:
     Play(std::shared_ptr<const Level> level, std::uint32_t seed, Mode mode,
          const Settings& settings)
-        : game_(std::move(level), seed, mode), juice_(seed, settings) {}
+        : level_(level), game_(std::move(level), seed, mode), juice_(seed, settings) {}
 
     void tick(const Input& input, Speaker& speaker);
     /// Draws the state between the previous tick (share 0) and the latest one (share 1).
     void draw(Canvas& canvas, Real share) const;
 
     const Game& game() const { return game_; }
+    const std::shared_ptr<const Level>& sharedLevel() const { return level_; }
     const Juice& juice() const { return juice_; }
     void setSettings(const Settings& settings) { juice_.setSettings(settings); }
     /// One tick of the fanfare.
@@ -33,6 +34,7 @@ public:
     }
 
 private:
+    std::shared_ptr<const Level> level_;
     Game game_;
     Juice juice_;
     PoseBlend poses_;

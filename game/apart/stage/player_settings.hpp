@@ -16,6 +16,7 @@ struct Settings {
     int freeze = 60; // duration of the hit-freeze after a strong impact
     int sound = 80;
     int mouse = 100; // ratio of paddle displacement to mouse displacement
+    int ghost = 40;  // opacity of the best game, which runs beside the current one
     int speed = 100; // of the game's time relative to real time; the ticks stay the same
 
     friend bool operator==(const Settings&, const Settings&) = default;
@@ -29,10 +30,11 @@ struct Dial {
     int least = 0;
     int most = 100;
 };
-inline constexpr std::array<Dial, 9> kDials = {
+inline constexpr std::array<Dial, 10> kDials = {
     Dial{"sound", "Sound", &Settings::sound},
     Dial{"mouse", "Speed of the mouse", &Settings::mouse, 20, 300},
     Dial{"speed", "Speed of the game", &Settings::speed, 50, 100},
+    Dial{"ghost", "Ghost (best game)", &Settings::ghost},
     Dial{"particles", "Particles", &Settings::particles},
     Dial{"trail", "Trail of the ball", &Settings::trail},
     Dial{"squash", "Squash and stretch", &Settings::squash},

@@ -12,7 +12,18 @@ bool Profile::enter(Mode in, const std::string& level, Best game) {
     known.cleared = known.cleared || game.cleared;
     known.unhurt = known.unhurt || game.unhurt;
     known.chain = known.chain || game.chain;
+    known.fewHits = known.fewHits || game.fewHits;
+    known.oneFall = known.oneFall || game.oneFall;
+    known.unproved = std::max(known.unproved, game.unproved);
     return beaten;
+}
+
+void Profile::correct(Mode in, const std::string& level, std::int32_t score) {
+    Best& known = best[static_cast<std::size_t>(in)][level];
+    if (known.score > score) {
+        known.unproved = std::max(known.unproved, known.score);
+    }
+    known.score = score;
 }
 
 } // namespace apart

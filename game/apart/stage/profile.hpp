@@ -2,6 +2,8 @@
 #pragma once
 
 #include <apart/core/game.hpp>
+#include <apart/stage/bindings.hpp>
+#include <apart/stage/play_totals.hpp>
 #include <apart/stage/player_settings.hpp>
 
 #include <array>
@@ -17,18 +19,34 @@ struct Best {
     bool cleared = false;
     bool unhurt = false; // cleared without losing the last ball in play
     bool chain = false;  // reached a combo or a collapse of kMostCombo
+    // Highest score that a lower one has replaced, because its replay did not give it.
+    std::int32_t unproved = 0;
+    // Honours whose numbers depend on the level, see MedalMarks.
+    bool fewHits = false;
+    bool oneFall = false;
 
     friend bool operator==(Best, Best) = default;
 };
+
+/// Key of the best endless run in Profile::best. No level has this name.
+inline constexpr const char* kEndlessKey = "endless";
 
 /// Player data that persists between runs of the program.
 struct Profile {
     Settings settings{};
     Mode mode = Mode::Standard; // last choice
     bool muted = false;
+    Bindings bindings{};
     /// Indexed by Mode, then by level name: scores of different modes are never compared.
     std::array<std::map<std::string, Best>, kModeNames.size()> best{};
+    TotalsByTheme totals{};
 
+    /// The settings, without sound while muted.
+    Settings audible() const {
+        Settings heard = settings;
+        heard.sound = muted ? 0 : settings.sound;
+        return heard;
+    }
     Best bestOf(Mode of, const std::string& level) const {
         const auto& bests = best[static_cast<std::size_t>(of)];
         const auto found = bests.find(level);
@@ -36,6 +54,9 @@ struct Profile {
     }
     /// Merges a result. True if its score beats an existing one.
     bool enter(Mode in, const std::string& level, Best game);
+    /// Replaces a score by the one that its replay gives, or by 0. Best::unproved keeps a higher
+    /// one.
+    void correct(Mode in, const std::string& level, std::int32_t score);
 
     friend bool operator==(const Profile&, const Profile&) = default;
 };

@@ -29,6 +29,10 @@ public:
         for (const auto& [key, node] : root) {
             if (key == "settings") {
                 readSettings(node);
+            } else if (key == "keys") {
+                readKeys(node);
+            } else if (key == "statistics") {
+                readTotals(node);
             } else if (key == kTables[0] || key == kTables[1]) {
                 readBests(node, profile_.best[key == kTables[1] ? 1 : 0]);
             } else if (key != "format") {
@@ -99,9 +103,75 @@ private:
                 fail(value, "a best score must be a table");
                 continue;
             }
+            constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
             bests[std::string(level.str())] = {
-                number(*best, "score", 0, std::numeric_limits<std::int32_t>::max()),
-                truth(*best, "cleared"), truth(*best, "unhurt"), truth(*best, "chain")};
+                number(*best, "score", 0, kMost),
+                truth(*best, "cleared"),
+                truth(*best, "unhurt"),
+                truth(*best, "chain"),
+                best->contains("unproved") ? number(*best, "unproved", 0, kMost) : 0,
+                best->contains("few-hits") && truth(*best, "few-hits"),
+                best->contains("one-fall") && truth(*best, "one-fall")};
+        }
+    }
+
+    /// The keys and the button of each act: texts and a number, 0 and "-" for none.
+    void readKeys(const toml::node& node) {
+        const toml::table* table = node.as_table();
+        if (table == nullptr) {
+            return fail(node, "keys must be a table");
+        }
+        Bindings read;
+        for (Bindings::Row& row : read.rows) {
+            row.fill(kNoKey);
+        }
+        for (const auto& [name, value] : *table) {
+            const auto act = std::find(kActNames.begin(), kActNames.end(), name.str());
+            const toml::array* row = value.as_array();
+            if (act == kActNames.end() || row == nullptr || row->size() != Bindings::kColumns) {
+                return fail(value, "keys has, for each act, two names of keys and a button");
+            }
+            for (std::size_t column = 0; column < Bindings::kColumns; ++column) {
+                const std::optional<int> code = codeOf(*row->get(column), column);
+                const std::string reason =
+                    code ? read.bind(static_cast<Act>(act - kActNames.begin()), column, *code)
+                         : "there is no such key or button";
+                if (!reason.empty()) {
+                    return fail(value, reason);
+                }
+            }
+        }
+        profile_.bindings = read;
+    }
+
+    static std::optional<int> codeOf(const toml::node& node, std::size_t column) {
+        if (column == Bindings::kPadColumn) {
+            const auto button = node.value_exact<std::int64_t>();
+            return button && *button >= 0 && *button <= kMostButtons
+                       ? std::optional(static_cast<int>(*button) - 1)
+                       : std::nullopt;
+        }
+        const auto name = node.value_exact<std::string_view>();
+        return name == "-" ? std::optional(kNoKey) : name ? keyNamed(*name) : std::nullopt;
+    }
+
+    void readTotals(const toml::node& node) {
+        const toml::table* table = node.as_table();
+        if (table == nullptr) {
+            return fail(node, "statistics must be a table");
+        }
+        for (const auto& [theme, value] : *table) {
+            const auto known = std::find(kThemeNames.begin(), kThemeNames.end(), theme.str());
+            const toml::table* totals = value.as_table();
+            if (known == kThemeNames.end() || totals == nullptr) {
+                fail(value, "statistics have a table for each theme");
+                continue;
+            }
+            PlayTotals& sums =
+                profile_.totals[static_cast<std::size_t>(known - kThemeNames.begin())];
+            for (const TotalField& field : kTotalFields) {
+                sums.*field.value = number(*totals, field.key, 0, kMostTotal);
+            }
         }
     }
 
@@ -121,18 +191,6 @@ std::optional<std::filesystem::path> folderOf(const char* variable) {
 
 constexpr const char* kNotKept = "Settings and scores are neither read nor kept: ";
 
-/// The first of *.broken, *.broken-2, ... that does not exist.
-std::filesystem::path freeAside(const std::filesystem::path& file) {
-    for (int i = 1;; ++i) {
-        std::filesystem::path aside = file;
-        aside += i == 1 ? ".broken" : ".broken-" + std::to_string(i);
-        std::error_code error;
-        if (!std::filesystem::exists(aside, error)) {
-            return aside;
-        }
-    }
-}
-
 /// True for a profile whose format this game does not know yet.
 bool isNewer(std::string_view text, const std::string& file) {
     const Read<toml::table> root = parseToml(text, file);
@@ -141,7 +199,7 @@ bool isNewer(std::string_view text, const std::string& file) {
 }
 
 /// The profile with the better of its scores and those in the file, which another game that ran
-/// meanwhile may have saved.
+/// meanwhile may have saved. Of two totals the higher one stays.
 Profile withScoresOf(const std::filesystem::path& file, Profile profile) {
     const Read<std::string> text = readTextFile(file, kLongestFile);
     if (std::holds_alternative<FileProblem>(text)) {
@@ -149,9 +207,19 @@ Profile withScoresOf(const std::filesystem::path& file, Profile profile) {
     }
     const Read<Profile> saved = profileFrom(std::get<std::string>(text), file.string());
     if (const auto* known = std::get_if<Profile>(&saved)) {
+        for (std::size_t i = 0; i < known->totals.size(); ++i) {
+            for (const TotalField& field : kTotalFields) {
+                std::int32_t& value = profile.totals[i].*field.value;
+                value = std::max(value, known->totals[i].*field.value);
+            }
+        }
         for (std::size_t mode = 0; mode < known->best.size(); ++mode) {
             for (const auto& [level, best] : known->best[mode]) {
-                profile.enter(static_cast<Mode>(mode), level, best);
+                Best other = best;
+                if (other.score <= profile.bestOf(static_cast<Mode>(mode), level).unproved) {
+                    other.score = 0; // it has been replaced since
+                }
+                profile.enter(static_cast<Mode>(mode), level, other);
             }
         }
     }
@@ -194,6 +262,17 @@ std::optional<std::filesystem::path> profileFile() {
     return home ? std::optional(*home / ".config" / inside) : std::nullopt;
 }
 
+std::filesystem::path freeAside(const std::filesystem::path& file, const std::string& ending) {
+    for (int i = 1;; ++i) {
+        std::filesystem::path aside = file;
+        aside += i == 1 ? ending : ending + "-" + std::to_string(i);
+        std::error_code error;
+        if (!std::filesystem::exists(aside, error)) {
+            return aside;
+        }
+    }
+}
+
 std::string toText(const Profile& profile) {
     std::string text = "# Settings and best scores of aPart. The game replaces the whole file.\n"
                        "format = 1\n\n[settings]\n";
@@ -201,11 +280,32 @@ std::string toText(const Profile& profile) {
         text += fmt::format("{} = {}\n", dial.key, profile.settings.*dial.value);
     }
     text += fmt::format("pure = {}\nmuted = {}\n", profile.mode == Mode::Pure, profile.muted);
+    text += "\n[keys] # two keys and a button of the gamepad\n";
+    for (std::size_t i = 0; i < kActs; ++i) {
+        const auto act = static_cast<Act>(i);
+        text += fmt::format("{} = [\"{}\", \"{}\", {}]\n", kActNames[i],
+                            profile.bindings.text(act, 0), profile.bindings.text(act, 1),
+                            profile.bindings.at(act, Bindings::kPadColumn) + 1);
+    }
     for (std::size_t i = 0; i < kTables.size(); ++i) {
         for (const auto& [level, best] : profile.best[i]) {
             text += fmt::format("\n[{}.{}]\nscore = {}\ncleared = {}\nunhurt = {}\nchain = {}\n",
                                 kTables[i], keyOf(level), best.score, best.cleared, best.unhurt,
                                 best.chain);
+            if (best.unproved > 0) {
+                text += fmt::format("unproved = {}\n", best.unproved);
+            }
+            text += best.fewHits ? "few-hits = true\n" : "";
+            text += best.oneFall ? "one-fall = true\n" : "";
+        }
+    }
+    for (std::size_t i = 0; i < profile.totals.size(); ++i) {
+        if (profile.totals[i] == PlayTotals{}) {
+            continue;
+        }
+        text += fmt::format("\n[statistics.{}]\n", kThemeNames[i]);
+        for (const TotalField& field : kTotalFields) {
+            text += fmt::format("{} = {}\n", field.key, profile.totals[i].*field.value);
         }
     }
     return text;
@@ -237,7 +337,7 @@ LoadedProfile loadProfile(const std::filesystem::path& file) {
     if (isNewer(std::get<std::string>(text), file.string())) {
         return {{}, kNotKept + file.string() + ": was written by a newer game.", true};
     }
-    const std::filesystem::path aside = freeAside(file);
+    const std::filesystem::path aside = freeAside(file, ".broken");
     std::filesystem::rename(file, aside, error);
     const std::string kept =
         error ? "It cannot be renamed." : "It is kept as " + aside.filename().string() + ".";

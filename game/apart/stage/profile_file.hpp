@@ -15,6 +15,10 @@ namespace apart {
 /// else .config in HOME. Empty if none of these variables is set.
 std::optional<std::filesystem::path> profileFile();
 
+/// The first of FILE + `ending`, FILE + `ending` + "-2", ... that does not exist: the name for a
+/// file that is kept aside.
+std::filesystem::path freeAside(const std::filesystem::path& file, const std::string& ending);
+
 std::string toText(const Profile& profile);
 Read<Profile> profileFrom(std::string_view text, const std::string& file);
 

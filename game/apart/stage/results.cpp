@@ -56,6 +56,23 @@ void paintScoreLines(Canvas& canvas, const ResultsLook& look) {
                 {0, y - Real(0.08)}, {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Middle});
 }
 
+constexpr std::array<Color, kMedalNames.size()> kMedalColors = {
+    palette::kQuiet, Color{214, 142, 88}, Color{206, 214, 228}, Color{255, 204, 92}};
+
+/// What the score is worth: "points, silver medal, gold from 12 300".
+std::string worthText(const ResultsLook& look) {
+    const std::string& level = look.game.level().name;
+    const auto medal = static_cast<std::size_t>(medalOf(look.score, level, look.marks));
+    std::string text = look.newBest ? "your best so far" : "points";
+    if (medal > 0) {
+        text += fmt::format(", {} medal", kMedalNames[medal]);
+    }
+    if (const std::int32_t next = nextMark(look.score, level, look.marks); next > 0) {
+        text += fmt::format(", {} from {}", kMedalNames[medal + 1], grouped(next));
+    }
+    return text;
+}
+
 /// A check mark.
 void paintCleared(Canvas& canvas, Vec2 middle, Real size, Color color) {
     const Vec2 foot = middle + size * Vec2{Real(-0.25), Real(-0.6)};
@@ -76,15 +93,67 @@ void paintChain(Canvas& canvas, Vec2 middle, Real size, Color color) {
     canvas.ring(middle + step, Real(0.5) * size, Real(0.26) * size, color);
 }
 
+/// A ball over a paddle.
+void paintFewHits(Canvas& canvas, Vec2 middle, Real size, Color color) {
+    canvas.disc(middle + size * Vec2{0, Real(0.45)}, Real(0.32) * size, color, color);
+    canvas.line(middle + size * Vec2{Real(-0.85), Real(-0.5)},
+                middle + size * Vec2{Real(0.85), Real(-0.5)}, Real(0.32) * size, color);
+}
+
+/// Two blocks and one that has tipped over.
+void paintOneFall(Canvas& canvas, Vec2 middle, Real size, Color color) {
+    const Real width = Real(0.42) * size;
+    canvas.line(middle + size * Vec2{Real(-0.7), Real(-0.7)},
+                middle + size * Vec2{Real(-0.7), Real(0.7)}, width, color);
+    canvas.line(middle + size * Vec2{Real(-0.1), Real(-0.7)},
+                middle + size * Vec2{Real(0.25), Real(0.6)}, width, color);
+    canvas.line(middle + size * Vec2{Real(0.35), Real(-0.6)},
+                middle + size * Vec2{Real(1.0), Real(-0.1)}, width, color);
+}
+
 } // namespace
 
-void paintHonours(Canvas& canvas, Vec2 place, Vec2 step, Real size, Best best) {
+void paintMedal(Canvas& canvas, Vec2 middle, Real size, Medal medal) {
+    if (medal == Medal::None) {
+        return;
+    }
+    const Color color = kMedalColors[static_cast<std::size_t>(medal)];
+    canvas.disc(middle, size, lighter(color, 0.25f), darker(color, 0.25f));
+    canvas.ring(middle, Real(0.82) * size, Real(0.14) * size, darker(color, 0.5f));
+    const auto dots = static_cast<int>(medal);
+    for (int i = 0; i < dots; ++i) {
+        const Real x = Real(0.42) * size * (static_cast<Real>(i) - Real(dots - 1) / 2);
+        canvas.disc(middle + Vec2{x, 0}, Real(0.16) * size, palette::kInk, palette::kInk);
+    }
+}
+
+std::vector<std::string> honourNames(const MedalMarks* marks) {
+    std::vector<std::string> names = {"cleared", "no ball lost", "chain of 8"};
+    if (marks != nullptr && marks->fewHits > 0) {
+        names.push_back(fmt::format("{} hits at most", marks->fewHits));
+    }
+    if (marks != nullptr && marks->oneFall > 0) {
+        names.push_back(fmt::format("{} in one fall", marks->oneFall));
+    }
+    return names;
+}
+
+void paintHonours(Canvas& canvas, Vec2 place, Vec2 step, Real size, Best best,
+                  const MedalMarks* marks) {
     const auto colorOf = [](bool won) {
         return won ? palette::kAccent : faded(palette::kQuiet, 0.35f);
     };
     paintCleared(canvas, place, size, colorOf(best.cleared));
     paintUnhurt(canvas, place + step, size, colorOf(best.unhurt));
     paintChain(canvas, place + Real(2) * step, size, colorOf(best.chain));
+    place += Real(3) * step;
+    if (marks != nullptr && marks->fewHits > 0) {
+        paintFewHits(canvas, place, size, colorOf(best.fewHits));
+        place += step;
+    }
+    if (marks != nullptr && marks->oneFall > 0) {
+        paintOneFall(canvas, place, size, colorOf(best.oneFall));
+    }
 }
 
 void paintResults(Canvas& canvas, const ResultsLook& look) {
@@ -101,21 +170,26 @@ void paintResults(Canvas& canvas, const ResultsLook& look) {
     const auto shown = static_cast<int>(share * look.score);
     canvas.text(grouped(shown), {0, Real(12.3)},
                 {Real(1.6), palette::kText, Typeface::Bold, Align::Middle});
-    canvas.text(look.newBest ? "your best so far" : "points", {0, Real(11.6)},
+    canvas.text(worthText(look), {0, Real(11.6)},
                 {Real(0.5), look.newBest ? palette::kAccent : palette::kQuiet, Typeface::Plain,
                  Align::Middle});
+    paintMedal(canvas, {Real(-4.8), Real(12.8)}, Real(0.62),
+               medalOf(look.score, game.level().name, look.marks));
     paintScoreLines(canvas, look);
-    Best best = look.statistics.bestOf(game);
+    const MedalMarks* marks = marksFor(game.level().name, look.marks);
+    Best best = look.statistics.bestOf(game, marks);
     best.cleared = best.cleared || look.before.cleared;
     best.unhurt = best.unhurt || look.before.unhurt;
     best.chain = best.chain || look.before.chain;
-    constexpr std::array<const char*, 3> kHonours = {"cleared", "no ball lost", "chain of 8"};
-    const Vec2 step{Real(3.4), 0};
-    paintHonours(canvas, Vec2{0, Real(6.95)} - step, step, Real(0.42), best);
-    for (std::size_t i = 0; i < kHonours.size(); ++i) {
-        const Vec2 place = Vec2{0, Real(6.1)} + (static_cast<Real>(i) - 1) * step;
-        canvas.text(kHonours[i], place,
-                    {Real(0.4), palette::kQuiet, Typeface::Plain, Align::Middle});
+    best.fewHits = best.fewHits || look.before.fewHits;
+    best.oneFall = best.oneFall || look.before.oneFall;
+    const std::vector<std::string> names = honourNames(marks);
+    const Vec2 step{names.size() > 3 ? Real(3.0) : Real(3.4), 0};
+    const Vec2 first = Vec2{0, Real(6.95)} - static_cast<Real>(names.size() - 1) / 2 * step;
+    paintHonours(canvas, first, step, Real(0.42), best, marks);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const Vec2 place = first + static_cast<Real>(i) * step - Vec2{0, Real(0.85)};
+        canvas.text(names[i], place, {Real(0.38), palette::kQuiet, Typeface::Plain, Align::Middle});
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <apart/core/game.hpp>
+#include <apart/core/medals.hpp>
 #include <apart/stage/canvas.hpp>
 #include <apart/stage/run_statistics.hpp>
 
@@ -14,12 +15,20 @@ struct ResultsLook {
     std::int32_t score = 0; // sum over an endless run, else the score of the game
     Best before{};          // best results of this level before this game
     bool newBest = false;
-    double seconds = 0; // since the screen appeared; drives the score counter
+    double seconds = 0;                  // since the screen appeared; drives the score counter
+    std::span<const MedalMarks> marks{}; // empty: the game has no medals
 };
 
 void paintResults(Canvas& canvas, const ResultsLook& look);
 
-/// Paints the three honours of a level, `step` apart. Honours not won yet are dim.
-void paintHonours(Canvas& canvas, Vec2 place, Vec2 step, Real size, Best best);
+/// Paints the honours of a level, `step` apart: three, and those that its marks offer. Honours not
+/// won yet are dim.
+void paintHonours(Canvas& canvas, Vec2 place, Vec2 step, Real size, Best best,
+                  const MedalMarks* marks);
+/// Number of honours, and their names.
+std::vector<std::string> honourNames(const MedalMarks* marks);
+
+/// Paints a medal: bronze has one dot, silver two, gold three. Nothing for Medal::None.
+void paintMedal(Canvas& canvas, Vec2 middle, Real size, Medal medal);
 
 } // namespace apart

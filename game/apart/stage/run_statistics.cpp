@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <apart/core/lint.hpp>
 #include <apart/core/tuning.hpp>
 #include <apart/stage/run_statistics.hpp>
 
@@ -29,6 +30,9 @@ void RunStatistics::update(const Game& game) {
         }
         lifeLost = lifeLost || std::holds_alternative<LifeLost>(event);
     }
+    if (game.result() == Result::Playing || game.ticks() == ticks + 1) {
+        paddleHits += paddleHitsOf(game);
+    }
     cleared = game.blocksAtStart() - game.blocksLeft();
     largestFall = game.collapse().largest;
     if (game.result() == Result::Playing) {
@@ -36,9 +40,26 @@ void RunStatistics::update(const Game& game) {
     }
 }
 
-Best RunStatistics::bestOf(const Game& game) const {
+Best RunStatistics::bestOf(const Game& game, const MedalMarks* marks) const {
     const bool won = game.result() == Result::Won;
-    return {game.score(), won, won && !lifeLost, std::max(bestCombo, largestFall) >= kMostCombo};
+    Best best{game.score(), won, won && !lifeLost, std::max(bestCombo, largestFall) >= kMostCombo};
+    if (marks != nullptr) {
+        best.fewHits = won && marks->fewHits > 0 && paddleHits <= marks->fewHits;
+        best.oneFall = marks->oneFall > 0 && largestFall >= marks->oneFall;
+    }
+    return best;
+}
+
+PlayTotals RunStatistics::totalsOf(const Game& game) const {
+    PlayTotals totals;
+    totals.games = 1;
+    totals.won = game.result() == Result::Won ? 1 : 0;
+    totals.seconds = static_cast<std::int32_t>(ticks / kTicksPerSecond);
+    totals.broken = broken;
+    totals.fallen = fallen + dropped;
+    totals.largestFall = largestFall;
+    totals.bestCombo = bestCombo;
+    return totals;
 }
 
 } // namespace apart

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <apart/core/game.hpp>
+#include <apart/core/medals.hpp>
 #include <apart/stage/profile.hpp>
 
 namespace apart {
@@ -29,12 +30,16 @@ struct RunStatistics {
     int bestCombo = 0;
     int cleared = 0;     // blocks that broke or fell
     int largestFall = 0; // most blocks of one collapse
+    int paddleHits = 0;
     bool lifeLost = false;
     std::uint32_t ticks = 0; // until the end of the game
 
     /// Call after each tick of the game.
     void update(const Game& game);
-    Best bestOf(const Game& game) const;
+    /// Its result; `marks` of the level, or nullptr.
+    Best bestOf(const Game& game, const MedalMarks* marks = nullptr) const;
+    /// This game as a part of the player's totals.
+    PlayTotals totalsOf(const Game& game) const;
 };
 
 } // namespace apart

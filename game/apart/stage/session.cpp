@@ -35,7 +35,8 @@ void Session::begin(std::unique_ptr<Play> play, Kind kind) {
     markEvery_ = kind == Kind::Show ? kShowMark : kOwnMark;
     owed_ = 0;
     endTicks_ = 0;
-    kept_ = false;
+    kept_ = counted_ = false;
+    ghost_.reset();
     mark();
 }
 
@@ -72,6 +73,9 @@ void Session::tick(const std::optional<Input>& input, const Settings& settings, 
     const bool wasPlaying = game().result() == Result::Playing;
     const std::int32_t fallen = game().collapse().blocks;
     play_->tick(input.value_or(Input{}), speaker);
+    if (ghost_) {
+        ghost_->tick();
+    }
     if (recorder_ && wasPlaying) {
         recorder_->record(input.value_or(Input{}), game());
         if (game().result() != Result::Playing) {
@@ -147,6 +151,13 @@ bool Session::takeUnkept() {
     const bool own = kind_ == Kind::Own || kind_ == Kind::WhatIf;
     const bool fresh = own && !kept_ && game().ticks() > kWorthKeeping;
     kept_ = kept_ || fresh;
+    return fresh;
+}
+
+bool Session::takeUncounted() {
+    const bool fresh = kind_ == Kind::Own && !counted_ &&
+                       (game().result() != Result::Playing || game().ticks() > kWorthKeeping);
+    counted_ = counted_ || fresh;
     return fresh;
 }
 

@@ -3,6 +3,7 @@
 
 #include <apart/core/replay.hpp>
 #include <apart/stage/fanfare.hpp>
+#include <apart/stage/ghost.hpp>
 #include <apart/stage/play.hpp>
 #include <apart/stage/rerun.hpp>
 #include <apart/stage/run_statistics.hpp>
@@ -42,6 +43,8 @@ public:
     void takeOver();
 
     Kind kind() const { return kind_; }
+    bool isDemo() const { return kind_ == Kind::Demo; }
+    bool isShow() const { return kind_ == Kind::Show; }
     const Play& play() const { return *play_; }
     const Game& game() const { return play_->game(); }
     const RunStatistics& statistics() const { return statistics_; }
@@ -49,6 +52,11 @@ public:
     std::optional<Replay> record() const;
     /// True once for a game of the player that has been played for a while.
     bool takeUnkept();
+    /// True once for a game of the player that takeUnkept() would accept, or that has ended.
+    bool takeUncounted();
+    /// Runs this game beside the current one, from its start.
+    void setGhost(std::optional<Ghost> ghost) { ghost_ = std::move(ghost); }
+    const std::optional<Ghost>& ghost() const { return ghost_; }
     /// The collapse that ended the game; nullopt: it ended otherwise.
     std::optional<Rerun> rerun() const;
     int endTicks() const { return endTicks_; } // since the end of the game
@@ -77,7 +85,9 @@ private:
     std::optional<Play> beforeFall_;
     double owed_ = 0; // s of game time to be simulated
     int endTicks_ = 0;
-    bool kept_ = false; // takeUnkept() was true
+    bool kept_ = false;    // takeUnkept() was true
+    bool counted_ = false; // takeUncounted() was true
+    std::optional<Ghost> ghost_;
 };
 
 } // namespace apart

@@ -8,57 +8,71 @@ namespace apart {
 
 namespace {
 
+// Ticks of the check of a score in one frame; a tick of a busy level takes 0.04 ms.
+constexpr std::uint32_t kCheckInMenus = 150;
+constexpr std::uint32_t kCheckInGames = 30;
 constexpr double kAttractSeconds = 20;                     // without input
 constexpr std::uint32_t kDemoTicks = 60 * kTicksPerSecond; // until the bot shows the next level
-constexpr const char* kEndlessName = "endless";            // key of endless runs in the profile
 
 } // namespace
 
-Stage::Stage(StageDef def) : def_(std::move(def)), select_(def_.levels) {
+Stage::Stage(StageDef def)
+    : def_(std::move(def)),
+      records_(std::move(def_.profile), def_.pilot ? Keeping{} : std::move(def_.keeping),
+               std::move(def_.scores), std::move(def_.notices)),
+      select_(def_.levels) {
+    records_.setMarks(std::move(def_.marks));
     level_ = std::min(def_.firstLevel, def_.levels.size() - 1);
     if (def_.show) {
-        level_ = nextToPlay();
+        level_ = nextToPlay(def_.levels, profile());
         beginShow();
     } else if (def_.firstEndless > 0) {
         beginEndless(def_.firstEndless);
     } else if (def_.startAtOnce) {
         begin(level_);
     } else {
-        level_ = nextToPlay();
+        level_ = nextToPlay(def_.levels, profile());
         toTitle();
     }
 }
 
-std::size_t Stage::nextToPlay() const {
-    for (std::size_t i = 0; i < def_.levels.size(); ++i) {
-        if (!def_.profile.bestOf(def_.profile.mode, def_.levels[i]->name).cleared) {
+std::size_t nextToPlay(const LevelList& levels, const Profile& profile) {
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        if (!profile.bestOf(profile.mode, levels[i]->name).cleared) {
             return i;
         }
     }
     return 0;
 }
 
-Settings Stage::audible() const {
-    Settings settings = def_.profile.settings;
-    settings.sound = def_.profile.muted ? 0 : settings.sound;
-    return settings;
-}
-
-void Stage::beginGame(std::shared_ptr<const Level> level, Session::Kind kind) {
-    enter(
-        std::make_unique<Play>(std::move(level), def_.seed + games_, def_.profile.mode, audible()),
-        kind);
-    games_ += kind == Session::Kind::Own ? 1 : 0;
+/// Starts a game of the player.
+void Stage::beginGame(std::shared_ptr<const Level> level, std::uint32_t seed) {
+    const Mode mode = profile().mode;
+    enter(std::make_unique<Play>(std::move(level), seed, mode, profile().audible()),
+          Session::Kind::Own);
+    ++games_;
+    records_.checkFirst(mode, endless_.keyOf(game()));
+    if (endless_.number > 0 || settings().ghost == 0 || def_.pilot) {
+        return;
+    }
+    if (std::optional<Replay> best = records_.bestGame(mode, game().level())) {
+        session_.setGhost(Ghost(std::move(*best), session_.play().sharedLevel()));
+    }
 }
 
 void Stage::beginShow() {
-    theatre_.begin();
-    enter(std::make_unique<Play>(def_.show->level, def_.show->seed, def_.show->mode, audible()),
+    theatre_.begin(*def_.show);
+    enterShow();
+}
+
+void Stage::enterShow() {
+    const Show& show = theatre_.show();
+    enter(std::make_unique<Play>(show.level, show.seed, show.mode, profile().audible()),
           Session::Kind::Show);
 }
 
 void Stage::enter(std::unique_ptr<Play> play, Session::Kind kind) {
-    keepGame(false);
+    keepGame();
     session_.begin(std::move(play), kind);
     rerun_.reset();
     screen_ = Screen::Playing;
@@ -66,30 +80,43 @@ void Stage::enter(std::unique_ptr<Play> play, Session::Kind kind) {
 }
 
 void Stage::begin(std::size_t level) {
+    keepGame();
     level_ = level;
-    endless_.number = 0;
-    beginGame(def_.levels[level], Session::Kind::Own);
+    endless_ = {};
+    beginGame(def_.levels[level], def_.seed + games_);
 }
 
 void Stage::beginEndless(std::uint32_t number) {
     endless_.number = number;
-    beginGame(def_.endless(number), Session::Kind::Own);
+    if (endless_.day > 0) {
+        beginGame(def_.daily(endless_.day, number), dailySeed(endless_.day, number));
+    } else {
+        beginGame(def_.endless(number), def_.seed + games_);
+    }
+}
+
+/// Starts the daily run of a day, or an endless run if it is 0.
+void Stage::beginRun(Day day) {
+    keepGame();
+    endless_ = {};
+    endless_.day = day;
+    beginEndless(day > 0 ? 1 : std::max(def_.firstEndless, 1u));
 }
 
 void Stage::again() {
-    if (showing()) {
+    if (session_.isShow()) {
         return beginShow();
     }
     if (endless_.number == 0) {
         return begin(level_);
     }
-    endless_.score = 0;
-    beginEndless(std::max(def_.firstEndless, 1u));
+    beginRun(endless_.day);
 }
 
 void Stage::next() {
     if (endless_.number > 0) {
         endless_.score += session_.game().score();
+        endless_.before = endless_.with(session_.record());
         beginEndless(endless_.number + 1);
     } else {
         begin(std::min(level_ + 1, def_.levels.size() - 1));
@@ -99,14 +126,13 @@ void Stage::next() {
 /// Starts a game of the bot behind a menu.
 void Stage::demo(std::size_t level) {
     const Screen screen = screen_;
+    keepGame();
     level_ = level;
-    endless_.number = 0;
-    beginGame(def_.levels[level], Session::Kind::Demo);
+    endless_ = {};
+    enter(std::make_unique<Play>(def_.levels[level], def_.seed + games_, profile().mode,
+                                 profile().audible()),
+          Session::Kind::Demo);
     screen_ = screen;
-}
-
-bool Stage::demoRuns() const {
-    return session_.kind() == Session::Kind::Demo;
 }
 
 bool Stage::attracting() const {
@@ -119,14 +145,20 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     idleSeconds_ += seconds;
     take(signals, speaker);
     reloadLevel();
-    const bool menu = screen_ == Screen::Options || screen_ == Screen::Help;
-    if (screen_ == Screen::Paused || (menu && !demoRuns())) {
+    const bool playing = screen_ == Screen::Playing;
+    if (records_.advance(playing ? kCheckInGames : kCheckInMenus, !playing) &&
+        screen_ == Screen::Title) {
+        refreshTitle(menu_, offer(), records_);
+    }
+    const bool menu =
+        screen_ == Screen::Options || screen_ == Screen::Keys || screen_ == Screen::Help;
+    if (screen_ == Screen::Paused || (menu && !session_.isDemo())) {
         return;
     }
     if (rerun_) {
         return rerun_->advance(seconds);
     }
-    session_.elapse(seconds, showing() ? theatre_.pace() : 1, settings());
+    session_.elapse(seconds, session_.isShow() ? theatre_.pace() : 1, settings());
     while (session_.takeTick()) {
         tick(speaker);
     }
@@ -145,32 +177,42 @@ void Stage::tickDemo() {
 }
 
 void Stage::tick(Speaker& speaker) {
-    if (demoRuns()) {
+    if (session_.isDemo()) {
         return tickDemo();
     }
     std::optional<Input> input = inputMapper_.next();
-    if (const Pilot& pilot = showing() ? def_.show->pilot : def_.pilot) {
+    if (const Pilot& pilot = session_.isShow() ? theatre_.show().pilot : def_.pilot) {
         input = pilot(game());
     }
     session_.tick(input, settings(), speaker);
     if (session_.overdue() && screen_ == Screen::Playing) {
+        std::string problem;
+        if (session_.isShow() && theatre_.next(problem)) {
+            return enterShow();
+        }
+        records_.note(problem);
         finish();
     }
 }
 
-/// Saves the profile, except for games of a pilot.
-void Stage::keep() {
-    if (!def_.save || def_.pilot) {
-        return;
+/// Saves the replay of the player's game and counts it, whether it has ended or not. Once per game.
+void Stage::keepGame() {
+    if (session_.takeUncounted() && !def_.pilot) {
+        records_.count(game().level().theme, session_.statistics().totalsOf(game()));
     }
-    note(def_.save(def_.profile));
+    if (session_.takeUnkept()) {
+        records_.keepLast(endless_.with(session_.record()));
+    }
 }
 
-/// Adds a notice unless it is already shown.
-void Stage::note(std::string problem) {
-    std::vector<std::string>& notices = def_.notices;
-    if (!problem.empty() && std::find(notices.begin(), notices.end(), problem) == notices.end()) {
-        notices.push_back(std::move(problem));
+/// Checks the scores of the chosen level first, then all others.
+void Stage::checkScores() {
+    const std::string& chosen = def_.levels[select_.chosen()]->name;
+    const Mode mode = records_.profile().mode;
+    records_.checkFirst(mode == Mode::Pure ? Mode::Standard : Mode::Pure, chosen);
+    records_.checkFirst(mode, chosen);
+    for (const auto& level : def_.levels) {
+        records_.checkLast(mode, level->name);
     }
 }
 
@@ -193,38 +235,30 @@ void Stage::reloadLevel() {
     }
 }
 
-/// Saves the replay of the player's game, whether it has ended or not. Once per game.
-void Stage::keepGame(bool best) {
-    if (def_.pilot || !def_.keepReplay || !session_.takeUnkept()) {
-        return;
-    }
-    if (const std::optional<Replay> record = session_.record()) {
-        note(def_.keepReplay(*record, best));
-    }
-}
-
 void Stage::finish() {
     screen_ = Screen::Over;
     overSeconds_ = 0;
     session_.endFanfare();
     const Game& game = session_.game();
-    const std::string name = endless_.number > 0 ? kEndlessName : game.level().name;
-    Best best = session_.statistics().bestOf(game);
+    const std::string name = endless_.keyOf(game);
+    const MedalMarks* marks = endless_.number > 0 ? nullptr : marksFor(name, records_.marks());
+    Best best = session_.statistics().bestOf(game, marks);
     best.score += endless_.number > 0 ? endless_.score : 0;
-    before_ = def_.profile.bestOf(game.mode(), name);
+    before_ = records_.profile().bestOf(game.mode(), name);
+    before_.score = records_.provedScore(game.mode(), name);
     newBest_ = false;
     if (!def_.pilot && session_.kind() == Session::Kind::Own && game.result() != Result::Playing) {
-        newBest_ = def_.profile.enter(game.mode(), name, best);
-        keep();
-        keepGame(best.score > before_.score);
+        session_.takeUnkept(); // enter() keeps it
+        keepGame();
+        newBest_ = records_.enter({{game.mode(), name}, best, endless_.with(session_.record())});
     }
     rerun_ = session_.rerun();
     std::vector<MenuItem> items;
     const bool more = endless_.number > 0 || level_ + 1 < def_.levels.size();
-    if (game.result() == Result::Won && more && !showing()) {
+    if (game.result() == Result::Won && more && !session_.isShow()) {
         items.push_back({Action::NextLevel, "Next level"});
     }
-    items.push_back({Action::Restart, showing() ? "Watch again" : "Play again"});
+    items.push_back({Action::Restart, session_.isShow() ? "Watch again" : "Play again"});
     items.push_back({Action::Levels, "All levels"});
     items.push_back({Action::ToTitle, "Title"});
     menu_ = Menu(std::move(items), Real(5.6));

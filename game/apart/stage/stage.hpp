@@ -4,8 +4,9 @@
 #include <apart/stage/confirm.hpp>
 #include <apart/stage/hud.hpp>
 #include <apart/stage/input_mapper.hpp>
+#include <apart/stage/key_screen.hpp>
 #include <apart/stage/level_select.hpp>
-#include <apart/stage/menu.hpp>
+#include <apart/stage/menus.hpp>
 #include <apart/stage/session.hpp>
 #include <apart/stage/theatre.hpp>
 
@@ -29,16 +30,17 @@ struct StageDef {
     bool startAtOnce = false; // in the first level, without the title screen
     std::uint32_t seed = 1;   // of the first game, incremented for each further game
     Profile profile{};
-    /// Saves the profile. Returns a sentence for the player on failure, else an empty text.
-    std::function<std::string(const Profile&)> save{};
-    /// Saves a game of the player, finished or not; `best` if it has the best score of its level.
-    /// Returns a sentence for the player on failure, else an empty text.
-    std::function<std::string(const Replay&, bool best)> keepReplay{};
+    Keeping keeping{};
+    ScoreStore scores{};                // the best games
+    std::vector<MedalMarks> marks{};    // of the levels
     std::vector<std::string> notices{}; // shown on the title screen
     /// Number of the endless level to start with; 0: none.
     std::uint32_t firstEndless = 0;
     /// The endless level of a number from 1. Empty if there are no endless levels.
     std::function<std::shared_ptr<const Level>(std::uint32_t)> endless{};
+    /// The current day, for daily runs, and their levels.
+    std::function<Day()> today{};
+    std::function<std::shared_ptr<const Level>(Day, std::uint32_t)> daily{};
     /// Called twice a second, if set: the first level, if its file has changed.
     std::function<std::optional<LevelChange>()> reload{};
     /// Replays to watch, the latest first.
@@ -51,9 +53,38 @@ struct StageDef {
 struct EndlessRun {
     std::uint32_t number = 0; // of the current level; 0: none
     std::int32_t score = 0;   // of the previous levels
+    ReplayRun before{};       // their replays
+    Day day = 0;              // of a daily run; 0: it is none
+
+    /// Key of the scores of a game: of the run, or else of its level.
+    std::string keyOf(const Game& game) const {
+        return day > 0 ? dailyKey(day) : number > 0 ? kEndlessKey : game.level().name;
+    }
+    /// The run with its current level.
+    ReplayRun with(std::optional<Replay> last) const {
+        ReplayRun run = before;
+        if (last) {
+            run.push_back(std::move(*last));
+        }
+        return run;
+    }
 };
 
-enum class Screen : std::uint8_t { Title, Levels, Options, Replays, Help, Playing, Paused, Over };
+enum class Screen : std::uint8_t {
+    Title,
+    Levels,
+    Options,
+    Keys,
+    Records,
+    Replays,
+    Help,
+    Playing,
+    Paused,
+    Over
+};
+
+/// Index of the first level that is not cleared; 0 if all are.
+std::size_t nextToPlay(const LevelList& levels, const Profile& profile);
 
 /// The application without its window: screens, time, and the effect of input on each screen. All
 /// external dependencies are arguments.
@@ -70,8 +101,9 @@ public:
     bool wantsPointer() const { return screen_ != Screen::Playing; }
     Screen screen() const { return screen_; }
     const Game& game() const { return session_.game(); }
-    const Profile& profile() const { return def_.profile; }
-    const Settings& settings() const { return def_.profile.settings; }
+    const Profile& profile() const { return records_.profile(); }
+    const Settings& settings() const { return profile().settings; }
+    const Records& records() const { return records_; }
     std::size_t levelIndex() const { return level_; }
     const Menu& menu() const { return menu_; }
     const LevelSelect& levelSelect() const { return select_; }
@@ -83,10 +115,12 @@ private:
     void take(const Signals& signals, Speaker& speaker);
     void takeOne(const Signals& signals, Speaker& speaker);
     void takeLevels(const Signals& signals, Speaker& speaker);
+    void takeKeys(const Signals& signals, Speaker& speaker);
     void takePlaying(const Signals& signals);
     void takeShow(const Signals& signals);
     void takeMenu(const Signals& signals, Speaker& speaker);
     bool takeShortcut(Command command);
+    void quit();
     void back();
     void act(const MenuOutcome& outcome);
     void turn(std::size_t dial, int percent);
@@ -95,28 +129,25 @@ private:
     void toTitle();
     void toLevels();
     void toOptions();
-    void toReplays();
-    void toHelp();
+    void open(Screen screen, Menu menu);
     void pause();
     void begin(std::size_t level);
     void beginEndless(std::uint32_t number);
+    void beginRun(Day day);
     void beginShow();
-    void beginGame(std::shared_ptr<const Level> level, Session::Kind kind);
+    void enterShow();
+    void beginGame(std::shared_ptr<const Level> level, std::uint32_t seed);
     void enter(std::unique_ptr<Play> play, Session::Kind kind);
     void again();
     void next();
     void demo(std::size_t level);
-    std::size_t nextToPlay() const;
     void tick(Speaker& speaker);
     void tickDemo();
     void finish();
-    void keepGame(bool best);
     void reloadLevel();
-    bool showing() const { return session_.kind() == Session::Kind::Show; }
-    void keep();
-    void note(std::string problem);
-    Settings audible() const;
-    bool demoRuns() const;
+    void keepGame();
+    void checkScores();
+    TitleOffer offer() const;
 
     // Pictures (stage_picture.cpp).
     void drawTitle(Canvas& canvas) const;
@@ -128,24 +159,25 @@ private:
     bool quit_ = false;
     std::size_t level_ = 0;
     EndlessRun endless_;
-    bool showing_ = false;    // the current game is the recorded one
     std::uint32_t games_ = 0; // number of games started by the player
     std::size_t demos_ = 0;   // number of games started by the bot
     Session session_;
     std::optional<Rerun> rerun_; // behind the result screen
     Theatre theatre_;
     std::vector<ShowEntry> replays_; // of Screen::Replays
+    Records records_;
     Confirm confirm_;
     double reloadAt_ = 0;             // s, of the next look at the file of the level
     std::vector<std::string> faults_; // of that file
     InputMapper inputMapper_;
     Menu menu_;
+    KeyScreen keys_;
     LevelSelect select_;
     double seconds_ = 0;     // s since the start, for animations
     double idleSeconds_ = 0; // s since the last input
     double overSeconds_ = 0; // s since the result screen appeared
     bool newBest_ = false;
-    Best before_{}; // best results of the level before the last game
+    Best before_{}; // best results of the level before the last game; its score is proved
 };
 
 } // namespace apart

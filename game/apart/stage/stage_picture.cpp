@@ -7,6 +7,7 @@
 #include <apart/stage/palette.hpp>
 #include <apart/stage/results.hpp>
 #include <apart/stage/stage.hpp>
+#include <apart/stage/statistics_page.hpp>
 #include <apart/stage/title.hpp>
 
 #include <fmt/format.h>
@@ -26,7 +27,7 @@ constexpr TextStyle quiet(Real height) {
 /// if they do not fit below the menu.
 void paintNotices(Canvas& canvas, const std::vector<std::string>& notices) {
     constexpr std::size_t kLetters = 120; // per line
-    constexpr std::size_t kMostLines = 4;
+    constexpr std::size_t kMostLines = 3;
     std::vector<std::string> lines;
     for (std::size_t i = notices.size(); i-- > 0;) {
         const std::vector<std::string> own = wrapped(notices[i], kLetters);
@@ -70,35 +71,44 @@ void paintQuestion(Canvas& canvas, std::string_view question) {
 }
 
 /// `ticks` since the end of a won game.
-void paintFeast(Canvas& canvas, int ticks) {
+void paintFeast(Canvas& canvas, int ticks, const Bindings& keys) {
     const float t = std::min(static_cast<float>(ticks) / 30, 1.0f);
     const Real size = Real(2.4) - Real(0.5) * t; // shrinks to its final size
-    const auto line = [&](const char* text, Real y, Real height, Color color) {
+    const auto line = [&](std::string_view text, Real y, Real height, Color color) {
         const TextStyle shadow{height, faded(palette::kInk, t), Typeface::Bold, Align::Middle};
         canvas.text(text, {Real(0.07), y - Real(0.07)}, shadow);
         canvas.text(text, {0, y}, {height, faded(color, t), Typeface::Bold, Align::Middle});
     };
     line("Cleared!", Real(9.2), size, palette::kAccent);
-    line("space or click: on", Real(7.8), Real(0.5), palette::kText);
+    line(keys.prompt(Act::Serve) + " or click: on", Real(7.8), Real(0.5), palette::kText);
 }
 
-void paintPaused(Canvas& canvas, const Menu& menu) {
+void paintPaused(Canvas& canvas, const Menu& menu, const Bindings& keys) {
     paintVeil(canvas, faded(palette::kNight, 0.72f));
     canvas.text("Paused", {0, Real(13)},
                 {Real(1.6), palette::kText, Typeface::Bold, Align::Middle});
     menu.draw(canvas);
     Real y = Real(4.9);
-    for (const char* line : {"mouse, arrows or A and D: move      space or click: serve",
-                             "left button, down or S: pull      right button, up or W: push",
-                             "R: restart      M: sound      F3: what the engine sees"}) {
+    const auto prompt = [&](Act act) { return keys.prompt(act); };
+    for (const std::string& line :
+         {fmt::format("mouse; {}: left; {}: right      {} or click: serve", prompt(Act::Left),
+                      prompt(Act::Right), prompt(Act::Serve)),
+          fmt::format("left button, {}: pull      right button, {}: push", prompt(Act::Pull),
+                      prompt(Act::Push)),
+          fmt::format("{}: start again      {}: sound      F3: what the engine sees",
+                      prompt(Act::Restart), prompt(Act::Mute))}) {
         canvas.text(line, {0, y}, quiet(Real(0.42)));
         y -= Real(0.7);
     }
 }
 
-/// Position of a level in the list; `number` of an endless run, or 0.
-std::string placeOf(const Level& level, const LevelList& levels, std::uint32_t number) {
+/// Position of a level in the list, or in an endless or a daily run.
+std::string placeOf(const Level& level, const LevelList& levels, const EndlessRun& run) {
+    const std::uint32_t number = run.number;
     const std::optional<EndlessName> row = parseEndless(level.name);
+    if (run.day > 0) {
+        return fmt::format("DAILY {}   {}", number, dayText(run.day));
+    }
     if (row || number > 0) {
         return fmt::format("ENDLESS {}", row ? row->number : number);
     }
@@ -114,23 +124,28 @@ std::string placeOf(const Level& level, const LevelList& levels, std::uint32_t n
 
 HudLook Stage::hudLook() const {
     HudLook look;
-    look.place = placeOf(game().level(), def_.levels, endless_.number);
+    look.place = placeOf(game().level(), def_.levels, endless_);
     look.scoreBefore = endless_.number > 0 ? endless_.score : 0;
-    look.best =
-        endless_.number > 0 ? 0 : def_.profile.bestOf(game().mode(), game().level().name).score;
-    look.muted = audible().sound == 0;
-    look.pilot = showing() ? "REPLAY" : session_.kind() == Session::Kind::WhatIf ? "WHAT IF" : "";
+    look.best = records_.provedScore(game().mode(), endless_.keyOf(game()));
+    look.keys = profile().bindings;
+    look.muted = profile().audible().sound == 0;
+    look.pilot = session_.isShow()                          ? "REPLAY"
+                 : session_.kind() == Session::Kind::WhatIf ? "WHAT IF"
+                                                            : "";
     return look;
 }
 
 void Stage::draw(Canvas& canvas) const {
-    const bool wide = demoRuns();
+    const bool wide = session_.isDemo();
     canvas.begin(wide ? layout::kShownTitle : layout::kShown, session_.play().juice().shake());
     paintBackdrop(canvas, game().level().theme, seconds_);
     if (rerun_) {
         rerun_->play().draw(canvas, rerun_->share());
     } else {
         session_.play().draw(canvas, session_.share());
+        if (session_.ghost() && screen_ != Screen::Over) {
+            session_.ghost()->draw(canvas, session_.share(), share(settings().ghost));
+        }
     }
     if (!wide) {
         paintHud(canvas, game(), hudLook());
@@ -140,12 +155,19 @@ void Stage::draw(Canvas& canvas) const {
         return drawTitle(canvas);
     case Screen::Levels:
         paintVeil(canvas, faded(palette::kNight, 0.82f));
-        return select_.draw(canvas, def_.profile, seconds_);
+        return select_.draw(canvas, records_, seconds_);
     case Screen::Options:
         paintVeil(canvas, faded(palette::kNight, 0.80f));
         canvas.text("Options", {0, Real(14.4)},
                     {Real(1.4), palette::kText, Typeface::Bold, Align::Middle});
-        canvas.text("left and right, or a click on the bar", {0, Real(2.05)}, quiet(Real(0.42)));
+        canvas.text("left and right, or a click on the bar", {0, Real(0.9)}, quiet(Real(0.42)));
+        return menu_.draw(canvas);
+    case Screen::Keys:
+        paintVeil(canvas, faded(palette::kNight, 0.84f));
+        return keys_.draw(canvas, profile().bindings);
+    case Screen::Records:
+        paintVeil(canvas, faded(palette::kNight, 0.84f));
+        paintStatistics(canvas, profile().totals);
         return menu_.draw(canvas);
     case Screen::Replays:
         paintVeil(canvas, faded(palette::kNight, 0.80f));
@@ -154,25 +176,26 @@ void Stage::draw(Canvas& canvas) const {
         return menu_.draw(canvas);
     case Screen::Help:
         paintVeil(canvas, faded(palette::kNight, 0.86f));
-        return paintHelp(canvas);
+        return paintHelp(canvas, profile().bindings);
     case Screen::Playing:
-        if (showing()) {
-            return paintTheatre(canvas, theatre_, game().ticks(), def_.show->end);
+        if (session_.isShow()) {
+            return paintTheatre(canvas, theatre_, game().ticks(), profile().bindings);
         }
         paintFaults(canvas, faults_);
         paintQuestion(canvas, confirm_.question(seconds_));
-        paintServeHint(canvas, game());
+        paintServeHint(canvas, game(), profile().bindings);
         if (game().result() == Result::Won) {
-            paintFeast(canvas, session_.endTicks());
+            paintFeast(canvas, session_.endTicks(), profile().bindings);
         }
         return;
     case Screen::Paused:
-        return paintPaused(canvas, menu_);
+        return paintPaused(canvas, menu_, profile().bindings);
     case Screen::Over: {
         paintVeil(canvas, faded(palette::kNight, rerun_ ? 0.55f : 0.72f));
         const std::int32_t score = game().score() + (endless_.number > 0 ? endless_.score : 0);
         paintResults(canvas,
-                     {game(), session_.statistics(), score, before_, newBest_, overSeconds_});
+                     {game(), session_.statistics(), score, before_, newBest_, overSeconds_,
+                      endless_.number > 0 ? std::span<const MedalMarks>() : records_.marks()});
         return menu_.draw(canvas);
     }
     }
@@ -190,7 +213,7 @@ void Stage::drawTitle(Canvas& canvas) const {
     paintVeil(canvas, faded(palette::kNight, 0.74f));
     paintTitle(canvas, seconds_);
     menu_.draw(canvas);
-    paintNotices(canvas, def_.notices);
+    paintNotices(canvas, records_.notices());
     paintQuestion(canvas, confirm_.question(seconds_));
 }
 

@@ -13,15 +13,6 @@ namespace {
 constexpr double kPercent = 100;
 constexpr std::size_t kMostReplays = 10; // in the list
 
-std::string modeLabel(Mode mode) {
-    return mode == Mode::Pure ? "\u2039  Pure: no path is ever bent  \u203a"
-                              : "\u2039  Standard rules  \u203a";
-}
-
-std::string playLabel(std::size_t index, const Level& level) {
-    return fmt::format("Play   {}  {}", index + 1, level.title);
-}
-
 /// Sound of a menu; `sound` in percent.
 void chirp(Speaker& speaker, int sound, bool chosen) {
     const float volume = (chosen ? 1 : 0.6f) * share(sound);
@@ -37,79 +28,47 @@ bool anything(const Signals& signals) {
 
 } // namespace
 
+void Stage::open(Screen screen, Menu menu) {
+    screen_ = screen;
+    menu_ = std::move(menu);
+}
+
+TitleOffer Stage::offer() const {
+    const Level& level = *def_.levels[level_];
+    return {fmt::format("Play   {}  {}", level_ + 1, level.title), def_.endless != nullptr,
+            def_.today && def_.daily ? def_.today() : 0};
+}
+
 void Stage::toTitle() {
     screen_ = Screen::Title;
-    level_ = nextToPlay();
+    level_ = nextToPlay(def_.levels, profile());
     demo(level_);
-    std::vector<MenuItem> items = {{Action::Play, playLabel(level_, *def_.levels[level_])},
-                                   {Action::Levels, "Choose a level"}};
     if (def_.endless) {
-        items.push_back({Action::Endless, "Endless"});
+        records_.checkFirst(profile().mode, dailyKey(offer().today));
+        records_.checkFirst(profile().mode, kEndlessKey);
     }
-    items.push_back({Action::Mode, modeLabel(def_.profile.mode)});
-    if (def_.replays) {
-        items.push_back({Action::Replays, "Replays"});
-    }
-    items.push_back({Action::Help, "How to play"});
-    items.push_back({Action::Options, "Options"});
-    items.push_back({Action::Quit, "Quit"});
-    menu_ = Menu(std::move(items), Real(10.2));
-}
-
-void Stage::toReplays() {
-    screen_ = Screen::Replays;
-    replays_ = def_.replays();
-    replays_.resize(std::min(replays_.size(), kMostReplays));
-    std::vector<MenuItem> items;
-    for (std::size_t i = 0; i < replays_.size(); ++i) {
-        items.push_back({Action::Replay, replays_[i].label, std::nullopt, i});
-    }
-    items.push_back({Action::Back, "Back"});
-    menu_ = Menu(std::move(items), Real(13.2));
-}
-
-void Stage::toHelp() {
-    behind_ = screen_;
-    screen_ = Screen::Help;
-    menu_ = Menu({{Action::Back, "Back"}}, Real(-2)); // below the picture
+    open(Screen::Title, titleMenu(offer(), records_));
 }
 
 void Stage::toLevels() {
     screen_ = Screen::Levels;
     select_.choose(level_);
     demo(level_);
+    checkScores();
 }
 
 void Stage::toOptions() {
     behind_ = screen_;
-    screen_ = Screen::Options;
-    std::vector<MenuItem> items;
-    for (std::size_t i = 0; i < kDials.size(); ++i) {
-        const Dial& dial = kDials[i];
-        items.push_back({Action::Dial, std::string(dial.label),
-                         Gauge{settings().*dial.value, dial.least, dial.most}, i});
-    }
-    items.push_back({Action::Reset, "As they were at first"});
-    items.push_back({Action::Back, "Back"});
-    menu_ = Menu(std::move(items), Real(13.2));
+    open(Screen::Options, optionsMenu(settings()));
 }
 
 void Stage::pause() {
-    screen_ = Screen::Paused;
-    menu_ = Menu({{Action::Resume, "Go on"},
-                  {Action::Restart, "Restart"},
-                  {Action::Help, "How to play"},
-                  {Action::Options, "Options"},
-                  {Action::Levels, "All levels"},
-                  {Action::ToTitle, "Title"}},
-                 Real(11.6));
+    open(Screen::Paused, pauseMenu());
 }
 
 void Stage::take(const Signals& signals, Speaker& speaker) {
     if (signals.closed) {
-        quit_ = true;
-        keepGame(false);
-        return keep();
+        return quit();
     }
     const bool asleep = attracting();
     if (anything(signals)) {
@@ -123,6 +82,7 @@ void Stage::take(const Signals& signals, Speaker& speaker) {
     one.commands.resize(std::min<std::size_t>(signals.commands.size(), 1));
     takeOne(one, speaker);
     one.pointer.reset();
+    one.presses.clear();
     one.moved = 0;
     one.clicked = one.focusLost = false;
     for (std::size_t i = 1; i < signals.commands.size(); ++i) {
@@ -132,18 +92,33 @@ void Stage::take(const Signals& signals, Speaker& speaker) {
 }
 
 void Stage::takeOne(const Signals& signals, Speaker& speaker) {
+    if (screen_ == Screen::Keys) { // before all commands: a key may be about to change
+        return takeKeys(signals, speaker);
+    }
     if (!signals.commands.empty() && signals.commands[0] == Command::Mute) {
-        def_.profile.muted = !def_.profile.muted;
-        session_.setSettings(audible());
-        return keep();
+        records_.profile().muted = !records_.profile().muted;
+        session_.setSettings(profile().audible());
+        return records_.save();
     }
     switch (screen_) {
     case Screen::Levels:
         return takeLevels(signals, speaker);
     case Screen::Playing:
-        return showing() ? takeShow(signals) : takePlaying(signals);
+        return session_.isShow() ? takeShow(signals) : takePlaying(signals);
     default:
         return takeMenu(signals, speaker);
+    }
+}
+
+void Stage::takeKeys(const Signals& signals, Speaker& speaker) {
+    const Bindings before = profile().bindings;
+    const bool left = keys_.take(signals, records_.profile().bindings);
+    if (left || profile().bindings != before) {
+        chirp(speaker, profile().audible().sound, true);
+    }
+    if (left) {
+        open(Screen::Options, optionsMenu(settings()));
+        menu_.choose(Action::Keys);
     }
 }
 
@@ -157,11 +132,12 @@ void Stage::takeLevels(const Signals& signals, Speaker& speaker) {
     }
     const std::size_t before = select_.chosen();
     if (const std::optional<std::size_t> level = select_.take(signals)) {
-        chirp(speaker, audible().sound, true);
+        chirp(speaker, profile().audible().sound, true);
         begin(*level);
     } else if (select_.chosen() != before) {
-        chirp(speaker, audible().sound, false);
+        chirp(speaker, profile().audible().sound, false);
         demo(select_.chosen());
+        checkScores();
     }
 }
 
@@ -210,7 +186,7 @@ void Stage::takeShow(const Signals& signals) {
         }
         const Theatre::Request request = theatre_.take(command, game().ticks());
         if (request.tick) {
-            session_.seek(*request.tick, def_.show->pilot, settings());
+            session_.seek(*request.tick, theatre_.show().pilot, settings());
         }
         if (request.takeOver && game().result() == Result::Playing) {
             session_.takeOver();
@@ -242,18 +218,23 @@ bool Stage::takeShortcut(Command command) {
     return false;
 }
 
+void Stage::quit() {
+    quit_ = true;
+    keepGame();
+    records_.close();
+}
+
 void Stage::back() {
     switch (screen_) {
     case Screen::Title:
-        quit_ = confirm_.ask(Command::Back, seconds_);
-        return quit_ ? keep() : void();
+        return confirm_.ask(Command::Back, seconds_) ? quit() : void();
     case Screen::Paused:
         screen_ = Screen::Playing;
         return inputMapper_.letGo();
     case Screen::Options:
     case Screen::Help: {
         const Action left = screen_ == Screen::Options ? Action::Options : Action::Help;
-        keep();
+        records_.save();
         if (behind_ == Screen::Title) {
             toTitle();
         } else {
@@ -261,6 +242,11 @@ void Stage::back() {
         }
         return menu_.choose(left);
     }
+    case Screen::Replays:
+        return open(Screen::Records, recordsMenu(true));
+    case Screen::Records:
+        toTitle();
+        return menu_.choose(Action::Records);
     default:
         return toTitle();
     }
@@ -275,7 +261,7 @@ void Stage::takeMenu(const Signals& signals, Speaker& speaker) {
     const std::size_t before = menu_.chosen();
     const std::optional<MenuOutcome> outcome = menu_.take(signals);
     if (outcome || menu_.chosen() != before) {
-        chirp(speaker, audible().sound, outcome.has_value());
+        chirp(speaker, profile().audible().sound, outcome.has_value());
     }
     if (outcome) {
         act(*outcome);
@@ -289,28 +275,38 @@ void Stage::act(const MenuOutcome& outcome) {
     case Action::Levels:
         return toLevels();
     case Action::Endless:
-        endless_.score = 0;
-        return beginEndless(std::max(def_.firstEndless, 1u));
+        return beginRun(0);
+    case Action::Daily:
+        return beginRun(offer().today);
+    case Action::Records:
+        return open(Screen::Records, recordsMenu(def_.replays != nullptr));
     case Action::Replays:
-        return toReplays();
+        replays_ = def_.replays();
+        replays_.resize(std::min(replays_.size(), kMostReplays));
+        return open(Screen::Replays, replaysMenu(replays_));
     case Action::Replay: {
         std::variant<Show, std::string> read = replays_[outcome.dial].load();
         if (auto* show = std::get_if<Show>(&read)) {
             def_.show = std::move(*show);
             return beginShow();
         }
-        note(std::get<std::string>(read));
+        records_.note(std::get<std::string>(read));
         return toTitle();
     }
     case Action::Help:
-        return toHelp();
+        behind_ = screen_;
+        return open(Screen::Help, helpMenu());
     case Action::Mode:
-        def_.profile.mode = def_.profile.mode == Mode::Pure ? Mode::Standard : Mode::Pure;
-        level_ = nextToPlay();
-        menu_.setLabel(Action::Play, playLabel(level_, *def_.levels[level_]));
-        return menu_.setLabel(Action::Mode, modeLabel(def_.profile.mode));
+        records_.profile().mode = profile().mode == Mode::Pure ? Mode::Standard : Mode::Pure;
+        level_ = nextToPlay(def_.levels, profile());
+        records_.checkFirst(profile().mode, dailyKey(offer().today));
+        records_.checkFirst(profile().mode, kEndlessKey);
+        return refreshTitle(menu_, offer(), records_);
     case Action::Options:
         return toOptions();
+    case Action::Keys:
+        keys_ = {};
+        return open(Screen::Keys, {});
     case Action::Quit:
     case Action::Back:
     case Action::Resume:
@@ -332,9 +328,9 @@ void Stage::act(const MenuOutcome& outcome) {
 }
 
 void Stage::turn(std::size_t dial, int percent) {
-    def_.profile.settings.*kDials[dial].value = percent;
+    records_.profile().settings.*kDials[dial].value = percent;
     menu_.setPercent(dial, percent);
-    session_.setSettings(audible());
+    session_.setSettings(profile().audible());
 }
 
 } // namespace apart

@@ -20,6 +20,24 @@ std::string timeText(std::uint32_t ticks) {
 
 } // namespace
 
+void Theatre::begin(Show show) {
+    *this = {};
+    show_ = std::move(show);
+}
+
+bool Theatre::next(std::string& problem) {
+    if (!show_.next) {
+        return false;
+    }
+    std::variant<Show, std::string> following = show_.next();
+    if (auto* show = std::get_if<Show>(&following)) {
+        show_ = std::move(*show);
+        return true;
+    }
+    problem = std::get<std::string>(following);
+    return false;
+}
+
 Theatre::Request Theatre::take(Command command, std::uint32_t tick) {
     const std::int64_t now = tick;
     switch (command) {
@@ -60,7 +78,9 @@ std::string Theatre::speedText() const {
     return speed_ < 0 ? fmt::format("1/{}", 1 << -speed_) : fmt::format("{}", 1 << speed_);
 }
 
-void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick, std::uint32_t end) {
+void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick,
+                  const Bindings& keys) {
+    const std::uint32_t end = theatre.show().end;
     constexpr Real kLow = Real(-0.2); // below the paddle
     constexpr Real kHigh = Real(-0.08);
     constexpr Real kHalf = Real(11.5); // m, half the length of the bar
@@ -73,9 +93,9 @@ void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick, st
     const std::string state = fmt::format("{} of {}      {}", timeText(tick), timeText(end),
                                           theatre.paused() ? "paused" : theatre.speedText() + " x");
     canvas.text(state, {-kHalf, Real(0.2)}, {Real(0.42), palette::kText, Typeface::Bold});
-    canvas.text(
-        "space: pause   left, right: 5 s   up, down: speed   N: one tick   enter: take over",
-        {kHalf, Real(0.2)}, {Real(0.38), palette::kQuiet, Typeface::Plain, Align::Right});
+    canvas.text(keys.prompt(Act::Serve) +
+                    ": pause   left, right: 5 s   up, down: speed   N: one tick   enter: take over",
+                {kHalf, Real(0.2)}, {Real(0.38), palette::kQuiet, Typeface::Plain, Align::Right});
 }
 
 } // namespace apart

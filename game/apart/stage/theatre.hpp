@@ -25,6 +25,9 @@ struct Show {
     Mode mode = Mode::Standard;
     Pilot pilot;
     std::uint32_t end = 0; // ticks
+    /// The next level of a recorded run, or the reason why it cannot be played. Empty after the
+    /// last one.
+    std::function<std::variant<Show, std::string>()> next{};
 };
 
 /// A replay of the player's list. `load` reads it, or gives the reason why it cannot be played.
@@ -33,7 +36,7 @@ struct ShowEntry {
     std::function<std::variant<Show, std::string>()> load;
 };
 
-/// Controls of a show: pause, speed, and places to go to.
+/// The show on the screen, and its controls: pause, speed, and places to go to.
 class Theatre {
 public:
     static constexpr int kSlowest = -3; // powers of 2: 1/8 to 8
@@ -45,7 +48,11 @@ public:
         std::optional<std::int64_t> tick{}; // to go to; may lie outside of the show
         bool takeOver = false;
     };
-    void begin() { *this = {}; }
+    void begin(Show show);
+    /// Goes on with the next level of the show and keeps the speed. False if there is none, or if
+    /// it cannot be played: then `problem` is a sentence.
+    bool next(std::string& problem);
+    const Show& show() const { return show_; }
     Request take(Command command, std::uint32_t tick);
 
     bool paused() const { return paused_; }
@@ -53,11 +60,12 @@ public:
     double pace() const;
     std::string speedText() const; // 1/4, 1, 2
 private:
+    Show show_; // its current level
     bool paused_ = false;
     int speed_ = 0;
 };
 
 /// Paints time, speed and keys of a show.
-void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick, std::uint32_t end);
+void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick, const Bindings& keys);
 
 } // namespace apart

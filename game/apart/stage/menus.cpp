@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include <apart/stage/hud.hpp>
+#include <apart/stage/menus.hpp>
+
+#include <fmt/format.h>
+
+namespace apart {
+
+namespace {
+
+std::string modeLabel(Mode mode) {
+    return mode == Mode::Pure ? "\u2039  Pure: no path is ever bent  \u203a"
+                              : "\u2039  Standard rules  \u203a";
+}
+
+/// An item with the best score of its runs, if one is proved.
+std::string runLabel(std::string_view name, std::int32_t best) {
+    return best > 0 ? fmt::format("{}   best {}", name, grouped(best)) : std::string(name);
+}
+
+std::string endlessLabel(const Records& records) {
+    return runLabel("Endless", records.provedScore(records.profile().mode, kEndlessKey));
+}
+
+std::string dailyLabel(Day today, const Records& records) {
+    return runLabel("Daily run " + dayText(today),
+                    records.provedScore(records.profile().mode, dailyKey(today)));
+}
+
+} // namespace
+
+Menu titleMenu(const TitleOffer& offer, const Records& records) {
+    std::vector<MenuItem> items = {{Action::Play, offer.play}, {Action::Levels, "Choose a level"}};
+    if (offer.endless) {
+        items.push_back({Action::Endless, endlessLabel(records)});
+    }
+    if (offer.endless && offer.today > 0) {
+        items.push_back({Action::Daily, dailyLabel(offer.today, records)});
+    }
+    items.push_back({Action::Mode, modeLabel(records.profile().mode)});
+    items.push_back({Action::Records, "Records"});
+    items.push_back({Action::Help, "How to play"});
+    items.push_back({Action::Options, "Options"});
+    items.push_back({Action::Quit, "Quit"});
+    return {std::move(items), Real(10.5)};
+}
+
+void refreshTitle(Menu& menu, const TitleOffer& offer, const Records& records) {
+    menu.setLabel(Action::Play, offer.play);
+    menu.setLabel(Action::Endless, endlessLabel(records));
+    menu.setLabel(Action::Daily, dailyLabel(offer.today, records));
+    menu.setLabel(Action::Mode, modeLabel(records.profile().mode));
+}
+
+Menu recordsMenu(bool replays) {
+    std::vector<MenuItem> items;
+    if (replays) {
+        items.push_back({Action::Replays, "Replays"});
+    }
+    items.push_back({Action::Back, "Back"});
+    return {std::move(items), Real(3.2)};
+}
+
+Menu replaysMenu(const std::vector<ShowEntry>& replays) {
+    std::vector<MenuItem> items;
+    for (std::size_t i = 0; i < replays.size(); ++i) {
+        items.push_back({Action::Replay, replays[i].label, std::nullopt, i});
+    }
+    items.push_back({Action::Back, "Back"});
+    return {std::move(items), Real(13.2)};
+}
+
+Menu optionsMenu(const Settings& settings) {
+    std::vector<MenuItem> items;
+    for (std::size_t i = 0; i < kDials.size(); ++i) {
+        const Dial& dial = kDials[i];
+        items.push_back({Action::Dial, std::string(dial.label),
+                         Gauge{settings.*dial.value, dial.least, dial.most}, i});
+    }
+    items.push_back({Action::Keys, "Keys and buttons"});
+    items.push_back({Action::Reset, "As they were at first"});
+    items.push_back({Action::Back, "Back"});
+    return {std::move(items), Real(13.2)};
+}
+
+Menu pauseMenu() {
+    return {{{Action::Resume, "Go on"},
+             {Action::Restart, "Restart"},
+             {Action::Help, "How to play"},
+             {Action::Options, "Options"},
+             {Action::Levels, "All levels"},
+             {Action::ToTitle, "Title"}},
+            Real(11.6)};
+}
+
+Menu helpMenu() {
+    return {{{Action::Back, "Back"}}, Real(-2)}; // below the picture
+}
+
+} // namespace apart

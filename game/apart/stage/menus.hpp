@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <apart/stage/daily.hpp>
+#include <apart/stage/menu.hpp>
+#include <apart/stage/records.hpp>
+#include <apart/stage/theatre.hpp>
+
+#include <string>
+#include <vector>
+
+namespace apart {
+
+/// What the title screen offers.
+struct TitleOffer {
+    std::string play{};   // number and title of the level to play
+    bool endless = false; // endless and daily runs
+    Day today = 0;        // 0: no daily run
+};
+Menu titleMenu(const TitleOffer& offer, const Records& records);
+/// Updates the labels that depend on mode and scores.
+void refreshTitle(Menu& menu, const TitleOffer& offer, const Records& records);
+
+Menu recordsMenu(bool replays);
+Menu replaysMenu(const std::vector<ShowEntry>& replays);
+Menu optionsMenu(const Settings& settings);
+Menu pauseMenu();
+Menu helpMenu();
+
+} // namespace apart

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <apart/stage/level_select.hpp>
+#include <apart/stage/score_book.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace apart {
+
+/// File of the best game of a level, or of the best run of a key.
+std::filesystem::path bestFile(const std::filesystem::path& folder, Mode mode,
+                               const std::string& level);
+
+/// Writes a game to last.replay in the player's folder or, if `best` names its level, to best/. A
+/// best game that cannot be compared with the new one is renamed: one that is damaged (.broken), of
+/// other rules (.rules-N), or of another version of the level (.older-level). Returns an error
+/// sentence or "".
+std::string keepReplay(const std::filesystem::path& folder, const ReplayRun& run,
+                       const std::string& best);
+
+/// The recorded best games in the player's folder, on these levels.
+ScoreStore scoresIn(const std::filesystem::path& folder, const LevelList& levels);
+
+} // namespace apart

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/assets.hpp>
+#include <apart/core/medals.hpp>
+#include <apart/core/tuning.hpp>
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace apart {
+namespace {
+
+const std::vector<MedalMarks> kMarks = {{"a", 7, {100, 200, 400}, 12, 20}, {"b", 8, {50, 50, 50}}};
+
+TEST(Medals, AScoreEarnsTheHighestMarkThatItReaches) {
+    EXPECT_EQ(medalOf(99, "a", kMarks), Medal::None);
+    EXPECT_EQ(medalOf(100, "a", kMarks), Medal::Bronze);
+    EXPECT_EQ(medalOf(399, "a", kMarks), Medal::Silver);
+    EXPECT_EQ(medalOf(400, "a", kMarks), Medal::Gold);
+    EXPECT_EQ(medalOf(50, "b", kMarks), Medal::Gold);
+    EXPECT_EQ(medalOf(9999, "c", kMarks), Medal::None);
+    EXPECT_EQ(nextMark(0, "a", kMarks), 100);
+    EXPECT_EQ(nextMark(100, "a", kMarks), 200);
+    EXPECT_EQ(nextMark(400, "a", kMarks), 0);
+    EXPECT_EQ(nextMark(0, "c", kMarks), 0);
+}
+
+TEST(Medals, MarksAreRisingQuantilesOfTheScores) {
+    std::vector<std::int32_t> scores(101);
+    std::iota(scores.begin(), scores.end(), 1000); // 1000 to 1100: quantile q is 1000 + 100 q
+    EXPECT_EQ(marksOf(scores), (std::array<std::int32_t, 3>{1050, 1100, 1100}));
+    EXPECT_EQ(marksOf({0}), (std::array<std::int32_t, 3>{50, 50, 50}));
+}
+
+TEST(Medals, TheTableIsReadAsItIsWritten) {
+    const Read<std::vector<MedalMarks>> read = parseMedals(toText(kMarks), "x");
+    ASSERT_TRUE(std::holds_alternative<std::vector<MedalMarks>>(read));
+    EXPECT_EQ(std::get<std::vector<MedalMarks>>(read), kMarks);
+}
+
+TEST(Medals, AnInvalidTableIsRefused) {
+    const std::string head = "format = 1\nrules = " + std::to_string(kRulesVersion) + "\n";
+    const std::string digest = "digest = \"0000000000000007\"\n";
+    for (const std::string& text :
+         {std::string("format = 1\nrules = 1\n"), std::string("rules = 1\n"), head + "a = 1\n",
+          head + "[a]\n" + digest, head + "[a]\n" + digest + "scores = [1, 2]\n",
+          head + "[a]\n" + digest + "scores = [1, 3, 2]\n",
+          head + "[a]\n" + digest + "scores = [0, 1, 2]\n", head + "[a]\nscores = [1, 2, 3]\n"}) {
+        EXPECT_TRUE(std::holds_alternative<FileProblem>(parseMedals(text, "x"))) << text;
+    }
+}
+
+TEST(Medals, MeasuringIsRepeatable) {
+    const Level level = std::get<Level>(loadLevel("first_light"));
+    const MedalMarks marks = measureMedals(level, 1, 600);
+    EXPECT_EQ(marks, measureMedals(level, 1, 600));
+    EXPECT_GE(marks.oneFall, 8) << "the temple falls";
+    EXPECT_TRUE(measuredOn(marks, level));
+    EXPECT_FALSE(measuredOn({"first_light", marks.digest + 1, {}}, level));
+}
+
+// tools/medals remakes the table after a change of the rules or of a level.
+TEST(Medals, TheTableOfTheGameIsUpToDate) {
+    const auto read = readMedals(assetsFolder() / "medals.toml");
+    ASSERT_TRUE(std::holds_alternative<std::vector<MedalMarks>>(read))
+        << std::get<FileProblem>(read).text();
+    const auto& marks = std::get<std::vector<MedalMarks>>(read);
+    EXPECT_EQ(marks.size(), levelNames().size());
+    for (const std::string& name : levelNames()) {
+        const Level level = std::get<Level>(loadLevel(name));
+        EXPECT_TRUE(std::any_of(marks.begin(), marks.end(),
+                                [&](const auto& m) { return measuredOn(m, level); }))
+            << name << " has changed: run tools/medals " << name;
+    }
+}
+
+} // namespace
+} // namespace apart

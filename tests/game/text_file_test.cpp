@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/text_file.hpp>
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace apart {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kNoFile = "is a pipe, a device or a socket, not a file";
+
+/// Provides a separate folder for each test.
+class TextFile : public testing::Test {
+protected:
+    void SetUp() override {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = fs::path(testing::TempDir()) / "apart-text-file" / test->name();
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    static std::string reasonOf(const Read<std::string>& read) {
+        const auto* problem = std::get_if<FileProblem>(&read);
+        return problem != nullptr ? problem->reason : "";
+    }
+
+    fs::path folder_;
+};
+
+// D6: reading a pipe or a device might never end.
+TEST_F(TextFile, OnlyRegularFilesAreRead) {
+    const fs::path pipe = folder_ / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_EQ(reasonOf(readTextFile(pipe, 100)), kNoFile);
+    EXPECT_EQ(reasonOf(readTextFile("/dev/zero", 100)), kNoFile);
+    EXPECT_EQ(reasonOf(readTextFile(folder_, 100)), "is a folder, not a file");
+    EXPECT_EQ(reasonOf(readTextFile(folder_ / "none", 100)), "there is no such file");
+}
+
+// D6: the renamed file took the place of the pipe; as root, that of /dev/null.
+TEST_F(TextFile, APipeIsNotReplacedByAFile) {
+    const fs::path pipe = folder_ / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    const auto problem = writeTextFile(pipe, "text");
+    ASSERT_TRUE(problem);
+    EXPECT_EQ(problem->reason, kNoFile);
+    EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+TEST_F(TextFile, ALongerFileThanTheLimitIsRefused) {
+    const fs::path file = folder_ / "file";
+    ASSERT_FALSE(writeTextFile(file, std::string(100, 'x')));
+    EXPECT_EQ(std::get<std::string>(readTextFile(file, 100)), std::string(100, 'x'));
+    EXPECT_EQ(reasonOf(readTextFile(file, 99)), "is longer than 99 bytes");
+    fs::resize_file(file, std::uintmax_t{1} << 40); // sparse: 1 TiB that take no place
+    EXPECT_EQ(reasonOf(readTextFile(file, 16 << 20)), "is longer than 16777216 bytes");
+}
+
+// Files of /proc are regular and have content, but report a size of 0.
+TEST_F(TextFile, AFileThatReportsNoSizeIsRead) {
+    if (!fs::exists("/proc/self/status")) {
+        GTEST_SKIP() << "there is no /proc";
+    }
+    EXPECT_NE(std::get<std::string>(readTextFile("/proc/self/status", 100000)).find("Pid:"),
+              std::string::npos);
+    EXPECT_EQ(reasonOf(readTextFile("/proc/self/status", 10)), "is longer than 10 bytes");
+}
+
+} // namespace
+} // namespace apart

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/endless.hpp>
+#include <apart/stage/statistics_page.hpp>
+
+#include <gtest/gtest.h>
+
+#include "stage_rig.hpp"
+
+namespace apart {
+namespace {
+
+constexpr Day kToday = 20261126;
+
+TEST(Daily, ADayIsAKeyAndASeed) {
+    EXPECT_EQ(dayText(kToday), "2026-11-26");
+    EXPECT_EQ(dailyKey(kToday), "daily-2026-11-26");
+    EXPECT_EQ(dayOf("daily-2026-11-26"), std::optional(kToday));
+    for (const char* key : {"daily-", "daily-2026-1-1", "daily-202611-2-6", "endless",
+                            "daily-2026-11-2x", "daily-2026_11_26"}) {
+        EXPECT_EQ(dayOf(key), std::nullopt) << key;
+    }
+}
+
+TEST(Daily, OnlyARunFromItsFirstLevelWithItsSeedsIsOne) {
+    Replay first;
+    first.level = "endless:20261126:1";
+    first.seed = dailySeed(kToday, 1);
+    Replay second;
+    second.level = "endless:20261126:2";
+    second.seed = dailySeed(kToday, 2);
+    EXPECT_TRUE(isDaily({first}, kToday));
+    EXPECT_TRUE(isDaily({first, second}, kToday));
+    EXPECT_FALSE(isDaily({}, kToday));
+    EXPECT_FALSE(isDaily({second}, kToday));
+    EXPECT_FALSE(isDaily({first}, kToday + 1));
+    first.seed = 1; // another serve
+    EXPECT_FALSE(isDaily({first}, kToday));
+}
+
+StageDef withRuns() {
+    StageDef def = StageRig::twoLevels();
+    def.endless = [](std::uint32_t) { return glassLevel("Row", {7}); };
+    def.today = [] { return kToday; };
+    def.daily = [](Day day, std::uint32_t number) {
+        Level level = *glassLevel("Row of today", {7});
+        level.name = EndlessName{day, number}.text();
+        return std::make_shared<const Level>(level);
+    };
+    return def;
+}
+
+TEST(Daily, ItsScoreStandsOnTheTitleAndApartFromEndlessRuns) {
+    std::vector<ReplayRun> kept;
+    StageDef def = withRuns();
+    def.keeping.keepReplay = [&kept](const ReplayRun& run, const std::string& best) {
+        if (best == dailyKey(kToday)) {
+            kept.push_back(run);
+        }
+        return std::string();
+    };
+    StageRig rig(std::move(def));
+    EXPECT_TRUE(rig.picture().says("Daily run 2026-11-26"));
+    rig.clickItem(Action::Daily);
+    EXPECT_TRUE(rig.picture().says("DAILY 1   2026-11-26"));
+    EXPECT_EQ(rig.stage.game().seed(), dailySeed(kToday, 1));
+    playToTheEnd(rig);
+    const std::int32_t score = rig.stage.game().score();
+    ASSERT_GT(score, 0);
+    rig.press(Command::Next);
+    EXPECT_EQ(rig.stage.game().seed(), dailySeed(kToday, 2));
+    rig.press(Command::Pause);
+    rig.clickItem(Action::ToTitle);
+    EXPECT_TRUE(rig.picture().says("Daily run 2026-11-26   best " + grouped(score)));
+    EXPECT_EQ(rig.stage.profile().bestOf(Mode::Standard, kEndlessKey), Best{});
+    ASSERT_EQ(kept.size(), 1u);
+    EXPECT_TRUE(isDaily(kept[0], kToday));
+}
+
+TEST(Statistics, EachGameIsCountedOnceInItsTheme) {
+    StageRig rig(StageRig::playing());
+    playToTheEnd(rig);
+    const PlayTotals& totals = rig.stage.profile().totals[0];
+    EXPECT_EQ(totals.games, 1);
+    EXPECT_EQ(totals.won, rig.stage.game().result() == Result::Won ? 1 : 0);
+    EXPECT_GE(totals.broken, 1);
+    rig.press(Command::Restart); // a game of less than two seconds does not count
+    rig.frames(30);
+    rig.press(Command::Restart);
+    EXPECT_EQ(rig.stage.profile().totals[0].games, 1);
+    rig.frames(180);
+    rig.press(Command::Pause);
+    rig.clickItem(Action::ToTitle);
+    EXPECT_EQ(rig.stage.profile().totals[0].games, 2);
+    EXPECT_GE(rig.stage.profile().totals[0].seconds, 3);
+    rig.clickItem(Action::Records);
+    EXPECT_EQ(rig.stage.screen(), Screen::Records);
+    EXPECT_TRUE(rig.picture().says("All themes"));
+    rig.press(Command::Back);
+    EXPECT_EQ(rig.stage.screen(), Screen::Title);
+}
+
+TEST(Statistics, TotalsAddAndMaximaStay) {
+    PlayTotals sum{3, 1, 100, 20, 5, 7, 4};
+    add(sum, {1, 1, 50, 10, 0, 9, 2});
+    EXPECT_EQ(sum, (PlayTotals{4, 2, 150, 30, 5, 9, 4}));
+    add(sum, {kMostTotal, 0, 0, 0, 0, 0, 0});
+    EXPECT_EQ(sum.games, kMostTotal) << "no overflow";
+    EXPECT_EQ(durationText(59), "0:59");
+    EXPECT_EQ(durationText(3723), "1:02:03");
+}
+
+/// A stage whose first level has a recorded best game.
+StageDef withBest(const Replay& best, std::int32_t score) {
+    StageDef def = StageRig::twoLevels();
+    def.startAtOnce = true;
+    def.profile.enter(Mode::Standard, def.levels[0]->name, {score, true, false, false});
+    def.scores.load = [best](Mode, const std::string&) { return ReplayRun{best}; };
+    def.scores.levelOf = [level = def.levels[0]](const Replay&) -> LevelOrReason { return level; };
+    return def;
+}
+
+// The ghost is a game of its own: with and without it the player's game has the same states.
+TEST(Ghost, RunsBesideTheGameAndDoesNotChangeIt) {
+    const auto level = StageRig::twoLevels().levels[0];
+    const Replay best = recordedGame(level, 3);
+    StageRig with(withBest(best, 100));
+    StageDef off = withBest(best, 100);
+    off.profile.settings.ghost = 0;
+    StageRig without(std::move(off));
+    const auto discs = [](StageRig& rig) {
+        const auto& strokes = rig.picture().strokes();
+        return std::count_if(strokes.begin(), strokes.end(), [](const Stroke& stroke) {
+            return stroke.kind == Stroke::Kind::Ring && stroke.size == kBallRadius;
+        });
+    };
+    for (StageRig* rig : {&with, &without}) {
+        rig->press(Command::Launch);
+        rig->frames(30);
+    }
+    EXPECT_EQ(with.stage.game().stateHash(), without.stage.game().stateHash());
+    EXPECT_EQ(discs(with), discs(without) + 1) << "the ball of the ghost";
+    with.press(Command::Restart);
+    with.press(Command::Restart);
+    with.frames(5);
+    EXPECT_EQ(discs(with), discs(without) + 1) << "it starts again with the game";
+}
+
+TEST(Ghost, FollowsTheReplayTickByTickAndEndsWithIt) {
+    const auto level = StageRig::twoLevels().levels[0];
+    const Replay best = recordedGame(level, 3);
+    Ghost ghost(best, level);
+    Playback playback(best, level);
+    while (!playback.done()) {
+        playback.tick();
+        ghost.tick();
+        ASSERT_EQ(ghost.game().stateHash(), playback.game().stateHash());
+    }
+    EXPECT_TRUE(ghost.done());
+    RecordingCanvas canvas;
+    canvas.begin({{-16, 0}, {16, 20}}, {});
+    ghost.draw(canvas, 1, 0.5f);
+    EXPECT_TRUE(canvas.strokes().empty());
+    ghost.tick(); // does nothing
+    EXPECT_EQ(ghost.game().ticks(), best.end);
+}
+
+TEST(Honours, ThoseOfALevelDependOnItsMarks) {
+    Game game(*glassLevel("One block", {7}), 3);
+    RunStatistics statistics;
+    while (game.result() == Result::Playing) {
+        game.tick(bot(game));
+        statistics.update(game);
+    }
+    ASSERT_EQ(game.result(), Result::Won);
+    const int hits = statistics.paddleHits;
+    ASSERT_GT(hits, 0);
+    MedalMarks marks{"x", 0, {1, 2, 3}, hits, 5};
+    EXPECT_TRUE(statistics.bestOf(game, &marks).fewHits);
+    EXPECT_FALSE(statistics.bestOf(game, &marks).oneFall);
+    marks.fewHits = hits - 1;
+    EXPECT_FALSE(statistics.bestOf(game, &marks).fewHits);
+    EXPECT_FALSE(statistics.bestOf(game).fewHits) << "a level without marks";
+    for (int i = 0; i < 600; ++i) { // the game is over: nothing counts any more
+        game.tick(bot(game));
+        statistics.update(game);
+    }
+    EXPECT_EQ(statistics.paddleHits, hits);
+    statistics.largestFall = 5;
+    EXPECT_TRUE(statistics.bestOf(game, &marks).oneFall);
+}
+
+TEST(Medals, TheResultAndTheLevelSelectShowThem) {
+    StageDef def = StageRig::playing();
+    const std::string name = def.levels[0]->name;
+    def.marks = {{name, 0, {10, 20, 9999999}, 99, 7}};
+    StageRig rig(std::move(def));
+    playToTheEnd(rig);
+    ASSERT_GT(rig.stage.game().score(), 20);
+    EXPECT_TRUE(rig.picture().says("silver medal, gold from 9 999 999"));
+    EXPECT_TRUE(rig.picture().says("99 hits at most"));
+    EXPECT_TRUE(rig.picture().says("7 in one fall"));
+    EXPECT_TRUE(rig.stage.profile().bestOf(Mode::Standard, name).fewHits);
+    EXPECT_EQ(rig.stage.records().medalOf(Mode::Standard, name), Medal::Silver);
+    EXPECT_EQ(rig.stage.records().medalOf(Mode::Pure, name), Medal::None);
+    rig.clickItem(Action::Levels);
+    rig.press(Command::Left);
+    EXPECT_TRUE(rig.picture().says("gold 9 999 999"));
+}
+
+} // namespace
+} // namespace apart
