@@ -14,6 +14,8 @@ struct Topic {
     std::string_view text;
 };
 
+constexpr Real kRoom = Real(22); // m, right of the names
+
 constexpr std::array<Topic, 12> kTopics = {{
     {"move", "mouse, arrows, A and D, or the stick of a gamepad"},
     {"serve", "space, enter, click, or the first button; with a spring it leaps"},
@@ -33,12 +35,13 @@ constexpr std::array<Topic, 12> kTopics = {{
 
 void paintHelp(Canvas& canvas) {
     canvas.text("How to play", {0, Real(15.2)},
-                {Real(1.4), palette::kText, Typeface::Bold, Align::Middle});
+                {Real(1.4), palette::kText, Typeface::Display, Align::Middle});
     Real y = Real(13.6);
     for (const Topic& topic : kTopics) {
         canvas.text(topic.name, {Real(-8.0), y},
                     {Real(0.52), palette::kAccent, Typeface::Bold, Align::Right});
-        canvas.text(topic.text, {Real(-7.4), y}, {Real(0.5), palette::kText});
+        canvas.text(topic.text, {Real(-7.4), y},
+                    {Real(0.5), palette::kText, Typeface::Plain, Align::Left, kRoom});
         y -= Real(0.92);
     }
     canvas.text("escape or enter: back", {0, Real(1.2)},

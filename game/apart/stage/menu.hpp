@@ -6,7 +6,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace apart {
@@ -26,6 +28,7 @@ enum class Action : std::uint8_t {
     NextLevel,
     ToTitle,
     Back,
+    Page,  // shows the next page of options
     Reset, // resets all dials
     Dial,  // adjusted by left and right
 };
@@ -35,6 +38,7 @@ struct Gauge {
     int percent = 0;
     int least = 0;
     int most = 100;
+    std::span<const std::string_view> words = {}; // of the values from 0 on, instead of percent
 };
 
 struct MenuItem {

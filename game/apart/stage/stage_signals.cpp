@@ -80,15 +80,20 @@ void Stage::toLevels() {
     demo(level_);
 }
 
-void Stage::toOptions() {
-    behind_ = screen_;
+void Stage::toOptions(int page) {
+    behind_ = screen_ == Screen::Options ? behind_ : screen_;
     screen_ = Screen::Options;
+    optionsPage_ = page % static_cast<int>(kDialPages.size());
     std::vector<MenuItem> items;
     for (std::size_t i = 0; i < kDials.size(); ++i) {
         const Dial& dial = kDials[i];
-        items.push_back({Action::Dial, std::string(dial.label),
-                         Gauge{settings().*dial.value, dial.least, dial.most}, i});
+        if (dial.page == optionsPage_) {
+            items.push_back({Action::Dial, std::string(dial.label),
+                             Gauge{settings().*dial.value, dial.least, dial.most, dial.words}, i});
+        }
     }
+    const std::string_view name = kDialPages[static_cast<std::size_t>(optionsPage_)];
+    items.push_back({Action::Page, fmt::format("\u2039  {}  \u203a", name)});
     items.push_back({Action::Reset, "As they were at first"});
     items.push_back({Action::Back, "Back"});
     menu_ = Menu(std::move(items), Real(13.2));
@@ -321,6 +326,9 @@ void Stage::act(const MenuOutcome& outcome) {
         return next();
     case Action::ToTitle:
         return toTitle();
+    case Action::Page:
+        toOptions(optionsPage_ + 1);
+        return menu_.choose(Action::Page);
     case Action::Reset:
         for (std::size_t i = 0; i < kDials.size(); ++i) {
             turn(i, Settings{}.*kDials[i].value);
