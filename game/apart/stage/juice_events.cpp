@@ -172,7 +172,7 @@ void Juice::onEvent(const Game& game, const LetGo& let) {
     blast(let.point, tints().of(let.stuff), 16, 4);
     push(let.why == LetGo::Why::BrokeOff ? Real(0.3) : Real(0.16));
     if (let.why == LetGo::Why::Toppled) {
-        debris_.add({let.point, {}, palette::kQuiet, 2, 2, 3, Real(1.1)},
+        debris_.add({let.point, {}, faded(tints().of(let.stuff), 1), 2, 2, 3, Real(1.1)},
                     share(settings_.particles));
     }
     if (let.points > 0) {
