@@ -28,7 +28,8 @@ Aabb sweptBounds(const kodo::BodyView& body) {
 } // namespace
 
 std::vector<Aabb> breakingPlaces(const Game& game) {
-    constexpr std::uint32_t kFresh = 60; // ticks
+    constexpr std::uint32_t kFresh = 60;  // ticks
+    constexpr Real kToppling = Real(0.3); // m/s
     std::vector<Aabb> places;
     for (const Shard& shard : game.shards()) {
         if (game.ticks() - shard.bornTick < kFresh) {
@@ -36,9 +37,13 @@ std::vector<Aabb> breakingPlaces(const Game& game) {
         }
     }
     for (const Block& block : game.blocks()) {
+        const kodo::BodyView body = game.world()[block.body];
         const bool loose = block.support == Support::Fallen || block.support == Support::Loose;
-        if (loose && game.ticks() - block.looseTick < 2 * kFresh) {
-            places.push_back(sweptBounds(game.world()[block.body]));
+        const bool fresh = loose && game.ticks() - block.looseTick < 2 * kFresh;
+        const bool topples = block.support == Support::Standing && !body.isAsleep() &&
+                             length(body.velocity()) > kToppling;
+        if (fresh || topples) {
+            places.push_back(sweptBounds(body));
         }
     }
     return places;

@@ -18,6 +18,7 @@ struct Settings {
     int slow = 100;  // slow motion during a collapse and at the last block
     int zoom = 60;   // of the picture towards a collapse
     int sound = 80;
+    int music = 60;
     int mouse = 100; // ratio of paddle displacement to mouse displacement
     int text = 100;  // size of texts
     int colors = 0;  // a Vision
@@ -42,8 +43,9 @@ inline constexpr std::array<std::string_view, 3> kDialPages = {"Sound and speed"
 inline constexpr std::array<std::string_view, 2> kOffOn = {"off", "on"};
 inline constexpr std::array<std::string_view, 4> kColorWords = {"usual", "deuteranopia",
                                                                 "protanopia", "tritanopia"};
-inline constexpr std::array<Dial, 14> kDials = {
+inline constexpr std::array<Dial, 15> kDials = {
     Dial{"sound", "Sound", &Settings::sound},
+    Dial{"music", "Music", &Settings::music},
     Dial{"mouse", "Speed of the mouse", &Settings::mouse, 20, 300},
     Dial{"speed", "Speed of the game", &Settings::speed, 50, 100},
     Dial{"particles", "Particles", &Settings::particles, 0, 100, 1},

@@ -68,7 +68,9 @@ private:
 class RecordingSpeaker : public Speaker {
 public:
     void play(const Note& note) override { notes.push_back(note); }
+    void follow(const SoundScene& now) override { scene = now; }
     std::vector<Note> notes;
+    SoundScene scene;
 };
 
 /// Replays a script, one Signals per poll, then empty input.

@@ -12,6 +12,17 @@ constexpr double kAttractSeconds = 20;                     // without input
 constexpr std::uint32_t kDemoTicks = 60 * kTicksPerSecond; // until the bot shows the next level
 constexpr const char* kEndlessName = "endless";            // key of endless runs in the profile
 
+/// Continuous sounds of the game; a menu muffles them, and the bot's game behind one makes none.
+SoundScene soundOf(const Session& session, bool playing, const Settings& settings) {
+    const bool own = playing && session.kind() != Session::Kind::Demo;
+    SoundScene scene = own ? sceneOf(session.game()) : SoundScene{};
+    scene.theme = session.game().level().theme;
+    scene.muffled = !playing;
+    scene.volume = share(settings.sound);
+    scene.music = share(settings.music) * (playing ? 1.0f : 0.7f);
+    return scene;
+}
+
 } // namespace
 
 Stage::Stage(StageDef def) : def_(std::move(def)), select_(def_.levels) {
@@ -41,6 +52,7 @@ std::size_t Stage::nextToPlay() const {
 Settings Stage::audible() const {
     Settings settings = def_.profile.settings;
     settings.sound = def_.profile.muted ? 0 : settings.sound;
+    settings.music = def_.profile.muted ? 0 : settings.music;
     return settings;
 }
 
@@ -118,6 +130,7 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     overSeconds_ += seconds;
     idleSeconds_ += seconds;
     take(signals, speaker);
+    speaker.follow(soundOf(session_, screen_ == Screen::Playing, audible()));
     reloadLevel();
     const bool menu = screen_ == Screen::Options || screen_ == Screen::Help;
     if (screen_ == Screen::Paused || (menu && !demoRuns())) {
