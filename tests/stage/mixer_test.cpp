@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "loudness.hpp"
 #include "stage_rig.hpp"
@@ -74,7 +75,7 @@ TEST(Loudness, OfASineIsThatOfTheStandard) {
 }
 
 TEST(Mixer, TheFirstLevelHasMinus16LufsAndIsHardlyEverSilent) {
-    const std::vector<float> samples = soundOf("first_light", 20);
+    const std::vector<float> samples = soundOf("first_light", 16);
     EXPECT_NEAR(loudnessOf(samples, kSampleRate), -16, 1);
     EXPECT_LT(silenceOf(samples, kSampleRate, 0.00316f), 0.05); // -50 dB of full scale
     EXPECT_LE(peakOf(samples), Mixer::kCeiling + 1e-6f);
@@ -82,7 +83,7 @@ TEST(Mixer, TheFirstLevelHasMinus16LufsAndIsHardlyEverSilent) {
 
 TEST(Mixer, EveryThemeIsAsLoudAndBelowTheCeiling) {
     for (const char* name : {"arch", "card_house", "dam", "bell", "orbit", "castle"}) {
-        const std::vector<float> samples = soundOf(name, 8);
+        const std::vector<float> samples = soundOf(name, 4);
         EXPECT_NEAR(loudnessOf(samples, kSampleRate), -16.5, 2.5) << name;
         EXPECT_LE(peakOf(samples), Mixer::kCeiling + 1e-6f) << name;
     }
@@ -147,12 +148,12 @@ TEST(Mixer, EachThemeHasItsOwnMusicAndRoom) {
         if (!music) {
             mixer.play({Voice::Stone, 1, 1, 0});
         }
-        return rendered(mixer, 1);
+        return rendered(mixer, 0.3);
     };
-    for (std::size_t a = 0; a < kThemeNames.size(); ++a) {
-        for (std::size_t b = 0; b < a; ++b) {
-            EXPECT_NE(soundIn(a, true), soundIn(b, true)) << a << " " << b;
-            EXPECT_NE(soundIn(a, false), soundIn(b, false)) << a << " " << b;
+    for (const bool music : {true, false}) {
+        std::set<std::vector<float>> sounds;
+        for (std::size_t theme = 0; theme < kThemeNames.size(); ++theme) {
+            EXPECT_TRUE(sounds.insert(soundIn(theme, music)).second) << kThemeNames[theme];
         }
     }
 }
@@ -161,7 +162,7 @@ TEST(Music, GrowsWithComboAndDanger) {
     const auto energyWith = [](Tension tension) {
         Music music(Theme::Daybreak);
         double energy = 0;
-        for (int i = 0; i < 8 * int(kSampleRate); ++i) {
+        for (int i = 0; i < 5 * int(kSampleRate); ++i) {
             const Frame frame = music.next(tension);
             energy += static_cast<double>(frame.left * frame.left + frame.right * frame.right);
         }

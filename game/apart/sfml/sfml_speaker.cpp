@@ -46,16 +46,16 @@ bool canPlay() {
 
 } // namespace
 
-SfmlSpeaker::SfmlSpeaker() {
+SfmlSpeaker::Stream::Stream(Mixer& mixer) : mixer_(mixer) {
     initialize(2, kSampleRate);
-    sf::SoundStream::play();
+    play();
 }
 
-SfmlSpeaker::~SfmlSpeaker() {
-    stop(); // before the mixer is gone
+SfmlSpeaker::Stream::~Stream() {
+    stop(); // while onGetData() can still be called
 }
 
-bool SfmlSpeaker::onGetData(Chunk& data) {
+bool SfmlSpeaker::Stream::onGetData(Chunk& data) {
     mixer_.render(rendered_);
     std::transform(rendered_.begin(), rendered_.end(), samples_.begin(),
                    [](float sample) { return static_cast<sf::Int16>(32767 * sample); });
