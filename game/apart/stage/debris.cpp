@@ -9,8 +9,8 @@ namespace apart {
 
 namespace {
 
-constexpr std::size_t kMostChips = 220;
-constexpr std::size_t kMostPuffs = 70;
+constexpr std::size_t kMostChips = 110;
+constexpr std::size_t kMostPuffs = 20;
 constexpr Real kFall = -16;           // m/s^2, of chips
 constexpr Real kChipDrag = Real(1.1); // 1/s
 constexpr Real kDustDrag = Real(3.2); // 1/s

@@ -106,7 +106,7 @@ void Juice::onEvent(const Game& game, const Broke& hit) {
                  {},
                  dust,
                  6 + countFor(weight, 12),
-                 3 + countFor(weight, 4),
+                 2 + countFor(weight, 3),
                  4 + 9 * weight,
                  Real(0.8) + Real(0.5) * weight},
                 share(settings_.particles));

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace apart {
 
@@ -51,14 +50,10 @@ void Sparks::draw(Canvas& canvas) const {
         const Color head = faded(spark.color, left);
         const Color none = faded(head, 0);
         const Vec2 tail = spark.point - Real(1.8) * streak;
-        const Vec2 nose = spark.point - Real(1.4) * perp(side);
         const std::array<Color, 3> colors = {head, none, none};
-        for (const auto& [from, to] : {std::pair{spark.point + Real(1.4) * side, tail},
-                                       std::pair{tail, spark.point - Real(1.4) * side},
-                                       std::pair{spark.point - Real(1.4) * side, nose},
-                                       std::pair{nose, spark.point + Real(1.4) * side}}) {
-            canvas.facet(std::array{spark.point, from, to}, colors);
-        }
+        const Vec2 wide = Real(1.5) * side;
+        canvas.facet(std::array{spark.point, spark.point + wide, tail}, colors);
+        canvas.facet(std::array{spark.point, tail, spark.point - wide}, colors);
     }
     canvas.setGlow(false);
 }
