@@ -9,8 +9,8 @@ namespace apart {
 
 namespace {
 
-constexpr std::size_t kMostChips = 110;
-constexpr std::size_t kMostPuffs = 20;
+constexpr std::size_t kMostChips = 80;
+constexpr std::size_t kMostPuffs = 12;
 constexpr Real kFall = -16;           // m/s^2, of chips
 constexpr Real kChipDrag = Real(1.1); // 1/s
 constexpr Real kDustDrag = Real(3.2); // 1/s
@@ -38,7 +38,7 @@ void Debris::addChip(const Rubble& rubble) {
 void Debris::addPuff(const Rubble& rubble) {
     const Real angle = dice_.between(0, kTurn);
     const Real speed = Real(0.35) * rubble.speed * dice_.between(Real(0.2), 1);
-    const Real radius = rubble.size * dice_.between(Real(0.55), Real(1.1));
+    const Real radius = rubble.size * dice_.between(Real(0.5), Real(0.9));
     const Real life = dice_.between(Real(0.5), Real(1.1));
     puffs_.push_back({rubble.point, speed * towards(angle),
                       mix(rubble.color, {214, 208, 200, 255}, 0.6f), radius, 0, life});
