@@ -68,10 +68,10 @@ TEST(Collapse, IsToldInWordsAndInTheResults) {
     EXPECT_TRUE(tells(rig.picture(), "points") && tells(rig.picture(), " at a blow"));
 }
 
-TEST(Collapse, IsSlowedUnlessTheFreezeIsOff) {
-    const auto framesOf = [](int freeze) {
+TEST(Collapse, IsSlowedByTheSettingOfSlowMotion) {
+    const auto framesOf = [](int slow) {
         StageDef def = played("card_house");
-        def.profile.settings.freeze = freeze;
+        def.profile.settings.slow = slow;
         StageRig rig(def);
         int frames = 0;
         while (frames < 6000 && rig.stage.game().collapse().largest < 20) {

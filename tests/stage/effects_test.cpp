@@ -81,10 +81,10 @@ TEST(Effects, FlashAtMostThreeTimesInASecond) {
             std::int16_t(game.balls().empty() || game.balls()[0].heading.x > 0 ? -9000 : 9000);
         game.tick(input);
         juice.tick(game);
-        if (juice.flash() > before) {
+        if (juice.flashes().field() > before) {
             flashes.push_back(game.ticks());
         }
-        before = juice.flash();
+        before = juice.flashes().field();
     }
     ASSERT_GE(flashes.size(), 3u); // the test is not vacuous
     for (std::size_t i = 3; i < flashes.size(); ++i) {
@@ -120,21 +120,21 @@ TEST(Effects, TheFieldOfThePaddleStaysBetweenTheWalls) {
     right.moved = kFieldWidth;
     rig.frame(right);
     rig.frames(60);
-    const auto countLines = [&](Real from, Real to) {
+    const auto countPoints = [&](Real from, Real to) {
         const auto& strokes = rig.picture().strokes();
         return std::count_if(strokes.begin(), strokes.end(), [&](const Stroke& stroke) {
-            return stroke.kind == Stroke::Kind::Line && stroke.place.x > from &&
+            return stroke.kind == Stroke::Kind::Ribbon && stroke.place.x > from &&
                    stroke.place.x < to && stroke.place.y < kFieldHeight / 2;
         });
     };
-    const auto before = countLines(0, layout::kRight);
+    const auto before = countPoints(0, layout::kRight);
     Signals pull;
     pull.pullHeld = true;
     rig.frame(pull);
     ASSERT_EQ(rig.stage.game().force(), Force::Pull);
-    EXPECT_GT(countLines(0, layout::kRight), before);
-    EXPECT_EQ(countLines(layout::kRight, layout::kRight + 100), 0); // the wall's edge line lies
-                                                                    // exactly there
+    EXPECT_GT(countPoints(0, layout::kRight), before);
+    EXPECT_EQ(countPoints(layout::kRight, layout::kRight + 100), 0); // the wall's edge line lies
+                                                                     // exactly there
 }
 
 TEST(Effects, AHardImpactFreezesThePictureBriefly) {

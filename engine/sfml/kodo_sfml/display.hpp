@@ -7,6 +7,10 @@ namespace kodo_sfml {
 /// created: without an X display, SFML 2.5 ends the program with abort().
 bool displayAvailable();
 
+/// True if OpenGL draws with the processor: then multisampling costs more than it gives. Requires
+/// displayAvailable().
+bool softwareRendering();
+
 /// Suppresses the error messages of SFML during its lifetime.
 class QuietSfml {
 public:

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace kodo_sfml {
 
@@ -20,8 +21,12 @@ int cornersFor(float radius) {
     return std::clamp(static_cast<int>(4 * std::sqrt(std::max(radius, 0.0f))), 8, 96);
 }
 
+float length(sf::Vector2f v) {
+    return std::sqrt(v.x * v.x + v.y * v.y);
+}
+
 sf::Vector2f unit(sf::Vector2f v) {
-    const float size = std::sqrt(v.x * v.x + v.y * v.y);
+    const float size = length(v);
     return size > 0 ? v / size : sf::Vector2f{};
 }
 
@@ -238,6 +243,59 @@ void Painter::band(const Band& band, sf::Color color) {
         quad(from(-core, color), to(-core, color), to(core, color), from(core, color));
     }
     quad(from(core, color), to(core, color), to(rim, none), from(rim, none));
+}
+
+void Painter::strip(const Knot& from, const Knot& to) {
+    const auto at = [](const Knot& knot, float side, sf::Color color) {
+        return sf::Vertex{knot.place + side * knot.side, color};
+    };
+    const auto core = [](const Knot& knot) { return std::max(knot.halfWidth - kFade, 0.0f); };
+    const auto rim = [](const Knot& knot) { return std::max(knot.halfWidth, kFade) + kFade; };
+    const auto color = [](const Knot& knot) { // thinner than a pixel: lower opacity instead
+        sf::Color faint = knot.color;
+        const float share = std::min(knot.halfWidth / kFade, 1.0f);
+        faint.a = static_cast<sf::Uint8>(share * static_cast<float>(faint.a));
+        return faint;
+    };
+    const sf::Color first = color(from);
+    const sf::Color last = color(to);
+    quad(at(from, -rim(from), transparent(first)), at(to, -rim(to), transparent(last)),
+         at(to, -core(to), last), at(from, -core(from), first));
+    quad(at(from, -core(from), first), at(to, -core(to), last), at(to, core(to), last),
+         at(from, core(from), first));
+    quad(at(from, core(from), first), at(to, core(to), last), at(to, rim(to), transparent(last)),
+         at(from, rim(from), transparent(first)));
+}
+
+void Painter::ribbon(std::span<const sf::Vector2f> points, std::span<const float> widths,
+                     std::span<const sf::Color> colors) {
+    constexpr float kShortest = 0.05f; // pixels; shorter segments have no direction
+    use(nullptr, blend_);
+    std::optional<Knot> before;
+    sf::Vector2f along; // direction of the segment before
+    for (std::size_t i = 0; i < points.size();) {
+        std::size_t next = i + 1;
+        while (next < points.size() && length(points[next] - points[i]) < kShortest) {
+            ++next;
+        }
+        const sf::Vector2f after = next < points.size() ? unit(points[next] - points[i]) : along;
+        const sf::Vector2f in = before ? along : after;
+        Knot knot{points[i], {}, 0.5f * widths[i], colors[i]};
+        if (in.x * after.x + in.y * after.y < 0) { // a sharp bend: turn on the spot
+            knot.side = {-in.y, in.x};
+            strip(*before, knot);
+            before = knot;
+            knot.side = {-after.y, after.x};
+        } else {
+            knot.side = mitre(in, after);
+        }
+        if (before) {
+            strip(*before, knot);
+        }
+        before = knot;
+        along = after;
+        i = next;
+    }
 }
 
 void Painter::outline(std::span<const sf::Vector2f> corners, float width, sf::Color color) {

@@ -46,6 +46,10 @@ public:
     void outline(std::span<const sf::Vector2f> corners, float width, sf::Color color);
     void line(sf::Vector2f from, sf::Vector2f to, float width, sf::Color color);
     /// A disc with a gradient from `middle` to `rim`.
+    /// A stroke through all points: its segments share their ends, so that a translucent one has no
+    /// gaps or overlaps at bends of up to 90 degrees. One width and colour for each point.
+    void ribbon(std::span<const sf::Vector2f> points, std::span<const float> widths,
+                std::span<const sf::Color> colors);
     void disc(sf::Vector2f center, float radius, sf::Color middle, sf::Color rim);
     void ring(sf::Vector2f center, float radius, float width, sf::Color color);
     /// Draws a part (texels) of a texture into a rectangle. The texture must live until draw().
@@ -56,6 +60,8 @@ public:
               sf::Vector2f start, sf::Color color);
 
     std::size_t vertexCount() const { return vertices_.size(); }
+    /// Corners of the triangles, three by three.
+    std::span<const sf::Vertex> vertices() const { return vertices_; }
 
 private:
     /// Vertices that one call draws.
@@ -78,6 +84,14 @@ private:
     void triangle(const sf::Vertex& a, const sf::Vertex& b, const sf::Vertex& c);
     void quad(const sf::Vertex& a, const sf::Vertex& b, const sf::Vertex& c, const sf::Vertex& d);
     void band(const Band& band, sf::Color color);
+    /// A point of a ribbon.
+    struct Knot {
+        sf::Vector2f place;
+        sf::Vector2f side; // see Band
+        float halfWidth;
+        sf::Color color;
+    };
+    void strip(const Knot& from, const Knot& to);
     void fan(std::span<const sf::Vector2f> corners, std::span<const sf::Color> colors);
 
     std::vector<sf::Vertex> vertices_;

@@ -12,6 +12,7 @@ namespace kodo_sfml {
 
 namespace {
 
+constexpr unsigned kSamples = 4;        // for each pixel, with a graphics card
 constexpr unsigned kMostFrames = 144;   // 1/s, without vertical sync
 constexpr unsigned kFrameOfWindow = 80; // pixels, estimate for title bar and panels
 
@@ -19,7 +20,12 @@ constexpr unsigned kFrameOfWindow = 80; // pixels, estimate for title bar and pa
 
 Window::Window(const std::string& title, sf::Vector2u wantedPixels)
     : title_(title), wanted_(wantedPixels) {
+    multisampled_ = !softwareRendering();
     open(false);
+}
+
+sf::ContextSettings Window::context() const {
+    return sf::ContextSettings(0, 0, multisampled_ ? kSamples : 0);
 }
 
 void Window::toggleFullScreen() {
@@ -35,9 +41,9 @@ void Window::open(bool fullScreen) {
     };
     const sf::Vector2u size{fit(wanted_.x, screen.width), fit(wanted_.y, screen.height)};
     if (fullScreen) {
-        window_.create(screen, title_, sf::Style::Fullscreen);
+        window_.create(screen, title_, sf::Style::Fullscreen, context());
     } else {
-        window_.create({size.x, size.y}, title_);
+        window_.create({size.x, size.y}, title_, sf::Style::Default, context());
         // Done here: SFML 2.5.1 uses the width of the screen for both directions.
         window_.setPosition(
             {static_cast<int>((screen.width - std::min(size.x, screen.width)) / 2),

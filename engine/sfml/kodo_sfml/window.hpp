@@ -20,6 +20,9 @@ public:
     Window(const std::string& title, sf::Vector2u wantedPixels);
 
     bool isOpen() const { return window_.isOpen(); }
+    /// Samples for each pixel, 0 without multisampling. Without a graphics card the edges of a
+    /// Painter are the antialiasing.
+    unsigned samples() const { return window_.getSettings().antialiasingLevel; }
     void close() { window_.close(); }
     sf::Vector2u size() const { return window_.getSize(); }
 
@@ -42,10 +45,12 @@ public:
 
 private:
     void open(bool fullScreen);
+    sf::ContextSettings context() const;
 
     std::string title_;
     sf::Vector2u wanted_; // pixels
     bool fullScreen_ = false;
+    bool multisampled_ = false;
     sf::RenderWindow window_;
 };
 

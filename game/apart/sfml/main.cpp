@@ -17,6 +17,7 @@
 #include <cstdio>
 #include <ctime>
 #include <exception>
+#include <filesystem>
 
 namespace apart {
 namespace {
@@ -27,6 +28,17 @@ void complain(const std::string& sentence) {
     std::fprintf(stderr, "apart: %s\n", sentence.c_str());
 }
 
+/// The file of a picture: of several, its number stands before the extension.
+std::string pathOf(const Options& options, std::uint32_t shot) {
+    if (options.shots == 1) {
+        return options.screenshot;
+    }
+    std::filesystem::path path = options.screenshot;
+    std::string number = std::to_string(10000 + shot).substr(1);
+    path.replace_filename(path.stem().string() + number + path.extension().string());
+    return path.string();
+}
+
 int takePicture(StageDef def, const Options& options) {
     Stage stage(std::move(def));
     SilentSpeaker silence;
@@ -34,10 +46,16 @@ int takePicture(StageDef def, const Options& options) {
         stage.advance(1.0 / kTicksPerSecond, {}, silence);
     }
     SfmlCanvas canvas(assetsFolder() / "fonts", kPixels);
-    stage.draw(canvas);
-    if (!kodo_sfml::savePicture(canvas.picture(), kPixels, sf::Color::Black, options.screenshot)) {
-        complain("The picture cannot be written to " + options.screenshot + ".");
-        return kRefused;
+    for (std::uint32_t shot = 0; shot < options.shots; ++shot) {
+        const std::string path = pathOf(options, shot);
+        stage.draw(canvas);
+        if (!kodo_sfml::savePicture(canvas.picture(), kPixels, sf::Color::Black, path)) {
+            complain("The picture cannot be written to " + path + ".");
+            return kRefused;
+        }
+        for (std::uint32_t tick = 0; tick < options.every; ++tick) {
+            stage.advance(1.0 / kTicksPerSecond, {}, silence);
+        }
     }
     return kDone;
 }

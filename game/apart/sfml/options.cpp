@@ -36,6 +36,14 @@ std::variant<Options, int> parseOptions(int argc, char** argv) {
         ->capture_default_str()
         ->check(CLI::Range(0u, 1000000u))
         ->needs(shot);
+    app.add_option("--shots", options.shots, "Write this many pictures, NAME0000.png and on")
+        ->capture_default_str()
+        ->check(CLI::Range(1u, 9999u))
+        ->needs(shot);
+    app.add_option("--every", options.every, "Ticks from one picture to the next")
+        ->capture_default_str()
+        ->check(CLI::Range(1u, 10000u))
+        ->needs(shot);
     auto* frames = app.add_option("--frames", options.frames,
                                   "Draw this many frames of the bot's game as fast as possible, "
                                   "print their times, and exit");

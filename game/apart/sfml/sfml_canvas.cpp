@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include <apart/sfml/sfml_canvas.hpp>
 #include <apart/stage/layout.hpp>
+#include <apart/stage/letterforms.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 namespace apart {
 
 namespace {
+
+constexpr Real kCapitalShare = Real(0.72); // height of a capital relative to that of the text
+constexpr float kFinestJoint = 0.7f;       // units of the display face
+constexpr float kWidestJoint = 1.6f;
 
 sf::Color sfmlOf(Color color) {
     return {color.r, color.g, color.b, color.a};
@@ -16,7 +23,7 @@ sf::Color sfmlOf(Color color) {
 } // namespace
 
 SfmlCanvas::SfmlCanvas(const std::filesystem::path& fonts, sf::Vector2u pixels)
-    : pixels_(pixels), steady_(layout::kShown, pixels), camera_(steady_) {
+    : pixels_(pixels), steady_(layout::kShown, pixels), shaken_(steady_), camera_(steady_) {
     const std::array<const char*, 2> files = {"DejaVuSans.ttf", "DejaVuSans-Bold.ttf"};
     for (std::size_t i = 0; i < files.size(); ++i) {
         const std::string path = (fonts / files[i]).string();
@@ -29,7 +36,15 @@ SfmlCanvas::SfmlCanvas(const std::filesystem::path& fonts, sf::Vector2u pixels)
 void SfmlCanvas::begin(const Aabb& shown, Vec2 shake) {
     painter_.clear();
     steady_ = kodo_sfml::Camera(shown, pixels_);
-    camera_ = kodo_sfml::Camera({shown.lower - shake, shown.upper - shake}, pixels_);
+    shaken_ = kodo_sfml::Camera({shown.lower - shake, shown.upper - shake}, pixels_);
+    camera_ = shaken_;
+}
+
+void SfmlCanvas::zoom(Vec2 focus, Real scale) {
+    const Aabb all = shaken_.shown();
+    const auto nearer = [&](Vec2 corner) { return focus + (corner - focus) / scale; };
+    camera_ =
+        scale == 1 ? shaken_ : kodo_sfml::Camera({nearer(all.lower), nearer(all.upper)}, pixels_);
 }
 
 Aabb SfmlCanvas::visible() const {
@@ -92,6 +107,15 @@ void SfmlCanvas::line(Vec2 from, Vec2 to, Real width, Color color) {
                   sfmlOf(color));
 }
 
+void SfmlCanvas::ribbon(std::span<const Vec2> points, std::span<const Real> widths,
+                        std::span<const Color> colors) {
+    widths_.clear();
+    for (const Real width : widths) {
+        widths_.push_back(camera_.toPixels(width));
+    }
+    painter_.ribbon(toPixels(points), widths_, toSfml(colors));
+}
+
 void SfmlCanvas::disc(Vec2 center, Real radius, Color middle, Color rim) {
     painter_.disc(camera_.toPixels(center), camera_.toPixels(radius), sfmlOf(middle), sfmlOf(rim));
 }
@@ -101,18 +125,60 @@ void SfmlCanvas::ring(Vec2 center, Real radius, Real width, Color color) {
                   sfmlOf(color));
 }
 
+/// False if the display face lacks a sign of the text.
+bool SfmlCanvas::display(std::string_view text, Vec2 place, const TextStyle& style) {
+    const Real unit = kCapitalShare * style.height / kCapital;
+    const float unitPixels = camera_.toPixels(unit);
+    // Joints of at least a pixel, but never wide ones.
+    const std::optional<LaidText> laid =
+        layStones(text, std::clamp(1.1f / unitPixels, kFinestJoint, kWidestJoint));
+    if (!laid) {
+        return false;
+    }
+    const Real shift = style.align == Align::Left     ? 0
+                       : style.align == Align::Middle ? Real(0.5) * laid->width
+                                                      : laid->width;
+    const Color rim = faded(lighter(style.color, 0.5f), 0.5f);
+    std::vector<Color> colors;
+    for (const LaidStone& stone : laid->stones) {
+        corners_.clear();
+        colors.clear();
+        for (const Vec2 corner : stone.corners) {
+            corners_.push_back(camera_.toPixels(place + unit * (corner - Vec2{shift, 0})));
+            const float up = std::clamp(corner.y / kCapital, Real(0), Real(1));
+            colors.push_back(mix(darker(style.color, 0.16f), lighter(style.color, 0.12f), up));
+        }
+        if (unitPixels < 2) { // too small for rims
+            painter_.polygon(corners_, toSfml(colors));
+        } else {
+            painter_.rimmed(corners_, toSfml(colors), unitPixels * Real(0.8), sfmlOf(rim));
+        }
+    }
+    return true;
+}
+
 void SfmlCanvas::text(std::string_view utf8, Vec2 place, const TextStyle& style) {
-    const float pixels = std::round(camera_.toPixels(style.height));
-    if (pixels < 4 || style.color.a == 0) {
+    if (style.color.a == 0) {
+        return;
+    }
+    const bool stones = style.face == Typeface::Display;
+    if (stones && display(utf8, place, style)) {
+        return;
+    }
+    const sf::Font& font = fonts_[style.face == Typeface::Plain ? 0 : 1];
+    const Real scale = stones ? Real(1) : textScale();
+    float pixels = std::round(camera_.toPixels(scale * style.height));
+    if (pixels < 4) {
         return; // unreadable
     }
-    const sf::Font& font = fonts_[static_cast<std::size_t>(style.face)];
+    float width = kodo_sfml::textWidth(font, utf8, static_cast<unsigned>(pixels));
+    if (const float room = camera_.toPixels(style.room); room > 0 && width > room) {
+        pixels = std::max(std::floor(pixels * room / width), 4.0f);
+        width = kodo_sfml::textWidth(font, utf8, static_cast<unsigned>(pixels));
+    }
     const auto height = static_cast<unsigned>(pixels);
     sf::Vector2f start = camera_.toPixels(place);
-    if (style.align != Align::Left) {
-        const float width = kodo_sfml::textWidth(font, utf8, height);
-        start.x -= style.align == Align::Middle ? 0.5f * width : width;
-    }
+    start.x -= style.align == Align::Left ? 0 : style.align == Align::Middle ? 0.5f * width : width;
     painter_.text(font, utf8, height, start, sfmlOf(style.color));
 }
 

@@ -27,6 +27,7 @@ public:
 
     void begin(const Aabb& shown, Vec2 shake) override;
     Aabb visible() const override;
+    void zoom(Vec2 focus, Real scale) override;
     void setGlow(bool on) override;
     void rectangle(const Aabb& box, Color below, Color above) override;
     void polygon(std::span<const Vec2> corners, Color color) override;
@@ -36,6 +37,9 @@ public:
                 Color rim) override;
     void outline(std::span<const Vec2> corners, Real width, Color color) override;
     void line(Vec2 from, Vec2 to, Real width, Color color) override;
+    using Canvas::ribbon;
+    void ribbon(std::span<const Vec2> points, std::span<const Real> widths,
+                std::span<const Color> colors) override;
     void disc(Vec2 center, Real radius, Color middle, Color rim) override;
     void ring(Vec2 center, Real radius, Real width, Color color) override;
     void text(std::string_view utf8, Vec2 place, const TextStyle& style) override;
@@ -43,14 +47,17 @@ public:
 private:
     std::span<const sf::Vector2f> toPixels(std::span<const Vec2> corners);
     std::span<const sf::Color> toSfml(std::span<const Color> colors);
+    bool display(std::string_view text, Vec2 place, const TextStyle& style);
 
     sf::Vector2u pixels_;
     kodo_sfml::Painter painter_;
     kodo_sfml::Camera steady_;
-    kodo_sfml::Camera camera_;          // with shake
-    std::array<sf::Font, 2> fonts_;     // by Typeface
+    kodo_sfml::Camera shaken_;          // with shake
+    kodo_sfml::Camera camera_;          // with shake and zoom
+    std::array<sf::Font, 2> fonts_;     // Plain and Bold
     std::vector<sf::Vector2f> corners_; // reused, to avoid allocations
     std::vector<sf::Color> colors_;
+    std::vector<float> widths_;
 };
 
 } // namespace apart

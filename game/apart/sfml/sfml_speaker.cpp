@@ -2,6 +2,7 @@
 #include <apart/sfml/sfml_speaker.hpp>
 #include <apart/stage/synth.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -45,26 +46,22 @@ bool canPlay() {
 
 } // namespace
 
-SfmlSpeaker::SfmlSpeaker() {
-    for (std::size_t i = 0; i < voices_.size(); ++i) {
-        const std::vector<std::int16_t> samples = synthesise(static_cast<Voice>(i));
-        voices_[i].loadFromSamples(samples.data(), samples.size(), 1, kSampleRate);
-    }
-    for (sf::Sound& channel : channels_) {
-        channel.setRelativeToListener(true);
-        channel.setAttenuation(0); // positions are used for panning only
-    }
+SfmlSpeaker::Stream::Stream(Mixer& mixer) : mixer_(mixer) {
+    initialize(2, kSampleRate);
+    play();
 }
 
-void SfmlSpeaker::play(const Note& note) {
-    sf::Sound& channel = channels_[next_];
-    next_ = (next_ + 1) % channels_.size();
-    channel.stop();
-    channel.setBuffer(voices_[static_cast<std::size_t>(note.voice)]);
-    channel.setPitch(note.pitch);
-    channel.setVolume(100 * note.volume);
-    channel.setPosition(note.pan, 0, -1);
-    channel.play();
+SfmlSpeaker::Stream::~Stream() {
+    stop(); // while onGetData() can still be called
+}
+
+bool SfmlSpeaker::Stream::onGetData(Chunk& data) {
+    mixer_.render(rendered_);
+    std::transform(rendered_.begin(), rendered_.end(), samples_.begin(),
+                   [](float sample) { return static_cast<sf::Int16>(32767 * sample); });
+    data.samples = samples_.data();
+    data.sampleCount = samples_.size();
+    return true;
 }
 
 std::unique_ptr<Speaker> makeSpeaker(bool mute) {

@@ -1,26 +1,41 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <apart/stage/speaker.hpp>
+#include <apart/stage/mixer.hpp>
 
-#include <SFML/Audio/Sound.hpp>
-#include <SFML/Audio/SoundBuffer.hpp>
+#include <SFML/Audio/SoundStream.hpp>
 
 #include <array>
 #include <memory>
 
 namespace apart {
 
-/// Plays voices on a fixed number of channels; a new sound replaces the oldest.
+/// Streams what a Mixer renders to the sound device.
 class SfmlSpeaker : public Speaker {
 public:
-    SfmlSpeaker();
-    void play(const Note& note) override;
+    void play(const Note& note) override { mixer_.play(note); }
+    void follow(const SoundScene& scene) override { mixer_.follow(scene); }
 
 private:
-    std::array<sf::SoundBuffer, kVoiceNames.size()> voices_;
-    std::array<sf::Sound, 24> channels_;
-    std::size_t next_ = 0;
+    /// Has a thread of its own, which renders.
+    class Stream : public sf::SoundStream {
+    public:
+        explicit Stream(Mixer& mixer);
+        ~Stream() override;
+
+    private:
+        bool onGetData(Chunk& data) override;
+        void onSeek(sf::Time) override {}
+
+        /// Frames of a chunk, 12 ms: SFML queues three, which is the delay of a sound.
+        static constexpr std::size_t kFrames = 512;
+        Mixer& mixer_;
+        std::array<float, 2 * kFrames> rendered_{};
+        std::array<sf::Int16, 2 * kFrames> samples_{};
+    };
+
+    Mixer mixer_;
+    Stream stream_{mixer_};
 };
 
 /// A SilentSpeaker if `mute` is set or there is no audio device. The device is checked first,

@@ -16,9 +16,8 @@ constexpr Real kDot = Real(0.07); // m
 
 /// Paints a night sky with a glow around one height of the field: rows of rectangles with matching
 /// edge colours.
-void paintSky(Canvas& canvas, const ThemeLook& look) {
+void paintSky(Canvas& canvas, const ThemeLook& look, const Aabb& all) {
     constexpr int kRows = 24;
-    const Aabb all = canvas.visible().grown(1); // margin for the shake
     const Real step = all.extent().y / kRows;
     const auto colorAt = [&](Real y) {
         const Real distance = std::abs(y - Real(0.58) * kFieldHeight) / Real(11);
@@ -60,7 +59,7 @@ void paintAbyss(Canvas& canvas) {
 void paintBackdrop(Canvas& canvas, Theme theme, double seconds) {
     using namespace layout;
     const ThemeLook& look = lookOf(theme);
-    paintSky(canvas, look);
+    paintSky(canvas, look, canvas.visible().grown(1)); // margin for the shake
     paintDistance(canvas, theme, seconds);
     const Color dot = faded(palette::kQuiet, 0.10f); // the grid makes speed and distance visible
     for (Real y = Real(1.5); y < kTop; y += Real(1.5)) {
@@ -70,6 +69,15 @@ void paintBackdrop(Canvas& canvas, Theme theme, double seconds) {
     }
     paintAbyss(canvas);
     paintFrame(canvas, look);
+}
+
+void paintPanelBack(Canvas& canvas, Theme theme) {
+    const Aabb all = canvas.visible().grown(1);
+    const Real left = layout::kRight + Real(0.85);
+    paintSky(canvas, lookOf(theme), {{left, all.lower.y}, all.upper});
+    const ThemeLook& look = lookOf(theme);
+    canvas.rectangle({{left - layout::kFrame, all.lower.y}, {left, all.upper.y}},
+                     darker(look.frame, 0.55f), look.frame);
 }
 
 void paintVeil(Canvas& canvas, Color color) {

@@ -18,6 +18,8 @@ using layout::kLeft;
 using layout::kRight;
 using layout::kTop;
 
+constexpr Real kSoft = Real(0.035); // m, about one and a half pixels
+
 /// Common arguments of the scenery painters.
 struct Far {
     Canvas& canvas;
@@ -32,10 +34,14 @@ template <typename Height>
 void paintSkyline(const Far& far, Color color, Real step, Height height) {
     for (Real x = kLeft; x < kRight - Real(0.01); x += step) {
         const Real next = std::min(x + step, kRight);
-        const std::array<Vec2, 4> corners = {Vec2{x, 0}, Vec2{next, 0}, Vec2{next, height(next)},
-                                             Vec2{x, height(x)}};
-        const std::array<Color, 4> colors = {faded(color, 0), faded(color, 0), color, color};
-        far.canvas.facet(corners, colors);
+        const Vec2 left{x, height(x)};
+        const Vec2 right{next, height(next)};
+        const Color none = faded(color, 0);
+        far.canvas.facet(std::array{Vec2{x, 0}, Vec2{next, 0}, right, left},
+                         std::array{none, none, color, color});
+        const Vec2 soft{0, kSoft}; // antialiasing of the edge against the sky
+        far.canvas.facet(std::array{left, right, right + soft, left + soft},
+                         std::array{color, color, none, none});
     }
 }
 
@@ -50,11 +56,20 @@ void paintRays(const Far& far) {
     for (int i = 0; i < 18; ++i) {
         const Real angle = kTurn * (static_cast<Real>(i) + Real(0.04) * far.time) / 18;
         const Real half = Real(0.07);
-        const std::array<Vec2, 3> corners = {sun, reach(angle - half), reach(angle + half)};
-        const std::array<Color, 3> colors = {far.faint(0.26f), far.faint(0), far.faint(0)};
-        if (std::sin(angle) > Real(0.12)) {
-            far.canvas.facet(corners, colors);
+        if (std::sin(angle) <= Real(0.12)) {
+            continue;
         }
+        // Brightest along its middle, so that its sides are soft.
+        const Vec2 end = reach(angle);
+        const Color none = far.faint(0);
+        const std::array<Color, 3> colors = {far.faint(0.4f), none, none};
+        far.canvas.facet(std::array{sun, reach(angle - half), sun + Real(0.3) * (end - sun)},
+                         std::array{colors[0], none, far.faint(0.32f)});
+        far.canvas.facet(std::array{sun, sun + Real(0.3) * (end - sun), reach(angle + half)},
+                         std::array{colors[0], far.faint(0.32f), none});
+        far.canvas.facet(
+            std::array{sun + Real(0.3) * (end - sun), reach(angle - half), reach(angle + half)},
+            std::array{far.faint(0.32f), none, none});
     }
     far.canvas.disc(sun, Real(4.5), far.faint(0.45f), far.faint(0));
     far.canvas.setGlow(false);

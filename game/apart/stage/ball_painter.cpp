@@ -80,13 +80,17 @@ void paintTrail(Canvas& canvas, const Moment& moment, const Ball& ball, Vec2 now
     if (ball.riding || places.size() < 2 || strength == 0) {
         return;
     }
-    canvas.setGlow(true);
-    for (std::size_t i = 1; i < places.size(); ++i) {
-        const Vec2 to = i + 1 == places.size() ? now : places[i];
-        const Real young = static_cast<Real>(i) / static_cast<Real>(places.size());
-        canvas.line(places[i - 1], to, Real(1.7) * kBallRadius * young,
-                    faded({255, 190, 110, 255}, 0.42f * strength * young * young));
+    std::vector<Vec2> points(places.begin(), places.end());
+    points.back() = now;
+    std::vector<Real> widths;
+    std::vector<Color> colors;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Real young = static_cast<Real>(i) / static_cast<Real>(points.size());
+        widths.push_back(Real(1.7) * kBallRadius * young);
+        colors.push_back(faded({255, 190, 110, 255}, 0.42f * strength * young * young));
     }
+    canvas.setGlow(true);
+    canvas.ribbon(points, widths, colors);
     canvas.setGlow(false);
 }
 

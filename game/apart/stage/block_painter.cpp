@@ -25,7 +25,7 @@ struct Grain {
 };
 
 void grainOfWood(Canvas& canvas, const Grain& grain, Dice& dice) {
-    const Color line = faded(darker(palette::of(Stuff::Wood), 0.55f), 0.55f);
+    const Color line = faded(darker(canvas.palette().of(Stuff::Wood), 0.55f), 0.55f);
     for (const Real v : {Real(-0.5), Real(0), Real(0.5)}) {
         const Real bow = dice.between(Real(-0.2), Real(0.2));
         canvas.line(grain.at(Real(-0.94), v), grain.at(Real(-0.2), v + bow), Real(0.03), line);
@@ -34,7 +34,7 @@ void grainOfWood(Canvas& canvas, const Grain& grain, Dice& dice) {
 }
 
 void grainOfBrick(Canvas& canvas, const Grain& grain) {
-    const Color line = faded(lighter(palette::of(Stuff::Brick), 0.45f), 0.5f);
+    const Color line = faded(lighter(canvas.palette().of(Stuff::Brick), 0.45f), 0.5f);
     const Real width = Real(0.045);
     canvas.line(grain.at(Real(-0.96), 0), grain.at(Real(0.96), 0), width, line);
     // Two joints above and one below in each stretch of about the width of a brick.
@@ -71,7 +71,7 @@ void grainOfStone(Canvas& canvas, const Grain& grain, Dice& dice) {
 }
 
 void grainOfSteel(Canvas& canvas, const Grain& grain) {
-    const Color edge = faded(lighter(palette::of(Stuff::Steel), 0.55f), 0.8f);
+    const Color edge = faded(lighter(canvas.palette().of(Stuff::Steel), 0.55f), 0.8f);
     const std::array<Vec2, 4> frame = {
         grain.at(Real(-0.9), Real(-0.8)), grain.at(Real(0.9), Real(-0.8)),
         grain.at(Real(0.9), Real(0.8)), grain.at(Real(-0.9), Real(0.8))};
@@ -109,7 +109,7 @@ void paintGrain(Canvas& canvas, const Grain& grain, const BlockLook& look) {
 }
 
 void paintBadge(Canvas& canvas, Power power, const kodo::Transform& place) {
-    const Color color = palette::of(power);
+    const Color color = canvas.palette().of(power);
     paintMood(canvas, moodOf(power), place.position, {kBadge, {12, 14, 26, 235}, color});
     paintMark(canvas, power, place, Real(0.56) * kBadge, color);
 }
@@ -184,8 +184,8 @@ struct Surface {
     Rim rim;
 };
 
-Surface surfaceOf(const BlockLook& look) {
-    const Color live = lighter(palette::of(look.kind.stuff), 0.75f * look.heat);
+Surface surfaceOf(const Canvas& canvas, const BlockLook& look) {
+    const Color live = lighter(canvas.palette().of(look.kind.stuff), 0.75f * look.heat);
     const Color color = faded(look.fallen ? darker(live, 0.3f) : live, look.left);
     return {color, {Real(0.06), faded(lighter(color, 0.5f), 0.45f * look.left)}};
 }
@@ -217,7 +217,7 @@ void paintRectangle(Canvas& canvas, const kodo::ConvexShape& outline, const kodo
     const std::array<Vec2, 4> corners = {place * -inner, place * Vec2{inner.x, -inner.y},
                                          place * inner, place * Vec2{-inner.x, inner.y}};
     paintGlow(canvas, corners, look.glow);
-    const Surface surface = surfaceOf(look);
+    const Surface surface = surfaceOf(canvas, look);
     paintLit(canvas, corners, surface.color, surface.rim);
     if (look.scale < 1 || look.left < 1) {
         return; // details appear at full size
@@ -246,7 +246,7 @@ void paintRound(Canvas& canvas, const kodo::ConvexShape& outline, const kodo::Tr
     const kodo::ConvexShape& shape = outline;
     const std::vector<Vec2> corners = cornersOf(shape, body);
     paintGlow(canvas, corners, look.glow);
-    const Surface surface = surfaceOf(look);
+    const Surface surface = surfaceOf(canvas, look);
     canvas.disc(middle, radius, lighter(surface.color, 0.15f), darker(surface.color, 0.22f));
     canvas.ring(middle, Real(0.93) * radius, Real(0.14) * radius,
                 faded(lighter(surface.color, 0.45f), 0.6f * look.left));
@@ -271,7 +271,7 @@ void paintConvex(Canvas& canvas, const kodo::ConvexShape& outline, const kodo::T
     };
     const std::vector<Vec2> corners = shrunk(Real(0.94) * look.scale);
     paintGlow(canvas, corners, look.glow);
-    const Surface surface = surfaceOf(look);
+    const Surface surface = surfaceOf(canvas, look);
     paintLit(canvas, corners, surface.color, surface.rim);
     if (look.scale < 1 || look.left < 1) {
         return;

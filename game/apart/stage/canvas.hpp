@@ -2,6 +2,7 @@
 #pragma once
 
 #include <apart/stage/color.hpp>
+#include <apart/stage/palette.hpp>
 #include <kodo/math.hpp>
 
 #include <cstdint>
@@ -14,7 +15,9 @@ using kodo::Aabb;
 using kodo::Real;
 using kodo::Vec2;
 
-enum class Typeface : std::uint8_t { Plain, Bold };
+/// Display is the face of titles and large numbers: letters of cut stones (letterforms.hpp). A text
+/// with signs that it lacks is drawn in Bold.
+enum class Typeface : std::uint8_t { Plain, Bold, Display };
 enum class Align : std::uint8_t { Left, Middle, Right };
 
 struct TextStyle {
@@ -22,6 +25,7 @@ struct TextStyle {
     Color color{};
     Typeface face = Typeface::Plain;
     Align align = Align::Left;
+    Real room = 0; // m; a wider text in Plain or Bold is made smaller. 0: any width
 };
 
 /// Drawing surface. Positions and lengths are metres of the field, y up. Later drawing covers
@@ -36,6 +40,8 @@ public:
     /// The visible rectangle. It exceeds the one passed to begin() if the window's aspect ratio
     /// differs.
     virtual Aabb visible() const = 0;
+    /// Enlarges what is drawn next about a point that stays in place. 1: as begun.
+    virtual void zoom(Vec2 focus, Real scale) = 0;
     /// While on, colours are added to the picture (additive blending).
     virtual void setGlow(bool on) = 0;
 
@@ -53,10 +59,28 @@ public:
     /// The edges of a polygon. Half of the width lies inside.
     virtual void outline(std::span<const Vec2> corners, Real width, Color color) = 0;
     virtual void line(Vec2 from, Vec2 to, Real width, Color color) = 0;
+    /// A stroke through all points, without gaps or overlaps at its bends. Widths (m) and colours:
+    /// one for each point.
+    virtual void ribbon(std::span<const Vec2> points, std::span<const Real> widths,
+                        std::span<const Color> colors) = 0;
     virtual void disc(Vec2 center, Real radius, Color middle, Color rim) = 0;
     virtual void ring(Vec2 center, Real radius, Real width, Color color) = 0;
     /// One line of UTF-8 text. `place` is the start, centre or end of its base line.
     virtual void text(std::string_view utf8, Vec2 place, const TextStyle& style) = 0;
+
+    /// A stroke of one width and colour through all points.
+    void ribbon(std::span<const Vec2> points, Real width, Color color);
+
+    /// Colours of stuffs and powers.
+    const Palette& palette() const { return *palette_; }
+    void setPalette(Vision vision) { palette_ = &paletteOf(vision); }
+    /// Factor on the height of all texts in Plain and Bold.
+    Real textScale() const { return textScale_; }
+    void setTextScale(Real scale) { textScale_ = scale; }
+
+private:
+    const Palette* palette_ = &paletteOf(Vision::Usual);
+    Real textScale_ = 1;
 };
 
 } // namespace apart

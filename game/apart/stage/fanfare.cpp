@@ -50,7 +50,7 @@ void Fanfare::tick(Juice& juice, float volume, Speaker& speaker) {
         if (beat.firework) {
             Dice dice(static_cast<std::uint32_t>(i));
             juice.firework({dice.between(-10, 10), dice.between(7, 16)},
-                           palette::kPower[1 + i % (palette::kPower.size() - 1)]);
+                           juice.tints().power[1 + i % (kPowerNames.size() - 1)]);
         }
     }
     ++tick_;

@@ -12,6 +12,7 @@ namespace apart {
 
 namespace {
 
+constexpr Real kTitle = Real(0.75); // m; popups from this height on have the display face
 constexpr Real kNudge = Real(0.09); // m, displacement of a block at the strongest impact
 
 /// Eases from 0 to 1 with a slight overshoot.
@@ -58,8 +59,13 @@ void paintRope(Canvas& canvas, const Moment& moment, const Block& block, Vec2 mi
                 darker(palette::kMachine, 0.35f));
 }
 
-void paintBlocks(Canvas& canvas, const Moment& moment) {
+/// Falling ones, or those in their place.
+void paintBlocks(Canvas& canvas, const Moment& moment, bool falling) {
     for (const Block& block : moment.game.blocks()) {
+        const bool falls = block.support == Support::Fallen || block.support == Support::Loose;
+        if (falls != falling) {
+            continue;
+        }
         const kodo::BodyView body = moment.game.world()[block.body];
         kodo::Transform place = moment.placeOf(block.body);
         const ImpactResponse response = moment.juice.responseOf(block.body);
@@ -112,7 +118,10 @@ void paintShards(Canvas& canvas, const Moment& moment) {
         // Shards fade during their last second.
         const auto age = static_cast<float>(moment.game.ticks() - shard.bornTick);
         const float left = std::clamp((static_cast<float>(kShardTicks) - age) / 120, 0.0f, 1.0f);
-        const Color color = faded(darker(palette::of(shard.stuff), 0.1f), left);
+        const Color own = darker(canvas.palette().of(shard.stuff), 0.1f);
+        // New ones are white hot: together they have the outline of the broken block.
+        const float hot = std::max(1 - age / Glint::kTicks, 0.0f) * moment.juice.flashes().punch();
+        const Color color = faded(lighter(own, hot), left);
         paintLit(canvas, corners, color, {Real(0.032), faded(lighter(color, 0.45f), 0.75f)});
     }
 }
@@ -141,21 +150,36 @@ void paintPopups(Canvas& canvas, const Moment& moment) {
     for (const Popup& popup : moment.juice.popups()) {
         const Vec2 place = popup.placeNow();
         const float left = popup.left();
-        const TextStyle style{popup.height, faded(popup.color, left), Typeface::Bold,
-                              Align::Middle};
-        const TextStyle shadow{popup.height, faded(palette::kInk, 0.8f * left), Typeface::Bold,
+        const Typeface face = popup.height >= kTitle ? Typeface::Display : Typeface::Bold;
+        const TextStyle style{popup.height, faded(popup.color, left), face, Align::Middle};
+        const TextStyle shadow{popup.height, faded(palette::kInk, 0.8f * left), face,
                                Align::Middle};
         canvas.text(popup.text, place + Vec2{Real(0.04), Real(-0.04)}, shadow);
         canvas.text(popup.text, place, style);
     }
 }
 
+/// Flashes at the points of fractures.
+void paintGlints(Canvas& canvas, const Moment& moment) {
+    canvas.setGlow(true);
+    for (const Glint& glint : moment.juice.flashes().glints()) {
+        const float light =
+            glint.left() * moment.juice.flashes().punch() * (0.35f + 0.65f * glint.weight);
+        const Real radius = Real(0.7) + Real(1.3) * glint.weight;
+        const Color color{255, 244, 224, 255};
+        canvas.disc(glint.point, radius, faded(color, 0.8f * light), faded(color, 0));
+        const Real reach = radius * (Real(1.7) - Real(0.6) * glint.left());
+        canvas.ring(glint.point, reach, Real(0.1), faded(color, 0.5f * light));
+    }
+    canvas.setGlow(false);
+}
+
 void paintFlash(Canvas& canvas, const Moment& moment) {
-    if (moment.juice.flash() < 0.01f) {
+    if (moment.juice.flashes().field() < 0.01f) {
         return;
     }
     using namespace layout;
-    const Color color = faded(moment.juice.flashColor(), moment.juice.flash());
+    const Color color = faded(moment.juice.flashes().color(), moment.juice.flashes().field());
     canvas.rectangle({{kLeft, -1}, {kRight, kTop}}, color, color);
 }
 
@@ -163,15 +187,19 @@ void paintFlash(Canvas& canvas, const Moment& moment) {
 
 void paintField(Canvas& canvas, const Moment& moment) {
     paintForces(canvas, moment);
-    paintBlocks(canvas, moment);
+    paintBlocks(canvas, moment, false);
     paintLinks(canvas, moment);
     paintObstructions(canvas, moment);
+    paintPopups(canvas, moment); // below all that breaks or falls
+    moment.juice.debris().drawDust(canvas);
+    paintBlocks(canvas, moment, true);
     paintShards(canvas, moment);
+    moment.juice.debris().drawChips(canvas);
+    paintGlints(canvas, moment);
     paintWarnings(canvas, moment);
     paintFlash(canvas, moment);
     paintParts(canvas, moment);
     paintPaddle(canvas, moment);
-    paintPopups(canvas, moment);
     moment.juice.sparks().draw(canvas);
     paintAim(canvas, moment);
     paintBalls(canvas, moment);

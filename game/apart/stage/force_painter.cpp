@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace apart {
 
@@ -35,7 +36,7 @@ void paintWind(Canvas& canvas, const Moment& moment) {
     if (speed == 0) {
         return;
     }
-    const Color color = faded(palette::of(Power::Wind), 0.22f);
+    const Color color = faded(canvas.palette().of(Power::Wind), 0.22f);
     Dice dice(3);
     for (int i = 0; i < 40; ++i) {
         const Real y = dice.between(1, kFieldHeight - Real(0.5));
@@ -58,26 +59,32 @@ struct Arc {
     Real turn = kTurn;
 };
 
-/// Paints line segments; those outside the field are omitted.
+/// Paints the parts of an arc inside the field.
 void paintArc(Canvas& canvas, const Arc& arc, const Ink& ink) {
     constexpr int kPieces = 32; // per full circle
     const Real pieces = std::ceil(kPieces * arc.turn / kTurn);
-    Vec2 before;
+    std::vector<Vec2> run;
+    const auto finish = [&] {
+        if (run.size() > 1) {
+            canvas.ribbon(run, ink.width, ink.color);
+        }
+        run.clear();
+    };
     for (Real i = 0; i <= pieces; ++i) {
         const Real angle = arc.from + arc.turn * i / pieces;
         const Vec2 here = arc.middle + arc.radius * towards(angle);
-        const bool inside = std::max(std::abs(before.x), std::abs(here.x)) < layout::kRight &&
-                            std::max(before.y, here.y) < layout::kTop;
-        if (i > 0 && inside) {
-            canvas.line(before, here, ink.width, ink.color);
+        if (std::abs(here.x) < layout::kRight && here.y < layout::kTop) {
+            run.push_back(here);
+        } else {
+            finish();
         }
-        before = here;
     }
+    finish();
 }
 
 /// Paints rings that contract into a well, or expand if it repels.
 void paintWell(Canvas& canvas, const Moment& moment, Vec2 middle, bool draws) {
-    const Color color = palette::of(Power::Well);
+    const Color color = canvas.palette().of(Power::Well);
     canvas.setGlow(true);
     const Real room = std::min(layout::kRight - std::abs(middle.x), layout::kTop - middle.y);
     canvas.disc(middle, std::min(Real(2.6), room), faded(color, 0.35f), faded(color, 0));

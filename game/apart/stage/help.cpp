@@ -17,6 +17,8 @@ struct Topic {
     std::string text;
 };
 
+constexpr Real kRoom = Real(22); // m, right of the names
+
 std::array<Topic, 12> topicsFor(const Bindings& keys) {
     const auto prompt = [&](Act act) { return keys.prompt(act); };
     return {{
@@ -44,12 +46,13 @@ std::array<Topic, 12> topicsFor(const Bindings& keys) {
 
 void paintHelp(Canvas& canvas, const Bindings& keys) {
     canvas.text("How to play", {0, Real(15.2)},
-                {Real(1.4), palette::kText, Typeface::Bold, Align::Middle});
+                {Real(1.4), palette::kText, Typeface::Display, Align::Middle});
     Real y = Real(13.6);
     for (const Topic& topic : topicsFor(keys)) {
         canvas.text(topic.name, {Real(-8.0), y},
                     {Real(0.52), palette::kAccent, Typeface::Bold, Align::Right});
-        canvas.text(topic.text, {Real(-7.4), y}, {Real(0.5), palette::kText});
+        canvas.text(topic.text, {Real(-7.4), y},
+                    {Real(0.5), palette::kText, Typeface::Plain, Align::Left, kRoom});
         y -= Real(0.92);
     }
     canvas.text("escape or enter: back", {0, Real(1.2)},

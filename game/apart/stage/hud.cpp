@@ -18,11 +18,18 @@ namespace {
 using layout::kPanelLeft;
 using layout::kPanelRight;
 
+constexpr Real kPanelRoom =
+    kPanelRight - kPanelLeft + Real(0.3); // m, up to the edge of the picture
+
 TextStyle quiet(Real height) {
-    return {height, palette::kQuiet, Typeface::Plain, Align::Left};
+    return {height, palette::kQuiet, Typeface::Plain, Align::Left, kPanelRoom};
 }
 TextStyle strong(Real height, Color color = palette::kText) {
-    return {height, color, Typeface::Bold, Align::Left};
+    return {height, color, Typeface::Bold, Align::Left, kPanelRoom};
+}
+/// The height is limited so that nine digits fit into the panel.
+TextStyle display(Real height, Color color = palette::kText) {
+    return {height, color, Typeface::Display, Align::Left};
 }
 
 void paintBar(Canvas& canvas, const Aabb& where, Real share, Color color) {
@@ -36,7 +43,7 @@ Aabb barAt(Real y) {
 }
 
 void paintLevel(Canvas& canvas, const Game& game, const HudLook& look) {
-    canvas.text("aPart", {kPanelLeft, Real(17.05)}, strong(Real(1.1), palette::kAccent));
+    canvas.text("aPart", {kPanelLeft, Real(17.05)}, display(Real(1.15), palette::kAccent));
     canvas.text(look.place, {kPanelLeft, Real(16.0)}, quiet(Real(0.42)));
     if (game.mode() == Mode::Pure) {
         canvas.text("PURE", {kPanelRight, Real(16.0)},
@@ -45,7 +52,7 @@ void paintLevel(Canvas& canvas, const Game& game, const HudLook& look) {
     Real y = Real(15.3);
     for (const std::string& line : wrapped(game.level().title, 12)) {
         canvas.text(line, {kPanelLeft, y}, strong(line.size() > 10 ? Real(0.52) : Real(0.58)));
-        y -= Real(0.72);
+        y -= Real(0.72) + Real(0.25) * (canvas.textScale() - 1);
     }
 }
 
@@ -54,7 +61,7 @@ void paintScore(Canvas& canvas, const Game& game, const HudLook& look) {
     const bool beaten = look.best > 0 && score > look.best;
     canvas.text("SCORE", {kPanelLeft, Real(13.75)}, quiet(Real(0.42)));
     canvas.text(grouped(score), {kPanelLeft, Real(12.8)},
-                strong(Real(1.05), beaten ? palette::kAccent : palette::kText));
+                display(Real(1), beaten ? palette::kAccent : palette::kText));
     if (look.best > 0) {
         const std::string best = beaten ? "best so far" : "best  " + grouped(look.best);
         canvas.text(best, {kPanelLeft, Real(12.2)}, quiet(Real(0.42)));
@@ -102,7 +109,7 @@ void paintCombo(Canvas& canvas, const Game& game) {
     const bool wide = game.combo() >= 10;
     const Real size = wide ? Real(0.7) : Real(0.56) + Real(0.022) * static_cast<Real>(game.combo());
     canvas.text(fmt::format("combo x{}", game.combo()), {kPanelLeft, Real(7.1)},
-                strong(size, palette::kAccent));
+                display(size, palette::kAccent));
 }
 
 /// Paints the powers of this level with their remaining time, active ones first.
@@ -116,13 +123,14 @@ void paintPowers(Canvas& canvas, const Game& game) {
     Real y = Real(6.0);
     for (const Power power : powers) {
         const Real left = game.secondsLeft(power);
-        const Color color = palette::of(power);
+        const Color color = canvas.palette().of(power);
         const Vec2 middle{kPanelLeft + Real(0.3), y + Real(0.13)};
         paintMood(canvas, moodOf(power), middle,
                   {Real(0.24), {12, 14, 26, 235}, color, Real(0.04)});
         paintMark(canvas, power, {middle, {}}, Real(0.15), color);
         const Color text = left > 0 ? color : palette::kQuiet;
-        canvas.text(wordsOf(power), {kPanelLeft + Real(0.85), y}, {Real(0.38), text});
+        canvas.text(wordsOf(power), {kPanelLeft + Real(0.85), y},
+                    {Real(0.38), text, Typeface::Plain, Align::Left, kPanelRoom - Real(0.85)});
         if (left > 0) {
             const Real top = y - Real(0.1);
             paintBar(canvas, {{kPanelLeft + Real(0.85), top - Real(0.08)}, {kPanelRight, top}},
@@ -177,9 +185,10 @@ void paintServeHint(Canvas& canvas, const Game& game, const Bindings& keys) {
         return;
     }
     const auto line = [&](std::string_view text, Real y, Real height, Color color) {
+        const Typeface face = height > 1 ? Typeface::Display : Typeface::Bold;
         canvas.text(text, {Real(0.04), y - Real(0.04)},
-                    {height, palette::kInk, Typeface::Bold, Align::Middle});
-        canvas.text(text, {0, y}, {height, color, Typeface::Bold, Align::Middle});
+                    {height, palette::kInk, face, Align::Middle});
+        canvas.text(text, {0, y}, {height, color, face, Align::Middle});
     };
     Real y = Real(7.3);
     if (game.score() == 0) {

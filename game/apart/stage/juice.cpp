@@ -10,16 +10,44 @@ namespace apart {
 
 namespace {
 
-constexpr Real kHardest = 24;             // N s: a ball reversed at its usual speed
-constexpr Real kMostShake = Real(0.3);    // m
-constexpr Real kCalm = Real(0.94);        // decay of the trauma per tick
-constexpr Real kCool = Real(0.93);        // decay of the heat per tick
-constexpr Real kSwing = Real(0.3);        // rad per tick, oscillation after an impact
-constexpr float kDim = 0.95f;             // decay of the flash per tick
-constexpr std::uint32_t kFlashPause = 60; // ticks: at most two flashes per second
-constexpr std::size_t kTrailLength = 44;  // ticks
+constexpr Real kHardest = 24;            // N s: a ball reversed at its usual speed
+constexpr Real kMostShake = Real(0.3);   // m
+constexpr Real kCalm = Real(0.94);       // decay of the trauma per tick
+constexpr Real kCool = Real(0.93);       // decay of the heat per tick
+constexpr Real kSwing = Real(0.3);       // rad per tick, oscillation after an impact
+constexpr std::size_t kTrailLength = 44; // ticks
+
+/// Bounds of a body now and for the next third of a second.
+Aabb sweptBounds(const kodo::BodyView& body) {
+    constexpr Real kAhead = Real(0.33); // s
+    const Aabb now = body.bounds();
+    const Vec2 way = kAhead * body.velocity();
+    return unite(now, {now.lower + way, now.upper + way});
+}
 
 } // namespace
+
+std::vector<Aabb> breakingPlaces(const Game& game) {
+    constexpr std::uint32_t kFresh = 60;  // ticks
+    constexpr Real kToppling = Real(0.3); // m/s
+    std::vector<Aabb> places;
+    for (const Shard& shard : game.shards()) {
+        if (game.ticks() - shard.bornTick < kFresh) {
+            places.push_back(sweptBounds(game.world()[shard.body]));
+        }
+    }
+    for (const Block& block : game.blocks()) {
+        const kodo::BodyView body = game.world()[block.body];
+        const bool loose = block.support == Support::Fallen || block.support == Support::Loose;
+        const bool fresh = loose && game.ticks() - block.looseTick < 2 * kFresh;
+        const bool topples = block.support == Support::Standing && !body.isAsleep() &&
+                             length(body.velocity()) > kToppling;
+        if (fresh || topples) {
+            places.push_back(sweptBounds(body));
+        }
+    }
+    return places;
+}
 
 Real weightOf(Real impulse) {
     return std::sqrt(std::clamp(impulse / kHardest, Real(0), Real(1)));
@@ -28,17 +56,22 @@ Real weightOf(Real impulse) {
 void Juice::tick(const Game& game) {
     now_ = game.ticks();
     age();
-    for (const Event& event : game.events()) {
-        std::visit([&](const auto& what) { onEvent(game, what); }, event);
-    }
+    take(game, game.events());
     followBalls(game);
     feedFlames(game);
 }
 
+void Juice::take(const Game& game, std::span<const Event> events) {
+    for (const Event& event : events) {
+        std::visit([&](const auto& what) { onEvent(game, what); }, event);
+    }
+}
+
 void Juice::age() {
     sparks_.tick(kTickSeconds);
+    debris_.tick(kTickSeconds);
+    flashes_.tick();
     trauma_ *= kCalm;
-    flash_ *= kDim;
     for (Heat& heat : heats_) {
         heat.left *= kCool;
         ++heat.age;
@@ -68,7 +101,7 @@ void Juice::feedFlames(const Game& game) {
     for (const Part& part : game.parts()) {
         if (part.state == PartState::Launched) {
             const Vec2 tail = game.world()[part.body].center() - Vec2{0, Real(0.3)};
-            burst({tail, {0, -1}, palette::of(Power::Launch), 3, 9, Real(0.35), Real(0.12)});
+            burst({tail, {0, -1}, tints().of(Power::Launch), 3, 9, Real(0.35), Real(0.12)});
         }
     }
 }
@@ -83,13 +116,13 @@ void Juice::push(Real strength) {
     trauma_ = std::min(trauma_ + strength, Real(1));
 }
 
-void Juice::light(Color color, float strength) {
-    if (lastFlash_ != 0 && now_ - lastFlash_ < kFlashPause) {
-        return;
+/// Adds a popup beside all that breaks or falls.
+void Juice::say(const Game& game, Popup popup) {
+    if (busyTick_ != now_ + 1) {
+        busyTick_ = now_ + 1;
+        busy_ = breakingPlaces(game);
     }
-    lastFlash_ = now_;
-    flashColor_ = color;
-    flash_ = strength * share(settings_.flash);
+    popups_.add(std::move(popup), busy_);
 }
 
 void Juice::heat(std::uint64_t name, Vec2 push) {
@@ -106,7 +139,8 @@ ImpactResponse Juice::responseOf(std::uint64_t name) const {
     for (const Heat& heat : heats_) {
         if (heat.name == name) {
             const Real swing = std::cos(kSwing * static_cast<Real>(heat.age));
-            return {heat.left, heat.left * swing * share(settings_.squash) * heat.push};
+            return {flashes_.heat() * heat.left,
+                    heat.left * swing * share(settings_.squash) * heat.push};
         }
     }
     return {};

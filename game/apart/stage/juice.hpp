@@ -4,6 +4,8 @@
 #include <apart/core/game.hpp>
 #include <apart/stage/canvas.hpp>
 #include <apart/stage/cracks.hpp>
+#include <apart/stage/debris.hpp>
+#include <apart/stage/flashes.hpp>
 #include <apart/stage/player_settings.hpp>
 #include <apart/stage/popups.hpp>
 #include <apart/stage/sparks.hpp>
@@ -23,22 +25,32 @@ struct ImpactResponse {
 /// same game gives the same picture.
 class Juice {
 public:
-    Juice(std::uint32_t seed, const Settings& settings) : settings_(settings), sparks_(seed) {}
+    Juice(std::uint32_t seed, const Settings& settings) : sparks_(seed), debris_(seed) {
+        setSettings(settings);
+    }
 
-    void setSettings(const Settings& settings) { settings_ = settings; }
+    void setSettings(const Settings& settings) {
+        settings_ = settings;
+        flashes_.setSettings(settings);
+    }
     void firework(Vec2 place, Color color);
     /// Call after each tick of the game.
     void tick(const Game& game);
+    /// The effects of events, without ageing. tick() calls it with the events of the game.
+    void take(const Game& game, std::span<const Event> events);
+    /// Ratio of the time of the game to real time, for the limit of flashes per second of real
+    /// time.
+    void setPace(double pace) { flashes_.setPace(pace); }
 
     const Settings& settings() const { return settings_; }
     const Sparks& sparks() const { return sparks_; }
+    const Debris& debris() const { return debris_; }
+    const Palette& tints() const { return paletteOf(settings_.colors); }
     const Cracks& cracks() const { return cracks_; }
     std::span<const Popup> popups() const { return popups_.all(); }
     /// Current offset of the picture (m).
     Vec2 shake() const;
-    /// Opacity of the flash over the field, 0..1.
-    float flash() const { return flash_; }
-    Color flashColor() const { return flashColor_; }
+    const Flashes& flashes() const { return flashes_; }
     /// Response of a body to its last impact.
     ImpactResponse responseOf(kodo::BodyId body) const;
     /// Response of a single block. The blocks of a boss share a body.
@@ -88,7 +100,7 @@ private:
     void burst(Burst burst);
     void blast(Vec2 point, Color color, int count, Real speed);
     void push(Real strength);
-    void light(Color color, float strength);
+    void say(const Game& game, Popup popup);
     void heat(std::uint64_t name, Vec2 push);
     ImpactResponse responseOf(std::uint64_t name) const;
     void age();
@@ -97,15 +109,16 @@ private:
 
     Settings settings_;
     Sparks sparks_;
+    Debris debris_;
+    Flashes flashes_;
     Cracks cracks_;
     Popups popups_;
     std::vector<Heat> heats_;
     std::vector<Trail> trails_;
     Real trauma_ = 0; // 0..1; the amplitude of the shake is proportional to its square
-    float flash_ = 0;
-    Color flashColor_{};
     std::uint32_t now_ = 0;
-    std::uint32_t lastFlash_ = 0;
+    std::vector<Aabb> busy_;     // places where something breaks
+    std::uint32_t busyTick_ = 0; // of `busy_`
 };
 
 // Keys of responses, disjoint for bodies and blocks.
@@ -115,6 +128,9 @@ constexpr std::uint64_t nameOf(kodo::BodyId body) {
 constexpr std::uint64_t nameOfBlock(std::uint32_t key) {
     return std::uint64_t{1} << 63 | key;
 }
+
+/// Places where something breaks or falls now (m).
+std::vector<Aabb> breakingPlaces(const Game& game);
 
 /// Intensity of an impact, 0..1: the square root of its share of the strongest impulse.
 Real weightOf(Real impulse);

@@ -18,13 +18,13 @@ int countFor(Real weight, Real most) {
     return static_cast<int>(weight * most + Real(0.5));
 }
 
-Color colorOf(const Struck& hit) {
+Color colorOf(const Struck& hit, const Palette& tints) {
     switch (hit.what) {
     case Role::Paddle:
         return palette::kPaddle;
     case Role::Block:
     case Role::Shard:
-        return palette::of(hit.stuff);
+        return tints.of(hit.stuff);
     default:
         return palette::kQuiet;
     }
@@ -72,15 +72,15 @@ void Juice::onEvent(const Game&, const Struck& hit) {
     if (weight < Real(0.12)) {
         return; // rolling and resting contacts
     }
-    burst(
-        {hit.point, hit.normal, lighter(colorOf(hit), 0.3f), countFor(weight, 10), 3 + 6 * weight});
+    burst({hit.point, hit.normal, lighter(colorOf(hit, tints()), 0.3f), countFor(weight, 10),
+           3 + 6 * weight});
     heat(nameOf(hit.other), -weight * hit.normal);
     heat(nameOf(hit.ball), weight * hit.normal);
 }
 
 void Juice::onEvent(const Game& game, const Cracked& hit) {
     heat(nameOfBlock(hit.key), {});
-    burst({hit.point, {}, palette::of(hit.stuff), countFor(weightOf(hit.impulse), 12), 5});
+    burst({hit.point, {}, tints().of(hit.stuff), countFor(weightOf(hit.impulse), 12), 5});
     for (const Block& block : game.blocks()) {
         if (block.key == hit.key) {
             const kodo::BodyView body = game.world()[block.body];
@@ -90,54 +90,65 @@ void Juice::onEvent(const Game& game, const Cracked& hit) {
     }
 }
 
-void Juice::onEvent(const Game&, const Broke& hit) {
+void Juice::onEvent(const Game& game, const Broke& hit) {
     const Real weight = weightOf(hit.impulse);
     cracks_.forget(hit.key);
     burst({hit.point,
            {},
-           lighter(palette::of(hit.stuff), 0.35f),
+           lighter(tints().of(hit.stuff), 0.35f),
            14 + countFor(weight, 26),
            5 + 7 * weight,
            Real(0.7),
            Real(0.09)});
+    Color dust = tints().of(hit.stuff);
+    dust.a = 255;
+    debris_.add({hit.point,
+                 {},
+                 dust,
+                 6 + countFor(weight, 12),
+                 2 + countFor(weight, 3),
+                 4 + 9 * weight,
+                 Real(0.8) + Real(0.5) * weight},
+                share(settings_.particles));
+    flashes_.glint(hit.point, weight);
     if (hit.points == 0) {
         return; // rubble
     }
     push(Real(0.16) + Real(0.2) * weight);
     const Color color = hit.combo >= 3 ? palette::kAccent : palette::kText;
     const Real size = Real(0.45) + Real(0.025) * static_cast<Real>(std::min(hit.combo, 10));
-    popups_.add({"", hit.center, color, size, hit.points});
+    say(game, {"", hit.center, color, size, hit.points});
     if (const std::string_view praise = praiseOf(hit.combo); !praise.empty()) {
-        popups_.add(
+        say(game,
             {std::string(praise), hit.center + Vec2{0, Real(-1.2)}, palette::kAccent, Real(0.8)});
     }
 }
 
-void Juice::onEvent(const Game&, const Welded& weld) {
-    burst({weld.point, {0, 1}, palette::of(Power::Weld), 40, 8, Real(0.6)});
-    popups_.add({"welded", weld.point + Vec2{0, Real(0.8)}, palette::of(Power::Weld), Real(0.55)});
+void Juice::onEvent(const Game& game, const Welded& weld) {
+    burst({weld.point, {0, 1}, tints().of(Power::Weld), 40, 8, Real(0.6)});
+    say(game, {"welded", weld.point + Vec2{0, Real(0.8)}, tints().of(Power::Weld), Real(0.55)});
 }
 
-void Juice::onEvent(const Game&, const KnockedOff& off) {
-    blast(off.point, palette::of(Power::Weld), 24, 8);
+void Juice::onEvent(const Game& game, const KnockedOff& off) {
+    blast(off.point, tints().of(Power::Weld), 24, 8);
     push(Real(0.25));
-    popups_.add({"knocked off", off.point + Vec2{0, Real(0.8)}, palette::kQuiet, Real(0.5)});
+    say(game, {"knocked off", off.point + Vec2{0, Real(0.8)}, palette::kQuiet, Real(0.5)});
 }
 
 void Juice::onEvent(const Game&, const Launched& launch) {
-    burst({launch.point, {0, -1}, palette::of(Power::Launch), 40, 10, Real(0.5)});
+    burst({launch.point, {0, -1}, tints().of(Power::Launch), 40, 10, Real(0.5)});
     push(Real(0.3));
 }
 
 void Juice::onEvent(const Game&, const Spent& end) {
-    blast(end.point, palette::of(Power::Launch), 30, 9);
+    blast(end.point, tints().of(Power::Launch), 30, 9);
 }
 
-void Juice::onEvent(const Game&, const BallSplit& split) {
-    burst({split.point, {}, palette::of(Power::Split), 50, 10, Real(0.8)});
+void Juice::onEvent(const Game& game, const BallSplit& split) {
+    burst({split.point, {}, tints().of(Power::Split), 50, 10, Real(0.8)});
     const std::string text =
         split.balls == 1 ? "1 ball more" : std::to_string(split.balls) + " balls more";
-    popups_.add({text, split.point + Vec2{0, Real(1.1)}, palette::of(Power::Split), Real(0.6)});
+    say(game, {text, split.point + Vec2{0, Real(1.1)}, tints().of(Power::Split), Real(0.6)});
 }
 
 void Juice::onEvent(const Game&, const BallLost& lost) {
@@ -146,47 +157,49 @@ void Juice::onEvent(const Game&, const BallLost& lost) {
 
 void Juice::onEvent(const Game&, const LifeLost&) {
     push(Real(0.7));
-    light(palette::kDanger, 0.55f);
+    flashes_.light(palette::kDanger, 0.55f);
 }
 
 void Juice::onEvent(const Game&, const Cleared&) {
-    light(palette::kAccent, 0.4f);
+    flashes_.light(palette::kAccent, 0.4f);
 }
 
 void Juice::onEvent(const Game&, const ShardBroke& hit) {
-    blast(hit.point, palette::of(hit.stuff), 3 + countFor(weightOf(hit.impulse), 8), 5);
+    blast(hit.point, tints().of(hit.stuff), 3 + countFor(weightOf(hit.impulse), 8), 5);
 }
 
-void Juice::onEvent(const Game&, const LetGo& let) {
-    blast(let.point, palette::of(let.stuff), 16, 4);
-    push(let.why == LetGo::Why::BrokeOff ? Real(0.3) : Real(0.1));
-    if (let.why == LetGo::Why::Toppled) { // dust
-        burst({let.point, {0, 1}, faded(palette::kQuiet, 0.5f), 8, 2, Real(1.1), Real(0.2)});
+void Juice::onEvent(const Game& game, const LetGo& let) {
+    blast(let.point, tints().of(let.stuff), 16, 4);
+    push(let.why == LetGo::Why::BrokeOff ? Real(0.3) : Real(0.16));
+    if (let.why == LetGo::Why::Toppled) {
+        debris_.add({let.point, {}, faded(tints().of(let.stuff), 1), 2, 2, 3, Real(1.1)},
+                    share(settings_.particles));
     }
     if (let.points > 0) {
-        popups_.add({"", let.point, palette::kText, Real(0.45), let.points});
+        say(game, {"", let.point, palette::kText, Real(0.45), let.points});
     }
     if (let.why == LetGo::Why::Torn) {
-        popups_.add({"torn off", let.point, palette::kAccent, Real(0.5)});
+        say(game, {"torn off", let.point, palette::kAccent, Real(0.5)});
     }
 }
 
-void Juice::onEvent(const Game&, const Collapsed& collapse) {
+void Juice::onEvent(const Game& game, const Collapsed& collapse) {
     const Real size = Real(0.6) + Real(0.06) * static_cast<Real>(std::min(collapse.blocks, 12));
-    popups_.add({fallText(collapse.blocks), collapse.point, palette::kAccent, size});
+    say(game, {fallText(collapse.blocks), collapse.point, palette::kAccent, size});
+    push(Real(0.04) * static_cast<Real>(std::min(collapse.blocks, 12)));
     if (collapse.blocks >= kGreatFall) {
-        light(palette::kAccent, 0.25f);
+        flashes_.light(palette::kAccent, 0.25f);
     }
 }
 
-void Juice::onEvent(const Game&, const Snapped& snap) {
+void Juice::onEvent(const Game& game, const Snapped& snap) {
     blast(snap.point, palette::kMachine, 14, 7);
     push(Real(0.15));
-    popups_.add({"snap", snap.point, palette::kQuiet, Real(0.45)});
+    say(game, {"snap", snap.point, palette::kQuiet, Real(0.45)});
 }
 
-void Juice::onEvent(const Game&, const Fell& fell) {
-    popups_.add({"", {fell.point.x, Real(1.2)}, palette::kText, Real(0.45), fell.points});
+void Juice::onEvent(const Game& game, const Fell& fell) {
+    say(game, {"", {fell.point.x, Real(1.2)}, palette::kText, Real(0.45), fell.points});
 }
 
 void Juice::onEvent(const Game& game, const PatienceChanged& change) {
@@ -194,20 +207,20 @@ void Juice::onEvent(const Game& game, const PatienceChanged& change) {
     if (change.patience == Patience::Glowing && next != nullptr) {
         const kodo::BodyView body = game.world()[next->body];
         const Vec2 middle = body.massFrame() * body.part(next->part).convex.middle;
-        popups_.add({"pull it off", middle - Vec2{0, Real(1.4)}, palette::kAccent, Real(0.45)});
+        say(game, {"pull it off", middle - Vec2{0, Real(1.4)}, palette::kAccent, Real(0.45)});
     }
     if (change.patience == Patience::Shaking) {
-        popups_.add({"the mounts give way soon", {0, 5}, palette::kAccent, Real(0.6)});
+        say(game, {"the mounts give way soon", {0, 5}, palette::kAccent, Real(0.6)});
     }
 }
 
-void Juice::onEvent(const Game&, const BossDown& down) {
+void Juice::onEvent(const Game& game, const BossDown& down) {
     push(1);
-    light(palette::kAccent, 0.5f);
+    flashes_.light(palette::kAccent, 0.5f);
     firework(down.point, palette::kDanger);
     firework(down.point + Vec2{2, 1}, palette::kAccent);
     firework(down.point + Vec2{-2, 1}, palette::kText);
-    popups_.add({"boss down!", down.point + Vec2{0, Real(1.5)}, palette::kAccent, Real(1.1)});
+    say(game, {"boss down!", down.point + Vec2{0, Real(1.5)}, palette::kAccent, Real(1.1)});
 }
 
 void Juice::onEvent(const Game&, const Bumped& bump) {
@@ -216,10 +229,10 @@ void Juice::onEvent(const Game&, const Bumped& bump) {
     push(Real(0.12));
 }
 
-void Juice::onEvent(const Game&, const PowerBegan& power) {
-    const Color color = palette::of(power.power);
+void Juice::onEvent(const Game& game, const PowerBegan& power) {
+    const Color color = tints().of(power.power);
     blast(power.point, color, 40, 9);
-    popups_.add(
+    say(game,
         {std::string(wordsOf(power.power)), power.point + Vec2{0, Real(0.9)}, color, Real(0.55)});
 }
 
@@ -235,11 +248,11 @@ void Juice::onEvent(const Game& game, const BallChanged& change) {
 }
 
 void Juice::onEvent(const Game&, const Leapt& leap) {
-    burst({leap.point, {0, -1}, palette::of(Power::Spring), 30, 9, Real(0.4)});
+    burst({leap.point, {0, -1}, tints().of(Power::Spring), 30, 9, Real(0.4)});
 }
 
 void Juice::onEvent(const Game&, const ShardCaught& shard) {
-    burst({shard.point, {0, 1}, palette::of(shard.stuff), 6, 5, Real(0.35)});
+    burst({shard.point, {0, 1}, tints().of(shard.stuff), 6, 5, Real(0.35)});
 }
 
 } // namespace apart

@@ -6,7 +6,8 @@
 
 namespace apart {
 
-/// Paints all blocks, obstructions, wells and ropes of a level into a rectangle.
+/// Paints all that is in a level into a rectangle: blocks with their powers, obstructions, joints,
+/// wells, wind, and a paddle or ball that differs from the usual one.
 void paintPreview(Canvas& canvas, const Level& level, const Aabb& box);
 
 } // namespace apart

@@ -206,12 +206,14 @@ void LevelSelect::drawChosen(Canvas& canvas, const Records& records, double seco
     canvas.text(fmt::format("LEVEL {}   {}", chosen_ + 1, look.title), {kAboutLeft, Real(14.9)},
                 {Real(0.42), look.glow});
     Real y = Real(13.8);
-    for (const std::string& line : wrapped(level.title, 20)) {
-        canvas.text(line, {kAboutLeft, y}, {Real(0.95), palette::kText, Typeface::Bold});
+    for (const std::string& line : wrapped(level.title, 14)) {
+        canvas.text(line, {kAboutLeft, y}, {Real(0.9), palette::kText, Typeface::Display});
         y -= Real(1.05);
     }
     for (const std::string& line : wrapped(level.idea, 38)) {
-        canvas.text(line, {kAboutLeft, y}, {Real(0.46), palette::kQuiet});
+        canvas.text(
+            line, {kAboutLeft, y},
+            {Real(0.46), palette::kQuiet, Typeface::Plain, Align::Left, kAboutRight - kAboutLeft});
         y -= Real(0.66);
     }
     const Aabb box{{kAboutLeft, y - Real(4.9)}, {kAboutRight, y - Real(0.1)}};
@@ -222,7 +224,7 @@ void LevelSelect::drawChosen(Canvas& canvas, const Records& records, double seco
     for (const Power power : powersOf(level)) {
         const double phase = 3 * seconds + static_cast<double>(x);
         const auto rise = static_cast<Real>(0.05 * std::sin(phase));
-        paintMark(canvas, power, {{x, y + rise}, {}}, Real(0.26), palette::of(power));
+        paintMark(canvas, power, {{x, y + rise}, {}}, Real(0.26), canvas.palette().of(power));
         x += Real(0.8);
     }
     y -= Real(1.1);
@@ -242,9 +244,11 @@ void LevelSelect::drawFoot(Canvas& canvas, const Records& records) const {
     const Aabb back = backPlace();
     canvas.text("\u2039 back (escape)", {back.lower.x, back.lower.y + Real(0.35)},
                 {Real(0.46), palette::kText});
-    canvas.text(fmt::format("{} of {} cleared, {} points in all", cleared, levels_.size(),
-                            grouped(static_cast<int>(std::min<std::int64_t>(points, 999999999)))),
-                {kAboutLeft, back.lower.y + Real(0.35)}, {Real(0.46), palette::kQuiet});
+    canvas.text(
+        fmt::format("{} of {} cleared, {} points in all", cleared, levels_.size(),
+                    grouped(static_cast<int>(std::min<std::int64_t>(points, 999999999)))),
+        {kAboutLeft, back.lower.y + Real(0.35)},
+        {Real(0.46), palette::kQuiet, Typeface::Plain, Align::Left, kAboutRight - kAboutLeft});
 }
 
 void LevelSelect::drawArrows(Canvas& canvas) const {
@@ -264,7 +268,7 @@ void LevelSelect::draw(Canvas& canvas, const Records& records, double seconds) c
     const Profile& profile = records.profile();
     const bool pure = profile.mode == Mode::Pure;
     canvas.text(pure ? "Choose a level (pure)" : "Choose a level", {kTilesLeft, Real(16.6)},
-                {Real(1.2), palette::kText, Typeface::Bold});
+                {Real(1.2), palette::kText, Typeface::Display});
     const std::size_t end = std::min(topRow_ + kRowsInSight, rows_.size());
     for (std::size_t row = topRow_; row < end; ++row) {
         const Row& levels = rows_[row];

@@ -4,14 +4,15 @@
 #include <apart/stage/palette.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace apart {
 
 namespace {
 
-constexpr int kRopeParts = 8;
-constexpr int kCoils = 14; // straight pieces of a spring
+constexpr std::size_t kRopeParts = 8;
+constexpr std::size_t kCoils = 14; // straight pieces of a spring
 
 /// The ends of a joint in the picture.
 struct Ends {
@@ -38,14 +39,13 @@ void paintRope(Canvas& canvas, const Ends& ends, Real length, Color color) {
     const Vec2 way = ends.b - ends.a;
     const Real distance = std::max(kodo::length(way), Real(0.05));
     const Real sag = std::sqrt(std::max(length - distance, Real(0)) * distance * 3 / 8);
-    Vec2 last = ends.a;
-    for (int i = 1; i <= kRopeParts; ++i) {
+    std::array<Vec2, kRopeParts + 1> places;
+    for (std::size_t i = 0; i < places.size(); ++i) {
         const Real t = static_cast<Real>(i) / kRopeParts;
-        const Vec2 next = ends.a + t * way - Vec2{0, 4 * t * (1 - t) * sag};
-        canvas.line(last, next, Real(0.14), palette::kInk);
-        canvas.line(last, next, Real(0.08), color);
-        last = next;
+        places[i] = ends.a + t * way - Vec2{0, 4 * t * (1 - t) * sag};
     }
+    canvas.ribbon(places, Real(0.14), palette::kInk);
+    canvas.ribbon(places, Real(0.08), color);
     paintEnd(canvas, ends.a, Real(0.11));
     paintEnd(canvas, ends.b, Real(0.11));
 }
@@ -53,14 +53,14 @@ void paintRope(Canvas& canvas, const Ends& ends, Real length, Color color) {
 void paintSpring(Canvas& canvas, const Ends& ends, Color color) {
     const Vec2 way = ends.b - ends.a;
     const Vec2 side = Real(0.22) * normalize(perp(way));
-    Vec2 last = ends.a;
-    for (int i = 1; i <= kCoils; ++i) {
+    std::array<Vec2, kCoils + 1> places;
+    for (std::size_t i = 0; i < places.size(); ++i) {
         const Real t = static_cast<Real>(i) / kCoils;
-        const Real wave = i == kCoils ? Real(0) : i % 2 == 0 ? Real(1) : Real(-1);
-        const Vec2 next = ends.a + t * way + wave * side;
-        canvas.line(last, next, Real(0.08), color);
-        last = next;
+        const bool end = i == 0 || i == kCoils;
+        const Real wave = end ? Real(0) : i % 2 == 0 ? Real(1) : Real(-1);
+        places[i] = ends.a + t * way + wave * side;
     }
+    canvas.ribbon(places, Real(0.08), color);
     paintEnd(canvas, ends.a, Real(0.11));
     paintEnd(canvas, ends.b, Real(0.11));
 }

@@ -18,6 +18,17 @@ constexpr Real kBarLeft = Real(0.5);   // m, from the centre
 constexpr Real kBarRight = Real(3.0);
 constexpr int kNotch = 10; // percent
 
+int notchOf(const Gauge& gauge) {
+    return gauge.words.empty() ? kNotch : 1;
+}
+
+std::string valueText(const Gauge& gauge) {
+    if (gauge.words.empty()) {
+        return fmt::format("{} %", gauge.percent);
+    }
+    return fmt::format("\u2039  {}  \u203a", gauge.words[static_cast<std::size_t>(gauge.percent)]);
+}
+
 } // namespace
 
 Aabb Menu::place(std::size_t item) const {
@@ -62,10 +73,12 @@ std::optional<MenuOutcome> Menu::take(Command command) {
     case Command::Left:
     case Command::Right:
         if (item.gauge) {
-            return turned(item,
-                          item.gauge->percent + (command == Command::Left ? -kNotch : kNotch));
+            const int notch = notchOf(*item.gauge);
+            return turned(item, item.gauge->percent + (command == Command::Left ? -notch : notch));
         }
-        return item.action == Action::Mode ? std::optional(MenuOutcome{item.action}) : std::nullopt;
+        return item.action == Action::Mode || item.action == Action::Page
+                   ? std::optional(MenuOutcome{item.action})
+                   : std::nullopt;
     case Command::Launch:
     case Command::Confirm:
         return item.gauge ? std::nullopt : std::optional(MenuOutcome{item.action, item.dial});
@@ -85,15 +98,16 @@ std::optional<MenuOutcome> Menu::click(Vec2 place) const {
     }
     const Aabb range = bar(*found);
     if (place.x < range.lower.x) {
-        return turned(item, item.gauge->percent - kNotch);
+        return turned(item, item.gauge->percent - notchOf(*item.gauge));
     }
     if (place.x > range.upper.x) {
-        return turned(item, item.gauge->percent + kNotch);
+        return turned(item, item.gauge->percent + notchOf(*item.gauge));
     }
     const Real share = (place.x - range.lower.x) / range.extent().x;
     const auto span = static_cast<Real>(item.gauge->most - item.gauge->least);
-    const int notches = static_cast<int>(std::round(share * span / kNotch));
-    return turned(item, item.gauge->least + kNotch * notches);
+    const int notch = notchOf(*item.gauge);
+    const int notches = static_cast<int>(std::round(share * span / static_cast<Real>(notch)));
+    return turned(item, item.gauge->least + notch * notches);
 }
 
 std::optional<MenuOutcome> Menu::take(const Signals& signals) {
@@ -136,6 +150,15 @@ void Menu::choose(Action action) {
 void Menu::drawDial(Canvas& canvas, std::size_t item, Color color) const {
     const Gauge& gauge = *items_[item].gauge;
     const Aabb box = place(item);
+    const Real y = box.lower.y + Real(0.27);
+    canvas.text(items_[item].label, {box.lower.x + Real(0.5), y},
+                {Real(0.5), color, Typeface::Plain, Align::Left, kHalfWidth - Real(0.3)});
+    const Real room = gauge.words.empty() ? kHalfWidth - kBarRight - Real(0.6) : Real(4.6);
+    canvas.text(valueText(gauge), {box.upper.x - Real(0.4), y},
+                {Real(0.5), color, Typeface::Plain, Align::Right, room});
+    if (!gauge.words.empty()) {
+        return;
+    }
     const Aabb range = bar(item);
     const Real share = static_cast<Real>(gauge.percent - gauge.least) /
                        static_cast<Real>(gauge.most - gauge.least);
@@ -146,10 +169,6 @@ void Menu::drawDial(Canvas& canvas, std::size_t item, Color color) const {
                      {255, 255, 255, 40}, {255, 255, 255, 40});
     canvas.rectangle({{range.lower.x, middle - half}, {end, middle + half}}, color, color);
     canvas.disc({end, middle}, Real(0.2), lighter(color, 0.3f), color);
-    const Real y = box.lower.y + Real(0.27);
-    canvas.text(items_[item].label, {box.lower.x + Real(0.5), y}, {Real(0.5), color});
-    canvas.text(fmt::format("{} %", gauge.percent), {box.upper.x - Real(0.4), y},
-                {Real(0.5), color, Typeface::Plain, Align::Right});
 }
 
 void Menu::draw(Canvas& canvas) const {

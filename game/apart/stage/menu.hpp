@@ -6,7 +6,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace apart {
@@ -28,6 +30,7 @@ enum class Action : std::uint8_t {
     NextLevel,
     ToTitle,
     Back,
+    Page,  // shows the next page of options
     Reset, // resets all dials
     Keys,  // opens the table of keys and buttons
     Dial,  // adjusted by left and right
@@ -38,6 +41,7 @@ struct Gauge {
     int percent = 0;
     int least = 0;
     int most = 100;
+    std::span<const std::string_view> words = {}; // of the values from 0 on, instead of percent
 };
 
 struct MenuItem {

@@ -70,14 +70,20 @@ Menu replaysMenu(const std::vector<ShowEntry>& replays) {
     return {std::move(items), Real(13.2)};
 }
 
-Menu optionsMenu(const Settings& settings) {
+Menu optionsMenu(const Settings& settings, int page) {
     std::vector<MenuItem> items;
     for (std::size_t i = 0; i < kDials.size(); ++i) {
         const Dial& dial = kDials[i];
-        items.push_back({Action::Dial, std::string(dial.label),
-                         Gauge{settings.*dial.value, dial.least, dial.most}, i});
+        if (dial.page == page) {
+            items.push_back({Action::Dial, std::string(dial.label),
+                             Gauge{settings.*dial.value, dial.least, dial.most, dial.words}, i});
+        }
     }
-    items.push_back({Action::Keys, "Keys and buttons"});
+    const std::string_view name = kDialPages[static_cast<std::size_t>(page)];
+    items.push_back({Action::Page, fmt::format("\u2039  {}  \u203a", name)});
+    if (page == 0) {
+        items.push_back({Action::Keys, "Keys and buttons"});
+    }
     items.push_back({Action::Reset, "As they were at first"});
     items.push_back({Action::Back, "Back"});
     return {std::move(items), Real(13.2)};

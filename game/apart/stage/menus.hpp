@@ -23,7 +23,8 @@ void refreshTitle(Menu& menu, const TitleOffer& offer, const Records& records);
 
 Menu recordsMenu(bool replays);
 Menu replaysMenu(const std::vector<ShowEntry>& replays);
-Menu optionsMenu(const Settings& settings);
+/// `page`: index in kDialPages. The first one also leads to the bindings of keys.
+Menu optionsMenu(const Settings& settings, int page);
 Menu pauseMenu();
 Menu helpMenu();
 

@@ -18,7 +18,7 @@ constexpr Real kDip = Real(0.14); // m, displacement of the paddle at the strong
 
 void paintPower(Canvas& canvas, std::span<const Vec2> corners, Power power,
                 const kodo::Transform& place) {
-    const Color color = palette::of(power);
+    const Color color = canvas.palette().of(power);
     paintLit(canvas, corners, mix(color, palette::kInk, 0.45f), {kRim, color});
     paintMark(canvas, power, place, Real(0.2), lighter(color, 0.35f));
 }
@@ -27,7 +27,7 @@ void paintPower(Canvas& canvas, std::span<const Vec2> corners, Power power,
 void paintCountdown(Canvas& canvas, const Moment& moment, const Part& part, Vec2 middle) {
     const auto since = static_cast<Real>(moment.game.ticks() - part.sinceTick);
     const Real left = std::clamp(1 - since / static_cast<Real>(kStickTicks), Real(0), Real(1));
-    canvas.ring(middle, Real(0.5) + Real(1.3) * left, Real(0.08), palette::of(part.power));
+    canvas.ring(middle, Real(0.5) + Real(1.3) * left, Real(0.08), canvas.palette().of(part.power));
 }
 
 /// Position of the lowest ball, which the paddle's eyes follow.
@@ -63,14 +63,14 @@ void paintWorking(Canvas& canvas, const Moment& moment, const kodo::Transform& p
         const Real beat = Real(0.5) + Real(0.5) * std::sin(Real(0.1) * moment.time());
         canvas.setGlow(true);
         canvas.disc(place.position, Real(3.2),
-                    faded(palette::of(Power::Magnet), 0.2f + 0.2f * beat),
-                    faded(palette::of(Power::Magnet), 0));
+                    faded(canvas.palette().of(Power::Magnet), 0.2f + 0.2f * beat),
+                    faded(canvas.palette().of(Power::Magnet), 0));
         canvas.setGlow(false);
     }
     if (moment.game.secondsLeft(Power::Spring) > 0) {
         for (const Real side : {Real(-1), Real(1)}) {
             const kodo::Transform foot{place * Vec2{side, Real(-0.6)}, place.rotation};
-            paintMark(canvas, Power::Spring, foot, Real(0.25), palette::of(Power::Spring));
+            paintMark(canvas, Power::Spring, foot, Real(0.25), canvas.palette().of(Power::Spring));
         }
     }
 }
@@ -81,7 +81,7 @@ void paintParts(Canvas& canvas, const Moment& moment) {
     for (const Part& part : moment.game.parts()) {
         const kodo::BodyView body = moment.game.world()[part.body];
         const kodo::Transform place = moment.placeOf(part.body);
-        const Color color = palette::of(part.power);
+        const Color color = canvas.palette().of(part.power);
         canvas.setGlow(true);
         canvas.disc(place.position, Real(1.1), faded(color, 0.30f), faded(color, 0));
         canvas.setGlow(false);

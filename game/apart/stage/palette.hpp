@@ -6,8 +6,10 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
-/// Colours of the game. Colour is never the only cue: stuffs also have a grain, powers a symbol.
+/// Colours of the game that are the same for all players. Colour is never the only cue: stuffs also
+/// have a grain, powers a symbol.
 namespace apart::palette {
 
 inline constexpr Color kNight{7, 8, 15}; // corners of the picture
@@ -22,34 +24,25 @@ inline constexpr Color kGround{92, 104, 92};
 inline constexpr Color kBall{255, 248, 232};
 inline constexpr Color kPaddle{84, 214, 206};
 
-inline constexpr std::array<Color, 5> kStuff = {
-    Color{120, 220, 248, 205}, // glass
-    Color{206, 150, 92},       // wood
-    Color{212, 94, 76},        // brick
-    Color{150, 158, 176},      // stone
-    Color{84, 96, 120},        // steel
-};
-inline constexpr std::array<Color, kPowerNames.size()> kPower = {
-    Color{226, 232, 245}, // none
-    Color{118, 226, 130}, // weld
-    Color{255, 170, 62},  // launch
-    Color{198, 146, 255}, // split
-    Color{188, 204, 226}, // heavy
-    Color{255, 112, 128}, // lopsided
-    Color{255, 146, 170}, // egg
-    Color{214, 178, 128}, // rough
-    Color{255, 96, 196},  // magnet
-    Color{250, 224, 90},  // spring
-    Color{120, 208, 255}, // wings
-    Color{150, 140, 255}, // well
-    Color{150, 226, 214}, // wind
-};
-
-constexpr Color of(Stuff stuff) {
-    return kStuff[static_cast<std::size_t>(stuff)];
-}
-constexpr Color of(Power power) {
-    return kPower[static_cast<std::size_t>(power)];
-}
-
 } // namespace apart::palette
+
+namespace apart {
+
+/// Colour vision of the player.
+enum class Vision : std::uint8_t { Usual, Deuteranopia, Protanopia, Tritanopia };
+inline constexpr std::size_t kVisions = 4;
+
+/// Colours of stuffs and powers, chosen for one kind of colour vision.
+struct Palette {
+    std::array<Color, kStuffNames.size()> stuff;
+    std::array<Color, kPowerNames.size()> power;
+
+    constexpr Color of(Stuff which) const { return stuff[static_cast<std::size_t>(which)]; }
+    constexpr Color of(Power which) const { return power[static_cast<std::size_t>(which)]; }
+};
+
+const Palette& paletteOf(Vision vision);
+/// The palette of Settings::colors; values out of range mean Vision::Usual.
+const Palette& paletteOf(int vision);
+
+} // namespace apart

@@ -5,6 +5,7 @@ namespace apart {
 
 void Play::tick(const Input& input, Speaker& speaker) {
     poses_.remember(game_.world());
+    soundCues_.weigh(game_);
     game_.tick(input);
     juice_.tick(game_);
     soundCues_.play(game_.events(), game_.ticks(), share(juice_.settings().sound), speaker);

@@ -27,6 +27,7 @@ public:
     const Game& game() const { return game_; }
     const std::shared_ptr<const Level>& sharedLevel() const { return level_; }
     const Juice& juice() const { return juice_; }
+    void setPace(double pace) { juice_.setPace(pace); }
     void setSettings(const Settings& settings) { juice_.setSettings(settings); }
     /// One tick of the fanfare.
     void celebrate(Fanfare& fanfare, Speaker& speaker) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace apart {
 
@@ -14,6 +15,7 @@ constexpr int kLife = 90;            // ticks
 constexpr int kYoung = 40;           // ticks
 constexpr Real kJoins = Real(2.4);   // m
 constexpr Real kRise = Real(1.2);    // m, over its life; equal for all, so that the distances stay
+constexpr Real kBusy = 20;           // m of way that one busy area outweighs
 constexpr Real kLetter = Real(0.72); // width of a bold letter relative to its height
 constexpr Real kBelow = Real(0.25);  // descent below the base line relative to the height
 // Limits to which the points of a popup may grow.
@@ -28,6 +30,23 @@ Real halfWidth(const Popup& popup) {
     const std::size_t letters =
         popup.points > 0 ? std::max(popup.text.size(), kMostDigits) : popup.text.size();
     return kLetter / 2 * tall(popup) * static_cast<Real>(letters);
+}
+
+bool covered(std::span<const Popup> popups, const Aabb& box) {
+    return std::any_of(popups.begin(), popups.end(),
+                       [&](const Popup& other) { return overlap(other.box(), box); });
+}
+
+std::ptrdiff_t countIn(std::span<const Aabb> busy, const Aabb& box) {
+    return std::count_if(busy.begin(), busy.end(),
+                         [&](const Aabb& place) { return overlap(place, box); });
+}
+
+/// Bounds of a new popup now and while it is well visible.
+Aabb wholeWay(const Popup& popup) {
+    Aabb box = popup.box();
+    box.upper.y += kRise / 2;
+    return box;
 }
 
 /// Clamps a position to the field, including the rise.
@@ -55,7 +74,7 @@ float Popup::left() const {
 
 bool Popups::joins(const Popup& popup) {
     for (Popup& other : popups_) {
-        if (other.age >= kYoung || length(other.place - popup.place) >= kJoins) {
+        if (other.age >= kYoung || length(other.origin - popup.place) >= kJoins) {
             continue;
         }
         if (popup.points > 0 && other.points > 0) {
@@ -71,27 +90,45 @@ bool Popups::joins(const Popup& popup) {
     return false;
 }
 
-void Popups::add(Popup popup) {
+/// The nearest place without another popup and, if there is one, without anything busy. Places are
+/// tried column by column, alternately above and below.
+Vec2 Popups::freePlace(Popup popup, std::span<const Aabb> busy) const {
+    constexpr int kTries = 40; // up and down
+    constexpr int kSteps = 9;  // left and right
+    const Vec2 wanted = heldIn(popup);
+    const Vec2 step{Real(0.9), (1 + kBelow) * tall(popup) / 2};
+    const auto along = [](int i) {
+        return (i % 2 == 1 ? Real(1) : Real(-1)) * static_cast<Real>((i + 1) / 2);
+    };
+    Vec2 best = wanted;
+    Real bestCost = std::numeric_limits<Real>::max();
+    for (int column = 0; column < (busy.empty() ? 1 : kSteps); ++column) {
+        for (int row = 0; row <= kTries; ++row) {
+            popup.place = wanted + Vec2{along(column) * step.x, along(row) * step.y};
+            popup.place = heldIn(popup);
+            const Real way = length(popup.place - wanted);
+            if (way >= bestCost || covered(popups_, popup.box())) {
+                continue;
+            }
+            const Real cost = way + kBusy * static_cast<Real>(countIn(busy, wholeWay(popup)));
+            if (cost < bestCost) {
+                bestCost = cost;
+                best = popup.place;
+            }
+        }
+    }
+    return best;
+}
+
+void Popups::add(Popup popup, std::span<const Aabb> busy) {
     if (joins(popup)) {
         return;
     }
     if (popup.points > 0) {
         popup.text = fmt::format("+{}", popup.points);
     }
-    popup.place = heldIn(popup);
-    // Tries positions alternately above and below until nothing overlaps.
-    const Vec2 wanted = popup.place;
-    const Real step = (1 + kBelow) * tall(popup) / 2;
-    const auto covered = [&] {
-        return std::any_of(popups_.begin(), popups_.end(),
-                           [&](const Popup& other) { return overlap(other.box(), popup.box()); });
-    };
-    constexpr int kTries = 40;
-    for (int i = 1; i <= kTries && covered(); ++i) {
-        const auto away = static_cast<Real>((i + 1) / 2);
-        popup.place = wanted + Vec2{0, (i % 2 == 1 ? away : -away) * step};
-        popup.place = heldIn(popup);
-    }
+    popup.origin = popup.place;
+    popup.place = freePlace(popup, busy);
     popups_.push_back(std::move(popup));
 }
 

@@ -17,6 +17,7 @@ struct Popup {
     Real height = 0; // m, of the letters
     int points = 0;  // points shown, 0: a text without points
     int age = 0;     // ticks
+    Vec2 origin{};   // m, set by Popups: the place wanted
 
     /// Current centre of the base line (m).
     Vec2 placeNow() const;
@@ -32,13 +33,16 @@ public:
     /// Points are added to a recent popup nearby, which keeps a chain of breaks legible. A recent
     /// nearby popup with the same text is kept instead of a new one. Other popups move up or down
     /// until they overlap no popup. All positions stay inside the field.
-    void add(Popup popup);
+    /// `busy`: areas to keep free, because something breaks there (m). A popup whose place is busy
+    /// moves up, down or aside, as little as possible.
+    void add(Popup popup, std::span<const Aabb> busy = {});
     void tick();
 
     std::span<const Popup> all() const { return popups_; }
 
 private:
     bool joins(const Popup& popup);
+    Vec2 freePlace(Popup popup, std::span<const Aabb> busy) const;
 
     std::vector<Popup> popups_;
 };

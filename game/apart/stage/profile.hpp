@@ -45,6 +45,7 @@ struct Profile {
     Settings audible() const {
         Settings heard = settings;
         heard.sound = muted ? 0 : settings.sound;
+        heard.music = muted ? 0 : settings.music;
         return heard;
     }
     Best bestOf(Mode of, const std::string& level) const {

@@ -8,7 +8,12 @@ namespace apart {
 void RecordingCanvas::begin(const Aabb& shown, Vec2 shake) {
     shown_ = shown;
     shake_ = shake;
+    mostZoom_ = 1;
     strokes_.clear();
+}
+
+void RecordingCanvas::zoom(Vec2, Real scale) {
+    mostZoom_ = std::max(mostZoom_, scale);
 }
 
 void RecordingCanvas::rectangle(const Aabb& box, Color below, Color) {
@@ -40,6 +45,13 @@ void RecordingCanvas::line(Vec2 from, Vec2, Real width, Color color) {
     strokes_.push_back({Stroke::Kind::Line, from, color, width});
 }
 
+void RecordingCanvas::ribbon(std::span<const Vec2> points, std::span<const Real> widths,
+                             std::span<const Color> colors) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        strokes_.push_back({Stroke::Kind::Ribbon, points[i], colors[i], widths[i]});
+    }
+}
+
 void RecordingCanvas::disc(Vec2 center, Real radius, Color middle, Color) {
     strokes_.push_back({Stroke::Kind::Disc, center, middle, radius});
 }
@@ -49,7 +61,8 @@ void RecordingCanvas::ring(Vec2 center, Real radius, Real, Color color) {
 }
 
 void RecordingCanvas::text(std::string_view utf8, Vec2 place, const TextStyle& style) {
-    strokes_.push_back({Stroke::Kind::Text, place, style.color, style.height, std::string(utf8)});
+    strokes_.push_back(
+        {Stroke::Kind::Text, place, style.color, style.height, std::string(utf8), style});
 }
 
 bool RecordingCanvas::says(std::string_view text) const {

@@ -163,13 +163,13 @@ void paintResults(Canvas& canvas, const ResultsLook& look) {
     constexpr std::array<Color, 3> kColors = {palette::kText, palette::kAccent, palette::kDanger};
     const auto result = static_cast<std::size_t>(game.result());
     canvas.text(kTitles[result], {0, Real(15.2)},
-                {Real(1.8), kColors[result], Typeface::Bold, Align::Middle});
+                {Real(1.7), kColors[result], Typeface::Display, Align::Middle});
     canvas.text(game.level().title, {0, Real(14.2)},
                 {Real(0.6), palette::kQuiet, Typeface::Plain, Align::Middle});
     const double share = std::clamp(look.seconds / kCountSeconds, 0.0, 1.0);
     const auto shown = static_cast<int>(share * look.score);
     canvas.text(grouped(shown), {0, Real(12.3)},
-                {Real(1.6), palette::kText, Typeface::Bold, Align::Middle});
+                {Real(1.6), palette::kText, Typeface::Display, Align::Middle});
     canvas.text(worthText(look), {0, Real(11.6)},
                 {Real(0.5), look.newBest ? palette::kAccent : palette::kQuiet, Typeface::Plain,
                  Align::Middle});

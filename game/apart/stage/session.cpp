@@ -41,6 +41,8 @@ void Session::begin(std::unique_ptr<Play> play, Kind kind) {
 }
 
 void Session::elapse(double seconds, double pace, const Settings& settings) {
+    play_->setPace(pace);
+    camera_.advance(game(), seconds, kind_ == Kind::Demo ? 0 : apart::share(settings.zoom));
     pace *= timeScale_.next(game(), seconds) * settings.speed / 100;
     owed_ += pace * std::min(seconds, kLongestFrame);
 }

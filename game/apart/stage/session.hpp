@@ -2,6 +2,7 @@
 #pragma once
 
 #include <apart/core/replay.hpp>
+#include <apart/stage/collapse_camera.hpp>
 #include <apart/stage/fanfare.hpp>
 #include <apart/stage/ghost.hpp>
 #include <apart/stage/play.hpp>
@@ -47,6 +48,7 @@ public:
     bool isShow() const { return kind_ == Kind::Show; }
     const Play& play() const { return *play_; }
     const Game& game() const { return play_->game(); }
+    Closeup closeup() const { return camera_.closeup(game()); }
     const RunStatistics& statistics() const { return statistics_; }
     /// Replay of the game so far, or of all of it after its end; nullopt: not recorded.
     std::optional<Replay> record() const;
@@ -79,6 +81,7 @@ private:
     std::optional<Replay> record_; // after the end
     RunStatistics statistics_;
     TimeScale timeScale_;
+    CollapseCamera camera_;
     Fanfare fanfare_;
     std::vector<Mark> marks_;     // of a show: its start, then by time; else the last two
     std::uint32_t markEvery_ = 0; // ticks

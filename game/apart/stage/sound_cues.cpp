@@ -143,10 +143,77 @@ Note noteOf(const Event& event) {
     return std::visit([](const auto& what) { return noteFor(what); }, event);
 }
 
+float massPitch(float mass) {
+    constexpr float kUsual = 0.6f; // kg, a brick of the grid
+    return std::clamp(std::cbrt(kUsual / std::max(mass, 1e-3f)), 0.5f, 1.5f);
+}
+
+SoundScene sceneOf(const Game& game) {
+    constexpr float kRoar = 30;    // kg m/s, of the loudest rumble
+    constexpr float kRow = 8;      // blocks of the highest combo
+    constexpr kodo::Real kLow = 4; // m, height from which on a falling ball is in danger
+    SoundScene scene;
+    scene.theme = game.level().theme;
+    const int row = std::max<int>(game.combo(), game.collapse().blocks);
+    scene.combo = std::clamp(static_cast<float>(row) / kRow, 0.0f, 1.0f);
+    float momentum = 0;
+    for (const Block& block : game.blocks()) {
+        const kodo::BodyView body = game.world()[block.body];
+        const bool falls = block.support == Support::Fallen || block.support == Support::Loose;
+        if (falls && !body.isAsleep()) {
+            momentum += body.mass() * length(body.velocity());
+        }
+    }
+    scene.rumble = std::clamp(momentum / kRoar, 0.0f, 1.0f);
+    const bool last = game.lives() <= 1;
+    scene.danger = last ? 0.6f : 0.0f;
+    for (const Ball& ball : game.balls()) {
+        const kodo::BodyView body = game.world()[ball.body];
+        if (!ball.riding && body.center().y < kLow && body.velocity().y < 0) {
+            scene.danger = last ? 1.0f : 0.5f;
+        }
+    }
+    return scene;
+}
+
+void SoundCues::weigh(const Game& game) {
+    weights_.clear();
+    for (const Block& block : game.blocks()) {
+        weights_.push_back({block.body, game.world()[block.body].mass()});
+    }
+    for (const Shard& shard : game.shards()) {
+        weights_.push_back({shard.body, game.world()[shard.body].mass()});
+    }
+    std::sort(weights_.begin(), weights_.end(),
+              [](const Weight& a, const Weight& b) { return a.body.index < b.body.index; });
+}
+
+/// 1 for events without a struck block or shard.
+float SoundCues::massPitchOf(const Event& event) const {
+    kodo::BodyId body;
+    if (const auto* struck = std::get_if<Struck>(&event)) {
+        body = struck->other;
+    } else if (const auto* cracked = std::get_if<Cracked>(&event)) {
+        body = cracked->block;
+    } else if (const auto* broke = std::get_if<Broke>(&event)) {
+        body = broke->block;
+    } else if (const auto* shard = std::get_if<ShardBroke>(&event)) {
+        body = shard->shard;
+    } else if (const auto* let = std::get_if<LetGo>(&event)) {
+        body = let->block;
+    }
+    const auto found = std::lower_bound(
+        weights_.begin(), weights_.end(), body,
+        [](const Weight& weight, kodo::BodyId id) { return weight.body.index < id.index; });
+    return found != weights_.end() && found->body == body ? massPitch(found->mass) : 1.0f;
+}
+
 void SoundCues::play(std::span<const Event> events, std::uint32_t tick, float volume,
                      Speaker& speaker) {
     const auto play = [&](Note note) {
-        note.volume *= volume;
+        note.volume *= volume * dice_.between(0.88f, 1.0f);
+        note.pitch *= dice_.between(0.985f, 1.015f);
+        note.variant = static_cast<std::uint8_t>(dice_.next() % kVariants);
         std::uint32_t& last = lastTick_[static_cast<std::size_t>(note.voice)];
         if (note.volume < kSoftest || (last != 0 && tick + 1 - last < kPause)) {
             return;
@@ -155,9 +222,12 @@ void SoundCues::play(std::span<const Event> events, std::uint32_t tick, float vo
         speaker.play(note);
     };
     for (const Event& event : events) {
-        play(noteOf(event));
+        Note note = noteOf(event);
+        const float pitch = massPitchOf(event);
+        note.pitch *= pitch;
+        play(note);
         if (const auto* broke = std::get_if<Broke>(&event)) {
-            play({Voice::Break, 1, 0.6f * (0.4f + 0.6f * weightOf(broke->impulse)),
+            play({Voice::Break, pitch, 0.6f * (0.4f + 0.6f * weightOf(broke->impulse)),
                   panOf(broke->point)});
         }
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <apart/core/theme.hpp>
+
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -43,9 +45,22 @@ inline constexpr std::array<std::string_view, 26> kVoiceNames = {
 
 struct Note {
     Voice voice = Voice::Wall;
-    float pitch = 1;  // factor on the frequency of the voice
-    float volume = 1; // 0..1
-    float pan = 0;    // -1 left .. 1 right
+    float pitch = 1;          // factor on the frequency of the voice
+    float volume = 1;         // 0..1
+    float pan = 0;            // -1 left .. 1 right
+    std::uint8_t variant = 0; // below kVariants: slightly different sounds of one voice
+};
+inline constexpr std::uint8_t kVariants = 3;
+
+/// What music, rumble and room follow, from frame to frame. Shares are 0..1.
+struct SoundScene {
+    Theme theme = Theme::Daybreak;
+    float volume = 0;     // of all but the music
+    float music = 0;      // volume of the music
+    float combo = 0;      // of the blocks broken in a row, or fallen in this collapse
+    float danger = 0;     // of losing a ball or the game
+    float rumble = 0;     // of what falls: its momentum
+    bool muffled = false; // a menu covers the game
 };
 
 /// Sound output.
@@ -53,6 +68,8 @@ class Speaker {
 public:
     virtual ~Speaker() = default;
     virtual void play(const Note& note) = 0;
+    /// Call once per frame.
+    virtual void follow(const SoundScene&) {}
 };
 
 /// No output, for --mute or without a sound device.

@@ -14,6 +14,17 @@ constexpr std::uint32_t kCheckInGames = 30;
 constexpr double kAttractSeconds = 20;                     // without input
 constexpr std::uint32_t kDemoTicks = 60 * kTicksPerSecond; // until the bot shows the next level
 
+/// Continuous sounds of the game; a menu muffles them, and the bot's game behind one makes none.
+SoundScene soundOf(const Session& session, bool playing, const Settings& settings) {
+    const bool own = playing && session.kind() != Session::Kind::Demo;
+    SoundScene scene = own ? sceneOf(session.game()) : SoundScene{};
+    scene.theme = session.game().level().theme;
+    scene.muffled = !playing;
+    scene.volume = share(settings.sound);
+    scene.music = share(settings.music) * (playing ? 1.0f : 0.7f);
+    return scene;
+}
+
 } // namespace
 
 Stage::Stage(StageDef def)
@@ -144,6 +155,7 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     overSeconds_ += seconds;
     idleSeconds_ += seconds;
     take(signals, speaker);
+    speaker.follow(soundOf(session_, screen_ == Screen::Playing, profile().audible()));
     reloadLevel();
     const bool playing = screen_ == Screen::Playing;
     if (records_.advance(playing ? kCheckInGames : kCheckInMenus, !playing) &&

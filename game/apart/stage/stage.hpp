@@ -128,7 +128,7 @@ private:
     // Screens and games.
     void toTitle();
     void toLevels();
-    void toOptions();
+    void toOptions(int page = 0);
     void open(Screen screen, Menu menu);
     void pause();
     void begin(std::size_t level);
@@ -156,6 +156,7 @@ private:
     StageDef def_;
     Screen screen_ = Screen::Title;
     Screen behind_ = Screen::Title; // the options or the help
+    int optionsPage_ = 0;           // of kDialPages
     bool quit_ = false;
     std::size_t level_ = 0;
     EndlessRun endless_;

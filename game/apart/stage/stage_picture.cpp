@@ -4,6 +4,7 @@
 #include <apart/stage/backdrop.hpp>
 #include <apart/stage/help.hpp>
 #include <apart/stage/layout.hpp>
+#include <apart/stage/logo.hpp>
 #include <apart/stage/palette.hpp>
 #include <apart/stage/results.hpp>
 #include <apart/stage/stage.hpp>
@@ -74,19 +75,22 @@ void paintQuestion(Canvas& canvas, std::string_view question) {
 void paintFeast(Canvas& canvas, int ticks, const Bindings& keys) {
     const float t = std::min(static_cast<float>(ticks) / 30, 1.0f);
     const Real size = Real(2.4) - Real(0.5) * t; // shrinks to its final size
-    const auto line = [&](std::string_view text, Real y, Real height, Color color) {
-        const TextStyle shadow{height, faded(palette::kInk, t), Typeface::Bold, Align::Middle};
+    const auto line = [&](std::string_view text, Real y, TextStyle style) {
+        style.color = faded(style.color, t);
+        TextStyle shadow = style;
+        shadow.color = faded(palette::kInk, t);
         canvas.text(text, {Real(0.07), y - Real(0.07)}, shadow);
-        canvas.text(text, {0, y}, {height, faded(color, t), Typeface::Bold, Align::Middle});
+        canvas.text(text, {0, y}, style);
     };
-    line("Cleared!", Real(9.2), size, palette::kAccent);
-    line(keys.prompt(Act::Serve) + " or click: on", Real(7.8), Real(0.5), palette::kText);
+    line("Cleared!", Real(9.2), {size, palette::kAccent, Typeface::Display, Align::Middle});
+    line(keys.prompt(Act::Serve) + " or click: on", Real(7.8),
+         {Real(0.5), palette::kText, Typeface::Bold, Align::Middle});
 }
 
 void paintPaused(Canvas& canvas, const Menu& menu, const Bindings& keys) {
     paintVeil(canvas, faded(palette::kNight, 0.72f));
     canvas.text("Paused", {0, Real(13)},
-                {Real(1.6), palette::kText, Typeface::Bold, Align::Middle});
+                {Real(1.6), palette::kText, Typeface::Display, Align::Middle});
     menu.draw(canvas);
     Real y = Real(4.9);
     const auto prompt = [&](Act act) { return keys.prompt(act); };
@@ -138,6 +142,10 @@ HudLook Stage::hudLook() const {
 void Stage::draw(Canvas& canvas) const {
     const bool wide = session_.isDemo();
     canvas.begin(wide ? layout::kShownTitle : layout::kShown, session_.play().juice().shake());
+    canvas.setPalette(static_cast<Vision>(std::clamp(settings().colors, 0, 3)));
+    canvas.setTextScale(static_cast<Real>(settings().text) / 100);
+    const Closeup closeup = rerun_ || wide ? Closeup{} : session_.closeup();
+    canvas.zoom(closeup.focus, closeup.scale);
     paintBackdrop(canvas, game().level().theme, seconds_);
     if (rerun_) {
         rerun_->play().draw(canvas, rerun_->share());
@@ -146,6 +154,10 @@ void Stage::draw(Canvas& canvas) const {
         if (session_.ghost() && screen_ != Screen::Over) {
             session_.ghost()->draw(canvas, session_.share(), share(settings().ghost));
         }
+    }
+    canvas.zoom({}, 1);
+    if (closeup.scale > 1) {
+        paintPanelBack(canvas, game().level().theme);
     }
     if (!wide) {
         paintHud(canvas, game(), hudLook());
@@ -159,8 +171,8 @@ void Stage::draw(Canvas& canvas) const {
     case Screen::Options:
         paintVeil(canvas, faded(palette::kNight, 0.80f));
         canvas.text("Options", {0, Real(14.4)},
-                    {Real(1.4), palette::kText, Typeface::Bold, Align::Middle});
-        canvas.text("left and right, or a click on the bar", {0, Real(0.9)}, quiet(Real(0.42)));
+                    {Real(1.4), palette::kText, Typeface::Display, Align::Middle});
+        canvas.text("left and right, or a click on the bar", {0, Real(2.05)}, quiet(Real(0.42)));
         return menu_.draw(canvas);
     case Screen::Keys:
         paintVeil(canvas, faded(palette::kNight, 0.84f));
@@ -172,7 +184,7 @@ void Stage::draw(Canvas& canvas) const {
     case Screen::Replays:
         paintVeil(canvas, faded(palette::kNight, 0.80f));
         canvas.text("Replays", {0, Real(14.4)},
-                    {Real(1.4), palette::kText, Typeface::Bold, Align::Middle});
+                    {Real(1.4), palette::kText, Typeface::Display, Align::Middle});
         return menu_.draw(canvas);
     case Screen::Help:
         paintVeil(canvas, faded(palette::kNight, 0.86f));
@@ -204,8 +216,7 @@ void Stage::draw(Canvas& canvas) const {
 void Stage::drawTitle(Canvas& canvas) const {
     if (attracting()) {
         const float pulse = 0.6f + 0.4f * static_cast<float>(std::sin(2 * seconds_));
-        canvas.text("aPart", {0, Real(4.1)},
-                    {Real(1.6), palette::kAccent, Typeface::Bold, Align::Middle});
+        paintLogo(canvas, {0, Real(4.3)}, Real(1.3), seconds_);
         canvas.text("press any key", {0, Real(3.2)},
                     {Real(0.6), faded(palette::kText, pulse), Typeface::Bold, Align::Middle});
         return;

@@ -57,9 +57,10 @@ void Stage::toLevels() {
     checkScores();
 }
 
-void Stage::toOptions() {
-    behind_ = screen_;
-    open(Screen::Options, optionsMenu(settings()));
+void Stage::toOptions(int page) {
+    behind_ = screen_ == Screen::Options ? behind_ : screen_;
+    optionsPage_ = page % static_cast<int>(kDialPages.size());
+    open(Screen::Options, optionsMenu(settings(), optionsPage_));
 }
 
 void Stage::pause() {
@@ -117,7 +118,7 @@ void Stage::takeKeys(const Signals& signals, Speaker& speaker) {
         chirp(speaker, profile().audible().sound, true);
     }
     if (left) {
-        open(Screen::Options, optionsMenu(settings()));
+        open(Screen::Options, optionsMenu(settings(), 0));
         menu_.choose(Action::Keys);
     }
 }
@@ -317,6 +318,9 @@ void Stage::act(const MenuOutcome& outcome) {
         return next();
     case Action::ToTitle:
         return toTitle();
+    case Action::Page:
+        toOptions(optionsPage_ + 1);
+        return menu_.choose(Action::Page);
     case Action::Reset:
         for (std::size_t i = 0; i < kDials.size(); ++i) {
             turn(i, Settings{}.*kDials[i].value);

@@ -12,6 +12,8 @@ namespace apart {
 
 namespace {
 
+constexpr float kSilent = 1e-4f; // -80 dB
+
 /// One sinusoidal mode of a struck body, with its own frequency ratio and decay time.
 struct Partial {
     float ratio;   // factor on the base frequency
@@ -113,39 +115,59 @@ Recipe recipeOf(Voice voice) {
 }
 
 /// Adds one note that starts at sample `start`.
-void strike(const Recipe& recipe, int semitones, std::size_t start, std::vector<float>& sound) {
+void strike(const Recipe& recipe, int semitones, std::size_t start, std::vector<float>& sound,
+            Dice& dice) {
     constexpr float kRate = static_cast<float>(kSampleRate);
     const float base = recipe.hertz * std::exp2(static_cast<float>(semitones) / 12);
+    const float bend = std::exp2(recipe.slide / (recipe.seconds * kRate)); // per sample
     for (const Partial& partial : recipe.partials) {
         float turn = 0; // phase in turns
-        for (std::size_t i = start; i < sound.size(); ++i) {
-            const float time = static_cast<float>(i - start) / kRate;
-            const float bend = std::exp2(recipe.slide * time / recipe.seconds);
-            turn += base * partial.ratio * bend / kRate;
+        float step = base * partial.ratio / kRate;
+        float level = partial.gain;
+        const float decay = std::exp(-1 / (partial.seconds * kRate)); // per sample
+        for (std::size_t i = start; i < sound.size() && level > kSilent; ++i) {
+            turn += step;
             turn -= std::floor(turn);
-            sound[i] += partial.gain * std::exp(-time / partial.seconds) * std::sin(kTurn * turn);
+            sound[i] += level * std::sin(kTurn * turn);
+            step *= bend;
+            level *= decay;
         }
     }
-    Dice dice(static_cast<std::uint32_t>(recipe.hertz));
     float dull = 0; // state of the low-pass filter
-    for (std::size_t i = start; i < sound.size() && recipe.noise > 0; ++i) {
-        const float time = static_cast<float>(i - start) / kRate;
+    float level = recipe.noise;
+    const float decay = std::exp(-1 / (recipe.noiseSeconds * kRate));
+    for (std::size_t i = start; i < sound.size() && level > kSilent; ++i) {
         dull += recipe.noiseBright * (dice.between(-1, 1) - dull);
-        sound[i] += recipe.noise * std::exp(-time / recipe.noiseSeconds) * dull;
+        sound[i] += level * dull;
+        level *= decay;
     }
+}
+
+/// Moves the upper partials a little, and the gains more.
+void vary(Recipe& recipe, Dice& dice) {
+    for (Partial& partial : recipe.partials) {
+        partial.ratio *= partial.ratio > 1 ? dice.between(0.975f, 1.025f) : 1.0f;
+        partial.gain *= dice.between(0.7f, 1.2f);
+        partial.seconds *= dice.between(0.85f, 1.15f);
+    }
+    recipe.noise *= dice.between(0.8f, 1.2f);
 }
 
 } // namespace
 
-std::vector<std::int16_t> synthesise(Voice voice) {
+std::vector<float> synthesise(Voice voice, std::uint8_t variant) {
     constexpr float kRate = static_cast<float>(kSampleRate);
     constexpr float kEase = 0.003f * kRate; // samples; fades both ends to avoid clicks
     constexpr float kLoudest = 0.8f;
-    const Recipe recipe = recipeOf(voice);
+    Recipe recipe = recipeOf(voice);
+    Dice dice(static_cast<std::uint32_t>(recipe.hertz) + 1000u * variant);
+    if (variant > 0 && recipe.tune.size() == 1) {
+        vary(recipe, dice);
+    }
     std::vector<float> sound(static_cast<std::size_t>(recipe.seconds * kRate), 0.0f);
     for (std::size_t i = 0; i < recipe.tune.size(); ++i) {
         const auto start = static_cast<std::size_t>(recipe.beat * kRate * static_cast<float>(i));
-        strike(recipe, recipe.tune[i], start, sound);
+        strike(recipe, recipe.tune[i], start, sound, dice);
     }
     float peak = 1e-6f;
     for (std::size_t i = 0; i < sound.size(); ++i) {
@@ -154,12 +176,10 @@ std::vector<std::int16_t> synthesise(Voice voice) {
         sound[i] *= std::min({in, out, 1.0f});
         peak = std::max(peak, std::abs(sound[i]));
     }
-    std::vector<std::int16_t> samples;
-    samples.reserve(sound.size());
-    for (const float value : sound) {
-        samples.push_back(static_cast<std::int16_t>(32767 * kLoudest * value / peak));
+    for (float& value : sound) {
+        value *= kLoudest / peak;
     }
-    return samples;
+    return sound;
 }
 
 } // namespace apart

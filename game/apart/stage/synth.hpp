@@ -9,8 +9,10 @@
 namespace apart {
 
 inline constexpr unsigned kSampleRate = 44100; // samples per second, one channel
+inline constexpr float kSampleHertz = static_cast<float>(kSampleRate);
 
-/// Synthesises a voice at pitch 1. The game ships no sound files.
-std::vector<std::int16_t> synthesise(Voice voice);
+/// Synthesises a voice at pitch 1: samples -1..1. The game ships no sound files. Variants differ in
+/// their partials and noise as two strokes on one body do.
+std::vector<float> synthesise(Voice voice, std::uint8_t variant = 0);
 
 } // namespace apart

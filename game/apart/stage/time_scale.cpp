@@ -9,12 +9,11 @@ namespace apart {
 namespace {
 
 constexpr kodo::Real kNear = 4; // m, between ball and block
-constexpr double kSlow = 0.3;   // relative to real time
+constexpr double kSlow = 0.3;   // relative to real time, at full setting
 constexpr double kBrake = 6;    // 1/s
 constexpr double kPatience = 4; // s of slow motion per level
 
-// A collapse in slow motion, with the setting of the hit-freeze.
-constexpr int kSlowFall = 6;         // blocks from which on it is slow
+// A collapse in slow motion.
 constexpr double kFallSlow = 0.45;   // relative to real time, at full setting
 constexpr double kFallSeconds = 1.0; // s of it per collapse
 
@@ -52,9 +51,10 @@ double TimeScale::next(const Game& game, double seconds) {
     const bool slow = aboutToFinish(game) && slowSeconds_ < kPatience;
     slowSeconds_ += slow ? seconds : 0;
     fallSeconds_ = game.collapse().blocks == 0 ? 0 : fallSeconds_;
-    const bool falls = game.collapse().blocks >= kSlowFall && fallSeconds_ < kFallSeconds;
+    const bool falls = game.collapse().blocks >= kLargeCollapse && fallSeconds_ < kFallSeconds;
     fallSeconds_ += falls ? seconds : 0;
-    const double goal = slow ? kSlow : falls ? 1 - (1 - kFallSlow) * fallShare_ : 1;
+    const double slowest = slow ? kSlow : falls ? kFallSlow : 1;
+    const double goal = 1 - (1 - slowest) * slowShare_;
     timeScale_ += std::min(kBrake * seconds, 1.0) * (goal - timeScale_);
     freezePause_ -= seconds;
     if (freezeLeft_ > 0) {
@@ -65,7 +65,7 @@ double TimeScale::next(const Game& game, double seconds) {
 }
 
 void TimeScale::tick(const Game& game, const Settings& settings) {
-    fallShare_ = static_cast<double>(share(settings.freeze));
+    slowShare_ = static_cast<double>(share(settings.slow));
     for (const Event& event : game.events()) {
         const auto* broke = std::get_if<Broke>(&event);
         if (broke != nullptr && freezePause_ <= 0 && settings.freeze > 0) {

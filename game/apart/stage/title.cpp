@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <apart/stage/angle.hpp>
 #include <apart/stage/block_painter.hpp>
+#include <apart/stage/logo.hpp>
 #include <apart/stage/palette.hpp>
 #include <apart/stage/title.hpp>
 
@@ -19,14 +20,14 @@ void paintPieces(Canvas& canvas, double seconds) {
         Stuff stuff;
     };
     constexpr std::array<Piece, 8> kPieces = {
-        Piece{{Real(5.6), Real(14.9)}, Real(0.50), Stuff::Brick},
-        Piece{{Real(6.7), Real(13.8)}, Real(0.36), Stuff::Glass},
-        Piece{{Real(7.4), Real(15.2)}, Real(0.28), Stuff::Wood},
-        Piece{{Real(8.3), Real(14.2)}, Real(0.20), Stuff::Stone},
-        Piece{{Real(-6.1), Real(14.6)}, Real(0.34), Stuff::Wood},
-        Piece{{Real(-7.1), Real(13.7)}, Real(0.24), Stuff::Brick},
-        Piece{{Real(-7.5), Real(15.2)}, Real(0.18), Stuff::Glass},
-        Piece{{Real(6.2), Real(12.9)}, Real(0.18), Stuff::Stone}};
+        Piece{{Real(7.6), Real(14.9)}, Real(0.50), Stuff::Brick},
+        Piece{{Real(8.6), Real(13.6)}, Real(0.36), Stuff::Glass},
+        Piece{{Real(8.9), Real(15.3)}, Real(0.28), Stuff::Wood},
+        Piece{{Real(9.8), Real(14.3)}, Real(0.20), Stuff::Stone},
+        Piece{{Real(-7.5), Real(14.8)}, Real(0.34), Stuff::Wood},
+        Piece{{Real(-8.6), Real(13.7)}, Real(0.24), Stuff::Brick},
+        Piece{{Real(-8.9), Real(15.3)}, Real(0.18), Stuff::Glass},
+        Piece{{Real(7.2), Real(12.9)}, Real(0.18), Stuff::Stone}};
     for (std::size_t i = 0; i < kPieces.size(); ++i) {
         const Piece& piece = kPieces[i];
         const auto phase = static_cast<double>(i);
@@ -38,35 +39,18 @@ void paintPieces(Canvas& canvas, double seconds) {
             const Real turn = angle + kTurn * static_cast<Real>(k) / 5;
             corners[k] = piece.place + Vec2{0, rise} + piece.size * kReach[k] * towards(turn);
         }
-        const Color color = palette::of(piece.stuff);
+        const Color color = canvas.palette().of(piece.stuff);
         paintLit(canvas, corners, color, {Real(0.05), lighter(color, 0.4f)});
     }
-}
-
-void paintName(Canvas& canvas, double seconds) {
-    constexpr std::array<const char*, 5> kLetters = {"a", "P", "a", "r", "t"};
-    constexpr std::array<Real, 5> kPlaces = {Real(-4.3), Real(-2.1), Real(0.15), Real(2.25),
-                                             Real(3.95)};
-    constexpr std::array<Stuff, 5> kStuffs = {Stuff::Glass, Stuff::Wood, Stuff::Brick, Stuff::Stone,
-                                              Stuff::Glass};
-    for (std::size_t i = 0; i < kLetters.size(); ++i) {
-        const double wave = std::sin(1.3 * seconds - 0.8 * static_cast<double>(i));
-        const Vec2 place{kPlaces[i], Real(12.7) + static_cast<Real>(0.12 * wave)};
-        Color color = lighter(palette::of(kStuffs[i]), 0.15f);
-        color.a = 255;
-        canvas.text(kLetters[i], place + Vec2{Real(0.1), Real(-0.1)},
-                    {Real(3.6), palette::kInk, Typeface::Bold, Align::Middle});
-        canvas.text(kLetters[i], place, {Real(3.6), color, Typeface::Bold, Align::Middle});
-    }
-    canvas.text("blocks that really come apart", {0, Real(11.2)},
-                {Real(0.62), palette::kText, Typeface::Plain, Align::Middle});
 }
 
 } // namespace
 
 void paintTitle(Canvas& canvas, double seconds) {
     paintPieces(canvas, seconds);
-    paintName(canvas, seconds);
+    paintLogo(canvas, {0, Real(12.5)}, Real(2.9), seconds);
+    canvas.text("blocks that really come apart", {0, Real(11.2)},
+                {Real(0.62), palette::kText, Typeface::Plain, Align::Middle});
 }
 
 } // namespace apart

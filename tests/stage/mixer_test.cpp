@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+// The sound of the game, as samples.
+#include <apart/core/assets.hpp>
+#include <apart/stage/mixer.hpp>
+#include <apart/stage/synth.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "loudness.hpp"
+#include "stage_rig.hpp"
+
+namespace apart {
+namespace {
+
+constexpr std::size_t kFrame = kSampleRate / 60; // frames of sound for a frame of the picture
+
+std::vector<float> rendered(Mixer& mixer, double seconds) {
+    std::vector<float> samples(2 * static_cast<std::size_t>(seconds * kSampleRate));
+    mixer.render(samples);
+    return samples;
+}
+
+float peakOf(std::span<const float> samples) {
+    float peak = 0;
+    for (const float sample : samples) {
+        peak = std::max(peak, std::abs(sample));
+    }
+    return peak;
+}
+
+double energyOf(std::span<const float> samples) {
+    double sum = 0;
+    for (const float sample : samples) {
+        sum += static_cast<double>(sample * sample);
+    }
+    return sum;
+}
+
+/// The sound of the bot's games of a level, with the settings at their start.
+std::vector<float> soundOf(const std::string& name, double seconds) {
+    StageDef def = StageRig::played();
+    def.levels = {std::make_shared<const Level>(std::get<Level>(loadLevel(name)))};
+    Stage stage(std::move(def));
+    Mixer mixer;
+    std::vector<float> all;
+    std::vector<float> part(2 * kFrame);
+    for (int i = 0; i < 60 * seconds; ++i) {
+        Signals signals;
+        if (stage.screen() == Screen::Over) {
+            signals.commands = {Command::Restart};
+        }
+        stage.advance(1.0 / 60, signals, mixer);
+        mixer.render(part);
+        all.insert(all.end(), part.begin(), part.end());
+    }
+    return all;
+}
+
+// A sine of 997 Hz at full scale in both channels has 0 LUFS [ITU-R BS.1770-4].
+TEST(Loudness, OfASineIsThatOfTheStandard) {
+    std::vector<float> samples;
+    for (int i = 0; i < 5 * int(kSampleRate); ++i) {
+        const double turn = 2 * std::numbers::pi * 997 * i / kSampleRate;
+        samples.insert(samples.end(), 2, static_cast<float>(std::sin(turn)));
+    }
+    EXPECT_NEAR(loudnessOf(samples, kSampleRate), 0, 0.1);
+    for (float& sample : samples) {
+        sample *= 0.1f;
+    }
+    EXPECT_NEAR(loudnessOf(samples, kSampleRate), -20, 0.1);
+}
+
+TEST(Mixer, TheFirstLevelHasMinus16LufsAndIsHardlyEverSilent) {
+    const std::vector<float> samples = soundOf("first_light", 16);
+    EXPECT_NEAR(loudnessOf(samples, kSampleRate), -16, 1);
+    EXPECT_LT(silenceOf(samples, kSampleRate, 0.00316f), 0.05); // -50 dB of full scale
+    EXPECT_LE(peakOf(samples), Mixer::kCeiling + 1e-6f);
+}
+
+TEST(Mixer, EveryThemeIsAsLoudAndBelowTheCeiling) {
+    for (const char* name : {"arch", "card_house", "dam", "bell", "orbit", "castle"}) {
+        const std::vector<float> samples = soundOf(name, 4);
+        EXPECT_NEAR(loudnessOf(samples, kSampleRate), -16.5, 2.5) << name;
+        EXPECT_LE(peakOf(samples), Mixer::kCeiling + 1e-6f) << name;
+    }
+}
+
+TEST(Mixer, NeverExceedsTheCeilingWithAllChannelsAtOnce) {
+    Mixer mixer;
+    mixer.follow({Theme::Quarry, 1, 1, 1, 1, 1, false});
+    for (std::size_t i = 0; i < 2 * Mixer::kChannels; ++i) {
+        mixer.play({Voice::Boss, 1, 1, 0});
+    }
+    const std::vector<float> samples = rendered(mixer, 1);
+    EXPECT_EQ(mixer.sounding(), Mixer::kChannels);
+    EXPECT_LE(peakOf(samples), Mixer::kCeiling + 1e-6f);
+    EXPECT_GT(peakOf(samples), 0.7f);
+}
+
+TEST(Mixer, ImportantVoicesReplaceOthersAndAreNotReplaced) {
+    const auto energyAfter = [](Voice before, Voice last) {
+        Mixer mixer;
+        mixer.follow({});
+        for (std::size_t i = 0; i < Mixer::kChannels; ++i) {
+            mixer.play({before, 1, 0, 0}); // silent, so that only the last one is heard
+        }
+        mixer.play({last, 1, 1, 0});
+        return energyOf(rendered(mixer, 0.05));
+    };
+    EXPECT_GT(energyAfter(Voice::Wall, Voice::BallLost), 0.1);
+    EXPECT_GT(energyAfter(Voice::Brick, Voice::Break), 0.1);
+    EXPECT_LT(energyAfter(Voice::BallLost, Voice::Wall), 1e-6);
+    EXPECT_LT(energyAfter(Voice::Break, Voice::Glass), 1e-6);
+}
+
+TEST(Mixer, IsSilentWithoutNotesAndVolumes) {
+    Mixer mixer;
+    SoundScene scene;
+    scene.rumble = scene.combo = scene.danger = 1;
+    mixer.follow(scene); // its volumes are 0
+    EXPECT_LT(peakOf(rendered(mixer, 1)), 1e-4f);
+}
+
+TEST(Mixer, RumblesWithWhatFalls) {
+    const auto energyWith = [](float rumble) {
+        Mixer mixer;
+        SoundScene scene;
+        scene.volume = 1;
+        scene.rumble = rumble;
+        mixer.follow(scene);
+        return energyOf(rendered(mixer, 2));
+    };
+    EXPECT_GT(energyWith(1), 2 * energyWith(0.4f));
+    EXPECT_GT(energyWith(0.4f), 10 * energyWith(0) + 1);
+}
+
+TEST(Mixer, EachThemeHasItsOwnMusicAndRoom) {
+    const auto soundIn = [](std::size_t theme, bool music) {
+        Mixer mixer;
+        SoundScene scene;
+        scene.theme = static_cast<Theme>(theme);
+        scene.music = music ? 1.0f : 0.0f;
+        mixer.follow(scene);
+        if (!music) {
+            mixer.play({Voice::Stone, 1, 1, 0});
+        }
+        return rendered(mixer, 0.3);
+    };
+    for (const bool music : {true, false}) {
+        std::set<std::vector<float>> sounds;
+        for (std::size_t theme = 0; theme < kThemeNames.size(); ++theme) {
+            EXPECT_TRUE(sounds.insert(soundIn(theme, music)).second) << kThemeNames[theme];
+        }
+    }
+}
+
+TEST(Music, GrowsWithComboAndDanger) {
+    const auto energyWith = [](Tension tension) {
+        Music music(Theme::Daybreak);
+        double energy = 0;
+        for (int i = 0; i < 5 * int(kSampleRate); ++i) {
+            const Frame frame = music.next(tension);
+            energy += static_cast<double>(frame.left * frame.left + frame.right * frame.right);
+        }
+        return energy;
+    };
+    const double calm = energyWith({});
+    EXPECT_GT(energyWith({1, 0, false}), 1.3 * calm);
+    EXPECT_GT(energyWith({0, 1, false}), 1.1 * calm);
+    EXPECT_GT(calm, 1);
+    EXPECT_EQ(calm, energyWith({})); // the same samples each time
+}
+
+TEST(SoundCues, AHeavierBlockSoundsLower) {
+    EXPECT_NEAR(massPitch(0.6f), 1, 1e-5f);
+    EXPECT_GT(massPitch(0.2f), massPitch(0.6f));
+    EXPECT_LT(massPitch(4), massPitch(1));
+    EXPECT_GE(massPitch(1000), 0.5f);
+    EXPECT_LE(massPitch(0), 1.5f);
+}
+
+TEST(SoundCues, NoTwoHitsSoundQuiteAlike) {
+    SoundCues cues;
+    RecordingSpeaker speaker;
+    Struck hit;
+    hit.impulse = 20;
+    for (std::uint32_t i = 0; i < 12; ++i) {
+        cues.play(std::vector<Event>{hit}, 100 * i, 1, speaker);
+    }
+    ASSERT_EQ(speaker.notes.size(), 12u);
+    int alike = 0;
+    for (std::size_t i = 1; i < speaker.notes.size(); ++i) {
+        alike += speaker.notes[i].pitch == speaker.notes[i - 1].pitch ? 1 : 0;
+        EXPECT_LT(speaker.notes[i].variant, kVariants);
+    }
+    EXPECT_EQ(alike, 0);
+    EXPECT_NE(synthesise(Voice::Stone, 0), synthesise(Voice::Stone, 1));
+    EXPECT_NE(synthesise(Voice::Stone, 1), synthesise(Voice::Stone, 2));
+}
+
+TEST(SoundScene, FollowsTheGameAndItsSettings) {
+    StageRig rig(StageRig::playing());
+    rig.frame();
+    EXPECT_EQ(rig.speaker.scene.theme, rig.stage.game().level().theme);
+    EXPECT_FLOAT_EQ(rig.speaker.scene.music, share(Settings{}.music));
+    EXPECT_FALSE(rig.speaker.scene.muffled);
+    rig.press(Command::Pause);
+    rig.frame();
+    EXPECT_TRUE(rig.speaker.scene.muffled);
+    rig.press(Command::Mute);
+    rig.frame();
+    EXPECT_EQ(rig.speaker.scene.music, 0);
+    EXPECT_EQ(rig.speaker.scene.volume, 0);
+}
+
+} // namespace
+} // namespace apart
