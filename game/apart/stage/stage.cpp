@@ -231,12 +231,12 @@ void Stage::checkScores() {
 /// Starts the level of a file again when the file has changed, or shows its errors.
 void Stage::reloadLevel() {
     constexpr double kEvery = 0.5; // s
-    if (!def_.reload || seconds_ < reloadAt_) {
+    if (!def_.reload || seconds_ < reload_.at) {
         return;
     }
-    reloadAt_ = seconds_ + kEvery;
+    reload_.at = seconds_ + kEvery;
     if (std::optional<LevelChange> change = def_.reload()) {
-        faults_ = std::move(change->errors);
+        reload_.faults = std::move(change->errors);
         if (change->level) {
             def_.levels[def_.firstLevel] = std::move(change->level);
             select_ = LevelSelect(def_.levels);

@@ -153,6 +153,12 @@ private:
     void drawTitle(Canvas& canvas) const;
     HudLook hudLook() const;
 
+    /// The file of the level that is played, if it is read again whenever it changes.
+    struct Reload {
+        double at = 0;                   // s, of the next look at the file
+        std::vector<std::string> faults; // of the file
+    };
+
     StageDef def_;
     Screen screen_ = Screen::Title;
     Screen behind_ = Screen::Title; // the options or the help
@@ -168,8 +174,7 @@ private:
     std::vector<ShowEntry> replays_; // of Screen::Replays
     Records records_;
     Confirm confirm_;
-    double reloadAt_ = 0;             // s, of the next look at the file of the level
-    std::vector<std::string> faults_; // of that file
+    Reload reload_;
     InputMapper inputMapper_;
     Menu menu_;
     KeyScreen keys_;

@@ -193,7 +193,7 @@ void Stage::draw(Canvas& canvas) const {
         if (session_.isShow()) {
             return paintTheatre(canvas, theatre_, game().ticks(), profile().bindings);
         }
-        paintFaults(canvas, faults_);
+        paintFaults(canvas, reload_.faults);
         paintQuestion(canvas, confirm_.question(seconds_));
         paintServeHint(canvas, game(), profile().bindings);
         if (game().result() == Result::Won) {
