@@ -47,7 +47,7 @@ cmp -s slats.replay "$replays/pattern_slats.replay" ||
     { echo 'FAILED: the replaced hash lines differ'; failed=1; }
 expect 2 'was recorded, and has the hashes' "$program" hash a.replay
 
-# A few bytes can ask for ten hours of play: on a terminal each command shows how far it is.
+# A few bytes can hold ten hours of play: on a terminal each command shows its progress.
 printf 'apart-replay 2\nlevel first_light\nseed 7\nhandwritten\nend 3000\n' >long.replay
 if command -v script >/dev/null; then
     for command in 'replay long.replay' 'hash long.replay' 'trace long.replay >trace.txt'; do

@@ -69,8 +69,8 @@ public:
 
     /// Makes the parts of `part` parts of `into`, at their places, and removes `part`. Keeps mass,
     /// centre of mass, momentum and angular momentum of the pair; a static or kinematic `into`
-    /// stays what it is. unweld() knows what the parts were: their type, flags, `required`, user
-    /// data and set mass. Returns the index of the first part added. Throws BadDefinition for equal
+    /// stays what it is. Type, flags, `required`, user data and set mass of `part` are stored for
+    /// unweld(). Returns the index of the first part added. Throws BadDefinition for equal
     /// ids, for a plane in a dynamic body, for too many parts or too much mass, and for a part or
     /// an anchor of its joints that would be beyond kMaxCoordinate.
     std::size_t weld(BodyId into, BodyId part);

@@ -19,13 +19,14 @@ struct Front {
     Transform otherAt;
 };
 
-/// Normal (world) of a two-sided line on the side of the other shape. A contact remembers its side.
+/// Normal (world) of a two-sided line on the side of the other shape: that of the contact, if the
+/// line has one, else that of the middle.
 Vec2 sideOf(const Front& pair, const Manifold& manifold, bool lineIsA) {
     const Vec2 normal = pair.lineAt.rotation * pair.line.normals[1];
     const Vec2 middle = pair.otherAt * pair.other.middle - pair.lineAt * pair.line.vertices[1];
-    const Real touched = dot(lineIsA ? manifold.normal : -manifold.normal, normal);
-    const bool knows = manifold.count > 0 && std::abs(touched) > Real(0.99);
-    return (knows ? touched : dot(normal, middle)) < 0 ? -normal : normal;
+    const Real cosine = dot(lineIsA ? manifold.normal : -manifold.normal, normal);
+    const bool touches = manifold.count > 0 && std::abs(cosine) > Real(0.99);
+    return (touches ? cosine : dot(normal, middle)) < 0 ? -normal : normal;
 }
 
 } // namespace

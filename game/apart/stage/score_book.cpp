@@ -26,13 +26,13 @@ bool fits(const ReplayRun& run, const ScoreBook::Key& key) {
 
 } // namespace
 
-bool ScoreBook::knows(const Key& key, std::int32_t score) const {
+bool ScoreBook::isChecked(const Key& key, std::int32_t score) const {
     const Proof proof = standingOf(key, score).proof;
     return proof != Proof::Waiting;
 }
 
 void ScoreBook::checkFirst(const Key& key, std::int32_t score) {
-    if (knows(key, score)) {
+    if (isChecked(key, score)) {
         return;
     }
     const auto found = std::find_if(checks_.begin(), checks_.end(),
@@ -47,7 +47,7 @@ void ScoreBook::checkFirst(const Key& key, std::int32_t score) {
 void ScoreBook::checkLast(const Key& key, std::int32_t score) {
     const bool queued = std::any_of(checks_.begin(), checks_.end(),
                                     [&](const Check& check) { return check.key == key; });
-    if (!queued && !knows(key, score)) {
+    if (!queued && !isChecked(key, score)) {
         checks_.push_back({key, score});
     }
 }

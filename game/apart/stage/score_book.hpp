@@ -15,8 +15,8 @@
 
 namespace apart {
 
-/// What is known of the best score of a level. The profile is a text file, so its scores are
-/// claims: one counts once its replay has been played and has given it.
+/// State of the best score of a level. The profile is a text file, so a score counts only once its
+/// replay has been played and has given the same score.
 enum class Proof : std::uint8_t {
     None,    // there is no score
     Waiting, // not checked yet
@@ -69,7 +69,7 @@ private:
         std::int32_t score = 0;
         std::optional<RunCheck> run{};
     };
-    bool knows(const Key& key, std::int32_t score) const;
+    bool isChecked(const Key& key, std::int32_t score) const;
     std::optional<Finding> begin(Check& check);
     Finding settle(Standing standing);
 

@@ -16,7 +16,7 @@ namespace apart {
 /// pitch. No two notes are quite alike.
 class SoundCues {
 public:
-    /// Remembers the masses of blocks and shards. Call before each tick: what breaks in it is gone
+    /// Stores the masses of blocks and shards. Call before each tick: what breaks in it is gone
     /// afterwards.
     void weigh(const Game& game);
     /// `volume` 0..1 scales all notes. Repeated notes of one voice within a few ticks are dropped.
