@@ -226,7 +226,8 @@ private:
             if ((def.flags & kLockMove) != 0) { // it would be driven like a kinematic body
                 def.velocity = {};
             }
-            if ((def.flags & kLockRotate) != 0 || std::holds_alternative<Point>(def.shape)) {
+            if ((def.flags & kLockRotate) != 0 || std::holds_alternative<Point>(def.shape) ||
+                recipe_.world.settings.leaveOut.has(Feature::Rotation)) {
                 def.angularVelocity = 0;
             }
             recipe_.bodies.push_back(def);
