@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/solver.hpp"
 #include <support/draws.hpp>
 #include <support/random_numbers.hpp>
 #include <support/scenes.hpp>
@@ -75,6 +76,52 @@ TEST(ContinuousLines, ThinBodiesDoNotPassGroundWithoutThickness) {
                 return !(world[body].position().y > Real(-0.45));
             });
             EXPECT_LE(passed, ground.lost);
+        }
+    }
+}
+
+/// A line of each kind, with its front up.
+std::vector<Shape> lines() {
+    return {Segment{{-5, 0}, {5, 0}}, Segment{{-5, 0}, {5, 0}, true},
+            Compound{{Segment{{-5, 0}, {1, 0}}, Segment{{1, 0}, {5, 0}}}}};
+}
+
+// A point and an upright rod that touch a line at a separation of exactly 0 are thrown up at 3 m/s.
+// They fly as a free body. Continuous collision held them at their places for ever.
+TEST(ContinuousLines, ABodyThatTouchesALineExactlyFliesUp) {
+    for (const Shape& line : lines()) {
+        for (const support::Solver strategy : support::kSolvers) {
+            World world({.gravity = support::kEarth, .settings = support::settingsOf(strategy)});
+            world.add({.shape = line, .type = BodyType::Static});
+            const BodyId point = world.add({.shape = Point{}, .velocity = {0, 3}});
+            const BodyId rod = world.add({.shape = Segment{{0, Real(-0.5)}, {0, Real(0.5)}},
+                                          .position = {2, Real(0.5)},
+                                          .velocity = {0, 3}});
+            support::run(world, 10);
+            EXPECT_GT(world[point].position().y, Real(0.3));
+            EXPECT_GT(world[rod].position().y, Real(0.8));
+        }
+    }
+}
+
+// Rods that have come to rest on a line after a fall can be thrown up again. Impacts stop bodies
+// just before they touch, where the next step must let them slide and part.
+TEST(ContinuousLines, ARodOnALineCanBeThrownUp) {
+    for (const Shape& line : lines()) {
+        for (const int rate : {60, 240}) {
+            RandomNumbers random(9);
+            for (int i = 0; i < std::max(draws(30), 6); ++i) {
+                World world({.gravity = support::kEarth});
+                world.add({.shape = line, .type = BodyType::Static});
+                BodyDef def{.shape = Segment{{Real(-0.5), 0}, {Real(0.5), 0}}, .position = {-2, 1}};
+                def.rotation = random.rotation();
+                const BodyId rod = world.add(def);
+                support::run(world, 2 * rate, Real(1) / static_cast<Real>(rate));
+                const Real before = world[rod].position().y;
+                world[rod].setVelocity({0, 4});
+                support::run(world, rate / 6, Real(1) / static_cast<Real>(rate));
+                EXPECT_GT(world[rod].position().y, before + Real(0.3)) << rate << " Hz, rod " << i;
+            }
         }
     }
 }

@@ -79,6 +79,22 @@ TEST(CopyFrom, ThenBothMoveAlike) {
     }
 }
 
+// A copy of a state onto the same body changes nothing, also where masses of several parts were
+// set.
+TEST(CopyFrom, OfItsOwnStateChangesNothing) {
+    World world;
+    const BodyId body = world.add({.shape = Circle{Real(0.1)}, .mass = MassDef{1000}});
+    const BodyId crate =
+        world.add({.shape = Box{6, Real(0.1)}, .position = {0, 1}, .mass = MassDef{1}});
+    world.weld(body, crate);
+    const World before = world;
+    world[body].copyFrom(before[body]);
+    EXPECT_EQ(world[body].mass(), before[body].mass());
+    EXPECT_EQ(world[body].inertia(), before[body].inertia());
+    EXPECT_TRUE(support::near(world[world.unweld(body, 1)].mass(), 1, Real(1e-5)));
+    EXPECT_TRUE(support::near(world[body].mass(), 1000, Real(1e-3)));
+}
+
 // A body of equal shapes keeps its mass from density: nothing is set.
 TEST(CopyFrom, BetweenEqualShapesSetsNoMass) {
     World world;

@@ -1,10 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "collide/round.hpp"
 
+#include <cmath>
 #include <limits>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
+
+namespace {
+
+/// Side of a line on which a point is. A point on the line, within rounding, is in front: at the
+/// normal of its second face, as for one-sided lines.
+RoundAxis sideOf(const ConvexShape& line, Vec2 point) {
+    const Real front = dot(line.normals[1], point - line.vertices[1]);
+    const Vec2 size = point - line.vertices[0];
+    const Real rounding = 8 * std::numeric_limits<Real>::epsilon() *
+                          (std::abs(size.x) + std::abs(size.y) + line.boundingRadius);
+    const bool behind = front < -rounding;
+    return {line.normals[behind ? 0 : 1], behind ? -front : front, behind ? 0u : 1u};
+}
+
+} // namespace
 
 RoundAxis nearestToCenter(const ConvexShape& polygon, Vec2 center) {
     const std::size_t n = polygon.vertices.size();
@@ -15,7 +31,9 @@ RoundAxis nearestToCenter(const ConvexShape& polygon, Vec2 center) {
             axis = {polygon.normals[i], distance, i};
         }
     }
-    if (axis.distance <= 0 && !polygon.isLine()) {
+    if (polygon.isLine()) {
+        axis = sideOf(polygon, center);
+    } else if (axis.distance <= 0) {
         return axis;
     }
     const std::size_t first = axis.feature;

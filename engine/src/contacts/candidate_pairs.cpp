@@ -38,12 +38,25 @@ void CandidatePairs::forgetOrder() {
     movers_.forget();
 }
 
-bool CandidatePairs::exclude(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) {
-    if (std::equal(excluded_.begin(), excluded_.end(), pairs.begin(), pairs.end())) {
-        return false;
+void CandidatePairs::exclude(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs,
+                             std::vector<std::uint32_t>& changed) {
+    auto old = excluded_.begin();
+    const auto note = [&](const std::pair<std::uint32_t, std::uint32_t>& pair) {
+        changed.push_back(pair.first);
+        changed.push_back(pair.second);
+    };
+    for (const auto& pair : pairs) { // both lists are in order
+        for (; old != excluded_.end() && *old < pair; ++old) {
+            note(*old);
+        }
+        if (old != excluded_.end() && *old == pair) {
+            ++old;
+        } else {
+            note(pair);
+        }
     }
+    std::for_each(old, excluded_.end(), note);
     excluded_.assign(pairs.begin(), pairs.end());
-    return true;
 }
 
 bool CandidatePairs::search(const Bodies& bodies, WorkerTeam& team) {

@@ -31,9 +31,10 @@ public:
                std::span<const std::uint32_t> changed);
     /// Removes the unused indices of bounds. True if there were any.
     bool compact();
-    /// Pairs of jointed bodies, in order, that must not touch whatever their flags say. True if
-    /// they were others before.
-    bool exclude(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
+    /// Sets the excluded pairs of bodies, in order. Appends the bodies of the pairs that were added
+    /// or dropped to `changed`.
+    void exclude(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs,
+                 std::vector<std::uint32_t>& changed);
 
     /// Searches the pairs of parts whose grown bounds have changed. False if none has.
     bool search(const Bodies& bodies, WorkerTeam& team);

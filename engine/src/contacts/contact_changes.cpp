@@ -181,7 +181,7 @@ void ContactSet::renewChanged(const Bodies& bodies, const Tolerances& tolerances
 }
 
 void ContactSet::setExcludedPairs(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) {
-    pairsStale_ = candidates_.exclude(pairs) || pairsStale_;
+    candidates_.exclude(pairs, activityChanges_);
 }
 
 void ContactSet::applyChanges(const Bodies& bodies, const Tolerances& tolerances) {

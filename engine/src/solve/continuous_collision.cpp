@@ -65,6 +65,10 @@ std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Re
     const Real deepest = std::min(4 * tolerances.slop, thickness);
     const bool holds =
         !far || motion < thickness / 2 || shapeA.oneSided || shapeB.oneSided || contact.sensor;
+    const Real near = kStopShort * tolerances.slop;
+    if (deepest < near) { // once as near as that, the pair may slide, or part
+        return holds || gap <= 2 * near ? std::nullopt : std::optional(near);
+    }
     return holds || gap < -deepest / 4 ? std::nullopt : std::optional(-deepest);
 }
 

@@ -233,9 +233,15 @@ void BodyRef::copyFrom(const BodyView& other) {
     }
     copyMaterials(list, other);
     const Mass fromDensity = massFromDensity(list.parts);
-    list.setMasses.clear();
-    if (other.mass() != fromDensity.mass || other.localCenter() != fromDensity.center ||
-        other.inertia() != fromDensity.inertia) {
+    const auto hasMass = [&](const Mass& own) {
+        return other.mass() == own.mass && other.localCenter() == own.center &&
+               other.inertia() == own.inertia;
+    };
+    const bool same = hasMass(world_->bodies_.geometry(body).mass);
+    if (!same) {
+        list.setMasses.clear();
+    }
+    if (!same && !hasMass(fromDensity)) {
         refuse(checkCopied(other, list.parts, unit));
         kodo::setMass(list, {other.mass(), other.localCenter(), other.inertia()});
     }

@@ -298,6 +298,7 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
     }
     stale = false;
     pairsStale = false;
+    activityChanges.clear(); // the excluded pairs were set before
     eventsDue = true;
     for (Contact& contact : contacts) {
         completeContact(contact, bodies);
