@@ -424,5 +424,24 @@ TEST(SetMass, KeepsTheAnchorsOfJoints) {
     }
 }
 
+// Each mass that is accepted can be read back from bytes, also where it is so small that the moment
+// of inertia of a welded point is hardly a number.
+TEST(SetMass, ThatIsAcceptedIsReadFromBytes) {
+    int accepted = 0;
+    for (double mass = 1; mass >= 1e-18; mass /= 10) {
+        World world;
+        const BodyId body = world.add({.shape = Point{}});
+        world.weld(body, Segment{{0, 0}, {1, 0}}, Material{}, Real(1e-3));
+        try {
+            world[body].setMass(static_cast<Real>(mass));
+        } catch (const BadDefinition&) {
+            continue;
+        }
+        ++accepted;
+        EXPECT_EQ(fromBytes(toBytes(world)).stateHash(), world.stateHash()) << mass << " kg";
+    }
+    EXPECT_GT(accepted, 10);
+}
+
 } // namespace
 } // namespace kodo

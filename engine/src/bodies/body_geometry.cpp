@@ -70,10 +70,13 @@ std::optional<Problem> checkExtent(const Primitive& primitive, Real lengthUnit) 
     return std::nullopt;
 }
 
+// Largest inverse mass (1/kg) that a set mass may give the rim of a body: r^2 / I.
+constexpr Real kFirm = 1024 * kMaxMass;
+
 bool hasFirmRim(const BodyGeometry& geometry) {
     const Real rim = geometry.boundingRadius;
     return geometry.setMasses.empty() || geometry.mass.inertia == 0 || hasPlane(geometry.parts) ||
-           rim * rim <= 1024 * kMaxMass * geometry.mass.inertia;
+           rim * rim <= kFirm * geometry.mass.inertia;
 }
 
 std::optional<Problem> checkMassDef(const MassDef& def, std::span<const Part> parts,
@@ -91,12 +94,12 @@ std::optional<Problem> checkMassDef(const MassDef& def, std::span<const Part> pa
     }
     const Mass mass = massOf(def, massFromDensity(parts));
     constexpr Real kMost = kMaxMass * kMaxMass;
-    Real least = 1 / kMost;
+    Real rim = 0; // m; largest distance of a point from the centre of mass
+    for (const Part& part : parts) {
+        rim = std::max(rim, convexShapeOf(part.primitive, mass.center).boundingRadius);
+    }
+    Real least = std::max(1 / kMost, 2 * rim * rim / kFirm); // twice: for rounding
     if (def.center || def.inertia) {
-        Real rim = 0; // m; largest distance of a point from the centre of mass
-        for (const Part& part : parts) {
-            rim = std::max(rim, convexShapeOf(part.primitive, mass.center).boundingRadius);
-        }
         least = std::max(least, kMinInertiaShare * def.mass * rim * rim);
     }
     if (def.inertia) {
