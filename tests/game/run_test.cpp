@@ -4,6 +4,7 @@
 #include <apart/core/run.hpp>
 #include <apart/core/tuning.hpp>
 
+#include <game/level_of_glass.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,16 +14,9 @@ namespace {
 
 /// A level of one glass block, under the name of an endless one.
 std::shared_ptr<const Level> row(std::uint32_t number) {
-    Level level;
+    Level level = levelOfGlass({7});
     level.name = "endless:7:" + std::to_string(number);
     level.title = "Row";
-    BlockKind glass;
-    glass.letter = 'g';
-    glass.stuff = Stuff::Glass;
-    glass.pattern = Pattern::Shatter;
-    glass.strength = 3000;
-    level.kinds = {glass};
-    level.cells.push_back({2, 7, 0});
     return std::make_shared<const Level>(level);
 }
 

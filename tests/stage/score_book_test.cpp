@@ -154,15 +154,20 @@ TEST(ScoreBook, TheLevelSelectShowsNoTypedInScoreAsTheBestOne) {
     EXPECT_EQ(proved.stage.profile().bestOf(Mode::Standard, game.level->name).unproved, 99999999);
 }
 
+/// Lists the names under which games are kept as the best ones; "" for others.
+void listKept(StageDef& def, std::vector<std::string>& kept) {
+    def.keeping.keepReplay = [&kept](const ReplayRun&, const std::string& best) {
+        kept.push_back(best);
+        return std::string();
+    };
+}
+
 TEST(ScoreBook, AGameReplacesAScoreWithoutProofAndKeepsIt) {
     const Recorded game;
     std::vector<std::string> kept;
     StageDef def = claiming(game, 99999999, "no replay");
     def.startAtOnce = true;
-    def.keeping.keepReplay = [&kept](const ReplayRun&, const std::string& best) {
-        kept.push_back(best);
-        return std::string();
-    };
+    listKept(def, kept);
     StageRig rig(std::move(def));
     playToTheEnd(rig);
     const Best best = rig.stage.profile().bestOf(Mode::Standard, game.level->name);
@@ -182,10 +187,7 @@ TEST(ScoreBook, AGameWaitsForTheCheckOfTheScoreThatItMayReplace) {
     std::vector<std::string> kept;
     StageDef def = claiming(game, 99999999, ReplayRun{slow});
     def.startAtOnce = true;
-    def.keeping.keepReplay = [&kept](const ReplayRun&, const std::string& best) {
-        kept.push_back(best);
-        return std::string();
-    };
+    listKept(def, kept);
     StageRig rig(std::move(def));
     playToTheEnd(rig);
     EXPECT_EQ(rig.stage.profile().bestOf(Mode::Standard, game.level->name).score, 99999999);

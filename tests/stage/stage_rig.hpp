@@ -6,6 +6,7 @@
 #include <apart/stage/recording.hpp>
 #include <apart/stage/stage.hpp>
 
+#include <game/level_of_glass.hpp>
 #include <gtest/gtest.h>
 
 #include <initializer_list>
@@ -17,19 +18,10 @@ namespace apart {
 /// A level with glass blocks in the given columns of its third row.
 inline std::shared_ptr<const Level> glassLevel(const char* title,
                                                std::initializer_list<int> columns) {
-    Level level;
+    Level level = levelOfGlass(columns);
     level.name = "test_" + std::to_string(columns.size());
     level.title = title;
     level.idea = "Only for tests.";
-    BlockKind glass;
-    glass.letter = 'g';
-    glass.stuff = Stuff::Glass;
-    glass.pattern = Pattern::Shatter;
-    glass.strength = 3000;
-    level.kinds = {glass};
-    for (const int column : columns) {
-        level.cells.push_back({2, static_cast<std::uint8_t>(column), 0});
-    }
     return std::make_shared<const Level>(level);
 }
 
