@@ -304,7 +304,8 @@ TEST_P(RandomChanges, ACopyContinuesWithTheSameBits) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomChanges,
                          testing::Range(std::uint64_t{1},
-                                        std::uint64_t{support::kSanitized ? 4 : 13}));
+                                        std::uint64_t{
+                                            support::kSanitized ? 3 : 1 + support::draws(12)}));
 
 // A body asleep on a joint wakes when the static body at the other end is removed or teleported.
 TEST(Wake, AHangingBodyFallsWhenItsAnchorIsRemovedOrTeleported) {

@@ -95,7 +95,7 @@ void expectWhatPhysicsKeeps(std::uint64_t seed, Excess& excess) {
 // environment variable RANDOM_SCENES sets the number of scenes.
 TEST(RandomScene, ObeysConservationLaws) {
     const char* const wanted = std::getenv("RANDOM_SCENES");
-    const std::uint64_t everyday = support::kSanitized ? 40 : 200;
+    const std::uint64_t everyday = static_cast<std::uint64_t>(support::draws(200));
     const std::uint64_t scenes = wanted == nullptr ? everyday : std::stoull(wanted);
     std::uint64_t beyond = 0;
     for (std::uint64_t seed = 1; seed <= scenes; ++seed) {

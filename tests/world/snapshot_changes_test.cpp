@@ -289,7 +289,7 @@ private:
 
 // R2: random changes between two steps.
 TEST(Snapshot, ContinuesWithTheSameBitsAfterRandomChanges) {
-    for (std::uint64_t seed = 1; seed <= (support::kSanitized ? 6 : 24); ++seed) {
+    for (std::uint64_t seed = 1; seed <= std::uint64_t{support::draws(20)}; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         Heap heap(seed);
         std::string changes;
@@ -304,7 +304,7 @@ TEST(Snapshot, ContinuesWithTheSameBitsAfterRandomChanges) {
 
 // S2: random changes between a step and the reading of its events.
 TEST(Events, MatchTheRecordsAfterRandomChanges) {
-    for (std::uint64_t seed = 201; seed <= (support::kSanitized ? 206 : 224); ++seed) {
+    for (std::uint64_t seed = 201; seed <= std::uint64_t{200 + support::draws(20)}; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         Heap heap(seed);
         std::string changes;

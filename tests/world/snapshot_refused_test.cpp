@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <support/draws.hpp>
 #include <support/scenes.hpp>
 
 #include <world/snapshot_scenes.hpp>
@@ -153,7 +154,7 @@ TEST(SnapshotLoad, AChangedByteWithAValidChecksumIsRefusedOrSound) {
     int taken = 0;
     int refused = 0;
     for (std::size_t i = 0; i + 8 < good.size(); ++i) {
-        for (const int value : {0x00, 0x01, 0x7f, 0xff}) {
+        for (const int value : support::variants({0xff, 0x00, 0x01, 0x7f})) {
             SCOPED_TRACE(testing::Message() << "byte " << i << " set to " << value);
             ++(refusedOrSound(changed(good, i, value)) ? taken : refused);
             ASSERT_FALSE(HasFailure());
@@ -170,7 +171,7 @@ TEST(SnapshotLoad, RandomChangesWithAValidChecksumAreRefusedOrSound) {
     constexpr std::uint64_t kSeed = 17;
     support::RandomNumbers random(kSeed);
     const Bytes good = toBytes(smallWorld());
-    for (int trial = 0; trial < 3000; ++trial) {
+    for (int trial = 0; trial < support::draws(3000); ++trial) {
         SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", trial " << trial);
         Bytes bytes = good;
         for (std::size_t changes = 1 + random.below(4); changes > 0; --changes) {
