@@ -79,7 +79,7 @@ TEST(Soak, NoBallStopsEscapesOrLeavesItsStraightPath) {
     for (std::uint32_t number = 1; number <= 6; ++number) {
         levels.push_back(endlessLevel({11, number}));
     }
-    const std::uint32_t ticks = (support::kSanitized ? 6 : 30) * kTicksPerSecond;
+    const std::uint32_t ticks = (support::kSanitized ? 4 : 30) * kTicksPerSecond;
     std::uint64_t freeTicks = 0;
     for (const Level& level : levels) {
         SCOPED_TRACE(level.name);
