@@ -4,6 +4,8 @@
 #include <scenes/in_box2d3.hpp>
 
 #include <charconv>
+#include <optional>
+#include <string_view>
 
 #include "bench_engine.hpp"
 
@@ -12,19 +14,38 @@ namespace {
 
 constexpr int kSubsteps = 4; // the number that the documentation of Box2D recommends
 
-/// The value of "contactHertz=60", the only number that can be set.
-float contactHertzOf(const std::string& text) {
-    constexpr std::string_view kName = "contactHertz=";
+/// The value of text = name + "=60", if text begins so. Numbers out of range are no values.
+std::optional<float> valueOf(const std::string& text, std::string_view name) {
     float value = 0;
     const char* const end = text.data() + text.size();
-    if (text.starts_with(kName)) {
-        const auto read = std::from_chars(text.data() + kName.size(), end, value);
+    if (text.starts_with(name)) {
+        const auto read = std::from_chars(text.data() + name.size(), end, value);
         if (read.ec == std::errc() && read.ptr == end && value > 0 && value <= 1e4f) {
             return value;
         }
     }
-    throw WrongUse("'" + text + "' is not contactHertz=NUMBER, up to 1e4, for Box2D 3");
+    return std::nullopt;
 }
+
+/// Stiffness of contacts and joints, 1/s; empty: the default of Box2D.
+struct Hertz {
+    std::optional<float> contact{};
+    std::optional<float> joint{};
+
+    explicit Hertz(const std::vector<std::string>& set) {
+        for (const std::string& text : set) {
+            const auto ofContact = valueOf(text, "contactHertz=");
+            const auto ofJoint = valueOf(text, "jointHertz=");
+            if (!ofContact && !ofJoint) {
+                throw WrongUse("'" + text +
+                               "' is not contactHertz=NUMBER or jointHertz=NUMBER, "
+                               "up to 1e4, for Box2D 3");
+            }
+            contact = ofContact ? ofContact : contact;
+            joint = ofJoint ? ofJoint : joint;
+        }
+    }
+};
 
 class Box2d3Engine final : public Engine {
 public:
@@ -34,15 +55,14 @@ public:
         box2d3::b2SetLogFcn([](const char*) {}); // its warnings go to stdout, within the step
         box2d3::b2WorldDef def = scenes::v3::worldOf(scene.gravity);
         def.enableSleep = options.rest;
-        for (const std::string& text : options.set) {
-            def.contactHertz = contactHertzOf(text);
-        }
+        const Hertz hertz(options.set);
+        def.contactHertz = hertz.contact.value_or(def.contactHertz);
         world_ = box2d3::b2CreateWorld(&def);
         for (const scenes::BodyDef& body : scene.bodies) {
             bodies_.push_back(scenes::v3::addToBox2d(world_, body, events_));
         }
         for (const scenes::RevoluteJointDef& joint : scene.joints) {
-            scenes::v3::addToBox2d(world_, joint, scene, bodies_);
+            scenes::v3::addToBox2d(world_, joint, scene, bodies_, hertz.joint);
         }
     }
     ~Box2d3Engine() override { box2d3::b2DestroyWorld(world_); }
@@ -183,7 +203,7 @@ private:
     static void refuse(const StepOptions& options) {
         if (options.profile != "default" || options.passes || options.positionPasses ||
             !options.leaveOut.empty() || options.pairs != "auto" || options.threads != 1) {
-            throw WrongUse("Box2D 3 takes substeps and contactHertz, and nothing else");
+            throw WrongUse("Box2D 3 takes substeps, contactHertz and jointHertz, and nothing else");
         }
         if (box2d3::b2IsDoublePrecision()) { // positions have another type
             throw WrongUse("Box2D 3 must be built without BOX2D_DOUBLE_PRECISION");

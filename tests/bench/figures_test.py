@@ -106,7 +106,7 @@ class Options(unittest.TestCase):
 
 
 class BesideBox2d3(unittest.TestCase):
-    def depths(self, name, *errors):
+    def errors(self, name, *errors):
         """A run that gives Kodo the first error, and Box2D 3 the others by number of substeps."""
         by_substeps = dict(zip(box2d3.SUBSTEPS, errors[1:]))
 
@@ -116,14 +116,24 @@ class BesideBox2d3(unittest.TestCase):
 
         return run
 
-    def test_equal_depth_takes_the_least_number_of_substeps(self):
-        for errors, wanted in (((1, 5, 1.05, 0.2, 0.1), 8), ((9, 5, 1, 0.2, 0.1), 4),
-                               ((0.01, 5, 1, 0.2, 0.1), None)):
-            self.assertEqual(box2d3.equal_depth([], self.depths("depth, mean", *errors)), wanted)
-        self.assertIsNone(box2d3.equal_depth([], self.depths("top sinks", 9, 1, 1, 1, 1)))
+    def test_equal_error_takes_the_least_number_of_substeps(self):
+        for errors, wanted in (((1, 5, 1.05, 0.2, 0.1, 0), (8, True)),
+                               ((9, 5, 1, 0.2, 0.1, 0), (4, True)),
+                               ((0.01, 5, 1, 0.2, 0.1, 0.02), (64, False))):
+            for name in box2d3.ERRORS:
+                self.assertEqual(box2d3.equal_error([], self.errors(name, *errors)), wanted)
+        self.assertIsNone(box2d3.equal_error([], self.errors("top sinks", 9, 1, 1, 1, 1, 1)))
 
-    def test_contacts_are_as_stiff_as_the_substeps_allow(self):
-        self.assertEqual(box2d3.way_of(8)[-1], "contactHertz=60")
+    def test_contacts_and_joints_are_as_stiff_as_the_substeps_allow(self):
+        self.assertEqual(box2d3.way_of(8)[-1], "contactHertz=60,jointHertz=120")
+
+    def test_a_row_says_that_no_number_of_substeps_suffices(self):
+        more = {"depthMeanMm": 2, "escaped": None, "spread": 0.1, "worstStepMs": None}
+        group = [result(1, 3, **more), result(2, 60, **more), result(4, 30, **more)]
+        for reached, cell in ((True, "| 0.250 (64) |"), (False, "| 0.250 (64, not equal: 30.0 mm) |")):
+            row = box2d3.row_of(bench.Wanted("chains", 10), group, box2d3.Equal(64, reached))
+            self.assertIn(cell, row)
+            self.assertIn("| 0.500 |", row)
 
     def test_a_row_has_the_ratio_of_both_engines(self):
         more = {"depthMeanMm": 2, "escaped": None, "spread": 0.1, "worstStepMs": None}

@@ -43,7 +43,7 @@ TEST(BoundsTree, FindsWhatAModelFinds) {
             for (; next < 100; ++next) {
                 leaves.push_back({randomBox(random, 20), next, next + 7});
             }
-            tree.build(leaves, nodes);
+            tree.build(leaves, nodes, leaves.size());
             for (std::uint32_t i = 0; i < next; ++i) {
                 model[i] = {leaves[i].box, nodes[i]};
             }

@@ -246,6 +246,24 @@ TEST(Allocation, RegionChangesInAPausedWorldHoldNoMoreMemory) {
     EXPECT_LE(bench::liveBytes(), before);
 }
 
+// Regression: arrays that were built at rest had no room, and the first body that was added moved
+// them all. 3 KB are a tenth of the nodes of the tree alone.
+TEST(Allocation, ABodyAddedAfterARestMovesNoArrayOfAllBodies) {
+    constexpr int kBoxes = 1500; // arrays of bodies have room for 2048
+    World world({.gravity = support::kEarth});
+    support::addFloor(world);
+    for (int i = 0; i < kBoxes; ++i) {
+        const auto x = static_cast<Real>(i - kBoxes / 2) / 4;
+        world.add(support::boxDef({x, Real(0.05)}, Real(0.1), Real(0.1)));
+    }
+    support::run(world, 120);
+    ASSERT_EQ(stepStats(world).bodies, 0u);
+    const std::size_t before = bench::liveBytes();
+    world.add({.shape = Circle{1}, .position = {0, -500}, .type = BodyType::Static});
+    world.step(support::kDt);
+    EXPECT_LT(bench::liveBytes(), before + 3072);
+}
+
 // A pile that loses its oldest body for each new one holds no more memory after 1000 bodies than
 // after 300. If the data of removed bodies were kept, that would be 400 KB. The tolerance is 64 KB
 // (128 KB in double), since the pile changes and one list may have doubled its capacity.

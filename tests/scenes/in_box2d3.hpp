@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -119,13 +120,16 @@ inline box2d3::b2BodyId addToBox2d(box2d3::b2WorldId world, const BodyDef& sourc
 }
 
 /// The frames of both bodies are parallel to the axes of the world, so the angle is 0 at the start.
+/// `hertz`: stiffness, 1/s; empty: that of Box2D.
 inline void addToBox2d(box2d3::b2WorldId world, const RevoluteJointDef& joint,
-                       const SceneDef& scene, const std::vector<box2d3::b2BodyId>& bodies) {
+                       const SceneDef& scene, const std::vector<box2d3::b2BodyId>& bodies,
+                       std::optional<float> hertz) {
     const auto frame = [&](const BodyDef& body) {
         const Rot back{body.rotation.c, -body.rotation.s};
         return box2d3::b2Transform{toBox2d(back * (joint.point - body.position)), toBox2d(back)};
     };
     box2d3::b2RevoluteJointDef def = box2d3::b2DefaultRevoluteJointDef();
+    def.base.constraintHertz = hertz.value_or(def.base.constraintHertz);
     def.base.bodyIdA = bodies[joint.a];
     def.base.bodyIdB = bodies[joint.b];
     def.base.localFrameA = frame(scene.bodies[joint.a]);

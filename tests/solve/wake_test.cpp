@@ -359,5 +359,43 @@ TEST(Wake, ContactsWithATableThatStartsToMovePersist) {
     EXPECT_EQ(record->phase, TouchPhase::Persist);
 }
 
+// Between the step in which it fell asleep and the next one, the list of awake bodies has it still:
+// its acceleration must be found again.
+TEST(Wake, ABodyThatWakesBeforeTheNextStepFalls) {
+    World world({.gravity = support::kEarth});
+    const BodyId floor = addFloor(world);
+    const BodyId box = world.add(boxDef({0, Real(0.5)}, 1, 1));
+    ASSERT_LT(support::stepsUntilAsleep(world, box, 200), 200);
+    world.remove(floor);
+    run(world, 60);
+    EXPECT_LT(world[box].position().y, Real(-4)); // 5 m in a second
+}
+
+// One calm body among many that are not: its island is followed along contacts and joints. A
+// neighbour that is not calm keeps it awake, also beyond another calm body.
+TEST(Wake, AFewCalmBodiesSleepUnlessANeighbourMoves) {
+    for (const bool moves : {false, true}) {
+        World world({.gravity = support::kEarth});
+        addFloor(world);
+        BodyDef def = boxDef({0, Real(0.5)}, 1, 1);
+        const BodyId lower = world.add(def);
+        def.position = {0, Real(1.5)};
+        const BodyId middle = world.add(def);
+        def.position = {0, Real(2.5)};
+        def.flags = moves ? kNeverSleep : 0;
+        world.add(def);
+        for (int i = 0; i < 40; ++i) { // they never come to rest
+            BodyDef ball = ballDef({10 + 3 * static_cast<Real>(i), 2}, Real(0.5));
+            ball.shape = Circle{Real(0.5)};
+            ball.material.restitution = 1;
+            ball.flags = kNeverSleep;
+            world.add(ball);
+        }
+        run(world, 200);
+        EXPECT_EQ(isAsleep(world, lower), !moves);
+        EXPECT_EQ(isAsleep(world, middle), !moves);
+    }
+}
+
 } // namespace
 } // namespace kodo

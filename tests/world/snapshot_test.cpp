@@ -404,7 +404,7 @@ TEST(Snapshot, TheBytesOfAFixedWorldMatchTheFormat) {
     const Bytes bytes = toBytes(world);
     const bool isFloat = sizeof(Real) == 4;
     EXPECT_EQ(bytes.size(), isFloat ? 2546u : 4450u);
-    EXPECT_EQ(checksumOf(bytes), isFloat ? 0x136a61580514d640u : 0xcf0d01f93aa86b79u)
+    EXPECT_EQ(checksumOf(bytes), isFloat ? 0x940f525399add545u : 0xd2053ab726af47deu)
         << std::hex << checksumOf(bytes);
 }
 

@@ -2,15 +2,19 @@
 """The comparison of tools/bench --box2d3: Kodo beside Box2D 3, scene by scene."""
 import argparse
 import pathlib
+import typing
 
 import measure
 from measure import number
 
-# Substeps of Box2D 3 for equal depth. It caps the stiffness of contacts, so that more substeps
-# alone change no depth: contactHertz is raised to the cap, an eighth of the substep rate.
-SUBSTEPS = (4, 8, 16, 32)
-DEEPER = 1.1  # overlap that counts as equal, relative to that of Kodo
+# Substeps of Box2D 3 for equal errors. It caps the stiffness, so that more substeps alone change
+# little: both are raised to their caps, an eighth of the substep rate for contacts, a quarter for
+# joints.
+SUBSTEPS = (4, 8, 16, 32, 64)
+LARGER = 1.1  # error that counts as equal, relative to that of Kodo
 STEP_RATE = 60  # 1/s
+# Errors that more substeps make smaller. Others depend on the scene as well.
+ERRORS = ("depth, mean", "largest gap at a joint")
 
 
 def folder(text):
@@ -22,34 +26,53 @@ def folder(text):
 
 
 def way_of(substeps):
-    """Arguments of kodo-bench for Box2D 3 with contacts as stiff as it allows."""
+    """Arguments of kodo-bench for Box2D 3 with contacts and joints as stiff as it allows."""
+    rate = STEP_RATE * substeps
     return ["--engine", "box2d3", "--substeps", substeps,
-            "--set", f"contactHertz={STEP_RATE * substeps / 8:g}"]
+            "--set", f"contactHertz={rate / 8:g},jointHertz={rate / 4:g}"]
 
 
-def equal_depth(common, run):
-    """The least number of substeps for an overlap of the size of Kodo's. None if the scene does not
-    measure overlap, or if no number suffices."""
+class Equal(typing.NamedTuple):
+    """Settings of Box2D 3 for an error of the size of Kodo's."""
+
+    substeps: int
+    reached: bool  # False: not even the largest number of substeps suffices
+
+
+def equal_error(common, run):
+    """The least number of substeps for an error of the size of Kodo's. None if the scene does not
+    measure overlap or gaps."""
     kodo = run(common)
-    if kodo["errorName"] != "depth, mean":
+    if kodo["errorName"] not in ERRORS:
         return None
     for substeps in SUBSTEPS:
-        if run(common + way_of(substeps))["error"] <= DEEPER * kodo["error"]:
-            return substeps
-    return None
+        if run(common + way_of(substeps))["error"] <= LARGER * kodo["error"]:
+            return Equal(substeps, True)
+    return Equal(SUBSTEPS[-1], False)
 
 
 def jobs_of(scene, run):
-    """(arguments of each engine, substeps for equal depth or None)"""
+    """(arguments of each engine, Equal or None)"""
     common = ["--scene", scene.name, "--size", scene.size]
     jobs = [common, common + ["--engine", "box2d3"]]
-    substeps = equal_depth(common, run)
-    if substeps and substeps > SUBSTEPS[0]:  # else the defaults do
-        jobs.append(common + way_of(substeps))
-    return jobs, substeps
+    equal = equal_error(common, run)
+    if equal and equal.substeps > SUBSTEPS[0]:  # else the defaults do
+        jobs.append(common + way_of(equal.substeps))
+    return jobs, equal
 
 
-def row_of(scene, group, substeps):
+def equal_of(group, equal):
+    """The cell of the ratio at equal error, with the number of substeps."""
+    if not equal:
+        return ""
+    kodo, other = group[0], group[-1]
+    ratio = number(kodo["cpuMsPerStep"] / other["cpuMsPerStep"])
+    if equal.reached:
+        return f"{ratio} ({equal.substeps})"
+    return f"{ratio} ({equal.substeps}, not equal: {number(other['error'])} {other['errorUnit']})"
+
+
+def row_of(scene, group, equal):
     kodo, other = group[:2]
 
     def pair(key):
@@ -63,7 +86,7 @@ def row_of(scene, group, substeps):
         f"{kodo['bodies']:,}",
         pair("cpuMsPerStep"),
         ratio("cpuMsPerStep", other),
-        f"{ratio('cpuMsPerStep', group[-1])} ({substeps})" if substeps else "",
+        equal_of(group, equal),
         pair("worstStepMs") if kodo["worstStepMs"] else "",
         ratio("worstStepMs", other),
         pair("depthMeanMm"),
@@ -74,7 +97,7 @@ def row_of(scene, group, substeps):
     return "| " + " | ".join(fields) + " |"
 
 
-HEAD = """| scene | bodies | ms a step, Kodo / Box2D 3 | ratio | ratio at equal depth (substeps) \
+HEAD = """| scene | bodies | ms a step, Kodo / Box2D 3 | ratio | ratio at equal error (substeps) \
 | longest step, ms | ratio | mean overlap, mm | error | escaped | spread, % |
 |---|--:|--:|--:|--:|--:|--:|--:|---|--:|--:|
 """
@@ -88,9 +111,9 @@ def compare(scenes, repeat, out):
         page.write(HEAD)
         print(HEAD, end="")
         for scene in scenes:
-            jobs, substeps = jobs_of(scene, measure.run_once)
+            jobs, equal = jobs_of(scene, measure.run_once)
             group = measure.run_in_turn([jobs], repeat)[0]
-            row = row_of(scene, group, substeps)
+            row = row_of(scene, group, equal)
             print(row, flush=True)
             page.write(row + "\n")
             page.flush()

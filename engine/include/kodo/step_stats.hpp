@@ -23,6 +23,9 @@ struct StepStats {
     std::size_t contacts = 0;   // visits of contacts by the solver, summed over all passes
     std::size_t joints = 0;     // joints of awake bodies
     std::uint64_t pairWork = 0; // modelled cost of the broad phase, all steps so far (ps)
+    /// Bodies and parts that calls visited which concern many: setRegion(), forces on all, and
+    /// welds whose parts need more room in the next step. Of all calls so far.
+    std::uint64_t changeVisits = 0;
 };
 
 KODO_API StepStats stepStats(const World& world);

@@ -40,6 +40,9 @@ void updateAwake(Bodies& bodies, std::span<const std::uint32_t> changed) {
         if (was != is) {
             changes.toggled.push_back(body);
         }
+        if (is && !was) {
+            changes.entered.push_back(body);
+        }
     }
     awake.insert(awake.end(), next, bodies.awake.end());
     std::swap(awake, bodies.awake);
@@ -204,7 +207,7 @@ bool refreshAwake(Bodies& bodies) {
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
     updateAwake(bodies, changed);
     changed.clear();
-    bodies.accelerationsStale = true;
+    bodies.changes.loadsStale = true;
     return true;
 }
 

@@ -43,6 +43,8 @@ struct BodyChanges {
     bool allActivity = true;               // the same as if `activity` listed all bodies
     bool allMoved = true;                  // the same as if `moved` listed all bodies
     std::vector<std::uint32_t> lostLoads;  // with BodyRecord::lostLoad > 0; also repeated or gone
+    std::vector<std::uint32_t> entered;    // active without an acceleration; also repeated or gone
+    bool loadsStale = true;                // Bodies::loads
 };
 
 /// All bodies of a World as parallel arrays, indexed by BodyId::index. A free slot has zero
@@ -80,7 +82,7 @@ struct Bodies {
     bool anyStopped = false;        // a kinematic body in the list has become motionless
     bool anySleeping = true;        // during the solve
     bool turns = true;              // false: Feature::Rotation is off
-    bool accelerationsStale = true; // accelerations, masses or the awake list have changed
+    bool accelerationsStale = true; // of all bodies; of a few: see BodyChanges::entered
 
     BodyId idAt(std::size_t index) const {
         return {static_cast<std::uint32_t>(index), ids.generationAt(index), stamp};

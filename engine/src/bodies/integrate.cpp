@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -60,29 +61,31 @@ void movePosesInLanes(Bodies& bodies, const std::uint32_t* list) {
 
 bool gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Real dt,
                          WorkerTeam& team) {
-    if (!bodies.accelerationsStale) {
-        return true;
+    std::vector<std::uint32_t>& entered = bodies.changes.entered;
+    const bool all = std::exchange(bodies.accelerationsStale, false);
+    if (!all) {
+        std::sort(entered.begin(), entered.end()); // total order: equal indices are identical
+        entered.erase(std::unique(entered.begin(), entered.end()), entered.end());
+        std::erase_if(entered, [&](std::uint32_t body) {
+            return !std::binary_search(bodies.awake.begin(), bodies.awake.end(), body);
+        });
     }
-    bodies.accelerationsStale =
-        !bodies.forced.empty() ||
-        std::any_of(fields.begin(), fields.end(),
-                    [](const FieldEntry& entry) { return !entry.field->steady(); });
-    if (fields.empty() && bodies.forced.empty()) {
-        for (const std::uint32_t i : bodies.awake) {
-            bodies.acceleration[i] = {};
-        }
-        return true;
-    }
+    const std::span<const std::uint32_t> list = all ? bodies.awake : entered;
+    bodies.changes.loadsStale = bodies.changes.loadsStale || !list.empty();
     std::uint8_t unsound = 0;
-    team.forEach(bodies.awake.size(), kBodiesPerPiece, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k) {
-            const std::uint32_t i = bodies.awake[k];
+    team.forEach(list.size(), kBodiesPerPiece, [&](std::size_t first, std::size_t last) {
+        for (const std::uint32_t i : list.subspan(first, last - first)) {
             bodies.acceleration[i] = accelerationOf(bodies, i, fields, dt);
             if (!isSound(bodies.acceleration[i])) {
                 WorkerTeam::mark(unsound);
             }
         }
     });
+    entered.clear();
+    bodies.accelerationsStale =
+        !bodies.forced.empty() ||
+        std::any_of(fields.begin(), fields.end(),
+                    [](const FieldEntry& entry) { return !entry.field->steady(); });
     for (const std::uint32_t i : bodies.forced) { // also of inactive bodies
         BodyRecord& record = bodies.record[i];
         if (record.force == Vec2{} && record.torque == 0) {
@@ -112,6 +115,7 @@ void noteLoads(Bodies& bodies) {
         }
     }
     bodies.loads = loads;
+    bodies.changes.loadsStale = false;
 }
 
 void beginMotion(Bodies& bodies, std::span<const std::uint32_t> list) {

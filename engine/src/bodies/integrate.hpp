@@ -18,7 +18,7 @@ bool gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Rea
                          WorkerTeam& team);
 
 /// Updates Bodies::loads. Call after a change of accelerations, masses or the awake list: see
-/// Bodies::accelerationsStale.
+/// BodyChanges::loadsStale.
 void noteLoads(Bodies& bodies);
 
 /// Clears the displacements of the last step. Marks the awake list as stale if a locked body has

@@ -140,13 +140,14 @@ bool BoundsTree::rotateWith(std::uint32_t node, std::uint32_t high, std::uint32_
     return true;
 }
 
-void BoundsTree::build(std::vector<Leaf>& leaves, std::vector<std::uint32_t>& places) {
+void BoundsTree::build(std::vector<Leaf>& leaves, std::vector<std::uint32_t>& places,
+                       std::size_t room) {
     clear();
     places.assign(leaves.size(), kNone);
     if (leaves.empty()) {
         return;
     }
-    nodes_.reserve(2 * leaves.size());
+    nodes_.reserve(2 * std::max(room, leaves.size()));
     std::vector<std::uint32_t> order(leaves.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) {
         order[i] = i;

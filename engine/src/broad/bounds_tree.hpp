@@ -28,8 +28,9 @@ public:
         std::uint32_t part;
     };
 
-    /// Replaces all leaves. `places` gets the node of each, in the same order.
-    void build(std::vector<Leaf>& leaves, std::vector<std::uint32_t>& places);
+    /// Replaces all leaves. `places` gets the node of each, in the same order. Makes room for as
+    /// many leaves as `room`.
+    void build(std::vector<Leaf>& leaves, std::vector<std::uint32_t>& places, std::size_t room);
     /// Returns the node of the new leaf.
     std::uint32_t insert(const Leaf& leaf);
     void remove(std::uint32_t node);

@@ -28,11 +28,14 @@ public:
         firstLeaf_.clear();
         nextLeaf_.clear();
     }
-    /// Replaces all leaves. Leaves of one body must be in the order of parts.
-    void build(std::vector<BoundsTree::Leaf>& leaves) {
+    /// Replaces all leaves. Leaves of one body must be in the order of parts. Makes room for as
+    /// many parts and bodies, so that the next one moves no array.
+    void build(std::vector<BoundsTree::Leaf>& leaves, std::size_t parts, std::size_t bodies) {
         clear();
         std::vector<std::uint32_t> nodes;
-        tree_.build(leaves, nodes);
+        tree_.build(leaves, nodes, parts);
+        firstLeaf_.reserve(bodies);
+        nextLeaf_.reserve(2 * parts);
         for (std::size_t i = 0; i < leaves.size(); ++i) {
             chain(nodes[i], leaves[i].body);
         }

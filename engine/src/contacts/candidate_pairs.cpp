@@ -112,22 +112,27 @@ void CandidatePairs::searchMovers(const Bodies& bodies, Accept accept, WorkerTea
         pair = {movers.parts[pair.first], movers.parts[pair.second]};
     }
     if (still_.hasTree()) { // otherwise all parts were compared
-        searchTree(accept);
+        searchTree(bodies, accept);
     }
 }
 
-/// Adds the pairs of changed moving parts with the parts of inactive bodies.
+/// Adds the pairs of changed moving parts with the parts of inactive bodies. Two inactive bodies
+/// have none, unless one arrives.
 template <typename Accept>
-void CandidatePairs::searchTree(Accept accept) {
+void CandidatePairs::searchTree(const Bodies& bodies, Accept accept) {
     const std::size_t among = pairs_.size();
     for (const std::uint32_t k : movers_.changed) {
         const std::uint32_t i = movers_.parts[k];
+        const std::uint32_t body = bounds_.part(i).body;
+        if (!bodies.active(body) && bodies.hasArrived[body] == 0) {
+            continue; // it has stopped or fallen asleep
+        }
         const Octagon& own = movers_.bounds[k];
         const Aabb box = own.box();
         still_.tree().search(
-            [&](const Aabb& other) { return overlap(box, other) ? 0 : BoundsTree::kMissed; },
-            [&](std::uint32_t body, std::uint32_t part) {
-                const std::uint32_t j = bounds_.indexOf(body, static_cast<std::uint16_t>(part));
+            [&](const Aabb& node) { return overlap(box, node) ? 0 : BoundsTree::kMissed; },
+            [&](std::uint32_t other, std::uint32_t part) {
+                const std::uint32_t j = bounds_.indexOf(other, static_cast<std::uint16_t>(part));
                 if (overlap(own, bounds_.grown()[j]) &&
                     !std::binary_search(movers_.parts.begin(), movers_.parts.end(), j)) {
                     addPair(i, j, accept, pairs_);

@@ -48,7 +48,7 @@ private:
     template <typename Accept>
     void searchMovers(const Bodies& bodies, Accept accept, WorkerTeam& team);
     template <typename Accept>
-    void searchTree(Accept accept);
+    void searchTree(const Bodies& bodies, Accept accept);
 
     PartBounds bounds_;
     PairFinder finder_;

@@ -55,9 +55,14 @@ public:
     void touchedBy(std::uint32_t body, std::vector<std::uint32_t>& others);
     /// Must be called before the removal of a part; the index of each later part falls by one.
     void partRemoved(std::uint32_t body, std::size_t part);
-    /// A body fell asleep or woke, or an immovable body started or stopped; or any of all bodies.
-    void activityChanged(std::uint32_t body) { activityChanges_.push_back(body); }
-    void activityChanged() { pairsStale_ = true; }
+    /// A body fell asleep or woke, or an immovable body started or stopped.
+    void activityChanged(std::uint32_t body) {
+        if (activityChanges_.size() < candidates_.bounds().size()) {
+            activityChanges_.push_back(body);
+        } else { // as a region that moves often between two steps
+            pairsStale_ = true;
+        }
+    }
     /// Pairs of jointed bodies, in order, that must not touch whatever their flags say.
     void setExcludedPairs(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
     /// Removes and returns the contacts between bodies that are not active in a step, in order:

@@ -35,8 +35,9 @@ void PartBounds::number(const Bodies& bodies) {
     footprints_.clear();
     corners_.clear();
     unusedCorners_ = 0;
+    firstPart_.reserve(bodies.record.capacity() + 1);
     firstPart_.resize(bodies.size() + 1);
-    count_.resize(bodies.size());
+    resizeByBody(count_, bodies);
     for (std::size_t body = 0; body < bodies.size(); ++body) {
         firstPart_[body] = static_cast<std::uint32_t>(parts_.size());
         count_[body] = 0;
@@ -185,6 +186,7 @@ void PartBounds::renumber() {
         }
     }
     firstPart_[count_.size()] = static_cast<std::uint32_t>(from_.size());
+    moves_ += from_.size();
     pick(footprints_);
     pick(tight_);
     pick(grown_);

@@ -31,6 +31,8 @@ public:
     }
     /// Number of indices, used and unused.
     std::size_t size() const { return parts_.size(); }
+    /// Number of indices for which there is room.
+    std::size_t capacity() const { return parts_.capacity(); }
     std::size_t usedCount() const { return usedCount_; }
     bool hasUnused() const { return usedCount_ < parts_.size(); }
     bool isUsed(std::size_t i) const { return parts_[i].part < count_[parts_[i].body]; }
@@ -56,6 +58,8 @@ public:
     std::uint32_t indexNow(std::uint32_t before, std::uint32_t body) const {
         return before - firstBefore_[body] + firstPart_[body];
     }
+    /// Number of parts that new indices have moved, of all calls so far.
+    std::uint64_t moves() const { return moves_; }
     /// Lists all parts.
     void listAll();
     /// Lists the parts of one body.
@@ -105,6 +109,7 @@ private:
     std::vector<std::uint32_t> firstBefore_; // firstPart_ before the last renumber()
     std::vector<std::uint32_t> from_;        // scratch: by new index the old one, or kNone
     std::size_t usedCount_ = 0;
+    std::uint64_t moves_ = 0;
     std::vector<Footprint> footprints_;
     std::vector<Vec2> corners_;
     std::size_t unusedCorners_ = 0; // number of corners_ of removed shapes

@@ -90,7 +90,7 @@ void StillParts::rebuild(const Bodies& bodies, const PartBounds& bounds) {
             leaves.push_back({bounds.grown()[bounds.indexOf(body, part)].box(), body, part});
         }
     }
-    parts_.build(leaves);
+    parts_.build(leaves, bounds.capacity(), bodies.record.capacity());
     active_ = bodies.awake;
 }
 

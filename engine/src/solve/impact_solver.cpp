@@ -228,7 +228,7 @@ void ImpactSolver::solve(Bodies& bodies, ContactSet& contactSet, const ContactBl
     if (!anyFast(contactSet.live(), summaries, step.team, wasFast)) {
         return;
     }
-    wasHit_.assign(bodies.size(), 0);
+    resizeByBody(wasHit_, bodies); // all 0 between steps
     lastPass_.assign(summaries.size(), 0);
     sets_.resize(bodies.size());
     present_.clear();
@@ -250,6 +250,10 @@ void ImpactSolver::solve(Bodies& bodies, ContactSet& contactSet, const ContactBl
     for (int pass = 2; pass <= passes && again; ++pass) {
         again = solvePass(inputs, bouncing_, static_cast<std::uint32_t>(pass));
     }
+    for (const std::uint32_t body : hitBodies_) {
+        wasHit_[body] = 0;
+    }
+    hitBodies_.clear();
 }
 
 /// Solves each contact of a list at most once: in each round, all that approach. True if a contact
@@ -353,8 +357,10 @@ void ImpactSolver::solveGroup(const Inputs& inputs) {
     for (const std::uint32_t slot : group_) {
         const ContactSummary& summary = contactSet.summaries()[slot];
         for (const std::uint32_t body : {summary.bodyA, summary.bodyB}) {
-            wasHit_[body] = bodies.locked(body) ? 0 : 1;
-            if (wasHit_[body] != 0) {
+            if (!bodies.locked(body)) {
+                if (std::exchange(wasHit_[body], std::uint8_t{1}) == 0) {
+                    hitBodies_.push_back(body);
+                }
                 inputs.bodies.noteLostLoad(body);
             }
         }

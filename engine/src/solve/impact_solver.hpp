@@ -58,6 +58,7 @@ private:
     void solveGroup(const Inputs& inputs);
 
     std::vector<std::uint8_t> wasHit_;       // by body, in this step
+    std::vector<std::uint32_t> hitBodies_;   // of these
     std::vector<std::uint32_t> lastPass_;    // by slot: the last pass that solved it; 0: none
     std::vector<std::uint32_t> present_;     // slots of contacts that are not idle, in order
     std::vector<std::uint32_t> bouncing_;    // of these, the ones with restitution

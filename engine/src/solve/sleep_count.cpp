@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -18,6 +20,9 @@ constexpr Real kNoiseOnBase = Real(1) / 128;
 
 // A contact supports a body if its normal has a larger share than this against the acceleration.
 constexpr Real kSteep = Real(0.25);
+
+// With a smaller part of bodies calm for long enough, their islands are followed one by one.
+constexpr std::size_t kFewCalm = 4;
 
 /// Calm steps between two samples of a velocity: a quarter of those until sleep.
 std::uint32_t sampleInterval(std::uint32_t enough) {
@@ -55,10 +60,11 @@ void restartCount(SleepState& rest, const Transform& pose) {
     rest.since = pose;
 }
 
-/// True if any body has been calm for long enough, so that islands must be checked.
-bool SleepSystem::countCalm(Bodies& bodies, const StepSettings& settings,
+/// Counts the calm steps of each body. Lists the bodies that have been calm for long enough.
+void SleepSystem::countCalm(Bodies& bodies, const StepSettings& settings,
                             const Tolerances& tolerances, Real dt) {
-    bool any = false;
+    calm_.clear();
+    calm_.reserve(bodies.record.capacity());
     const auto enough = static_cast<std::uint32_t>(settings.sleepSteps);
     const std::uint32_t interval = sampleInterval(enough);
     for (const std::uint32_t body : bodies.awake) {
@@ -80,37 +86,44 @@ bool SleepSystem::countCalm(Bodies& bodies, const StepSettings& settings,
         } else {
             restartCount(rest, bodies.pose[body]);
         }
-        any = any || rest.calmSteps >= enough;
+        if (rest.calmSteps >= enough && !bodies.locked(body)) {
+            calm_.push_back(body);
+        }
     }
-    return any;
 }
 
-/// Finds the base of each body: the range of the points that support it, across its acceleration.
+/// Finds the base of each body of calm islands: the range of the points that support it, across its
+/// acceleration.
 void SleepSystem::findBases(const Bodies& bodies, const ContactSet& contacts) {
     resizeByBody(bases_, bodies);
-    for (const std::uint32_t body : bodies.awake) {
-        bases_[body] = {};
+    for (const auto& [root, body] : sleepers_) {
+        bases_[body] = baseOf(body, bodies, contacts);
     }
-    for (const Contact& contact : contacts.contacts()) {
+}
+
+SleepSystem::Base SleepSystem::baseOf(std::uint32_t body, const Bodies& bodies,
+                                      const ContactSet& contacts) const {
+    Base base;
+    const Vec2 pull = bodies.acceleration[body].linear;
+    const Vec2 across = perp(pull) / length(pull);
+    contacts.store().lists().forEach(body, [&](std::uint32_t slot) {
+        const Contact& contact = contacts.contacts()[slot];
         if (!contact.touching || contact.sensor) {
-            continue;
+            return;
         }
-        for (const bool isA : {true, false}) {
-            const std::uint32_t body = isA ? contact.key.bodyA : contact.key.bodyB;
-            const Vec2 pull = bodies.acceleration[body].linear;
-            const Vec2 push = isA ? -contact.manifold.normal : contact.manifold.normal;
-            if (!(dot(push, pull) < -kSteep * length(pull))) {
-                continue; // a load, or a wall
-            }
-            const Vec2 across = perp(pull) / length(pull);
-            for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
-                const ManifoldPoint& point = contact.manifold.points[i];
-                const Real at = dot(across, isA ? point.armA : point.armB);
-                bases_[body].least = std::min(bases_[body].least, at);
-                bases_[body].most = std::max(bases_[body].most, at);
-            }
+        const bool isA = contact.key.bodyA == body;
+        const Vec2 push = isA ? -contact.manifold.normal : contact.manifold.normal;
+        if (!(dot(push, pull) < -kSteep * length(pull))) {
+            return; // a load, or a wall
         }
-    }
+        for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+            const ManifoldPoint& point = contact.manifold.points[i];
+            const Real at = dot(across, isA ? point.armA : point.armB);
+            base.least = std::min(base.least, at);
+            base.most = std::max(base.most, at);
+        }
+    });
+    return base;
 }
 
 /// Among the bodies of calm islands: one that moves by its own law, not by noise, keeps its island
@@ -121,14 +134,6 @@ void SleepSystem::holdMoving(Bodies& bodies, std::uint32_t enough, const Toleran
     const auto isOnBase = [&](const Base& base) {
         return base.least < -tolerances.slop && base.most > tolerances.slop;
     };
-    sleepers_.clear(); // here: the calm bodies
-    sleepers_.reserve(bodies.record.capacity());
-    for (const std::uint32_t body : bodies.awake) {
-        const std::uint32_t root = touching_.rootOf(body);
-        if (leastCalm_[root] >= enough) {
-            sleepers_.emplace_back(root, body);
-        }
-    }
     for (const auto& [root, body] : sleepers_) {
         SleepState& rest = bodies.sleep[body];
         const Mass& mass = bodies.geometry(body).mass;
@@ -147,10 +152,76 @@ void SleepSystem::holdMoving(Bodies& bodies, std::uint32_t enough, const Toleran
             leastCalm_[root] = 0;
         }
     }
+    std::erase_if(sleepers_, [&](const auto& sleeper) { return leastCalm_[sleeper.first] == 0; });
 }
 
+/// Lists the calm islands, from one calm body after the other.
+void SleepSystem::followCalm(const Bodies& bodies, const ContactSet& contacts,
+                             const JointSet& joints, std::uint32_t enough) {
+    resizeByBody(leastCalm_, bodies);
+    resizeByBody(reachedBy_, bodies); // all 0 between steps
+    reached_.clear();
+    reached_.reserve(bodies.record.capacity());
+    std::uint32_t search = 0;
+    for (const std::uint32_t body : calm_) {
+        if (reachedBy_[body] != 0) {
+            continue;
+        }
+        const std::size_t first = reached_.size();
+        if (followIsland(body, ++search, bodies, contacts, joints, enough)) {
+            const auto island = std::span(reached_).subspan(first);
+            const std::uint32_t root = *std::min_element(island.begin(), island.end());
+            leastCalm_[root] = enough;
+            for (const std::uint32_t member : island) {
+                sleepers_.emplace_back(root, member);
+            }
+        }
+    }
+    for (const std::uint32_t body : reached_) {
+        reachedBy_[body] = 0;
+    }
+}
+
+/// Appends the island of a calm body to reached_, up to a body that keeps it awake. False if there
+/// is one, or if an earlier search has found one in this island.
+bool SleepSystem::followIsland(std::uint32_t start, std::uint32_t search, const Bodies& bodies,
+                               const ContactSet& contacts, const JointSet& joints,
+                               std::uint32_t enough) {
+    bool calm = true;
+    const auto reach = [&](std::uint32_t body) {
+        if (!bodies.active(body)) {
+            return;
+        }
+        // A kinematic body keeps the bodies awake that it carries.
+        const bool isCalm = !bodies.locked(body) && bodies.sleep[body].calmSteps >= enough;
+        const std::uint32_t before = std::exchange(reachedBy_[body], search);
+        calm = calm && isCalm && (before == 0 || before == search);
+        if (before == 0) {
+            reached_.push_back(body);
+        }
+    };
+    const std::span<const ContactSummary> summaries = contacts.summaries();
+    std::size_t next = reached_.size();
+    reach(start);
+    for (; calm && next < reached_.size(); ++next) {
+        const std::uint32_t body = reached_[next];
+        contacts.store().lists().forEach(body, [&](std::uint32_t slot) {
+            const ContactSummary& summary = summaries[slot];
+            if (!summary.sensor && contacts.contacts()[slot].touching) {
+                reach(summary.bodyA == body ? summary.bodyB : summary.bodyA);
+            }
+        });
+        joints.visitOf(body, [&](const JointSet::Joint& joint) {
+            const std::uint32_t a = firstBody(joint.def).index;
+            reach(a == body ? secondBody(joint.def).index : a);
+        });
+    }
+    return calm;
+}
+
+/// Lists the calm islands, from all contacts and joints.
 void SleepSystem::joinTouching(const Bodies& bodies, const ContactSet& contacts,
-                               const JointSet& joints) {
+                               const JointSet& joints, std::uint32_t enough) {
     touching_.resize(bodies.size());
     resizeByBody(leastCalm_, bodies);
     for (const std::uint32_t body : bodies.awake) {
@@ -179,23 +250,31 @@ void SleepSystem::joinTouching(const Bodies& bodies, const ContactSet& contacts,
         const std::uint32_t own = bodies.locked(body) ? 0 : bodies.sleep[body].calmSteps;
         least = std::min(least, own);
     }
-}
-
-bool SleepSystem::updateSleep(Bodies& bodies, const ContactSet& contacts, const JointSet& joints,
-                              const StepSettings& settings, const Tolerances& tolerances, Real dt) {
-    if (!countCalm(bodies, settings, tolerances, dt)) {
-        return false;
-    }
-    joinTouching(bodies, contacts, joints);
-    const auto enough = static_cast<std::uint32_t>(settings.sleepSteps);
-    findBases(bodies, contacts);
-    holdMoving(bodies, enough, tolerances, dt);
-    sleepers_.clear();
     for (const std::uint32_t body : bodies.awake) {
         const std::uint32_t root = touching_.rootOf(body);
         if (leastCalm_[root] >= enough) {
             sleepers_.emplace_back(root, body);
         }
+    }
+}
+
+bool SleepSystem::updateSleep(Bodies& bodies, const ContactSet& contacts, const JointSet& joints,
+                              const StepSettings& settings, const Tolerances& tolerances, Real dt) {
+    countCalm(bodies, settings, tolerances, dt);
+    if (calm_.empty()) {
+        return false;
+    }
+    const auto enough = static_cast<std::uint32_t>(settings.sleepSteps);
+    sleepers_.clear();
+    sleepers_.reserve(bodies.record.capacity());
+    if (kFewCalm * calm_.size() < bodies.awake.size()) {
+        followCalm(bodies, contacts, joints, enough);
+    } else {
+        joinTouching(bodies, contacts, joints, enough);
+    }
+    if (!sleepers_.empty()) {
+        findBases(bodies, contacts);
+        holdMoving(bodies, enough, tolerances, dt);
     }
     return !sleepers_.empty();
 }

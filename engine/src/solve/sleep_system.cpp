@@ -68,6 +68,7 @@ void SleepSystem::wakeIslands(Bodies& bodies, ContactSet& contacts) {
             bodies.sleep[body].since = bodies.pose[body];
             bodies.motion[body].clearDisplacement();
             bodies.acceleration[body] = {};
+            bodies.changes.entered.push_back(body); // also if the list has it still
             contacts.activityChanged(body);
             bodies.noteActivity(body);
         }
@@ -110,6 +111,30 @@ void SleepSystem::wakeAll(Bodies& bodies, ContactSet& contacts) {
     for (std::uint32_t body = 0; body < bodies.size(); ++body) {
         bodies.noteLostLoad(body);
     }
+}
+
+void SleepSystem::wakeOn(Bodies& bodies, ContactSet& contacts, std::span<const std::uint32_t> of) {
+    members_.clear();
+    for (const std::uint32_t body : of) {
+        if (body >= neighbourIslands_.size() || !bodies.active(body)) {
+            continue;
+        }
+        for (const NeighbourIsland& neighbour : neighbourIslands_[body]) {
+            if (hasWoken(neighbour)) {
+                continue;
+            }
+            for (const Contact& contact : islands_[neighbour.island].contacts) {
+                const auto& [bodyA, partA, bodyB, partB] = contact.key;
+                if (contact.wasTouching && (bodyA == body || bodyB == body)) {
+                    members_.push_back(bodyA == body ? bodyB : bodyA);
+                }
+            }
+        }
+    }
+    for (const std::uint32_t body : members_) {
+        disturb(bodies, body);
+    }
+    wakeIslands(bodies, contacts);
 }
 
 void SleepSystem::wakeAround(Bodies& bodies, ContactSet& contacts, const JointSet& joints,

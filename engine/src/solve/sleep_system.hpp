@@ -8,6 +8,7 @@
 #include "contacts/contact_set.hpp"
 #include "joints/joint_set.hpp"
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -55,6 +56,8 @@ public:
     void wakeAround(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
                     std::uint32_t body);
     void wakeAll(Bodies& bodies, ContactSet& contacts);
+    /// Wakes the islands that touched one of these bodies, if that body is active now.
+    void wakeOn(Bodies& bodies, ContactSet& contacts, std::span<const std::uint32_t> of);
     bool anyAsleep() const { return sleepingIslands_ > 0; }
 
     /// Visits the contacts of sleeping islands, island by island.
@@ -96,19 +99,28 @@ private:
         return islands_[neighbour.island].version != neighbour.version;
     }
     void putToSleep(Bodies& bodies, std::span<const std::uint32_t> members);
-    bool countCalm(Bodies& bodies, const StepSettings& settings, const Tolerances& tolerances,
+    void countCalm(Bodies& bodies, const StepSettings& settings, const Tolerances& tolerances,
                    Real dt);
-    void joinTouching(const Bodies& bodies, const ContactSet& contacts, const JointSet& joints);
+    void joinTouching(const Bodies& bodies, const ContactSet& contacts, const JointSet& joints,
+                      std::uint32_t enough);
+    void followCalm(const Bodies& bodies, const ContactSet& contacts, const JointSet& joints,
+                    std::uint32_t enough);
+    bool followIsland(std::uint32_t start, std::uint32_t search, const Bodies& bodies,
+                      const ContactSet& contacts, const JointSet& joints, std::uint32_t enough);
     void findBases(const Bodies& bodies, const ContactSet& contacts);
+    Base baseOf(std::uint32_t body, const Bodies& bodies, const ContactSet& contacts) const;
     void holdMoving(Bodies& bodies, std::uint32_t enough, const Tolerances& tolerances, Real dt);
 
     std::vector<Island> islands_;
     std::size_t sleepingIslands_ = 0;
-    std::vector<std::uint32_t> freeIslands_;                        // heap, the lowest on top
-    std::vector<std::vector<NeighbourIsland>> neighbourIslands_;    // by body
-    DisjointSets touching_;                                         // islands of the awake bodies
-    std::vector<std::uint32_t> leastCalm_;                          // by root: calm steps
-    std::vector<Base> bases_;                                       // by body
+    std::vector<std::uint32_t> freeIslands_;                     // heap, the lowest on top
+    std::vector<std::vector<NeighbourIsland>> neighbourIslands_; // by body
+    std::vector<std::uint32_t> calm_;                            // calm for long enough, in order
+    std::vector<std::uint32_t> reached_;                         // scratch of followCalm
+    std::vector<std::uint32_t> reachedBy_; // by body: number of the search; 0: none
+    DisjointSets touching_;                // islands of the awake bodies
+    std::vector<std::uint32_t> leastCalm_; // by root: calm steps
+    std::vector<Base> bases_;              // by body
     std::vector<std::pair<std::uint32_t, std::uint32_t>> sleepers_; // root and body
     std::vector<std::uint32_t> members_;                            // of an island, or to be woken
     std::vector<std::uint32_t> woken_;                              // islands: see wakeIslands

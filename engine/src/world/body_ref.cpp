@@ -124,20 +124,22 @@ void BodyRef::moveTo(Vec2 position, Rot rotation, Real dt) {
 }
 
 void BodyRef::applyForce(Vec2 force) {
-    world_->applyForce(changing("BodyRef::applyForce"), {}, force);
+    const std::uint32_t body = changing("BodyRef::applyForce");
+    refuse(checkFinite("force", force));
+    world_->addForce(body, force, 0);
 }
 
 void BodyRef::applyForce(Vec2 force, Vec2 point) {
     const std::uint32_t body = changing("BodyRef::applyForce");
     refuse(checkPosition("point", point, world_->tolerances_.unit()));
-    world_->applyForce(body, point - center(), force);
+    refuse(checkFinite("force", force));
+    world_->addForce(body, force, cross(point - center(), force));
 }
 
 void BodyRef::applyTorque(Real torque) {
     const std::uint32_t body = changing("BodyRef::applyTorque");
     refuse(checkFinite("torque", torque));
-    addForce(world_->bodies_, body, {}, torque);
-    world_->wake(body);
+    world_->addForce(body, {}, torque);
 }
 
 void BodyRef::applyImpulse(Vec2 impulse) {
@@ -180,6 +182,7 @@ void BodyRef::setFlags(Flags flags) {
     world_->bodyChanged(body);
     Flags& own = world_->bodies_.filter[body].flags; // bodyChanged() may have changed the status
     own = (flags & ~kKept) | (own & kKept);
+    world_->flagBlocks_.note(body, flags);
     refreshDerived(world_->bodies_, body);
 }
 
@@ -255,6 +258,7 @@ void BodyRef::copyFrom(const BodyView& other) {
     world_->bodyChanged(body);
     CollisionFilter& filter = bodies.filter[body]; // after bodyChanged, which may wake the body
     filter = {(filter.flags & kStatusFlags & ~kFrozen) | given, required};
+    world_->flagBlocks_.note(body, given);
     bodies.motion[body].velocity = velocity;
     bodies.motion[body].angularVelocity = spin;
     if (type() == BodyType::Static) {

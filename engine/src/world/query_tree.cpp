@@ -67,6 +67,7 @@ void QueryTree::update(const Bodies& bodies, Real margin) {
         }
     }
     if (std::exchange(allStale_, false)) {
+        isChanged_.reserve(bodies.record.capacity());
         isChanged_.assign(bodies.size(), 0);
     } else {
         for (const std::uint32_t body : changed_) {
@@ -91,6 +92,7 @@ void QueryTree::append(const Bodies& bodies, std::uint32_t body, Real margin,
 }
 
 void QueryTree::rebuild(const Bodies& bodies, Real margin) {
+    hasPlane_.reserve(bodies.record.capacity());
     hasPlane_.assign(bodies.size(), 0);
     planes_.clear();
     std::vector<BoundsTree::Leaf> leaves;
@@ -99,7 +101,8 @@ void QueryTree::rebuild(const Bodies& bodies, Real margin) {
             append(bodies, body, margin, leaves);
         }
     }
-    parts_.build(leaves);
+    const std::size_t room = bodies.record.capacity();
+    parts_.build(leaves, std::max(leaves.size(), room), room);
 }
 
 /// Keeps the leaves of a body whose parts are within them.

@@ -44,6 +44,8 @@ public:
     /// The same for all bodies.
     void bodiesChanged();
 
+    /// True if a view() only follows the bodies that have changed.
+    bool isBuilt() const { return !allStale_; }
     /// Up to date until the next change.
     View view(const Bodies& bodies, const Tolerances& tolerances);
 

@@ -4,10 +4,30 @@
 #include "contacts/contact_update.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
+namespace {
+
+/// Calls visit(strip) for the parts of a box beyond each side of another one: what meets `box`
+/// alone meets one of them. They may overlap.
+template <typename Visit>
+void forEachStrip(const Aabb& box, const Aabb& other, Visit visit) {
+    const auto visitIf = [&](const Aabb& strip) {
+        if (strip.lower.x <= strip.upper.x && strip.lower.y <= strip.upper.y) {
+            visit(strip);
+        }
+    };
+    const auto& [lower, upper] = box;
+    visitIf({lower, {std::min(upper.x, other.lower.x), upper.y}});
+    visitIf({lower, {upper.x, std::min(upper.y, other.lower.y)}});
+    visitIf({{std::max(lower.x, other.upper.x), lower.y}, upper});
+    visitIf({{lower.x, std::max(lower.y, other.upper.y)}, upper});
+}
+
+} // namespace
 
 bool Region::contains(const Bodies& bodies, std::uint32_t body) const {
     return !box_ || overlap(*box_, boundsOfBody(bodies, body));
@@ -32,6 +52,43 @@ void Region::place(std::uint32_t body, Bodies& bodies, ContactSet& contacts,
         contacts.bodyChanged(body); // updates its bounds at the place where it stopped
         park(bodies, contacts, writeBack);
     }
+}
+
+std::vector<std::uint32_t> Region::mayCross(const Bodies& bodies) const {
+    std::vector<std::uint32_t> all(bodies.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return all;
+}
+
+std::vector<std::uint32_t> Region::mayCross(const Aabb& before, const Bodies& bodies,
+                                            const QueryTree::View& view) const {
+    std::vector<std::uint32_t> found = bodies.awake;
+    for (const QueryTree::PlanePart& plane : view.planes) {
+        found.push_back(plane.body);
+    }
+    const auto search = [&](const Aabb& strip) {
+        view.tree.search(
+            [&](const Aabb& box) { return overlap(strip, box) ? 0 : BoundsTree::kMissed; },
+            [&](std::uint32_t body, std::uint32_t) { found.push_back(body); });
+    };
+    forEachStrip(before, *box_, search);
+    forEachStrip(*box_, before, search);
+    std::sort(found.begin(), found.end()); // total order: equal indices are identical
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
+void Region::moveInOut(std::vector<std::uint32_t>& candidates, Bodies& bodies, ContactSet& contacts,
+                       const WriteBack& writeBack) {
+    std::erase_if(candidates, [&](std::uint32_t body) {
+        const bool isOutside = (bodies.filter[body].flags & kOutside) != 0;
+        return !bodies.ids.aliveAt(body) || isOutside != contains(bodies, body);
+    });
+    for (const std::uint32_t body : candidates) {
+        update(bodies, body);
+        contacts.activityChanged(body);
+    }
+    park(bodies, contacts, writeBack);
 }
 
 void Region::park(Bodies& bodies, ContactSet& contacts, const WriteBack& writeBack) {

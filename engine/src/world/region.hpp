@@ -4,6 +4,7 @@
 #include "contacts/contact_set.hpp"
 #include "joints/joint_set.hpp"
 #include "solve/contact_blocks.hpp"
+#include "world/query_tree.hpp"
 
 #include <optional>
 #include <utility>
@@ -18,10 +19,23 @@ inline namespace KODO_PRECISION {
 class Region {
 public:
     const std::optional<Aabb>& box() const { return box_; }
-    /// update() of all bodies and park() must follow.
+    /// moveInOut() must follow.
     void setBox(const std::optional<Aabb>& box) { box_ = box; }
     bool isActive() const { return box_.has_value(); }
     bool contains(const Bodies& bodies, std::uint32_t body) const;
+
+    /// The bodies that a change of the region from `before` may concern, in order: those whose
+    /// bounds may meet only one of both, and the awake ones.
+    std::vector<std::uint32_t> mayCross(const Aabb& before, const Bodies& bodies,
+                                        const QueryTree::View& view) const;
+    /// All bodies.
+    std::vector<std::uint32_t> mayCross(const Bodies& bodies) const;
+    /// Counts a search through all bodies. True after so many that the tree of queries pays.
+    bool countScan() {
+        constexpr std::uint32_t kMany = 16;
+        scans_ = scans_ < kMany ? scans_ + 1 : 0;
+        return scans_ == 0;
+    }
 
     /// Updates kOutside after a change of the body or the region. True if the body has just left
     /// the region.
@@ -31,6 +45,10 @@ public:
                const WriteBack& writeBack);
     /// Parks contacts without an active body, and puts those with one back.
     void park(Bodies& bodies, ContactSet& contacts, const WriteBack& writeBack);
+    /// After setBox(): updates the candidates that entered or left the region, and keeps only these
+    /// in the list. The other bodies and their contacts stay as they are.
+    void moveInOut(std::vector<std::uint32_t>& candidates, Bodies& bodies, ContactSet& contacts,
+                   const WriteBack& writeBack);
     void unparkContactsOf(std::uint32_t body, Bodies& bodies, ContactSet& contacts);
     std::span<const Contact> parked() const { return parked_; }
 
@@ -50,6 +68,7 @@ private:
     std::vector<std::pair<std::uint32_t, BodyVelocity>> outsideVelocities_;
     std::vector<Contact> parked_;
     std::vector<Contact> unparked_; // scratch: a step allocates nothing
+    std::uint32_t scans_ = 0;       // see countScan(); no state, as the tree is none
 };
 
 } // namespace KODO_PRECISION

@@ -267,8 +267,8 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
            added, movedTo, slots, reorderPolicy, placesStale] = store;
     auto& [allDue, eventsDue, toggled, allRecords, begun, ended, removed, ends, nextEnds,
            recordSlots] = records;
-    auto& [parts, firstPart, count, firstBefore, from, usedCount, convexes, corners, leftOver,
-           tight, grown, changed, isChanged, outgrown] = bounds;
+    auto& [parts, firstPart, count, firstBefore, from, usedCount, moves, convexes, corners,
+           leftOver, tight, grown, changed, isChanged, outgrown] = bounds;
     set.writeRecords();
     if (!reads()) {
         set.applyChanges(bodies, tolerances);
@@ -347,10 +347,10 @@ void SnapshotFields::definitions(const WorldImpl& world) {
 }
 
 void SnapshotFields::world(WorldImpl& world) {
-    auto& [guard, settings, tolerances, stepCount, count, bodies, fields, contacts, impacts,
-           softSolver, propagation, contactVisits, continuous, sleep, joints, broken, frozen,
-           region, queries, lastGeometry] = world;
-    auto& [box, outsideVelocities, parked, unparked] = region;
+    auto& [guard, settings, tolerances, stepCount, count, bodies, flagBlocks, fields, contacts,
+           impacts, softSolver, propagation, contactVisits, changeVisits, continuous, sleep, joints,
+           broken, frozen, region, queries, lastGeometry] = world;
+    auto& [box, outsideVelocities, parked, unparked, scans] = region;
     softSolver.blocks().writeBackAll(contacts.contacts(), bodies);
     all(settings, tolerances, stepCount);
     bodies.turns = settings.has(Feature::Rotation);
@@ -383,6 +383,7 @@ void SnapshotFields::world(WorldImpl& world) {
     count = 0;
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
         count += bodies.ids.aliveAt(i) ? 1 : 0;
+        flagBlocks.note(i, bodies.filter[i].flags);
     }
 }
 

@@ -146,6 +146,7 @@ BodyId WorldImpl::unweld(BodyId body, std::size_t part, std::optional<Flags> fla
     contacts_.bodyChanged(freed.index);
     queries_.bodyChanged(body.index);
     queries_.bodyChanged(freed.index);
+    flagBlocks_.note(freed.index, bodies_.filter[freed.index].flags);
     ++count_;
     return freed;
 }

@@ -134,10 +134,10 @@ const std::vector<FieldEntry>& World::fields() const {
     return impl().fields();
 }
 void World::applyForceToAll(Vec2 force, CollisionFilter which) {
-    change("World::applyForceToAll").applyForceToAll(force, which);
+    change("World::applyForceToAll").applyToAll(force, 0, which);
 }
 void World::applyTorqueToAll(Real torque, CollisionFilter which) {
-    change("World::applyTorqueToAll").applyTorqueToAll(torque, which);
+    change("World::applyTorqueToAll").applyToAll({}, torque, which);
 }
 
 void World::step(Real dt, const StepOptions& options) {

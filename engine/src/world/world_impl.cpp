@@ -92,6 +92,7 @@ void WorldImpl::bodyAdded(std::uint32_t body) {
     region_.update(bodies_, body);
     contacts_.bodyChanged(body);
     queries_.bodyChanged(body);
+    flagBlocks_.note(body, bodies_.filter[body].flags);
     ++count_;
 }
 
@@ -128,26 +129,15 @@ void WorldImpl::setRegion(std::optional<Aabb> region) {
     if (region) {
         refuse(checkBox("region", *region));
     }
+    const std::optional<Aabb> before = region_.box();
     region_.setBox(region);
-    for (std::uint32_t body = 0; body < bodies_.size(); ++body) {
-        if (bodies_.ids.aliveAt(body)) {
-            region_.update(bodies_, body);
-        }
-    }
-    region_.park(bodies_, contacts_, writeBack());
-    // Sleeping bodies wake if they touch a body that is active again.
-    std::vector<std::uint32_t> touched;
-    sleep_.forEachContact([&](const Contact& contact) {
-        const ContactKey& key = contact.key;
-        if (contact.wasTouching && (bodies_.active(key.bodyA) || bodies_.active(key.bodyB))) {
-            touched.push_back(bodies_.asleep(key.bodyA) ? key.bodyA : key.bodyB);
-        }
-    });
-    for (const std::uint32_t body : touched) {
-        wake(body);
-    }
-    bodies_.changes.allActivity = true;
-    contacts_.activityChanged();
+    const bool isMove = before && region;
+    std::vector<std::uint32_t> moved = isMove && (queries_.isBuilt() || region_.countScan())
+                                           ? region_.mayCross(*before, bodies_, queryView())
+                                           : region_.mayCross(bodies_);
+    changeVisits_ += moved.size();
+    region_.moveInOut(moved, bodies_, contacts_, writeBack());
+    sleep_.wakeOn(bodies_, contacts_, moved);
 }
 
 void WorldImpl::wake(std::uint32_t body) {
@@ -200,11 +190,12 @@ void WorldImpl::thaw(std::uint32_t body) {
     }
 }
 
-/// Force in N at the end of an arm (m) from the centre of mass.
-void WorldImpl::applyForce(std::uint32_t body, Vec2 arm, Vec2 force) {
-    refuse(checkFinite("force", force));
-    addForce(bodies_, body, force, cross(arm, force));
-    wake(body);
+/// Adds N and N m for the next step, and wakes the body. No force wakes nobody.
+void WorldImpl::addForce(std::uint32_t body, Vec2 force, Real torque) {
+    if (force != Vec2{} || torque != 0) {
+        kodo::addForce(bodies_, body, force, torque);
+        wake(body);
+    }
 }
 
 /// Impulse in N s at the end of an arm (m) from the centre of mass.
@@ -323,25 +314,20 @@ void WorldImpl::setFields(std::vector<FieldEntry> fields) {
     sleep_.wakeAll(bodies_, contacts_);
 }
 
-void WorldImpl::applyForceToAll(Vec2 force, CollisionFilter which) {
+/// Force in N and torque in N m.
+void WorldImpl::applyToAll(Vec2 force, Real torque, CollisionFilter which) {
     refuse(checkFilter(which));
     refuse(checkFinite("force", force));
-    for (std::uint32_t body = 0; body < bodies_.size(); ++body) {
-        if (bodies_.ids.aliveAt(body) && accepts(which, bodies_.filter[body].flags)) {
-            applyForce(body, {}, force);
-        }
-    }
-}
-
-void WorldImpl::applyTorqueToAll(Real torque, CollisionFilter which) {
-    refuse(checkFilter(which));
     refuse(checkFinite("torque", torque));
-    for (std::uint32_t body = 0; body < bodies_.size(); ++body) {
-        if (bodies_.ids.aliveAt(body) && accepts(which, bodies_.filter[body].flags)) {
-            addForce(bodies_, body, {}, torque);
-            wake(body);
-        }
+    if (force == Vec2{} && torque == 0) {
+        return;
     }
+    flagBlocks_.forEachIn(which, bodies_.size(), [&](std::uint32_t body) {
+        ++changeVisits_;
+        if (bodies_.ids.aliveAt(body) && accepts(which, bodies_.filter[body].flags)) {
+            addForce(body, force, torque);
+        }
+    });
 }
 
 void WorldImpl::setSettings(const StepSettings& settings) {

@@ -4,6 +4,7 @@
 #include <kodo/step_stats.hpp>
 #include <kodo/world.hpp>
 
+#include "bodies/flag_blocks.hpp"
 #include "contacts/contact_set.hpp"
 #include "solve/continuous_collision.hpp"
 #include "solve/impact_solver.hpp"
@@ -49,8 +50,7 @@ public:
     void addField(FieldEntry entry);
     void setFields(std::vector<FieldEntry> fields);
     const std::vector<FieldEntry>& fields() const { return fields_; }
-    void applyForceToAll(Vec2 force, CollisionFilter which);
-    void applyTorqueToAll(Real torque, CollisionFilter which);
+    void applyToAll(Vec2 force, Real torque, CollisionFilter which);
 
     void step(Real dt, const StepOptions& options);
     /// Records of the last step, to be read with recordSource().
@@ -68,7 +68,8 @@ public:
 
     StepStats stats() const {
         return {bodies_.awake.size(), contactVisits_, joints_.busyCount(),
-                contacts_.candidates().finder().work()};
+                contacts_.candidates().finder().work(),
+                changeVisits_ + contacts_.candidates().bounds().moves()};
     }
     void setPairSearch(std::optional<PairSearch> only) {
         contacts_.candidates().finder().use(only);
@@ -95,7 +96,7 @@ private:
     void bodyChanged(std::uint32_t body);
     void velocityChanged(std::uint32_t body);
     void thaw(std::uint32_t body);
-    void applyForce(std::uint32_t body, Vec2 arm, Vec2 force);
+    void addForce(std::uint32_t body, Vec2 force, Real torque);
     void applyImpulse(std::uint32_t body, Vec2 arm, Vec2 impulse);
     void placeInRegion(std::uint32_t body) { region_.place(body, bodies_, contacts_, writeBack()); }
     void bodyAdded(std::uint32_t body);
@@ -107,12 +108,14 @@ private:
     std::uint64_t stepCount_ = 0;
     std::size_t count_ = 0;
     Bodies bodies_;
+    FlagBlocks flagBlocks_; // of bodies_
     std::vector<FieldEntry> fields_;
     ContactSet contacts_;
     ImpactSolver impacts_;
     SoftSolver softSolver_;
     Propagation propagation_;
     std::size_t contactVisits_ = 0;
+    std::uint64_t changeVisits_ = 0; // see StepStats
     ContinuousCollision continuous_;
     SleepSystem sleep_;
     JointSet joints_;

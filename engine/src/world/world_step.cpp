@@ -118,11 +118,10 @@ void WorldStep::wakeIslands(bool arrivals) {
 void WorldStep::gatherForces() {
     joints_.findBusy(bodies_, refreshAwake(bodies_));
     frozen_.clear();
-    const bool changed = bodies_.accelerationsStale;
     if (!gatherAccelerations(bodies_, fields_, dt_, team_)) {
         freezeUnsoundForces();
     }
-    if (changed) {
+    if (bodies_.changes.loadsStale) {
         noteLoads(bodies_);
     }
     if (region_.isActive() && region_.makeOutsideStatic(bodies_, contacts_, joints_)) {

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// Calls that concern many bodies visit those that they change.
+#include <kodo/query.hpp>
+#include <kodo/snapshot.hpp>
+#include <support/outside.hpp>
+#include <support/random_numbers.hpp>
+#include <support/sleeping.hpp>
+
+namespace kodo {
+namespace {
+
+constexpr int kBodies = 1000;
+constexpr Flags kRare = 4; // a user flag
+
+/// A row of boxes that sleep on the floor, half a metre apart.
+struct SleepingRow {
+    World world{WorldDef{.gravity = support::kEarth}};
+    std::vector<BodyId> boxes;
+
+    SleepingRow() {
+        support::addFloor(world);
+        for (int i = 0; i < kBodies; ++i) {
+            BodyDef def = support::boxDef({static_cast<Real>(i - kBodies / 2) / 2, Real(0.125)},
+                                          Real(0.25), Real(0.25));
+            def.flags = 2;
+            boxes.push_back(world.add(def));
+        }
+        support::run(world, 120);
+        EXPECT_EQ(support::countAsleep(world), std::size_t{kBodies});
+    }
+    /// Bodies and parts visited by a call and the step after it.
+    template <typename Call>
+    std::uint64_t visits(Call call) {
+        const std::uint64_t before = stepStats(world).changeVisits;
+        call();
+        world.step(support::kDt);
+        return stepStats(world).changeVisits - before;
+    }
+};
+
+Aabb regionAt(Real x, Real reach) {
+    return {{x - reach, -10}, {x + reach, 100}};
+}
+
+// Regression: it visited all bodies and contacts, and the next step searched all pairs.
+TEST(ChangeVisits, AMoveOfTheRegionVisitsWhatCrossesItsEdges) {
+    SleepingRow row;
+    row.world.setRegion(regionAt(0, 100));
+    (void)rayCast(row.world, {0, 50}, {0, 40}); // builds the tree of queries
+    row.world.step(support::kDt);
+    for (int move = 1; move <= 20; ++move) {
+        const std::uint64_t pairWork = stepStats(row.world).pairWork;
+        const auto x = static_cast<Real>(move);
+        // Two boxes enter, two leave, as many are near, and the floor is on all edges.
+        EXPECT_LE(row.visits([&] { row.world.setRegion(regionAt(x, 100)); }), 16u);
+        EXPECT_LE(stepStats(row.world).pairWork - pairWork, std::uint64_t{100'000});
+        EXPECT_EQ(stepStats(row.world).bodies, 0u);
+    }
+    for (const BodyId id : row.boxes) {
+        const Aabb box = row.world[id].bounds();
+        EXPECT_EQ(support::isOutside(row.world, id), box.upper.x < -80 || box.lower.x > 120);
+    }
+}
+
+// After as many moves, the tree of queries is built without a query.
+TEST(ChangeVisits, ManyMovesOfTheRegionCeaseToVisitAllBodies) {
+    SleepingRow row;
+    std::uint64_t last = kBodies;
+    for (int move = 0; move < 40; ++move) {
+        last = row.visits([&] { row.world.setRegion(regionAt(static_cast<Real>(move), 100)); });
+    }
+    EXPECT_LE(last, 16u);
+}
+
+// Regression: it took the impulses of all contacts.
+TEST(ChangeVisits, AMoveOfTheRegionLeavesWhatStaysInsideAsItIs) {
+    World still(support::withoutSleep());
+    support::addHeap(still, 17, 40);
+    World moving = still;
+    for (int step = 0; step < 200; ++step) {
+        moving.setRegion(regionAt(static_cast<Real>(step % 20), 50));
+        still.step(support::kDt);
+        moving.step(support::kDt);
+        for (const BodyId id : still.bodies()) {
+            ASSERT_EQ(support::stateOf(still, id), support::stateOf(moving, id)) << step;
+        }
+    }
+}
+
+// With awake, sleeping, kinematic and static bodies, planes, and bodies that come and go.
+TEST(ChangeVisits, OutsideIsWhatDoesNotMeetTheRegionAfterEachMove) {
+    support::RandomNumbers random(31);
+    World world({.gravity = support::kEarth});
+    support::addHeap(world, 31, 60);
+    world.add({.shape = Plane{}, .position = {0, -3}, .type = BodyType::Static});
+    BodyDef def = support::boxDef({0, 12}, 1, 1);
+    def.type = BodyType::Kinematic;
+    def.velocity = {Real(0.5), 0};
+    world.add(def);
+    for (int move = 0; move < 300; ++move) {
+        const Vec2 corner{random.between(-8, 6), random.between(-4, 9)};
+        const Vec2 size{random.between(1, 6), random.between(1, 6)};
+        world.setRegion(Aabb{corner, corner + size});
+        for (const BodyId id : world.bodies()) {
+            ASSERT_EQ(support::isOutside(world, id), !overlap(*world.region(), world[id].bounds()))
+                << "move " << move << ", body " << id.index;
+        }
+        support::run(world, move % 4);
+        if (move % 7 == 0) {
+            world.remove(world.bodies()[1 + static_cast<std::size_t>(move) % 30]);
+            world.add(support::ballDef({random.between(-5, 5), random.between(3, 9)}, Real(0.4)));
+        }
+    }
+}
+
+TEST(ChangeVisits, AForceOnFlagsThatNoBodyHasVisitsNone) {
+    SleepingRow row;
+    EXPECT_EQ(row.visits([&] { row.world.applyForceToAll({9, 0}, {kMatchAny, kRare}); }), 0u);
+    EXPECT_EQ(row.visits([&] { row.world.applyTorqueToAll(9, {kMatchEqual, kRare}); }), 0u);
+    EXPECT_EQ(support::countAsleep(row.world), std::size_t{kBodies});
+    row.world[row.boxes[700]].setFlags(kRare);
+    EXPECT_LE(row.visits([&] { row.world.applyForceToAll({9, 0}, {kMatchAny, kRare}); }), 64u);
+    EXPECT_GT(row.world[row.boxes[700]].velocity().x, 0);
+    World read = fromBytes(toBytes(row.world));
+    read.applyForceToAll({-900, 0}, {kMatchAll, kRare});
+    read.step(support::kDt);
+    EXPECT_LT(read[read.bodies()[701]].velocity().x, 0);
+}
+
+// Regression: it woke all bodies that the filter accepts.
+TEST(ChangeVisits, NoForceWakesNoBody) {
+    SleepingRow row;
+    BodyRef box = row.world[row.boxes[0]];
+    EXPECT_EQ(row.visits([&] { row.world.applyForceToAll({}); }), 0u);
+    row.world.applyTorqueToAll(0);
+    box.applyForce({});
+    box.applyForce({}, box.center() + Vec2{1, 0});
+    box.applyTorque(0);
+    EXPECT_EQ(support::countAsleep(row.world), std::size_t{kBodies});
+}
+
+} // namespace
+} // namespace kodo
