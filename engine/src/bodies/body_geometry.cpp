@@ -79,10 +79,17 @@ bool hasFirmRim(const BodyGeometry& geometry) {
            rim * rim <= kFirm * geometry.mass.inertia;
 }
 
-std::optional<Problem> checkMassDef(const MassDef& def, std::span<const Part> parts,
-                                    Real lengthUnit) {
+std::optional<Problem> checkHasMass(std::span<const Part> parts) {
     if (hasPlane(parts)) {
         return Problem{"mass", "must not be set for a body with a plane, which has no mass"};
+    }
+    return std::nullopt;
+}
+
+std::optional<Problem> checkMassDef(const MassDef& def, std::span<const Part> parts,
+                                    Real lengthUnit, Real leastShare) {
+    if (auto problem = checkHasMass(parts)) {
+        return problem;
     }
     if (auto problem = checkRange("mass", def.mass, 1 / kMaxMass, kMaxMass, "kg")) {
         return problem;
@@ -92,15 +99,17 @@ std::optional<Problem> checkMassDef(const MassDef& def, std::span<const Part> pa
             return problem;
         }
     }
-    const Mass mass = massOf(def, massFromDensity(parts));
-    constexpr Real kMost = kMaxMass * kMaxMass;
-    Real rim = 0; // m; largest distance of a point from the centre of mass
-    for (const Part& part : parts) {
-        rim = std::max(rim, convexShapeOf(part.primitive, mass.center).boundingRadius);
+    const Mass fromDensity = massFromDensity(parts);
+    const Mass mass = massOf(def, fromDensity);
+    if (mass.inertia == 0 && !def.inertia && mass.center != fromDensity.center) {
+        return Problem{"mass.center", "must be the point of a particle, which has no lever arm: "
+                                      "set an inertia too, or leave it out"};
     }
+    constexpr Real kMost = kMaxMass * kMaxMass;
+    const Real rim = rimOf(parts, mass.center);
     Real least = std::max(1 / kMost, 2 * rim * rim / kFirm); // twice: for rounding
     if (def.center || def.inertia) {
-        least = std::max(least, kMinInertiaShare * def.mass * rim * rim);
+        least = std::max(least, leastShare * def.mass * rim * rim);
     }
     if (def.inertia) {
         auto problem = checkRange("mass.inertia", *def.inertia, least, kMost, "kg m^2");

@@ -67,6 +67,7 @@ void checkList(const PartList& list) {
 void completeBody(Bodies& bodies, std::uint32_t body) {
     const BodyRecord& record = bodies.record[body];
     require(record.geometry != nullptr, "a body has no geometry");
+    require(checkFlags("flags", bodies.filter[body].flags & ~kTypeBits));
     for (const Part& part : record.geometry->parts) {
         require(checkPlaneType(part.primitive, bodies.filter[body].flags));
     }
