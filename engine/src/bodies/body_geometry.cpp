@@ -9,7 +9,9 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <type_traits>
+#include <vector>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -169,6 +171,52 @@ void findValleys(std::span<Part> parts) {
     }
 }
 
+/// One end of a two-sided line.
+struct LineEnd {
+    Vec2 at; // m
+    std::size_t part;
+    std::size_t end;
+};
+
+/// Makes a line the neighbour of another at the end of that one.
+void join(ConvexShape& line, const LineEnd& own, const ConvexShape& next, const LineEnd& other) {
+    const Vec2 far = next.vertices[1 - other.end];
+    if (own.end == 0) {
+        line.before = normalize(own.at - far);
+        line.valleyBefore = length(own.at - far);
+    } else {
+        line.after = normalize(far - own.at);
+        line.valleyAfter = length(far - own.at);
+    }
+}
+
+/// Sets the neighbours of two-sided lines, at each vertex where two of them meet and no third.
+void findJoints(std::span<Part> parts) {
+    std::vector<LineEnd> ends;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const ConvexShape& line = parts[i].convex;
+        for (std::size_t end = 0; line.isLine() && !line.oneSided && end < 2; ++end) {
+            ends.push_back({line.vertices[end], i, end});
+        }
+    }
+    std::sort(ends.begin(), ends.end(), [](const LineEnd& a, const LineEnd& b) { // total order
+        return std::tie(a.at.x, a.at.y, a.part, a.end) < std::tie(b.at.x, b.at.y, b.part, b.end);
+    });
+    for (std::size_t i = 0; i + 1 < ends.size();) {
+        const LineEnd& a = ends[i];
+        std::size_t last = i;
+        while (last + 1 < ends.size() && ends[last + 1].at == a.at) {
+            ++last;
+        }
+        if (last == i + 1 && a.part != ends[last].part) {
+            const LineEnd& b = ends[last];
+            join(parts[a.part].convex, a, parts[b.part].convex, b);
+            join(parts[b.part].convex, b, parts[a.part].convex, a);
+        }
+        i = last + 1;
+    }
+}
+
 } // namespace
 
 std::shared_ptr<const BodyGeometry> makeGeometry(PartList list) {
@@ -185,6 +233,7 @@ std::shared_ptr<const BodyGeometry> makeGeometry(PartList list) {
         geometry->area += std::visit([](const auto& kind) { return areaOf(kind); }, part.primitive);
     }
     findValleys(parts);
+    findJoints(parts);
     return geometry;
 }
 
