@@ -25,7 +25,8 @@ bool isDynamic(const World& world, BodyId id) {
 /// kg; the upper bound of what a spring between two bodies moves.
 long double reducedMass(const World& world, const DistanceJoint& joint) {
     const auto inverse = [&](BodyId id) {
-        return isDynamic(world, id) ? 1 / wide(world[id].mass()) : 0.0L;
+        const bool moves = isDynamic(world, id) && (world[id].flags() & kLockMove) == 0;
+        return moves ? 1 / wide(world[id].mass()) : 0.0L;
     };
     const long double sum = inverse(joint.ends.a) + inverse(joint.ends.b);
     return sum > 0 ? 1 / sum : 0;
@@ -51,6 +52,17 @@ Drive driveOf(const JointDef& def) {
     }
     return {};
 }
+
+/// J; bound of the work of a kinematic body, at an anchor within `reach` (m), in a step of dt (s).
+long double workOf(const BodyView& body, Real force, Real torque, Real reach, Real dt) {
+    if (body.type() != BodyType::Kinematic) {
+        return 0;
+    }
+    const Real speed = length(body.velocity()) + std::abs(body.angularVelocity()) * reach;
+    return wide(dt * force * speed) + wide(dt * std::abs(torque * body.angularVelocity()));
+}
+
+constexpr Real kFarAnchor = 30; // m, anchors far away
 
 Vec2 anchorAt(const World& world, BodyId id, Vec2 anchor) {
     return world[id].transform() * anchor;
@@ -124,16 +136,17 @@ long double EnergyJudge::workOfJoints(const World& world) {
                                       dt_ * std::abs(now.spin), dt_ * std::abs(last.spin)});
         work += wide(drive.force * moved) + wide(drive.torque * turned);
         for (const BodyId end : {firstBody(def), secondBody(def)}) {
-            const BodyView body = world[end];
-            if (body.type() == BodyType::Kinematic) {
-                const Real speed =
-                    length(body.velocity()) +
-                    std::abs(body.angularVelocity()) * (length(now.gap) + 30); // anchors far away
-                work += wide(dt_ * length(world.jointForce(id)) * speed);
-                work += wide(dt_ * std::abs(world.jointTorque(id) * body.angularVelocity()));
-            }
+            work += workOf(world[end], length(world.jointForce(id)), world.jointTorque(id),
+                           length(now.gap) + kFarAnchor, dt_);
         }
         before_[id] = now;
+    }
+    for (const BrokenJoint& joint : world.brokenJoints()) {
+        for (const BodyId end : {joint.a, joint.b}) {
+            if (world.contains(end)) {
+                work += workOf(world[end], joint.force, joint.torque, kFarAnchor, dt_);
+            }
+        }
     }
     return work;
 }

@@ -11,10 +11,17 @@ using namespace kodo;
 
 namespace {
 
-/// True for a body that causes no records itself.
+/// True for a body that causes no records itself. One that is locked, or locked without rotation,
+/// is as good as static: its contact with a sleeping body sleeps too.
 bool isStill(const World& world, BodyId id) {
-    return world.contains(id) && ((world[id].flags() & (kAsleep | kOutside | kFrozen)) != 0 ||
-                                  world[id].type() != BodyType::Dynamic);
+    if (!world.contains(id)) {
+        return false;
+    }
+    const Flags locks =
+        world.settings().has(Feature::Rotation) ? kLockMove | kLockRotate : kLockMove;
+    const Flags flags = world[id].flags();
+    return (flags & (kAsleep | kOutside | kFrozen)) != 0 || (flags & locks) == locks ||
+           world[id].type() != BodyType::Dynamic;
 }
 
 std::string pairText(const char* what, BodyId a, BodyId b) {

@@ -131,8 +131,9 @@ inline constexpr Real kMinInertiaShare = Real(1) / 256;
 
 /// A mass that is set, instead of that from the shapes and their densities [Thesis06, 4.1.5].
 struct MassDef {
-    Real mass = 0;                // kg, 1 / kMaxMass to kMaxMass
-    std::optional<Vec2> center{}; // m, in the frame of the shape; default: that of the shapes
+    Real mass = 0; // kg, 1 / kMaxMass to kMaxMass
+    /// m, in the frame of the shape; default: that of the shapes. A Point needs an inertia too.
+    std::optional<Vec2> center{};
     /// kg m^2, about the centre of mass; at least kMinInertiaShare m r^2, r being the largest
     /// distance of a point from this centre. Default: that of the shapes, scaled to the mass.
     std::optional<Real> inertia{};
@@ -257,12 +258,14 @@ public:
     /// World::unweld() takes them off again. Refused for a body with a plane.
     void setMass(const MassDef& mass);
     void setMass(Real mass) { setMass(MassDef{mass, {}, {}}); }
-    void setMassFromDensity(); // as it was before setMass(): that of the shapes
+    /// As it was before setMass(): that of the shapes. Refused for a body with a plane.
+    void setMassFromDensity();
 
     /// Makes the body move as another one, of this or another World, with its own shapes [Thesis06,
     /// 4.1.8]. Copies pose, velocities, type, flags without status, `required`, mass, centre of
     /// mass and moment of inertia; the material of each part, or of the last one for parts that the
-    /// other has not. User data, forces and joints stay. Refused where a setter would refuse it.
+    /// other has not. User data, forces and joints stay. Refused where a setter would refuse it;
+    /// a body that is static, kinematic or locked then keeps a mass that it cannot copy.
     void copyFrom(const BodyView& other);
 
     /// Wakes the body, its island, and all that touches it or shares a joint with it; restarts the

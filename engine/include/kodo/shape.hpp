@@ -217,10 +217,10 @@ struct ConvexShape {
     Real boundingRadius = 0; // m; largest distance of a point from the origin of the frame
     Real coreRadius = 0;     // m; of a disc that fits inside, about `middle`: half the thickness
     Vec2 middle;             // m; centroid
-    Vec2 before; // unit; direction of the segment that ends at vertex 0; zero: none. One-sided only
+    Vec2 before; // unit; direction of the segment that ends at vertex 0; zero: none, as if 3 meet
     Vec2 after;  // unit; direction of the segment that starts at vertex 1; zero: none
-    // Of a one-sided segment in a chain: length (m) of the neighbours beyond each vertex that bend
-    // only towards the blocking side. There the chain lies nowhere below the line of this segment.
+    // m; of a one-sided segment in a chain: length of the neighbours beyond each vertex that bend
+    // only towards the blocking side; there no line of the chain is below this one. Two-sided: all.
     Real valleyBefore = 0;
     Real valleyAfter = 0;
     ConvexKind kind = ConvexKind::Round;

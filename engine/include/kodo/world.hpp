@@ -83,9 +83,10 @@ public:
     /// decrease by one.
     /// Keeps momentum and angular momentum, unless the part is static, kinematic or locked then: it
     /// stands still. A mass that was set before weld() is taken off; of one that was set for
-    /// several parts, the share of the part by density. Throws BadDefinition for a part that does
-    /// not exist, for the only part, for flags that add() would refuse, and for a mass out of
-    /// range.
+    /// several parts, the share of the part by density. Both bodies then have centres of mass as
+    /// far from those of their shapes as the whole had; setMassFromDensity() moves them back.
+    /// Throws BadDefinition for a part that does not exist, for the only part, for flags that add()
+    /// would refuse, and for a mass out of range.
     BodyId unweld(BodyId body, std::size_t part, std::optional<Flags> flags = std::nullopt);
 
     // Joints. Functions that take an id throw BadDefinition for one that names no joint.

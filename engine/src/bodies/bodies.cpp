@@ -48,6 +48,14 @@ void updateAwake(Bodies& bodies, std::span<const std::uint32_t> changed) {
     std::swap(awake, bodies.awake);
 }
 
+/// True if neither a lock nor a setting stops the rotation of a body. A particle has none to stop.
+bool canTurn(const Bodies& bodies, std::uint32_t body) {
+    const BodyVelocity& motion = bodies.motion[body];
+    return motion.invInertia > 0 ||
+           (motion.invMass > 0 && bodies.turns && bodies.geometry(body).mass.inertia == 0 &&
+            (locksOf(bodies.filter[body].flags) & kLockRotate) == 0);
+}
+
 } // namespace
 
 void requireAlive(const Bodies& bodies, BodyId id) {
@@ -124,8 +132,10 @@ FormerBody formerBodyOf(const Bodies& bodies, std::uint32_t body) {
 BodyId unweldPart(Bodies& bodies, std::uint32_t body, const DividedGeometry& geometry,
                   const FormerBody& made) {
     const Transform frame{bodies.originOf(body), bodies.pose[body].rotation};
-    const BodyVelocity before = bodies.motion[body];
+    BodyVelocity before = bodies.motion[body];
     const Vec2 center = bodies.pose[body].position;
+    const Real inertia = bodies.geometry(body).mass.inertia;
+    const bool setMass = !bodies.geometry(body).setMasses.empty();
 
     BodyDef def;
     def.position = frame.position;
@@ -137,8 +147,15 @@ BodyId unweldPart(Bodies& bodies, std::uint32_t body, const DividedGeometry& geo
     def.userData = made.userData;
     const BodyId freed = addBody(bodies, def, geometry.taken);
     setGeometry(bodies, body, geometry.rest);
+    if (setMass && canTurn(bodies, body) && canTurn(bodies, freed.index)) {
+        // A smaller moment of inertia than that of the shapes was set.
+        const Real sum = combine(geometry.rest->mass, geometry.taken->mass).inertia;
+        constexpr Real kRounding = 1 + 32 * std::numeric_limits<Real>::epsilon();
+        before.angularVelocity *= sum > kRounding * inertia ? inertia / sum : Real(1);
+    }
     for (const std::uint32_t index : {body, freed.index}) {
         bodies.motion[index].velocity = velocityAt(before, bodies.pose[index].position - center);
+        bodies.motion[index].angularVelocity = before.angularVelocity;
     }
     if (bodies.locked(freed.index)) {
         bodies.motion[freed.index].stop();

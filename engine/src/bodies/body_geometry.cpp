@@ -9,7 +9,9 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <type_traits>
+#include <vector>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -79,10 +81,17 @@ bool hasFirmRim(const BodyGeometry& geometry) {
            rim * rim <= kFirm * geometry.mass.inertia;
 }
 
-std::optional<Problem> checkMassDef(const MassDef& def, std::span<const Part> parts,
-                                    Real lengthUnit) {
+std::optional<Problem> checkHasMass(std::span<const Part> parts) {
     if (hasPlane(parts)) {
         return Problem{"mass", "must not be set for a body with a plane, which has no mass"};
+    }
+    return std::nullopt;
+}
+
+std::optional<Problem> checkMassDef(const MassDef& def, std::span<const Part> parts,
+                                    Real lengthUnit, Real leastShare) {
+    if (auto problem = checkHasMass(parts)) {
+        return problem;
     }
     if (auto problem = checkRange("mass", def.mass, 1 / kMaxMass, kMaxMass, "kg")) {
         return problem;
@@ -92,15 +101,17 @@ std::optional<Problem> checkMassDef(const MassDef& def, std::span<const Part> pa
             return problem;
         }
     }
-    const Mass mass = massOf(def, massFromDensity(parts));
-    constexpr Real kMost = kMaxMass * kMaxMass;
-    Real rim = 0; // m; largest distance of a point from the centre of mass
-    for (const Part& part : parts) {
-        rim = std::max(rim, convexShapeOf(part.primitive, mass.center).boundingRadius);
+    const Mass fromDensity = massFromDensity(parts);
+    const Mass mass = massOf(def, fromDensity);
+    if (mass.inertia == 0 && !def.inertia && mass.center != fromDensity.center) {
+        return Problem{"mass.center", "must be the point of a particle, which has no lever arm: "
+                                      "set an inertia too, or leave it out"};
     }
+    constexpr Real kMost = kMaxMass * kMaxMass;
+    const Real rim = rimOf(parts, mass.center);
     Real least = std::max(1 / kMost, 2 * rim * rim / kFirm); // twice: for rounding
     if (def.center || def.inertia) {
-        least = std::max(least, kMinInertiaShare * def.mass * rim * rim);
+        least = std::max(least, leastShare * def.mass * rim * rim);
     }
     if (def.inertia) {
         auto problem = checkRange("mass.inertia", *def.inertia, least, kMost, "kg m^2");
@@ -160,6 +171,52 @@ void findValleys(std::span<Part> parts) {
     }
 }
 
+/// One end of a two-sided line.
+struct LineEnd {
+    Vec2 at; // m
+    std::size_t part;
+    std::size_t end;
+};
+
+/// Makes a line the neighbour of another at the end of that one.
+void join(ConvexShape& line, const LineEnd& own, const ConvexShape& next, const LineEnd& other) {
+    const Vec2 far = next.vertices[1 - other.end];
+    if (own.end == 0) {
+        line.before = normalize(own.at - far);
+        line.valleyBefore = length(own.at - far);
+    } else {
+        line.after = normalize(far - own.at);
+        line.valleyAfter = length(far - own.at);
+    }
+}
+
+/// Sets the neighbours of two-sided lines, at each vertex where two of them meet and no third.
+void findJoints(std::span<Part> parts) {
+    std::vector<LineEnd> ends;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const ConvexShape& line = parts[i].convex;
+        for (std::size_t end = 0; line.isLine() && !line.oneSided && end < 2; ++end) {
+            ends.push_back({line.vertices[end], i, end});
+        }
+    }
+    std::sort(ends.begin(), ends.end(), [](const LineEnd& a, const LineEnd& b) { // total order
+        return std::tie(a.at.x, a.at.y, a.part, a.end) < std::tie(b.at.x, b.at.y, b.part, b.end);
+    });
+    for (std::size_t i = 0; i + 1 < ends.size();) {
+        const LineEnd& a = ends[i];
+        std::size_t last = i;
+        while (last + 1 < ends.size() && ends[last + 1].at == a.at) {
+            ++last;
+        }
+        if (last == i + 1 && a.part != ends[last].part) {
+            const LineEnd& b = ends[last];
+            join(parts[a.part].convex, a, parts[b.part].convex, b);
+            join(parts[b.part].convex, b, parts[a.part].convex, a);
+        }
+        i = last + 1;
+    }
+}
+
 } // namespace
 
 std::shared_ptr<const BodyGeometry> makeGeometry(PartList list) {
@@ -176,6 +233,7 @@ std::shared_ptr<const BodyGeometry> makeGeometry(PartList list) {
         geometry->area += std::visit([](const auto& kind) { return areaOf(kind); }, part.primitive);
     }
     findValleys(parts);
+    findJoints(parts);
     return geometry;
 }
 

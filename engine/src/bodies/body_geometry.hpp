@@ -40,9 +40,13 @@ std::optional<Problem> checkExtent(const Primitive& primitive, Real lengthUnit);
 /// Checks size and mass of parts that form one body.
 std::optional<Problem> checkParts(std::span<const Part> parts, Real lengthUnit);
 
-/// Checks a mass that is to be set for a body of these parts.
+/// Checks that no part is a plane, which has no mass to set.
+std::optional<Problem> checkHasMass(std::span<const Part> parts);
+
+/// Checks a mass that is to be set for a body of these parts. `leastShare`: of m r^2, as
+/// kMinInertiaShare.
 std::optional<Problem> checkMassDef(const MassDef& def, std::span<const Part> parts,
-                                    Real lengthUnit);
+                                    Real lengthUnit, Real leastShare = kMinInertiaShare);
 
 /// False if an impulse at the rim of a body with a set mass could give a speed that is not finite.
 bool hasFirmRim(const BodyGeometry& geometry);

@@ -30,6 +30,9 @@ std::optional<Problem> checkWind(const Wind& wind, Real unit) {
 }
 
 std::optional<Problem> checkAttractor(const Attractor& attractor, Real unit) {
+    if (attractor.law() > Attractor::Law::Linear) {
+        return Problem{"field.law", "must be one of the enumerators of Attractor::Law"};
+    }
     if (auto problem = checkPosition("field.center", attractor.center(), unit)) {
         return problem;
     }

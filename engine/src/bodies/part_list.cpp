@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <variant>
 
@@ -18,7 +19,54 @@ Mass scaled(const Mass& mass, Real by) {
     return {by * mass.mass, mass.center, by * mass.inertia};
 }
 
+/// A share of a set mass, with at least the least moment of inertia that a definition may set.
+Mass withFirmRim(Mass share, std::span<const Part> parts) {
+    const Real rim = rimOf(parts, share.center);
+    share.inertia = std::max(share.inertia, 2 * kMinInertiaShare * share.mass * rim * rim);
+    return share;
+}
+
+/// Divides a set mass between one of its parts and the others. Mass: by density. Both centres are
+/// as far from those of the shapes as that of the set mass, so the common centre stays. What the
+/// moment of inertia exceeds that of the shapes by is divided in the proportion of theirs. So both
+/// move on as the whole body does, with its momenta and its energy.
+std::pair<Mass, Mass> divide(const Mass& set, std::span<const Part> parts, std::size_t part) {
+    const Mass whole = massFromDensity(parts);
+    const Real ratio = set.mass / whole.mass;
+    std::vector<Part> others(parts.begin(), parts.end());
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(part));
+    Mass taken = scaled(massOf(parts[part]), ratio);
+    Mass rest = scaled(massFromDensity(others), ratio);
+
+    const Real excess = set.inertia - ratio * whole.inertia;
+    if (excess > 0) {
+        const Real inertias = taken.inertia + rest.inertia; // 0: two particles
+        const Real share = inertias > 0 ? taken.inertia / inertias : taken.mass / set.mass;
+        taken.inertia += share * excess;
+        rest.inertia += (1 - share) * excess;
+    }
+    const Vec2 shift = set.center - whole.center;
+    // A weld turns the centre with the parts; rounding errors are no shift.
+    const Real rounding = 32 * std::numeric_limits<Real>::epsilon() *
+                          (length(whole.center) + rimOf(parts, whole.center));
+    if (lengthSquared(shift) > rounding * rounding) {
+        taken.center += shift;
+        rest.center += shift;
+        taken = withFirmRim(taken, parts.subspan(part, 1));
+        rest = withFirmRim(rest, others);
+    }
+    return {taken, rest};
+}
+
 } // namespace
+
+Real rimOf(std::span<const Part> parts, Vec2 center) {
+    Real rim = 0;
+    for (const Part& part : parts) {
+        rim = std::max(rim, convexShapeOf(part.primitive, center).boundingRadius);
+    }
+    return rim;
+}
 
 std::vector<Part> partsOf(const BodyDef& def) {
     std::vector<Part> parts;
@@ -97,13 +145,11 @@ PartList takePart(PartList& list, std::size_t part) {
         } else if (set.partCount == 1) {
             setMass(taken, set.mass);
         } else {
-            const auto first = list.parts.begin() + set.firstPart;
-            std::vector<Part> rest(first, first + set.partCount);
-            const Real ratio = set.mass.mass / massFromDensity(rest).mass;
-            rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(part - set.firstPart));
-            setMass(taken, scaled(massOf(list.parts[part]), ratio));
-            kept.push_back(
-                {set.firstPart, set.partCount - 1, scaled(massFromDensity(rest), ratio)});
+            const std::span<const Part> all(list.parts);
+            const auto [own, rest] =
+                divide(set.mass, all.subspan(set.firstPart, set.partCount), part - set.firstPart);
+            setMass(taken, own);
+            kept.push_back({set.firstPart, set.partCount - 1, rest});
         }
     }
     list.setMasses = std::move(kept);

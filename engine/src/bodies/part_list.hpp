@@ -38,6 +38,9 @@ std::vector<Part> partsOf(const BodyDef& def);
 /// The same with the mass that the definition sets.
 PartList partListOf(const BodyDef& def);
 
+/// Largest distance (m) of a point of the parts from a centre in their frame.
+Real rimOf(std::span<const Part> parts, Vec2 center);
+
 /// Mass of parts from their densities.
 Mass massFromDensity(std::span<const Part> parts);
 /// Mass of a list, with the masses that were set.
@@ -53,8 +56,8 @@ FormerBody formerBody(const PartList& list, std::size_t part);
 /// before stay what they were; the others become parts of `body`.
 void append(PartList& list, const PartList& added, const Transform& place, const FormerBody& body);
 /// Removes a part and returns it. A mass that was set for this part alone goes with it. One that
-/// was set for several parts is divided in the proportion of their masses from density; its centre
-/// and its moment of inertia then follow from the shapes.
+/// was set for several parts is divided in the proportion of their masses from density; the common
+/// centre stays, and so does the moment of inertia about it if the shapes have no larger one.
 PartList takePart(PartList& list, std::size_t part);
 
 } // namespace KODO_PRECISION

@@ -152,7 +152,8 @@ Manifold overHilltop(Placed line, Placed other, const Transform& ba, Real margin
         }
     }
     const Vec2 middle = top - other.shape.middle;
-    if (isFree(line.shape, 0) || dot(other.shape.normals[best.face], middle) < 0 ||
+    const bool pierced = dot(other.shape.normals[best.face], middle) < -sinkOf(other.shape, margin);
+    if (isFree(line.shape, 0) || pierced ||
         !(best.separation > -std::numeric_limits<Real>::infinity())) {
         return {};
     }
@@ -180,8 +181,8 @@ Manifold collideWithFaces(const ConvexShape& line, const Transform& a, const Con
         const std::size_t end = endTowards(line, direction);
         const Verdict verdict = judge(line, end, direction);
         // The middle of a shape astride a steep hilltop may be behind this side of it.
-        const bool astride =
-            !manifold.fromBehind && dot(direction, middle - line.vertices[end]) >= 0;
+        const bool astride = !manifold.fromBehind &&
+                             dot(direction, middle - line.vertices[end]) >= -sinkOf(other, margin);
         if (verdict == Verdict::Own && (!behind || astride)) {
             return clipAgainstFaceOfB({line, a}, {other, b}, ba, face, margin);
         }
@@ -235,8 +236,28 @@ ConvexShape facingTo(const ConvexShape& line, Vec2 direction) {
     if (dot(direction, line.normals[1]) < 0) {
         std::swap(facing.vertices.data()[0], facing.vertices.data()[1]);
         std::swap(facing.normals.data()[0], facing.normals.data()[1]);
+        facing.before = -line.after;
+        facing.after = -line.before;
+        std::swap(facing.valleyBefore, facing.valleyAfter);
     }
+    facing.valleyBefore *= turnAt(facing, 0) > 0 ? Real(1) : Real(0);
+    facing.valleyAfter *= turnAt(facing, 1) > 0 ? Real(1) : Real(0);
     return facing;
+}
+
+Real heightOverJoints(const ConvexShape& line, Vec2 p) {
+    const Vec2 along = alongOf(line);
+    Real height = dot(line.normals[1], p - line.vertices[0]);
+    for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
+        const Vec2 arm = p - line.vertices[end];
+        const Real beyond = end == 0 ? -dot(along, arm) : dot(along, arm);
+        if (isFree(line, end) || !(beyond > 0)) {
+            continue;
+        }
+        const Real next = dot(perp(end == 0 ? line.before : line.after), arm);
+        height = turnAt(line, end) < 0 ? std::max(height, next) : std::min(height, next);
+    }
+    return height;
 }
 
 bool ownsVertex(const ConvexShape& line, std::size_t end) {

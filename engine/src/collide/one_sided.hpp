@@ -30,7 +30,17 @@ struct ContactLimits {
 Manifold collideOneSided(const ConvexShape& line, const Transform& a, const ConvexShape& other,
                          const Transform& b, const ContactLimits& limits);
 
+/// True for a two-sided line that shares a vertex with another one of its body, and with no third.
+inline bool isJointed(const ConvexShape& shape) {
+    return shape.isLine() && !shape.oneSided && !(shape.before == Vec2{} && shape.after == Vec2{});
+}
+
+/// Height (m) of a point over a jointed line, on the side of normals[1]; beyond a vertex, over the
+/// line and its neighbour: above a hilltop the larger one, above a valley the smaller one.
+Real heightOverJoints(const ConvexShape& line, Vec2 p);
+
 /// A one-sided copy of a two-sided line. Its front is on the side of `direction` (line's frame).
+/// Lines that share a vertex with it become its chain.
 ConvexShape facingTo(const ConvexShape& line, Vec2 direction);
 
 /// collide(), with a reach along one-sided lines.

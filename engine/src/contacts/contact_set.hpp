@@ -10,6 +10,7 @@
 #include "contacts/contact.hpp"
 #include "contacts/contact_store.hpp"
 #include "contacts/ghost_collisions.hpp"
+#include "contacts/line_side.hpp"
 #include "contacts/one_way.hpp"
 #include "contacts/step_records.hpp"
 #include "contacts/touch_counts.hpp"
@@ -144,6 +145,7 @@ private:
     mutable StepRecords records_;
     GhostCollisions ghostCollisions_;
     OneWayBodies oneWayBodies_;
+    LineSides lineSides_;
     std::vector<std::uint32_t> live_;
     ParallelCollector<std::uint32_t> found_;
     std::vector<std::uint32_t> onGround_;                  // slots: argument of ghostCollisions_

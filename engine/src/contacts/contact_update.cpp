@@ -4,6 +4,7 @@
 #include <kodo/geometry.hpp>
 
 #include "collide/one_sided.hpp"
+#include "contacts/line_side.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -255,10 +256,17 @@ void findContact(Contact& contact, const Bodies& bodies, const Tolerances& toler
     const Vec2 spread = spreadOf(bodies, key, tolerances.slop);
     const Transform& poseB = bodies.pose[key.bodyB];
     const ContactLimits limits{tolerances.margin, preference, reachOf(bodies, key)};
-    Manifold manifold = collideAhead(bodies.convex(key.bodyA, key.partA), bodies.pose[key.bodyA],
-                                     bodies.convex(key.bodyB, key.partB),
-                                     {poseB.position + spread, poseB.rotation}, limits);
-    keepSide(manifold, contact, bodies, limits);
+    const std::optional<JointedLine> line = jointedLineOf(bodies, key);
+    Manifold manifold;
+    if (line && spread == Vec2{}) {
+        const Real side = sideOf(bodies, contact, *line, tolerances.margin);
+        manifold = collideOnSide(bodies, key, *line, side, limits);
+    } else {
+        manifold = collideAhead(bodies.convex(key.bodyA, key.partA), bodies.pose[key.bodyA],
+                                bodies.convex(key.bodyB, key.partB),
+                                {poseB.position + spread, poseB.rotation}, limits);
+        keepSide(manifold, contact, bodies, limits);
+    }
     if (spread != Vec2{}) {
         for (ManifoldPoint& point : manifold.points) {
             point.armB += spread;

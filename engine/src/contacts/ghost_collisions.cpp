@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "contacts/ghost_collisions.hpp"
 
+#include "collide/one_sided.hpp"
 #include "collide/rising_face.hpp"
 #include "contacts/contact_update.hpp"
 
@@ -32,11 +33,12 @@ Ground groundOf(const Bodies& bodies, const Contact& contact) {
             contact.key.partA};
 }
 
-/// True for two one-sided lines of a body: they need no help against ghost collisions. Lines of a
-/// fine valley rise by less than the tolerance, but must not be hidden.
+/// True for two lines of a body that know their neighbours: they need no help against ghost
+/// collisions. Lines of a fine valley rise by less than the tolerance, but must not be hidden.
 bool areChain(const Bodies& bodies, const Ground& a, const Ground& b) {
-    return a.body == b.body && bodies.convex(a.body, a.part).oneSided &&
-           bodies.convex(b.body, b.part).oneSided;
+    const auto knows = [](const ConvexShape& line) { return line.oneSided || isJointed(line); };
+    return a.body == b.body && knows(bodies.convex(a.body, a.part)) &&
+           knows(bodies.convex(b.body, b.part));
 }
 
 /// True if no point of the shape is more than `tolerance` (m) above the surface through `point`.

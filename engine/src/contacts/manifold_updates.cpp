@@ -240,6 +240,10 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
         noteKinds(bodies, team);
         ghostCollisions_.link(bodies, summaries(), onGround_);
         oneWayBodies_.link(bodies, contacts(), summaries());
+        lineSides_.link(bodies, contacts(), summaries());
+    }
+    if (!lineSides_.empty()) {
+        lineSides_.spread({bodies, contacts(), store_.summaries(), tolerances, keeper.evict});
     }
     if (!oneWayBodies_.empty()) {
         oneWayBodies_.hide({bodies, contacts(), store_.summaries(), tolerances, keeper.evict});

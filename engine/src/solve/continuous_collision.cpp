@@ -267,7 +267,9 @@ void ContinuousCollision::findTime(const Step& step, std::uint32_t i, Real from)
     const auto timeFrom = [&](Real gap) {
         const auto target =
             stoppingGap(step.bodies, contact, gap, motion, step.settings, step.tolerances);
-        return target ? impactTime(step.bodies, contact, *target, from) : Real(1);
+        return target ? std::min(impactTime(step.bodies, contact, *target, from),
+                                 timeToJointedLine(step, contact, *target))
+                      : Real(1);
     };
     const Real gap = gapOf(step.summaries[i], step.tolerances);
     Real& time = times_[i];

@@ -2,6 +2,7 @@
 // ContinuousCollision: shapes that turn through a line which they touch.
 #include "collide/one_sided.hpp"
 #include "collide/time_of_impact.hpp"
+#include "contacts/line_side.hpp"
 #include "solve/allowed_approach.hpp"
 #include "solve/continuous_collision.hpp"
 
@@ -65,9 +66,30 @@ Real ContinuousCollision::timeThroughLine(const Step& step, const Contact& conta
     if (line.oneSided) {
         return timeBehind(line, path, other, otherPath, step.tolerances.slop);
     }
+    if (const auto jointed = jointedLineOf(bodies, contact.key)) {
+        const Real side = kodo::sideOf(bodies, contact, *jointed, step.tolerances.margin);
+        const ConvexShape facing = facingTo(line, side * line.normals[1]);
+        return timeBehind(facing, path, other, otherPath, step.tolerances.slop);
+    }
     const Vec2 side = sideOf({line, path.start, other, otherPath.start}, contact.manifold, aIsLine);
     const ConvexShape facing = facingTo(line, unrotate(path.start.rotation, side));
     return timeBehind(facing, path, other, otherPath, step.tolerances.slop);
+}
+
+/// Time of impact with a two-sided line that shares a vertex with another, as with a chain: a point
+/// that lies a little below the last line would pass below the vertex. 1 for other contacts.
+Real ContinuousCollision::timeToJointedLine(const Step& step, const Contact& contact,
+                                            Real gap) const {
+    const Bodies& bodies = step.bodies;
+    const auto line = jointedLineOf(bodies, contact.key);
+    if (!line) {
+        return 1;
+    }
+    const ConvexShape& shape = bodies.convex(line->body, line->part);
+    const Real side = kodo::sideOf(bodies, contact, *line, step.tolerances.margin);
+    return timeOfImpact(facingTo(shape, side * shape.normals[1]), pathOf(bodies, line->body),
+                        bodies.convex(line->otherBody, line->otherPart),
+                        pathOf(bodies, line->otherBody), gap, 0);
 }
 
 } // namespace KODO_PRECISION

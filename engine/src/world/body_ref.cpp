@@ -34,17 +34,53 @@ void copyMaterials(PartList& list, const BodyView& other) {
     }
 }
 
-/// Checks the mass of another body for these parts. The inertia of a particle is 0.
+/// Moment of inertia of a body by m r^2, r being the distance of its farthest point. Welded masses
+/// may have less than kMinInertiaShare.
+Real inertiaShareOf(const BodyView& body) {
+    Real rim = 0;
+    for (std::size_t i = 0; i < body.partCount(); ++i) {
+        rim = std::max(rim, body.part(i).convex.boundingRadius);
+    }
+    return body.inertia() / (body.mass() * rim * rim); // NaN for a particle
+}
+
+/// Checks the mass of another body for these parts. The inertia of a particle is 0. A rim need not
+/// be firmer than that of the other body.
 std::optional<Problem> checkCopied(const BodyView& other, std::span<const Part> parts, Real unit) {
     MassDef mass{other.mass(), other.localCenter(), other.inertia()};
     if (mass.inertia == 0 && massFromDensity(parts).inertia == 0) {
         mass.inertia.reset();
     }
-    auto problem = checkMassDef(mass, parts, unit);
+    constexpr Real kRounding = Real(0.999);
+    const Real share = std::fmin(kRounding * inertiaShareOf(other), kMinInertiaShare);
+    auto problem = checkMassDef(mass, parts, unit, share);
     if (problem) {
         problem->field = "other." + problem->field;
     }
     return problem;
+}
+
+/// Gives parts the mass of another body. False if a body that no force moves keeps its own mass,
+/// since its parts cannot have that of the other.
+bool copyMass(PartList& list, const BodyView& other, Flags flags, Real unit) {
+    const auto hasMass = [&](const Mass& own) {
+        return other.mass() == own.mass && other.localCenter() == own.center &&
+               other.inertia() == own.inertia;
+    };
+    if (hasMass(massOf(list))) {
+        return true;
+    }
+    if (hasMass(massFromDensity(list.parts))) {
+        list.setMasses.clear();
+        return true;
+    }
+    const auto problem = checkCopied(other, list.parts, unit);
+    if (problem && locksOf(flags) == kLockBoth) {
+        return false;
+    }
+    refuse(problem);
+    setMass(list, {other.mass(), other.localCenter(), other.inertia()});
+    return true;
 }
 
 } // namespace
@@ -219,6 +255,7 @@ void BodyRef::setMass(const MassDef& mass) {
 void BodyRef::setMassFromDensity() {
     const std::uint32_t body = changing("BodyRef::setMassFromDensity");
     PartList list = world_->bodies_.geometry(body);
+    refuse(checkHasMass(list.parts));
     list.setMasses.clear();
     setGeometryInMotion(world_->bodies_, body, makeGeometry(std::move(list)));
     world_->bodyChanged(body);
@@ -235,22 +272,13 @@ void BodyRef::copyFrom(const BodyView& other) {
         refuse(checkPlaneType(part.primitive, given));
     }
     copyMaterials(list, other);
-    const Mass fromDensity = massFromDensity(list.parts);
-    const auto hasMass = [&](const Mass& own) {
-        return other.mass() == own.mass && other.localCenter() == own.center &&
-               other.inertia() == own.inertia;
-    };
-    const bool same = hasMass(world_->bodies_.geometry(body).mass);
-    if (!same) {
-        list.setMasses.clear();
+    Transform pose = other.massFrame(); // copies: `other` may be this body
+    if (!copyMass(list, other, given, unit)) {
+        pose.position = other.position() + pose.rotation * kodo::massOf(list).center;
     }
-    if (!same && !hasMass(fromDensity)) {
-        refuse(checkCopied(other, list.parts, unit));
-        kodo::setMass(list, {other.mass(), other.localCenter(), other.inertia()});
-    }
+    const Vec2 velocity =
+        pose.position == other.center() ? other.velocity() : other.velocityAt(pose.position);
     Bodies& bodies = world_->bodies_;
-    const Transform pose = other.massFrame(); // copies: `other` may be this body
-    const Vec2 velocity = other.velocity();
     const Real spin = other.angularVelocity();
     const std::uint16_t required = other.required();
     setGeometry(bodies, body, makeGeometry(std::move(list)));

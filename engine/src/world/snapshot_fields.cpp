@@ -67,6 +67,7 @@ void checkList(const PartList& list) {
 void completeBody(Bodies& bodies, std::uint32_t body) {
     const BodyRecord& record = bodies.record[body];
     require(record.geometry != nullptr, "a body has no geometry");
+    require(checkFlags("flags", bodies.filter[body].flags & ~kTypeBits));
     for (const Part& part : record.geometry->parts) {
         require(checkPlaneType(part.primitive, bodies.filter[body].flags));
     }
@@ -259,9 +260,9 @@ void SnapshotFields::one(FieldEntry& entry) {
 /// bodies, so they are stored.
 void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Tolerances& tolerances) {
     // The state of the pair finder affects time, not results: it starts fresh.
-    auto& [candidates, store, touchCounts, records, ghostCollisions, oneWayBodies, live, found,
-           onGround, idle, changes, activityChanges, hasChanged, fastestApproach, stale, pairsStale,
-           liveStale, contactsChanged, anySensors, anyBounces] = set;
+    auto& [candidates, store, touchCounts, records, ghostCollisions, oneWayBodies, lineSides, live,
+           found, onGround, idle, changes, activityChanges, hasChanged, fastestApproach, stale,
+           pairsStale, liveStale, contactsChanged, anySensors, anyBounces] = set;
     auto& [bounds, finder, still, movers, pairs, excluded] = candidates;
     auto& [contacts, summaries, order, newOrder, lists, gone, pairChanges, changesFound, holes,
            added, movedTo, slots, reorderPolicy, placesStale] = store;

@@ -131,6 +131,10 @@ BodyId WorldImpl::unweld(BodyId body, std::size_t part, std::optional<Flags> fla
     FormerBody made = formerBody(bodies_.geometry(body.index), part);
     if (flags) {
         refuse(checkFlags("flags", *flags));
+        if ((*flags & (kMatchAny | kMatchAll)) != 0) {
+            refuse(Problem{"flags", "must not have kMatchAny or kMatchAll: `required` will be 0, "
+                                    "so the body would collide with nothing"});
+        }
         made.filter = {*flags & ~kStatusFlags, 0};
     }
     if (needsLock(parts[part].primitive) && locksOf(made.filter.flags) != kLockBoth) {
