@@ -245,6 +245,12 @@ void paintPreview(Canvas& canvas, const Level& level, const Aabb& box) {
         paintShape(canvas, mapping, placed, canvas.palette().of(kind.stuff));
         paintDetails(canvas, mapping, kind, placed.frame * extentOf(placed.shape).center());
     }
+    if (level.keep >= 0) {
+        const PlacedShape kept =
+            placedShapeOf(level.freeBlocks[static_cast<std::size_t>(level.keep)]);
+        const Vec2 middle = kept.frame * extentOf(kept.shape).center();
+        canvas.ring(mapping.at(middle), Real(0.6) * scale, Real(0.04), palette::kAccent);
+    }
     for (const LinkDef& link : level.links) {
         paintLink(canvas, mapping, link);
     }
