@@ -242,6 +242,13 @@ TEST(Preview, ShowsAllThatIsInALevel) {
                 expectOther("core", i, [&](Level& l) { l.kinds[i].core = false; });
             }
         }
+        for (std::size_t i = 0; i < level.waters.size(); ++i) {
+            expectOther("water", i,
+                        [&](Level& l) { l.waters.erase(l.waters.begin() + std::ptrdiff_t(i)); });
+        }
+        if (level.keep >= 0) {
+            expectOther("keep", 0, [](Level& l) { l.keep = -1; });
+        }
         if (level.wind != 0) {
             expectOther("wind", 0, [](Level& l) { l.wind = 0; });
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/endless.hpp>
+#include <apart/stage/results.hpp>
 #include <apart/stage/statistics_page.hpp>
 
 #include <gtest/gtest.h>
@@ -187,6 +188,23 @@ TEST(Honours, ThoseOfALevelDependOnItsMarks) {
     EXPECT_EQ(statistics.paddleHits, hits);
     statistics.largestFall = 5;
     EXPECT_TRUE(statistics.bestOf(game, &marks).oneFall);
+}
+
+TEST(Honours, ALevelWithABlockToKeepOffersIt) {
+    Level level = *glassLevel("One block", {7});
+    EXPECT_EQ(honourNames(level, nullptr).size(), 3u);
+    level.keep = 0;
+    level.keepName = "bell";
+    EXPECT_EQ(honourNames(level, nullptr).back(), "keep the bell");
+    Game game(*glassLevel("One block", {7}), 3);
+    RunStatistics statistics;
+    while (game.result() == Result::Playing) {
+        game.tick(bot(game));
+        statistics.update(game);
+    }
+    EXPECT_FALSE(statistics.bestOf(game).kept) << "a level without one";
+    statistics.keptAtEnd = true;
+    EXPECT_TRUE(statistics.bestOf(game).kept);
 }
 
 TEST(Medals, TheResultAndTheLevelSelectShowThem) {

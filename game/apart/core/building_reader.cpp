@@ -211,6 +211,22 @@ std::int32_t BuildingReader::blockNamed(const toml::table& table, const std::str
     return found->second;
 }
 
+void BuildingReader::readKeep(const toml::table& root) {
+    const std::int32_t index = blockNamed(root, "keep", 0);
+    if (keys_.problem()) {
+        return;
+    }
+    const BlockKind& kind = level_.kinds[level_.freeBlocks[static_cast<std::size_t>(index)].kind];
+    const bool stands = kind.support == Support::Standing || kind.support == Support::Moving;
+    if (kind.breakable() || !stands) {
+        keys_.fail(TomlKeys::lineOf(*root.get("keep")),
+                   "keep must name a block of steel with hold = \"standing\" or \"moving\"");
+        return;
+    }
+    level_.keep = index;
+    level_.keepName = keys_.text(root, "keep");
+}
+
 void BuildingReader::readNumbers(const toml::table& table, LinkDef& link) {
     const bool line = link.kind == LinkKind::Rope || link.kind == LinkKind::Spring;
     const Pair from = pair(table, line ? "from" : "at", kTop, std::nullopt);

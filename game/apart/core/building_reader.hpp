@@ -18,6 +18,7 @@ public:
     BuildingReader(TomlKeys& keys, Level& level) : keys_(keys), level_(level) {}
 
     void readBlock(const toml::table& table);
+    void readKeep(const toml::table& root); // after all blocks
     void readJoint(const toml::table& table);
     void readLedge(const toml::table& table);
 

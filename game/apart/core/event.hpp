@@ -219,10 +219,22 @@ struct Snapped {
     kodo::Real force = 0; // N
 };
 
-using Event =
-    std::variant<Struck, Cracked, Broke, Released, Caught, Welded, Stuck, Launched, Spent,
-                 BallSplit, Served, BallLost, LifeLost, Cleared, Lost, KnockedOff, ShardBroke,
-                 LetGo, Fell, BossDown, Bumped, PowerBegan, PowerEnded, BallChanged, Leapt,
-                 ForceChanged, ShardCaught, PatienceChanged, LoopSeen, Collapsed, Snapped>;
+/// A body crossed the surface of water.
+struct Splashed {
+    kodo::BodyId body;
+    kodo::Vec2 point;     // on the surface
+    kodo::Real speed = 0; // m/s, upwards
+    kodo::Real mass = 0;  // kg
+};
+/// A block of a dam broke or fell: the water runs out.
+struct Breached {
+    kodo::Vec2 point; // centre of that block
+};
+
+using Event = std::variant<Struck, Cracked, Broke, Released, Caught, Welded, Stuck, Launched, Spent,
+                           BallSplit, Served, BallLost, LifeLost, Cleared, Lost, KnockedOff,
+                           ShardBroke, LetGo, Fell, BossDown, Bumped, PowerBegan, PowerEnded,
+                           BallChanged, Leapt, ForceChanged, ShardCaught, PatienceChanged, LoopSeen,
+                           Collapsed, Snapped, Splashed, Breached>;
 
 } // namespace apart

@@ -68,6 +68,7 @@ void Game::tick(const Input& input) {
     judge(state_);
     govern(state_);
     watchBuildings(state_);
+    watchWaters(state_);
     watchProgress(state_);
     removeGone(state_);
     conclude(state_);

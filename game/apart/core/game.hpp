@@ -80,6 +80,7 @@ public:
     std::span<const Part> parts() const { return state_.parts; }
     std::span<const Obstruction> obstructions() const { return state_.obstructions; }
     std::span<const Link> links() const { return state_.links; }
+    std::span<const Water> waters() const { return state_.waters; }
     const Collapse& collapse() const { return state_.collapse; }
     std::optional<kodo::BodyId> boss() const {
         return state_.livingBoss();
@@ -94,10 +95,12 @@ public:
     bool meetsBlock(kodo::Vec2 from, kodo::Vec2 way) const {
         return state_.meetsBlock(from, way);
     } // ahead() is breakable
+    /// True while Level::keep, of an honour, has not fallen.
+    bool keeps() const { return state_.keeps(); }
     /// True while a ball waits for `launch`.
     bool serving() const { return state_.serving(); }
     /// Unit direction of the next serve.
-    kodo::Vec2 serveHeading() const { return state_.serveHeading; }
+    kodo::Vec2 serveHeading() const { return state_.paddle.serveHeading; }
     kodo::Real ballSpeed() const { return state_.ballSpeed(); } // m/s; target of the speed servo
 
     /// Equal for games that continue identically. The same on every machine.

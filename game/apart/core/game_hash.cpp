@@ -116,7 +116,7 @@ std::uint64_t GameState::hash() const {
     sum.add(static_cast<std::uint8_t>(field.force));
     add(sum, boss.body);
     sum.add(boss.way);
-    add(sum, serveHeading);
+    add(sum, paddle.serveHeading);
     add(sum, paddle.welds);
     add(sum, blocks);
     add(sum, balls);
@@ -125,6 +125,10 @@ std::uint64_t GameState::hash() const {
     add(sum, obstructions);
     sum.add(static_cast<std::uint64_t>(links.size()));
     add(sum, collapse);
+    for (const Water& water : waters) { // without water: the hash of older versions
+        sum.add(water.region.upper.y);
+        sum.add(static_cast<std::uint8_t>(water.open));
+    }
     add(sum, effects);
     sum.add(clock.stateHash());
     sum.add(static_cast<std::uint8_t>(shownPatience));

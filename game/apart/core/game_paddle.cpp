@@ -42,23 +42,23 @@ void newServe(GameState& game) {
     Generator chance(mixKeys(game.seed, game.counts.serves, 1));
     ++game.counts.serves;
     const Real slope = chance.between(kServeSlope / 4, kServeSlope);
-    game.serveHeading = normalize(Vec2{chance.below(2) == 0 ? slope : -slope, 1});
+    game.paddle.serveHeading = normalize(Vec2{chance.below(2) == 0 ? slope : -slope, 1});
     const BallKind kind = game.ballKind();
     const BodyId ball =
         addBall(game.world, game.world[game.paddle.body].position() + rideOffset(kind), kind);
     game.world[ball].setType(kodo::BodyType::Kinematic);
-    game.balls.push_back({ball, game.serveHeading, true, kind});
+    game.balls.push_back({ball, game.paddle.serveHeading, true, kind});
 }
 
 void serve(GameState& game) {
     for (Ball& ball : game.balls) {
         if (ball.riding) {
             ball.riding = false;
-            ball.heading = game.serveHeading;
+            ball.heading = game.paddle.serveHeading;
             kodo::BodyRef body = game.world[ball.body];
             body.setType(kodo::BodyType::Dynamic);
-            body.setVelocity(game.ballSpeed() * game.serveHeading);
-            game.events.emplace_back(Served{ball.body, body.position(), game.serveHeading});
+            body.setVelocity(game.ballSpeed() * game.paddle.serveHeading);
+            game.events.emplace_back(Served{ball.body, body.position(), game.paddle.serveHeading});
         }
     }
 }

@@ -119,6 +119,7 @@ void renewFields(GameState& game) {
             fields.push_back(wellField(effect.place, kWellStrength));
         }
     }
+    addWaterFields(game, fields);
     game.world.setFields(std::move(fields));
     game.fieldsStale = false;
 }

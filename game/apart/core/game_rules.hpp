@@ -46,6 +46,11 @@ void markFallen(GameState& game, std::size_t index, LetGo::Why why);
 std::int32_t addToCollapse(GameState& game, const Block& block, kodo::Vec2 place);
 void endCollapse(GameState& game);
 
+// game_water.cpp: water, which floats blocks and runs out through broken dams.
+void fillWaters(GameState& game);
+void watchWaters(GameState& game);
+void addWaterFields(const GameState& game, std::vector<kodo::FieldEntry>& fields);
+
 // game_pieces.cpp: pieces of broken blocks, and bodies that left the field or expired.
 void breakBlock(GameState& game, std::size_t index, kodo::Vec2 point, kodo::Vec2 impact);
 void breakShard(GameState& game, std::size_t index, kodo::Vec2 point, kodo::Real impulse);

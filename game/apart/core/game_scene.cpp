@@ -175,6 +175,7 @@ void driveBoss(GameState& game) {
 }
 
 void buildScene(GameState& game) {
+    fillWaters(game);
     buildField(game);
     buildBlocks(game);
     buildBoss(game);

@@ -19,6 +19,18 @@ const Block* GameState::findBlock(BodyId body, std::size_t part) const {
     return found == blocks.end() ? nullptr : &*found;
 }
 
+bool GameState::keeps() const {
+    if (level->keep < 0) {
+        return false;
+    }
+    const std::uint32_t key = keyOfFree(static_cast<std::size_t>(level->keep));
+    return std::any_of(blocks.begin(), blocks.end(), [&](const Block& block) {
+        const bool held = block.support == Support::Standing || block.support == Support::Moving;
+        return block.key == key && held &&
+               world[block.body].position().y > block.home.position.y - kFallenWay;
+    });
+}
+
 bool GameState::serving() const {
     return std::any_of(balls.begin(), balls.end(), [](const Ball& ball) { return ball.riding; });
 }

@@ -34,7 +34,8 @@ struct Paddle {
     kodo::BodyId body;
     kodo::Real speed = 0; // m/s
     Sway sway;
-    std::vector<Weld> welds; // by part of the body, from part 1
+    std::vector<Weld> welds;       // by part of the body, from part 1
+    kodo::Vec2 serveHeading{0, 1}; // unit; of the next serve
 };
 
 /// Force field of the paddle.
@@ -68,13 +69,13 @@ struct GameState {
     kodo::World world;
     std::vector<kodo::BodyId> walls;
     Paddle paddle;
-    kodo::Vec2 serveHeading{0, 1}; // unit; of the next serve
     std::vector<Block> blocks;
     std::vector<Ball> balls;
     std::vector<Shard> shards;
     std::vector<Part> parts;
     std::vector<Obstruction> obstructions;
     std::vector<Link> links;
+    std::vector<Water> waters;
     Boss boss;
     Collapse collapse;
 
@@ -104,6 +105,7 @@ struct GameState {
     bool canCarry(kodo::BodyId body) const; // dynamic bar of a motor or block
     std::optional<kodo::QueryHit> ahead(kodo::Vec2 from, kodo::Vec2 way) const;
     bool meetsBlock(kodo::Vec2 from, kodo::Vec2 way) const;
+    bool keeps() const; // Level::keep has not fallen; false without one
     bool serving() const;
     kodo::Real ballSpeed() const; // m/s
     std::uint64_t hash() const;

@@ -85,6 +85,15 @@ std::uint64_t digestOf(const Level& level) {
             hash.add(number);
         }
     }
+    for (const WaterDef& water : level.waters) { // without water: the digest of older versions
+        for (const std::int32_t number :
+             {water.x, water.y, water.width, water.depth, water.density, water.dam}) {
+            hash.add(number);
+        }
+    }
+    if (level.keep >= 0) {
+        hash.add(level.keep);
+    }
     return hash.value();
 }
 

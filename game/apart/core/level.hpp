@@ -178,6 +178,20 @@ struct WellDef {
     friend bool operator==(const WellDef&, const WellDef&) = default;
 };
 
+/// Water in a rectangle. It carries what is lighter, and slows what is in it. Balls fly through it.
+struct WaterDef {
+    std::int32_t x = 0; // 1/1000 m, of its middle
+    std::int32_t y = 0; // of its surface
+    std::int32_t width = 0;
+    std::int32_t depth = 0;
+    std::int32_t density = 0; // 1/1000 kg/m^2
+    // Index into Level::kinds; -1: none. The water runs out through the first block of this kind
+    // that breaks or falls.
+    std::int32_t dam = -1;
+
+    friend bool operator==(const WaterDef&, const WaterDef&) = default;
+};
+
 inline constexpr int kColumns = 15;
 inline constexpr int kMostRows = 15;
 
@@ -201,6 +215,9 @@ struct Level {
     std::vector<LinkDef> links;
     std::vector<ObstructionDef> obstructions;
     std::vector<WellDef> wells;
+    std::vector<WaterDef> waters;
+    std::int32_t keep = -1; // index into freeBlocks, for an honour: it stands at the end; -1: none
+    std::string keepName;
 
     friend bool operator==(const Level&, const Level&) = default;
 };

@@ -18,6 +18,7 @@ constexpr std::array<std::int32_t, 4> kUsualSpeed = {6000, 0, 2000, 0};
 
 constexpr std::size_t kMostObstructions = 64; // tables [[ground]]
 constexpr std::size_t kMostWells = 8;
+constexpr std::size_t kMostWaters = 4;
 constexpr std::size_t kMostTables = 200; // each of [[ledge]], [[block]] and [[joint]]
 
 constexpr std::int32_t thousandths(Real value) {
@@ -33,10 +34,9 @@ public:
     }
 
     Read<Level> read(const toml::table& root) {
-        keys_.onlyKeys(root,
-                       {"format", "place", "title", "idea", "theme", "ball-speed", "lives", "ball",
-                        "paddle", "wind", "boss", "grid", "legend", "ground", "well", "ledge",
-                        "block", "joint"},
+        keys_.onlyKeys(root, {"format", "place",  "title", "idea",  "theme", "ball-speed", "lives",
+                              "ball",   "paddle", "wind",  "boss",  "grid",  "legend",     "ground",
+                              "well",   "water",  "ledge", "block", "joint", "keep"},
                        "");
         if (keys_.number(root, "format", {1, 1, std::nullopt}) == 1) {
             level_.place = keys_.number(root, "place", {1, 9999, 9999});
@@ -54,6 +54,7 @@ public:
             readBuilding(root);
             forTables(root, "ground", kMostObstructions, [&](const auto& t) { readGround(t); });
             forTables(root, "well", kMostWells, [&](const auto& t) { readWell(t); });
+            forTables(root, "water", kMostWaters, [&](const auto& t) { readWater(t); });
         }
         return keys_.problem() ? Read<Level>(*keys_.problem()) : Read<Level>(level_);
     }
@@ -91,6 +92,9 @@ private:
         forTables(root, "ledge", kMostTables, [&](const auto& t) { reader.readLedge(t); });
         forTables(root, "block", kMostTables, [&](const auto& t) { reader.readBlock(t); });
         forTables(root, "joint", kMostTables, [&](const auto& t) { reader.readJoint(t); });
+        if (root.contains("keep")) {
+            reader.readKeep(root);
+        }
         const auto breaks = [&](const auto& b) { return level_.kinds[b.kind].breakable(); };
         if (!keys_.problem() && std::none_of(level_.cells.begin(), level_.cells.end(), breaks) &&
             std::none_of(level_.freeBlocks.begin(), level_.freeBlocks.end(), breaks)) {
@@ -291,6 +295,29 @@ private:
         level_.wells.push_back({keys_.number(table, "x", {-kEdge, kEdge, std::nullopt}),
                                 keys_.number(table, "y", {0, kTop, std::nullopt}),
                                 keys_.number(table, "strength", {-500000, 500000, std::nullopt})});
+    }
+
+    void readWater(const toml::table& table) {
+        keys_.onlyKeys(table, {"x", "y", "width", "depth", "density", "dam"}, "water.");
+        WaterDef water;
+        water.x = keys_.number(table, "x", {-kEdge, kEdge, std::nullopt});
+        water.y = keys_.number(table, "y", {0, kTop, std::nullopt});
+        water.width = keys_.number(table, "width", {100, 2 * kEdge, std::nullopt});
+        water.depth = keys_.number(table, "depth", {100, kTop, std::nullopt});
+        water.density = keys_.number(table, "density", {1, 10000, kUsualWaterDensity});
+        if (const toml::node* dam = table.get("dam")) {
+            const std::string letter = keys_.text(table, "dam");
+            const auto found =
+                std::find_if(level_.kinds.begin(), level_.kinds.end(), [&](const BlockKind& kind) {
+                    return letter.size() == 1 && kind.letter == letter[0] && kind.breakable();
+                });
+            if (found == level_.kinds.end()) {
+                keys_.fail(TomlKeys::lineOf(*dam),
+                           "water.dam must be the letter of a block in the legend that can break");
+            }
+            water.dam = static_cast<std::int32_t>(found - level_.kinds.begin());
+        }
+        level_.waters.push_back(water);
     }
 
     TomlKeys keys_;

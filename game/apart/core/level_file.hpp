@@ -24,6 +24,9 @@ namespace apart {
 ///   ball = "round"          # round heavy lopsided egg rough; round unless given
 ///   paddle = "steady"       # steady tilting recoiling loose; steady unless given
 ///   wind = 0                # 1/1000 m/s to the right, -30000 to 30000; 0 unless given
+///   keep = "bell"           # an honour: this block, by its name, stands or hangs when the level
+///   is
+///                           # won; of steel, standing or moving; none unless given
 ///   boss = { drift = 3000, speed = 2000 } # 1/1000 m to each side and 1/1000 m/s; it does not
 ///                                         # move unless given
 ///   grid = '''
@@ -58,6 +61,16 @@ namespace apart {
 ///   x = 0
 ///   y = 9000
 ///   strength = 60000        # 1/1000 m^3/s^2; negative: it repels
+///
+///   [[water]]               # carries what is lighter; balls fly through it
+///   x = 0                   # 1/1000 m, of its middle
+///   y = 11000               # of its surface
+///   width = 8000
+///   depth = 2000
+///   density = 700           # 1/1000 kg/m^2; 700 unless given. Glass and wood have 400, brick 600,
+///                           # stone 800, steel 4000.
+///   dam = "b"               # letter of a block: the water runs out through the first one of its
+///                           # kind that breaks or falls; it stays unless given
 ///
 /// Buildings have free blocks, which need no grid.
 ///

@@ -98,7 +98,8 @@ inline constexpr std::array<std::string_view, kValueFields + kEventKinds> kField
     "struck", "cracked", "broke", "released", "caught", "welded", "stuck", "launched", "spent",
     "ballSplit", "served", "ballLost", "lifeLost", "cleared", "lost", "knockedOff", "shardBroke",
     "letGo", "fell", "bossDown", "bumped", "powerBegan", "powerEnded", "ballChanged", "leapt",
-    "forceChanged", "shardCaught", "patienceChanged", "loopSeen", "collapsed", "snapped"};
+    "forceChanged", "shardCaught", "patienceChanged", "loopSeen", "collapsed", "snapped",
+    "splashed", "breached"};
 /// Names of the values of a field; empty for a numeric field.
 std::span<const std::string_view> valueNames(Field field);
 

@@ -39,6 +39,19 @@ constexpr std::uint32_t keyOfFree(std::size_t index) {
     return static_cast<std::uint32_t>(kColumns * kMostRows) + static_cast<std::uint32_t>(index);
 }
 
+/// Water of the level.
+struct Water {
+    kodo::Aabb region{};    // m; its surface is the upper side
+    kodo::Real density = 0; // kg/m^2
+    std::int32_t dam = -1;  // as in WaterDef
+    bool open = false;      // it runs out
+    kodo::Vec2 breach{};    // m, where it does
+
+    bool isEmpty() const { return region.upper.y <= region.lower.y; }
+    /// Height (m) at which the outflow ends.
+    kodo::Real floor() const;
+};
+
 /// A joint of the level that holds.
 struct Link {
     LinkKind kind = LinkKind::Pin;

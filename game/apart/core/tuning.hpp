@@ -159,6 +159,14 @@ inline constexpr Real kWellSoftening = Real(1.5);      // m
 inline constexpr Real kWindSpeed = 14;                 // m/s
 inline constexpr kodo::DragLaw kWindLaw{Real(1.2), 0}; // N per m/s and m of width
 
+// Water.
+inline constexpr std::int32_t kUsualWaterDensity = 700; // 1/1000 kg/m^2: brick floats, stone sinks
+inline constexpr Real kWaterDrag = Real(1.2);   // kg/(m^2 s); a block of wood slows by 1/e in 0.3 s
+inline constexpr Real kOutflow = Real(0.9);     // m/s, by which the surface of open water sinks
+inline constexpr Real kCurrent = 5;             // m/s, of open water towards its breach
+inline constexpr Real kBreachDepth = Real(0.4); // m below a breach the water ends
+inline constexpr Real kSplashSpeed = Real(1.5); // m/s; what is slower does not splash
+
 // Shards.
 inline constexpr Real kGravity = 12; // m/s^2, on shards, parts and loose or hanging blocks
 inline constexpr kodo::Material kShardMaterial = kodo::withFriction(Real(0.5), Real(0.3));

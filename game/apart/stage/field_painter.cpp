@@ -187,6 +187,7 @@ void paintFlash(Canvas& canvas, const Moment& moment) {
 
 void paintField(Canvas& canvas, const Moment& moment) {
     paintForces(canvas, moment);
+    paintWaterBehind(canvas, moment);
     paintBlocks(canvas, moment, false);
     paintLinks(canvas, moment);
     paintObstructions(canvas, moment);
@@ -194,6 +195,7 @@ void paintField(Canvas& canvas, const Moment& moment) {
     moment.juice.debris().drawDust(canvas);
     paintBlocks(canvas, moment, true);
     paintShards(canvas, moment);
+    paintWaterBefore(canvas, moment);
     moment.juice.debris().drawChips(canvas);
     paintGlints(canvas, moment);
     paintWarnings(canvas, moment);

@@ -27,8 +27,10 @@ struct Moment {
 void paintField(Canvas& canvas, const Moment& moment);
 
 // Layers of the field.
-void paintForces(Canvas& canvas, const Moment& moment); // wind, wells, the paddle's field
-void paintLinks(Canvas& canvas, const Moment& moment);  // joints
+void paintForces(Canvas& canvas, const Moment& moment);      // wind, wells, the paddle's field
+void paintWaterBehind(Canvas& canvas, const Moment& moment); // behind what is in it
+void paintWaterBefore(Canvas& canvas, const Moment& moment); // its surface, and what runs out
+void paintLinks(Canvas& canvas, const Moment& moment);       // joints
 void paintObstructions(Canvas& canvas, const Moment& moment);
 void paintParts(Canvas& canvas, const Moment& moment);
 void paintPaddle(Canvas& canvas, const Moment& moment);

@@ -25,6 +25,10 @@ Aabb sweptBounds(const kodo::BodyView& body) {
     return unite(now, {now.lower + way, now.upper + way});
 }
 
+Rubble dropsOf(Vec2 point, Vec2 heading, int count, Real speed) {
+    return {point, heading, palette::kFoam, count, 0, speed, Real(0.7)};
+}
+
 } // namespace
 
 std::vector<Aabb> breakingPlaces(const Game& game) {
@@ -58,11 +62,29 @@ void Juice::tick(const Game& game) {
     age();
     take(game, game.events());
     followBalls(game);
-    feedFlames(game);
+    for (const Part& part : game.parts()) {
+        if (part.state == PartState::Launched) {
+            const Vec2 tail = game.world()[part.body].center() - Vec2{0, Real(0.3)};
+            burst({tail, {0, -1}, tints().of(Power::Launch), 3, 9, Real(0.35), Real(0.12)});
+        }
+    }
+    ripples_.tick(game);
+    for (const Water& water : game.waters()) {
+        if (game.ticks() % 6 == 0 && water.open && water.region.upper.y > water.floor()) {
+            debris_.add(dropsOf(water.breach, {0, -1}, 1, 6), share(settings_.particles));
+        }
+    }
 }
 
 void Juice::take(const Game& game, std::span<const Event> events) {
     for (const Event& event : events) {
+        if (const auto* splash = std::get_if<Splashed>(&event)) {
+            const Real weight = weightOf(splash->mass * std::abs(splash->speed));
+            ripples_.strike(game, splash->point, splash->speed, splash->mass);
+            debris_.add(
+                dropsOf(splash->point, {0, 1}, 2 + static_cast<int>(8 * weight), 3 + 5 * weight),
+                share(settings_.particles));
+        }
         std::visit([&](const auto& what) { onEvent(game, what); }, event);
     }
 }
@@ -93,16 +115,6 @@ void Juice::followBalls(const Game& game) {
             trail->places.erase(trail->places.begin());
         }
         trail->places.push_back(game.world()[ball.body].center());
-    }
-}
-
-/// Emits flames behind launched parts.
-void Juice::feedFlames(const Game& game) {
-    for (const Part& part : game.parts()) {
-        if (part.state == PartState::Launched) {
-            const Vec2 tail = game.world()[part.body].center() - Vec2{0, Real(0.3)};
-            burst({tail, {0, -1}, tints().of(Power::Launch), 3, 9, Real(0.35), Real(0.12)});
-        }
     }
 }
 

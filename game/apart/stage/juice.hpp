@@ -8,6 +8,7 @@
 #include <apart/stage/flashes.hpp>
 #include <apart/stage/player_settings.hpp>
 #include <apart/stage/popups.hpp>
+#include <apart/stage/ripples.hpp>
 #include <apart/stage/sparks.hpp>
 
 #include <cstdint>
@@ -46,6 +47,7 @@ public:
     const Sparks& sparks() const { return sparks_; }
     const Debris& debris() const { return debris_; }
     const Palette& tints() const { return paletteOf(settings_.colors); }
+    const Ripples& ripples() const { return ripples_; }
     const Cracks& cracks() const { return cracks_; }
     std::span<const Popup> popups() const { return popups_.all(); }
     /// Current offset of the picture (m).
@@ -94,24 +96,24 @@ private:
     void onEvent(const Game& game, const BallChanged& change);
     void onEvent(const Game& game, const Leapt& leap);
     void onEvent(const Game& game, const ShardCaught& shard);
+    void onEvent(const Game& game, const Breached& breach);
     template <typename Other>
     void onEvent(const Game&, const Other&) {} // events without effects
 
     void burst(Burst burst);
-    void blast(Vec2 point, Color color, int count, Real speed);
     void push(Real strength);
     void say(const Game& game, Popup popup);
     void heat(std::uint64_t name, Vec2 push);
     ImpactResponse responseOf(std::uint64_t name) const;
     void age();
     void followBalls(const Game& game);
-    void feedFlames(const Game& game);
 
     Settings settings_;
     Sparks sparks_;
     Debris debris_;
     Flashes flashes_;
     Cracks cracks_;
+    Ripples ripples_;
     Popups popups_;
     std::vector<Heat> heats_;
     std::vector<Trail> trails_;

@@ -56,11 +56,11 @@ std::string fallText(int blocks) {
     return count + " at a blow" + (blocks >= kGreatFall ? "!" : "");
 }
 
-} // namespace
-
-void Juice::blast(Vec2 point, Color color, int count, Real speed) {
-    burst({point, {}, color, count, speed, Real(0.6), Real(0.09)});
+Burst blastOf(Vec2 point, Color color, int count, Real speed) {
+    return {point, {}, color, count, speed, Real(0.6), Real(0.09)};
 }
+
+} // namespace
 
 void Juice::firework(Vec2 place, Color color) {
     burst({place, {}, color, 70, 14, Real(1.6), Real(0.15)});
@@ -130,7 +130,7 @@ void Juice::onEvent(const Game& game, const Welded& weld) {
 }
 
 void Juice::onEvent(const Game& game, const KnockedOff& off) {
-    blast(off.point, tints().of(Power::Weld), 24, 8);
+    burst(blastOf(off.point, tints().of(Power::Weld), 24, 8));
     push(Real(0.25));
     say(game, {"knocked off", off.point + Vec2{0, Real(0.8)}, palette::kQuiet, Real(0.5)});
 }
@@ -141,7 +141,7 @@ void Juice::onEvent(const Game&, const Launched& launch) {
 }
 
 void Juice::onEvent(const Game&, const Spent& end) {
-    blast(end.point, tints().of(Power::Launch), 30, 9);
+    burst(blastOf(end.point, tints().of(Power::Launch), 30, 9));
 }
 
 void Juice::onEvent(const Game& game, const BallSplit& split) {
@@ -165,11 +165,11 @@ void Juice::onEvent(const Game&, const Cleared&) {
 }
 
 void Juice::onEvent(const Game&, const ShardBroke& hit) {
-    blast(hit.point, tints().of(hit.stuff), 3 + countFor(weightOf(hit.impulse), 8), 5);
+    burst(blastOf(hit.point, tints().of(hit.stuff), 3 + countFor(weightOf(hit.impulse), 8), 5));
 }
 
 void Juice::onEvent(const Game& game, const LetGo& let) {
-    blast(let.point, tints().of(let.stuff), 16, 4);
+    burst(blastOf(let.point, tints().of(let.stuff), 16, 4));
     push(let.why == LetGo::Why::BrokeOff ? Real(0.3) : Real(0.16));
     if (let.why == LetGo::Why::Toppled) {
         debris_.add({let.point, {}, faded(tints().of(let.stuff), 1), 2, 2, 3, Real(1.1)},
@@ -193,9 +193,15 @@ void Juice::onEvent(const Game& game, const Collapsed& collapse) {
 }
 
 void Juice::onEvent(const Game& game, const Snapped& snap) {
-    blast(snap.point, palette::kMachine, 14, 7);
+    burst(blastOf(snap.point, palette::kMachine, 14, 7));
     push(Real(0.15));
     say(game, {"snap", snap.point, palette::kQuiet, Real(0.45)});
+}
+
+void Juice::onEvent(const Game& game, const Breached& breach) {
+    push(Real(0.5));
+    debris_.add({breach.point, {0, -1}, palette::kFoam, 16, 0, 9}, share(settings_.particles));
+    say(game, {"the water runs out", breach.point + Vec2{0, Real(1.2)}, palette::kFoam, Real(0.7)});
 }
 
 void Juice::onEvent(const Game& game, const Fell& fell) {
@@ -231,7 +237,7 @@ void Juice::onEvent(const Game&, const Bumped& bump) {
 
 void Juice::onEvent(const Game& game, const PowerBegan& power) {
     const Color color = tints().of(power.power);
-    blast(power.point, color, 40, 9);
+    burst(blastOf(power.point, color, 40, 9));
     say(game,
         {std::string(wordsOf(power.power)), power.point + Vec2{0, Real(0.9)}, color, Real(0.55)});
 }
@@ -243,7 +249,7 @@ void Juice::onEvent(const Game& game, const BallChanged& change) {
         }
     }
     if (game.world().contains(change.now)) {
-        blast(game.world()[change.now].center(), palette::kBall, 20, 6);
+        burst(blastOf(game.world()[change.now].center(), palette::kBall, 20, 6));
     }
 }
 

@@ -164,6 +164,20 @@ void paintWell(Canvas& canvas, const Mapping& mapping, const WellDef& well) {
     }
 }
 
+void paintWater(Canvas& canvas, const Mapping& mapping, const WaterDef& water) {
+    const Vec2 half{metres(water.width) / 2, 0};
+    const Vec2 top{metres(water.x), metres(water.y)};
+    const Vec2 left = mapping.held(top - half);
+    const Vec2 right = mapping.held(top + half);
+    const Vec2 low = mapping.held(top - Vec2{0, metres(water.depth)});
+    const std::array<Vec2, 4> corners = {mapping.at({left.x, low.y}), mapping.at({right.x, low.y}),
+                                         mapping.at(right), mapping.at(left)};
+    const Color deep = faded(darker(palette::kWater, 0.4f), 0.9f);
+    const Color bright = faded(palette::kWater, 0.8f);
+    canvas.polygon(corners, std::array<Color, 4>{deep, deep, bright, bright});
+    canvas.line(corners[3], corners[2], Real(0.035), palette::kFoam);
+}
+
 /// Streaks that fade against the direction of the wind.
 void paintWind(Canvas& canvas, const Mapping& mapping, std::int32_t wind) {
     const Color color = canvas.palette().of(Power::Wind);
@@ -208,6 +222,9 @@ void paintPreview(Canvas& canvas, const Level& level, const Aabb& box) {
     for (const WellDef& well : level.wells) {
         paintWell(canvas, mapping, well);
     }
+    for (const WaterDef& water : level.waters) {
+        paintWater(canvas, mapping, water);
+    }
     for (const ObstructionDef& def : level.obstructions) {
         paintObstruction(canvas, mapping, def);
     }
@@ -227,6 +244,12 @@ void paintPreview(Canvas& canvas, const Level& level, const Aabb& box) {
         const PlacedShape placed = placedShapeOf(block);
         paintShape(canvas, mapping, placed, canvas.palette().of(kind.stuff));
         paintDetails(canvas, mapping, kind, placed.frame * extentOf(placed.shape).center());
+    }
+    if (level.keep >= 0) {
+        const PlacedShape kept =
+            placedShapeOf(level.freeBlocks[static_cast<std::size_t>(level.keep)]);
+        const Vec2 middle = kept.frame * extentOf(kept.shape).center();
+        canvas.ring(mapping.at(middle), Real(0.6) * scale, Real(0.04), palette::kAccent);
     }
     for (const LinkDef& link : level.links) {
         paintLink(canvas, mapping, link);

@@ -156,9 +156,10 @@ void LevelSelect::drawTile(Canvas& canvas, std::size_t level, const Records& rec
     canvas.text(std::to_string(level + 1), {box.lower.x + Real(0.18), box.lower.y + Real(0.17)},
                 {Real(0.42), chosen ? palette::kAccent : palette::kQuiet, Typeface::Bold});
     const MedalMarks* marks = marksFor(name, records.marks());
-    const Real left = Real(0.3) + Real(0.37) * static_cast<Real>(honourNames(marks).size() - 1);
+    const Real left =
+        Real(0.3) + Real(0.37) * static_cast<Real>(honourNames(*levels_[level], marks).size() - 1);
     paintHonours(canvas, {box.upper.x - left, box.lower.y + Real(0.33)}, {Real(0.37), 0},
-                 Real(0.15), records.profile().bestOf(mode, name), marks);
+                 Real(0.15), {records.profile().bestOf(mode, name), *levels_[level], marks});
     paintMedal(canvas, box.upper - Vec2{Real(0.36), Real(0.36)}, Real(0.24),
                records.medalOf(mode, name));
 }
@@ -179,7 +180,8 @@ void LevelSelect::drawBest(Canvas& canvas, const Records& records, Mode mode, Ve
     paintMedal(canvas, place + Vec2{Real(3.6), Real(-0.62)}, Real(0.36), medal);
     if (mode == Mode::Standard) {
         std::string offers;
-        for (const std::string& name : honourNames(marksFor(level, records.marks()))) {
+        for (const std::string& name :
+             honourNames(*levels_[chosen_], marksFor(level, records.marks()))) {
             offers += name == "cleared" || name == "no ball lost" || name == "chain of 8"
                           ? ""
                           : (offers.empty() ? "" : ", ") + name;
@@ -197,7 +199,7 @@ void LevelSelect::drawBest(Canvas& canvas, const Records& records, Mode mode, Ve
     canvas.text(note, place - Vec2{0, Real(1.35)}, {Real(0.36), palette::kQuiet});
     const MedalMarks* marks = marksFor(level, records.marks());
     paintHonours(canvas, place + Vec2{Real(0.3), Real(-1.95)}, {Real(0.85), 0}, Real(0.28),
-                 records.profile().bestOf(mode, level), marks);
+                 {records.profile().bestOf(mode, level), *levels_[chosen_], marks});
 }
 
 void LevelSelect::drawChosen(Canvas& canvas, const Records& records, double seconds) const {

@@ -21,6 +21,8 @@ inline constexpr Color kDanger{255, 84, 92};
 inline constexpr Color kBumper{255, 128, 170};
 inline constexpr Color kMachine{156, 168, 196}; // motors, pins, gates
 inline constexpr Color kGround{92, 104, 92};
+inline constexpr Color kWater{44, 120, 176};
+inline constexpr Color kFoam{196, 232, 246}; // surface and drops of water
 inline constexpr Color kBall{255, 248, 232};
 inline constexpr Color kPaddle{84, 214, 206};
 

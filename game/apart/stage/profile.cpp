@@ -14,6 +14,7 @@ bool Profile::enter(Mode in, const std::string& level, Best game) {
     known.chain = known.chain || game.chain;
     known.fewHits = known.fewHits || game.fewHits;
     known.oneFall = known.oneFall || game.oneFall;
+    known.kept = known.kept || game.kept;
     known.unproved = std::max(known.unproved, game.unproved);
     return beaten;
 }

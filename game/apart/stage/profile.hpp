@@ -24,6 +24,7 @@ struct Best {
     // Honours whose numbers depend on the level, see MedalMarks.
     bool fewHits = false;
     bool oneFall = false;
+    bool kept = false; // won, and Level::keep stands
 
     friend bool operator==(Best, Best) = default;
 };

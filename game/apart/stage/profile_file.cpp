@@ -111,7 +111,8 @@ private:
                 truth(*best, "chain"),
                 best->contains("unproved") ? number(*best, "unproved", 0, kMost) : 0,
                 best->contains("few-hits") && truth(*best, "few-hits"),
-                best->contains("one-fall") && truth(*best, "one-fall")};
+                best->contains("one-fall") && truth(*best, "one-fall"),
+                best->contains("kept") && truth(*best, "kept")};
         }
     }
 
@@ -297,6 +298,7 @@ std::string toText(const Profile& profile) {
             }
             text += best.fewHits ? "few-hits = true\n" : "";
             text += best.oneFall ? "one-fall = true\n" : "";
+            text += best.kept ? "kept = true\n" : "";
         }
     }
     for (std::size_t i = 0; i < profile.totals.size(); ++i) {

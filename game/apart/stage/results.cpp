@@ -111,6 +111,21 @@ void paintOneFall(Canvas& canvas, Vec2 middle, Real size, Color color) {
                 middle + size * Vec2{Real(1.0), Real(-0.1)}, width, color);
 }
 
+/// A bell.
+void paintKept(Canvas& canvas, Vec2 middle, Real size, Color color) {
+    const std::array<Vec2, 6> body = {middle + size * Vec2{Real(-0.8), Real(-0.45)},
+                                      middle + size * Vec2{Real(0.8), Real(-0.45)},
+                                      middle + size * Vec2{Real(0.5), Real(-0.05)},
+                                      middle + size * Vec2{Real(0.4), Real(0.7)},
+                                      middle + size * Vec2{Real(-0.4), Real(0.7)},
+                                      middle + size * Vec2{Real(-0.5), Real(-0.05)}};
+    const std::array<Vec2, 4> skirt = {body[0], body[1], body[2], body[5]};
+    const std::array<Vec2, 4> crown = {body[5], body[2], body[3], body[4]};
+    canvas.polygon(skirt, color);
+    canvas.polygon(crown, color);
+    canvas.disc(middle + size * Vec2{0, Real(-0.68)}, Real(0.24) * size, color, color);
+}
+
 } // namespace
 
 void paintMedal(Canvas& canvas, Vec2 middle, Real size, Medal medal) {
@@ -127,7 +142,7 @@ void paintMedal(Canvas& canvas, Vec2 middle, Real size, Medal medal) {
     }
 }
 
-std::vector<std::string> honourNames(const MedalMarks* marks) {
+std::vector<std::string> honourNames(const Level& level, const MedalMarks* marks) {
     std::vector<std::string> names = {"cleared", "no ball lost", "chain of 8"};
     if (marks != nullptr && marks->fewHits > 0) {
         names.push_back(fmt::format("{} hits at most", marks->fewHits));
@@ -135,11 +150,14 @@ std::vector<std::string> honourNames(const MedalMarks* marks) {
     if (marks != nullptr && marks->oneFall > 0) {
         names.push_back(fmt::format("{} in one fall", marks->oneFall));
     }
+    if (level.keep >= 0) {
+        names.push_back("keep the " + level.keepName);
+    }
     return names;
 }
 
-void paintHonours(Canvas& canvas, Vec2 place, Vec2 step, Real size, Best best,
-                  const MedalMarks* marks) {
+void paintHonours(Canvas& canvas, Vec2 place, Vec2 step, Real size, const HonoursLook& look) {
+    const auto& [best, level, marks] = look;
     const auto colorOf = [](bool won) {
         return won ? palette::kAccent : faded(palette::kQuiet, 0.35f);
     };
@@ -153,6 +171,10 @@ void paintHonours(Canvas& canvas, Vec2 place, Vec2 step, Real size, Best best,
     }
     if (marks != nullptr && marks->oneFall > 0) {
         paintOneFall(canvas, place, size, colorOf(best.oneFall));
+        place += step;
+    }
+    if (level.keep >= 0) {
+        paintKept(canvas, place, size, colorOf(best.kept));
     }
 }
 
@@ -183,10 +205,11 @@ void paintResults(Canvas& canvas, const ResultsLook& look) {
     best.chain = best.chain || look.before.chain;
     best.fewHits = best.fewHits || look.before.fewHits;
     best.oneFall = best.oneFall || look.before.oneFall;
-    const std::vector<std::string> names = honourNames(marks);
+    best.kept = best.kept || look.before.kept;
+    const std::vector<std::string> names = honourNames(game.level(), marks);
     const Vec2 step{names.size() > 3 ? Real(3.0) : Real(3.4), 0};
     const Vec2 first = Vec2{0, Real(6.95)} - static_cast<Real>(names.size() - 1) / 2 * step;
-    paintHonours(canvas, first, step, Real(0.42), best, marks);
+    paintHonours(canvas, first, step, Real(0.42), {best, game.level(), marks});
     for (std::size_t i = 0; i < names.size(); ++i) {
         const Vec2 place = first + static_cast<Real>(i) * step - Vec2{0, Real(0.85)};
         canvas.text(names[i], place, {Real(0.38), palette::kQuiet, Typeface::Plain, Align::Middle});

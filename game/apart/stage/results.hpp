@@ -21,12 +21,18 @@ struct ResultsLook {
 
 void paintResults(Canvas& canvas, const ResultsLook& look);
 
-/// Paints the honours of a level, `step` apart: three, and those that its marks offer. Honours not
-/// won yet are dim.
-void paintHonours(Canvas& canvas, Vec2 place, Vec2 step, Real size, Best best,
-                  const MedalMarks* marks);
+/// The honours of a level, and which of them are won.
+struct HonoursLook {
+    Best best;
+    const Level& level;
+    const MedalMarks* marks; // nullptr: none
+};
+
+/// Paints the honours of a level, `step` apart: three, and those that it and its marks offer.
+/// Honours not won yet are dim.
+void paintHonours(Canvas& canvas, Vec2 place, Vec2 step, Real size, const HonoursLook& look);
 /// Number of honours, and their names.
-std::vector<std::string> honourNames(const MedalMarks* marks);
+std::vector<std::string> honourNames(const Level& level, const MedalMarks* marks);
 
 /// Paints a medal: bronze has one dot, silver two, gold three. Nothing for Medal::None.
 void paintMedal(Canvas& canvas, Vec2 middle, Real size, Medal medal);

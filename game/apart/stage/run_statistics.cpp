@@ -35,6 +35,9 @@ void RunStatistics::update(const Game& game) {
     }
     cleared = game.blocksAtStart() - game.blocksLeft();
     largestFall = game.collapse().largest;
+    if (game.result() == Result::Playing || game.ticks() == ticks + 1) {
+        keptAtEnd = game.keeps();
+    }
     if (game.result() == Result::Playing) {
         ticks = game.ticks();
     }
@@ -43,6 +46,7 @@ void RunStatistics::update(const Game& game) {
 Best RunStatistics::bestOf(const Game& game, const MedalMarks* marks) const {
     const bool won = game.result() == Result::Won;
     Best best{game.score(), won, won && !lifeLost, std::max(bestCombo, largestFall) >= kMostCombo};
+    best.kept = won && keptAtEnd;
     if (marks != nullptr) {
         best.fewHits = won && marks->fewHits > 0 && paddleHits <= marks->fewHits;
         best.oneFall = marks->oneFall > 0 && largestFall >= marks->oneFall;

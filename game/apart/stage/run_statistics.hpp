@@ -32,6 +32,7 @@ struct RunStatistics {
     int largestFall = 0; // most blocks of one collapse
     int paddleHits = 0;
     bool lifeLost = false;
+    bool keptAtEnd = false;  // Game::keeps() in the last tick of the game
     std::uint32_t ticks = 0; // until the end of the game
 
     /// Call after each tick of the game.

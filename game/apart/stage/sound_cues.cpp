@@ -91,6 +91,13 @@ Note noteFor(const Collapsed& collapse) {
 Note noteFor(const Snapped& snap) {
     return {Voice::Wood, 1.8f, 0.7f, panOf(snap.point)};
 }
+Note noteFor(const Splashed& splash) {
+    return {Voice::Splash, massPitch(splash.mass),
+            0.7f * weightOf(splash.mass * std::abs(splash.speed)), panOf(splash.point)};
+}
+Note noteFor(const Breached& breach) {
+    return {Voice::Gush, 1, 0.9f, panOf(breach.point)};
+}
 Note noteFor(const Fell& fell) {
     return {voiceOf(fell.stuff), 0.5f, 0.5f, panOf(fell.point)};
 }

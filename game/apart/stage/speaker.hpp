@@ -37,11 +37,14 @@ enum class Voice : std::uint8_t {
     Gulp,   // a shard refills the meter
     Rumble, // a mount gives way
     Boss,   // a boss is defeated
+    Splash, // something falls into water, or flies out of it
+    Gush,   // a dam breaks
 };
-inline constexpr std::array<std::string_view, 26> kVoiceNames = {
-    "glass", "wood", "brick", "stone", "steel",     "wall",    "paddle",    "break",  "weld",
-    "stick", "fire", "split", "serve", "ball lost", "cleared", "game over", "choose", "bumper",
-    "good",  "bad",  "over",  "pull",  "push",      "gulp",    "rumble",    "boss"};
+inline constexpr std::array<std::string_view, 28> kVoiceNames = {
+    "glass",   "wood",      "brick",  "stone",  "steel", "wall",   "paddle",
+    "break",   "weld",      "stick",  "fire",   "split", "serve",  "ball lost",
+    "cleared", "game over", "choose", "bumper", "good",  "bad",    "over",
+    "pull",    "push",      "gulp",   "rumble", "boss",  "splash", "gush"};
 
 struct Note {
     Voice voice = Voice::Wall;

@@ -34,6 +34,18 @@ struct Recipe {
     float beat = 0.09f;          // s between notes
 };
 
+Recipe largeRecipeOf(Voice voice) {
+    if (voice == Voice::Boss) {
+        return {98,    1.9f,          {{1, 0.7f, 0.6f}, {1.5f, 0.4f, 0.5f}, {2.02f, 0.3f, 0.3f}},
+                0.9f,  0.3f,          0.2f,
+                -0.5f, {0, 0, 7, 12}, 0.16f};
+    }
+    if (voice == Voice::Gush) {
+        return {80, 1.9f, {{1, 0.35f, 0.5f}, {1.5f, 0.2f, 0.4f}}, 0.9f, 0.7f, 0.2f, -0.6f};
+    }
+    return {210, 0.6f, {{1, 0.25f, 0.06f}, {1.7f, 0.15f, 0.04f}}, 0.9f, 0.12f, 0.55f, 0.9f};
+}
+
 Recipe recipeOf(Voice voice) {
     switch (voice) {
     case Voice::Glass:
@@ -107,11 +119,11 @@ Recipe recipeOf(Voice voice) {
     case Voice::Rumble:
         return {62, 0.9f, {{1, 0.6f, 0.25f}, {1.48f, 0.4f, 0.2f}}, 0.8f, 0.25f, 0.06f};
     case Voice::Boss:
-        return {98,    1.9f,          {{1, 0.7f, 0.6f}, {1.5f, 0.4f, 0.5f}, {2.02f, 0.3f, 0.3f}},
-                0.9f,  0.3f,          0.2f,
-                -0.5f, {0, 0, 7, 12}, 0.16f};
+    case Voice::Splash:
+    case Voice::Gush:
+        break;
     }
-    return {};
+    return largeRecipeOf(voice);
 }
 
 /// Adds one note that starts at sample `start`.
