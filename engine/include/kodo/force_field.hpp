@@ -16,7 +16,8 @@ inline namespace KODO_PRECISION {
 ///
 ///   a = F / (m + dt drag),   alpha = T / (I + dt spinDrag)
 ///
-/// which is one backward Euler step for F(v) = F - drag (v - v_now).
+/// which is one backward Euler step for F(v) = F - drag (v - v_now). Contact forces do not enter
+/// it: a body at rest under a load is held by m / (m + dt drag) of F.
 struct FieldForce {
     Vec2 force{};      // N, at the centre of mass, at the present velocity
     Real torque = 0;   // N m, counter-clockwise

@@ -9,6 +9,11 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
+/// True for a body that impulses turn, but do not move.
+inline bool turnsOnly(const BodyVelocity& motion) {
+    return motion.invMass == 0 && motion.invInertia > 0;
+}
+
 /// The two bodies and anchors of a joint, current within the step, in world axes.
 struct JointFrame {
     BodyVelocity& a;

@@ -2,6 +2,7 @@
 #include "joints/joint_set.hpp"
 
 #include "joints/anchor.hpp"
+#include "joints/joint_kinds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +57,6 @@ bool mayBeHeld(const Bodies& bodies, const JointDef& def) {
     const bool pin = std::holds_alternative<RevoluteJoint>(def);
     const bool rigid = pin || std::holds_alternative<FixedJoint>(def) ||
                        std::holds_alternative<PrismaticJoint>(def);
-    const auto turnsOnly = [](const BodyVelocity& m) { return m.invMass == 0 && m.invInertia > 0; };
     return rigid && (a.invMass > 0 || b.invMass > 0) && !turnsOnly(a) && !turnsOnly(b) &&
            (pin || (!half(a) && !half(b)));
 }
@@ -297,11 +297,14 @@ void JointSet::listHinges(const Bodies& bodies) {
     }
 }
 
-std::span<const std::uint32_t> JointSet::takeRevolutes() {
+std::span<const std::uint32_t> JointSet::takeRevolutes(const Bodies& bodies) {
     std::size_t kept = 0;
     for (const std::uint32_t index : own_) {
-        if (std::holds_alternative<RevoluteJoint>(joints_[index].def) &&
-            trees_.rowsOf(index) == nullptr && joints_[index].mostBias == Joint::kNoBound) {
+        const JointDef& def = joints_[index].def;
+        if (std::holds_alternative<RevoluteJoint>(def) && trees_.rowsOf(index) == nullptr &&
+            joints_[index].mostBias == Joint::kNoBound &&
+            !turnsOnly(bodies.motion[firstBody(def).index]) &&
+            !turnsOnly(bodies.motion[secondBody(def).index])) {
             takenRevolutes_.push_back(index);
         } else {
             own_[kept++] = index;

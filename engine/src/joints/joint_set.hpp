@@ -93,8 +93,9 @@ public:
     /// `levels`, which is by body, all have level 0.
     void beginGroup(const Bodies& bodies, DirectSolve direct,
                     std::span<const std::uint8_t> levels = {}, std::uint32_t level = 0);
-    /// Revolute joints that belong to no tree. The caller solves them in this step.
-    std::span<const std::uint32_t> takeRevolutes();
+    /// Revolute joints that belong to no tree, of bodies that can be moved or are locked. The
+    /// caller solves them in this step. Those of bodies that can only rotate need InertiaBounds.
+    std::span<const std::uint32_t> takeRevolutes(const Bodies& bodies);
     /// Scales the accumulated impulses; `by`: new length of the substep divided by the old one.
     void scaleImpulses(Real by);
     void warmStart(Bodies& bodies, const JointPass& pass);

@@ -64,6 +64,16 @@ bool isHeld(const AxisConstraint& axis) {
     return axis.bounds == kUnbounded;
 }
 
+/// The most (N) that keeps two pinned anchors on their circles about the centres of mass, one of
+/// which at least can move.
+Real centripetalOf(const JointFrame& frame) {
+    const auto acceleration = [](const BodyVelocity& motion, Vec2 arm) {
+        return motion.angularVelocity * motion.angularVelocity * length(arm);
+    };
+    return (acceleration(frame.a, frame.commonArm()) + acceleration(frame.b, frame.armB)) /
+           (frame.a.invMass + frame.b.invMass);
+}
+
 } // namespace
 
 void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
@@ -90,10 +100,20 @@ void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
     }
 }
 
-/// Raises inertia to the bounds that follow from the forces of springs, ropes and rods.
+/// Raises inertia to the bounds that follow from the forces of springs, ropes and rods, and of pins
+/// on bodies that can only rotate.
 void JointSet::raiseInertias(Bodies& bodies, const JointPass& pass) {
     for (const std::uint32_t index : own_) {
         const Joint& joint = joints_[index];
+        if (const auto* const pin = std::get_if<RevoluteJoint>(&joint.def);
+            pin != nullptr && trees_.rowsOf(index) == nullptr) {
+            const JointFrame frame = frameOf(bodies, turned_, pin->ends);
+            if (turnsOnly(frame.a) != turnsOnly(frame.b) && frame.a.invMass + frame.b.invMass > 0) {
+                const Real force = std::max(length(joint.point) / pass.h, centripetalOf(frame));
+                inertias_.add(bodies, pin->ends.a.index, force * length(frame.commonArm()));
+                inertias_.add(bodies, pin->ends.b.index, force * length(frame.armB));
+            }
+        }
         const auto* const kind = std::get_if<DistanceJoint>(&joint.def);
         if (kind == nullptr) {
             continue;

@@ -33,7 +33,7 @@ void RevoluteBlocks::begin(Bodies& bodies, JointSet& joints) {
     angles_.clear();
     use_.clear();
     jointOf_.clear();
-    const std::span<const std::uint32_t> list = joints.takeRevolutes();
+    const std::span<const std::uint32_t> list = joints.takeRevolutes(bodies);
     if (list.empty()) {
         return;
     }
