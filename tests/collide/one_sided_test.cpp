@@ -155,5 +155,30 @@ TEST(OneSided, HasATimeOfImpactOnlyFromItsFront) {
     EXPECT_TRUE(near(t, (3 - 0.8L) / 8, kTarget));
 }
 
+// A shape on the tread of a step is beside the riser too, once it has sunk a little.
+TEST(OneSided, WhatSinksOnTheNeighbourOfAHilltopIsNotBehindTheLine) {
+    ConvexShape riser = convexShapeOf(Segment{{0, 0}, {0, 1}}, {});
+    riser.after = {1, 0};
+    riser.valleyAfter = 2;
+    const Vec2 sunk{Real(0.75), Real(0.9375)};
+    EXPECT_EQ(heightOverJoints(riser, sunk, Real(0.125)), Real(-0.0625));
+    EXPECT_EQ(heightOverJoints(riser, sunk, 0), Real(-0.75));
+    EXPECT_EQ(heightOverJoints(riser, {Real(0.75), Real(1.25)}, 0), Real(0.25));
+    ConvexShape reversed = convexShapeOf(Segment{{0, 1}, {0, 0}}, {});
+    reversed.before = {-1, 0};
+    reversed.valleyBefore = 2;
+    EXPECT_EQ(heightOverJoints(reversed, sunk, Real(0.125)), Real(0.0625));
+}
+
+TEST(OneSided, APointFartherThanTheNeighboursIsMovedAlongTheWayToTheLine) {
+    ConvexShape line = convexShapeOf(Segment{{0, 0}, {1, 0}}, {});
+    line.after = {1, 0};
+    line.valleyAfter = 2;
+    EXPECT_EQ(withinJoints(line, {2, 1}, {0, 1}), (Vec2{2, 1}));
+    EXPECT_EQ(withinJoints(line, {5, 1}, {1, 1}), (Vec2{3, 1}));
+    EXPECT_EQ(withinJoints(line, {5, 1}, {4, 1}), (Vec2{4, 1}));
+    EXPECT_EQ(withinJoints(line, {-5, 1}, {0, 1}), (Vec2{-5, 1})); // beyond a free end
+}
+
 } // namespace
 } // namespace kodo::one_sided_test

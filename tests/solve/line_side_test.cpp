@@ -141,5 +141,69 @@ TEST(LineSide, CopiesAndBytesContinueWithTheSameBits) {
     }
 }
 
+Real energyOf(const BodyView& body, Real gravity) {
+    return body.mass() * (lengthSquared(body.velocity()) / 2 + gravity * body.center().y) +
+           body.inertia() * body.angularVelocity() * body.angularVelocity() / 2;
+}
+
+/// Largest energy (J) of a body on an outline without friction, and its energy at first.
+std::pair<Real, Real> energiesOn(const Outline& outline, const BodyDef& def, int steps) {
+    constexpr Real kGravity = 10; // m/s^2
+    World world({.gravity = {0, -kGravity}});
+    world.add(
+        {.shape = groundOf(outline, true), .material = withFriction(0), .type = BodyType::Static});
+    const BodyId id = world.add(def);
+    const Real first = energyOf(world[id], kGravity);
+    Real most = first;
+    for (int step = 0; step < steps; ++step) {
+        world.step(Real(1) / 60);
+        most = std::max(most, energyOf(world[id], kGravity));
+    }
+    return {most, first};
+}
+
+// Regression: the middle of a long body is below the extension of far segments. These counted it
+// as on their other side, pushed it there, and gave it up to forty times its energy.
+TEST(LineSide, PlanksOnManyShortSegmentsGainNoEnergy) {
+    Outline wave{"fine wave", {}};
+    for (int i = -120; i <= 120; ++i) {
+        const Real x = Real(0.05) * static_cast<Real>(i);
+        wave.points.push_back({x, Real(0.1) * std::sin(8 * x)});
+    }
+    RandomNumbers random(77);
+    for (int plank = 0; plank < 12; ++plank) {
+        BodyDef def;
+        def.shape = Box{3, Real(0.2)};
+        def.position = {0, 2};
+        def.rotation = Rot::fromAngle(random.between(Real(-0.5), Real(0.5)));
+        def.velocity = {random.between(-1, 1), 0};
+        def.material = withFriction(0);
+        const auto [most, first] = energiesOn(wave, def, 90);
+        EXPECT_LT(most, Real(1.01) * first) << "plank " << plank;
+    }
+}
+
+// Regression: a contact with the edge of a step did not tell the side of the riser. A rod that had
+// sunk by a millimetre counted as on the other side of all three segments, and was thrown.
+TEST(LineSide, ARodThatTurnsOntoANarrowStepGainsNoEnergy) {
+    const Real side = Real(0.3);
+    const Outline step{"step",
+                       {{-12, side},
+                        {-side, side},
+                        {-side, 2 * side},
+                        {side, 2 * side},
+                        {side, side},
+                        {12, side}}};
+    BodyDef def;
+    def.shape = Segment{{Real(-0.61381954), 0}, {Real(0.61381954), 0}};
+    def.position = {Real(0.145029753), Real(1.19459605)};
+    def.rotation = Rot::fromAngle(Real(0.143184572));
+    def.velocity = {0, Real(-4.11720419)};
+    def.angularVelocity = Real(-2.62976694);
+    def.material = withFriction(0);
+    const auto [most, first] = energiesOn(step, def, 60);
+    EXPECT_LT(most, Real(1.01) * first);
+}
+
 } // namespace
 } // namespace kodo

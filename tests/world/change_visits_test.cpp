@@ -113,6 +113,34 @@ TEST(ChangeVisits, OutsideIsWhatDoesNotMeetTheRegionAfterEachMove) {
     }
 }
 
+// Regression: moves searched the bounds of parts alone, so the body stayed outside. A copy, which
+// visits all bodies, went on with other bits.
+TEST(ChangeVisits, ARegionInTheGapOfACompoundHasItsBodyInside) {
+    World world;
+    BodyDef def;
+    def.shape = Compound{{Circle{1, {-5, 0}}, Circle{1, {5, 0}}}};
+    const BodyId body = world.add(def);
+    def.shape = Circle{1};
+    def.position = {0, 40};
+    world.add(def);
+    const auto isOutsideOf = [&](Vec2 center) {
+        world.setRegion(Aabb{center - Vec2{1, 1}, center + Vec2{1, 1}});
+        return support::isOutside(world, body);
+    };
+    EXPECT_TRUE(isOutsideOf({20, 0}));
+    (void)rayCast(world, {0, 50}, {0, 45}); // builds the tree of queries
+    EXPECT_FALSE(isOutsideOf({0, 0}));
+    EXPECT_TRUE(isOutsideOf({20, 0}));
+    world[body].setPosition({20, 7});
+    EXPECT_TRUE(isOutsideOf({0, 0}));
+    EXPECT_FALSE(isOutsideOf({20, 7}));
+    World copy = world;
+    world.remove(body);
+    EXPECT_EQ(copy.bodyCount(), 2u);
+    world.setRegion(Aabb{{-1, -1}, {1, 1}});
+    EXPECT_EQ(world.bodyCount(), 1u);
+}
+
 TEST(ChangeVisits, AForceOnFlagsThatNoBodyHasVisitsNone) {
     SleepingRow row;
     EXPECT_EQ(row.visits([&] { row.world.applyForceToAll({9, 0}, {kMatchAny, kRare}); }), 0u);

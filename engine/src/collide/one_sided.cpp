@@ -245,19 +245,52 @@ ConvexShape facingTo(const ConvexShape& line, Vec2 direction) {
     return facing;
 }
 
-Real heightOverJoints(const ConvexShape& line, Vec2 p) {
+Real heightOverJoints(const ConvexShape& line, Vec2 p, Real sink) {
     const Vec2 along = alongOf(line);
     Real height = dot(line.normals[1], p - line.vertices[0]);
     for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
         const Vec2 arm = p - line.vertices[end];
         const Real beyond = end == 0 ? -dot(along, arm) : dot(along, arm);
-        if (isFree(line, end) || !(beyond > 0)) {
+        if (isFree(line, end) || !(beyond > -sink)) {
             continue;
         }
+        const bool hilltop = turnAt(line, end) < 0;
         const Real next = dot(perp(end == 0 ? line.before : line.after), arm);
-        height = turnAt(line, end) < 0 ? std::max(height, next) : std::min(height, next);
+        if (beyond > 0) {
+            height = hilltop ? std::max(height, next) : std::min(height, next);
+        } else if (hilltop) { // a little below the neighbour, perhaps
+            height = std::max(height, std::min(next, Real(0)));
+        } else { // the same on the other side
+            height = std::min(height, std::max(next, Real(0)));
+        }
     }
     return height;
+}
+
+Vec2 withinJoints(const ConvexShape& line, Vec2 from, Vec2 to) {
+    const Vec2 along = alongOf(line);
+    // Share of the way to the first point at which a distance that falls from `a` to `b` is zero.
+    const auto entry = [](Real a, Real b) {
+        if (a <= 0) {
+            return Real(0);
+        }
+        return b < 0 ? a / (a - b) : Real(1);
+    };
+    Real share = 0;
+    for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
+        if (isFree(line, end)) {
+            continue;
+        }
+        const Vec2 corner = line.vertices[end];
+        const Vec2 outward = end == 0 ? -along : along;
+        const Vec2 next = end == 0 ? -line.before : line.after;
+        const Real reach = end == 0 ? line.valleyBefore : line.valleyAfter;
+        const Real ownEntry = entry(dot(outward, from - corner), dot(outward, to - corner));
+        const Real nextEntry =
+            entry(dot(next, from - corner) - reach, dot(next, to - corner) - reach);
+        share = std::max(share, std::min(ownEntry, nextEntry));
+    }
+    return from + share * (to - from);
 }
 
 bool ownsVertex(const ConvexShape& line, std::size_t end) {

@@ -36,8 +36,13 @@ inline bool isJointed(const ConvexShape& shape) {
 }
 
 /// Height (m) of a point over a jointed line, on the side of normals[1]; beyond a vertex, over the
-/// line and its neighbour: above a hilltop the larger one, above a valley the smaller one.
-Real heightOverJoints(const ConvexShape& line, Vec2 p);
+/// line and its neighbour: above a hilltop the larger one, above a valley the smaller one. What
+/// lies on the neighbour of a hilltop may be below it by `sink` (m).
+Real heightOverJoints(const ConvexShape& line, Vec2 p, Real sink);
+
+/// The first point on the way between two points that a jointed line or one of its neighbours lies
+/// beside: farther on, other lines may bend, so a height over these three says nothing. `to`: none.
+Vec2 withinJoints(const ConvexShape& line, Vec2 from, Vec2 to);
 
 /// A one-sided copy of a two-sided line. Its front is on the side of `direction` (line's frame).
 /// Lines that share a vertex with it become its chain.

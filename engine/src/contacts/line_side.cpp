@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace kodo {
@@ -14,8 +15,23 @@ namespace {
 
 constexpr Real kAcross = Real(0.1); // least cosine to the line's normal that tells a side
 
+/// Normal that tells the sides of a line at a point of it: near a vertex between that of the line
+/// and that of its neighbour, since contacts there may have either.
+Vec2 normalAt(const ConvexShape& line, Vec2 p, Real margin) {
+    for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
+        const Vec2 next = end == 0 ? line.before : line.after;
+        if (next != Vec2{} && lengthSquared(p - line.vertices[end]) < margin * margin) {
+            const Vec2 sum = line.normals[1] + perp(next);
+            const Real size = length(sum);
+            return size > kAcross ? sum / size : line.normals[1];
+        }
+    }
+    return line.normals[1];
+}
+
 /// The side that the manifold of the last step tells; 0: none.
-Real remembered(const Bodies& bodies, const Contact& contact, const JointedLine& line) {
+Real remembered(const Bodies& bodies, const Contact& contact, const JointedLine& line,
+                Real margin) {
     const Manifold& manifold = contact.manifold;
     const ContactKey& key = contact.key;
     if ((manifold.count == 0 && !(manifold.points[0].separation > 0)) ||
@@ -23,22 +39,58 @@ Real remembered(const Bodies& bodies, const Contact& contact, const JointedLine&
         contact.teleportCounts[1] != bodies.teleportCount[key.bodyB]) {
         return 0;
     }
-    const Vec2 normal =
-        bodies.pose[line.body].rotation * bodies.convex(line.body, line.part).normals[1];
-    const Real cosine = dot(line.isA ? manifold.normal : -manifold.normal, normal);
+    const ConvexShape& shape = bodies.convex(line.body, line.part);
+    const Rot& rotation = bodies.pose[line.body].rotation;
+    const ManifoldPoint& point = manifold.points[0];
+    const Vec2 across =
+        manifold.count == 0
+            ? shape.normals[1]
+            : normalAt(shape, unrotate(rotation, line.isA ? point.armA : point.armB), margin);
+    const Real cosine = dot(line.isA ? manifold.normal : -manifold.normal, rotation * across);
     return std::abs(cosine) < kAcross ? Real(0) : std::copysign(Real(1), cosine);
 }
 
-/// Height (m) of the middle of the other shape over the line and its neighbours.
-Real heightOf(const Bodies& bodies, const JointedLine& line) {
-    const Vec2 middle = between(bodies.pose[line.body], bodies.pose[line.otherBody]) *
-                        bodies.convex(line.otherBody, line.otherPart).middle;
-    return heightOverJoints(bodies.convex(line.body, line.part), middle);
+/// The point of a shape that is closest to p; p itself if it is inside.
+Vec2 nearestPoint(const ConvexShape& shape, Vec2 p) {
+    if (shape.isRound()) {
+        const Vec2 arm = p - shape.vertices[0];
+        const Real distance = length(arm);
+        return distance > shape.radius ? shape.vertices[0] + shape.radius / distance * arm : p;
+    }
+    Vec2 nearest = p;
+    Real least = std::numeric_limits<Real>::infinity();
+    for (std::size_t i = 0; i < shape.vertices.size(); ++i) {
+        const Vec2 from = shape.vertices[i];
+        if (shape.isLine() || dot(shape.normals[i], p - from) > 0) {
+            const Vec2 edge = shape.vertices[(i + 1) % shape.vertices.size()] - from;
+            const Real share = dot(p - from, edge) / lengthSquared(edge);
+            const Vec2 on = from + std::clamp(share, Real(0), Real(1)) * edge;
+            if (lengthSquared(p - on) < least) {
+                least = lengthSquared(p - on);
+                nearest = on;
+            }
+        }
+    }
+    return nearest;
 }
 
 /// Heights (m) up to this one on the wrong side are those of a soft contact.
 Real sinkOf(const Bodies& bodies, const JointedLine& line, Real margin) {
     return std::max(margin - bodies.convex(line.otherBody, line.otherPart).coreRadius, Real(0));
+}
+
+/// Height (m) of the other shape over the line and its neighbours: that of its middle. If this is
+/// farther along the chain, that of the nearest point on the way from there to the line.
+Real heightOf(const Bodies& bodies, const JointedLine& line, Real margin) {
+    const Transform otherToLine = between(bodies.pose[line.body], bodies.pose[line.otherBody]);
+    const ConvexShape& other = bodies.convex(line.otherBody, line.otherPart);
+    const ConvexShape& own = bodies.convex(line.body, line.part);
+    const Vec2 middle = otherToLine * other.middle;
+    const Vec2 near =
+        otherToLine *
+        nearestPoint(other,
+                     between(bodies.pose[line.otherBody], bodies.pose[line.body]) * own.middle);
+    return heightOverJoints(own, withinJoints(own, middle, near), sinkOf(bodies, line, margin));
 }
 
 /// -1 if two lines that share a vertex go in opposite directions there, 1 if in the same one; 0 if
@@ -65,8 +117,8 @@ std::optional<JointedLine> jointedLineOf(const Bodies& bodies, const ContactKey&
 }
 
 Real sideOf(const Bodies& bodies, const Contact& contact, const JointedLine& line, Real margin) {
-    const Real height = heightOf(bodies, line);
-    const Real last = remembered(bodies, contact, line);
+    const Real height = heightOf(bodies, line, margin);
+    const Real last = remembered(bodies, contact, line, margin);
     return last != 0 && last * height >= -sinkOf(bodies, line, margin)
                ? last
                : std::copysign(Real(1), height);
@@ -126,9 +178,9 @@ void LineSides::handOn(const HidingStep& step, const Member& from, const Member&
     const ConvexShape& line = bodies.convex(from.line.body, from.line.part);
     const ConvexShape& next = bodies.convex(to.line.body, to.line.part);
     const Real margin = step.tolerances.margin;
-    const Real side = directionBetween(line, next) * remembered(bodies, carrier, from.line);
-    if (side == 0 || remembered(bodies, contact, to.line) == side ||
-        side * heightOf(bodies, to.line) < -sinkOf(bodies, to.line, margin)) {
+    const Real side = directionBetween(line, next) * remembered(bodies, carrier, from.line, margin);
+    if (side == 0 || remembered(bodies, contact, to.line, margin) == side ||
+        side * heightOf(bodies, to.line, margin) < -sinkOf(bodies, to.line, margin)) {
         return;
     }
     if (!contact.near) { // for continuous collision

@@ -49,7 +49,7 @@ QueryTree::View QueryTree::view(const Bodies& bodies, const Tolerances& toleranc
             stale_.store(false, std::memory_order_release);
         }
     }
-    return {parts_.tree(), planes_};
+    return {parts_.tree(), planes_, compounds_.tree()};
 }
 
 void QueryTree::update(const Bodies& bodies, Real margin) {
@@ -95,14 +95,29 @@ void QueryTree::rebuild(const Bodies& bodies, Real margin) {
     hasPlane_.reserve(bodies.record.capacity());
     hasPlane_.assign(bodies.size(), 0);
     planes_.clear();
+    compounds_.clear();
     std::vector<BoundsTree::Leaf> leaves;
     for (std::uint32_t body = 0; body < bodies.size(); ++body) {
         if (bodies.ids.aliveAt(body)) {
+            const std::size_t first = leaves.size();
             append(bodies, body, margin, leaves);
+            updateCompound(body, std::span(leaves).subspan(first));
         }
     }
     const std::size_t room = bodies.record.capacity();
     parts_.build(leaves, std::max(leaves.size(), room), room);
+}
+
+/// Replaces the union of the leaves of a body.
+void QueryTree::updateCompound(std::uint32_t body, std::span<const BoundsTree::Leaf> parts) {
+    compounds_.remove(body);
+    if (parts.size() > 1) {
+        Aabb box = parts.front().box;
+        for (const BoundsTree::Leaf& part : parts) {
+            box = unite(box, part.box);
+        }
+        compounds_.insert({box, body, 0});
+    }
 }
 
 /// Keeps the leaves of a body whose parts are within them.
@@ -120,13 +135,14 @@ void QueryTree::updateBody(const Bodies& bodies, std::uint32_t body, Real margin
     }
     parts_.remove(body);
     removePlanes(body);
+    std::vector<BoundsTree::Leaf> leaves;
     if (alive) {
-        std::vector<BoundsTree::Leaf> leaves;
         append(bodies, body, margin, leaves);
         for (const BoundsTree::Leaf& leaf : leaves) {
             parts_.insert(leaf);
         }
     }
+    updateCompound(body, leaves);
 }
 
 void QueryTree::removePlanes(std::uint32_t body) {

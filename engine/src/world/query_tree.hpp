@@ -27,6 +27,7 @@ public:
     struct View {
         const BoundsTree& tree;
         std::span<const PlanePart> planes;
+        const BoundsTree& compounds; // bounds of each body with several parts; part: 0
     };
 
     QueryTree() = default;
@@ -54,10 +55,12 @@ private:
     void updateBody(const Bodies& bodies, std::uint32_t body, Real margin);
     void removePlanes(std::uint32_t body);
     void rebuild(const Bodies& bodies, Real margin);
+    void updateCompound(std::uint32_t body, std::span<const BoundsTree::Leaf> parts);
     void append(const Bodies& bodies, std::uint32_t body, Real margin,
                 std::vector<BoundsTree::Leaf>& leaves);
 
     PartTree parts_;
+    PartTree compounds_;                 // of each body with several leaves, their union
     std::vector<std::uint8_t> hasPlane_; // by body
     std::vector<PlanePart> planes_;
     std::vector<std::uint32_t> changed_;  // bodies

@@ -67,9 +67,12 @@ std::vector<std::uint32_t> Region::mayCross(const Aabb& before, const Bodies& bo
         found.push_back(plane.body);
     }
     const auto search = [&](const Aabb& strip) {
-        view.tree.search(
-            [&](const Aabb& box) { return overlap(strip, box) ? 0 : BoundsTree::kMissed; },
-            [&](std::uint32_t body, std::uint32_t) { found.push_back(body); });
+        // The parts of a body may leave a gap, which is within its bounds.
+        for (const BoundsTree* tree : {&view.tree, &view.compounds}) {
+            tree->search(
+                [&](const Aabb& box) { return overlap(strip, box) ? 0 : BoundsTree::kMissed; },
+                [&](std::uint32_t body, std::uint32_t) { found.push_back(body); });
+        }
     };
     forEachStrip(before, *box_, search);
     forEachStrip(*box_, before, search);
