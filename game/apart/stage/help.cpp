@@ -98,7 +98,7 @@ struct Layout {
     explicit Layout(const Canvas& canvas) : pitch(Real(0.6) * canvas.textScale()) {
         lines = canvas.textScale() > Real(1.05) ? 2 : 1;
         caption = Real(0.45) + Real(0.3) * canvas.textScale() + static_cast<Real>(lines) * pitch;
-        words = Real(0.7) + pitch * static_cast<Real>(3 * lines);
+        words = Real(0.85) + pitch * static_cast<Real>(3 * lines);
         scene = (kTop - words) / 2 - caption - Real(0.25);
     }
     /// Base line of the name of a scene.
@@ -166,23 +166,25 @@ void paintMeterBar(Canvas& canvas, const Aabb& box, const Game& game) {
     canvas.rectangle({bar.lower, {right, bar.upper.y}}, darker(color, 0.15f), color);
 }
 
-/// Covers all but the scenes of one row, between two heights (m). Those of the row below come
-/// later.
-void paintMask(Canvas& canvas, const Layout& layout, std::size_t row, Real low, Real high) {
-    const Aabb all = canvas.visible().grown(1);
-    const auto cover = [&](const Aabb& box) {
-        canvas.rectangle(box, palette::kNight, palette::kNight);
-    };
-    Real left = all.lower.x;
+/// Covers a margin around the scenes of one row. The picture begins black: to paint all of it costs
+/// several milliseconds without a graphics card.
+void paintMargin(Canvas& canvas, const Layout& layout, std::size_t row) {
+    constexpr Real kMargin = 1; // m; most that a primitive reaches beyond its scene
+    constexpr Color kBlack{0, 0, 0};
     const Aabb first = layout.box(row * kAcross);
-    cover({{left, first.upper.y}, {all.upper.x, high}});
-    cover({{left, low}, {all.upper.x, first.lower.y}});
+    const Aabb last = layout.box(row * kAcross + kAcross - 1);
+    const Real left = first.lower.x - kMargin;
+    const Real right = last.upper.x + kMargin;
+    const auto cover = [&](const Aabb& box) { canvas.rectangle(box, kBlack, kBlack); };
+    cover({{left, first.upper.y}, {right, first.upper.y + kMargin}});
+    cover({{left, first.lower.y - kMargin}, {right, first.lower.y}});
+    Real from = left;
     for (std::size_t column = 0; column < kAcross; ++column) {
         const Aabb box = layout.box(row * kAcross + column);
-        cover({{left, box.lower.y}, {box.lower.x, box.upper.y}});
-        left = box.upper.x;
+        cover({{from, box.lower.y}, {box.lower.x, box.upper.y}});
+        from = box.upper.x;
     }
-    cover({{left, first.lower.y}, {all.upper.x, first.upper.y}});
+    cover({{from, first.lower.y}, {right, first.upper.y}});
 }
 
 void paintWords(Canvas& canvas, const Bindings& keys, Real top) {
@@ -241,18 +243,16 @@ Real HelpPage::share() const {
 void HelpPage::drawScene(Canvas& canvas, HelpTopic topic, const Aabb& box) const {
     const auto vision = static_cast<Vision>(std::clamp(settings_.colors, 0, 3));
     InsetCanvas inset(canvas, kHelpRoom, box, vision);
-    canvas.rectangle(box, palette::kInk, lighter(palette::kInk, 0.06f));
     play(topic).draw(inset, share());
 }
 
 void HelpPage::draw(Canvas& canvas, const Bindings& keys) const {
     const Layout layout(canvas);
-    const Aabb all = canvas.visible().grown(1);
     for (std::size_t row = 0; row < 2; ++row) {
         for (std::size_t i = row * kAcross; i < (row + 1) * kAcross; ++i) {
             drawScene(canvas, static_cast<HelpTopic>(i), layout.box(i));
         }
-        paintMask(canvas, layout, row, all.lower.y, row == 0 ? all.upper.y : layout.box(0).lower.y);
+        paintMargin(canvas, layout, row);
     }
     for (std::size_t i = 0; i < kHelpTopics; ++i) {
         const auto topic = static_cast<HelpTopic>(i);

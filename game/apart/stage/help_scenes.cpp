@@ -28,9 +28,9 @@ ball-speed = 7500
 lives = 9
 [[ledge]]
 x = 0
-y = 7800
+y = 8100
 width = 13900
-height = 400
+height = 1000
 [[ledge]]
 x = -6750
 y = 3900
@@ -293,7 +293,7 @@ const std::array<HelpScene, kHelpTopics>& helpScenes() {
         {HelpTopic::Push, kPushBlocks, 8, 1020, &pushScript},
         {HelpTopic::Meter, kMeterBlocks, 9, 1320, &meterScript},
         {HelpTopic::Moods, kMoodBlocks, 1, 1080, &moodsScript},
-        {HelpTopic::Combo, kComboBlocks, 2, 840, &comboScript},
+        {HelpTopic::Combo, kComboBlocks, 102, 840, &comboScript},
         {HelpTopic::Honours, kHonourBlocks, 27, 660, &honoursScript},
     }};
     return kScenes;
