@@ -269,7 +269,7 @@ void HelpPage::draw(Canvas& canvas, const Bindings& keys) const {
                  game(HelpTopic::Honours));
     canvas.text("How to play", {0, Real(17.3)},
                 {Real(1.2), palette::kText, Typeface::Display, Align::Middle});
-    paintWords(canvas, keys, layout.words - Real(0.4));
+    paintWords(canvas, keys, layout.words - Real(0.55));
     canvas.text("escape or enter: back", {0, Real(-0.2)},
                 {kText, palette::kQuiet, Typeface::Plain, Align::Middle});
 }
