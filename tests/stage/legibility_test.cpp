@@ -216,6 +216,8 @@ TEST(Texts, AtTheLargestSizeLeaveEachOtherFree) {
     rig.press(Command::Back);
     rig.clickItem(Action::Help);
     expectFree("help");
+    rig.frames(200);
+    expectFree("help, later");
     rig.press(Command::Back);
     rig.clickItem(Action::Options);
     for (std::size_t page = 0; page < kDialPages.size(); ++page) {

@@ -152,7 +152,7 @@ bool Stage::attracting() const {
 
 void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     seconds_ += seconds;
-    overSeconds_ += seconds;
+    over_.seconds += seconds;
     idleSeconds_ += seconds;
     take(signals, speaker);
     speaker.follow(soundOf(session_, screen_ == Screen::Playing, profile().audible()));
@@ -161,6 +161,9 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     if (records_.advance(playing ? kCheckInGames : kCheckInMenus, !playing) &&
         screen_ == Screen::Title) {
         refreshTitle(menu_, offer(), records_);
+    }
+    if (help_ && screen_ == Screen::Help) {
+        help_->advance(seconds);
     }
     const bool menu =
         screen_ == Screen::Options || screen_ == Screen::Keys || screen_ == Screen::Help;
@@ -249,20 +252,21 @@ void Stage::reloadLevel() {
 
 void Stage::finish() {
     screen_ = Screen::Over;
-    overSeconds_ = 0;
+    over_.seconds = 0;
     session_.endFanfare();
     const Game& game = session_.game();
     const std::string name = endless_.keyOf(game);
     const MedalMarks* marks = endless_.number > 0 ? nullptr : marksFor(name, records_.marks());
     Best best = session_.statistics().bestOf(game, marks);
     best.score += endless_.number > 0 ? endless_.score : 0;
-    before_ = records_.profile().bestOf(game.mode(), name);
-    before_.score = records_.provedScore(game.mode(), name);
-    newBest_ = false;
+    over_.before = records_.profile().bestOf(game.mode(), name);
+    over_.before.score = records_.provedScore(game.mode(), name);
+    over_.newBest = false;
     if (!def_.pilot && session_.kind() == Session::Kind::Own && game.result() != Result::Playing) {
         session_.takeUnkept(); // enter() keeps it
         keepGame();
-        newBest_ = records_.enter({{game.mode(), name}, best, endless_.with(session_.record())});
+        over_.newBest =
+            records_.enter({{game.mode(), name}, best, endless_.with(session_.record())});
     }
     rerun_ = session_.rerun();
     std::vector<MenuItem> items;

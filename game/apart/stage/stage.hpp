@@ -2,6 +2,7 @@
 #pragma once
 
 #include <apart/stage/confirm.hpp>
+#include <apart/stage/help.hpp>
 #include <apart/stage/hud.hpp>
 #include <apart/stage/input_mapper.hpp>
 #include <apart/stage/key_screen.hpp>
@@ -159,6 +160,13 @@ private:
         std::vector<std::string> faults; // of the file
     };
 
+    /// The result screen.
+    struct Outcome {
+        double seconds = 0; // since it appeared
+        bool newBest = false;
+        Best before{}; // best results of the level before the last game; its score is proved
+    };
+
     StageDef def_;
     Screen screen_ = Screen::Title;
     Screen behind_ = Screen::Title; // the options or the help
@@ -178,12 +186,11 @@ private:
     InputMapper inputMapper_;
     Menu menu_;
     KeyScreen keys_;
+    std::optional<HelpPage> help_; // of Screen::Help
     LevelSelect select_;
     double seconds_ = 0;     // s since the start, for animations
     double idleSeconds_ = 0; // s since the last input
-    double overSeconds_ = 0; // s since the result screen appeared
-    bool newBest_ = false;
-    Best before_{}; // best results of the level before the last game; its score is proved
+    Outcome over_;           // of Screen::Over
 };
 
 } // namespace apart

@@ -140,10 +140,15 @@ HudLook Stage::hudLook() const {
 }
 
 void Stage::draw(Canvas& canvas) const {
-    const bool wide = session_.isDemo();
-    canvas.begin(wide ? layout::kShownTitle : layout::kShown, session_.play().juice().shake());
+    const bool help = screen_ == Screen::Help && help_;
+    const bool wide = session_.isDemo() || help;
+    canvas.begin(wide ? layout::kShownTitle : layout::kShown,
+                 help ? Vec2{} : session_.play().juice().shake());
     canvas.setPalette(static_cast<Vision>(std::clamp(settings().colors, 0, 3)));
     canvas.setTextScale(static_cast<Real>(settings().text) / 100);
+    if (help) {
+        return help_->draw(canvas, profile().bindings);
+    }
     const Closeup closeup = rerun_ || wide ? Closeup{} : session_.closeup();
     canvas.zoom(closeup.focus, closeup.scale);
     paintBackdrop(canvas, game().level().theme, seconds_);
@@ -186,9 +191,8 @@ void Stage::draw(Canvas& canvas) const {
         canvas.text("Replays", {0, Real(14.4)},
                     {Real(1.4), palette::kText, Typeface::Display, Align::Middle});
         return menu_.draw(canvas);
-    case Screen::Help:
-        paintVeil(canvas, faded(palette::kNight, 0.86f));
-        return paintHelp(canvas, profile().bindings);
+    case Screen::Help: // above
+        return;
     case Screen::Playing:
         if (session_.isShow()) {
             return paintTheatre(canvas, theatre_, game().ticks(), profile().bindings);
@@ -206,7 +210,8 @@ void Stage::draw(Canvas& canvas) const {
         paintVeil(canvas, faded(palette::kNight, rerun_ ? 0.55f : 0.72f));
         const std::int32_t score = game().score() + (endless_.number > 0 ? endless_.score : 0);
         paintResults(canvas,
-                     {game(), session_.statistics(), score, before_, newBest_, overSeconds_,
+                     {game(), session_.statistics(), score, over_.before, over_.newBest,
+                      over_.seconds,
                       endless_.number > 0 ? std::span<const MedalMarks>() : records_.marks()});
         return menu_.draw(canvas);
     }

@@ -236,6 +236,7 @@ void Stage::back() {
     case Screen::Help: {
         const Action left = screen_ == Screen::Options ? Action::Options : Action::Help;
         records_.save();
+        help_.reset();
         if (behind_ == Screen::Title) {
             toTitle();
         } else {
@@ -296,6 +297,7 @@ void Stage::act(const MenuOutcome& outcome) {
     }
     case Action::Help:
         behind_ = screen_;
+        help_.emplace(profile().audible());
         return open(Screen::Help, helpMenu());
     case Action::Mode:
         records_.profile().mode = profile().mode == Mode::Pure ? Mode::Standard : Mode::Pure;

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+// The help page: scenes that play themselves.
+#include <apart/core/tuning.hpp>
+#include <apart/stage/help.hpp>
+#include <apart/stage/inset_canvas.hpp>
+#include <apart/stage/layout.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "stage_rig.hpp"
+
+namespace apart {
+namespace {
+
+/// What happened in one showing of a scene.
+struct Shown {
+    int lost = 0; // lives
+    int broke = 0;
+    int shards = 0; // caught
+    std::map<Mood, int> caught{};
+    std::map<Mood, int> released{};
+    int pulled = 0; // ticks
+    int pushed = 0;
+    int combo = 0;
+    Real leastMeter = 1;
+    Real meterAfter = 0; // largest one after the least
+};
+
+template <typename Kind>
+int countOf(const Game& game) {
+    return static_cast<int>(
+        std::count_if(game.events().begin(), game.events().end(),
+                      [](const Event& event) { return std::holds_alternative<Kind>(event); }));
+}
+
+void look(Shown& shown, const Game& game) {
+    shown.lost += countOf<LifeLost>(game);
+    shown.broke += countOf<Broke>(game);
+    shown.shards += countOf<ShardCaught>(game);
+    for (const Event& event : game.events()) {
+        if (const auto* caught = std::get_if<Caught>(&event)) {
+            ++shown.caught[moodOf(caught->power)];
+        } else if (const auto* released = std::get_if<Released>(&event)) {
+            ++shown.released[moodOf(released->power)];
+        }
+    }
+    shown.pulled += game.force() == Force::Pull ? 1 : 0;
+    shown.pushed += game.force() == Force::Push ? 1 : 0;
+    shown.combo = std::max(shown.combo, game.combo());
+    if (game.meter() < shown.leastMeter) {
+        shown.leastMeter = shown.meterAfter = game.meter();
+    }
+    shown.meterAfter = std::max(shown.meterAfter, game.meter());
+}
+
+struct Showing {
+    Shown shown;
+    Game end;
+};
+
+Showing showingOf(HelpTopic topic) {
+    const HelpScene& scene = helpScenes()[static_cast<std::size_t>(topic)];
+    Showing showing{{}, Game(levelOf(scene), scene.seed)};
+    while (showing.end.ticks() < scene.ticks) {
+        showing.end.tick(scene.script(showing.end));
+        look(showing.shown, showing.end);
+    }
+    EXPECT_EQ(showing.shown.lost, 0);
+    return showing;
+}
+
+TEST(HelpScenes, ShowPullAndPush) {
+    const Shown pull = showingOf(HelpTopic::Pull).shown;
+    EXPECT_GE(pull.pulled, kTicksPerSecond);
+    EXPECT_EQ(pull.pushed, 0);
+    EXPECT_GE(pull.shards, 10);
+    const Shown push = showingOf(HelpTopic::Push).shown;
+    EXPECT_GE(push.pushed, kTicksPerSecond);
+    EXPECT_EQ(push.pulled, 0);
+    EXPECT_GE(push.broke, 4);
+}
+
+TEST(HelpScenes, ShowTheMeterEmptyAndFillAgain) {
+    const Shown shown = showingOf(HelpTopic::Meter).shown;
+    EXPECT_LT(shown.leastMeter, 0.02);
+    EXPECT_GT(shown.meterAfter, 0.3);
+    EXPECT_GE(shown.shards, 5);
+}
+
+TEST(HelpScenes, ShowPartsOfAllMoods) {
+    Shown shown = showingOf(HelpTopic::Moods).shown;
+    for (const Mood mood : {Mood::Good, Mood::Mixed, Mood::Bad}) {
+        EXPECT_GE(shown.released[mood], 2);
+        EXPECT_GE(shown.caught[mood], 1);
+    }
+}
+
+TEST(HelpScenes, ShowAComboAndAllHonours) {
+    EXPECT_GE(showingOf(HelpTopic::Combo).shown.combo, 5);
+    const Game end = showingOf(HelpTopic::Honours).end;
+    EXPECT_EQ(end.result(), Result::Won);
+    EXPECT_EQ(end.lives(), end.level().lives);
+    EXPECT_GE(end.collapse().largest, 8);
+}
+
+TEST(HelpScenes, TheirBuildingsStandUntouched) {
+    for (const HelpScene& scene : helpScenes()) {
+        Game game(levelOf(scene), scene.seed);
+        for (int i = 0; i < 10 * kTicksPerSecond; ++i) {
+            game.tick({});
+        }
+        EXPECT_EQ(game.blocksLeft(), game.blocksAtStart());
+    }
+}
+
+TEST(HelpPage, BeginsEachSceneAgainAndShowsTheSame) {
+    HelpPage page{Settings{}};
+    std::array<std::vector<std::uint64_t>, kHelpTopics> hashes;
+    for (int frame = 0; frame < 60 * 26; ++frame) { // the longest scene has 11 s
+        page.advance(1.0 / 60);
+        for (std::size_t i = 0; i < kHelpTopics; ++i) {
+            const Game& game = page.game(static_cast<HelpTopic>(i));
+            if (game.ticks() == 400) {
+                hashes[i].push_back(game.stateHash());
+            }
+        }
+    }
+    for (const auto& own : hashes) {
+        ASSERT_GE(own.size(), 2u);
+        EXPECT_EQ(own[0], own[1]);
+    }
+}
+
+TEST(HelpPage, FollowsTheSpeedOfTheGameAndDropsAStall) {
+    Settings settings;
+    settings.speed = 50;
+    HelpPage page(settings);
+    for (int frame = 0; frame < 60; ++frame) {
+        page.advance(1.0 / 60);
+    }
+    EXPECT_NEAR(page.game(HelpTopic::Pull).ticks(), 60, 1);
+    page.advance(5);
+    EXPECT_LE(page.game(HelpTopic::Pull).ticks(), 68u);
+}
+
+/// The most flashes of all scenes together within one second.
+std::size_t mostFlashes(int calm, int seconds) {
+    Settings settings;
+    settings.flash = 100;
+    settings.calm = calm;
+    HelpPage page(settings);
+    std::vector<int> starts; // frames
+    std::array<float, kHelpTopics> before{};
+    for (int frame = 0; frame < 60 * seconds; ++frame) {
+        page.advance(1.0 / 60);
+        for (std::size_t i = 0; i < kHelpTopics; ++i) {
+            const Flashes& flashes = page.play(static_cast<HelpTopic>(i)).juice().flashes();
+            EXPECT_TRUE(calm == 0 || flashes.punch() == 0);
+            if (flashes.field() > before[i] + 0.1f) {
+                starts.push_back(frame);
+            }
+            before[i] = flashes.field();
+        }
+    }
+    std::size_t most = 0;
+    for (std::size_t a = 0; a < starts.size(); ++a) {
+        std::size_t within = 0;
+        while (a + within < starts.size() && starts[a + within] < starts[a] + 60) {
+            ++within;
+        }
+        most = std::max(most, within);
+    }
+    return most;
+}
+
+TEST(HelpPage, FlashesAtMostThreeASecondAndNotAtAllIfReduced) {
+    const std::size_t most = mostFlashes(0, 30);
+    EXPECT_GE(most, 1u); // the test is not vacuous
+    EXPECT_LE(most, 3u);
+    EXPECT_EQ(mostFlashes(1, 12), 0u);
+}
+
+TEST(HelpPage, PlaysWhileItIsOpenAndTheGameBehindItWaits) {
+    StageRig rig(StageRig::playing());
+    rig.frames(30);
+    rig.press(Command::Pause);
+    const std::uint32_t ticks = rig.stage.game().ticks();
+    rig.clickItem(Action::Help);
+    rig.frames(30);
+    const std::vector<Stroke> first = rig.picture().strokes();
+    rig.frames(30);
+    const std::vector<Stroke>& second = rig.picture().strokes();
+    const auto same = [](const Stroke& a, const Stroke& b) {
+        return a.place == b.place && a.color == b.color;
+    };
+    EXPECT_FALSE(std::equal(first.begin(), first.end(), second.begin(), second.end(), same));
+    EXPECT_EQ(rig.stage.game().ticks(), ticks);
+    EXPECT_FALSE(rig.picture().says("SCORE")) << "the page covers the game";
+    for (const char* words : {"pull", "push", "meter", "marks", "combo", "honours"}) {
+        EXPECT_TRUE(rig.picture().says(words)) << words;
+    }
+    rig.press(Command::Back);
+    EXPECT_EQ(rig.stage.screen(), Screen::Paused);
+}
+
+TEST(HelpPage, DrawsFewPrimitives) {
+    HelpPage page{Settings{}};
+    RecordingCanvas canvas;
+    std::size_t most = 0;
+    for (int frame = 0; frame < 60 * 12; ++frame) {
+        page.advance(1.0 / 60);
+        canvas.begin(layout::kShownTitle, {});
+        page.draw(canvas, Bindings{});
+        most = std::max(most, canvas.strokes().size());
+    }
+    EXPECT_LT(most, 6000u);
+}
+
+TEST(InsetCanvas, MapsItsRegionAndLeavesOutTheRest) {
+    RecordingCanvas page;
+    page.begin({{0, 0}, {40, 40}}, {});
+    InsetCanvas inset(page, {{-2, 0}, {2, 2}}, {{10, 10}, {12, 11}}, Vision::Usual);
+    inset.disc({1, 1}, 1, palette::kText, palette::kText);
+    inset.disc({5, 1}, 1, palette::kText, palette::kText); // outside
+    inset.line({3, 0}, {9, 9}, 1, palette::kText);         // outside
+    inset.rectangle({{-9, -9}, {9, 9}}, palette::kText, palette::kText);
+    inset.text("word", {-2, 0}, {Real(0.8), palette::kText});
+    ASSERT_EQ(page.strokes().size(), 3u);
+    EXPECT_EQ(page.strokes()[0].place, (Vec2{Real(11.5), Real(10.5)}));
+    EXPECT_EQ(page.strokes()[0].size, Real(0.5));
+    EXPECT_EQ(page.strokes()[1].place, (Vec2{10, 10})) << "ends at the edge";
+    EXPECT_EQ(page.strokes()[2].style.height, Real(0.4));
+}
+
+} // namespace
+} // namespace apart
