@@ -175,7 +175,7 @@ TEST(LineSide, PlanksOnManyShortSegmentsGainNoEnergy) {
         BodyDef def;
         def.shape = Box{3, Real(0.2)};
         def.position = {0, 2};
-        def.rotation = Rot::fromAngle(random.between(Real(-0.5), Real(0.5)));
+        def.rotation = Rot::fromAngle(random.between(-0.5, 0.5));
         def.velocity = {random.between(-1, 1), 0};
         def.material = withFriction(0);
         const auto [most, first] = energiesOn(wave, def, 90);
