@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <support/depth.hpp>
+#include <support/draws.hpp>
 #include <support/random_shapes.hpp>
 #include <support/scenes.hpp>
 
