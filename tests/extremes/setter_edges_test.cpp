@@ -277,7 +277,7 @@ std::vector<Call> otherCalls() {
     return calls;
 }
 
-/// Copies and bytes of a World have its state; each of its bodies takes over its own state.
+/// Bytes and copies of a World have its state. copyFrom() of each body itself is accepted.
 void expectRestorable(const World& world) {
     const World loaded = fromBytes(toBytes(world));
     ASSERT_EQ(loaded.stateHash(), world.stateHash());

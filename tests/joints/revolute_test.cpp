@@ -243,7 +243,8 @@ TEST(RevoluteJoint, ItsBodiesCollideOnlyIfAllowed) {
 }
 
 // F1: a small body on a fixed axle, pinned with a long arm to one that turns, gains no energy. In a
-// substep, the pull of the pin would turn it by more than 2 rad.
+// substep, the pull of the pin would turn it by more than 2 rad. The bounded inertia that prevents
+// this damps the motion, but does not stop it: after 2 s at 30 Hz at least a twentieth is left.
 TEST(Revolute, ASmallBodyThatOnlyTurnsOnALongArmGainsNoEnergy) {
     for (const int rate : {60, 30, 240}) {
         for (const Real size : {Real(0.05), Real(0.1), Real(0.3)}) {
@@ -267,6 +268,7 @@ TEST(Revolute, ASmallBodyThatOnlyTurnsOnALongArmGainsNoEnergy) {
                 for (int step = 0; step < 2 * rate; ++step) {
                     world.step(1 / static_cast<Real>(rate));
                     ASSERT_LT(energy(), 1.02 * start) << "step " << step;
+                    ASSERT_GT(energy(), 0.05 * start) << "step " << step;
                 }
             }
         }

@@ -120,7 +120,7 @@ TEST(LineSide, ThinBodiesDoNotPassTheJointsOfSegments) {
     }
 }
 
-// The remembered sides are state: copies and bytes continue with the same bits.
+// The stored sides are state: copies and bytes continue with the same bits.
 TEST(LineSide, CopiesAndBytesContinueWithTheSameBits) {
     for (const Outline& outline : outlines()) {
         RandomNumbers random(3);
@@ -183,7 +183,7 @@ TEST(LineSide, PlanksOnManyShortSegmentsGainNoEnergy) {
     }
 }
 
-// Regression: a contact with the edge of a step did not tell the side of the riser. A rod that had
+// Regression: a contact with the edge of a step gave no side of the riser. A rod that had
 // sunk by a millimetre counted as on the other side of all three segments, and was thrown.
 TEST(LineSide, ARodThatTurnsOntoANarrowStepGainsNoEnergy) {
     const Real side = Real(0.3);

@@ -21,7 +21,6 @@ public:
         blocks_.resize(std::max(blocks_.size(), body / kBodies + 1));
         blocks_[body / kBodies] |= flags & kUserFlags;
     }
-    void clear() { blocks_.clear(); }
 
     /// Calls visit(body) for all bodies of the blocks that may have one which the filter accepts.
     template <typename Visit>

@@ -33,12 +33,12 @@ Ground groundOf(const Bodies& bodies, const Contact& contact) {
             contact.key.partA};
 }
 
-/// True for two lines of a body that know their neighbours: they need no help against ghost
-/// collisions. Lines of a fine valley rise by less than the tolerance, but must not be hidden.
+/// True for two lines of a body that store their neighbours: they cause no ghost collisions. Lines
+/// of a fine valley rise by less than the tolerance, but must not be hidden.
 bool areChain(const Bodies& bodies, const Ground& a, const Ground& b) {
-    const auto knows = [](const ConvexShape& line) { return line.oneSided || isJointed(line); };
-    return a.body == b.body && knows(bodies.convex(a.body, a.part)) &&
-           knows(bodies.convex(b.body, b.part));
+    const auto isLinked = [](const ConvexShape& line) { return line.oneSided || isJointed(line); };
+    return a.body == b.body && isLinked(bodies.convex(a.body, a.part)) &&
+           isLinked(bodies.convex(b.body, b.part));
 }
 
 /// True if no point of the shape is more than `tolerance` (m) above the surface through `point`.

@@ -2,21 +2,21 @@
 #include "contacts/line_side.hpp"
 
 #include "base/vector_reuse.hpp"
+#include "collide/round.hpp"
 #include "contacts/contact_update.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-constexpr Real kAcross = Real(0.1); // least cosine to the line's normal that tells a side
+constexpr Real kAcross = Real(0.1); // a side is clear from this cosine to the line's normal on
 
-/// Normal that tells the sides of a line at a point of it: near a vertex between that of the line
-/// and that of its neighbour, since contacts there may have either.
+/// Normal by which the sides of a line differ at a point of it: near a vertex between that of the
+/// line and that of its neighbour, since contacts there may have either.
 Vec2 normalAt(const ConvexShape& line, Vec2 p, Real margin) {
     for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
         const Vec2 next = end == 0 ? line.before : line.after;
@@ -29,8 +29,8 @@ Vec2 normalAt(const ConvexShape& line, Vec2 p, Real margin) {
     return line.normals[1];
 }
 
-/// The side that the manifold of the last step tells; 0: none.
-Real remembered(const Bodies& bodies, const Contact& contact, const JointedLine& line,
+/// The side of the manifold of the last step; 0: none.
+Real storedSide(const Bodies& bodies, const Contact& contact, const JointedLine& line,
                 Real margin) {
     const Manifold& manifold = contact.manifold;
     const ContactKey& key = contact.key;
@@ -57,21 +57,8 @@ Vec2 nearestPoint(const ConvexShape& shape, Vec2 p) {
         const Real distance = length(arm);
         return distance > shape.radius ? shape.vertices[0] + shape.radius / distance * arm : p;
     }
-    Vec2 nearest = p;
-    Real least = std::numeric_limits<Real>::infinity();
-    for (std::size_t i = 0; i < shape.vertices.size(); ++i) {
-        const Vec2 from = shape.vertices[i];
-        if (shape.isLine() || dot(shape.normals[i], p - from) > 0) {
-            const Vec2 edge = shape.vertices[(i + 1) % shape.vertices.size()] - from;
-            const Real share = dot(p - from, edge) / lengthSquared(edge);
-            const Vec2 on = from + std::clamp(share, Real(0), Real(1)) * edge;
-            if (lengthSquared(p - on) < least) {
-                least = lengthSquared(p - on);
-                nearest = on;
-            }
-        }
-    }
-    return nearest;
+    const RoundAxis axis = nearestToCenter(shape, p);
+    return axis.distance > 0 ? p - axis.distance * axis.normal : p;
 }
 
 /// Heights (m) up to this one on the wrong side are those of a soft contact.
@@ -116,9 +103,10 @@ std::optional<JointedLine> jointedLineOf(const Bodies& bodies, const ContactKey&
                : JointedLine{false, key.bodyB, key.partB, key.bodyA, key.partA};
 }
 
-Real sideOf(const Bodies& bodies, const Contact& contact, const JointedLine& line, Real margin) {
+Real jointedSideOf(const Bodies& bodies, const Contact& contact, const JointedLine& line,
+                   Real margin) {
     const Real height = heightOf(bodies, line, margin);
-    const Real last = remembered(bodies, contact, line, margin);
+    const Real last = storedSide(bodies, contact, line, margin);
     return last != 0 && last * height >= -sinkOf(bodies, line, margin)
                ? last
                : std::copysign(Real(1), height);
@@ -141,7 +129,7 @@ Manifold collideOnSide(const Bodies& bodies, const ContactKey& key, const Jointe
     if (manifold.count == 0) {
         const Vec2 normal = bodies.pose[line.body].rotation * front;
         manifold.normal = line.isA ? normal : -normal;
-        Real& gap = manifold.points[0].separation; // > 0: the side is known
+        Real& gap = manifold.points[0].separation; // > 0: the normal gives the side
         gap = std::max(gap, limits.margin);
     }
     return manifold;
@@ -171,15 +159,15 @@ void LineSides::link(const Bodies& bodies, std::span<const Contact> contacts,
 }
 
 /// `from` touched in the last step, `to` did not.
-void LineSides::handOn(const HidingStep& step, const Member& from, const Member& to) const {
+void LineSides::copySide(const HidingStep& step, const Member& from, const Member& to) const {
     const Bodies& bodies = step.bodies;
     const Contact& carrier = step.contacts[from.slot];
     Contact& contact = step.contacts[to.slot];
     const ConvexShape& line = bodies.convex(from.line.body, from.line.part);
     const ConvexShape& next = bodies.convex(to.line.body, to.line.part);
     const Real margin = step.tolerances.margin;
-    const Real side = directionBetween(line, next) * remembered(bodies, carrier, from.line, margin);
-    if (side == 0 || remembered(bodies, contact, to.line, margin) == side ||
+    const Real side = directionBetween(line, next) * storedSide(bodies, carrier, from.line, margin);
+    if (side == 0 || storedSide(bodies, contact, to.line, margin) == side ||
         side * heightOf(bodies, to.line, margin) < -sinkOf(bodies, to.line, margin)) {
         return;
     }
@@ -216,7 +204,7 @@ void LineSides::spread(const HidingStep& step) const {
         for (auto to = first; to != end; ++to) {
             Contact& contact = step.contacts[to->slot];
             if (!contact.near && contact.manifold.count == 0) {
-                contact.manifold.points[0].separation = 0; // the side is not known any more
+                contact.manifold.points[0].separation = 0; // no side is stored any more
             }
         }
         for (auto from = first; from != end; ++from) {
@@ -226,7 +214,7 @@ void LineSides::spread(const HidingStep& step) const {
             for (auto to = first; to != end; ++to) {
                 const Contact& contact = step.contacts[to->slot];
                 if (to != from && !contact.wasTouching) {
-                    handOn(step, *from, *to);
+                    copySide(step, *from, *to);
                 }
             }
         }

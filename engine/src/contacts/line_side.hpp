@@ -15,8 +15,8 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 
 /// A contact of a two-sided line that shares a vertex with another one of its body. Contacts are
-/// soft, so a thin shape lies a little below such a line. Its place alone does not tell the side
-/// then, least of all at the vertex. So the contact remembers the side, as its normal.
+/// soft, so a thin shape lies a little below such a line. Its place alone does not give the side
+/// then, least of all at the vertex. So the contact stores the side, as its normal.
 struct JointedLine {
     bool isA = false; // the line is the part of body a
     std::uint32_t body = 0;
@@ -32,14 +32,15 @@ std::optional<JointedLine> jointedLineOf(const Bodies& bodies, const ContactKey&
 /// Side of the line on which the other shape is: 1 for that of normals[1], else -1. The side of the
 /// last step, unless the middle of the shape is now deeper on the other side than contacts let it
 /// sink.
-Real sideOf(const Bodies& bodies, const Contact& contact, const JointedLine& line, Real margin);
+Real jointedSideOf(const Bodies& bodies, const Contact& contact, const JointedLine& line,
+                   Real margin);
 
-/// The manifold on that side. Without a contact point, its normal still tells the side.
+/// The manifold on that side. Without a contact point, its normal still gives the side.
 Manifold collideOnSide(const Bodies& bodies, const ContactKey& key, const JointedLine& line,
                        Real side, const ContactLimits& limits);
 
-/// Hands the side on from line to line: a shape that slides over the vertex onto the next line
-/// stays on the side on which it touched the last one.
+/// Copies the side from line to line: a shape that slides over the vertex onto the next line stays
+/// on the side on which it touched the last one.
 class LineSides {
 public:
     /// Must be called after contacts were added, removed or moved.
@@ -54,7 +55,7 @@ private:
         JointedLine line;
         std::uint32_t slot = 0;
     };
-    void handOn(const HidingStep& step, const Member& from, const Member& to) const;
+    void copySide(const HidingStep& step, const Member& from, const Member& to) const;
 
     std::vector<Member> groups_; // in order; a group has the same other part and body of lines
 };

@@ -21,9 +21,6 @@ constexpr Real kNoiseOnBase = Real(1) / 128;
 // A contact supports a body if its normal has a larger share than this against the acceleration.
 constexpr Real kSteep = Real(0.25);
 
-// With a smaller part of bodies calm for long enough, their islands are followed one by one.
-constexpr std::size_t kFewCalm = 4;
-
 /// Calm steps between two samples of a velocity: a quarter of those until sleep.
 std::uint32_t sampleInterval(std::uint32_t enough) {
     constexpr std::uint32_t kSamples = 4;
@@ -155,9 +152,9 @@ void SleepSystem::holdMoving(Bodies& bodies, std::uint32_t enough, const Toleran
     std::erase_if(sleepers_, [&](const auto& sleeper) { return leastCalm_[sleeper.first] == 0; });
 }
 
-/// Lists the calm islands, from one calm body after the other.
-void SleepSystem::followCalm(const Bodies& bodies, const ContactSet& contacts,
-                             const JointSet& joints, std::uint32_t enough) {
+/// Lists the bodies of calm islands, searched from one calm body after the other.
+void SleepSystem::findCalmIslands(const Bodies& bodies, const ContactSet& contacts,
+                                  const JointSet& joints, std::uint32_t enough) {
     resizeByBody(leastCalm_, bodies);
     resizeByBody(reachedBy_, bodies); // all 0 between steps
     reached_.clear();
@@ -219,45 +216,6 @@ bool SleepSystem::followIsland(std::uint32_t start, std::uint32_t search, const 
     return calm;
 }
 
-/// Lists the calm islands, from all contacts and joints.
-void SleepSystem::joinTouching(const Bodies& bodies, const ContactSet& contacts,
-                               const JointSet& joints, std::uint32_t enough) {
-    touching_.resize(bodies.size());
-    resizeByBody(leastCalm_, bodies);
-    for (const std::uint32_t body : bodies.awake) {
-        touching_.makeSet(body);
-    }
-    for (const Contact& contact : contacts.contacts()) {
-        const ContactKey& key = contact.key;
-        if (contact.touching && !contact.sensor && bodies.active(key.bodyA) &&
-            bodies.active(key.bodyB)) {
-            // A kinematic body joins the bodies that it carries, so none of them falls asleep.
-            touching_.join(key.bodyA, key.bodyB);
-        }
-    }
-    joints.forEachBusy([&](const JointSet::Joint& joint) {
-        const std::uint32_t a = firstBody(joint.def).index;
-        const std::uint32_t b = secondBody(joint.def).index;
-        if (bodies.active(a) && bodies.active(b)) {
-            touching_.join(a, b);
-        }
-    });
-    for (const std::uint32_t body : bodies.awake) {
-        leastCalm_[body] = bodies.locked(body) ? 0 : bodies.sleep[body].calmSteps;
-    }
-    for (const std::uint32_t body : bodies.awake) {
-        std::uint32_t& least = leastCalm_[touching_.rootOf(body)];
-        const std::uint32_t own = bodies.locked(body) ? 0 : bodies.sleep[body].calmSteps;
-        least = std::min(least, own);
-    }
-    for (const std::uint32_t body : bodies.awake) {
-        const std::uint32_t root = touching_.rootOf(body);
-        if (leastCalm_[root] >= enough) {
-            sleepers_.emplace_back(root, body);
-        }
-    }
-}
-
 bool SleepSystem::updateSleep(Bodies& bodies, const ContactSet& contacts, const JointSet& joints,
                               const StepSettings& settings, const Tolerances& tolerances, Real dt) {
     countCalm(bodies, settings, tolerances, dt);
@@ -267,11 +225,7 @@ bool SleepSystem::updateSleep(Bodies& bodies, const ContactSet& contacts, const 
     const auto enough = static_cast<std::uint32_t>(settings.sleepSteps);
     sleepers_.clear();
     sleepers_.reserve(bodies.record.capacity());
-    if (kFewCalm * calm_.size() < bodies.awake.size()) {
-        followCalm(bodies, contacts, joints, enough);
-    } else {
-        joinTouching(bodies, contacts, joints, enough);
-    }
+    findCalmIslands(bodies, contacts, joints, enough);
     if (!sleepers_.empty()) {
         findBases(bodies, contacts);
         holdMoving(bodies, enough, tolerances, dt);

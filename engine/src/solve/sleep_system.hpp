@@ -3,7 +3,6 @@
 
 #include <kodo/settings.hpp>
 
-#include "base/disjoint_sets.hpp"
 #include "bodies/bodies.hpp"
 #include "contacts/contact_set.hpp"
 #include "joints/joint_set.hpp"
@@ -101,10 +100,8 @@ private:
     void putToSleep(Bodies& bodies, std::span<const std::uint32_t> members);
     void countCalm(Bodies& bodies, const StepSettings& settings, const Tolerances& tolerances,
                    Real dt);
-    void joinTouching(const Bodies& bodies, const ContactSet& contacts, const JointSet& joints,
-                      std::uint32_t enough);
-    void followCalm(const Bodies& bodies, const ContactSet& contacts, const JointSet& joints,
-                    std::uint32_t enough);
+    void findCalmIslands(const Bodies& bodies, const ContactSet& contacts, const JointSet& joints,
+                         std::uint32_t enough);
     bool followIsland(std::uint32_t start, std::uint32_t search, const Bodies& bodies,
                       const ContactSet& contacts, const JointSet& joints, std::uint32_t enough);
     void findBases(const Bodies& bodies, const ContactSet& contacts);
@@ -116,9 +113,8 @@ private:
     std::vector<std::uint32_t> freeIslands_;                     // heap, the lowest on top
     std::vector<std::vector<NeighbourIsland>> neighbourIslands_; // by body
     std::vector<std::uint32_t> calm_;                            // calm for long enough, in order
-    std::vector<std::uint32_t> reached_;                         // scratch of followCalm
+    std::vector<std::uint32_t> reached_;                         // scratch of findCalmIslands
     std::vector<std::uint32_t> reachedBy_; // by body: number of the search; 0: none
-    DisjointSets touching_;                // islands of the awake bodies
     std::vector<std::uint32_t> leastCalm_; // by root: calm steps
     std::vector<Base> bases_;              // by body
     std::vector<std::pair<std::uint32_t, std::uint32_t>> sleepers_; // root and body

@@ -17,7 +17,7 @@ bool areInOrder(std::span<const std::uint32_t> bodies, std::size_t count) {
 
 void SnapshotFields::rest(SleepSystem& stage, Bodies& bodies) {
     auto& [islands, sleepingIslands, freeIslands, neighbourIslands, calm, reached, reachedBy,
-           touching, leastCalm, bases, sleepers, members, woken, returning] = stage;
+           leastCalm, bases, sleepers, members, woken, returning] = stage;
     all(islands);
     if (!reads()) {
         return;

@@ -190,7 +190,7 @@ void WorldImpl::thaw(std::uint32_t body) {
     }
 }
 
-/// Adds N and N m for the next step, and wakes the body. No force wakes nobody.
+/// Adds a force (N) and a torque (N m) for the next step, and wakes the body. Zeros change nothing.
 void WorldImpl::addForce(std::uint32_t body, Vec2 force, Real torque) {
     if (force != Vec2{} || torque != 0) {
         kodo::addForce(bodies_, body, force, torque);
