@@ -18,19 +18,17 @@ bool displayAvailable() {
 #ifdef __linux__
     // SFML has loaded libX11 into the process. Symbols by name need no X11 headers.
     using OpenDisplay = void* (*)(const char*);
-    using CloseDisplay = int (*)(void*);
     const auto open = reinterpret_cast<OpenDisplay>(dlsym(RTLD_DEFAULT, "XOpenDisplay"));
-    const auto close = reinterpret_cast<CloseDisplay>(dlsym(RTLD_DEFAULT, "XCloseDisplay"));
-    if (open == nullptr || close == nullptr) {
-        return false;
+    // Stays open until the program ends: a server that is reset when its last client leaves, as
+    // Xvfb is, could otherwise refuse the window that is opened next.
+    static void* display = nullptr;
+    if (display == nullptr && open != nullptr) {
+        display = open(nullptr);
     }
-    void* display = open(nullptr);
-    if (display == nullptr) {
-        return false;
-    }
-    close(display);
-#endif
+    return display != nullptr;
+#else
     return true;
+#endif
 }
 
 namespace {
