@@ -15,7 +15,7 @@ inline constexpr std::size_t kPinBlocks = 40;
 inline constexpr auto kPinLanes = static_cast<std::size_t>(RevoluteBlock::kJoints);
 
 /// Blocks of revolute joints between independent pairs of bodies. Some bodies are locked, some can
-/// only rotate, some have rotated far. Some lanes are empty: both bodies are the first
+/// not rotate, some have rotated far. Some lanes are empty: both bodies are the first
 /// BodyVelocity. Every second block has motors and limits if `angular`.
 struct RandomPins {
     static constexpr Real kStep = Real(1) / 300; // s
@@ -43,14 +43,14 @@ struct RandomPins {
     }
 
     std::uint32_t addBody(support::RandomNumbers& random) {
-        const std::size_t kind = random.below(6); // 0: locked, 1: rotates only, 2: cannot rotate
+        const std::size_t kind = random.below(6); // 0: locked, 1: cannot rotate
         BodyVelocity body;
-        body.velocity = kind < 2 ? Vec2{} : random.point(5);
-        body.angularVelocity = kind == 0 || kind == 2 ? 0 : random.between(-9, 9);
-        body.invMass = kind < 2 ? 0 : random.between(0.1, 4);
+        body.velocity = kind == 0 ? Vec2{} : random.point(5);
+        body.angularVelocity = kind < 2 ? 0 : random.between(-9, 9);
+        body.invMass = kind == 0 ? 0 : random.between(0.1, 4);
         body.deltaPosition = random.point(0.01);
         body.deltaAngle = random.between(-1, 1) * (random.below(4) == 0 ? 100 : Real(0.1));
-        body.invInertia = kind == 0 || kind == 2 ? 0 : random.between(0.1, 9);
+        body.invInertia = kind < 2 ? 0 : random.between(0.1, 9);
         motion.push_back(body);
         return static_cast<std::uint32_t>(motion.size() - 1);
     }

@@ -57,8 +57,8 @@ TEST(RevolutePasses, RotateArmsByAnyAngle) {
     EXPECT_GT(farthest, 50);
 }
 
-// The result of PointConstraint for a single joint, also for bodies that only rotate and for locked
-// ones. Tolerance: the rounding of some dozen operations on numbers of size 100.
+// The result of PointConstraint for a single joint, also for bodies that cannot rotate and for
+// locked ones. Tolerance: the rounding of some dozen operations on numbers of size 100.
 TEST(RevolutePasses, AgreeWithASinglePointConstraint) {
     RandomPins pins(5);
     pins.run(RevolutePasses::best().rotate, {});

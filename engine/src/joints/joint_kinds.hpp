@@ -14,6 +14,13 @@ inline bool turnsOnly(const BodyVelocity& motion) {
     return motion.invMass == 0 && motion.invInertia > 0;
 }
 
+/// Relative to the inertia about the centre of mass, that about an anchor is larger by lever^2 m /
+/// I; a rod has 3 at its ends. True for an anchor far outside of a body.
+inline bool isLong(const BodyVelocity& motion, Vec2 arm) {
+    constexpr Real kLongArm = 16;
+    return motion.invInertia * lengthSquared(arm) > kLongArm * motion.invMass;
+}
+
 /// The two bodies and anchors of a joint, current within the step, in world axes.
 struct JointFrame {
     BodyVelocity& a;
@@ -79,9 +86,11 @@ public:
     }
 
     void operator()(const FixedJoint& weld) {
-        const PointConstraint point = anchors();
-        fix(angularBeside(point), 0, frame_.angle(weld.reference));
+        const AxisConstraint angle = fixed(angular(), frame_.angle(weld.reference));
+        PointConstraint point = anchors();
+        point.angle = {&angle, joint_.axes[0]};
         visit_(point, joint_.point, Relax::Rigid);
+        visit_(angle, joint_.axes[0], Relax::Rigid);
     }
 
     void operator()(const DistanceJoint& spring) {
@@ -102,8 +111,6 @@ public:
 
     void operator()(const PrismaticJoint& slider) {
         const Vec2 axis = frame_.rotationA * slider.axis;
-        fix(linear(perp(axis), frame_.gap), 0, dot(perp(axis), frame_.gap));
-        fix(angular(), 1, frame_.angle(slider.reference));
         const AxisConstraint along = linear(axis, frame_.gap);
         motor(along, 2, slider.motorSpeed, slider.motorForce);
         if (slider.limits) {
@@ -111,6 +118,11 @@ public:
             limit(along, 3, place - slider.limits->lower);
             limit(reversed(along), 4, slider.limits->upper - place);
         }
+        const AxisConstraint angle = fixed(angular(), frame_.angle(slider.reference));
+        AxisConstraint across = fixed(linear(perp(axis), frame_.gap), dot(perp(axis), frame_.gap));
+        across.angle = {&angle, joint_.axes[1]};
+        visit_(across, joint_.axes[0], Relax::Rigid);
+        visit_(angle, joint_.axes[1], Relax::Rigid);
     }
 
     void operator()(const MotorJoint& motor) {
@@ -160,7 +172,7 @@ private:
                                 joint_.springBound);
     }
 
-    AxisConstraint angular() const { return {{}, 1, 1, 0, 0, {}, kUnbounded, {}}; }
+    AxisConstraint angular() const { return {{}, 1, 1, 0, 0, {}, kUnbounded, {}, {}}; }
 
     /// An angular constraint that accounts for the point solved right after it.
     AxisConstraint angularBeside(const PointConstraint& point) const {
@@ -171,9 +183,15 @@ private:
 
     /// Constraint along an axis fixed to a; `gap` (m) is anchor b minus anchor a.
     AxisConstraint linear(Vec2 axis, Vec2 gap) const {
-        return {
-            axis, cross(frame_.armA + gap, axis), cross(frame_.armB, axis), 0, 0, {}, kUnbounded,
-            {}};
+        return {axis,
+                cross(frame_.armA + gap, axis),
+                cross(frame_.armB, axis),
+                0,
+                0,
+                {},
+                kUnbounded,
+                {},
+                {}};
     }
 
     static AxisConstraint reversed(AxisConstraint axis) {
@@ -183,11 +201,11 @@ private:
         return axis;
     }
 
-    void fix(AxisConstraint axis, std::size_t slot, Real error) {
+    AxisConstraint fixed(AxisConstraint axis, Real error) const {
         const Real most = mostError(pass_.stiff);
         axis.error = std::clamp(error, -most, most);
         axis.softness = pass_.stiff;
-        visit_(axis, joint_.axes[slot], Relax::Rigid);
+        return axis;
     }
 
     void motor(AxisConstraint axis, std::size_t slot, Real speed, Real most) {

@@ -5,39 +5,110 @@
 
 namespace kodo {
 inline namespace KODO_PRECISION {
+
+Real CoupledAngle::missing(const BodyVelocity& a, const BodyVelocity& b, bool biased) const {
+    return constraint != nullptr ? constraint->missing(a, b, impulse, biased) : Real(0);
+}
+
+Real CoupledAngle::removed(bool biased) const {
+    return constraint == nullptr ? Real(0) : biased ? constraint->softness.massScale : Real(1);
+}
+
+namespace {
+
+/// K of a point constraint divided by its trace k, so that squares of small and large masses
+/// neither underflow nor overflow.
+struct ScaledK {
+    Real k; // 1/kg; all others are in units of it
+    Real mass;
+    Real a; // inverse inertias, 1/m^2
+    Real b;
+    Real together; // of both bodies as one
+    Real determinant;
+
+    ScaledK(const BodyVelocity& bodyA, const BodyVelocity& bodyB, const PointConstraint& point,
+            Real turned) {
+        const Real sum = bodyA.invInertia + bodyB.invInertia;
+        const Real free = 1 - turned;
+        const Real rotation = bodyA.invInertia * lengthSquared(point.armA) +
+                              bodyB.invInertia * lengthSquared(point.armB);
+        const Real squareBetween = lengthSquared(point.armA - point.armB);
+        const Real jointly =
+            sum > 0 ? turned * (bodyA.invInertia / sum) * bodyB.invInertia : Real(0);
+        k = 2 * (bodyA.invMass + bodyB.invMass) + free * rotation + jointly * squareBetween;
+        const Real scale = k > 0 ? 1 / k : Real(0);
+        mass = scale * (bodyA.invMass + bodyB.invMass);
+        a = free * scale * bodyA.invInertia;
+        b = free * scale * bodyB.invInertia;
+        together = scale * jointly;
+        const Real area = cross(point.armA, point.armB);
+        const Real both = a * (scale * bodyB.invInertia); // only one factor of free remains
+        determinant = mass * (1 - mass) + both * area * area;
+    }
+};
+
+} // namespace
+
 /// K maps an impulse at the anchors to the change of their relative velocity:
 ///
-///   K = (1/mA + 1/mB) 1 + perp(rA) perp(rA)^T / IA + perp(rB) perp(rB)^T / IB      [Catto09]
+///   K = M 1 + perp(rA) perp(rA)^T / IA + perp(rB) perp(rB)^T / IB,  M = 1/mA + 1/mB     [Catto09]
+///   det K = M (M + rA^2 / IA + rB^2 / IB) + (rA x rB)^2 / (IA IB)
+///   K^-1 v = (M v + rA (rA . v) / IA + rB (rB . v) / IB) / det K
 ///
-/// For a body that can only rotate, K = k u u^T is singular: the point moves along u only. The
-/// impulse is then u (u . speed) / k = K speed / k^2.
-Vec2 PointConstraint::stopping(const BodyVelocity& a, const BodyVelocity& b, Vec2 speed) const {
-    const Real mass = a.invMass + b.invMass;
-    const Real xx = mass + a.invInertia * armA.y * armA.y + b.invInertia * armB.y * armB.y;
-    const Real xy = -a.invInertia * armA.x * armA.y - b.invInertia * armB.x * armB.y;
-    const Real yy = mass + a.invInertia * armA.x * armA.x + b.invInertia * armB.x * armB.x;
-    const Real k = xx + yy;
-    if (!(k > 0)) {
+/// These forms contain no differences, so unlike masses and inertias lose no digits. If both bodies
+/// can only rotate, K may be singular: the point moves along one direction only. The impulse is
+/// then K speed / k^2.
+Vec2 PointConstraint::stopping(const BodyVelocity& a, const BodyVelocity& b, Vec2 speed,
+                               Real turned) const {
+    const ScaledK scaled(a, b, *this, turned);
+    if (!(scaled.k > 0)) {
         return {}; // both bodies are immovable
     }
-    const Real determinant = xx * yy - xy * xy;
-    if (!(determinant > kSingularPoint * xx * yy)) {
-        return Vec2{xx * speed.x + xy * speed.y, xy * speed.x + yy * speed.y} / (k * k);
+    const auto weighted = [&](Vec2 rA, Vec2 rB) {
+        const Vec2 between = rA - rB;
+        return scaled.mass * speed + scaled.a * dot(rA, speed) * rA +
+               scaled.b * dot(rB, speed) * rB + scaled.together * dot(between, speed) * between;
+    };
+    if (scaled.mass > 0 || scaled.determinant > kSingularPoint) {
+        return weighted(armA, armB) / (scaled.determinant * scaled.k);
     }
-    return Vec2{yy * speed.x - xy * speed.y, xx * speed.y - xy * speed.x} / determinant;
+    return weighted(perp(armA), perp(armB)) / scaled.k;
+}
+
+/// 1/I_a + 1/I_b - u^T K^-1 u in a form without differences, with M as in K:
+///
+///   M (M (1/I_a + 1/I_b) + |rA - rB|^2 / (I_a I_b)) / det K
+Real PointConstraint::hinged(const BodyVelocity& a, const BodyVelocity& b) const {
+    const Real sum = a.invInertia + b.invInertia;
+    const ScaledK scaled(a, b, *this, 0);
+    if (!(scaled.determinant > 0)) {
+        return sum;
+    }
+    const Real between = lengthSquared(armA - armB);
+    return scaled.mass * (scaled.mass * sum + scaled.a * b.invInertia * between) /
+           scaled.determinant;
 }
 
 Vec2 PointConstraint::missing(const BodyVelocity& a, const BodyVelocity& b, Vec2 impulse,
                               bool biased) const {
     const Softness soft = biased ? softness : Softness{};
     const Vec2 bias = biased ? soft.biasRate * error + arc : Vec2{};
-    const Vec2 speed = velocityAt(b, armB) - velocityAt(a, armA) + bias;
-    Vec2 next = impulse - soft.massScale * stopping(a, b, speed) - soft.impulseScale * impulse;
+    Vec2 speed = velocityAt(b, armB) - velocityAt(a, armA) + bias;
+    if (angle.constraint != nullptr) {
+        speed +=
+            angle.missing(a, b, biased) * (a.invInertia * perp(armA) + b.invInertia * perp(armB));
+    }
+    Vec2 next = impulse - soft.massScale * stopping(a, b, speed, angle.removed(biased)) -
+                soft.impulseScale * impulse;
     const Real size = length(next);
     if (size > maxImpulse) {
         next = (maxImpulse / size) * next;
     }
     return next - impulse;
+}
+
+Vec2 PointConstraint::answer(const BodyVelocity& a, const BodyVelocity& b, Real twist) const {
+    return -stopping(a, b, twist * (a.invInertia * perp(armA) + b.invInertia * perp(armB)));
 }
 
 void PointConstraint::solve(BodyVelocity& a, BodyVelocity& b, Vec2& impulse, bool biased) const {
@@ -71,25 +142,42 @@ void AxisConstraint::push(BodyVelocity& a, BodyVelocity& b, Real impulse) const 
 }
 
 void AxisConstraint::solve(BodyVelocity& a, BodyVelocity& b, Real& impulse, bool biased) const {
+    const Real change = missing(a, b, impulse, biased);
+    impulse += change;
+    push(a, b, change);
+}
+
+Real AxisConstraint::missing(const BodyVelocity& a, const BodyVelocity& b, Real impulse,
+                             bool biased) const {
     Real k = (a.invMass + b.invMass) * dot(axis, axis) + a.invInertia * leverA * leverA +
              b.invInertia * leverB * leverB;
     if (!(k > 0)) {
-        return;
+        return 0;
     }
     const Softness soft = biased ? softness : Softness{};
     Real now = dot(axis, b.velocity - a.velocity) + leverB * b.angularVelocity -
                leverA * a.angularVelocity - speed + soft.biasRate * error;
+    if (angle.constraint != nullptr) {
+        const Real sum = a.invInertia + b.invInertia;
+        const Real lever = leverA - leverB;
+        const Real together = sum > 0 ? a.invInertia * b.invInertia / sum * lever * lever : Real(0);
+        const Real mass = (a.invMass + b.invMass) * dot(axis, axis);
+        const Real turned = angle.removed(biased);
+        k = mass + (1 - turned) * (k - mass) + turned * together;
+        now += angle.missing(a, b, biased) * (a.invInertia * leverA + b.invInertia * leverB);
+    }
     if (const PointConstraint* point = beside.point) {
         const Vec2 u =
             leverA * a.invInertia * perp(point->armA) + leverB * b.invInertia * perp(point->armB);
         now += dot(u, point->missing(a, b, beside.impulse, beside.biased));
         const Real fraction = beside.biased ? point->softness.massScale : 1;
-        k = std::max(k - fraction * dot(u, point->stopping(a, b, u)), kLeastShare * k);
+        k = (1 - fraction) * k + fraction * point->hinged(a, b);
+        if (!(k > 0)) {
+            return 0; // both bodies can only rotate: the point leaves no angle free
+        }
     }
     const Real wanted = impulse - soft.massScale * now / k - soft.impulseScale * impulse;
-    const Real next = std::clamp(wanted, bounds.lower, bounds.upper);
-    push(a, b, next - impulse);
-    impulse = next;
+    return std::clamp(wanted, bounds.lower, bounds.upper) - impulse;
 }
 
 } // namespace KODO_PRECISION

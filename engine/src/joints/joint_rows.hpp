@@ -14,12 +14,28 @@ inline namespace KODO_PRECISION {
 /// The building blocks of joints: constraints between two bodies, solved by impulses. All geometry
 /// is current within the step, in world axes.
 
-/// Relative to the product of the diagonal of K: a smaller determinant is rounding error.
+/// Relative to the squared trace of K, without a mass: a smaller determinant is rounding error.
 inline constexpr Real kSingularPoint = 16 * std::numeric_limits<Real>::epsilon();
 
-/// Least fraction of 1 / inertia that remains after the subtraction of the point, see CoupledPoint:
-/// below it the difference is rounding error.
-inline constexpr Real kLeastShare = sizeof(Real) == 4 ? Real(1e-4) : Real(1e-9);
+struct AxisConstraint;
+
+/// The angular constraint without bounds that is solved right after another constraint of the same
+/// joint. With u as the change of angular speed per impulse of the other one, and L the angular
+/// impulse that the angle would take now, the other impulse is
+///
+///   impulse = -(K - u u^T / (1/I_a + 1/I_b))^-1 (speed + u L)
+///
+/// The matrix is (1/m_a + 1/m_b) 1 + d d^T / (I_a + I_b), d = perp(rA) - perp(rB): both bodies
+/// turn as one. In this form nothing cancels, however small one of the inertias is.
+struct CoupledAngle {
+    const AxisConstraint* constraint = nullptr;
+    Real impulse = 0;
+
+    /// The angular impulse that the angle would take now.
+    Real missing(const BodyVelocity& a, const BodyVelocity& b, bool biased) const;
+    /// The fraction of a relative rotation that the angle removes; 0 without an angle.
+    Real removed(bool biased) const;
+};
 
 /// Point constraint: drives the relative velocity v_b + w_b x r_b - v_a - w_a x r_a of two anchors
 /// to zero, both coordinates at once [Catto09].
@@ -30,14 +46,19 @@ struct PointConstraint {
     Softness softness;
     Vec2 arc{}; // m/s, by which the tangents of both anchors leave their arcs in the substep
     Real maxImpulse = std::numeric_limits<Real>::infinity(); // N s
+    CoupledAngle angle{};
 
     /// Applies an impulse to the bodies and adds it to the accumulated one.
     void solve(BodyVelocity& a, BodyVelocity& b, Vec2& impulse, bool biased) const;
     /// The impulse that solve would add.
     Vec2 missing(const BodyVelocity& a, const BodyVelocity& b, Vec2 impulse, bool biased) const;
     /// The impulse that removes a relative velocity of the anchors: K^-1 speed. 0 if both bodies
-    /// are immovable.
-    Vec2 stopping(const BodyVelocity& a, const BodyVelocity& b, Vec2 speed) const;
+    /// are immovable. `turned` is CoupledAngle::removed().
+    Vec2 stopping(const BodyVelocity& a, const BodyVelocity& b, Vec2 speed, Real turned = 0) const;
+    /// Relative angular velocity per angular impulse (1/(kg m^2)) if the anchors stay together.
+    Real hinged(const BodyVelocity& a, const BodyVelocity& b) const;
+    /// The impulse that keeps the anchors together under an angular impulse (N m s) of the joint.
+    Vec2 answer(const BodyVelocity& a, const BodyVelocity& b, Real twist) const;
     /// Applies an impulse to the bodies.
     void push(BodyVelocity& a, BodyVelocity& b, Vec2 impulse) const;
     /// Adds the impulse to the linear sum (N s, on b); `turns` is the angular one (N m s).
@@ -73,8 +94,11 @@ struct AxisConstraint {
     Softness softness;
     Range bounds = kUnbounded; // N s or N m s
     CoupledPoint beside{};     // of an angular constraint only
+    CoupledAngle angle{};      // of a linear constraint only
 
     void solve(BodyVelocity& a, BodyVelocity& b, Real& impulse, bool biased) const;
+    /// The impulse that solve would add.
+    Real missing(const BodyVelocity& a, const BodyVelocity& b, Real impulse, bool biased) const;
     void push(BodyVelocity& a, BodyVelocity& b, Real impulse) const;
     void addToSums(Real impulse, Vec2& pushes, Real& turns) const;
 };

@@ -149,6 +149,8 @@ public:
     }
 
 private:
+    enum class LastPass : std::uint8_t { WarmStart, Biased, Relax };
+
     friend class SnapshotFields;
 
     /// A revolute joint of a tree without motor and limits.
@@ -180,7 +182,7 @@ private:
     std::vector<std::uint32_t> takenRevolutes_; // of this step, in order: result of takeRevolutes
     std::vector<std::uint32_t> busy_; // in order; may contain joints that have become idle since
     bool busyStale_ = true;
-    bool warmStarted_ = false; // no biased pass since
+    LastPass lastPass_ = LastPass::Relax;
 
     void refreshLists();
     void list(std::uint32_t index);

@@ -64,67 +64,93 @@ bool isHeld(const AxisConstraint& axis) {
     return axis.bounds == kUnbounded;
 }
 
-// A pin is rigid: the body on its axle may turn towards the force at most at 1 / sqrt(8) of the
-// angle of InertiaBounds a substep. With 4, it gains 6 % of the energy at 240 Hz; with 8, 1 %.
-constexpr Real kPinMargin = 8;
-
-/// The most (N) that keeps the anchor of a body on its circles about its centre of mass and about
-/// the axle of another body, which only turns. The angular velocity of that one is not used: it may
-/// be wrong by much between the warm start and the solve.
-Real centripetalOf(const BodyVelocity& body, Vec2 arm, const BodyVelocity& axle, Real axleArm) {
-    const Vec2 speed = velocityAt(body, arm) - axle.velocity;
-    const Real spin = body.angularVelocity;
-    return (spin * spin * length(arm) + (axleArm > 0 ? lengthSquared(speed) / axleArm : Real(0))) /
-           body.invMass;
+/// Angular impulse (N m s) of the motor and the limits of a revolute joint.
+Real twistOf(const JointSet::Joint& joint) {
+    return joint.axes[0] + joint.axes[1] - joint.axes[2];
 }
+
+/// Rotates the impulse at the anchors of a joint with the body that it turns most easily,
+/// after the displacements of a substep of h (s). It then turns that body in the next substep as in
+/// this one. On an arm that has rotated, a small body would turn by any angle, and the arcs of the
+/// solve follow from that angle.
+void rotateImpulse(JointSet::Joint& joint, const JointFrame& frame, Real h) {
+    const Real a = frame.a.invInertia * lengthSquared(frame.commonArm());
+    const Real b = frame.b.invInertia * lengthSquared(frame.armB);
+    if (a != b) {
+        const Real spin = a > b ? frame.a.angularVelocity : frame.b.angularVelocity;
+        joint.point = Rot::fromAngle(h * spin) * joint.point;
+    }
+}
+
+/// Applies the accumulated impulses of one joint. Those that the direct solve holds start from what
+/// the others call for.
+class WarmStart {
+public:
+    WarmStart(JointSet::Joint& joint, const Bodies& bodies, bool inTree)
+        : joint_(joint), inTree_(inTree) {
+        before_ = bodies.motion[secondBody(joint.def).index].angularVelocity -
+                  bodies.motion[firstBody(joint.def).index].angularVelocity;
+    }
+
+    void operator()(const JointFrame& frame, const PointConstraint& point, Vec2& impulse) const {
+        const bool pin = std::holds_alternative<RevoluteJoint>(joint_.def);
+        if (inTree_ && isHeld(point)) {
+            impulse = pin ? point.answer(frame.a, frame.b, twistOf(joint_)) : Vec2{};
+        }
+        point.push(frame.a, frame.b, impulse);
+    }
+
+    void operator()(const JointFrame& frame, const AxisConstraint& axis, Real& impulse) const {
+        if (isHeld(axis) && axis.axis == Vec2{}) {
+            keepAngle(frame, impulse);
+        } else if (isHeld(axis) && inTree_) {
+            impulse = 0;
+        }
+        axis.push(frame.a, frame.b, impulse);
+    }
+
+private:
+    /// The angle of a weld or a slider comes last, after motor and limits.
+    void keepAngle(const JointFrame& frame, Real& impulse) const {
+        const Real sum = frame.a.invInertia + frame.b.invInertia;
+        const bool stale = std::holds_alternative<FixedJoint>(joint_.def) &&
+                           (isLong(frame.a, frame.commonArm()) || isLong(frame.b, frame.armB));
+        if (sum > 0 && (inTree_ || stale)) {
+            impulse = (before_ - (frame.b.angularVelocity - frame.a.angularVelocity)) / sum;
+        }
+    }
+
+    JointSet::Joint& joint_;
+    bool inTree_;
+    Real before_; // rad/s, of b relative to a
+};
 
 } // namespace
 
 void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
-    warmStarted_ = true;
+    lastPass_ = LastPass::WarmStart;
     for (const std::uint32_t index : own_) {
         HeldRows* const rows = trees_.rowsOf(index);
-        const bool inTree = rows != nullptr;
-        if (inTree) {
+        if (rows != nullptr) {
             rows->pull = length(joints_[index].point) / pass.h;
             if (rows->hinge) {
                 joints_[index].point = {}; // the direct solve starts from zero
                 continue;
             }
         }
-        forConstraints(
-            joints_[index], bodies, turned_, {pass.h, pass.stiff, pass.biased, inTree},
-            [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
-                if (inTree && relax == Relax::Rigid && isHeld(constraint)) {
-                    impulse = {}; // the direct solve starts from zero
-                } else {
-                    constraint.push(frame.a, frame.b, impulse);
-                }
-            });
+        WarmStart start(joints_[index], bodies, rows != nullptr);
+        forConstraints(joints_[index], bodies, turned_,
+                       {pass.h, pass.stiff, pass.biased, rows != nullptr},
+                       [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax) {
+                           start(frame, constraint, impulse);
+                       });
     }
 }
 
-/// Raises inertia to the bounds that follow from the forces of springs, ropes and rods, and of pins
-/// on bodies that can only rotate.
+/// Raises inertia to the bounds that follow from the forces of springs, ropes and rods.
 void JointSet::raiseInertias(Bodies& bodies, const JointPass& pass) {
     for (const std::uint32_t index : own_) {
         const Joint& joint = joints_[index];
-        if (const auto* const pin = std::get_if<RevoluteJoint>(&joint.def);
-            pin != nullptr && trees_.rowsOf(index) == nullptr) {
-            const JointFrame frame = frameOf(bodies, turned_, pin->ends);
-            const bool aTurns = turnsOnly(frame.a);
-            const BodyVelocity& body = aTurns ? frame.b : frame.a;
-            if (aTurns != turnsOnly(frame.b) && body.invMass > 0) {
-                const Real armA = length(frame.commonArm());
-                const Real armB = length(frame.armB);
-                const Real centripetal =
-                    aTurns ? centripetalOf(body, frame.armB, frame.a, armA)
-                           : centripetalOf(body, frame.commonArm(), frame.b, armB);
-                const Real force = kPinMargin * std::max(length(joint.point) / pass.h, centripetal);
-                inertias_.add(bodies, pin->ends.a.index, force * armA);
-                inertias_.add(bodies, pin->ends.b.index, force * armB);
-            }
-        }
         const auto* const kind = std::get_if<DistanceJoint>(&joint.def);
         if (kind == nullptr) {
             continue;
@@ -145,9 +171,12 @@ void JointSet::raiseInertias(Bodies& bodies, const JointPass& pass) {
 }
 
 void JointSet::solve(Bodies& bodies, const JointPass& pass) {
-    if (pass.biased && std::exchange(warmStarted_, false)) {
+    const LastPass before =
+        std::exchange(lastPass_, pass.biased ? LastPass::Biased : LastPass::Relax);
+    if (before == LastPass::WarmStart && pass.biased) {
         raiseInertias(bodies, pass);
     }
+    const bool displaced = before == LastPass::Biased && !pass.biased;
     for (const std::uint32_t index : own_) {
         Joint& joint = joints_[index];
         joint.solved = true;
@@ -157,6 +186,14 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
         }
         if (rows != nullptr) {
             *rows = {.pull = rows->pull};
+        } else if (displaced && joint.point != Vec2{}) {
+            std::visit(
+                [&](const auto& kind) {
+                    if constexpr (requires { kind.ends; }) {
+                        rotateImpulse(joint, frameOf(bodies, turned_, kind.ends), pass.h);
+                    }
+                },
+                joint.def);
         }
         forConstraints(
             joint, bodies, turned_, {pass.h, pass.stiff, pass.biased, rows != nullptr},

@@ -19,20 +19,54 @@ KODO_LANES_INLINE void store(RevoluteBlock::Both& to, int at, const Couple& vect
     store(to.y + at, vectors.y);
 }
 
-/// Stores K^-1, or its substitute for a singular K; see PointConstraint::stopping(). K is first
-/// divided by its trace, so that squares of small and large masses neither underflow nor overflow.
-KODO_LANES_INLINE void storeMass(RevoluteBlock& block, int at, Lanes xx, Lanes xy, Lanes yy) {
-    const Lanes trace = xx + yy;
+/// K divided by its trace, so that squares of small and large masses neither underflow nor
+/// overflow; see ScaledK.
+struct ScaledMass {
+    Lanes scale; // 1 / trace
+    Lanes mass;
+    Lanes ia; // inverse inertias
+    Lanes ib;
+    Lanes determinant;
+};
+
+KODO_LANES_INLINE ScaledMass scaledMass(const RevoluteBlock& block, int at) {
+    const Couple armA = load(block.armA, at);
+    const Couple armB = load(block.armB, at);
+    const Lanes mass = load(block.mass + at);
+    const Lanes ia = load(block.inertiaA + at);
+    const Lanes ib = load(block.inertiaB + at);
+    const Lanes trace = (mass + mass) + (ia * (armA.x * armA.x + armA.y * armA.y) +
+                                         ib * (armB.x * armB.x + armB.y * armB.y));
     const Lanes scale = trace > Lanes{} ? all(1) / trace : Lanes{};
-    xx *= scale;
-    xy *= scale;
-    yy *= scale;
-    const Lanes determinant = xx * yy - xy * xy;
-    const auto regular = determinant > all(kSingularPoint) * (xx * yy);
-    const Lanes by = regular ? scale / determinant : scale;
-    store(block.massXX + at, by * (regular ? yy : xx));
-    store(block.massXY + at, by * (regular ? -xy : xy));
-    store(block.massYY + at, by * (regular ? xx : yy));
+    const Lanes area = armA.x * armB.y - armA.y * armB.x;
+    ScaledMass scaled{scale, scale * mass, scale * ia, scale * ib, Lanes{}};
+    scaled.determinant =
+        scaled.mass * (all(1) - scaled.mass) + (scaled.ia * area) * (scaled.ib * area);
+    return scaled;
+}
+
+/// Stores K^-1; see PointConstraint::stopping(). Each joint has a body with a mass.
+KODO_LANES_INLINE void storeMass(RevoluteBlock& block, int at) {
+    const Couple armA = load(block.armA, at);
+    const Couple armB = load(block.armB, at);
+    const ScaledMass m = scaledMass(block, at);
+    const Lanes by = m.determinant > Lanes{} ? m.scale / m.determinant : Lanes{};
+    store(block.massXX + at, by * (m.mass + (m.ia * armA.x * armA.x + m.ib * armB.x * armB.x)));
+    store(block.massXY + at, by * (m.ia * armA.x * armA.y + m.ib * armB.x * armB.y));
+    store(block.massYY + at, by * (m.mass + (m.ia * armA.y * armA.y + m.ib * armB.y * armB.y)));
+}
+
+/// 1/I_a + 1/I_b, and what is left of it if the anchors stay together: PointConstraint::hinged().
+/// `scale`: fraction of the answer of the point that is taken.
+KODO_LANES_INLINE Lanes hingedMass(const RevoluteBlock& block, int at, Lanes scale) {
+    const ScaledMass m = scaledMass(block, at);
+    const Lanes x = load(block.armA.x + at) - load(block.armB.x + at);
+    const Lanes y = load(block.armA.y + at) - load(block.armB.y + at);
+    const Lanes ib = load(block.inertiaB + at);
+    const Lanes sum = load(block.inertiaA + at) + ib;
+    const Lanes hinged = m.mass * (m.mass * sum + m.ia * ib * (x * x + y * y));
+    const Lanes inverse = m.determinant > Lanes{} ? all(1) / m.determinant : Lanes{};
+    return (all(1) - scale) * sum + scale * (hinged * inverse);
 }
 
 /// Change of the torque impulse of a joint on a body, when its arm rotates.
@@ -62,12 +96,7 @@ void rotateRevolutes(const RevolutePassArguments& pass) {
                 RevoluteAngles& angles = pass.angles[k];
                 store(angles.angle + at, load(angles.start + at) + (moveB.z - moveA.z));
             }
-            const Lanes mass = load(block.mass + at);
-            const Lanes ia = load(block.inertiaA + at);
-            const Lanes ib = load(block.inertiaB + at);
-            storeMass(block, at, mass + (ia * armA.y * armA.y + ib * armB.y * armB.y),
-                      -(ia * armA.x * armA.y + ib * armB.x * armB.y),
-                      mass + (ia * armA.x * armA.x + ib * armB.x * armB.x));
+            storeMass(block, at);
         }
     }
 }
@@ -217,8 +246,7 @@ KODO_LANES_INLINE void solveBeside(const RevolutePassArguments& pass, std::size_
     const Couple u{-(ia * armA.y + ib * armB.y), ia * armA.x + ib * armB.x};
     const Couple answer = mass.times(u);
     const Couple taken{scale * answer.x, scale * answer.y};
-    const Lanes sum = ia + ib;
-    const Lanes give = larger(sum - (u.x * taken.x + u.y * taken.y), all(kLeastShare) * sum);
+    const Lanes give = hingedMass(block, at, scale);
     const Lanes speed = (pair.b.z - pair.a.z) + (u.x * change.x + u.y * change.y);
     const Lanes twist = solveAngles<task>(pass, i, at, speed, give);
     twistRevolutes(block, at, pair, twist);
