@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -17,6 +18,11 @@ using Point = std::pair<int, int>; // 1/64 pixel
 Point pointOf(const sf::Vertex& vertex) {
     return {static_cast<int>(std::lround(64 * vertex.position.x)),
             static_cast<int>(std::lround(64 * vertex.position.y))};
+}
+
+/// Opacity, 0..255, of a vertex with its texel.
+int opacityOf(const sf::Vertex& vertex) {
+    return static_cast<int>(vertex.color.a * opacityAt(vertex.texCoords));
 }
 
 /// Number of edges of the silhouette that are not transparent: edges of one triangle only.
@@ -34,7 +40,7 @@ int hardEdges(const Painter& painter) {
             const auto ends = std::minmax(pointOf(a), pointOf(b));
             Edge& edge = edges[{ends.first, ends.second}];
             ++edge.triangles;
-            edge.opacity = a.color.a + b.color.a;
+            edge.opacity = opacityOf(a) + opacityOf(b);
         }
     }
     int hard = 0;
@@ -75,12 +81,12 @@ TEST(Painter, StrokesFadeAtTheirSides) {
         EXPECT_EQ(hardEdges(ring), 0);
         Painter ribbon;
         ribbon.ribbon(kSkewed, std::array{width, width, width, width}, kFour);
-        EXPECT_LE(hardEdges(ribbon), 6); // its two ends are cut, in three pieces each
+        EXPECT_LE(hardEdges(ribbon), 4); // its two ends are cut, in two pieces each
     }
 }
 
 /// Sum of the opacities of all triangles over a point, 0..255 each.
-float opacityAt(const Painter& painter, sf::Vector2f p) {
+float opacityOver(const Painter& painter, sf::Vector2f p) {
     float sum = 0;
     const auto vertices = painter.vertices();
     for (std::size_t i = 0; i < vertices.size(); i += 3) {
@@ -95,10 +101,87 @@ float opacityAt(const Painter& painter, sf::Vector2f p) {
             const auto alpha = [&](std::size_t k) {
                 return static_cast<float>(vertices[i + k].color.a);
             };
-            sum += (1 - s - t) * alpha(0) + s * alpha(1) + t * alpha(2);
+            const sf::Vector2f texel = (1 - s - t) * vertices[i].texCoords +
+                                       s * vertices[i + 1].texCoords +
+                                       t * vertices[i + 2].texCoords;
+            sum += opacityAt(texel) * ((1 - s - t) * alpha(0) + s * alpha(1) + t * alpha(2));
         }
     }
     return sum;
+}
+
+// The fade of an edge: half opaque on the edge itself, opaque half a pixel inside, and nothing half
+// a pixel outside.
+TEST(Painter, AnEdgeFadesOverOnePixel) {
+    const std::array<sf::Vector2f, 4> square = {sf::Vector2f{10, 10}, {50, 10}, {50, 50}, {10, 50}};
+    const std::array<sf::Color, 4> colors = {kWhite, kWhite, kWhite, kWhite};
+    Painter polygon;
+    polygon.polygon(square, kWhite);
+    Painter rimmed;
+    rimmed.rimmed(square, colors, 3, kWhite);
+    Painter thin;
+    thin.line({10, 11}, {50, 11}, 2, kWhite);
+    Painter wide;
+    wide.line({10, 40}, {50, 40}, 60, kWhite); // wider than any row of the texture
+    for (const Painter* painter : {&polygon, &rimmed, &thin, &wide}) {
+        SCOPED_TRACE(painter->vertexCount());
+        EXPECT_NEAR(opacityOver(*painter, {30.7f, 10}), 127, 20);
+        EXPECT_NEAR(opacityOver(*painter, {30.7f, 9.6f}), 25, 20);
+        EXPECT_NEAR(opacityOver(*painter, {30.7f, 9.3f}), 0, 1);
+        EXPECT_NEAR(opacityOver(*painter, {30.7f, 10.9f}), 255, 20);
+    }
+    Painter disc;
+    disc.disc({30, 30}, 20, kWhite, kWhite); // its first corner is on the right
+    EXPECT_NEAR(opacityOver(disc, {49.97f, 30.01f}), 127, 20);
+    EXPECT_NEAR(opacityOver(disc, {50.6f, 30.01f}), 0, 1);
+    EXPECT_NEAR(opacityOver(disc, {49, 30.01f}), 255, 20);
+}
+
+TEST(Painter, AStrokeThinnerThanAPixelIsFainterInstead) {
+    Painter hair;
+    hair.line({10, 10}, {50, 10}, 0.4f, kWhite);
+    EXPECT_NEAR(opacityOver(hair, {31.3f, 10}), 0.4f * 255, 4);
+    EXPECT_NEAR(opacityOver(hair, {31.3f, 10.5f}), 0.2f * 255, 4);
+}
+
+// Software rendering takes most of its time for the number of triangles.
+TEST(Painter, ShapesNeedFewTriangles) {
+    const auto triangles = [](const Painter& painter) { return painter.vertexCount() / 3; };
+    Painter rimmed;
+    rimmed.rimmed(kSkewed, kFour, 3, kWhite);
+    EXPECT_EQ(triangles(rimmed), 10u);
+    Painter line;
+    line.line({10, 10}, {50, 20}, 3, kWhite);
+    EXPECT_EQ(triangles(line), 2u);
+    Painter disc;
+    disc.disc({20, 20}, 4, kWhite, kWhite);
+    EXPECT_EQ(triangles(disc), 8u);
+}
+
+TEST(Painter, MiddlesFirstChangesTheOrderAlone) {
+    const sf::Color red{255, 0, 0};
+    const std::array<sf::Color, 4> reds = {red, red, red, red};
+    const auto paint = [&](Painter& painter, bool first) {
+        painter.line({0, 0}, {9, 9}, 3, kWhite);
+        painter.setMiddlesFirst(first);
+        painter.rimmed(kSkewed, kFour, 3, kWhite);
+        painter.line({10, 10}, {50, 20}, 3, kWhite);
+        painter.rimmed(kSkewed, reds, 3, kWhite);
+        painter.setMiddlesFirst(false);
+        painter.line({0, 0}, {9, 9}, 3, kWhite);
+    };
+    Painter usual;
+    paint(usual, false);
+    Painter middles;
+    paint(middles, true);
+    ASSERT_EQ(usual.vertexCount(), middles.vertexCount());
+    EXPECT_EQ(middles.vertices()[6].color, kWhite); // after the first line: two middles
+    EXPECT_EQ(middles.vertices()[12].color, red);
+    const auto count = [](const Painter& painter, sf::Color color) {
+        return std::count_if(painter.vertices().begin(), painter.vertices().end(),
+                             [&](const sf::Vertex& vertex) { return vertex.color == color; });
+    };
+    EXPECT_EQ(count(usual, red), count(middles, red));
 }
 
 // A trail is a translucent stroke: a gap or an overlap at a bend shows as a dark or bright spot.
@@ -126,8 +209,8 @@ TEST(Painter, ATranslucentRibbonHasOneOpacityAlongItsBends) {
         const sf::Vector2f side = sf::Vector2f{-along.y, along.x} / size;
         for (const float off : {-2.7f, -1.3f, 0.13f, 1.4f, 2.6f}) {
             const sf::Vector2f spot = points[i] + off * side + 0.02f * along / size;
-            EXPECT_NEAR(opacityAt(ribbon, spot), 100, 2) << "point " << i << ", " << off;
-            uneven += std::abs(opacityAt(lines, spot) - 100) > 5 ? 1 : 0;
+            EXPECT_NEAR(opacityOver(ribbon, spot), 100, 2) << "point " << i << ", " << off;
+            uneven += std::abs(opacityOver(lines, spot) - 100) > 5 ? 1 : 0;
         }
     }
     EXPECT_GT(uneven, 10); // single lines have gaps and overlaps there
@@ -142,8 +225,8 @@ TEST(Painter, ARibbonStaysClosedAtASharpBend) {
     for (int i = 1; i < 50; ++i) {
         const float t = static_cast<float>(i) / 50;
         const sf::Vector2f off{0.11f, 0.07f}; // not on the edge between two triangles
-        EXPECT_GE(opacityAt(ribbon, points[0] + t * (points[1] - points[0]) + off), 200) << t;
-        EXPECT_GE(opacityAt(ribbon, points[1] + t * (points[2] - points[1]) + off), 200) << t;
+        EXPECT_GE(opacityOver(ribbon, points[0] + t * (points[1] - points[0]) + off), 200) << t;
+        EXPECT_GE(opacityOver(ribbon, points[1] + t * (points[2] - points[1]) + off), 200) << t;
     }
 }
 

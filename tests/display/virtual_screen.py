@@ -117,15 +117,22 @@ class Program:
         found = self.screen.run("xdotool", "search", "--onlyvisible", "--name", f"^{self.title}$").stdout.split()
         return found[0] if found else None
 
+    def _check_running(self):
+        if self.process.poll() is not None:
+            raise AssertionError(f"it has ended already, with {self.process.returncode}: {self.process.stdout.read()}")
+
     def key(self, *names):
+        self._check_running()
         self.screen.xdotool("key", *names)
 
     def hold(self, name, seconds):
+        self._check_running()
         self.screen.xdotool("keydown", name)
         time.sleep(seconds)
         self.screen.xdotool("keyup", name)
 
     def point(self, x, y):
+        self._check_running()
         self.screen.xdotool("mousemove", "--window", self.window, x, y)
 
     def click(self, x, y):
@@ -146,6 +153,7 @@ class Program:
         return int(values["WIDTH"]), int(values["HEIGHT"])
 
     def picture(self, path):
+        self._check_running()  # import waits for ever for a window that is gone
         result = self.screen.run("import", "-window", self.window, str(path))
         if result.returncode:
             raise AssertionError(f"no picture of the window: {result.stderr.strip()}")

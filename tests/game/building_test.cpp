@@ -201,6 +201,59 @@ TEST(Building, TheFieldOfThePaddleLeavesAStandingBlockAlone) {
     EXPECT_TRUE(game.world()[game.blocks()[2].body].isAsleep());
 }
 
+/// Measures the clock of `escapement`.
+struct Clock {
+    static constexpr std::size_t kBar = 4, kHook = 12, kRod = 16; // free blocks of its file
+
+    Game game{std::get<Level>(loadLevel("escapement")), 1};
+    double wheel = 0; // rad, turned by the driven wheel
+    int swings = 0;   // of the pendulum, there or back
+
+    double angle(std::size_t index) const {
+        const kodo::Rot turn = game.world()[game.blocks()[index].body].rotation();
+        return std::atan2(static_cast<double>(turn.s), static_cast<double>(turn.c));
+    }
+    void run(int seconds) {
+        constexpr double kTurn = 2 * 3.14159265358979;
+        double before = angle(kBar);
+        bool swingsLeft = false;
+        for (int i = 0; i < seconds * static_cast<int>(kTicksPerSecond); ++i) {
+            game.tick({});
+            const double now = angle(kBar);
+            wheel += std::remainder(now - before, kTurn);
+            before = now;
+            const kodo::Real spin = game.world()[game.blocks()[kRod].body].angularVelocity();
+            if (std::abs(spin) > kodo::Real(0.05) && (spin < 0) != swingsLeft) {
+                swingsLeft = !swingsLeft;
+                ++swings;
+            }
+        }
+    }
+};
+
+// A wheel of six teeth: its anchor lets half a tooth pass at each swing, there or back, and the
+// wheel keeps the pendulum swinging.
+TEST(Escapement, EachSwingLetsHalfAToothPass) {
+    Clock clock;
+    clock.run(5); // starts
+    const double wheel = clock.wheel;
+    const int swings = clock.swings;
+    clock.run(40);
+    EXPECT_GE(clock.swings - swings, 20);
+    EXPECT_NEAR((clock.wheel - wheel) / (clock.swings - swings), 3.14159 / 6, 0.06);
+}
+
+TEST(Escapement, WithoutItsPendulumTheWheelRaces) {
+    Clock clock;
+    clock.run(5);
+    const double ticking = clock.wheel;
+    GameTestAccess::breakBlock(clock.game, Clock::kHook, {0, kodo::Real(10.4)}, {});
+    clock.run(2); // falls
+    const double loose = clock.wheel;
+    clock.run(5);
+    EXPECT_GT(clock.wheel - loose, 2 * ticking);
+}
+
 class EveryForm : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(EveryForm, BreaksIntoValidPiecesOfItsMass) {

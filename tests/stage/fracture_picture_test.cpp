@@ -4,6 +4,7 @@
 #include <apart/core/tuning.hpp>
 #include <apart/stage/collapse_camera.hpp>
 #include <apart/stage/debris.hpp>
+#include <apart/stage/hud.hpp>
 #include <apart/stage/layout.hpp>
 #include <apart/stage/level_preview.hpp>
 #include <apart/stage/time_scale.hpp>
@@ -124,6 +125,34 @@ TEST(Labels, ArePaintedBelowShards) {
         EXPECT_LT(label, shard);
     }
     EXPECT_GT(seen, 30);
+}
+
+// A ball may be lost while the building still falls: the hint to serve the next one waits.
+TEST(Labels, TheHintToServeIsNotOverWhatFalls) {
+    const auto level = std::make_shared<const Level>(std::get<Level>(loadLevel("first_light")));
+    int waits = 0;
+    int shown = 0;
+    for (std::uint32_t seed = 1; seed <= 6; ++seed) {
+        Game game(level, seed);
+        for (int tick = 0; tick < 1200; ++tick) {
+            Input input;
+            input.launch = tick == 60;
+            input.paddle = tick > 60 ? 127 : 0; // out of the way
+            game.tick(input);
+            if (!game.serving() || game.score() == 0) {
+                continue;
+            }
+            const bool falls =
+                std::any_of(game.blocks().begin(), game.blocks().end(),
+                            [](const Block& block) { return block.support == Support::Fallen; });
+            RecordingCanvas canvas;
+            paintServeHint(canvas, game, Bindings{});
+            EXPECT_NE(canvas.says("space or click to serve"), falls);
+            ++(falls ? waits : shown);
+        }
+    }
+    EXPECT_GT(waits, 20);
+    EXPECT_GT(shown, 20);
 }
 
 TEST(Freeze, LastsLongerAfterAHarderImpact) {

@@ -2,8 +2,6 @@
 #include <kodo_sfml/circle.hpp>
 #include <kodo_sfml/painter.hpp>
 
-#include <SFML/System/String.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -13,8 +11,6 @@ namespace kodo_sfml {
 namespace {
 
 constexpr float kLongestMitre = 3; // half widths; mitres of sharper corners are limited to it
-constexpr float kFade = 0.5f;      // pixels; an edge fades over this distance on both sides
-constexpr float kThin = 1;         // pixels; a stroke of smaller half width has no opaque core
 
 /// Number of corners for which a circle deviates by less than a third of a pixel.
 int cornersFor(float radius) {
@@ -78,23 +74,8 @@ sf::Color over(sf::Color below, sf::Color above) {
             static_cast<sf::Uint8>(255 * all + 0.5f)};
 }
 
-/// Calls take(glyph, x of the pen) for each character. Returns the advance width.
-template <typename Take>
-float walk(const sf::Font& font, std::string_view utf8, unsigned height, Take take) {
-    const sf::String text = sf::String::fromUtf8(utf8.begin(), utf8.end());
-    float pen = 0;
-    sf::Uint32 before = 0;
-    for (const sf::Uint32 letter : text) {
-        pen += font.getKerning(before, letter, height);
-        const sf::Glyph& glyph = font.getGlyph(letter, height, false);
-        take(glyph, pen);
-        pen += glyph.advance;
-        before = letter;
-    }
-    return pen;
-}
-
-sf::BlendMode modeOf(Blend blend) {
+/// Of images, whose colours are not premultiplied.
+sf::BlendMode modeOfImage(Blend blend) {
     switch (blend) {
     case Blend::Over:
         return sf::BlendAlpha;
@@ -106,31 +87,94 @@ sf::BlendMode modeOf(Blend blend) {
     return sf::BlendNone;
 }
 
+sf::BlendMode modeOfShape(Blend blend) {
+    const sf::BlendMode premultiplied(sf::BlendMode::One, sf::BlendMode::OneMinusSrcAlpha);
+    return blend == Blend::Replace ? sf::BlendNone : premultiplied;
+}
+
 } // namespace
 
 void Painter::clear() {
     vertices_.clear();
     runs_.clear();
+    middles_.clear();
+    middlesFirst_ = false;
     blend_ = Blend::Over;
 }
 
+void Painter::setMiddlesFirst(bool on) {
+    if (on == middlesFirst_) {
+        return;
+    }
+    middlesFirst_ = on;
+    if (on) {
+        use(Fill::Plain, Blend::Replace); // the run of the middles, empty as yet
+        firstRun_ = runs_.size();
+        firstVertex_ = vertices_.size();
+        return;
+    }
+    vertices_.insert(vertices_.begin() + static_cast<std::ptrdiff_t>(firstVertex_),
+                     middles_.begin(), middles_.end());
+    for (std::size_t i = firstRun_; i < runs_.size(); ++i) {
+        runs_[i].first += middles_.size();
+    }
+    middles_.clear();
+}
+
 void Painter::draw(sf::RenderTarget& target) const {
+    if (!edges_) {
+        edges_ = std::make_unique<sf::Texture>();
+        edges_->loadFromImage(edgeImage());
+    }
     for (std::size_t i = 0; i < runs_.size(); ++i) {
         const std::size_t end = i + 1 < runs_.size() ? runs_[i + 1].first : vertices_.size();
-        sf::RenderStates states(modeOf(runs_[i].blend));
-        states.texture = runs_[i].texture;
+        if (end == runs_[i].first) {
+            continue;
+        }
+        const bool image = runs_[i].fill == Fill::Image;
+        sf::RenderStates states(image ? modeOfImage(runs_[i].blend) : modeOfShape(runs_[i].blend));
+        states.texture = runs_[i].fill == Fill::Edges ? edges_.get() : runs_[i].texture;
         target.draw(&vertices_[runs_[i].first], end - runs_[i].first, sf::Triangles, states);
     }
 }
 
-void Painter::use(const sf::Texture* texture, Blend blend) {
-    if (!runs_.empty() && runs_.back().blend == blend && runs_.back().texture == texture) {
+void Painter::use(Fill fill, Blend blend, const sf::Texture* texture) {
+    if (fill != Fill::Image && blend == Blend::Add) {
+        blend = Blend::Over; // see blended()
+    }
+    if (!runs_.empty() && runs_.back().blend == blend && runs_.back().fill == fill &&
+        runs_.back().texture == texture) {
         return;
     }
-    if (!runs_.empty() && runs_.back().first == vertices_.size()) {
+    const bool ofMiddles = middlesFirst_ && runs_.size() == firstRun_;
+    if (!runs_.empty() && runs_.back().first == vertices_.size() && !ofMiddles) {
         runs_.pop_back(); // empty run
     }
-    runs_.push_back({vertices_.size(), blend, texture});
+    runs_.push_back({vertices_.size(), blend, fill, texture});
+}
+
+/// For shapes without a fade: they continue a run of shapes with one.
+void Painter::useAnyFill() {
+    const bool edges = !runs_.empty() && runs_.back().fill == Fill::Edges;
+    use(edges ? Fill::Edges : Fill::Plain, blend_);
+}
+
+/// Premultiplied by the opacity; the opacity of an added colour is 0. So one blend mode serves
+/// both.
+sf::Color Painter::blended(sf::Color color) const {
+    const auto share = [&](sf::Uint8 part) {
+        return static_cast<sf::Uint8>((part * color.a + 127) / 255);
+    };
+    return {share(color.r), share(color.g), share(color.b),
+            blend_ == Blend::Add ? sf::Uint8{0} : color.a};
+}
+
+sf::Vertex Painter::opaque(sf::Vector2f place, sf::Color color) const {
+    return {place, blended(color), opaqueTexel()};
+}
+
+sf::Vertex Painter::inside(sf::Vector2f place, sf::Color color, float pixels) const {
+    return {place, blended(color), rampTexel(pixels)};
 }
 
 void Painter::triangle(const sf::Vertex& a, const sf::Vertex& b, const sf::Vertex& c) {
@@ -146,14 +190,18 @@ void Painter::quad(const sf::Vertex& a, const sf::Vertex& b, const sf::Vertex& c
 }
 
 void Painter::rectangle(sf::FloatRect where, std::span<const sf::Color, 4> colors) {
-    const bool opaque = std::all_of(colors.begin(), colors.end(),
-                                    [](const sf::Color& color) { return color.a == 255; });
+    const bool whole = std::all_of(colors.begin(), colors.end(),
+                                   [](const sf::Color& color) { return color.a == 255; });
     // In software rendering it is cheaper not to read the destination.
-    use(nullptr, opaque && blend_ == Blend::Over ? Blend::Replace : blend_);
+    if (whole && blend_ == Blend::Over) {
+        use(Fill::Plain, Blend::Replace);
+    } else {
+        useAnyFill();
+    }
     const float right = where.left + where.width;
     const float bottom = where.top + where.height;
-    quad({{where.left, where.top}, colors[0]}, {{right, where.top}, colors[1]},
-         {{right, bottom}, colors[2]}, {{where.left, bottom}, colors[3]});
+    quad(opaque({where.left, where.top}, colors[0]), opaque({right, where.top}, colors[1]),
+         opaque({right, bottom}, colors[2]), opaque({where.left, bottom}, colors[3]));
 }
 
 void Painter::polygon(std::span<const sf::Vector2f> corners, sf::Color color) {
@@ -170,13 +218,13 @@ void Painter::fan(std::span<const sf::Vector2f> corners, std::span<const sf::Col
     if (count < 3 || colors.size() < count) {
         return;
     }
-    use(nullptr, blend_);
+    use(Fill::Edges, blend_);
     outwards(corners, sides_);
     const auto inner = [&](std::size_t i) {
-        return sf::Vertex{corners[i] - kFade * sides_[i], colors[i]};
+        return inside(corners[i] - kFade * sides_[i], colors[i], 2 * kFade);
     };
     const auto outer = [&](std::size_t i) {
-        return sf::Vertex{corners[i] + kFade * sides_[i], transparent(colors[i])};
+        return inside(corners[i] + kFade * sides_[i], colors[i], 0);
     };
     for (std::size_t i = 2; i < count; ++i) {
         triangle(inner(0), inner(i - 1), inner(i));
@@ -188,9 +236,10 @@ void Painter::fan(std::span<const sf::Vector2f> corners, std::span<const sf::Col
 }
 
 void Painter::facet(std::span<const sf::Vector2f> corners, std::span<const sf::Color> colors) {
-    use(nullptr, blend_);
+    useAnyFill();
     for (std::size_t i = 2; i < corners.size(); ++i) {
-        triangle({corners[0], colors[0]}, {corners[i - 1], colors[i - 1]}, {corners[i], colors[i]});
+        triangle(opaque(corners[0], colors[0]), opaque(corners[i - 1], colors[i - 1]),
+                 opaque(corners[i], colors[i]));
     }
 }
 
@@ -200,77 +249,72 @@ void Painter::rimmed(std::span<const sf::Vector2f> corners, std::span<const sf::
     if (count < 3 || colors.size() < count) {
         return;
     }
-    use(nullptr, blend_);
+    use(Fill::Edges, blend_);
     outwards(corners, sides_);
     const float depth = std::max(1.5f * width, 2 * kFade); // total rim opacity as without a fade
     const auto inner = [&](std::size_t i) {
-        return sf::Vertex{corners[i] - depth * sides_[i], colors[i]};
+        return inside(corners[i] - depth * sides_[i], colors[i], depth + kFade);
     };
-    for (std::size_t i = 2; i < count; ++i) {
-        triangle(inner(0), inner(i - 1), inner(i));
+    const auto outer = [&](std::size_t i) {
+        return inside(corners[i] + kFade * sides_[i], over(colors[i], rim), 0);
+    };
+    innerCorners_.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+        innerCorners_.push_back(inner(i));
     }
+    middle(innerCorners_);
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t next = (i + 1) % count;
-        const auto edge = [&](std::size_t corner, float out, sf::Color color) {
-            return sf::Vertex{corners[corner] + out * sides_[corner], color};
-        };
-        const sf::Color from = over(colors[i], rim);
-        const sf::Color to = over(colors[next], rim);
-        const sf::Vertex rimFrom = edge(i, -kFade, from);
-        const sf::Vertex rimTo = edge(next, -kFade, to);
-        quad(inner(i), inner(next), rimTo, rimFrom);
-        quad(rimFrom, rimTo, edge(next, kFade, transparent(to)), edge(i, kFade, transparent(from)));
+        quad(innerCorners_[i], innerCorners_[next], outer(next), outer(i));
     }
 }
 
-void Painter::band(const Band& band, sf::Color color) {
-    if (band.halfWidth < kFade) { // thinner than a pixel: lower opacity instead
-        color.a = static_cast<sf::Uint8>(static_cast<float>(color.a) * band.halfWidth / kFade);
+void Painter::middle(std::span<const sf::Vertex> corners) {
+    const bool first = middlesFirst_ && blend_ == Blend::Over &&
+                       std::all_of(corners.begin(), corners.end(),
+                                   [](const sf::Vertex& corner) { return corner.color.a == 255; });
+    std::vector<sf::Vertex>& vertices = first ? middles_ : vertices_;
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+        vertices.insert(vertices.end(), {corners[0], corners[i - 1], corners[i]});
     }
-    // A narrow core would cost as many triangles as a wide one and be hardly visible.
-    const float core = band.halfWidth < kThin ? 0 : band.halfWidth - kFade;
-    const float rim =
-        band.halfWidth < kThin ? std::max(2 * band.halfWidth, 2 * kFade) : band.halfWidth + kFade;
-    const sf::Color none = transparent(color);
-    const auto from = [&](float side, sf::Color c) {
-        return sf::Vertex{band.from + side * band.fromSide, c};
-    };
-    const auto to = [&](float side, sf::Color c) {
-        return sf::Vertex{band.to + side * band.toSide, c};
-    };
-    quad(from(-rim, none), to(-rim, none), to(-core, color), from(-core, color));
-    if (core > 0) {
-        quad(from(-core, color), to(-core, color), to(core, color), from(core, color));
-    }
-    quad(from(core, color), to(core, color), to(rim, none), from(rim, none));
 }
 
+/// A stroke of one width.
+void Painter::band(const Knot& from, const Knot& to) {
+    const StrokeProfile profile = strokeProfile(from.halfWidth);
+    const auto at = [&](const Knot& knot, float side, sf::Vector2f texel) {
+        sf::Color color = knot.color;
+        color.a = static_cast<sf::Uint8>(static_cast<float>(color.a) * profile.opacity);
+        return sf::Vertex{knot.place + side * profile.halfPixels * knot.side, blended(color),
+                          texel};
+    };
+    if (!profile.halves) {
+        return quad(at(from, -1, profile.left), at(to, -1, profile.left), at(to, 1, profile.right),
+                    at(from, 1, profile.right));
+    }
+    quad(at(from, -1, profile.left), at(to, -1, profile.left), at(to, 0, profile.middle),
+         at(from, 0, profile.middle));
+    quad(at(from, 0, profile.middle), at(to, 0, profile.middle), at(to, 1, profile.right),
+         at(from, 1, profile.right));
+}
+
+/// A stroke whose width changes.
 void Painter::strip(const Knot& from, const Knot& to) {
-    const auto at = [](const Knot& knot, float side, sf::Color color) {
-        return sf::Vertex{knot.place + side * knot.side, color};
-    };
-    const auto core = [](const Knot& knot) { return std::max(knot.halfWidth - kFade, 0.0f); };
-    const auto rim = [](const Knot& knot) { return std::max(knot.halfWidth, kFade) + kFade; };
-    const auto color = [](const Knot& knot) { // thinner than a pixel: lower opacity instead
-        sf::Color faint = knot.color;
+    const auto at = [this](const Knot& knot, float side) {
+        const float half = std::max(knot.halfWidth, kFade) + kFade;
+        sf::Color color = knot.color; // thinner than a pixel: lower opacity instead
         const float share = std::min(knot.halfWidth / kFade, 1.0f);
-        faint.a = static_cast<sf::Uint8>(share * static_cast<float>(faint.a));
-        return faint;
+        color.a = static_cast<sf::Uint8>(share * static_cast<float>(color.a));
+        return inside(knot.place + side * half * knot.side, color, side == 0 ? half : 0);
     };
-    const sf::Color first = color(from);
-    const sf::Color last = color(to);
-    quad(at(from, -rim(from), transparent(first)), at(to, -rim(to), transparent(last)),
-         at(to, -core(to), last), at(from, -core(from), first));
-    quad(at(from, -core(from), first), at(to, -core(to), last), at(to, core(to), last),
-         at(from, core(from), first));
-    quad(at(from, core(from), first), at(to, core(to), last), at(to, rim(to), transparent(last)),
-         at(from, rim(from), transparent(first)));
+    quad(at(from, -1), at(to, -1), at(to, 0), at(from, 0));
+    quad(at(from, 0), at(to, 0), at(to, 1), at(from, 1));
 }
 
 void Painter::ribbon(std::span<const sf::Vector2f> points, std::span<const float> widths,
                      std::span<const sf::Color> colors) {
     constexpr float kShortest = 0.05f; // pixels; shorter segments have no direction
-    use(nullptr, blend_);
+    use(Fill::Edges, blend_);
     std::optional<Knot> before;
     sf::Vector2f along; // direction of the segment before
     for (std::size_t i = 0; i < points.size();) {
@@ -299,82 +343,54 @@ void Painter::ribbon(std::span<const sf::Vector2f> points, std::span<const float
 }
 
 void Painter::outline(std::span<const sf::Vector2f> corners, float width, sf::Color color) {
-    use(nullptr, blend_);
+    use(Fill::Edges, blend_);
     outwards(corners, sides_);
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const std::size_t next = (i + 1) % corners.size();
-        band({corners[i], sides_[i], corners[next], sides_[next], 0.5f * width}, color);
+        band({corners[i], sides_[i], 0.5f * width, color},
+             {corners[next], sides_[next], 0.5f * width, color});
     }
 }
 
 void Painter::line(sf::Vector2f from, sf::Vector2f to, float width, sf::Color color) {
-    use(nullptr, blend_);
+    use(Fill::Edges, blend_);
     const sf::Vector2f along = unit(to - from);
     const sf::Vector2f side{-along.y, along.x};
-    band({from, side, to, side, 0.5f * width}, color);
+    band({from, side, 0.5f * width, color}, {to, side, 0.5f * width, color});
 }
 
 void Painter::disc(sf::Vector2f center, float radius, sf::Color middle, sf::Color rim) {
-    use(nullptr, blend_);
-    const int corners = cornersFor(radius);
     const bool hard = rim.a > 0;
-    const float inside = hard ? std::max(radius - kFade, 0.0f) : radius;
-    sf::Vector2f before = onCircle({}, 1, 0, corners);
+    if (hard) {
+        use(Fill::Edges, blend_);
+    } else {
+        useAnyFill();
+    }
+    const int corners = cornersFor(radius);
+    const float all = hard ? radius + kFade : radius;
+    const sf::Vertex hub = hard ? inside(center, middle, all) : opaque(center, middle);
+    const auto corner = [&](int i) {
+        const sf::Vector2f place = onCircle(center, all, i, corners);
+        return hard ? inside(place, rim, 0) : opaque(place, rim);
+    };
+    sf::Vertex before = corner(0);
     for (int i = 1; i <= corners; ++i) {
-        const sf::Vector2f here = onCircle({}, 1, i, corners);
-        const sf::Vertex a{center + inside * before, rim};
-        const sf::Vertex b{center + inside * here, rim};
-        if (middle != rim) {
-            triangle({center, middle}, a, b);
-        } else if (i > 1 && i < corners) { // fan from the first corner
-            triangle({center + inside * onCircle({}, 1, 0, corners), rim}, a, b);
-        }
-        if (hard) {
-            quad(a, b, {center + (radius + kFade) * here, transparent(rim)},
-                 {center + (radius + kFade) * before, transparent(rim)});
-        }
+        const sf::Vertex here = corner(i);
+        triangle(hub, before, here);
         before = here;
     }
 }
 
 void Painter::ring(sf::Vector2f center, float radius, float width, sf::Color color) {
-    use(nullptr, blend_);
+    use(Fill::Edges, blend_);
     const int corners = cornersFor(radius);
     sf::Vector2f before = onCircle({}, 1, 0, corners);
     for (int i = 1; i <= corners; ++i) {
         const sf::Vector2f here = onCircle({}, 1, i, corners);
-        band({center + radius * before, before, center + radius * here, here, 0.5f * width}, color);
+        band({center + radius * before, before, 0.5f * width, color},
+             {center + radius * here, here, 0.5f * width, color});
         before = here;
     }
-}
-
-void Painter::image(const sf::Texture& texture, sf::FloatRect part, sf::FloatRect where,
-                    sf::Color tint) {
-    use(&texture, blend_);
-    const auto corner = [&](float u, float v) {
-        return sf::Vertex{{where.left + u * where.width, where.top + v * where.height},
-                          tint,
-                          {part.left + u * part.width, part.top + v * part.height}};
-    };
-    quad(corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1));
-}
-
-void Painter::text(const sf::Font& font, std::string_view utf8, unsigned heightPixels,
-                   sf::Vector2f start, sf::Color color) {
-    // Glyphs are rasterised for whole pixels.
-    const sf::Vector2f pen{std::round(start.x), std::round(start.y)};
-    walk(font, utf8, heightPixels, [&](const sf::Glyph& glyph, float x) {
-        if (glyph.textureRect.width > 0) {
-            image(font.getTexture(heightPixels), sf::FloatRect(glyph.textureRect),
-                  {pen.x + x + glyph.bounds.left, pen.y + glyph.bounds.top, glyph.bounds.width,
-                   glyph.bounds.height},
-                  color);
-        }
-    });
-}
-
-float textWidth(const sf::Font& font, std::string_view utf8, unsigned heightPixels) {
-    return walk(font, utf8, heightPixels, [](const sf::Glyph&, float) {});
 }
 
 } // namespace kodo_sfml

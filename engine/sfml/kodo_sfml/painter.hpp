@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo_sfml/edge_texture.hpp>
+
 #include <SFML/Graphics/BlendMode.hpp>
 #include <SFML/Graphics/Color.hpp>
 #include <SFML/Graphics/Font.hpp>
@@ -9,6 +11,7 @@
 #include <SFML/Graphics/Texture.hpp>
 #include <SFML/Graphics/Vertex.hpp>
 
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -20,8 +23,9 @@ enum class Blend { Over, Add, Replace };
 /// Collects the triangles of one picture in painting order. Draws them in one call for each run of
 /// equal texture and blending. All positions and lengths are pixels, y down.
 ///
-/// Edges are antialiased: they fade over one pixel. The result does not depend on the graphics
-/// hardware. In software rendering this is much cheaper than multisampling.
+/// Edges are antialiased: they fade over one pixel, by the opacity of one small texture. The result
+/// does not depend on the graphics hardware. In software rendering this is much cheaper than
+/// multisampling.
 class Painter {
 public:
     void clear();
@@ -29,6 +33,11 @@ public:
 
     /// Blending of all shapes added afterwards.
     void setBlend(Blend blend) { blend_ = blend; }
+
+    /// From now on, the opaque middles of rimmed() shapes are drawn before everything else, until
+    /// false is given. For shapes that do not overlap: much cheaper in software rendering, which
+    /// then reads neither the picture nor a texture for them.
+    void setMiddlesFirst(bool on);
 
     /// Without antialiasing; colours of the upper left, upper right, lower right and lower left
     /// corner.
@@ -45,11 +54,11 @@ public:
     /// The mitred edges of any simple polygon; half of the width lies inside.
     void outline(std::span<const sf::Vector2f> corners, float width, sf::Color color);
     void line(sf::Vector2f from, sf::Vector2f to, float width, sf::Color color);
-    /// A disc with a gradient from `middle` to `rim`.
     /// A stroke through all points: its segments share their ends, so that a translucent one has no
     /// gaps or overlaps at bends of up to 90 degrees. One width and colour for each point.
     void ribbon(std::span<const sf::Vector2f> points, std::span<const float> widths,
                 std::span<const sf::Color> colors);
+    /// A disc with a gradient from `middle` to `rim`. With a transparent rim its edge is no edge.
     void disc(sf::Vector2f center, float radius, sf::Color middle, sf::Color rim);
     void ring(sf::Vector2f center, float radius, float width, sf::Color color);
     /// Draws a part (texels) of a texture into a rectangle. The texture must live until draw().
@@ -60,44 +69,51 @@ public:
               sf::Vector2f start, sf::Color color);
 
     std::size_t vertexCount() const { return vertices_.size(); }
-    /// Corners of the triangles, three by three.
+    /// Corners of the triangles, three by three. Those of shapes and strokes have texels of
+    /// edgeImage(), and colours that are premultiplied by their opacity.
     std::span<const sf::Vertex> vertices() const { return vertices_; }
 
 private:
+    enum class Fill { Plain, Edges, Image };
     /// Vertices that one call draws.
     struct Run {
         std::size_t first;
         Blend blend;
-        const sf::Texture* texture;
+        Fill fill;
+        const sf::Texture* texture; // of Image
     };
 
-    /// A stroke between two points, with the vector to its side at each end.
-    struct Band {
-        sf::Vector2f from;
-        sf::Vector2f fromSide; // for a half width of 1; its length is the mitre
-        sf::Vector2f to;
-        sf::Vector2f toSide;
-        float halfWidth;
-    };
-
-    void use(const sf::Texture* texture, Blend blend);
-    void triangle(const sf::Vertex& a, const sf::Vertex& b, const sf::Vertex& c);
-    void quad(const sf::Vertex& a, const sf::Vertex& b, const sf::Vertex& c, const sf::Vertex& d);
-    void band(const Band& band, sf::Color color);
-    /// A point of a ribbon.
+    /// One end of a stroke.
     struct Knot {
         sf::Vector2f place;
-        sf::Vector2f side; // see Band
+        sf::Vector2f side; // for a half width of 1; its length is the mitre
         float halfWidth;
         sf::Color color;
     };
+
+    void use(Fill fill, Blend blend, const sf::Texture* texture = nullptr);
+    void useAnyFill();
+    sf::Color blended(sf::Color color) const;
+    sf::Vertex opaque(sf::Vector2f place, sf::Color color) const;
+    /// A vertex of a filled shape, this many pixels inside the outer border of its fade.
+    sf::Vertex inside(sf::Vector2f place, sf::Color color, float pixels) const;
+    void middle(std::span<const sf::Vertex> corners);
+    void triangle(const sf::Vertex& a, const sf::Vertex& b, const sf::Vertex& c);
+    void quad(const sf::Vertex& a, const sf::Vertex& b, const sf::Vertex& c, const sf::Vertex& d);
+    void band(const Knot& from, const Knot& to);
     void strip(const Knot& from, const Knot& to);
     void fan(std::span<const sf::Vector2f> corners, std::span<const sf::Color> colors);
 
     std::vector<sf::Vertex> vertices_;
+    std::vector<sf::Vertex> middles_;      // of the shapes since setMiddlesFirst(true)
+    std::vector<sf::Vertex> innerCorners_; // scratch
+    std::size_t firstVertex_ = 0;          // at setMiddlesFirst(true), and the first run after it
+    std::size_t firstRun_ = 0;
+    bool middlesFirst_ = false;
     std::vector<sf::Vector2f> sides_; // scratch: see outwards()
     std::vector<sf::Color> oneColor_; // scratch: one colour, repeated per corner
     std::vector<Run> runs_;
+    mutable std::unique_ptr<sf::Texture> edges_; // made by the first draw(), which has a display
     Blend blend_ = Blend::Over;
 };
 

@@ -29,6 +29,7 @@ public:
     Aabb visible() const override;
     void zoom(Vec2 focus, Real scale) override;
     void setGlow(bool on) override;
+    void setDisjoint(bool on) override { painter_.setMiddlesFirst(on); }
     void rectangle(const Aabb& box, Color below, Color above) override;
     void polygon(std::span<const Vec2> corners, Color color) override;
     void polygon(std::span<const Vec2> corners, std::span<const Color> colors) override;

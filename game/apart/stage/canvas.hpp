@@ -44,6 +44,9 @@ public:
     virtual void zoom(Vec2 focus, Real scale) = 0;
     /// While on, colours are added to the picture (additive blending).
     virtual void setGlow(bool on) = 0;
+    /// While on, the middles of rimmed() shapes may be drawn before everything else, which is
+    /// cheaper. For shapes that hardly overlap.
+    virtual void setDisjoint(bool) {}
 
     /// Rectangle without antialiasing, for adjoining areas. Colours of the lower and upper edge.
     virtual void rectangle(const Aabb& box, Color below, Color above) = 0;

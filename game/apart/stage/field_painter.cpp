@@ -188,13 +188,17 @@ void paintFlash(Canvas& canvas, const Moment& moment) {
 void paintField(Canvas& canvas, const Moment& moment) {
     paintForces(canvas, moment);
     paintWaterBehind(canvas, moment);
+    canvas.setDisjoint(true);
     paintBlocks(canvas, moment, false);
     paintLinks(canvas, moment);
     paintObstructions(canvas, moment);
+    canvas.setDisjoint(false);
     paintPopups(canvas, moment); // below all that breaks or falls
     moment.juice.debris().drawDust(canvas);
+    canvas.setDisjoint(true);
     paintBlocks(canvas, moment, true);
     paintShards(canvas, moment);
+    canvas.setDisjoint(false);
     paintWaterBefore(canvas, moment);
     moment.juice.debris().drawChips(canvas);
     paintGlints(canvas, moment);

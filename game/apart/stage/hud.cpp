@@ -181,8 +181,13 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t letters) {
 }
 
 void paintServeHint(Canvas& canvas, const Game& game, const Bindings& keys) {
-    if (!game.serving() || game.result() != Result::Playing) {
-        return;
+    const bool falls =
+        std::any_of(game.blocks().begin(), game.blocks().end(), [&](const Block& block) {
+            return block.support == Support::Fallen &&
+                   game.ticks() < block.looseTick + 5 * kTicksPerSecond;
+        });
+    if (!game.serving() || game.result() != Result::Playing || falls) {
+        return; // not over what falls
     }
     const auto line = [&](std::string_view text, Real y, Real height, Color color) {
         const Typeface face = height > 1 ? Typeface::Display : Typeface::Bold;

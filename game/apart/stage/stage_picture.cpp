@@ -62,11 +62,12 @@ void paintFaults(Canvas& canvas, const std::vector<std::string>& faults) {
     }
 }
 
-void paintQuestion(Canvas& canvas, std::string_view question) {
+/// `bottom`: lower edge, m.
+void paintQuestion(Canvas& canvas, std::string_view question, Real bottom) {
     if (!question.empty()) {
-        canvas.rectangle({{Real(-5.5), Real(4.3)}, {Real(5.5), Real(5.4)}},
+        canvas.rectangle({{Real(-5.5), bottom}, {Real(5.5), bottom + Real(1.1)}},
                          faded(palette::kInk, 0.9f), faded(palette::kInk, 0.9f));
-        canvas.text(question, {0, Real(4.65)},
+        canvas.text(question, {0, bottom + Real(0.35)},
                     {Real(0.6), palette::kAccent, Typeface::Bold, Align::Middle});
     }
 }
@@ -198,7 +199,7 @@ void Stage::draw(Canvas& canvas) const {
             return paintTheatre(canvas, theatre_, game().ticks(), profile().bindings);
         }
         paintFaults(canvas, reload_.faults);
-        paintQuestion(canvas, confirm_.question(seconds_));
+        paintQuestion(canvas, confirm_.question(seconds_), Real(4.3));
         paintServeHint(canvas, game(), profile().bindings);
         if (game().result() == Result::Won) {
             paintFeast(canvas, session_.endTicks(), profile().bindings);
@@ -230,7 +231,7 @@ void Stage::drawTitle(Canvas& canvas) const {
     paintTitle(canvas, seconds_);
     menu_.draw(canvas);
     paintNotices(canvas, records_.notices());
-    paintQuestion(canvas, confirm_.question(seconds_));
+    paintQuestion(canvas, confirm_.question(seconds_), Real(-0.2)); // in the place of the hint
 }
 
 } // namespace apart

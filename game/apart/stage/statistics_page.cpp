@@ -45,7 +45,7 @@ std::string durationText(std::int32_t seconds) {
 
 void paintStatistics(Canvas& canvas, const TotalsByTheme& totals) {
     canvas.text("Records", {0, Real(15.2)},
-                {Real(1.4), palette::kText, Typeface::Bold, Align::Middle});
+                {Real(1.4), palette::kText, Typeface::Display, Align::Middle});
     for (std::size_t i = 0; i < kTotalFields.size(); ++i) {
         canvas.text(kTotalFields[i].label, {kFirst + kColumn * static_cast<Real>(i), kTopRow},
                     {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Right});
