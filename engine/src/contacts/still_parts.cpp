@@ -138,20 +138,18 @@ void StillParts::removePlanes(std::uint32_t body) {
 void StillParts::listOthers(const Bodies& bodies, const PartBounds& bounds,
                             std::vector<std::uint32_t>& parts) const {
     parts.clear();
-    if (!hasTree_) {
-        for (std::uint32_t i = 0; i < bounds.size(); ++i) {
-            if (bounds.isUsed(i)) {
-                parts.push_back(i);
-            }
-        }
-        return;
-    }
     const auto add = [&](std::uint32_t body) {
         const std::uint32_t first = bounds.indexOf(body, 0);
         for (std::uint32_t i = 0; i < bounds.countOf(body); ++i) {
             parts.push_back(first + i);
         }
     };
+    if (!hasTree_) {
+        for (std::uint32_t body = 0; body < bodies.size(); ++body) {
+            add(body);
+        }
+        return;
+    }
     std::for_each(bodies.awake.begin(), bodies.awake.end(), add);
     std::for_each(planes_.begin(), planes_.end(), add);
     const std::size_t moving = parts.size();
@@ -161,7 +159,10 @@ void StillParts::listOthers(const Bodies& bodies, const PartBounds& bounds,
         }
     }
     if (parts.size() > moving || !planes_.empty()) {
-        std::sort(parts.begin(), parts.end()); // total order: equal indices are identical
+        const auto before = [&](std::uint32_t i, std::uint32_t k) {
+            return bounds.rank(i) < bounds.rank(k);
+        };
+        std::sort(parts.begin(), parts.end(), before); // total order: equal indices are identical
         parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
     }
 }
