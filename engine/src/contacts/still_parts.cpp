@@ -7,6 +7,8 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
+constexpr std::size_t kFewToInsert = 8; // parts; more are sorted
+
 /// By which the leaf of a body that stops exceeds its bounds, as a share of their half perimeter: a
 /// body that wakes and moves a little keeps its leaf.
 constexpr Real kSpare = Real(1) / 32;
@@ -158,10 +160,15 @@ void StillParts::listOthers(const Bodies& bodies, const PartBounds& bounds,
             parts.push_back(i);
         }
     }
-    if (parts.size() > moving || !planes_.empty()) {
-        const auto before = [&](std::uint32_t i, std::uint32_t k) {
-            return bounds.rank(i) < bounds.rank(k);
-        };
+    const auto before = [&](std::uint32_t i, std::uint32_t k) {
+        return bounds.rank(i) < bounds.rank(k);
+    };
+    if (planes_.empty() && parts.size() <= moving + kFewToInsert) {
+        for (std::size_t k = moving; k < parts.size(); ++k) {
+            const auto end = parts.begin() + static_cast<std::ptrdiff_t>(k);
+            std::rotate(std::lower_bound(parts.begin(), end, parts[k], before), end, end + 1);
+        }
+    } else {
         std::sort(parts.begin(), parts.end(), before); // total order: equal indices are identical
         parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
     }
