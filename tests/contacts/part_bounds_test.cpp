@@ -112,7 +112,8 @@ TEST(PartBounds, CoverDisplacementsOfTheSolver) {
 }
 
 // The indices of parts stay when other bodies are removed, and return to the next body of the slot.
-// A range grows when a body needs more parts, and unused indices are dropped once they are many.
+// A body that needs more parts gets a range at the end, and unused indices are dropped once they
+// are many.
 TEST(PartBounds, KeepIndicesOfPartsWhileOtherBodiesComeAndGo) {
     constexpr std::uint32_t kBodies = 200;
     Bodies bodies;
@@ -136,7 +137,16 @@ TEST(PartBounds, KeepIndicesOfPartsWhileOtherBodiesComeAndGo) {
 
     removeBody(bodies, 3);
     ASSERT_EQ(add(Compound{{Circle{1}, Circle{1}}}), 3u);
-    EXPECT_TRUE(bounds.renew(bodies, kDistances, std::vector<std::uint32_t>{3}));
+    EXPECT_FALSE(bounds.renew(bodies, kDistances, std::vector<std::uint32_t>{3}));
+    EXPECT_EQ(bounds.moves(), 2u);
+    EXPECT_EQ(bounds.indexOf(3, 0), kBodies);
+    EXPECT_EQ(bounds.indexOf(4, 0), 4u);
+    EXPECT_FALSE(bounds.isUsed(3));
+    EXPECT_FALSE(bounds.isInOrder());
+    EXPECT_TRUE(bounds.isBefore({kBodies, 5}, {4, 5})); // body 3 before body 4
+    EXPECT_FALSE(bounds.isBefore({2, kBodies + 1}, {2, kBodies}));
+    EXPECT_TRUE(bounds.compact());
+    EXPECT_TRUE(bounds.isInOrder());
     EXPECT_EQ(bounds.indexOf(4, 0), 5u);
     EXPECT_EQ(bounds.indexNow(4, 4), 5u);
     EXPECT_EQ(bounds.part(4).part, 1u);

@@ -85,7 +85,7 @@ bool CandidatePairs::search(const Bodies& bodies, WorkerTeam& team) {
                shouldCollide(bodies.filter[a], bodies.filter[b]) &&
                !std::binary_search(excluded_.begin(), excluded_.end(), std::pair(a, b));
     };
-    if (still_.update(bodies, bounds_) || bounds_.hasUnused()) {
+    if (still_.update(bodies, bounds_) || bounds_.hasUnused() || !bounds_.isInOrder()) {
         searchMovers(bodies, accept, team);
         return true;
     }
@@ -121,6 +121,9 @@ void CandidatePairs::searchMovers(const Bodies& bodies, Accept accept, WorkerTea
 template <typename Accept>
 void CandidatePairs::searchTree(const Bodies& bodies, Accept accept) {
     const std::size_t among = pairs_.size();
+    const auto ranksBefore = [&](std::uint32_t i, std::uint32_t j) {
+        return bounds_.rank(i) < bounds_.rank(j);
+    };
     for (const std::uint32_t k : movers_.changed) {
         const std::uint32_t i = movers_.parts[k];
         const std::uint32_t body = bounds_.part(i).body;
@@ -134,13 +137,19 @@ void CandidatePairs::searchTree(const Bodies& bodies, Accept accept) {
             [&](std::uint32_t other, std::uint32_t part) {
                 const std::uint32_t j = bounds_.indexOf(other, static_cast<std::uint16_t>(part));
                 if (overlap(own, bounds_.grown()[j]) &&
-                    !std::binary_search(movers_.parts.begin(), movers_.parts.end(), j)) {
-                    addPair(i, j, accept, pairs_);
+                    !std::binary_search(movers_.parts.begin(), movers_.parts.end(), j,
+                                        ranksBefore)) {
+                    const auto [first, second] =
+                        ranksBefore(j, i) ? BoundsPair{j, i} : BoundsPair{i, j};
+                    if (accept(first, second)) {
+                        pairs_.push_back({first, second});
+                    }
                 }
             });
     }
     if (pairs_.size() > among) {
-        std::sort(pairs_.begin(), pairs_.end()); // total order: pairs are distinct
+        std::sort(pairs_.begin(), pairs_.end(), // total order: pairs are distinct
+                  [&](BoundsPair a, BoundsPair b) { return bounds_.isBefore(a, b); });
     }
 }
 

@@ -29,7 +29,7 @@ public:
     /// have changed.
     bool renew(const Bodies& bodies, const Tolerances& tolerances,
                std::span<const std::uint32_t> changed);
-    /// Removes the unused indices of bounds. True if there were any.
+    /// Removes the unused indices of bounds and orders the others. True if that changed anything.
     bool compact();
     /// Sets the excluded pairs of bodies, in order. Appends the bodies of the pairs that were added
     /// or dropped to `changed`.
@@ -38,7 +38,7 @@ public:
 
     /// Searches the pairs of parts whose grown bounds have changed. False if none has.
     bool search(const Bodies& bodies, WorkerTeam& team);
-    /// Result of the last search, in order.
+    /// Result of the last search, in the order of PartBounds::isBefore().
     std::span<const BoundsPair> pairs() const { return pairs_; }
 
 private:

@@ -55,27 +55,33 @@ void ContactSet::touchedBy(std::uint32_t body, std::vector<std::uint32_t>& other
     });
 }
 
-/// Must be called before contacts change their keys. No contact may be resident.
+/// No contact may be resident.
 void ContactSet::writeRecords() const {
     records_.all(recordSource([](Contact&) {}));
 }
 
+void ContactSet::writeBack(std::uint32_t body, const WriteBack& writeBack) {
+    store_.lists().forEach(body, [&](std::uint32_t slot) {
+        writeBack(contacts()[slot]);
+        noteRow(slot);
+    });
+}
+
 void ContactSet::partRemoved(std::uint32_t body, std::size_t part) {
-    writeRecords();
-    eraseIf([&](std::uint32_t slot) {
+    store_.lists().forEach(body, [&](std::uint32_t slot) {
         Contact& contact = contacts()[slot];
-        bool gone = false;
-        for (const bool isA : {true, false}) {
-            std::uint16_t& own = isA ? contact.key.partA : contact.key.partB;
-            if ((isA ? contact.key.bodyA : contact.key.bodyB) == body && own >= part) {
-                gone = own == part;
-                own = static_cast<std::uint16_t>(gone ? own : own - 1);
-            }
+        std::uint16_t& own = contact.key.bodyA == body ? contact.key.partA : contact.key.partB;
+        if (own < part) {
+            return;
         }
-        if (gone) {
-            noteEnd(contact);
+        records_.keep(contact); // before its key changes
+        contact.phase.reset();
+        if (own > part) {
+            --own;
+            return;
         }
-        return gone;
+        noteEnd(contact);
+        store_.detach(slot);
     });
     store_.partsChanged();
     bodyChanged(body);
@@ -171,8 +177,11 @@ void ContactSet::renewChanged(const Bodies& bodies, const Tolerances& tolerances
     resizeByBody(hasChanged_, bodies);
     touchCounts_.resize(bodies);
     const PartBounds& bounds = candidates_.bounds();
+    const std::uint64_t moves = bounds.moves();
     if (candidates_.renew(bodies, tolerances, changes_)) {
         store_.renumberBounds(bounds);
+    } else if (bounds.moves() != moves) {
+        store_.partsChanged();
     }
     for (const std::uint32_t body : changes_) {
         store_.describe(body, bodies, bounds);
@@ -197,6 +206,10 @@ void ContactSet::applyChanges(const Bodies& bodies, const Tolerances& tolerances
     }
     changes_.clear();
     PartBounds& bounds = candidates_.bounds();
+    if (bounds.countStep(store_.size()) && candidates_.compact()) {
+        store_.renumberBounds(bounds);
+        store_.refreshPlaces();
+    }
     if (std::exchange(pairsStale_, false)) {
         bounds.listAll();
     }

@@ -54,7 +54,11 @@ public:
     void drop(std::uint32_t body, const WriteBack& writeBack);
     /// The bodies that touched a body in the last step, awake; may contain duplicates.
     void touchedBy(std::uint32_t body, std::vector<std::uint32_t>& others);
-    /// Must be called before the removal of a part; the index of each later part falls by one.
+    /// Must be called before mass or geometry of a body change: none of its contacts is resident
+    /// afterwards.
+    void writeBack(std::uint32_t body, const WriteBack& writeBack);
+    /// Must be called before the removal of a part, after writeBack(); the index of each later part
+    /// falls by one.
     void partRemoved(std::uint32_t body, std::size_t part);
     /// A body fell asleep or woke, or an immovable body started or stopped.
     void activityChanged(std::uint32_t body) {

@@ -5,6 +5,7 @@
 #include "contacts/contact_update.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -17,8 +18,17 @@ constexpr std::size_t kNewPerPiece = 32; // contacts
 } // namespace
 
 void ContactStore::sortByKey(std::span<std::uint32_t> slots) const {
-    const auto before = [&](std::uint32_t a, std::uint32_t b) {
-        return summaries_[a].proxies < summaries_[b].proxies;
+    // Indices of bounds are in the order of parts within one body alone.
+    const auto before = [&](std::uint32_t slotA, std::uint32_t slotB) {
+        const ContactSummary& a = summaries_[slotA];
+        const ContactSummary& b = summaries_[slotB];
+        if (a.bodyA != b.bodyA) {
+            return a.bodyA < b.bodyA;
+        }
+        if (a.proxies.first != b.proxies.first) {
+            return a.proxies.first < b.proxies.first;
+        }
+        return a.bodyB != b.bodyB ? a.bodyB < b.bodyB : a.proxies.second < b.proxies.second;
     };
     if (!std::is_sorted(slots.begin(), slots.end(), before)) {
         std::sort(slots.begin(), slots.end(), before); // total order: pairs are unique
@@ -103,21 +113,33 @@ void ContactStore::renumber(std::vector<std::uint32_t>& slots) const {
 /// Compares the pairs with order_: both are in the order of keys. A pair can only be added or
 /// removed if the bounds of one of its parts have changed.
 bool ContactStore::findChanges(const CandidatePairs& candidates, WorkerTeam& team) {
+    changes_.clear();
+    if (candidates.bounds().isInOrder()) {
+        findChanges(candidates, team, std::less<>());
+    } else {
+        findChanges(candidates, team,
+                    [&](BoundsPair a, BoundsPair b) { return candidates.bounds().isBefore(a, b); });
+    }
+    return !changes_.empty();
+}
+
+template <typename IsBefore>
+void ContactStore::findChanges(const CandidatePairs& candidates, WorkerTeam& team,
+                               IsBefore isBefore) {
     const std::span<const BoundsPair> pairs = candidates.pairs();
     const std::uint8_t* const isChanged = candidates.bounds().isChanged().data();
-    changes_.clear();
     changesFound_.gather(
         team, order_.size(), kContactsPerPiece, changes_,
         [&](std::size_t first, std::size_t last, std::vector<Change>& found) {
             const Place* const order = order_.data();
             const auto from = [&](std::size_t at) {
-                return std::lower_bound(pairs.begin(), pairs.end(), order_[at].pair);
+                return std::lower_bound(pairs.begin(), pairs.end(), order_[at].pair, isBefore);
             };
             auto pair = first == 0 ? pairs.begin() : from(first);
             const auto end = last == order_.size() ? pairs.end() : from(last);
             for (std::size_t at = first; at < last; ++at) {
                 const BoundsPair own = order[at].pair;
-                for (; pair != end && *pair < own; ++pair) {
+                for (; pair != end && isBefore(*pair, own); ++pair) {
                     found.push_back({*pair, static_cast<std::uint32_t>(at), true});
                 }
                 const bool stays = pair != end && *pair == own;
@@ -131,7 +153,6 @@ bool ContactStore::findChanges(const CandidatePairs& candidates, WorkerTeam& tea
                 found.push_back({*pair, static_cast<std::uint32_t>(last), true});
             }
         });
-    return !changes_.empty();
 }
 
 void ContactStore::merge(const CandidatePairs& candidates, const Bodies& bodies, WorkerTeam& team) {

@@ -88,7 +88,7 @@ public:
 private:
     friend class SnapshotFields;
     static constexpr std::size_t kContactsPerPiece = 128;
-    /// Slot of a contact. Pairs of bounds are in the order of the contact keys.
+    /// Slot of a contact. PartBounds::isBefore() compares pairs of bounds as their contact keys.
     struct Place {
         BoundsPair pair;
         std::uint32_t slot;
@@ -100,6 +100,8 @@ private:
         bool isNew;
     };
 
+    template <typename IsBefore>
+    void findChanges(const CandidatePairs& candidates, WorkerTeam& team, IsBefore isBefore);
     void fillHoles();
     void addContacts(const CandidatePairs& candidates, const Bodies& bodies, WorkerTeam& team);
     std::uint32_t append(const Contact& contact, const PartBounds& bounds);

@@ -91,7 +91,7 @@ Real directionBetween(const ConvexShape& a, const ConvexShape& b) {
 
 } // namespace
 
-std::optional<JointedLine> jointedLineOf(const Bodies& bodies, const ContactKey& key) {
+std::optional<JointedLine> findJointedLine(const Bodies& bodies, const ContactKey& key) {
     const ConvexShape& a = bodies.convex(key.bodyA, key.partA);
     const ConvexShape& b = bodies.convex(key.bodyB, key.partB);
     const bool isA = isJointed(a);

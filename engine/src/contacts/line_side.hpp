@@ -27,7 +27,10 @@ struct JointedLine {
 
 /// The jointed line of a pair; none if both parts are lines of this kind, or the other part has a
 /// front of its own.
-std::optional<JointedLine> jointedLineOf(const Bodies& bodies, const ContactKey& key);
+std::optional<JointedLine> findJointedLine(const Bodies& bodies, const ContactKey& key);
+inline std::optional<JointedLine> jointedLineOf(const Bodies& bodies, const ContactKey& key) {
+    return bodies.thinnest > 0 ? std::nullopt : findJointedLine(bodies, key); // lines are thin
+}
 
 /// Side of the line on which the other shape is: 1 for that of normals[1], else -1. The side of the
 /// last step, unless the middle of the shape is now deeper on the other side than contacts let it

@@ -17,6 +17,8 @@ constexpr std::size_t kFar = 65536; // contacts, from which on their data exceed
 constexpr std::size_t kSummariesAhead = 16; // summaries; prefetch distance for their data
 constexpr std::size_t kContactsPerPiece = 128;
 
+using Summaries = std::span<const ContactSummary>;
+
 struct Piece { // of the contacts; `end` is that of the whole range of the thread
     std::size_t first, last, end;
 };
@@ -239,8 +241,9 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
     if (std::exchange(contactsChanged_, false)) {
         noteKinds(bodies, team);
         ghostCollisions_.link(bodies, summaries(), onGround_);
-        oneWayBodies_.link(bodies, contacts(), summaries());
-        lineSides_.link(bodies, contacts(), summaries());
+        const bool anyLines = !(bodies.thinnest > 0); // points and lines have no core radius
+        oneWayBodies_.link(bodies, contacts(), anyLines ? summaries() : Summaries());
+        lineSides_.link(bodies, contacts(), anyLines ? summaries() : Summaries());
     }
     if (!lineSides_.empty()) {
         lineSides_.spread({bodies, contacts(), store_.summaries(), tolerances, keeper.evict});

@@ -11,6 +11,8 @@ inline namespace KODO_PRECISION {
 namespace {
 
 constexpr std::size_t kFewUnused = 64; // indices; so many are never removed
+// New indices for all parts cost as much as so many comparisons of contacts by rank for each part.
+constexpr std::uint64_t kComparisons = 4;
 // Largest size of stored bounds relative to the needed ones. A body that was fast for one step
 // would otherwise be a candidate for contacts on all of that way, as long as it stays there.
 constexpr Real kMostExcess = 16;
@@ -35,12 +37,14 @@ void PartBounds::number(const Bodies& bodies) {
     footprints_.clear();
     corners_.clear();
     unusedCorners_ = 0;
-    firstPart_.reserve(bodies.record.capacity() + 1);
-    firstPart_.resize(bodies.size() + 1);
+    inOrder_ = true;
+    compared_ = 0;
+    resizeByBody(firstPart_, bodies);
+    resizeByBody(room_, bodies);
     resizeByBody(count_, bodies);
     for (std::size_t body = 0; body < bodies.size(); ++body) {
         firstPart_[body] = static_cast<std::uint32_t>(parts_.size());
-        count_[body] = 0;
+        room_[body] = count_[body] = 0;
         if (!bodies.ids.aliveAt(body)) {
             continue;
         }
@@ -49,10 +53,9 @@ void PartBounds::number(const Bodies& bodies) {
             parts_.push_back({static_cast<std::uint32_t>(body), number++});
             addConvex(part.convex);
         }
-        count_[body] = number;
+        room_[body] = count_[body] = number;
     }
     usedCount_ = parts_.size();
-    firstPart_[bodies.size()] = static_cast<std::uint32_t>(parts_.size());
     const std::size_t room = parts_.capacity(); // so that the next body moves no array
     tight_.reserve(room);
     grown_.reserve(room);
@@ -104,57 +107,77 @@ void PartBounds::renew(const Bodies& bodies, const Tolerances& tolerances) {
     listAll();
 }
 
-/// Adds the range of a new body.
-void PartBounds::append(std::uint32_t parts) {
-    const auto body = static_cast<std::uint32_t>(count_.size());
-    for (std::uint32_t part = 0; part < parts; ++part) {
+/// The parts at these indices are gone.
+void PartBounds::clear(std::uint32_t first, std::uint32_t last) {
+    for (std::uint32_t i = first; i < last; ++i) {
+        unusedCorners_ += footprints_[i].count;
+        footprints_[i] = {};
+        isChanged_[i] = 0;
+    }
+}
+
+/// Gives a body new indices at the end.
+void PartBounds::addRange(std::uint32_t body, std::uint32_t room) {
+    firstPart_[body] = static_cast<std::uint32_t>(parts_.size());
+    room_[body] = room;
+    for (std::uint32_t part = 0; part < room; ++part) {
         parts_.push_back({body, static_cast<std::uint16_t>(part)});
     }
-    firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
-    count_.push_back(parts);
     footprints_.resize(parts_.size());
     tight_.resize(parts_.size());
     grown_.resize(parts_.size());
     isChanged_.resize(parts_.size(), 0);
 }
 
-/// Changes the number of parts of a body. False if its range is too small.
-bool PartBounds::resize(std::uint32_t body, std::uint32_t parts) {
+/// Adds the range of a new body.
+void PartBounds::append(std::uint32_t parts) {
+    firstPart_.push_back(0);
+    room_.push_back(0);
+    count_.push_back(parts);
+    addRange(static_cast<std::uint32_t>(count_.size() - 1), parts);
+}
+
+/// Changes the number of parts of a body. If its range is too small, it gets one of twice the
+/// length at the end.
+void PartBounds::resize(std::uint32_t body, std::uint32_t parts) {
     const std::uint32_t first = firstPart_[body];
-    for (std::uint32_t i = first + parts; i < first + count_[body]; ++i) {
-        unusedCorners_ += footprints_[i].count;
-        footprints_[i] = {};
-        isChanged_[i] = 0;
-    }
+    const std::uint32_t room = room_[body];
+    const bool fits = parts <= room;
+    clear(fits ? first + parts : first, first + count_[body]);
     count_[body] = parts;
-    return parts <= roomOf(body);
+    if (!fits) {
+        for (std::uint32_t i = first; i < first + room; ++i) {
+            parts_[i].part = kNoPart;
+        }
+        addRange(body, std::max(parts, std::min(2 * room, std::uint32_t{kMaxParts})));
+        moves_ += room_[body];
+        inOrder_ = false;
+    }
 }
 
 /// Updates the ranges of changed bodies, in order. True if the indices of other parts have changed.
 bool PartBounds::resizeAll(const Bodies& bodies, std::span<const std::uint32_t> changed) {
-    bool fits = true;
-    bool anyFewer = false;
+    bool anyGone = false;
     for (const std::uint32_t body : changed) {
         const auto parts = static_cast<std::uint32_t>(
             bodies.ids.aliveAt(body) ? bodies.geometry(body).parts.size() : 0);
         while (count_.size() < body) { // none: new bodies are changed ones
             append(0);
         }
+        usedCount_ += parts;
         if (body == count_.size()) {
-            usedCount_ += parts;
             append(parts);
             continue;
         }
-        anyFewer = anyFewer || parts < count_[body];
-        usedCount_ += parts;
         usedCount_ -= count_[body];
-        fits &= resize(body, parts);
+        anyGone = anyGone || parts < count_[body] || parts > room_[body];
+        resize(body, parts);
     }
-    if (anyFewer) {
+    if (anyGone) {
         std::erase_if(changed_, [&](std::uint32_t i) { return isChanged_[i] == 0; });
     }
     const std::size_t unused = parts_.size() - std::min(parts_.size(), usedCount_);
-    if (fits && (unused <= kFewUnused || unused <= usedCount_)) {
+    if (unused <= kFewUnused || unused <= usedCount_) {
         return false;
     }
     renumber();
@@ -162,30 +185,34 @@ bool PartBounds::resizeAll(const Bodies& bodies, std::span<const std::uint32_t> 
 }
 
 bool PartBounds::compact() {
-    if (!hasUnused()) {
+    if (!hasUnused() && inOrder_) {
         return false;
     }
     renumber();
     return true;
 }
 
-/// Gives each body the range that it needs; a body that has outgrown its range gets twice of that.
+bool PartBounds::countStep(std::size_t contacts) {
+    compared_ += inOrder_ ? 0 : contacts + 1;
+    return compared_ > kComparisons * parts_.size();
+}
+
+/// Gives each body the range that it needs, in order.
 void PartBounds::renumber() {
     firstBefore_ = firstPart_;
     parts_.clear();
     from_.clear();
     for (std::uint32_t body = 0; body < count_.size(); ++body) {
         const std::uint32_t before = firstBefore_[body];
-        const std::uint32_t room = firstBefore_[body + 1] - before;
-        const std::uint32_t next =
-            count_[body] > room ? std::max(count_[body], 2 * room) : count_[body];
         firstPart_[body] = static_cast<std::uint32_t>(from_.size());
-        for (std::uint32_t k = 0; k < next; ++k) {
+        room_[body] = count_[body];
+        for (std::uint32_t k = 0; k < count_[body]; ++k) {
             parts_.push_back({body, static_cast<std::uint16_t>(k)});
-            from_.push_back(k < std::min(room, count_[body]) ? before + k : kNone);
+            from_.push_back(before + k);
         }
     }
-    firstPart_[count_.size()] = static_cast<std::uint32_t>(from_.size());
+    inOrder_ = true;
+    compared_ = 0;
     moves_ += from_.size();
     pick(footprints_);
     pick(tight_);
@@ -205,7 +232,7 @@ void PartBounds::pick(std::vector<T>& list) const {
     std::vector<T> next;
     next.reserve(std::max(list.capacity(), from_.size()));
     for (const std::uint32_t i : from_) {
-        next.push_back(i == kNone ? T{} : list[i]);
+        next.push_back(list[i]);
     }
     list = std::move(next);
 }

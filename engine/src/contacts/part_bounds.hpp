@@ -5,6 +5,7 @@
 
 #include "base/worker_team.hpp"
 #include "bodies/bodies.hpp"
+#include "broad/broad_phase.hpp"
 #include "math/octagon.hpp"
 
 #include <span>
@@ -13,11 +14,12 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
-/// Bounds of every part of every body, in order: tight ones, and grown ones that stay valid until
-/// the next search of its pairs. Parts whose grown bounds have changed are listed.
+/// Bounds of every part of every body: tight ones, and grown ones that stay valid until the next
+/// search of its pairs. Parts whose grown bounds have changed are listed.
 ///
 /// Each body has a range of indices. A body with fewer parts than before, or a removed one, keeps
-/// its range, so that the indices of other parts stay. The indices without a part are unused.
+/// its range. A body that outgrows its range gets a new one at the end. So the indices of other
+/// parts stay. The indices without a part are unused. Results depend on rank(), not on the indices.
 class PartBounds {
 public:
     struct Part {
@@ -36,6 +38,17 @@ public:
     std::size_t usedCount() const { return usedCount_; }
     bool hasUnused() const { return usedCount_ < parts_.size(); }
     bool isUsed(std::size_t i) const { return parts_[i].part < count_[parts_[i].body]; }
+    /// True if all indices are in the order of bodies and their parts, which is that of the keys of
+    /// contacts.
+    bool isInOrder() const { return inOrder_; }
+    /// Place of a used index in that order. Not comparable with ranks before the next change.
+    std::uint64_t rank(std::uint32_t i) const {
+        return inOrder_ ? i : std::uint64_t{parts_[i].body} << 16 | parts_[i].part;
+    }
+    /// Whether a pair comes before another one in the order of keys.
+    bool isBefore(BoundsPair a, BoundsPair b) const {
+        return a.first != b.first ? rank(a.first) < rank(b.first) : rank(a.second) < rank(b.second);
+    }
     /// Number of parts of a body.
     std::uint32_t countOf(std::uint32_t body) const { return count_[body]; }
     const Octagon& tight(std::size_t i) const { return tight_[i]; }
@@ -48,17 +61,20 @@ public:
     /// Numbers the parts, computes their bounds, and lists all parts.
     void renew(const Bodies& bodies, const Tolerances& tolerances);
     /// The same if only these bodies have changed, in order: the bounds of the others stay. True if
-    /// the indices of other parts have changed.
+    /// the indices of other parts have changed, as they do once most of them are unused.
     bool renew(const Bodies& bodies, const Tolerances& tolerances,
                std::span<const std::uint32_t> changed);
-    /// Removes the unused indices. True if there were any.
+    /// Removes the unused indices and restores the order. True if that changed anything.
     bool compact();
+    /// Counts a step that compared as many contacts by rank. True: compact() costs less than more
+    /// such steps.
+    bool countStep(std::size_t contacts);
     /// Present index of a part of an unchanged body, from its index before the last renew() or
     /// compact() that returned true.
     std::uint32_t indexNow(std::uint32_t before, std::uint32_t body) const {
         return before - firstBefore_[body] + firstPart_[body];
     }
-    /// Number of parts that new indices have moved, of all calls so far.
+    /// Number of indices that were assigned again, of all calls so far.
     std::uint64_t moves() const { return moves_; }
     /// Lists all parts.
     void listAll();
@@ -84,15 +100,14 @@ private:
         Real radius = 0;         // m
     };
 
-    static constexpr std::uint32_t kNone = ~std::uint32_t{};
+    static constexpr std::uint16_t kNoPart = kMaxParts; // of an index that no body has
 
     void addConvex(const ConvexShape& convex);
     void setConvex(std::size_t i, const ConvexShape& convex);
-    std::uint32_t roomOf(std::uint32_t body) const {
-        return firstPart_[body + std::size_t{1}] - firstPart_[body];
-    }
+    void clear(std::uint32_t first, std::uint32_t last);
+    void addRange(std::uint32_t body, std::uint32_t room);
     void append(std::uint32_t parts);
-    bool resize(std::uint32_t body, std::uint32_t parts);
+    void resize(std::uint32_t body, std::uint32_t parts);
     bool resizeAll(const Bodies& bodies, std::span<const std::uint32_t> changed);
     void renumber();
     template <typename T>
@@ -104,11 +119,14 @@ private:
     void listOutgrown(const Bodies& bodies, WorkerTeam& team, Outgrow outgrow);
 
     std::vector<Part> parts_;
-    std::vector<std::uint32_t> firstPart_;   // by body, with one element past the last body
+    std::vector<std::uint32_t> firstPart_;   // by body
+    std::vector<std::uint32_t> room_;        // by body: length of its range
     std::vector<std::uint32_t> count_;       // by body: its parts
     std::vector<std::uint32_t> firstBefore_; // firstPart_ before the last renumber()
-    std::vector<std::uint32_t> from_;        // scratch: by new index the old one, or kNone
+    std::vector<std::uint32_t> from_;        // scratch: by new index the old one
     std::size_t usedCount_ = 0;
+    bool inOrder_ = true;
+    std::uint64_t compared_ = 0; // contacts by rank, since the order was lost
     std::uint64_t moves_ = 0;
     std::vector<Footprint> footprints_;
     std::vector<Vec2> corners_;

@@ -7,6 +7,8 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
+constexpr std::size_t kFewToInsert = 8; // parts; more are sorted
+
 /// By which the leaf of a body that stops exceeds its bounds, as a share of their half perimeter: a
 /// body that wakes and moves a little keeps its leaf.
 constexpr Real kSpare = Real(1) / 32;
@@ -138,20 +140,18 @@ void StillParts::removePlanes(std::uint32_t body) {
 void StillParts::listOthers(const Bodies& bodies, const PartBounds& bounds,
                             std::vector<std::uint32_t>& parts) const {
     parts.clear();
-    if (!hasTree_) {
-        for (std::uint32_t i = 0; i < bounds.size(); ++i) {
-            if (bounds.isUsed(i)) {
-                parts.push_back(i);
-            }
-        }
-        return;
-    }
     const auto add = [&](std::uint32_t body) {
         const std::uint32_t first = bounds.indexOf(body, 0);
         for (std::uint32_t i = 0; i < bounds.countOf(body); ++i) {
             parts.push_back(first + i);
         }
     };
+    if (!hasTree_) {
+        for (std::uint32_t body = 0; body < bodies.size(); ++body) {
+            add(body);
+        }
+        return;
+    }
     std::for_each(bodies.awake.begin(), bodies.awake.end(), add);
     std::for_each(planes_.begin(), planes_.end(), add);
     const std::size_t moving = parts.size();
@@ -160,8 +160,16 @@ void StillParts::listOthers(const Bodies& bodies, const PartBounds& bounds,
             parts.push_back(i);
         }
     }
-    if (parts.size() > moving || !planes_.empty()) {
-        std::sort(parts.begin(), parts.end()); // total order: equal indices are identical
+    const auto before = [&](std::uint32_t i, std::uint32_t k) {
+        return bounds.rank(i) < bounds.rank(k);
+    };
+    if (planes_.empty() && parts.size() <= moving + kFewToInsert) {
+        for (std::size_t k = moving; k < parts.size(); ++k) {
+            const auto end = parts.begin() + static_cast<std::ptrdiff_t>(k);
+            std::rotate(std::lower_bound(parts.begin(), end, parts[k], before), end, end + 1);
+        }
+    } else {
+        std::sort(parts.begin(), parts.end(), before); // total order: equal indices are identical
         parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
     }
 }

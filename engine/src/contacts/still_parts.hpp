@@ -34,7 +34,7 @@ public:
     /// Result of the last update().
     bool hasTree() const { return hasTree_; }
 
-    /// Lists the parts to search without the tree, in order: of active bodies, of planes, and the
+    /// Lists the parts to search without the tree, by rank: of active bodies, of planes, and the
     /// changed ones; all if there is no tree.
     void listOthers(const Bodies& bodies, const PartBounds& bounds,
                     std::vector<std::uint32_t>& parts) const;
@@ -61,7 +61,7 @@ private:
 
 /// Scratch: the parts that are searched beside the tree, and their bounds, contiguous.
 struct MovingParts {
-    std::vector<std::uint32_t> parts; // indices in PartBounds, in order
+    std::vector<std::uint32_t> parts; // indices in PartBounds, by rank
     std::vector<Octagon> bounds;
     std::vector<std::uint32_t> changed; // indices in `parts`
     std::vector<std::uint8_t> isChanged;

@@ -125,7 +125,7 @@ bool closes(const Bodies& bodies, const PartBounds& bounds, const ContactSummary
 /// Order of the heap: the earliest event on top, equal times in the order of the keys of contacts.
 template <typename Event>
 bool later(const Event& e, const Event& f) {
-    return e.time > f.time || (e.time == f.time && f.pair < e.pair);
+    return e.time > f.time || (e.time == f.time && f.key < e.key);
 }
 
 } // namespace
@@ -288,7 +288,7 @@ void ContinuousCollision::findTime(const Step& step, std::uint32_t i, Real from)
 /// Adds the impact of a pair to the heap, if it has one.
 void ContinuousCollision::queueImpact(const Step& step, std::uint32_t contact) {
     if (const Real time = times_[contact]; time < 1) {
-        events_.push_back({time, contact, step.summaries[contact].proxies});
+        events_.push_back({time, contact, step.contacts[contact].key});
         std::push_heap(events_.begin(), events_.end(), later<Event>);
     }
 }

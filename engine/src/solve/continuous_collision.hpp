@@ -53,7 +53,7 @@ private:
     struct Event {
         Real time;
         std::uint32_t contact;
-        BoundsPair pair; // its key
+        ContactKey key;
     };
     /// Inputs of all functions for one step.
     struct Step {

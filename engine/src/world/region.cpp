@@ -4,6 +4,7 @@
 #include "contacts/contact_update.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -27,10 +28,20 @@ void forEachStrip(const Aabb& box, const Aabb& other, Visit visit) {
     visitIf({{lower.x, std::max(lower.y, other.upper.y)}, upper});
 }
 
+/// True if the disc around the body is inside the box, with a margin for rounding. Cheaper than the
+/// bounds of the body.
+bool isWellInside(const Aabb& box, const Bodies& bodies, std::uint32_t body) {
+    const Vec2 center = bodies.pose[body].position;
+    const Real rounding = (std::abs(center.x) + std::abs(center.y)) / Real(1 << 18);
+    const Real reach = Real(1.01) * bodies.geometry(body).boundingRadius + rounding;
+    return center.x - reach > box.lower.x && center.x + reach < box.upper.x &&
+           center.y - reach > box.lower.y && center.y + reach < box.upper.y;
+}
+
 } // namespace
 
 bool Region::contains(const Bodies& bodies, std::uint32_t body) const {
-    return !box_ || overlap(*box_, boundsOfBody(bodies, body));
+    return !box_ || isWellInside(*box_, bodies, body) || overlap(*box_, boundsOfBody(bodies, body));
 }
 
 bool Region::update(Bodies& bodies, std::uint32_t body) const {
@@ -87,24 +98,36 @@ void Region::moveInOut(std::vector<std::uint32_t>& candidates, Bodies& bodies, C
         const bool isOutside = (bodies.filter[body].flags & kOutside) != 0;
         return !bodies.ids.aliveAt(body) || isOutside != contains(bodies, body);
     });
+    if (candidates.empty()) {
+        return;
+    }
     for (const std::uint32_t body : candidates) {
         update(bodies, body);
         contacts.activityChanged(body);
     }
-    park(bodies, contacts, writeBack);
+    unparkActive(bodies, contacts);
+    setAside(contacts.takeIdle(bodies, candidates, writeBack), bodies, contacts);
 }
 
 void Region::park(Bodies& bodies, ContactSet& contacts, const WriteBack& writeBack) {
-    const auto waits = [&](std::uint32_t body) {
-        return (bodies.filter[body].flags & kOutside) != 0;
-    };
+    unparkActive(bodies, contacts);
+    setAside(contacts.takeIdle(bodies, writeBack), bodies, contacts);
+}
+
+void Region::unparkActive(Bodies& bodies, ContactSet& contacts) {
     const auto isActive = [&](const Contact& contact) {
         return bodies.active(contact.key.bodyA) || bodies.active(contact.key.bodyB);
     };
     unpark(isActive, bodies, contacts);
+}
+
+/// Parks those of the idle contacts that have a body outside.
+void Region::setAside(std::span<const Contact> idle, Bodies& bodies, ContactSet& contacts) {
+    const auto waits = [&](std::uint32_t body) {
+        return (bodies.filter[body].flags & kOutside) != 0;
+    };
     // Contacts of frozen bodies return to the list, since their end is not yet recorded.
     unparked_.clear();
-    const std::span<const Contact> idle = contacts.takeIdle(bodies, writeBack);
     const auto byKey = [](const Contact& a, const Contact& b) { return a.key < b.key; };
     std::erase_if(parked_, [&](const Contact& old) { // found again since
         return std::binary_search(idle.begin(), idle.end(), old, byKey);

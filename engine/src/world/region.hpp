@@ -60,6 +60,8 @@ public:
 private:
     friend class SnapshotFields;
 
+    void unparkActive(Bodies& bodies, ContactSet& contacts);
+    void setAside(std::span<const Contact> idle, Bodies& bodies, ContactSet& contacts);
     template <typename Which>
     void unpark(Which which, Bodies& bodies, ContactSet& contacts);
 

@@ -268,8 +268,8 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
            added, movedTo, slots, reorderPolicy, placesStale] = store;
     auto& [allDue, eventsDue, toggled, allRecords, begun, ended, removed, ends, nextEnds,
            recordSlots] = records;
-    auto& [parts, firstPart, count, firstBefore, from, usedCount, moves, convexes, corners,
-           leftOver, tight, grown, changed, isChanged, outgrown] = bounds;
+    auto& [parts, firstPart, room, count, firstBefore, from, usedCount, inOrder, compared, moves,
+           convexes, corners, leftOver, tight, grown, changed, isChanged, outgrown] = bounds;
     set.writeRecords();
     if (!reads()) {
         set.applyChanges(bodies, tolerances);
