@@ -162,12 +162,27 @@ TEST(OneSided, WhatSinksOnTheNeighbourOfAHilltopIsNotBehindTheLine) {
     riser.valleyAfter = 2;
     const Vec2 sunk{Real(0.75), Real(0.9375)};
     EXPECT_EQ(heightOverJoints(riser, sunk, Real(0.125)), Real(-0.0625));
-    EXPECT_EQ(heightOverJoints(riser, sunk, 0), Real(-0.75));
+    EXPECT_EQ(heightOverJoints(riser, sunk, 0), Real(-0.0625)); // the tread is nearer
     EXPECT_EQ(heightOverJoints(riser, {Real(0.75), Real(1.25)}, 0), Real(0.25));
     ConvexShape reversed = convexShapeOf(Segment{{0, 1}, {0, 0}}, {});
     reversed.before = {-1, 0};
     reversed.valleyBefore = 2;
     EXPECT_EQ(heightOverJoints(reversed, sunk, Real(0.125)), Real(0.0625));
+}
+
+// Regression: beside one side of a sharp hilltop, a point counted as behind the other side.
+TEST(OneSided, APointBesideASharpHilltopIsInFrontOfBothOfItsSides) {
+    ConvexShape left = convexShapeOf(Segment{{-1, -4}, {0, 0}}, {});
+    left.after = Vec2{1, -4} / std::sqrt(Real(17));
+    left.valleyAfter = std::sqrt(Real(17));
+    const Vec2 outside{Real(0.75), -2};
+    EXPECT_TRUE(near(heightOverJoints(left, outside, 0), 1 / std::sqrt(17.0L), 1e-6L));
+    EXPECT_LT(heightOverJoints(left, {Real(0.25), -2}, 0), 0);       // below both
+    EXPECT_LT(heightOverJoints(left, {Real(1.75), Real(-6)}, 0), 0); // farther than the neighbour
+    ConvexShape swapped = convexShapeOf(Segment{{0, 0}, {-1, -4}}, {}); // a valley from its front
+    swapped.before = -left.after;
+    swapped.valleyBefore = left.valleyAfter;
+    EXPECT_TRUE(near(heightOverJoints(swapped, outside, 0), -1 / std::sqrt(17.0L), 1e-6L));
 }
 
 TEST(OneSided, APointFartherThanTheNeighboursIsMovedAlongTheWayToTheLine) {

@@ -41,8 +41,8 @@ bool ownsAlong(const ConvexShape& line, Vec2 p) {
 
 /// Distance (m) by which the middle of a thin shape may lie behind a line that supports it.
 /// Contacts are soft, so a shape without thickness would otherwise be behind at once.
-Real sinkOf(const ConvexShape& other, Real margin) {
-    return std::max(margin / 4 - other.coreRadius, Real(0));
+Real sinkOf(const ConvexShape& other, const ContactLimits& limits) {
+    return std::max(limits.sink - other.coreRadius, Real(0));
 }
 
 /// Feature nearest to the centre of a circle: the face, a vertex, the face extended along a valley,
@@ -82,9 +82,9 @@ Nearest nearestOf(const ConvexShape& line, Vec2 center, Real reach) {
 }
 
 Manifold collideWithRound(const ConvexShape& line, const Transform& a, const ConvexShape& circle,
-                          const Transform& b, Real margin, Real reach) {
+                          const Transform& b, const ContactLimits& limits) {
     const Vec2 center = between(a, b) * circle.vertices[0];
-    const Nearest nearest = nearestOf(line, center, reach);
+    const Nearest nearest = nearestOf(line, center, limits.reach);
     Manifold manifold;
     if (nearest == Nearest::Other) {
         return manifold;
@@ -95,7 +95,7 @@ Manifold collideWithRound(const ConvexShape& line, const Transform& a, const Con
     if (nearest == Nearest::Ahead && distance < 0) {
         return manifold;
     }
-    if (distance < -sinkOf(circle, margin) && (nearest == Nearest::Face || isFree(line, end))) {
+    if (distance < -sinkOf(circle, limits) && (nearest == Nearest::Face || isFree(line, end))) {
         manifold.fromBehind = true;
         return manifold;
     }
@@ -105,7 +105,7 @@ Manifold collideWithRound(const ConvexShape& line, const Transform& a, const Con
         normal = distance > 0 ? arm / distance : normal;
     }
     const Real gap = distance - circle.radius;
-    if (gap > margin) {
+    if (gap > limits.margin) {
         return manifold;
     }
     manifold.normal = a.rotation * normal;
@@ -140,7 +140,7 @@ Verdict judge(const ConvexShape& line, std::size_t end, Vec2 direction) {
 
 /// Contact over the convex vertex at the line's start: the nearest face with a normal that the line
 /// owns.
-Manifold overHilltop(Placed line, Placed other, const Transform& ba, Real margin) {
+Manifold overHilltop(Placed line, Placed other, const Transform& ba, const ContactLimits& limits) {
     const Vec2 top = ba * line.shape.vertices[0];
     FaceAxis best{0, -std::numeric_limits<Real>::infinity()};
     for (std::size_t i = 0; i < other.shape.normals.size(); ++i) {
@@ -152,22 +152,23 @@ Manifold overHilltop(Placed line, Placed other, const Transform& ba, Real margin
         }
     }
     const Vec2 middle = top - other.shape.middle;
-    const bool pierced = dot(other.shape.normals[best.face], middle) < -sinkOf(other.shape, margin);
+    const bool pierced = dot(other.shape.normals[best.face], middle) < -sinkOf(other.shape, limits);
     if (isFree(line.shape, 0) || pierced ||
         !(best.separation > -std::numeric_limits<Real>::infinity())) {
         return {};
     }
-    return clipAgainstFaceOfB(line, other, ba, best, margin, BeyondEnds::Nothing);
+    return clipAgainstFaceOfB(line, other, ba, best, limits.margin, BeyondEnds::Nothing);
 }
 
 Manifold collideWithFaces(const ConvexShape& line, const Transform& a, const ConvexShape& other,
-                          const Transform& b, Real margin, Real preference) {
+                          const Transform& b, const ContactLimits& limits) {
+    const Real margin = limits.margin;
     const Transform ab = between(a, b);
     const Vec2 normal = line.normals[1];
     const std::size_t support = supportVertex(other, unrotate(ab.rotation, -normal), 0);
     const FaceAxis front{1, dot(normal, ab * other.vertices[support] - line.vertices[1])};
     const Vec2 middle = ab * other.middle;
-    const bool behind = dot(normal, middle - line.vertices[0]) < -sinkOf(other, margin);
+    const bool behind = dot(normal, middle - line.vertices[0]) < -sinkOf(other, limits);
 
     Manifold manifold;
     manifold.fromBehind = behind && ownsAlong(line, middle);
@@ -176,22 +177,27 @@ Manifold collideWithFaces(const ConvexShape& line, const Transform& a, const Con
     if (front.separation > margin || face.separation > margin) {
         return manifold;
     }
-    if (face.separation > front.separation + preference) {
+    if (face.separation > front.separation + limits.preference) {
         const Vec2 direction = -(ab.rotation * other.normals[face.face]);
         const std::size_t end = endTowards(line, direction);
         const Verdict verdict = judge(line, end, direction);
         // The middle of a shape astride a steep hilltop may be behind this side of it.
         const bool astride = !manifold.fromBehind &&
-                             dot(direction, middle - line.vertices[end]) >= -sinkOf(other, margin);
+                             dot(direction, middle - line.vertices[end]) >= -sinkOf(other, limits);
         if (verdict == Verdict::Own && (!behind || astride)) {
             return clipAgainstFaceOfB({line, a}, {other, b}, ba, face, margin);
         }
         if (verdict == Verdict::Neighbour) {
             // A corner that has just passed a hilltop has least overlap at its side face. The
             // contact is instead a face over the hilltop, or the corner over this line.
-            manifold = overHilltop({line, a}, {other, b}, ba, margin);
-            if (manifold.count > 0 || !ownsAlong(line, ab * other.vertices[support])) {
+            manifold = overHilltop({line, a}, {other, b}, ba, limits);
+            if (manifold.count > 0) {
                 return manifold;
+            }
+            if (!ownsAlong(line, ab * other.vertices[support])) {
+                const Manifold lying =
+                    clipAgainstFace({line, a}, {other, b}, ab, front, margin, BeyondEnds::Nothing);
+                return behind || lying.count < 2 ? manifold : lying;
             }
         }
         if (verdict == Verdict::Aside && front.separation < -margin / 2) {
@@ -251,17 +257,19 @@ Real heightOverJoints(const ConvexShape& line, Vec2 p, Real sink) {
     for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
         const Vec2 arm = p - line.vertices[end];
         const Real beyond = end == 0 ? -dot(along, arm) : dot(along, arm);
-        if (isFree(line, end) || !(beyond > -sink)) {
+        if (isFree(line, end)) {
             continue;
         }
+        const Vec2 way = end == 0 ? -line.before : line.after; // along the neighbour
+        const Real onNext = dot(way, arm);
+        const Real reach = end == 0 ? line.valleyBefore : line.valleyAfter;
         const bool hilltop = turnAt(line, end) < 0;
         const Real next = dot(perp(end == 0 ? line.before : line.after), arm);
-        if (beyond > 0) {
+        if (beyond > 0 || (onNext > 0 && onNext < reach)) {
             height = hilltop ? std::max(height, next) : std::min(height, next);
-        } else if (hilltop) { // a little below the neighbour, perhaps
-            height = std::max(height, std::min(next, Real(0)));
-        } else { // the same on the other side
-            height = std::min(height, std::max(next, Real(0)));
+        } else if (beyond > -sink) { // a little on the other side of the neighbour, perhaps
+            height = hilltop ? std::max(height, std::min(next, Real(0)))
+                             : std::min(height, std::max(next, Real(0)));
         }
     }
     return height;
@@ -308,9 +316,9 @@ bool ownsDirection(const ConvexShape& line, std::size_t end, Vec2 direction) {
 Manifold collideOneSided(const ConvexShape& line, const Transform& a, const ConvexShape& other,
                          const Transform& b, const ContactLimits& limits) {
     if (other.isRound()) {
-        return collideWithRound(line, a, other, b, limits.margin, limits.reach);
+        return collideWithRound(line, a, other, b, limits);
     }
-    Manifold manifold = collideWithFaces(line, a, other, b, limits.margin, limits.preference);
+    Manifold manifold = collideWithFaces(line, a, other, b, limits);
     if (manifold.count == 0 && !manifold.fromBehind && limits.reach > 0) {
         manifold = collideCornerAhead(line, a, other, b, limits.margin, limits.reach);
     }

@@ -10,9 +10,10 @@ inline namespace KODO_PRECISION {
 
 /// Which contacts collideAhead() finds.
 struct ContactLimits {
-    Real margin;     // m, largest separation
-    Real preference; // m, see collide()
-    Real reach = 0;  // m, along one-sided lines, see collideOneSided()
+    Real margin;            // m, largest separation
+    Real preference;        // m, see collide()
+    Real reach = 0;         // m, along one-sided lines, see collideOneSided()
+    Real sink = margin / 4; // m, by which a middle without thickness may be behind its line
 };
 
 /// One-sided lines and chains of them (platforms, ground), without ghost collisions.

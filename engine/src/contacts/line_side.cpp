@@ -13,6 +13,7 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
+constexpr Real kDeeper = 2;         // times the depth of the last step, up to which a side is kept
 constexpr Real kAcross = Real(0.1); // a side is clear from this cosine to the line's normal on
 
 /// Normal by which the sides of a line differ at a point of it: near a vertex between that of the
@@ -80,6 +81,12 @@ Real heightOf(const Bodies& bodies, const JointedLine& line, Real margin) {
     return heightOverJoints(own, withinJoints(own, middle, near), sinkOf(bodies, line, margin));
 }
 
+/// Depth (m) up to which the middle of a shape stays on its side: the margin, or what a contact
+/// that is deeper than usual may reach in a step.
+Real deepestSink(const Manifold& last, Real margin) {
+    return last.count > 0 ? std::max(margin, -kDeeper * last.points[0].separation) : margin;
+}
+
 /// -1 if two lines that share a vertex go in opposite directions there, 1 if in the same one; 0 if
 /// they share none.
 Real directionBetween(const ConvexShape& a, const ConvexShape& b) {
@@ -103,26 +110,28 @@ std::optional<JointedLine> jointedLineOf(const Bodies& bodies, const ContactKey&
                : JointedLine{false, key.bodyB, key.partB, key.bodyA, key.partA};
 }
 
-Real jointedSideOf(const Bodies& bodies, const Contact& contact, const JointedLine& line,
-                   Real margin) {
-    const Real height = heightOf(bodies, line, margin);
+JointedSide jointedSideOf(const Bodies& bodies, const Contact& contact, const JointedLine& line,
+                          Real margin) {
     const Real last = storedSide(bodies, contact, line, margin);
-    return last != 0 && last * height >= -sinkOf(bodies, line, margin)
-               ? last
-               : std::copysign(Real(1), height);
+    const Real sink = last == 0 ? margin : deepestSink(contact.manifold, margin);
+    const Real height = heightOf(bodies, line, sink);
+    const bool keeps = last != 0 && last * height >= -sinkOf(bodies, line, sink);
+    return {keeps ? last : std::copysign(Real(1), height), keeps ? sink : margin};
 }
 
 Manifold collideOnSide(const Bodies& bodies, const ContactKey& key, const JointedLine& line,
-                       Real side, const ContactLimits& limits) {
+                       JointedSide side, const ContactLimits& limits) {
     const ConvexShape& shapeA = bodies.convex(key.bodyA, key.partA);
     const ConvexShape& shapeB = bodies.convex(key.bodyB, key.partB);
     const Transform& a = bodies.pose[key.bodyA];
     const Transform& b = bodies.pose[key.bodyB];
     const ConvexShape& shape = line.isA ? shapeA : shapeB;
-    const Vec2 front = side * shape.normals[1];
+    const Vec2 front = side.side * shape.normals[1];
     const ConvexShape facing = facingTo(shape, front);
-    Manifold manifold = line.isA ? collideAhead(facing, a, shapeB, b, limits)
-                                 : collideAhead(shapeA, a, facing, b, limits);
+    ContactLimits deep = limits; // the side is known, also below the line
+    deep.sink = side.sink;
+    Manifold manifold = line.isA ? collideAhead(facing, a, shapeB, b, deep)
+                                 : collideAhead(shapeA, a, facing, b, deep);
     if (manifold.fromBehind) { // beyond a free end, which blocks on all sides
         return collideAhead(shapeA, a, shapeB, b, limits);
     }
@@ -167,8 +176,9 @@ void LineSides::copySide(const HidingStep& step, const Member& from, const Membe
     const ConvexShape& next = bodies.convex(to.line.body, to.line.part);
     const Real margin = step.tolerances.margin;
     const Real side = directionBetween(line, next) * storedSide(bodies, carrier, from.line, margin);
+    const Real sink = deepestSink(carrier.manifold, margin);
     if (side == 0 || storedSide(bodies, contact, to.line, margin) == side ||
-        side * heightOf(bodies, to.line, margin) < -sinkOf(bodies, to.line, margin)) {
+        side * heightOf(bodies, to.line, sink) < -sinkOf(bodies, to.line, sink)) {
         return;
     }
     if (!contact.near) { // for continuous collision
@@ -182,7 +192,7 @@ void LineSides::copySide(const HidingStep& step, const Member& from, const Membe
     if (contact.row.resident) {
         step.evict(contact);
     }
-    contact.manifold = collideOnSide(bodies, contact.key, to.line, side,
+    contact.manifold = collideOnSide(bodies, contact.key, to.line, {side, sink},
                                      {margin, step.tolerances.slop / 8, Real(0)});
     contact.carried = false;
     contact.impulse = {};
