@@ -84,7 +84,8 @@ Nearest nearestOf(const ConvexShape& line, Vec2 center, Real reach) {
 Manifold collideWithRound(const ConvexShape& line, const Transform& a, const ConvexShape& circle,
                           const Transform& b, const ContactLimits& limits) {
     const Vec2 center = between(a, b) * circle.vertices[0];
-    const Nearest nearest = nearestOf(line, center, limits.reach);
+    const Real sink = sinkOf(circle, limits);
+    const Nearest nearest = nearestOf(line, center, std::max(limits.reach, sink));
     Manifold manifold;
     if (nearest == Nearest::Other) {
         return manifold;
@@ -92,10 +93,10 @@ Manifold collideWithRound(const ConvexShape& line, const Transform& a, const Con
     Vec2 normal = line.normals[1];
     Real distance = dot(normal, center - line.vertices[0]);
     const std::size_t end = nearest == Nearest::End ? 1 : 0;
-    if (nearest == Nearest::Ahead && distance < 0) {
+    if (nearest == Nearest::Ahead && distance < -sink) {
         return manifold;
     }
-    if (distance < -sinkOf(circle, limits) && (nearest == Nearest::Face || isFree(line, end))) {
+    if (distance < -sink && (nearest == Nearest::Face || isFree(line, end))) {
         manifold.fromBehind = true;
         return manifold;
     }
@@ -195,6 +196,7 @@ Manifold collideWithFaces(const ConvexShape& line, const Transform& a, const Con
                 return manifold;
             }
             if (!ownsAlong(line, ab * other.vertices[support])) {
+                // Its deepest corner is beyond this line, but it may also come down on this one.
                 const Manifold lying =
                     clipAgainstFace({line, a}, {other, b}, ab, front, margin, BeyondEnds::Nothing);
                 return behind || lying.count < 2 ? manifold : lying;
