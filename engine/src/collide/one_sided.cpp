@@ -6,6 +6,7 @@
 #include "collide/sat.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -244,30 +245,47 @@ ConvexShape facingTo(const ConvexShape& line, Vec2 direction) {
     if (dot(direction, line.normals[1]) < 0) {
         std::swap(facing.vertices.data()[0], facing.vertices.data()[1]);
         std::swap(facing.normals.data()[0], facing.normals.data()[1]);
-        facing.before = -line.after;
-        facing.after = -line.before;
-        std::swap(facing.valleyBefore, facing.valleyAfter);
+        facing.before = -line.backAfter;
+        facing.after = -line.backBefore;
+        facing.valleyBefore = line.backValleyAfter;
+        facing.valleyAfter = line.backValleyBefore;
     }
     facing.valleyBefore *= turnAt(facing, 0) > 0 ? Real(1) : Real(0);
     facing.valleyAfter *= turnAt(facing, 1) > 0 ? Real(1) : Real(0);
     return facing;
 }
 
-Real heightOverJoints(const ConvexShape& line, Vec2 p, Real sink) {
+namespace {
+
+/// Neighbours of a two-sided line on one of its sides.
+struct Neighbours {
+    std::array<Vec2, 2> way; // unit; at vertex 0 towards it, at vertex 1 from it; zero: none
+    std::array<Real, 2> length;
+};
+
+Neighbours frontOf(const ConvexShape& line) {
+    return {{line.before, line.after}, {line.valleyBefore, line.valleyAfter}};
+}
+
+Neighbours backOf(const ConvexShape& line) {
+    return {{line.backBefore, line.backAfter}, {line.backValleyBefore, line.backValleyAfter}};
+}
+
+/// heightOverJoints() with the neighbours of one side.
+Real heightOver(const ConvexShape& line, const Neighbours& neighbours, Vec2 p, Real sink) {
     const Vec2 along = alongOf(line);
     Real height = dot(line.normals[1], p - line.vertices[0]);
     for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
         const Vec2 arm = p - line.vertices[end];
         const Real beyond = end == 0 ? -dot(along, arm) : dot(along, arm);
-        if (isFree(line, end)) {
+        const Vec2 way = neighbours.way[end];
+        if (way == Vec2{}) {
             continue;
         }
-        const Vec2 way = end == 0 ? -line.before : line.after; // along the neighbour
-        const Real onNext = dot(way, arm);
-        const Real reach = end == 0 ? line.valleyBefore : line.valleyAfter;
-        const bool hilltop = turnAt(line, end) < 0;
-        const Real next = dot(perp(end == 0 ? line.before : line.after), arm);
-        if (beyond > 0 || (onNext > 0 && onNext < reach)) {
+        const Real onNext = end == 0 ? -dot(way, arm) : dot(way, arm);
+        const bool hilltop = (end == 0 ? cross(way, along) : cross(along, way)) < 0;
+        const Real next = dot(perp(way), arm);
+        if (beyond > 0 || (onNext > 0 && onNext < neighbours.length[end])) {
             height = hilltop ? std::max(height, next) : std::min(height, next);
         } else if (beyond > -sink) { // a little on the other side of the neighbour, perhaps
             height = hilltop ? std::max(height, std::min(next, Real(0)))
@@ -275,6 +293,27 @@ Real heightOverJoints(const ConvexShape& line, Vec2 p, Real sink) {
         }
     }
     return height;
+}
+
+} // namespace
+
+JointHeights heightOverJoints(const ConvexShape& line, Vec2 p, Real sink) {
+    const Real front = heightOver(line, frontOf(line), p, sink);
+    const bool same = line.before == line.backBefore && line.after == line.backAfter;
+    return {front, same ? front : heightOver(line, backOf(line), p, sink)};
+}
+
+bool areNeighbours(const ConvexShape& line, Real side, const ConvexShape& next) {
+    const Neighbours neighbours = side > 0 ? frontOf(line) : backOf(line);
+    for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
+        for (const std::size_t other : {std::size_t(0), std::size_t(1)}) {
+            if (line.vertices[end] == next.vertices[other]) {
+                const Vec2 away = next.vertices[1 - other] - next.vertices[other];
+                return normalize(end == 0 ? -away : away) == neighbours.way[end];
+            }
+        }
+    }
+    return false;
 }
 
 Vec2 withinJoints(const ConvexShape& line, Vec2 from, Vec2 to) {
@@ -288,17 +327,20 @@ Vec2 withinJoints(const ConvexShape& line, Vec2 from, Vec2 to) {
     };
     Real share = 0;
     for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
-        if (isFree(line, end)) {
-            continue;
-        }
         const Vec2 corner = line.vertices[end];
-        const Vec2 outward = end == 0 ? -along : along;
-        const Vec2 next = end == 0 ? -line.before : line.after;
-        const Real reach = end == 0 ? line.valleyBefore : line.valleyAfter;
-        const Real ownEntry = entry(dot(outward, from - corner), dot(outward, to - corner));
-        const Real nextEntry =
-            entry(dot(next, from - corner) - reach, dot(next, to - corner) - reach);
-        share = std::max(share, std::min(ownEntry, nextEntry));
+        const auto entryBeside = [&](Vec2 outward, Real reach) {
+            return entry(dot(outward, from - corner) - reach, dot(outward, to - corner) - reach);
+        };
+        Real first = entryBeside(end == 0 ? -along : along, 0);
+        bool isFree = true;
+        for (const Neighbours& neighbours : {frontOf(line), backOf(line)}) {
+            const Vec2 way = neighbours.way[end];
+            if (way != Vec2{}) {
+                isFree = false;
+                first = std::min(first, entryBeside(end == 0 ? -way : way, neighbours.length[end]));
+            }
+        }
+        share = isFree ? share : std::max(share, first);
     }
     return from + share * (to - from);
 }

@@ -69,7 +69,7 @@ Real sinkOf(const Bodies& bodies, const JointedLine& line, Real margin) {
 
 /// Height (m) of the other shape over the line and its neighbours: that of its middle. If this is
 /// farther along the chain, that of the nearest point on the way from there to the line.
-Real heightOf(const Bodies& bodies, const JointedLine& line, Real margin) {
+JointHeights heightOf(const Bodies& bodies, const JointedLine& line, Real margin) {
     const Transform otherToLine = between(bodies.pose[line.body], bodies.pose[line.otherBody]);
     const ConvexShape& other = bodies.convex(line.otherBody, line.otherPart);
     const ConvexShape& own = bodies.convex(line.body, line.part);
@@ -87,6 +87,11 @@ Real deepestSink(const Manifold& last, Real margin) {
     return last.count > 0 ? std::max(margin, -kDeeper * last.points[0].separation) : margin;
 }
 
+/// True if a shape is farther than `sink` (m) behind that side of a line.
+bool isBehind(const JointHeights& height, Real side, Real sink) {
+    return (side > 0 ? height.front : -height.back) < -sink;
+}
+
 /// -1 if two lines that share a vertex go in opposite directions there, 1 if in the same one; 0 if
 /// they share none.
 Real directionBetween(const ConvexShape& a, const ConvexShape& b) {
@@ -94,6 +99,22 @@ Real directionBetween(const ConvexShape& a, const ConvexShape& b) {
         return 1;
     }
     return a.vertices[0] == b.vertices[0] || a.vertices[1] == b.vertices[1] ? Real(-1) : Real(0);
+}
+
+/// Replaces the manifold of a near contact.
+void replace(const HidingStep& step, std::uint32_t slot, const Manifold& manifold) {
+    Contact& contact = step.contacts[slot];
+    if (contact.row.resident) {
+        step.evict(contact);
+    }
+    contact.manifold = manifold;
+    contact.carried = false;
+    contact.impulse = {};
+    contact.friction = 0;
+    contact.rolling = 0;
+    measureApproach(contact, step.bodies);
+    step.summaries[slot].idle = false;
+    step.summaries[slot].note(contact);
 }
 
 } // namespace
@@ -114,13 +135,19 @@ JointedSide jointedSideOf(const Bodies& bodies, const Contact& contact, const Jo
                           Real margin) {
     const Real last = storedSide(bodies, contact, line, margin);
     const Real sink = last == 0 ? margin : deepestSink(contact.manifold, margin);
-    const Real height = heightOf(bodies, line, sink);
-    const bool keeps = last != 0 && last * height >= -sinkOf(bodies, line, sink);
-    return {keeps ? last : std::copysign(Real(1), height), keeps ? sink : margin};
+    const JointHeights height = heightOf(bodies, line, sink);
+    if (last != 0 && !isBehind(height, last, sinkOf(bodies, line, sink))) {
+        return {last, sink};
+    }
+    const bool between = height.front < 0 && height.back > 0;
+    return {between ? Real(0) : std::copysign(Real(1), height.front), margin};
 }
 
 Manifold collideOnSide(const Bodies& bodies, const ContactKey& key, const JointedLine& line,
                        JointedSide side, const ContactLimits& limits) {
+    if (side.side == 0) {
+        return {};
+    }
     const ConvexShape& shapeA = bodies.convex(key.bodyA, key.partA);
     const ConvexShape& shapeB = bodies.convex(key.bodyB, key.partB);
     const Transform& a = bodies.pose[key.bodyA];
@@ -175,32 +202,31 @@ void LineSides::copySide(const HidingStep& step, const Member& from, const Membe
     const ConvexShape& line = bodies.convex(from.line.body, from.line.part);
     const ConvexShape& next = bodies.convex(to.line.body, to.line.part);
     const Real margin = step.tolerances.margin;
-    const Real side = directionBetween(line, next) * storedSide(bodies, carrier, from.line, margin);
+    const Real carried = storedSide(bodies, carrier, from.line, margin);
+    const Real side = directionBetween(line, next) * carried;
     const Real sink = deepestSink(carrier.manifold, margin);
+    if (side != 0 && !areNeighbours(line, carried, next)) { // on the other side of `from`
+        if (contact.near && contact.manifold.count > 0) {
+            replace(step, to.slot, {});
+        }
+        return;
+    }
     if (side == 0 || storedSide(bodies, contact, to.line, margin) == side ||
-        side * heightOf(bodies, to.line, sink) < -sinkOf(bodies, to.line, sink)) {
+        isBehind(heightOf(bodies, to.line, sink), side, sinkOf(bodies, to.line, sink))) {
         return;
     }
-    if (!contact.near) { // for continuous collision
-        const Vec2 normal = bodies.pose[to.line.body].rotation * (side * next.normals[1]);
-        contact.manifold.normal = to.line.isA ? normal : -normal;
-        contact.manifold.points[0].separation = margin;
-        contact.teleportCounts = {bodies.teleportCount[contact.key.bodyA],
-                                  bodies.teleportCount[contact.key.bodyB]};
+    if (contact.near) {
+        replace(step, to.slot,
+                collideOnSide(bodies, contact.key, to.line, {side, sink},
+                              {margin, step.tolerances.slop / 8, Real(0)}));
         return;
     }
-    if (contact.row.resident) {
-        step.evict(contact);
-    }
-    contact.manifold = collideOnSide(bodies, contact.key, to.line, {side, sink},
-                                     {margin, step.tolerances.slop / 8, Real(0)});
-    contact.carried = false;
-    contact.impulse = {};
-    contact.friction = 0;
-    contact.rolling = 0;
-    measureApproach(contact, bodies);
-    step.summaries[to.slot].idle = false;
-    step.summaries[to.slot].note(contact);
+    // for continuous collision
+    const Vec2 normal = bodies.pose[to.line.body].rotation * (side * next.normals[1]);
+    contact.manifold.normal = to.line.isA ? normal : -normal;
+    contact.manifold.points[0].separation = margin;
+    contact.teleportCounts = {bodies.teleportCount[contact.key.bodyA],
+                              bodies.teleportCount[contact.key.bodyB]};
 }
 
 void LineSides::spread(const HidingStep& step) const {
