@@ -161,13 +161,48 @@ TEST(OneSided, WhatSinksOnTheNeighbourOfAHilltopIsNotBehindTheLine) {
     riser.after = {1, 0};
     riser.valleyAfter = 2;
     const Vec2 sunk{Real(0.75), Real(0.9375)};
-    EXPECT_EQ(heightOverJoints(riser, sunk, Real(0.125)), Real(-0.0625));
-    EXPECT_EQ(heightOverJoints(riser, sunk, 0), Real(-0.75));
-    EXPECT_EQ(heightOverJoints(riser, {Real(0.75), Real(1.25)}, 0), Real(0.25));
+    EXPECT_EQ(heightOverJoints(riser, sunk, Real(0.125)).front, Real(-0.0625));
+    EXPECT_EQ(heightOverJoints(riser, sunk, 0).front, Real(-0.0625)); // the tread is nearer
+    EXPECT_EQ(heightOverJoints(riser, {Real(0.75), Real(1.25)}, 0).front, Real(0.25));
     ConvexShape reversed = convexShapeOf(Segment{{0, 1}, {0, 0}}, {});
     reversed.before = {-1, 0};
     reversed.valleyBefore = 2;
-    EXPECT_EQ(heightOverJoints(reversed, sunk, Real(0.125)), Real(0.0625));
+    EXPECT_EQ(heightOverJoints(reversed, sunk, Real(0.125)).front, Real(0.0625));
+}
+
+// Regression: beside one side of a sharp hilltop, a point counted as behind the other side.
+TEST(OneSided, APointBesideASharpHilltopIsInFrontOfBothOfItsSides) {
+    ConvexShape left = convexShapeOf(Segment{{-1, -4}, {0, 0}}, {});
+    left.after = Vec2{1, -4} / std::sqrt(Real(17));
+    left.valleyAfter = std::sqrt(Real(17));
+    const Vec2 outside{Real(0.75), -2};
+    EXPECT_TRUE(near(heightOverJoints(left, outside, 0).front, 1 / std::sqrt(17.0L), 1e-6L));
+    EXPECT_LT(heightOverJoints(left, {Real(0.25), -2}, 0).front, 0); // below both
+    EXPECT_LT(heightOverJoints(left, {Real(1.75), Real(-6)}, 0).front,
+              0); // farther than the neighbour
+    ConvexShape swapped = convexShapeOf(Segment{{0, 0}, {-1, -4}}, {}); // a valley from its front
+    swapped.before = -left.after;
+    swapped.valleyBefore = left.valleyAfter;
+    EXPECT_TRUE(near(heightOverJoints(swapped, outside, 0).front, -1 / std::sqrt(17.0L), 1e-6L));
+}
+
+// A post below a floor of two lines: above the floor, its sides have no point.
+TEST(OneSided, APointBetweenOtherLinesIsOnNoSideOfALine) {
+    ConvexShape post = convexShapeOf(Segment{{0, 0}, {0, -2}}, {});
+    post.before = {-1, 0};
+    post.valleyBefore = 4;
+    post.backBefore = {1, 0};
+    post.backValleyBefore = 4;
+    const auto [right, notLeft] = heightOverJoints(post, {Real(0.5), -1}, 0);
+    EXPECT_EQ(right, Real(0.5));
+    EXPECT_GT(notLeft, 0);
+    EXPECT_EQ(heightOverJoints(post, {Real(-0.5), -1}, 0).back, Real(-0.5));
+    const auto [front, back] = heightOverJoints(post, {Real(0.5), 1}, 0);
+    EXPECT_LT(front, 0);
+    EXPECT_GT(back, 0);
+    const ConvexShape floor = convexShapeOf(Segment{{0, 0}, {4, 0}}, {});
+    EXPECT_TRUE(areNeighbours(post, 1, floor));
+    EXPECT_FALSE(areNeighbours(post, -1, floor));
 }
 
 TEST(OneSided, APointFartherThanTheNeighboursIsMovedAlongTheWayToTheLine) {

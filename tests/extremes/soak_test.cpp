@@ -3,9 +3,12 @@
 #include <support/scenes.hpp>
 
 #include <algorithm>
+#include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <optional>
+#include <string>
 
 namespace kodo {
 namespace {
@@ -15,10 +18,29 @@ using support::near;
 using support::nearShare;
 
 // Under a sanitizer each of these runs has a tenth of its steps. The environment variable
-// SOAK_STEPS sets the steps of the awake stack and of the pile, as 1000000 for the long form.
+// SOAK_STEPS sets the steps of all but the sleeping stack, as 1000000 for the long form.
 int stepsOr(int everyday) {
     const char* const wanted = std::getenv("SOAK_STEPS");
     return wanted == nullptr ? support::draws(everyday) : std::atoi(wanted);
+}
+
+/// Compares the state at the end with soak_hashes.txt: the same bits in every build. The file has
+/// all numbers of steps of everyday, under sanitizers, and of the long form. Others are printed.
+void expectGoldenHash(const std::string& soak, int steps, const World& world) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016" PRIx64, world.stateHash());
+    const std::string key =
+        soak + (support::kDouble ? " double " : " float ") + std::to_string(steps) + ' ';
+    std::printf("%s%s\n", key.c_str(), text);
+    std::ifstream file(KODO_SOAK_FILE);
+    bool found = std::getenv("SOAK_STEPS") != nullptr && steps != 1000000;
+    for (std::string line; std::getline(file, line);) {
+        if (line.starts_with(key)) {
+            EXPECT_EQ(line, key + text);
+            found = true;
+        }
+    }
+    EXPECT_TRUE(found) << "soak_hashes.txt has no line for this run";
 }
 
 // A sleeping stack does not change by one bit in 1e7 steps (46 hours).
@@ -50,7 +72,9 @@ TEST(Soak, AnAwakeStackDoesNotCreep) {
     for (const BodyId box : boxes) {
         before.push_back(world[box].position());
     }
-    support::run(world, stepsOr(100000));
+    const int steps = stepsOr(100000);
+    support::run(world, steps);
+    expectGoldenHash("stack", steps, world);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         EXPECT_TRUE(near(world[boxes[i]].position(), before[i], byPrecision(2e-5, 1e-6))) << i;
     }
@@ -62,7 +86,9 @@ TEST(Soak, ASpinningRodKeepsItsSpin) {
     BodyDef def = support::boxDef({}, 2, Real(0.1));
     def.angularVelocity = Real(7.3);
     const BodyId rod = world.add(def);
-    support::run(world, support::draws(1000000));
+    const int steps = stepsOr(1000000);
+    support::run(world, steps);
+    expectGoldenHash("rod", steps, world);
     EXPECT_EQ(world[rod].angularVelocity(), Real(7.3));
     EXPECT_EQ(world[rod].position(), Vec2{});
     const Rot q = world[rod].rotation();
@@ -91,14 +117,16 @@ TEST(Soak, ABallBetweenWallsKeepsItsSpeed) {
     const BodyId ball = world.add(def);
     const Real speed = length(def.velocity);
     std::size_t hits = 0;
-    for (int i = 0; i < support::draws(1000000); ++i) {
+    const int steps = stepsOr(1000000);
+    for (int i = 0; i < steps; ++i) {
         world.step(support::kDt);
         hits += world.collisions().empty() ? 0 : 1;
         ASSERT_TRUE(std::abs(world[ball].position().x) < Real(4.5) &&
                     std::abs(world[ball].position().y) < Real(4.5))
             << "step " << i;
     }
-    EXPECT_GT(hits, static_cast<std::size_t>(support::draws(50000)));
+    expectGoldenHash("ball", steps, world);
+    EXPECT_GT(hits, static_cast<std::size_t>(steps / 20));
     EXPECT_TRUE(nearShare(length(world[ball].velocity()), speed, 5000 * support::kEpsilon));
 }
 
@@ -174,8 +202,7 @@ TEST(Soak, APileWithChurnKeepsItsSize) {
         }
     }
     EXPECT_EQ(restored->world().stateHash(), pile.world().stateHash());
-    std::printf("%d steps, state %016llx\n", steps,
-                static_cast<unsigned long long>(pile.world().stateHash()));
+    expectGoldenHash("pile", steps, pile.world());
 }
 
 } // namespace

@@ -217,12 +217,18 @@ struct ConvexShape {
     Real boundingRadius = 0; // m; largest distance of a point from the origin of the frame
     Real coreRadius = 0;     // m; of a disc that fits inside, about `middle`: half the thickness
     Vec2 middle;             // m; centroid
-    Vec2 before; // unit; direction of the segment that ends at vertex 0; zero: none, as if 3 meet
-    Vec2 after;  // unit; direction of the segment that starts at vertex 1; zero: none
+    Vec2 before;             // unit; direction of the segment that ends at vertex 0; zero: none
+    Vec2 after;              // unit; direction of the segment that starts at vertex 1; zero: none
     // m; of a one-sided segment in a chain: length of the neighbours beyond each vertex that bend
     // only towards the blocking side; there no line of the chain is below this one. Two-sided: all.
     Real valleyBefore = 0;
     Real valleyAfter = 0;
+    // The same on the side of normals[0] of a two-sided segment: where three segments or more meet,
+    // each side has its own neighbour.
+    Vec2 backBefore;
+    Vec2 backAfter;
+    Real backValleyBefore = 0;
+    Real backValleyAfter = 0;
     ConvexKind kind = ConvexKind::Round;
     bool oneSided = false;
 

@@ -178,19 +178,54 @@ struct LineEnd {
     std::size_t end;
 };
 
-/// Makes a line the neighbour of another at the end of that one.
-void join(ConvexShape& line, const LineEnd& own, const ConvexShape& next, const LineEnd& other) {
+/// Sets the neighbour at one end of a line, on the side of normals[1] if `front`.
+void join(ConvexShape& line, const LineEnd& own, const ConvexShape& next, const LineEnd& other,
+          bool front) {
     const Vec2 far = next.vertices[1 - other.end];
-    if (own.end == 0) {
-        line.before = normalize(own.at - far);
-        line.valleyBefore = length(own.at - far);
-    } else {
-        line.after = normalize(far - own.at);
-        line.valleyAfter = length(far - own.at);
+    Vec2& before = front ? line.before : line.backBefore;
+    Vec2& after = front ? line.after : line.backAfter;
+    (own.end == 0 ? before : after) = normalize(own.end == 0 ? own.at - far : far - own.at);
+    Real& lengthBefore = front ? line.valleyBefore : line.backValleyBefore;
+    Real& lengthAfter = front ? line.valleyAfter : line.backValleyAfter;
+    (own.end == 0 ? lengthBefore : lengthAfter) = length(far - own.at);
+}
+
+/// Sets the neighbours of all lines that share a vertex: the next one in each direction of
+/// rotation.
+void joinAll(std::span<Part> parts, std::span<const LineEnd> ends) {
+    const auto away = [&](const LineEnd& e) {
+        return parts[e.part].convex.vertices[1 - e.end] - e.at;
+    };
+    for (const LineEnd& own : ends) {
+        const Vec2 way = normalize(away(own));
+        const LineEnd* left = nullptr; // counter-clockwise
+        const LineEnd* right = nullptr;
+        Real leftTurn = 5;
+        Real rightTurn = -1;
+        for (const LineEnd& other : ends) {
+            const Vec2 next = normalize(away(other));
+            const Real cosine = dot(way, next);
+            const Real turn = cross(way, next) >= 0 ? 1 - cosine : 3 + cosine; // 0 to 4, rises
+            if (other.part != own.part && turn < leftTurn) {
+                leftTurn = turn;
+                left = &other;
+            }
+            if (other.part != own.part && turn > rightTurn) {
+                rightTurn = turn;
+                right = &other;
+            }
+        }
+        if (left != nullptr) {
+            ConvexShape& line = parts[own.part].convex;
+            const LineEnd& front = own.end == 0 ? *left : *right;
+            const LineEnd& back = own.end == 0 ? *right : *left;
+            join(line, own, parts[front.part].convex, front, true);
+            join(line, own, parts[back.part].convex, back, false);
+        }
     }
 }
 
-/// Sets the neighbours of two-sided lines, at each vertex where two of them meet and no third.
+/// Sets the neighbours of two-sided lines, at each vertex where two or more of them meet.
 void findJoints(std::span<Part> parts) {
     std::vector<LineEnd> ends;
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -203,16 +238,11 @@ void findJoints(std::span<Part> parts) {
         return std::tie(a.at.x, a.at.y, a.part, a.end) < std::tie(b.at.x, b.at.y, b.part, b.end);
     });
     for (std::size_t i = 0; i + 1 < ends.size();) {
-        const LineEnd& a = ends[i];
         std::size_t last = i;
-        while (last + 1 < ends.size() && ends[last + 1].at == a.at) {
+        while (last + 1 < ends.size() && ends[last + 1].at == ends[i].at) {
             ++last;
         }
-        if (last == i + 1 && a.part != ends[last].part) {
-            const LineEnd& b = ends[last];
-            join(parts[a.part].convex, a, parts[b.part].convex, b);
-            join(parts[b.part].convex, b, parts[a.part].convex, a);
-        }
+        joinAll(parts, std::span(ends).subspan(i, last + 1 - i));
         i = last + 1;
     }
 }

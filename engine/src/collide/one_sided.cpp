@@ -6,6 +6,7 @@
 #include "collide/sat.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -41,8 +42,8 @@ bool ownsAlong(const ConvexShape& line, Vec2 p) {
 
 /// Distance (m) by which the middle of a thin shape may lie behind a line that supports it.
 /// Contacts are soft, so a shape without thickness would otherwise be behind at once.
-Real sinkOf(const ConvexShape& other, Real margin) {
-    return std::max(margin / 4 - other.coreRadius, Real(0));
+Real sinkOf(const ConvexShape& other, const ContactLimits& limits) {
+    return std::max(limits.sink - other.coreRadius, Real(0));
 }
 
 /// Feature nearest to the centre of a circle: the face, a vertex, the face extended along a valley,
@@ -82,9 +83,10 @@ Nearest nearestOf(const ConvexShape& line, Vec2 center, Real reach) {
 }
 
 Manifold collideWithRound(const ConvexShape& line, const Transform& a, const ConvexShape& circle,
-                          const Transform& b, Real margin, Real reach) {
+                          const Transform& b, const ContactLimits& limits) {
     const Vec2 center = between(a, b) * circle.vertices[0];
-    const Nearest nearest = nearestOf(line, center, reach);
+    const Real sink = sinkOf(circle, limits);
+    const Nearest nearest = nearestOf(line, center, std::max(limits.reach, sink));
     Manifold manifold;
     if (nearest == Nearest::Other) {
         return manifold;
@@ -92,10 +94,10 @@ Manifold collideWithRound(const ConvexShape& line, const Transform& a, const Con
     Vec2 normal = line.normals[1];
     Real distance = dot(normal, center - line.vertices[0]);
     const std::size_t end = nearest == Nearest::End ? 1 : 0;
-    if (nearest == Nearest::Ahead && distance < 0) {
+    if (nearest == Nearest::Ahead && distance < -sink) {
         return manifold;
     }
-    if (distance < -sinkOf(circle, margin) && (nearest == Nearest::Face || isFree(line, end))) {
+    if (distance < -sink && (nearest == Nearest::Face || isFree(line, end))) {
         manifold.fromBehind = true;
         return manifold;
     }
@@ -105,7 +107,7 @@ Manifold collideWithRound(const ConvexShape& line, const Transform& a, const Con
         normal = distance > 0 ? arm / distance : normal;
     }
     const Real gap = distance - circle.radius;
-    if (gap > margin) {
+    if (gap > limits.margin) {
         return manifold;
     }
     manifold.normal = a.rotation * normal;
@@ -140,7 +142,7 @@ Verdict judge(const ConvexShape& line, std::size_t end, Vec2 direction) {
 
 /// Contact over the convex vertex at the line's start: the nearest face with a normal that the line
 /// owns.
-Manifold overHilltop(Placed line, Placed other, const Transform& ba, Real margin) {
+Manifold overHilltop(Placed line, Placed other, const Transform& ba, const ContactLimits& limits) {
     const Vec2 top = ba * line.shape.vertices[0];
     FaceAxis best{0, -std::numeric_limits<Real>::infinity()};
     for (std::size_t i = 0; i < other.shape.normals.size(); ++i) {
@@ -152,22 +154,23 @@ Manifold overHilltop(Placed line, Placed other, const Transform& ba, Real margin
         }
     }
     const Vec2 middle = top - other.shape.middle;
-    const bool pierced = dot(other.shape.normals[best.face], middle) < -sinkOf(other.shape, margin);
+    const bool pierced = dot(other.shape.normals[best.face], middle) < -sinkOf(other.shape, limits);
     if (isFree(line.shape, 0) || pierced ||
         !(best.separation > -std::numeric_limits<Real>::infinity())) {
         return {};
     }
-    return clipAgainstFaceOfB(line, other, ba, best, margin, BeyondEnds::Nothing);
+    return clipAgainstFaceOfB(line, other, ba, best, limits.margin, BeyondEnds::Nothing);
 }
 
 Manifold collideWithFaces(const ConvexShape& line, const Transform& a, const ConvexShape& other,
-                          const Transform& b, Real margin, Real preference) {
+                          const Transform& b, const ContactLimits& limits) {
+    const Real margin = limits.margin;
     const Transform ab = between(a, b);
     const Vec2 normal = line.normals[1];
     const std::size_t support = supportVertex(other, unrotate(ab.rotation, -normal), 0);
     const FaceAxis front{1, dot(normal, ab * other.vertices[support] - line.vertices[1])};
     const Vec2 middle = ab * other.middle;
-    const bool behind = dot(normal, middle - line.vertices[0]) < -sinkOf(other, margin);
+    const bool behind = dot(normal, middle - line.vertices[0]) < -sinkOf(other, limits);
 
     Manifold manifold;
     manifold.fromBehind = behind && ownsAlong(line, middle);
@@ -176,22 +179,28 @@ Manifold collideWithFaces(const ConvexShape& line, const Transform& a, const Con
     if (front.separation > margin || face.separation > margin) {
         return manifold;
     }
-    if (face.separation > front.separation + preference) {
+    if (face.separation > front.separation + limits.preference) {
         const Vec2 direction = -(ab.rotation * other.normals[face.face]);
         const std::size_t end = endTowards(line, direction);
         const Verdict verdict = judge(line, end, direction);
         // The middle of a shape astride a steep hilltop may be behind this side of it.
         const bool astride = !manifold.fromBehind &&
-                             dot(direction, middle - line.vertices[end]) >= -sinkOf(other, margin);
+                             dot(direction, middle - line.vertices[end]) >= -sinkOf(other, limits);
         if (verdict == Verdict::Own && (!behind || astride)) {
             return clipAgainstFaceOfB({line, a}, {other, b}, ba, face, margin);
         }
         if (verdict == Verdict::Neighbour) {
             // A corner that has just passed a hilltop has least overlap at its side face. The
             // contact is instead a face over the hilltop, or the corner over this line.
-            manifold = overHilltop({line, a}, {other, b}, ba, margin);
-            if (manifold.count > 0 || !ownsAlong(line, ab * other.vertices[support])) {
+            manifold = overHilltop({line, a}, {other, b}, ba, limits);
+            if (manifold.count > 0) {
                 return manifold;
+            }
+            if (!ownsAlong(line, ab * other.vertices[support])) {
+                // Its deepest corner is beyond this line, but it may also come down on this one.
+                const Manifold lying =
+                    clipAgainstFace({line, a}, {other, b}, ab, front, margin, BeyondEnds::Nothing);
+                return behind || lying.count < 2 ? manifold : lying;
             }
         }
         if (verdict == Verdict::Aside && front.separation < -margin / 2) {
@@ -236,35 +245,75 @@ ConvexShape facingTo(const ConvexShape& line, Vec2 direction) {
     if (dot(direction, line.normals[1]) < 0) {
         std::swap(facing.vertices.data()[0], facing.vertices.data()[1]);
         std::swap(facing.normals.data()[0], facing.normals.data()[1]);
-        facing.before = -line.after;
-        facing.after = -line.before;
-        std::swap(facing.valleyBefore, facing.valleyAfter);
+        facing.before = -line.backAfter;
+        facing.after = -line.backBefore;
+        facing.valleyBefore = line.backValleyAfter;
+        facing.valleyAfter = line.backValleyBefore;
     }
     facing.valleyBefore *= turnAt(facing, 0) > 0 ? Real(1) : Real(0);
     facing.valleyAfter *= turnAt(facing, 1) > 0 ? Real(1) : Real(0);
     return facing;
 }
 
-Real heightOverJoints(const ConvexShape& line, Vec2 p, Real sink) {
+namespace {
+
+/// Neighbours of a two-sided line on one of its sides.
+struct Neighbours {
+    std::array<Vec2, 2> way; // unit; at vertex 0 towards it, at vertex 1 from it; zero: none
+    std::array<Real, 2> length;
+};
+
+Neighbours frontOf(const ConvexShape& line) {
+    return {{line.before, line.after}, {line.valleyBefore, line.valleyAfter}};
+}
+
+Neighbours backOf(const ConvexShape& line) {
+    return {{line.backBefore, line.backAfter}, {line.backValleyBefore, line.backValleyAfter}};
+}
+
+/// heightOverJoints() with the neighbours of one side.
+Real heightOver(const ConvexShape& line, const Neighbours& neighbours, Vec2 p, Real sink) {
     const Vec2 along = alongOf(line);
     Real height = dot(line.normals[1], p - line.vertices[0]);
     for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
         const Vec2 arm = p - line.vertices[end];
         const Real beyond = end == 0 ? -dot(along, arm) : dot(along, arm);
-        if (isFree(line, end) || !(beyond > -sink)) {
+        const Vec2 way = neighbours.way[end];
+        if (way == Vec2{}) {
             continue;
         }
-        const bool hilltop = turnAt(line, end) < 0;
-        const Real next = dot(perp(end == 0 ? line.before : line.after), arm);
-        if (beyond > 0) {
+        const Real onNext = end == 0 ? -dot(way, arm) : dot(way, arm);
+        const bool hilltop = (end == 0 ? cross(way, along) : cross(along, way)) < 0;
+        const Real next = dot(perp(way), arm);
+        if (beyond > 0 || (onNext > 0 && onNext < neighbours.length[end])) {
             height = hilltop ? std::max(height, next) : std::min(height, next);
-        } else if (hilltop) { // a little below the neighbour, perhaps
-            height = std::max(height, std::min(next, Real(0)));
-        } else { // the same on the other side
-            height = std::min(height, std::max(next, Real(0)));
+        } else if (beyond > -sink) { // a little on the other side of the neighbour, perhaps
+            height = hilltop ? std::max(height, std::min(next, Real(0)))
+                             : std::min(height, std::max(next, Real(0)));
         }
     }
     return height;
+}
+
+} // namespace
+
+JointHeights heightOverJoints(const ConvexShape& line, Vec2 p, Real sink) {
+    const Real front = heightOver(line, frontOf(line), p, sink);
+    const bool same = line.before == line.backBefore && line.after == line.backAfter;
+    return {front, same ? front : heightOver(line, backOf(line), p, sink)};
+}
+
+bool areNeighbours(const ConvexShape& line, Real side, const ConvexShape& next) {
+    const Neighbours neighbours = side > 0 ? frontOf(line) : backOf(line);
+    for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
+        for (const std::size_t other : {std::size_t(0), std::size_t(1)}) {
+            if (line.vertices[end] == next.vertices[other]) {
+                const Vec2 away = next.vertices[1 - other] - next.vertices[other];
+                return normalize(end == 0 ? -away : away) == neighbours.way[end];
+            }
+        }
+    }
+    return false;
 }
 
 Vec2 withinJoints(const ConvexShape& line, Vec2 from, Vec2 to) {
@@ -278,17 +327,20 @@ Vec2 withinJoints(const ConvexShape& line, Vec2 from, Vec2 to) {
     };
     Real share = 0;
     for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
-        if (isFree(line, end)) {
-            continue;
-        }
         const Vec2 corner = line.vertices[end];
-        const Vec2 outward = end == 0 ? -along : along;
-        const Vec2 next = end == 0 ? -line.before : line.after;
-        const Real reach = end == 0 ? line.valleyBefore : line.valleyAfter;
-        const Real ownEntry = entry(dot(outward, from - corner), dot(outward, to - corner));
-        const Real nextEntry =
-            entry(dot(next, from - corner) - reach, dot(next, to - corner) - reach);
-        share = std::max(share, std::min(ownEntry, nextEntry));
+        const auto entryBeside = [&](Vec2 outward, Real reach) {
+            return entry(dot(outward, from - corner) - reach, dot(outward, to - corner) - reach);
+        };
+        Real first = entryBeside(end == 0 ? -along : along, 0);
+        bool isFree = true;
+        for (const Neighbours& neighbours : {frontOf(line), backOf(line)}) {
+            const Vec2 way = neighbours.way[end];
+            if (way != Vec2{}) {
+                isFree = false;
+                first = std::min(first, entryBeside(end == 0 ? -way : way, neighbours.length[end]));
+            }
+        }
+        share = isFree ? share : std::max(share, first);
     }
     return from + share * (to - from);
 }
@@ -308,9 +360,9 @@ bool ownsDirection(const ConvexShape& line, std::size_t end, Vec2 direction) {
 Manifold collideOneSided(const ConvexShape& line, const Transform& a, const ConvexShape& other,
                          const Transform& b, const ContactLimits& limits) {
     if (other.isRound()) {
-        return collideWithRound(line, a, other, b, limits.margin, limits.reach);
+        return collideWithRound(line, a, other, b, limits);
     }
-    Manifold manifold = collideWithFaces(line, a, other, b, limits.margin, limits.preference);
+    Manifold manifold = collideWithFaces(line, a, other, b, limits);
     if (manifold.count == 0 && !manifold.fromBehind && limits.reach > 0) {
         manifold = collideCornerAhead(line, a, other, b, limits.margin, limits.reach);
     }

@@ -24,8 +24,8 @@ constexpr Real kNever = RelativePath::kNever;
 // Targets along a valley from which a shape that stops short of a line counts as over it. A point
 // that slides on one line, below it by what its contact yields, meets the next line just before the
 // vertex. Continuous collision stops at 1/1024 of the slop in float, 1/65536 in double: this is
-// 1/16.
-constexpr Real kAhead = sizeof(Real) == 4 ? 64 : 4096;
+// 1/2 of the slop.
+constexpr Real kAhead = sizeof(Real) == 4 ? 512 : 32768;
 
 /// One of the two moving shapes.
 struct Mover {

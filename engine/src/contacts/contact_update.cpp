@@ -259,7 +259,7 @@ void findContact(Contact& contact, const Bodies& bodies, const Tolerances& toler
     const std::optional<JointedLine> line = jointedLineOf(bodies, key);
     Manifold manifold;
     if (line && spread == Vec2{}) {
-        const Real side = jointedSideOf(bodies, contact, *line, tolerances.margin);
+        const JointedSide side = jointedSideOf(bodies, contact, *line, tolerances.margin);
         manifold = collideOnSide(bodies, key, *line, side, limits);
     } else {
         manifold = collideAhead(bodies.convex(key.bodyA, key.partA), bodies.pose[key.bodyA],

@@ -33,12 +33,25 @@ Ground groundOf(const Bodies& bodies, const Contact& contact) {
             contact.key.partA};
 }
 
+bool shareVertex(const ConvexShape& a, const ConvexShape& b) {
+    return a.vertices[0] == b.vertices[0] || a.vertices[0] == b.vertices[1] ||
+           a.vertices[1] == b.vertices[0] || a.vertices[1] == b.vertices[1];
+}
+
 /// True for two lines of a body that store their neighbours: they cause no ghost collisions. Lines
-/// of a fine valley rise by less than the tolerance, but must not be hidden.
-bool areChain(const Bodies& bodies, const Ground& a, const Ground& b) {
-    const auto isLinked = [](const ConvexShape& line) { return line.oneSided || isJointed(line); };
-    return a.body == b.body && isLinked(bodies.convex(a.body, a.part)) &&
-           isLinked(bodies.convex(b.body, b.part));
+/// of a fine valley rise by less than the tolerance, but must not be hidden. A third line at a
+/// vertex of the carrying one, on its other side, may be one.
+bool areChain(const Bodies& bodies, const Ground& carrying, const Ground& ground) {
+    const ConvexShape& a = bodies.convex(carrying.body, carrying.part);
+    const ConvexShape& b = bodies.convex(ground.body, ground.part);
+    if (carrying.body != ground.body) {
+        return false;
+    }
+    if (!isJointed(a) || !isJointed(b)) {
+        return (a.oneSided || isJointed(a)) && (b.oneSided || isJointed(b));
+    }
+    const Vec2 normal = bodies.pose[carrying.body].rotation * a.normals[1];
+    return !shareVertex(a, b) || areNeighbours(a, dot(carrying.normal, normal), b);
 }
 
 /// True if no point of the shape is more than `tolerance` (m) above the surface through `point`.

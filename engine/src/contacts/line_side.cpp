@@ -13,6 +13,7 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
+constexpr Real kDeeper = 2;         // times the depth of the last step, up to which a side is kept
 constexpr Real kAcross = Real(0.1); // a side is clear from this cosine to the line's normal on
 
 /// Normal by which the sides of a line differ at a point of it: near a vertex between that of the
@@ -68,7 +69,7 @@ Real sinkOf(const Bodies& bodies, const JointedLine& line, Real margin) {
 
 /// Height (m) of the other shape over the line and its neighbours: that of its middle. If this is
 /// farther along the chain, that of the nearest point on the way from there to the line.
-Real heightOf(const Bodies& bodies, const JointedLine& line, Real margin) {
+JointHeights heightOf(const Bodies& bodies, const JointedLine& line, Real margin) {
     const Transform otherToLine = between(bodies.pose[line.body], bodies.pose[line.otherBody]);
     const ConvexShape& other = bodies.convex(line.otherBody, line.otherPart);
     const ConvexShape& own = bodies.convex(line.body, line.part);
@@ -80,6 +81,17 @@ Real heightOf(const Bodies& bodies, const JointedLine& line, Real margin) {
     return heightOverJoints(own, withinJoints(own, middle, near), sinkOf(bodies, line, margin));
 }
 
+/// Depth (m) up to which the middle of a shape stays on its side: the margin, or what a contact
+/// that is deeper than usual may reach in a step.
+Real deepestSink(const Manifold& last, Real margin) {
+    return last.count > 0 ? std::max(margin, -kDeeper * last.points[0].separation) : margin;
+}
+
+/// True if a shape is farther than `sink` (m) behind that side of a line.
+bool isBehind(const JointHeights& height, Real side, Real sink) {
+    return (side > 0 ? height.front : -height.back) < -sink;
+}
+
 /// -1 if two lines that share a vertex go in opposite directions there, 1 if in the same one; 0 if
 /// they share none.
 Real directionBetween(const ConvexShape& a, const ConvexShape& b) {
@@ -87,6 +99,22 @@ Real directionBetween(const ConvexShape& a, const ConvexShape& b) {
         return 1;
     }
     return a.vertices[0] == b.vertices[0] || a.vertices[1] == b.vertices[1] ? Real(-1) : Real(0);
+}
+
+/// Replaces the manifold of a near contact.
+void replace(const HidingStep& step, std::uint32_t slot, const Manifold& manifold) {
+    Contact& contact = step.contacts[slot];
+    if (contact.row.resident) {
+        step.evict(contact);
+    }
+    contact.manifold = manifold;
+    contact.carried = false;
+    contact.impulse = {};
+    contact.friction = 0;
+    contact.rolling = 0;
+    measureApproach(contact, step.bodies);
+    step.summaries[slot].idle = false;
+    step.summaries[slot].note(contact);
 }
 
 } // namespace
@@ -103,26 +131,34 @@ std::optional<JointedLine> findJointedLine(const Bodies& bodies, const ContactKe
                : JointedLine{false, key.bodyB, key.partB, key.bodyA, key.partA};
 }
 
-Real jointedSideOf(const Bodies& bodies, const Contact& contact, const JointedLine& line,
-                   Real margin) {
-    const Real height = heightOf(bodies, line, margin);
+JointedSide jointedSideOf(const Bodies& bodies, const Contact& contact, const JointedLine& line,
+                          Real margin) {
     const Real last = storedSide(bodies, contact, line, margin);
-    return last != 0 && last * height >= -sinkOf(bodies, line, margin)
-               ? last
-               : std::copysign(Real(1), height);
+    const Real sink = last == 0 ? margin : deepestSink(contact.manifold, margin);
+    const JointHeights height = heightOf(bodies, line, sink);
+    if (last != 0 && !isBehind(height, last, sinkOf(bodies, line, sink))) {
+        return {last, sink};
+    }
+    const bool between = height.front < 0 && height.back > 0;
+    return {between ? Real(0) : std::copysign(Real(1), height.front), margin};
 }
 
 Manifold collideOnSide(const Bodies& bodies, const ContactKey& key, const JointedLine& line,
-                       Real side, const ContactLimits& limits) {
+                       JointedSide side, const ContactLimits& limits) {
+    if (side.side == 0) {
+        return {};
+    }
     const ConvexShape& shapeA = bodies.convex(key.bodyA, key.partA);
     const ConvexShape& shapeB = bodies.convex(key.bodyB, key.partB);
     const Transform& a = bodies.pose[key.bodyA];
     const Transform& b = bodies.pose[key.bodyB];
     const ConvexShape& shape = line.isA ? shapeA : shapeB;
-    const Vec2 front = side * shape.normals[1];
+    const Vec2 front = side.side * shape.normals[1];
     const ConvexShape facing = facingTo(shape, front);
-    Manifold manifold = line.isA ? collideAhead(facing, a, shapeB, b, limits)
-                                 : collideAhead(shapeA, a, facing, b, limits);
+    ContactLimits deep = limits; // the side is known, also below the line
+    deep.sink = side.sink;
+    Manifold manifold = line.isA ? collideAhead(facing, a, shapeB, b, deep)
+                                 : collideAhead(shapeA, a, facing, b, deep);
     if (manifold.fromBehind) { // beyond a free end, which blocks on all sides
         return collideAhead(shapeA, a, shapeB, b, limits);
     }
@@ -166,31 +202,31 @@ void LineSides::copySide(const HidingStep& step, const Member& from, const Membe
     const ConvexShape& line = bodies.convex(from.line.body, from.line.part);
     const ConvexShape& next = bodies.convex(to.line.body, to.line.part);
     const Real margin = step.tolerances.margin;
-    const Real side = directionBetween(line, next) * storedSide(bodies, carrier, from.line, margin);
+    const Real carried = storedSide(bodies, carrier, from.line, margin);
+    const Real side = directionBetween(line, next) * carried;
+    const Real sink = deepestSink(carrier.manifold, margin);
+    if (side != 0 && !areNeighbours(line, carried, next)) { // on the other side of `from`
+        if (contact.near && contact.manifold.count > 0) {
+            replace(step, to.slot, {});
+        }
+        return;
+    }
     if (side == 0 || storedSide(bodies, contact, to.line, margin) == side ||
-        side * heightOf(bodies, to.line, margin) < -sinkOf(bodies, to.line, margin)) {
+        isBehind(heightOf(bodies, to.line, sink), side, sinkOf(bodies, to.line, sink))) {
         return;
     }
-    if (!contact.near) { // for continuous collision
-        const Vec2 normal = bodies.pose[to.line.body].rotation * (side * next.normals[1]);
-        contact.manifold.normal = to.line.isA ? normal : -normal;
-        contact.manifold.points[0].separation = margin;
-        contact.teleportCounts = {bodies.teleportCount[contact.key.bodyA],
-                                  bodies.teleportCount[contact.key.bodyB]};
+    if (contact.near) {
+        replace(step, to.slot,
+                collideOnSide(bodies, contact.key, to.line, {side, sink},
+                              {margin, step.tolerances.slop / 8, Real(0)}));
         return;
     }
-    if (contact.row.resident) {
-        step.evict(contact);
-    }
-    contact.manifold = collideOnSide(bodies, contact.key, to.line, side,
-                                     {margin, step.tolerances.slop / 8, Real(0)});
-    contact.carried = false;
-    contact.impulse = {};
-    contact.friction = 0;
-    contact.rolling = 0;
-    measureApproach(contact, bodies);
-    step.summaries[to.slot].idle = false;
-    step.summaries[to.slot].note(contact);
+    // for continuous collision
+    const Vec2 normal = bodies.pose[to.line.body].rotation * (side * next.normals[1]);
+    contact.manifold.normal = to.line.isA ? normal : -normal;
+    contact.manifold.points[0].separation = margin;
+    contact.teleportCounts = {bodies.teleportCount[contact.key.bodyA],
+                              bodies.teleportCount[contact.key.bodyB]};
 }
 
 void LineSides::spread(const HidingStep& step) const {

@@ -32,15 +32,20 @@ inline std::optional<JointedLine> jointedLineOf(const Bodies& bodies, const Cont
     return bodies.thinnest > 0 ? std::nullopt : findJointedLine(bodies, key); // lines are thin
 }
 
-/// Side of the line on which the other shape is: 1 for that of normals[1], else -1. The side of the
-/// last step, unless the middle of the shape is now deeper on the other side than contacts let it
-/// sink.
-Real jointedSideOf(const Bodies& bodies, const Contact& contact, const JointedLine& line,
-                   Real margin);
+/// Side of a line on which the other shape is.
+struct JointedSide {
+    Real side = 1; // 1 for that of normals[1], else -1; 0: it is between other lines at a vertex
+    Real sink = 0; // m; depth on the other side up to which the middle of the shape may be
+};
+
+/// The side of the last step, unless the middle of the shape is now deeper on the other side than
+/// contacts let it sink: by the margin, or twice as deep as the contact of the last step.
+JointedSide jointedSideOf(const Bodies& bodies, const Contact& contact, const JointedLine& line,
+                          Real margin);
 
 /// The manifold on that side. Without a contact point, its normal still gives the side.
 Manifold collideOnSide(const Bodies& bodies, const ContactKey& key, const JointedLine& line,
-                       Real side, const ContactLimits& limits);
+                       JointedSide side, const ContactLimits& limits);
 
 /// Copies the side from line to line: a shape that slides over the vertex onto the next line stays
 /// on the side on which it touched the last one.

@@ -114,9 +114,12 @@ bool closes(const Bodies& bodies, const PartBounds& bounds, const ContactSummary
     if (motion < gap || (motion <= far && !summary.bounces)) {
         return false;
     }
+    // A line holds one end of a thin body at a corner, also far below, while the other end may turn
+    // through it.
+    const bool thin = extentA.coreRadius + extentB.coreRadius < tolerances.slop;
     const bool mayBeThrough = motion > far &&
                               motion >= (extentA.coreRadius + extentB.coreRadius) / 2 &&
-                              gap >= -tolerances.slop;
+                              (thin || gap >= -tolerances.slop);
     return (gap > tolerances.slop || mayBeThrough) &&
            mayMeet(bodies, a, bounds.tight(summary.proxies.first), b,
                    bounds.tight(summary.proxies.second), tolerances);
