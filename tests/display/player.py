@@ -5,7 +5,7 @@
     player.py build/release/bin/apart [--seconds 60] [LEVEL ...]
 
 It takes 20 pictures a second, follows the cream colour of the ball and the teal of the paddle, and
-knows nothing of the state of the game. A game that has ended is followed by the next. The last one
+has no access to the state of the game. A game that has ended is followed by the next. The last one
 is then played again without a screen, for its result and for the gaps between cracks, breaks, falls
 and catches.
 Exit code: 0: all games could be played, 1: one could not, 77: a tool is missing."""
@@ -106,7 +106,7 @@ class Player:
 
 
 class Hand:
-    """Moves the paddle by the mouse. What was sent is remembered, since the paddle comes later."""
+    """Moves the paddle by the mouse. The sent places are stored, since the paddle follows later."""
 
     def __init__(self, screen):
         self.process = subprocess.Popen(["xdotool", "-"], stdin=subprocess.PIPE, text=True, env=screen.env)
