@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <joints/rig.hpp>
 
+#include <vector>
+
 namespace kodo {
 namespace {
 
@@ -85,6 +87,62 @@ TEST(FixedJoint, ARowOfFiveHoldsAsACantilever) {
     EXPECT_TRUE(nearShare(rig.world.jointForce(root).y, weight, 0.02));
     EXPECT_TRUE(nearShare(rig.world.jointTorque(root), 2.5 * weight, 0.02));
     EXPECT_TRUE(near(rig.world[last].position().y, 0, 1e-4));
+}
+
+// F1: a closed ring of welded boxes that hangs from a wall, released at rest without stress, gains
+// no energy. The welds of a loop are solved one by one. With the angle after the point, rings of
+// small boxes gained up to 1e12 of their height energy.
+TEST(FixedJoint, AHangingRingOfSmallBoxesGainsNoEnergy) {
+    for (const int rate : {30, 60, 120}) {
+        for (const int count : {8, 12}) {
+            for (const Real size : {Real(0.2), Real(0.5), Real(0.9)}) {
+                for (const Real ratio : {Real(1), Real(rate < 60 ? 1 : 30)}) {
+                    SCOPED_TRACE(testing::Message() << rate << " Hz, " << count << " boxes of "
+                                                    << size << " m, mass ratio " << ratio);
+                    Rig rig;
+                    const Real radius = static_cast<Real>(count / (2 * joints::kPi)); // m
+                    std::vector<BodyId> boxes;
+                    for (int i = 0; i < count; ++i) {
+                        const Rot turned =
+                            Rot::fromAngle(static_cast<Real>(-2 * joints::kPi * i / count));
+                        boxes.push_back(rig.world.add({.shape = Box{size, size * Real(0.3)},
+                                                       .position = turned * Vec2{0, radius},
+                                                       .rotation = turned,
+                                                       .density = i % 2 == 1 ? ratio : Real(1),
+                                                       .flags = kDisabled | kNeverSleep}));
+                    }
+                    const auto join = [&](BodyId a, BodyId b, Vec2 place) {
+                        const auto local = [&](BodyId id) {
+                            return rig.world[id].rotation().inverse() *
+                                   (place - rig.world[id].position());
+                        };
+                        const Rot turn =
+                            rig.world[b].rotation() * rig.world[a].rotation().inverse();
+                        rig.world.add(FixedJoint{.ends = {a, b, local(a), local(b)},
+                                                 .reference = turn.angle()});
+                    };
+                    for (int i = 0; i < count; ++i) {
+                        const BodyId a = boxes[static_cast<std::size_t>(i)];
+                        const BodyId b = boxes[static_cast<std::size_t>((i + 1) % count)];
+                        join(a, b, Real(0.5) * (rig.world[a].position() + rig.world[b].position()));
+                    }
+                    join(rig.post, boxes[0], {0, radius});
+                    const double start = joints::energyOf(rig.world);
+                    double mass = 0;
+                    for (const BodyId id : boxes) {
+                        mass += static_cast<double>(rig.world[id].mass());
+                    }
+                    const double fall = joints::kG * mass * static_cast<double>(radius);
+                    for (int step = 0; step < 4 * rate; ++step) {
+                        rig.world.step(1 / static_cast<Real>(rate));
+                        ASSERT_LT(joints::energyOf(rig.world), start + 0.02 * fall)
+                            << "step " << step;
+                    }
+                    EXPECT_TRUE(rig.world.frozenBodies().empty());
+                }
+            }
+        }
+    }
 }
 
 } // namespace

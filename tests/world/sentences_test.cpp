@@ -62,6 +62,11 @@ TEST(Sentences, OfABody) {
             {.rotation = {90, 0}}),
         add("density: must be from 1e-09 to 1e+09 kg/m^2, but is 0: BodyType::Static makes",
             {.density = 0}),
+        add(kFloat ? "mass: must be from 1e-18 to 1e+18 kg, but is 0: BodyType::Static makes"
+                   : "mass: must be from 1e-100 to 1e+100 kg, but is 0: BodyType::Static makes",
+            {.mass = MassDef{.mass = 0}}),
+        add("shape.corners: lie on one line, so the triangle has no area",
+            {.shape = Polygon{{{0, 0}, {1, 1}, {2, 2}}}}),
         add("velocity: must be at most 1e+07 m/s long, but is {8e+06, 8e+06}, of length 113137",
             {.velocity = {Real(8e6), Real(8e6)}}),
         add("velocity: must be finite, but is {0, inf}", {.velocity = {0, kInf}}),
@@ -188,7 +193,9 @@ TEST(Sentences, OfOtherCalls) {
          [](Beginning& s) {
              s.world.setRegion(Aabb{{1, 0}, {0, 1}});
          }},
-        {"dt: must be from 1e-07 to 1 s, but is 16", [](Beginning& s) { s.world.step(16); }},
+        {"dt: must be from 1e-07 to 1 s, but is 16: it is in seconds; divide a longer time into "
+         "several steps",
+         [](Beginning& s) { s.world.step(16); }},
         {"dt: must be from 1e-07 to 1 s, but is 0: 1/60 divides integers, which gives 0; write "
          "1.0f / 60",
          [](Beginning& s) { s.world.step(1 / 60); }},

@@ -68,6 +68,8 @@ std::optional<Problem> checkTimeStep(Real dt) {
     auto problem = checkRange("dt", dt, kMinTimeStep, kMaxTimeStep, "s");
     if (problem && dt == 0) {
         problem->reason += ": 1/60 divides integers, which gives 0; write 1.0f / 60";
+    } else if (problem && dt > kMaxTimeStep) {
+        problem->reason += ": it is in seconds; divide a longer time into several steps";
     }
     return problem;
 }

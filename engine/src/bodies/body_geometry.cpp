@@ -94,6 +94,8 @@ std::optional<Problem> checkMassDef(const MassDef& def, std::span<const Part> pa
         return problem;
     }
     if (auto problem = checkRange("mass", def.mass, 1 / kMaxMass, kMaxMass, "kg")) {
+        problem->reason +=
+            def.mass == 0 ? ": BodyType::Static makes a body immovable, at any mass" : "";
         return problem;
     }
     if (def.center) {

@@ -43,7 +43,7 @@ std::array<int, 2> matchFeatures(const Manifold& manifold, const Manifold& old) 
 /// core radius 0 and matches by feature alone.
 void matchPlaces(const Manifold& manifold, const Manifold& old, Real near,
                  std::array<int, 2>& former) {
-    // The old separation is up to date only in contacts that were resident, so the new one decides.
+    // The overlap after the step decides, not that before it.
     if (dot(manifold.normal, old.normal) < kSameNormal || manifold.points[0].separation < -near) {
         return;
     }
@@ -125,15 +125,12 @@ bool staysApart(const Contact& contact, const Tolerances& tolerances) {
            contact.relativeDisplacement < manifold.points[0].separation - tolerances.margin;
 }
 
-/// Keeps a manifold while the relative displacement of its bodies is small. Only the separations
-/// are updated, to first order in the rotation. A circle that rotates about its centre has no
-/// lever, so its rotation changes no separation. In a pile this saves most collision tests, also
-/// while the pile moves as a whole, and fixed contact points stabilise it. Measures the approach
-/// speed with the same levers. False if the manifold must be found again.
+/// Updates the separations of a manifold, to first order in the rotation. The manifold is kept
+/// while the relative displacement of its bodies is small. A circle that rotates about its centre
+/// has no lever, so its rotation changes no separation. In a pile this saves most collision tests,
+/// also while the pile moves as a whole, and fixed contact points stabilise it. Measures the
+/// approach speed with the same levers. False if the manifold must be found again.
 bool carry(const Bodies& bodies, Contact& contact, const Tolerances& tolerances) {
-    if (!contact.carried || isOutdated(contact.relativeDisplacement, contact.bounces, tolerances)) {
-        return false;
-    }
     const BodyVelocity& motionA = bodies.motion[contact.key.bodyA];
     const BodyVelocity& motionB = bodies.motion[contact.key.bodyB];
     const Vec2 n = contact.manifold.normal;
@@ -149,7 +146,8 @@ bool carry(const Bodies& bodies, Contact& contact, const Tolerances& tolerances)
             speed + (leverB * motionB.angularVelocity - leverA * motionA.angularVelocity);
         contact.approachSpeed = std::max(contact.approachSpeed, -apart);
     }
-    return true;
+    return contact.carried &&
+           !isOutdated(contact.relativeDisplacement, contact.bounces, tolerances);
 }
 
 /// Gives concentric circles a normal of their own. They have none, and several circles on one point

@@ -239,6 +239,10 @@ void LineSides::spread(const HidingStep& step) const {
                                       [&](const Member& m) { return !sameGroup(m, *first); });
         for (auto to = first; to != end; ++to) {
             Contact& contact = step.contacts[to->slot];
+            if (contact.row.resident) { // else its separations, which give the side, are old
+                step.evict(contact);
+                step.summaries[to->slot].note(contact);
+            }
             if (!contact.near && contact.manifold.count == 0) {
                 contact.manifold.points[0].separation = 0; // no side is stored any more
             }

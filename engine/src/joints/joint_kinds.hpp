@@ -86,8 +86,14 @@ public:
     }
 
     void operator()(const FixedJoint& weld) {
-        const AxisConstraint angle = fixed(angular(), frame_.angle(weld.reference));
+        const Real error = frame_.angle(weld.reference);
         PointConstraint point = anchors();
+        if (!turnsOnly(frame_.a) && !turnsOnly(frame_.b)) {
+            visit_(fixed(angularBeside(point), error), joint_.axes[0], Relax::Rigid);
+            visit_(point, joint_.point, Relax::Rigid);
+            return;
+        }
+        const AxisConstraint angle = fixed(angular(), error); // last: it holds a small body best
         point.angle = {&angle, joint_.axes[0]};
         visit_(point, joint_.point, Relax::Rigid);
         visit_(angle, joint_.axes[0], Relax::Rigid);

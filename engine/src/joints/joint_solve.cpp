@@ -69,14 +69,14 @@ Real twistOf(const JointSet::Joint& joint) {
     return joint.axes[0] + joint.axes[1] - joint.axes[2];
 }
 
-/// Rotates the impulse at the anchors of a joint with the body that it turns most easily,
-/// after the displacements of a substep of h (s). It then turns that body in the next substep as in
-/// this one. On an arm that has rotated, a small body would turn by any angle, and the arcs of the
-/// solve follow from that angle.
+/// Rotates the impulse at the anchors of a joint of a body that can only rotate with the body that
+/// it turns most easily, after the displacements of a substep of h (s). It then turns that body in
+/// the next substep as in this one. On an arm that has rotated, a small body would turn by any
+/// angle, and the arcs of the solve follow from that angle.
 void rotateImpulse(JointSet::Joint& joint, const JointFrame& frame, Real h) {
     const Real a = frame.a.invInertia * lengthSquared(frame.commonArm());
     const Real b = frame.b.invInertia * lengthSquared(frame.armB);
-    if (a != b) {
+    if (a != b && (turnsOnly(frame.a) || turnsOnly(frame.b))) {
         const Real spin = a > b ? frame.a.angularVelocity : frame.b.angularVelocity;
         joint.point = Rot::fromAngle(h * spin) * joint.point;
     }
@@ -110,13 +110,15 @@ public:
     }
 
 private:
-    /// The angle of a weld or a slider comes last, after motor and limits.
+    /// Where it comes last, the angle of a weld or a slider answers the other impulses.
     void keepAngle(const JointFrame& frame, Real& impulse) const {
         const Real sum = frame.a.invInertia + frame.b.invInertia;
-        const bool stale = std::holds_alternative<FixedJoint>(joint_.def) &&
-                           (isLong(frame.a, frame.commonArm()) || isLong(frame.b, frame.armB));
-        if (sum > 0 && (inTree_ || stale)) {
+        const bool weld = std::holds_alternative<FixedJoint>(joint_.def);
+        const bool small = weld && (turnsOnly(frame.a) || turnsOnly(frame.b));
+        if (sum > 0 && (small || (inTree_ && !weld))) {
             impulse = (before_ - (frame.b.angularVelocity - frame.a.angularVelocity)) / sum;
+        } else if (inTree_) {
+            impulse = 0;
         }
     }
 

@@ -102,6 +102,9 @@ Problem whyNotConvex(const std::vector<Vec2>& corners, std::size_t i, std::size_
         return {corner(reflex), "points inwards, so the outline is not convex: split it into "
                                 "polygons of a Compound, or use convexHull()"};
     }
+    if (n == 3) {
+        return {"corners", "lie on one line, so the triangle has no area"};
+    }
     return {corner(k), "lies on the line from corner " + std::to_string(i) + " to corner " +
                            std::to_string((i + 1) % n) +
                            ", as far as numbers resolve: leave out the corner between, or use "

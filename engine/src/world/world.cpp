@@ -40,7 +40,7 @@ WorldImpl& World::impl() {
 }
 const WorldImpl& World::impl() const {
     if (!impl_) {
-        throw std::logic_error("this World was moved from");
+        throw std::logic_error("this World was moved from: assign a World to it first");
     }
     return *impl_;
 }
