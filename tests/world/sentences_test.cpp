@@ -65,7 +65,9 @@ TEST(Sentences, OfABody) {
         add(kFloat ? "mass: must be from 1e-18 to 1e+18 kg, but is 0: BodyType::Static makes"
                    : "mass: must be from 1e-100 to 1e+100 kg, but is 0: BodyType::Static makes",
             {.mass = MassDef{.mass = 0}}),
-        add("shape.corners: lie on one line, so the triangle has no area",
+        add("shape.corners[2]: lies on the line from corner 0 to corner 1, as far as numbers "
+            "resolve: "
+            "a triangle needs an area",
             {.shape = Polygon{{{0, 0}, {1, 1}, {2, 2}}}}),
         add("velocity: must be at most 1e+07 m/s long, but is {8e+06, 8e+06}, of length 113137",
             {.velocity = {Real(8e6), Real(8e6)}}),

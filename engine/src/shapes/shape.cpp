@@ -102,13 +102,10 @@ Problem whyNotConvex(const std::vector<Vec2>& corners, std::size_t i, std::size_
         return {corner(reflex), "points inwards, so the outline is not convex: split it into "
                                 "polygons of a Compound, or use convexHull()"};
     }
-    if (n == 3) {
-        return {"corners", "lie on one line, so the triangle has no area"};
-    }
+    const char* const remedy =
+        n == 3 ? "a triangle needs an area" : "leave out the corner between, or use convexHull()";
     return {corner(k), "lies on the line from corner " + std::to_string(i) + " to corner " +
-                           std::to_string((i + 1) % n) +
-                           ", as far as numbers resolve: leave out the corner between, or use "
-                           "convexHull()"};
+                           std::to_string((i + 1) % n) + ", as far as numbers resolve: " + remedy};
 }
 
 /// Reports the first corner at which the polygon is not strictly convex and counter-clockwise.
