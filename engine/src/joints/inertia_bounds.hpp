@@ -9,8 +9,7 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
-/// Lower bounds of moments of inertia while springs, ropes and rods act in a substep, and pins on
-/// bodies that can only rotate.
+/// Lower bounds of moments of inertia while springs, ropes and rods act in a substep.
 ///
 /// A force F on an anchor turns the arm r of the anchor towards its own direction, at a squared
 /// angular frequency of up to |F| |r| / I. A substep of h (s) is unstable beyond 2 rad, and gains
