@@ -14,13 +14,6 @@ inline bool turnsOnly(const BodyVelocity& motion) {
     return motion.invMass == 0 && motion.invInertia > 0;
 }
 
-/// Relative to the inertia about the centre of mass, that about an anchor is larger by lever^2 m /
-/// I; a rod has 3 at its ends. True for an anchor far outside of a body.
-inline bool isLong(const BodyVelocity& motion, Vec2 arm) {
-    constexpr Real kLongArm = 16;
-    return motion.invInertia * lengthSquared(arm) > kLongArm * motion.invMass;
-}
-
 /// The two bodies and anchors of a joint, current within the step, in world axes.
 struct JointFrame {
     BodyVelocity& a;

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -233,13 +232,16 @@ namespace {
 /// True for a revolute joint that may be solved as a spring. With an anchor far outside of a body,
 /// the mass at the anchor is a small part of the body's, and a spring would open wide.
 bool isSoft(const Bodies& bodies, const JointDef& def) {
+    constexpr Real kLongArm = 16; // lever^2 m / I; a rod has 3 at its ends
     const auto* const pin = std::get_if<RevoluteJoint>(&def);
-    const auto isFar = [&](BodyId body, Vec2 anchor) {
+    const auto isLong = [&](BodyId body, Vec2 anchor) {
         const BodyVelocity& motion = bodies.motion[body.index];
-        return motion.invMass > 0 && isLong(motion, armOf(bodies, body.index, {}, anchor));
+        const Vec2 arm = armOf(bodies, body.index, {}, anchor);
+        return motion.invMass > 0 &&
+               motion.invInertia * lengthSquared(arm) > kLongArm * motion.invMass;
     };
-    return pin != nullptr && !isFar(pin->ends.a, pin->ends.anchorA) &&
-           !isFar(pin->ends.b, pin->ends.anchorB);
+    return pin != nullptr && !isLong(pin->ends.a, pin->ends.anchorA) &&
+           !isLong(pin->ends.b, pin->ends.anchorB);
 }
 
 } // namespace
@@ -299,8 +301,8 @@ std::span<const std::uint32_t> JointSet::takeRevolutes(const Bodies& bodies) {
     std::size_t kept = 0;
     for (const std::uint32_t index : own_) {
         const JointDef& def = joints_[index].def;
-        if (getenv("NOLANES") == nullptr && std::holds_alternative<RevoluteJoint>(def) &&
-            trees_.rowsOf(index) == nullptr && joints_[index].mostBias == Joint::kNoBound &&
+        if (std::holds_alternative<RevoluteJoint>(def) && trees_.rowsOf(index) == nullptr &&
+            joints_[index].mostBias == Joint::kNoBound &&
             !turnsOnly(bodies.motion[firstBody(def).index]) &&
             !turnsOnly(bodies.motion[secondBody(def).index])) {
             takenRevolutes_.push_back(index);
