@@ -42,7 +42,7 @@ public:
         set.updatePairs(bodies, Tolerances::forUnit(1), Real(1) / 60, team);
         blocks.carry(bodies, team);
         set.updateManifolds(
-            bodies, Tolerances::forUnit(1),
+            bodies, Tolerances::forUnit(1), Real(1) / 60,
             {blocks.carried(), [&](Contact& contact) { blocks.evict(contact, bodies); }}, team);
         take();
     }

@@ -20,14 +20,14 @@ public:
         addBody(bodies_, def, geometry);
         place({0, height}, 0);
         contact.key = {0, 0, 1, 0};
-        findContact(contact, bodies_, kScale);
+        findContact(contact, bodies_, kScale, Real(1) / 60);
         contact.carried = true;
     }
 
     /// Moves the upper box and finds the contact there.
     void findAt(Vec2 position, Real turn) {
         place(position, turn);
-        findContact(contact, bodies_, kScale);
+        findContact(contact, bodies_, kScale, Real(1) / 60);
     }
     /// A step with this displacement of the upper box. True if the manifold is kept.
     bool keepsAfter(Vec2 move, Real turn = 0) {

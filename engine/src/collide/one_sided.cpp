@@ -2,35 +2,18 @@
 #include "collide/one_sided.hpp"
 
 #include "collide/faces.hpp"
+#include "collide/line_frame.hpp"
 #include "collide/round.hpp"
 #include "collide/sat.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
-
-// Sine of the angle up to which a chain vertex counts as flush. Normals there may deviate by that
-// angle.
-constexpr Real kFlush = Real(1e-3);
-
-Vec2 alongOf(const ConvexShape& line) {
-    return -perp(line.normals[1]);
-}
-
-/// Sine of the turn at a chain vertex, counter-clockwise positive: < 0: convex (hilltop), > 0:
-/// concave (valley).
-Real turnAt(const ConvexShape& line, std::size_t end) {
-    return end == 0 ? cross(line.before, alongOf(line)) : cross(alongOf(line), line.after);
-}
-
-bool isFree(const ConvexShape& line, std::size_t end) {
-    return (end == 0 ? line.before : line.after) == Vec2{};
-}
 
 /// True if the line is responsible for shapes behind it at p. Beyond a chain vertex its neighbour
 /// is.
@@ -126,10 +109,6 @@ enum class Verdict : std::uint8_t {
     Aside,     // the shape comes from beyond a free end
 };
 
-std::size_t endTowards(const ConvexShape& line, Vec2 direction) {
-    return dot(direction, alongOf(line)) < 0 ? 0 : 1;
-}
-
 Verdict judge(const ConvexShape& line, std::size_t end, Vec2 direction) {
     if (isFree(line, end)) {
         return ownsDirection(line, end, direction) ? Verdict::Own : Verdict::Aside;
@@ -197,10 +176,16 @@ Manifold collideWithFaces(const ConvexShape& line, const Transform& a, const Con
                 return manifold;
             }
             if (!ownsAlong(line, ab * other.vertices[support])) {
-                // Its deepest corner is beyond this line, but it may also come down on this one.
-                const Manifold lying =
+                // Its deepest corner is beyond this line, but the other end of that face may come
+                // down here. The deeper point of the face is the vertex, which the neighbour owns.
+                Manifold lying =
                     clipAgainstFace({line, a}, {other, b}, ab, front, margin, BeyondEnds::Nothing);
-                return behind || lying.count < 2 ? manifold : lying;
+                if (behind || lying.count < 2) {
+                    return manifold;
+                }
+                lying.points[0] = lying.points[1];
+                lying.count = 1;
+                return lying;
             }
         }
         if (verdict == Verdict::Aside && front.separation < -margin / 2) {
@@ -255,96 +240,6 @@ ConvexShape facingTo(const ConvexShape& line, Vec2 direction) {
     return facing;
 }
 
-namespace {
-
-/// Neighbours of a two-sided line on one of its sides.
-struct Neighbours {
-    std::array<Vec2, 2> way; // unit; at vertex 0 towards it, at vertex 1 from it; zero: none
-    std::array<Real, 2> length;
-};
-
-Neighbours frontOf(const ConvexShape& line) {
-    return {{line.before, line.after}, {line.valleyBefore, line.valleyAfter}};
-}
-
-Neighbours backOf(const ConvexShape& line) {
-    return {{line.backBefore, line.backAfter}, {line.backValleyBefore, line.backValleyAfter}};
-}
-
-/// heightOverJoints() with the neighbours of one side.
-Real heightOver(const ConvexShape& line, const Neighbours& neighbours, Vec2 p, Real sink) {
-    const Vec2 along = alongOf(line);
-    Real height = dot(line.normals[1], p - line.vertices[0]);
-    for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
-        const Vec2 arm = p - line.vertices[end];
-        const Real beyond = end == 0 ? -dot(along, arm) : dot(along, arm);
-        const Vec2 way = neighbours.way[end];
-        if (way == Vec2{}) {
-            continue;
-        }
-        const Real onNext = end == 0 ? -dot(way, arm) : dot(way, arm);
-        const bool hilltop = (end == 0 ? cross(way, along) : cross(along, way)) < 0;
-        const Real next = dot(perp(way), arm);
-        if (beyond > 0 || (onNext > 0 && onNext < neighbours.length[end])) {
-            height = hilltop ? std::max(height, next) : std::min(height, next);
-        } else if (beyond > -sink) { // a little on the other side of the neighbour, perhaps
-            height = hilltop ? std::max(height, std::min(next, Real(0)))
-                             : std::min(height, std::max(next, Real(0)));
-        }
-    }
-    return height;
-}
-
-} // namespace
-
-JointHeights heightOverJoints(const ConvexShape& line, Vec2 p, Real sink) {
-    const Real front = heightOver(line, frontOf(line), p, sink);
-    const bool same = line.before == line.backBefore && line.after == line.backAfter;
-    return {front, same ? front : heightOver(line, backOf(line), p, sink)};
-}
-
-bool areNeighbours(const ConvexShape& line, Real side, const ConvexShape& next) {
-    const Neighbours neighbours = side > 0 ? frontOf(line) : backOf(line);
-    for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
-        for (const std::size_t other : {std::size_t(0), std::size_t(1)}) {
-            if (line.vertices[end] == next.vertices[other]) {
-                const Vec2 away = next.vertices[1 - other] - next.vertices[other];
-                return normalize(end == 0 ? -away : away) == neighbours.way[end];
-            }
-        }
-    }
-    return false;
-}
-
-Vec2 withinJoints(const ConvexShape& line, Vec2 from, Vec2 to) {
-    const Vec2 along = alongOf(line);
-    // Share of the way to the first point at which a distance that falls from `a` to `b` is zero.
-    const auto entry = [](Real a, Real b) {
-        if (a <= 0) {
-            return Real(0);
-        }
-        return b < 0 ? a / (a - b) : Real(1);
-    };
-    Real share = 0;
-    for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
-        const Vec2 corner = line.vertices[end];
-        const auto entryBeside = [&](Vec2 outward, Real reach) {
-            return entry(dot(outward, from - corner) - reach, dot(outward, to - corner) - reach);
-        };
-        Real first = entryBeside(end == 0 ? -along : along, 0);
-        bool isFree = true;
-        for (const Neighbours& neighbours : {frontOf(line), backOf(line)}) {
-            const Vec2 way = neighbours.way[end];
-            if (way != Vec2{}) {
-                isFree = false;
-                first = std::min(first, entryBeside(end == 0 ? -way : way, neighbours.length[end]));
-            }
-        }
-        share = isFree ? share : std::max(share, first);
-    }
-    return from + share * (to - from);
-}
-
 bool ownsVertex(const ConvexShape& line, std::size_t end) {
     return isFree(line, end) || (end == 0 && turnAt(line, 0) < -kFlush);
 }
@@ -355,6 +250,26 @@ bool ownsDirection(const ConvexShape& line, std::size_t end, Vec2 direction) {
     }
     return ownsVertex(line, end) && cross(line.normals[1], direction) >= 0 &&
            cross(direction, perp(line.before)) >= 0;
+}
+
+Real distanceToHilltop(const ConvexShape& line, const PointOverLine& point) {
+    const Vec2 along = alongOf(line);
+    const std::size_t end = endTowards(line, point.velocity);
+    if (dot(along, point.velocity) == 0 || isFree(line, end) || turnAt(line, end) >= -kFlush) {
+        return std::numeric_limits<Real>::infinity();
+    }
+    const Real distance = dot(along, line.vertices[end] - point.position);
+    return std::max(end == 0 ? -distance : distance, Real(0));
+}
+
+bool missesLine(const ConvexShape& line, const PointOverLine& point, Real slop) {
+    const Real distance = distanceToHilltop(line, point);
+    const Real speed = std::abs(dot(alongOf(line), point.velocity));
+    const Real sink = -dot(line.normals[1], point.velocity);
+    const Real turn = -turnAt(line, endTowards(line, point.velocity));
+    // It reaches the hilltop after the time distance / speed.
+    return distance < std::numeric_limits<Real>::infinity() && 2 * sink > turn * speed &&
+           point.gap > -slop && (point.gap + slop) * speed > sink * distance;
 }
 
 Manifold collideOneSided(const ConvexShape& line, const Transform& a, const ConvexShape& other,

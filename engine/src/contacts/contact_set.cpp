@@ -13,14 +13,14 @@ void ContactSet::noteEnd(const Contact& contact) {
     }
 }
 
-void ContactSet::forgetUnsound(const Bodies& bodies, const Tolerances& tolerances) {
+void ContactSet::forgetUnsound(const Bodies& bodies, const Tolerances& tolerances, Real dt) {
     visitAll();
     for (std::size_t slot = 0; slot < store_.size(); ++slot) {
         Contact& contact = contacts()[slot];
         if (!isSound(contact)) {
             clearContact(contact);
             followContact(contact, bodies, tolerances, false);
-            findContact(contact, bodies, tolerances);
+            findContact(contact, bodies, tolerances, dt);
             kodo::measureApproach(contact, bodies);
             noteManifold(slot);
         }

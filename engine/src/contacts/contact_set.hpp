@@ -83,9 +83,9 @@ public:
     // Within a step, in this order.
     /// Updates the list before a step of dt: the pairs that may touch within it, in order.
     void updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt, WorkerTeam& team);
-    /// Updates manifolds and approach speeds. Of a resident contact whose manifold is kept, only
-    /// the summary is updated.
-    void updateManifolds(const Bodies& bodies, const Tolerances& tolerances,
+    /// Updates manifolds and approach speeds for a step of dt. Of a resident contact whose manifold
+    /// is kept, only the summary is updated.
+    void updateManifolds(const Bodies& bodies, const Tolerances& tolerances, Real dt,
                          const SolverStorage& keeper, WorkerTeam& team);
     /// Measures all approach speeds again, after velocities have changed. No contact may be
     /// resident.
@@ -109,7 +109,7 @@ public:
     /// Adds the pairs of bodies that the solver moved farther than updatePairs predicted.
     void coverDisplacements(const Bodies& bodies, const Tolerances& tolerances, WorkerTeam& team);
     /// Resets contacts whose impulses or positions are not finite, and finds their manifolds again.
-    void forgetUnsound(const Bodies& bodies, const Tolerances& tolerances);
+    void forgetUnsound(const Bodies& bodies, const Tolerances& tolerances, Real dt);
     /// Determines begin, persist and end of each contact. `touched` says by row whether the contact
     /// touched; its last element, for contacts without a row, is false. Contacts whose state does
     /// not change are not visited.

@@ -4,6 +4,7 @@
 #include <kodo/geometry.hpp>
 
 #include "collide/one_sided.hpp"
+#include "contacts/hilltops.hpp"
 #include "contacts/line_side.hpp"
 
 #include <algorithm>
@@ -202,12 +203,11 @@ void beginStep(Contact& contact) {
     }
 }
 
-/// Distance (m) along one-sided lines within which the pair may come in this step, from its
-/// relative displacement in the last one.
-Real reachOf(const Bodies& bodies, const ContactKey& key) {
+/// Distance (m) along one-sided lines within which the pair may come in this step.
+Real reachOf(const Bodies& bodies, const ContactKey& key, Real dt) {
     constexpr Real kMore = Real(1.25); // the pair may accelerate
-    return kMore *
-           length(bodies.motion[key.bodyB].deltaPosition - bodies.motion[key.bodyA].deltaPosition);
+    return kMore * dt *
+           length(bodies.motion[key.bodyB].velocity - bodies.motion[key.bodyA].velocity);
 }
 
 /// A two-sided line has no thickness: a shape that overlaps it by a fraction of the slop may be
@@ -247,13 +247,13 @@ void keepSide(Manifold& manifold, const Contact& contact, const Bodies& bodies,
 
 } // namespace
 
-void findContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances) {
+void findContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances, Real dt) {
     const ContactKey& key = contact.key;
     // m; keeps the reference face of parallel faces constant despite rounding.
     const Real preference = tolerances.slop / 8;
     const Vec2 spread = spreadOf(bodies, key, tolerances.slop);
     const Transform& poseB = bodies.pose[key.bodyB];
-    const ContactLimits limits{tolerances.margin, preference, reachOf(bodies, key)};
+    const ContactLimits limits{tolerances.margin, preference, reachOf(bodies, key, dt)};
     const std::optional<JointedLine> line = jointedLineOf(bodies, key);
     Manifold manifold;
     if (line && spread == Vec2{}) {
@@ -276,10 +276,12 @@ void findContact(Contact& contact, const Bodies& bodies, const Tolerances& toler
     contact.passing = letPass(contact.passing, manifold);
     const auto [thinner, thicker] = std::minmax(bodies.convex(key.bodyA, key.partA).coreRadius,
                                                 bodies.convex(key.bodyB, key.partB).coreRadius);
+    const Real free = removePassingPoints(manifold, bodies, key, tolerances, dt);
     replaceManifold(contact, manifold,
                     std::min(kSamePlace * tolerances.slop, kSameShare * thinner));
     const bool thin = thicker < tolerances.slop;
-    contact.relativeDisplacement = thin ? (kKept - kKeptIfThin) * tolerances.slop : Real(0);
+    const Real kept = (thin ? kKeptIfThin : kKept) * tolerances.slop;
+    contact.relativeDisplacement = kKept * tolerances.slop - std::min(kept, free);
     contact.teleportCounts[0] = bodies.teleportCount[key.bodyA];
     contact.teleportCounts[1] = bodies.teleportCount[key.bodyB];
 }

@@ -22,9 +22,9 @@ bool followContact(Contact& contact, const Bodies& bodies, const Tolerances& tol
 /// True if a manifold must be found again after this relative displacement (m) of the bodies.
 bool isOutdated(Real relativeDisplacement, bool bounces, const Tolerances& tolerances);
 
-/// Finds the manifold; new points take over the impulses of old ones. The contact must not be
-/// resident.
-void findContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances);
+/// Finds the manifold for a step of dt (s); new points take over the impulses of old ones. The
+/// contact must not be resident.
+void findContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances, Real dt);
 
 /// Sets approachSpeed (m/s) from the current velocities, for the record and the impacts.
 void measureApproach(Contact& contact, const Bodies& bodies);

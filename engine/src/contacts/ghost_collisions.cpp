@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "contacts/ghost_collisions.hpp"
 
+#include "collide/jointed_line.hpp"
 #include "collide/one_sided.hpp"
 #include "collide/rising_face.hpp"
 #include "contacts/contact_update.hpp"

@@ -18,6 +18,7 @@ struct HidingStep {
     std::span<Contact> contacts;
     std::span<ContactSummary> summaries;
     const Tolerances& tolerances;
+    Real dt;                                    // s
     const std::function<void(Contact&)>& evict; // see SolverStorage
 };
 

@@ -2,8 +2,10 @@
 #include "contacts/line_side.hpp"
 
 #include "base/vector_reuse.hpp"
+#include "collide/jointed_line.hpp"
 #include "collide/round.hpp"
 #include "contacts/contact_update.hpp"
+#include "contacts/hilltops.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -216,9 +218,10 @@ void LineSides::copySide(const HidingStep& step, const Member& from, const Membe
         return;
     }
     if (contact.near) {
-        replace(step, to.slot,
-                collideOnSide(bodies, contact.key, to.line, {side, sink},
-                              {margin, step.tolerances.slop / 8, Real(0)}));
+        Manifold manifold = collideOnSide(bodies, contact.key, to.line, {side, sink},
+                                          {margin, step.tolerances.slop / 8, Real(0)});
+        removePassingPoints(manifold, bodies, contact.key, step.tolerances, step.dt);
+        replace(step, to.slot, manifold);
         return;
     }
     // for continuous collision

@@ -30,6 +30,7 @@ public:
     const PartBounds& bounds;
     const Bodies& bodies;
     const Tolerances& tolerances;
+    Real dt; // s
     const SolverStorage& keeper;
 
     /// Summaries, lanes and bounds select the contacts of the piece that need a visit; only these
@@ -88,7 +89,7 @@ private:
                 keeper.evict(contact);
             }
             if (!followContact(contact, bodies, tolerances, wasResident)) {
-                findContact(contact, bodies, tolerances);
+                findContact(contact, bodies, tolerances, dt);
             }
             if (!contact.carried) {
                 measureApproach(contact, bodies);
@@ -218,13 +219,13 @@ void ContactSet::finishStepOfContacts(std::span<const std::uint8_t> touched,
     touchCounts_.noteChanges(all, toggled);
 }
 
-void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances,
+void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances, Real dt,
                                  const SolverStorage& keeper, WorkerTeam& team) {
     fastestApproach_ = 0;
     if (store_.size() == 0 && !contactsChanged_) {
         return;
     }
-    const ManifoldPass pass{store_, candidates_.bounds(), bodies, tolerances, keeper};
+    const ManifoldPass pass{store_, candidates_.bounds(), bodies, tolerances, dt, keeper};
     live_.clear();
     live_.reserve(store_.capacity());
     found_.gather(team, store_.size(), kContactsPerPiece, live_,
@@ -246,12 +247,12 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
         lineSides_.link(bodies, contacts(), anyLines ? summaries() : Summaries());
     }
     if (!lineSides_.empty()) {
-        lineSides_.spread({bodies, contacts(), store_.summaries(), tolerances, keeper.evict});
+        lineSides_.spread({bodies, contacts(), store_.summaries(), tolerances, dt, keeper.evict});
     }
     if (!oneWayBodies_.empty()) {
-        oneWayBodies_.hide({bodies, contacts(), store_.summaries(), tolerances, keeper.evict});
+        oneWayBodies_.hide({bodies, contacts(), store_.summaries(), tolerances, dt, keeper.evict});
     }
-    ghostCollisions_.hide({bodies, contacts(), store_.summaries(), tolerances, keeper.evict});
+    ghostCollisions_.hide({bodies, contacts(), store_.summaries(), tolerances, dt, keeper.evict});
 }
 
 /// Notes whether any contact has a sensor or restitution. Lists the contacts between an immovable

@@ -340,7 +340,7 @@ void ImpactSolver::solveGroup(const Inputs& inputs) {
         blocks.evict(contact, bodies);
         if (contact.bounces && contact.relativeDisplacement > 0) {
             // Arms that are off by this would change the angular momentum.
-            findContact(contact, bodies, step.tolerances);
+            findContact(contact, bodies, step.tolerances, step.dt);
             contact.carried = false;
         }
         contactSet.noteContact(slot);

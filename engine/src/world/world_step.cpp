@@ -90,7 +90,7 @@ void WorldStep::updateManifolds() {
     noteStart(bodies_);
     blocks.carry(bodies_, team_);
     contacts_.updateManifolds(
-        bodies_, tolerances_,
+        bodies_, tolerances_, dt_,
         {blocks.carried(), [&](Contact& contact) { blocks.evict(contact, bodies_); }}, team_);
 }
 
@@ -235,7 +235,7 @@ void WorldStep::freezeUnsoundMotion() {
             }
         }
         softSolver_.blocks().writeBackAll(contacts_.contacts(), bodies_);
-        contacts_.forgetUnsound(bodies_, tolerances_);
+        contacts_.forgetUnsound(bodies_, tolerances_, dt_);
         joints_.forgetUnsound();
         contacts_.bodiesChanged();
         bodies_.changes.allActivity = true;

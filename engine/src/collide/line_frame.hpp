@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/shape.hpp>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+// Sine of the angle up to which a chain vertex counts as flush. Normals there may deviate by that
+// angle.
+inline constexpr Real kFlush = Real(1e-3);
+
+/// Unit vector from the first vertex of a line to the second one.
+inline Vec2 alongOf(const ConvexShape& line) {
+    return -perp(line.normals[1]);
+}
+
+/// Sine of the turn at a chain vertex, counter-clockwise positive: < 0: convex (hilltop), > 0:
+/// concave (valley).
+inline Real turnAt(const ConvexShape& line, std::size_t end) {
+    return end == 0 ? cross(line.before, alongOf(line)) : cross(alongOf(line), line.after);
+}
+
+/// True if no other line of the chain begins at vertex `end`, 0 or 1.
+inline bool isFree(const ConvexShape& line, std::size_t end) {
+    return (end == 0 ? line.before : line.after) == Vec2{};
+}
+
+/// The vertex, 0 or 1, to which a direction points along the line.
+inline std::size_t endTowards(const ConvexShape& line, Vec2 direction) {
+    return dot(direction, alongOf(line)) < 0 ? 0 : 1;
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo
