@@ -155,13 +155,18 @@ def play(screen, apart, level, seconds):
         game.key("Escape")
         time.sleep(0.5)
         game.key("Up", "Return")  # to the title: the game is kept
-        time.sleep(1)
+        kept = pathlib.Path(screen.config.name) / "apart" / "last.replay"
+        for _ in range(20):  # a busy machine writes it late
+            time.sleep(0.5)
+            if kept.exists():
+                break
+        time.sleep(0.5)
     return pictures / seconds
 
 
 def totals(profile):
-    """Games and won games of all themes."""
-    text = profile.read_text()
+    """Games and won games of all themes. There is no profile before the first game has ended."""
+    text = profile.read_text() if profile.exists() else ""
     return [sum(int(n) for n in re.findall(rf"^{key} = (\d+)$", text, re.M)) for key in ("games", "won")]
 
 

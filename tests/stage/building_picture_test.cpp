@@ -56,6 +56,23 @@ TEST(Preview, AJointAndALedgeAddToIt) {
     EXPECT_GT(whole.strokes().size(), bare.strokes().size() + 15);
 }
 
+// Blocks appear row by row: no rope hangs in the air before its blocks are there.
+TEST(Building, RopesAppearWithTheirBlocks) {
+    StageRig rig(played("scales")); // four ropes
+    const auto thinLines = [&] {
+        const auto& strokes = rig.picture().strokes();
+        return std::count_if(strokes.begin(), strokes.end(), [](const Stroke& stroke) {
+            return stroke.kind == Stroke::Kind::Ribbon && stroke.color.r == 222;
+        });
+    };
+    rig.frame();
+    EXPECT_EQ(thinLines(), 0);
+    for (int i = 0; i < 60; ++i) {
+        rig.frame();
+    }
+    EXPECT_GE(thinLines(), 4);
+}
+
 TEST(Collapse, IsToldInWordsAndInTheResults) {
     StageRig rig(played("tower"));
     bool told = false;

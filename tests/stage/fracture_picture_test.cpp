@@ -103,6 +103,55 @@ TEST(Labels, StartBesideAllThatBreaks) {
     EXPECT_EQ(covering, 0);
 }
 
+// "torn off" stands where the block does not fall through it.
+TEST(Labels, ABlockThatIsTornOffPassesBesideItsLabel) {
+    int labels = 0;
+    int crossed = 0;
+    for (const char* name : {"first_light", "turnstiles"}) {
+        const auto level = std::make_shared<const Level>(std::get<Level>(loadLevel(name)));
+        Game game(level, 1);
+        Juice juice(1, Settings{});
+        kodo::BodyId torn;
+        for (int tick = 0; tick < 5000; ++tick) {
+            game.tick(bot(game));
+            juice.tick(game);
+            for (const Event& event : game.events()) {
+                const auto* let = std::get_if<LetGo>(&event);
+                torn = let != nullptr && let->why == LetGo::Why::Torn ? let->block : torn;
+            }
+            for (const Popup& popup : juice.popups()) {
+                if (popup.text == "torn off" && game.world().contains(torn)) {
+                    labels += popup.age == 1 ? 1 : 0;
+                    crossed += overlap(popup.box(), game.world()[torn].bounds()) ? 1 : 0;
+                }
+            }
+        }
+    }
+    EXPECT_GT(labels, 0);
+    EXPECT_EQ(crossed, 0);
+}
+
+// A closeup of a collapse cuts no label off.
+TEST(Labels, StayInTheEnlargedPicture) {
+    StageRig rig(botIn("tower"));
+    int seen = 0;
+    for (int i = 0; i < 600; ++i) {
+        rig.frame();
+        if (rig.picture().mostZoom() < Real(1.02)) {
+            continue;
+        }
+        for (const Stroke& stroke : rig.picture().strokes()) {
+            if (stroke.text.starts_with("+") || stroke.text.ends_with("at a blow!")) {
+                ++seen;
+                const Real half = stroke.size * static_cast<Real>(stroke.text.size()) / 4;
+                EXPECT_LE(std::abs(stroke.enlargedPlace.x) + half, layout::kRight + 1);
+                EXPECT_LE(stroke.enlargedPlace.y + stroke.size, layout::kTop + 1);
+            }
+        }
+    }
+    EXPECT_GT(seen, 30);
+}
+
 // What comes down later passes in front of them.
 TEST(Labels, ArePaintedBelowShards) {
     StageRig rig(botIn("first_light"));

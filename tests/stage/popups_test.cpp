@@ -45,6 +45,38 @@ TEST(Popups, WordsAtOnePositionDoNotOverlap) {
     EXPECT_NEAR(popups.all()[1].place.y, 5, 1); // as near as possible
 }
 
+// A word over a block is hard to read: it moves beside one, but not across a whole wall of them.
+TEST(Popups, StandBesideABlockAndOverAWall) {
+    const Aabb block{{Real(-0.8), Real(8.6)}, {Real(0.8), Real(9.4)}};
+    Popups popups;
+    popups.add(word("torn off", {0, 9}), {}, std::array{block});
+    Popup later = popups.all()[0];
+    later.age = 30;
+    EXPECT_FALSE(overlap(popups.all()[0].box(), block));
+    EXPECT_FALSE(overlap(later.box(), block));
+    EXPECT_NEAR(popups.all()[0].place.y, 9, 2);
+
+    std::vector<Aabb> wall;
+    for (int i = 0; i < 150; ++i) {
+        const Vec2 corner{-12 + Real(1.6) * static_cast<Real>(i % 15), 6 + Real(0.8 * (i / 15))};
+        wall.push_back({corner, corner + Vec2{Real(1.6), Real(0.8)}});
+    }
+    Popups over;
+    over.add(word("+50", {0, 10}), {}, wall);
+    EXPECT_NEAR(over.all()[0].place.y, 10, 3);
+}
+
+TEST(Popups, MoveIntoThePartOfTheFieldThatIsShown) {
+    const Aabb shown{{-6, 3}, {6, 12}};
+    for (const Vec2 place : {Vec2{9, 9}, Vec2{-9, 9}, Vec2{0, 14}, Vec2{5, 1}, Vec2{0, 9}}) {
+        Popup popup = word("nine at a blow!", place);
+        const Vec2 moved = popup.placeIn(shown);
+        EXPECT_EQ(moved == place, shown.contains(popup.box()));
+        popup.place = moved;
+        EXPECT_TRUE(shown.grown(Real(1e-4)).contains(popup.box()));
+    }
+}
+
 TEST(Popups, NeverOverlapOrLeaveTheField) {
     constexpr std::uint64_t kSeed = 21;
     SCOPED_TRACE("seed 21");

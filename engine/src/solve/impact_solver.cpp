@@ -228,58 +228,73 @@ void ImpactSolver::solve(Bodies& bodies, ContactSet& contactSet, const ContactBl
     if (!anyFast(contactSet.live(), summaries, step.team, wasFast)) {
         return;
     }
-    resizeByBody(wasHit_, bodies); // all 0 between steps
-    lastPass_.assign(summaries.size(), 0);
+    resizeByBody(lastHit_, bodies); // all 0 between steps
+    round_ = 0;
     sets_.resize(bodies.size());
-    present_.clear();
-    bouncing_.clear();
-    reserveReusing(present_, summaries.size());
-    reserveReusing(bouncing_, summaries.size());
-    contactSet.store().forEachInOrder([&](std::uint32_t slot) {
-        if (!summaries[slot].idle) {
-            present_.push_back(slot);
-            if (summaries[slot].bounces) {
-                bouncing_.push_back(slot);
-            }
-        }
-    });
     const Inputs inputs{bodies, contactSet, blocks, step, restSpeed};
+    listCandidates(inputs);
     const int passes = std::max(1, std::get<SoftSettings>(step.settings.solver).impactPasses);
-    bool again = solvePass(inputs, present_, 1);
-    // Without restitution once; the contact solver follows.
-    for (int pass = 2; pass <= passes && again; ++pass) {
-        again = solvePass(inputs, bouncing_, static_cast<std::uint32_t>(pass));
+    bool again = true;
+    for (int pass = 1; pass <= passes && again; ++pass) {
+        again = solvePass(inputs, static_cast<std::uint32_t>(pass));
     }
     for (const std::uint32_t body : hitBodies_) {
-        wasHit_[body] = 0;
+        lastHit_[body] = 0;
     }
     hitBodies_.clear();
 }
 
-/// Solves each contact of a list at most once: in each round, all that approach. True if a contact
-/// approaches again.
-bool ImpactSolver::solvePass(const Inputs& inputs, std::span<const std::uint32_t> list,
-                             std::uint32_t pass) {
-    const auto& [bodies, contactSet, blocks, step, restSpeed] = inputs;
-    const std::span<const ContactSummary> summaries = contactSet.summaries();
+void ImpactSolver::listCandidates(const Inputs& inputs) {
+    const Bodies& bodies = inputs.bodies;
+    const std::span<const ContactSummary> summaries = inputs.contactSet.summaries();
+    candidates_.clear();
+    reserveReusing(candidates_, summaries.size());
+    inputs.contactSet.store().forEachInOrder([&](std::uint32_t slot) {
+        const ContactSummary& summary = summaries[slot];
+        if (summary.idle || (bodies.locked(summary.bodyA) && bodies.locked(summary.bodyB))) {
+            return;
+        }
+        candidates_.push_back({.slot = slot,
+                               .bodyA = summary.bodyA,
+                               .bodyB = summary.bodyB,
+                               .wasFast = summary.approachSpeed > inputs.restSpeed &&
+                                          isFast(bodies, summary, inputs.step.dt),
+                               .bounces = summary.bounces});
+    });
+}
+
+/// True if the contact touches and approaches. It is checked again only if one of its bodies was
+/// hit since.
+bool ImpactSolver::approachesNow(const Inputs& inputs, Candidate& candidate) const {
+    const std::uint32_t lastHit = std::max(lastHit_[candidate.bodyA], lastHit_[candidate.bodyB]);
+    if (lastHit == 0 && !candidate.wasFast) {
+        return false; // neither body was hit in this step: it approaches as measured
+    }
+    if (candidate.round == 0 || lastHit >= candidate.round) {
+        const auto& [bodies, contactSet, blocks, step, restSpeed] = inputs;
+        const ContactSummary& summary = contactSet.summaries()[candidate.slot];
+        const Impact hit = impactOf(inputs, candidate.slot);
+        candidate.round = round_;
+        candidate.approaches =
+            hit.contact->responds() && approaches(hit, summary, step.tolerances.slop,
+                                                  restSpeedOf(bodies, *hit.contact, step.dt));
+    }
+    return candidate.approaches;
+}
+
+/// Solves each contact at most once: in each round, all that approach. True if a contact approaches
+/// again.
+bool ImpactSolver::solvePass(const Inputs& inputs, std::uint32_t pass) {
     for (;;) {
         bool again = false;
+        ++round_;
         approaching_.clear();
-        for (const std::uint32_t slot : list) {
-            const ContactSummary& summary = summaries[slot];
-            if (bodies.locked(summary.bodyA) && bodies.locked(summary.bodyB)) {
-                continue;
-            }
-            if ((wasHit_[summary.bodyA] | wasHit_[summary.bodyB]) == 0 &&
-                !(summary.approachSpeed > inputs.restSpeed && isFast(bodies, summary, step.dt))) {
-                continue; // neither body was hit in this step: it approaches as measured
-            }
-            const Impact hit = impactOf(inputs, slot);
-            if (hit.contact->responds() && approaches(hit, summary, step.tolerances.slop,
-                                                      restSpeedOf(bodies, *hit.contact, step.dt))) {
-                again = again || lastPass_[slot] == pass;
-                if (lastPass_[slot] != pass) {
-                    approaching_.push_back(slot);
+        for (std::size_t i = 0; i < candidates_.size(); ++i) {
+            if (approachesNow(inputs, candidates_[i])) {
+                const bool solved = candidates_[i].lastPass == pass;
+                again = again || solved;
+                if (!solved) {
+                    approaching_.push_back(static_cast<std::uint32_t>(i));
                 }
             }
         }
@@ -287,45 +302,48 @@ bool ImpactSolver::solvePass(const Inputs& inputs, std::span<const std::uint32_t
             return again;
         }
         solveRound(inputs, pass);
-        list = bouncing_; // the contact solver follows for the others
+        if (round_ == 1) { // without restitution once; the contact solver follows
+            std::erase_if(candidates_, [](const Candidate& one) { return !one.bounces; });
+        }
     }
 }
 
 /// Solves the contacts in approaching_. Those that share bodies are solved together.
 void ImpactSolver::solveRound(const Inputs& inputs, std::uint32_t pass) {
     const Bodies& bodies = inputs.bodies;
-    const std::span<const ContactSummary> summaries = inputs.contactSet.summaries();
-    const auto forMovable = [&](std::uint32_t slot, auto work) {
-        for (const std::uint32_t body : {summaries[slot].bodyA, summaries[slot].bodyB}) {
+    const auto forMovable = [&](const Candidate& candidate, auto work) {
+        for (const std::uint32_t body : {candidate.bodyA, candidate.bodyB}) {
             if (!bodies.locked(body)) {
                 work(body);
             }
         }
     };
-    for (const std::uint32_t slot : approaching_) {
-        forMovable(slot, [&](std::uint32_t body) { sets_.makeSet(body); });
+    for (const std::uint32_t index : approaching_) {
+        forMovable(candidates_[index], [&](std::uint32_t body) { sets_.makeSet(body); });
     }
-    for (const std::uint32_t slot : approaching_) {
-        if (!bodies.locked(summaries[slot].bodyA) && !bodies.locked(summaries[slot].bodyB)) {
-            sets_.join(summaries[slot].bodyA, summaries[slot].bodyB);
+    for (const std::uint32_t index : approaching_) {
+        const Candidate& candidate = candidates_[index];
+        if (!bodies.locked(candidate.bodyA) && !bodies.locked(candidate.bodyB)) {
+            sets_.join(candidate.bodyA, candidate.bodyB);
         }
     }
     grouped_.clear();
-    for (const std::uint32_t slot : approaching_) {
-        const bool movesA = !bodies.locked(summaries[slot].bodyA);
-        grouped_.emplace_back(sets_.rootOf(movesA ? summaries[slot].bodyA : summaries[slot].bodyB),
-                              static_cast<std::uint32_t>(grouped_.size()));
-        lastPass_[slot] = pass;
+    for (const std::uint32_t index : approaching_) {
+        Candidate& candidate = candidates_[index];
+        const bool movesA = !bodies.locked(candidate.bodyA);
+        grouped_.emplace_back(sets_.rootOf(movesA ? candidate.bodyA : candidate.bodyB), index);
+        candidate.lastPass = pass;
+        candidate.round = 0;
     }
     std::sort(grouped_.begin(), grouped_.end()); // total order: the second numbers are unique
-    for (const std::uint32_t slot : approaching_) {
-        forMovable(slot, [&](std::uint32_t body) { sets_.drop(body); });
+    for (const std::uint32_t index : approaching_) {
+        forMovable(candidates_[index], [&](std::uint32_t body) { sets_.drop(body); });
     }
     for (std::size_t first = 0; first < grouped_.size();) {
         group_.clear();
         const std::uint32_t root = grouped_[first].first;
         for (; first < grouped_.size() && grouped_[first].first == root; ++first) {
-            group_.push_back(approaching_[grouped_[first].second]);
+            group_.push_back(candidates_[grouped_[first].second].slot);
         }
         solveGroup(inputs);
     }
@@ -358,7 +376,7 @@ void ImpactSolver::solveGroup(const Inputs& inputs) {
         const ContactSummary& summary = contactSet.summaries()[slot];
         for (const std::uint32_t body : {summary.bodyA, summary.bodyB}) {
             if (!bodies.locked(body)) {
-                if (std::exchange(wasHit_[body], std::uint8_t{1}) == 0) {
+                if (std::exchange(lastHit_[body], round_) == 0) {
                     hitBodies_.push_back(body);
                 }
                 inputs.bodies.noteLostLoad(body);

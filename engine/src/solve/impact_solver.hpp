@@ -52,18 +52,30 @@ private:
         const Step& step;
         Real restSpeed; // m/s; no slower contact has an impact
     };
+    /// A contact that may have an impact in this step, and what its rounds know of it.
+    struct Candidate {
+        std::uint32_t slot;
+        std::uint32_t bodyA;
+        std::uint32_t bodyB;
+        std::uint32_t lastPass = 0; // that solved it; 0: none
+        std::uint32_t round = 0;    // of the last check; 0: none since it was solved
+        bool approaches = false;    // in that check
+        bool wasFast;               // as measured before the solver
+        bool bounces;
+    };
     static Impact impactOf(const Inputs& inputs, std::uint32_t slot);
-    bool solvePass(const Inputs& inputs, std::span<const std::uint32_t> list, std::uint32_t pass);
+    void listCandidates(const Inputs& inputs);
+    bool approachesNow(const Inputs& inputs, Candidate& candidate) const;
+    bool solvePass(const Inputs& inputs, std::uint32_t pass);
     void solveRound(const Inputs& inputs, std::uint32_t pass);
     void solveGroup(const Inputs& inputs);
 
-    std::vector<std::uint8_t> wasHit_;       // by body, in this step
-    std::vector<std::uint32_t> hitBodies_;   // of these
-    std::vector<std::uint32_t> lastPass_;    // by slot: the last pass that solved it; 0: none
-    std::vector<std::uint32_t> present_;     // slots of contacts that are not idle, in order
-    std::vector<std::uint32_t> bouncing_;    // of these, the ones with restitution
-    std::vector<std::uint32_t> approaching_; // slots of this round, in order
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> grouped_; // root; index in approaching_
+    std::uint32_t round_ = 0;                // in this step, from 1 on
+    std::vector<std::uint32_t> lastHit_;     // by body: the last round that hit it; 0: none
+    std::vector<std::uint32_t> hitBodies_;   // of this step
+    std::vector<Candidate> candidates_;      // in the order of keys
+    std::vector<std::uint32_t> approaching_; // of this round: indices of candidates, in order
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> grouped_; // root; candidate
     std::vector<std::uint32_t> group_;                             // slots that are solved together
     std::vector<Impact> hits_;                                     // the same contacts
     DisjointSets sets_;                                            // of movable bodies

@@ -27,20 +27,37 @@ public:
     void solve(std::span<const Impact> hits, const Tolerances& tolerances);
 
 private:
+    /// One contact point with all that an iteration reads.
     struct Point {
-        const Impact* hit;
-        std::size_t index;   // in the manifold
-        Vec2 before;         // m/s, relative velocity along normal and tangent
+        BodyVelocity* a;
+        BodyVelocity* b;
+        Vec2 normal;
+        Vec2 tangent;
+        Vec2 armA; // m, world
+        Vec2 armB;
+        Vec2 leverA; // m, of armA along normal and tangent
+        Vec2 leverB;
         Real target;         // m/s, separating speed after the impact
         Real normalMass;     // kg
         Real tangentialMass; // kg; 0: no friction
-        Real normal = 0;     // N s, so far
-        Real tangential = 0; // N s, so far
+        Real staticFriction;
+        Real kineticFriction;
+        Real impulse = 0;  // N s, along the normal, so far
+        Real friction = 0; // N s, along the tangent, so far
+        Real impact;       // N s, PointImpulse::impact
+        Vec2 before;       // m/s, relative velocity along normal and tangent
+        const Impact* hit;
+        std::size_t index; // in the manifold
+
+        Vec2 relativeVelocity() const;
+        /// Applies an impulse (N s), with its angular impulses (N m s) on both bodies.
+        void push(Vec2 j, Real angularA, Real angularB) const;
     };
     void addPoints(const Impact& hit, const Tolerances& tolerances);
     bool iterate(Real tolerance, int most);
     void undo();
     bool gainsEnergy() const;
+    void storeImpulses();
 
     std::vector<Point> points_;
 };

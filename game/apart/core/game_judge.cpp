@@ -24,6 +24,17 @@ std::size_t partOf(const CollisionRecord& hit, BodyId body) {
     return hit.a == body ? hit.partA : hit.partB;
 }
 
+bool isSolid(const kodo::World& world, BodyId body) {
+    const Role role = world.contains(body) ? roleOf(world[body].flags()) : Role::Wall;
+    return role == Role::Block || role == Role::Shard || role == Role::Wall;
+}
+
+/// True for most records: a resting contact between blocks, shards and walls changes nothing.
+bool isRest(const GameState& game, const CollisionRecord& hit) {
+    return hit.maxPointImpulse() < kSlightestImpact && isSolid(game.world, hit.a) &&
+           isSolid(game.world, hit.b);
+}
+
 } // namespace
 
 static void judgeAlive(GameState& game, const CollisionRecord& hit, BodyId body);
@@ -46,7 +57,7 @@ void judge(GameState& game) {
         return;
     }
     for (const CollisionRecord& hit : game.world.collisions()) {
-        if (hit.maxPointImpulse() <= 0) {
+        if (hit.maxPointImpulse() <= 0 || isRest(game, hit)) {
             continue;
         }
         for (const BodyId body : {hit.a, hit.b}) {

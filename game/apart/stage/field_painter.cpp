@@ -50,7 +50,8 @@ Vec2 shakeOf(const Moment& moment, const Block& block) {
 }
 
 void paintRope(Canvas& canvas, const Moment& moment, const Block& block, Vec2 middle) {
-    if (block.support != Support::Hanging || !moment.game.world().contains(block.pin)) {
+    if (block.support != Support::Hanging || !moment.game.world().contains(block.pin) ||
+        !isBuilt(moment, middle)) {
         return;
     }
     const Vec2 pin = moment.placeOf(block.pin).position;
@@ -148,7 +149,7 @@ void paintAim(Canvas& canvas, const Moment& moment) {
 
 void paintPopups(Canvas& canvas, const Moment& moment) {
     for (const Popup& popup : moment.juice.popups()) {
-        const Vec2 place = popup.placeNow();
+        const Vec2 place = popup.placeIn(moment.shown);
         const float left = popup.left();
         const Typeface face = popup.height >= kTitle ? Typeface::Display : Typeface::Bold;
         const TextStyle style{popup.height, faded(popup.color, left), face, Align::Middle};
@@ -184,6 +185,10 @@ void paintFlash(Canvas& canvas, const Moment& moment) {
 }
 
 } // namespace
+
+bool isBuilt(const Moment& moment, Vec2 place) {
+    return scaleOf(moment, place) >= Real(0.8);
+}
 
 void paintField(Canvas& canvas, const Moment& moment) {
     paintForces(canvas, moment);

@@ -4,6 +4,7 @@
 #include <apart/core/game.hpp>
 #include <apart/stage/canvas.hpp>
 #include <apart/stage/juice.hpp>
+#include <apart/stage/layout.hpp>
 #include <apart/stage/pose_blend.hpp>
 
 namespace apart {
@@ -13,7 +14,8 @@ struct Moment {
     const Game& game;
     const Juice& juice;
     const PoseBlend& poses;
-    Real share = 1; // 0 at the previous tick, 1 at the latest one
+    Real share = 1;              // 0 at the previous tick, 1 at the latest one
+    Aabb shown = layout::kShown; // m, the part of the field in the picture
 
     kodo::Transform placeOf(kodo::BodyId body) const {
         return poses.massFrame(game.world()[body], share);
@@ -25,6 +27,9 @@ struct Moment {
 
 /// Paints the field from back to front. Balls come last, so that nothing covers them.
 void paintField(Canvas& canvas, const Moment& moment);
+
+/// True once the blocks at a place (m) have appeared, in the first second of a level.
+bool isBuilt(const Moment& moment, Vec2 place);
 
 // Layers of the field.
 void paintForces(Canvas& canvas, const Moment& moment);      // wind, wells, the paddle's field

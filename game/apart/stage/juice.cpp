@@ -17,6 +17,17 @@ constexpr Real kCool = Real(0.93);       // decay of the heat per tick
 constexpr Real kSwing = Real(0.3);       // rad per tick, oscillation after an impact
 constexpr std::size_t kTrailLength = 44; // ticks
 
+/// Bounds of a block, which may be one part of a body.
+Aabb boundsOf(const Game& game, const Block& block) {
+    const kodo::BodyView body = game.world()[block.body];
+    if (block.ownsBody()) {
+        return body.bounds();
+    }
+    const Vec2 middle = body.massFrame() * body.part(block.part).convex.middle;
+    const Vec2 half{kCellWidth / 2, kCellHeight / 2};
+    return {middle - half, middle + half};
+}
+
 /// Bounds of a body now and for the next third of a second.
 Aabb sweptBounds(const kodo::BodyView& body) {
     constexpr Real kAhead = Real(0.33); // s
@@ -34,6 +45,7 @@ Rubble dropsOf(Vec2 point, Vec2 heading, int count, Real speed) {
 std::vector<Aabb> breakingPlaces(const Game& game) {
     constexpr std::uint32_t kFresh = 60;  // ticks
     constexpr Real kToppling = Real(0.3); // m/s
+    constexpr Real kSingleFall = 3;       // m, of a block that comes off alone, in a popup's life
     std::vector<Aabb> places;
     for (const Shard& shard : game.shards()) {
         if (game.ticks() - shard.bornTick < kFresh) {
@@ -48,6 +60,9 @@ std::vector<Aabb> breakingPlaces(const Game& game) {
                              length(body.velocity()) > kToppling;
         if (fresh || topples) {
             places.push_back(sweptBounds(body));
+            if (block.support == Support::Loose) {
+                places.back().lower.y -= kSingleFall;
+            }
         }
     }
     return places;
@@ -128,13 +143,17 @@ void Juice::push(Real strength) {
     trauma_ = std::min(trauma_ + strength, Real(1));
 }
 
-/// Adds a popup beside all that breaks or falls.
+/// Adds a popup beside all that breaks or falls, and beside what stands if that is near.
 void Juice::say(const Game& game, Popup popup) {
     if (busyTick_ != now_ + 1) {
         busyTick_ = now_ + 1;
         busy_ = breakingPlaces(game);
+        solid_.clear();
+        for (const Block& block : game.blocks()) {
+            solid_.push_back(boundsOf(game, block));
+        }
     }
-    popups_.add(std::move(popup), busy_);
+    popups_.add(std::move(popup), busy_, solid_);
 }
 
 void Juice::heat(std::uint64_t name, Vec2 push) {

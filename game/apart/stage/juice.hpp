@@ -120,6 +120,7 @@ private:
     Real trauma_ = 0; // 0..1; the amplitude of the shake is proportional to its square
     std::uint32_t now_ = 0;
     std::vector<Aabb> busy_;     // places where something breaks
+    std::vector<Aabb> solid_;    // places of all other blocks
     std::uint32_t busyTick_ = 0; // of `busy_`
 };
 

@@ -104,7 +104,9 @@ void paintLink(Canvas& canvas, const Moment& moment, const Link& link) {
 
 void paintLinks(Canvas& canvas, const Moment& moment) {
     for (const Link& link : moment.game.links()) {
-        paintLink(canvas, moment, link);
+        if (isBuilt(moment, link.place)) {
+            paintLink(canvas, moment, link);
+        }
     }
 }
 

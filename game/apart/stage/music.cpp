@@ -25,6 +25,7 @@ struct Tune {
     float air;                 // gain of the ambience
     float airBright;           // 0..1
     float airSwell;            // Hz
+    float gain;                // of the whole, so that all themes are equally loud
 };
 constexpr std::array<int, 7> kMajor = {0, 2, 4, 5, 7, 9, 11};
 constexpr std::array<int, 7> kLydian = {0, 2, 4, 6, 7, 9, 11};
@@ -33,13 +34,13 @@ constexpr std::array<int, 7> kHarmonic = {0, 2, 3, 5, 7, 8, 11};
 constexpr std::array<int, 7> kPhrygian = {0, 1, 3, 5, 7, 8, 10};
 
 constexpr std::array<Tune, kThemeNames.size()> kTunes = {{
-    {84, 5, kMajor, {0, 5, 3, 4}, true, 0.5f, 0.10f, 0.11f},     // Daybreak: birdless morning air
-    {76, 0, kDorian, {0, 6, 3, 0}, false, 0.8f, 0.04f, 0.07f},   // Quarry: wind in the pit
-    {108, 10, kMajor, {0, 4, 1, 4}, true, 0.4f, 0.22f, 0.23f},   // Fairground: a crowd far off
-    {70, 7, kDorian, {0, 3, 0, 6}, false, 1.1f, 0.09f, 0.13f},   // Harbour: waves
-    {96, 3, kHarmonic, {0, 3, 4, 0}, false, 0.4f, 0.30f, 0.31f}, // Clockwork: a workshop
-    {60, 8, kLydian, {0, 1, 5, 4}, true, 0.6f, 0.05f, 0.05f},    // Observatory: a dome at night
-    {88, 5, kPhrygian, {0, 1, 5, 0}, false, 0.8f, 0.05f, 0.09f}, // Fortress: wind on walls
+    {84, 5, kMajor, {0, 5, 3, 4}, true, 0.5f, 0.10f, 0.11f, 1},   // Daybreak: birdless morning air
+    {76, 0, kDorian, {0, 6, 3, 0}, false, 0.8f, 0.04f, 0.07f, 1}, // Quarry: wind in the pit
+    {108, 10, kMajor, {0, 4, 1, 4}, true, 0.4f, 0.22f, 0.23f, 1}, // Fairground: a crowd far off
+    {70, 7, kDorian, {0, 3, 0, 6}, false, 1.1f, 0.09f, 0.13f, 1}, // Harbour: waves
+    {96, 3, kHarmonic, {0, 3, 4, 0}, false, 0.4f, 0.30f, 0.31f, 1}, // Clockwork: a workshop
+    {60, 8, kLydian, {0, 1, 5, 4}, true, 0.6f, 0.05f, 0.05f, 1.3f}, // Observatory: a dome at night
+    {88, 5, kPhrygian, {0, 1, 5, 0}, false, 0.8f, 0.05f, 0.09f, 1}, // Fortress: wind on walls
 }};
 
 /// sin(2 pi turn) for turn 0..1 from a table; its error is below 0.1 %.
@@ -207,7 +208,8 @@ Frame Music::next(const Tension& tension) {
         sum.left += sample * (0.5f - 0.5f * tone.pan);
         sum.right += sample * (0.5f + 0.5f * tone.pan);
     }
-    return sum;
+    const float gain = tuneOf(theme_).gain;
+    return {gain * sum.left, gain * sum.right};
 }
 
 } // namespace apart

@@ -6,6 +6,7 @@
 #include <apart/stage/fanfare.hpp>
 #include <apart/stage/field_painter.hpp>
 #include <apart/stage/juice.hpp>
+#include <apart/stage/layout.hpp>
 #include <apart/stage/pose_blend.hpp>
 #include <apart/stage/sound_cues.hpp>
 
@@ -22,7 +23,8 @@ public:
 
     void tick(const Input& input, Speaker& speaker);
     /// Draws the state between the previous tick (share 0) and the latest one (share 1).
-    void draw(Canvas& canvas, Real share) const;
+    /// `shown`: the part of the field in the picture (m); words stay inside.
+    void draw(Canvas& canvas, Real share, const Aabb& shown = layout::kShown) const;
 
     const Game& game() const { return game_; }
     const std::shared_ptr<const Level>& sharedLevel() const { return level_; }

@@ -16,6 +16,7 @@ constexpr int kYoung = 40;           // ticks
 constexpr Real kJoins = Real(2.4);   // m
 constexpr Real kRise = Real(1.2);    // m, over its life; equal for all, so that the distances stay
 constexpr Real kBusy = 20;           // m of way that one busy area outweighs
+constexpr Real kSolid = 1;           // m of way that one solid area outweighs
 constexpr Real kLetter = Real(0.72); // width of a bold letter relative to its height
 constexpr Real kBelow = Real(0.25);  // descent below the base line relative to the height
 // Limits to which the points of a popup may grow.
@@ -68,6 +69,16 @@ Aabb Popup::box() const {
     return {now - Vec2{half, kBelow * tall(*this)}, now + Vec2{half, tall(*this)}};
 }
 
+Vec2 Popup::placeIn(const Aabb& shown) const {
+    const Vec2 now = placeNow();
+    const Aabb whole = box();
+    const Vec2 over{std::max(whole.upper.x - shown.upper.x, Real(0)),
+                    std::max(whole.upper.y - shown.upper.y, Real(0))};
+    const Vec2 under{std::max(shown.lower.x - whole.lower.x, Real(0)),
+                     std::max(shown.lower.y - whole.lower.y, Real(0))};
+    return now - over + under;
+}
+
 float Popup::left() const {
     return std::clamp(2 - 2 * static_cast<float>(age) / kLife, 0.0f, 1.0f);
 }
@@ -92,7 +103,7 @@ bool Popups::joins(const Popup& popup) {
 
 /// The nearest place without another popup and, if there is one, without anything busy. Places are
 /// tried column by column, alternately above and below.
-Vec2 Popups::freePlace(Popup popup, std::span<const Aabb> busy) const {
+Vec2 Popups::freePlace(Popup popup, std::span<const Aabb> busy, std::span<const Aabb> solid) const {
     constexpr int kTries = 40; // up and down
     constexpr int kSteps = 9;  // left and right
     const Vec2 wanted = heldIn(popup);
@@ -102,7 +113,7 @@ Vec2 Popups::freePlace(Popup popup, std::span<const Aabb> busy) const {
     };
     Vec2 best = wanted;
     Real bestCost = std::numeric_limits<Real>::max();
-    for (int column = 0; column < (busy.empty() ? 1 : kSteps); ++column) {
+    for (int column = 0; column < (busy.empty() && solid.empty() ? 1 : kSteps); ++column) {
         for (int row = 0; row <= kTries; ++row) {
             popup.place = wanted + Vec2{along(column) * step.x, along(row) * step.y};
             popup.place = heldIn(popup);
@@ -110,7 +121,9 @@ Vec2 Popups::freePlace(Popup popup, std::span<const Aabb> busy) const {
             if (way >= bestCost || covered(popups_, popup.box())) {
                 continue;
             }
-            const Real cost = way + kBusy * static_cast<Real>(countIn(busy, wholeWay(popup)));
+            const Aabb whole = wholeWay(popup);
+            const Real cost = way + kBusy * static_cast<Real>(countIn(busy, whole)) +
+                              kSolid * static_cast<Real>(countIn(solid, whole));
             if (cost < bestCost) {
                 bestCost = cost;
                 best = popup.place;
@@ -120,7 +133,7 @@ Vec2 Popups::freePlace(Popup popup, std::span<const Aabb> busy) const {
     return best;
 }
 
-void Popups::add(Popup popup, std::span<const Aabb> busy) {
+void Popups::add(Popup popup, std::span<const Aabb> busy, std::span<const Aabb> solid) {
     if (joins(popup)) {
         return;
     }
@@ -128,7 +141,7 @@ void Popups::add(Popup popup, std::span<const Aabb> busy) {
         popup.text = fmt::format("+{}", popup.points);
     }
     popup.origin = popup.place;
-    popup.place = freePlace(popup, busy);
+    popup.place = freePlace(popup, busy, solid);
     popups_.push_back(std::move(popup));
 }
 

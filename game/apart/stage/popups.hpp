@@ -21,6 +21,8 @@ struct Popup {
 
     /// Current centre of the base line (m).
     Vec2 placeNow() const;
+    /// The same, moved into a part of the field (m) if need be.
+    Vec2 placeIn(const Aabb& shown) const;
     /// Current bounding box of the text (m).
     Aabb box() const;
     /// Remaining opacity, 0..1.
@@ -33,16 +35,16 @@ public:
     /// Points are added to a recent popup nearby, which keeps a chain of breaks legible. A recent
     /// nearby popup with the same text is kept instead of a new one. Other popups move up or down
     /// until they overlap no popup. All positions stay inside the field.
-    /// `busy`: areas to keep free, because something breaks there (m). A popup whose place is busy
-    /// moves up, down or aside, as little as possible.
-    void add(Popup popup, std::span<const Aabb> busy = {});
+    /// A popup moves up, down or aside, as little as possible, off `busy` areas, where something
+    /// breaks, and over as few `solid` ones as possible, where something stands (m).
+    void add(Popup popup, std::span<const Aabb> busy = {}, std::span<const Aabb> solid = {});
     void tick();
 
     std::span<const Popup> all() const { return popups_; }
 
 private:
     bool joins(const Popup& popup);
-    Vec2 freePlace(Popup popup, std::span<const Aabb> busy) const;
+    Vec2 freePlace(Popup popup, std::span<const Aabb> busy, std::span<const Aabb> solid) const;
 
     std::vector<Popup> popups_;
 };

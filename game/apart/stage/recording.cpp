@@ -8,11 +8,15 @@ namespace apart {
 void RecordingCanvas::begin(const Aabb& shown, Vec2 shake) {
     shown_ = shown;
     shake_ = shake;
+    focus_ = {};
+    zoom_ = 1;
     mostZoom_ = 1;
     strokes_.clear();
 }
 
-void RecordingCanvas::zoom(Vec2, Real scale) {
+void RecordingCanvas::zoom(Vec2 focus, Real scale) {
+    focus_ = focus;
+    zoom_ = scale;
     mostZoom_ = std::max(mostZoom_, scale);
 }
 
@@ -61,8 +65,8 @@ void RecordingCanvas::ring(Vec2 center, Real radius, Real, Color color) {
 }
 
 void RecordingCanvas::text(std::string_view utf8, Vec2 place, const TextStyle& style) {
-    strokes_.push_back(
-        {Stroke::Kind::Text, place, style.color, style.height, std::string(utf8), style});
+    strokes_.push_back({Stroke::Kind::Text, place, style.color, style.height, std::string(utf8),
+                        style, focus_ + zoom_ * (place - focus_)});
 }
 
 bool RecordingCanvas::says(std::string_view text) const {

@@ -27,7 +27,8 @@ struct Stroke {
     Color color;   // of the first corner or the centre
     Real size = 0; // radius, width or letter height
     std::string text{};
-    TextStyle style{}; // of a text
+    TextStyle style{};    // of a text
+    Vec2 enlargedPlace{}; // of a text: its place in the picture, after the zoom
 };
 
 /// A canvas without a screen, for tests. It records the primitives of the last picture.
@@ -61,6 +62,8 @@ public:
 private:
     Aabb shown_{};
     Vec2 shake_;
+    Vec2 focus_;
+    Real zoom_ = 1;
     Real mostZoom_ = 1;
     std::vector<Stroke> strokes_;
 };

@@ -156,7 +156,7 @@ void Stage::draw(Canvas& canvas) const {
     if (rerun_) {
         rerun_->play().draw(canvas, rerun_->share());
     } else {
-        session_.play().draw(canvas, session_.share());
+        session_.play().draw(canvas, session_.share(), shownBy(closeup));
         if (session_.ghost() && screen_ != Screen::Over) {
             session_.ghost()->draw(canvas, session_.share(), share(settings().ghost));
         }
