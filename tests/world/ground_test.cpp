@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/world.hpp>
+#include <support/draws.hpp>
 #include <support/scenes.hpp>
 
 #include <algorithm>
@@ -130,7 +131,7 @@ TEST(Ground, ADiscInAValleyGainsNoEnergy) {
     for (const StepSettings& solver : {StepSettings{}, thesis2006()}) {
         for (const Real rate : {Real(60), Real(240)}) {
             for (const Real radius : {Real(0.05), Real(0.25), Real(0.5)}) {
-                for (const Real bend : {Real(0.02), Real(0.05), Real(0.2)}) {
+                for (const Real bend : support::variants({Real(0.05), Real(0.02), Real(0.2)})) {
                     for (const Real spacing : {Real(0.02), Real(0.1), Real(0.3)}) {
                         Heightmap valley{{Real(-1.3) * kHalf, 0}, spacing, {}};
                         for (Real x = valley.origin.x; x <= -valley.origin.x; x += spacing) {
