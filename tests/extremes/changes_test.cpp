@@ -282,7 +282,7 @@ TEST_P(RandomChanges, ACopyContinuesWithTheSameBits) {
     World world({.gravity = support::kEarth});
     support::addFloor(world);
     World copy = world;
-    for (int step = 0; step < 600; ++step) {
+    for (int step = 0; step < (support::kSanitized ? 300 : 600); ++step) {
         if (step % 100 == 50) {
             copy = world;
         }

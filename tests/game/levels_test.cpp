@@ -87,7 +87,17 @@ TEST_P(EveryLevel, PassesItsCheck) {
     EXPECT_GT(report.blocks, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, EveryLevel, testing::ValuesIn(levelNames()),
+/// A sanitizer judges every third level here. It sees all of them in tools/determinism_matrix.
+std::vector<std::string> judgedLevels() {
+    const std::vector<std::string> all = levelNames();
+    std::vector<std::string> judged;
+    for (std::size_t i = 0; i < all.size(); i += support::kSanitized ? 3 : 1) {
+        judged.push_back(all[i]);
+    }
+    return judged;
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, EveryLevel, testing::ValuesIn(judgedLevels()),
                          [](const auto& level) { return level.param; });
 
 } // namespace

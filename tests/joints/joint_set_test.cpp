@@ -256,6 +256,46 @@ TEST(JointSet, RefusesRemovedBodiesAndOtherKinds) {
         BadDefinition);
 }
 
+// A joint without a dynamic body is accepted and does nothing, until setType() makes one dynamic.
+TEST(JointSet, KeepsAJointWithoutADynamicBodyForLater) {
+    World world({.gravity = support::kEarth});
+    const BodyId a = world.add({.shape = Box{1, 1}, .type = BodyType::Static});
+    const BodyId b = world.add({.shape = Box{1, 1}, .position = {2, 0}, .type = BodyType::Static});
+    const JointId pin =
+        world.add(RevoluteJoint{.ends = {.a = a, .b = b, .anchorA = {1, 0}, .anchorB = {-1, 0}}});
+    const JointId pull = world.add(MouseJoint{.body = b, .target = {9, 9}, .force = 100});
+    support::run(world, 60);
+    EXPECT_EQ(world[b].position(), (Vec2{2, 0}));
+    EXPECT_EQ(world.jointForce(pin), Vec2{});
+    EXPECT_EQ(world.jointForce(pull), Vec2{});
+    world.remove(pull);
+    world[b].setType(BodyType::Dynamic);
+    support::run(world, 60);
+    EXPECT_LT(world[b].position().y, Real(-0.1));
+    EXPECT_TRUE(support::near(length(world[b].center() - Vec2{1, 0}), 1, Real(1e-2)));
+}
+
+// A motor speed without a torque or a force is accepted: 0 switches a motor off, as setJoint()
+// does.
+TEST(JointSet, TakesAMotorWithoutTorqueForNone) {
+    const auto poseOf = [](Real speed, bool slides) {
+        World world({.gravity = support::kEarth});
+        const BodyId wall = world.add({.shape = Box{1, 4}, .type = BodyType::Static});
+        const BodyId arm = world.add(support::boxDef({Real(1.5), 0}, 2, Real(0.2)));
+        const JointEnds ends{.a = wall, .b = arm, .anchorA = {Real(0.5), 0}, .anchorB = {-1, 0}};
+        if (slides) {
+            world.add(PrismaticJoint{.ends = ends, .axis = {0, 1}, .motorSpeed = speed});
+        } else {
+            world.add(RevoluteJoint{.ends = ends, .motorSpeed = speed});
+        }
+        support::run(world, 60);
+        return std::pair{world[arm].position(), world[arm].rotation()};
+    };
+    EXPECT_EQ(poseOf(5, false), poseOf(0, false));
+    EXPECT_EQ(poseOf(5, true), poseOf(0, true));
+    EXPECT_NE(poseOf(0, false).first, (Vec2{Real(1.5), 0}));
+}
+
 // Joints by body, after random changes, are those that a search of all joints finds.
 TEST(JointLists, FindTheJointsOfABody) {
     support::RandomNumbers random(31);

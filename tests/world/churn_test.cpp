@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <support/draws.hpp>
 #include <support/scenes.hpp>
 
 #include <algorithm>
@@ -19,7 +20,7 @@ TEST(Churn, AMillionAddsAndRemovesAgreeWithAModel) {
     std::vector<std::uint64_t> owners;      // user data of the body in each slot
     BodyDef def = support::ballDef({}, Real(0.5));
     bool growing = true;
-    for (std::uint64_t call = 0; call < 1000000; ++call) {
+    for (std::uint64_t call = 0; call < (support::kSanitized ? 200000 : 1000000); ++call) {
         growing = alive.empty() || (growing && alive.size() < 10000);
         if (random.below(8) < (growing ? 5u : 3u) || alive.empty()) {
             def.position = random.point(1000);

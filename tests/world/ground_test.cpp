@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/world.hpp>
+#include <support/draws.hpp>
 #include <support/scenes.hpp>
 
 #include <algorithm>
@@ -130,7 +131,7 @@ TEST(Ground, ADiscInAValleyGainsNoEnergy) {
     for (const StepSettings& solver : {StepSettings{}, thesis2006()}) {
         for (const Real rate : {Real(60), Real(240)}) {
             for (const Real radius : {Real(0.05), Real(0.25), Real(0.5)}) {
-                for (const Real bend : {Real(0.02), Real(0.05), Real(0.2)}) {
+                for (const Real bend : support::variants({Real(0.05), Real(0.02), Real(0.2)})) {
                     for (const Real spacing : {Real(0.02), Real(0.1), Real(0.3)}) {
                         Heightmap valley{{Real(-1.3) * kHalf, 0}, spacing, {}};
                         for (Real x = valley.origin.x; x <= -valley.origin.x; x += spacing) {
@@ -224,13 +225,81 @@ TEST(Ground, AParticleBouncesOnAPlane) {
     EXPECT_EQ(world[particle].angularVelocity(), 0);
 }
 
-// R8: planes and heightmaps have no mass, so dynamic bodies are refused, also with kLockMove.
+// R8: dynamic bodies of planes and heightmaps are refused, also with kLockMove.
 TEST(Ground, IsRefusedForADynamicBody) {
     World world;
     EXPECT_EQ(check(BodyDef{.shape = Plane{}})->field, "type");
     EXPECT_THROW(world.add({.shape = flatMap(3)}), BadDefinition);
     EXPECT_THROW(world.add({.shape = flatMap(3), .flags = kLockMove}), BadDefinition);
     EXPECT_NO_THROW(world.add({.shape = flatMap(3), .type = BodyType::Static}));
+}
+
+// Later it stays refused for a plane, which has no mass.
+TEST(Ground, OfAPlaneIsRefusedForABodyThatBecomesDynamic) {
+    World world;
+    const BodyId plane = world.add({.shape = Plane{}, .type = BodyType::Static});
+    const BodyId copy = world.clone(plane, {0, -5});
+    for (const BodyId ground : {plane, copy}) {
+        try {
+            world[ground].setType(BodyType::Dynamic);
+            ADD_FAILURE() << "accepted";
+        } catch (const BadDefinition& bad) {
+            EXPECT_EQ(bad.problem().text(),
+                      "type: must be Static or Kinematic: a plane has no mass");
+        }
+        EXPECT_EQ(world[ground].type(), BodyType::Static);
+    }
+}
+
+/// A bumpy strip over a floor, with a ball on it.
+struct Strip {
+    World world{{.gravity = kEarth}};
+    BodyId strip;
+
+    explicit Strip(const BodyDef& def) : strip(world.add(def)) {
+        support::addFloor(world);
+        world.add(support::ballDef({Real(1.2), 4}, Real(0.5)));
+    }
+};
+
+// A heightmap consists of segments with mass, so a body of one may become dynamic. It moves with
+// the bits of a compound of these segments.
+TEST(Ground, OfAHeightmapThatBecomesDynamicMovesAsItsSegments) {
+    const Heightmap map{{0, 2}, 1, {0, Real(0.5), 0, Real(0.25)}};
+    Strip ground({.shape = map, .density = 3, .type = BodyType::Static});
+    Strip copied({.shape = map, .density = 3, .type = BodyType::Static});
+    Strip segments({.shape = Compound{primitivesOf(Shape(map))}, .density = 3});
+    copied.strip = [&] { // a clone in the place of the first
+        const BodyId copy = copied.world.clone(copied.strip, {0, 0});
+        copied.world.remove(copied.strip);
+        return copy;
+    }();
+    ground.world[ground.strip].setType(BodyType::Dynamic);
+    copied.world[copied.strip].setType(BodyType::Dynamic);
+    const double length = 2 * std::sqrt(1.25) + std::sqrt(1.0625);
+    EXPECT_TRUE(support::nearShare(ground.world[ground.strip].mass(), 3 * length, 1e-6));
+    for (int i = 0; i < 120; ++i) {
+        ground.world.step(kDt);
+        copied.world.step(kDt);
+        segments.world.step(kDt);
+    }
+    EXPECT_LT(ground.world[ground.strip].center().y, 1); // it fell
+    EXPECT_EQ(ground.world.stateHash(), segments.world.stateHash());
+    EXPECT_EQ(copied.world[copied.strip].mass(), ground.world[ground.strip].mass());
+    EXPECT_LT(copied.world[copied.strip].center().y, 1);
+}
+
+// The same when a dynamic body is made of it by weld().
+TEST(Ground, OfAHeightmapGivesItsMassToTheBodyThatItIsWeldedTo) {
+    World world({.gravity = kEarth});
+    const BodyId box = world.add(support::boxDef({0, 5}, 1, 1));
+    const BodyId strip = world.add(
+        {.shape = flatMap(3), .position = {0, Real(5.5)}, .density = 3, .type = BodyType::Static});
+    const Real before = world[box].mass();
+    world.weld(box, strip);
+    EXPECT_TRUE(support::nearShare(world[box].mass(), before + 6, 1e-6));
+    world.step(kDt);
+    EXPECT_LT(world[box].velocity().y, 0);
 }
 
 } // namespace

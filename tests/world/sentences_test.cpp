@@ -99,6 +99,12 @@ TEST(Sentences, OfABody) {
             {.shape = Compound{}}),
         add("shape.heights: must be from 2 to 65536 numbers, but there are 1",
             {.shape = Heightmap{{}, 1, {0}}, .type = BodyType::Static}),
+        add("type: must be Static or Kinematic: a plane has no mass", {.shape = Plane{}}),
+        add("type: must be Static or Kinematic: a plane has no mass",
+            {.shape = Compound{{Circle{1}, Plane{}}}}),
+        add("type: must be Static or Kinematic: a heightmap is ground; for a body that moves "
+            "freely, give a Compound of its segments",
+            {.shape = Heightmap{{}, 1, {0, 0}}}),
         add("shape.to: must differ from `from`, but both are {1, 2}",
             {.shape = Segment{{1, 2}, {1, 2}}}),
         add("shape.before: must differ from `from`, but both are {0, 0}",
@@ -174,6 +180,48 @@ TEST(Sentences, OfAJointIdAreThoseOfABodyId) {
     EXPECT_EQ(sentence(foreign), "joint: joint 0 of generation 1 belongs to another World");
     EXPECT_EQ(sentence(gone), "joint: joint 0 of generation 1 is not in this World: it was "
                               "removed, broke, or never added");
+}
+
+TEST(Sentences, OfACallWithSeveralBodiesNameTheIdThatIsNone) {
+    Beginning scene;
+    World other;
+    const BodyId foreign = other.add({});
+    const BodyId gone = scene.world.add({});
+    scene.world.remove(gone);
+    const std::string ofForeign = "body 0 of generation 1 belongs to another World";
+    const std::string ofGone =
+        "body 4 of generation 1 is not in this World: it was removed, or never added";
+    const auto expect = [&](const std::string& sentence, auto call) {
+        SCOPED_TRACE(sentence);
+        const std::uint64_t before = scene.world.stateHash();
+        try {
+            call();
+            ADD_FAILURE() << "accepted";
+        } catch (const BadBodyId& bad) {
+            EXPECT_EQ(std::string(bad.what()), sentence);
+        }
+        EXPECT_EQ(scene.world.stateHash(), before);
+    };
+    const auto expectEnds = [&](auto joint) {
+        joint.ends = {.a = gone, .b = scene.box};
+        expect("ends.a: " + ofGone, [&] { scene.world.add(joint); });
+        joint.ends = {.a = scene.box, .b = gone};
+        expect("ends.b: " + ofGone, [&] { scene.world.add(joint); });
+        joint.ends = {.a = foreign, .b = scene.box};
+        expect("ends.a: " + ofForeign, [&] { scene.world.add(joint); });
+        joint.ends = {.a = scene.box, .b = foreign};
+        expect("ends.b: " + ofForeign, [&] { scene.world.add(joint); });
+    };
+    expectEnds(RevoluteJoint{});
+    expectEnds(FixedJoint{});
+    expectEnds(DistanceJoint{.hertz = 1});
+    expectEnds(PrismaticJoint{});
+    expectEnds(MotorJoint{.force = 1});
+    expect("body: " + ofGone, [&] { scene.world.add(MouseJoint{.body = gone, .force = 1}); });
+    expect("into: " + ofGone, [&] { scene.world.weld(gone, scene.box); });
+    expect("part: " + ofForeign, [&] { scene.world.weld(scene.box, foreign); });
+    expect("part: the null id BodyId{} names no body", [&] { scene.world.weld(scene.box, {}); });
+    expect(ofGone, [&] { scene.world.remove(gone); }); // one id: no name
 }
 
 TEST(Sentences, OfOtherCalls) {

@@ -340,6 +340,13 @@ void expectSleepDoesNotShow(const Case& is, const NamedChange& change, const Pai
     expectSamePlaces(sleeping.world, awake.world);
 }
 
+/// Double and sanitizers judge each relation, each type and a sensor, but not each combination.
+bool isJudged(const Case& is) {
+    const int special = (is.relation != Relation::Touching ? 1 : 0) +
+                        (is.type != BodyType::Dynamic ? 1 : 0) + (is.sensor ? 1 : 0);
+    return (!support::kSanitized && !support::kDouble) || special <= 1;
+}
+
 class SetterMatrix : public testing::TestWithParam<State> {};
 
 TEST_P(SetterMatrix, SleepDoesNotShowAfterAnyChange) {
@@ -347,6 +354,9 @@ TEST_P(SetterMatrix, SleepDoesNotShowAfterAnyChange) {
         for (const BodyType type : {BodyType::Dynamic, BodyType::Kinematic, BodyType::Static}) {
             for (const bool sensor : {false, true}) {
                 const Case is{GetParam(), relation, type, sensor};
+                if (!isJudged(is)) {
+                    continue;
+                }
                 const Pair sleeping = build(is);
                 const Pair awake = withoutSleep(sleeping);
                 const int asleep = stepsToSleep(sleeping);

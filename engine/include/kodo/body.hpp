@@ -247,8 +247,9 @@ public:
     void applyImpulse(Vec2 impulse);             // N s, at the centre of mass
     void applyImpulse(Vec2 impulse, Vec2 point); // N s, at a world point (m)
 
-    void setType(BodyType type); // Static sets the velocities to zero
-    void setFlags(Flags flags);  // status flags stay as they are
+    /// Static sets the velocities to zero. Throws BadDefinition for a dynamic body with a plane.
+    void setType(BodyType type);
+    void setFlags(Flags flags); // status flags stay as they are
     void setRequired(std::uint16_t required);
     void setUserData(std::uint64_t userData);
     void setMaterial(const Material& material); // of all parts

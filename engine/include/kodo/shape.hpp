@@ -84,7 +84,8 @@ struct BasicPlane {
 };
 
 /// Terrain: segments between the points origin + (i spacing, heights[i]), one-sided with the front
-/// up. Each segment is a part of the body. Only for static and kinematic bodies.
+/// up. Each segment is a part of the body. World::add() takes it for static and kinematic bodies
+/// alone. The segments have mass like any others, so setType() and weld() may make them dynamic.
 template <std::floating_point T>
 struct BasicHeightmap {
     BasicVec2<T> origin{};    // m; x of the first point, and zero of the heights
@@ -132,7 +133,8 @@ KODO_API std::vector<Primitive> primitivesOf(const Shape& shape);
 /// A primitive as the shape of a body.
 KODO_API Shape shapeOf(const Primitive& primitive);
 
-/// True if the shape has no mass (plane, heightmap), so that its body must be static or kinematic.
+/// True if World::add() takes the shape for static and kinematic bodies alone: a plane, which has
+/// no mass, also in a compound, and a heightmap.
 KODO_API bool needsLock(const Primitive& primitive);
 KODO_API bool needsLock(const Shape& shape);
 

@@ -92,7 +92,8 @@ public:
     // Joints. Functions that take an id throw BadDefinition for one that names no joint.
 
     /// Adds a RevoluteJoint, or another alternative of JointDef. Throws BadDefinition with what
-    /// check(def) says, BadBodyId for an unknown body.
+    /// check(def) says, BadBodyId for an unknown body; its sentence begins with the end. While no
+    /// body of a joint is dynamic, it has no effect.
     template <typename Joint>
     requires std::constructible_from<JointDef, const Joint&> JointId add(const Joint& joint) {
         return addJoint(JointDef(joint));

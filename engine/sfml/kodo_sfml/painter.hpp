@@ -58,7 +58,7 @@ public:
     /// gaps or overlaps at bends of up to 90 degrees. One width and colour for each point.
     void ribbon(std::span<const sf::Vector2f> points, std::span<const float> widths,
                 std::span<const sf::Color> colors);
-    /// A disc with a gradient from `middle` to `rim`. With a transparent rim its edge is no edge.
+    /// A disc with a gradient from `middle` to `rim`. A transparent rim needs no fade.
     void disc(sf::Vector2f center, float radius, sf::Color middle, sf::Color rim);
     void ring(sf::Vector2f center, float radius, float width, sf::Color color);
     /// Draws a part (texels) of a texture into a rectangle. The texture must live until draw().

@@ -58,17 +58,19 @@ bool canTurn(const Bodies& bodies, std::uint32_t body) {
 
 } // namespace
 
-void requireAlive(const Bodies& bodies, BodyId id) {
-    if (!bodies.alive(id)) {
-        const bool foreign = id.world != 0 && bodies.stamp != 0 && id.world != bodies.stamp;
-        if (id.generation == 0) {
-            throw BadBodyId("the null id BodyId{} names no body");
-        }
-        throw BadBodyId("body " + std::to_string(id.index) + " of generation " +
-                        std::to_string(id.generation) +
-                        (foreign ? " belongs to another World"
-                                 : " is not in this World: it was removed, or never added"));
+void requireAlive(const Bodies& bodies, BodyId id, const char* field) {
+    if (bodies.alive(id)) {
+        return;
     }
+    const std::string where = field == nullptr ? std::string() : std::string(field) + ": ";
+    if (id.generation == 0) {
+        throw BadBodyId(where + "the null id BodyId{} names no body");
+    }
+    const bool foreign = id.world != 0 && bodies.stamp != 0 && id.world != bodies.stamp;
+    throw BadBodyId(where + "body " + std::to_string(id.index) + " of generation " +
+                    std::to_string(id.generation) +
+                    (foreign ? " belongs to another World"
+                             : " is not in this World: it was removed, or never added"));
 }
 
 BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const BodyGeometry> geometry) {

@@ -164,8 +164,9 @@ void resizeByBody(std::vector<T>& values, const Bodies& bodies, const T& added =
     values.resize(bodies.size(), added);
 }
 
-/// Throws BadBodyId for an id of no body of this World.
-void requireAlive(const Bodies& bodies, BodyId id);
+/// Throws BadBodyId for an id of no body of this World. The sentence begins with `field`, which is
+/// for calls that take several ids.
+void requireAlive(const Bodies& bodies, BodyId id, const char* field = nullptr);
 
 /// Adds a body. Precondition: the definition is valid.
 BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const BodyGeometry> geometry);

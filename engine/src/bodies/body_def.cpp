@@ -13,7 +13,7 @@ namespace {
 
 std::optional<Problem> checkPlaneType(bool needed, Flags flags) {
     if (needed && locksOf(flags) != kLockBoth) {
-        return Problem{"type", "must be Static or Kinematic: a plane or a heightmap has no mass"};
+        return Problem{"type", "must be Static or Kinematic: a plane has no mass"};
     }
     return std::nullopt;
 }
@@ -26,7 +26,7 @@ std::optional<Problem> checkType(const BodyDef& def) {
         return Problem{def.velocity != Vec2{} ? "velocity" : "angularVelocity",
                        kMustBeZeroForStatic};
     }
-    return checkPlaneType(needsLock(def.shape), def.flags | bitsOf(def.type));
+    return checkPlaneType(def.shape, def.flags | bitsOf(def.type));
 }
 
 std::optional<Problem> checkModes(const char* field, Flags value) {
@@ -120,7 +120,12 @@ std::optional<Problem> checkBox(const char* field, const Aabb& box) {
 }
 
 std::optional<Problem> checkPlaneType(const Shape& shape, Flags flags) {
-    return checkPlaneType(needsLock(shape), flags);
+    auto problem = checkPlaneType(needsLock(shape), flags);
+    if (problem && std::holds_alternative<Heightmap>(shape)) {
+        problem->reason = "must be Static or Kinematic: a heightmap is ground; for a body that "
+                          "moves freely, give a Compound of its segments";
+    }
+    return problem;
 }
 
 std::optional<Problem> checkPlaneType(const Primitive& part, Flags flags) {

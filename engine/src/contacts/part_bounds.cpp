@@ -10,7 +10,7 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-constexpr std::size_t kFewUnused = 64; // indices; so many are never removed
+constexpr std::size_t kFewUnused = 64; // indices; up to so many are kept
 // New indices for all parts cost as much as so many comparisons of contacts by rank for each part.
 constexpr std::uint64_t kComparisons = 4;
 // Largest size of stored bounds relative to the needed ones. A body that was fast for one step
@@ -107,7 +107,7 @@ void PartBounds::renew(const Bodies& bodies, const Tolerances& tolerances) {
     listAll();
 }
 
-/// The parts at these indices are gone.
+/// Clears the data of removed parts at these indices.
 void PartBounds::clear(std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t i = first; i < last; ++i) {
         unusedCorners_ += footprints_[i].count;

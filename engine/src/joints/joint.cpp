@@ -95,66 +95,67 @@ std::optional<Problem> checkReference(Real reference) {
     return checkRange("reference", reference, -kAngle, kAngle, "rad");
 }
 
-std::optional<Problem> checkKind(const RevoluteJoint& pin, Real) {
-    if (auto problem = checkReference(pin.reference)) {
+std::optional<Problem> checkKind(const RevoluteJoint& joint, Real) {
+    if (auto problem = checkReference(joint.reference)) {
         return problem;
     }
-    if (auto problem = checkFields({{"motorSpeed", pin.motorSpeed, -kMaxSpeed, kMaxSpeed, "rad/s"},
-                                    {"motorTorque", pin.motorTorque, 0, kNoLimit, "N m"}})) {
+    if (auto problem =
+            checkFields({{"motorSpeed", joint.motorSpeed, -kMaxSpeed, kMaxSpeed, "rad/s"},
+                         {"motorTorque", joint.motorTorque, 0, kNoLimit, "N m"}})) {
         return problem;
     }
-    auto problem = checkLimits(pin.limits, -3, 3, "rad");
-    if (problem && isFinite(Vec2{pin.limits->lower, pin.limits->upper}) &&
-        pin.limits->lower <= pin.limits->upper) {
+    auto problem = checkLimits(joint.limits, -3, 3, "rad");
+    if (problem && isFinite(Vec2{joint.limits->lower, joint.limits->upper}) &&
+        joint.limits->lower <= joint.limits->upper) {
         problem->reason += ": 3 rad are 172 degrees; without limits the joint turns freely";
     }
     return problem;
 }
 
-std::optional<Problem> checkKind(const FixedJoint& weld, Real) {
-    return checkReference(weld.reference);
+std::optional<Problem> checkKind(const FixedJoint& joint, Real) {
+    return checkReference(joint.reference);
 }
 
-std::optional<Problem> checkKind(const DistanceJoint& spring, Real unit) {
-    if (auto problem = checkFields({{"length", spring.length, 0, kMaxCoordinate * unit, "m"},
-                                    {"hertz", spring.hertz, 0, Real(1e4), "Hz"},
-                                    {"damping", spring.damping, 0, Real(1e4), ""}})) {
+std::optional<Problem> checkKind(const DistanceJoint& joint, Real unit) {
+    if (auto problem = checkFields({{"length", joint.length, 0, kMaxCoordinate * unit, "m"},
+                                    {"hertz", joint.hertz, 0, Real(1e4), "Hz"},
+                                    {"damping", joint.damping, 0, Real(1e4), ""}})) {
         return problem;
     }
-    if (spring.hertz == 0 && !spring.limits) {
+    if (joint.hertz == 0 && !joint.limits) {
         return Problem{"hertz", "is 0 and there are no limits, so the joint would do nothing: set "
                                 "hertz for a spring, equal limits for a rod, or limits from 0 to "
                                 "the length of a rope"};
     }
-    return checkLimits(spring.limits, 0, kMaxCoordinate * unit, "m");
+    return checkLimits(joint.limits, 0, kMaxCoordinate * unit, "m");
 }
 
-std::optional<Problem> checkKind(const PrismaticJoint& slider, Real unit) {
-    if (auto problem = checkUnit("axis", slider.axis)) {
+std::optional<Problem> checkKind(const PrismaticJoint& joint, Real unit) {
+    if (auto problem = checkUnit("axis", joint.axis)) {
         return problem;
     }
-    if (auto problem = checkReference(slider.reference)) {
+    if (auto problem = checkReference(joint.reference)) {
         return problem;
     }
     const Real speed = kMaxSpeed * unit;
-    if (auto problem = checkFields({{"motorSpeed", slider.motorSpeed, -speed, speed, "m/s"},
-                                    {"motorForce", slider.motorForce, 0, kNoLimit, "N"}})) {
+    if (auto problem = checkFields({{"motorSpeed", joint.motorSpeed, -speed, speed, "m/s"},
+                                    {"motorForce", joint.motorForce, 0, kNoLimit, "N"}})) {
         return problem;
     }
-    return checkLimits(slider.limits, -kMaxCoordinate * unit, kMaxCoordinate * unit, "m");
+    return checkLimits(joint.limits, -kMaxCoordinate * unit, kMaxCoordinate * unit, "m");
 }
 
-std::optional<Problem> checkKind(const MotorJoint& motor, Real) {
-    if (auto problem = checkReference(motor.reference)) {
+std::optional<Problem> checkKind(const MotorJoint& joint, Real) {
+    if (auto problem = checkReference(joint.reference)) {
         return problem;
     }
-    if (auto problem = checkFields({{"force", motor.force, 0, kNoLimit, "N"},
-                                    {"torque", motor.torque, 0, kNoLimit, "N m"},
-                                    {"hertz", motor.hertz, Real(1e-3), Real(1e4), "Hz"},
-                                    {"damping", motor.damping, 0, Real(1e4), ""}})) {
+    if (auto problem = checkFields({{"force", joint.force, 0, kNoLimit, "N"},
+                                    {"torque", joint.torque, 0, kNoLimit, "N m"},
+                                    {"hertz", joint.hertz, Real(1e-3), Real(1e4), "Hz"},
+                                    {"damping", joint.damping, 0, Real(1e4), ""}})) {
         return problem;
     }
-    if (motor.force == 0 && motor.torque == 0) {
+    if (joint.force == 0 && joint.torque == 0) {
         return Problem{"force", "and torque are 0, so the joint would do nothing: set the largest "
                                 "force, the largest torque, or both"};
     }

@@ -67,19 +67,19 @@ public:
     JointKinds(JointSet::Joint& joint, const JointFrame& frame, const JointPass& pass, Visit visit)
         : joint_(joint), frame_(frame), pass_(pass), visit_(visit) {}
 
-    void operator()(const RevoluteJoint& pin) {
+    void operator()(const RevoluteJoint& joint) {
         const PointConstraint point = anchors();
-        motor(angularBeside(point), 0, pin.motorSpeed, pin.motorTorque);
-        if (pin.limits) {
-            const Real angle = frame_.angle(pin.reference);
-            limit(angularBeside(point), 1, angle - pin.limits->lower);
-            limit(reversed(angularBeside(point)), 2, pin.limits->upper - angle);
+        motor(angularBeside(point), 0, joint.motorSpeed, joint.motorTorque);
+        if (joint.limits) {
+            const Real angle = frame_.angle(joint.reference);
+            limit(angularBeside(point), 1, angle - joint.limits->lower);
+            limit(reversed(angularBeside(point)), 2, joint.limits->upper - angle);
         }
         visit_(point, joint_.point, Relax::Rigid);
     }
 
-    void operator()(const FixedJoint& weld) {
-        const Real error = frame_.angle(weld.reference);
+    void operator()(const FixedJoint& joint) {
+        const Real error = frame_.angle(joint.reference);
         PointConstraint point = anchors();
         if (!turnsOnly(frame_.a) && !turnsOnly(frame_.b)) {
             visit_(fixed(angularBeside(point), error), joint_.axes[0], Relax::Rigid);
@@ -92,51 +92,51 @@ public:
         visit_(angle, joint_.axes[0], Relax::Rigid);
     }
 
-    void operator()(const DistanceJoint& spring) {
+    void operator()(const DistanceJoint& joint) {
         const Real distance = length(frame_.gap);
         AxisConstraint along = linear(distance > 0 ? frame_.gap / distance : Vec2{0, 1}, {});
-        if (spring.hertz > 0) {
-            along.error = distance - spring.length;
-            along.softness = springOf(spring, along);
+        if (joint.hertz > 0) {
+            along.error = distance - joint.length;
+            along.softness = springOf(joint, along);
             const Real most = mostError(along.softness);
             along.error = std::clamp(along.error, -most, most);
             visit_(along, joint_.axes[0], Relax::Done);
         }
-        if (spring.limits) {
-            limit(along, 1, distance - spring.limits->lower);
-            limit(reversed(along), 2, spring.limits->upper - distance);
+        if (joint.limits) {
+            limit(along, 1, distance - joint.limits->lower);
+            limit(reversed(along), 2, joint.limits->upper - distance);
         }
     }
 
-    void operator()(const PrismaticJoint& slider) {
-        const Vec2 axis = frame_.rotationA * slider.axis;
+    void operator()(const PrismaticJoint& joint) {
+        const Vec2 axis = frame_.rotationA * joint.axis;
         const AxisConstraint along = linear(axis, frame_.gap);
-        motor(along, 2, slider.motorSpeed, slider.motorForce);
-        if (slider.limits) {
+        motor(along, 2, joint.motorSpeed, joint.motorForce);
+        if (joint.limits) {
             const Real place = dot(axis, frame_.gap);
-            limit(along, 3, place - slider.limits->lower);
-            limit(reversed(along), 4, slider.limits->upper - place);
+            limit(along, 3, place - joint.limits->lower);
+            limit(reversed(along), 4, joint.limits->upper - place);
         }
-        const AxisConstraint angle = fixed(angular(), frame_.angle(slider.reference));
+        const AxisConstraint angle = fixed(angular(), frame_.angle(joint.reference));
         AxisConstraint across = fixed(linear(perp(axis), frame_.gap), dot(perp(axis), frame_.gap));
         across.angle = {&angle, joint_.axes[1]};
         visit_(across, joint_.axes[0], Relax::Rigid);
         visit_(angle, joint_.axes[1], Relax::Rigid);
     }
 
-    void operator()(const MotorJoint& motor) {
-        const Softness soft = Softness::from(motor.hertz, motor.damping, pass_.h);
-        if (motor.force > 0) {
+    void operator()(const MotorJoint& joint) {
+        const Softness soft = Softness::from(joint.hertz, joint.damping, pass_.h);
+        if (joint.force > 0) {
             visit_(
                 PointConstraint{
-                    frame_.commonArm(), frame_.armB, frame_.gap, soft, {}, motor.force * pass_.h},
+                    frame_.commonArm(), frame_.armB, frame_.gap, soft, {}, joint.force * pass_.h},
                 joint_.point, Relax::Same);
         }
-        if (motor.torque > 0) {
+        if (joint.torque > 0) {
             AxisConstraint turn = angular();
-            turn.error = frame_.angle(motor.reference);
+            turn.error = frame_.angle(joint.reference);
             turn.softness = soft;
-            turn.bounds = {-motor.torque * pass_.h, motor.torque * pass_.h};
+            turn.bounds = {-joint.torque * pass_.h, joint.torque * pass_.h};
             visit_(turn, joint_.axes[0], Relax::Same);
         }
     }
@@ -162,12 +162,12 @@ private:
     /// Stiffness and damping of a spring are those of the reduced mass of its bodies, whatever the
     /// levers of its anchors are: a stiffness that varies with the direction would add energy.
     /// Levers raise the frequency and the damping ratio along its axis by the same factor.
-    Softness springOf(const DistanceJoint& spring, const AxisConstraint& along) const {
+    Softness springOf(const DistanceJoint& joint, const AxisConstraint& along) const {
         const Real mass = frame_.a.invMass + frame_.b.invMass;
         const Real give = mass + frame_.a.invInertia * along.leverA * along.leverA +
                           frame_.b.invInertia * along.leverB * along.leverB;
         const Real factor = mass > 0 ? std::sqrt(give / mass) : Real(1);
-        return Softness::spring(factor * spring.hertz, factor * spring.damping, pass_.h,
+        return Softness::spring(factor * joint.hertz, factor * joint.damping, pass_.h,
                                 joint_.springBound);
     }
 

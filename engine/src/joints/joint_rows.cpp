@@ -107,34 +107,34 @@ Vec2 PointConstraint::missing(const BodyVelocity& a, const BodyVelocity& b, Vec2
     return next - impulse;
 }
 
-Vec2 PointConstraint::answer(const BodyVelocity& a, const BodyVelocity& b, Real twist) const {
+Vec2 PointConstraint::reaction(const BodyVelocity& a, const BodyVelocity& b, Real twist) const {
     return -stopping(a, b, twist * (a.invInertia * perp(armA) + b.invInertia * perp(armB)));
 }
 
 void PointConstraint::solve(BodyVelocity& a, BodyVelocity& b, Vec2& impulse, bool biased) const {
     const Vec2 change = missing(a, b, impulse, biased);
     impulse += change;
-    push(a, b, change);
+    apply(a, b, change);
 }
 
-void PointConstraint::push(BodyVelocity& a, BodyVelocity& b, Vec2 impulse) const {
+void PointConstraint::apply(BodyVelocity& a, BodyVelocity& b, Vec2 impulse) const {
     applyImpulse(a, armA, -impulse);
     applyImpulse(b, armB, impulse);
 }
 
-void PointConstraint::addToSums(Vec2 impulse, Vec2& pushes, Real&) const {
-    pushes += impulse;
+void PointConstraint::addToSums(Vec2 impulse, Vec2& linear, Real&) const {
+    linear += impulse;
 }
 
-void AxisConstraint::addToSums(Real impulse, Vec2& pushes, Real& turns) const {
+void AxisConstraint::addToSums(Real impulse, Vec2& linear, Real& angular) const {
     if (axis == Vec2{}) {
-        turns += leverB * impulse;
+        angular += leverB * impulse;
     } else {
-        pushes += impulse * axis;
+        linear += impulse * axis;
     }
 }
 
-void AxisConstraint::push(BodyVelocity& a, BodyVelocity& b, Real impulse) const {
+void AxisConstraint::apply(BodyVelocity& a, BodyVelocity& b, Real impulse) const {
     a.velocity -= a.invMass * impulse * axis;
     a.angularVelocity -= a.invInertia * leverA * impulse;
     b.velocity += b.invMass * impulse * axis;
@@ -144,7 +144,7 @@ void AxisConstraint::push(BodyVelocity& a, BodyVelocity& b, Real impulse) const 
 void AxisConstraint::solve(BodyVelocity& a, BodyVelocity& b, Real& impulse, bool biased) const {
     const Real change = missing(a, b, impulse, biased);
     impulse += change;
-    push(a, b, change);
+    apply(a, b, change);
 }
 
 Real AxisConstraint::missing(const BodyVelocity& a, const BodyVelocity& b, Real impulse,

@@ -58,11 +58,11 @@ struct PointConstraint {
     /// Relative angular velocity per angular impulse (1/(kg m^2)) if the anchors stay together.
     Real hinged(const BodyVelocity& a, const BodyVelocity& b) const;
     /// The impulse that keeps the anchors together under an angular impulse (N m s) of the joint.
-    Vec2 answer(const BodyVelocity& a, const BodyVelocity& b, Real twist) const;
+    Vec2 reaction(const BodyVelocity& a, const BodyVelocity& b, Real twist) const;
     /// Applies an impulse to the bodies.
-    void push(BodyVelocity& a, BodyVelocity& b, Vec2 impulse) const;
-    /// Adds the impulse to the linear sum (N s, on b); `turns` is the angular one (N m s).
-    void addToSums(Vec2 impulse, Vec2& pushes, Real& turns) const;
+    void apply(BodyVelocity& a, BodyVelocity& b, Vec2 impulse) const;
+    /// Adds the impulse on b to the linear sum (N s); the angular one (N m s) stays.
+    void addToSums(Vec2 impulse, Vec2& linear, Real& angular) const;
 };
 
 inline constexpr Range kUnbounded{-std::numeric_limits<Real>::infinity(),
@@ -99,8 +99,10 @@ struct AxisConstraint {
     void solve(BodyVelocity& a, BodyVelocity& b, Real& impulse, bool biased) const;
     /// The impulse that solve would add.
     Real missing(const BodyVelocity& a, const BodyVelocity& b, Real impulse, bool biased) const;
-    void push(BodyVelocity& a, BodyVelocity& b, Real impulse) const;
-    void addToSums(Real impulse, Vec2& pushes, Real& turns) const;
+    void apply(BodyVelocity& a, BodyVelocity& b, Real impulse) const;
+    /// Adds the impulse on b to the linear sum (N s) or, of an angular constraint, to the angular
+    /// one (N m s).
+    void addToSums(Real impulse, Vec2& linear, Real& angular) const;
 };
 
 } // namespace KODO_PRECISION

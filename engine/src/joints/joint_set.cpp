@@ -54,11 +54,11 @@ bool mayBeHeld(const Bodies& bodies, const JointDef& def) {
     const BodyVelocity& a = bodies.motion[firstBody(def).index];
     const BodyVelocity& b = bodies.motion[secondBody(def).index];
     const auto half = [](const BodyVelocity& m) { return (m.invMass == 0) != (m.invInertia == 0); };
-    const bool pin = std::holds_alternative<RevoluteJoint>(def);
-    const bool rigid = pin || std::holds_alternative<FixedJoint>(def) ||
+    const bool revolute = std::holds_alternative<RevoluteJoint>(def);
+    const bool rigid = revolute || std::holds_alternative<FixedJoint>(def) ||
                        std::holds_alternative<PrismaticJoint>(def);
     return rigid && (a.invMass > 0 || b.invMass > 0) && !turnsOnly(a) && !turnsOnly(b) &&
-           (pin || (!half(a) && !half(b)));
+           (revolute || (!half(a) && !half(b)));
 }
 
 /// The two bodies, in order, if the joint forbids a contact between them.
@@ -233,15 +233,15 @@ namespace {
 /// the mass at the anchor is a small part of the body's, and a spring would open wide.
 bool isSoft(const Bodies& bodies, const JointDef& def) {
     constexpr Real kLongArm = 16; // lever^2 m / I; a rod has 3 at its ends
-    const auto* const pin = std::get_if<RevoluteJoint>(&def);
+    const auto* const revolute = std::get_if<RevoluteJoint>(&def);
     const auto isLong = [&](BodyId body, Vec2 anchor) {
         const BodyVelocity& motion = bodies.motion[body.index];
         const Vec2 arm = armOf(bodies, body.index, {}, anchor);
         return motion.invMass > 0 &&
                motion.invInertia * lengthSquared(arm) > kLongArm * motion.invMass;
     };
-    return pin != nullptr && !isLong(pin->ends.a, pin->ends.anchorA) &&
-           !isLong(pin->ends.b, pin->ends.anchorB);
+    return revolute != nullptr && !isLong(revolute->ends.a, revolute->ends.anchorA) &&
+           !isLong(revolute->ends.b, revolute->ends.anchorB);
 }
 
 } // namespace
@@ -286,14 +286,15 @@ void JointSet::listHinges(const Bodies& bodies) {
     }
     for (const ArticulatedTrees::Edge& edge : treeCandidates_) {
         HeldRows* const rows = trees_.rowsOf(edge.joint);
-        const auto* const pin = std::get_if<RevoluteJoint>(&joints_[edge.joint].def);
-        if (rows == nullptr || pin == nullptr || pin->motorTorque > 0 || pin->limits) {
+        const auto* const revolute = std::get_if<RevoluteJoint>(&joints_[edge.joint].def);
+        if (rows == nullptr || revolute == nullptr || revolute->motorTorque > 0 ||
+            revolute->limits) {
             continue;
         }
         rows->hinge = true;
         hinges_.push_back({edge.joint, edge.a, edge.b,
-                           pin->ends.anchorA - bodies.geometry(edge.a).mass.center,
-                           pin->ends.anchorB - bodies.geometry(edge.b).mass.center, rows});
+                           revolute->ends.anchorA - bodies.geometry(edge.a).mass.center,
+                           revolute->ends.anchorB - bodies.geometry(edge.b).mass.center, rows});
     }
 }
 

@@ -24,11 +24,11 @@ JointFrame frameOf(Bodies& bodies, BodyRotations& turned, const JointEnds& ends)
     return frame;
 }
 
-/// Body a of a mouse joint is the target: an immovable body.
+/// Body a of a mouse joint is its target: an immovable body.
 JointFrame frameOf(Bodies& bodies, BodyRotations& turned, const MouseJoint& mouse,
-                   BodyVelocity& hand) {
+                   BodyVelocity& target) {
     const std::uint32_t b = mouse.body.index;
-    JointFrame frame{hand, bodies.motion[b], {}, {}, {}, {}, turned.rotation(bodies, b)};
+    JointFrame frame{target, bodies.motion[b], {}, {}, {}, {}, turned.rotation(bodies, b)};
     frame.armB = armOf(bodies, b, frame.rotationB, mouse.anchor);
     frame.gap = bodies.pose[b].position + frame.b.deltaPosition + frame.armB - mouse.target;
     return frame;
@@ -49,8 +49,8 @@ void forConstraints(JointSet::Joint& joint, Bodies& bodies, BodyRotations& turne
             if constexpr (requires { kind.ends; }) {
                 list(frameOf(bodies, turned, kind.ends), kind);
             } else {
-                BodyVelocity hand;
-                list(frameOf(bodies, turned, kind, hand), kind);
+                BodyVelocity target;
+                list(frameOf(bodies, turned, kind, target), kind);
             }
         },
         joint.def);
@@ -69,10 +69,10 @@ Real twistOf(const JointSet::Joint& joint) {
     return joint.axes[0] + joint.axes[1] - joint.axes[2];
 }
 
-/// Rotates the impulse at the anchors of a joint of a body that can only rotate with the body that
-/// it turns most easily, after the displacements of a substep of h (s). It then turns that body in
-/// the next substep as in this one. On an arm that has rotated, a small body would turn by any
-/// angle, and the arcs of the solve follow from that angle.
+/// Rotates the accumulated impulse at the anchors, if one of the bodies can only rotate. The angle
+/// is that by which the body of the larger response rotated in the substep of h (s). So the impulse
+/// has the same torque on it in the next substep. Otherwise a small body would rotate by any angle,
+/// and the arcs of the anchors depend on that angle.
 void rotateImpulse(JointSet::Joint& joint, const JointFrame& frame, Real h) {
     const Real a = frame.a.invInertia * lengthSquared(frame.commonArm());
     const Real b = frame.b.invInertia * lengthSquared(frame.armB);
@@ -82,8 +82,8 @@ void rotateImpulse(JointSet::Joint& joint, const JointFrame& frame, Real h) {
     }
 }
 
-/// Applies the accumulated impulses of one joint. Those that the direct solve holds start from what
-/// the others call for.
+/// Applies the accumulated impulses of one joint. Constraints of the direct solve start with their
+/// reaction to the other impulses.
 class WarmStart {
 public:
     WarmStart(JointSet::Joint& joint, const Bodies& bodies, bool inTree)
@@ -93,11 +93,11 @@ public:
     }
 
     void operator()(const JointFrame& frame, const PointConstraint& point, Vec2& impulse) const {
-        const bool pin = std::holds_alternative<RevoluteJoint>(joint_.def);
+        const bool revolute = std::holds_alternative<RevoluteJoint>(joint_.def);
         if (inTree_ && isHeld(point)) {
-            impulse = pin ? point.answer(frame.a, frame.b, twistOf(joint_)) : Vec2{};
+            impulse = revolute ? point.reaction(frame.a, frame.b, twistOf(joint_)) : Vec2{};
         }
-        point.push(frame.a, frame.b, impulse);
+        point.apply(frame.a, frame.b, impulse);
     }
 
     void operator()(const JointFrame& frame, const AxisConstraint& axis, Real& impulse) const {
@@ -106,16 +106,17 @@ public:
         } else if (isHeld(axis) && inTree_) {
             impulse = 0;
         }
-        axis.push(frame.a, frame.b, impulse);
+        axis.apply(frame.a, frame.b, impulse);
     }
 
 private:
-    /// Where it comes last, the angle of a weld or a slider answers the other impulses.
+    /// Where the angle is solved last, its impulse restores the relative rotation from before the
+    /// other impulses.
     void keepAngle(const JointFrame& frame, Real& impulse) const {
         const Real sum = frame.a.invInertia + frame.b.invInertia;
-        const bool weld = std::holds_alternative<FixedJoint>(joint_.def);
-        const bool small = weld && (turnsOnly(frame.a) || turnsOnly(frame.b));
-        if (sum > 0 && (small || (inTree_ && !weld))) {
+        const bool fixed = std::holds_alternative<FixedJoint>(joint_.def);
+        const bool small = fixed && (turnsOnly(frame.a) || turnsOnly(frame.b));
+        if (sum > 0 && (small || (inTree_ && !fixed))) {
             impulse = (before_ - (frame.b.angularVelocity - frame.a.angularVelocity)) / sum;
         } else if (inTree_) {
             impulse = 0;

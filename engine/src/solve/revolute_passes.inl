@@ -57,7 +57,7 @@ KODO_LANES_INLINE void storeMass(RevoluteBlock& block, int at) {
 }
 
 /// 1/I_a + 1/I_b, and what is left of it if the anchors stay together: PointConstraint::hinged().
-/// `scale`: fraction of the answer of the point that is taken.
+/// `scale`: fraction of the reaction of the point that acts.
 KODO_LANES_INLINE Lanes hingedMass(const RevoluteBlock& block, int at, Lanes scale) {
     const ScaledMass m = scaledMass(block, at);
     const Lanes x = load(block.armA.x + at) - load(block.armB.x + at);
@@ -244,8 +244,8 @@ KODO_LANES_INLINE void solveBeside(const RevolutePassArguments& pass, std::size_
     const Couple& armA = pair.armA;
     const Couple& armB = pair.armB;
     const Couple u{-(ia * armA.y + ib * armB.y), ia * armA.x + ib * armB.x};
-    const Couple answer = mass.times(u);
-    const Couple taken{scale * answer.x, scale * answer.y};
+    const Couple reaction = mass.times(u);
+    const Couple taken{scale * reaction.x, scale * reaction.y};
     const Lanes give = hingedMass(block, at, scale);
     const Lanes speed = (pair.b.z - pair.a.z) + (u.x * change.x + u.y * change.y);
     const Lanes twist = solveAngles<task>(pass, i, at, speed, give);

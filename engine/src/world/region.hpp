@@ -32,8 +32,8 @@ public:
     std::vector<std::uint32_t> mayCross(const Bodies& bodies) const;
     /// Counts a search through all bodies. True after so many that the tree of queries pays.
     bool countScan() {
-        constexpr std::uint32_t kMany = 16;
-        scans_ = scans_ < kMany ? scans_ + 1 : 0;
+        constexpr std::uint32_t kManyScans = 16;
+        scans_ = scans_ < kManyScans ? scans_ + 1 : 0;
         return scans_ == 0;
     }
 

@@ -78,12 +78,12 @@ private:
     // Joints.
     void one(Range& range);
     void one(JointEnds& ends);
-    void one(RevoluteJoint& pin);
-    void one(FixedJoint& weld);
-    void one(DistanceJoint& spring);
-    void one(PrismaticJoint& slider);
-    void one(MotorJoint& motor);
-    void one(MouseJoint& mouse);
+    void one(RevoluteJoint& joint);
+    void one(FixedJoint& joint);
+    void one(DistanceJoint& joint);
+    void one(PrismaticJoint& joint);
+    void one(MotorJoint& joint);
+    void one(MouseJoint& joint);
     void one(JointSet::Joint& joint);
     void one(BrokenJoint& broken);
     void joints(JointSet& set, const Bodies& bodies, Real lengthUnit);

@@ -154,33 +154,33 @@ void SnapshotFields::one(JointEnds& ends) {
     all(a, b, anchorA, anchorB, breakForce, breakTorque, collide);
 }
 
-void SnapshotFields::one(RevoluteJoint& pin) {
-    auto& [ends, reference, limits, motorSpeed, motorTorque] = pin;
+void SnapshotFields::one(RevoluteJoint& joint) {
+    auto& [ends, reference, limits, motorSpeed, motorTorque] = joint;
     all(ends, reference, limits, motorSpeed, motorTorque);
 }
 
-void SnapshotFields::one(FixedJoint& weld) {
-    auto& [ends, reference] = weld;
+void SnapshotFields::one(FixedJoint& joint) {
+    auto& [ends, reference] = joint;
     all(ends, reference);
 }
 
-void SnapshotFields::one(DistanceJoint& spring) {
-    auto& [ends, length, hertz, damping, limits] = spring;
+void SnapshotFields::one(DistanceJoint& joint) {
+    auto& [ends, length, hertz, damping, limits] = joint;
     all(ends, length, hertz, damping, limits);
 }
 
-void SnapshotFields::one(PrismaticJoint& slider) {
-    auto& [ends, axis, reference, limits, motorSpeed, motorForce] = slider;
+void SnapshotFields::one(PrismaticJoint& joint) {
+    auto& [ends, axis, reference, limits, motorSpeed, motorForce] = joint;
     all(ends, axis, reference, limits, motorSpeed, motorForce);
 }
 
-void SnapshotFields::one(MotorJoint& motor) {
-    auto& [ends, reference, force, torque, hertz, damping] = motor;
+void SnapshotFields::one(MotorJoint& joint) {
+    auto& [ends, reference, force, torque, hertz, damping] = joint;
     all(ends, reference, force, torque, hertz, damping);
 }
 
-void SnapshotFields::one(MouseJoint& mouse) {
-    auto& [body, anchor, target, force, hertz, damping] = mouse;
+void SnapshotFields::one(MouseJoint& joint) {
+    auto& [body, anchor, target, force, hertz, damping] = joint;
     all(body, anchor, target, force, hertz, damping);
 }
 

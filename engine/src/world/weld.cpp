@@ -64,8 +64,8 @@ DividedGeometry divide(const BodyGeometry& whole, std::size_t part) {
 } // namespace
 
 std::size_t WorldImpl::weld(BodyId into, BodyId part) {
-    kodo::requireAlive(bodies_, into);
-    kodo::requireAlive(bodies_, part);
+    kodo::requireAlive(bodies_, into, "into");
+    kodo::requireAlive(bodies_, part, "part");
     if (into == part) {
         throw BadDefinition({"part", "must not be the body that it is welded to"});
     }

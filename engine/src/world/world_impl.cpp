@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <atomic>
 #include <string>
+#include <utility>
+#include <variant>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -264,9 +266,11 @@ void WorldImpl::jointsChanged(const JointDef& def) {
 }
 
 JointId WorldImpl::add(const JointDef& def) {
-    for (const BodyId body : {firstBody(def), secondBody(def)}) {
+    const bool mouse = std::holds_alternative<MouseJoint>(def);
+    for (const auto& [body, field] : {std::pair{firstBody(def), mouse ? "body" : "ends.a"},
+                                      std::pair{secondBody(def), mouse ? "body" : "ends.b"}}) {
         if (body.generation != 0) { // check() names the end without a body
-            kodo::requireAlive(bodies_, body);
+            kodo::requireAlive(bodies_, body, field);
         }
     }
     refuse(check(def, tolerances_.unit()));
