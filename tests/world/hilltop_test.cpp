@@ -7,15 +7,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace kodo {
 namespace {
 
-enum class Ground { Heightmap, Segments };
+enum class RampGround { Heightmap, Segments };
 
 /// Rises by `slope` up to x = 4 m, then level at height 0 for 20 m.
-Shape groundOf(Ground ground, Real slope) {
-    if (ground == Ground::Heightmap) {
+Shape rampOf(RampGround ground, Real slope) {
+    if (ground == RampGround::Heightmap) {
         return Heightmap{.origin = {}, .spacing = 4, .heights = {-4 * slope, 0, 0, 0, 0, 0, 0}};
     }
     return Compound{{Segment{{0, -4 * slope}, {4, 0}}, Segment{{4, 0}, {24, 0}}}};
@@ -23,7 +24,7 @@ Shape groundOf(Ground ground, Real slope) {
 
 struct Slide {
     StepSettings settings;
-    Ground ground;
+    RampGround ground;
     Real slope;
     Real rate;  // Hz
     Real speed; // m/s
@@ -33,7 +34,7 @@ struct Slide {
 /// `shape` stands on its origin and is 0.6 m wide.
 Real liftOf(const Slide& slide, const Shape& shape, Real start, Flags flags) {
     World world({.gravity = {0, -10}, .settings = slide.settings});
-    world.add({.shape = groundOf(slide.ground, slide.slope), .type = BodyType::Static});
+    world.add({.shape = rampOf(slide.ground, slide.slope), .type = BodyType::Static});
     const BodyId body = world.add({.shape = shape,
                                    .position = {Real(4.05) + start, 0},
                                    .velocity = {slide.speed, 0},
@@ -50,7 +51,7 @@ Real liftOf(const Slide& slide, const Shape& shape, Real start, Flags flags) {
 template <typename Check>
 void forSlides(Check check) {
     for (const support::Solver solver : support::kSolvers) {
-        for (const Ground ground : {Ground::Heightmap, Ground::Segments}) {
+        for (const RampGround ground : {RampGround::Heightmap, RampGround::Segments}) {
             for (const Real slope : {Real(0.03), Real(0.125), Real(0.6)}) {
                 for (const Real rate : {Real(30), Real(60), Real(120)}) {
                     for (const Real speed : {Real(1), Real(3), Real(8)}) {
@@ -99,7 +100,7 @@ TEST(Hilltop, LiftsAFreeBoxLittle) {
 TEST(Hilltop, CarriesWhatFallsBesideIt) {
     forSlides([](const Slide& slide) {
         World world({.gravity = {0, -10}, .settings = slide.settings});
-        world.add({.shape = groundOf(slide.ground, slide.slope), .type = BodyType::Static});
+        world.add({.shape = rampOf(slide.ground, slide.slope), .type = BodyType::Static});
         const BodyId box = world.add({.shape = Box{Real(0.3), Real(0.3)},
                                       .position = {Real(3.8), Real(0.6)},
                                       .velocity = {slide.speed, -3},
@@ -114,6 +115,81 @@ TEST(Hilltop, CarriesWhatFallsBesideIt) {
         }
         EXPECT_GT(lowest, -3 / slide.rate * Real(0.5)) << "half of the way of a step";
     });
+}
+
+// Without friction, spin has no effect. The contact of a disc does not move with its rim.
+TEST(Hilltop, CarriesABallThatSpins) {
+    for (const RampGround ground : {RampGround::Heightmap, RampGround::Segments}) {
+        for (const Real rate : {Real(20), Real(60), Real(240)}) {
+            for (const Real spin : {Real(-100), Real(-30), Real(30)}) {
+                World world({.gravity = {0, -10}});
+                world.add({.shape = rampOf(ground, Real(0.3)), .type = BodyType::Static});
+                const BodyId ball = world.add({.shape = Circle{Real(0.3)},
+                                               .position = {Real(3.87), Real(0.8)},
+                                               .velocity = {0, -5},
+                                               .angularVelocity = spin,
+                                               .material = withFriction(0)});
+                Real deepest = 0; // m, below the flank
+                for (int step = 0; step < static_cast<int>(rate / 4); ++step) {
+                    world.step(1 / rate);
+                    const Vec2 arm = world[ball].position() - Vec2{4, 0};
+                    const Vec2 normal = normalize(Vec2{Real(-0.3), 1});
+                    deepest = std::max(deepest, Real(0.3) - dot(normal, arm));
+                }
+                EXPECT_LT(deepest, Real(0.002)) << "ground " << static_cast<int>(ground)
+                                                << ", rate " << rate << ", spin " << spin;
+            }
+        }
+    }
+}
+
+// A corner that strikes the ramp 0.1 m before its top rebounds by the law of reflection: twice the
+// angle of the ramp.
+TEST(Hilltop, ReflectsWhatStrikesBesideIt) {
+    const Shape kite =
+        Polygon{{{0, 0}, {Real(0.3), Real(0.2)}, {0, Real(0.5)}, {Real(-0.3), Real(0.2)}}};
+    forSlides([&](const Slide& slide) {
+        World world({.settings = slide.settings});
+        world.add({.shape = rampOf(slide.ground, slide.slope),
+                   .material = withFriction(0, 1),
+                   .type = BodyType::Static});
+        const BodyId body = world.add({.shape = kite,
+                                       .position = {Real(3.4), -slide.slope / 10},
+                                       .velocity = {slide.speed, 0},
+                                       .material = withFriction(0, 1),
+                                       .flags = kLockRotate});
+        for (int step = 0; step < static_cast<int>(slide.rate / slide.speed); ++step) {
+            world.step(1 / slide.rate);
+        }
+        const Real rise = slide.speed * std::sin(2 * std::atan(slide.slope));
+        EXPECT_NEAR(world[body].velocity().y, rise, Real(0.01) * rise);
+    });
+}
+
+// Both ends of a face that lands flush on the ramp touch at once, one of them at its top.
+TEST(Hilltop, AFlushLandingOverTheTopDoesNotSpin) {
+    const Real angle = std::atan(Real(0.4));
+    const Vec2 along{std::cos(angle), std::sin(angle)};
+    for (const support::Solver solver : support::kSolvers) {
+        for (const Real rate : {Real(30), Real(60), Real(120)}) {
+            World world({.settings = support::settingsOf(solver)});
+            world.add({.shape = Heightmap{.origin = {-6, Real(-2.4)},
+                                          .spacing = 6,
+                                          .heights = {0, Real(2.4), Real(1.2)}},
+                       .material = withFriction(0, 1),
+                       .type = BodyType::Static});
+            const BodyId box = world.add({.shape = Box{1, Real(0.6)},
+                                          .position = Real(0.5) * perp(along) - Real(0.2) * along,
+                                          .rotation = Rot::fromAngle(angle),
+                                          .velocity = along - 2 * perp(along),
+                                          .material = withFriction(0, 1)});
+            for (int step = 0; step < static_cast<int>(rate / 5); ++step) {
+                world.step(1 / rate);
+            }
+            EXPECT_LT(std::abs(world[box].angularVelocity()), Real(0.01)) << "rate " << rate;
+            EXPECT_NEAR(dot(perp(along), world[box].velocity()), 2, 0.02) << "rate " << rate;
+        }
+    }
 }
 
 } // namespace

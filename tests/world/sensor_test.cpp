@@ -323,6 +323,23 @@ TEST(Sensor, ReportsTheEndOfASlowBodyAtTheSameGap) {
     }
 }
 
+// A ball leaves a round sensor towards its corner: their bounds still overlap when they part.
+TEST(Sensor, ReportsTheEndWhileBoundsStillOverlap) {
+    World world;
+    const BodyId zone = world.add(
+        {.shape = Circle{1}, .type = BodyType::Static, .flags = kSensor | kNeverSleep});
+    BodyDef def = ballDef({Real(0.8), Real(0.8)}, Real(0.5));
+    def.velocity = {3, 3};
+    const BodyId ball = world.add(def);
+    Told told;
+    while (world[ball].position().x < Real(1.4)) { // bounds part at 1.5 m, circles at 1.06 m
+        world.step(kDt);
+        told.read(world, zone, ball);
+    }
+    EXPECT_EQ(told.begins, 1);
+    EXPECT_EQ(told.ends, 1);
+}
+
 TEST(Sensor, CanBeTurnedOnAndOff) {
     World world;
     BodyDef def = boxDef({5, 0}, 1, 10);

@@ -30,8 +30,9 @@ JointHeights heightOverJoints(const ConvexShape& line, Vec2 p, Real sink);
 /// side of the first one: 1 for that of its normals[1], else -1.
 bool areNeighbours(const ConvexShape& line, Real side, const ConvexShape& next);
 
-/// The first point on the way between two points that a jointed line or one of its neighbours lies
-/// beside: farther on, other lines may bend, so a height over these three says nothing. `to`: none.
+/// The first point on the way between two points that is beside a jointed line or one of its
+/// neighbours; `to` if there is none. Farther from them other lines may bend, so that a height over
+/// these three has no meaning.
 Vec2 withinJoints(const ConvexShape& line, Vec2 from, Vec2 to);
 
 } // namespace KODO_PRECISION

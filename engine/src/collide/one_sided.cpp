@@ -177,14 +177,17 @@ Manifold collideWithFaces(const ConvexShape& line, const Transform& a, const Con
             }
             if (!ownsAlong(line, ab * other.vertices[support])) {
                 // Its deepest corner is beyond this line, but the other end of that face may come
-                // down here. The deeper point of the face is the vertex, which the neighbour owns.
+                // down here. The deeper point of the face is the vertex. The neighbour owns it, but
+                // may not have found it where it is deep.
                 Manifold lying =
                     clipAgainstFace({line, a}, {other, b}, ab, front, margin, BeyondEnds::Nothing);
                 if (behind || lying.count < 2) {
                     return manifold;
                 }
-                lying.points[0] = lying.points[1];
-                lying.count = 1;
+                if (lying.points[0].separation > -margin / 4) {
+                    lying.points[0] = lying.points[1];
+                    lying.count = 1;
+                }
                 return lying;
             }
         }
@@ -254,22 +257,26 @@ bool ownsDirection(const ConvexShape& line, std::size_t end, Vec2 direction) {
 
 Real distanceToHilltop(const ConvexShape& line, const PointOverLine& point) {
     const Vec2 along = alongOf(line);
-    const std::size_t end = endTowards(line, point.velocity);
-    if (dot(along, point.velocity) == 0 || isFree(line, end) || turnAt(line, end) >= -kFlush) {
+    const std::size_t end = endTowards(line, point.displacement);
+    if (dot(along, point.displacement) == 0 || isFree(line, end) || turnAt(line, end) >= -kFlush) {
         return std::numeric_limits<Real>::infinity();
     }
     const Real distance = dot(along, line.vertices[end] - point.position);
     return std::max(end == 0 ? -distance : distance, Real(0));
 }
 
-bool missesLine(const ConvexShape& line, const PointOverLine& point, Real slop) {
+bool missesLine(const ConvexShape& line, const PointOverLine& point, Real tolerance) {
     const Real distance = distanceToHilltop(line, point);
-    const Real speed = std::abs(dot(alongOf(line), point.velocity));
-    const Real sink = -dot(line.normals[1], point.velocity);
-    const Real turn = -turnAt(line, endTowards(line, point.velocity));
-    // It reaches the hilltop after the time distance / speed.
-    return distance < std::numeric_limits<Real>::infinity() && 2 * sink > turn * speed &&
-           point.gap > -slop && (point.gap + slop) * speed > sink * distance;
+    if (!(distance < std::numeric_limits<Real>::infinity())) {
+        return false;
+    }
+    const std::size_t end = endTowards(line, point.displacement);
+    const Vec2 next = perp(end == 0 ? line.before : line.after);
+    const Real passed = std::abs(dot(alongOf(line), point.displacement));
+    const Real sink = -dot(line.normals[1], point.displacement);
+    // It reaches the hilltop after distance / passed steps.
+    return 2 * sink > -turnAt(line, end) * passed && dot(next, point.displacement) > -tolerance &&
+           point.gap > -tolerance && (point.gap + tolerance) * passed > sink * distance;
 }
 
 Manifold collideOneSided(const ConvexShape& line, const Transform& a, const ConvexShape& other,

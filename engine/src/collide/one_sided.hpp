@@ -31,36 +31,6 @@ struct ContactLimits {
 Manifold collideOneSided(const ConvexShape& line, const Transform& a, const ConvexShape& other,
                          const Transform& b, const ContactLimits& limits);
 
-<<<<<<< HEAD
-=======
-/// True for a two-sided line that shares a vertex with others of its body.
-inline bool isJointed(const ConvexShape& shape) {
-    return shape.isLine() && !shape.oneSided && !(shape.before == Vec2{} && shape.after == Vec2{});
-}
-
-/// Heights (m) of a point over a jointed line, > 0 on the side of normals[1], with the neighbours
-/// of each side. They differ where three lines or more meet: a point with front < 0 and back > 0 is
-/// then between other lines.
-struct JointHeights {
-    Real front = 0;
-    Real back = 0;
-};
-
-/// Heights over a jointed line. Beyond a vertex, over the line and its neighbour: above a hilltop
-/// the larger one, above a valley the smaller one. So it is beside the neighbour of a sharp bend.
-/// What lies on the neighbour of a hilltop may be below it by `sink` (m).
-JointHeights heightOverJoints(const ConvexShape& line, Vec2 p, Real sink);
-
-/// True if two lines of a body share a vertex, and none of the others there is between them on the
-/// side of the first one: 1 for that of its normals[1], else -1.
-bool areNeighbours(const ConvexShape& line, Real side, const ConvexShape& next);
-
-/// The first point on the way between two points that is beside a jointed line or one of its
-/// neighbours; `to` if there is none. Farther from them other lines may bend, so that a height over
-/// these three has no meaning.
-Vec2 withinJoints(const ConvexShape& line, Vec2 from, Vec2 to);
-
->>>>>>> w30
 /// A one-sided copy of a two-sided line. Its front is on the side of `direction` (line's frame).
 /// Lines that share a vertex with it become its chain.
 ConvexShape facingTo(const ConvexShape& line, Vec2 direction);
@@ -80,8 +50,8 @@ bool ownsDirection(const ConvexShape& line, std::size_t end, Vec2 direction);
 /// A point of a shape near a line, in the line's frame.
 struct PointOverLine {
     Vec2 position;
-    Vec2 velocity; // m/s, against the line
-    Real gap;      // m, over the line
+    Vec2 displacement; // m, in the step, against the line
+    Real gap;          // m, over the line
 };
 
 /// Distance (m) along a one-sided line from a point to the hilltop that it moves to; infinite if it
@@ -89,9 +59,9 @@ struct PointOverLine {
 Real distanceToHilltop(const ConvexShape& line, const PointOverLine& point);
 
 /// True if a point moves along the line beyond a hilltop rather than along this one, and is less
-/// than `slop` (m) deep until it has passed the hilltop. It would touch only the straight extension
-/// of the line.
-bool missesLine(const ConvexShape& line, const PointOverLine& point, Real slop);
+/// than `tolerance` (m) deep until it has passed the hilltop. It would touch only the straight
+/// extension of the line. False if it comes nearer to the next line by more than that in a step.
+bool missesLine(const ConvexShape& line, const PointOverLine& point, Real tolerance);
 
 /// State of a contact with a one-sided line. A shape that comes from behind stays free until it no
 /// longer overlaps, even when its middle is already in front. `passing`: the result for this

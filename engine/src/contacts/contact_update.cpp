@@ -276,7 +276,7 @@ void findContact(Contact& contact, const Bodies& bodies, const Tolerances& toler
     contact.passing = letPass(contact.passing, manifold);
     const auto [thinner, thicker] = std::minmax(bodies.convex(key.bodyA, key.partA).coreRadius,
                                                 bodies.convex(key.bodyB, key.partB).coreRadius);
-    const Real free = removePassingPoints(manifold, bodies, key, tolerances, dt);
+    const Real free = removePassingPoints(manifold, contact, bodies, tolerances, dt);
     replaceManifold(contact, manifold,
                     std::min(kSamePlace * tolerances.slop, kSameShare * thinner));
     const bool thin = thicker < tolerances.slop;

@@ -13,8 +13,12 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-// Slops in a step below which all points are kept: what rests must not lose its support.
+// Displacement in a step, in slops, below which all points are kept: what rests must not lose its
+// support.
 constexpr Real kLeastMoved = Real(0.25);
+// Depth in slops up to which a point that passes does not touch. With restitution a deeper one must
+// rebound, and others meet the next line within the step.
+constexpr Real kTolerance = Real(0.125);
 
 /// A one-sided copy of a line whose face gives the normal of a manifold. Empty: no such line, or
 /// another feature gives the normal.
@@ -31,42 +35,58 @@ std::optional<ConvexShape> lineWithNormal(const ConvexShape& shape, const Rot& r
     return shape.oneSided ? shape : facingTo(shape, side);
 }
 
-/// The point of the other shape, in the frame of the line's body.
+/// The point of the other shape in a step of dt, in the frame of the line's body.
 PointOverLine pointOver(const ManifoldPoint& point, const Bodies& bodies, const ContactKey& key,
-                        bool lineIsA) {
-    const Vec2 velocity = velocityAt(bodies.motion[key.bodyB], point.armB) -
-                          velocityAt(bodies.motion[key.bodyA], point.armA);
+                        bool lineIsA, Real dt) {
+    const Vec2 moved = dt * (velocityAt(bodies.motion[key.bodyB], point.armB) -
+                             velocityAt(bodies.motion[key.bodyA], point.armA));
     const Rot& rotation = bodies.pose[lineIsA ? key.bodyA : key.bodyB].rotation;
     return {unrotate(rotation, lineIsA ? point.armA : point.armB),
-            unrotate(rotation, lineIsA ? velocity : -velocity), point.separation};
+            unrotate(rotation, lineIsA ? moved : -moved), point.separation};
+}
+
+/// True if a point is a corner of the other shape. Else it is a vertex of the line, on which a face
+/// of that shape lies.
+bool isCorner(const ConvexShape& other, const Rot& rotation, const ManifoldPoint& point,
+              bool otherIsB, Real tolerance) {
+    const Vec2 place = unrotate(rotation, otherIsB ? point.armB : point.armA);
+    const Real reach = std::abs(point.separation) / 2 + tolerance; // the point is between both
+    return std::any_of(other.vertices.begin(), other.vertices.end(),
+                       [&](Vec2 vertex) { return lengthSquared(place - vertex) < reach * reach; });
 }
 
 } // namespace
 
-Real removePassingPoints(Manifold& manifold, const Bodies& bodies, const ContactKey& key,
+Real removePassingPoints(Manifold& manifold, const Contact& contact, const Bodies& bodies,
                          const Tolerances& tolerances, Real dt) {
-    Real nearest = std::numeric_limits<Real>::infinity();
+    const ContactKey& key = contact.key;
+    const ConvexShape& shapeA = bodies.convex(key.bodyA, key.partA);
+    const ConvexShape& shapeB = bodies.convex(key.bodyB, key.partB);
     const Real slop = tolerances.slop;
-    if (std::max(bodies.convex(key.bodyA, key.partA).coreRadius,
-                 bodies.convex(key.bodyB, key.partB).coreRadius) < slop) {
+    Real nearest = std::numeric_limits<Real>::infinity();
+    if (contact.sensor || shapeA.isRound() || shapeB.isRound() ||
+        std::max(shapeA.coreRadius, shapeB.coreRadius) < slop) {
         return nearest;
     }
     for (const bool isA : {true, false}) {
         if (manifold.count == 0) {
             break;
         }
-        const std::uint32_t body = isA ? key.bodyA : key.bodyB;
         const auto line =
-            lineWithNormal(bodies.convex(body, isA ? key.partA : key.partB),
-                           bodies.pose[body].rotation, isA ? manifold.normal : -manifold.normal);
+            lineWithNormal(isA ? shapeA : shapeB, bodies.pose[isA ? key.bodyA : key.bodyB].rotation,
+                           isA ? manifold.normal : -manifold.normal);
         if (!line) {
             continue;
         }
         std::size_t kept = 0;
         for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
-            const PointOverLine point = pointOver(manifold.points[i], bodies, key, isA);
-            const Real moved = dt * length(point.velocity);
-            if (moved < kLeastMoved * slop || !missesLine(*line, point, slop)) {
+            const PointOverLine point = pointOver(manifold.points[i], bodies, key, isA, dt);
+            const Real moved = length(point.displacement);
+            const Real tolerance = kTolerance * slop;
+            const bool corner =
+                isCorner(isA ? shapeB : shapeA, bodies.pose[isA ? key.bodyB : key.bodyA].rotation,
+                         manifold.points[i], isA, tolerance);
+            if (!corner || moved < kLeastMoved * slop || !missesLine(*line, point, tolerance)) {
                 const Real distance = distanceToHilltop(*line, point) - moved;
                 nearest = std::min(nearest, std::max(distance, Real(0)));
                 manifold.points[kept++] = manifold.points[i];

@@ -220,7 +220,7 @@ void LineSides::copySide(const HidingStep& step, const Member& from, const Membe
     if (contact.near) {
         Manifold manifold = collideOnSide(bodies, contact.key, to.line, {side, sink},
                                           {margin, step.tolerances.slop / 8, Real(0)});
-        removePassingPoints(manifold, bodies, contact.key, step.tolerances, step.dt);
+        removePassingPoints(manifold, contact, bodies, step.tolerances, step.dt);
         replace(step, to.slot, manifold);
         return;
     }
