@@ -5,6 +5,7 @@
 #include "math/trig.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace kodo {
 namespace {
@@ -44,6 +45,18 @@ TEST(SinCos, IsExactAtZeroAndForTinyAngles) {
     const Real tiny = Real(1e-20);
     EXPECT_EQ(sinCos(tiny).sin, tiny);
     EXPECT_EQ(sinCos(tiny).cos, 1);
+}
+
+// D2: no rotation comes of an angle that is not a number. World refuses what fromAngle() gives.
+TEST(SinCos, OfAnAngleThatIsNotFiniteIsNotANumber) {
+    constexpr Real kInfinite = std::numeric_limits<Real>::infinity();
+    for (const Real angle : {kInfinite, -kInfinite, std::numeric_limits<Real>::quiet_NaN()}) {
+        const Rot rotation = Rot::fromAngle(angle);
+        EXPECT_TRUE(std::isnan(rotation.c)) << angle;
+        EXPECT_TRUE(std::isnan(rotation.s)) << angle;
+    }
+    const Rot largest = Rot::fromAngle(std::numeric_limits<Real>::max());
+    EXPECT_TRUE(near(length(largest.xAxis()), 1, 4 * kEpsilon));
 }
 
 TEST(SinCos, SineIsOddAndCosineIsEven) {

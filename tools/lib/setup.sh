@@ -5,6 +5,7 @@
 #   0 done   1 a build or a test failed   2 wrong use, or a tool is missing or too old
 #   3 packages are missing and this user may not install them
 
+unset CDPATH # with it, cd prints a second line, and may go elsewhere
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 cd "$root" || exit 2
 export LC_ALL=C.UTF-8

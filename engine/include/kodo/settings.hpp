@@ -71,7 +71,7 @@ struct PropagationSettings {
     int impactPasses = 5;   // 0 to 1000; passes over collisions
     int contactPasses = 10; // 1 to 1000; passes over contacts, in each substep
     int shockPasses = 0;    // 0 to 1000; passes in each level; 0: no shock propagation
-    Real jointHertz = 60;   // as in SoftSettings
+    Real jointHertz = 60;   // as in SoftSettings, but without a cap
     Real jointDamping = 1;
     Real pushSpeed = 3;
 
