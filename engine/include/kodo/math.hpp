@@ -119,6 +119,10 @@ struct BasicRot {
 
     /// Rotation by an angle (rad), counter-clockwise.
     static BasicRot fromAngle(T radians) {
+        const T nan = radians - radians; // 0 for a finite angle
+        if (nan != 0) {
+            return {nan, nan};
+        }
         const SinCos<T> both = sinCos(radians);
         return {both.cos, both.sin};
     }
@@ -162,7 +166,8 @@ BasicRot<T> turned(BasicRot<T> q, T radians) {
     if (radians == 0) {
         return q;
     }
-    const BasicRot<T> next = BasicRot<T>::fromAngle(radians) * q;
+    const SinCos<T> both = sinCos(radians);
+    const BasicRot<T> next = BasicRot<T>{both.cos, both.sin} * q;
     const T missing = (1 - (next.c * next.c + next.s * next.s)) / 2;
     return {next.c + missing * next.c, next.s + missing * next.s};
 }

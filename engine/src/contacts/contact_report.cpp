@@ -27,8 +27,8 @@ bool touches(const Contact& contact, const Tolerances& tolerances) {
         return false;
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
-        const PointImpulse& impulse = contact.impulse[i];
-        if (impulse.largest > 0 || impulse.impact > 0 ||
+        // Impacts happen within the slop; other impulses also where the step closes the gap.
+        if (contact.impulse[i].largest > 0 ||
             contact.manifold.points[i].separation <= tolerances.slop) {
             return true;
         }

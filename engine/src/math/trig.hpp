@@ -81,13 +81,10 @@ template <std::floating_point T, typename V>
 /// Sine and cosine from +, - and * alone, since the C library rounds differently between systems.
 /// Angle in radians. For |angle| < 100 the error is at most 2 units in the last place of 1. Each
 /// doubling of the angle up to 1e5 loses one more bit. Beyond 1e5 the result is only a unit vector,
-/// and beyond 4e6 that of 4e6. An infinite angle has no direction: NaN, as in the C library.
+/// and beyond 4e6 that of 4e6.
 template <std::floating_point T>
 SinCos<T> sinCos(T angle) {
     if (!((angle < 0 ? -angle : angle) <= std::numbers::pi_v<T> / 4)) {
-        if (std::isinf(angle)) {
-            return {angle - angle, angle - angle};
-        }
         const SinCosOf<T> far = sinCosFar<T>(angle);
         return {far.sin, far.cos};
     }
