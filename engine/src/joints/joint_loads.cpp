@@ -2,7 +2,9 @@
 // Loads of the joints in a step, and joints that break under them.
 #include "joints/joint_set.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace kodo {
@@ -38,34 +40,38 @@ const JointEnds* collidingEnds(const JointDef& def) {
         def);
 }
 
-/// True if some contact of two bodies overlaps by more than the slop. While a contact is resident,
-/// its summary alone has the separation of this step.
-bool overlaps(const ContactSet& contactSet, std::uint32_t a, std::uint32_t b, Real slop) {
-    bool any = false;
+/// Least separation (m) of the contacts of two bodies; infinite if none is near. While a contact is
+/// resident, its summary alone has the separation of this step.
+Real separationOf(const ContactSet& contactSet, std::uint32_t a, std::uint32_t b) {
+    Real least = std::numeric_limits<Real>::infinity();
     contactSet.store().lists().forEach(a, [&](std::uint32_t slot) {
         const Contact& contact = contactSet.contacts()[slot];
-        const bool meets = contact.key.bodyA == b || contact.key.bodyB == b;
-        any = any ||
-              (meets && contact.responds() && contactSet.summaries()[slot].separation[0] < -slop);
+        if ((contact.key.bodyA == b || contact.key.bodyB == b) && contact.responds()) {
+            least = std::min(least, contactSet.summaries()[slot].separation[0]);
+        }
     });
-    return any;
+    return least;
 }
 
 } // namespace
 
 void JointSet::boundBias(const ContactSet& contactSet, Real slop, Real pushSpeed) {
-    // With all of the speed, a joint and a contact gain ten times as much energy. With a sixteenth,
-    // the joint opens so far that it closes with force once the bodies have parted.
-    const Real most = pushSpeed / 4;
+    // With all of the speed while they touch, a joint and a contact gain ten times as much energy.
+    // With a sixteenth, the joint opens so far that it closes with force once the bodies have
+    // parted.
+    const Real touching = pushSpeed / 4;
     if (excludedPairs_.size() == live_.size()) {
         return; // no joint lets its bodies collide, nor is any left bounded: see setDef()
     }
     for (const std::uint32_t index : busy_) {
         Joint& joint = joints_[index];
-        const JointEnds* const ends = collidingEnds(joint.def);
-        const bool bounded =
-            ends != nullptr && overlaps(contactSet, ends->a.index, ends->b.index, slop);
-        joint.mostBias = bounded ? most : Joint::kNoBound;
+        joint.mostBias = Joint::kNoBound;
+        if (const JointEnds* const ends = collidingEnds(joint.def)) {
+            const Real apart = separationOf(contactSet, ends->a.index, ends->b.index);
+            if (apart < std::numeric_limits<Real>::infinity()) {
+                joint.mostBias = apart < slop ? touching : pushSpeed;
+            }
+        }
     }
 }
 

@@ -83,9 +83,9 @@ public:
     void findBusy(const Bodies& bodies, bool changed);
     std::size_t busyCount() const { return busy_.size(); }
 
-    /// Bounds the speed at which a joint removes its error while its bodies overlap. A joint and a
-    /// contact that exclude each other would store energy without end. `pushSpeed` (m/s or rad/s):
-    /// the largest at which contacts part.
+    /// Bounds the speed at which a joint removes its error while its bodies touch or are near. A
+    /// joint and a contact that exclude each other would store energy without end. `pushSpeed` (m/s
+    /// or rad/s): the largest at which contacts part.
     void boundBias(const ContactSet& contactSet, Real slop, Real pushSpeed);
     void beginStep();
     /// Selects the joints of one level for the functions below, up to the next call: of the busy
