@@ -87,7 +87,7 @@ TEST_P(EveryLevel, PassesItsCheck) {
     EXPECT_GT(report.blocks, 0);
 }
 
-/// A sanitizer judges every third level here. It sees all of them in tools/determinism_matrix.
+/// A sanitizer judges every third level here. It judges all of them in tools/determinism_matrix.
 std::vector<std::string> judgedLevels() {
     const std::vector<std::string> all = levelNames();
     std::vector<std::string> judged;
