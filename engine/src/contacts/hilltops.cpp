@@ -13,11 +13,11 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-// Displacement in a step, in slops, below which all points are kept: what rests must not lose its
-// support.
+// Displacement in a step, in slops, below which all points are kept, so that resting bodies stay
+// supported.
 constexpr Real kLeastMoved = Real(0.25);
-// Depth in slops up to which a point that passes does not touch. With restitution a deeper one must
-// rebound, and others meet the next line within the step.
+// Depth in slops up to which a passing point counts as apart. A deeper point is a contact, with an
+// impact if the material has restitution.
 constexpr Real kTolerance = Real(0.125);
 
 /// A one-sided copy of a line whose face gives the normal of a manifold. Empty: no such line, or
