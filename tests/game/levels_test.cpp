@@ -87,17 +87,17 @@ TEST_P(EveryLevel, PassesItsCheck) {
     EXPECT_GT(report.blocks, 0);
 }
 
-/// A sanitizer judges every third level here. It judges all of them in tools/determinism_matrix.
-std::vector<std::string> judgedLevels() {
+/// With sanitizers every third level; tools/determinism_matrix plays all of them.
+std::vector<std::string> checkedLevels() {
     const std::vector<std::string> all = levelNames();
-    std::vector<std::string> judged;
+    std::vector<std::string> checked;
     for (std::size_t i = 0; i < all.size(); i += support::kSanitized ? 3 : 1) {
-        judged.push_back(all[i]);
+        checked.push_back(all[i]);
     }
-    return judged;
+    return checked;
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, EveryLevel, testing::ValuesIn(judgedLevels()),
+INSTANTIATE_TEST_SUITE_P(Levels, EveryLevel, testing::ValuesIn(checkedLevels()),
                          [](const auto& level) { return level.param; });
 
 } // namespace

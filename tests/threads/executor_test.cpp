@@ -167,8 +167,8 @@ class ExecutorThreads : public testing::TestWithParam<int> {};
 
 TEST_P(ExecutorThreads, ChangeNoBitOfALargeHeap) {
     const int threads = GetParam();
-    // With three threads, that rebuild is in the 82nd step. A sanitizer judges the steps around it
-    // alone.
+    // With three threads, that rebuild is in the 82nd step. With a sanitizer only the steps around
+    // it are compared.
     const bool late = support::kSanitized && threads == 3;
     const int first = late ? 71 : 1;
     const int steps = support::kSanitized && !late ? 30 : late ? 90 : 100;

@@ -96,7 +96,7 @@ TEST(Hilltop, LiftsAFreeBoxLittle) {
     });
 }
 
-// What falls onto the ramp beside its top is still carried by it: nothing sinks in.
+// The ramp still carries a box that falls onto it beside its top.
 TEST(Hilltop, CarriesWhatFallsBesideIt) {
     forSlides([](const Slide& slide) {
         World world({.gravity = {0, -10}, .settings = slide.settings});
@@ -166,8 +166,8 @@ TEST(Hilltop, ReflectsWhatStrikesBesideIt) {
     });
 }
 
-// Both ends of a face that lands flush on the ramp touch at once, one of them at its top. Soft
-// contacts let the box turn by up to 0.4 rad/s; without the end at the top it turned by 1.4.
+// Both ends of a face that lands flush on the ramp touch at once, one of them at its top. With
+// soft contacts the box turns by up to 0.4 rad/s; without the end at the top it turned by 1.4.
 TEST(Hilltop, AFlushLandingOverTheTopHardlySpins) {
     const Real angle = std::atan(Real(0.4));
     const Vec2 along{std::cos(angle), std::sin(angle)};

@@ -325,7 +325,7 @@ TEST(Sensor, ReportsTheEndOfASlowBodyAtTheSameGap) {
 }
 
 // A ball leaves a round sensor towards a corner of their bounds, octagons: these still overlap up
-// to 1.62 m, when the circles part at 1.5 m. Also without continuous collision, which looks at each
+// to 1.62 m, when the circles part at 1.5 m. Also without continuous collision, which tests each
 // sensor again.
 TEST(Sensor, ReportsTheEndWhileBoundsStillOverlap) {
     const Vec2 direction = Rot::fromAngle(std::numbers::pi_v<Real> / 8).xAxis();

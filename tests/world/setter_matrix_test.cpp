@@ -340,8 +340,9 @@ void expectSleepDoesNotShow(const Case& is, const NamedChange& change, const Pai
     expectSamePlaces(sleeping.world, awake.world);
 }
 
-/// Double and sanitizers judge each relation, each type and a sensor, but not each combination.
-bool isJudged(const Case& is) {
+/// In double and with sanitizers each relation, each type and a sensor are covered, but not each
+/// combination.
+bool isCovered(const Case& is) {
     const int special = (is.relation != Relation::Touching ? 1 : 0) +
                         (is.type != BodyType::Dynamic ? 1 : 0) + (is.sensor ? 1 : 0);
     return (!support::kSanitized && !support::kDouble) || special <= 1;
@@ -354,7 +355,7 @@ TEST_P(SetterMatrix, SleepDoesNotShowAfterAnyChange) {
         for (const BodyType type : {BodyType::Dynamic, BodyType::Kinematic, BodyType::Static}) {
             for (const bool sensor : {false, true}) {
                 const Case is{GetParam(), relation, type, sensor};
-                if (!isJudged(is)) {
+                if (!isCovered(is)) {
                     continue;
                 }
                 const Pair sleeping = build(is);

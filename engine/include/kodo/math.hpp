@@ -117,11 +117,11 @@ struct BasicRot {
     T c = 1;
     T s = 0;
 
-    /// Rotation by an angle (rad), counter-clockwise.
+    /// Rotation by an angle (rad), counter-clockwise. NaN for an angle that is not finite.
     static BasicRot fromAngle(T radians) {
-        const T nan = radians - radians; // 0 for a finite angle
-        if (nan != 0) {
-            return {nan, nan};
+        const T zero = radians - radians; // NaN unless the angle is finite
+        if (zero != 0) {
+            return {zero, zero};
         }
         const SinCos<T> both = sinCos(radians);
         return {both.cos, both.sin};

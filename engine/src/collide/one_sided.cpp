@@ -177,8 +177,8 @@ Manifold collideWithFaces(const ConvexShape& line, const Transform& a, const Con
             }
             if (!ownsAlong(line, ab * other.vertices[support])) {
                 // Its deepest corner is beyond this line, but the other end of that face may come
-                // down here. The deeper point of the face is the vertex. The neighbour owns it, but
-                // may not have found it where it is deep.
+                // down here. The deeper point of the face is the vertex. The neighbour owns it,
+                // but may have no contact where it is deep.
                 Manifold lying =
                     clipAgainstFace({line, a}, {other, b}, ab, front, margin, BeyondEnds::Nothing);
                 if (behind || lying.count < 2) {

@@ -12,9 +12,9 @@ inline namespace KODO_PRECISION {
 
 /// Removes the points of a manifold that move over a hilltop of a one-sided or jointed line before
 /// they touch it, in a step of dt (s). With them, the straight extension of the line would lift a
-/// shape whose last corner leaves a ramp. Sensors and round shapes keep all points: a disc meets
-/// the vertex next. So do two parts thinner than the slop: what touches the next line after all
-/// would be behind it at once.
+/// shape whose last corner leaves a ramp. All points of sensors and round shapes are kept: the
+/// next contact of a disc is the vertex. Likewise those of two parts thinner than the slop: without
+/// its contact, such a part could pass the next line within the step.
 ///
 /// Returns the relative displacement (m) up to which no other point comes to a hilltop: the
 /// manifold must be found again then.

@@ -52,7 +52,7 @@ private:
         const Step& step;
         Real restSpeed; // m/s; no slower contact has an impact
     };
-    /// A contact that may have an impact in this step, and what its rounds have found.
+    /// A contact that may have an impact in this step, and the results of its rounds.
     struct Candidate {
         std::uint32_t slot;
         std::uint32_t bodyA;
