@@ -12,6 +12,12 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
+/// How the errors of rigid constraints are removed: by a velocity that a relax pass removes again,
+/// or by displacements (see JointSet::correct()). In loops of many joints the passes of a substep
+/// do not converge, so that a part of the velocity remains and adds energy. Joints of articulated
+/// trees, which are solved directly, always use the velocity.
+enum class ErrorRemoval : std::uint8_t { ByVelocity, ByDisplacement };
+
 /// Parameters of one pass over the joints.
 struct JointPass {
     Real h = 0;           // s, length of the substep
@@ -20,6 +26,7 @@ struct JointPass {
     bool exact = false;   // the joint belongs to a tree, see ArticulatedTrees
     int springPasses = 0; // further passes over springs with a lag, see Softness::spring()
     bool last = true;     // of a substep, if not biased: adds the impulses to the sums of the step
+    ErrorRemoval errors = ErrorRemoval::ByVelocity;
 };
 
 /// Rigid constraints of one joint: up to three rows J = (a, b) on the velocities of its bodies,

@@ -34,6 +34,24 @@ struct JointFrame {
     }
 };
 
+/// Joints of a body that can only rotate are solved exactly, one at a time.
+inline ErrorRemoval errorsOf(const JointFrame& frame, const JointPass& pass) {
+    return turnsOnly(frame.a) || turnsOnly(frame.b) ? ErrorRemoval::ByVelocity : pass.errors;
+}
+
+/// Of the rigid constraints that are solved one by one.
+inline Softness softnessOf(const JointFrame& frame, const JointPass& pass) {
+    return errorsOf(frame, pass) == ErrorRemoval::ByVelocity ? pass.stiff : Softness{};
+}
+
+/// False if the widening by a rotation of `angle` (rad) in the substep is left to the
+/// displacements. As a velocity it conserves the energy of slow loops, but what the passes leave of
+/// it adds energy. At 1/4 rad it is 1/8 of the velocity of the anchor.
+inline bool keepsArcs(const JointFrame& frame, const JointPass& pass, Real angle) {
+    constexpr Real kMostArc = Real(1) / 4;
+    return pass.exact || errorsOf(frame, pass) == ErrorRemoval::ByVelocity || angle <= kMostArc;
+}
+
 /// Anchors move on circles about the centres of mass, but the velocity constraint is tangential.
 /// The difference widens the gap within the substep and is removed in full. The present gap, as
 /// rotated with body a, is removed at the rate of the stiffness; at most `mostError` (m) of it
@@ -45,10 +63,13 @@ inline PointConstraint anchorsOf(const JointFrame& frame, const JointPass& pass,
     if (size > mostError) {
         gap = (mostError / size) * gap;
     }
-    const Vec2 arc = fromTangentToArc(pass.h * frame.b.angularVelocity, frame.armB) -
-                     fromTangentToArc(angleA, frame.commonArm());
+    const Real angleB = pass.h * frame.b.angularVelocity;
+    Vec2 arc;
+    if (keepsArcs(frame, pass, std::max(std::abs(angleA), std::abs(angleB)))) {
+        arc = fromTangentToArc(angleB, frame.armB) - fromTangentToArc(angleA, frame.commonArm());
+    }
     const Softness rigid{pass.stiff.biasRate, 1, 0};
-    return {frame.commonArm(), frame.armB, gap, pass.exact ? rigid : pass.stiff,
+    return {frame.commonArm(), frame.armB, gap, pass.exact ? rigid : softnessOf(frame, pass),
             (1 / pass.h) * arc};
 }
 
@@ -171,7 +192,7 @@ private:
                                 joint_.springBound);
     }
 
-    AxisConstraint angular() const { return {{}, 1, 1, 0, 0, {}, kUnbounded, {}, {}}; }
+    AxisConstraint angular() const { return {.axis = {}, .leverA = 1, .leverB = 1}; }
 
     /// An angular constraint that accounts for the point solved right after it.
     AxisConstraint angularBeside(const PointConstraint& point) const {
@@ -182,15 +203,9 @@ private:
 
     /// Constraint along an axis fixed to a; `gap` (m) is anchor b minus anchor a.
     AxisConstraint linear(Vec2 axis, Vec2 gap) const {
-        return {axis,
-                cross(frame_.armA + gap, axis),
-                cross(frame_.armB, axis),
-                0,
-                0,
-                {},
-                kUnbounded,
-                {},
-                {}};
+        return {.axis = axis,
+                .leverA = cross(frame_.armA + gap, axis),
+                .leverB = cross(frame_.armB, axis)};
     }
 
     static AxisConstraint reversed(AxisConstraint axis) {
@@ -203,7 +218,7 @@ private:
     AxisConstraint fixed(AxisConstraint axis, Real error) const {
         const Real most = mostError(pass_.stiff);
         axis.error = std::clamp(error, -most, most);
-        axis.softness = pass_.stiff;
+        axis.softness = pass_.exact ? pass_.stiff : softnessOf(frame_, pass_);
         return axis;
     }
 
@@ -219,7 +234,7 @@ private:
     /// but not exceeded.
     void limit(AxisConstraint axis, std::size_t slot, Real room) {
         axis.error = std::max(room, -mostError(pass_.stiff));
-        axis.softness = room > 0 ? Softness::rigid(pass_.h) : pass_.stiff;
+        axis.softness = room > 0 ? Softness::rigid(pass_.h) : softnessOf(frame_, pass_);
         axis.bounds.lower = 0;
         visit_(axis, joint_.axes[slot], room > 0 ? Relax::Same : Relax::Rigid);
     }

@@ -43,7 +43,7 @@ struct PointConstraint {
     Vec2 armA;
     Vec2 armB;
     Vec2 error; // m, point b minus point a
-    Softness softness;
+    Softness softness{};
     Vec2 arc{}; // m/s, by which the tangents of both anchors leave their arcs in the substep
     Real maxImpulse = std::numeric_limits<Real>::infinity(); // N s
     CoupledAngle angle{};
@@ -91,7 +91,7 @@ struct AxisConstraint {
     Real leverB = 0;
     Real error = 0; // m or rad
     Real speed = 0; // m/s or rad/s, target
-    Softness softness;
+    Softness softness{};
     Range bounds = kUnbounded; // N s or N m s
     CoupledPoint beside{};     // of an angular constraint only
     CoupledAngle angle{};      // of a linear constraint only

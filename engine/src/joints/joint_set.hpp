@@ -100,6 +100,9 @@ public:
     void scaleImpulses(Real by);
     void warmStart(Bodies& bodies, const JointPass& pass);
     void solve(Bodies& bodies, const JointPass& pass);
+    /// After the displacements: removes the errors that a pass with ErrorRemoval::ByDisplacement
+    /// leaves, in each pass the share that `pass.stiff` would remove in a substep.
+    void correct(Bodies& bodies, const JointPass& pass, int passes);
     /// Resets joints whose impulses are not finite.
     void forgetUnsound();
     /// Computes the loads of a step of dt. Removes and returns the overloaded joints.

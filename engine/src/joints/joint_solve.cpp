@@ -128,6 +128,57 @@ private:
     Real before_; // rad/s, of b relative to a
 };
 
+/// Moves the two bodies of a joint so that a share of its errors vanishes. The constraints act on
+/// displacements as they do on velocities. So linear and angular momentum are conserved, and no
+/// velocity changes.
+class Displacement {
+public:
+    /// `most`: m or rad, of the errors. Of a tree, limits alone are left to it.
+    Displacement(Bodies& bodies, const JointEnds& ends, Real share, Real most, bool inTree)
+        : moveOfA_(bodies.motion[ends.a.index]),
+          moveOfB_(bodies.motion[ends.b.index]),
+          a_(atRest(moveOfA_)),
+          b_(atRest(moveOfB_)),
+          share_(share),
+          inTree_(inTree) {
+        joint_.mostBias = most;
+    }
+
+    template <typename Kind>
+    void remove(const Kind& kind, const JointFrame& now) {
+        if (turnsOnly(a_) || turnsOnly(b_)) {
+            return; // see errorsOf()
+        }
+        const JointFrame frame{a_, b_, now.armA, now.armB, now.gap, now.rotationA, now.rotationB};
+        const JointPass pass{.h = 1, .stiff = {share_, 1, 0}, .biased = true};
+        JointKinds(joint_, frame, pass, [&](const auto& constraint, auto& impulse, Relax relax) {
+            const bool hasError = constraint.softness.biasRate > 0; // a motor has none
+            if (relax == Relax::Rigid && hasError && !(inTree_ && isHeld(constraint))) {
+                constraint.solve(a_, b_, impulse, true);
+            }
+        })(kind);
+        moveOfA_.deltaPosition += a_.velocity;
+        moveOfA_.deltaAngle += a_.angularVelocity;
+        moveOfB_.deltaPosition += b_.velocity;
+        moveOfB_.deltaAngle += b_.angularVelocity;
+    }
+
+private:
+    static BodyVelocity atRest(BodyVelocity motion) {
+        motion.velocity = {};
+        motion.angularVelocity = 0;
+        return motion;
+    }
+
+    BodyVelocity& moveOfA_;
+    BodyVelocity& moveOfB_;
+    BodyVelocity a_; // displacements in place of velocities
+    BodyVelocity b_;
+    JointSet::Joint joint_; // without impulses
+    Real share_;
+    bool inTree_;
+};
+
 } // namespace
 
 void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
@@ -199,7 +250,12 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
                 joint.def);
         }
         forConstraints(
-            joint, bodies, turned_, {pass.h, pass.stiff, pass.biased, rows != nullptr},
+            joint, bodies, turned_,
+            {.h = pass.h,
+             .stiff = pass.stiff,
+             .biased = pass.biased,
+             .exact = rows != nullptr,
+             .errors = pass.errors},
             [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
                 if (rows != nullptr && relax == Relax::Rigid && isHeld(constraint)) {
                     rows->add(constraint, impulse, joint.slotOf(impulse));
@@ -220,6 +276,28 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
     inertias_.restore(bodies);
     measureHinges(bodies, pass);
     solveTrees(bodies, pass);
+}
+
+void JointSet::correct(Bodies& bodies, const JointPass& pass, int passes) {
+    const Real share = pass.h * pass.stiff.biasRate * pass.stiff.massScale;
+    for (int k = 0; k < passes; ++k) {
+        for (const std::uint32_t index : own_) {
+            const HeldRows* const rows = trees_.rowsOf(index);
+            if (rows != nullptr && rows->hinge) {
+                continue;
+            }
+            const Joint& joint = joints_[index];
+            const Real most = joint.mostBias * pass.h / static_cast<Real>(passes);
+            std::visit(
+                [&](const auto& kind) {
+                    if constexpr (requires { kind.ends; }) {
+                        Displacement move(bodies, kind.ends, share, most, rows != nullptr);
+                        move.remove(kind, frameOf(bodies, turned_, kind.ends));
+                    }
+                },
+                joint.def);
+        }
+    }
 }
 
 /// Updates the rows of the hinges of trees.

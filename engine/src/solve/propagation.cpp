@@ -21,6 +21,9 @@ namespace {
 constexpr Real kLeastHold = Real(1e-9);
 // Passes over the contacts of joints, after the displacements.
 constexpr int kRelaxPasses = 4;
+// Passes over the displacements that close joints. With two, a chain of 21 over a peg opens by 0.24
+// instead of 0.06 m at 30 Hz.
+constexpr int kCorrectionPasses = 4;
 
 bool bounces(const Contact& contact, const StepSettings& settings) {
     return contact.material.restitution > 0 && settings.has(Feature::Restitution);
@@ -303,9 +306,9 @@ void Propagation::markExposure(const Bodies& bodies, const JointSet& joints, Rea
     });
 }
 
-/// After the displacements: removes the velocity that the errors of joints have added. Where
-/// contacts of their bodies resisted it, their impulses are taken back as well. Otherwise the
-/// bodies would leave at that velocity.
+/// After the displacements: removes the velocity that the errors of trees and the arcs of anchors
+/// have added. Where contacts of their bodies resisted it, their impulses are taken back as well.
+/// Otherwise the bodies would leave at that velocity.
 void Propagation::relax(Bodies& bodies, JointSet& joints, JointPass pass,
                         const PropagationSettings& settings) {
     if (joints.busyCount() == 0) {
@@ -334,7 +337,10 @@ void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints
     const std::span<Contact> contacts = contactSet.contacts();
     const PropagationSettings& settings = step.own();
     const Real h = step.dt / static_cast<Real>(settings.substeps);
-    JointPass pass{h, Softness::from(settings.jointHertz, settings.jointDamping, h), true};
+    JointPass pass{.h = h,
+                   .stiff = Softness::from(settings.jointHertz, settings.jointDamping, h),
+                   .biased = true,
+                   .errors = ErrorRemoval::ByDisplacement};
     const bool several = settings.substeps > 1;
     if (several) {
         assignReusing(strongest_, contacts.size(), StrongestGroup{});
@@ -363,6 +369,7 @@ void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints
         separate(bodies, step, h);
         markExposure(bodies, joints, h, step.tolerances.slop);
         integrateMoves(bodies, bodies.awake, exposure_, h);
+        joints.correct(bodies, pass, kCorrectionPasses);
         pass.biased = false;
         relax(bodies, joints, pass, settings);
         if (several) {
