@@ -11,7 +11,7 @@ namespace {
 
 const std::vector<StepSettings> kImpactSolvers{{}, thesis2006()};
 
-// D7: a paddle that moves farther in a step than it is thick. No ball ends up behind it, whatever
+// B1: a paddle that moves farther in a step than it is thick. No ball ends up behind it, whatever
 // the restitution e and the place of the ball in the step, and it leaves at (1 + e) times the
 // speed.
 TEST(KinematicImpact, AFastPaddlePassesThroughNoBall) {
@@ -41,7 +41,7 @@ TEST(KinematicImpact, AFastPaddlePassesThroughNoBall) {
     }
 }
 
-// D7: a bar that turns by up to 2 rad in a step about its middle hits a ball at each place that it
+// B1: a bar that turns by up to 2 rad in a step about its middle hits a ball at each place that it
 // passes over.
 TEST(KinematicImpact, AFastBarHitsEachBallInItsWay) {
     for (const StepSettings& settings : kImpactSolvers) {
