@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Buildings: blocks that stand, fall, and count.
 #include <apart/core/assets.hpp>
+#include <apart/core/bot.hpp>
 #include <apart/core/lint.hpp>
 
 #include <game/game_access.hpp>
@@ -174,6 +175,25 @@ to = [0, 12000]
     EXPECT_TRUE(game.links().empty());
     play(game, 60);
     EXPECT_LT(game.world()[game.blocks().back().body].position().y, 11);
+}
+
+// Rubble that breaks by its age takes its ropes and pins along in the same tick: a picture of the
+// links is drawn after any tick. Before, it was drawn with joints that no longer existed.
+TEST(Building, AfterEachTickAllLinksExist) {
+    for (const char* const name : {"rope_bridge", "scaffold", "mobile", "bell"}) {
+        Game game{std::get<Level>(loadLevel(name)), 1};
+        std::size_t most = 0;
+        std::size_t least = game.links().size();
+        for (int tick = 0; tick < 2400; ++tick) {
+            game.tick(bot(game, BotKind::Good));
+            most = std::max(most, game.links().size());
+            least = std::min(least, game.links().size());
+            for (const Link& link : game.links()) {
+                ASSERT_TRUE(game.world().contains(link.joint)) << name << ", tick " << tick;
+            }
+        }
+        EXPECT_LT(least, most) << name << ": no link went";
+    }
 }
 
 TEST(Building, APullCatchesAFallenBlock) {

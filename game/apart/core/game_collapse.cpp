@@ -104,7 +104,7 @@ void watchLinks(GameState& game) {
             game.clock.progress();
         }
     }
-    std::erase_if(game.links, [&](const Link& link) { return !game.world.contains(link.joint); });
+    forgetLinks(game);
     const kodo::World& world = game.world;
     for (Link& link : game.links) {
         const kodo::JointDef& def = world.joint(link.joint);
@@ -121,15 +121,20 @@ void watchLinks(GameState& game) {
     }
 }
 
+void forgetLinks(GameState& game) {
+    std::erase_if(game.links, [&](const Link& link) { return !game.world.contains(link.joint); });
+}
+
 /// Removes the joints of a body.
 void dropLinks(GameState& game, BodyId body) {
+    forgetLinks(game); // of bodies removed since
     for (const Link& link : game.links) {
         const kodo::JointDef& def = game.world.joint(link.joint);
         if (firstBody(def) == body || secondBody(def) == body) {
             game.world.remove(link.joint);
         }
     }
-    std::erase_if(game.links, [&](const Link& link) { return !game.world.contains(link.joint); });
+    forgetLinks(game);
 }
 
 } // namespace apart

@@ -15,10 +15,14 @@ using kodo::Real;
 using kodo::Vec2;
 
 static void governBall(GameState& game, Ball& ball);
+static void keepInside(GameState& game, const Ball& ball);
+static void limitSpeed(GameState& game, const Ball& ball);
 
 void govern(GameState& game) {
     for (Ball& ball : game.balls) {
         if (!ball.riding) {
+            keepInside(game, ball);
+            limitSpeed(game, ball);
             governBall(game, ball);
         }
     }
@@ -81,6 +85,37 @@ void governBall(GameState& game, Ball& ball) {
     }
     if (length(next) >= kHaltSpeed) {
         ball.heading = normalize(next);
+    }
+}
+
+/// Moves a ball that has been pressed deep into a wall back into the field.
+void keepInside(GameState& game, const Ball& ball) {
+    kodo::BodyRef body = game.world[ball.body];
+    const kodo::Aabb bounds = body.bounds();
+    const Real left = -kFieldWidth / 2 - bounds.lower.x; // overlaps (m)
+    const Real right = bounds.upper.x - kFieldWidth / 2;
+    const Real top = bounds.upper.y - kFieldHeight;
+    const Vec2 in{left > kMostPressed    ? left
+                  : right > kMostPressed ? -right
+                                         : Real(0),
+                  top > kMostPressed ? -top : Real(0)};
+    if (in == Vec2{}) {
+        return;
+    }
+    body.setPosition(body.position() + in);
+    Vec2 velocity = body.velocity();
+    velocity.x = in.x == 0 ? velocity.x : std::copysign(velocity.x, in.x);
+    velocity.y = in.y == 0 ? velocity.y : -std::abs(velocity.y);
+    body.setVelocity(velocity);
+}
+
+/// A ball between paddle and wall, or between two bars, bounces many times in one tick.
+void limitSpeed(GameState& game, const Ball& ball) {
+    kodo::BodyRef body = game.world[ball.body];
+    const Real most = kMostBallFactor * game.ballSpeed();
+    const Real speed = length(body.velocity());
+    if (speed > most) {
+        drive(body, (most / speed) * body.velocity(), game.ledger.servoWork);
     }
 }
 

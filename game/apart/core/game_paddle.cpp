@@ -20,6 +20,24 @@ namespace {
 // Gap (m) between the paddle and a riding ball, so that they do not touch.
 constexpr Real kRideGap = Real(0.05);
 
+/// Width (m) of the balls between the paddle and the wall on one side (-1 or 1), which it would
+/// press into the wall. A ball whose centre is above the rim by more than half its radius is lifted
+/// instead.
+Real widthBetween(const GameState& game, const kodo::Aabb& paddle, Real side) {
+    Real width = 0;
+    for (const Ball& ball : game.balls) {
+        const kodo::BodyView body = game.world[ball.body];
+        const Vec2 place = body.position();
+        const bool beyond = side < 0 ? place.x < paddle.lower.x : place.x > paddle.upper.x;
+        const Real rim = kPaddleY + game.paddle.sway.lift;
+        if (!ball.riding && beyond && place.y < rim + kBallRadius / 2 &&
+            body.bounds().upper.y > paddle.lower.y) {
+            width += body.bounds().upper.x - body.bounds().lower.x;
+        }
+    }
+    return width;
+}
+
 Vec2 rideOffset(BallKind kind) {
     return {0, domeHeight(0) + reachOf(kind) + kRideGap};
 }
@@ -76,10 +94,12 @@ void steer(GameState& game, const Input& input) {
     game.paddle.sway = swayed(game.paddle.sway, game.paddleKind());
     game.paddle.speed = drivenSpeed(input, position.x, game.paddle.speed, paddle.mass());
 
-    // Welded parts must stay inside the field too.
+    // Welded parts must stay inside the field too, and balls must fit between paddle and wall.
     const kodo::Aabb bounds = paddle.bounds();
-    const Real roomLeft = std::min(-kFieldWidth / 2 - bounds.lower.x, Real(0));
-    const Real roomRight = std::max(kFieldWidth / 2 - bounds.upper.x, Real(0));
+    const Real left = -kFieldWidth / 2 + widthBetween(game, bounds, -1);
+    const Real right = kFieldWidth / 2 - widthBetween(game, bounds, 1);
+    const Real roomLeft = std::min(left - bounds.lower.x, Real(0));
+    const Real roomRight = std::max(right - bounds.upper.x, Real(0));
     const Real way = std::clamp(game.paddle.speed * kTickSeconds, roomLeft, roomRight);
     game.paddle.speed = way / kTickSeconds;
 

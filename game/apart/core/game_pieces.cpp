@@ -202,6 +202,7 @@ void removeGone(GameState& game) {
     removeGoneBlocks(game);
     removeGoneParts(game);
     removeGoneShards(game);
+    forgetLinks(game);
 }
 
 void removeGoneBalls(GameState& game) {

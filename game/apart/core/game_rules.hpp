@@ -42,6 +42,8 @@ void removeGoneBlocks(GameState& game);
 
 // game_collapse.cpp: buildings.
 void watchBuildings(GameState& game);
+/// Removes the links of joints that are no longer in the world.
+void forgetLinks(GameState& game);
 void markFallen(GameState& game, std::size_t index, LetGo::Why why);
 std::int32_t addToCollapse(GameState& game, const Block& block, kodo::Vec2 place);
 void endCollapse(GameState& game);

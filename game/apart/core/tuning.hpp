@@ -12,7 +12,7 @@ namespace apart {
 using kodo::Real;
 
 // To be raised whenever the same inputs give another game. Older replays are then refused.
-inline constexpr std::uint32_t kRulesVersion = 23;
+inline constexpr std::uint32_t kRulesVersion = 24;
 
 inline constexpr int kTicksPerSecond = 120;
 inline constexpr Real kTickSeconds = Real(1) / 120;
@@ -47,10 +47,12 @@ inline constexpr Real kServeSlope = Real(0.6); // |x/y| of the flattest serve
 // The governor. A servo holds the speed along the heading. The smallest rotation at a contact keeps
 // a ball out of a cone around the horizontal, where it would bounce between the side walls for
 // minutes.
-inline constexpr Real kServoBand = Real(0.01);     // tolerated relative error of the speed
-inline constexpr Real kServoShare = Real(1) / 8;   // share of the error corrected per tick
-inline constexpr Real kSwallowed = Real(0.7);      // share of speed; a slower ball is thrown off
-inline constexpr std::uint32_t kCarriedTicks = 20; // slow on a dynamic body; then thrown off
+inline constexpr Real kServoBand = Real(0.01);        // tolerated relative error of the speed
+inline constexpr Real kServoShare = Real(1) / 8;      // share of the error corrected per tick
+inline constexpr Real kMostBallFactor = 4;            // of its speed; no ball flies faster
+inline constexpr Real kMostPressed = kBallRadius / 2; // m; deeper in a wall, a ball is moved out
+inline constexpr Real kSwallowed = Real(0.7);         // share of speed; a slower ball is thrown off
+inline constexpr std::uint32_t kCarriedTicks = 20;    // slow on a dynamic body; then thrown off
 // After this time without damage a ball above this height flies faster, so that a miss costs
 // little.
 inline constexpr std::uint32_t kQuickTicks = 108; // 0.9 s
