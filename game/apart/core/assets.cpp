@@ -95,6 +95,9 @@ Read<Level> loadLevel(const std::string& name) {
                                std::to_string(std::numeric_limits<std::uint32_t>::max()) +
                                " and a NUMBER from 1 to " + std::to_string(kMostEndless)};
     }
+    if (name.ends_with(".toml")) {
+        return readLevelFile(name);
+    }
     if (!isName(name)) {
         return FileProblem{name, 0,
                            "is not a level name: it has letters, digits, - and _ only, 1 to " +

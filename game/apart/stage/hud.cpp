@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/tuning.hpp>
+#include <apart/stage/block_bounds.hpp>
 #include <apart/stage/hud.hpp>
 #include <apart/stage/layout.hpp>
 #include <apart/stage/marks.hpp>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace apart {
 
@@ -180,6 +182,37 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t letters) {
     return lines;
 }
 
+/// Area (m^2) of the blocks that lines from `bottom` to `top` (m) would cover.
+static Real coveredBy(const Game& game, Real bottom, Real top) {
+    constexpr Real kHalfWidth = 8;
+    Real covered = 0;
+    for (const Block& block : game.blocks()) {
+        const kodo::Aabb bounds = boundsOf(game, block);
+        const Real width =
+            std::min(bounds.upper.x, kHalfWidth) - std::max(bounds.lower.x, -kHalfWidth);
+        const Real height = std::min(bounds.upper.y, top) - std::max(bounds.lower.y, bottom);
+        covered += std::max(width, Real(0)) * std::max(height, Real(0));
+    }
+    return covered;
+}
+
+/// Height (m) for lines that reach from `above` to `below` around it, where they cover the least of
+/// the blocks; of equal ones the nearest to the usual one.
+static Real clearHeight(const Game& game, Real above, Real below) {
+    constexpr Real kUsual = Real(7.3);
+    constexpr Real kHighest = Real(16.7);
+    Real best = kUsual;
+    Real least = std::numeric_limits<Real>::infinity();
+    for (Real y = Real(2.2) + below; y < kHighest; y += Real(0.3)) {
+        const Real cost = coveredBy(game, y - below, y + above) + Real(0.01) * std::abs(y - kUsual);
+        if (cost < least) {
+            least = cost;
+            best = y;
+        }
+    }
+    return best;
+}
+
 void paintServeHint(Canvas& canvas, const Game& game, const Bindings& keys) {
     const bool falls =
         std::any_of(game.blocks().begin(), game.blocks().end(), [&](const Block& block) {
@@ -195,10 +228,13 @@ void paintServeHint(Canvas& canvas, const Game& game, const Bindings& keys) {
                     {height, palette::kInk, face, Align::Middle});
         canvas.text(text, {0, y}, {height, color, face, Align::Middle});
     };
-    Real y = Real(7.3);
-    if (game.score() == 0) {
+    const bool first = game.score() == 0;
+    const std::vector<std::string> idea = wrapped(game.level().idea, 48);
+    const Real lines = first ? Real(0.85) * static_cast<Real>(idea.size()) + Real(2) : Real(1.4);
+    Real y = clearHeight(game, first ? Real(1.2) : Real(0), lines);
+    if (first) {
         line(game.level().title, y, Real(1.1), palette::kAccent);
-        for (const std::string& part : wrapped(game.level().idea, 48)) {
+        for (const std::string& part : idea) {
             y -= Real(0.85);
             line(part, y, Real(0.52), palette::kText);
         }
@@ -206,7 +242,7 @@ void paintServeHint(Canvas& canvas, const Game& game, const Bindings& keys) {
     const float pulse = 0.75f + 0.25f * std::sin(0.07f * static_cast<float>(game.ticks() % 12000));
     line(keys.prompt(Act::Serve) + " or click to serve", y - Real(1.1), Real(0.5),
          faded(palette::kText, pulse));
-    if (game.score() == 0) {
+    if (first) {
         line(fmt::format("left button, {}: pull      right button, {}: push",
                          keys.prompt(Act::Pull), keys.prompt(Act::Push)),
              y - Real(1.8), Real(0.42), palette::kQuiet);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/tuning.hpp>
+#include <apart/stage/block_bounds.hpp>
 #include <apart/stage/juice.hpp>
 #include <apart/stage/palette.hpp>
 
@@ -16,17 +17,6 @@ constexpr Real kCalm = Real(0.94);       // decay of the trauma per tick
 constexpr Real kCool = Real(0.93);       // decay of the heat per tick
 constexpr Real kSwing = Real(0.3);       // rad per tick, oscillation after an impact
 constexpr std::size_t kTrailLength = 44; // ticks
-
-/// Bounds of a block, which may be one part of a body.
-Aabb boundsOf(const Game& game, const Block& block) {
-    const kodo::BodyView body = game.world()[block.body];
-    if (block.ownsBody()) {
-        return body.bounds();
-    }
-    const Vec2 middle = body.massFrame() * body.part(block.part).convex.middle;
-    const Vec2 half{kCellWidth / 2, kCellHeight / 2};
-    return {middle - half, middle + half};
-}
 
 /// Bounds of a body now and for the next third of a second.
 Aabb sweptBounds(const kodo::BodyView& body) {

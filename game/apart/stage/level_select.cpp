@@ -172,7 +172,8 @@ void LevelSelect::drawBest(Canvas& canvas, const Records& records, Mode mode, Ve
     const bool proved = standing.proof == Proof::Proved;
     const bool shown = standing.proof != Proof::None && standing.proof != Proof::Missing;
     canvas.text(mode == Mode::Pure ? "BEST, PURE" : "BEST", place,
-                {Real(0.4), counts ? palette::kAccent : palette::kQuiet});
+                {Real(0.4), counts ? palette::kAccent : palette::kQuiet, Typeface::Plain,
+                 Align::Left, Real(2.2)});
     canvas.text(shown ? grouped(standing.score) : "-", place - Vec2{0, Real(0.9)},
                 {Real(0.8), proved ? palette::kText : palette::kQuiet, Typeface::Bold});
     const Medal medal = records.medalOf(mode, level);
@@ -191,14 +192,15 @@ void LevelSelect::drawBest(Canvas& canvas, const Records& records, Mode mode, Ve
     if (counts && next > 0) {
         canvas.text(
             fmt::format("{} {}", kMedalNames[static_cast<std::size_t>(medal) + 1], grouped(next)),
-            place + Vec2{Real(1.4), 0}, {Real(0.4), palette::kQuiet});
+            place + Vec2{Real(4.7), 0},
+            {Real(0.4), palette::kQuiet, Typeface::Plain, Align::Right, Real(2.3)});
     }
     const std::string note = standing.proof == Proof::Missing
                                  ? fmt::format("{}: {}", grouped(standing.score), standing.note)
                                  : standing.note;
     canvas.text(note, place - Vec2{0, Real(1.35)}, {Real(0.36), palette::kQuiet});
     const MedalMarks* marks = marksFor(level, records.marks());
-    paintHonours(canvas, place + Vec2{Real(0.3), Real(-1.95)}, {Real(0.85), 0}, Real(0.28),
+    paintHonours(canvas, place + Vec2{Real(0.3), Real(-1.95)}, {Real(0.8), 0}, Real(0.26),
                  {records.profile().bestOf(mode, level), *levels_[chosen_], marks});
 }
 

@@ -46,6 +46,7 @@ public:
     Kind kind() const { return kind_; }
     bool isDemo() const { return kind_ == Kind::Demo; }
     bool isShow() const { return kind_ == Kind::Show; }
+    bool isWhatIf() const { return kind_ == Kind::WhatIf; } // taken over from a replay
     const Play& play() const { return *play_; }
     const Game& game() const { return play_->game(); }
     Closeup closeup() const { return camera_.closeup(game()); }

@@ -115,7 +115,7 @@ void Stage::beginRun(Day day) {
 }
 
 void Stage::again() {
-    if (session_.isShow()) {
+    if (session_.isShow() || session_.isWhatIf()) {
         return beginShow();
     }
     if (endless_.number == 0) {
