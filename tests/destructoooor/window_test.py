@@ -48,7 +48,8 @@ def changed(demo, before, name, report, area):
 def work(screen, program, report):
     with Program(screen, "Destructoooor!", program, "--scene", "1") as demo:
         demo.key("space")  # pauses
-        empty = wait_until("the window is drawn", lambda: demo.picture(report / "sandbox_1.png"))
+        demo.wait_until_drawn(SCENE)
+        empty = demo.picture(report / "sandbox_1.png")
         screen.xdotool("mousemove", "--window", demo.window, 400, 300, "click", 1)
         dropped = changed(demo, empty, "sandbox_2.png", report, SCENE)
         check("a click drops something", True)

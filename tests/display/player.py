@@ -152,8 +152,7 @@ def play(screen, apart, level, seconds):
                 served = time.monotonic()
         hand.close()
         eye.close()
-        game.key("Escape")
-        time.sleep(0.5)
+        game.after("pause", lambda: game.key("Escape"), least=30000, fuzz=30)
         game.key("Up", "Return")  # to the title: the game is kept
         kept = pathlib.Path(screen.config.name) / "apart" / "last.replay"
         for _ in range(20):  # a busy machine writes it late

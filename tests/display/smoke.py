@@ -15,8 +15,12 @@ from virtual_screen import (Program, Screen, brightest, check, difference, judge
                             run_without_display, skip_without_tools, wait_until)
 
 PADDLE = "1000x90+36+700"  # area of the paddle in a window of 1280x800
+MOVED = {"area": PADDLE, "fuzz": 30}  # the light around the paddle changes by less
 MENU = "460x34+296+304"  # the first item of the pause screen
+FIELD = "900x300+60+60"
 MANY = 1500  # pixels; the paddle alone has about 4000
+VEIL = 400000  # pixels that the pause screen darkens
+SCREEN = 12000  # pixels between two screens in a window of 800x760
 
 
 def check_without_display(apart):
@@ -27,12 +31,17 @@ def check_without_display(apart):
           plain.returncode == 3 and "no display" in plain.stderr)
 
 
-def changed(game, report, before, name, area=None, least=MANY):
+def inside(game):
+    x, y = game.pointer()
+    return 0 < x < 1280 and 0 < y < 800
+
+
+def changed(game, report, before, name, area=None, least=MANY, fuzz=8):
     """Waits until the picture differs from an older one, and returns the new one."""
     path = report / name
 
     def look():
-        return difference(game.screen, before, game.picture(path), area) >= least
+        return difference(game.screen, before, game.picture(path), area, fuzz) >= least
     wait_until(f"the picture changes ({name})", look)
     return path
 
@@ -40,14 +49,11 @@ def changed(game, report, before, name, area=None, least=MANY):
 def check_without_window_manager(screen, apart, report):
     """The window receives keys without being given the focus."""
     with Program(screen, "aPart", apart, "--mute", "--level", "first_light", focus=False) as game:
-        time.sleep(1.5)
-        one = game.picture(report / "alone.png")
-        check("the game is not paused when it starts", brightest(screen, one, "900x300+60+60") > 0.5)
-        game.key("p")
-        changed(game, report, one, "alone_paused.png", least=50000)
+        game.wait_until_drawn(FIELD)
+        time.sleep(0.5)  # it would pause now
+        check("the game is not paused when it starts", brightest(screen, game.look(), FIELD) > 0.5)
+        game.after("pause", lambda: game.key("p"), least=VEIL)
         check("the window takes the keys without being given the focus", True)
-        (report / "alone_paused.png").unlink()
-        one.unlink()
 
 
 def play(screen, apart, report):
@@ -62,27 +68,28 @@ def play(screen, apart, report):
         waiting = changed(game, report, title, "2_serve.png", least=20000)
         check("enter starts a level", True)
 
-        time.sleep(1)  # until all blocks are full size
+        game.wait_until_still(**MOVED)
         waiting = game.picture(waiting)
-        game.hold("Right", 0.4)
-        right = changed(game, report, waiting, "3_right.png", PADDLE)
-        game.hold("Left", 0.6)
-        changed(game, report, right, "4_left.png", PADDLE)
+        with game.held("Right"):
+            right = changed(game, report, waiting, "3_right.png", **MOVED)
+        game.wait_until_still(**MOVED)
+        right = game.picture(right)
+        with game.held("Left"):
+            changed(game, report, right, "4_left.png", **MOVED)
         check("the arrow keys move the paddle", True)
 
-        screen.xdotool("mousemove_relative", 250, 0)
-        changed(game, report, report / "4_left.png", "5_mouse.png", PADDLE)
+        game.wait_until_still(**MOVED)
+        game.after("mouse", lambda: screen.xdotool("mousemove_relative", 250, 0), MANY, **MOVED)
         check("the mouse moves the paddle", True)
         # The sum exceeds the window's width: the mouse must not stop at a border.
         for _ in range(12):
             screen.xdotool("mousemove_relative", 150, 0)
-            time.sleep(0.05)
-        x, y = game.pointer()
-        check(f"the mouse stays inside the window: {x}, {y}", 0 < x < 1280 and 0 < y < 800)
+            wait_until("the mouse is put back into the window", lambda: inside(game))
+        check("the mouse stays inside the window", True)
         for _ in range(3):
             screen.xdotool("mousemove_relative", "--", -150, 0)
-            time.sleep(0.05)
-        time.sleep(0.3)
+            wait_until("the mouse is put back into the window", lambda: inside(game))
+        game.wait_until_still(**MOVED)
         game.picture(report / "5_mouse.png")
 
         game.key("space")
@@ -90,16 +97,15 @@ def play(screen, apart, report):
         check("space serves the ball", True)
 
         game.key("p")
-        changed(game, report, report / "6_flight.png", "7_paused.png", least=50000)
-        time.sleep(0.3)  # the menu must not be animated
+        changed(game, report, report / "6_flight.png", "7_paused.png", least=VEIL)
         one = game.picture(report / "7_paused.png")
-        time.sleep(0.5)
+        time.sleep(0.5)  # the menu must not be animated
         two = game.picture(report / "still.png")
         check("P pauses: nothing moves", difference(screen, one, two) == 0)
         two.unlink()
 
         game.key("p")  # resume
-        changed(game, report, report / "7_paused.png", "on.png", least=50000)
+        changed(game, report, report / "7_paused.png", "on.png", least=VEIL)
         (report / "on.png").unlink()
         screen.xdotool("windowfocus", screen.root())
         wait_until("losing the focus pauses",
@@ -113,14 +119,14 @@ def play(screen, apart, report):
         # The aspect ratio stays the same: the borders above and below are dark. A collapse behind the
         # menu may move the frame of the field there, which has a brightness of 0.2.
         wait_until("the picture fits the new size",
-                   lambda: brightest(screen, game.picture(report / "8_resized.png"), "800x90+0+0") < 0.3)
-        check("the game fits", brightest(screen, report / "8_resized.png", "800x400+0+150") > 0.5)
+                   lambda: brightest(screen, game.picture(report / "8_resized.png"), "800x90+0+0") < 0.3
+                   and brightest(screen, report / "8_resized.png", "800x400+0+150") > 0.5)
         check("the window can be resized", True)
 
-        game.key("Escape", "Escape")  # resume and pause again
-        game.key("Up", "Return")      # to the title
-        game.key("Escape", "Escape")
-        code, output = game.wait_for_end()
+        game.after("resume", lambda: game.key("Escape"), least=SCREEN)
+        game.after("pause", lambda: game.key("Escape"), least=SCREEN)
+        game.after("title", lambda: game.key("Up", "Return"), least=SCREEN)
+        code, output = game.end_by(lambda: game.key("Escape", "Escape"))
         check(f"escape leaves the title: exit code {code}", code == 0)
         check("nothing was written to the terminal", output.strip() == "")
         blank.unlink()

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """A virtual screen, programs in windows on it, and their keys, mouse and pictures."""
+import contextlib
 import os
+import pathlib
 import shutil
 import subprocess
 import sys
@@ -36,10 +38,10 @@ def judged(work, report):
 
 def run_without_display(*command):
     env = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
-    return subprocess.run(command, env=env, capture_output=True, text=True, timeout=20)
+    return subprocess.run(command, env=env, capture_output=True, text=True, timeout=60)
 
 
-def wait_until(what, test, seconds=20.0):
+def wait_until(what, test, seconds=60.0):
     """Returns the first true value of test(); fails with `what` after a timeout in seconds."""
     end = time.monotonic() + seconds
     while True:
@@ -125,10 +127,12 @@ class Program:
         self._check_running()
         self.screen.xdotool("key", *names)
 
-    def hold(self, name, seconds):
+    @contextlib.contextmanager
+    def held(self, name):
+        """The key is down during the `with` block."""
         self._check_running()
         self.screen.xdotool("keydown", name)
-        time.sleep(seconds)
+        yield
         self.screen.xdotool("keyup", name)
 
     def point(self, x, y):
@@ -154,23 +158,61 @@ class Program:
 
     def picture(self, path):
         self._check_running()  # import waits for ever for a window that is gone
-        result = self.screen.run("import", "-window", self.window, str(path))
+        result = self.screen.run("import", "-window", self.window, "-depth", "8", str(path))
         if result.returncode:
             raise AssertionError(f"no picture of the window: {result.stderr.strip()}")
         return path
 
-    def wait_for_end(self, seconds=20):
+    def look(self, name="now"):
+        """A picture for comparisons alone: without compression, which takes most of the time."""
+        return self.picture(pathlib.Path(self.screen.config.name) / f"{name}.ppm")
+
+    def after(self, what, action, least, area=None, fuzz=8):
+        """Runs an action and waits until at least that many pixels have changed: keys that depend
+        on the new screen must not be sent before, however slow the machine is."""
+        before = self.look("before")
+        action()
+        wait_until(f"the picture changes ({what})",
+                   lambda: difference(self.screen, before, self.look(), area, fuzz) >= least)
+
+    def wait_until_drawn(self, area):
+        """Waits for a bright pixel in an area; a new window is black."""
+        wait_until("the window is drawn", lambda: brightest(self.screen, self.look(), area) > 0.5)
+
+    def wait_until_still(self, area, fuzz=8):
+        """Waits until the pixels of an area hardly differ between two pictures."""
+        def still():
+            before = self.look("before")
+            time.sleep(0.1)
+            return difference(self.screen, before, self.look(), area, fuzz) < 50
+        wait_until("the picture is still", still)
+
+    def wait_for_end(self, seconds=60):
         try:
             self.process.wait(seconds)
         except subprocess.TimeoutExpired:
             raise AssertionError(f"it did not end within {seconds} s") from None
         return self.process.returncode, self.process.stdout.read()
 
+    def end_by(self, action):
+        """Repeats an action until the program ends: one opens a question, and one within the time
+        of that question answers it. Returns exit code and output."""
+        end = time.monotonic() + 60
+        while self.process.poll() is None and time.monotonic() < end:
+            try:
+                action()
+                self.process.wait(0.2)
+            except subprocess.TimeoutExpired:
+                continue
+            except AssertionError:  # it ended before the action
+                break
+        return self.wait_for_end(1)
 
-def difference(screen, one, other, area=None):
-    """Number of clearly different pixels; area is WxH+X+Y."""
+
+def difference(screen, one, other, area=None, fuzz=8):
+    """Number of pixels that differ by more than `fuzz` percent; area is WxH+X+Y."""
     crop = ["-extract", area] if area else []
-    result = screen.run("compare", *crop, "-metric", "AE", "-fuzz", "8%", str(one), str(other), "null:")
+    result = screen.run("compare", *crop, "-metric", "AE", "-fuzz", f"{fuzz}%", str(one), str(other), "null:")
     return int(float(result.stderr.split()[0]))
 
 

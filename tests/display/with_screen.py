@@ -13,4 +13,4 @@ sys.dont_write_bytecode = True
 from virtual_screen import Screen  # noqa: E402
 
 with Screen() as screen:
-    sys.exit(subprocess.run(sys.argv[1:], env=screen.env, timeout=50, check=False).returncode)
+    sys.exit(subprocess.run(sys.argv[1:], env=screen.env, timeout=110, check=False).returncode)

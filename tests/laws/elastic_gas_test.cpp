@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <support/draws.hpp>
 #include <support/scenes.hpp>
 
 namespace kodo {
@@ -41,7 +42,7 @@ TEST(ElasticGas, KeepsItsEnergyAndLosesNoBall) {
     World world;
     addGas(world, kSeed);
     const long double before = support::totalsOf(world).kinetic;
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < (support::kSanitized ? 20 : 100); ++i) {
         support::run(world, 1000);
         const long double now = support::totalsOf(world).kinetic;
         ASSERT_TRUE(support::nearShare(now, before, 0.01L)) << "seed " << kSeed << ", " << i;

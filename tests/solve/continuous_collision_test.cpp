@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <support/draws.hpp>
 #include <support/random_numbers.hpp>
 #include <support/scenes.hpp>
 
@@ -79,7 +80,7 @@ struct Drum {
 TEST(ContinuousCollision, BoxesDoNotPassTheWallsOfATurningDrum) {
     constexpr Real kWidth = 10;
     Drum drum(kWidth, Real(1.75), 22);
-    for (int step = 0; step < 400; ++step) {
+    for (int step = 0; step < (support::kSanitized ? 150 : 400); ++step) {
         drum.world.step(support::kDt);
         ASSERT_LT(drum.farthestOut(kWidth), 0) << "step " << step;
     }

@@ -73,11 +73,12 @@ std::vector<std::uint64_t> hashes(Solver strategy, Executor* executor) {
     return hashes;
 }
 
-// The same bits with 1, 2, 3, 4 and 8 threads, in every step.
+// The same bits with 1, 2, 3, 4 and 8 threads, in every step. With a sanitizer 2 and 4.
 TEST(Executor, ChangesNoBit) {
     for (const Solver strategy : kSolvers) {
         const std::vector<std::uint64_t> alone = hashes(strategy, nullptr);
-        for (const int threads : {1, 2, 3, 4, 8}) {
+        for (const int threads :
+             support::kSanitized ? std::vector{2, 4} : std::vector{1, 2, 3, 4, 8}) {
             ThreadPool pool(threads - 1);
             EXPECT_EQ(hashes(strategy, &pool), alone) << threads << " threads";
         }

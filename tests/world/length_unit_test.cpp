@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <support/draws.hpp>
 #include <support/every_shape.hpp>
 #include <support/scenes.hpp>
 
@@ -154,7 +155,7 @@ void expectScalesExactly(const Scale& scale, const StepSettings& settings) {
         addHeap(*build);
         addJoints(*build);
     }
-    for (int step = 0; step < 240; ++step) {
+    for (int step = 0; step < (support::kSanitized ? 80 : 240); ++step) {
         metres.world.step(support::kDt);
         other.world.step(support::kDt);
         SCOPED_TRACE(testing::Message() << "after step " << step);

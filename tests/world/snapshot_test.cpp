@@ -86,7 +86,7 @@ TEST(Snapshot, ContinuesWithTheSameBitsFromAnyStep) {
                                             << ", saved after " << moment << " steps");
             World original = world;
             World loaded = reloaded(world, ownFields());
-            expectToGoOnAlike(original, loaded, support::kSanitized ? 40 : 160);
+            expectToGoOnAlike(original, loaded, support::kSanitized ? 15 : 160);
         }
     }
 }
