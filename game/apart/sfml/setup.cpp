@@ -154,10 +154,8 @@ void takeProfile(StageDef& def) {
     if (loaded.keepFile) {
         return;
     }
-    def.keeping.save = [path = *file](const Profile& profile) -> std::string {
-        const std::optional<FileProblem> problem = saveProfile(path, profile);
-        return problem ? "Settings and scores are not kept: " + problem->text() + "." : "";
-    };
+    def.keeping.saved = [path = *file] { return savedProfile(path); };
+    def.keeping.save = profileSaver(*file, def.profile.totals);
 }
 
 /// The current day (UTC).
