@@ -22,6 +22,11 @@ std::int32_t Records::provedScore(Mode mode, const std::string& key) const {
     return standing.proof == Proof::Proved ? standing.score : 0;
 }
 
+Best Records::honoursOf(Mode mode, const std::string& key) const {
+    const Proof proof = standingOf(mode, key).proof;
+    return proof == Proof::None || proof == Proof::Missing ? Best{} : profile_.bestOf(mode, key);
+}
+
 void Records::checkFirst(Mode mode, const std::string& key) {
     book_.checkFirst({mode, key}, profile_.bestOf(mode, key).score);
 }

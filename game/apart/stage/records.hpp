@@ -46,6 +46,10 @@ public:
     Standing standingOf(Mode mode, const std::string& key) const;
     std::int32_t provedScore(Mode mode, const std::string& key) const; // 0: none
 
+    /// The honours of a level. None without a score, or if its replay is missing or does not give
+    /// it.
+    Best honoursOf(Mode mode, const std::string& key) const;
+
     /// Checks a score next, or after all others.
     void checkFirst(Mode mode, const std::string& key);
     void checkLast(Mode mode, const std::string& key);
