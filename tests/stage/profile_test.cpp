@@ -150,6 +150,23 @@ TEST_F(ProfileFile, SavingKeepsTheBetterScores) {
     EXPECT_EQ(both.bestOf(Mode::Standard, "b"), (Best{70, false, false, true}));
 }
 
+// Of two games that run at once, neither loses the counts of the other.
+TEST_F(ProfileFile, SavingAddsWhatWasCountedSinceTheLastSave) {
+    Profile start;
+    start.totals[2] = {10, 4, 500, 40, 12, 8, 5};
+    ASSERT_FALSE(saveProfile(file_, start));
+    const auto saveOne = profileSaver(file_, start.totals);
+    const auto saveOther = profileSaver(file_, start.totals);
+    Profile one = start;
+    Profile other = start;
+    add(one.totals[2], {1, 1, 60, 7, 0, 9, 2});
+    EXPECT_EQ(saveOne(one), "");
+    EXPECT_EQ(saveOne(one), "") << "nothing is counted twice";
+    add(other.totals[2], {2, 0, 90, 5, 1, 3, 6});
+    EXPECT_EQ(saveOther(other), "");
+    EXPECT_EQ(loadProfile(file_).profile.totals[2], (PlayTotals{13, 5, 650, 52, 13, 9, 6}));
+}
+
 // D12: a score that its replay did not give does not come back from the file.
 TEST_F(ProfileFile, SavingDoesNotBringBackACorrectedScore) {
     Profile claimed;

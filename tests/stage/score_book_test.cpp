@@ -154,6 +154,26 @@ TEST(ScoreBook, TheLevelSelectShowsNoTypedInScoreAsTheBestOne) {
     EXPECT_EQ(proved.stage.profile().bestOf(Mode::Standard, game.level->name).unproved, 99999999);
 }
 
+// Honours that were typed into the profile without a game, or with a score that no replay gives.
+TEST(ScoreBook, TheLevelSelectShowsNoHonoursOfAScoreWithoutProof) {
+    const Recorded game;
+    const auto footAfterChecks = [&](std::int32_t score,
+                                     std::variant<ReplayRun, std::string> best) {
+        StageRig rig(claiming(game, score, std::move(best)));
+        rig.clickItem(Action::Levels);
+        rig.frames(60 * 20);
+        return rig.picture().says("1 of 2 cleared")   ? 1
+               : rig.picture().says("0 of 2 cleared") ? 0
+                                                      : -1;
+    };
+    EXPECT_EQ(footAfterChecks(0, "no replay"), 0);
+    EXPECT_EQ(footAfterChecks(500, "no replay"), 0);
+    EXPECT_EQ(footAfterChecks(game.score, ReplayRun{game.replay}), 1);
+    Replay old = game.replay;
+    old.rules = kRulesVersion - 1;
+    EXPECT_EQ(footAfterChecks(game.score, ReplayRun{old}), 1) << "of older rules";
+}
+
 /// Lists the names under which games are kept as the best ones; "" for others.
 void listKept(StageDef& def, std::vector<std::string>& kept) {
     def.keeping.keepReplay = [&kept](const ReplayRun&, const std::string& best) {

@@ -98,10 +98,8 @@ Read<Level> loadLevel(const std::string& name) {
     if (name.ends_with(".toml")) {
         return readLevelFile(name);
     }
-    if (!isName(name)) {
-        return FileProblem{name, 0,
-                           "is not a level name: it has letters, digits, - and _ only, 1 to " +
-                               std::to_string(kLongestName)};
+    if (std::string problem = levelNameProblem(name); !problem.empty()) {
+        return FileProblem{name, 0, std::move(problem)};
     }
     const fs::path path = assetsFolder() / "levels" / (name + ".toml");
     std::error_code error;
@@ -120,6 +118,16 @@ Read<Level> loadLevelOf(const fs::path& replay, const std::string& name) {
         }
     }
     return loadLevel(name);
+}
+
+std::string levelNameProblem(const std::string& name) {
+    if (parseEndless(name)) {
+        return "is the name of an endless level";
+    }
+    return isName(name) ? ""
+                        : "is not a level name: it has the letters a-z and A-Z, digits, - and _ "
+                          "only, 1 to " +
+                              std::to_string(kLongestName);
 }
 
 std::string wrongName(const std::string& name) {

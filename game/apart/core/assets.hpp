@@ -17,12 +17,16 @@ std::filesystem::path assetsFolder();
 /// Names of all levels, in playing order.
 std::vector<std::string> levelNames();
 
-/// Reads assets/levels/NAME.toml. A name has letters, digits, - and _ only. A name that
+/// Reads assets/levels/NAME.toml. See levelNameProblem(). A name that
 /// parseEndless() accepts is generated instead.
 Read<Level> loadLevel(const std::string& name);
 
 /// The level of a replay. levels/NAME.toml beside the replay has priority over the game's levels.
 Read<Level> loadLevelOf(const std::filesystem::path& replay, const std::string& name);
+
+/// Reason why no file can have this level name, without its subject; empty: one can. A replay could
+/// not be read with it.
+std::string levelNameProblem(const std::string& name);
 
 /// Reason to refuse a level name before its file is searched; empty: none.
 std::string wrongName(const std::string& name);

@@ -5,6 +5,7 @@
 #include <apart/core/medals.hpp>
 #include <apart/core/run.hpp>
 #include <apart/sfml/setup.hpp>
+#include <apart/stage/own_levels.hpp>
 #include <apart/stage/profile_file.hpp>
 #include <apart/stage/replay_store.hpp>
 
@@ -40,83 +41,6 @@ LevelList readLevels(std::vector<std::string>& notices) {
         }
     }
     return levels;
-}
-
-/// Adds the valid levels of the player's folder, by name. Each of the others is a notice.
-void addOwnLevels(StageDef& def, const std::filesystem::path& folder) {
-    std::vector<std::filesystem::path> files;
-    std::error_code error;
-    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error)) {
-        if (entry->path().extension() == ".toml") {
-            files.push_back(entry->path());
-        }
-    }
-    std::sort(files.begin(), files.end());
-    for (const std::filesystem::path& file : files) {
-        Read<Level> read = readLevelFile(file);
-        if (const auto* problem = std::get_if<FileProblem>(&read)) {
-            def.notices.push_back(problem->text() + ". The level is left out.");
-            continue;
-        }
-        auto level = std::make_shared<const Level>(std::get<Level>(std::move(read)));
-        const bool taken =
-            std::any_of(def.levels.begin(), def.levels.end(),
-                        [&](const auto& other) { return other->name == level->name; });
-        if (taken) {
-            def.notices.push_back(file.string() + ": the game has a level " + level->name +
-                                  " already. The level is left out.");
-        } else {
-            def.levels.push_back(std::move(level));
-        }
-    }
-}
-
-/// Reads a level file again whenever it has changed.
-class LevelWatch {
-public:
-    explicit LevelWatch(std::filesystem::path file) : file_(std::move(file)) { look(); }
-
-    /// The level, or its errors; nullopt while the file stays as it is.
-    std::optional<LevelChange> operator()() {
-        if (!look()) {
-            return std::nullopt;
-        }
-        Read<Level> read = readLevelFile(file_);
-        if (const auto* problem = std::get_if<FileProblem>(&read)) {
-            return LevelChange{nullptr, problem->texts()};
-        }
-        return LevelChange{std::make_shared<const Level>(std::get<Level>(std::move(read))), {}};
-    }
-
-private:
-    bool look() {
-        std::error_code error;
-        const auto time = std::filesystem::last_write_time(file_, error);
-        return !error && std::exchange(time_, time) != time;
-    }
-
-    std::filesystem::path file_;
-    std::filesystem::file_time_type time_{};
-};
-
-/// Starts with the level of a file, wherever it is, and follows its changes.
-std::string takeLevelFile(StageDef& def, const std::filesystem::path& file) {
-    Read<Level> read = readLevelFile(file);
-    if (const auto* problem = std::get_if<FileProblem>(&read)) {
-        std::string all;
-        for (const std::string& text : problem->texts()) {
-            all += (all.empty() ? "" : "\n") + text;
-        }
-        return all;
-    }
-    auto level = std::make_shared<const Level>(std::get<Level>(std::move(read)));
-    std::erase_if(def.levels, [&](const auto& other) { return other->name == level->name; });
-    def.levels.push_back(std::move(level));
-    def.firstLevel = def.levels.size() - 1;
-    def.startAtOnce = true;
-    def.reload = LevelWatch(file);
-    return {};
 }
 
 /// Returns the reason if the level cannot be used, else "".
@@ -198,6 +122,15 @@ std::vector<ShowEntry> replaysIn(const std::filesystem::path& folder) {
     return entries;
 }
 
+/// The folder of the game's levels and, if there is one, that of the player's.
+std::vector<std::filesystem::path> levelFolders() {
+    std::vector<std::filesystem::path> folders{assetsFolder() / "levels"};
+    if (const std::optional<std::filesystem::path> file = profileFile()) {
+        folders.push_back(file->parent_path() / "levels");
+    }
+    return folders;
+}
+
 /// Loads the profile and installs the functions that save it.
 void takeProfile(StageDef& def) {
     const std::optional<std::filesystem::path> file = profileFile();
@@ -221,10 +154,8 @@ void takeProfile(StageDef& def) {
     if (loaded.keepFile) {
         return;
     }
-    def.keeping.save = [path = *file](const Profile& profile) -> std::string {
-        const std::optional<FileProblem> problem = saveProfile(path, profile);
-        return problem ? "Settings and scores are not kept: " + problem->text() + "." : "";
-    };
+    def.keeping.saved = [path = *file] { return savedProfile(path); };
+    def.keeping.save = profileSaver(*file, def.profile.totals);
 }
 
 /// The current day (UTC).
@@ -277,7 +208,7 @@ std::variant<StageDef, std::string> setUp(const Options& options) {
         endless = options.level == "endless" ? endless : *row;
         def.firstEndless = endless.number;
     } else if (options.level.ends_with(".toml")) {
-        problem = takeLevelFile(def, options.level);
+        problem = takeLevelFile(def, options.level, levelFolders());
     } else if (!options.level.empty()) {
         problem = takeLevel(def, options.level);
     }

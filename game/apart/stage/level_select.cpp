@@ -159,7 +159,7 @@ void LevelSelect::drawTile(Canvas& canvas, std::size_t level, const Records& rec
     const Real left =
         Real(0.3) + Real(0.37) * static_cast<Real>(honourNames(*levels_[level], marks).size() - 1);
     paintHonours(canvas, {box.upper.x - left, box.lower.y + Real(0.33)}, {Real(0.37), 0},
-                 Real(0.15), {records.profile().bestOf(mode, name), *levels_[level], marks});
+                 Real(0.15), {records.honoursOf(mode, name), *levels_[level], marks});
     paintMedal(canvas, box.upper - Vec2{Real(0.36), Real(0.36)}, Real(0.24),
                records.medalOf(mode, name));
 }
@@ -201,7 +201,7 @@ void LevelSelect::drawBest(Canvas& canvas, const Records& records, Mode mode, Ve
     canvas.text(note, place - Vec2{0, Real(1.35)}, {Real(0.36), palette::kQuiet});
     const MedalMarks* marks = marksFor(level, records.marks());
     paintHonours(canvas, place + Vec2{Real(0.3), Real(-1.95)}, {Real(0.8), 0}, Real(0.26),
-                 {records.profile().bestOf(mode, level), *levels_[chosen_], marks});
+                 {records.honoursOf(mode, level), *levels_[chosen_], marks});
 }
 
 void LevelSelect::drawChosen(Canvas& canvas, const Records& records, double seconds) const {
@@ -242,7 +242,7 @@ void LevelSelect::drawFoot(Canvas& canvas, const Records& records) const {
     for (const auto& level : levels_) {
         const Mode mode = records.profile().mode;
         const Standing standing = records.standingOf(mode, level->name);
-        cleared += records.profile().bestOf(mode, level->name).cleared ? 1 : 0;
+        cleared += records.honoursOf(mode, level->name).cleared ? 1 : 0;
         points += standing.proof == Proof::Proved ? standing.score : 0;
     }
     const Aabb back = backPlace();

@@ -19,6 +19,13 @@ bool Profile::enter(Mode in, const std::string& level, Best game) {
     return beaten;
 }
 
+void Profile::adopt(Mode in, const std::string& level, Best other) {
+    if (other.score <= bestOf(in, level).unproved) {
+        other.score = 0;
+    }
+    enter(in, level, other);
+}
+
 void Profile::correct(Mode in, const std::string& level, std::int32_t score) {
     Best& known = best[static_cast<std::size_t>(in)][level];
     if (known.score > score) {

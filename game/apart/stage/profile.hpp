@@ -56,6 +56,8 @@ struct Profile {
     }
     /// Merges a result. True if its score beats an existing one.
     bool enter(Mode in, const std::string& level, Best game);
+    /// Merges a result that another running game has saved, except a score that was replaced here.
+    void adopt(Mode in, const std::string& level, Best other);
     /// Replaces a score by the one that its replay gives, or by 0. Best::unproved keeps a higher
     /// one.
     void correct(Mode in, const std::string& level, std::int32_t score);

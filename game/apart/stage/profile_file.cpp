@@ -199,28 +199,30 @@ bool isNewer(std::string_view text, const std::string& file) {
     return table != nullptr && (*table)["format"].value_or(std::int64_t{0}) > 1;
 }
 
-/// The profile with the better of its scores and those in the file, which another game that ran
-/// meanwhile may have saved. Of two totals the higher one stays.
-Profile withScoresOf(const std::filesystem::path& file, Profile profile) {
-    const Read<std::string> text = readTextFile(file, kLongestFile);
-    if (std::holds_alternative<FileProblem>(text)) {
-        return profile;
-    }
-    const Read<Profile> saved = profileFrom(std::get<std::string>(text), file.string());
-    if (const auto* known = std::get_if<Profile>(&saved)) {
-        for (std::size_t i = 0; i < known->totals.size(); ++i) {
-            for (const TotalField& field : kTotalFields) {
-                std::int32_t& value = profile.totals[i].*field.value;
-                value = std::max(value, known->totals[i].*field.value);
+/// Adds to `saved` what was counted since `before`.
+TotalsByTheme withCounts(TotalsByTheme saved, const TotalsByTheme& now,
+                         const TotalsByTheme& before) {
+    for (std::size_t i = 0; i < saved.size(); ++i) {
+        PlayTotals counted = now[i];
+        for (const TotalField& field : kTotalFields) {
+            if (field.sum) {
+                counted.*field.value -= before[i].*field.value;
             }
         }
-        for (std::size_t mode = 0; mode < known->best.size(); ++mode) {
-            for (const auto& [level, best] : known->best[mode]) {
-                Best other = best;
-                if (other.score <= profile.bestOf(static_cast<Mode>(mode), level).unproved) {
-                    other.score = 0; // it has been replaced since
-                }
-                profile.enter(static_cast<Mode>(mode), level, other);
+        add(saved[i], counted);
+    }
+    return saved;
+}
+
+/// The profile with the better of its scores and those in the file, which another game that ran
+/// meanwhile may have saved. The totals are those of the file and what was counted since `before`.
+Profile mergedWith(const std::filesystem::path& file, Profile profile,
+                   const TotalsByTheme& before) {
+    if (const std::optional<Profile> saved = savedProfile(file)) {
+        profile.totals = withCounts(saved->totals, profile.totals, before);
+        for (std::size_t mode = 0; mode < saved->best.size(); ++mode) {
+            for (const auto& [level, best] : saved->best[mode]) {
+                profile.adopt(static_cast<Mode>(mode), level, best);
             }
         }
     }
@@ -346,13 +348,35 @@ LoadedProfile loadProfile(const std::filesystem::path& file) {
     return {{}, fmt::format("Settings and scores are reset: {}. {}", problem.text(), kept)};
 }
 
-std::optional<FileProblem> saveProfile(const std::filesystem::path& file, const Profile& profile) {
+std::optional<Profile> savedProfile(const std::filesystem::path& file) {
+    const Read<std::string> text = readTextFile(file, kLongestFile);
+    if (std::holds_alternative<FileProblem>(text)) {
+        return std::nullopt;
+    }
+    Read<Profile> saved = profileFrom(std::get<std::string>(text), file.string());
+    auto* good = std::get_if<Profile>(&saved);
+    return good != nullptr ? std::optional(std::move(*good)) : std::nullopt;
+}
+
+std::optional<FileProblem> saveProfile(const std::filesystem::path& file, const Profile& profile,
+                                       const TotalsByTheme& before) {
     std::error_code error;
     std::filesystem::create_directories(file.parent_path(), error);
     if (error) {
         return FileProblem{file.string(), 0, "its folder cannot be made: " + error.message()};
     }
-    return writeTextFile(file, toText(withScoresOf(file, profile)));
+    return writeTextFile(file, toText(mergedWith(file, profile, before)));
+}
+
+std::function<std::string(const Profile&)> profileSaver(const std::filesystem::path& file,
+                                                        const TotalsByTheme& loaded) {
+    return [file, before = loaded](const Profile& profile) mutable -> std::string {
+        if (const std::optional<FileProblem> problem = saveProfile(file, profile, before)) {
+            return "Settings and scores are not kept: " + problem->text() + ".";
+        }
+        before = profile.totals;
+        return "";
+    };
 }
 
 } // namespace apart

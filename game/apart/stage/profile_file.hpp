@@ -5,6 +5,7 @@
 #include <apart/stage/profile.hpp>
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,8 +33,18 @@ struct LoadedProfile {
 /// profile is returned. A file that cannot be read, and one of a newer game, stay as they are.
 LoadedProfile loadProfile(const std::filesystem::path& file);
 
-/// Keeps the better scores of the file, if another game has saved some meanwhile. Creates the
-/// folder if needed. On failure the old file stays intact.
-std::optional<FileProblem> saveProfile(const std::filesystem::path& file, const Profile& profile);
+/// The profile of a file that another running game may have saved; nullopt if it cannot be read.
+std::optional<Profile> savedProfile(const std::filesystem::path& file);
+
+/// Keeps the better scores of the file, if another game has saved some meanwhile, and adds what was
+/// counted since the totals `before` to its totals. Creates the folder if needed. On failure the
+/// old file stays intact.
+std::optional<FileProblem> saveProfile(const std::filesystem::path& file, const Profile& profile,
+                                       const TotalsByTheme& before = {});
+
+/// Saves the profile of one run of the game, whose totals were `loaded` at its start. Returns a
+/// sentence on failure.
+std::function<std::string(const Profile&)> profileSaver(const std::filesystem::path& file,
+                                                        const TotalsByTheme& loaded);
 
 } // namespace apart

@@ -22,6 +22,11 @@ std::int32_t Records::provedScore(Mode mode, const std::string& key) const {
     return standing.proof == Proof::Proved ? standing.score : 0;
 }
 
+Best Records::honoursOf(Mode mode, const std::string& key) const {
+    const Proof proof = standingOf(mode, key).proof;
+    return proof == Proof::None || proof == Proof::Missing ? Best{} : profile_.bestOf(mode, key);
+}
+
 void Records::checkFirst(Mode mode, const std::string& key) {
     book_.checkFirst({mode, key}, profile_.bestOf(mode, key).score);
 }
@@ -49,8 +54,8 @@ bool Records::advance(std::uint32_t ticks, bool loads) {
             ++i;
         }
     }
-    for (const Result& result : due) {
-        enterBest(result);
+    for (Result& result : due) {
+        enterBest(std::move(result));
     }
     if (!due.empty()) {
         save();
@@ -78,37 +83,61 @@ void Records::count(Theme theme, const PlayTotals& game) {
     add(profile_.totals[static_cast<std::size_t>(theme)], game);
 }
 
-/// Enters a result whose rival is known: it replaces a score that is not proved.
-void Records::enterBest(const Result& result) {
+/// Takes over what another running game has saved of a key.
+void Records::adoptSaved(const ScoreBook::Key& key) {
+    const std::optional<Profile> saved = keeping_.saved ? keeping_.saved() : std::nullopt;
+    if (saved) {
+        profile_.adopt(key.first, key.second, saved->bestOf(key.first, key.second));
+    }
+}
+
+void Records::enterHonours(const Result& result) {
+    Best honours = result.best;
+    honours.score = 0;
+    profile_.enter(result.key.first, result.key.second, honours);
+}
+
+/// Enters a result whose rival is known: it replaces a score that is not proved. False if it waits
+/// for the check of a stored replay that was not checked yet.
+bool Records::enterBest(Result result) {
     const auto& [mode, key] = result.key;
     const Proof proof = standingOf(mode, key).proof;
-    if (proof == Proof::Older || proof == Proof::Missing) {
+    const bool unproved = proof == Proof::Older || proof == Proof::Missing;
+    const std::int32_t rival = unproved ? 0 : profile_.bestOf(mode, key).score;
+    const bool best = result.best.score > rival;
+    if (best && proof != Proof::Waiting && book_.isReplaced(result.key)) {
+        enterHonours(result);
+        book_.recheck(result.key, rival);
+        waiting_.push_back(std::move(result));
+        return false;
+    }
+    if (unproved) {
         profile_.correct(mode, key, 0);
     }
-    const bool best = result.best.score > profile_.bestOf(mode, key).score;
     profile_.enter(mode, key, result.best);
     if (best) {
-        book_.prove(result.key, result.best.score);
+        book_.prove(result.key, result.best.score, result.run);
         keepRun(result.run, key);
     }
+    return true;
 }
 
 bool Records::enter(Result result) {
     const auto& [mode, key] = result.key;
+    adoptSaved(result.key);
     const Standing standing = standingOf(mode, key);
     const bool beats = standing.proof == Proof::Proved && result.best.score > standing.score;
     keepLast(result.run);
+    bool entered = false;
     if (standing.proof == Proof::Waiting && result.best.score <= standing.score) {
-        Best honours = result.best;
-        honours.score = 0;
-        profile_.enter(mode, key, honours);
+        enterHonours(result);
         checkFirst(mode, key);
         waiting_.push_back(std::move(result));
     } else {
-        enterBest(result);
+        entered = enterBest(std::move(result));
     }
     save();
-    return beats;
+    return beats && entered;
 }
 
 void Records::keepLast(const ReplayRun& run) {

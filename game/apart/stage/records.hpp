@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ namespace apart {
 /// an empty text. Without them nothing is kept.
 struct Keeping {
     std::function<std::string(const Profile&)> save{};
+    /// The profile as it is stored now, perhaps by another running game.
+    std::function<std::optional<Profile>()> saved{};
     /// Saves a game of the player: if `best` is empty, as the last one, finished or not; else as
     /// the best one of this key.
     std::function<std::string(const ReplayRun&, const std::string& best)> keepReplay{};
@@ -43,6 +46,10 @@ public:
     Standing standingOf(Mode mode, const std::string& key) const;
     std::int32_t provedScore(Mode mode, const std::string& key) const; // 0: none
 
+    /// The honours of a level. None without a score, or if its replay is missing or does not give
+    /// it.
+    Best honoursOf(Mode mode, const std::string& key) const;
+
     /// Checks a score next, or after all others.
     void checkFirst(Mode mode, const std::string& key);
     void checkLast(Mode mode, const std::string& key);
@@ -59,7 +66,8 @@ public:
     void count(Theme theme, const PlayTotals& game);
 
     /// Enters a result and keeps its replay. True if it beats a proved score. One that does not
-    /// beat an unchecked score waits for its check.
+    /// beat an unchecked score waits for its check, as does one that would replace a replay which
+    /// another running game has stored.
     bool enter(Result result);
     /// Keeps the replay of the last game.
     void keepLast(const ReplayRun& run);
@@ -73,7 +81,9 @@ public:
     const std::vector<std::string>& notices() const { return notices_; }
 
 private:
-    void enterBest(const Result& result);
+    void adoptSaved(const ScoreBook::Key& key);
+    bool enterBest(Result result);
+    void enterHonours(const Result& result);
     void keepRun(const ReplayRun& run, const std::string& best);
 
     Profile profile_;

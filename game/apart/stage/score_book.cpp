@@ -12,6 +12,10 @@ namespace apart {
 
 namespace {
 
+std::uint64_t runDigest(const ReplayRun& run) {
+    return digestOf(toText(run));
+}
+
 /// True if the run can be the best game of this key. Keys that are no level are endless runs.
 bool fits(const ReplayRun& run, const ScoreBook::Key& key) {
     const auto& [mode, level] = key;
@@ -52,9 +56,26 @@ void ScoreBook::checkLast(const Key& key, std::int32_t score) {
     }
 }
 
-void ScoreBook::prove(const Key& key, std::int32_t score) {
+void ScoreBook::recheck(const Key& key, std::int32_t score) {
+    std::erase_if(checks_, [&](const Check& check) { return check.key == key; });
+    known_.erase(key);
+    checks_.insert(checks_.begin(), {key, score});
+}
+
+void ScoreBook::prove(const Key& key, std::int32_t score, const ReplayRun& run) {
     std::erase_if(checks_, [&](const Check& check) { return check.key == key; });
     known_[key] = {Proof::Proved, score};
+    digests_[key] = runDigest(run);
+}
+
+bool ScoreBook::isReplaced(const Key& key) const {
+    if (!store_.load) {
+        return false;
+    }
+    const std::variant<ReplayRun, std::string> stored = store_.load(key.first, key.second);
+    const auto* run = std::get_if<ReplayRun>(&stored);
+    const auto known = digests_.find(key);
+    return run != nullptr && (known == digests_.end() || known->second != runDigest(*run));
 }
 
 ScoreBook::Finding ScoreBook::settle(Standing standing) {
@@ -74,6 +95,7 @@ std::optional<ScoreBook::Finding> ScoreBook::begin(Check& check) {
         return settle({Proof::Missing, check.score, *reason});
     }
     ReplayRun& run = std::get<ReplayRun>(loaded);
+    digests_[check.key] = runDigest(run);
     if (!fits(run, check.key)) {
         return settle({Proof::Missing, check.score, "replay of another level"});
     }

@@ -54,8 +54,13 @@ public:
     /// Checks the score of a level next, or after all others. Does nothing if it is known.
     void checkFirst(const Key& key, std::int32_t score);
     void checkLast(const Key& key, std::int32_t score);
-    /// A game that was just played has this score: it needs no check.
-    void prove(const Key& key, std::int32_t score);
+    /// Checks a score next, again even if it is known.
+    void recheck(const Key& key, std::int32_t score);
+    /// A game that was just played has this score: it needs no check. Its replay is stored next.
+    void prove(const Key& key, std::int32_t score, const ReplayRun& run);
+    /// True if the stored replay is not the one that was checked or proved last: another running
+    /// game has stored it, or the profile has lost its score.
+    bool isReplaced(const Key& key) const;
 
     /// Goes on with the first check, by about so many ticks of its game. Without `loads`, it waits
     /// where an endless level must be made, which takes as long as some frames.
@@ -76,6 +81,7 @@ private:
     ScoreStore store_;
     std::vector<Check> checks_; // the first one is in progress
     std::map<Key, Standing> known_;
+    std::map<Key, std::uint64_t> digests_; // of the replays that were checked or proved last
 };
 
 } // namespace apart

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/tuning.hpp>
+#include <apart/stage/own_levels.hpp>
 #include <apart/stage/stage.hpp>
 
 #include <algorithm>
@@ -210,12 +211,13 @@ void Stage::tick(Speaker& speaker) {
     }
 }
 
-/// Saves the replay of the player's game and counts it, whether it has ended or not. Once per game.
+/// Saves the replay of the player's game and counts it, whether it has ended or not. Once per game,
+/// and not for a level that is not recorded.
 void Stage::keepGame() {
-    if (session_.takeUncounted() && !def_.pilot) {
+    if (session_.takeUncounted() && !def_.pilot && isRecorded(game().level())) {
         records_.count(game().level().theme, session_.statistics().totalsOf(game()));
     }
-    if (session_.takeUnkept()) {
+    if (session_.takeUnkept() && isRecorded(game().level())) {
         records_.keepLast(endless_.with(session_.record()));
     }
 }
@@ -259,10 +261,11 @@ void Stage::finish() {
     const MedalMarks* marks = endless_.number > 0 ? nullptr : marksFor(name, records_.marks());
     Best best = session_.statistics().bestOf(game, marks);
     best.score += endless_.number > 0 ? endless_.score : 0;
-    over_.before = records_.profile().bestOf(game.mode(), name);
+    over_.before = records_.honoursOf(game.mode(), name);
     over_.before.score = records_.provedScore(game.mode(), name);
     over_.newBest = false;
-    if (!def_.pilot && session_.kind() == Session::Kind::Own && game.result() != Result::Playing) {
+    if (!def_.pilot && session_.kind() == Session::Kind::Own && isRecorded(game.level()) &&
+        game.result() != Result::Playing) {
         session_.takeUnkept(); // enter() keeps it
         keepGame();
         over_.newBest =

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/assets.hpp>
+#include <apart/core/endless.hpp>
+#include <apart/stage/daily.hpp>
+#include <apart/stage/own_levels.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+namespace apart {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Reason why no level of the player can have this name; "" if one can.
+std::string problemOfName(const std::string& name) {
+    return dayOf(name) ? "is the name of a daily run" : levelNameProblem(name);
+}
+
+bool isListed(const LevelList& levels, const std::string& name) {
+    return std::any_of(levels.begin(), levels.end(),
+                       [&](const auto& level) { return level->name == name; });
+}
+
+/// True if the file is the one in these folders that has its name.
+bool isIn(const std::vector<fs::path>& folders, const fs::path& file) {
+    return std::any_of(folders.begin(), folders.end(), [&](const fs::path& folder) {
+        std::error_code error;
+        return fs::equivalent(folder / file.filename(), file, error) && !error;
+    });
+}
+
+/// Reads a level file again whenever it has changed. The level keeps its name.
+class LevelWatch {
+public:
+    LevelWatch(fs::path file, std::string name) : file_(std::move(file)), name_(std::move(name)) {
+        look();
+    }
+
+    /// The level, or its errors; nullopt while the file stays as it is.
+    std::optional<LevelChange> operator()() {
+        if (!look()) {
+            return std::nullopt;
+        }
+        Read<Level> read = readLevelFile(file_);
+        if (const auto* problem = std::get_if<FileProblem>(&read)) {
+            return LevelChange{nullptr, problem->texts()};
+        }
+        std::get<Level>(read).name = name_;
+        return LevelChange{std::make_shared<const Level>(std::get<Level>(std::move(read))), {}};
+    }
+
+private:
+    bool look() {
+        std::error_code error;
+        const auto time = fs::last_write_time(file_, error);
+        return !error && std::exchange(time_, time) != time;
+    }
+
+    fs::path file_;
+    std::string name_;
+    fs::file_time_type time_{};
+};
+
+} // namespace
+
+bool isRecorded(const Level& level) {
+    return parseEndless(level.name) || problemOfName(level.name).empty();
+}
+
+void addOwnLevels(StageDef& def, const fs::path& folder) {
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        if (entry->path().extension() == ".toml") {
+            files.push_back(entry->path());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files) {
+        const std::string name = file.stem().string();
+        if (const std::string problem = problemOfName(name); !problem.empty()) {
+            def.notices.push_back(file.string() + ": " + name + " " + problem +
+                                  ". The level is left out.");
+            continue;
+        }
+        Read<Level> read = readLevelFile(file);
+        if (const auto* problem = std::get_if<FileProblem>(&read)) {
+            def.notices.push_back(problem->text() + ". The level is left out.");
+        } else if (isListed(def.levels, name)) {
+            def.notices.push_back(file.string() + ": the game has a level " + name +
+                                  " already. The level is left out.");
+        } else {
+            def.levels.push_back(std::make_shared<const Level>(std::get<Level>(std::move(read))));
+        }
+    }
+}
+
+std::string takeLevelFile(StageDef& def, const fs::path& file,
+                          const std::vector<fs::path>& folders) {
+    Read<Level> read = readLevelFile(file);
+    if (const auto* problem = std::get_if<FileProblem>(&read)) {
+        std::string all;
+        for (const std::string& text : problem->texts()) {
+            all += (all.empty() ? "" : "\n") + text;
+        }
+        return all;
+    }
+    Level level = std::get<Level>(std::move(read));
+    const std::string name = level.name;
+    std::string problem = problemOfName(name);
+    if (problem.empty() && isListed(def.levels, name) && !isIn(folders, file)) {
+        problem = "is the name of another level";
+    }
+    if (!problem.empty()) {
+        level.name = file.filename().string();
+        def.notices.push_back(file.string() + ": " + name + " " + problem +
+                              ". It is played without scores, honours and replays.");
+    }
+    std::erase_if(def.levels, [&](const auto& other) { return other->name == level.name; });
+    def.reload = LevelWatch(file, level.name);
+    def.levels.push_back(std::make_shared<const Level>(std::move(level)));
+    def.firstLevel = def.levels.size() - 1;
+    def.startAtOnce = true;
+    return {};
+}
+
+} // namespace apart

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <apart/core/level.hpp>
+#include <apart/stage/stage.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace apart {
+
+/// True if scores and replays of this level can be kept: a replay can hold its name.
+bool isRecorded(const Level& level);
+
+/// Adds the valid levels of the player's folder, by name. Each of the others is a notice.
+void addOwnLevels(StageDef& def, const std::filesystem::path& folder);
+
+/// Starts with the level of a file, wherever it is, and follows its changes. It takes the place of
+/// a listed level only if it is the same file, in one of `folders`. Otherwise a name that is taken
+/// or invalid becomes FILE.toml, which is not recorded, and a notice says so. Returns the reason
+/// if the level cannot be used, else "".
+std::string takeLevelFile(StageDef& def, const std::filesystem::path& file,
+                          const std::vector<std::filesystem::path>& folders);
+
+} // namespace apart

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include <apart/stage/profile_file.hpp>
+#include <apart/stage/replay_store.hpp>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "stage_rig.hpp"
+
+namespace apart {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A finished game of the bot, with its score.
+Records::Result resultOf(const std::shared_ptr<const Level>& level, std::uint32_t seed) {
+    Game game(*level, seed);
+    Recorder recorder(game);
+    while (game.result() == Result::Playing) {
+        const Input input = bot(game);
+        game.tick(input);
+        recorder.record(input, game);
+    }
+    return {{Mode::Standard, level->name},
+            {game.score(), game.result() == Result::Won, false, false},
+            {recorder.finish(game)}};
+}
+
+/// Games that run at once on one folder: each has read the profile at its start.
+class TwoGames : public testing::Test {
+protected:
+    void SetUp() override {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = fs::path(testing::TempDir()) / "apart-two-games" / test->name();
+        fs::remove_all(folder_);
+        for (std::uint32_t seed = 1; seed < 20 && better_.best.score == worse_.best.score; ++seed) {
+            better_ = resultOf(level_, seed);
+        }
+        if (better_.best.score < worse_.best.score) {
+            std::swap(better_, worse_);
+        }
+        ASSERT_GT(better_.best.score, worse_.best.score);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    fs::path file() const { return folder_ / "profile.toml"; }
+    Records start(bool withProfile = true) const {
+        LoadedProfile loaded = withProfile ? loadProfile(file()) : LoadedProfile{};
+        Keeping keeping;
+        if (withProfile) {
+            keeping.save = profileSaver(file(), loaded.profile.totals);
+            keeping.saved = [path = file()] { return savedProfile(path); };
+        }
+        keeping.keepReplay = [folder = folder_](const ReplayRun& run, const std::string& best) {
+            return keepReplay(folder, run, best);
+        };
+        return {std::move(loaded.profile), keeping, scoresIn(folder_, {level_}), {}};
+    }
+    /// The better game is the one that is stored, and its score is proved at the next start.
+    void expectTheBetterStays() const {
+        const ScoreStore store = scoresIn(folder_, {level_});
+        EXPECT_EQ(std::get<ReplayRun>(store.load(Mode::Standard, level_->name)), better_.run);
+        Records next = start();
+        EXPECT_EQ(next.profile().bestOf(Mode::Standard, level_->name).score, better_.best.score);
+        next.checkFirst(Mode::Standard, level_->name);
+        for (int i = 0; i < 10000 && next.provedScore(Mode::Standard, level_->name) == 0; ++i) {
+            next.advance(100);
+        }
+        EXPECT_EQ(next.provedScore(Mode::Standard, level_->name), better_.best.score);
+    }
+
+    std::shared_ptr<const Level> level_ = glassLevel("Three blocks", {2, 7, 12});
+    Records::Result worse_ = resultOf(level_, 3);
+    Records::Result better_ = worse_;
+    fs::path folder_;
+};
+
+TEST_F(TwoGames, TheBetterScoreStaysIfTheWorseEndsLast) {
+    Records one = start();
+    Records other = start();
+    EXPECT_FALSE(other.enter(better_));
+    other.close();
+    EXPECT_FALSE(one.enter(worse_));
+    one.close();
+    expectTheBetterStays();
+}
+
+TEST_F(TwoGames, TheBetterScoreStaysIfItEndsLast) {
+    Records one = start();
+    Records other = start();
+    one.enter(worse_);
+    one.close();
+    other.enter(better_);
+    other.close();
+    expectTheBetterStays();
+}
+
+// The stored replay alone tells that it is better: the profile was lost, or is not written yet.
+TEST_F(TwoGames, AStoredReplayWithoutAProfileIsPlayedBeforeItIsReplaced) {
+    EXPECT_EQ(keepReplay(folder_, better_.run, level_->name), "");
+    Records one = start(false);
+    EXPECT_FALSE(one.enter(worse_));
+    one.close();
+    EXPECT_EQ(one.provedScore(Mode::Standard, level_->name), better_.best.score);
+    const ScoreStore store = scoresIn(folder_, {level_});
+    EXPECT_EQ(std::get<ReplayRun>(store.load(Mode::Standard, level_->name)), better_.run);
+
+    EXPECT_EQ(keepReplay(folder_, worse_.run, level_->name), "");
+    Records other = start(false);
+    other.enter(better_);
+    other.close();
+    EXPECT_EQ(std::get<ReplayRun>(store.load(Mode::Standard, level_->name)), better_.run);
+}
+
+// A score that was proved at the start is compared with what another game has stored since.
+TEST_F(TwoGames, AProvedScoreIsComparedWithALaterReplay) {
+    Records first = start();
+    Records::Result least = worse_;
+    least.best.score = 1;
+    first.enter(least);
+    EXPECT_EQ(keepReplay(folder_, better_.run, level_->name), "");
+    EXPECT_FALSE(first.enter(worse_));
+    first.close();
+    expectTheBetterStays();
+}
+
+TEST_F(TwoGames, AnInvalidStoredReplayIsReplaced) {
+    Replay forged = better_.run[0];
+    forged.hashes.back().hash ^= 1;
+    EXPECT_EQ(keepReplay(folder_, {forged}, level_->name), "");
+    Records one = start();
+    one.enter(worse_);
+    one.close();
+    const ScoreStore store = scoresIn(folder_, {level_});
+    EXPECT_EQ(std::get<ReplayRun>(store.load(Mode::Standard, level_->name)), worse_.run);
+    EXPECT_EQ(one.provedScore(Mode::Standard, level_->name), worse_.best.score);
+}
+
+} // namespace
+} // namespace apart
