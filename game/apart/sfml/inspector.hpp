@@ -3,6 +3,7 @@
 
 #include <apart/core/game.hpp>
 #include <apart/sfml/sfml_canvas.hpp>
+#include <apart/stage/collapse_camera.hpp>
 
 namespace apart {
 
@@ -12,7 +13,8 @@ public:
     void toggle() { on_ = !on_; }
     /// Must be called once a frame with the durations (s) of the last frame and of its game ticks.
     void measure(double frameSeconds, double gameSeconds);
-    void draw(SfmlCanvas& canvas, const Game& game) const;
+    /// Draws on the last picture, which shows a game in a closeup.
+    void draw(SfmlCanvas& canvas, const Game& game, const Closeup& closeup) const;
 
 private:
     bool on_ = false;

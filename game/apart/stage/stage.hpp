@@ -102,6 +102,10 @@ public:
     bool wantsPointer() const { return screen_ != Screen::Playing; }
     Screen screen() const { return screen_; }
     const Game& game() const { return session_.game(); }
+    /// The game in the picture: on the result screen that of the rerun.
+    const Game& shownGame() const { return rerun_ ? rerun_->play().game() : game(); }
+    /// The closeup of the picture.
+    Closeup closeup() const;
     const Profile& profile() const { return records_.profile(); }
     const Settings& settings() const { return profile().settings; }
     const Records& records() const { return records_; }
@@ -153,6 +157,7 @@ private:
     // Pictures (stage_picture.cpp).
     void drawTitle(Canvas& canvas) const;
     HudLook hudLook() const;
+    bool isWide() const; // shows no panel
 
     /// The file of the level that is played, if it is read again whenever it changes.
     struct Reload {
