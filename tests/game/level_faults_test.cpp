@@ -43,6 +43,11 @@ TEST(LevelFile, NamesEachBadRowOfItsGrid) {
     EXPECT_EQ(faultsOf(kTitle + "grid = '''......Q........'''\n" + kLegend + kSound),
               Faults{"4: the letter Q is not in the legend"})
         << "a grid that begins in the line of its key";
+    EXPECT_EQ(faultsOf(kTitle + "grid = '''\nb..............\nlives = 3\n'''\n" + kLegend),
+              Faults{"6: a row of the grid has 15 letters, not 9"})
+        << "a line that is no row";
+    EXPECT_EQ(faultsOf(kTitle + "grid = '''\nlives = 3333333\n'''\n" + kLegend + kSound),
+              Faults{"5: more than 3 letters of this row are not in the legend"});
     EXPECT_EQ(faultsOf(kTitle + "grid = 5\n" + kLegend),
               Faults{"4: grid must be a text '''...'''"});
     EXPECT_EQ(faultsOf(kTitle + "legend = 5\n" + kSound),
@@ -85,6 +90,11 @@ TEST(LevelFile, NamesNoFaultThatFollowsFromAnother) {
               Faults{"5: obstruction must be one of bumper, pin, motor, gate"});
     EXPECT_EQ(faultsOf(kTitle + use),
               Faults{"1: the tables [legend.X] are missing: one for each letter of the grid"});
+    EXPECT_EQ(withLegend("obstructon = \"pin\"\nsize = 300\n"),
+              Faults{"5: unknown key legend.b.obstructon"});
+    EXPECT_EQ(faultsOf(kTitle + "grid = '''\nb.....o........\n'''\n" + kLegend +
+                       "[legnd.o]\nobstruction = \"pin\"\n"),
+              Faults{"10: unknown key legnd"});
     const auto withBlock = [&](const std::string& before, const std::string& after) {
         return faultsOf(kTitle + kLegend + changed(use, before, after));
     };

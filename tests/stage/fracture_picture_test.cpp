@@ -282,15 +282,15 @@ TEST(Closeup, OfTheStageIsThatOfThePicture) {
     Real most = 1;
     for (int i = 0; i < 60 * 300 && rig.stage.screen() == Screen::Playing; ++i) {
         rig.frame();
-        most = std::max(most, rig.stage.closeup().scale);
-        ASSERT_EQ(rig.picture().mostZoom(), rig.stage.closeup().scale);
-        ASSERT_TRUE(&rig.stage.shownGame() == &rig.stage.game() ||
+        most = std::max(most, shownBy(rig.stage).closeup.scale);
+        ASSERT_EQ(rig.picture().mostZoom(), shownBy(rig.stage).closeup.scale);
+        ASSERT_TRUE(&shownBy(rig.stage).game == &rig.stage.game() ||
                     rig.stage.screen() == Screen::Over);
     }
     EXPECT_GT(most, Real(1.05));
     ASSERT_EQ(rig.stage.screen(), Screen::Over);
-    EXPECT_EQ(rig.picture().mostZoom(), rig.stage.closeup().scale);
-    EXPECT_NE(&rig.stage.shownGame(), &rig.stage.game()) << "the rerun of the collapse";
+    EXPECT_EQ(rig.picture().mostZoom(), shownBy(rig.stage).closeup.scale);
+    EXPECT_NE(&shownBy(rig.stage).game, &rig.stage.game()) << "the rerun of the collapse";
 }
 
 std::string strokesOf(const Level& level) {

@@ -2,6 +2,7 @@
 #include <apart/core/legend_reader.hpp>
 #include <apart/core/tuning.hpp>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -25,7 +26,7 @@ public:
     Legend read(const toml::table& root) {
         const toml::node* node = root.get("legend");
         const toml::table* table = node == nullptr ? nullptr : node->as_table();
-        legend_.complete = table != nullptr;
+        legend_.complete = table != nullptr && !keys_.isMisspelled(root, "legend");
         if (table != nullptr) {
             for (const auto& [key, entry] : *table) {
                 readEntry(std::string(key.str()), static_cast<int>(key.source().begin.line), entry);
@@ -40,6 +41,13 @@ public:
     }
 
 private:
+    /// True for an obstruction, also with a misspelling of this key.
+    static bool isSign(const toml::table& table) {
+        return std::any_of(table.begin(), table.end(), [](const auto& entry) {
+            return TomlKeys::isSimilar(entry.first.str(), "obstruction");
+        });
+    }
+
     void readEntry(const std::string& letter, int line, const toml::node& entry) {
         const std::string prefix = "legend." + letter + ".";
         if (letter.size() != 1 || letter == "." || letter[0] <= ' ' || letter[0] > '~') {
@@ -49,7 +57,7 @@ private:
         } else if (!entry.is_table()) {
             keys_.fail(line, "legend." + letter + " must be a table");
             legend_.unread += letter;
-        } else if (entry.as_table()->contains("obstruction")) {
+        } else if (isSign(*entry.as_table())) {
             readSign(letter[0], prefix, *entry.as_table());
         } else {
             readKind(letter[0], prefix, *entry.as_table());

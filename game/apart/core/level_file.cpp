@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace apart {
 
@@ -149,6 +150,7 @@ private:
 
     void readRow(std::string_view letters, int row, int line,
                  std::map<std::string, std::vector<int>>& unknown) {
+        std::set<std::string> own; // unknown letters
         int column = 0;
         for (; !letters.empty(); ++column) {
             const auto isInner = [](char c) { return (c & 0xc0) == 0x80; }; // of UTF-8
@@ -159,14 +161,22 @@ private:
                 continue;
             }
             gridRead_ = false;
-            if (!legend_.isUnread(letter) &&
-                (unknown[letter].empty() || unknown[letter].back() != line)) {
-                unknown[letter].push_back(line);
+            if (!legend_.isUnread(letter)) {
+                own.insert(letter);
             }
         }
         if (column != kColumns) {
             failRow(line, "a row of the grid has " + std::to_string(kColumns) + " letters, not " +
                               std::to_string(column));
+        }
+        constexpr std::size_t kMostUnknown = 3; // a line with more of them is none of the grid
+        if (own.size() > kMostUnknown && column == kColumns) {
+            failRow(line, "more than " + std::to_string(kMostUnknown) +
+                              " letters of this row are not in the legend");
+        } else if (own.size() <= kMostUnknown) {
+            for (const std::string& letter : own) {
+                unknown[letter].push_back(line);
+            }
         }
     }
 

@@ -61,10 +61,10 @@ char lower(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// True if a key is a misspelling of another one: at most two letters are inserted, removed or
-/// exchanged, and not more than half of them. Capitals do not count.
-bool isSimilar(std::string_view written, std::string_view meant) {
-    const std::size_t most = std::min<std::size_t>(2, meant.size() / 2);
+} // namespace
+
+bool TomlKeys::isSimilar(std::string_view written, std::string_view meant) {
+    const std::size_t most = std::clamp<std::size_t>(meant.size() / 2, 1, 2);
     if (written.size() > meant.size() + most) {
         return false;
     }
@@ -82,8 +82,6 @@ bool isSimilar(std::string_view written, std::string_view meant) {
     }
     return row.back() <= most;
 }
-
-} // namespace
 
 Read<toml::table> parseToml(std::string_view text, const std::string& file) {
     if (const int line = lineOfLongKey(text)) {

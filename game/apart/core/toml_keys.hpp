@@ -46,7 +46,10 @@ public:
     std::optional<FileProblem> problem() const;
     static constexpr std::size_t kMostFaults = 20;
 
-    /// True if an unknown key of the table is a misspelling of this key, which is absent.
+    /// True if a key is a misspelling of another one: at most two letters are inserted, removed or
+    /// exchanged, in a key of less than four one. Capitals do not count.
+    static bool isSimilar(std::string_view written, std::string_view meant);
+    /// True if an unknown key of the table is a misspelling of this key.
     bool isMisspelled(const toml::table& table, const std::string& key) const;
     /// A required key is absent: a fault unless it is misspelled.
     void missing(const toml::table& table, const std::string& key, const std::string& prefix = "");

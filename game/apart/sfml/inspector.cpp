@@ -16,12 +16,13 @@ void Inspector::measure(double frameSeconds, double gameSeconds) {
     game_ += kShare * (gameSeconds - game_);
 }
 
-void Inspector::draw(SfmlCanvas& canvas, const Game& game, const Closeup& closeup) const {
+void Inspector::draw(SfmlCanvas& canvas, const ShownGame& shown) const {
     if (!on_) {
         return;
     }
     const std::size_t vertices = canvas.picture().vertexCount();
-    canvas.zoom(closeup.focus, closeup.scale);
+    const Game& game = shown.game;
+    canvas.zoom(shown.closeup.focus, shown.closeup.scale);
     kodo_sfml::paintWorld(canvas.painter(), canvas.drawingCamera(), game.world(),
                           {true, true, true, true, 0.05f});
     canvas.zoom({}, 1);

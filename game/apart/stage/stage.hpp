@@ -87,6 +87,13 @@ enum class Screen : std::uint8_t {
 /// Index of the first level that is not cleared; 0 if all are.
 std::size_t nextToPlay(const LevelList& levels, const Profile& profile);
 
+/// The game in the picture: on the result screen that of the rerun.
+struct ShownGame {
+    const Game& game;
+    Closeup closeup{};
+    bool wide = false; // in the middle, without the panel
+};
+
 /// The application without its window: screens, time, and the effect of input on each screen. All
 /// external dependencies are arguments.
 class Stage {
@@ -102,10 +109,6 @@ public:
     bool wantsPointer() const { return screen_ != Screen::Playing; }
     Screen screen() const { return screen_; }
     const Game& game() const { return session_.game(); }
-    /// The game in the picture: on the result screen that of the rerun.
-    const Game& shownGame() const { return rerun_ ? rerun_->play().game() : game(); }
-    /// The closeup of the picture.
-    Closeup closeup() const;
     const Profile& profile() const { return records_.profile(); }
     const Settings& settings() const { return profile().settings; }
     const Records& records() const { return records_; }
@@ -114,6 +117,7 @@ public:
     const LevelSelect& levelSelect() const { return select_; }
     /// True if the bot plays without a menu: the title screen has had no input for a while.
     bool attracting() const;
+    friend ShownGame shownBy(const Stage& stage);
 
 private:
     // Effects of input, by screen (stage_signals.cpp).
@@ -157,7 +161,6 @@ private:
     // Pictures (stage_picture.cpp).
     void drawTitle(Canvas& canvas) const;
     HudLook hudLook() const;
-    bool isWide() const; // shows no panel
 
     /// The file of the level that is played, if it is read again whenever it changes.
     struct Reload {

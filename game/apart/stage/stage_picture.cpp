@@ -149,17 +149,20 @@ HudLook Stage::hudLook() const {
     return look;
 }
 
-bool Stage::isWide() const {
-    return session_.isDemo() || (screen_ == Screen::Help && help_);
-}
-
-Closeup Stage::closeup() const {
-    return rerun_ || isWide() ? Closeup{} : session_.closeup();
+ShownGame shownBy(const Stage& stage) {
+    const bool help = stage.screen_ == Screen::Help && stage.help_;
+    const bool wide = stage.session_.isDemo() || help;
+    if (stage.rerun_) {
+        return {stage.rerun_->play().game(), {}, wide};
+    }
+    return {stage.game(), wide ? Closeup{} : stage.session_.closeup(), wide};
 }
 
 void Stage::draw(Canvas& canvas) const {
     const bool help = screen_ == Screen::Help && help_;
-    const bool wide = isWide();
+    const ShownGame shown = apart::shownBy(*this);
+    const Closeup& closeup = shown.closeup;
+    const bool wide = shown.wide;
     canvas.begin(wide ? layout::kShownTitle : layout::kShown,
                  help ? Vec2{} : session_.play().juice().shake());
     canvas.setPalette(static_cast<Vision>(std::clamp(settings().colors, 0, 3)));
@@ -167,7 +170,6 @@ void Stage::draw(Canvas& canvas) const {
     if (help) {
         return help_->draw(canvas, profile().bindings);
     }
-    const Closeup closeup = this->closeup();
     canvas.zoom(closeup.focus, closeup.scale);
     paintBackdrop(canvas, game().level().theme, seconds_);
     if (rerun_) {
