@@ -2,7 +2,6 @@
 #include <apart/core/assets.hpp>
 #include <apart/core/tuning.hpp>
 
-#include <algorithm>
 #include <set>
 
 #include "level_texts.hpp"
@@ -136,22 +135,6 @@ TEST(LevelDigest, DependsOnTheRulesAndNotOnTheTexts) {
     EXPECT_EQ(digestOf(other), digestOf(level));
     other.kinds[0].strength += 1;
     EXPECT_NE(digestOf(other), digestOf(level));
-}
-
-// All errors of a file are told, one for each line.
-TEST(LevelFile, TellsAllErrorsAtOnce) {
-    const Read<Level> read = parseLevel("format = 1\ntitle = 7\nidea = \"i\"\nlives = 99\n"
-                                        "grid = '''\nbbb............\n'''\n[legend.b]\n"
-                                        "stuff = \"cheese\"\n",
-                                        "test", "test.toml");
-    ASSERT_TRUE(std::holds_alternative<FileProblem>(read));
-    const std::vector<std::string> texts = std::get<FileProblem>(read).texts();
-    ASSERT_GE(texts.size(), 3u); // and one that follows from these
-    EXPECT_TRUE(texts[0].starts_with("test.toml:2: title")) << texts[0];
-    EXPECT_TRUE(texts[1].starts_with("test.toml:4: lives")) << texts[1];
-    EXPECT_TRUE(std::any_of(texts.begin(), texts.end(), [](const std::string& text) {
-        return text.starts_with("test.toml:9: ");
-    }));
 }
 
 } // namespace

@@ -299,6 +299,25 @@ TEST(Closeup, IsASetting) {
     EXPECT_GT(mostOf(100), Real(1.05));
 }
 
+// What is drawn over the picture, as by F3, needs its closeup and its game.
+TEST(Closeup, OfTheStageIsThatOfThePicture) {
+    StageDef def = botIn("cradle"); // ends with a collapse
+    def.profile.settings.zoom = 100;
+    StageRig rig(std::move(def));
+    Real most = 1;
+    for (int i = 0; i < 60 * 300 && rig.stage.screen() == Screen::Playing; ++i) {
+        rig.frame();
+        most = std::max(most, shownBy(rig.stage).closeup.scale);
+        ASSERT_EQ(rig.picture().mostZoom(), shownBy(rig.stage).closeup.scale);
+        ASSERT_TRUE(&shownBy(rig.stage).game == &rig.stage.game() ||
+                    rig.stage.screen() == Screen::Over);
+    }
+    EXPECT_GT(most, Real(1.05));
+    ASSERT_EQ(rig.stage.screen(), Screen::Over);
+    EXPECT_EQ(rig.picture().mostZoom(), shownBy(rig.stage).closeup.scale);
+    EXPECT_NE(&shownBy(rig.stage).game, &rig.stage.game()) << "the rerun of the collapse";
+}
+
 std::string strokesOf(const Level& level) {
     RecordingCanvas canvas;
     paintPreview(canvas, level, {{-5, -4}, {5, 4}});

@@ -140,4 +140,25 @@ TEST(Stage, ScriptedControlsPlayTheGame) {
 }
 
 } // namespace
+TEST(Stage, ShowsAllErrorsOfAnEditedLevelFile) {
+    StageDef def = StageRig::playing();
+    std::size_t count = 21;
+    def.reload = [&] {
+        LevelChange change;
+        for (std::size_t i = 0; i < count; ++i) {
+            change.errors.push_back("fault number " + std::to_string(i));
+        }
+        return std::optional(change);
+    };
+    StageRig rig(std::move(def));
+    rig.frames(60);
+    EXPECT_TRUE(rig.picture().says("fault number 0"));
+    EXPECT_TRUE(rig.picture().says("fault number 20"));
+    EXPECT_FALSE(rig.picture().says("..."));
+    count = 99;
+    rig.frames(60);
+    EXPECT_TRUE(rig.picture().says("..."));
+    EXPECT_FALSE(rig.picture().says("fault number 98")) << "below the picture";
+}
+
 } // namespace apart

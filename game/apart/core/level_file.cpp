@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/building_reader.hpp>
+#include <apart/core/legend_reader.hpp>
 #include <apart/core/level_file.hpp>
 #include <apart/core/toml_keys.hpp>
 #include <apart/core/tuning.hpp>
 
 #include <algorithm>
-#include <array>
+#include <map>
 #include <optional>
+#include <set>
 
 namespace apart {
 
 namespace {
-
-// Defaults by ObstructionKind: 1/1000 m, and 1/1000 m/s or rad/s. A gate of size 0 fills its cell.
-constexpr std::array<std::int32_t, 4> kUsualSize = {500, 200, 3000, 0};
-constexpr std::array<std::int32_t, 4> kUsualSpeed = {6000, 0, 2000, 0};
 
 constexpr std::size_t kMostObstructions = 64; // tables [[ground]]
 constexpr std::size_t kMostWells = 8;
@@ -48,7 +46,7 @@ public:
             level_.ball = keys_.choice(root, "ball", kBallKindNames, level_.ball);
             level_.paddle = keys_.choice(root, "paddle", kPaddleKindNames, level_.paddle);
             level_.wind = keys_.number(root, "wind", {-30000, 30000, 0});
-            readLegend(root);
+            legend_ = readLegend(keys_, root, level_);
             readGrid(root);
             readBoss(root);
             readBuilding(root);
@@ -56,47 +54,47 @@ public:
             forTables(root, "well", kMostWells, [&](const auto& t) { readWell(t); });
             forTables(root, "water", kMostWaters, [&](const auto& t) { readWater(t); });
         }
-        return keys_.problem() ? Read<Level>(*keys_.problem()) : Read<Level>(level_);
+        const std::optional<FileProblem> problem = keys_.problem();
+        return problem ? Read<Level>(*problem) : Read<Level>(level_);
     }
 
 private:
-    /// Letter of the grid for an obstruction.
-    struct Sign {
-        char letter = '?';
-        ObstructionDef def;
-    };
-
+    /// Returns false if some of the tables could not be read.
     template <typename Use>
-    void forTables(const toml::table& root, const std::string& key, std::size_t most, Use use) {
+    bool forTables(const toml::table& root, const std::string& key, std::size_t most, Use use) {
         const toml::node* node = root.get(key);
         if (node == nullptr) {
-            return;
+            return !keys_.isMisspelled(root, key);
         }
         const toml::array* list = node->as_array();
         if (list == nullptr || !list->is_homogeneous(toml::node_type::table)) {
             keys_.fail(TomlKeys::lineOf(*node), key + " must be tables [[" + key + "]]");
-            return;
+            return false;
         }
         if (list->size() > most) {
             keys_.fail(TomlKeys::lineOf(*node),
                        "there are more than " + std::to_string(most) + " tables [[" + key + "]]");
-            return;
         }
-        for (const toml::node& entry : *list) {
-            use(*entry.as_table());
+        for (std::size_t i = 0; i < std::min(list->size(), most); ++i) {
+            use(*list->get(i)->as_table());
         }
+        return list->size() <= most;
     }
 
     void readBuilding(const toml::table& root) {
-        BuildingReader reader(keys_, level_);
+        BuildingReader reader(keys_, level_, legend_);
         forTables(root, "ledge", kMostTables, [&](const auto& t) { reader.readLedge(t); });
-        forTables(root, "block", kMostTables, [&](const auto& t) { reader.readBlock(t); });
+        if (!forTables(root, "block", kMostTables, [&](const auto& t) { reader.readBlock(t); })) {
+            reader.doubtBlocks("");
+        }
+        reader.checkPlaces();
         forTables(root, "joint", kMostTables, [&](const auto& t) { reader.readJoint(t); });
         if (root.contains("keep")) {
             reader.readKeep(root);
         }
         const auto breaks = [&](const auto& b) { return level_.kinds[b.kind].breakable(); };
-        if (!keys_.problem() && std::none_of(level_.cells.begin(), level_.cells.end(), breaks) &&
+        if (gridRead_ && reader.hasAllBlocks() &&
+            std::none_of(level_.cells.begin(), level_.cells.end(), breaks) &&
             std::none_of(level_.freeBlocks.begin(), level_.freeBlocks.end(), breaks)) {
             const toml::node* grid = root.get("grid");
             keys_.fail(TomlKeys::lineOf(grid == nullptr ? root : *grid),
@@ -104,138 +102,108 @@ private:
         }
     }
 
-    void readLegend(const toml::table& root) {
-        const toml::node* node = root.get("legend");
-        const toml::table* legend = node == nullptr ? nullptr : node->as_table();
-        if (legend == nullptr) {
-            keys_.fail(TomlKeys::lineOf(node == nullptr ? root : *node),
-                       "the tables [legend.X] are missing: one for each letter of the grid");
-            return;
-        }
-        for (const auto& [key, entry] : *legend) {
-            const std::string letter(key.str());
-            const int line = static_cast<int>(key.source().begin.line);
-            const std::string prefix = "legend." + letter + ".";
-            if (letter.size() != 1 || letter == "." || letter[0] <= ' ' || letter[0] > '~') {
-                keys_.fail(line,
-                           "legend." + letter + ": a letter of the grid is one visible character");
-            } else if (!entry.is_table()) {
-                keys_.fail(line, "legend." + letter + " must be a table");
-            } else if (entry.as_table()->contains("obstruction")) {
-                readSign(letter[0], prefix, *entry.as_table());
-            } else {
-                readKind(letter[0], prefix, *entry.as_table());
-            }
-        }
-    }
-
-    void readKind(char letter, const std::string& prefix, const toml::table& table) {
-        keys_.onlyKeys(table, {"stuff", "strength", "pattern", "power", "hold", "arm", "core"},
-                       prefix);
-        const std::optional<std::size_t> stuff = keys_.choice(table, "stuff", kStuffNames);
-        const int line = TomlKeys::lineOf(table);
-        if (!stuff) {
-            keys_.fail(line, prefix + "stuff is missing");
-            return;
-        }
-        BlockKind kind;
-        kind.letter = letter;
-        kind.stuff = static_cast<Stuff>(*stuff);
-        kind.pattern = keys_.choice(table, "pattern", kPatternNames, kUsualPattern[*stuff]);
-        kind.power = keys_.choice(table, "power", kPowerNames, Power::None);
-        kind.support = keys_.choice(table, "hold", kSupportNames, Support::Mounted);
-        if (kind.support == Support::Hanging) {
-            kind.arm = keys_.number(table, "arm", {thousandths(kCellHeight / 2), 6000, 800});
-        } else if (table.contains("arm")) {
-            keys_.fail(line, prefix + "arm is for a block with hold = \"hanging\"");
-        }
-        kind.core = keys_.flag(table, "core");
-        if (kind.core && (kind.support != Support::Boss || !kind.breakable())) {
-            keys_.fail(line, prefix + "core is for a block with hold = \"boss\" that can break");
-        }
-        if (kind.breakable()) {
-            kind.strength = keys_.number(table, "strength", {1, 1000000, kStrength[*stuff]});
-        } else if (table.contains("strength") || kind.power != Power::None) {
-            keys_.fail(line, prefix + "steel never breaks: it has no strength and no power");
-        }
-        level_.kinds.push_back(kind);
-    }
-
-    void readSign(char letter, const std::string& prefix, const toml::table& table) {
-        keys_.onlyKeys(table, {"obstruction", "size", "speed", "facing"}, prefix);
-        const auto inGrid = std::span(kObstructionNames).first(kUsualSize.size());
-        const std::optional<std::size_t> kind = keys_.choice(table, "obstruction", inGrid);
-        if (!kind) {
-            return;
-        }
-        Sign sign{letter, {}};
-        sign.def.kind = static_cast<ObstructionKind>(*kind);
-        sign.def.size = keys_.number(table, "size", {50, 12000, kUsualSize[*kind]});
-        sign.def.speed = keys_.number(table, "speed", {-20000, 20000, kUsualSpeed[*kind]});
-        sign.def.facing = keys_.choice(table, "facing", kFacingNames, Facing::Up);
-        if (sign.def.kind == ObstructionKind::Gate && sign.def.size == 0) {
-            const bool lies = sign.def.facing == Facing::Up || sign.def.facing == Facing::Down;
-            sign.def.size = thousandths(lies ? kCellWidth : kCellHeight);
-        }
-        signs_.push_back(sign);
-    }
-
     void readGrid(const toml::table& root) {
         const toml::node* node = root.get("grid");
         const auto* grid = node == nullptr ? nullptr : node->as_string();
-        if (node == nullptr && root.contains("block")) {
-            return; // a level of free blocks alone
+        if (grid != nullptr) {
+            return readRows(*grid);
         }
-        if (grid == nullptr) {
-            keys_.fail(TomlKeys::lineOf(node == nullptr ? root : *node),
-                       "the text grid = '''...''' is missing");
-            return;
-        }
-        std::string_view rest = grid->get();
-        int row = 0;
-        for (; !rest.empty() && !keys_.problem(); ++row) {
-            const std::string_view line = rest.substr(0, rest.find('\n'));
-            rest.remove_prefix(std::min(line.size() + 1, rest.size()));
-            readRow(line, row, TomlKeys::lineOf(*grid) + 1 + row);
+        gridRead_ = node == nullptr && root.contains("block"); // a level of free blocks alone
+        if (node != nullptr) {
+            keys_.fail(TomlKeys::lineOf(*node), "grid must be a text '''...'''");
+        } else if (!gridRead_ && !keys_.isMisspelled(root, "grid") &&
+                   !keys_.isMisspelled(root, "block")) {
+            keys_.fail(TomlKeys::lineOf(root), "the text grid = '''...''' is missing");
         }
     }
 
-    void readRow(std::string_view letters, int row, int line) {
-        if (row >= kMostRows) {
-            keys_.fail(line, "the grid has more than " + std::to_string(kMostRows) + " rows");
-            return;
+    void readRows(const toml::value<std::string>& grid) {
+        std::string_view rest = grid.get();
+        // A line break behind the opening quotes is not in the text.
+        const auto breaks = static_cast<int>(std::count(rest.begin(), rest.end(), '\n'));
+        const int line =
+            std::max(static_cast<int>(grid.source().end.line) - breaks, TomlKeys::lineOf(grid));
+        std::map<std::string, std::vector<int>> unknown; // lines by letter
+        for (int row = 0; !rest.empty() && row <= kMostRows; ++row) {
+            const std::string_view letters = rest.substr(0, rest.find('\n'));
+            rest.remove_prefix(std::min(letters.size() + 1, rest.size()));
+            if (row == kMostRows) {
+                failRow(line + row,
+                        "the grid has more than " + std::to_string(kMostRows) + " rows");
+            } else {
+                readRow(letters, row, line + row, unknown);
+            }
         }
-        if (letters.size() != kColumns) {
-            keys_.fail(line, "a row of the grid has " + std::to_string(kColumns) +
-                                 " letters, not " + std::to_string(letters.size()));
-            return;
+        for (const auto& [letter, lines] : unknown) {
+            std::string reason = "the letter " + letter + " is not in the legend";
+            for (std::size_t i = 1; i < lines.size(); ++i) {
+                reason += (i > 1 ? ", line " : "; also in line ") + std::to_string(lines[i]);
+            }
+            failRow(lines[0], std::move(reason));
         }
-        for (int column = 0; column < kColumns; ++column) {
-            const char letter = letters[static_cast<std::size_t>(column)];
-            if (letter != '.' && !place(letter, row, column)) {
-                keys_.fail(line, std::string("the letter ") + letter + " is not in the legend");
-                return;
+    }
+
+    void failRow(int line, std::string reason) {
+        keys_.fail(line, std::move(reason));
+        gridRead_ = false;
+    }
+
+    void readRow(std::string_view letters, int row, int line,
+                 std::map<std::string, std::vector<int>>& unknown) {
+        std::set<std::string> own; // unknown letters
+        int column = 0;
+        for (; !letters.empty(); ++column) {
+            const auto isInner = [](char c) { return (c & 0xc0) == 0x80; }; // of UTF-8
+            const auto end = std::find_if_not(letters.begin() + 1, letters.end(), isInner);
+            const std::string letter(letters.begin(), end);
+            letters.remove_prefix(letter.size());
+            if (letter == "." || place(letter, row, column)) {
+                continue;
+            }
+            gridRead_ = false;
+            if (!legend_.isUnread(letter)) {
+                own.insert(letter);
+            }
+        }
+        if (column != kColumns) {
+            failRow(line, "a row of the grid has " + std::to_string(kColumns) + " letters, not " +
+                              std::to_string(column));
+        }
+        constexpr std::size_t kMostUnknown = 3; // a line with more of them is none of the grid
+        if (own.size() > kMostUnknown && column == kColumns) {
+            failRow(line, "more than " + std::to_string(kMostUnknown) +
+                              " letters of this row are not in the legend");
+        } else if (own.size() <= kMostUnknown) {
+            for (const std::string& letter : own) {
+                unknown[letter].push_back(line);
             }
         }
     }
 
-    bool place(char letter, int row, int column) {
-        const auto isIt = [&](const auto& entry) { return entry.letter == letter; };
+    /// False if the legend has no such letter. Columns behind the last one are left out.
+    bool place(const std::string& letter, int row, int column) {
+        const auto isIt = [&](const auto& entry) {
+            return letter.size() == 1 && entry.letter == letter[0];
+        };
         const auto kind = std::find_if(level_.kinds.begin(), level_.kinds.end(), isIt);
         if (kind != level_.kinds.end()) {
-            level_.cells.push_back({static_cast<std::uint8_t>(row),
-                                    static_cast<std::uint8_t>(column),
-                                    static_cast<std::uint8_t>(kind - level_.kinds.begin())});
+            if (column < kColumns) {
+                level_.cells.push_back({static_cast<std::uint8_t>(row),
+                                        static_cast<std::uint8_t>(column),
+                                        static_cast<std::uint8_t>(kind - level_.kinds.begin())});
+            }
             return true;
         }
-        const auto sign = std::find_if(signs_.begin(), signs_.end(), isIt);
-        if (sign == signs_.end()) {
+        const auto sign = std::find_if(legend_.signs.begin(), legend_.signs.end(), isIt);
+        if (sign == legend_.signs.end()) {
             return false;
         }
-        ObstructionDef def = sign->def;
-        def.x = (2 * column + 1) * thousandths(kCellWidth) / 2 - kEdge;
-        def.y = kTop - (2 * row + 1) * thousandths(kCellHeight) / 2;
-        level_.obstructions.push_back(def);
+        if (column < kColumns) {
+            ObstructionDef def = sign->def;
+            def.x = (2 * column + 1) * thousandths(kCellWidth) / 2 - kEdge;
+            def.y = kTop - (2 * row + 1) * thousandths(kCellHeight) / 2;
+            level_.obstructions.push_back(def);
+        }
         return true;
     }
 
@@ -246,7 +214,11 @@ private:
             });
         };
         const bool boss = has([](const BlockKind& kind) { return kind.support == Support::Boss; });
-        if (boss && !has([](const BlockKind& kind) { return kind.core; })) {
+        const bool doubtful =
+            !gridRead_ || std::any_of(level_.cells.begin(), level_.cells.end(), [&](Cell cell) {
+                return legend_.doubts[cell.kind].support || legend_.doubts[cell.kind].core;
+            });
+        if (boss && !doubtful && !has([](const BlockKind& kind) { return kind.core; })) {
             keys_.fail(TomlKeys::lineOf(root), "the boss needs a block with core = true");
         }
         const toml::node* node = root.get("boss");
@@ -254,14 +226,15 @@ private:
             return;
         }
         const toml::table* table = node->as_table();
-        if (table == nullptr || !boss) {
+        if (table == nullptr || (!boss && !doubtful)) {
             keys_.fail(TomlKeys::lineOf(*node),
                        "boss must be a table { drift, speed } of a level with blocks of a boss");
-            return;
         }
-        keys_.onlyKeys(*table, {"drift", "speed"}, "boss.");
-        level_.bossDrift = keys_.number(*table, "drift", {0, kEdge, std::nullopt});
-        level_.bossSpeed = keys_.number(*table, "speed", {0, 10000, std::nullopt});
+        if (table != nullptr) {
+            keys_.onlyKeys(*table, {"drift", "speed"}, "boss.");
+            level_.bossDrift = keys_.number(*table, "drift", {0, kEdge, std::nullopt});
+            level_.bossSpeed = keys_.number(*table, "speed", {0, 10000, std::nullopt});
+        }
     }
 
     void readGround(const toml::table& table) {
@@ -311,18 +284,19 @@ private:
                 std::find_if(level_.kinds.begin(), level_.kinds.end(), [&](const BlockKind& kind) {
                     return letter.size() == 1 && kind.letter == letter[0] && kind.breakable();
                 });
-            if (found == level_.kinds.end()) {
+            water.dam = static_cast<std::int32_t>(found - level_.kinds.begin());
+            if (found == level_.kinds.end() && !letter.empty() && !legend_.isUnread(letter)) {
                 keys_.fail(TomlKeys::lineOf(*dam),
                            "water.dam must be the letter of a block in the legend that can break");
             }
-            water.dam = static_cast<std::int32_t>(found - level_.kinds.begin());
         }
         level_.waters.push_back(water);
     }
 
     TomlKeys keys_;
     Level level_;
-    std::vector<Sign> signs_;
+    Legend legend_;
+    bool gridRead_ = true; // all rows of the grid
 };
 
 } // namespace

@@ -11,7 +11,8 @@
 namespace apart {
 
 /// Parses a level in TOML. All numbers are integers. x is measured from the middle of the field, y
-/// from its bottom. The field is 24 m by 18 m, a cell 1.6 m by 0.8 m.
+/// from its bottom. The field is 24 m by 18 m, a cell 1.6 m by 0.8 m. The problem has all faults
+/// by line, at most TomlKeys::kMostFaults, and none that follows from another one.
 ///
 ///   format = 1
 ///   place = 1               # rank in the order of levels; 9999 unless given
@@ -72,7 +73,9 @@ namespace apart {
 ///   dam = "b"               # letter of a block: the water runs out through the first one of its
 ///                           # kind that breaks or falls; it stays unless given
 ///
-/// Buildings have free blocks, which need no grid.
+/// Buildings have free blocks, which need no grid. A level has at most 64 ledges, 240 free blocks
+/// and 120 joints, copies included. A block lies within the field as a whole, the middle of a
+/// ledge too. At most 20 blocks have their middles at one place.
 ///
 ///   [[ledge]]               # a fixed rectangle to stand on
 ///   x = 0                   # 1/1000 m, of its middle

@@ -2,6 +2,8 @@
 #include <apart/core/toml_keys.hpp>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 
 namespace apart {
 
@@ -55,7 +57,31 @@ int lineOfLongKey(std::string_view text) {
     return 0;
 }
 
+char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
 } // namespace
+
+bool TomlKeys::isSimilar(std::string_view written, std::string_view meant) {
+    const std::size_t most = std::clamp<std::size_t>(meant.size() / 2, 1, 2);
+    if (written.size() > meant.size() + most) {
+        return false;
+    }
+    std::vector<std::size_t> row(meant.size() + 1); // edit distances from the start of `written`
+    for (std::size_t j = 0; j < row.size(); ++j) {
+        row[j] = j;
+    }
+    for (std::size_t i = 0; i < written.size(); ++i) {
+        std::size_t diagonal = std::exchange(row[0], i + 1);
+        for (std::size_t j = 0; j < meant.size(); ++j) {
+            const std::size_t same = lower(written[i]) == lower(meant[j]) ? 0 : 1;
+            const std::size_t best = std::min({diagonal + same, row[j] + 1, row[j + 1] + 1});
+            diagonal = std::exchange(row[j + 1], best);
+        }
+    }
+    return row.back() <= most;
+}
 
 Read<toml::table> parseToml(std::string_view text, const std::string& file) {
     if (const int line = lineOfLongKey(text)) {
@@ -72,17 +98,21 @@ Read<toml::table> parseToml(std::string_view text, const std::string& file) {
 }
 
 void TomlKeys::fail(int line, std::string reason) {
-    constexpr std::size_t kMost = 20;
-    if (!problem_) {
-        problem_ = FileProblem{file_, line, std::move(reason)};
-        return;
+    faults_.emplace(line, std::move(reason));
+}
+
+std::optional<FileProblem> TomlKeys::problem() const {
+    if (faults_.empty()) {
+        return std::nullopt;
     }
-    const auto sameLine = [&](const auto& known) { return known.first == line; };
-    const bool isListed = problem_->line == line || // the first error of a line may cause others
-                          std::any_of(problem_->more.begin(), problem_->more.end(), sameLine);
-    if (!isListed && problem_->more.size() < kMost) {
-        problem_->more.emplace_back(line, std::move(reason));
+    FileProblem problem{file_, faults_.begin()->first, faults_.begin()->second};
+    const std::size_t told = std::min(faults_.size(), kMostFaults);
+    problem.more.assign(std::next(faults_.begin()),
+                        std::next(faults_.begin(), static_cast<std::ptrdiff_t>(told)));
+    if (faults_.size() > told) {
+        problem.more.emplace_back(0, "and " + std::to_string(faults_.size() - told) + " more");
     }
+    return problem;
 }
 
 void TomlKeys::onlyKeys(const toml::table& table, std::initializer_list<std::string_view> known,
@@ -91,7 +121,22 @@ void TomlKeys::onlyKeys(const toml::table& table, std::initializer_list<std::str
         if (std::find(known.begin(), known.end(), key.str()) == known.end()) {
             fail(static_cast<int>(key.source().begin.line),
                  "unknown key " + prefix + std::string(key.str()));
+            unknown_.emplace_back(&table, std::string(key.str()));
         }
+    }
+}
+
+bool TomlKeys::isMisspelled(const toml::table& table, const std::string& key) const {
+    return std::any_of(unknown_.begin(), unknown_.end(), [&](const auto& other) {
+        return other.first == &table && isSimilar(other.second, key);
+    });
+}
+
+void TomlKeys::missing(const toml::table& table, const std::string& key,
+                       const std::string& prefix) {
+    if (!isMisspelled(table, key)) {
+        fail(lineOf(table),
+             prefix.empty() ? "the key " + key + " is missing" : prefix + key + " is missing");
     }
 }
 
@@ -100,7 +145,7 @@ std::int32_t TomlKeys::number(const toml::table& table, const std::string& key,
     const toml::node* node = table.get(key);
     if (node == nullptr) {
         if (!range.otherwise) {
-            fail(lineOf(table), "the key " + key + " is missing");
+            missing(table, key);
         }
         return range.otherwise.value_or(range.low);
     }
@@ -113,10 +158,34 @@ std::int32_t TomlKeys::number(const toml::table& table, const std::string& key,
     return static_cast<std::int32_t>(value->get());
 }
 
+TomlKeys::Pair TomlKeys::pair(const toml::table& table, const std::string& key, std::int32_t most,
+                              std::optional<Pair> otherwise) {
+    const toml::node* node = table.get(key);
+    if (node == nullptr) {
+        if (!otherwise) {
+            missing(table, key);
+        }
+        return otherwise.value_or(Pair{});
+    }
+    const toml::array* list = node->as_array();
+    std::array<std::int32_t, 2> numbers{};
+    bool good = list != nullptr && list->size() == 2;
+    for (std::size_t i = 0; good && i < 2; ++i) {
+        const auto* value = list->get(i)->as_integer();
+        good = value != nullptr && value->get() >= -most && value->get() <= most;
+        numbers[i] = good ? static_cast<std::int32_t>(value->get()) : 0;
+    }
+    if (!good) {
+        fail(lineOf(*node), key + " must be two whole numbers from -" + std::to_string(most) +
+                                " to " + std::to_string(most));
+    }
+    return {numbers[0], numbers[1]};
+}
+
 std::string TomlKeys::text(const toml::table& table, const std::string& key) {
     const toml::node* node = table.get(key);
     if (node == nullptr) {
-        fail(lineOf(table), "the key " + key + " is missing");
+        missing(table, key);
         return {};
     }
     const auto* value = node->as_string();
@@ -128,6 +197,7 @@ std::string TomlKeys::text(const toml::table& table, const std::string& key) {
     for (const char c : value->get()) {
         if (c >= 0 && c < ' ') {
             fail(lineOf(*node), key + " must be one line without control characters");
+            return {};
         }
     }
     return value->get();

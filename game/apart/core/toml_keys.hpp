@@ -8,9 +8,12 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace apart {
 
@@ -18,7 +21,7 @@ namespace apart {
 /// before, and the parser recurs for each.
 Read<toml::table> parseToml(std::string_view text, const std::string& file);
 
-/// Reads keys of TOML tables and keeps the first problem with its line.
+/// Reads keys of TOML tables and keeps all faults with their lines.
 class TomlKeys {
 public:
     explicit TomlKeys(std::string file) : file_(std::move(file)) {}
@@ -29,16 +32,35 @@ public:
         std::optional<std::int32_t> otherwise{}; // default; without it the key is required
     };
 
+    struct Pair {
+        std::int32_t first = 0;
+        std::int32_t second = 0;
+    };
+
     static int lineOf(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
 
     void fail(int line, std::string reason);
-    const std::optional<FileProblem>& problem() const { return problem_; }
+    std::size_t faults() const { return faults_.size(); } // so far
+    /// The first kMostFaults faults by line, then the number of the others. nullopt: there are
+    /// none.
+    std::optional<FileProblem> problem() const;
+    static constexpr std::size_t kMostFaults = 20;
 
+    /// True if a key is a misspelling of another one: at most two letters are inserted, removed or
+    /// exchanged, in a key of less than four one. Capitals do not count.
+    static bool isSimilar(std::string_view written, std::string_view meant);
+    /// True if an unknown key of the table is a misspelling of this key.
+    bool isMisspelled(const toml::table& table, const std::string& key) const;
+    /// A required key is absent: a fault unless it is misspelled.
+    void missing(const toml::table& table, const std::string& key, const std::string& prefix = "");
     void onlyKeys(const toml::table& table, std::initializer_list<std::string_view> known,
                   const std::string& prefix);
     std::int32_t number(const toml::table& table, const std::string& key, const Range& range);
-    std::string text(const toml::table& table, const std::string& key);
-    bool flag(const toml::table& table, const std::string& key); // false unless given
+    /// Two whole numbers from -most to most.
+    Pair pair(const toml::table& table, const std::string& key, std::int32_t most,
+              std::optional<Pair> otherwise);
+    std::string text(const toml::table& table, const std::string& key); // empty after a fault
+    bool flag(const toml::table& table, const std::string& key);        // false unless given
     /// Index of the key's text among the names; nullopt if the key is absent or invalid.
     std::optional<std::size_t> choice(const toml::table& table, const std::string& key,
                                       std::span<const std::string_view> names);
@@ -52,7 +74,8 @@ public:
 
 private:
     std::string file_;
-    std::optional<FileProblem> problem_;
+    std::set<std::pair<int, std::string>> faults_;                    // by line
+    std::vector<std::pair<const toml::table*, std::string>> unknown_; // keys
 };
 
 } // namespace apart

@@ -16,13 +16,16 @@ void Inspector::measure(double frameSeconds, double gameSeconds) {
     game_ += kShare * (gameSeconds - game_);
 }
 
-void Inspector::draw(SfmlCanvas& canvas, const Game& game) const {
+void Inspector::draw(SfmlCanvas& canvas, const ShownGame& shown) const {
     if (!on_) {
         return;
     }
     const std::size_t vertices = canvas.picture().vertexCount();
-    kodo_sfml::paintWorld(canvas.painter(), canvas.camera(), game.world(),
+    const Game& game = shown.game;
+    canvas.zoom(shown.closeup.focus, shown.closeup.scale);
+    kodo_sfml::paintWorld(canvas.painter(), canvas.drawingCamera(), game.world(),
                           {true, true, true, true, 0.05f});
+    canvas.zoom({}, 1);
     const Ledger& ledger = game.ledger();
     const std::array<std::string, 4> lines = {
         fmt::format("{:.0f} frames/s   game {:.2f} ms a frame   {} vertices", 1 / frame_,

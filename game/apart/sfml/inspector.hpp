@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <apart/core/game.hpp>
 #include <apart/sfml/sfml_canvas.hpp>
+#include <apart/stage/stage.hpp>
 
 namespace apart {
 
@@ -12,7 +12,8 @@ public:
     void toggle() { on_ = !on_; }
     /// Must be called once a frame with the durations (s) of the last frame and of its game ticks.
     void measure(double frameSeconds, double gameSeconds);
-    void draw(SfmlCanvas& canvas, const Game& game) const;
+    /// Draws on the last picture, which shows this game.
+    void draw(SfmlCanvas& canvas, const ShownGame& shown) const;
 
 private:
     bool on_ = false;

@@ -91,7 +91,7 @@ int play(StageDef def, const Options& options) {
         }
         canvas.setSize(window.size());
         stage.draw(canvas);
-        inspector.draw(canvas, stage.game());
+        inspector.draw(canvas, shownBy(stage));
         controls.capture(!stage.wantsPointer());
         window.show(canvas.picture(), sf::Color::Black);
     }

@@ -24,6 +24,8 @@ public:
     kodo_sfml::Painter& painter() { return painter_; }
     /// Camera of the last picture, without shake.
     const kodo_sfml::Camera& camera() const { return steady_; }
+    /// Camera of what is drawn next, with shake and zoom.
+    const kodo_sfml::Camera& drawingCamera() const { return camera_; }
 
     void begin(const Aabb& shown, Vec2 shake) override;
     Aabb visible() const override;

@@ -87,6 +87,13 @@ enum class Screen : std::uint8_t {
 /// Index of the first level that is not cleared; 0 if all are.
 std::size_t nextToPlay(const LevelList& levels, const Profile& profile);
 
+/// The game in the picture: on the result screen that of the rerun.
+struct ShownGame {
+    const Game& game;
+    Closeup closeup{};
+    bool wide = false; // in the middle, without the panel
+};
+
 /// The application without its window: screens, time, and the effect of input on each screen. All
 /// external dependencies are arguments.
 class Stage {
@@ -110,6 +117,7 @@ public:
     const LevelSelect& levelSelect() const { return select_; }
     /// True if the bot plays without a menu: the title screen has had no input for a while.
     bool attracting() const;
+    friend ShownGame shownBy(const Stage& stage);
 
 private:
     // Effects of input, by screen (stage_signals.cpp).

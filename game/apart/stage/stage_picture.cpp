@@ -47,18 +47,27 @@ void paintNotices(Canvas& canvas, const std::vector<std::string>& notices) {
     }
 }
 
-/// Errors of the level file that is being edited.
+/// Errors of the level file that is being edited, as many as there is room for.
 void paintFaults(Canvas& canvas, const std::vector<std::string>& faults) {
-    constexpr std::size_t kMost = 8;
     constexpr std::size_t kLetters = 90; // per line
-    Real y = Real(16.8);
-    for (std::size_t i = 0; i < std::min(faults.size(), kMost); ++i) {
-        for (const std::string& line : wrapped(faults[i], kLetters)) {
-            canvas.rectangle({{Real(-11.8), y - Real(0.15)}, {Real(11.8), y + Real(0.45)}},
-                             faded(palette::kInk, 0.9f), faded(palette::kInk, 0.9f));
-            canvas.text(line, {Real(-11.5), y}, {Real(0.4), palette::kDanger});
-            y -= Real(0.6);
-        }
+    constexpr Real kTop = Real(16.8);    // m, of the first line
+    constexpr Real kLine = Real(0.6);    // m
+    std::vector<std::string> lines;
+    for (const std::string& fault : faults) {
+        const std::vector<std::string> own = wrapped(fault, kLetters);
+        lines.insert(lines.end(), own.begin(), own.end());
+    }
+    const auto room = static_cast<std::size_t>(kTop / kLine);
+    if (lines.size() > room) {
+        lines.resize(room - 1);
+        lines.emplace_back("...");
+    }
+    Real y = kTop;
+    for (const std::string& line : lines) {
+        canvas.rectangle({{Real(-11.8), y - Real(0.15)}, {Real(11.8), y + Real(0.45)}},
+                         faded(palette::kInk, 0.9f), faded(palette::kInk, 0.9f));
+        canvas.text(line, {Real(-11.5), y}, {Real(0.4), palette::kDanger});
+        y -= kLine;
     }
 }
 
@@ -140,9 +149,20 @@ HudLook Stage::hudLook() const {
     return look;
 }
 
+ShownGame shownBy(const Stage& stage) {
+    const bool help = stage.screen_ == Screen::Help && stage.help_;
+    const bool wide = stage.session_.isDemo() || help;
+    if (stage.rerun_) {
+        return {stage.rerun_->play().game(), {}, wide};
+    }
+    return {stage.game(), wide ? Closeup{} : stage.session_.closeup(), wide};
+}
+
 void Stage::draw(Canvas& canvas) const {
     const bool help = screen_ == Screen::Help && help_;
-    const bool wide = session_.isDemo() || help;
+    const ShownGame shown = apart::shownBy(*this);
+    const Closeup& closeup = shown.closeup;
+    const bool wide = shown.wide;
     canvas.begin(wide ? layout::kShownTitle : layout::kShown,
                  help ? Vec2{} : session_.play().juice().shake());
     canvas.setPalette(static_cast<Vision>(std::clamp(settings().colors, 0, 3)));
@@ -150,7 +170,6 @@ void Stage::draw(Canvas& canvas) const {
     if (help) {
         return help_->draw(canvas, profile().bindings);
     }
-    const Closeup closeup = rerun_ || wide ? Closeup{} : session_.closeup();
     canvas.zoom(closeup.focus, closeup.scale);
     paintBackdrop(canvas, game().level().theme, seconds_);
     if (rerun_) {
