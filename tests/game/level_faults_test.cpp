@@ -56,9 +56,9 @@ TEST(LevelFile, NamesEachBadRowOfItsGrid) {
 
 TEST(LevelFile, NamesEachFaultOfItsBuilding) {
     EXPECT_EQ(faultsOf(kTitle + kLegend + kSound + jointTo("n1") + jointTo("n2") + jointTo("n3") +
-                       "count = 4\n"),
-              (Faults{"15: there is no block named n1", "19: there is no block named n2",
-                      "23: there is no block named n3"}));
+                       "count = 4\n" + jointTo("n1")),
+              (Faults{"15: there is no block named n1; also in line 28",
+                      "19: there is no block named n2", "23: there is no block named n3"}));
     const std::string power = "[legend.p]\nstuff = \"wood\"\npower = \"weld\"\n"; // lines 7 to 9
     EXPECT_EQ(faultsOf(kTitle + kLegend + power + kSound + kSound +
                        "turn = 999999\n[[block]]\nkind = \"p\"\nshape = \"gable\"\nx = 0\n"
@@ -106,6 +106,9 @@ TEST(LevelFile, NamesNoFaultThatFollowsFromAnother) {
               Faults{"11: count must be a whole number from 1 to 60"});
     EXPECT_EQ(withBlock("x = 0", "x = 99999"),
               Faults{"10: x must be a whole number from -12000 to 12000"});
+    EXPECT_EQ(withBlock("name", "nme"), Faults{"9: unknown key block.nme"});
+    EXPECT_EQ(faultsOf(kTitle + changed(kLegend, "hold", "hQld") + use),
+              Faults{"6: unknown key legend.b.hQld"});
     EXPECT_EQ(withBlock("[[block]]", "[[blok]]"), Faults{"7: unknown key blok"});
     EXPECT_EQ(withBlock("\"pin\"", "\"pim\""),
               Faults{"13: kind must be one of pin, rope, spring, slider, motor"});

@@ -169,11 +169,13 @@ void BuildingReader::readBlock(const toml::table& table) {
     readSize(table, block);
     const std::size_t beforeCopies = keys_.faults();
     const Copies copies = copiesOf(table);
-    const bool copiesRead = keys_.faults() == beforeCopies;
+    const bool copiesRead = keys_.faults() == beforeCopies && !keys_.isMisspelled(table, "count") &&
+                            !keys_.isMisspelled(table, "rows") &&
+                            !keys_.isMisspelled(table, "mirror");
     const bool placed = keys_.faults() == before;
     before = keys_.faults();
     const std::string name = table.contains("name") ? keys_.text(table, "name") : std::string();
-    if (keys_.faults() > before) {
+    if (keys_.faults() > before || keys_.isMisspelled(table, "name")) {
         doubtBlocks(""); // any name
     } else if (!copiesRead && !name.empty()) {
         doubtBlocks(name);
@@ -262,9 +264,16 @@ std::optional<std::int32_t> BuildingReader::blockNamed(const toml::table& table,
         given.empty() || std::any_of(doubtful_.begin(), doubtful_.end(),
                                      [&](const auto& start) { return name.starts_with(start); });
     if (!doubtful) {
-        keys_.fail(TomlKeys::lineOf(*table.get(key)), "there is no block named " + name);
+        nameless_[name].insert(TomlKeys::lineOf(*table.get(key)));
     }
     return std::nullopt;
+}
+
+void BuildingReader::finish() {
+    places_.checkCrowds();
+    for (const auto& [name, lines] : nameless_) {
+        keys_.failAt({lines.begin(), lines.end()}, "there is no block named " + name);
+    }
 }
 
 void BuildingReader::readKeep(const toml::table& root) {

@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 namespace apart {
@@ -24,8 +25,8 @@ public:
     void readKeep(const toml::table& root); // after all blocks
     void readJoint(const toml::table& table);
     void readLedge(const toml::table& table);
-    /// After all blocks: too many at one place.
-    void checkPlaces() { places_.checkCrowds(); }
+    /// After all tables: too many blocks at one place, and names without a block.
+    void finish();
 
     /// Blocks could not be read whose names begin with `prefix`.
     void doubtBlocks(const std::string& prefix);
@@ -72,7 +73,8 @@ private:
     BuildingPlaces places_;
     std::map<std::string, std::int32_t> named_; // index into Level::freeBlocks
     std::vector<std::string> doubtful_;         // starts of names of blocks that are not in named_
-    bool complete_ = true;                      // all blocks could be read
+    std::map<std::string, std::set<int>> nameless_; // lines by name without a block
+    bool complete_ = true;                          // all blocks could be read
     // Entries of the level so far, copies included.
     std::size_t blocks_ = 0;
     std::size_t ledges_ = 0;

@@ -79,11 +79,11 @@ private:
             keys_.choice(table, "pattern", kPatternNames, kUsualPattern[stuff.value_or(0)]);
         kind.power = keys_.choice(table, "power", kPowerNames, Power::None);
         const std::optional<std::size_t> hold = keys_.choice(table, "hold", kSupportNames);
-        doubt.support = !hold && table.contains("hold");
+        doubt.support = (!hold && table.contains("hold")) || keys_.isMisspelled(table, "hold");
         kind.support = static_cast<Support>(hold.value_or(0));
         const std::size_t before = keys_.faults();
         kind.core = keys_.flag(table, "core");
-        doubt.core = keys_.faults() > before;
+        doubt.core = keys_.faults() > before || keys_.isMisspelled(table, "core");
         readUses(table, prefix, kind, doubt);
         level_.kinds.push_back(kind);
         legend_.doubts.push_back(doubt);

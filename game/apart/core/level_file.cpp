@@ -87,11 +87,11 @@ private:
         if (!forTables(root, "block", kMostTables, [&](const auto& t) { reader.readBlock(t); })) {
             reader.doubtBlocks("");
         }
-        reader.checkPlaces();
         forTables(root, "joint", kMostTables, [&](const auto& t) { reader.readJoint(t); });
         if (root.contains("keep")) {
             reader.readKeep(root);
         }
+        reader.finish();
         const auto breaks = [&](const auto& b) { return level_.kinds[b.kind].breakable(); };
         if (gridRead_ && reader.hasAllBlocks() &&
             std::none_of(level_.cells.begin(), level_.cells.end(), breaks) &&
@@ -135,11 +135,7 @@ private:
             }
         }
         for (const auto& [letter, lines] : unknown) {
-            std::string reason = "the letter " + letter + " is not in the legend";
-            for (std::size_t i = 1; i < lines.size(); ++i) {
-                reason += (i > 1 ? ", line " : "; also in line ") + std::to_string(lines[i]);
-            }
-            failRow(lines[0], std::move(reason));
+            keys_.failAt(lines, "the letter " + letter + " is not in the legend");
         }
     }
 

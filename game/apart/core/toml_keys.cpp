@@ -101,6 +101,13 @@ void TomlKeys::fail(int line, std::string reason) {
     faults_.emplace(line, std::move(reason));
 }
 
+void TomlKeys::failAt(const std::vector<int>& lines, std::string reason) {
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        reason += (i > 1 ? ", line " : "; also in line ") + std::to_string(lines[i]);
+    }
+    fail(lines.front(), std::move(reason));
+}
+
 std::optional<FileProblem> TomlKeys::problem() const {
     if (faults_.empty()) {
         return std::nullopt;

@@ -40,6 +40,8 @@ public:
     static int lineOf(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
 
     void fail(int line, std::string reason);
+    /// A fault at several lines: the first one, with the others in its text.
+    void failAt(const std::vector<int>& lines, std::string reason);
     std::size_t faults() const { return faults_.size(); } // so far
     /// The first kMostFaults faults by line, then the number of the others. nullopt: there are
     /// none.
