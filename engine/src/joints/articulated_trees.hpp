@@ -12,10 +12,10 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
-/// How the errors of rigid constraints are removed: by a velocity that a relax pass removes again,
-/// or by displacements (see JointSet::correct()). In loops of many joints the passes of a substep
-/// do not converge, so that a part of the velocity remains and adds energy. Joints of articulated
-/// trees, which are solved directly, always use the velocity.
+/// How the errors of equality constraints are removed: by a velocity that a relax pass removes
+/// again, or by displacements (see JointSet::correct()). In loops of many joints the passes of a
+/// substep do not converge, so that a part of the velocity remains and adds energy. Joints of
+/// articulated trees, which are solved directly, and limits within a tolerance use the velocity.
 enum class ErrorRemoval : std::uint8_t { ByVelocity, ByDisplacement };
 
 /// Parameters of one pass over the joints.

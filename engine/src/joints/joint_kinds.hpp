@@ -39,23 +39,17 @@ inline ErrorRemoval errorsOf(const JointFrame& frame, const JointPass& pass) {
     return turnsOnly(frame.a) || turnsOnly(frame.b) ? ErrorRemoval::ByVelocity : pass.errors;
 }
 
-/// Of the rigid constraints that are solved one by one.
+/// Of the equality constraints that are solved one by one.
 inline Softness softnessOf(const JointFrame& frame, const JointPass& pass) {
     return errorsOf(frame, pass) == ErrorRemoval::ByVelocity ? pass.stiff : Softness{};
 }
 
-/// False if the widening by a rotation of `angle` (rad) in the substep is left to the
-/// displacements. As a velocity it conserves the energy of slow loops, but what the passes leave of
-/// it adds energy. At 1/4 rad it is 1/8 of the velocity of the anchor.
-inline bool keepsArcs(const JointFrame& frame, const JointPass& pass, Real angle) {
-    constexpr Real kMostArc = Real(1) / 4;
-    return pass.exact || errorsOf(frame, pass) == ErrorRemoval::ByVelocity || angle <= kMostArc;
-}
-
 /// Anchors move on circles about the centres of mass, but the velocity constraint is tangential.
-/// The difference widens the gap within the substep and is removed in full. The present gap, as
-/// rotated with body a, is removed at the rate of the stiffness; at most `mostError` (m) of it
-/// counts.
+/// The difference widens the gap within the substep and is removed in full, or left to the
+/// displacements: as a velocity it conserves the energy of loops, but what the passes leave of it
+/// adds energy, and constraints that exclude each other would add up impulses without end. The
+/// present gap, as rotated with body a, is removed at the rate of the stiffness; at most
+/// `mostError` (m) of it counts.
 inline PointConstraint anchorsOf(const JointFrame& frame, const JointPass& pass, Real mostError) {
     const Real angleA = pass.h * frame.a.angularVelocity;
     Vec2 gap = frame.gap + angleA * perp(frame.gap) + fromTangentToArc(angleA, frame.gap);
@@ -63,10 +57,10 @@ inline PointConstraint anchorsOf(const JointFrame& frame, const JointPass& pass,
     if (size > mostError) {
         gap = (mostError / size) * gap;
     }
-    const Real angleB = pass.h * frame.b.angularVelocity;
     Vec2 arc;
-    if (keepsArcs(frame, pass, std::max(std::abs(angleA), std::abs(angleB)))) {
-        arc = fromTangentToArc(angleB, frame.armB) - fromTangentToArc(angleA, frame.commonArm());
+    if (pass.exact || errorsOf(frame, pass) == ErrorRemoval::ByVelocity) {
+        arc = fromTangentToArc(pass.h * frame.b.angularVelocity, frame.armB) -
+              fromTangentToArc(angleA, frame.commonArm());
     }
     const Softness rigid{pass.stiff.biasRate, 1, 0};
     return {frame.commonArm(), frame.armB, gap, pass.exact ? rigid : softnessOf(frame, pass),
@@ -234,7 +228,7 @@ private:
     /// but not exceeded.
     void limit(AxisConstraint axis, std::size_t slot, Real room) {
         axis.error = std::max(room, -mostError(pass_.stiff));
-        axis.softness = room > 0 ? Softness::rigid(pass_.h) : softnessOf(frame_, pass_);
+        axis.softness = room > 0 ? Softness::rigid(pass_.h) : pass_.stiff;
         axis.bounds.lower = 0;
         visit_(axis, joint_.axes[slot], room > 0 ? Relax::Same : Relax::Rigid);
     }

@@ -101,8 +101,9 @@ public:
     void warmStart(Bodies& bodies, const JointPass& pass);
     void solve(Bodies& bodies, const JointPass& pass);
     /// After the displacements: removes the errors that a pass with ErrorRemoval::ByDisplacement
-    /// leaves, in each pass the share that `pass.stiff` would remove in a substep.
-    void correct(Bodies& bodies, const JointPass& pass, int passes);
+    /// leaves, and what limits exceed by more than `allowed` (m or rad). Each pass removes the
+    /// share that `pass.stiff` would remove in a substep.
+    void correct(Bodies& bodies, const JointPass& pass, int passes, Real allowed);
     /// Resets joints whose impulses are not finite.
     void forgetUnsound();
     /// Computes the loads of a step of dt. Removes and returns the overloaded joints.

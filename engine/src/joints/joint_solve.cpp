@@ -133,13 +133,16 @@ private:
 /// velocity changes.
 class Displacement {
 public:
-    /// `most`: m or rad, of the errors. Of a tree, limits alone are left to it.
-    Displacement(Bodies& bodies, const JointEnds& ends, Real share, Real most, bool inTree)
+    /// `most`: m or rad, of the errors; `allowed` (m or rad) is left to limits, whose velocities
+    /// carry usual loads. Of a joint in a tree, limits alone are left to displacements.
+    Displacement(Bodies& bodies, const JointEnds& ends, Real share, Real most, Real allowed,
+                 bool inTree)
         : moveOfA_(bodies.motion[ends.a.index]),
           moveOfB_(bodies.motion[ends.b.index]),
           a_(atRest(moveOfA_)),
           b_(atRest(moveOfB_)),
           share_(share),
+          allowed_(allowed),
           inTree_(inTree) {
         joint_.mostBias = most;
     }
@@ -152,9 +155,15 @@ public:
         const JointFrame frame{a_, b_, now.armA, now.armB, now.gap, now.rotationA, now.rotationB};
         const JointPass pass{.h = 1, .stiff = {share_, 1, 0}, .biased = true};
         JointKinds(joint_, frame, pass, [&](const auto& constraint, auto& impulse, Relax relax) {
-            const bool hasError = constraint.softness.biasRate > 0; // a motor has none
-            if (relax == Relax::Rigid && hasError && !(inTree_ && isHeld(constraint))) {
-                constraint.solve(a_, b_, impulse, true);
+            if (relax != Relax::Rigid || constraint.softness.biasRate == 0) {
+                return; // a motor, a spring, or a limit that is not reached
+            }
+            auto remaining = constraint;
+            if constexpr (requires { remaining.bounds; }) {
+                remaining.error += isHeld(constraint) ? 0 : allowed_;
+            }
+            if (!isHeld(constraint) || !inTree_) {
+                remaining.solve(a_, b_, impulse, true);
             }
         })(kind);
         moveOfA_.deltaPosition += a_.velocity;
@@ -176,6 +185,7 @@ private:
     BodyVelocity b_;
     JointSet::Joint joint_; // without impulses
     Real share_;
+    Real allowed_;
     bool inTree_;
 };
 
@@ -278,7 +288,7 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
     solveTrees(bodies, pass);
 }
 
-void JointSet::correct(Bodies& bodies, const JointPass& pass, int passes) {
+void JointSet::correct(Bodies& bodies, const JointPass& pass, int passes, Real allowed) {
     const Real share = pass.h * pass.stiff.biasRate * pass.stiff.massScale;
     for (int k = 0; k < passes; ++k) {
         for (const std::uint32_t index : own_) {
@@ -291,7 +301,7 @@ void JointSet::correct(Bodies& bodies, const JointPass& pass, int passes) {
             std::visit(
                 [&](const auto& kind) {
                     if constexpr (requires { kind.ends; }) {
-                        Displacement move(bodies, kind.ends, share, most, rows != nullptr);
+                        Displacement move(bodies, kind.ends, share, most, allowed, rows != nullptr);
                         move.remove(kind, frameOf(bodies, turned_, kind.ends));
                     }
                 },

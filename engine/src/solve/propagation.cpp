@@ -306,9 +306,9 @@ void Propagation::markExposure(const Bodies& bodies, const JointSet& joints, Rea
     });
 }
 
-/// After the displacements: removes the velocity that the errors of trees and the arcs of anchors
-/// have added. Where contacts of their bodies resisted it, their impulses are taken back as well.
-/// Otherwise the bodies would leave at that velocity.
+/// After the displacements: removes the velocity that the errors of trees and limits have added.
+/// Where contacts of their bodies resisted it, their impulses are taken back as well. Otherwise the
+/// bodies would leave at that velocity.
 void Propagation::relax(Bodies& bodies, JointSet& joints, JointPass pass,
                         const PropagationSettings& settings) {
     if (joints.busyCount() == 0) {
@@ -369,7 +369,7 @@ void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints
         separate(bodies, step, h);
         markExposure(bodies, joints, h, step.tolerances.slop);
         integrateMoves(bodies, bodies.awake, exposure_, h);
-        joints.correct(bodies, pass, kCorrectionPasses);
+        joints.correct(bodies, pass, kCorrectionPasses, step.tolerances.slop);
         pass.biased = false;
         relax(bodies, joints, pass, settings);
         if (several) {
