@@ -4,6 +4,7 @@
 #include "base/vector_reuse.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -59,22 +60,26 @@ std::uint32_t ArticulatedTrees::join(std::uint32_t body) {
     return memberOf_[body];
 }
 
-/// Lists the edges of each body, in order (counting sort).
+/// Links the edges of each body, in order. Entry 2 i of next_ continues the list of the first body
+/// of edge i, entry 2 i + 1 that of the second one. Other bodies are not visited.
 void ArticulatedTrees::listEdges(const Bodies& bodies, std::span<const Edge> edges) {
-    assignReusing(first_, bodies.size() + 1, std::uint32_t{0});
-    assignReusing(incident_, 2 * edges.size(), std::uint32_t{0});
-    for (const Edge& edge : edges) {
-        ++first_[edge.a];
-        ++first_[edge.b];
+    if (first_.size() < bodies.size()) {
+        first_.resize(bodies.size(), kNone);
+        memberOf_.resize(bodies.size(), kNone);
     }
-    std::uint32_t sum = 0;
-    for (std::uint32_t& first : first_) {
-        sum += first;
-        first = sum; // end of the list; decremented to its begin while the list fills
-    }
+    assignReusing(next_, 2 * edges.size(), kNone);
     for (std::size_t i = edges.size(); i-- > 0;) {
-        incident_[--first_[edges[i].b]] = static_cast<std::uint32_t>(i);
-        incident_[--first_[edges[i].a]] = static_cast<std::uint32_t>(i);
+        const auto link = static_cast<std::uint32_t>(2 * i);
+        next_[link] = std::exchange(first_[edges[i].a], link);
+        next_[link + 1] = std::exchange(first_[edges[i].b], link + 1);
+    }
+}
+
+/// Clears what listEdges() and join() have set.
+void ArticulatedTrees::unlistEdges(std::span<const Edge> edges) {
+    for (const Edge& edge : edges) {
+        first_[edge.a] = first_[edge.b] = kNone;
+        memberOf_[edge.a] = memberOf_[edge.b] = kNone;
     }
 }
 
@@ -87,7 +92,6 @@ void ArticulatedTrees::find(const Bodies& bodies, std::span<const Edge> edges) {
         return;
     }
     listEdges(bodies, edges);
-    assignReusing(memberOf_, bodies.size(), kNone);
     assignReusing(used_, edges.size(), std::uint8_t{0});
     for (const bool anchored : {true, false}) {
         for (std::uint32_t i = 0; i < edges.size(); ++i) {
@@ -100,6 +104,7 @@ void ArticulatedTrees::find(const Bodies& bodies, std::span<const Edge> edges) {
             }
         }
     }
+    unlistEdges(edges);
     if (nodes_.empty()) {
         return;
     }
@@ -191,8 +196,8 @@ bool ArticulatedTrees::growFrom(const Bodies& bodies, std::span<const Edge> edge
     bool isTree = true;
     const std::uint32_t body = reached_[from];
     const auto member = static_cast<std::uint32_t>(members_.size() + from);
-    for (std::uint32_t k = first_[body]; k < first_[body + 1]; ++k) {
-        const std::uint32_t i = incident_[k];
+    for (std::uint32_t link = first_[body]; link != kNone; link = next_[link]) {
+        const std::uint32_t i = link / 2;
         if (used_[i] != 0) {
             continue;
         }

@@ -170,6 +170,7 @@ private:
     enum class Next : std::uint8_t { Done, Solve, Factorize };
 
     void listEdges(const Bodies& bodies, std::span<const Edge> edges);
+    void unlistEdges(std::span<const Edge> edges);
     void grow(const Bodies& bodies, std::span<const Edge> edges, std::uint32_t root);
     bool growFrom(const Bodies& bodies, std::span<const Edge> edges, std::size_t from);
     std::uint32_t join(std::uint32_t body);
@@ -212,9 +213,9 @@ private:
     std::vector<Member> members_;
     std::vector<Tree> trees_;
     std::vector<std::uint32_t> nodeOf_;   // by joint
-    std::vector<std::uint32_t> memberOf_; // by body; only within find()
-    std::vector<std::uint32_t> first_;    // by body: index of its first edge in incident_
-    std::vector<std::uint32_t> incident_; // edges
+    std::vector<std::uint32_t> memberOf_; // by body; kNone outside find()
+    std::vector<std::uint32_t> first_;    // by body: head of its list of edges, likewise
+    std::vector<std::uint32_t> next_;     // of these lists
     std::vector<std::uint8_t> used_;      // by edge
     std::vector<std::uint32_t> reached_;  // bodies of the component being searched
     std::vector<Link> links_;             // edges of that component
