@@ -17,8 +17,8 @@ std::filesystem::path assetsFolder();
 /// Names of all levels, in playing order.
 std::vector<std::string> levelNames();
 
-/// Reads assets/levels/NAME.toml. See levelNameProblem(). A name that
-/// parseEndless() accepts is generated instead.
+/// Reads assets/levels/NAME.toml, see levelNameProblem(); or the file at a path that ends in .toml.
+/// A name that parseEndless() accepts is generated instead.
 Read<Level> loadLevel(const std::string& name);
 
 /// The level of a replay. levels/NAME.toml beside the replay has priority over the game's levels.

@@ -97,17 +97,17 @@ void Records::enterHonours(const Result& result) {
     profile_.enter(result.key.first, result.key.second, honours);
 }
 
-/// Enters a result whose rival is known: it replaces a score that is not proved. False if it waits
-/// for the check of a stored replay that was not checked yet.
+/// Enters a result once the score before it is known: it replaces a score that is not proved. False
+/// if it waits for the check of a stored replay that was not checked yet.
 bool Records::enterBest(Result result) {
     const auto& [mode, key] = result.key;
     const Proof proof = standingOf(mode, key).proof;
     const bool unproved = proof == Proof::Older || proof == Proof::Missing;
-    const std::int32_t rival = unproved ? 0 : profile_.bestOf(mode, key).score;
-    const bool best = result.best.score > rival;
+    const std::int32_t former = unproved ? 0 : profile_.bestOf(mode, key).score;
+    const bool best = result.best.score > former;
     if (best && proof != Proof::Waiting && book_.isReplaced(result.key)) {
         enterHonours(result);
-        book_.recheck(result.key, rival);
+        book_.recheck(result.key, former);
         waiting_.push_back(std::move(result));
         return false;
     }
