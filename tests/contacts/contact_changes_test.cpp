@@ -51,7 +51,7 @@ public:
     }
     void updatePairs() {
         refreshAwake(bodies_);
-        contacts_.updatePairs(bodies_, kUsual, Real(1) / 60, team_);
+        contacts_.updatePairs(bodies_, {}, kUsual, Real(1) / 60, team_);
         noteStart(bodies_);
         clearArrivals(bodies_);
     }

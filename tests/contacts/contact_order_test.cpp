@@ -39,7 +39,7 @@ public:
 
     /// Contacts that respond are resident from step to step.
     void step() {
-        set.updatePairs(bodies, Tolerances::forUnit(1), Real(1) / 60, team);
+        set.updatePairs(bodies, {}, Tolerances::forUnit(1), Real(1) / 60, team);
         blocks.carry(bodies, team);
         set.updateManifolds(
             bodies, Tolerances::forUnit(1), Real(1) / 60,

@@ -47,6 +47,7 @@ Impact shoot(const StepSettings& settings, Real speed, Real restitution, Real di
     return impact;
 }
 
+// X9: each impact has a record, with either solver.
 TEST(RecordPoints, EachBlowAtAWallHasOneRecordWithItsImpulse) {
     const Real mass = std::numbers::pi_v<Real> / 4;
     for (const support::Solver solver : support::kSolvers) {
@@ -117,6 +118,7 @@ TEST(RecordPoints, AFlatHitHasTheImpulseOfACornerHit) {
     }
 }
 
+// X8: a record holds all of the intersection.
 TEST(RecordPoints, BothPointsOfAFlatHitAreTold) {
     for (const support::Solver solver : support::kSolvers) {
         for (const Real e : {Real(0), Real(0.5)}) {

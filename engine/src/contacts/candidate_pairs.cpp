@@ -38,28 +38,7 @@ void CandidatePairs::forgetOrder() {
     movers_.forget();
 }
 
-void CandidatePairs::exclude(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs,
-                             std::vector<std::uint32_t>& changed) {
-    auto old = excluded_.begin();
-    const auto note = [&](const std::pair<std::uint32_t, std::uint32_t>& pair) {
-        changed.push_back(pair.first);
-        changed.push_back(pair.second);
-    };
-    for (const auto& pair : pairs) { // both lists are in order
-        for (; old != excluded_.end() && *old < pair; ++old) {
-            note(*old);
-        }
-        if (old != excluded_.end() && *old == pair) {
-            ++old;
-        } else {
-            note(pair);
-        }
-    }
-    std::for_each(old, excluded_.end(), note);
-    excluded_.assign(pairs.begin(), pairs.end());
-}
-
-bool CandidatePairs::search(const Bodies& bodies, WorkerTeam& team) {
+bool CandidatePairs::search(const Bodies& bodies, BodyPairs excluded, WorkerTeam& team) {
     pairs_.clear();
     if (bounds_.changed().empty()) {
         if (bodies.awake.size() < still_.awakeCount() / 2) {
@@ -83,7 +62,7 @@ bool CandidatePairs::search(const Bodies& bodies, WorkerTeam& team) {
                (sensor || ((flagsA & flagsB) & kSensor) == 0) &&
                (bodies.active(a) || bodies.active(b) || arrives()) &&
                shouldCollide(bodies.filter[a], bodies.filter[b]) &&
-               !std::binary_search(excluded_.begin(), excluded_.end(), std::pair(a, b));
+               !std::binary_search(excluded.begin(), excluded.end(), std::pair(a, b));
     };
     if (still_.update(bodies, bounds_) || bounds_.hasUnused() || !bounds_.isInOrder()) {
         searchMovers(bodies, accept, team);

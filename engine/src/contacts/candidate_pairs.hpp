@@ -14,6 +14,9 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
+/// Pairs of bodies, the lower index first, in order.
+using BodyPairs = std::span<const std::pair<std::uint32_t, std::uint32_t>>;
+
 /// The pairs of parts that may touch in a step: their grown bounds overlap, and filters and joints
 /// allow a contact. Owns the bounds and what searches them.
 class CandidatePairs {
@@ -31,13 +34,8 @@ public:
                std::span<const std::uint32_t> changed);
     /// Removes the unused indices of bounds and orders the others. True if that changed anything.
     bool compact();
-    /// Sets the excluded pairs of bodies, in order. Appends the bodies of the pairs that were added
-    /// or dropped to `changed`.
-    void exclude(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs,
-                 std::vector<std::uint32_t>& changed);
-
     /// Searches the pairs of parts whose grown bounds have changed. False if none has.
-    bool search(const Bodies& bodies, WorkerTeam& team);
+    bool search(const Bodies& bodies, BodyPairs excluded, WorkerTeam& team);
     /// Result of the last search, in the order of PartBounds::isBefore().
     std::span<const BoundsPair> pairs() const { return pairs_; }
 
@@ -55,7 +53,6 @@ private:
     StillParts still_;
     MovingParts movers_;
     std::vector<BoundsPair> pairs_;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> excluded_; // bodies
 };
 
 } // namespace KODO_PRECISION

@@ -189,10 +189,6 @@ void ContactSet::renewChanged(const Bodies& bodies, const Tolerances& tolerances
     store_.refreshPlaces();
 }
 
-void ContactSet::setExcludedPairs(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) {
-    candidates_.exclude(pairs, activityChanges_);
-}
-
 void ContactSet::applyChanges(const Bodies& bodies, const Tolerances& tolerances) {
     freeDetached();
     if (std::exchange(stale_, false)) {

@@ -39,26 +39,26 @@ void ContactSet::sortContacts() {
     }
 }
 
-void ContactSet::updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt,
-                             WorkerTeam& team) {
+void ContactSet::updatePairs(const Bodies& bodies, BodyPairs excluded, const Tolerances& tolerances,
+                             Real dt, WorkerTeam& team) {
     records_.begin();
     applyChanges(bodies, tolerances);
     if (store_.countStep()) {
         sortContacts();
     }
     candidates_.bounds().coverPrediction(bodies, tolerances, dt, team);
-    refreshPairs(bodies, team);
+    refreshPairs(bodies, excluded, team);
 }
 
-void ContactSet::coverDisplacements(const Bodies& bodies, const Tolerances& tolerances,
-                                    WorkerTeam& team) {
+void ContactSet::coverDisplacements(const Bodies& bodies, BodyPairs excluded,
+                                    const Tolerances& tolerances, WorkerTeam& team) {
     candidates_.bounds().coverDisplacements(bodies, tolerances, team);
-    refreshPairs(bodies, team);
+    refreshPairs(bodies, excluded, team);
 }
 
 /// Adds and removes contacts so that the list matches the candidate pairs.
-void ContactSet::refreshPairs(const Bodies& bodies, WorkerTeam& team) {
-    if (!candidates_.search(bodies, team)) {
+void ContactSet::refreshPairs(const Bodies& bodies, BodyPairs excluded, WorkerTeam& team) {
+    if (!candidates_.search(bodies, excluded, team)) {
         return;
     }
     if (store_.findChanges(candidates_, team)) {

@@ -60,7 +60,8 @@ public:
     /// Must be called before the removal of a part, after writeBack(); the index of each later part
     /// falls by one.
     void partRemoved(std::uint32_t body, std::size_t part);
-    /// A body fell asleep or woke, or an immovable body started or stopped.
+    /// A body fell asleep or woke, an immovable body started or stopped, or a joint of the body
+    /// began or ceased to forbid contacts.
     void activityChanged(std::uint32_t body) {
         if (activityChanges_.size() < candidates_.bounds().size()) {
             activityChanges_.push_back(body);
@@ -68,8 +69,6 @@ public:
             pairsStale_ = true;
         }
     }
-    /// Pairs of jointed bodies, in order, that must not touch whatever their flags say.
-    void setExcludedPairs(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
     /// Removes and returns the contacts between bodies that are not active in a step, in order:
     /// all, or those `of` some bodies; calls writeBack(contact) before. Valid until the next call.
     std::span<const Contact> takeIdle(const Bodies& bodies, const WriteBack& writeBack);
@@ -81,8 +80,10 @@ public:
     void applyChanges(const Bodies& bodies, const Tolerances& tolerances);
 
     // Within a step, in this order.
-    /// Updates the list before a step of dt: the pairs that may touch within it, in order.
-    void updatePairs(const Bodies& bodies, const Tolerances& tolerances, Real dt, WorkerTeam& team);
+    /// Updates the list before a step of dt: the pairs that may touch within it, in order. Bodies
+    /// of `excluded` pairs do not touch each other, whatever their flags are.
+    void updatePairs(const Bodies& bodies, BodyPairs excluded, const Tolerances& tolerances,
+                     Real dt, WorkerTeam& team);
     /// Updates manifolds and approach speeds for a step of dt. Of a resident contact whose manifold
     /// is kept, only the summary is updated.
     void updateManifolds(const Bodies& bodies, const Tolerances& tolerances, Real dt,
@@ -107,7 +108,8 @@ public:
     /// Updates the summaries after such a solver.
     void noteManifolds();
     /// Adds the pairs of bodies that the solver moved farther than updatePairs predicted.
-    void coverDisplacements(const Bodies& bodies, const Tolerances& tolerances, WorkerTeam& team);
+    void coverDisplacements(const Bodies& bodies, BodyPairs excluded, const Tolerances& tolerances,
+                            WorkerTeam& team);
     /// Resets contacts whose impulses or positions are not finite, and finds their manifolds again.
     void forgetUnsound(const Bodies& bodies, const Tolerances& tolerances, Real dt);
     /// Determines begin, persist and end of each contact. `touched` says by row whether the contact
@@ -135,7 +137,7 @@ private:
     void writeRecords() const;
     void renew(const Bodies& bodies, const Tolerances& tolerances);
     void renewChanged(const Bodies& bodies, const Tolerances& tolerances);
-    void refreshPairs(const Bodies& bodies, WorkerTeam& team);
+    void refreshPairs(const Bodies& bodies, BodyPairs excluded, WorkerTeam& team);
     void sortContacts();
     void changed();
     void noteKinds(const Bodies& bodies, WorkerTeam& team);

@@ -135,10 +135,15 @@ void AxisConstraint::addToSums(Real impulse, Vec2& linear, Real& angular) const 
 }
 
 void AxisConstraint::apply(BodyVelocity& a, BodyVelocity& b, Real impulse) const {
-    a.velocity -= a.invMass * impulse * axis;
-    a.angularVelocity -= a.invInertia * leverA * impulse;
-    b.velocity += b.invMass * impulse * axis;
-    b.angularVelocity += b.invInertia * leverB * impulse;
+    // In the order of the products as written; see applyImpulse() for locked bodies.
+    if (!a.locked()) {
+        a.velocity -= a.invMass * impulse * axis;
+        a.angularVelocity -= a.invInertia * leverA * impulse;
+    }
+    if (!b.locked()) {
+        b.velocity += b.invMass * impulse * axis;
+        b.angularVelocity += b.invInertia * leverB * impulse;
+    }
 }
 
 void AxisConstraint::solve(BodyVelocity& a, BodyVelocity& b, Real& impulse, bool biased) const {

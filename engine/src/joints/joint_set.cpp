@@ -113,6 +113,7 @@ void JointSet::list(std::uint32_t index) {
     if (const auto pair = excludedPairOf(def)) {
         const auto at = std::lower_bound(excludedPairs_.begin(), excludedPairs_.end(), *pair);
         excludedPairs_.insert(at, *pair);
+        pairChanges_.insert(pairChanges_.end(), {pair->first, pair->second});
     }
 }
 
@@ -122,6 +123,7 @@ void JointSet::unlist(std::uint32_t index) {
     if (const auto pair = excludedPairOf(joints_[index].def)) {
         // one entry: other joints may exclude the pair too
         excludedPairs_.erase(std::lower_bound(excludedPairs_.begin(), excludedPairs_.end(), *pair));
+        pairChanges_.insert(pairChanges_.end(), {pair->first, pair->second});
     }
 }
 
@@ -133,14 +135,10 @@ void JointSet::setDef(JointId id, const JointDef& def) {
     busyStale_ = true;
 }
 
-bool JointSet::dropBody(std::uint32_t body) {
-    if (!lists_.hasAny(body)) {
-        return false;
-    }
+void JointSet::dropBody(std::uint32_t body) {
     for (const std::uint32_t index : lists_.of(body)) {
         remove(idAt(index));
     }
-    return true;
 }
 
 std::optional<Problem> JointSet::checkTransfer(BodyId part, BodyId into, const Transform& place,

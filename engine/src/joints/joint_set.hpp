@@ -57,8 +57,8 @@ public:
     }
     /// Stamp of the World in all new ids; 0 matches every World.
     void setStamp(std::uint32_t stamp) { stamp_ = stamp; }
-    /// Removes the joints of one body. False if it has none.
-    bool dropBody(std::uint32_t body);
+    /// Removes the joints of one body.
+    void dropBody(std::uint32_t body);
     const JointDef& def(JointId id) const { return joints_[id.index].def; }
     void setDef(JointId id, const JointDef& def);
     Vec2 force(JointId id) const { return joints_[id.index].force; }   // N, on b
@@ -73,9 +73,13 @@ public:
     /// between the two. `place` maps the shape frame of `part` to that of `into`.
     void transfer(BodyId part, BodyId into, const Transform& place);
 
-    /// Excluded pairs: bodies whose joint forbids a contact, in order.
-    std::span<const std::pair<std::uint32_t, std::uint32_t>> excludedPairs() const {
-        return excludedPairs_;
+    /// Excluded pairs: bodies whose joint forbids a contact.
+    BodyPairs excludedPairs() const { return excludedPairs_; }
+    /// Calls visit(body) for the bodies of pairs that were added or removed since the last call.
+    template <typename Visit>
+    void takePairChanges(Visit visit) {
+        std::for_each(pairChanges_.begin(), pairChanges_.end(), visit);
+        pairChanges_.clear();
     }
 
     /// Lists the joints with an active body; a step works on these alone. Must be called after each
@@ -172,9 +176,10 @@ private:
     IdPool ids_;
     std::uint32_t stamp_ = 0;
     std::vector<Joint> joints_;
-    std::vector<std::uint32_t> live_;                                    // in order
-    JointLists lists_;                                                   // of live joints
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> excludedPairs_; // bodies, in order
+    std::vector<std::uint32_t> live_; // in order
+    JointLists lists_;                // of live joints
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> excludedPairs_;
+    std::vector<std::uint32_t> pairChanges_; // see takePairChanges()
     std::vector<BrokenJoint> broken_;
     ArticulatedTrees trees_;                             // of this step
     std::vector<ArticulatedTrees::Edge> treeCandidates_; // joints that may belong to a tree

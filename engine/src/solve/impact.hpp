@@ -29,12 +29,10 @@ struct Impact {
     void push(std::size_t i, Real jn, Real jt) const {
         const Vec2 impulse = jn * normal() + jt * tangent();
         const auto& [armA, armB, separation, feature] = point(i);
-        a->velocity -= a->invMass * impulse;
-        b->velocity += b->invMass * impulse;
-        a->angularVelocity -=
-            a->invInertia * (leverOf(armA, normal()) * jn + leverOf(armA, tangent()) * jt);
-        b->angularVelocity +=
-            b->invInertia * (leverOf(armB, normal()) * jn + leverOf(armB, tangent()) * jt);
+        applyImpulse(*a, a->invMass, -impulse, a->invInertia,
+                     -(leverOf(armA, normal()) * jn + leverOf(armA, tangent()) * jt));
+        applyImpulse(*b, b->invMass, impulse, b->invInertia,
+                     leverOf(armB, normal()) * jn + leverOf(armB, tangent()) * jt);
         contact->impulse[i].impact += jn;
         contact->hasStepImpulses = true;
     }

@@ -61,14 +61,12 @@ void applyShare(Bodies& bodies, const ContactBlocks::Lane& at, Real share) {
     };
     BodyVelocity& a = bodies.motion[bodyOfPlace(block.a[lane])];
     BodyVelocity& b = bodies.motion[bodyOfPlace(block.b[lane])];
-    a.velocity -= a.invMass * impulse;
-    b.velocity += b.invMass * impulse;
-    a.angularVelocity -=
-        a.invInertia * momentBy(block.points[0].leverA[lane], block.points[1].leverA[lane],
-                                block.tangentLeverA[lane]);
-    b.angularVelocity +=
-        b.invInertia * momentBy(block.points[0].leverB[lane], block.points[1].leverB[lane],
-                                block.tangentLeverB[lane]);
+    applyImpulse(a, a.invMass, -impulse, a.invInertia,
+                 -momentBy(block.points[0].leverA[lane], block.points[1].leverA[lane],
+                           block.tangentLeverA[lane]));
+    applyImpulse(b, b.invMass, impulse, b.invInertia,
+                 momentBy(block.points[0].leverB[lane], block.points[1].leverB[lane],
+                          block.tangentLeverB[lane]));
 }
 
 void scaleImpulses(const ContactBlocks::Lane& at, Real factor) {

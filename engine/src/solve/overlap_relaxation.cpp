@@ -47,10 +47,14 @@ void takeBack(ContactBlock& block, std::size_t lane, const std::array<Real, 2>& 
         ContactBlock::Point& point = block.points[i];
         const Real change = before[i] - point.impulse[lane];
         point.impulse[lane] = before[i];
-        a.velocity -= a.invMass * change * normal;
-        b.velocity += b.invMass * change * normal;
-        a.angularVelocity -= a.invInertia * change * point.leverA[lane];
-        b.angularVelocity += b.invInertia * change * point.leverB[lane];
+        if (!a.locked()) { // see applyImpulse()
+            a.velocity -= a.invMass * change * normal;
+            a.angularVelocity -= a.invInertia * change * point.leverA[lane];
+        }
+        if (!b.locked()) {
+            b.velocity += b.invMass * change * normal;
+            b.angularVelocity += b.invInertia * change * point.leverB[lane];
+        }
     }
 }
 

@@ -15,10 +15,8 @@ struct Pair {
     const RowMasses& masses;
 
     void push(Vec2 impulse, Real spinA, Real spinB) const {
-        a.velocity -= masses.invMassA * impulse;
-        a.angularVelocity -= masses.invInertiaA * spinA;
-        b.velocity += masses.invMassB * impulse;
-        b.angularVelocity += masses.invInertiaB * spinB;
+        applyImpulse(a, masses.invMassA, -impulse, masses.invInertiaA, -spinA);
+        applyImpulse(b, masses.invMassB, impulse, masses.invInertiaB, spinB);
     }
     Real speed(Vec2 direction, Real leverA, Real leverB) const {
         return dot(direction, b.velocity - a.velocity) + leverB * b.angularVelocity -
@@ -188,10 +186,14 @@ void separateRow(PropagationRow& row, std::vector<SeparationShift>& parting,
     for (std::size_t i = 0; i < row.count; ++i) {
         const PropagationRow::Point& p = row.points[i];
         const Real change = next[i] - row.parting[i];
-        a.deltaPosition -= change * masses.invMassA * row.normal;
-        a.deltaAngle -= change * masses.invInertiaA * p.leverA;
-        b.deltaPosition += change * masses.invMassB * row.normal;
-        b.deltaAngle += change * masses.invInertiaB * p.leverB;
+        if (masses.invMassA != 0 || masses.invInertiaA != 0) { // see applyImpulse()
+            a.deltaPosition -= change * masses.invMassA * row.normal;
+            a.deltaAngle -= change * masses.invInertiaA * p.leverA;
+        }
+        if (masses.invMassB != 0 || masses.invInertiaB != 0) {
+            b.deltaPosition += change * masses.invMassB * row.normal;
+            b.deltaAngle += change * masses.invInertiaB * p.leverB;
+        }
     }
     row.parting = next;
 }

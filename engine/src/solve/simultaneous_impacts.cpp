@@ -21,10 +21,8 @@ inline Vec2 SimultaneousImpacts::Point::relativeVelocity() const {
 }
 
 inline void SimultaneousImpacts::Point::push(Vec2 j, Real angularA, Real angularB) const {
-    a->velocity -= a->invMass * j;
-    b->velocity += b->invMass * j;
-    a->angularVelocity -= a->invInertia * angularA;
-    b->angularVelocity += b->invInertia * angularB;
+    applyImpulse(*a, a->invMass, -j, a->invInertia, -angularA);
+    applyImpulse(*b, b->invMass, j, b->invInertia, angularB);
 }
 
 /// Adds the points of a contact that touch and approach.

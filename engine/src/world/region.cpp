@@ -135,8 +135,20 @@ void Region::setAside(std::span<const Contact> idle, Bodies& bodies, ContactSet&
     for (const Contact& contact : idle) {
         const bool aside = waits(contact.key.bodyA) || waits(contact.key.bodyB);
         (aside ? parked_ : unparked_).push_back(contact);
+        if (aside) {
+            markParked(contact);
+        }
     }
     contacts.putBack(unparked_, bodies);
+}
+
+void Region::markParked(const Contact& contact) {
+    for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
+        if (body >= mayBeParked_.size()) {
+            mayBeParked_.resize(body + std::size_t{1}, 0);
+        }
+        mayBeParked_[body] = 1;
+    }
 }
 
 /// Returns the parked contacts for which which(contact) is true to the list.
@@ -155,7 +167,7 @@ void Region::unpark(Which which, Bodies& bodies, ContactSet& contacts) {
 }
 
 void Region::unparkContactsOf(std::uint32_t body, Bodies& bodies, ContactSet& contacts) {
-    if (!parked_.empty()) {
+    if (body < mayBeParked_.size() && std::exchange(mayBeParked_[body], std::uint8_t{0}) != 0) {
         const auto isOwn = [=](const Contact& contact) {
             return contact.key.bodyA == body || contact.key.bodyB == body;
         };

@@ -62,6 +62,7 @@ private:
 
     void unparkActive(Bodies& bodies, ContactSet& contacts);
     void setAside(std::span<const Contact> idle, Bodies& bodies, ContactSet& contacts);
+    void markParked(const Contact& contact);
     template <typename Which>
     void unpark(Which which, Bodies& bodies, ContactSet& contacts);
 
@@ -69,8 +70,9 @@ private:
     // Of bodies outside the region, during the solve.
     std::vector<std::pair<std::uint32_t, BodyVelocity>> outsideVelocities_;
     std::vector<Contact> parked_;
-    std::vector<Contact> unparked_; // scratch: a step allocates nothing
-    std::uint32_t scans_ = 0;       // see countScan(); no state, as the tree is none
+    std::vector<Contact> unparked_;         // scratch: a step allocates nothing
+    std::vector<std::uint8_t> mayBeParked_; // by body: 0 if none of its contacts is parked
+    std::uint32_t scans_ = 0;               // see countScan(); no state, as the tree is none
 };
 
 } // namespace KODO_PRECISION

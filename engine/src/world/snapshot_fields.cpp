@@ -263,7 +263,7 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
     auto& [candidates, store, touchCounts, records, ghostCollisions, oneWayBodies, lineSides, live,
            found, onGround, idle, changes, activityChanges, hasChanged, fastestApproach, stale,
            pairsStale, liveStale, contactsChanged, anySensors, anyBounces] = set;
-    auto& [bounds, finder, still, movers, pairs, excluded] = candidates;
+    auto& [bounds, finder, still, movers, pairs] = candidates;
     auto& [contacts, summaries, order, newOrder, lists, gone, pairChanges, changesFound, holes,
            added, movedTo, slots, reorderPolicy, placesStale] = store;
     auto& [allDue, eventsDue, toggled, allRecords, begun, ended, removed, ends, nextEnds,
@@ -299,7 +299,7 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
     }
     stale = false;
     pairsStale = false;
-    activityChanges.clear(); // the excluded pairs were set before
+    activityChanges.clear();
     eventsDue = true;
     for (Contact& contact : contacts) {
         completeContact(contact, bodies);
@@ -351,7 +351,7 @@ void SnapshotFields::world(WorldImpl& world) {
     auto& [guard, settings, tolerances, stepCount, count, bodies, flagBlocks, fields, contacts,
            impacts, softSolver, propagation, contactVisits, changeVisits, continuous, sleep, joints,
            broken, frozen, region, queries, lastGeometry] = world;
-    auto& [box, outsideVelocities, parked, unparked, scans] = region;
+    auto& [box, outsideVelocities, parked, unparked, mayBeParked, scans] = region;
     softSolver.blocks().writeBackAll(contacts.contacts(), bodies);
     all(settings, tolerances, stepCount);
     bodies.turns = settings.has(Feature::Rotation);
@@ -364,9 +364,6 @@ void SnapshotFields::world(WorldImpl& world) {
                                        : checkField(*entry.field, tolerances.unit()));
     }
     this->joints(joints, bodies, tolerances.unit());
-    if (reads()) {
-        contacts.setExcludedPairs(joints.excludedPairs());
-    }
     this->contacts(contacts, bodies, tolerances);
     this->rest(sleep, bodies);
     as<std::uint64_t>(contactVisits);
@@ -375,6 +372,7 @@ void SnapshotFields::world(WorldImpl& world) {
         for (Contact& contact : parked) {
             completeContact(contact, bodies);
             contact.row = {};
+            region.markParked(contact);
         }
     }
     if (box) {

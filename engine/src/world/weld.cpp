@@ -84,7 +84,7 @@ std::size_t WorldImpl::weld(BodyId into, BodyId part) {
     wakeNeighbours(into.index);
     const std::size_t firstPart = bodies_.geometry(into.index).parts.size();
     joints_.transfer(part, into, place);
-    contacts_.setExcludedPairs(joints_.excludedPairs());
+    notePairChanges();
     weldBodies(bodies_, into.index, part.index);
     placeInRegion(into.index);
     contacts_.bodyChanged(into.index);

@@ -215,9 +215,8 @@ void WorldImpl::remove(BodyId id) {
     kodo::requireAlive(bodies_, id);
     wakeNeighbours(id.index);
     contacts_.drop(id.index, writeBack());
-    if (joints_.dropBody(id.index)) {
-        contacts_.setExcludedPairs(joints_.excludedPairs());
-    }
+    joints_.dropBody(id.index);
+    notePairChanges();
     removeBody(bodies_, id.index);
     queries_.bodyChanged(id.index);
     --count_;
@@ -262,7 +261,12 @@ void WorldImpl::jointsChanged(const JointDef& def) {
         wake(body);
         bodies_.noteLostLoad(body);
     }
-    contacts_.setExcludedPairs(joints_.excludedPairs());
+    notePairChanges();
+}
+
+/// After joints were added, changed or removed: pairs of their bodies are searched again.
+void WorldImpl::notePairChanges() {
+    joints_.takePairChanges([&](std::uint32_t body) { contacts_.activityChanged(body); });
 }
 
 JointId WorldImpl::add(const JointDef& def) {

@@ -87,6 +87,7 @@ private:
     friend class WorldStep;
 
     void jointsChanged(const JointDef& def);
+    void notePairChanges();
     WriteBack writeBack() const {
         return [this](Contact& contact) { softSolver_.blocks().writeBack(contact, bodies_); };
     }

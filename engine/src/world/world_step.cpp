@@ -47,7 +47,7 @@ void WorldStep::run(StageListener* listener) {
         }
     };
     const bool arrivals = !bodies_.changes.arrived.empty();
-    contacts_.updatePairs(bodies_, tolerances_, dt_, team_);
+    contacts_.updatePairs(bodies_, joints_.excludedPairs(), tolerances_, dt_, team_);
     clearArrivals(bodies_);
     enter(StepStage::Narrow);
     updateManifolds();
@@ -133,7 +133,7 @@ void WorldStep::gatherForces() {
 
 /// Continuous collision: shortens displacements at the first impact.
 void WorldStep::runContinuous() {
-    contacts_.coverDisplacements(bodies_, tolerances_, team_);
+    contacts_.coverDisplacements(bodies_, joints_.excludedPairs(), tolerances_, team_);
     if (canWake() && sleep_.wakeRunOver(bodies_, contacts_, tolerances_)) {
         joints_.findBusy(bodies_, refreshAwake(bodies_));
     }
@@ -182,7 +182,7 @@ void WorldStep::freezeUnsoundForces() {
         if (!isSound(bodies_.acceleration[body])) {
             freeze(bodies_, body);
             frozen_.push_back(bodies_.idAt(body));
-            contacts_.bodiesChanged(); // a frozen body is immovable
+            contacts_.bodyChanged(body); // a frozen body is immovable
             softSolver_.blocks().discardLanes();
         }
     }
@@ -223,8 +223,9 @@ void WorldStep::freezeUnsoundMotion() {
             freeze(bodies_, body); // too fast by itself
         }
         motion.stop();
+        contacts_.bodyChanged(body);
         const BodyId id = bodies_.idAt(body);
-        if (std::find(frozen_.begin(), frozen_.end(), id) == frozen_.end()) {
+        if (!std::binary_search(frozen_.data(), frozen_.data() + before, id)) {
             frozen_.push_back(id);
         }
     }
@@ -237,7 +238,6 @@ void WorldStep::freezeUnsoundMotion() {
         softSolver_.blocks().writeBackAll(contacts_.contacts(), bodies_);
         contacts_.forgetUnsound(bodies_, tolerances_, dt_);
         joints_.forgetUnsound();
-        contacts_.bodiesChanged();
         bodies_.changes.allActivity = true;
     }
 }
@@ -249,9 +249,7 @@ void WorldStep::breakJoints() {
         bodies_.noteLostLoad(joint.a.index);
         bodies_.noteLostLoad(joint.b.index);
     }
-    if (!broken_.empty()) {
-        contacts_.setExcludedPairs(joints_.excludedPairs());
-    }
+    joints_.takePairChanges([&](std::uint32_t body) { contacts_.activityChanged(body); });
 }
 
 /// Updates the contact phases and kColliding. Only bodies whose flag changes are visited.
