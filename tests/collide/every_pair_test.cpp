@@ -119,6 +119,7 @@ TEST_P(EveryPair, HasAContactWithinTheMargin) {
     }
 }
 
+// X2: shape against shape without a World.
 TEST_P(EveryPair, TranslationByNormalAndDepthEndsTheOverlap) {
     for (int i = 0; i < kPoses && !bothPlanes(); ++i) {
         Pair p = next();

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Builds the project in consumer/ outside the tree, against each form in which Kodo is delivered.
+"""X1: builds the project in consumer/ outside the tree, against each form in which Kodo is delivered.
 
   install     an installed and moved tree: find_package, pkg-config, headers without warnings
   archives    the TGZ and DEB packages, unpacked elsewhere; the game runs there

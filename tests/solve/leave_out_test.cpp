@@ -214,6 +214,7 @@ TEST(LeaveOut, WithoutRecordsNoCollisionIsRecorded) {
     EXPECT_NE(world[box].flags() & kColliding, 0u);
 }
 
+// X5: parts of a step are left out.
 // Without rotation a heap falls, slides and piles up, but no body rotates or gains spin.
 TEST(LeaveOut, WithoutRotationNoBodyRotates) {
     for (const Solver strategy : kSolvers) {

@@ -8,6 +8,7 @@
 namespace kodo {
 namespace {
 
+// X9: ten boxes stand and sleep.
 TEST(ThesisProfile, AStackStandsAndSleeps) {
     for (const int rate : {30, 60, 120, 240}) {
         for (const int count : {1, 3, 10, 20, 40}) {
