@@ -7,6 +7,8 @@
 #include <game/game_access.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace {
 
 using namespace apart;
@@ -312,14 +314,22 @@ TEST_P(EveryBuilding, StandsUntouched) {
     const Level level = std::get<Level>(loadLevel(GetParam()));
     Game game(level, 1);
     const std::vector<Block> before(game.blocks().begin(), game.blocks().end());
-    play(game, kMinute);
-    ASSERT_EQ(game.blocks().size(), before.size());
+    kodo::Real farthest = 0; // m, of any block at any time
+    for (int tick = 0; tick < kMinute; ++tick) {
+        game.tick({});
+        ASSERT_EQ(game.blocks().size(), before.size());
+        for (const Block& block : before) {
+            if (block.support == Support::Standing) {
+                const kodo::Vec2 now = game.world()[block.body].position();
+                farthest = std::max(farthest, length(now - block.home.position));
+            }
+        }
+    }
+    EXPECT_LT(farthest, kodo::Real(0.01));
     for (const Block& block : before) {
         if (block.support == Support::Standing) {
-            const kodo::BodyView body = game.world()[block.body];
             SCOPED_TRACE("free block " + std::to_string(block.key - keyOfFree(0)));
-            EXPECT_LT(length(body.position() - block.home.position), kodo::Real(0.01));
-            EXPECT_TRUE(body.isAsleep());
+            EXPECT_TRUE(game.world()[block.body].isAsleep());
         }
     }
 }

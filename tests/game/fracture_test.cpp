@@ -214,6 +214,7 @@ TEST(Fracture, MakesPiecesThatDoNotPushEachOther) {
     });
 }
 
+// A4: blocks break in several patterns.
 TEST(Fracture, ContinuesToTheSizeFloorInEveryPatternWithValidPieces) {
     int broken = 0;
     forRandomBreaks(kBreaks / 20, [&](const Break& first, support::RandomNumbers& random) {

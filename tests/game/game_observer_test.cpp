@@ -69,6 +69,7 @@ TEST(GameObserver, ReportsABallOutsideTheField) {
     EXPECT_GE(flight.observer.observations().escapes, 1u);
 }
 
+// A8: the ball never halts.
 // A short run of `apart-headless soak --ticks 10000000` over all levels and some generated ones. No
 // ball stops, escapes, or bends its path without a contact.
 TEST(Soak, NoBallStopsEscapesOrLeavesItsStraightPath) {

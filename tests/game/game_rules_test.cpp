@@ -71,6 +71,7 @@ TEST(Blocks, GiveTheirPiecesTheImpulseBeyondTheirMount) {
     EXPECT_GT(passed.y, 0);
 }
 
+// A4: pieces fall off the screen.
 TEST(Shards, AreRemovedBelowTheScreen) {
     Game game = shotAtBlock(kBrick, Real(0.5), 12);
     ASSERT_TRUE(playUntil<Broke>(game, {}, 30));

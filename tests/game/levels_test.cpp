@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -85,6 +86,18 @@ TEST_P(EveryLevel, PassesItsCheck) {
         ADD_FAILURE() << problem;
     }
     EXPECT_GT(report.blocks, 0);
+}
+
+TEST_P(EveryLevel, IsHitWithin12TenthsOfASecondOfAServe) {
+    constexpr std::uint32_t kMost = 6 * kTicksPerSecond / 5;
+    const Level level = std::get<Level>(loadLevel(GetParam()));
+    std::vector<std::uint32_t> ticks;
+    for (std::uint32_t seed = 1; seed <= 11; ++seed) {
+        ticks.push_back(runBot(level, seed, 2 * kMost).firstHit);
+    }
+    std::sort(ticks.begin(), ticks.end());
+    EXPECT_GT(ticks.front(), 0u);
+    EXPECT_LE(ticks[ticks.size() / 2], kMost) << "median of the seeds";
 }
 
 /// With sanitizers every third level; tools/determinism_matrix plays all of them.

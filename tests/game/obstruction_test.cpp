@@ -27,6 +27,7 @@ Real speedOf(const Game& game) {
     return length(game.world()[game.balls()[0].body].velocity());
 }
 
+// A7: obstructions.
 TEST(Bumper, KicksTheBallAndTheServoRestoresItsSpeed) {
     Game game = with("obstruction = \"bumper\"\nspeed = 6000");
     GameTestAccess::shoot(game, kMiddle - Vec2{0, 2}, {0, 12});

@@ -23,6 +23,7 @@ Game dropped(const std::string& block) {
     return game;
 }
 
+// A5: a part that is caught is welded to the paddle.
 TEST(WeldedPart, IsAPartOfThePaddleAndAddsItsMass) {
     Game game = dropped("W");
     ASSERT_EQ(game.parts().size(), 1u);
@@ -81,6 +82,7 @@ TEST(WeldedPart, ComesOffWhenImpactsHaveUsedUpItsWeldStrength) {
     EXPECT_TRUE(near(game.world()[game.paddle()].mass(), heavy - lost, 1e-4));
 }
 
+// A5: a part that is caught sticks, and fires after a second.
 TEST(LaunchPart, SticksForExactlyOneSecondAndThenFlies) {
     Game game = dropped("L");
     ASSERT_TRUE(playUntil<Stuck>(game, towards(kCatchX), 240));
@@ -122,6 +124,7 @@ TEST(LaunchPart, FallsOffWhenTheLifeIsLost) {
     EXPECT_EQ(game.parts()[0].state, PartState::Loose);
 }
 
+// A6: a block becomes further balls.
 TEST(SplitBlock, BecomesSeveralBalls) {
     Game game = dropped("S");
     EXPECT_EQ(game.balls().size(), 1u + kSplitBalls);

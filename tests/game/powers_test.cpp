@@ -98,6 +98,7 @@ TEST(BallPowers, ChangeEveryBallAndRestoreItAfterwards) {
     EXPECT_TRUE(game.serving()); // still rides
 }
 
+// A7: unruly balls.
 TEST(LopsidedBall, HasAnOffCentreMassAndSpinsAfterAnImpact) {
     Game game = given(Power::Lopsided);
     const kodo::BodyView ball = firstBall(game);

@@ -185,6 +185,7 @@ std::uint32_t longestWait(const Level& level, std::uint32_t seed, Mode mode, std
     return longest;
 }
 
+// A8: no endless play without damage.
 TEST(TimeWithoutDamage, IsBoundedForEveryPlayer) {
     // A glass block behind steel, out of reach of any ball: the bound does not depend on luck.
     const Level level = levelOf("XXXXXXXXXXXXXXX\n" + std::string("......XgX......\n") +

@@ -25,6 +25,7 @@ std::vector<std::filesystem::path> replayFiles() {
 
 class ScriptedReplay : public testing::TestWithParam<std::filesystem::path> {};
 
+// A3: the game runs headless from a script.
 TEST_P(ScriptedReplay, MeetsItsExpectations) {
     const Read<Replay> read = readReplayFile(GetParam());
     ASSERT_TRUE(std::holds_alternative<Replay>(read)) << std::get<FileProblem>(read).text();

@@ -29,6 +29,7 @@ void playUntil(StageRig& rig, std::uint32_t tick) {
     }
 }
 
+// A7: effects for the eye.
 // Each effect alone and all together, at 0 and at maximum, give the same game.
 TEST(Effects, DoNotAffectTheSimulation) {
     StageRig plain(playedWith(0));

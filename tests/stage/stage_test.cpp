@@ -127,6 +127,7 @@ TEST(Stage, APilotThatIsDoneEndsTheGame) {
     EXPECT_TRUE(rig.picture().says("The replay ends"));
 }
 
+// A3: ball, paddle, walls and blocks in a window.
 TEST(Stage, ScriptedControlsPlayTheGame) {
     StageRig rig(StageRig::twoLevels());
     ScriptedControls controls;

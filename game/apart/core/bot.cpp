@@ -27,10 +27,8 @@ constexpr Real kPullHeight = 8;           // m; lower balls are not pulled
 constexpr Real kPullSpare = 1;            // s; if a ball arrives earlier, no block is torn
 constexpr std::uint32_t kWhimTicks = 30;  // duration of a random choice of Erratic
 constexpr int kAttempts = 3;              // to find a block in sight
-constexpr Real kFarSight = 40;            // m; length of casts along a path
 constexpr Real kTriedSeconds = 3;         // without damage; then luck may help
 constexpr int kShots = 8;                 // tested on each side of the paddle's middle
-constexpr int kForesight = 6;             // bounces
 constexpr Real kLeapSeconds = Real(0.05); // before the ball arrives
 
 Real meetingHeight(Real offset) {
@@ -153,26 +151,6 @@ Real offsetFor(Vec2 goal, Vec2 meeting, Vec2 heading) {
     return std::clamp((kDomeRadius + kBallRadius) * normal.x, -most, most);
 }
 
-/// Length (m) of a ball's path, with at most kForesight bounces, to the first breakable block.
-std::optional<Real> wayToBlock(const Game& game, Vec2 from, Vec2 heading) {
-    constexpr Real kOff = Real(0.01); // m; distance from the surface after a bounce
-    Real way = 0;
-    for (int bounce = 0; bounce < kForesight && from.y > kPaddleY; ++bounce) {
-        const std::optional<kodo::QueryHit> hit = game.ahead(from, kFarSight * heading);
-        if (!hit || hit->normal == Vec2{}) {
-            break;
-        }
-        way += hit->fraction * kFarSight;
-        const Block* block = game.findBlock(hit->body, hit->part);
-        if (block != nullptr && block->counts()) {
-            return way;
-        }
-        from += hit->fraction * kFarSight * heading + kOff * hit->normal;
-        heading -= 2 * dot(heading, hit->normal) * hit->normal;
-    }
-    return std::nullopt;
-}
-
 /// Offset (m) from the paddle's middle with the shortest path to a breakable block.
 std::optional<Real> surestOffset(const Game& game, Real x, Vec2 heading) {
     const Real most = kPaddleHalfWidth - kRimMargin;
@@ -183,7 +161,7 @@ std::optional<Real> surestOffset(const Game& game, Real x, Vec2 heading) {
         const Real lean = offset / (kDomeRadius + kBallRadius);
         const Vec2 normal{lean, std::sqrt(1 - lean * lean)};
         const Vec2 leaving = heading - 2 * dot(heading, normal) * normal;
-        const std::optional<Real> way = wayToBlock(game, {x, meetingHeight(offset)}, leaving);
+        const std::optional<Real> way = game.wayToBlock({x, meetingHeight(offset)}, leaving);
         if (way && (!best || *way < shortest)) {
             best = offset;
             shortest = *way;

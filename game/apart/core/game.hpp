@@ -99,6 +99,11 @@ public:
     bool keeps() const { return state_.keeps(); }
     /// True while a ball waits for `launch`.
     bool serving() const { return state_.serving(); }
+    /// Length (m) of a ball's path, with its bounces off what stands still, from a point along a
+    /// unit heading to the first block that counts; none if it meets none in six bounces.
+    std::optional<kodo::Real> wayToBlock(kodo::Vec2 from, kodo::Vec2 heading) const {
+        return state_.wayToBlock(from, heading);
+    }
     /// Unit direction of the next serve.
     kodo::Vec2 serveHeading() const { return state_.paddle.serveHeading; }
     kodo::Real ballSpeed() const { return state_.ballSpeed(); } // m/s; target of the speed servo

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace apart {
 
@@ -42,6 +43,27 @@ Vec2 rideOffset(BallKind kind) {
     return {0, domeHeight(0) + reachOf(kind) + kRideGap};
 }
 
+/// Direction of a serve: the first of kServeDraws random ones whose path comes to a block within
+/// kServeSeconds, else the one with the shortest path.
+Vec2 drawServe(const GameState& game, Vec2 from) {
+    Generator chance(mixKeys(game.seed, game.counts.serves, 1));
+    Vec2 best{};
+    Real shortest = std::numeric_limits<Real>::max();
+    for (int draw = 0; draw < kServeDraws; ++draw) {
+        const Real slope = chance.between(kServeSlope / 4, kServeSlope);
+        const Vec2 heading = normalize(Vec2{chance.below(2) == 0 ? slope : -slope, 1});
+        const Real way = game.wayToBlock(from, heading).value_or(shortest);
+        if (draw == 0 || way < shortest) {
+            best = heading;
+            shortest = way;
+        }
+        if (way <= kServeSeconds * game.ballSpeed()) {
+            break;
+        }
+    }
+    return best;
+}
+
 } // namespace
 
 void newPaddle(GameState& game) {
@@ -57,13 +79,11 @@ void newPaddle(GameState& game) {
 }
 
 void newServe(GameState& game) {
-    Generator chance(mixKeys(game.seed, game.counts.serves, 1));
-    ++game.counts.serves;
-    const Real slope = chance.between(kServeSlope / 4, kServeSlope);
-    game.paddle.serveHeading = normalize(Vec2{chance.below(2) == 0 ? slope : -slope, 1});
     const BallKind kind = game.ballKind();
-    const BodyId ball =
-        addBall(game.world, game.world[game.paddle.body].position() + rideOffset(kind), kind);
+    const Vec2 place = game.world[game.paddle.body].position() + rideOffset(kind);
+    game.paddle.serveHeading = drawServe(game, place);
+    ++game.counts.serves;
+    const BodyId ball = addBall(game.world, place, kind);
     game.world[ball].setType(kodo::BodyType::Kinematic);
     game.balls.push_back({ball, game.paddle.serveHeading, true, kind});
 }

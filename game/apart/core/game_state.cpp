@@ -91,6 +91,26 @@ bool GameState::meetsBlock(Vec2 from, Vec2 way) const {
     return block != nullptr && block->counts();
 }
 
+std::optional<Real> GameState::wayToBlock(Vec2 from, Vec2 heading) const {
+    constexpr int kForesight = 6;     // bounces
+    constexpr Real kOff = Real(0.01); // m; distance from the surface after a bounce
+    Real way = 0;
+    for (int bounce = 0; bounce < kForesight && from.y > kPaddleY; ++bounce) {
+        const std::optional<kodo::QueryHit> hit = ahead(from, kFarSight * heading);
+        if (!hit || hit->normal == Vec2{}) {
+            break;
+        }
+        way += hit->fraction * kFarSight;
+        const Block* block = findBlock(hit->body, hit->part);
+        if (block != nullptr && block->counts()) {
+            return way;
+        }
+        from += hit->fraction * kFarSight * heading + kOff * hit->normal;
+        heading -= 2 * dot(heading, hit->normal) * hit->normal;
+    }
+    return std::nullopt;
+}
+
 bool GameState::canCarry(BodyId body) const {
     if (!world.contains(body)) {
         return false;

@@ -105,6 +105,7 @@ struct GameState {
     bool canCarry(kodo::BodyId body) const; // dynamic bar of a motor or block
     std::optional<kodo::QueryHit> ahead(kodo::Vec2 from, kodo::Vec2 way) const;
     bool meetsBlock(kodo::Vec2 from, kodo::Vec2 way) const;
+    std::optional<kodo::Real> wayToBlock(kodo::Vec2 from, kodo::Vec2 heading) const;
     bool keeps() const; // Level::keep has not fallen; false without one
     bool serving() const;
     kodo::Real ballSpeed() const; // m/s

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace apart {
 
@@ -185,6 +186,14 @@ bool isEventful(const Game& game) {
     });
 }
 
+/// True if a ball hit a block in the last tick.
+bool isHit(const Game& game) {
+    return std::any_of(game.events().begin(), game.events().end(), [](const Event& event) {
+        const auto* struck = std::get_if<Struck>(&event);
+        return struck != nullptr && struck->what == Role::Block;
+    });
+}
+
 /// Measures the gaps between events.
 class GapMeter {
 public:
@@ -224,10 +233,19 @@ BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks, B
     GameObserver observer;
     BotRun run{.seed = seed};
     GapMeter gaps(run);
+    std::optional<std::uint32_t> served; // tick of the first serve
+    bool hit = false;
     while (game.result() == Result::Playing && game.ticks() < mostTicks) {
         game.tick(bot(game, kind));
         observer.observe(game);
         gaps.tick(game);
+        if (!served && !game.serving()) {
+            served = game.ticks();
+        }
+        if (served && !hit) {
+            hit = isHit(game);
+            run.firstHit = game.ticks() - *served;
+        }
         run.paddleHits += paddleHitsOf(game);
         run.mostBodies = std::max(run.mostBodies, game.world().bodyCount());
         run.work += stepStats(game.world()).bodies + stepStats(game.world()).contacts;

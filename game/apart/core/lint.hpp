@@ -26,6 +26,7 @@ struct BotRun {
     std::uint32_t longestWait = 0; // ticks without damage to a block
     std::uint32_t longestGap = 0;  // ticks without a crack, break, fall or catch
     std::uint32_t quietTicks = 0;  // in gaps longer than kQuietGap
+    std::uint32_t firstHit = 0;    // ticks from the first serve to the first hit of a block
     std::uint32_t faults = 0;      // halts, escapes, bent paths
     std::size_t mostBodies = 0;
     double cleared = 0;     // 0..1, share of the blocks that broke or fell

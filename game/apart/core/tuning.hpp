@@ -12,7 +12,7 @@ namespace apart {
 using kodo::Real;
 
 // To be raised whenever the same inputs give another game. Older replays are then refused.
-inline constexpr std::uint32_t kRulesVersion = 24;
+inline constexpr std::uint32_t kRulesVersion = 25;
 
 inline constexpr int kTicksPerSecond = 120;
 inline constexpr Real kTickSeconds = Real(1) / 120;
@@ -43,6 +43,9 @@ inline constexpr Real kLostDepth = Real(0.7);  // below the field; deeper balls 
 inline constexpr std::size_t kMostBalls = 8;   // further balls of a split become shards
 inline constexpr Real kSpeedUp = Real(0.35);   // relative gain of speed up to the last block
 inline constexpr Real kServeSlope = Real(0.6); // |x/y| of the flattest serve
+inline constexpr Real kServeSeconds = 1;       // of flight within which a serve is to meet a block
+inline constexpr int kServeDraws = 32;         // of directions, until one does
+inline constexpr Real kFarSight = 40;          // m; length of casts along a ball's path
 
 // The governor. A servo holds the speed along the heading. The smallest rotation at a contact keeps
 // a ball out of a cone around the horizontal, where it would bounce between the side walls for

@@ -23,6 +23,7 @@ struct Summary {
     std::size_t mostBodies = 0;
     std::uint32_t longestGap = 0;
     std::uint64_t quietTicks = 0;
+    std::uint32_t firstHit = 0; // ticks; median of the games
 
     double quietShare() const { // 0..1, of the time of all games
         return ticks == 0 ? 0 : static_cast<double>(quietTicks) / static_cast<double>(ticks);
@@ -31,6 +32,7 @@ struct Summary {
 
 Summary summaryOf(const LintReport& report) {
     Summary sum;
+    std::vector<std::uint32_t> firstHits;
     for (const BotRun& run : report.runs) {
         sum.won += run.result == Result::Won ? 1 : 0;
         sum.ticks += run.ticks;
@@ -39,6 +41,11 @@ Summary summaryOf(const LintReport& report) {
         sum.mostBodies = std::max(sum.mostBodies, run.mostBodies);
         sum.longestGap = std::max(sum.longestGap, run.longestGap);
         sum.quietTicks += run.quietTicks;
+        firstHits.push_back(run.firstHit);
+    }
+    if (!firstHits.empty()) {
+        std::sort(firstHits.begin(), firstHits.end());
+        sum.firstHit = firstHits[firstHits.size() / 2];
     }
     return sum;
 }
@@ -53,21 +60,23 @@ double meanSeconds(const Summary& sum, const LintReport& report) {
 
 void printHead() {
     fmt::print("{:<20} {:>6} {:>7} {:>12} {:>13} {:>9} {:>10} {:>6} {:>10} {:>7} {:>10} {:>8} "
-               "{:>6}\n",
+               "{:>6} {:>6}\n",
                "level", "blocks", "reached", "waits s, <=", "clears s, <=", "bot wins",
-               "in s, mean", "lost", "waited s", "bodies", "work/tick", "quiet %", "gap s");
+               "in s, mean", "lost", "waited s", "bodies", "work/tick", "quiet %", "gap s",
+               "hit s");
 }
 
 void printRow(const LintReport& report) {
     const Summary sum = summaryOf(report);
     fmt::print("{:<20} {:>6} {:>7} {:>12.0f} {:>13.0f} {:>9} {:>10.1f} {:>6} {:>10.1f} {:>7} "
-               "{:>10} {:>8.1f} {:>6.1f}{}\n",
+               "{:>10} {:>8.1f} {:>6.1f} {:>6.2f}{}\n",
                report.level, report.blocks,
                report.blocks - static_cast<int>(report.outOfReach.size()),
                seconds(report.waitBound), seconds(report.clearBound),
                fmt::format("{} of {}", sum.won, report.runs.size()), meanSeconds(sum, report),
                sum.livesLost, seconds(sum.longestWait), sum.mostBodies, report.workPerTick,
-               100 * sum.quietShare(), seconds(sum.longestGap), report.passed() ? "" : "  FAILED");
+               100 * sum.quietShare(), seconds(sum.longestGap), seconds(sum.firstHit),
+               report.passed() ? "" : "  FAILED");
 }
 
 std::string asJson(const LintReport& report) {
@@ -76,11 +85,11 @@ std::string asJson(const LintReport& report) {
         R"({{"level": "{}", "passed": {}, "blocks": {}, "outOfReach": {}, "waitBoundTicks": {}, )"
         R"("clearBoundTicks": {}, "games": {}, "won": {}, "meanTicks": {}, "livesLost": {}, )"
         R"("longestWaitTicks": {}, "mostBodies": {}, "workPerTick": {}, "quietShare": {:.4f}, )"
-        R"("longestGapTicks": {}, "problems": [)",
+        R"("longestGapTicks": {}, "firstHitTicks": {}, "problems": [)",
         report.level, report.passed(), report.blocks, report.outOfReach.size(), report.waitBound,
         report.clearBound, report.runs.size(), sum.won,
         report.runs.empty() ? 0 : sum.ticks / report.runs.size(), sum.livesLost, sum.longestWait,
-        sum.mostBodies, report.workPerTick, sum.quietShare(), sum.longestGap);
+        sum.mostBodies, report.workPerTick, sum.quietShare(), sum.longestGap, sum.firstHit);
     for (std::size_t i = 0; i < report.problems.size(); ++i) {
         // The sentences contain no character that JSON must escape.
         text += fmt::format(R"({}"{}")", i == 0 ? "" : ", ", report.problems[i]);
@@ -88,7 +97,8 @@ std::string asJson(const LintReport& report) {
     return text + "]}";
 }
 
-/// Quiet time over all levels: the mean of their shares, the worst level, and the longest gap.
+/// Pace over all levels: the mean share of quiet time, the worst level, the longest gap, and the
+/// longest median time from the serve to the first hit.
 class Pace {
 public:
     void add(const LintReport& report) {
@@ -103,12 +113,19 @@ public:
             longestGap_ = sum.longestGap;
             longestLevel_ = report.level;
         }
+        if (sum.firstHit >= firstHit_) {
+            firstHit_ = sum.firstHit;
+            firstHitLevel_ = report.level;
+        }
     }
     void print() const {
         fmt::print("Time in gaps over {} s without a crack, break, fall or catch: {:.1f} % as mean "
                    "of the levels, {:.1f} % at worst ({}); longest gap {:.1f} s ({}).\n",
                    kQuietGap / kTicksPerSecond, 100 * total_ / std::max(levels_, 1), 100 * worst_,
                    worstLevel_, seconds(longestGap_), longestLevel_);
+        fmt::print("From serve to first hit of a block, median of the games: {:.2f} s at most "
+                   "({}).\n",
+                   seconds(firstHit_), firstHitLevel_);
     }
 
 private:
@@ -118,6 +135,8 @@ private:
     std::uint32_t longestGap_ = 0;
     std::string worstLevel_;
     std::string longestLevel_;
+    std::uint32_t firstHit_ = 0;
+    std::string firstHitLevel_;
 };
 
 } // namespace
