@@ -55,7 +55,7 @@ def wait_for_title(game):
 def to_title(game):
     """From a level. In play, Up and Return have other meanings: they follow when the menu is shown."""
     after(game, "pause", lambda: game.key("Escape"))
-    after(game, "title", lambda: game.key("Up", "Return"))
+    game.to_title()
 
 
 def leave(game):

@@ -153,7 +153,7 @@ def play(screen, apart, level, seconds):
         hand.close()
         eye.close()
         game.after("pause", lambda: game.key("Escape"), least=30000, fuzz=30)
-        game.key("Up", "Return")  # to the title: the game is kept
+        game.key("Up", "Return", "Return")  # to the title, which asks once if there are points: the game is kept
         kept = pathlib.Path(screen.config.name) / "apart" / "last.replay"
         for _ in range(20):  # a busy machine writes it late
             time.sleep(0.5)

@@ -125,7 +125,7 @@ def play(screen, apart, report):
 
         game.after("resume", lambda: game.key("Escape"), least=SCREEN)
         game.after("pause", lambda: game.key("Escape"), least=SCREEN)
-        game.after("title", lambda: game.key("Up", "Return"), least=SCREEN)
+        game.to_title(question="240x16+210+554", title="240x12+280+605")
         code, output = game.end_by(lambda: game.key("Escape", "Escape"))
         check(f"escape leaves the title: exit code {code}", code == 0)
         check("nothing was written to the terminal", output.strip() == "")

@@ -179,6 +179,23 @@ class Program:
         """Waits for a bright pixel in an area; a new window is black."""
         wait_until("the window is drawn", lambda: brightest(self.screen, self.look(), area) > 0.5)
 
+    def to_title(self, question="300x24+377+678", title="400x16+440+761"):
+        """Takes the last item of the pause menu. A game with points asks once, and the question
+        expires. The areas, of the question and of the lowest text of the title, are those of a window
+        of 1280x800."""
+        def seen(area):
+            return brightest(self.screen, self.look(), area) > 0.5
+        self.key("Up")
+        while True:
+            self.key("Return")
+            wait_until("the title or a question", lambda: seen(title) or seen(question))
+            if seen(title):
+                return
+            self.key("Return")
+            wait_until("the question ends", lambda: not seen(question))
+            if seen(title):
+                return
+
     def wait_until_still(self, area, fuzz=8):
         """Waits until the pixels of an area hardly differ between two pictures."""
         def still():

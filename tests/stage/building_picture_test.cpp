@@ -78,11 +78,11 @@ TEST(Collapse, IsToldInWordsAndInTheResults) {
     bool told = false;
     for (int i = 0; i < 60 * 120 && rig.stage.screen() == Screen::Playing; ++i) {
         rig.frame();
-        told = told || tells(rig.picture(), " at a blow");
+        told = told || tells(rig.picture(), " in one fall");
     }
     EXPECT_TRUE(told);
     rig.frames(240);
-    EXPECT_TRUE(tells(rig.picture(), "points") && tells(rig.picture(), " at a blow"));
+    EXPECT_TRUE(tells(rig.picture(), "points") && tells(rig.picture(), " in one fall"));
 }
 
 TEST(Collapse, IsSlowedByTheSettingOfSlowMotion) {

@@ -142,7 +142,7 @@ TEST(Labels, StayInTheEnlargedPicture) {
             continue;
         }
         for (const Stroke& stroke : rig.picture().strokes()) {
-            if (stroke.text.starts_with("+") || stroke.text.ends_with("at a blow!")) {
+            if (stroke.text.starts_with("+") || stroke.text.ends_with("in one fall!")) {
                 ++seen;
                 const Real half = stroke.size * static_cast<Real>(stroke.text.size()) / 4;
                 EXPECT_LE(std::abs(stroke.enlargedPlace.x) + half, layout::kRight + 1);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Palettes, size of texts and flashes: what a player with other eyes needs.
+// Palettes and flashes: what a player with other eyes needs.
 #include <apart/core/tuning.hpp>
-#include <apart/stage/layout.hpp>
 #include <apart/stage/palette.hpp>
 
 #include <gtest/gtest.h>
@@ -160,75 +159,6 @@ TEST(Flashes, ReducedFlashingDimsImpactsToo) {
     juice.take(game, std::vector<Event>{hit});
     EXPECT_LE(juice.responseOfBlock(3).heat, Real(0.2));
     EXPECT_EQ(juice.flashes().punch(), 0);
-}
-
-/// Estimated bounds of a text, from the mean width of its letters.
-Aabb boundsOf(const Stroke& stroke, Real scale) {
-    constexpr Real kLetter = Real(0.56); // mean width of a letter of the body face
-    const TextStyle& style = stroke.style;
-    const Real height = style.face == Typeface::Display ? style.height : scale * style.height;
-    Real width = kLetter * height * static_cast<Real>(stroke.text.size());
-    width = style.room > 0 ? std::min(width, style.room) : width;
-    const Real left = style.align == Align::Left     ? 0
-                      : style.align == Align::Middle ? width / 2
-                                                     : width;
-    return {{stroke.place.x - left, stroke.place.y},
-            {stroke.place.x - left + width, stroke.place.y + Real(0.7) * height}};
-}
-
-/// Texts of the picture that leave it or cover each other.
-std::vector<std::string> crowdedTexts(const RecordingCanvas& canvas) {
-    const Real scale = canvas.textScale();
-    std::vector<std::string> bad;
-    const auto& strokes = canvas.strokes();
-    for (std::size_t a = 0; a < strokes.size(); ++a) {
-        if (strokes[a].text.empty()) {
-            continue;
-        }
-        const Aabb box = boundsOf(strokes[a], scale);
-        if (!canvas.visible().contains(box)) {
-            bad.push_back(strokes[a].text + " leaves the picture");
-        }
-        for (std::size_t b = 0; b < a; ++b) {
-            const bool shadow = strokes[a].text == strokes[b].text;
-            if (!strokes[b].text.empty() && !shadow &&
-                overlap(box.grown(Real(-0.02)), boundsOf(strokes[b], scale))) {
-                bad.push_back(strokes[a].text + " covers " + strokes[b].text);
-            }
-        }
-    }
-    return bad;
-}
-
-TEST(Texts, AtTheLargestSizeLeaveEachOtherFree) {
-    StageDef def = StageRig::twoLevels();
-    def.profile.settings.text = 140;
-    def.endless = [](std::uint32_t) { return glassLevel("Endless", {7}); };
-    def.replays = [] { return std::vector<ShowEntry>{}; };
-    StageRig rig(std::move(def));
-    const auto expectFree = [&](const char* screen) {
-        rig.frame();
-        EXPECT_EQ(crowdedTexts(rig.picture()), std::vector<std::string>{}) << screen;
-    };
-    expectFree("title");
-    rig.clickItem(Action::Levels);
-    expectFree("levels");
-    rig.press(Command::Back);
-    rig.clickItem(Action::Help);
-    expectFree("help");
-    rig.frames(200);
-    expectFree("help, later");
-    rig.press(Command::Back);
-    rig.clickItem(Action::Options);
-    for (std::size_t page = 0; page < kDialPages.size(); ++page) {
-        expectFree("options");
-        rig.clickItem(Action::Page);
-    }
-    rig.press(Command::Back);
-    rig.clickItem(Action::Play);
-    expectFree("serve");
-    rig.press(Command::Pause);
-    expectFree("paused");
 }
 
 } // namespace

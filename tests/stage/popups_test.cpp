@@ -69,7 +69,7 @@ TEST(Popups, StandBesideABlockAndOverAWall) {
 TEST(Popups, MoveIntoThePartOfTheFieldThatIsShown) {
     const Aabb shown{{-6, 3}, {6, 12}};
     for (const Vec2 place : {Vec2{9, 9}, Vec2{-9, 9}, Vec2{0, 14}, Vec2{5, 1}, Vec2{0, 9}}) {
-        Popup popup = word("nine at a blow!", place);
+        Popup popup = word("nine in one fall!", place);
         const Vec2 moved = popup.placeIn(shown);
         EXPECT_EQ(moved == place, shown.contains(popup.box()));
         popup.place = moved;

@@ -92,5 +92,58 @@ TEST_F(ReplayStore, AFailureIsASentence) {
               std::string::npos);
 }
 
+TEST_F(ReplayStore, ListsTheLastGameAndTheBestOnesWithTheirLevels) {
+    std::vector<std::pair<ReplayRun, std::string>> kept;
+    StageDef def = StageRig::playing();
+    def.keeping.keepReplay = [&](const ReplayRun& run, const std::string& best) {
+        return keepReplay(folder_, run, best);
+    };
+    const LevelList levels = def.levels;
+    StageRig rig(std::move(def));
+    playToTheEnd(rig);
+    ASSERT_EQ(rig.stage.game().result(), Result::Won);
+    ASSERT_FALSE(writeTextFile(folder_ / "best" / "torn-standard.replay", "apart-replay 2\nlevel"));
+    const std::vector<fs::path> files = replayFiles(folder_);
+    ASSERT_EQ(files.size(), 3u);
+    EXPECT_EQ(files[0].filename(), "last.replay");
+    for (const fs::path& file : files) {
+        const ShowEntry entry = entryOf(file, levels);
+        EXPECT_EQ(entry.date.size(), 10u);
+        if (file.stem() == "torn-standard") {
+            EXPECT_EQ(entry.title, "torn-standard.replay");
+            EXPECT_EQ(entry.result, "cannot be read");
+            continue;
+        }
+        const bool last = file.stem() == "last";
+        EXPECT_EQ(entry.title, last ? "Last game: One block" : "One block");
+        EXPECT_EQ(entry.result, "won");
+        EXPECT_EQ(entry.score, std::optional<std::int64_t>(rig.stage.game().score()));
+        EXPECT_EQ(entry.best.has_value(), !last);
+    }
+    const auto run = std::get<ReplayRun>(readRunFile(files[0]));
+    Playback playback(run[0], levels[0]);
+    while (!playback.done()) {
+        playback.tick();
+    }
+    EXPECT_TRUE(playback.failures().empty()) << "the noted result and score are checked";
+}
+
+TEST_F(ReplayStore, AnOlderRecordingIsListedWithoutResultAndScore) {
+    EXPECT_EQ(keepReplay(folder_, {game_}, level_->name), "");
+    const ShowEntry entry = entryOf(best_, {level_});
+    EXPECT_EQ(entry.title, "One block");
+    EXPECT_EQ(entry.result, "");
+    EXPECT_FALSE(entry.score);
+    EXPECT_EQ(entry.best, (std::pair<Mode, std::string>{Mode::Standard, level_->name}));
+}
+
+TEST_F(ReplayStore, ListsOfTheBestGamesOnlyTheLatest) {
+    for (int i = 0; i < 15; ++i) {
+        EXPECT_EQ(keepReplay(folder_, {game_}, "level_" + std::to_string(i)), "");
+    }
+    EXPECT_EQ(replayFiles(folder_).size(), kMostReplays);
+    EXPECT_TRUE(replayFiles(folder_ / "none").empty());
+}
+
 } // namespace
 } // namespace apart

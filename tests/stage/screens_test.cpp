@@ -354,6 +354,8 @@ TEST(Screens, AnEndlessRunRestartsAtItsFirstLevel) {
     rig.press(Command::Next);
     EXPECT_EQ(rig.stage.game().level().title, "Another");
     rig.press(Command::Restart);
+    EXPECT_TRUE(rig.picture().says("once more to start again")) << "the run has points";
+    rig.press(Command::Restart);
     EXPECT_EQ(rig.stage.game().level().title, "Row 4");
 }
 

@@ -109,6 +109,22 @@ struct StageRig {
     RecordingCanvas canvas;
 };
 
+/// Plays until the game has points; it must not be over then.
+inline void makePoints(StageRig& rig) {
+    for (int i = 0; i < 60 * 60 && rig.stage.game().score() == 0; ++i) {
+        const Game& game = rig.stage.game();
+        Signals signals;
+        const Input wish = bot(game);
+        const Real x = game.world()[game.paddle()].position().x;
+        signals.leftHeld = wish.target && Real(*wish.target) / 1000 < x - Real(0.2);
+        signals.rightHeld = wish.target && Real(*wish.target) / 1000 > x + Real(0.2);
+        signals.commands = {Command::Launch};
+        rig.frame(signals);
+    }
+    ASSERT_GT(rig.stage.game().score(), 0);
+    ASSERT_EQ(rig.stage.game().result(), Result::Playing);
+}
+
 /// Plays the bot's moves by keys and mouse.
 inline void playToTheEnd(StageRig& rig) {
     for (int i = 0; i < 120 * 300 && rig.stage.screen() == Screen::Playing; ++i) {

@@ -45,6 +45,47 @@ TEST(Theatre, SeekingGivesTheSameStateAsPlaying) {
     EXPECT_EQ(rig.stage.game().ticks(), 0u);
 }
 
+/// Input of a mouse at this share of the bar.
+Signals mouseOnBar(Real share, bool clicked, bool dragging) {
+    const Aabb bar = Theatre::barPlace();
+    Signals signals;
+    signals.pointerNow = {Real(23) * (share - Real(0.5)), bar.center().y};
+    signals.pointer = signals.pointerNow;
+    signals.clicked = clicked;
+    signals.dragging = dragging;
+    return signals;
+}
+
+TEST(Theatre, AClickOrADragOnTheBarGoesThere) {
+    StageRig rig(watching());
+    rig.press(Command::Pause);
+    EXPECT_TRUE(rig.stage.wantsPointer());
+    const auto expectTick = [&](Real share) {
+        EXPECT_NEAR(rig.stage.game().ticks(), share * kLength, 1);
+    };
+    rig.frame(mouseOnBar(Real(0.5), false, false));
+    EXPECT_EQ(rig.stage.game().ticks(), 0u) << "without a button";
+    rig.frame(mouseOnBar(Real(0.5), true, true));
+    expectTick(Real(0.5));
+    Signals drag = mouseOnBar(Real(0.25), false, true);
+    drag.pointerNow.y = 9; // the bar stays held
+    drag.pointer = drag.pointerNow;
+    rig.frame(drag);
+    expectTick(Real(0.25));
+    rig.frame(mouseOnBar(Real(0.75), false, false)); // released there
+    expectTick(Real(0.75));
+    rig.frame(mouseOnBar(Real(0.1), false, true));
+    expectTick(Real(0.75));
+    rig.click({0, 9});
+    expectTick(Real(0.75));
+    rig.frame(mouseOnBar(Real(1), true, false));
+    EXPECT_EQ(rig.stage.game().ticks(), kLength);
+    rig.frame(mouseOnBar(Real(0), true, false));
+    EXPECT_EQ(rig.stage.game().ticks(), 0u);
+    rig.press(Command::Confirm); // takes over
+    EXPECT_FALSE(rig.stage.wantsPointer());
+}
+
 TEST(Theatre, PausesAndChangesItsSpeed) {
     Theatre theatre;
     EXPECT_EQ(theatre.pace(), 1);
@@ -81,6 +122,7 @@ TEST(Theatre, AGameTakenOverIsRecordedFromTheFirstTick) {
     rig.frames(60);
     rig.press(Command::Pause);
     rig.clickItem(Action::ToTitle);
+    rig.clickItem(Action::ToTitle); // the game has points
     ASSERT_EQ(kept.size(), 1u);
     EXPECT_GT(kept[0].end, 600u);
     Playback playback(kept[0], level);
@@ -92,17 +134,23 @@ TEST(Theatre, AGameTakenOverIsRecordedFromTheFirstTick) {
 
 TEST(Theatre, ListsReplaysAndTellsWhyOneCannotBePlayed) {
     StageDef def = StageRig::twoLevels();
+    def.profile.enter(Mode::Standard, "test_1", {6789, true, false, false});
     def.replays = [] {
         std::vector<ShowEntry> entries;
-        entries.push_back({"a game", [] { return watching().show.value(); }});
-        entries.push_back(
-            {"an old game", [] { return std::variant<Show, std::string>("It is too old."); }});
+        entries.push_back({"a game", "2026-11-26", "won", 12345});
+        entries.back().load = [] { return watching().show.value(); };
+        entries.push_back({"an old game", "2026-11-25"});
+        entries.back().best = {Mode::Standard, "test_1"};
+        entries.back().load = [] { return std::variant<Show, std::string>("It is too old."); };
         return entries;
     };
     StageRig rig(std::move(def));
     rig.clickItem(Action::Records);
     rig.clickItem(Action::Replays);
-    EXPECT_TRUE(rig.picture().says("an old game"));
+    for (const char* text : {"a game", "2026-11-26", "won", "12 345", "an old game"}) {
+        EXPECT_TRUE(rig.picture().says(text)) << text;
+    }
+    EXPECT_TRUE(rig.picture().says("6 789")) << "the score of the profile";
     rig.click(rig.stage.menu().place(1).center());
     EXPECT_EQ(rig.stage.screen(), Screen::Title);
     EXPECT_TRUE(rig.picture().says("It is too old."));

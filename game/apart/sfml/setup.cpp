@@ -94,30 +94,12 @@ std::string takeReplay(StageDef& def, const std::string& file) {
     return {};
 }
 
-/// The replays of the player: the last game, then the best ones, the latest first.
-std::vector<ShowEntry> replaysIn(const std::filesystem::path& folder) {
-    std::error_code error;
-    std::vector<std::filesystem::path> files;
-    for (std::filesystem::directory_iterator entry(folder / "best", error), end;
-         !error && entry != end; entry.increment(error)) {
-        if (entry->path().extension() == ".replay") {
-            files.push_back(entry->path());
-        }
-    }
-    const auto timeOf = [](const std::filesystem::path& file) {
-        std::error_code unread;
-        return std::filesystem::last_write_time(file, unread);
-    };
-    std::sort(files.begin(), files.end(),
-              [&](const auto& a, const auto& b) { return timeOf(a) > timeOf(b); });
+/// The replays of the player.
+std::vector<ShowEntry> replaysIn(const std::filesystem::path& folder, const LevelList& levels) {
     std::vector<ShowEntry> entries;
-    if (std::filesystem::exists(folder / "last.replay", error)) {
-        files.insert(files.begin(), folder / "last.replay");
-    }
-    for (const std::filesystem::path& file : files) {
-        const bool last = file.filename() == "last.replay";
-        entries.push_back({last ? "the last game" : "best of " + file.stem().string(),
-                           [file] { return showOf(file); }});
+    for (const std::filesystem::path& file : replayFiles(folder)) {
+        entries.push_back(entryOf(file, levels));
+        entries.back().load = [file] { return showOf(file); };
     }
     return entries;
 }
@@ -145,7 +127,9 @@ void takeProfile(StageDef& def) {
     if (!loaded.notice.empty()) {
         def.notices.push_back(std::move(loaded.notice));
     }
-    def.replays = [folder = file->parent_path()] { return replaysIn(folder); };
+    def.replays = [folder = file->parent_path(), levels = def.levels] {
+        return replaysIn(folder, levels);
+    };
     def.scores = scoresIn(file->parent_path(), def.levels);
     def.keeping.keepReplay = [folder = file->parent_path()](const ReplayRun& run,
                                                             const std::string& best) {

@@ -127,7 +127,11 @@ void SfmlCanvas::ring(Vec2 center, Real radius, Real width, Color color) {
 
 /// False if the display face lacks a sign of the text.
 bool SfmlCanvas::display(std::string_view text, Vec2 place, const TextStyle& style) {
-    const Real unit = kCapitalShare * style.height / kCapital;
+    Real unit = kCapitalShare * style.height / kCapital;
+    if (style.room > 0) {
+        const std::optional<LaidText> widest = layStones(text, kWidestJoint);
+        unit = widest ? std::min(unit, style.room / widest->width) : unit;
+    }
     const float unitPixels = camera_.toPixels(unit);
     // Joints of at least a pixel, but never wide ones.
     const std::optional<LaidText> laid =
@@ -175,6 +179,10 @@ void SfmlCanvas::text(std::string_view utf8, Vec2 place, const TextStyle& style)
     if (const float room = camera_.toPixels(style.room); room > 0 && width > room) {
         pixels = std::max(std::floor(pixels * room / width), 4.0f);
         width = kodo_sfml::textWidth(font, utf8, static_cast<unsigned>(pixels));
+        while (width > room && pixels > 4) { // letters have widths of whole pixels
+            --pixels;
+            width = kodo_sfml::textWidth(font, utf8, static_cast<unsigned>(pixels));
+        }
     }
     const auto height = static_cast<unsigned>(pixels);
     sf::Vector2f start = camera_.toPixels(place);

@@ -110,6 +110,7 @@ Signals SfmlControls::poll() {
     signals.pullHeld = holds(Act::Pull) || buttons_[0];
     signals.pushHeld = holds(Act::Push) || buttons_[1];
     signals.pointerNow = pointer_;
+    signals.dragging = dragging_ && !captured_;
     pollPad(signals);
     recentre();
     return signals;
@@ -168,6 +169,7 @@ void SfmlControls::take(const sf::Event& event, Signals& signals) {
         signals.focusLost = focused_; // some systems send it before any gain
         held_ = {};
         buttons_ = {};
+        dragging_ = false;
         return;
     case sf::Event::KeyPressed:
         signals.anyKey = true;
@@ -187,11 +189,13 @@ void SfmlControls::take(const sf::Event& event, Signals& signals) {
     case sf::Event::MouseButtonPressed:
         move({event.mouseButton.x, event.mouseButton.y}, signals);
         signals.clicked = signals.clicked || event.mouseButton.button == sf::Mouse::Left;
+        dragging_ = dragging_ || event.mouseButton.button == sf::Mouse::Left;
         return hold(event.mouseButton.button, captured_);
     case sf::Event::MouseWheelScrolled:
         signals.commands.push_back(event.mouseWheelScroll.delta > 0 ? Command::Up : Command::Down);
         return;
     case sf::Event::MouseButtonReleased:
+        dragging_ = dragging_ && event.mouseButton.button != sf::Mouse::Left;
         return hold(event.mouseButton.button, false);
     default:
         return;

@@ -44,6 +44,7 @@ private:
     Bindings bindings_;
     std::array<bool, kKeyNames.size()> held_{}; // by key
     std::array<bool, 2> buttons_{};             // left, right
+    bool dragging_ = false;                     // the left one, of a free mouse
     Vec2 pointer_;                              // m
     bool focused_ = false;                      // at least once so far
     bool captured_ = false;

@@ -25,7 +25,7 @@ struct TextStyle {
     Color color{};
     Typeface face = Typeface::Plain;
     Align align = Align::Left;
-    Real room = 0; // m; a wider text in Plain or Bold is made smaller. 0: any width
+    Real room = 0; // m; a wider text is made smaller. 0: any width
 };
 
 /// Drawing surface. Positions and lengths are metres of the field, y up. Later drawing covers

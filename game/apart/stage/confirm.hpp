@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <apart/stage/controls.hpp>
-
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
 namespace apart {
 
-/// Commands that lose a game ask once: they take effect when given again within kSeconds.
+/// A way to end a game, or the program.
+enum class Ending : std::uint8_t { Quit, Restart, Levels, Title };
+
+/// What loses a game asks once: it takes effect when given again within kSeconds.
 class Confirm {
 public:
     static constexpr double kSeconds = 2.5;
 
-    /// True if this command is the second one. `now` is any clock (s).
-    bool ask(Command command, double now) {
-        const bool again = asked_ == command && now - since_ < kSeconds;
-        asked_ = again ? std::nullopt : std::optional(command);
+    /// True if this ending was asked for just before. `now` is any clock (s).
+    bool ask(Ending ending, double now) {
+        const bool again = asked_ == ending && now - since_ < kSeconds;
+        asked_ = again ? std::nullopt : std::optional(ending);
         since_ = now;
         return again;
     }
@@ -25,11 +27,13 @@ public:
         if (!asked_ || now - since_ >= kSeconds) {
             return {};
         }
-        return *asked_ == Command::Restart ? "once more to start again" : "once more to quit";
+        return *asked_ == Ending::Restart ? "once more to start again"
+               : *asked_ == Ending::Quit  ? "once more to quit"
+                                          : "once more to leave the game";
     }
 
 private:
-    std::optional<Command> asked_;
+    std::optional<Ending> asked_;
     double since_ = 0; // s
 };
 

@@ -36,6 +36,7 @@ struct Signals {
     std::optional<kodo::Vec2> pointer{}; // m; new position of a free mouse, if it moved
     bool clicked = false;                // at `pointerNow`; also for a captured mouse
     kodo::Vec2 pointerNow{};             // m
+    bool dragging = false;               // the left button of a free mouse is held
     std::vector<Command> commands{};     // in order of pressing
     std::vector<Press> presses{};        // the same keys and buttons, whatever they mean
     bool anyKey = false;                 // any key was pressed, even an unassigned one

@@ -83,7 +83,7 @@ std::array<Honour, 3> honoursOf(const Game& game) {
     const bool won = game.result() == Result::Won;
     return {{{"cleared", won},
              {"no ball lost", won && game.lives() == game.level().lives},
-             {"eight at once", std::max(game.combo(), game.collapse().largest) >= 8}}};
+             {"8 in one combo or fall", std::max(game.combo(), game.collapse().largest) >= 8}}};
 }
 
 /// Lines of a text at the current size, within `room` (m).
@@ -139,10 +139,19 @@ void paintCaption(Canvas& canvas, const Aabb& box, const Caption& caption, bool 
 
 void paintHonours(Canvas& canvas, const Aabb& box, const Game& game) {
     const Layout layout(canvas);
-    const Real y = Layout::nameLine(canvas, box) - layout.pitch;
+    Real y = Layout::nameLine(canvas, box) - layout.pitch;
     Real x = box.lower.x;
-    for (const Honour& honour : honoursOf(game)) {
-        const Real room = kWide * static_cast<Real>(honour.name.size() + 2) / 38; // of all letters
+    const auto honours = honoursOf(game);
+    const std::array<Real, 3> shares = layout.lines > 1
+                                           ? std::array{Real(0.4), Real(0.6), Real(1)}
+                                           : std::array{Real(0.2), Real(0.3), Real(0.5)};
+    for (std::size_t i = 0; i < honours.size(); ++i) {
+        const Honour& honour = honours[i];
+        const Real room = kWide * shares[i];
+        if (x + room > box.upper.x + Real(0.1)) { // the last one has a line of its own
+            x = box.lower.x;
+            y -= layout.pitch;
+        }
         const Color color = honour.done ? palette::kAccent : palette::kQuiet;
         const Vec2 dot{x + Real(0.16), y + Real(0.14)};
         if (honour.done) {

@@ -48,11 +48,10 @@ void paintLevel(Canvas& canvas, const Game& game, const HudLook& look) {
     canvas.text("aPart", {kPanelLeft, Real(17.05)}, display(Real(1.15), palette::kAccent));
     canvas.text(look.place, {kPanelLeft, Real(16.0)}, quiet(Real(0.42)));
     if (game.mode() == Mode::Pure) {
-        canvas.text("PURE", {kPanelRight, Real(16.0)},
-                    {Real(0.42), palette::kAccent, Typeface::Bold, Align::Right});
+        canvas.text("PURE", {kPanelLeft, Real(18.1)}, strong(Real(0.42), palette::kAccent));
     }
     Real y = Real(15.3);
-    for (const std::string& line : wrapped(game.level().title, 12)) {
+    for (const std::string& line : wrappedInto(2, game.level().title, 12)) {
         canvas.text(line, {kPanelLeft, y}, strong(line.size() > 10 ? Real(0.52) : Real(0.58)));
         y -= Real(0.72) + Real(0.25) * (canvas.textScale() - 1);
     }
@@ -98,7 +97,8 @@ void paintMeter(Canvas& canvas, const Game& game) {
                        : game.force() == Force::Push ? "PUSH"
                                                      : "PULL / PUSH";
     canvas.text(word, {kPanelLeft, Real(8.6)},
-                {Real(0.42), acts ? palette::kPaddle : palette::kQuiet});
+                {Real(0.42), acts ? palette::kPaddle : palette::kQuiet, Typeface::Plain,
+                 Align::Left, kPanelRoom});
     paintBar(canvas, barAt(Real(8.15)), game.meter(),
              game.meter() > Real(0.15) ? palette::kPaddle : palette::kDanger);
 }
@@ -143,11 +143,14 @@ void paintPowers(Canvas& canvas, const Game& game) {
 }
 
 void paintFoot(Canvas& canvas, const HudLook& look) {
-    if (*look.pilot != '\0') {
+    if (!look.pilot.empty()) {
         canvas.text(look.pilot, {kPanelLeft, Real(0.9)}, strong(Real(0.5), palette::kAccent));
     }
     const std::string pause = fmt::format("{}: pause", look.keys.firstKey(Act::Pause));
     const std::string sound = fmt::format("sound off ({})", look.keys.firstKey(Act::Mute));
+    if (!look.foot.empty()) {
+        return canvas.text(look.foot, {kPanelLeft, Real(0.2)}, quiet(Real(0.42)));
+    }
     canvas.text(look.muted ? sound : pause, {kPanelLeft, Real(0.2)}, quiet(Real(0.36)));
 }
 
@@ -180,6 +183,19 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t letters) {
         lines.push_back(line);
     }
     return lines;
+}
+
+std::vector<std::string> wrappedInto(std::size_t lines, std::string_view text,
+                                     std::size_t letters) {
+    std::vector<std::string> found = wrapped(text, letters);
+    while (found.size() > lines) {
+        found = wrapped(text, ++letters);
+    }
+    return found;
+}
+
+std::size_t fitting(const Canvas& canvas, std::size_t letters) {
+    return static_cast<std::size_t>(static_cast<Real>(letters) / canvas.textScale());
 }
 
 /// Area (m^2) of the blocks that lines from `bottom` to `top` (m) would cover.
@@ -222,11 +238,12 @@ void paintServeHint(Canvas& canvas, const Game& game, const Bindings& keys) {
     if (!game.serving() || game.result() != Result::Playing || falls) {
         return; // not over what falls
     }
+    constexpr Real kRoom = 2 * layout::kRight - 1; // m
     const auto line = [&](std::string_view text, Real y, Real height, Color color) {
         const Typeface face = height > 1 ? Typeface::Display : Typeface::Bold;
         canvas.text(text, {Real(0.04), y - Real(0.04)},
-                    {height, palette::kInk, face, Align::Middle});
-        canvas.text(text, {0, y}, {height, color, face, Align::Middle});
+                    {height, palette::kInk, face, Align::Middle, kRoom});
+        canvas.text(text, {0, y}, {height, color, face, Align::Middle, kRoom});
     };
     const bool first = game.score() == 0;
     const std::vector<std::string> idea = wrapped(game.level().idea, 48);

@@ -18,7 +18,8 @@ struct HudLook {
     std::int32_t best = 0;        // score to beat; 0: none
     Bindings keys{};
     bool muted = false;
-    const char* pilot = ""; // label of the player in control; empty: the human player
+    std::string pilot{}; // label of the player in control; empty: the human player
+    std::string foot{};  // last line of the panel; empty: the key that pauses
 };
 
 void paintHud(Canvas& canvas, const Game& game, const HudLook& look);
@@ -31,5 +32,11 @@ std::string grouped(int number);
 
 /// Breaks a text between words into lines of at most `letters` letters.
 std::vector<std::string> wrapped(std::string_view text, std::size_t letters);
+
+/// Breaks a text into at most `lines` lines: of `letters` letters, or of as many as needed.
+std::vector<std::string> wrappedInto(std::size_t lines, std::string_view text, std::size_t letters);
+
+/// Letters of the usual size that fit in a line at the current size of texts.
+std::size_t fitting(const Canvas& canvas, std::size_t letters);
 
 } // namespace apart

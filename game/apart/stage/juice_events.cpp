@@ -34,9 +34,9 @@ Color colorOf(const Struck& hit, const Palette& tints) {
 std::string_view praiseOf(int combo) {
     switch (combo) {
     case 5:
-        return "chain of five";
+        return "combo of five";
     case 8:
-        return "chain of eight!";
+        return "combo of eight!";
     case 12:
         return "a dozen!";
     case 20:
@@ -46,14 +46,14 @@ std::string_view praiseOf(int combo) {
     }
 }
 
-/// "nine at a blow!"
+/// "nine in one fall!"
 std::string fallText(int blocks) {
     constexpr std::array<std::string_view, 10> kWords = {
         "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"};
     const auto index = static_cast<std::size_t>(blocks - kLeastCollapse);
     const std::string count =
         index < kWords.size() ? std::string(kWords[index]) : std::to_string(blocks);
-    return count + " at a blow" + (blocks >= kGreatFall ? "!" : "");
+    return count + " in one fall" + (blocks >= kGreatFall ? "!" : "");
 }
 
 Burst blastOf(Vec2 point, Color color, int count, Real speed) {

@@ -115,10 +115,11 @@ bool KeyScreen::take(const Signals& signals, Bindings& bindings) {
 
 void KeyScreen::draw(Canvas& canvas, const Bindings& bindings) const {
     canvas.text("Keys and buttons", {0, Real(15.0)},
-                {Real(1.4), palette::kText, Typeface::Bold, Align::Middle});
+                {Real(1.4), palette::kText, Typeface::Display, Align::Middle});
     for (std::size_t column = 0; column < Bindings::kColumns; ++column) {
-        canvas.text(kHeads[column], {cell(0, column).center().x, kKeysTop + Real(0.3)},
-                    {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Middle});
+        canvas.text(
+            kHeads[column], {cell(0, column).center().x, kKeysTop + Real(0.3)},
+            {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Middle, kKeysColumn - Real(0.4)});
     }
     const auto frame = [&](const Aabb& box) {
         const std::array<Vec2, 4> corners = {box.lower, Vec2{box.upper.x, box.lower.y}, box.upper,
@@ -132,14 +133,14 @@ void KeyScreen::draw(Canvas& canvas, const Bindings& bindings) const {
         if (chosen) {
             frame(box);
         }
-        canvas.text(
-            text, {box.center().x, box.lower.y + Real(0.27)},
-            {Real(0.5), chosen ? palette::kAccent : palette::kText, Typeface::Bold, Align::Middle});
+        canvas.text(text, {box.center().x, box.lower.y + Real(0.27)},
+                    {Real(0.5), chosen ? palette::kAccent : palette::kText, Typeface::Bold,
+                     Align::Middle, box.extent().x - Real(0.2)});
     };
     for (std::size_t row = 0; row < kActs; ++row) {
         const auto act = static_cast<Act>(row);
         canvas.text(kLabels[row], {kNameRight, cell(row, 0).lower.y + Real(0.27)},
-                    {Real(0.5), palette::kQuiet, Typeface::Plain, Align::Right});
+                    {Real(0.5), palette::kQuiet, Typeface::Plain, Align::Right, Real(9)});
         for (std::size_t column = 0; column < Bindings::kColumns; ++column) {
             const bool here = waiting_ && row == row_ && column == column_;
             const bool stick = column == Bindings::kPadColumn && !hasButton(act);
@@ -157,7 +158,7 @@ void KeyScreen::draw(Canvas& canvas, const Bindings& bindings) const {
                                       : "enter or click: change      delete: no key";
     canvas.text(notice_.empty() ? hint : notice_, {0, Real(1.1)},
                 {Real(0.46), notice_.empty() ? palette::kQuiet : palette::kDanger, Typeface::Plain,
-                 Align::Middle});
+                 Align::Middle, Real(24)});
 }
 
 } // namespace apart

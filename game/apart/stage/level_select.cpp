@@ -27,6 +27,7 @@ constexpr Vec2 kTile{Real(2.8), Real(2.1)};
 constexpr Real kHeader = Real(0.75); // m, above the tiles of a row
 constexpr Real kAboutLeft = Real(4.7);
 constexpr Real kAboutRight = Real(14.6);
+constexpr Real kPreviewBelow = Real(5.9); // m; what stands below needs so much
 constexpr Vec2 kNowhere{1000, 1000};
 
 std::array<Vec2, 4> cornersOf(const Aabb& box) {
@@ -175,19 +176,21 @@ void LevelSelect::drawBest(Canvas& canvas, const Records& records, Mode mode, Ve
                 {Real(0.4), counts ? palette::kAccent : palette::kQuiet, Typeface::Plain,
                  Align::Left, Real(2.2)});
     canvas.text(shown ? grouped(standing.score) : "-", place - Vec2{0, Real(0.9)},
-                {Real(0.8), proved ? palette::kText : palette::kQuiet, Typeface::Bold});
+                {Real(0.8), proved ? palette::kText : palette::kQuiet, Typeface::Bold, Align::Left,
+                 Real(3.1)});
     const Medal medal = records.medalOf(mode, level);
     const std::int32_t next = nextMark(proved ? standing.score : 0, level, records.marks());
     paintMedal(canvas, place + Vec2{Real(3.6), Real(-0.62)}, Real(0.36), medal);
     if (mode == Mode::Standard) {
         std::string offers;
-        for (const std::string& name :
-             honourNames(*levels_[chosen_], marksFor(level, records.marks()))) {
-            offers += name == "cleared" || name == "no ball lost" || name == "chain of 8"
-                          ? ""
-                          : (offers.empty() ? "" : ", ") + name;
+        const std::vector<std::string> names =
+            honourNames(*levels_[chosen_], marksFor(level, records.marks()));
+        for (std::size_t i = kUsualHonours; i < names.size(); ++i) {
+            offers += (offers.empty() ? "" : ", ") + names[i];
         }
-        canvas.text(offers, place + Vec2{0, Real(-2.75)}, {Real(0.4), palette::kQuiet});
+        canvas.text(
+            offers, place + Vec2{0, Real(-2.75)},
+            {Real(0.4), palette::kQuiet, Typeface::Plain, Align::Left, kAboutRight - kAboutLeft});
     }
     if (counts && next > 0) {
         canvas.text(
@@ -198,7 +201,8 @@ void LevelSelect::drawBest(Canvas& canvas, const Records& records, Mode mode, Ve
     const std::string note = standing.proof == Proof::Missing
                                  ? fmt::format("{}: {}", grouped(standing.score), standing.note)
                                  : standing.note;
-    canvas.text(note, place - Vec2{0, Real(1.35)}, {Real(0.36), palette::kQuiet});
+    canvas.text(note, place - Vec2{0, Real(1.35)},
+                {Real(0.36), palette::kQuiet, Typeface::Plain, Align::Left, Real(4.7)});
     const MedalMarks* marks = marksFor(level, records.marks());
     paintHonours(canvas, place + Vec2{Real(0.3), Real(-1.95)}, {Real(0.8), 0}, Real(0.26),
                  {records.honoursOf(mode, level), *levels_[chosen_], marks});
@@ -208,19 +212,22 @@ void LevelSelect::drawChosen(Canvas& canvas, const Records& records, double seco
     const Level& level = *levels_[chosen_];
     const ThemeLook& look = lookOf(level.theme);
     canvas.text(fmt::format("LEVEL {}   {}", chosen_ + 1, look.title), {kAboutLeft, Real(14.9)},
-                {Real(0.42), look.glow});
+                {Real(0.42), look.glow, Typeface::Plain, Align::Left, kAboutRight - kAboutLeft});
     Real y = Real(13.8);
-    for (const std::string& line : wrapped(level.title, 14)) {
-        canvas.text(line, {kAboutLeft, y}, {Real(0.9), palette::kText, Typeface::Display});
+    for (const std::string& line : wrappedInto(2, level.title, 14)) {
+        canvas.text(
+            line, {kAboutLeft, y},
+            {Real(0.9), palette::kText, Typeface::Display, Align::Left, kAboutRight - kAboutLeft});
         y -= Real(1.05);
     }
-    for (const std::string& line : wrapped(level.idea, 38)) {
+    for (const std::string& line : wrappedInto(5, level.idea, fitting(canvas, 38))) {
         canvas.text(
             line, {kAboutLeft, y},
             {Real(0.46), palette::kQuiet, Typeface::Plain, Align::Left, kAboutRight - kAboutLeft});
         y -= Real(0.66);
     }
-    const Aabb box{{kAboutLeft, y - Real(4.9)}, {kAboutRight, y - Real(0.1)}};
+    const Aabb box{{kAboutLeft, std::max(y - Real(4.9), kPreviewBelow)},
+                   {kAboutRight, y - Real(0.1)}};
     canvas.polygon(cornersOf(box), {10, 12, 24, 190});
     paintPreview(canvas, level, box.grown(Real(-0.25)));
     y = box.lower.y - Real(0.65);
@@ -247,7 +254,7 @@ void LevelSelect::drawFoot(Canvas& canvas, const Records& records) const {
     }
     const Aabb back = backPlace();
     canvas.text("\u2039 back (escape)", {back.lower.x, back.lower.y + Real(0.35)},
-                {Real(0.46), palette::kText});
+                {Real(0.46), palette::kText, Typeface::Plain, Align::Left, Real(8)});
     canvas.text(
         fmt::format("{} of {} cleared, {} points in all", cleared, levels_.size(),
                     grouped(static_cast<int>(std::min<std::int64_t>(points, 999999999)))),
@@ -279,7 +286,7 @@ void LevelSelect::draw(Canvas& canvas, const Records& records, double seconds) c
         if (levels.newTheme) {
             const ThemeLook& theme = lookOf(levels_[levels.first]->theme);
             canvas.text(theme.title, {kTilesLeft, rowTop(row) - Real(0.5)},
-                        {Real(0.46), theme.glow, Typeface::Bold});
+                        {Real(0.46), theme.glow, Typeface::Bold, Align::Left, Real(8)});
         }
         for (std::size_t i = levels.first; i < levels.first + levels.count; ++i) {
             drawTile(canvas, i, records);

@@ -12,9 +12,8 @@ namespace apart {
 
 namespace {
 
-constexpr Real kRow = Real(0.98);      // m, between items
-constexpr Real kHalfWidth = Real(5.7); // m
-constexpr Real kBarLeft = Real(0.5);   // m, from the centre
+constexpr Real kRow = Real(0.98);    // m, between items
+constexpr Real kBarLeft = Real(0.5); // m, from the centre
 constexpr Real kBarRight = Real(3.0);
 constexpr int kNotch = 10; // percent
 
@@ -33,7 +32,7 @@ std::string valueText(const Gauge& gauge) {
 
 Aabb Menu::place(std::size_t item) const {
     const Real top = top_ - kRow * static_cast<Real>(item);
-    return {{-kHalfWidth, top - kRow + Real(0.1)}, {kHalfWidth, top}};
+    return {{-halfWidth_, top - kRow + Real(0.1)}, {halfWidth_, top}};
 }
 
 Aabb Menu::bar(std::size_t item) const {
@@ -152,8 +151,8 @@ void Menu::drawDial(Canvas& canvas, std::size_t item, Color color) const {
     const Aabb box = place(item);
     const Real y = box.lower.y + Real(0.27);
     canvas.text(items_[item].label, {box.lower.x + Real(0.5), y},
-                {Real(0.5), color, Typeface::Plain, Align::Left, kHalfWidth - Real(0.3)});
-    const Real room = gauge.words.empty() ? kHalfWidth - kBarRight - Real(0.6) : Real(4.6);
+                {Real(0.5), color, Typeface::Plain, Align::Left, halfWidth_ - Real(0.3)});
+    const Real room = gauge.words.empty() ? halfWidth_ - kBarRight - Real(0.6) : Real(4.6);
     canvas.text(valueText(gauge), {box.upper.x - Real(0.4), y},
                 {Real(0.5), color, Typeface::Plain, Align::Right, room});
     if (!gauge.words.empty()) {
@@ -171,6 +170,26 @@ void Menu::drawDial(Canvas& canvas, std::size_t item, Color color) const {
     canvas.disc({end, middle}, Real(0.2), lighter(color, 0.3f), color);
 }
 
+/// The label takes a bit less than half of the width; the columns share the rest. The last one ends
+/// at the right.
+void Menu::drawRow(Canvas& canvas, std::size_t item, Color color) const {
+    constexpr Real kMargin = Real(0.5); // m, also between columns
+    const Aabb box = place(item);
+    const Real y = box.lower.y + Real(0.27);
+    const std::vector<std::string>& columns = items_[item].columns;
+    const Real first = Real(0.45) * box.extent().x;
+    const Real step = (box.extent().x - first - kMargin) / static_cast<Real>(columns.size());
+    canvas.text(items_[item].label, {box.lower.x + kMargin, y},
+                {Real(0.52), color, Typeface::Bold, Align::Left, first - Real(1.5) * kMargin});
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const bool last = i + 1 == columns.size();
+        const Real left = box.lower.x + first + static_cast<Real>(i) * step;
+        canvas.text(columns[i], {last ? left + step : left, y},
+                    {Real(0.52), color, Typeface::Plain, last ? Align::Right : Align::Left,
+                     step - kMargin});
+    }
+}
+
 void Menu::draw(Canvas& canvas) const {
     for (std::size_t i = 0; i < items_.size(); ++i) {
         const Aabb box = place(i);
@@ -184,9 +203,12 @@ void Menu::draw(Canvas& canvas) const {
         const Color color = chosen ? palette::kAccent : palette::kText;
         if (items_[i].gauge) {
             drawDial(canvas, i, color);
+        } else if (!items_[i].columns.empty()) {
+            drawRow(canvas, i, color);
         } else {
-            canvas.text(items_[i].label, {0, box.lower.y + Real(0.27)},
-                        {Real(0.56), color, Typeface::Bold, Align::Middle});
+            canvas.text(
+                items_[i].label, {0, box.lower.y + Real(0.27)},
+                {Real(0.56), color, Typeface::Bold, Align::Middle, 2 * halfWidth_ - Real(0.6)});
         }
     }
 }

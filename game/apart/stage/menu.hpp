@@ -49,6 +49,8 @@ struct MenuItem {
     std::string label;
     std::optional<Gauge> gauge{};
     std::size_t dial = 0; // index into kDials, if there is a gauge
+    /// Further columns; then the label is the first one, at the left.
+    std::vector<std::string> columns{};
 };
 
 /// Result of an input: an item was chosen, or a dial got a new value.
@@ -62,7 +64,8 @@ struct MenuOutcome {
 class Menu {
 public:
     Menu() = default;
-    Menu(std::vector<MenuItem> items, Real top) : items_(std::move(items)), top_(top) {}
+    Menu(std::vector<MenuItem> items, Real top, Real halfWidth = Real(5.7))
+        : items_(std::move(items)), top_(top), halfWidth_(halfWidth) {}
 
     std::optional<MenuOutcome> take(const Signals& signals);
     void setPercent(std::size_t dial, int percent);
@@ -82,10 +85,12 @@ private:
     std::optional<MenuOutcome> click(Vec2 place) const;
     std::optional<MenuOutcome> turned(const MenuItem& item, int percent) const;
     std::optional<std::size_t> itemAt(Vec2 place) const;
+    void drawRow(Canvas& canvas, std::size_t item, Color color) const;
     void drawDial(Canvas& canvas, std::size_t item, Color color) const;
 
     std::vector<MenuItem> items_;
-    Real top_ = 0; // m, top of the first item
+    Real top_ = 0;               // m, top of the first item
+    Real halfWidth_ = Real(5.7); // m
     std::size_t chosen_ = 0;
 };
 

@@ -64,10 +64,16 @@ Menu recordsMenu(bool replays) {
 Menu replaysMenu(const std::vector<ShowEntry>& replays) {
     std::vector<MenuItem> items;
     for (std::size_t i = 0; i < replays.size(); ++i) {
-        items.push_back({Action::Replay, replays[i].label, std::nullopt, i});
+        const ShowEntry& replay = replays[i];
+        items.push_back({Action::Replay,
+                         replay.title,
+                         std::nullopt,
+                         i,
+                         {replay.date, replay.result,
+                          replay.score ? grouped(static_cast<int>(*replay.score)) : ""}});
     }
     items.push_back({Action::Back, "Back"});
-    return {std::move(items), Real(13.2)};
+    return {std::move(items), Real(13.2), Real(13)};
 }
 
 Menu optionsMenu(const Settings& settings, int page) {

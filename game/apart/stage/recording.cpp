@@ -7,6 +7,12 @@ namespace apart {
 
 void RecordingCanvas::begin(const Aabb& shown, Vec2 shake) {
     shown_ = shown;
+    if (window_.x > 0 && window_.y > 0) {
+        const Vec2 extent = shown.extent();
+        const Real scale = std::min(window_.x / extent.x, window_.y / extent.y);
+        const Vec2 half = window_ / (2 * scale);
+        shown_ = {shown.center() - half, shown.center() + half};
+    }
     shake_ = shake;
     focus_ = {};
     zoom_ = 1;

@@ -36,6 +36,9 @@ class RecordingCanvas : public Canvas {
 public:
     void begin(const Aabb& shown, Vec2 shake) override;
     Aabb visible() const override { return shown_; }
+    /// Size of the window (pixels) from the next begin() on; without one, the picture has the shape
+    /// of what it must show.
+    void setWindow(Vec2 pixels) { window_ = pixels; }
     void zoom(Vec2 focus, Real scale) override;
     void setGlow(bool) override {}
     void rectangle(const Aabb& box, Color below, Color above) override;
@@ -61,6 +64,7 @@ public:
 
 private:
     Aabb shown_{};
+    Vec2 window_; // pixels
     Vec2 shake_;
     Vec2 focus_;
     Real zoom_ = 1;

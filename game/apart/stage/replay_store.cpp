@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
+#include <apart/core/endless.hpp>
+#include <apart/stage/daily.hpp>
 #include <apart/stage/profile_file.hpp>
 #include <apart/stage/replay_store.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <chrono>
 
 namespace apart {
 
@@ -31,7 +36,118 @@ void setAside(const std::filesystem::path& file, const ReplayRun& better) {
     }
 }
 
+/// The day of the last change (UTC): 2026-11-26.
+std::string dateOf(const std::filesystem::path& file) {
+    using namespace std::chrono;
+    std::error_code error;
+    const auto time = std::filesystem::last_write_time(file, error);
+    if (error) {
+        return {};
+    }
+    const year_month_day date(floor<days>(file_clock::to_sys(time)));
+    return fmt::format("{}-{:02}-{:02}", static_cast<int>(date.year()),
+                       static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()));
+}
+
+/// Title of the level, or of the run.
+std::string titleOf(const std::filesystem::path& file, const ReplayRun& run,
+                    const LevelList& levels) {
+    const std::string& name = run[0].level;
+    if (const std::optional<EndlessName> first = parseEndless(name)) {
+        const std::string count =
+            run.size() > 1 ? fmt::format(", {} levels", run.size()) : std::string(", 1 level");
+        return (isDaily(run, first->seed) ? "Daily run " + dayText(first->seed) : "Endless") +
+               count;
+    }
+    const auto listed = std::find_if(levels.begin(), levels.end(),
+                                     [&](const auto& level) { return level->name == name; });
+    if (listed != levels.end()) {
+        return (*listed)->title;
+    }
+    const Read<Level> level = loadLevelOf(file, name);
+    const auto* read = std::get_if<Level>(&level);
+    return read != nullptr ? read->title : name;
+}
+
+/// The value that a replay expects of a field at its end, if it has one.
+std::optional<std::int64_t> atEnd(const Replay& replay, Field field) {
+    for (const Expectation& expectation : replay.expectations) {
+        if (expectation.field == field && expectation.when == When::At &&
+            expectation.comparison == Comparison::Equal && expectation.tick == replay.end) {
+            return expectation.value;
+        }
+    }
+    return std::nullopt;
+}
+
+/// Sum of the scores; nullopt if one is not noted.
+std::optional<std::int64_t> scoreOf(const ReplayRun& run) {
+    std::int64_t sum = 0;
+    for (const Replay& replay : run) {
+        const std::optional<std::int64_t> score = atEnd(replay, Field::Score);
+        if (!score) {
+            return std::nullopt;
+        }
+        sum += *score;
+    }
+    return sum;
+}
+
+std::filesystem::file_time_type timeOf(const std::filesystem::path& file) {
+    std::error_code unread;
+    return std::filesystem::last_write_time(file, unread);
+}
+
 } // namespace
+
+ShowEntry entryOf(const std::filesystem::path& file, const LevelList& levels) {
+    const bool last = file.filename() == "last.replay";
+    ShowEntry entry;
+    entry.date = dateOf(file);
+    const Read<ReplayRun> read = readRunFile(file);
+    const auto* run = std::get_if<ReplayRun>(&read);
+    if (run == nullptr) {
+        entry.title = file.filename().string();
+        entry.result = "cannot be read";
+        return entry;
+    }
+    const Replay& end = run->back();
+    entry.title = (last ? "Last game: " : "") + titleOf(file, *run, levels) +
+                  (end.mode == Mode::Pure ? " (pure)" : "");
+    entry.score = scoreOf(*run);
+    if (const std::optional<std::int64_t> result = atEnd(end, Field::Result)) {
+        constexpr std::array<std::string_view, 3> kWords = {"left", "won", "lost"};
+        entry.result = kWords.at(static_cast<std::size_t>(*result));
+    }
+    if (!last) {
+        const std::string mode = "-" + std::string(kModeNames[static_cast<std::size_t>(end.mode)]);
+        std::string key = file.stem().string();
+        if (key.ends_with(mode)) {
+            key.resize(key.size() - mode.size());
+            entry.best = {end.mode, key};
+        }
+    }
+    return entry;
+}
+
+std::vector<std::filesystem::path> replayFiles(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::vector<std::filesystem::path> files;
+    for (std::filesystem::directory_iterator entry(folder / "best", error), end;
+         !error && entry != end; entry.increment(error)) {
+        if (entry->path().extension() == ".replay") {
+            files.push_back(entry->path());
+        }
+    }
+    std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) {
+        return timeOf(a) != timeOf(b) ? timeOf(a) > timeOf(b) : a < b;
+    });
+    if (std::filesystem::exists(folder / "last.replay", error)) {
+        files.insert(files.begin(), folder / "last.replay");
+    }
+    files.resize(std::min(files.size(), kMostReplays));
+    return files;
+}
 
 std::filesystem::path bestFile(const std::filesystem::path& folder, Mode mode,
                                const std::string& level) {

@@ -3,6 +3,7 @@
 
 #include <apart/stage/level_select.hpp>
 #include <apart/stage/score_book.hpp>
+#include <apart/stage/theatre.hpp>
 
 #include <filesystem>
 #include <string>
@@ -22,5 +23,13 @@ std::string keepReplay(const std::filesystem::path& folder, const ReplayRun& run
 
 /// The recorded best games in the player's folder, on these levels.
 ScoreStore scoresIn(const std::filesystem::path& folder, const LevelList& levels);
+
+/// The entry of a replay in the list, without `load`. Its title is that of the level, or the name
+/// of the file if it cannot be read.
+ShowEntry entryOf(const std::filesystem::path& file, const LevelList& levels);
+
+/// The replays in the player's folder: the last game, then the best ones, the latest first; at most
+/// kMostReplays.
+std::vector<std::filesystem::path> replayFiles(const std::filesystem::path& folder);
 
 } // namespace apart

@@ -22,20 +22,22 @@ std::string countText(int count, std::string_view what) {
 /// The score line by line: what was counted, and its points. The lines add up to the score.
 void paintScoreLines(Canvas& canvas, const ResultsLook& look) {
     const RunStatistics& run = look.statistics;
-    Real y = Real(10.75);
+    const Real pitch = Real(0.56) + Real(0.18) * (canvas.textScale() - 1); // m
+    Real y = Real(10.8);
     const auto line = [&](std::string_view name, const std::string& count, std::int32_t points) {
-        canvas.text(name, {Real(-2.6), y},
-                    {Real(0.46), palette::kQuiet, Typeface::Plain, Align::Right});
-        canvas.text(count, {Real(-2.2), y}, {Real(0.46), palette::kText, Typeface::Plain});
-        canvas.text(grouped(points), {Real(5.6), y},
-                    {Real(0.46), palette::kText, Typeface::Bold, Align::Right});
-        y -= Real(0.56);
+        canvas.text(name, {Real(-4.4), y},
+                    {Real(0.46), palette::kQuiet, Typeface::Plain, Align::Right, Real(4)});
+        canvas.text(count, {Real(-4), y},
+                    {Real(0.46), palette::kText, Typeface::Plain, Align::Left, Real(8)});
+        canvas.text(grouped(points), {Real(7.6), y},
+                    {Real(0.46), palette::kText, Typeface::Bold, Align::Right, Real(3.4)});
+        y -= pitch;
     };
     line("broken", countText(run.broken, "block") + fmt::format(", combo {}", run.bestCombo),
          run.points.broken);
     if (run.fallen > 0) {
         line("fallen",
-             countText(run.fallen, "block") + fmt::format(", {} at a blow", run.largestFall),
+             countText(run.fallen, "block") + fmt::format(", {} in one fall", run.largestFall),
              run.points.fallen);
     }
     if (run.dropped > 0) {
@@ -53,7 +55,7 @@ void paintScoreLines(Canvas& canvas, const ResultsLook& look) {
     const std::uint32_t seconds = run.ticks / kTicksPerSecond;
     canvas.text(fmt::format("{} of {} blocks in {}:{:02}", run.cleared, look.game.blocksAtStart(),
                             seconds / 60, seconds % 60),
-                {0, y - Real(0.08)}, {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Middle});
+                {0, y}, {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Middle});
 }
 
 constexpr std::array<Color, kMedalNames.size()> kMedalColors = {
@@ -143,7 +145,7 @@ void paintMedal(Canvas& canvas, Vec2 middle, Real size, Medal medal) {
 }
 
 std::vector<std::string> honourNames(const Level& level, const MedalMarks* marks) {
-    std::vector<std::string> names = {"cleared", "no ball lost", "chain of 8"};
+    std::vector<std::string> names = {"cleared", "no ball lost", "8 in one combo or fall"};
     if (marks != nullptr && marks->fewHits > 0) {
         names.push_back(fmt::format("{} hits at most", marks->fewHits));
     }
@@ -187,14 +189,14 @@ void paintResults(Canvas& canvas, const ResultsLook& look) {
     canvas.text(kTitles[result], {0, Real(15.2)},
                 {Real(1.7), kColors[result], Typeface::Display, Align::Middle});
     canvas.text(game.level().title, {0, Real(14.2)},
-                {Real(0.6), palette::kQuiet, Typeface::Plain, Align::Middle});
+                {Real(0.6), palette::kQuiet, Typeface::Plain, Align::Middle, Real(22)});
     const double share = std::clamp(look.seconds / kCountSeconds, 0.0, 1.0);
     const auto shown = static_cast<int>(share * look.score);
     canvas.text(grouped(shown), {0, Real(12.3)},
                 {Real(1.6), palette::kText, Typeface::Display, Align::Middle});
     canvas.text(worthText(look), {0, Real(11.6)},
                 {Real(0.5), look.newBest ? palette::kAccent : palette::kQuiet, Typeface::Plain,
-                 Align::Middle});
+                 Align::Middle, Real(22)});
     paintMedal(canvas, {Real(-4.8), Real(12.8)}, Real(0.62),
                medalOf(look.score, game.level().name, look.marks));
     paintScoreLines(canvas, look);
@@ -207,12 +209,17 @@ void paintResults(Canvas& canvas, const ResultsLook& look) {
     best.oneFall = best.oneFall || look.before.oneFall;
     best.kept = best.kept || look.before.kept;
     const std::vector<std::string> names = honourNames(game.level(), marks);
-    const Vec2 step{names.size() > 3 ? Real(3.0) : Real(3.4), 0};
-    const Vec2 first = Vec2{0, Real(6.95)} - static_cast<Real>(names.size() - 1) / 2 * step;
+    const Vec2 step{Real(3.9), 0};
+    const Vec2 first = Vec2{0, Real(6.8)} - static_cast<Real>(names.size() - 1) / 2 * step;
     paintHonours(canvas, first, step, Real(0.42), {best, game.level(), marks});
     for (std::size_t i = 0; i < names.size(); ++i) {
-        const Vec2 place = first + static_cast<Real>(i) * step - Vec2{0, Real(0.85)};
-        canvas.text(names[i], place, {Real(0.38), palette::kQuiet, Typeface::Plain, Align::Middle});
+        Vec2 place = first + static_cast<Real>(i) * step - Vec2{0, Real(0.85)};
+        for (const std::string& line : wrappedInto(2, names[i], 15)) {
+            canvas.text(
+                line, place,
+                {Real(0.38), palette::kQuiet, Typeface::Plain, Align::Middle, step.x - Real(0.3)});
+            place.y -= Real(0.54);
+        }
     }
 }
 

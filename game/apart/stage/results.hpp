@@ -31,7 +31,8 @@ struct HonoursLook {
 /// Paints the honours of a level, `step` apart: three, and those that it and its marks offer.
 /// Honours not won yet are dim.
 void paintHonours(Canvas& canvas, Vec2 place, Vec2 step, Real size, const HonoursLook& look);
-/// Number of honours, and their names.
+inline constexpr std::size_t kUsualHonours = 3; // each level has them
+/// Names of the honours, the usual ones first.
 std::vector<std::string> honourNames(const Level& level, const MedalMarks* marks);
 
 /// Paints a medal: bronze has one dot, silver two, gold three. Nothing for Medal::None.

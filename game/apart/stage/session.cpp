@@ -18,6 +18,17 @@ constexpr std::uint32_t kOwnMark = 60;             // ticks; how long before a c
 constexpr std::uint32_t kWorthKeeping = 240;       // ticks; shorter games are not kept
 constexpr std::int32_t kWorthRerun = 5;            // blocks of the collapse that ends a game
 
+/// The record of a game so far, with its result and score as expectations at its end.
+Replay recordOf(const Recorder& recorder, const Game& game) {
+    Replay replay = recorder.finish(game);
+    for (const auto& [field, value] :
+         {std::pair{Field::Result, static_cast<std::int64_t>(game.result())},
+          std::pair{Field::Score, static_cast<std::int64_t>(game.score())}}) {
+        replay.expectations.push_back({game.ticks(), field, Comparison::Equal, value});
+    }
+    return replay;
+}
+
 } // namespace
 
 void Session::begin(std::unique_ptr<Play> play, Kind kind) {
@@ -81,7 +92,7 @@ void Session::tick(const std::optional<Input>& input, const Settings& settings, 
     if (recorder_ && wasPlaying) {
         recorder_->record(input.value_or(Input{}), game());
         if (game().result() != Result::Playing) {
-            record_ = recorder_->finish(game());
+            record_ = recordOf(*recorder_, game());
         }
     }
     timeScale_.tick(game(), settings);
@@ -137,7 +148,7 @@ std::optional<Replay> Session::record() const {
     if (record_ || !recorder_) {
         return record_;
     }
-    return recorder_->finish(game());
+    return recordOf(*recorder_, game());
 }
 
 std::optional<Rerun> Session::rerun() const {

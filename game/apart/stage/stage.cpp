@@ -280,7 +280,7 @@ void Stage::finish() {
     items.push_back({Action::Restart, session_.isShow() ? "Watch again" : "Play again"});
     items.push_back({Action::Levels, "All levels"});
     items.push_back({Action::ToTitle, "Title"});
-    menu_ = Menu(std::move(items), Real(5.6));
+    menu_ = Menu(std::move(items), Real(5.1));
 }
 
 } // namespace apart

@@ -106,7 +106,7 @@ public:
     void draw(Canvas& canvas) const;
 
     bool wantsToQuit() const { return quit_; }
-    bool wantsPointer() const { return screen_ != Screen::Playing; }
+    bool wantsPointer() const { return screen_ != Screen::Playing || session_.isShow(); }
     Screen screen() const { return screen_; }
     const Game& game() const { return session_.game(); }
     const Profile& profile() const { return records_.profile(); }
@@ -129,6 +129,7 @@ private:
     void takeShow(const Signals& signals);
     void takeMenu(const Signals& signals, Speaker& speaker);
     bool takeShortcut(Command command);
+    bool mayEnd(Ending ending);
     void quit();
     void back();
     void act(const MenuOutcome& outcome);
@@ -139,7 +140,6 @@ private:
     void toLevels();
     void toOptions(int page = 0);
     void open(Screen screen, Menu menu);
-    void pause();
     void begin(std::size_t level);
     void beginEndless(std::uint32_t number);
     void beginRun(Day day);

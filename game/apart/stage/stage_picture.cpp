@@ -20,8 +20,10 @@ namespace apart {
 
 namespace {
 
-constexpr TextStyle quiet(Real height) {
-    return {height, palette::kQuiet, Typeface::Plain, Align::Middle};
+constexpr Real kRoom = 30; // m, of a line on a screen that is centred on the field
+
+constexpr TextStyle quiet(Real height, Real room = kRoom) {
+    return {height, palette::kQuiet, Typeface::Plain, Align::Middle, room};
 }
 
 /// Notices stacked from the bottom, latest last, in the place of the hint. Older ones are omitted
@@ -31,7 +33,8 @@ void paintNotices(Canvas& canvas, const std::vector<std::string>& notices) {
     constexpr std::size_t kMostLines = 3;
     std::vector<std::string> lines;
     for (std::size_t i = notices.size(); i-- > 0;) {
-        const std::vector<std::string> own = wrapped(notices[i], kLetters);
+        const std::vector<std::string> own =
+            wrappedInto(kMostLines, notices[i], fitting(canvas, kLetters));
         if (!lines.empty() && lines.size() + own.size() > kMostLines) {
             break;
         }
@@ -54,7 +57,7 @@ void paintFaults(Canvas& canvas, const std::vector<std::string>& faults) {
     constexpr Real kLine = Real(0.6);    // m
     std::vector<std::string> lines;
     for (const std::string& fault : faults) {
-        const std::vector<std::string> own = wrapped(fault, kLetters);
+        const std::vector<std::string> own = wrapped(fault, fitting(canvas, kLetters));
         lines.insert(lines.end(), own.begin(), own.end());
     }
     const auto room = static_cast<std::size_t>(kTop / kLine);
@@ -66,9 +69,15 @@ void paintFaults(Canvas& canvas, const std::vector<std::string>& faults) {
     for (const std::string& line : lines) {
         canvas.rectangle({{Real(-11.8), y - Real(0.15)}, {Real(11.8), y + Real(0.45)}},
                          faded(palette::kInk, 0.9f), faded(palette::kInk, 0.9f));
-        canvas.text(line, {Real(-11.5), y}, {Real(0.4), palette::kDanger});
+        canvas.text(line, {Real(-11.5), y},
+                    {Real(0.4), palette::kDanger, Typeface::Plain, Align::Left, Real(23)});
         y -= kLine;
     }
+}
+
+void paintHeading(Canvas& canvas, std::string_view text) {
+    canvas.text(text, {0, Real(14.4)},
+                {Real(1.4), palette::kText, Typeface::Display, Align::Middle});
 }
 
 /// `bottom`: lower edge, m.
@@ -77,7 +86,7 @@ void paintQuestion(Canvas& canvas, std::string_view question, Real bottom) {
         canvas.rectangle({{Real(-5.5), bottom}, {Real(5.5), bottom + Real(1.1)}},
                          faded(palette::kInk, 0.9f), faded(palette::kInk, 0.9f));
         canvas.text(question, {0, bottom + Real(0.35)},
-                    {Real(0.6), palette::kAccent, Typeface::Bold, Align::Middle});
+                    {Real(0.6), palette::kAccent, Typeface::Bold, Align::Middle, Real(10.6)});
     }
 }
 
@@ -97,7 +106,8 @@ void paintFeast(Canvas& canvas, int ticks, const Bindings& keys) {
          {Real(0.5), palette::kText, Typeface::Bold, Align::Middle});
 }
 
-void paintPaused(Canvas& canvas, const Menu& menu, const Bindings& keys) {
+void paintPaused(Canvas& canvas, const Menu& menu, const Bindings& keys,
+                 std::string_view question) {
     paintVeil(canvas, faded(palette::kNight, 0.72f));
     canvas.text("Paused", {0, Real(13)},
                 {Real(1.6), palette::kText, Typeface::Display, Align::Middle});
@@ -111,9 +121,10 @@ void paintPaused(Canvas& canvas, const Menu& menu, const Bindings& keys) {
                       prompt(Act::Push)),
           fmt::format("{}: start again      {}: sound      F3: what the engine sees",
                       prompt(Act::Restart), prompt(Act::Mute))}) {
-        canvas.text(line, {0, y}, quiet(Real(0.42)));
+        canvas.text(line, {0, y}, quiet(Real(0.42), 2 * layout::kRight));
         y -= Real(0.7);
     }
+    paintQuestion(canvas, question, Real(1.6));
 }
 
 /// Position of a level in the list, or in an endless or a daily run.
@@ -143,9 +154,13 @@ HudLook Stage::hudLook() const {
     look.best = records_.provedScore(game().mode(), endless_.keyOf(game()));
     look.keys = profile().bindings;
     look.muted = profile().audible().sound == 0;
-    look.pilot = session_.isShow()                          ? "REPLAY"
-                 : session_.kind() == Session::Kind::WhatIf ? "WHAT IF"
-                                                            : "";
+    if (session_.isShow()) {
+        look.pilot =
+            theatre_.paused() ? "REPLAY  paused" : "REPLAY  " + theatre_.speedText() + " x";
+        look.foot = theatre_.timeText(game().ticks());
+    } else if (session_.isWhatIf()) {
+        look.pilot = "WHAT IF";
+    }
     return look;
 }
 
@@ -195,9 +210,8 @@ void Stage::draw(Canvas& canvas) const {
         return select_.draw(canvas, records_, seconds_);
     case Screen::Options:
         paintVeil(canvas, faded(palette::kNight, 0.80f));
-        canvas.text("Options", {0, Real(14.4)},
-                    {Real(1.4), palette::kText, Typeface::Display, Align::Middle});
-        canvas.text("left and right, or a click on the bar", {0, Real(2.05)}, quiet(Real(0.42)));
+        paintHeading(canvas, "Options");
+        canvas.text("left and right, or a click on the bar", {0, Real(1.7)}, quiet(Real(0.42)));
         return menu_.draw(canvas);
     case Screen::Keys:
         paintVeil(canvas, faded(palette::kNight, 0.84f));
@@ -208,24 +222,26 @@ void Stage::draw(Canvas& canvas) const {
         return menu_.draw(canvas);
     case Screen::Replays:
         paintVeil(canvas, faded(palette::kNight, 0.80f));
-        canvas.text("Replays", {0, Real(14.4)},
-                    {Real(1.4), palette::kText, Typeface::Display, Align::Middle});
+        paintHeading(canvas, "Replays");
         return menu_.draw(canvas);
     case Screen::Help: // above
         return;
     case Screen::Playing:
         if (session_.isShow()) {
-            return paintTheatre(canvas, theatre_, game().ticks(), profile().bindings);
+            return paintTheatre(canvas, theatre_, game().ticks());
         }
         paintFaults(canvas, reload_.faults);
-        paintQuestion(canvas, confirm_.question(seconds_), Real(4.3));
-        paintServeHint(canvas, game(), profile().bindings);
+        if (!confirm_.question(seconds_).empty()) {
+            paintQuestion(canvas, confirm_.question(seconds_), Real(4.3));
+        } else if (reload_.faults.empty()) {
+            paintServeHint(canvas, game(), profile().bindings);
+        }
         if (game().result() == Result::Won) {
             paintFeast(canvas, session_.endTicks(), profile().bindings);
         }
         return;
     case Screen::Paused:
-        return paintPaused(canvas, menu_, profile().bindings);
+        return paintPaused(canvas, menu_, profile().bindings, confirm_.question(seconds_));
     case Screen::Over: {
         paintVeil(canvas, faded(palette::kNight, rerun_ ? 0.55f : 0.72f));
         const std::int32_t score = game().score() + (endless_.number > 0 ? endless_.score : 0);
@@ -249,8 +265,10 @@ void Stage::drawTitle(Canvas& canvas) const {
     paintVeil(canvas, faded(palette::kNight, 0.74f));
     paintTitle(canvas, seconds_);
     menu_.draw(canvas);
-    paintNotices(canvas, records_.notices());
-    paintQuestion(canvas, confirm_.question(seconds_), Real(-0.2)); // in the place of the hint
+    if (confirm_.question(seconds_).empty()) {
+        paintNotices(canvas, records_.notices());
+    }
+    paintQuestion(canvas, confirm_.question(seconds_), Real(-0.2)); // in the place of the notices
 }
 
 } // namespace apart

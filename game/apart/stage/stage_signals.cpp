@@ -11,13 +11,23 @@ namespace apart {
 namespace {
 
 constexpr double kPercent = 100;
-constexpr std::size_t kMostReplays = 10; // in the list
 
 /// Sound of a menu; `sound` in percent.
 void chirp(Speaker& speaker, int sound, bool chosen) {
     const float volume = (chosen ? 1 : 0.6f) * share(sound);
     if (volume > 0) {
         speaker.play({Voice::Choose, chosen ? 1.5f : 1, volume, 0});
+    }
+}
+
+/// Adds the scores of the profile to recordings that do not note their own.
+void addScores(std::vector<ShowEntry>& replays, const Profile& profile) {
+    for (ShowEntry& replay : replays) {
+        const Best best =
+            replay.best ? profile.bestOf(replay.best->first, replay.best->second) : Best{};
+        if (!replay.score && best.score > 0) {
+            replay.score = best.score;
+        }
     }
 }
 
@@ -61,10 +71,6 @@ void Stage::toOptions(int page) {
     behind_ = screen_ == Screen::Options ? behind_ : screen_;
     optionsPage_ = page % static_cast<int>(kDialPages.size());
     open(Screen::Options, optionsMenu(settings(), optionsPage_));
-}
-
-void Stage::pause() {
-    open(Screen::Paused, pauseMenu());
 }
 
 void Stage::take(const Signals& signals, Speaker& speaker) {
@@ -165,9 +171,9 @@ void Stage::takePlaying(const Signals& signals) {
             break;
         case Command::Back:
         case Command::Pause:
-            return over ? finish() : pause();
+            return over ? finish() : open(Screen::Paused, pauseMenu());
         case Command::Restart:
-            if (over || game.score() == 0 || confirm_.ask(Command::Restart, seconds_)) {
+            if (mayEnd(Ending::Restart)) {
                 return again();
             }
             break;
@@ -176,18 +182,24 @@ void Stage::takePlaying(const Signals& signals) {
         }
     }
     if (signals.focusLost && !over) {
-        pause();
+        open(Screen::Paused, pauseMenu());
     }
 }
 
 void Stage::takeShow(const Signals& signals) {
+    const auto seek = [&](std::int64_t tick) {
+        session_.seek(tick, theatre_.show().pilot, settings());
+    };
+    if (const std::optional<std::int64_t> tick = theatre_.drag(signals)) {
+        seek(*tick);
+    }
     for (const Command command : signals.commands) {
         if (command == Command::Back) {
-            return pause();
+            return open(Screen::Paused, pauseMenu());
         }
         const Theatre::Request request = theatre_.take(command, game().ticks());
         if (request.tick) {
-            session_.seek(*request.tick, theatre_.show().pilot, settings());
+            seek(*request.tick);
         }
         if (request.takeOver && game().result() == Result::Playing) {
             session_.takeOver();
@@ -209,7 +221,9 @@ bool Stage::takeShortcut(Command command) {
         return true;
     }
     if (command == Command::Restart && (paused || over)) {
-        again();
+        if (mayEnd(Ending::Restart)) {
+            again();
+        }
         return true;
     }
     if (command == Command::Next && over && menu_.items()[0].action == Action::NextLevel) {
@@ -217,6 +231,14 @@ bool Stage::takeShortcut(Command command) {
         return true;
     }
     return false;
+}
+
+/// True if no points are lost by it, or if it was asked for twice.
+bool Stage::mayEnd(Ending ending) {
+    const bool own = session_.kind() == Session::Kind::Own || session_.isWhatIf();
+    const bool points = game().score() > 0 || endless_.score > 0;
+    const bool loses = own && points && game().result() == Result::Playing;
+    return !loses || confirm_.ask(ending, seconds_);
 }
 
 void Stage::quit() {
@@ -228,7 +250,7 @@ void Stage::quit() {
 void Stage::back() {
     switch (screen_) {
     case Screen::Title:
-        return confirm_.ask(Command::Back, seconds_) ? quit() : void();
+        return confirm_.ask(Ending::Quit, seconds_) ? quit() : void();
     case Screen::Paused:
         screen_ = Screen::Playing;
         return inputMapper_.letGo();
@@ -240,7 +262,7 @@ void Stage::back() {
         if (behind_ == Screen::Title) {
             toTitle();
         } else {
-            pause();
+            open(Screen::Paused, pauseMenu());
         }
         return menu_.choose(left);
     }
@@ -275,7 +297,7 @@ void Stage::act(const MenuOutcome& outcome) {
     case Action::Play:
         return begin(level_);
     case Action::Levels:
-        return toLevels();
+        return mayEnd(Ending::Levels) ? toLevels() : void();
     case Action::Endless:
         return beginRun(0);
     case Action::Daily:
@@ -284,7 +306,7 @@ void Stage::act(const MenuOutcome& outcome) {
         return open(Screen::Records, recordsMenu(def_.replays != nullptr));
     case Action::Replays:
         replays_ = def_.replays();
-        replays_.resize(std::min(replays_.size(), kMostReplays));
+        addScores(replays_, profile());
         return open(Screen::Replays, replaysMenu(replays_));
     case Action::Replay: {
         std::variant<Show, std::string> read = replays_[outcome.dial].load();
@@ -315,11 +337,11 @@ void Stage::act(const MenuOutcome& outcome) {
     case Action::Resume:
         return back();
     case Action::Restart:
-        return again();
+        return mayEnd(Ending::Restart) ? again() : void();
     case Action::NextLevel:
         return next();
     case Action::ToTitle:
-        return toTitle();
+        return mayEnd(Ending::Title) ? toTitle() : void();
     case Action::Page:
         toOptions(optionsPage_ + 1);
         return menu_.choose(Action::Page);

@@ -13,6 +13,7 @@ namespace {
 constexpr Real kLeft = Real(-12.7);  // m, of the names
 constexpr Real kFirst = Real(-5.0);  // m, right end of the first column
 constexpr Real kColumn = Real(2.95); // m, between columns
+constexpr Real kNameRoom = kFirst - kColumn + Real(0.2) - kLeft;
 constexpr Real kTopRow = Real(12.9);
 constexpr Real kRowStep = Real(0.92);
 
@@ -27,11 +28,11 @@ std::string cellText(const TotalField& field, const PlayTotals& totals) {
 void paintRow(Canvas& canvas, Real y, std::string_view name, const PlayTotals& totals,
               Color color) {
     const bool played = totals.games > 0;
-    canvas.text(name, {kLeft, y}, {Real(0.52), color, Typeface::Bold});
+    canvas.text(name, {kLeft, y}, {Real(0.52), color, Typeface::Bold, Align::Left, kNameRoom});
     for (std::size_t i = 0; i < kTotalFields.size(); ++i) {
-        canvas.text(
-            cellText(kTotalFields[i], totals), {kFirst + kColumn * static_cast<Real>(i), y},
-            {Real(0.52), played ? palette::kText : palette::kQuiet, Typeface::Plain, Align::Right});
+        canvas.text(cellText(kTotalFields[i], totals), {kFirst + kColumn * static_cast<Real>(i), y},
+                    {Real(0.52), played ? palette::kText : palette::kQuiet, Typeface::Plain,
+                     Align::Right, kColumn - Real(0.3)});
     }
 }
 
@@ -47,8 +48,14 @@ void paintStatistics(Canvas& canvas, const TotalsByTheme& totals) {
     canvas.text("Records", {0, Real(15.2)},
                 {Real(1.4), palette::kText, Typeface::Display, Align::Middle});
     for (std::size_t i = 0; i < kTotalFields.size(); ++i) {
-        canvas.text(kTotalFields[i].label, {kFirst + kColumn * static_cast<Real>(i), kTopRow},
-                    {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Right});
+        Real y = kTopRow;
+        const std::vector<std::string> words = wrapped(kTotalFields[i].label, 1);
+        for (auto word = words.rbegin(); word != words.rend(); ++word) { // one in each line
+            canvas.text(
+                *word, {kFirst + kColumn * static_cast<Real>(i), y},
+                {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Right, kColumn - Real(0.3)});
+            y += Real(0.65);
+        }
     }
     PlayTotals all;
     Real y = kTopRow;

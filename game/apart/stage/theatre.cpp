@@ -13,6 +13,11 @@ namespace apart {
 
 namespace {
 
+// The bar, below the paddle (m).
+constexpr Real kLow = Real(-0.2);
+constexpr Real kHigh = Real(-0.08);
+constexpr Real kHalf = Real(11.5);
+
 std::string timeText(std::uint32_t ticks) {
     const std::uint32_t seconds = ticks / kTicksPerSecond;
     return fmt::format("{}:{:02}", seconds / 60, seconds % 60);
@@ -32,6 +37,7 @@ bool Theatre::next(std::string& problem) {
     std::variant<Show, std::string> following = show_.next();
     if (auto* show = std::get_if<Show>(&following)) {
         show_ = std::move(*show);
+        held_ = false;
         return true;
     }
     problem = std::get<std::string>(following);
@@ -78,24 +84,38 @@ std::string Theatre::speedText() const {
     return speed_ < 0 ? fmt::format("1/{}", 1 << -speed_) : fmt::format("{}", 1 << speed_);
 }
 
-void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick,
-                  const Bindings& keys) {
+Aabb Theatre::barPlace() {
+    return {{-kHalf - Real(0.2), kLow - Real(0.3)}, {kHalf + Real(0.2), kHigh + Real(0.15)}};
+}
+
+std::optional<std::int64_t> Theatre::drag(const Signals& signals) {
+    held_ = held_ || (signals.clicked && barPlace().contains(signals.pointerNow));
+    std::optional<std::int64_t> tick;
+    if (held_ && (signals.clicked || signals.pointer)) {
+        const Real share = (signals.pointerNow.x + kHalf) / (2 * kHalf);
+        tick = static_cast<std::int64_t>(std::clamp(share, Real(0), Real(1)) *
+                                         static_cast<Real>(show_.end));
+    }
+    held_ = held_ && signals.dragging;
+    return tick;
+}
+
+std::string Theatre::timeText(std::uint32_t tick) const {
+    return apart::timeText(tick) + " of " + apart::timeText(show_.end);
+}
+
+void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick) {
     const std::uint32_t end = theatre.show().end;
-    constexpr Real kLow = Real(-0.2); // below the paddle
-    constexpr Real kHigh = Real(-0.08);
-    constexpr Real kHalf = Real(11.5); // m, half the length of the bar
     const Real share =
         end > 0 ? std::min(static_cast<Real>(tick) / static_cast<Real>(end), Real(1)) : Real(0);
     const Real place = -kHalf + 2 * kHalf * share;
     canvas.rectangle({{-kHalf, kLow}, {kHalf, kHigh}}, {255, 255, 255, 50}, {255, 255, 255, 50});
     canvas.rectangle({{-kHalf, kLow}, {place, kHigh}}, palette::kAccent, palette::kAccent);
     canvas.disc({place, (kLow + kHigh) / 2}, Real(0.18), palette::kText, palette::kAccent);
-    const std::string state = fmt::format("{} of {}      {}", timeText(tick), timeText(end),
-                                          theatre.paused() ? "paused" : theatre.speedText() + " x");
-    canvas.text(state, {-kHalf, Real(0.2)}, {Real(0.42), palette::kText, Typeface::Bold});
-    canvas.text(keys.prompt(Act::Serve) +
-                    ": pause   left, right: 5 s   up, down: speed   N: one tick   enter: take over",
-                {kHalf, Real(0.2)}, {Real(0.38), palette::kQuiet, Typeface::Plain, Align::Right});
+    canvas.text("space: pause   arrows: 5 s, speed   N: one tick   enter: take over   "
+                "click on the bar: go there",
+                {0, Real(0.2)},
+                {Real(0.38), palette::kQuiet, Typeface::Plain, Align::Middle, 2 * kHalf});
 }
 
 } // namespace apart

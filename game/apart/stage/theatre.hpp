@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -32,9 +33,15 @@ struct Show {
 
 /// A replay of the player's list. `load` reads it, or gives the reason why it cannot be played.
 struct ShowEntry {
-    std::string label;
-    std::function<std::variant<Show, std::string>()> load;
+    std::string title;    // of the level, or the name of a file that cannot be read
+    std::string date{};   // of the file: 2026-11-26
+    std::string result{}; // won, lost or left
+    std::optional<std::int64_t> score{};
+    /// Mode and key of the scores whose best game it is.
+    std::optional<std::pair<Mode, std::string>> best{};
+    std::function<std::variant<Show, std::string>()> load{};
 };
+inline constexpr std::size_t kMostReplays = 10; // in the list
 
 /// The show on the screen, and its controls: pause, speed, and places to go to.
 class Theatre {
@@ -54,18 +61,26 @@ public:
     bool next(std::string& problem);
     const Show& show() const { return show_; }
     Request take(Command command, std::uint32_t tick);
+    /// The tick to go to while the mouse holds the bar.
+    std::optional<std::int64_t> drag(const Signals& signals);
+    /// Clickable area of the bar.
+    static Aabb barPlace();
 
     bool paused() const { return paused_; }
     /// Ratio to the usual speed; 0 while paused.
     double pace() const;
     std::string speedText() const; // 1/4, 1, 2
+    /// "0:12 of 1:30"
+    std::string timeText(std::uint32_t tick) const;
+
 private:
     Show show_; // its current level
     bool paused_ = false;
     int speed_ = 0;
+    bool held_ = false; // the bar, by the mouse
 };
 
-/// Paints time, speed and keys of a show.
-void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick, const Bindings& keys);
+/// Paints the bar and the keys of a show.
+void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick);
 
 } // namespace apart

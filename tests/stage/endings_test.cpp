@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// What ends a game asks once if points are lost by it.
+#include <gtest/gtest.h>
+
+#include "stage_rig.hpp"
+
+namespace apart {
+namespace {
+
+TEST(Endings, WhatEndsAGameWithPointsAsksOnceInPlayAndInThePauseMenu) {
+    StageDef def = StageRig::twoLevels();
+    def.firstLevel = 1; // three blocks
+    def.startAtOnce = true;
+    StageRig rig(std::move(def));
+    makePoints(rig);
+    const std::uint32_t ticks = rig.stage.game().ticks();
+    rig.press(Command::Restart);
+    EXPECT_TRUE(rig.picture().says("once more to start again"));
+    rig.press(Command::Pause);
+    rig.frames(60 * 3); // the question expires
+    EXPECT_FALSE(rig.picture().says("once more"));
+    for (const auto& [action, question] :
+         {std::pair{Action::Restart, "once more to start again"},
+          std::pair{Action::ToTitle, "once more to leave the game"},
+          std::pair{Action::Levels, "once more to leave the game"}}) {
+        rig.clickItem(action);
+        EXPECT_EQ(rig.stage.screen(), Screen::Paused);
+        EXPECT_GE(rig.stage.game().ticks(), ticks);
+        EXPECT_TRUE(rig.picture().says(question));
+    }
+    rig.press(Command::Restart);
+    EXPECT_EQ(rig.stage.screen(), Screen::Paused) << "another question";
+    rig.clickItem(Action::Restart);
+    EXPECT_EQ(rig.stage.screen(), Screen::Playing) << "the key and the item ask the same";
+    EXPECT_LE(rig.stage.game().ticks(), 3u);
+    makePoints(rig);
+    rig.press(Command::Pause);
+    rig.clickItem(Action::ToTitle);
+    rig.clickItem(Action::ToTitle);
+    EXPECT_EQ(rig.stage.screen(), Screen::Title);
+}
+
+TEST(Endings, WhatEndsAGameWithoutPointsDoesNotAsk) {
+    for (const Action action : {Action::Restart, Action::ToTitle, Action::Levels}) {
+        StageRig rig(StageRig::playing());
+        rig.frames(30);
+        rig.press(Command::Pause);
+        rig.clickItem(action);
+        EXPECT_NE(rig.stage.screen(), Screen::Paused);
+    }
+}
+
+} // namespace
+} // namespace apart

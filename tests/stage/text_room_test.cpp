@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: MIT
+// At each size of texts and in each window, texts leave each other free and stay in the picture.
+#include <apart/core/assets.hpp>
+#include <apart/core/medals.hpp>
+#include <apart/core/tuning.hpp>
+#include <apart/stage/hud.hpp>
+#include <apart/stage/layout.hpp>
+#include <apart/stage/letterforms.hpp>
+#include <apart/stage/results.hpp>
+#include <support/draws.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "letter_widths.hpp"
+#include "stage_rig.hpp"
+
+namespace apart {
+namespace {
+
+constexpr std::array<int, 3> kSizes = {100, 120, 140}; // percent
+constexpr std::array<Vec2, 3> kWindows = {Vec2{1280, 720}, Vec2{960, 720}, Vec2{1920, 1080}};
+
+/// Pixels. Each letter has a width of whole pixels, as hinting makes it.
+int widthOf(std::string_view text, Typeface face, int pixels) {
+    const auto& widths = kLetterWidths[face == Typeface::Plain ? 0 : 1];
+    int sum = 0;
+    for (const char sign : text) {
+        const auto code = static_cast<unsigned char>(sign);
+        if (code >= 0x80 && code < 0xC0) {
+            continue; // a later byte of one letter
+        }
+        const int width = code >= 0x20 && code < 0x7F ? widths[code - 0x20u] : kOtherWidth;
+        sum += static_cast<int>(std::lround(width * pixels / 1000.0));
+    }
+    return sum;
+}
+
+/// Size of a text as SfmlCanvas draws it (m): width, and height of its font.
+Vec2 sizeOf(const Stroke& stroke, const RecordingCanvas& canvas, Real pixelsPerMetre) {
+    const TextStyle& style = stroke.style;
+    const auto laid =
+        style.face == Typeface::Display ? layStones(stroke.text, Real(1)) : std::nullopt;
+    if (laid) {
+        const Real unit = Real(0.72) * style.height / kCapital;
+        const Real width = unit * laid->width;
+        const Real less = style.room > 0 ? std::min(style.room / width, Real(1)) : Real(1);
+        return {less * width, less * style.height};
+    }
+    const Real scale = style.face == Typeface::Display ? Real(1) : canvas.textScale();
+    auto pixels = static_cast<int>(std::lround(pixelsPerMetre * scale * style.height));
+    const Real room = style.room > 0 ? pixelsPerMetre * style.room : Real(1e6);
+    while (static_cast<Real>(widthOf(stroke.text, style.face, pixels)) > room && pixels > 4) {
+        --pixels;
+    }
+    const auto width = static_cast<Real>(widthOf(stroke.text, style.face, pixels));
+    return {width / pixelsPerMetre, static_cast<Real>(pixels) / pixelsPerMetre};
+}
+
+/// Bounds of the letters of a text.
+Aabb boundsOf(const Stroke& stroke, const RecordingCanvas& canvas, Real pixelsPerMetre) {
+    const Vec2 size = sizeOf(stroke, canvas, pixelsPerMetre);
+    const Align align = stroke.style.align;
+    const Real left = align == Align::Left ? 0 : align == Align::Middle ? size.x / 2 : size.x;
+    const bool low = stroke.text.find_first_of("gjpqyQ,;()") != std::string::npos;
+    const Vec2 start = stroke.place - Vec2{left, low ? Real(0.2) * size.y : 0};
+    return {start, {start.x + size.x, stroke.place.y + Real(0.74) * size.y}};
+}
+
+/// Texts of the picture that leave it or cover each other.
+std::vector<std::string> crowdedTexts(const RecordingCanvas& canvas, Vec2 window) {
+    const Real scale = window.x / canvas.visible().extent().x;
+    std::vector<std::pair<const Stroke*, Aabb>> texts;
+    for (const Stroke& stroke : canvas.strokes()) {
+        if (!stroke.text.empty() && stroke.color.a > 0) {
+            texts.emplace_back(&stroke, boundsOf(stroke, canvas, scale));
+        }
+    }
+    std::vector<std::string> bad;
+    for (std::size_t a = 0; a < texts.size(); ++a) {
+        const auto& [stroke, box] = texts[a];
+        if (!canvas.visible().contains(box)) {
+            bad.push_back(stroke->text + " leaves the picture");
+        }
+        for (std::size_t b = 0; b < a; ++b) {
+            const bool shadow = stroke->text == texts[b].first->text;
+            if (!shadow && overlap(box.grown(Real(-0.01)), texts[b].second)) {
+                bad.push_back(stroke->text + " | covers | " + texts[b].first->text);
+            }
+        }
+    }
+    return bad;
+}
+
+/// Each size and window in turn.
+template <typename Look>
+void inEachSize(Look look) {
+    for (const int percent : kSizes) {
+        for (const Vec2 window : kWindows) {
+            SCOPED_TRACE(testing::Message()
+                         << percent << " % in " << window.x << " x " << window.y);
+            look(percent, window);
+        }
+    }
+}
+
+const LevelList& allLevels() {
+    static const LevelList levels = [] {
+        LevelList list;
+        for (const std::string& name : levelNames()) {
+            list.push_back(std::make_shared<const Level>(std::get<Level>(loadLevel(name))));
+        }
+        return list;
+    }();
+    return levels;
+}
+
+/// All levels of the game, with long numbers and texts wherever the player's data stands.
+StageDef crowded(int percent, Mode mode) {
+    StageDef def;
+    def.levels = allLevels();
+    def.profile.settings.text = percent;
+    def.profile.mode = mode;
+    for (const auto& level : def.levels) {
+        for (const Mode each : {Mode::Standard, Mode::Pure}) {
+            def.profile.enter(each, level->name, {1234567, true, true, true});
+        }
+    }
+    for (PlayTotals& totals : def.profile.totals) {
+        totals = {12345, 6789, 1234567, 1234567, 234567, 45, 120};
+    }
+    def.marks = std::get<std::vector<MedalMarks>>(readMedals(assetsFolder() / "medals.toml"));
+    def.endless = [](std::uint32_t) { return glassLevel("An endless row of stones", {7}); };
+    def.today = [] { return Day{20261126}; };
+    def.daily = [](Day, std::uint32_t) { return glassLevel("Daily", {2, 7, 12}); };
+    def.notices = {
+        "The profile /home/somebody/.config/apart/profile.toml cannot be read: line 12: a "
+        "number from 0 to 100 is expected, not 'loud'. It was renamed to "
+        "profile.toml.broken, and a new one begins."};
+    def.replays = [] {
+        const ShowEntry entry{"Last game: Runaway cart (pure)", "2026-11-26", "cannot be read",
+                              1234567};
+        return std::vector<ShowEntry>(kMostReplays, entry);
+    };
+    return def;
+}
+
+/// A stage in a window.
+struct Room : StageRig {
+    Room(StageDef def, Vec2 pixels) : StageRig(std::move(def)), window(pixels) {
+        canvas.setWindow(pixels);
+    }
+    void expectFree(const std::string& screen) {
+        frame();
+        EXPECT_EQ(crowdedTexts(picture(), window), std::vector<std::string>{}) << screen;
+    }
+    Vec2 window;
+};
+
+TEST(TextRoom, OfTheScreensAroundTheGame) {
+    for (const Mode mode : {Mode::Standard, Mode::Pure}) {
+        inEachSize([&](int percent, Vec2 window) {
+            Room room(crowded(percent, mode), window);
+            room.expectFree("title");
+            room.press(Command::Back);
+            room.expectFree("title with a question");
+            room.frames(200);
+            room.clickItem(Action::Records);
+            room.expectFree("records");
+            room.clickItem(Action::Replays);
+            room.expectFree("replays");
+            room.press(Command::Back);
+            room.press(Command::Back);
+            room.clickItem(Action::Options);
+            for (std::size_t page = 0; page < kDialPages.size(); ++page) {
+                room.expectFree("options");
+                room.clickItem(Action::Page);
+            }
+            room.clickItem(Action::Keys);
+            room.expectFree("keys");
+            room.press(Command::Confirm);
+            room.expectFree("keys, one is expected");
+        });
+    }
+}
+
+TEST(TextRoom, OfTheHelp) {
+    inEachSize([](int percent, Vec2 window) {
+        Room room(crowded(percent, Mode::Standard), window);
+        room.clickItem(Action::Help);
+        for (int i = 0; i < 4; ++i) {
+            room.expectFree("help");
+            room.frames(100);
+        }
+    });
+}
+
+TEST(TextRoom, OfEachLevelInTheSelectionAndBesideTheField) {
+    const std::size_t step = support::kSanitized ? 9 : 1;
+    for (const int percent : kSizes) {
+        for (const Mode mode : {Mode::Standard, Mode::Pure}) {
+            SCOPED_TRACE(percent);
+            const Vec2 window =
+                kWindows[1]; // its letters are the smallest: most is lost by rounding
+            for (std::size_t i = 0; i < allLevels().size(); i += step) {
+                LevelSelect select(allLevels());
+                select.choose(i);
+                RecordingCanvas canvas;
+                canvas.setWindow(window);
+                canvas.begin(layout::kShownTitle, {});
+                canvas.setTextScale(static_cast<Real>(percent) / 100);
+                StageDef def = crowded(percent, mode);
+                Records records(def.profile, {}, {}, {});
+                records.setMarks(def.marks);
+                select.draw(canvas, records, 0);
+                EXPECT_EQ(crowdedTexts(canvas, window), std::vector<std::string>{}) << i;
+
+                Game game(allLevels()[i], 1, mode);
+                HudLook look;
+                look.place = "LEVEL 46 OF 46";
+                look.scoreBefore = look.best = 1234567;
+                look.pilot = "REPLAY  paused";
+                look.foot = "59:59 of 59:59";
+                canvas.begin(layout::kShown, {});
+                paintHud(canvas, game, look);
+                paintServeHint(canvas, game, Bindings{});
+                EXPECT_EQ(crowdedTexts(canvas, window), std::vector<std::string>{}) << i;
+            }
+        }
+    }
+}
+
+TEST(TextRoom, OfAGameAndItsPause) {
+    for (const Mode mode : {Mode::Standard, Mode::Pure}) {
+        inEachSize([&](int percent, Vec2 window) {
+            Room room(crowded(percent, mode), window);
+            room.clickItem(Action::Daily);
+            room.expectFree("serve");
+            makePoints(room);
+            room.press(Command::Restart);
+            EXPECT_TRUE(room.picture().says("once more"));
+            room.expectFree("a question in play");
+            room.press(Command::Pause);
+            room.expectFree("paused with a question");
+            room.frames(200);
+            room.expectFree("paused");
+        });
+    }
+}
+
+TEST(TextRoom, OfAReplay) {
+    const auto level = allLevels()[3];
+    const Replay replay = recordedGame(level, 3, 600);
+    inEachSize([&](int percent, Vec2 window) {
+        StageDef def = crowded(percent, Mode::Standard);
+        def.show = Show{level, 3, Mode::Standard,
+                        [&replay](const Game& game) {
+                            return game.ticks() < replay.end
+                                       ? std::optional(inputAt(replay, game.ticks()))
+                                       : std::nullopt;
+                        },
+                        replay.end};
+        Room room(std::move(def), window);
+        room.expectFree("replay");
+        room.press(Command::Launch);
+        room.expectFree("replay, paused");
+        room.press(Command::Back);
+        room.expectFree("menu of a replay");
+        room.press(Command::Back);
+        room.press(Command::Confirm);
+        room.expectFree("what if");
+    });
+}
+
+/// The result of a game with points from each source.
+TEST(TextRoom, OfTheResult) {
+    for (const auto& level : allLevels()) {
+        Game game(level, 1);
+        RunStatistics run;
+        run.broken = run.fallen = run.dropped = run.caught = 123;
+        run.bestCombo = run.largestFall = 123;
+        run.points = {123456, 123456, 123456, 123456, 12345};
+        run.ticks = 3599 * kTicksPerSecond;
+        const std::vector<MedalMarks> marks = {{level->name, 0, {1, 2, 9999999}, 123, 123}};
+        inEachSize([&](int percent, Vec2 window) {
+            RecordingCanvas canvas;
+            canvas.setWindow(window);
+            canvas.begin(layout::kShown, {});
+            canvas.setTextScale(static_cast<Real>(percent) / 100);
+            paintHud(canvas, game, {});
+            paintResults(canvas, {game, run, 1234567, {}, true, 9, marks});
+            Menu({{Action::NextLevel, "Next level"},
+                  {Action::Restart, "Play again"},
+                  {Action::Levels, "All levels"},
+                  {Action::ToTitle, "Title"}},
+                 Real(5.1))
+                .draw(canvas);
+            EXPECT_EQ(crowdedTexts(canvas, window), std::vector<std::string>{}) << level->name;
+        });
+    }
+}
+
+} // namespace
+} // namespace apart
