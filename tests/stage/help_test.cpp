@@ -208,6 +208,30 @@ TEST(HelpPage, PlaysWhileItIsOpenAndTheGameBehindItWaits) {
     EXPECT_EQ(rig.stage.screen(), Screen::Paused);
 }
 
+TEST(HelpPage, TurnsToAPageOfAllPowersAndBack) {
+    StageRig rig(StageRig::twoLevels());
+    rig.clickItem(Action::Help);
+    EXPECT_FALSE(rig.picture().says("The powers"));
+    rig.press(Command::Right);
+    const RecordingCanvas& page = rig.picture();
+    for (std::size_t i = 1; i < kPowerNames.size(); ++i) {
+        EXPECT_TRUE(page.says(kPowerNames[i])) << kPowerNames[i];
+        const Color color = page.palette().of(static_cast<Power>(i));
+        EXPECT_TRUE(std::any_of(
+            page.strokes().begin(), page.strokes().end(),
+            [&](const Stroke& stroke) { return stroke.text.empty() && stroke.color == color; }))
+            << "a picture of " << kPowerNames[i];
+    }
+    rig.click({0, 9});
+    EXPECT_FALSE(rig.picture().says("The powers"));
+    rig.press(Command::Left);
+    EXPECT_TRUE(rig.picture().says("The powers"));
+    rig.press(Command::Confirm);
+    EXPECT_EQ(rig.stage.screen(), Screen::Title);
+    rig.clickItem(Action::Help);
+    EXPECT_FALSE(rig.picture().says("The powers")) << "it opens at the first page";
+}
+
 TEST(HelpPage, DrawsFewPrimitives) {
     HelpPage page{Settings{}};
     RecordingCanvas canvas;

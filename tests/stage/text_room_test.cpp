@@ -194,6 +194,9 @@ TEST(TextRoom, OfTheHelp) {
             room.expectFree("help");
             room.frames(100);
         }
+        room.press(Command::Right);
+        EXPECT_TRUE(room.picture().says("The powers"));
+        room.expectFree("powers");
     });
 }
 
@@ -215,6 +218,13 @@ TEST(TextRoom, OfEachLevelInTheSelectionAndBesideTheField) {
                 Records records(def.profile, {}, {}, {});
                 records.setMarks(def.marks);
                 select.draw(canvas, records, 0);
+                EXPECT_EQ(crowdedTexts(canvas, window), std::vector<std::string>{}) << i;
+                Profile fresh; // no scores, but medals to win
+                fresh.mode = mode;
+                Records none(fresh, {}, {}, {});
+                none.setMarks(def.marks);
+                canvas.begin(layout::kShownTitle, {});
+                select.draw(canvas, none, 0);
                 EXPECT_EQ(crowdedTexts(canvas, window), std::vector<std::string>{}) << i;
 
                 Game game(allLevels()[i], 1, mode);

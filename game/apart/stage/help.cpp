@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/tuning.hpp>
 #include <apart/stage/help.hpp>
+#include <apart/stage/help_powers.hpp>
 #include <apart/stage/hud.hpp>
 #include <apart/stage/inset_canvas.hpp>
 #include <apart/stage/palette.hpp>
@@ -256,6 +257,12 @@ void HelpPage::drawScene(Canvas& canvas, HelpTopic topic, const Aabb& box) const
 }
 
 void HelpPage::draw(Canvas& canvas, const Bindings& keys) const {
+    canvas.text(powers_ ? "left, right, click: how to play      escape or enter: back"
+                        : "left, right, click: the powers      escape or enter: back",
+                {0, Real(-0.2)}, {kText, palette::kQuiet, Typeface::Plain, Align::Middle});
+    if (powers_) {
+        return paintPowersPage(canvas);
+    }
     const Layout layout(canvas);
     for (std::size_t row = 0; row < 2; ++row) {
         for (std::size_t i = row * kAcross; i < (row + 1) * kAcross; ++i) {
@@ -279,8 +286,6 @@ void HelpPage::draw(Canvas& canvas, const Bindings& keys) const {
     canvas.text("How to play", {0, Real(17.3)},
                 {Real(1.2), palette::kText, Typeface::Display, Align::Middle});
     paintWords(canvas, keys, layout.words - Real(0.55));
-    canvas.text("escape or enter: back", {0, Real(-0.2)},
-                {kText, palette::kQuiet, Typeface::Plain, Align::Middle});
 }
 
 } // namespace apart

@@ -10,8 +10,8 @@
 
 namespace apart {
 
-/// The page that explains the game: small scenes that play themselves again and again, and lines of
-/// text. Each showing of a scene is the same.
+/// The pages that explain the game: small scenes that play themselves again and again, with lines
+/// of text, and the powers. Each showing of a scene is the same.
 class HelpPage {
 public:
     explicit HelpPage(const Settings& settings);
@@ -19,6 +19,8 @@ public:
     /// Call once per frame with the time since the previous one (s). The speed of the game applies;
     /// after a stall, time beyond a limit is dropped.
     void advance(double seconds);
+    /// Shows the other page: the powers, or the scenes again.
+    void turn() { powers_ = !powers_; }
     /// Covers the whole picture.
     void draw(Canvas& canvas, const Bindings& keys) const;
 
@@ -35,6 +37,7 @@ private:
     std::vector<Play> starts_; // the scenes at their start
     std::vector<Play> plays_;
     double owed_ = 0; // s
+    bool powers_ = false;
 };
 
 } // namespace apart

@@ -171,15 +171,17 @@ void LevelSelect::drawBest(Canvas& canvas, const Records& records, Mode mode, Ve
     const Standing standing = records.standingOf(mode, level);
     const bool counts = mode == records.profile().mode;
     const bool proved = standing.proof == Proof::Proved;
+    const Medal medal = records.medalOf(mode, level);
+    const std::int32_t next = nextMark(proved ? standing.score : 0, level, records.marks());
     const bool shown = standing.proof != Proof::None && standing.proof != Proof::Missing;
+    const bool offersMedal = counts && next > 0;
+    const bool noted = !standing.note.empty(); // in the place of the next medal
     canvas.text(mode == Mode::Pure ? "BEST, PURE" : "BEST", place,
                 {Real(0.4), counts ? palette::kAccent : palette::kQuiet, Typeface::Plain,
-                 Align::Left, Real(2.2)});
+                 Align::Left, offersMedal && noted ? Real(2.2) : Real(4.7)});
     canvas.text(shown ? grouped(standing.score) : "-", place - Vec2{0, Real(0.9)},
                 {Real(0.8), proved ? palette::kText : palette::kQuiet, Typeface::Bold, Align::Left,
                  Real(3.1)});
-    const Medal medal = records.medalOf(mode, level);
-    const std::int32_t next = nextMark(proved ? standing.score : 0, level, records.marks());
     paintMedal(canvas, place + Vec2{Real(3.6), Real(-0.62)}, Real(0.36), medal);
     if (mode == Mode::Standard) {
         std::string offers;
@@ -192,11 +194,12 @@ void LevelSelect::drawBest(Canvas& canvas, const Records& records, Mode mode, Ve
             offers, place + Vec2{0, Real(-2.75)},
             {Real(0.4), palette::kQuiet, Typeface::Plain, Align::Left, kAboutRight - kAboutLeft});
     }
-    if (counts && next > 0) {
+    if (offersMedal) {
         canvas.text(
             fmt::format("{} {}", kMedalNames[static_cast<std::size_t>(medal) + 1], grouped(next)),
-            place + Vec2{Real(4.7), 0},
-            {Real(0.4), palette::kQuiet, Typeface::Plain, Align::Right, Real(2.3)});
+            place + (noted ? Vec2{Real(4.7), 0} : Vec2{0, Real(-1.35)}),
+            {Real(0.4), palette::kQuiet, Typeface::Plain, noted ? Align::Right : Align::Left,
+             noted ? Real(2.3) : Real(4.7)});
     }
     const std::string note = standing.proof == Proof::Missing
                                  ? fmt::format("{}: {}", grouped(standing.score), standing.note)

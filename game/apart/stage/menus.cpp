@@ -92,7 +92,7 @@ Menu optionsMenu(const Settings& settings, int page) {
     }
     items.push_back({Action::Reset, "As they were at first"});
     items.push_back({Action::Back, "Back"});
-    return {std::move(items), Real(13.2)};
+    return {std::move(items), Real(13.2), Real(7.4)};
 }
 
 Menu pauseMenu() {

@@ -216,6 +216,11 @@ bool Stage::takeShortcut(Command command) {
         back();
         return true;
     }
+    if (help_ && screen_ == Screen::Help &&
+        (command == Command::Left || command == Command::Right)) {
+        help_->turn();
+        return true;
+    }
     if (command == Command::Pause && paused) {
         back();
         return true;
@@ -281,6 +286,9 @@ void Stage::takeMenu(const Signals& signals, Speaker& speaker) {
         if (takeShortcut(command)) {
             return;
         }
+    }
+    if (signals.clicked && help_ && screen_ == Screen::Help) {
+        return help_->turn();
     }
     const std::size_t before = menu_.chosen();
     const std::optional<MenuOutcome> outcome = menu_.take(signals);
