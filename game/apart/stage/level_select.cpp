@@ -179,7 +179,7 @@ void LevelSelect::drawBest(Canvas& canvas, const Records& records, Mode mode, Ve
     canvas.text(mode == Mode::Pure ? "BEST, PURE" : "BEST", place,
                 {Real(0.4), counts ? palette::kAccent : palette::kQuiet, Typeface::Plain,
                  Align::Left, offersMedal && noted ? Real(2.2) : Real(4.7)});
-    canvas.text(shown ? grouped(standing.score) : "-", place - Vec2{0, Real(0.9)},
+    canvas.text(shown ? grouped(standing.score) : "-", place - Vec2{0, Real(0.95)},
                 {Real(0.8), proved ? palette::kText : palette::kQuiet, Typeface::Bold, Align::Left,
                  Real(3.1)});
     paintMedal(canvas, place + Vec2{Real(3.6), Real(-0.62)}, Real(0.36), medal);
@@ -197,14 +197,14 @@ void LevelSelect::drawBest(Canvas& canvas, const Records& records, Mode mode, Ve
     if (offersMedal) {
         canvas.text(
             fmt::format("{} {}", kMedalNames[static_cast<std::size_t>(medal) + 1], grouped(next)),
-            place + (noted ? Vec2{Real(4.7), 0} : Vec2{0, Real(-1.35)}),
+            place + (noted ? Vec2{Real(4.7), 0} : Vec2{0, Real(-1.4)}),
             {Real(0.4), palette::kQuiet, Typeface::Plain, noted ? Align::Right : Align::Left,
              noted ? Real(2.3) : Real(4.7)});
     }
     const std::string note = standing.proof == Proof::Missing
                                  ? fmt::format("{}: {}", grouped(standing.score), standing.note)
                                  : standing.note;
-    canvas.text(note, place - Vec2{0, Real(1.35)},
+    canvas.text(note, place - Vec2{0, Real(1.4)},
                 {Real(0.36), palette::kQuiet, Typeface::Plain, Align::Left, Real(4.7)});
     const MedalMarks* marks = marksFor(level, records.marks());
     paintHonours(canvas, place + Vec2{Real(0.3), Real(-1.95)}, {Real(0.8), 0}, Real(0.26),
