@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: MIT
+#include <support/near.hpp>
+
 #include "contacts/contact_update.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 namespace kodo {
 namespace {
 
 constexpr Tolerances kScale = Tolerances::forUnit(1);
+constexpr Real kRounding = support::byPrecision(1e-6, 1e-14);
+// rad; the golden angle is given to nine digits, and angles of up to 77 rad are rounded.
+constexpr Real kAngle = support::byPrecision(2e-5, 2e-8);
 
 /// A box on another one, and their contact.
 class Boxes {
@@ -188,6 +196,52 @@ TEST(ContactUpdate, ImpulsesOfADeepOverlapAreMatchedByFeatureOnly) {
         const bool isKnown = boxes.contact.manifold.points[i].feature == known;
         EXPECT_EQ(boxes.contact.impulse[i].normal, isKnown ? 3 : 0);
     }
+}
+
+/// Normals of the contacts between a static disc and `count` smaller ones with the same centre.
+std::vector<Vec2> concentricNormals(int count) {
+    Bodies bodies;
+    const auto add = [&](Real radius, BodyType type) {
+        const BodyDef def{.shape = Circle{radius}, .type = type};
+        addBody(bodies, def, makeGeometry(partsOf(def)));
+    };
+    add(Real(0.5), BodyType::Static);
+    std::vector<Vec2> normals;
+    for (int i = 1; i <= count; ++i) {
+        add(Real(0.25), BodyType::Dynamic);
+        Contact contact;
+        contact.key = {0, 0, static_cast<std::uint32_t>(i), 0};
+        findContact(contact, bodies, kScale, Real(1) / 60);
+        EXPECT_EQ(contact.manifold.count, 1);
+        const ManifoldPoint& point = contact.manifold.points[0];
+        normals.push_back(contact.manifold.normal);
+        // Midway between the two outlines: 0.5 - 0.75 / 2.
+        EXPECT_TRUE(support::near(point.armA, Real(0.125) * normals.back(), kRounding));
+        EXPECT_TRUE(support::near(point.armB, Real(0.125) * normals.back(), kRounding));
+    }
+    return normals;
+}
+
+// Each disc has its own direction. Multiples of the golden angle fill a circle evenly: by the
+// three-gap theorem, neighbours among 32 are at least phi^-8 and at most phi^-6 turns apart.
+TEST(ContactUpdate, ConcentricDiscsSeparateInAllDirections) {
+    std::vector<double> angles;
+    for (const Vec2 normal : concentricNormals(32)) {
+        EXPECT_TRUE(support::near(length(normal), 1, kRounding));
+        angles.push_back(std::atan2(static_cast<double>(normal.y), static_cast<double>(normal.x)));
+    }
+    std::sort(angles.begin(), angles.end());
+    angles.push_back(angles.front() + 2 * std::numbers::pi);
+    double least = 2 * std::numbers::pi;
+    double most = 0;
+    for (std::size_t i = 1; i < angles.size(); ++i) {
+        least = std::min(least, angles[i] - angles[i - 1]);
+        most = std::max(most, angles[i] - angles[i - 1]);
+    }
+    EXPECT_TRUE(
+        support::near(least, 2 * std::numbers::pi * std::pow(std::numbers::phi, -8), kAngle));
+    EXPECT_TRUE(
+        support::near(most, 2 * std::numbers::pi * std::pow(std::numbers::phi, -6), kAngle));
 }
 
 } // namespace
