@@ -246,6 +246,49 @@ TEST(SpringEnergy, RopesOnTheRimsOfLightBodiesGainNone) {
     }
 }
 
+/// A weight on a rope, a disc of 0.1 m and another rope, whose anchors on the rim face each other.
+/// The disc starts 0.1 rad from the direction of the load.
+struct LoadedDisc : joints::Rig {
+    static constexpr Real kRope = Real(0.5); // m
+    static constexpr Real kRim = Real(0.1);  // m
+    BodyId disc;
+    BodyId weight;
+
+    LoadedDisc(Real ratio, const StepSettings& settings) : Rig(support::kEarth, settings) {
+        disc = world.add({.shape = Circle{kRim},
+                          .position = {0, -kRope - kRim},
+                          .rotation = Rot::fromAngle(Real(0.1)),
+                          .flags = kDisabled});
+        weight = world.add({.shape = Circle{kRim},
+                            .position = {0, -2 * (kRope + kRim)},
+                            .density = ratio,
+                            .flags = kDisabled});
+        DistanceJoint rope{.ends = {.a = post, .b = disc, .anchorB = {0, kRim}},
+                           .limits = Range{0, kRope}};
+        world.add(rope);
+        rope.ends = {.a = disc, .b = weight, .anchorA = {0, -kRim}};
+        world.add(rope);
+    }
+};
+
+// F1: the load turns the disc about its equilibrium at sqrt(2 F r / I) = sqrt(4 ratio g / r), which
+// is 2000 rad/s and at least 6 rad in a substep. Ropes have no stiffness: their impulse alone
+// bounds the inertia of the disc. So it comes to rest along the ropes instead of spinning ever
+// faster. Rounding of the load turns it by 1e-7 rad.
+TEST(SpringEnergy, ALightDiscBetweenLoadedRopesComesToRest) {
+    for (const int substeps : {1, 2, 5}) {
+        SCOPED_TRACE(testing::Message() << substeps << " substeps");
+        LoadedDisc loaded(10000, solversWith(substeps)[0]);
+        support::run(loaded.world, 300);
+        for (int step = 0; step < 60; ++step) {
+            loaded.world.step(support::kDt);
+            const BodyView disc = loaded.world[loaded.disc];
+            ASSERT_TRUE(support::near(disc.rotation().angle(), 0, 1e-5)) << "step " << step;
+            ASSERT_TRUE(support::near(disc.angularVelocity(), 0, 0.01)) << "step " << step; // rad/s
+        }
+    }
+}
+
 // F1: a spring with long arms of its anchors has the stiffness of its reduced mass in every
 // direction, so bodies that turn under it gain no energy.
 TEST(SpringEnergy, ASpringOnLongArmsGainsNone) {
