@@ -12,6 +12,8 @@ namespace {
 using support::kEarth;
 
 constexpr Real kKinetic = Real(0.2);
+// About ten operations on speeds of up to 8 m/s.
+constexpr Real kRounding = support::byPrecision(1e-5, 1e-14);
 
 /// Distance (m) that a box laid on a slope of tan 0.5 slides in 3 s.
 Real slideOf(Real coefficient, Real rate, Real height, Real depth) {
@@ -104,6 +106,50 @@ TEST(StaticFriction, LeavesABoxBehindOnAFasterBelt) {
         world.step(support::kDt);
     }
     EXPECT_TRUE(support::near(world[box].velocity().x, 2, Real(0.1)));
+}
+
+/// Horizontal speed (m/s) and spin (rad/s, clockwise) after the impact of a disc with restitution
+/// 0.5, a static friction of 0.6 and a kinetic one of 0.2, that falls at 2 m/s without spin.
+struct AfterImpact {
+    Real speed;
+    Real spin;
+};
+
+AfterImpact afterImpactAt(Real speed) {
+    const Material material{
+        .staticFriction = Real(0.6), .kineticFriction = kKinetic, .restitution = Real(0.5)};
+    World world;
+    support::addFloor(world, material);
+    BodyDef def = support::ballDef({0, 2}, 1, material);
+    def.velocity = {speed, -2};
+    const BodyId disc = world.add(def);
+    for (int step = 0; step < 120 && world[disc].velocity().y < 0; ++step) {
+        world.step(support::kDt);
+    }
+    EXPECT_TRUE(support::near(world[disc].velocity().y, 1, kRounding));
+    return {world[disc].velocity().x, -world[disc].angularVelocity()};
+}
+
+// The normal impulse is (1 + e) v_n = 3 N s per kg. A disc of inertia m r^2 / 2 rolls after a
+// tangential impulse of a third of its speed, which static friction applies up to 0.6 * 3 = 1.8,
+// where the kinetic one ends at 0.6.
+TEST(StaticFriction, MakesADiscRollInAnObliqueImpactToItsLimit) {
+    for (const Real speed : {Real(1), Real(2.5), Real(4), Real(5.3), Real(-5.3)}) {
+        const AfterImpact after = afterImpactAt(speed);
+        EXPECT_TRUE(support::near(after.speed, 2 * speed / 3, kRounding)) << "speed " << speed;
+        EXPECT_TRUE(support::near(after.spin, 2 * speed / 3, kRounding)) << "speed " << speed;
+    }
+}
+
+// Above it the disc slides with the kinetic coefficient: it loses 0.2 * 3 = 0.6 m/s, and spins by
+// twice that.
+TEST(StaticFriction, LeavesKineticFrictionInAnObliqueImpactBeyondItsLimit) {
+    for (const Real speed : {Real(5.5), Real(8), Real(-5.5)}) {
+        const AfterImpact after = afterImpactAt(speed);
+        const Real loss = std::copysign(Real(0.6), speed);
+        EXPECT_TRUE(support::near(after.speed, speed - loss, kRounding)) << "speed " << speed;
+        EXPECT_TRUE(support::near(after.spin, 2 * loss, kRounding)) << "speed " << speed;
+    }
 }
 
 } // namespace
