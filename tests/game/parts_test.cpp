@@ -140,6 +140,18 @@ TEST(SplitBlock, BecomesSeveralBalls) {
     }
 }
 
+// The ball of the serve and those of four blocks would be nine.
+TEST(SplitBlock, BecomesShardsWhereThereAreTheMostBalls) {
+    constexpr std::size_t kBlocks = 4;
+    static_assert(1 + kBlocks * kSplitBalls == kMostBalls + 1);
+    Game game(levelOf(".SSSS..........\n"), 1);
+    for (std::size_t i = 0; i < kBlocks; ++i) {
+        GameTestAccess::breakBlock(game, 0, {0, 24});
+    }
+    EXPECT_EQ(game.balls().size(), kMostBalls);
+    EXPECT_EQ(game.shards().size(), 1u);
+}
+
 TEST(SplitBlock, LosesNoLifeWhileABallIsLeft) {
     Game game = dropped("S");
     const std::size_t balls = game.balls().size();
