@@ -37,6 +37,20 @@ TEST(Sleep, BeginsAfterTheSetNumberOfCalmSteps) {
     }
 }
 
+// O3: the same steps after it wakes without moving, wherever it lies.
+TEST(Sleep, BeginsAgainAfterTheSetNumberOfCalmSteps) {
+    for (const int steps : {1, 10, 30}) {
+        World world(restingAfter(steps));
+        addFloor(world);
+        const BodyId box = world.add(boxDef({3, Real(0.5)}, 1, 1));
+        ASSERT_EQ(stepsUntilAsleep(world, box, 200), steps);
+        for (int time = 0; time < 3; ++time) {
+            world[box].wake();
+            EXPECT_EQ(stepsUntilAsleep(world, box, 200), steps);
+        }
+    }
+}
+
 /// True if a box that starts on ice with this speed (m/s) falls asleep within 1 m.
 bool restsOnIce(Real speed, int sleepSteps) {
     World world(restingAfter(sleepSteps));
