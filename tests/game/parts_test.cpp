@@ -37,7 +37,7 @@ TEST(WeldedPart, IsAPartOfThePaddleAndAddsItsMass) {
     EXPECT_NE(eventOf<Caught>(game), nullptr);
     const kodo::BodyView paddle = game.world()[game.paddle()];
     EXPECT_EQ(paddle.partCount(), 2u);
-    EXPECT_EQ(game.weldedParts(), 1);
+    EXPECT_EQ(game.welds().size(), 1u);
     EXPECT_TRUE(near(paddle.mass(), before + partMass, 1e-4));
     EXPECT_EQ(welded->mass, paddle.mass());
     EXPECT_GT(paddle.bounds().upper.y, top + Real(0.3));
@@ -76,7 +76,7 @@ TEST(WeldedPart, ComesOffWhenImpactsHaveUsedUpItsWeldStrength) {
     const KnockedOff* off = eventOf<KnockedOff>(game);
     ASSERT_NE(off, nullptr);
     EXPECT_EQ(off->parts, 0);
-    EXPECT_EQ(game.weldedParts(), 0);
+    EXPECT_EQ(game.welds().size(), 0u);
     EXPECT_EQ(game.world()[game.paddle()].partCount(), 1u);
     const Real lost = game.world()[off->shard].mass();
     EXPECT_TRUE(near(game.world()[game.paddle()].mass(), heavy - lost, 1e-4));

@@ -182,7 +182,7 @@ TEST(Wings, WidenThePaddleAsPartsOfItsBody) {
     const Real mass = game.world()[game.paddle()].mass();
     ASSERT_TRUE(playUntil<Welded>(game, towards(kCatchX), 240));
     const kodo::BodyView paddle = game.world()[game.paddle()];
-    EXPECT_EQ(game.weldedParts(), 2);
+    EXPECT_EQ(game.welds().size(), 2u);
     EXPECT_TRUE(near(paddle.bounds().upper.x - paddle.bounds().lower.x, width + 2, 0.01));
     EXPECT_GT(paddle.mass(), mass + Real(0.5));
     EXPECT_EQ(game.parts().size(), 0u);
@@ -198,7 +198,7 @@ TEST(Wings, AreKnockedOffByOneHardImpactAndFall) {
     const auto off = playUntil<KnockedOff>(game, {}, 60);
     ASSERT_TRUE(off);
     EXPECT_GT(off->impulse, kKnockOffImpact);
-    EXPECT_EQ(game.weldedParts(), 1);
+    EXPECT_EQ(game.welds().size(), 1u);
     const Real lost = game.world()[off->shard].mass();
     EXPECT_TRUE(near(game.world()[game.paddle()].mass() + lost, heavy, 1e-4));
     const Real height = game.world()[off->shard].center().y;

@@ -240,21 +240,5 @@ inline Vec2 velocityAt(const BodyVelocity& motion, Vec2 arm) {
 /// World bounds of all parts.
 Aabb boundsOfBody(const Bodies& bodies, std::size_t body);
 
-/// Applies an impulse (N s) and an angular one (N m s), with the masses of a pass. A locked body is
-/// not written: islands share it, and an infinite impulse in one of them times 0 would be NaN in
-/// all.
-inline void applyImpulse(BodyVelocity& motion, Real invMass, Vec2 impulse, Real invInertia,
-                         Real angular) {
-    if (invMass != 0 || invInertia != 0) {
-        motion.velocity += invMass * impulse;
-        motion.angularVelocity += invInertia * angular;
-    }
-}
-
-/// Applies an impulse (N s) at the end of an arm (m).
-inline void applyImpulse(BodyVelocity& motion, Vec2 arm, Vec2 impulse) {
-    applyImpulse(motion, motion.invMass, impulse, motion.invInertia, cross(arm, impulse));
-}
-
 } // namespace KODO_PRECISION
 } // namespace kodo

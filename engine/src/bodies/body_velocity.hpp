@@ -34,6 +34,22 @@ struct BodyVelocity {
     bool locked() const { return invMass == 0 && invInertia == 0; }
 };
 
+/// Applies an impulse (N s) and an angular one (N m s), with the masses of a pass. A locked body is
+/// not written: islands share it, and an infinite impulse in one of them times 0 would be NaN in
+/// all.
+inline void applyImpulse(BodyVelocity& motion, Real invMass, Vec2 impulse, Real invInertia,
+                         Real angular) {
+    if (invMass != 0 || invInertia != 0) {
+        motion.velocity += invMass * impulse;
+        motion.angularVelocity += invInertia * angular;
+    }
+}
+
+/// Applies an impulse (N s) at the end of an arm (m).
+inline void applyImpulse(BodyVelocity& motion, Vec2 arm, Vec2 impulse) {
+    applyImpulse(motion, motion.invMass, impulse, motion.invInertia, cross(arm, impulse));
+}
+
 /// Constant over a step; from forces and fields.
 struct Acceleration {
     Vec2 linear;      // m/s^2

@@ -73,7 +73,6 @@ public:
     kodo::BodyId paddle() const { return state_.paddle.body; }
     /// Indexed by part of the paddle's body, from part 1.
     std::span<const Weld> welds() const { return state_.paddle.welds; }
-    int weldedParts() const { return state_.weldedParts(); }
     std::span<const Block> blocks() const { return state_.blocks; }
     std::span<const Ball> balls() const { return state_.balls; }
     std::span<const Shard> shards() const { return state_.shards; }

@@ -165,7 +165,7 @@ std::int64_t valueOfState(const Game& game, Field field) {
     case Field::Parts:
         return static_cast<std::int64_t>(game.parts().size());
     case Field::PaddleParts:
-        return game.weldedParts();
+        return static_cast<std::int64_t>(game.welds().size());
     case Field::PaddleX:
     case Field::PaddleMass:
     case Field::Tilt:
