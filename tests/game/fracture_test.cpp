@@ -114,6 +114,21 @@ TEST(Fracture, DependsOnItsKeyAlone) {
     }
 }
 
+// The first crack starts at the point of impact, so two pieces have a corner there.
+TEST(Fracture, CracksInHalvesFromThePointOfImpact) {
+    const Polygon block = rectangle(kCellWidth, kCellHeight);
+    for (int i = -10; i <= 10; ++i) {
+        const Vec2 hit{Real(0.02) * static_cast<Real>(i) * kCellWidth, -kCellHeight / 2};
+        int corners = 0;
+        for (const Polygon& piece : fracture(block, hit, Pattern::Halves, shardLimits(), kSeed)) {
+            for (const Vec2 corner : piece.corners) {
+                corners += length(corner - hit) < Real(1e-4) ? 1 : 0; // m, of rounding and merging
+            }
+        }
+        EXPECT_EQ(corners, 2) << "hit at " << hit.x;
+    }
+}
+
 TEST(Fracture, MakesMorePiecesNearTheImpactWhenItShatters) {
     double nearer = 0;
     int count = 0;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 namespace {
 
@@ -35,6 +36,20 @@ TEST(SpeedServo, ReachesTheBandFromAnySpeedAndKeepsTheHeading) {
         EXPECT_TRUE(near(length(velocity), 12, 12 * kServoBand * Real(1.01)));
         // 60 scalings of two floats, each with an error of half an ulp.
         EXPECT_TRUE(near(cross(normalize(velocity), heading), 0, 60 * support::kEpsilon));
+    }
+}
+
+// The error falls as a geometric series.
+TEST(SpeedServo, RemovesTheSameShareOfTheErrorInEachTick) {
+    for (const Real start : {Real(6), Real(18)}) {
+        const Vec2 heading{Real(0.6), Real(-0.8)};
+        Vec2 velocity = start * heading;
+        for (int tick = 1; tick <= 10; ++tick) {
+            velocity = servoVelocity(velocity, heading, 12);
+            const Real error = (start - 12) * std::pow(1 - kServoShare, static_cast<Real>(tick));
+            // Ten scalings of floats of up to 18.
+            EXPECT_TRUE(near(length(velocity), 12 + error, 2e-5)) << "tick " << tick;
+        }
     }
 }
 
