@@ -199,5 +199,38 @@ TEST(OutsideRegion, PhasesStayPairedWhileTheRegionMoves) {
     }
 }
 
+// Only contacts of the bodies outside are measured anew: before, the last digits of other approach
+// speeds changed.
+TEST(OutsideRegion, ABodyThatHoldsOneInsideChangesNoRecordElsewhere) {
+    const auto addPile = [](World& world) {
+        support::addHeap(world, 7, 30);
+        world.setRegion(Aabb{{-50, -10}, {50, 40}});
+        return world.bodies().size();
+    };
+    World alone({.gravity = support::kEarth});
+    World beside({.gravity = support::kEarth});
+    addPile(alone);
+    const std::size_t count = addPile(beside);
+    BodyDef def = boxDef({Real(-50.55), 20}, 1, 1); // outside, and stopped with its velocity
+    def.velocity = {-3, 0};
+    const BodyId outside = beside.add(def);
+    beside.add(ballDef({Real(-50.2), Real(20.8)}, Real(0.3))); // on it, and inside
+    const auto speedsOf = [&](const World& world) {
+        std::vector<Real> speeds;
+        for (const CollisionRecord& record : world.collisions()) {
+            if (record.b.index < count) {
+                speeds.push_back(record.approachSpeed);
+            }
+        }
+        return speeds;
+    };
+    for (int step = 0; step < 60; ++step) {
+        alone.step(kDt);
+        beside.step(kDt);
+        ASSERT_EQ(speedsOf(alone), speedsOf(beside)) << "step " << step;
+    }
+    EXPECT_TRUE(isOutside(beside, outside));
+}
+
 } // namespace
 } // namespace kodo

@@ -88,10 +88,10 @@ public:
     /// is kept, only the summary is updated.
     void updateManifolds(const Bodies& bodies, const Tolerances& tolerances, Real dt,
                          const SolverStorage& keeper, WorkerTeam& team);
-    /// Measures all approach speeds again, after velocities have changed. No contact may be
-    /// resident.
-    void measureApproach(const Bodies& bodies);
-    /// m/s, upper bound of the approach speeds; exact after updateManifolds and measureApproach.
+    /// Measures the approach speeds of a body's contacts again, after its velocity has changed.
+    /// None of them may be resident.
+    void measureApproach(const Bodies& bodies, std::uint32_t body);
+    /// m/s, upper bound of the approach speeds; exact after updateManifolds.
     Real fastestApproach() const { return fastestApproach_; }
     /// Slots of the contacts that are not idle, in order. Not valid after a change of the list of
     /// contacts.

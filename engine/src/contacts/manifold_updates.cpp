@@ -130,12 +130,11 @@ Real listLive(std::span<const ContactSummary> summaries, std::size_t first, std:
 
 } // namespace
 
-void ContactSet::measureApproach(const Bodies& bodies) {
-    fastestApproach_ = 0;
-    for (std::size_t slot = 0; slot < store_.size(); ++slot) {
+void ContactSet::measureApproach(const Bodies& bodies, std::uint32_t body) {
+    store_.lists().forEach(body, [&](std::uint32_t slot) {
         kodo::measureApproach(contacts()[slot], bodies);
         noteManifold(slot);
-    }
+    });
 }
 
 /// Determines whether the contact touches. Adds its slot to `toggled` if that differs from the last

@@ -175,7 +175,7 @@ void Region::unparkContactsOf(std::uint32_t body, Bodies& bodies, ContactSet& co
     }
 }
 
-bool Region::makeOutsideStatic(Bodies& bodies, const ContactSet& contacts, const JointSet& joints) {
+void Region::makeOutsideStatic(Bodies& bodies, const ContactSet& contacts, const JointSet& joints) {
     const auto hold = [&](std::uint32_t body) {
         BodyVelocity& motion = bodies.motion[body];
         const bool still =
@@ -192,7 +192,6 @@ bool Region::makeOutsideStatic(Bodies& bodies, const ContactSet& contacts, const
         hold(firstBody(joint.def).index);
         hold(secondBody(joint.def).index);
     });
-    return !outsideVelocities_.empty();
 }
 
 void Region::restoreOutside(Bodies& bodies) {

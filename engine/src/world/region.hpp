@@ -53,8 +53,15 @@ public:
     std::span<const Contact> parked() const { return parked_; }
 
     /// Bodies outside the region count as static during the solve, for touching contacts and
-    /// joints. True if there are any.
-    bool makeOutsideStatic(Bodies& bodies, const ContactSet& contacts, const JointSet& joints);
+    /// joints.
+    void makeOutsideStatic(Bodies& bodies, const ContactSet& contacts, const JointSet& joints);
+    /// Visits the bodies that makeOutsideStatic() stopped.
+    template <typename Visit>
+    void forEachHeld(Visit visit) const {
+        for (const auto& held : outsideVelocities_) {
+            visit(held.first);
+        }
+    }
     void restoreOutside(Bodies& bodies);
 
 private:

@@ -97,13 +97,17 @@ void WorldStep::updateManifolds() {
 /// Evicts the resident contacts of teleported bodies, so that their manifolds are updated.
 void WorldStep::evictTeleported() {
     for (const std::uint32_t body : bodies_.changes.teleported) {
-        contacts_.store().lists().forEach(body, [&](std::uint32_t slot) {
-            if (contacts_.summaries()[slot].row != ContactRow::kNone) {
-                softSolver_.blocks().evict(contacts_.contacts()[slot], bodies_);
-                contacts_.noteRow(slot);
-            }
-        });
+        evictContactsOf(body);
     }
+}
+
+void WorldStep::evictContactsOf(std::uint32_t body) {
+    contacts_.store().lists().forEach(body, [&](std::uint32_t slot) {
+        if (contacts_.summaries()[slot].row != ContactRow::kNone) {
+            softSolver_.blocks().evict(contacts_.contacts()[slot], bodies_);
+            contacts_.noteRow(slot);
+        }
+    });
 }
 
 /// Wakes islands that awake bodies touch, or bodies that were added or changed.
@@ -124,9 +128,12 @@ void WorldStep::gatherForces() {
     if (bodies_.changes.loadsStale) {
         noteLoads(bodies_);
     }
-    if (region_.isActive() && region_.makeOutsideStatic(bodies_, contacts_, joints_)) {
-        softSolver_.blocks().evictAll(contacts_.contacts(), bodies_);
-        contacts_.measureApproach(bodies_); // measured with the velocities that are restored later
+    if (region_.isActive()) {
+        region_.makeOutsideStatic(bodies_, contacts_, joints_);
+        region_.forEachHeld([&](std::uint32_t body) {
+            evictContactsOf(body);
+            contacts_.measureApproach(bodies_, body); // measured with the velocity of before
+        });
     }
     bodies_.anySleeping = sleep_.anyAsleep();
 }

@@ -18,6 +18,7 @@ private:
     void forAwake(void (*work)(Bodies&, std::span<const std::uint32_t>));
     void updateManifolds();
     void evictTeleported();
+    void evictContactsOf(std::uint32_t body);
     void wakeIslands(bool arrivals);
     void gatherForces();
     void solve();
