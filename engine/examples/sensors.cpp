@@ -30,7 +30,11 @@ int main() {
         const auto report = [&](const kodo::CollisionRecord& touch, int change, const char* what) {
             if (touch.involves(gate)) {
                 inside += change;
-                const auto ball = static_cast<int>(world[touch.other(gate)].userData());
+                const kodo::BodyId other = touch.other(gate);
+                if (!world.contains(other)) { // it was removed while inside
+                    return;
+                }
+                const auto ball = static_cast<int>(world[other].userData());
                 std::printf("%.2f s: ball %d %s, %d inside\n", step / 60.0, ball, what, inside);
             }
         };

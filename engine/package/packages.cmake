@@ -76,6 +76,10 @@ if(TARGET apart-headless)
     kodo_package(apart apart games DEPENDS ${runtime} SHLIBDEPS)
 endif()
 
+set(libraries "the library in single precision")
+if(KODO_DOUBLE)
+    set(libraries "the libraries in single and in double precision")
+endif()
 include(CPack)
 cpack_add_component_group(engine)
 cpack_add_component_group(game)
@@ -83,15 +87,15 @@ cpack_add_component(kodo-runtime GROUP engine
     DISPLAY_NAME "Kodo, shared libraries"
     DESCRIPTION "2D rigid-body engine, shared libraries
 Rigid bodies, joints, force fields and continuous collision for games. The
-same input gives the same bits on every machine. This package holds the
-libraries in single and in double precision.")
+same input gives the same bits on every machine. This package holds
+${libraries}.")
 cpack_add_component(kodo-dev GROUP engine
     DISPLAY_NAME "Kodo, files for development"
     DESCRIPTION "2D rigid-body engine, files for development
 Rigid bodies, joints, force fields and continuous collision for games. The
 same input gives the same bits on every machine. This package holds the
-headers, the libraries in single and in double precision, and the files for
-CMake and pkg-config.")
+headers, ${libraries},
+and the files for CMake and pkg-config.")
 cpack_add_component(kodo-sfml-dev GROUP engine DEPENDS kodo-dev
     DISPLAY_NAME "Kodo with SFML, files for development"
     DESCRIPTION "2D rigid-body engine, drawing with SFML, files for development

@@ -113,7 +113,7 @@ inline KodoScene inKodo(const SceneDef& scene, const kodo::StepSettings& setting
     KodoScene result{kodo::World(def), {}};
     if (!allHeavy) {
         result.world.addField({std::make_shared<kodo::Gravity>(toKodo(scene.gravity)),
-                               {kodo::kMatchAny | kHeavy, std::uint16_t{kHeavy}}});
+                               {kodo::kMatchAny, std::uint16_t{kHeavy}}});
     }
     for (const BodyDef& body : scene.bodies) {
         kodo::BodyDef one = toKodo(body);

@@ -316,15 +316,24 @@ TEST(Sentences, OfAFilter) {
     const CollisionFilter two{kMatchAny | kMatchAll, 1};
     const CollisionFilter none{0, 1};
     const CollisionFilter sensor{kMatchAny | kSensor, 1};
+    const std::pair<CollisionFilter, const char*> refused[] = {
+        {two, "which.flags: must have one of kMatchAny, kMatchAll and kMatchEqual at most"},
+        {none, "which.required: has no effect without a match mode: add kMatchAny, kMatchAll or "
+               "kMatchEqual to which.flags"},
+        {sensor, "which.flags: must have a match mode alone: a filter does not compare locks"},
+        {{2, 0},
+         "which.flags: must have a match mode alone: put the categories to find into "
+         "which.required, as {kMatchAny, categories}"},
+        {{kMatchAny | 2, 4}, "which.flags: must have a match mode alone: put the categories"},
+        {{kMatchAny, 0},
+         "which.required: must name the categories to find: with kMatchAny or "
+         "kMatchAll, 0 finds nothing"},
+        {{kMatchAll, 0}, "which.required: must name the categories to find"},
+    };
     std::vector<Mistake> mistakes;
-    for (const CollisionFilter which : {two, none, sensor}) {
-        const std::string sentence =
-            which.flags == 0              ? "which.required: has no effect without a match mode: "
-                                            "add kMatchAny, kMatchAll or kMatchEqual to which.flags"
-            : which.flags == sensor.flags ? "which.flags: must have categories and a match mode "
-                                            "alone: a filter does not compare"
-                                          : "which.flags: must have one of kMatchAny, kMatchAll "
-                                            "and kMatchEqual at most";
+    for (const auto& mistake : refused) {
+        const CollisionFilter which = mistake.first;
+        const std::string sentence = mistake.second;
         const auto add = [&](std::function<void(Beginning&)> make) {
             mistakes.push_back({sentence, std::move(make)});
         };

@@ -79,7 +79,9 @@ inline constexpr Flags kMatchModes = kMatchAny | kMatchAll | kMatchEqual;
 
 /// Decides which bodies collide, or which ones a query or a field concerns [Thesis06, 4.1.6].
 struct CollisionFilter {
-    Flags flags = 0;            // user flags, and at most one of kMatchModes; queries refuse others
+    /// At most one of kMatchModes. Of a body also its user flags; queries, fields and forces on all
+    /// bodies refuse these.
+    Flags flags = 0;
     std::uint16_t required = 0; // user flags that the other must have, as the mode says
 };
 

@@ -110,7 +110,7 @@ void ThreadPool::Threads::work() {
 
 ThreadPool::ThreadPool(int helpers) {
     if (helpers < 0 || helpers > kMaxHelpers) {
-        refuse(Problem{"helpers", "must be 0 to " + std::to_string(kMaxHelpers) + ", but is " +
+        refuse(Problem{"helpers", "must be from 0 to " + std::to_string(kMaxHelpers) + ", but is " +
                                       std::to_string(helpers)});
     }
     threads_ = std::make_unique<Threads>(helpers);

@@ -97,12 +97,20 @@ std::optional<Problem> checkFilter(CollisionFilter which) {
         return problem;
     }
     if ((which.flags & ~(kUserFlags | kMatchModes)) != 0) {
-        return Problem{"which.flags", "must have categories and a match mode alone: a filter does "
-                                      "not compare locks, kSensor and other flags"};
+        return Problem{"which.flags", "must have a match mode alone: a filter does not "
+                                      "compare locks, kSensor and other flags"};
     }
     if (which.required != 0 && (which.flags & kMatchModes) == 0) {
         return Problem{"which.required", "has no effect without a match mode: add kMatchAny, "
                                          "kMatchAll or kMatchEqual to which.flags"};
+    }
+    if ((which.flags & kUserFlags) != 0) {
+        return Problem{"which.flags", "must have a match mode alone: put the categories to find "
+                                      "into which.required, as {kMatchAny, categories}"};
+    }
+    if (which.required == 0 && (which.flags & (kMatchAny | kMatchAll)) != 0) {
+        return Problem{"which.required", "must name the categories to find: with kMatchAny or "
+                                         "kMatchAll, 0 finds nothing"};
     }
     return std::nullopt;
 }

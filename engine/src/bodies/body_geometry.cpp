@@ -119,6 +119,8 @@ std::optional<Problem> checkMassDef(const MassDef& def, std::span<const Part> pa
         auto problem = checkRange("mass.inertia", *def.inertia, least, kMost, "kg m^2");
         if (problem && *def.inertia == 0) {
             problem->reason += ": kLockRotate stops the rotation of a body";
+        } else if (problem && *def.inertia < least) {
+            problem->reason += ": see kMinInertiaShare; leave it out to get that of the shapes";
         }
         return problem;
     }

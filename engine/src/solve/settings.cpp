@@ -22,8 +22,8 @@ public:
     void count(const char* field, int value, int low, int high) {
         if (!problem_ && (value < low || value > high)) {
             problem_ =
-                Problem{field, "must be " + std::to_string(low) + " to " + std::to_string(high) +
-                                   ", but is " + std::to_string(value)};
+                Problem{field, "must be from " + std::to_string(low) + " to " +
+                                   std::to_string(high) + ", but is " + std::to_string(value)};
         }
     }
     void positive(const char* field, Real value, Real most) {

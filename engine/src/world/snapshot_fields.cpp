@@ -228,7 +228,8 @@ void SnapshotFields::one(FieldEntry& entry) {
     case FieldKind::Own:
         if (reads()) {
             require(!ownFields_.empty(),
-                    "fewer user-defined force fields were given than the snapshot needs");
+                    "fewer user-defined force fields were given than the snapshot needs: give them "
+                    "to fromBytes(), in the order of World::fields()");
             require(ownFields_.front() != nullptr, "a given force field is null");
             shared = ownFields_.front();
             ownFields_ = ownFields_.subspan(1);
