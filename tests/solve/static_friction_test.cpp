@@ -12,8 +12,6 @@ namespace {
 using support::kEarth;
 
 constexpr Real kKinetic = Real(0.2);
-// About ten operations on speeds of up to 8 m/s.
-constexpr Real kRounding = support::byPrecision(1e-5, 1e-14);
 
 /// Distance (m) that a box laid on a slope of tan 0.5 slides in 3 s.
 Real slideOf(Real coefficient, Real rate, Real height, Real depth) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace kodo {
@@ -25,6 +26,16 @@ void reserveReusing(std::vector<Value>& values, std::size_t most) {
     if (values.capacity() < most) {
         values.reserve(2 * most);
     }
+}
+
+/// Appends an index to a list that may contain duplicates. Removes these once the list is longer
+/// than twice `count`, the number of different indices.
+inline void appendIndex(std::vector<std::uint32_t>& list, std::uint32_t index, std::size_t count) {
+    if (list.size() > 2 * count) {
+        std::sort(list.begin(), list.end()); // total order: equal indices are identical
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+    }
+    list.push_back(index);
 }
 
 } // namespace KODO_PRECISION

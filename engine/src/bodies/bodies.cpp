@@ -177,7 +177,7 @@ Aabb boundsOfBody(const Bodies& bodies, std::size_t body) {
 void addForce(Bodies& bodies, std::uint32_t body, Vec2 force, Real torque) {
     BodyRecord& record = bodies.record[body];
     if (record.force == Vec2{} && record.torque == 0) {
-        bodies.forced.push_back(body);
+        appendIndex(bodies.forced, body, bodies.size());
         bodies.accelerationsStale = true;
     }
     record.force += force;

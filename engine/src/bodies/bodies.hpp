@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/id_pool.hpp"
+#include "base/vector_reuse.hpp"
 #include "bodies/body_geometry.hpp"
 #include "bodies/body_velocity.hpp"
 #include "bodies/sleep_state.hpp"
@@ -121,7 +122,7 @@ struct Bodies {
     /// A contact, joint or force that may have pressed the body changed or is gone.
     void noteLostLoad(std::size_t index, std::uint8_t steps = 1) {
         if (record[index].lostLoad == 0) {
-            changes.lostLoads.push_back(static_cast<std::uint32_t>(index));
+            appendIndex(changes.lostLoads, static_cast<std::uint32_t>(index), record.size());
         }
         record[index].lostLoad = std::max(record[index].lostLoad, steps);
     }

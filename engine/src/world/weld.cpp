@@ -37,7 +37,11 @@ std::optional<Problem> checkMassless(const char* field, const Primitive& part, F
     return problem;
 }
 
+/// A part that is small and far from `into` loses its corners by rounding in the frame of `into`.
 std::optional<Problem> checkNear(const Primitive& movedPart, Real lengthUnit) {
+    if (const auto problem = checkMoved(movedPart)) {
+        return Problem{"part", "is too small for its distance: " + problem->text()};
+    }
     auto problem = checkExtent(movedPart, lengthUnit);
     if (problem) {
         problem->field = "part";
