@@ -28,6 +28,8 @@ TEST(Endings, WhatEndsAGameWithPointsAsksOnceInPlayAndInThePauseMenu) {
         EXPECT_GE(rig.stage.game().ticks(), ticks);
         EXPECT_TRUE(rig.picture().says(question));
     }
+    rig.press(Command::Up); // another item: its question is gone
+    EXPECT_FALSE(rig.picture().says("once more"));
     rig.press(Command::Restart);
     EXPECT_EQ(rig.stage.screen(), Screen::Paused) << "another question";
     rig.clickItem(Action::Restart);

@@ -55,6 +55,25 @@ TEST_F(ProfileFile, ASavedProfileIsLoadedAgain) {
     EXPECT_EQ(loaded.notice, "");
 }
 
+// The file may be written by another game or by hand while the game runs.
+TEST_F(ProfileFile, SavingReplacesNeitherANewerFileNorADamagedOne) {
+    ASSERT_FALSE(saveProfile(file_, someProfile()));
+    const auto write = [&](const std::string& text) { std::ofstream(file_) << text; };
+    const auto read = [&](const std::filesystem::path& file) {
+        std::ifstream in(file);
+        return std::string(std::istreambuf_iterator<char>(in), {});
+    };
+    const std::string newer = "format = 2\n[best.quarry]\nscore = 7777\n";
+    write(newer);
+    ASSERT_TRUE(saveProfile(file_, someProfile()));
+    EXPECT_EQ(read(file_), newer);
+    const std::string damaged = "format = 1\nchain = ture\n";
+    write(damaged);
+    ASSERT_FALSE(saveProfile(file_, someProfile()));
+    EXPECT_EQ(read(file_.string() + ".broken"), damaged);
+    EXPECT_EQ(loadProfile(file_).profile, someProfile());
+}
+
 TEST_F(ProfileFile, WithoutAFileDefaultsApply) {
     const LoadedProfile loaded = loadProfile(file_);
     EXPECT_EQ(loaded.profile, Profile{});

@@ -300,7 +300,7 @@ TEST(TextRoom, OfTheResult) {
             canvas.begin(layout::kShown, {});
             canvas.setTextScale(static_cast<Real>(percent) / 100);
             paintHud(canvas, game, {});
-            paintResults(canvas, {game, run, 1234567, {}, true, 9, marks});
+            paintResults(canvas, {game, run, 1234567, true, 9, marks});
             Menu({{Action::NextLevel, "Next level"},
                   {Action::Restart, "Play again"},
                   {Action::Levels, "All levels"},

@@ -22,6 +22,7 @@ public:
         since_ = now;
         return again;
     }
+    void withdraw() { asked_.reset(); }
     /// Text of the pending question; empty if there is none.
     std::string_view question(double now) const {
         if (!asked_ || now - since_ >= kSeconds) {

@@ -32,11 +32,12 @@ struct Topic {
 /// What is explained by words alone, in two columns.
 std::array<Topic, 6> topicsFor(const Bindings& keys) {
     const auto prompt = [&](Act act) { return keys.prompt(act); };
+    const std::string pad = keys.text(Act::Serve, Bindings::kPadColumn);
     return {{
         {"move", fmt::format("mouse; {}: left; {}: right; or a stick", prompt(Act::Left),
                              prompt(Act::Right))},
-        {"serve", fmt::format("{}, enter, click, or {}; a spring leaps", prompt(Act::Serve),
-                              keys.text(Act::Serve, Bindings::kPadColumn))},
+        {"serve", fmt::format("{}, enter, click{}; a spring leaps", prompt(Act::Serve),
+                              pad == "-" ? "" : ", or " + pad)},
         {"buildings", "what has fallen counts; a collapse up to eightfold"},
         {"glow", "no hit for long: a pull tears the lowest block off"},
         {"pure", "rules that never bend a path; scores of their own"},
@@ -198,7 +199,7 @@ void paintMargin(Canvas& canvas, const Layout& layout, std::size_t row) {
 }
 
 void paintWords(Canvas& canvas, const Bindings& keys, Real top) {
-    constexpr Real kRoom = Real(12.1);
+    constexpr Real kTopicRoom = Real(12.1);
     const Layout layout(canvas);
     const std::array<Topic, 6> topics = topicsFor(keys);
     for (std::size_t column = 0; column < 2; ++column) {
@@ -209,9 +210,9 @@ void paintWords(Canvas& canvas, const Bindings& keys, Real top) {
             canvas.text(topic.name, {left - Real(0.4), y},
                         {kText, palette::kAccent, Typeface::Bold, Align::Right, Real(2.9)});
             Real line = y;
-            for (const std::string& text : linesOf(canvas, topic.text, kRoom)) {
+            for (const std::string& text : linesOf(canvas, topic.text, kTopicRoom)) {
                 canvas.text(text, {left, line},
-                            {kText, palette::kText, Typeface::Plain, Align::Left, kRoom});
+                            {kText, palette::kText, Typeface::Plain, Align::Left, kTopicRoom});
                 line -= layout.pitch;
             }
             y -= static_cast<Real>(layout.lines) * layout.pitch;

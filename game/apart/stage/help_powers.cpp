@@ -16,7 +16,7 @@ constexpr std::size_t kAcross = 3;
 constexpr Vec2 kStep{Real(10.1), Real(3.5)}; // m, between powers
 constexpr Vec2 kFirst{Real(-14.2), Real(13.7)};
 constexpr Real kWordsLeft = Real(1.9); // m, from the left edge of a power
-constexpr Real kRoom = Real(7.9);      // m
+constexpr Real kTextRoom = Real(7.9);  // m
 constexpr std::size_t kLetters = 34;   // of a line
 
 /// Effect of a power, for the player. Those of balls and paddle last 15 s (kEffectTicks).
@@ -46,12 +46,13 @@ void paintPower(Canvas& canvas, Power power, Vec2 corner) {
     paintMark(canvas, power, {middle, {}}, Real(0.4), color);
     Vec2 place = corner + Vec2{kWordsLeft, 0};
     canvas.text(kPowerNames[static_cast<std::size_t>(power)], place,
-                {Real(0.56), color, Typeface::Bold, Align::Left, kRoom});
+                {Real(0.56), color, Typeface::Bold, Align::Left, kTextRoom});
     const Real pitch = Real(0.62) * canvas.textScale();
     place.y -= Real(0.1);
     for (const std::string& line : wrappedInto(3, effectOf(power), fitting(canvas, kLetters))) {
         place.y -= pitch;
-        canvas.text(line, place, {Real(0.42), palette::kText, Typeface::Plain, Align::Left, kRoom});
+        canvas.text(line, place,
+                    {Real(0.42), palette::kText, Typeface::Plain, Align::Left, kTextRoom});
     }
 }
 

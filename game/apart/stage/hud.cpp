@@ -238,12 +238,12 @@ void paintServeHint(Canvas& canvas, const Game& game, const Bindings& keys) {
     if (!game.serving() || game.result() != Result::Playing || falls) {
         return; // not over what falls
     }
-    constexpr Real kRoom = 2 * layout::kRight - 1; // m
+    constexpr Real kHintRoom = 2 * layout::kRight - 1; // m
     const auto line = [&](std::string_view text, Real y, Real height, Color color) {
         const Typeface face = height > 1 ? Typeface::Display : Typeface::Bold;
         canvas.text(text, {Real(0.04), y - Real(0.04)},
-                    {height, palette::kInk, face, Align::Middle, kRoom});
-        canvas.text(text, {0, y}, {height, color, face, Align::Middle, kRoom});
+                    {height, palette::kInk, face, Align::Middle, kHintRoom});
+        canvas.text(text, {0, y}, {height, color, face, Align::Middle, kHintRoom});
     };
     const bool first = game.score() == 0;
     const std::vector<std::string> idea = wrapped(game.level().idea, 48);

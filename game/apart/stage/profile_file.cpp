@@ -365,6 +365,11 @@ std::optional<FileProblem> saveProfile(const std::filesystem::path& file, const 
     if (error) {
         return FileProblem{file.string(), 0, "its folder cannot be made: " + error.message()};
     }
+    // What is there now may have been saved meanwhile: a damaged file is kept aside.
+    if (loadProfile(file).keepFile) {
+        return FileProblem{file.string(), 0,
+                           "it was written by a newer game, or cannot be read, and stays as it is"};
+    }
     return writeTextFile(file, toText(mergedWith(file, profile, before)));
 }
 

@@ -38,7 +38,7 @@ std::optional<Profile> savedProfile(const std::filesystem::path& file);
 
 /// Keeps the better scores of the file, if another game has saved some meanwhile, and adds what was
 /// counted since the totals `before` to its totals. Creates the folder if needed. On failure the
-/// old file stays intact.
+/// old file stays intact; so does one that loadProfile() would not replace.
 std::optional<FileProblem> saveProfile(const std::filesystem::path& file, const Profile& profile,
                                        const TotalsByTheme& before = {});
 

@@ -201,13 +201,7 @@ void paintResults(Canvas& canvas, const ResultsLook& look) {
                medalOf(look.score, game.level().name, look.marks));
     paintScoreLines(canvas, look);
     const MedalMarks* marks = marksFor(game.level().name, look.marks);
-    Best best = look.statistics.bestOf(game, marks);
-    best.cleared = best.cleared || look.before.cleared;
-    best.unhurt = best.unhurt || look.before.unhurt;
-    best.chain = best.chain || look.before.chain;
-    best.fewHits = best.fewHits || look.before.fewHits;
-    best.oneFall = best.oneFall || look.before.oneFall;
-    best.kept = best.kept || look.before.kept;
+    const Best best = look.statistics.bestOf(game, marks); // honours of this game alone
     const std::vector<std::string> names = honourNames(game.level(), marks);
     const Vec2 step{Real(3.9), 0};
     const Vec2 first = Vec2{0, Real(6.8)} - static_cast<Real>(names.size() - 1) / 2 * step;

@@ -13,7 +13,6 @@ struct ResultsLook {
     const Game& game;
     const RunStatistics& statistics;
     std::int32_t score = 0; // sum over an endless run, else the score of the game
-    Best before{};          // best results of this level before this game
     bool newBest = false;
     double seconds = 0;                  // since the screen appeared; drives the score counter
     std::span<const MedalMarks> marks{}; // empty: the game has no medals

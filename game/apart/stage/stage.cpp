@@ -261,8 +261,6 @@ void Stage::finish() {
     const MedalMarks* marks = endless_.number > 0 ? nullptr : marksFor(name, records_.marks());
     Best best = session_.statistics().bestOf(game, marks);
     best.score += endless_.number > 0 ? endless_.score : 0;
-    over_.before = records_.honoursOf(game.mode(), name);
-    over_.before.score = records_.provedScore(game.mode(), name);
     over_.newBest = false;
     if (!def_.pilot && session_.kind() == Session::Kind::Own && isRecorded(game.level()) &&
         game.result() != Result::Playing) {

@@ -172,7 +172,6 @@ private:
     struct Outcome {
         double seconds = 0; // since it appeared
         bool newBest = false;
-        Best before{}; // best results of the level before the last game; its score is proved
     };
 
     StageDef def_;

@@ -20,9 +20,9 @@ namespace apart {
 
 namespace {
 
-constexpr Real kRoom = 30; // m, of a line on a screen that is centred on the field
+constexpr Real kLineRoom = 30; // m, of a line on a screen that is centred on the field
 
-constexpr TextStyle quiet(Real height, Real room = kRoom) {
+constexpr TextStyle quiet(Real height, Real room = kLineRoom) {
     return {height, palette::kQuiet, Typeface::Plain, Align::Middle, room};
 }
 
@@ -246,8 +246,7 @@ void Stage::draw(Canvas& canvas) const {
         paintVeil(canvas, faded(palette::kNight, rerun_ ? 0.55f : 0.72f));
         const std::int32_t score = game().score() + (endless_.number > 0 ? endless_.score : 0);
         paintResults(canvas,
-                     {game(), session_.statistics(), score, over_.before, over_.newBest,
-                      over_.seconds,
+                     {game(), session_.statistics(), score, over_.newBest, over_.seconds,
                       endless_.number > 0 ? std::span<const MedalMarks>() : records_.marks()});
         return menu_.draw(canvas);
     }

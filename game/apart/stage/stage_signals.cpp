@@ -295,6 +295,9 @@ void Stage::takeMenu(const Signals& signals, Speaker& speaker) {
     if (outcome || menu_.chosen() != before) {
         chirp(speaker, profile().audible().sound, outcome.has_value());
     }
+    if (!outcome && menu_.chosen() != before) {
+        confirm_.withdraw(); // it was asked of another item
+    }
     if (outcome) {
         act(*outcome);
     }

@@ -101,7 +101,7 @@ std::optional<std::int64_t> Theatre::drag(const Signals& signals) {
 }
 
 std::string Theatre::timeText(std::uint32_t tick) const {
-    return apart::timeText(tick) + " of " + apart::timeText(show_.end);
+    return apart::timeText(std::min(tick, show_.end)) + " of " + apart::timeText(show_.end);
 }
 
 void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick) {
