@@ -136,7 +136,7 @@ StageDef crowded(int percent, Mode mode) {
     def.today = [] { return Day{20261126}; };
     def.daily = [](Day, std::uint32_t) { return glassLevel("Daily", {2, 7, 12}); };
     def.notices = {
-        "The profile /home/somebody/.config/apart/profile.toml cannot be read: line 12: a "
+        "The profile /home/username/.config/apart/profile.toml cannot be read: line 12: a "
         "number from 0 to 100 is expected, not 'loud'. It was renamed to "
         "profile.toml.broken, and a new one begins."};
     def.replays = [] {

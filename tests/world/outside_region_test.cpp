@@ -199,8 +199,8 @@ TEST(OutsideRegion, PhasesStayPairedWhileTheRegionMoves) {
     }
 }
 
-// Only contacts of the bodies outside are measured anew: before, the last digits of other approach
-// speeds changed.
+// Approach speeds are recalculated for contacts of the stopped bodies alone. A recalculation of all
+// changed the last bits of the others.
 TEST(OutsideRegion, ABodyThatHoldsOneInsideChangesNoRecordElsewhere) {
     const auto addPile = [](World& world) {
         support::addHeap(world, 7, 30);

@@ -228,8 +228,8 @@ TEST(Weld, IsRefusedIfAPartOrAJointWouldBeTooFarFromTheBody) {
     EXPECT_EQ(fromBytes(toBytes(world)).stateHash(), world.stateHash());
 }
 
-// The corners of a tiny part coincide by rounding in the frame of a distant body: before, poses
-// became NaN, or the bytes of the World were refused.
+// The corners of a tiny part coincide by rounding in the frame of a distant body. Such a weld gave
+// NaN poses, or a World whose bytes were refused.
 TEST(Weld, IsRefusedIfAPartIsTooSmallForItsDistance) {
     int refused = 0;
     for (const Real distance : {Real(10), Real(1000), Real(60000)}) {

@@ -92,8 +92,8 @@ void Refinement::findSeeds(const Step& step) {
     const Real omega = 2 * std::numbers::pi_v<Real> * step.hertz;
     const Real most = kMaxCompression * step.tolerances.slop * omega * omega; // m/s^2
     const LoadRange& loads = bodies.loads;
-    // An upper bound of any load, so that the lightest body of the World decides nothing. A joint
-    // counts twice, see loadOf().
+    // An upper bound of any load, so that the result does not depend on the lightest body of the
+    // World. A joint counts twice, see loadOf().
     const Real factor = step.joints.busyCount() > 0 ? Real(2) : Real(1);
     const auto presses = [&](Real invMass, Real accelerationSquared) {
         const Real ratio = factor * (1 + loads.maxInvMass / invMass);

@@ -132,7 +132,7 @@ void WorldStep::gatherForces() {
         region_.makeOutsideStatic(bodies_, contacts_, joints_);
         region_.forEachHeld([&](std::uint32_t body) {
             evictContactsOf(body);
-            contacts_.measureApproach(bodies_, body); // measured with the velocity of before
+            contacts_.measureApproach(bodies_, body); // its velocity is zero now
         });
     }
     bodies_.anySleeping = sleep_.anyAsleep();

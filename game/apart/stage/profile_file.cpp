@@ -214,16 +214,13 @@ TotalsByTheme withCounts(TotalsByTheme saved, const TotalsByTheme& now,
     return saved;
 }
 
-/// The profile with the better of its scores and those in the file, which another game that ran
-/// meanwhile may have saved. The totals are those of the file and what was counted since `before`.
-Profile mergedWith(const std::filesystem::path& file, Profile profile,
-                   const TotalsByTheme& before) {
-    if (const std::optional<Profile> saved = savedProfile(file)) {
-        profile.totals = withCounts(saved->totals, profile.totals, before);
-        for (std::size_t mode = 0; mode < saved->best.size(); ++mode) {
-            for (const auto& [level, best] : saved->best[mode]) {
-                profile.adopt(static_cast<Mode>(mode), level, best);
-            }
+/// The profile with the better of its scores and those of `saved`, which another game that ran
+/// meanwhile may have saved. The totals are those of `saved` and what was counted since `before`.
+Profile mergedWith(const Profile& saved, Profile profile, const TotalsByTheme& before) {
+    profile.totals = withCounts(saved.totals, profile.totals, before);
+    for (std::size_t mode = 0; mode < saved.best.size(); ++mode) {
+        for (const auto& [level, best] : saved.best[mode]) {
+            profile.adopt(static_cast<Mode>(mode), level, best);
         }
     }
     return profile;
@@ -365,12 +362,12 @@ std::optional<FileProblem> saveProfile(const std::filesystem::path& file, const 
     if (error) {
         return FileProblem{file.string(), 0, "its folder cannot be made: " + error.message()};
     }
-    // What is there now may have been saved meanwhile: a damaged file is kept aside.
-    if (loadProfile(file).keepFile) {
+    const std::optional<Profile> saved = savedProfile(file);
+    if (!saved && loadProfile(file).keepFile) { // which renames a damaged file
         return FileProblem{file.string(), 0,
                            "it was written by a newer game, or cannot be read, and stays as it is"};
     }
-    return writeTextFile(file, toText(mergedWith(file, profile, before)));
+    return writeTextFile(file, toText(saved ? mergedWith(*saved, profile, before) : profile));
 }
 
 std::function<std::string(const Profile&)> profileSaver(const std::filesystem::path& file,
