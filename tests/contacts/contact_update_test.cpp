@@ -209,6 +209,7 @@ std::vector<Vec2> concentricNormals(int count) {
     std::vector<Vec2> normals;
     for (int i = 1; i <= count; ++i) {
         add(Real(0.25), BodyType::Dynamic);
+        bodies.record.back().crowdRank = static_cast<std::uint32_t>(i);
         Contact contact;
         contact.key = {0, 0, static_cast<std::uint32_t>(i), 0};
         findContact(contact, bodies, kScale, Real(1) / 60);

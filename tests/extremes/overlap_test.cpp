@@ -102,8 +102,8 @@ TEST(Overlap, SeparationDoesNotDependOnDistantOverlaps) {
     EXPECT_EQ(heapBeside(100), alone);
 }
 
-// Coinciding circles get directions from their indices. So they separate in all directions, and not
-// along one line.
+// Coinciding circles get directions from their ranks in the crowd. So they separate in all
+// directions, and not along one line.
 TEST(Overlap, CirclesOnOnePointSeparateInAllDirections) {
     World world = crowd(20, Circle{Real(0.5)}, Solver::Soft);
     support::run(world, 600);

@@ -61,7 +61,8 @@ BodyId addAny(World& world, RandomNumbers& random, Vec2 at) {
     return world.add(def);
 }
 
-/// The observed island: a pit with a random heap, joints, a sensor and sometimes a moving platform.
+/// The observed island: a pit with a random heap, joints, a sensor, sometimes a moving platform and
+/// a crowd on one point.
 std::vector<BodyId> addObserved(World& world, RandomNumbers& random) {
     const Vec2 at{};
     addPit(world, at, 3);
@@ -69,6 +70,11 @@ std::vector<BodyId> addObserved(World& world, RandomNumbers& random) {
     const std::size_t count = 4 + random.below(random.below(6) == 0 ? 90 : 14);
     for (std::size_t i = 0; i < count; ++i) {
         ids.push_back(addAny(world, random, at));
+    }
+    const std::size_t onOnePoint = random.below(3) == 0 ? random.below(40) : 0;
+    const Shape same = anyShape(random, random.between(0.15, 0.4));
+    for (std::size_t i = 0; i < onOnePoint; ++i) {
+        ids.push_back(world.add({.shape = same, .position = at + Vec2{1, 3}}));
     }
     for (std::size_t i = 0; i + 1 < ids.size() && i < random.below(4); ++i) {
         const Vec2 middle = (world[ids[i]].position() + world[ids[i + 1]].position()) / 2;

@@ -25,6 +25,9 @@ struct BodyRecord {
     Real torque = 0; // N m
     /// Number of steps, with the next one, in which LoadRelease looks at the body.
     std::uint8_t lostLoad = 0;
+    /// Number among bodies that overlap deeply, so that the middle of a part lies in the other
+    /// part: above that of each of them with a lower index, from the beginning of the overlap.
+    std::uint32_t crowdRank = 0;
 };
 
 /// Sizes from the body geometry, contiguous for loops over many bodies.

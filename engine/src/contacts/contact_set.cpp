@@ -39,7 +39,7 @@ void ContactSet::sortContacts() {
     }
 }
 
-void ContactSet::updatePairs(const Bodies& bodies, BodyPairs excluded, const Tolerances& tolerances,
+void ContactSet::updatePairs(Bodies& bodies, BodyPairs excluded, const Tolerances& tolerances,
                              Real dt, WorkerTeam& team) {
     records_.begin();
     applyChanges(bodies, tolerances);
@@ -50,14 +50,14 @@ void ContactSet::updatePairs(const Bodies& bodies, BodyPairs excluded, const Tol
     refreshPairs(bodies, excluded, team);
 }
 
-void ContactSet::coverDisplacements(const Bodies& bodies, BodyPairs excluded,
+void ContactSet::coverDisplacements(Bodies& bodies, BodyPairs excluded,
                                     const Tolerances& tolerances, WorkerTeam& team) {
     candidates_.bounds().coverDisplacements(bodies, tolerances, team);
     refreshPairs(bodies, excluded, team);
 }
 
 /// Adds and removes contacts so that the list matches the candidate pairs.
-void ContactSet::refreshPairs(const Bodies& bodies, BodyPairs excluded, WorkerTeam& team) {
+void ContactSet::refreshPairs(Bodies& bodies, BodyPairs excluded, WorkerTeam& team) {
     if (!candidates_.search(bodies, excluded, team)) {
         return;
     }

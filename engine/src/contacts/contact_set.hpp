@@ -82,8 +82,8 @@ public:
     // Within a step, in this order.
     /// Updates the list before a step of dt: the pairs that may touch within it, in order. Bodies
     /// of `excluded` pairs do not touch each other, whatever their flags are.
-    void updatePairs(const Bodies& bodies, BodyPairs excluded, const Tolerances& tolerances,
-                     Real dt, WorkerTeam& team);
+    void updatePairs(Bodies& bodies, BodyPairs excluded, const Tolerances& tolerances, Real dt,
+                     WorkerTeam& team);
     /// Updates manifolds and approach speeds for a step of dt. Of a resident contact whose manifold
     /// is kept, only the summary is updated.
     void updateManifolds(const Bodies& bodies, const Tolerances& tolerances, Real dt,
@@ -108,7 +108,7 @@ public:
     /// Updates the summaries after such a solver.
     void noteManifolds();
     /// Adds the pairs of bodies that the solver moved farther than updatePairs predicted.
-    void coverDisplacements(const Bodies& bodies, BodyPairs excluded, const Tolerances& tolerances,
+    void coverDisplacements(Bodies& bodies, BodyPairs excluded, const Tolerances& tolerances,
                             WorkerTeam& team);
     /// Resets contacts whose impulses or positions are not finite, and finds their manifolds again.
     void forgetUnsound(const Bodies& bodies, const Tolerances& tolerances, Real dt);
@@ -137,7 +137,7 @@ private:
     void writeRecords() const;
     void renew(const Bodies& bodies, const Tolerances& tolerances);
     void renewChanged(const Bodies& bodies, const Tolerances& tolerances);
-    void refreshPairs(const Bodies& bodies, BodyPairs excluded, WorkerTeam& team);
+    void refreshPairs(Bodies& bodies, BodyPairs excluded, WorkerTeam& team);
     void sortContacts();
     void changed();
     void noteKinds(const Bodies& bodies, WorkerTeam& team);

@@ -15,6 +15,19 @@ namespace {
 
 constexpr std::size_t kNewPerPiece = 32; // contacts
 
+/// True if two movable parts overlap, so that the middle of one lies in the core of the other.
+bool isDeep(const Contact& contact, const Bodies& bodies) {
+    const auto& [bodyA, partA, bodyB, partB] = contact.key;
+    if (contact.sensor || bodies.locked(bodyA) || bodies.locked(bodyB)) {
+        return false;
+    }
+    const ConvexShape& a = bodies.convex(bodyA, partA);
+    const ConvexShape& b = bodies.convex(bodyB, partB);
+    const Vec2 between = bodies.pose[bodyB] * b.middle - bodies.pose[bodyA] * a.middle;
+    const Real core = std::max(a.coreRadius, b.coreRadius);
+    return lengthSquared(between) < core * core;
+}
+
 } // namespace
 
 void ContactStore::sortByKey(std::span<std::uint32_t> slots) const {
@@ -155,7 +168,7 @@ void ContactStore::findChanges(const CandidatePairs& candidates, WorkerTeam& tea
         });
 }
 
-void ContactStore::merge(const CandidatePairs& candidates, const Bodies& bodies, WorkerTeam& team) {
+void ContactStore::merge(const CandidatePairs& candidates, Bodies& bodies, WorkerTeam& team) {
     newOrder_.clear();
     newOrder_.reserve(order_.capacity()); // the two vectors alternate
     holes_.clear();
@@ -186,8 +199,7 @@ void ContactStore::merge(const CandidatePairs& candidates, const Bodies& bodies,
 }
 
 /// Creates the contacts of new pairs, in the last free slots first.
-void ContactStore::addContacts(const CandidatePairs& candidates, const Bodies& bodies,
-                               WorkerTeam& team) {
+void ContactStore::addContacts(const CandidatePairs& candidates, Bodies& bodies, WorkerTeam& team) {
     reorderPolicy_.strayed += added_.size();
     auto slots = static_cast<std::uint32_t>(contacts_.size());
     for (const std::uint32_t at : added_) {
@@ -202,16 +214,26 @@ void ContactStore::addContacts(const CandidatePairs& candidates, const Bodies& b
     contacts_.resize(slots);
     summaries_.resize(slots);
     const PartBounds& bounds = candidates.bounds();
+    addedIsDeep_.reserve(added_.capacity());
+    addedIsDeep_.resize(added_.size());
     team.forEach(added_.size(), kNewPerPiece, [&](std::size_t first, std::size_t last) {
-        for (const std::uint32_t at : std::span(added_).subspan(first, last - first)) {
-            const auto& [pair, slot] = order_[at];
+        for (std::size_t i = first; i < last; ++i) {
+            const auto& [pair, slot] = order_[added_[i]];
             const PartBounds::Part& a = bounds.part(pair.first);
             const PartBounds::Part& b = bounds.part(pair.second);
             contacts_[slot].key = {a.body, a.part, b.body, b.part};
             describeContact(contacts_[slot], bodies);
             summaries_[slot] = ContactSummary::of(contacts_[slot], pair);
+            addedIsDeep_[i] = isDeep(contacts_[slot], bodies) ? 1 : 0;
         }
     });
+    for (std::size_t i = 0; i < added_.size(); ++i) { // in the order of keys
+        if (addedIsDeep_[i] != 0) {
+            const ContactSummary& pair = summaries_[order_[added_[i]].slot];
+            std::uint32_t& rank = bodies.record[pair.bodyB].crowdRank;
+            rank = std::max(rank, bodies.record[pair.bodyA].crowdRank + 1);
+        }
+    }
     if (lists_.isValid()) {
         for (const std::uint32_t at : added_) {
             const ContactSummary& summary = summaries_[order_[at].slot];

@@ -61,7 +61,7 @@ public:
         }
     }
     /// Adds and removes what findChanges() found.
-    void merge(const CandidatePairs& candidates, const Bodies& bodies, WorkerTeam& team);
+    void merge(const CandidatePairs& candidates, Bodies& bodies, WorkerTeam& team);
     /// Adds contacts that are not in the store, and returns their slots. Valid until the next call.
     std::span<const std::uint32_t> putBack(std::span<const Contact> contacts,
                                            const PartBounds& bounds);
@@ -103,7 +103,7 @@ private:
     template <typename IsBefore>
     void findChanges(const CandidatePairs& candidates, WorkerTeam& team, IsBefore isBefore);
     void fillHoles();
-    void addContacts(const CandidatePairs& candidates, const Bodies& bodies, WorkerTeam& team);
+    void addContacts(const CandidatePairs& candidates, Bodies& bodies, WorkerTeam& team);
     std::uint32_t append(const Contact& contact, const PartBounds& bounds);
     void insertAppended();
     void renewSummary(std::uint32_t slot, const PartBounds& bounds);
@@ -118,8 +118,9 @@ private:
     ParallelCollector<Change> changesFound_;
     // While merging: slots of removed contacts, and indices in order_ of new ones.
     std::vector<std::uint32_t> holes_, added_;
-    std::vector<std::uint32_t> movedTo_; // by slot beyond the end, of the last fillHoles
-    std::vector<std::uint32_t> slots_;   // scratch and result of putBack
+    std::vector<std::uint8_t> addedIsDeep_; // by index in added_: see BodyRecord::crowdRank
+    std::vector<std::uint32_t> movedTo_;    // by slot beyond the end, of the last fillHoles
+    std::vector<std::uint32_t> slots_;      // scratch and result of putBack
     ReorderPolicy reorderPolicy_;
     bool placesStale_ = false; // pairs of bounds in order_
 };

@@ -153,10 +153,11 @@ bool carry(const Bodies& bodies, Contact& contact, const Tolerances& tolerances)
 
 /// Gives concentric circles a normal of their own. They have none, and several circles on one point
 /// would all separate along one line. The normal is rotated by a multiple of the golden angle, by
-/// the index of the second body. Circles are concentric, up to rounding, if the overlap equals the
-/// sum of the radii.
-void spreadConcentric(Manifold& manifold, const ConvexShape& a, const ConvexShape& b,
-                      std::uint32_t number) {
+/// the crowdRank of the second body. Circles are concentric, up to rounding, if the overlap equals
+/// the sum of the radii.
+void spreadConcentric(Manifold& manifold, const Bodies& bodies, const ContactKey& key) {
+    const ConvexShape& a = bodies.convex(key.bodyA, key.partA);
+    const ConvexShape& b = bodies.convex(key.bodyB, key.partB);
     ManifoldPoint& point = manifold.points[0];
     if (!a.isRound() || !b.isRound() || manifold.count == 0 ||
         point.separation != -(a.radius + b.radius)) {
@@ -164,8 +165,9 @@ void spreadConcentric(Manifold& manifold, const ConvexShape& a, const ConvexShap
     }
     constexpr Real kGoldenAngle = Real(2.39996323); // rad
     constexpr std::uint32_t kSides = 32; // angles up to 77 rad: sines are exact up to 100
+    const std::uint32_t rank = bodies.record[key.bodyB].crowdRank;
     const Vec2 normal =
-        Rot::fromAngle(kGoldenAngle * static_cast<Real>(number % kSides)) * manifold.normal;
+        Rot::fromAngle(kGoldenAngle * static_cast<Real>(rank % kSides)) * manifold.normal;
     const Vec2 shift = (a.radius + point.separation / 2) * (normal - manifold.normal);
     manifold.normal = normal;
     point.armA += shift;
@@ -175,21 +177,24 @@ void spreadConcentric(Manifold& manifold, const ConvexShape& a, const ConvexShap
 /// Displacement (m) of the second body under which the manifold of two bodies on one point is
 /// found; 0 for others. There, all directions of separation are equally good, and bodies that all
 /// take the same would build a tower. So each gets a place of its own, within two slops, by its
-/// index: fractions of multiples of the powers of the plastic number, which fill a square evenly.
+/// crowdRank: fractions of multiples of the powers of the plastic number, which fill a square
+/// evenly.
 Vec2 spreadOf(const Bodies& bodies, const ContactKey& key, Real slop) {
     const Vec2 between = bodies.pose[key.bodyB].position - bodies.pose[key.bodyA].position;
     if (lengthSquared(between) > slop * slop || bodies.locked(key.bodyA) ||
         bodies.locked(key.bodyB)) {
         return {};
     }
-    const auto fraction = [](std::uint32_t body, std::uint32_t factor) {
-        return static_cast<Real>(static_cast<std::int32_t>((body * factor) >> 8)) / (1 << 24);
+    const auto fraction = [](std::uint32_t rank, std::uint32_t factor) {
+        return static_cast<Real>(static_cast<std::int32_t>((rank * factor) >> 8)) / (1 << 24);
     };
+    const std::uint32_t rankA = bodies.record[key.bodyA].crowdRank;
+    const std::uint32_t rankB = bodies.record[key.bodyB].crowdRank;
     constexpr std::uint32_t kFirst = 3242174889;  // 2^32 / 1.3247
     constexpr std::uint32_t kSecond = 2447445414; // 2^32 / 1.3247^2
     return 2 * slop *
-           Vec2{fraction(key.bodyB, kFirst) - fraction(key.bodyA, kFirst),
-                fraction(key.bodyB, kSecond) - fraction(key.bodyA, kSecond)};
+           Vec2{fraction(rankB, kFirst) - fraction(rankA, kFirst),
+                fraction(rankB, kSecond) - fraction(rankA, kSecond)};
 }
 
 /// Resets the fields that belong to one step.
@@ -271,8 +276,7 @@ void findContact(Contact& contact, const Bodies& bodies, const Tolerances& toler
             point.separation -= dot(manifold.normal, spread);
         }
     }
-    spreadConcentric(manifold, bodies.convex(key.bodyA, key.partA),
-                     bodies.convex(key.bodyB, key.partB), key.bodyB);
+    spreadConcentric(manifold, bodies, key);
     contact.passing = letPass(contact.passing, manifold);
     const auto [thinner, thicker] = std::minmax(bodies.convex(key.bodyA, key.partA).coreRadius,
                                                 bodies.convex(key.bodyB, key.partB).coreRadius);

@@ -178,6 +178,7 @@ bool MovingParts::gather(const PartBounds& all) {
     bounds.resize(parts.size());
     isChanged.resize(parts.size());
     changed.clear();
+    changed.reserve(parts.capacity());
     for (std::uint32_t k = 0; k < parts.size(); ++k) {
         bounds[k] = all.grown()[parts[k]];
         isChanged[k] = all.isChanged()[parts[k]];

@@ -12,8 +12,9 @@ namespace {
 constexpr std::size_t kNewcomersPerPiece = 128;
 constexpr std::size_t kMany = 8; // with a larger part of bodies awake, whole arrays are cleared
 
-std::uint32_t hashOf(const ContactKey& key) {
-    std::uint32_t hash = key.bodyA * 0x9e3779b1u ^ key.bodyB * 0x85ebca77u;
+/// 0 for two bodies of rank 0.
+std::uint32_t hashOf(std::uint32_t rankA, std::uint32_t rankB) {
+    std::uint32_t hash = rankA * 0x9e3779b1u ^ rankB * 0x85ebca77u;
     hash = (hash ^ hash >> 16) * 0x7feb352du;
     hash = (hash ^ hash >> 15) * 0x846ca68bu;
     return hash ^ hash >> 16;
@@ -199,7 +200,7 @@ void SoftSolver::countOverlap(const Bodies& bodies, const ContactSummary& summar
 }
 
 /// In a crowd, drops new contacts without a colour, so that about kMostOverlaps of a body are left:
-/// always the same, by a hash. The others follow as the crowd thins out.
+/// always the same, by a hash of the ranks. The others follow as the crowd thins out.
 void SoftSolver::thinOut(Bodies& bodies, ContactSet& contactSet) {
     std::erase_if(newcomers_, [&](std::uint32_t place) {
         const Contact& contact = contactSet.contacts()[place];
@@ -210,7 +211,9 @@ void SoftSolver::thinOut(Bodies& bodies, ContactSet& contactSet) {
         }
         constexpr std::uint32_t kMost = ContactBlocks::kMostOverlaps;
         const std::uint32_t crowd = std::max(overlapCount_[bodyA], overlapCount_[bodyB]);
-        const bool drops = crowd > kMost && hashOf(contact.key) % crowd >= kMost;
+        const std::uint32_t hash =
+            hashOf(bodies.record[bodyA].crowdRank, bodies.record[bodyB].crowdRank);
+        const bool drops = crowd > kMost && hash % crowd >= kMost;
         if (drops) {
             releaseRow(bodies, contactSet, place);
         }

@@ -10,7 +10,7 @@ inline namespace KODO_PRECISION {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x6f646f4b; // "Kodo"
-constexpr std::uint32_t kFormat = 11;        // increases with every change of the field lists
+constexpr std::uint32_t kFormat = 12;        // increases with every change of the field lists
 constexpr std::size_t kChecksumSize = sizeof(std::uint64_t);
 
 void refuseUnless(bool good, const std::string& sentence) {

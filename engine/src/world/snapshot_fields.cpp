@@ -185,9 +185,9 @@ void SnapshotFields::one(Bodies& bodies) {
             changes.arrived.push_back(i);
         }
         if (ids.aliveAt(i)) {
-            auto& [geometry, userData, force, torque, lostLoad] = record[i];
+            auto& [geometry, userData, force, torque, lostLoad, crowdRank] = record[i];
             all(geometry, filter[i], userData, force, torque, lostLoad, pose[i], motion[i],
-                acceleration[i], rest[i]);
+                acceleration[i], rest[i], crowdRank);
             if (reads() && lostLoad != 0) {
                 changes.lostLoads.push_back(i);
             }
@@ -266,7 +266,7 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
            pairsStale, liveStale, contactsChanged, anySensors, anyBounces] = set;
     auto& [bounds, finder, still, movers, pairs] = candidates;
     auto& [contacts, summaries, order, newOrder, lists, gone, pairChanges, changesFound, holes,
-           added, movedTo, slots, reorderPolicy, placesStale] = store;
+           added, addedIsDeep, movedTo, slots, reorderPolicy, placesStale] = store;
     auto& [allDue, eventsDue, toggled, allRecords, begun, ended, removed, ends, nextEnds,
            recordSlots] = records;
     auto& [parts, firstPart, room, count, firstBefore, from, usedCount, inOrder, compared, moves,
