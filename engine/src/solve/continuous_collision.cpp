@@ -332,7 +332,7 @@ void ContinuousCollision::stopInOrder(const Step& step) {
         }
         cutShort(step, summary.bodyA, event.time);
         cutShort(step, summary.bodyB, event.time);
-        stopJointed(step);
+        stopJointed(step, step.bodies.locked(summary.bodyA) || step.bodies.locked(summary.bodyB));
     }
 }
 

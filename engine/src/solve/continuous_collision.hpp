@@ -89,7 +89,7 @@ private:
     void takePushedDisplacement(const Step& step, const Contact& contact, Real time);
     void cutShort(const Step& step, std::uint32_t body, Real time);
     bool mayMeetStopped(const Step& step, std::uint32_t body, std::uint32_t other) const;
-    void stopJointed(const Step& step);
+    void stopJointed(const Step& step, bool atGround);
     Real violationAt(const Bodies& bodies, const JointDef& def, Real fractionA,
                      Real fractionB) const;
     void finish(Bodies& bodies, bool driven, Real dt);

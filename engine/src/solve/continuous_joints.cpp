@@ -15,6 +15,8 @@ namespace {
 // stop does not spread through a long chain or a net. With 1 to 8, bodies of a crowd of ragdolls
 // stop inside each other more often, and wedge joints open for good.
 constexpr Real kOpened = 16;
+// The same if an immovable body has stopped it.
+constexpr Real kOpenedAtGround = 2;
 // Least fraction of a step by which a joint stops a body earlier.
 constexpr Real kLeastCut = Real(1) / 64;
 
@@ -58,7 +60,8 @@ Real ContinuousCollision::violationAt(const Bodies& bodies, const JointDef& def,
 
 /// A body that has been stopped would lose the others at its joints, which move on: these are
 /// stopped as soon as a gap opens. They stay on their paths, so they pass through nothing.
-void ContinuousCollision::stopJointed(const Step& step) {
+void ContinuousCollision::stopJointed(const Step& step, bool atGround) {
+    const Real opened = (atGround ? kOpenedAtGround : kOpened) * step.tolerances.slop;
     const Bodies& bodies = step.bodies;
     while (!pulling_.empty()) {
         const std::uint32_t body = pulling_.back();
@@ -77,7 +80,7 @@ void ContinuousCollision::stopJointed(const Step& step) {
                 return isA ? violationAt(bodies, def, time, fraction)
                            : violationAt(bodies, def, fraction, time);
             };
-            const Real most = std::max(kOpened * step.tolerances.slop, gapAt(time));
+            const Real most = std::max(opened, gapAt(time));
             const Real end = gapAt(stopAt_[other]);
             if (end > most) {
                 const Real start = gapAt(time);
