@@ -254,6 +254,11 @@ TEST(JointSet, RefusesRemovedBodiesAndOtherKinds) {
     EXPECT_THROW(
         scene.world.setJoint(pin, RevoluteJoint{.ends = {.a = ends.a, .b = scene.bodies[3]}}),
         BadDefinition);
+    const Everything elsewhere; // its ids differ in the World alone
+    JointEnds foreign = ends;
+    foreign.a = elsewhere.bodies[ends.a.index];
+    EXPECT_THROW(scene.world.setJoint(pin, RevoluteJoint{.ends = foreign}), BadBodyId);
+    EXPECT_EQ(std::get<RevoluteJoint>(scene.world.joint(pin)).ends.a.world, ends.a.world);
 }
 
 // A joint without a dynamic body is accepted and does nothing, until setType() makes one dynamic.

@@ -215,9 +215,26 @@ def check_warnings(include):
             run(compiler, *flags, *definitions, source)
 
 
+def check_macros(include):
+    """The macros min and max of windows.h change no header."""
+    headers = sorted(include.glob("kodo/*.hpp"))
+    standard = {name for header in headers
+                for name in re.findall(r"#include <([a-z_]+)>", header.read_text())}
+    lines = [f"#include <{name}>\n" for name in sorted(standard)]
+    lines += ["#define min(a, b) (a < b ? a : b)\n", "#define max(a, b) (a < b ? b : a)\n"]
+    lines += [f"#include <kodo/{header.name}>\n" for header in headers]
+    source = work / "macros.cpp"
+    source.write_text("".join(lines))
+    run(given.compiler, "-std=c++20", "-fsyntax-only", f"-I{include}", source)
+
+
 def check_position_independent(library):
     whole = ("-Wl,--whole-archive", library, "-Wl,--no-whole-archive")
-    run(given.compiler, "-shared", "-Wl,-z,text", *whole, "-o", work / "whole.so")
+    plugin = work / "whole.so"
+    run(given.compiler, "-shared", "-Wl,-z,text", *whole, "-o", plugin)
+    symbols = run("nm", "--dynamic", "--defined-only", "--demangle", plugin).splitlines()
+    exported = [line for line in symbols if " kodo::" in line]
+    check(not exported, f"a plugin with {library.name} exports {exported[:3]}")
 
 
 def check_fused(prefix):
@@ -269,6 +286,7 @@ def install():
     check_find_package(prefix, sfml)
     check_pkg_config(prefix, sfml)
     check_warnings(prefix / "include")
+    check_macros(prefix / "include")
     for library in prefix.glob("lib/libkodo*.a"):
         check_position_independent(library)
     check_fused(prefix)

@@ -103,6 +103,21 @@ TEST(ConvexHull, DropsNearlyCollinearPoints) {
     EXPECT_EQ(std::get<Polygon>(hull).corners, (std::vector<Vec2>{{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
 }
 
+// P3: points in a needle are refused. No hull leaves out the point of the needle, which is
+// farthest.
+TEST(ConvexHull, RefusesNeedlesWhateverTheirDirection) {
+    const Real far = sizeof(Real) == 4 ? Real(1e8) : Real(1e12);
+    for (int turn = 0; turn < 64; ++turn) {
+        const Rot rotation = Rot::fromAngle(static_cast<Real>(turn) / 10);
+        std::vector<Vec2> points{{-1, -5}, {-7, -5}, {-5, -5}, {-far, 5}, {5, 5}};
+        for (Vec2& point : points) {
+            point = rotation * point;
+        }
+        EXPECT_TRUE(std::holds_alternative<Problem>(convexHull(points))) << turn;
+        EXPECT_TRUE(std::holds_alternative<Problem>(fitBox(points))) << turn;
+    }
+}
+
 TEST(ConvexHull, DoesNotDependOnTheOrderOfThePoints) {
     support::RandomNumbers random(172);
     std::vector<Vec2> points = cloud(random, 30);

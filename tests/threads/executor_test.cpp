@@ -280,5 +280,36 @@ TEST(Executor, MayRunItsTaskAtOnce) {
     EXPECT_EQ(immediate.rounds(), 90);
 }
 
+/// Steps another World with the same threads while a step runs.
+class Nested : public StageListener {
+public:
+    Nested(World& other, ThreadPool& pool) : other_(other), pool_(pool) {}
+    void enter(StepStage stage) override {
+        if (stage == StepStage::Solve) {
+            EXPECT_THROW(other_.step(support::kDt, {.executor = &pool_}), std::logic_error);
+        }
+    }
+    void leave() override {}
+
+private:
+    World& other_;
+    ThreadPool& pool_;
+};
+
+// One pool serves one step at a time: a second one is refused, changes nothing, and may follow.
+TEST(Executor, OfAStepThatRunsRefusesAnother) {
+    for (const Solver strategy : kSolvers) {
+        World world = bigWorld(strategy);
+        World other = world;
+        const World before = world;
+        ThreadPool pool(2);
+        Nested nested(other, pool);
+        world.step(support::kDt, {.executor = &pool, .listener = &nested});
+        EXPECT_EQ(other.stateHash(), before.stateHash());
+        other.step(support::kDt, {.executor = &pool});
+        EXPECT_EQ(other.stateHash(), world.stateHash());
+    }
+}
+
 } // namespace
 } // namespace kodo

@@ -27,7 +27,8 @@ constexpr std::size_t hashOf(std::uint32_t index, std::uint32_t generation) {
 } // namespace detail
 
 /// Names a body of a World. It stays invalid for ever once the body is removed, also when the slot
-/// is used again.
+/// is used again. Copies of a World accept its ids; a body that was added to one copy alone, or to
+/// a World that has been assigned an earlier copy since, may have the id of another body there.
 struct BodyId {
     std::uint32_t index = 0;
     std::uint32_t generation = 0; // of the slot; 0 is never valid, so BodyId{} is the null id

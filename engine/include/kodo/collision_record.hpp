@@ -52,7 +52,7 @@ struct CollisionRecord {
     bool involves(BodyId body) const { return a == body || b == body; }
     BodyId other(BodyId body) const { return a == body ? b : a; }
     /// N s; largest normal impulse at a single point in one group.
-    Real maxPointImpulse() const { return std::max(points[0].maxImpulse, points[1].maxImpulse); }
+    Real maxPointImpulse() const { return (std::max)(points[0].maxImpulse, points[1].maxImpulse); }
 };
 
 } // namespace KODO_PRECISION

@@ -28,7 +28,7 @@ public:
 };
 
 /// Threads that wait for work: spinning for a moment, then asleep. One pool can serve many Worlds,
-/// one step at a time.
+/// one step at a time: a step that finds it in use throws std::logic_error and changes nothing.
 class KODO_API ThreadPool final : public Executor {
 public:
     /// Starts 0 to kMaxHelpers threads. Throws BadDefinition for another number, std::system_error

@@ -154,7 +154,7 @@ struct BasicAffine {
 
 private:
     static constexpr T largerOf(BasicVec2<T> v) {
-        return std::max(v.x < 0 ? -v.x : v.x, v.y < 0 ? -v.y : v.y);
+        return (std::max)(v.x < 0 ? -v.x : v.x, v.y < 0 ? -v.y : v.y);
     }
 };
 

@@ -239,8 +239,8 @@ constexpr bool overlap(const BasicAabb<T>& a, const BasicAabb<T>& b) {
 /// Smallest box that contains both.
 template <std::floating_point T>
 constexpr BasicAabb<T> unite(const BasicAabb<T>& a, const BasicAabb<T>& b) {
-    return {{std::min(a.lower.x, b.lower.x), std::min(a.lower.y, b.lower.y)},
-            {std::max(a.upper.x, b.upper.x), std::max(a.upper.y, b.upper.y)}};
+    return {{(std::min)(a.lower.x, b.lower.x), (std::min)(a.lower.y, b.lower.y)},
+            {(std::max)(a.upper.x, b.upper.x), (std::max)(a.upper.y, b.upper.y)}};
 }
 
 /// Smallest box that contains all points. There must be at least one.

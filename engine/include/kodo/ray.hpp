@@ -96,7 +96,7 @@ public:
                 normal_ = normal;
             }
         } else if (climb > 0) {
-            leave_ = std::min(leave_, -height / climb);
+            leave_ = (std::min)(leave_, -height / climb);
         } else if (height > 0) {
             leave_ = -1; // parallel and outside
         }

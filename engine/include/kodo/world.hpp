@@ -39,7 +39,8 @@ struct StepOptions {
 ///
 /// A World is a value: a copy is a snapshot, and both continue with the same bits. Worlds share no
 /// mutable data, so each may run on a thread of its own. A World that was moved from may only be
-/// destroyed or assigned to; other calls throw std::logic_error.
+/// destroyed or assigned to; other calls throw std::logic_error. The same holds if memory runs out
+/// (std::bad_alloc) in a call that changes a World, but other calls then do not notice it.
 class KODO_API World {
 public:
     /// Throws BadDefinition with what check(def) says.

@@ -27,7 +27,8 @@ bool roundsToNearest() {
 bool detail::requireExactArithmetic(Real sum, Real quotient) {
     if (!keepsSubnormals<Real>()) {
         throw std::runtime_error("Kodo gives the same bits on every machine: this thread flushes "
-                                 "subnormal numbers to 0 (linked with -ffast-math?)");
+                                 "subnormal numbers to 0 (linked with -ffast-math or "
+                                 "-funsafe-math-optimizations?)");
     }
     if (!roundsToNearest<Real>()) {
         throw std::runtime_error("Kodo gives the same bits on every machine: this thread does not "

@@ -8,6 +8,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -65,6 +66,10 @@ void ThreadPool::Threads::close() {
 void ThreadPool::Threads::begin(void (*task)(void*), void* data) {
     {
         const std::lock_guard lock(mutex_);
+        if (task_ != nullptr) {
+            throw std::logic_error("ThreadPool: another step uses the pool; it serves one step at "
+                                   "a time");
+        }
         task_ = task;
         data_ = data;
         ++round_;

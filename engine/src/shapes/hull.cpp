@@ -24,7 +24,11 @@ void addHalf(Iterator first, Iterator last, std::vector<Vec2>& hull) {
 }
 
 /// Uses twice the flatness that check() refuses, so that rounding there cannot decide otherwise.
+/// The point of a needle is not flat: without it, that point would lie far outside.
 bool isFlat(Vec2 before, Vec2 corner, Vec2 after) {
+    if (dot(corner - before, after - corner) < 0) {
+        return false;
+    }
     const Real size = std::max(length(corner - before), length(after - corner));
     const Real height = cross(corner - before, after - corner);
     return !(height > 2 * kFlatness * size * std::max(size, length(after - before)));

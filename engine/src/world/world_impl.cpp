@@ -269,7 +269,8 @@ void WorldImpl::notePairChanges() {
     joints_.takePairChanges([&](std::uint32_t body) { contacts_.activityChanged(body); });
 }
 
-JointId WorldImpl::add(const JointDef& def) {
+/// Throws BadBodyId if a body of the joint is not in this World.
+void WorldImpl::requireEndsAlive(const JointDef& def) const {
     const bool mouse = std::holds_alternative<MouseJoint>(def);
     for (const auto& [body, field] : {std::pair{firstBody(def), mouse ? "body" : "ends.a"},
                                       std::pair{secondBody(def), mouse ? "body" : "ends.b"}}) {
@@ -277,6 +278,10 @@ JointId WorldImpl::add(const JointDef& def) {
             kodo::requireAlive(bodies_, body, field);
         }
     }
+}
+
+JointId WorldImpl::add(const JointDef& def) {
+    requireEndsAlive(def);
     refuse(check(def, tolerances_.unit()));
     const JointId id = joints_.add(def);
     jointsChanged(def);
@@ -296,6 +301,7 @@ const JointDef& WorldImpl::joint(JointId id) const {
 
 void WorldImpl::setJoint(JointId id, const JointDef& def) {
     const JointDef& old = joint(id);
+    requireEndsAlive(def);
     refuse(check(def, tolerances_.unit()));
     if (old.index() != def.index() || firstBody(old) != firstBody(def) ||
         secondBody(old) != secondBody(def)) {

@@ -86,6 +86,7 @@ private:
     friend class SnapshotFields;
     friend class WorldStep;
 
+    void requireEndsAlive(const JointDef& def) const;
     void jointsChanged(const JointDef& def);
     void notePairChanges();
     WriteBack writeBack() const {
