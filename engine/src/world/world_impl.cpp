@@ -52,6 +52,17 @@ std::uint32_t nextStamp() {
     return stamp;
 }
 
+/// Throws BadBodyId if a body of the joint is not in this World.
+void requireEndsAlive(const Bodies& bodies, const JointDef& def) {
+    const bool mouse = std::holds_alternative<MouseJoint>(def);
+    for (const auto& [body, field] : {std::pair{firstBody(def), mouse ? "body" : "ends.a"},
+                                      std::pair{secondBody(def), mouse ? "body" : "ends.b"}}) {
+        if (body.generation != 0) { // check() names the end without a body
+            requireAlive(bodies, body, field);
+        }
+    }
+}
+
 } // namespace
 
 std::optional<Problem> check(const WorldDef& def) {
@@ -269,19 +280,8 @@ void WorldImpl::notePairChanges() {
     joints_.takePairChanges([&](std::uint32_t body) { contacts_.activityChanged(body); });
 }
 
-/// Throws BadBodyId if a body of the joint is not in this World.
-void WorldImpl::requireEndsAlive(const JointDef& def) const {
-    const bool mouse = std::holds_alternative<MouseJoint>(def);
-    for (const auto& [body, field] : {std::pair{firstBody(def), mouse ? "body" : "ends.a"},
-                                      std::pair{secondBody(def), mouse ? "body" : "ends.b"}}) {
-        if (body.generation != 0) { // check() names the end without a body
-            kodo::requireAlive(bodies_, body, field);
-        }
-    }
-}
-
 JointId WorldImpl::add(const JointDef& def) {
-    requireEndsAlive(def);
+    requireEndsAlive(bodies_, def);
     refuse(check(def, tolerances_.unit()));
     const JointId id = joints_.add(def);
     jointsChanged(def);
@@ -301,7 +301,7 @@ const JointDef& WorldImpl::joint(JointId id) const {
 
 void WorldImpl::setJoint(JointId id, const JointDef& def) {
     const JointDef& old = joint(id);
-    requireEndsAlive(def);
+    requireEndsAlive(bodies_, def);
     refuse(check(def, tolerances_.unit()));
     if (old.index() != def.index() || firstBody(old) != firstBody(def) ||
         secondBody(old) != secondBody(def)) {

@@ -86,7 +86,6 @@ private:
     friend class SnapshotFields;
     friend class WorldStep;
 
-    void requireEndsAlive(const JointDef& def) const;
     void jointsChanged(const JointDef& def);
     void notePairChanges();
     WriteBack writeBack() const {
