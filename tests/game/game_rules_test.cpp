@@ -38,6 +38,20 @@ TEST(Blocks, BreakAtThePointOfImpactIfTheImpulseExceedsTheirStrength) {
     EXPECT_EQ(game.score(), broke->points);
 }
 
+// A force presses in every substep: the pieces receive F t of the whole tick, not of one substep.
+TEST(Blocks, BreakUnderALoadByItsImpulseOfTheWholeTick) {
+    constexpr Real kLoad = 3000; // N; 25 N s in a tick, 5 in a substep, against a strength of 3
+    Game game(levelOf("g..............\n" + emptyRows(4) + ".......g.......\n"), 1);
+    const kodo::BodyId ball =
+        GameTestAccess::shoot(game, {0, kUnderside - kBallRadius}, {0, Real(1e-3)});
+    GameTestAccess::world(game)[ball].applyForce({0, kLoad});
+    game.tick({});
+    const Broke* broke = eventOf<Broke>(game);
+    ASSERT_NE(broke, nullptr);
+    // Momentum of the ball is F t - J: 0.25 N s for a ball of 1 kg that is left with 0.25 m/s.
+    EXPECT_TRUE(near(broke->impulse, kLoad * kTickSeconds, 0.01 * 25));
+}
+
 TEST(Blocks, CrackUnderASmallerImpulse) {
     Game game = shotAtBlock(kBrick, 0, 4);
     const auto cracked = playUntil<Cracked>(game, {}, 60);

@@ -45,6 +45,38 @@ TEST(Field, PullsAndPushesABall) {
     EXPECT_GT(away[2], away[0] + 2);
 }
 
+/// Impulse (N s) towards the paddle that a ball at this distance (m) receives in a tick.
+Real drawnFrom(Real distance, bool magnet) {
+    Game game = fresh();
+    if (magnet) {
+        GameTestAccess::give(game, Power::Magnet);
+    }
+    const Vec2 direction = normalize(Vec2{-3, 4});
+    const Vec2 center = game.world()[game.paddle()].position();
+    GameTestAccess::shoot(game, center + distance * direction, {0, -12});
+    game.tick(magnet ? Input{} : holding(Force::Pull));
+    const Vec2 given{static_cast<Real>(game.ledger().fieldImpulseX),
+                     static_cast<Real>(game.ledger().fieldImpulseY)};
+    EXPECT_TRUE(near(cross(given, direction), 0, 1e-5)); // central
+    return -dot(given, direction);
+}
+
+// m a (1 - r / R) t
+TEST(Field, FallsLinearlyWithTheDistanceToZeroAtItsRange) {
+    const Real mass = massOf(kodo::Circle{kBallRadius}, kBallDensity).mass;
+    for (const Real distance : {Real(2), Real(4), Real(8), Real(12)}) {
+        const Real share = 1 - distance / kForceReach;
+        // Floats of up to 0.3 N s, from places of up to 16 m.
+        EXPECT_TRUE(near(drawnFrom(distance, false),
+                         mass * kForceAcceleration * share * kTickSeconds, 1e-6));
+    }
+    for (const Real share : {Real(0.6), Real(0.3), Real(0.01)}) {
+        EXPECT_TRUE(near(drawnFrom((1 - share) * kMagnetReach, true),
+                         mass * kMagnetAcceleration * share * kTickSeconds, 1e-6));
+    }
+    EXPECT_EQ(drawnFrom(Real(1.01) * kMagnetReach, true), 0);
+}
+
 TEST(Field, ActsOnShardsPartsAndLooseBlocks) {
     Game game(levelOf("g..............\n" + emptyRows(4) + "....b..W..b....\n"), 1);
     GameTestAccess::letGo(game, 1);

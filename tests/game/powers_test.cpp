@@ -175,6 +175,35 @@ TEST(SpringPaddle, JumpsOnTheButtonAndAcceleratesTheBall) {
     EXPECT_GT(speeds[1], speeds[0] + 6);
 }
 
+// The spring adds recoil and takes no degree of freedom away.
+TEST(SpringPaddle, LeavesATiltingPaddleItsTilt) {
+    struct Motion {
+        Real tilt = 0;
+        Real lift = 0;
+    };
+    const auto struck = [](const std::string& paddle, bool spring) {
+        Game game(levelOf("g..............\n", 12000, "paddle = \"" + paddle + "\"\n"), 1);
+        if (spring) {
+            GameTestAccess::give(game, Power::Spring);
+        }
+        GameTestAccess::shoot(game, {Real(1.5), 3}, {0, -12});
+        EXPECT_TRUE(playUntil<Struck>(game, {}, 30));
+        for (int tick = 0; tick < 10; ++tick) {
+            game.tick({});
+        }
+        return Motion{game.sway().tilt, game.sway().lift};
+    };
+    for (const bool loose : {false, true}) {
+        const Motion plain = struck(loose ? "loose" : "tilting", false);
+        const Motion sprung = struck(loose ? "loose" : "tilting", true);
+        EXPECT_LT(plain.tilt, Real(-0.05));
+        // The same impulse drives both springs, which are independent of each other.
+        EXPECT_TRUE(near(sprung.tilt, plain.tilt, 1e-6));
+        EXPECT_TRUE(near(sprung.lift, struck("recoiling", false).lift, 1e-6));
+    }
+    EXPECT_EQ(struck("steady", true).tilt, 0);
+}
+
 TEST(Wings, WidenThePaddleAsPartsOfItsBody) {
     Game game = dropped(Power::Wings);
     const Real width =

@@ -82,6 +82,33 @@ TEST(LoosePaddle, TiltsAndRecoils) {
     EXPECT_LT(most.lift, Real(-0.05));
 }
 
+TEST(LoosePaddle, TakesTheImpulseAndTheAngularImpulse) {
+    const kodo::Mass paddle{8, {}, 5};
+    const Vec2 arm{Real(1.5), Real(0.25)};
+    const Vec2 impulse{4, -16};
+    const Sway before{.tiltSpeed = Real(0.5), .liftSpeed = -1};
+    const Sway after = pushed(before, PaddleKind::Loose, paddle, arm, impulse);
+    // I w' = I w + r x J and m v' = m v + J, of a few roundings each.
+    EXPECT_TRUE(near(5 * after.tiltSpeed, 5 * before.tiltSpeed + cross(arm, impulse), 1e-5));
+    EXPECT_TRUE(near(8 * after.liftSpeed, 8 * before.liftSpeed + impulse.y, 1e-5));
+}
+
+// The sway is integrated before the step, so after an impact its speed is that of the impulse.
+TEST(TiltingPaddle, TakesTheAngularImpulseOfABall) {
+    for (const Real offset : {Real(-1.5), Real(0.5), Real(1.5)}) {
+        Game game = withPaddle("tilting");
+        GameTestAccess::shoot(game, {offset, 3}, {0, -12});
+        const auto struck = playUntil<Struck>(game, {}, 30);
+        ASSERT_TRUE(struck);
+        const kodo::BodyView paddle = game.world()[game.paddle()];
+        const Vec2 impulse = -struck->impulse * struck->normal; // on the paddle
+        const Real turn = cross(struck->point - paddle.center(), impulse);
+        EXPECT_GT(std::abs(turn), 5);
+        // Of 10 to 40 N m s, by floats.
+        EXPECT_TRUE(near(paddle.inertia() * game.sway().tiltSpeed, turn, 1e-3));
+    }
+}
+
 TEST(LoosePaddle, LetsNoBallTunnel) {
     // For two minutes the ball leaves the field only at the bottom.
     Game game(levelOf("ggggggggggggggg\nbbbWbbbSbbbLbbb\nsssssssssssssss\n", 16000,
