@@ -230,11 +230,7 @@ def check_macros(include):
 
 def check_position_independent(library):
     whole = ("-Wl,--whole-archive", library, "-Wl,--no-whole-archive")
-    plugin = work / "whole.so"
-    run(given.compiler, "-shared", "-Wl,-z,text", *whole, "-o", plugin)
-    symbols = run("nm", "--dynamic", "--defined-only", "--demangle", plugin).splitlines()
-    exported = [line for line in symbols if " kodo::" in line]
-    check(not exported, f"a plugin with {library.name} exports {exported[:3]}")
+    run(given.compiler, "-shared", "-Wl,-z,text", *whole, "-o", work / "whole.so")
 
 
 def check_fused(prefix):

@@ -59,7 +59,7 @@ private:
     void start(Scene scene) {
         scene_ = std::move(scene);
         if (recipe_.twin == Twin::Threads) {
-            static ThreadPool pool(1);
+            thread_local ThreadPool pool(1);
             options_.executor = &pool;
         }
         if (isPairSearch()) {
