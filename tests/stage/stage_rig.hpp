@@ -125,21 +125,26 @@ inline void makePoints(StageRig& rig) {
     ASSERT_EQ(rig.stage.game().result(), Result::Playing);
 }
 
-/// Plays the bot's moves by keys and mouse.
+/// One frame of a tick with the bot's move by keys.
+inline void makeMove(StageRig& rig) {
+    const Game& game = rig.stage.game();
+    const Input wish = bot(game);
+    Signals signals;
+    const Real x = game.world()[game.paddle()].position().x;
+    if (wish.target) {
+        signals.leftHeld = Real(*wish.target) / 1000 < x - Real(0.2);
+        signals.rightHeld = Real(*wish.target) / 1000 > x + Real(0.2);
+    }
+    if (wish.launch && game.result() == Result::Playing) {
+        signals.commands = {Command::Launch};
+    }
+    rig.frame(signals, 1.0 / kTicksPerSecond);
+}
+
+/// Plays the bot's moves to the result screen.
 inline void playToTheEnd(StageRig& rig) {
     for (int i = 0; i < 120 * 300 && rig.stage.screen() == Screen::Playing; ++i) {
-        const Game& game = rig.stage.game();
-        const Input wish = bot(game);
-        Signals signals;
-        const Real x = game.world()[game.paddle()].position().x;
-        if (wish.target) {
-            signals.leftHeld = Real(*wish.target) / 1000 < x - Real(0.2);
-            signals.rightHeld = Real(*wish.target) / 1000 > x + Real(0.2);
-        }
-        if (wish.launch && game.result() == Result::Playing) {
-            signals.commands = {Command::Launch};
-        }
-        rig.frame(signals, 1.0 / kTicksPerSecond);
+        makeMove(rig);
     }
 }
 

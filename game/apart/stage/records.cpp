@@ -156,10 +156,19 @@ void Records::save() {
     }
 }
 
-void Records::close() {
+void Records::settleWaiting() {
     for (std::uint32_t ticks = 0; !waiting_.empty() && ticks < kLastTicks; ticks += kLastSlice) {
         advance(kLastSlice);
     }
+}
+
+void Records::setLevel(std::shared_ptr<const Level> level) {
+    settleWaiting();
+    book_.setLevel(std::move(level));
+}
+
+void Records::close() {
+    settleWaiting();
     save();
 }
 

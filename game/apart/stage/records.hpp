@@ -53,6 +53,9 @@ public:
     /// Checks a score next, or after all others.
     void checkFirst(Mode mode, const std::string& key);
     void checkLast(Mode mode, const std::string& key);
+    /// This level has a new content, and its scores start anew: see ScoreBook. First ends the
+    /// checks that decide about results, unless they take long.
+    void setLevel(std::shared_ptr<const Level> level);
     /// Goes on with the checks, by about so many ticks; see ScoreBook. True if one has ended.
     bool advance(std::uint32_t ticks, bool loads = true);
     /// The replay of the best game of a level, unless it is known to be none.
@@ -81,6 +84,7 @@ public:
     const std::vector<std::string>& notices() const { return notices_; }
 
 private:
+    void settleWaiting();
     void adoptSaved(const ScoreBook::Key& key);
     bool enterBest(Result result);
     void enterHonours(const Result& result);

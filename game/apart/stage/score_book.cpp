@@ -62,9 +62,35 @@ void ScoreBook::recheck(const Key& key, std::int32_t score) {
     checks_.insert(checks_.begin(), {key, score});
 }
 
+void ScoreBook::setLevel(std::shared_ptr<const Level> level) {
+    std::erase_if(known_, [&](const auto& known) { return known.first.second == level->name; });
+    for (Check& check : checks_) {
+        if (check.key.second == level->name) {
+            check.run.reset();
+        }
+    }
+    level_ = std::move(level);
+}
+
+/// The store's way to find a level, except for that of setLevel().
+LevelFinder ScoreBook::finder() const {
+    if (!level_) {
+        return store_.levelOf;
+    }
+    return [level = level_, others = store_.levelOf](const Replay& replay) -> LevelOrReason {
+        if (replay.level == level->name) {
+            return level;
+        }
+        return others(replay);
+    };
+}
+
 void ScoreBook::prove(const Key& key, std::int32_t score, const ReplayRun& run) {
     std::erase_if(checks_, [&](const Check& check) { return check.key == key; });
-    known_[key] = {Proof::Proved, score};
+    const bool older = level_ && !run.empty() && run[0].level == level_->name &&
+                       refusal(run[0], *level_).has_value();
+    known_[key] =
+        older ? Standing{Proof::Older, score, kOlderLevel} : Standing{Proof::Proved, score};
     digests_[key] = runDigest(run);
 }
 
@@ -103,18 +129,18 @@ std::optional<ScoreBook::Finding> ScoreBook::begin(Check& check) {
         return settle({Proof::Older, check.score, fmt::format("rules {}", *run[0].rules)});
     }
     if (parseEndless(run[0].level)) { // it is made later, and depends on the rules alone
-        check.run.emplace(std::move(run), store_.levelOf);
+        check.run.emplace(std::move(run), finder());
         return std::nullopt;
     }
-    const LevelOrReason level = store_.levelOf(run[0]);
+    const LevelOrReason level = finder()(run[0]);
     const auto* found = std::get_if<std::shared_ptr<const Level>>(&level);
     if (found == nullptr) {
         return settle({Proof::Missing, check.score, "level missing"});
     }
     if (refusal(run[0], **found)) {
-        return settle({Proof::Older, check.score, "older level"});
+        return settle({Proof::Older, check.score, kOlderLevel});
     }
-    check.run.emplace(std::move(run), store_.levelOf);
+    check.run.emplace(std::move(run), finder());
     return std::nullopt;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,6 +25,8 @@ enum class Proof : std::uint8_t {
     Older,   // its replay is of other rules or of another version of the level
     Missing, // it has no replay, or one that does not give it
 };
+
+inline constexpr const char* kOlderLevel = "older level"; // Standing::note, if it is that
 
 struct Standing {
     Proof proof = Proof::None;
@@ -56,6 +59,9 @@ public:
     void checkLast(const Key& key, std::int32_t score);
     /// Checks a score next, again even if it is known.
     void recheck(const Key& key, std::int32_t score);
+    /// From now on this is the level of its name. Scores of it are checked again: those of another
+    /// content become scores of an older level.
+    void setLevel(std::shared_ptr<const Level> level);
     /// A game that was just played has this score: it needs no check. Its replay is stored next.
     void prove(const Key& key, std::int32_t score, const ReplayRun& run);
     /// True if the stored replay is not the one that was checked or proved last: another running
@@ -75,11 +81,13 @@ private:
         std::optional<RunCheck> run{};
     };
     bool isChecked(const Key& key, std::int32_t score) const;
+    LevelFinder finder() const;
     std::optional<Finding> begin(Check& check);
     Finding settle(Standing standing);
 
     ScoreStore store_;
-    std::vector<Check> checks_; // the first one is in progress
+    std::shared_ptr<const Level> level_; // of setLevel(); it replaces that of the store
+    std::vector<Check> checks_;          // the first one is in progress
     std::map<Key, Standing> known_;
     std::map<Key, std::uint64_t> digests_; // of the replays that were checked or proved last
 };

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/tuning.hpp>
+#include <apart/stage/hud.hpp>
 #include <apart/stage/own_levels.hpp>
 #include <apart/stage/stage.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -35,6 +38,9 @@ Stage::Stage(StageDef def)
       select_(def_.levels) {
     records_.setMarks(std::move(def_.marks));
     level_ = std::min(def_.firstLevel, def_.levels.size() - 1);
+    if (def_.reload) {
+        records_.setLevel(def_.levels[level_]);
+    }
     if (def_.show) {
         level_ = nextToPlay(def_.levels, profile());
         beginShow();
@@ -87,6 +93,7 @@ void Stage::enter(std::unique_ptr<Play> play, Session::Kind kind) {
     keepGame();
     session_.begin(std::move(play), kind);
     rerun_.reset();
+    reload_.due = false;
     screen_ = Screen::Playing;
     inputMapper_.letGo();
 }
@@ -233,23 +240,66 @@ void Stage::checkScores() {
     }
 }
 
-/// Starts the level of a file again when the file has changed, or shows its errors.
+/// True if the game is one of the player on the level whose file is read again.
+bool Stage::playsReloaded() const {
+    return session_.kind() == Session::Kind::Own && endless_.number == 0 &&
+           game().level().name == def_.levels[def_.firstLevel]->name;
+}
+
+/// Reads the level of a file again when the file has changed, or notes its errors. A game on it
+/// that is not over starts again once it is on the screen.
 void Stage::reloadLevel() {
     constexpr double kEvery = 0.5; // s
-    if (!def_.reload || seconds_ < reload_.at) {
-        return;
+    const bool playing = screen_ == Screen::Playing;
+    const bool over = game().result() != Result::Playing;
+    if (!def_.reload || (playing && over && playsReloaded())) {
+        return; // its score is entered first
     }
-    reload_.at = seconds_ + kEvery;
-    if (std::optional<LevelChange> change = def_.reload()) {
-        reload_.faults = std::move(change->errors);
-        if (change->level) {
-            def_.levels[def_.firstLevel] = std::move(change->level);
-            select_ = LevelSelect(def_.levels);
-            if (screen_ == Screen::Playing && level_ == def_.firstLevel) {
-                begin(level_);
+    if (seconds_ >= reload_.at) {
+        reload_.at = seconds_ + kEvery;
+        if (std::optional<LevelChange> change = def_.reload()) {
+            reload_.faults = std::move(change->errors);
+            if (change->level) {
+                replaceLevel(std::move(change->level));
             }
         }
     }
+    if (reload_.due && playing) {
+        reload_.newsAt = seconds_;
+        begin(def_.firstLevel);
+    }
+}
+
+void Stage::replaceLevel(std::shared_ptr<const Level> level) {
+    std::shared_ptr<const Level>& known = def_.levels[def_.firstLevel];
+    if (*level == *known) {
+        return;
+    }
+    reload_.news.clear();
+    if (digestOf(*level) != digestOf(*known)) {
+        const std::int32_t best = profile().bestOf(profile().mode, level->name).score;
+        reload_.news = best > 0 ? fmt::format("The level has changed, and its scores start anew. "
+                                              "{} points of its earlier content are kept.",
+                                              grouped(best))
+                                : "";
+        records_.setLevel(level);
+    }
+    reload_.newsAt = seconds_;
+    reload_.due = playsReloaded() && game().result() == Result::Playing;
+    known = std::move(level);
+    const std::size_t chosen = select_.chosen();
+    select_ = LevelSelect(def_.levels);
+    select_.choose(chosen);
+}
+
+/// A sentence if the best score of the level of the game is one of an earlier content.
+std::string Stage::formerBest() const {
+    const Standing standing = records_.standingOf(game().mode(), game().level().name);
+    return standing.proof == Proof::Older && standing.note == kOlderLevel
+               ? fmt::format("{} points of an earlier content of the level are kept, but are no "
+                             "mark any more.",
+                             grouped(standing.score))
+               : "";
 }
 
 void Stage::finish() {
@@ -262,6 +312,7 @@ void Stage::finish() {
     Best best = session_.statistics().bestOf(game, marks);
     best.score += endless_.number > 0 ? endless_.score : 0;
     over_.newBest = false;
+    over_.former = formerBest();
     if (!def_.pilot && session_.kind() == Session::Kind::Own && isRecorded(game.level()) &&
         game.result() != Result::Playing) {
         session_.takeUnkept(); // enter() keeps it

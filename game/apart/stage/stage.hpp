@@ -153,7 +153,10 @@ private:
     void tick(Speaker& speaker);
     void tickDemo();
     void finish();
+    bool playsReloaded() const;
     void reloadLevel();
+    std::string formerBest() const;
+    void replaceLevel(std::shared_ptr<const Level> level);
     void keepGame();
     void checkScores();
     TitleOffer offer() const;
@@ -161,17 +164,24 @@ private:
     // Pictures (stage_picture.cpp).
     void drawTitle(Canvas& canvas) const;
     HudLook hudLook() const;
+    bool hasNews() const;
+    std::vector<std::string> notesOfResult() const;
 
-    /// The file of the level that is played, if it is read again whenever it changes.
+    /// The first level, if its file is read again whenever it changes.
     struct Reload {
+        static constexpr double kNewsSeconds = 5;
         double at = 0;                   // s, of the next look at the file
         std::vector<std::string> faults; // of the file
+        bool due = false;                // the game that is played has an earlier content
+        std::string news;                // a sentence about the last change, or empty
+        double newsAt = 0;               // s, since when it is shown
     };
 
     /// The result screen.
     struct Outcome {
         double seconds = 0; // since it appeared
         bool newBest = false;
+        std::string former; // a sentence about the best score of an earlier content, or empty
     };
 
     StageDef def_;

@@ -26,38 +26,44 @@ constexpr TextStyle quiet(Real height, Real room = kLineRoom) {
     return {height, palette::kQuiet, Typeface::Plain, Align::Middle, room};
 }
 
-/// Notices stacked from the bottom, latest last, in the place of the hint. Older ones are omitted
-/// if they do not fit below the menu.
-void paintNotices(Canvas& canvas, const std::vector<std::string>& notices) {
-    constexpr std::size_t kLetters = 120; // per line
-    constexpr std::size_t kMostLines = 3;
+/// Place of notices at the lower edge.
+struct NoticeRoom {
+    std::size_t lines;
+    std::size_t letters; // per line
+    Real width;          // m
+    Color color;
+};
+constexpr NoticeRoom kTitleNotices{3, 120, kLineRoom, palette::kQuiet};
+constexpr NoticeRoom kGameNotices{2, 92, 2 * layout::kRight - Real(0.6), palette::kAccent};
+
+/// Notices stacked from the bottom, latest last. Older ones are omitted if they do not fit below
+/// the menu.
+void paintNotices(Canvas& canvas, const std::vector<std::string>& notices, const NoticeRoom& room) {
     std::vector<std::string> lines;
     for (std::size_t i = notices.size(); i-- > 0;) {
         const std::vector<std::string> own =
-            wrappedInto(kMostLines, notices[i], fitting(canvas, kLetters));
-        if (!lines.empty() && lines.size() + own.size() > kMostLines) {
+            wrappedInto(room.lines, notices[i], fitting(canvas, room.letters));
+        if (!lines.empty() && lines.size() + own.size() > room.lines) {
             break;
         }
         lines.insert(lines.begin(), own.begin(), own.end());
     }
-    if (lines.empty()) {
-        lines = {"arrows and enter, or the mouse      escape: quit"};
-    }
     Real y = Real(0.1);
     for (std::size_t i = lines.size(); i-- > 0;) {
-        canvas.text(lines[i], {0, y}, quiet(Real(0.42)));
+        canvas.text(lines[i], {0, y},
+                    {Real(0.42), room.color, Typeface::Plain, Align::Middle, room.width});
         y += Real(0.62);
     }
 }
 
-/// Errors of the level file that is being edited, as many as there is room for.
-void paintFaults(Canvas& canvas, const std::vector<std::string>& faults) {
+/// Sentences about the level file that is being edited, as many as there is room for.
+void paintReload(Canvas& canvas, const std::vector<std::string>& sentences, Color color) {
     constexpr std::size_t kLetters = 90; // per line
     constexpr Real kTop = Real(16.8);    // m, of the first line
     constexpr Real kLine = Real(0.6);    // m
     std::vector<std::string> lines;
-    for (const std::string& fault : faults) {
-        const std::vector<std::string> own = wrapped(fault, fitting(canvas, kLetters));
+    for (const std::string& sentence : sentences) {
+        const std::vector<std::string> own = wrapped(sentence, fitting(canvas, kLetters));
         lines.insert(lines.end(), own.begin(), own.end());
     }
     const auto room = static_cast<std::size_t>(kTop / kLine);
@@ -70,7 +76,7 @@ void paintFaults(Canvas& canvas, const std::vector<std::string>& faults) {
         canvas.rectangle({{Real(-11.8), y - Real(0.15)}, {Real(11.8), y + Real(0.45)}},
                          faded(palette::kInk, 0.9f), faded(palette::kInk, 0.9f));
         canvas.text(line, {Real(-11.5), y},
-                    {Real(0.4), palette::kDanger, Typeface::Plain, Align::Left, Real(23)});
+                    {Real(0.4), color, Typeface::Plain, Align::Left, Real(23)});
         y -= kLine;
     }
 }
@@ -230,10 +236,13 @@ void Stage::draw(Canvas& canvas) const {
         if (session_.isShow()) {
             return paintTheatre(canvas, theatre_, game().ticks());
         }
-        paintFaults(canvas, reload_.faults);
+        paintReload(canvas, reload_.faults, palette::kDanger);
+        if (hasNews()) {
+            paintReload(canvas, {reload_.news}, palette::kText);
+        }
         if (!confirm_.question(seconds_).empty()) {
             paintQuestion(canvas, confirm_.question(seconds_), Real(4.3));
-        } else if (reload_.faults.empty()) {
+        } else if (reload_.faults.empty() && !hasNews()) {
             paintServeHint(canvas, game(), profile().bindings);
         }
         if (game().result() == Result::Won) {
@@ -248,9 +257,24 @@ void Stage::draw(Canvas& canvas) const {
         paintResults(canvas,
                      {game(), session_.statistics(), score, over_.newBest, over_.seconds,
                       endless_.number > 0 ? std::span<const MedalMarks>() : records_.marks()});
+        paintNotices(canvas, notesOfResult(), kGameNotices);
         return menu_.draw(canvas);
     }
     }
+}
+
+bool Stage::hasNews() const {
+    return reload_.faults.empty() && !reload_.news.empty() &&
+           seconds_ < reload_.newsAt + Reload::kNewsSeconds;
+}
+
+/// What the player is told below the result; the most important one is the last.
+std::vector<std::string> Stage::notesOfResult() const {
+    std::vector<std::string> notes;
+    if (!over_.former.empty()) {
+        notes.push_back(over_.former);
+    }
+    return notes;
 }
 
 void Stage::drawTitle(Canvas& canvas) const {
@@ -265,7 +289,8 @@ void Stage::drawTitle(Canvas& canvas) const {
     paintTitle(canvas, seconds_);
     menu_.draw(canvas);
     if (confirm_.question(seconds_).empty()) {
-        paintNotices(canvas, records_.notices());
+        const std::vector<std::string> hint = {"arrows and enter, or the mouse      escape: quit"};
+        paintNotices(canvas, records_.notices().empty() ? hint : records_.notices(), kTitleNotices);
     }
     paintQuestion(canvas, confirm_.question(seconds_), Real(-0.2)); // in the place of the notices
 }

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// The level of a file that is edited while the game runs.
+#include <apart/stage/own_levels.hpp>
+#include <apart/stage/profile_file.hpp>
+#include <apart/stage/replay_store.hpp>
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+
+#include "stage_rig.hpp"
+
+namespace apart {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A level file outside of the player's folder, and that folder. Separate for each test.
+class LevelReload : public testing::Test {
+protected:
+    void SetUp() override {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = fs::path(testing::TempDir()) / "apart-level-reload" / test->name();
+        fs::remove_all(folder_);
+        fs::create_directories(player());
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    fs::path file() const { return folder_ / (name_ + ".toml"); }
+    fs::path player() const { return folder_ / "player"; }
+    fs::path bestReplay() const { return bestFile(player(), Mode::Standard, name_); }
+
+    /// Writes the file with this row of blocks, or replaces it.
+    void write(const std::string& row, const std::string& title = "Mine") {
+        std::ofstream(file()) << "format = 1\ntitle = \"" << title
+                              << "\"\nidea = \"Glass.\"\ngrid = '''\n...............\n"
+                              << row << "\n'''\n[legend.b]\nstuff = \"glass\"\n";
+        time_ += std::chrono::seconds(2);
+        fs::last_write_time(file(), time_);
+    }
+    /// The game with --level FILE, with what earlier ones have kept.
+    StageDef start() const {
+        StageDef def = StageRig::twoLevels();
+        LoadedProfile loaded = loadProfile(player() / "profile.toml");
+        def.profile = std::move(loaded.profile);
+        def.scores = scoresIn(player(), def.levels);
+        def.keeping.save = profileSaver(player() / "profile.toml", def.profile.totals);
+        def.keeping.keepReplay = [folder = player()](const ReplayRun& run, const std::string& key) {
+            return keepReplay(folder, run, key);
+        };
+        EXPECT_EQ(takeLevelFile(def, file(), {}), "");
+        return def;
+    }
+    static void look(StageRig& rig) { rig.frames(40); } // at the file, at least once
+
+    const std::string name_ = "my_glass";
+    fs::path folder_;
+    fs::file_time_type time_ = fs::file_time_type::clock::now();
+};
+
+constexpr const char* kThree = "..b....b....b..";
+constexpr const char* kOne = ".......b.......";
+
+TEST_F(LevelReload, AnotherContentStartsANewTableAndKeepsTheFormerScore) {
+    write(kThree);
+    std::int32_t second = 0;
+    {
+        StageRig rig(start());
+        playToTheEnd(rig);
+        const std::int32_t first = rig.stage.game().score();
+        ASSERT_EQ(rig.stage.records().provedScore(Mode::Standard, name_), first);
+        write(kOne);
+        look(rig);
+        rig.press(Command::Restart);
+        rig.frames(10);
+        EXPECT_EQ(rig.stage.game().blocksAtStart(), 1);
+        EXPECT_TRUE(rig.picture().says("its scores start anew. " + grouped(first) + " points"));
+        EXPECT_FALSE(rig.picture().says("best  ")) << "no score to beat";
+        playToTheEnd(rig);
+        second = rig.stage.game().score();
+        ASSERT_LT(second, first);
+        EXPECT_TRUE(rig.picture().says(grouped(first) + " points of an earlier content"));
+        const Best best = rig.stage.profile().bestOf(Mode::Standard, name_);
+        EXPECT_EQ(best.score, second);
+        EXPECT_EQ(best.unproved, first);
+        EXPECT_EQ(rig.stage.records().provedScore(Mode::Standard, name_), second);
+        EXPECT_TRUE(fs::exists(fs::path(bestReplay().string() + ".older-level")))
+            << "the replay of the former score";
+        rig.press(Command::Restart);
+        rig.frames(10);
+        EXPECT_TRUE(rig.picture().says("best  " + grouped(second)));
+    }
+    StageRig later(start());
+    later.frames(600);
+    EXPECT_EQ(later.stage.records().provedScore(Mode::Standard, name_), second)
+        << "also of a file that is in no folder of levels";
+}
+
+TEST_F(LevelReload, ANewTitleKeepsTheScores) {
+    write(kThree);
+    StageRig rig(start());
+    playToTheEnd(rig);
+    const std::int32_t score = rig.stage.game().score();
+    write(kThree, "Yours");
+    look(rig);
+    rig.press(Command::Restart);
+    rig.frames(10);
+    EXPECT_EQ(rig.stage.game().level().title, "Yours");
+    EXPECT_TRUE(rig.picture().says("best  " + grouped(score)));
+}
+
+// The window of the editor has the focus: the game is paused while the file is saved.
+TEST_F(LevelReload, APausedGameStartsAgainOnceItGoesOn) {
+    write(kThree);
+    StageRig rig(start());
+    rig.frames(60);
+    rig.press(Command::Pause);
+    write(kOne);
+    look(rig);
+    EXPECT_EQ(rig.stage.screen(), Screen::Paused);
+    EXPECT_EQ(rig.stage.game().blocksAtStart(), 3);
+    rig.press(Command::Pause);
+    EXPECT_EQ(rig.stage.screen(), Screen::Playing);
+    EXPECT_EQ(rig.stage.game().blocksAtStart(), 1);
+    EXPECT_LE(rig.stage.game().ticks(), 3u);
+}
+
+TEST_F(LevelReload, TheScoreOfAGameThatHasEndedIsEnteredFirst) {
+    write(kOne);
+    StageRig rig(start());
+    while (rig.stage.game().result() == Result::Playing) {
+        makeMove(rig);
+    }
+    ASSERT_EQ(rig.stage.screen(), Screen::Playing) << "the fanfare";
+    const std::int32_t score = rig.stage.game().score();
+    write(kThree);
+    look(rig);
+    rig.untilOver();
+    EXPECT_EQ(rig.stage.screen(), Screen::Over);
+    EXPECT_EQ(rig.stage.profile().bestOf(Mode::Standard, name_).score, score);
+    look(rig);
+    rig.press(Command::Restart);
+    EXPECT_EQ(rig.stage.game().blocksAtStart(), 3);
+}
+
+// An edit changes no other game: a run, or a replay.
+TEST_F(LevelReload, AGameOnAnotherLevelGoesOn) {
+    write(kOne);
+    StageDef def = start();
+    def.endless = [](std::uint32_t) { return glassLevel("Row", {2, 7}); };
+    StageRig rig(std::move(def));
+    rig.press(Command::Pause);
+    rig.clickItem(Action::ToTitle);
+    rig.clickItem(Action::Endless);
+    write(kThree);
+    look(rig);
+    EXPECT_EQ(rig.stage.game().level().title, "Row");
+    EXPECT_GT(rig.stage.game().ticks(), 30u);
+}
+
+} // namespace
+} // namespace apart
