@@ -97,22 +97,89 @@ TEST_F(ProfileFile, ABrokenFileIsRenamedAndReported) {
     EXPECT_EQ(loaded.profile, Profile{});
     EXPECT_NE(loaded.notice.find("profile.toml:3"), std::string::npos) << loaded.notice;
     EXPECT_NE(loaded.notice.find("profile.toml.broken"), std::string::npos) << loaded.notice;
-    EXPECT_FALSE(fs::exists(file_));
+    EXPECT_TRUE(loadProfile(file_).whole) << "a good one takes its place";
     EXPECT_EQ(read(file_.string() + ".broken"), broken);
 }
 
-TEST_F(ProfileFile, AnInvalidFileIsKeptAndNotOverwritten) {
+// The usual text of a profile with one item wrong: all others stay, and the fault is named.
+TEST_F(ProfileFile, ABadValueIsReplacedByItsDefaultAlone) {
+    Profile profile = someProfile();
+    EXPECT_EQ(profile.bindings.bind(Act::Mute, 0, *keyNamed("X")), "");
+    struct Case {
+        const char* good;
+        const char* bad;
+        const char* fault;
+        void (*expect)(Profile&); // the change to the profile
+    };
+    const Case cases[] = {
+        {"mouse = 250", "mouse = 400", "mouse must be a whole number from 20 to 300, and is 100",
+         [](Profile& p) { p.settings.mouse = 100; }},
+        {"mouse = 250", "mouse = fast", "", [](Profile& p) { p.settings.mouse = 100; }},
+        {"pure = true", "pure = 1", "pure must be true or false, and is false now",
+         [](Profile& p) { p.mode = Mode::Standard; }},
+        {"score = 12300", "score = -1", "score must be a whole number",
+         [](Profile& p) { p.best[0]["first_light"].score = 0; }},
+        {"score = 12300\ncleared = true", "score = 12300\ncleared = yes", "",
+         [](Profile& p) { p.best[0]["first_light"].cleared = false; }},
+        {"[best.first_light]", "[best.first_light", "", [](Profile& p) { p.best[0].clear(); }},
+        {"games = 3\n", "", "games must be a whole number",
+         [](Profile& p) { p.totals[2].games = 0; }},
+        {"serve = [\"space\", \"-\", 1]", "serve = [\"space\", \"-\", 1", "", [](Profile&) {}},
+        {"serve = [\"space\", \"-\", 1]", "serve = [\"X\", \"-\", 1]",
+         "keys of serve: X is in use: mute, and they are the usual ones now", [](Profile&) {}},
+        {"format = 1", "format = 1\nnew = 3", "unknown key new", [](Profile&) {}},
+        {"format = 1\n", "", "format must be", [](Profile&) {}},
+    };
+    for (const Case& each : cases) {
+        SCOPED_TRACE(each.bad);
+        std::string text = toText(profile);
+        const std::size_t place = text.find(each.good);
+        ASSERT_NE(place, std::string::npos) << text;
+        write(text.replace(place, std::string(each.good).size(), each.bad));
+        Profile expected = profile;
+        each.expect(expected);
+        const LoadedProfile loaded = loadProfile(file_);
+        EXPECT_EQ(toText(loaded.profile), toText(expected));
+        EXPECT_NE(loaded.notice.find("profile.toml:"), std::string::npos) << loaded.notice;
+        EXPECT_NE(loaded.notice.find(each.fault), std::string::npos) << loaded.notice;
+        EXPECT_NE(loaded.notice.find("kept as profile.toml.broken"), std::string::npos);
+        EXPECT_EQ(read(file_.string() + ".broken"), text);
+        EXPECT_EQ(loadProfile(file_).profile, expected) << "at the next start";
+        fs::remove(file_.string() + ".broken");
+    }
+}
+
+TEST_F(ProfileFile, TheFirstFaultsAreNamedAndTheOthersCounted) {
+    write("format = 1\n[settings]\nsound = 101\nmusic = loud\nmouse = 1\nshake = -1\nspin = 2\n"
+          "zoom = 30\n");
+    const LoadedProfile loaded = loadProfile(file_);
+    EXPECT_EQ(loaded.profile.settings.zoom, 30);
+    EXPECT_NE(loaded.notice.find("profile.toml:3: sound"), std::string::npos) << loaded.notice;
+    EXPECT_NE(loaded.notice.find("line 4: "), std::string::npos) << loaded.notice;
+    EXPECT_NE(loaded.notice.find("line 5: mouse"), std::string::npos) << loaded.notice;
+    EXPECT_NE(loaded.notice.find("and 2 more"), std::string::npos) << loaded.notice;
+}
+
+// The scores of a file that another game has damaged meanwhile are merged as well.
+TEST_F(ProfileFile, SavingKeepsWhatIsRightInADamagedFile) {
+    Profile other;
+    other.enter(Mode::Standard, "b", {70, false, false, true});
+    write(toText(other) + "\nnonsense\n");
+    Profile profile = someProfile();
+    ASSERT_FALSE(saveProfile(file_, profile, profile.totals));
+    profile.enter(Mode::Standard, "b", {70, false, false, true});
+    EXPECT_EQ(loadProfile(file_).profile, profile);
+    EXPECT_TRUE(fs::exists(file_.string() + ".broken"));
+}
+
+TEST_F(ProfileFile, OfAFileWithNothingRightDefaultsApplyAndTheFileIsKept) {
     for (const char* text :
          {"", "format = 0\n", "format = 1\nnew = 3\n", "format = 1\n[settings]\nspin = 3\n",
           "format = 1\n[settings]\nsound = 101\n", "format = 1\n[settings]\nsound = -1\n",
           "format = 1\n[settings]\nmouse = 19\n", "format = 1\n[settings]\npure = 1\n",
           "format = 1\nsettings = 3\n", "format = 1\nbest = 3\n", "format = 1\n[best]\na = 3\n",
-          "format = 1\n[best.a]\nscore = -1\ncleared = true\nunhurt = false\nchain = false\n",
-          "format = 1\n[best.a]\nscore = 1\ncleared = true\nunhurt = true\nchain = true\n"
-          "unproved = -1\n",
-          "format = 1\nstatistics = 1\n", "format = 1\n[statistics.nowhere]\n",
-          "format = 1\n[statistics.quarry]\ngames = 1\n", "format = 1\n[best.a]\nscore = 1\n",
-          "[[[", "format = 1\nformat = 1\n"}) {
+          "format = 1\nstatistics = 1\n", "format = 1\n[statistics.nowhere]\n", "[[[",
+          "format = 1\nformat = 1\n"}) {
         SCOPED_TRACE(text);
         write(text);
         const LoadedProfile loaded = loadProfile(file_);

@@ -9,6 +9,8 @@
 #include <array>
 #include <cstdlib>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace apart {
 
@@ -17,15 +19,42 @@ namespace {
 constexpr std::size_t kLongestFile = std::size_t{1} << 20; // bytes
 constexpr std::array<const char*, 2> kTables = {"best", "best-pure"};
 
-/// Reads a profile and keeps the first problem.
+constexpr int kMostLeftOut = 20; // lines that are well-formed but contradict others
+
+/// What can be read of a profile. A wrong value is replaced by its default, and named.
+struct Salvage {
+    Profile profile{};
+    std::optional<FileProblem> problem{}; // all faults by line; nullopt: none
+    bool newer = false;                   // of a format that this game does not know
+};
+
+/// Collects the faults of a file.
+class Faults {
+public:
+    void add(int line, std::string reason) { all_.emplace_back(line, std::move(reason)); }
+    void add(const toml::node& node, std::string reason) {
+        add(static_cast<int>(node.source().begin.line), std::move(reason));
+    }
+    std::optional<FileProblem> problem(const std::string& file) {
+        if (all_.empty()) {
+            return std::nullopt;
+        }
+        std::stable_sort(all_.begin(), all_.end(),
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
+        return FileProblem{file, all_[0].first, all_[0].second, {all_.begin() + 1, all_.end()}};
+    }
+
+private:
+    std::vector<std::pair<int, std::string>> all_; // line and reason
+};
+
+/// Reads the table of a profile, item by item.
 class ProfileReader {
 public:
-    explicit ProfileReader(const std::string& file) : file_(file) {}
+    explicit ProfileReader(Faults& faults) : faults_(faults) {}
 
-    Read<Profile> read(const toml::table& root) {
-        if (number(root, "format", 1, 1) != 1) {
-            return FileProblem{file_, 1, "format must be 1"};
-        }
+    Profile read(const toml::table& root) {
+        number(root, "format", {1, 1, 1});
         for (const auto& [key, node] : root) {
             if (key == "settings") {
                 readSettings(node);
@@ -36,28 +65,27 @@ public:
             } else if (key == kTables[0] || key == kTables[1]) {
                 readBests(node, profile_.best[key == kTables[1] ? 1 : 0]);
             } else if (key != "format") {
-                fail(node, "unknown key " + std::string(key.str()));
+                faults_.add(node, "unknown key " + std::string(key.str()));
             }
         }
-        return problem_ ? Read<Profile>(*problem_) : Read<Profile>(profile_);
+        return profile_;
     }
 
 private:
-    void fail(const toml::node& node, std::string reason) {
-        if (!problem_) {
-            problem_ =
-                FileProblem{file_, static_cast<int>(node.source().begin.line), std::move(reason)};
-        }
-    }
+    struct Range {
+        std::int32_t least;
+        std::int32_t most;
+        std::int32_t usual;
+    };
 
-    std::int32_t number(const toml::table& table, std::string_view key, std::int32_t least,
-                        std::int32_t most) {
+    std::int32_t number(const toml::table& table, std::string_view key, const Range& range) {
         const auto* value = table.get_as<std::int64_t>(key);
-        if (value == nullptr || value->get() < least || value->get() > most) {
+        if (value == nullptr || value->get() < range.least || value->get() > range.most) {
             const toml::node* node = table.get(key);
-            fail(node == nullptr ? table : *node,
-                 fmt::format("{} must be a whole number from {} to {}", key, least, most));
-            return least;
+            faults_.add(node == nullptr ? table : *node,
+                        fmt::format("{} must be a whole number from {} to {}, and is {} now", key,
+                                    range.least, range.most, range.usual));
+            return range.usual;
         }
         return static_cast<std::int32_t>(value->get());
     }
@@ -66,7 +94,8 @@ private:
         const auto* value = table.get_as<bool>(key);
         if (value == nullptr) {
             const toml::node* node = table.get(key);
-            fail(node == nullptr ? table : *node, fmt::format("{} must be true or false", key));
+            faults_.add(node == nullptr ? table : *node,
+                        fmt::format("{} must be true or false, and is false now", key));
         }
         return value != nullptr && value->get();
     }
@@ -74,7 +103,7 @@ private:
     void readSettings(const toml::node& node) {
         const toml::table* table = node.as_table();
         if (table == nullptr) {
-            return fail(node, "settings must be a table");
+            return faults_.add(node, "settings must be a table");
         }
         for (const auto& [key, value] : *table) {
             const auto dial =
@@ -85,9 +114,10 @@ private:
             } else if (key == "muted") {
                 profile_.muted = truth(*table, "muted");
             } else if (dial != kDials.end()) {
-                profile_.settings.*dial->value = number(*table, dial->key, dial->least, dial->most);
+                profile_.settings.*dial->value =
+                    number(*table, dial->key, {dial->least, dial->most, Settings{}.*dial->value});
             } else {
-                fail(value, "unknown key settings." + std::string(key.str()));
+                faults_.add(value, "unknown key settings." + std::string(key.str()));
             }
         }
     }
@@ -95,54 +125,74 @@ private:
     void readBests(const toml::node& node, std::map<std::string, Best>& bests) {
         const toml::table* table = node.as_table();
         if (table == nullptr) {
-            return fail(node, "best scores must be a table");
+            return faults_.add(node, "best scores must be a table");
         }
         for (const auto& [level, value] : *table) {
             const toml::table* best = value.as_table();
             if (best == nullptr) {
-                fail(value, "a best score must be a table");
+                faults_.add(value, "a best score must be a table");
                 continue;
             }
-            constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
+            constexpr Range kScores{0, std::numeric_limits<std::int32_t>::max(), 0};
             bests[std::string(level.str())] = {
-                number(*best, "score", 0, kMost),
+                number(*best, "score", kScores),
                 truth(*best, "cleared"),
                 truth(*best, "unhurt"),
                 truth(*best, "chain"),
-                best->contains("unproved") ? number(*best, "unproved", 0, kMost) : 0,
+                best->contains("unproved") ? number(*best, "unproved", kScores) : 0,
                 best->contains("few-hits") && truth(*best, "few-hits"),
                 best->contains("one-fall") && truth(*best, "one-fall"),
                 best->contains("kept") && truth(*best, "kept")};
         }
     }
 
-    /// The keys and the button of each act: texts and a number, 0 and "-" for none.
+    /// The keys and the button of each act: texts and a number, 0 and "-" for none. An act that is
+    /// wrong or missing has its usual keys, except those that are in use.
     void readKeys(const toml::node& node) {
         const toml::table* table = node.as_table();
         if (table == nullptr) {
-            return fail(node, "keys must be a table");
+            return faults_.add(node, "keys must be a table");
         }
         Bindings read;
         for (Bindings::Row& row : read.rows) {
             row.fill(kNoKey);
         }
+        std::array<bool, kActs> bound{};
         for (const auto& [name, value] : *table) {
-            const auto act = std::find(kActNames.begin(), kActNames.end(), name.str());
-            const toml::array* row = value.as_array();
-            if (act == kActNames.end() || row == nullptr || row->size() != Bindings::kColumns) {
-                return fail(value, "keys has, for each act, two names of keys and a button");
+            const auto found = std::find(kActNames.begin(), kActNames.end(), name.str());
+            if (found == kActNames.end()) {
+                faults_.add(value, "unknown key keys." + std::string(name.str()));
+                continue;
             }
-            for (std::size_t column = 0; column < Bindings::kColumns; ++column) {
-                const std::optional<int> code = codeOf(*row->get(column), column);
-                const std::string reason =
-                    code ? read.bind(static_cast<Act>(act - kActNames.begin()), column, *code)
-                         : "there is no such key or button";
-                if (!reason.empty()) {
-                    return fail(value, reason);
-                }
+            const auto act = static_cast<Act>(found - kActNames.begin());
+            const std::string reason = readRow(value, act, read);
+            bound[static_cast<std::size_t>(act)] = reason.empty();
+            if (!reason.empty()) {
+                faults_.add(value, fmt::format("keys of {}: {}, and they are the usual ones now",
+                                               *found, reason));
+                read.rows[static_cast<std::size_t>(act)].fill(kNoKey);
+            }
+        }
+        for (std::size_t act = 0; act < kActs; ++act) {
+            for (std::size_t column = 0; !bound[act] && column < Bindings::kColumns; ++column) {
+                read.bind(static_cast<Act>(act), column, Bindings{}.rows[act][column]);
             }
         }
         profile_.bindings = read;
+    }
+
+    /// Returns the reason if an act cannot have these keys, else "".
+    static std::string readRow(const toml::node& node, Act act, Bindings& read) {
+        const toml::array* row = node.as_array();
+        if (row == nullptr || row->size() != Bindings::kColumns) {
+            return "each act has two names of keys and a button";
+        }
+        std::string reason;
+        for (std::size_t column = 0; column < Bindings::kColumns && reason.empty(); ++column) {
+            const std::optional<int> code = codeOf(*row->get(column), column);
+            reason = code ? read.bind(act, column, *code) : "there is no such key or button";
+        }
+        return reason;
     }
 
     static std::optional<int> codeOf(const toml::node& node, std::size_t column) {
@@ -159,27 +209,103 @@ private:
     void readTotals(const toml::node& node) {
         const toml::table* table = node.as_table();
         if (table == nullptr) {
-            return fail(node, "statistics must be a table");
+            return faults_.add(node, "statistics must be a table");
         }
         for (const auto& [theme, value] : *table) {
             const auto known = std::find(kThemeNames.begin(), kThemeNames.end(), theme.str());
             const toml::table* totals = value.as_table();
             if (known == kThemeNames.end() || totals == nullptr) {
-                fail(value, "statistics have a table for each theme");
+                faults_.add(value, "statistics have a table for each theme");
                 continue;
             }
             PlayTotals& sums =
                 profile_.totals[static_cast<std::size_t>(known - kThemeNames.begin())];
             for (const TotalField& field : kTotalFields) {
-                sums.*field.value = number(*totals, field.key, 0, kMostTotal);
+                sums.*field.value = number(*totals, field.key, {0, kMostTotal, 0});
             }
         }
     }
 
-    const std::string& file_;
+    Faults& faults_;
     Profile profile_;
-    std::optional<FileProblem> problem_;
 };
+
+/// Empties a line, from 1, and behind the head of a table those up to the next head.
+void leaveOut(std::vector<std::string>& lines, std::size_t number) {
+    const auto isHead = [](const std::string& line) {
+        const std::size_t first = line.find_first_not_of(" \t");
+        return first != std::string::npos && line[first] == '[';
+    };
+    const bool head = isHead(lines[number - 1]);
+    do {
+        lines[number - 1].clear();
+        ++number;
+    } while (head && number <= lines.size() && !isHead(lines[number - 1]));
+}
+
+/// The well-formed lines of a file, as a table: the game writes an item a line. The others, and
+/// those that repeat an item, are faults.
+toml::table wellFormed(std::string_view text, const std::string& file, Faults& faults) {
+    Read<toml::table> root = parseToml(text, file);
+    if (auto* whole = std::get_if<toml::table>(&root)) {
+        return std::move(*whole);
+    }
+    std::vector<std::string> lines(1);
+    for (const char c : text) {
+        if (c == '\n') {
+            lines.emplace_back();
+        } else {
+            lines.back() += c;
+        }
+    }
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const Read<toml::table> alone = parseToml(lines[i], file);
+        if (const auto* problem = std::get_if<FileProblem>(&alone)) {
+            faults.add(static_cast<int>(i) + 1, problem->reason);
+            leaveOut(lines, i + 1);
+        }
+    }
+    for (int i = 0; i < kMostLeftOut; ++i) {
+        std::string rest;
+        for (const std::string& line : lines) {
+            rest += line + '\n';
+        }
+        root = parseToml(rest, file);
+        if (auto* table = std::get_if<toml::table>(&root)) {
+            return std::move(*table);
+        }
+        const auto& problem = std::get<FileProblem>(root);
+        if (problem.line < 1 || static_cast<std::size_t>(problem.line) > lines.size()) {
+            break;
+        }
+        faults.add(problem.line, problem.reason);
+        leaveOut(lines, static_cast<std::size_t>(problem.line));
+    }
+    return {};
+}
+
+Salvage salvageOf(std::string_view text, const std::string& file) {
+    Faults faults;
+    const toml::table root = wellFormed(text, file, faults);
+    Salvage salvage;
+    salvage.newer = root["format"].value_or(std::int64_t{0}) > 1;
+    salvage.profile = ProfileReader(faults).read(root);
+    salvage.problem = faults.problem(file);
+    return salvage;
+}
+
+/// The first faults, in one sentence.
+std::string textOf(const FileProblem& problem) {
+    constexpr std::size_t kTold = 3;
+    std::string text = problem.text();
+    const std::size_t told = std::min(problem.more.size(), kTold - 1);
+    for (std::size_t i = 0; i < told; ++i) {
+        text +=
+            printable(fmt::format("; line {}: {}", problem.more[i].first, problem.more[i].second));
+    }
+    const std::size_t left = problem.more.size() - told;
+    return left > 0 ? text + fmt::format("; and {} more", left) : text;
+}
 
 /// Folder named by an environment variable, if it is an absolute path.
 std::optional<std::filesystem::path> folderOf(const char* variable) {
@@ -191,13 +317,6 @@ std::optional<std::filesystem::path> folderOf(const char* variable) {
 }
 
 constexpr const char* kNotKept = "Settings and scores are neither read nor kept: ";
-
-/// True for a profile whose format this game does not know yet.
-bool isNewer(std::string_view text, const std::string& file) {
-    const Read<toml::table> root = parseToml(text, file);
-    const auto* table = std::get_if<toml::table>(&root);
-    return table != nullptr && (*table)["format"].value_or(std::int64_t{0}) > 1;
-}
 
 /// Adds to `saved` what was counted since `before`.
 TotalsByTheme withCounts(TotalsByTheme saved, const TotalsByTheme& now,
@@ -215,11 +334,14 @@ TotalsByTheme withCounts(TotalsByTheme saved, const TotalsByTheme& now,
 }
 
 /// The profile with the better of its scores and those of `saved`, which another game that ran
-/// meanwhile may have saved. The totals are those of `saved` and what was counted since `before`.
-Profile mergedWith(const Profile& saved, Profile profile, const TotalsByTheme& before) {
-    profile.totals = withCounts(saved.totals, profile.totals, before);
-    for (std::size_t mode = 0; mode < saved.best.size(); ++mode) {
-        for (const auto& [level, best] : saved.best[mode]) {
+/// meanwhile may have saved. The totals are those of `saved` and what was counted since `before`;
+/// those of a damaged file do not count.
+Profile mergedWith(const LoadedProfile& saved, Profile profile, const TotalsByTheme& before) {
+    if (saved.whole) {
+        profile.totals = withCounts(saved.profile.totals, profile.totals, before);
+    }
+    for (std::size_t mode = 0; mode < saved.profile.best.size(); ++mode) {
+        for (const auto& [level, best] : saved.profile.best[mode]) {
             profile.adopt(static_cast<Mode>(mode), level, best);
         }
     }
@@ -313,11 +435,9 @@ std::string toText(const Profile& profile) {
 }
 
 Read<Profile> profileFrom(std::string_view text, const std::string& file) {
-    const Read<toml::table> root = parseToml(text, file);
-    if (const auto* problem = std::get_if<FileProblem>(&root)) {
-        return *problem;
-    }
-    return ProfileReader(file).read(std::get<toml::table>(root));
+    Salvage salvage = salvageOf(text, file);
+    return salvage.problem ? Read<Profile>(*salvage.problem)
+                           : Read<Profile>(std::move(salvage.profile));
 }
 
 LoadedProfile loadProfile(const std::filesystem::path& file) {
@@ -330,19 +450,23 @@ LoadedProfile loadProfile(const std::filesystem::path& file) {
     if (const auto* unread = std::get_if<FileProblem>(&text)) {
         return {{}, kNotKept + unread->text() + ".", true};
     }
-    Read<Profile> profile = profileFrom(std::get<std::string>(text), file.string());
-    if (auto* good = std::get_if<Profile>(&profile)) {
-        return {std::move(*good), {}};
-    }
-    const FileProblem problem = std::get<FileProblem>(profile);
-    if (isNewer(std::get<std::string>(text), file.string())) {
+    Salvage salvage = salvageOf(std::get<std::string>(text), file.string());
+    if (salvage.newer) {
         return {{}, kNotKept + file.string() + ": was written by a newer game.", true};
+    }
+    if (!salvage.problem) {
+        return {std::move(salvage.profile), {}, false, true};
     }
     const std::filesystem::path aside = freeAside(file, ".broken");
     std::filesystem::rename(file, aside, error);
     const std::string kept =
         error ? "It cannot be renamed." : "It is kept as " + aside.filename().string() + ".";
-    return {{}, fmt::format("Settings and scores are reset: {}. {}", problem.text(), kept)};
+    if (!error) {
+        writeTextFile(file, toText(salvage.profile)); // on failure, the next save says so
+    }
+    return {std::move(salvage.profile),
+            fmt::format("The profile is damaged, and only what is right in it is used: {}. {}",
+                        textOf(*salvage.problem), kept)};
 }
 
 std::optional<Profile> savedProfile(const std::filesystem::path& file) {
@@ -350,9 +474,8 @@ std::optional<Profile> savedProfile(const std::filesystem::path& file) {
     if (std::holds_alternative<FileProblem>(text)) {
         return std::nullopt;
     }
-    Read<Profile> saved = profileFrom(std::get<std::string>(text), file.string());
-    auto* good = std::get_if<Profile>(&saved);
-    return good != nullptr ? std::optional(std::move(*good)) : std::nullopt;
+    Salvage saved = salvageOf(std::get<std::string>(text), file.string());
+    return saved.newer ? std::nullopt : std::optional(std::move(saved.profile));
 }
 
 std::optional<FileProblem> saveProfile(const std::filesystem::path& file, const Profile& profile,
@@ -362,12 +485,12 @@ std::optional<FileProblem> saveProfile(const std::filesystem::path& file, const 
     if (error) {
         return FileProblem{file.string(), 0, "its folder cannot be made: " + error.message()};
     }
-    const std::optional<Profile> saved = savedProfile(file);
-    if (!saved && loadProfile(file).keepFile) { // which renames a damaged file
+    const LoadedProfile saved = loadProfile(file);
+    if (saved.keepFile) {
         return FileProblem{file.string(), 0,
                            "it was written by a newer game, or cannot be read, and stays as it is"};
     }
-    return writeTextFile(file, toText(saved ? mergedWith(*saved, profile, before) : profile));
+    return writeTextFile(file, toText(mergedWith(saved, profile, before)));
 }
 
 std::function<std::string(const Profile&)> profileSaver(const std::filesystem::path& file,

@@ -21,19 +21,23 @@ std::optional<std::filesystem::path> profileFile();
 std::filesystem::path freeAside(const std::filesystem::path& file, const std::string& ending);
 
 std::string toText(const Profile& profile);
+/// The profile, or all faults of the text.
 Read<Profile> profileFrom(std::string_view text, const std::string& file);
 
 struct LoadedProfile {
     Profile profile;
     std::string notice;    // a sentence for the player, or empty
     bool keepFile = false; // it must not be replaced: it cannot be read, or is of a newer game
+    bool whole = false;    // there is a file, and all of it was read
 };
 
-/// An invalid file is renamed to *.broken (*.broken-2, ...), which keeps its content. A default
-/// profile is returned. A file that cannot be read, and one of a newer game, stay as they are.
+/// Of a damaged file, each wrong item is replaced by its default; the notice names the first ones.
+/// The file is renamed to *.broken (*.broken-2, ...), and one with what is right takes its place. A
+/// file that cannot be read, and one of a newer game, stay as they are: the profile is the default.
 LoadedProfile loadProfile(const std::filesystem::path& file);
 
-/// The profile of a file that another running game may have saved; nullopt if it cannot be read.
+/// What is right in the profile of a file that another running game may have saved; nullopt if it
+/// cannot be read, or is of a newer game.
 std::optional<Profile> savedProfile(const std::filesystem::path& file);
 
 /// Keeps the better scores of the file, if another game has saved some meanwhile, and adds what was
