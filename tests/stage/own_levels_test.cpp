@@ -61,6 +61,7 @@ TEST_F(OwnLevels, AFileWithTheNameOfAnotherLevelIsPlayedWithoutRecords) {
     EXPECT_EQ(rig.stage.game().level().title, "Mine");
     playToTheEnd(rig);
     ASSERT_GT(rig.stage.game().score(), 1);
+    EXPECT_TRUE(rig.picture().says("test_1.toml is played without scores, honours and replays."));
     rig.clickItem(Action::Levels);
     EXPECT_TRUE(replays_.empty());
     const Profile& profile = rig.stage.profile();

@@ -463,5 +463,24 @@ TEST(Screens, NoticesAreStackedOnTheTitle) {
     }
 }
 
+// The score is lost on this screen; the title comes later, or never.
+TEST(Screens, WhatCannotBeKeptIsToldOnTheResults) {
+    StageDef def = StageRig::playing();
+    bool full = true;
+    def.keeping.save = [&full](const Profile&) {
+        return std::string(full ? "Scores are not kept: the disk is full." : "");
+    };
+    StageRig rig(std::move(def));
+    rig.frames(10);
+    EXPECT_FALSE(rig.picture().says("Scores are not kept"));
+    playToTheEnd(rig);
+    ASSERT_EQ(rig.stage.screen(), Screen::Over);
+    EXPECT_TRUE(rig.picture().says("Scores are not kept: the disk is full."));
+    full = false;
+    rig.press(Command::Restart);
+    playToTheEnd(rig);
+    EXPECT_FALSE(rig.picture().says("Scores are not kept"));
+}
+
 } // namespace
 } // namespace apart

@@ -116,16 +116,19 @@ std::vector<std::filesystem::path> levelFolders() {
 /// Loads the profile and installs the functions that save it.
 void takeProfile(StageDef& def) {
     const std::optional<std::filesystem::path> file = profileFile();
+    const auto keepNothing = [&](const std::string& reason) { // told with each score, too
+        def.keeping.save = [reason](const Profile&) { return reason; };
+    };
     if (!file) {
         def.notices.push_back(
             "Settings and scores are not kept: neither XDG_CONFIG_HOME nor HOME is set.");
-        return;
+        return keepNothing(def.notices.back());
     }
     addOwnLevels(def, file->parent_path() / "levels");
     LoadedProfile loaded = loadProfile(*file);
     def.profile = std::move(loaded.profile);
     if (!loaded.notice.empty()) {
-        def.notices.push_back(std::move(loaded.notice));
+        def.notices.push_back(loaded.notice);
     }
     def.replays = [folder = file->parent_path(), levels = def.levels] {
         return replaysIn(folder, levels);
@@ -136,7 +139,7 @@ void takeProfile(StageDef& def) {
         return keepReplay(folder, run, best);
     };
     if (loaded.keepFile) {
-        return;
+        return keepNothing(loaded.notice);
     }
     def.keeping.saved = [path = *file] { return savedProfile(path); };
     def.keeping.save = profileSaver(*file, def.profile.totals);

@@ -124,6 +124,7 @@ bool Records::enterBest(Result result) {
 
 bool Records::enter(Result result) {
     const auto& [mode, key] = result.key;
+    lost_.clear();
     adoptSaved(result.key);
     const Standing standing = standingOf(mode, key);
     const bool beats = standing.proof == Proof::Proved && result.best.score > standing.score;
@@ -146,13 +147,13 @@ void Records::keepLast(const ReplayRun& run) {
 
 void Records::keepRun(const ReplayRun& run, const std::string& best) {
     if (keeping_.keepReplay && !run.empty()) {
-        note(keeping_.keepReplay(run, best));
+        noteLoss(keeping_.keepReplay(run, best));
     }
 }
 
 void Records::save() {
     if (keeping_.save) {
-        note(keeping_.save(profile_));
+        noteLoss(keeping_.save(profile_));
     }
 }
 
@@ -170,6 +171,13 @@ void Records::setLevel(std::shared_ptr<const Level> level) {
 void Records::close() {
     settleWaiting();
     save();
+}
+
+void Records::noteLoss(const std::string& sentence) {
+    if (!sentence.empty() && std::find(lost_.begin(), lost_.end(), sentence) == lost_.end()) {
+        lost_.push_back(sentence);
+    }
+    note(sentence);
 }
 
 void Records::note(std::string sentence) {

@@ -79,6 +79,8 @@ public:
     /// Ends the checks that decide about results, unless they take long, and saves the profile.
     void close();
 
+    /// Sentences about what could not be kept of the last result.
+    const std::vector<std::string>& lost() const { return lost_; }
     /// Adds a sentence for the player unless it is already there.
     void note(std::string sentence);
     const std::vector<std::string>& notices() const { return notices_; }
@@ -89,6 +91,7 @@ private:
     bool enterBest(Result result);
     void enterHonours(const Result& result);
     void keepRun(const ReplayRun& run, const std::string& best);
+    void noteLoss(const std::string& sentence);
 
     Profile profile_;
     Keeping keeping_;
@@ -96,6 +99,7 @@ private:
     ScoreBook book_;
     std::vector<Result> waiting_; // for the check of the score that they may replace
     std::vector<std::string> notices_;
+    std::vector<std::string> lost_;
     std::vector<MedalMarks> marks_;
 };
 

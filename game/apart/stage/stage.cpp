@@ -313,8 +313,9 @@ void Stage::finish() {
     best.score += endless_.number > 0 ? endless_.score : 0;
     over_.newBest = false;
     over_.former = formerBest();
-    if (!def_.pilot && session_.kind() == Session::Kind::Own && isRecorded(game.level()) &&
-        game.result() != Result::Playing) {
+    over_.entered = !def_.pilot && session_.kind() == Session::Kind::Own &&
+                    isRecorded(game.level()) && game.result() != Result::Playing;
+    if (over_.entered) {
         session_.takeUnkept(); // enter() keeps it
         keepGame();
         over_.newBest =

@@ -179,7 +179,8 @@ private:
 
     /// The result screen.
     struct Outcome {
-        double seconds = 0; // since it appeared
+        double seconds = 0;   // since it appeared
+        bool entered = false; // its score is one of the player's
         bool newBest = false;
         std::string former; // a sentence about the best score of an earlier content, or empty
     };

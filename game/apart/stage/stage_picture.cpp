@@ -5,6 +5,7 @@
 #include <apart/stage/help.hpp>
 #include <apart/stage/layout.hpp>
 #include <apart/stage/logo.hpp>
+#include <apart/stage/own_levels.hpp>
 #include <apart/stage/palette.hpp>
 #include <apart/stage/results.hpp>
 #include <apart/stage/stage.hpp>
@@ -273,6 +274,11 @@ std::vector<std::string> Stage::notesOfResult() const {
     std::vector<std::string> notes;
     if (!over_.former.empty()) {
         notes.push_back(over_.former);
+    }
+    if (over_.entered) {
+        notes.insert(notes.end(), records_.lost().begin(), records_.lost().end());
+    } else if (session_.kind() == Session::Kind::Own && !isRecorded(game().level())) {
+        notes.push_back(game().level().name + " is played without scores, honours and replays.");
     }
     return notes;
 }
