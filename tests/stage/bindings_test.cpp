@@ -125,6 +125,14 @@ TEST(KeyScreen, EscapeLeavesAKeyAsItIsAndDeleteRemovesIt) {
         rig.press(Command::Down);
     }
     rig.press(Command::Confirm);
+    EXPECT_NE(rig.stage.profile().bindings, Bindings{}) << "it asks once";
+    EXPECT_TRUE(rig.picture().says("once more to reset the keys and buttons"));
+    rig.press(Command::Up); // another row: the question is gone
+    EXPECT_FALSE(rig.picture().says("once more"));
+    rig.press(Command::Down);
+    rig.press(Command::Confirm);
+    EXPECT_NE(rig.stage.profile().bindings, Bindings{});
+    rig.press(Command::Confirm);
     EXPECT_EQ(rig.stage.profile().bindings, Bindings{});
     rig.press(Command::Down);
     rig.press(Command::Confirm);

@@ -175,7 +175,16 @@ TEST(Screens, OptionsStayInTheirRangeAndCanBeReset) {
     EXPECT_EQ(rig.stage.settings().sound, 100);
     EXPECT_TRUE(rig.picture().says("100 %"));
     rig.clickItem(Action::Reset);
+    EXPECT_EQ(rig.stage.settings().sound, 100) << "it asks once";
+    EXPECT_TRUE(rig.picture().says("once more to reset the options"));
+    rig.press(Command::Up); // another item: the question is gone
+    EXPECT_FALSE(rig.picture().says("once more"));
+    rig.clickItem(Action::Reset);
+    EXPECT_EQ(rig.stage.settings().sound, 100);
+    rig.clickItem(Action::Reset);
     EXPECT_EQ(rig.stage.settings(), Settings{});
+    rig.clickItem(Action::Reset);
+    EXPECT_FALSE(rig.picture().says("once more")) << "there is nothing to lose";
 }
 
 TEST(Screens, SettingsAndResultsAreSaved) {

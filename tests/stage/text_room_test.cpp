@@ -176,6 +176,9 @@ TEST(TextRoom, OfTheScreensAroundTheGame) {
             room.clickItem(Action::Options);
             for (std::size_t page = 0; page < kDialPages.size(); ++page) {
                 room.expectFree("options");
+                room.clickItem(Action::Reset);
+                room.expectFree("options with a question");
+                room.press(Command::Up); // the question is gone
                 room.clickItem(Action::Page);
             }
             room.clickItem(Action::Keys);

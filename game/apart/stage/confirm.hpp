@@ -7,10 +7,10 @@
 
 namespace apart {
 
-/// A way to end a game, or the program.
-enum class Ending : std::uint8_t { Quit, Restart, Levels, Title };
+/// What ends a game or the program, or replaces the settings of the player.
+enum class Ending : std::uint8_t { Quit, Restart, Levels, Title, Settings };
 
-/// What loses a game asks once: it takes effect when given again within kSeconds.
+/// What loses a game or settings asks once: it takes effect when given again within kSeconds.
 class Confirm {
 public:
     static constexpr double kSeconds = 2.5;
@@ -28,9 +28,10 @@ public:
         if (!asked_ || now - since_ >= kSeconds) {
             return {};
         }
-        return *asked_ == Ending::Restart ? "once more to start again"
-               : *asked_ == Ending::Quit  ? "once more to quit"
-                                          : "once more to leave the game";
+        return *asked_ == Ending::Restart    ? "once more to start again"
+               : *asked_ == Ending::Quit     ? "once more to quit"
+               : *asked_ == Ending::Settings ? "once more to reset the options"
+                                             : "once more to leave the game";
     }
 
 private:

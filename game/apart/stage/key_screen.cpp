@@ -19,6 +19,8 @@ constexpr std::array<std::string_view, kActs> kLabels = {
     "left", "right", "pull", "push", "serve", "pause", "start again", "sound on and off"};
 constexpr std::array<std::string_view, Bindings::kColumns> kHeads = {"key", "other key", "gamepad"};
 
+constexpr const char* kResetQuestion = "once more to reset the keys and buttons";
+
 bool erases(Press press) {
     return !press.pad && (press.code == keyNamed("delete") || press.code == keyNamed("backspace"));
 }
@@ -70,8 +72,11 @@ void KeyScreen::move(Command command) {
 
 /// True for the last row, which leaves the screen.
 bool KeyScreen::confirm(Bindings& bindings) {
+    const bool asked = notice_ == kResetQuestion;
     notice_.clear();
-    if (row_ == kResetRow) {
+    if (row_ == kResetRow && !asked && bindings != Bindings{}) {
+        notice_ = kResetQuestion;
+    } else if (row_ == kResetRow) {
         bindings = {};
     } else if (row_ < kActs) {
         waiting_ = column_ != Bindings::kPadColumn || hasButton(static_cast<Act>(row_));
@@ -106,6 +111,9 @@ bool KeyScreen::take(const Signals& signals, Bindings& bindings) {
             return confirm(bindings);
         }
         move(command);
+    }
+    if (row_ != kResetRow && notice_ == kResetQuestion) {
+        notice_.clear(); // another row is chosen
     }
     const auto clicks = [&](std::size_t row, std::size_t column) {
         return cell(row, column).contains(signals.pointerNow);

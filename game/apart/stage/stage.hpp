@@ -133,6 +133,7 @@ private:
     void quit();
     void back();
     void act(const MenuOutcome& outcome);
+    void resetSettings();
     void turn(std::size_t dial, int percent);
 
     // Screens and games.

@@ -219,6 +219,7 @@ void Stage::draw(Canvas& canvas) const {
         paintVeil(canvas, faded(palette::kNight, 0.80f));
         paintHeading(canvas, "Options");
         canvas.text("left and right, or a click on the bar", {0, Real(1.7)}, quiet(Real(0.42)));
+        paintQuestion(canvas, confirm_.question(seconds_), Real(0.3));
         return menu_.draw(canvas);
     case Screen::Keys:
         paintVeil(canvas, faded(palette::kNight, 0.84f));

@@ -357,12 +357,17 @@ void Stage::act(const MenuOutcome& outcome) {
         toOptions(optionsPage_ + 1);
         return menu_.choose(Action::Page);
     case Action::Reset:
-        for (std::size_t i = 0; i < kDials.size(); ++i) {
-            turn(i, Settings{}.*kDials[i].value);
-        }
-        return;
+        return settings() == Settings{} || confirm_.ask(Ending::Settings, seconds_)
+                   ? resetSettings()
+                   : void();
     case Action::Dial:
         return turn(outcome.dial, outcome.percent);
+    }
+}
+
+void Stage::resetSettings() {
+    for (std::size_t i = 0; i < kDials.size(); ++i) {
+        turn(i, Settings{}.*kDials[i].value);
     }
 }
 
