@@ -22,7 +22,8 @@ class LevelReload : public testing::Test {
 protected:
     void SetUp() override {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(testing::TempDir()) / "apart-level-reload" / test->name();
+        // Short, so that a sentence with its name fits in a line.
+        folder_ = fs::path(testing::TempDir()) / ("reload-" + std::to_string(test->line()));
         fs::remove_all(folder_);
         fs::create_directories(player());
     }
@@ -143,6 +144,39 @@ TEST_F(LevelReload, TheScoreOfAGameThatHasEndedIsEnteredFirst) {
     look(rig);
     rig.press(Command::Restart);
     EXPECT_EQ(rig.stage.game().blocksAtStart(), 3);
+}
+
+TEST_F(LevelReload, ErrorsAreShownInPlayInThePauseAndOnTheResults) {
+    write(kOne);
+    StageRig rig(start());
+    write("..b....b....b", ""); // two errors
+    look(rig);
+    EXPECT_TRUE(rig.picture().says("a row of the grid has 15 letters"));
+    EXPECT_TRUE(rig.picture().says("title must be a text"));
+    rig.press(Command::Pause);
+    EXPECT_TRUE(rig.picture().says("my_glass.toml:2: title must be a text"));
+    EXPECT_TRUE(rig.picture().says("(1 more error)"));
+    rig.press(Command::Pause);
+    playToTheEnd(rig);
+    ASSERT_EQ(rig.stage.screen(), Screen::Over);
+    EXPECT_TRUE(rig.picture().says("my_glass.toml:2: title must be a text"));
+    write(kOne);
+    look(rig);
+    EXPECT_FALSE(rig.picture().says("my_glass.toml")) << "all is right again";
+}
+
+TEST_F(LevelReload, ADeletedFileIsToldUntilItIsThereAgain) {
+    write(kOne);
+    StageRig rig(start());
+    fs::rename(file(), folder_ / "away");
+    look(rig);
+    EXPECT_TRUE(rig.picture().says("my_glass.toml: there is no such file"));
+    EXPECT_EQ(rig.stage.game().blocksAtStart(), 1) << "the game goes on";
+    EXPECT_GT(rig.stage.game().ticks(), 30u);
+    fs::rename(folder_ / "away", file()); // with the same time
+    look(rig);
+    EXPECT_FALSE(rig.picture().says("my_glass.toml"));
+    EXPECT_GT(rig.stage.game().ticks(), 100u) << "the same content does not start it again";
 }
 
 // An edit changes no other game: a run, or a replay.

@@ -165,6 +165,10 @@ std::string grouped(int number) {
     return digits;
 }
 
+std::string countText(std::int64_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 std::vector<std::string> wrapped(std::string_view text, std::size_t letters) {
     std::vector<std::string> lines;
     std::string line;

@@ -30,6 +30,9 @@ void paintServeHint(Canvas& canvas, const Game& game, const Bindings& keys);
 /// 12345 -> "12 345".
 std::string grouped(int number);
 
+/// 1, "block" -> "1 block"; 2 -> "2 blocks".
+std::string countText(std::int64_t count, std::string_view what);
+
 /// Breaks a text between words into lines of at most `letters` letters.
 std::vector<std::string> wrapped(std::string_view text, std::size_t letters);
 

@@ -57,13 +57,14 @@ public:
 private:
     bool look() {
         std::error_code error;
-        const auto time = fs::last_write_time(file_, error);
-        return !error && std::exchange(time_, time) != time;
+        const auto written = fs::last_write_time(file_, error);
+        const auto time = error ? std::nullopt : std::optional(written);
+        return std::exchange(time_, time) != time;
     }
 
     fs::path file_;
     std::string name_;
-    fs::file_time_type time_{};
+    std::optional<fs::file_time_type> time_; // of the last change; none: there is no file
 };
 
 } // namespace

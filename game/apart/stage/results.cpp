@@ -15,10 +15,6 @@ namespace {
 
 constexpr double kCountSeconds = 1.2; // duration of the score counter
 
-std::string countText(int count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 /// The score line by line: what was counted, and its points. The lines add up to the score.
 void paintScoreLines(Canvas& canvas, const ResultsLook& look) {
     const RunStatistics& run = look.statistics;

@@ -166,6 +166,7 @@ private:
     void drawTitle(Canvas& canvas) const;
     HudLook hudLook() const;
     bool hasNews() const;
+    std::vector<std::string> notesOfFile() const;
     std::vector<std::string> notesOfResult() const;
 
     /// The first level, if its file is read again whenever it changes.

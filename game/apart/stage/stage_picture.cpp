@@ -252,7 +252,8 @@ void Stage::draw(Canvas& canvas) const {
         }
         return;
     case Screen::Paused:
-        return paintPaused(canvas, menu_, profile().bindings, confirm_.question(seconds_));
+        paintPaused(canvas, menu_, profile().bindings, confirm_.question(seconds_));
+        return paintNotices(canvas, notesOfFile(), kGameNotices);
     case Screen::Over: {
         paintVeil(canvas, faded(palette::kNight, rerun_ ? 0.55f : 0.72f));
         const std::int32_t score = game().score() + (endless_.number > 0 ? endless_.score : 0);
@@ -270,9 +271,19 @@ bool Stage::hasNews() const {
            seconds_ < reload_.newsAt + Reload::kNewsSeconds;
 }
 
+/// The first error of the level file that is being edited, and the number of the others.
+std::vector<std::string> Stage::notesOfFile() const {
+    const std::vector<std::string>& faults = reload_.faults;
+    if (faults.size() < 2) {
+        return faults;
+    }
+    return {fmt::format("{} ({})", faults[0],
+                        countText(static_cast<std::int64_t>(faults.size()) - 1, "more error"))};
+}
+
 /// What the player is told below the result; the most important one is the last.
 std::vector<std::string> Stage::notesOfResult() const {
-    std::vector<std::string> notes;
+    std::vector<std::string> notes = notesOfFile();
     if (!over_.former.empty()) {
         notes.push_back(over_.former);
     }
