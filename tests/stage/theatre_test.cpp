@@ -161,6 +161,65 @@ TEST(Theatre, ListsReplaysAndTellsWhyOneCannotBePlayed) {
     EXPECT_TRUE(rig.picture().says("REPLAY"));
 }
 
+// Escape, the menu of a game that was taken over, and the end of a replay lead back to the list.
+TEST(Theatre, AReplayOfTheListLeadsBackToIt) {
+    StageDef def = StageRig::twoLevels();
+    def.replays = [] {
+        std::vector<ShowEntry> entries(3, {"a game"});
+        for (ShowEntry& entry : entries) {
+            entry.load = [] {
+                Show show = watching().show.value();
+                show.end = 200;
+                show.pilot = [](const Game& game) {
+                    return game.ticks() < 200 ? std::optional(Input{}) : std::nullopt;
+                };
+                return show;
+            };
+        }
+        return entries;
+    };
+    StageRig rig(std::move(def));
+    rig.clickItem(Action::Records);
+    rig.clickItem(Action::Replays);
+    const auto watchTheSecond = [&] {
+        ASSERT_EQ(rig.stage.screen(), Screen::Replays);
+        rig.click(rig.stage.menu().place(1).center());
+        ASSERT_EQ(rig.stage.screen(), Screen::Playing);
+    };
+    const auto expectTheList = [&] {
+        EXPECT_EQ(rig.stage.screen(), Screen::Replays);
+        EXPECT_EQ(rig.stage.menu().chosen(), 1u);
+    };
+    watchTheSecond();
+    EXPECT_TRUE(rig.picture().says("escape: all replays"));
+    rig.press(Command::Back);
+    expectTheList();
+    watchTheSecond();
+    rig.press(Command::Confirm); // takes over
+    rig.press(Command::Pause);
+    rig.clickItem(Action::Replays);
+    expectTheList();
+    watchTheSecond();
+    rig.untilOver();
+    EXPECT_TRUE(rig.picture().says("All replays"));
+    rig.press(Command::Back);
+    expectTheList();
+    rig.press(Command::Back);
+    EXPECT_EQ(rig.stage.screen(), Screen::Records);
+    rig.press(Command::Back);
+    rig.clickItem(Action::Play);
+    rig.press(Command::Pause);
+    EXPECT_FALSE(rig.picture().says("All replays")) << "a game of one's own";
+}
+
+TEST(Theatre, AReplayOfAFileLeadsToTheMenu) {
+    StageRig rig(watching());
+    EXPECT_TRUE(rig.picture().says("escape: menu"));
+    rig.press(Command::Back);
+    EXPECT_EQ(rig.stage.screen(), Screen::Paused);
+    EXPECT_FALSE(rig.picture().says("All replays"));
+}
+
 /// A replay of 100 ticks without input.
 Show idle(std::shared_ptr<const Level> level) {
     return Show{

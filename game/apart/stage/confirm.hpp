@@ -8,7 +8,7 @@
 namespace apart {
 
 /// What ends a game or the program, or replaces the settings of the player.
-enum class Ending : std::uint8_t { Quit, Restart, Levels, Title, Settings };
+enum class Ending : std::uint8_t { Quit, Restart, Levels, Replays, Title, Settings };
 
 /// What loses a game or settings asks once: it takes effect when given again within kSeconds.
 class Confirm {

@@ -4,6 +4,7 @@
 #include <apart/stage/canvas.hpp>
 #include <apart/stage/controls.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -71,6 +72,7 @@ public:
     void setPercent(std::size_t dial, int percent);
     void setLabel(Action action, std::string label);
     void choose(Action action);
+    void chooseAt(std::size_t item) { chosen_ = std::min(item, items_.size() - 1); }
     void draw(Canvas& canvas) const;
 
     const std::vector<MenuItem>& items() const { return items_; }

@@ -95,14 +95,17 @@ Menu optionsMenu(const Settings& settings, int page) {
     return {std::move(items), Real(13.2), Real(7.4)};
 }
 
-Menu pauseMenu() {
-    return {{{Action::Resume, "Go on"},
-             {Action::Restart, "Restart"},
-             {Action::Help, "How to play"},
-             {Action::Options, "Options"},
-             {Action::Levels, "All levels"},
-             {Action::ToTitle, "Title"}},
-            Real(11.6)};
+Menu pauseMenu(bool replays) {
+    std::vector<MenuItem> items = {{Action::Resume, "Go on"},
+                                   {Action::Restart, "Restart"},
+                                   {Action::Help, "How to play"},
+                                   {Action::Options, "Options"}};
+    if (replays) {
+        items.push_back({Action::Replays, "All replays"});
+    }
+    items.push_back({Action::Levels, "All levels"});
+    items.push_back({Action::ToTitle, "Title"});
+    return {std::move(items), replays ? Real(12.4) : Real(11.6)};
 }
 
 Menu helpMenu() {

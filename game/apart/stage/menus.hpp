@@ -25,7 +25,8 @@ Menu recordsMenu(bool replays);
 Menu replaysMenu(const std::vector<ShowEntry>& replays);
 /// `page`: index in kDialPages. The first one also leads to the bindings of keys.
 Menu optionsMenu(const Settings& settings, int page);
-Menu pauseMenu();
+/// `replays`: leads to the list of replays, too.
+Menu pauseMenu(bool replays);
 Menu helpMenu();
 
 } // namespace apart

@@ -29,6 +29,17 @@ SoundScene soundOf(const Session& session, bool playing, const Settings& setting
     return scene;
 }
 
+/// Adds the scores of the profile to recordings that do not note their own.
+void addScores(std::vector<ShowEntry>& replays, const Profile& profile) {
+    for (ShowEntry& replay : replays) {
+        const Best best =
+            replay.best ? profile.bestOf(replay.best->first, replay.best->second) : Best{};
+        if (!replay.score && best.score > 0) {
+            replay.score = best.score;
+        }
+    }
+}
+
 } // namespace
 
 Stage::Stage(StageDef def)
@@ -302,6 +313,27 @@ std::string Stage::formerBest() const {
                : "";
 }
 
+/// The list of replays, with the one that was shown last chosen.
+void Stage::toReplays() {
+    if (!session_.isDemo()) {
+        level_ = nextToPlay(def_.levels, profile());
+        demo(level_);
+    }
+    replays_.entries = def_.replays();
+    addScores(replays_.entries, profile());
+    open(Screen::Replays, replaysMenu(replays_.entries));
+    menu_.chooseAt(replays_.shown.value_or(0));
+}
+
+void Stage::pause() {
+    open(Screen::Paused, pauseMenu(fromReplays()));
+}
+
+/// True if the game is a replay of the list, or was taken over from one.
+bool Stage::fromReplays() const {
+    return replays_.shown && (session_.isShow() || session_.isWhatIf());
+}
+
 void Stage::finish() {
     screen_ = Screen::Over;
     over_.seconds = 0;
@@ -328,6 +360,9 @@ void Stage::finish() {
         items.push_back({Action::NextLevel, "Next level"});
     }
     items.push_back({Action::Restart, session_.isShow() ? "Watch again" : "Play again"});
+    if (fromReplays()) {
+        items.push_back({Action::Replays, "All replays"});
+    }
     items.push_back({Action::Levels, "All levels"});
     items.push_back({Action::ToTitle, "Title"});
     menu_ = Menu(std::move(items), Real(5.1));

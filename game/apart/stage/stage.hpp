@@ -139,6 +139,9 @@ private:
     // Screens and games.
     void toTitle();
     void toLevels();
+    void toReplays();
+    bool fromReplays() const;
+    void pause();
     void toOptions(int page = 0);
     void open(Screen screen, Menu menu);
     void begin(std::size_t level);
@@ -179,6 +182,12 @@ private:
         double newsAt = 0;               // s, since when it is shown
     };
 
+    /// Screen::Replays.
+    struct ReplayList {
+        std::vector<ShowEntry> entries;
+        std::optional<std::size_t> shown; // the one that was chosen; none: a file was given
+    };
+
     /// The result screen.
     struct Outcome {
         double seconds = 0;   // since it appeared
@@ -199,7 +208,7 @@ private:
     Session session_;
     std::optional<Rerun> rerun_; // behind the result screen
     Theatre theatre_;
-    std::vector<ShowEntry> replays_; // of Screen::Replays
+    ReplayList replays_;
     Records records_;
     Confirm confirm_;
     Reload reload_;

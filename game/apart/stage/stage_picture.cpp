@@ -236,7 +236,8 @@ void Stage::draw(Canvas& canvas) const {
         return;
     case Screen::Playing:
         if (session_.isShow()) {
-            return paintTheatre(canvas, theatre_, game().ticks());
+            return paintTheatre(canvas, theatre_, game().ticks(),
+                                fromReplays() ? "all replays" : "menu");
         }
         paintReload(canvas, reload_.faults, palette::kDanger);
         if (hasNews()) {

@@ -20,17 +20,6 @@ void chirp(Speaker& speaker, int sound, bool chosen) {
     }
 }
 
-/// Adds the scores of the profile to recordings that do not note their own.
-void addScores(std::vector<ShowEntry>& replays, const Profile& profile) {
-    for (ShowEntry& replay : replays) {
-        const Best best =
-            replay.best ? profile.bestOf(replay.best->first, replay.best->second) : Best{};
-        if (!replay.score && best.score > 0) {
-            replay.score = best.score;
-        }
-    }
-}
-
 bool anything(const Signals& signals) {
     return signals.anyKey || !signals.commands.empty() || signals.clicked ||
            signals.pointer.has_value();
@@ -171,7 +160,7 @@ void Stage::takePlaying(const Signals& signals) {
             break;
         case Command::Back:
         case Command::Pause:
-            return over ? finish() : open(Screen::Paused, pauseMenu());
+            return over ? finish() : pause();
         case Command::Restart:
             if (mayEnd(Ending::Restart)) {
                 return again();
@@ -182,7 +171,7 @@ void Stage::takePlaying(const Signals& signals) {
         }
     }
     if (signals.focusLost && !over) {
-        open(Screen::Paused, pauseMenu());
+        pause();
     }
 }
 
@@ -195,7 +184,7 @@ void Stage::takeShow(const Signals& signals) {
     }
     for (const Command command : signals.commands) {
         if (command == Command::Back) {
-            return open(Screen::Paused, pauseMenu());
+            return fromReplays() ? toReplays() : pause();
         }
         const Theatre::Request request = theatre_.take(command, game().ticks());
         if (request.tick) {
@@ -267,7 +256,7 @@ void Stage::back() {
         if (behind_ == Screen::Title) {
             toTitle();
         } else {
-            open(Screen::Paused, pauseMenu());
+            pause();
         }
         return menu_.choose(left);
     }
@@ -277,7 +266,7 @@ void Stage::back() {
         toTitle();
         return menu_.choose(Action::Records);
     default:
-        return toTitle();
+        return screen_ == Screen::Over && fromReplays() ? toReplays() : toTitle();
     }
 }
 
@@ -316,13 +305,12 @@ void Stage::act(const MenuOutcome& outcome) {
     case Action::Records:
         return open(Screen::Records, recordsMenu(def_.replays != nullptr));
     case Action::Replays:
-        replays_ = def_.replays();
-        addScores(replays_, profile());
-        return open(Screen::Replays, replaysMenu(replays_));
+        return mayEnd(Ending::Replays) ? toReplays() : void();
     case Action::Replay: {
-        std::variant<Show, std::string> read = replays_[outcome.dial].load();
+        std::variant<Show, std::string> read = replays_.entries[outcome.dial].load();
         if (auto* show = std::get_if<Show>(&read)) {
             def_.show = std::move(*show);
+            replays_.shown = outcome.dial;
             return beginShow();
         }
         records_.note(std::get<std::string>(read));

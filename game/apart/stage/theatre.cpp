@@ -104,7 +104,8 @@ std::string Theatre::timeText(std::uint32_t tick) const {
     return apart::timeText(std::min(tick, show_.end)) + " of " + apart::timeText(show_.end);
 }
 
-void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick) {
+void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick,
+                  std::string_view back) {
     const std::uint32_t end = theatre.show().end;
     const Real share =
         end > 0 ? std::min(static_cast<Real>(tick) / static_cast<Real>(end), Real(1)) : Real(0);
@@ -112,8 +113,9 @@ void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick) {
     canvas.rectangle({{-kHalf, kLow}, {kHalf, kHigh}}, {255, 255, 255, 50}, {255, 255, 255, 50});
     canvas.rectangle({{-kHalf, kLow}, {place, kHigh}}, palette::kAccent, palette::kAccent);
     canvas.disc({place, (kLow + kHigh) / 2}, Real(0.18), palette::kText, palette::kAccent);
-    canvas.text("space: pause   arrows: 5 s, speed   N: one tick   enter: take over   "
-                "click on the bar: go there",
+    canvas.text(fmt::format("space: pause   arrows: 5 s, speed   N: one tick   enter: take over   "
+                            "click on the bar: go there   escape: {}",
+                            back),
                 {0, Real(0.2)},
                 {Real(0.38), palette::kQuiet, Typeface::Plain, Align::Middle, 2 * kHalf});
 }

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -80,7 +81,8 @@ private:
     bool held_ = false; // the bar, by the mouse
 };
 
-/// Paints the bar and the keys of a show.
-void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick);
+/// Paints the bar and the keys of a show. `back`: where escape leads.
+void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick,
+                  std::string_view back);
 
 } // namespace apart
