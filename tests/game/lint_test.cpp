@@ -82,6 +82,21 @@ TEST(Lint, TheTimeBoundsHoldIfNoBlockCanBeHit) {
     }
 }
 
+TEST(Lint, WarnsOfCharactersThatTheTypefaceLacks) {
+    Level level = levelOf(kOpen);
+    level.title =
+        "Gr\u00fc\u00dfe, \u0391\u03b8\u03ae\u03bd\u03b1, \u041c\u043e\u0441\u043a\u0432\u0430";
+    EXPECT_TRUE(lint(level, {.seeds = 0}).warnings.empty());
+    level.title = "\u5854 and \u5854";
+    level.idea = "\u4e00\u4e8c\u4e09\u56db\U0001f9f1";
+    const LintReport report = lint(level, {.seeds = 0});
+    ASSERT_EQ(report.warnings.size(), 2u);
+    EXPECT_EQ(report.warnings[0], "title has characters that the typeface lacks: U+5854");
+    EXPECT_EQ(report.warnings[1],
+              "idea has characters that the typeface lacks: U+4E00, U+4E8C, U+4E09 and 2 more");
+    EXPECT_TRUE(report.passed());
+}
+
 TEST(Lint, ALevelThatTheBotCannotFinishInTimeFails) {
     const LintReport report = lint(levelOf(kOpen), {.seeds = 2, .mostTicks = 10});
     ASSERT_EQ(report.runs.size(), 2u);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/field.hpp>
+#include <apart/core/font_coverage.hpp>
 #include <apart/core/game_observer.hpp>
 #include <apart/core/lint.hpp>
 #include <apart/core/tuning.hpp>
@@ -278,6 +279,7 @@ LintReport lint(const Level& level, const LintOptions& options) {
     LintReport report{.level = level.name};
     report.blocks = Game(level, 1).blocksAtStart();
     report.outOfReach = outOfReach(level);
+    report.warnings = lackingCharacters(level);
     report.waitBound = kFailTicks;
     report.clearBound = kFailTicks + kLooseTicks +
                         kFailEvery * static_cast<std::uint32_t>(std::max(report.blocks - 1, 0));

@@ -54,6 +54,7 @@ struct LintReport {
     std::uint64_t workPerTick = 0;       // bodies and contacts visited, mean of all games
     std::vector<BotRun> runs{};          // by seed
     std::vector<std::string> problems{}; // one sentence each
+    std::vector<std::string> warnings{}; // likewise; the level passes with them
 
     bool passed() const { return problems.empty(); }
 };
@@ -64,6 +65,7 @@ std::vector<Cell> outOfReach(const Level& level);
 
 /// Checks that a level is playable. Every block must be reachable, and the bot must win each game.
 /// No game may exceed the wait bound or contain a fault, and the mean work per tick is limited.
+/// Warns of characters in its texts that the typefaces lack.
 LintReport lint(const Level& level, const LintOptions& options = {});
 
 } // namespace apart

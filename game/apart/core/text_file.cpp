@@ -188,6 +188,18 @@ std::string printable(std::string_view text) {
     return shown;
 }
 
+std::vector<std::uint32_t> codePoints(std::string_view utf8) {
+    std::vector<std::uint32_t> codes;
+    while (!utf8.empty()) {
+        const auto [code, length] = decode(utf8);
+        if (length > 0) {
+            codes.push_back(code);
+        }
+        utf8.remove_prefix(std::max<std::size_t>(1, length));
+    }
+    return codes;
+}
+
 std::string FileProblem::text() const {
     std::string text = file;
     if (line > 0) {

@@ -30,6 +30,9 @@ struct FileProblem {
 /// separator and byte that is not UTF-8 becomes '?'.
 std::string printable(std::string_view text);
 
+/// The code points of a text; bytes that are not UTF-8 are left out.
+std::vector<std::uint32_t> codePoints(std::string_view utf8);
+
 /// A value, or the reason why it could not be read.
 template <typename T>
 using Read = std::variant<T, FileProblem>;

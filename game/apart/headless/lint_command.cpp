@@ -81,20 +81,24 @@ void printRow(const LintReport& report) {
 
 std::string asJson(const LintReport& report) {
     const Summary sum = summaryOf(report);
-    std::string text = fmt::format(
+    // The sentences contain no character that JSON must escape.
+    const auto listOf = [](const std::vector<std::string>& sentences) {
+        std::string list;
+        for (const std::string& sentence : sentences) {
+            list += fmt::format(R"({}"{}")", list.empty() ? "" : ", ", sentence);
+        }
+        return list;
+    };
+    return fmt::format(
         R"({{"level": "{}", "passed": {}, "blocks": {}, "outOfReach": {}, "waitBoundTicks": {}, )"
         R"("clearBoundTicks": {}, "games": {}, "won": {}, "meanTicks": {}, "livesLost": {}, )"
         R"("longestWaitTicks": {}, "mostBodies": {}, "workPerTick": {}, "quietShare": {:.4f}, )"
-        R"("longestGapTicks": {}, "firstHitTicks": {}, "problems": [)",
+        R"("longestGapTicks": {}, "firstHitTicks": {}, "problems": [{}], "warnings": [{}]}})",
         report.level, report.passed(), report.blocks, report.outOfReach.size(), report.waitBound,
         report.clearBound, report.runs.size(), sum.won,
         report.runs.empty() ? 0 : sum.ticks / report.runs.size(), sum.livesLost, sum.longestWait,
-        sum.mostBodies, report.workPerTick, sum.quietShare(), sum.longestGap, sum.firstHit);
-    for (std::size_t i = 0; i < report.problems.size(); ++i) {
-        // The sentences contain no character that JSON must escape.
-        text += fmt::format(R"({}"{}")", i == 0 ? "" : ", ", report.problems[i]);
-    }
-    return text + "]}";
+        sum.mostBodies, report.workPerTick, sum.quietShare(), sum.longestGap, sum.firstHit,
+        listOf(report.problems), listOf(report.warnings));
 }
 
 /// Pace over all levels: the mean share of quiet time, the worst level, the longest gap, and the
@@ -161,6 +165,9 @@ int runLint(const LintCommand& command) {
             json += (json.empty() ? "" : ",\n ") + asJson(report);
         } else {
             printRow(report);
+        }
+        for (const std::string& warning : report.warnings) {
+            fmt::print(stderr, "{}: warning: {}.\n", report.level, warning);
         }
         if (!report.passed()) {
             failed.push_back(std::move(report));
