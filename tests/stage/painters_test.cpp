@@ -78,7 +78,19 @@ TEST(Hud, GroupsDigitsByThree) {
 TEST(Hud, WrapsBetweenWords) {
     EXPECT_EQ(wrapped("one two three", 7), (std::vector<std::string>{"one two", "three"}));
     EXPECT_EQ(wrapped("word", 2), std::vector<std::string>{"word"});
+    EXPECT_EQ(wrapped("gr\u00fcn rot", 8), std::vector<std::string>{"gr\u00fcn rot"}) << "letters";
     EXPECT_TRUE(wrapped("", 5).empty());
+}
+
+TEST(Hud, CutsWhatIsTooLong) {
+    EXPECT_EQ(shortened("one two", 7), "one two");
+    EXPECT_EQ(shortened("one two three", 8), "one t...");
+    EXPECT_EQ(shortened("one two three", 7), "one...");
+    EXPECT_EQ(shortened("\u00e4\u00f6\u00fc\u00e4\u00f6\u00fc", 5), "\u00e4\u00f6...") << "letters";
+    EXPECT_EQ(wrappedInto(2, "one two three four five", 5, 9),
+              (std::vector<std::string>{"one two", "three..."}));
+    EXPECT_EQ(wrappedInto(2, "one two three", 5, 9),
+              (std::vector<std::string>{"one two", "three"}));
 }
 
 TEST(Hud, ListsOnlyThePowersOfTheLevel) {

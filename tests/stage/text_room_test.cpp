@@ -315,5 +315,146 @@ TEST(TextRoom, OfTheResult) {
     }
 }
 
+// Below the result, and below the menu of the pause.
+TEST(TextRoom, OfWhatIsLostAndOfErrorsInALevelFile) {
+    inEachSize([](int percent, Vec2 window) {
+        StageDef def = StageRig::playing();
+        def.profile.settings.text = percent;
+        def.keeping.save = [](const Profile&) {
+            return std::string("Settings and scores are not kept: /home/username/.config/apart/"
+                               "profile.toml: cannot be written: No space left on device.");
+        };
+        def.reload = [] {
+            const std::string fault = "/home/username/towers/my_tower.toml:12: width must be a "
+                                      "whole number from 100 to 24000";
+            return std::optional(LevelChange{nullptr, {fault, fault}});
+        };
+        Room room(std::move(def), window);
+        room.press(Command::Pause);
+        EXPECT_TRUE(room.picture().says("my_tower.toml:12: width"));
+        room.expectFree("paused");
+        room.press(Command::Pause);
+        playToTheEnd(room);
+        EXPECT_TRUE(room.picture().says("not kept"));
+        room.expectFree("results");
+    });
+}
+
+/// Pairs of texts with less than `gap` (m) between the bounds of their letters, one above the
+/// other.
+std::vector<std::string> touchingTexts(const RecordingCanvas& canvas, Vec2 window, Real gap) {
+    const Real scale = window.x / canvas.visible().extent().x;
+    std::vector<std::string> bad;
+    for (const Stroke& a : canvas.strokes()) {
+        for (const Stroke& b : canvas.strokes()) {
+            if (a.text.empty() || b.text.empty() || a.place.y <= b.place.y) {
+                continue;
+            }
+            Aabb lower = boundsOf(b, canvas, scale);
+            lower.upper.y += gap;
+            if (overlap(boundsOf(a, canvas, scale), lower)) {
+                bad.push_back(a.text + " | touches | " + b.text);
+            }
+        }
+    }
+    return bad;
+}
+
+TEST(TextRoom, LinesOfTheBestScoreDoNotTouch) {
+    for (const int percent : kSizes) {
+        for (const std::int32_t score : {0, 6140}) {
+            StageDef def = crowded(percent, Mode::Standard);
+            Records records({}, {}, {}, {});
+            records.setMarks(def.marks);
+            const std::string& name = def.levels[0]->name;
+            records.enter({{Mode::Standard, name}, {score, true, false, false}, {}});
+            RecordingCanvas canvas;
+            canvas.setWindow(kWindows[0]);
+            canvas.begin(layout::kShownTitle, {});
+            canvas.setTextScale(static_cast<Real>(percent) / 100);
+            LevelSelect(def.levels).draw(canvas, records, 0);
+            EXPECT_EQ(canvas.says("6 140"), score > 0);
+            const auto bad = touchingTexts(canvas, kWindows[0], Real(0.08)); // 3 pixels
+            EXPECT_EQ(bad, std::vector<std::string>{}) << percent << " " << score;
+        }
+    }
+}
+
+TEST(TextRoom, LinesOfAnHonourHaveOneSize) {
+    const auto level = allLevels()[0];
+    const Game game(level, 1);
+    const RunStatistics run;
+    const std::vector<MedalMarks> marks = {{level->name, 0, {1, 2, 3}, 123, 123}};
+    for (const int percent : kSizes) {
+        RecordingCanvas canvas;
+        canvas.setWindow(kWindows[0]);
+        canvas.begin(layout::kShown, {});
+        canvas.setTextScale(static_cast<Real>(percent) / 100);
+        paintResults(canvas, {game, run, 1, false, 9, marks});
+        const Real scale = kWindows[0].x / canvas.visible().extent().x;
+        std::vector<Real> heights;
+        for (const Stroke& stroke : canvas.strokes()) {
+            if (stroke.text == "8 in one combo" || stroke.text == "or fall") {
+                heights.push_back(sizeOf(stroke, canvas, scale).y);
+            }
+        }
+        ASSERT_EQ(heights.size(), 2u);
+        EXPECT_EQ(heights[0], heights[1]) << percent;
+    }
+}
+
+/// Texts of the picture with letters below 0.2 m, which is 8 pixels in the usual window.
+std::vector<std::string> tinyTexts(const RecordingCanvas& canvas, Vec2 window) {
+    const Real scale = window.x / canvas.visible().extent().x;
+    std::vector<std::string> bad;
+    for (const Stroke& stroke : canvas.strokes()) {
+        if (!stroke.text.empty() && sizeOf(stroke, canvas, scale).y < Real(0.2)) {
+            bad.push_back(stroke.text);
+        }
+    }
+    return bad;
+}
+
+// A level file may have texts of 160 bytes, with or without spaces.
+TEST(TextRoom, LongTextsOfALevelAreCutAndStayLegible) {
+    std::string words;
+    while (words.size() < 155) {
+        words += "Wide ";
+    }
+    for (const std::string& text : {words, std::string(160, 'W')}) {
+        inEachSize([&](int percent, Vec2 window) {
+            Level level = *glassLevel("x", {7});
+            level.title = level.idea = text;
+            StageDef def = crowded(percent, Mode::Standard);
+            def.levels = {std::make_shared<const Level>(level)};
+            def.replays = [&] { return std::vector<ShowEntry>(2, {"Last game: " + text}); };
+            Room room(std::move(def), window);
+            const auto expectLegible = [&](const std::string& screen) {
+                room.expectFree(screen);
+                EXPECT_EQ(tinyTexts(room.picture(), window), std::vector<std::string>{}) << screen;
+                EXPECT_TRUE(room.picture().says("...")) << screen;
+            };
+            expectLegible("title");
+            room.clickItem(Action::Levels);
+            expectLegible("level select");
+            room.press(Command::Back);
+            room.clickItem(Action::Records);
+            room.clickItem(Action::Replays);
+            expectLegible("replays");
+            room.press(Command::Back);
+            room.press(Command::Back);
+            room.clickItem(Action::Play);
+            expectLegible("serve");
+            RecordingCanvas canvas;
+            canvas.setWindow(window);
+            canvas.begin(layout::kShown, {});
+            canvas.setTextScale(static_cast<Real>(percent) / 100);
+            const RunStatistics run;
+            paintResults(canvas, {room.stage.game(), run, 1, false, 9, {}});
+            EXPECT_EQ(tinyTexts(canvas, window), std::vector<std::string>{});
+        });
+    }
+}
+
 } // namespace
 } // namespace apart

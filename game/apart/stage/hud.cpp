@@ -51,7 +51,7 @@ void paintLevel(Canvas& canvas, const Game& game, const HudLook& look) {
         canvas.text("PURE", {kPanelLeft, Real(18.1)}, strong(Real(0.42), palette::kAccent));
     }
     Real y = Real(15.3);
-    for (const std::string& line : wrappedInto(2, game.level().title, 12)) {
+    for (const std::string& line : wrappedInto(2, game.level().title, 12, 18)) {
         canvas.text(line, {kPanelLeft, y}, strong(line.size() > 10 ? Real(0.52) : Real(0.58)));
         y -= Real(0.72) + Real(0.25) * (canvas.textScale() - 1);
     }
@@ -165,6 +165,15 @@ std::string grouped(int number) {
     return digits;
 }
 
+/// True for the second and further bytes of a letter in UTF-8.
+static bool isInner(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xc0u) == 0x80u;
+}
+
+static std::size_t lettersOf(std::string_view text) {
+    return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), isInner));
+}
+
 std::string countText(std::int64_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
@@ -176,7 +185,7 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t letters) {
         const std::size_t space = text.find(' ');
         const std::string_view word = text.substr(0, space);
         text = space == std::string_view::npos ? std::string_view{} : text.substr(space + 1);
-        if (!line.empty() && line.size() + 1 + word.size() > letters) {
+        if (!line.empty() && lettersOf(line) + 1 + lettersOf(word) > letters) {
             lines.push_back(line);
             line.clear();
         }
@@ -189,13 +198,45 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t letters) {
     return lines;
 }
 
-std::vector<std::string> wrappedInto(std::size_t lines, std::string_view text,
-                                     std::size_t letters) {
+std::vector<std::string> wrappedInto(std::size_t lines, std::string_view text, std::size_t letters,
+                                     std::size_t most) {
     std::vector<std::string> found = wrapped(text, letters);
-    while (found.size() > lines) {
+    while (found.size() > lines && letters < most) {
         found = wrapped(text, ++letters);
     }
+    while (found.size() > lines) {
+        found[lines - 1] += " " + found[lines];
+        found.erase(found.begin() + static_cast<std::ptrdiff_t>(lines));
+    }
+    for (std::string& line : found) {
+        line = shortened(line, most);
+    }
     return found;
+}
+
+std::string shortened(std::string_view text, std::size_t most) {
+    constexpr std::string_view kCut = "...";
+    if (lettersOf(text) <= most) {
+        return std::string(text);
+    }
+    std::size_t end = 0; // of the last letter that stays
+    for (std::size_t letters = 0; letters + kCut.size() < most; ++letters) {
+        do {
+            ++end;
+        } while (end < text.size() && isInner(text[end]));
+    }
+    const std::size_t last = text.substr(0, end).find_last_not_of(' ');
+    return std::string(text.substr(0, last + 1)) + std::string(kCut);
+}
+
+Real evenHeight(const Canvas& canvas, const std::vector<std::string>& lines, Real height,
+                Real width) {
+    constexpr Real kLetter = Real(0.6); // of its height: mean width of a letter, rather too much
+    std::size_t most = 1;
+    for (const std::string& line : lines) {
+        most = std::max(most, lettersOf(line));
+    }
+    return std::min(height, width / (kLetter * canvas.textScale() * static_cast<Real>(most)));
 }
 
 std::size_t fitting(const Canvas& canvas, std::size_t letters) {
@@ -250,11 +291,11 @@ void paintServeHint(Canvas& canvas, const Game& game, const Bindings& keys) {
         canvas.text(text, {0, y}, {height, color, face, Align::Middle, kHintRoom});
     };
     const bool first = game.score() == 0;
-    const std::vector<std::string> idea = wrapped(game.level().idea, 48);
+    const std::vector<std::string> idea = wrappedInto(4, game.level().idea, 48, 64);
     const Real lines = first ? Real(0.85) * static_cast<Real>(idea.size()) + Real(2) : Real(1.4);
     Real y = clearHeight(game, first ? Real(1.2) : Real(0), lines);
     if (first) {
-        line(game.level().title, y, Real(1.1), palette::kAccent);
+        line(shortened(game.level().title, 48), y, Real(1.1), palette::kAccent);
         for (const std::string& part : idea) {
             y -= Real(0.85);
             line(part, y, Real(0.52), palette::kText);

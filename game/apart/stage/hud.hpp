@@ -36,8 +36,18 @@ std::string countText(std::int64_t count, std::string_view what);
 /// Breaks a text between words into lines of at most `letters` letters.
 std::vector<std::string> wrapped(std::string_view text, std::size_t letters);
 
-/// Breaks a text into at most `lines` lines: of `letters` letters, or of as many as needed.
-std::vector<std::string> wrappedInto(std::size_t lines, std::string_view text, std::size_t letters);
+/// Breaks a text into at most `lines` lines: of `letters` letters, or of as many as needed, up to
+/// `most`. The end of a longer text is cut.
+std::vector<std::string> wrappedInto(std::size_t lines, std::string_view text, std::size_t letters,
+                                     std::size_t most = 10000);
+
+/// The text with at most `most` letters; "..." stands for the end of a longer one.
+std::string shortened(std::string_view text, std::size_t most);
+
+/// Height of the letters (m) at which each of some lines fits into a width, so that all are of one
+/// size; `height` at most.
+Real evenHeight(const Canvas& canvas, const std::vector<std::string>& lines, Real height,
+                Real width);
 
 /// Letters of the usual size that fit in a line at the current size of texts.
 std::size_t fitting(const Canvas& canvas, std::size_t letters);

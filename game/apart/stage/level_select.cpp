@@ -179,9 +179,12 @@ void LevelSelect::drawBest(Canvas& canvas, const Records& records, Mode mode, Ve
     canvas.text(mode == Mode::Pure ? "BEST, PURE" : "BEST", place,
                 {Real(0.4), counts ? palette::kAccent : palette::kQuiet, Typeface::Plain,
                  Align::Left, offersMedal && noted ? Real(2.2) : Real(4.7)});
+    // Larger letters need room above and below the score.
+    const Real larger = canvas.textScale() - 1;
+    const Vec2 below{0, Real(-1.4) - Real(0.15) * larger};
     canvas.text(shown ? grouped(standing.score) : "-", place - Vec2{0, Real(0.95)},
-                {Real(0.8), proved ? palette::kText : palette::kQuiet, Typeface::Bold, Align::Left,
-                 Real(3.1)});
+                {Real(0.8) - Real(0.25) * larger, proved ? palette::kText : palette::kQuiet,
+                 Typeface::Bold, Align::Left, Real(3.1)});
     paintMedal(canvas, place + Vec2{Real(3.6), Real(-0.62)}, Real(0.36), medal);
     if (mode == Mode::Standard) {
         std::string offers;
@@ -191,20 +194,20 @@ void LevelSelect::drawBest(Canvas& canvas, const Records& records, Mode mode, Ve
             offers += (offers.empty() ? "" : ", ") + names[i];
         }
         canvas.text(
-            offers, place + Vec2{0, Real(-2.75)},
+            shortened(offers, 60), place + Vec2{0, Real(-2.75)},
             {Real(0.4), palette::kQuiet, Typeface::Plain, Align::Left, kAboutRight - kAboutLeft});
     }
     if (offersMedal) {
         canvas.text(
             fmt::format("{} {}", kMedalNames[static_cast<std::size_t>(medal) + 1], grouped(next)),
-            place + (noted ? Vec2{Real(4.7), 0} : Vec2{0, Real(-1.4)}),
+            place + (noted ? Vec2{Real(4.7), 0} : below),
             {Real(0.4), palette::kQuiet, Typeface::Plain, noted ? Align::Right : Align::Left,
              noted ? Real(2.3) : Real(4.7)});
     }
     const std::string note = standing.proof == Proof::Missing
                                  ? fmt::format("{}: {}", grouped(standing.score), standing.note)
                                  : standing.note;
-    canvas.text(note, place - Vec2{0, Real(1.4)},
+    canvas.text(note, place + below,
                 {Real(0.36), palette::kQuiet, Typeface::Plain, Align::Left, Real(4.7)});
     const MedalMarks* marks = marksFor(level, records.marks());
     paintHonours(canvas, place + Vec2{Real(0.3), Real(-1.95)}, {Real(0.8), 0}, Real(0.26),
@@ -217,17 +220,17 @@ void LevelSelect::drawChosen(Canvas& canvas, const Records& records, double seco
     canvas.text(fmt::format("LEVEL {}   {}", chosen_ + 1, look.title), {kAboutLeft, Real(14.9)},
                 {Real(0.42), look.glow, Typeface::Plain, Align::Left, kAboutRight - kAboutLeft});
     Real y = Real(13.8);
-    for (const std::string& line : wrappedInto(2, level.title, 14)) {
+    for (const std::string& line : wrappedInto(2, level.title, 14, 24)) {
         canvas.text(
             line, {kAboutLeft, y},
             {Real(0.9), palette::kText, Typeface::Display, Align::Left, kAboutRight - kAboutLeft});
         y -= Real(1.05);
     }
-    for (const std::string& line : wrappedInto(5, level.idea, fitting(canvas, 38))) {
+    for (const std::string& line : wrappedInto(5, level.idea, fitting(canvas, 38), 42)) {
         canvas.text(
             line, {kAboutLeft, y},
             {Real(0.46), palette::kQuiet, Typeface::Plain, Align::Left, kAboutRight - kAboutLeft});
-        y -= Real(0.66);
+        y -= Real(0.66) + Real(0.1) * (canvas.textScale() - 1);
     }
     const Aabb box{{kAboutLeft, std::max(y - Real(4.9), kPreviewBelow)},
                    {kAboutRight, y - Real(0.1)}};

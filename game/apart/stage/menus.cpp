@@ -66,7 +66,7 @@ Menu replaysMenu(const std::vector<ShowEntry>& replays) {
     for (std::size_t i = 0; i < replays.size(); ++i) {
         const ShowEntry& replay = replays[i];
         items.push_back({Action::Replay,
-                         replay.title,
+                         shortened(replay.title, 40),
                          std::nullopt,
                          i,
                          {replay.date, replay.result,

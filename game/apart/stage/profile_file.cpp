@@ -459,8 +459,8 @@ LoadedProfile loadProfile(const std::filesystem::path& file) {
     }
     const std::filesystem::path aside = freeAside(file, ".broken");
     std::filesystem::rename(file, aside, error);
-    const std::string kept =
-        error ? "It cannot be renamed." : "It is kept as " + aside.filename().string() + ".";
+    const std::string kept = error ? "The file cannot be renamed."
+                                   : "The file is kept as " + aside.filename().string() + ".";
     if (!error) {
         writeTextFile(file, toText(salvage.profile)); // on failure, the next save says so
     }

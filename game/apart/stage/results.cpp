@@ -184,7 +184,7 @@ void paintResults(Canvas& canvas, const ResultsLook& look) {
     const auto result = static_cast<std::size_t>(game.result());
     canvas.text(kTitles[result], {0, Real(15.2)},
                 {Real(1.7), kColors[result], Typeface::Display, Align::Middle});
-    canvas.text(game.level().title, {0, Real(14.2)},
+    canvas.text(shortened(game.level().title, 56), {0, Real(14.2)},
                 {Real(0.6), palette::kQuiet, Typeface::Plain, Align::Middle, Real(22)});
     const double share = std::clamp(look.seconds / kCountSeconds, 0.0, 1.0);
     const auto shown = static_cast<int>(share * look.score);
@@ -202,12 +202,14 @@ void paintResults(Canvas& canvas, const ResultsLook& look) {
     const Vec2 step{Real(3.9), 0};
     const Vec2 first = Vec2{0, Real(6.8)} - static_cast<Real>(names.size() - 1) / 2 * step;
     paintHonours(canvas, first, step, Real(0.42), {best, game.level(), marks});
+    const Real room = step.x - Real(0.3);
     for (std::size_t i = 0; i < names.size(); ++i) {
         Vec2 place = first + static_cast<Real>(i) * step - Vec2{0, Real(0.85)};
-        for (const std::string& line : wrappedInto(2, names[i], 15)) {
-            canvas.text(
-                line, place,
-                {Real(0.38), palette::kQuiet, Typeface::Plain, Align::Middle, step.x - Real(0.3)});
+        const std::vector<std::string> lines = wrappedInto(2, names[i], 15, 22);
+        const Real height = evenHeight(canvas, lines, Real(0.38), room);
+        for (const std::string& line : lines) {
+            canvas.text(line, place,
+                        {height, palette::kQuiet, Typeface::Plain, Align::Middle, room});
             place.y -= Real(0.54);
         }
     }

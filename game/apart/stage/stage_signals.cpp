@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/tuning.hpp>
+#include <apart/stage/hud.hpp>
 #include <apart/stage/stage.hpp>
 
 #include <fmt/format.h>
@@ -34,8 +35,8 @@ void Stage::open(Screen screen, Menu menu) {
 
 TitleOffer Stage::offer() const {
     const Level& level = *def_.levels[level_];
-    return {fmt::format("Play   {}  {}", level_ + 1, level.title), def_.endless != nullptr,
-            def_.today && def_.daily ? def_.today() : 0};
+    return {fmt::format("Play   {}  {}", level_ + 1, shortened(level.title, 32)),
+            def_.endless != nullptr, def_.today && def_.daily ? def_.today() : 0};
 }
 
 void Stage::toTitle() {
