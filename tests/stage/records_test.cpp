@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/endless.hpp>
+#include <apart/stage/hud.hpp>
 #include <apart/stage/results.hpp>
 #include <apart/stage/statistics_page.hpp>
 
@@ -206,6 +207,18 @@ TEST(Honours, ALevelWithABlockToKeepOffersIt) {
     EXPECT_FALSE(statistics.bestOf(game).kept) << "a level without one";
     statistics.keptAtEnd = true;
     EXPECT_TRUE(statistics.bestOf(game).kept);
+}
+
+TEST(Results, OneOfAThingIsSingular) {
+    EXPECT_EQ(countText(0, "point"), "0 points");
+    EXPECT_EQ(countText(1, "point"), "1 point");
+    EXPECT_EQ(countText(12345, "point"), "12 345 points");
+    StageDef def = StageRig::playing();
+    def.marks = {{def.levels[0]->name, 0, {10, 20, 9999999}, 1, 7}};
+    StageRig rig(std::move(def));
+    playToTheEnd(rig);
+    EXPECT_TRUE(rig.picture().says("1 of 1 block in"));
+    EXPECT_TRUE(rig.picture().says("1 hit at most"));
 }
 
 TEST(Medals, TheResultAndTheLevelSelectShowThem) {

@@ -175,7 +175,7 @@ static std::size_t lettersOf(std::string_view text) {
 }
 
 std::string countText(std::int64_t count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+    return fmt::format("{} {}{}", grouped(static_cast<int>(count)), what, count == 1 ? "" : "s");
 }
 
 std::vector<std::string> wrapped(std::string_view text, std::size_t letters) {

@@ -262,8 +262,8 @@ void LevelSelect::drawFoot(Canvas& canvas, const Records& records) const {
     canvas.text("\u2039 back (escape)", {back.lower.x, back.lower.y + Real(0.35)},
                 {Real(0.46), palette::kText, Typeface::Plain, Align::Left, Real(8)});
     canvas.text(
-        fmt::format("{} of {} cleared, {} points in all", cleared, levels_.size(),
-                    grouped(static_cast<int>(std::min<std::int64_t>(points, 999999999)))),
+        fmt::format("{} of {} cleared, {} in all", cleared, levels_.size(),
+                    countText(std::min<std::int64_t>(points, 999999999), "point")),
         {kAboutLeft, back.lower.y + Real(0.35)},
         {Real(0.46), palette::kQuiet, Typeface::Plain, Align::Left, kAboutRight - kAboutLeft});
 }

@@ -49,8 +49,9 @@ void paintScoreLines(Canvas& canvas, const ResultsLook& look) {
         line("before", "earlier levels", look.score - run.points.sum());
     }
     const std::uint32_t seconds = run.ticks / kTicksPerSecond;
-    canvas.text(fmt::format("{} of {} blocks in {}:{:02}", run.cleared, look.game.blocksAtStart(),
-                            seconds / 60, seconds % 60),
+    canvas.text(fmt::format("{} of {} in {}:{:02}", run.cleared,
+                            countText(look.game.blocksAtStart(), "block"), seconds / 60,
+                            seconds % 60),
                 {0, y}, {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Middle});
 }
 
@@ -143,7 +144,7 @@ void paintMedal(Canvas& canvas, Vec2 middle, Real size, Medal medal) {
 std::vector<std::string> honourNames(const Level& level, const MedalMarks* marks) {
     std::vector<std::string> names = {"cleared", "no ball lost", "8 in one combo or fall"};
     if (marks != nullptr && marks->fewHits > 0) {
-        names.push_back(fmt::format("{} hits at most", marks->fewHits));
+        names.push_back(countText(marks->fewHits, "hit") + " at most");
     }
     if (marks != nullptr && marks->oneFall > 0) {
         names.push_back(fmt::format("{} in one fall", marks->oneFall));

@@ -290,8 +290,8 @@ void Stage::replaceLevel(std::shared_ptr<const Level> level) {
     if (digestOf(*level) != digestOf(*known)) {
         const std::int32_t best = profile().bestOf(profile().mode, level->name).score;
         reload_.news = best > 0 ? fmt::format("The level has changed, and its scores start anew. "
-                                              "{} points of its earlier content are kept.",
-                                              grouped(best))
+                                              "{} of its earlier content are kept.",
+                                              countText(best, "point"))
                                 : "";
         records_.setLevel(level);
     }
@@ -307,9 +307,9 @@ void Stage::replaceLevel(std::shared_ptr<const Level> level) {
 std::string Stage::formerBest() const {
     const Standing standing = records_.standingOf(game().mode(), game().level().name);
     return standing.proof == Proof::Older && standing.note == kOlderLevel
-               ? fmt::format("{} points of an earlier content of the level are kept, but are no "
-                             "mark any more.",
-                             grouped(standing.score))
+               ? fmt::format("{} of an earlier content of the level are kept, but are no mark any "
+                             "more.",
+                             countText(standing.score, "point"))
                : "";
 }
 
