@@ -162,4 +162,32 @@ TEST(Stage, ShowsAllErrorsOfAnEditedLevelFile) {
     EXPECT_FALSE(rig.picture().says("fault number 98")) << "below the picture";
 }
 
+/// True if points rise in the field.
+bool showsPoints(const RecordingCanvas& canvas) {
+    return std::any_of(canvas.strokes().begin(), canvas.strokes().end(), [](const Stroke& stroke) {
+        return stroke.text.size() > 1 && stroke.text[0] == '+';
+    });
+}
+
+TEST(Stage, WordsOfTheGameAreNotReadThroughAMenu) {
+    StageDef def = StageRig::twoLevels();
+    def.levels = {glassLevel("Many", {2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12})};
+    def.bot = [](const Game& game) { return std::optional(bot(game)); };
+    StageRig rig(std::move(def));
+    rig.frames(60 * 21);
+    ASSERT_TRUE(rig.stage.attracting());
+    for (int i = 0; i < 60 * 60 && !showsPoints(rig.picture()); ++i) {
+        rig.frame();
+    }
+    EXPECT_TRUE(showsPoints(rig.picture())) << "without a menu";
+    rig.press(Command::Down); // restores the menu
+    ASSERT_FALSE(rig.stage.attracting());
+    EXPECT_FALSE(showsPoints(rig.picture()));
+    rig.clickItem(Action::Play);
+    makePoints(rig);
+    EXPECT_TRUE(showsPoints(rig.picture()));
+    rig.press(Command::Pause);
+    EXPECT_FALSE(showsPoints(rig.picture()));
+}
+
 } // namespace apart

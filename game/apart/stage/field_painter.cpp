@@ -148,6 +148,9 @@ void paintAim(Canvas& canvas, const Moment& moment) {
 }
 
 void paintPopups(Canvas& canvas, const Moment& moment) {
+    if (!moment.words) {
+        return;
+    }
     for (const Popup& popup : moment.juice.popups()) {
         const Vec2 place = popup.placeIn(moment.shown);
         const float left = popup.left();

@@ -16,6 +16,7 @@ struct Moment {
     const PoseBlend& poses;
     Real share = 1;              // 0 at the previous tick, 1 at the latest one
     Aabb shown = layout::kShown; // m, the part of the field in the picture
+    bool words = true;           // points and words
 
     kodo::Transform placeOf(kodo::BodyId body) const {
         return poses.massFrame(game.world()[body], share);

@@ -11,8 +11,8 @@ void Play::tick(const Input& input, Speaker& speaker) {
     soundCues_.play(game_.events(), game_.ticks(), share(juice_.settings().sound), speaker);
 }
 
-void Play::draw(Canvas& canvas, Real share, const Aabb& shown) const {
-    paintField(canvas, {game_, juice_, poses_, share, shown});
+void Play::draw(Canvas& canvas, Real share, const Aabb& shown, bool words) const {
+    paintField(canvas, {game_, juice_, poses_, share, shown, words});
 }
 
 } // namespace apart

@@ -23,8 +23,10 @@ public:
 
     void tick(const Input& input, Speaker& speaker);
     /// Draws the state between the previous tick (share 0) and the latest one (share 1).
-    /// `shown`: the part of the field in the picture (m); words stay inside.
-    void draw(Canvas& canvas, Real share, const Aabb& shown = layout::kShown) const;
+    /// `shown`: the part of the field in the picture (m); words stay inside. Behind a menu there
+    /// are no `words`: they would be read through it.
+    void draw(Canvas& canvas, Real share, const Aabb& shown = layout::kShown,
+              bool words = true) const;
 
     const Game& game() const { return game_; }
     const std::shared_ptr<const Level>& sharedLevel() const { return level_; }

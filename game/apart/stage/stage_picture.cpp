@@ -192,12 +192,13 @@ void Stage::draw(Canvas& canvas) const {
     if (help) {
         return help_->draw(canvas, profile().bindings);
     }
+    const bool words = screen_ == Screen::Playing || attracting();
     canvas.zoom(closeup.focus, closeup.scale);
     paintBackdrop(canvas, game().level().theme, seconds_);
     if (rerun_) {
-        rerun_->play().draw(canvas, rerun_->share());
+        rerun_->play().draw(canvas, rerun_->share(), layout::kShown, words);
     } else {
-        session_.play().draw(canvas, session_.share(), shownBy(closeup));
+        session_.play().draw(canvas, session_.share(), shownBy(closeup), words);
         if (session_.ghost() && screen_ != Screen::Over) {
             session_.ghost()->draw(canvas, session_.share(), share(settings().ghost));
         }
