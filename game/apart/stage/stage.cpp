@@ -29,15 +29,19 @@ SoundScene soundOf(const Session& session, bool playing, const Settings& setting
     return scene;
 }
 
-/// Adds the scores of the profile to recordings that do not note their own.
-void addScores(std::vector<ShowEntry>& replays, const Profile& profile) {
-    for (ShowEntry& replay : replays) {
-        const Best best =
-            replay.best ? profile.bestOf(replay.best->first, replay.best->second) : Best{};
-        if (!replay.score && best.score > 0) {
-            replay.score = best.score;
-        }
+/// What the player is told of a game that is over.
+std::vector<std::string> notesOf(const Session& session, const Records& records) {
+    const Level& level = session.game().level();
+    const Standing standing = records.standingOf(session.game().mode(), level.name);
+    if (standing.proof == Proof::Older && standing.note == kOlderLevel) {
+        return {fmt::format("{} of an earlier content of the level are kept, but are no mark any "
+                            "more.",
+                            countText(standing.score, "point"))};
     }
+    if (session.kind() == Session::Kind::Own && !isRecorded(level)) {
+        return {level.name + " is played without scores, honours and replays."};
+    }
+    return {};
 }
 
 } // namespace
@@ -251,89 +255,6 @@ void Stage::checkScores() {
     }
 }
 
-/// True if the game is one of the player on the level whose file is read again.
-bool Stage::playsReloaded() const {
-    return session_.kind() == Session::Kind::Own && endless_.number == 0 &&
-           game().level().name == def_.levels[def_.firstLevel]->name;
-}
-
-/// Reads the level of a file again when the file has changed, or notes its errors. A game on it
-/// that is not over starts again once it is on the screen.
-void Stage::reloadLevel() {
-    constexpr double kEvery = 0.5; // s
-    const bool playing = screen_ == Screen::Playing;
-    const bool over = game().result() != Result::Playing;
-    if (!def_.reload || (playing && over && playsReloaded())) {
-        return; // its score is entered first
-    }
-    if (seconds_ >= reload_.at) {
-        reload_.at = seconds_ + kEvery;
-        if (std::optional<LevelChange> change = def_.reload()) {
-            reload_.faults = std::move(change->errors);
-            if (change->level) {
-                replaceLevel(std::move(change->level));
-            }
-        }
-    }
-    if (reload_.due && playing) {
-        reload_.newsAt = seconds_;
-        begin(def_.firstLevel);
-    }
-}
-
-void Stage::replaceLevel(std::shared_ptr<const Level> level) {
-    std::shared_ptr<const Level>& known = def_.levels[def_.firstLevel];
-    if (*level == *known) {
-        return;
-    }
-    reload_.news.clear();
-    if (digestOf(*level) != digestOf(*known)) {
-        const std::int32_t best = profile().bestOf(profile().mode, level->name).score;
-        reload_.news = best > 0 ? fmt::format("The level has changed, and its scores start anew. "
-                                              "{} of its earlier content are kept.",
-                                              countText(best, "point"))
-                                : "";
-        records_.setLevel(level);
-    }
-    reload_.newsAt = seconds_;
-    reload_.due = playsReloaded() && game().result() == Result::Playing;
-    known = std::move(level);
-    const std::size_t chosen = select_.chosen();
-    select_ = LevelSelect(def_.levels);
-    select_.choose(chosen);
-}
-
-/// A sentence if the best score of the level of the game is one of an earlier content.
-std::string Stage::formerBest() const {
-    const Standing standing = records_.standingOf(game().mode(), game().level().name);
-    return standing.proof == Proof::Older && standing.note == kOlderLevel
-               ? fmt::format("{} of an earlier content of the level are kept, but are no mark any "
-                             "more.",
-                             countText(standing.score, "point"))
-               : "";
-}
-
-/// The list of replays, with the one that was shown last chosen.
-void Stage::toReplays() {
-    if (!session_.isDemo()) {
-        level_ = nextToPlay(def_.levels, profile());
-        demo(level_);
-    }
-    replays_.entries = def_.replays();
-    addScores(replays_.entries, profile());
-    open(Screen::Replays, replaysMenu(replays_.entries));
-    menu_.chooseAt(replays_.shown.value_or(0));
-}
-
-void Stage::pause() {
-    open(Screen::Paused, pauseMenu(fromReplays()));
-}
-
-/// True if the game is a replay of the list, or was taken over from one.
-bool Stage::fromReplays() const {
-    return replays_.shown && (session_.isShow() || session_.isWhatIf());
-}
-
 void Stage::finish() {
     screen_ = Screen::Over;
     over_.seconds = 0;
@@ -344,7 +265,7 @@ void Stage::finish() {
     Best best = session_.statistics().bestOf(game, marks);
     best.score += endless_.number > 0 ? endless_.score : 0;
     over_.newBest = false;
-    over_.former = formerBest();
+    over_.notes = notesOf(session_, records_);
     over_.entered = !def_.pilot && session_.kind() == Session::Kind::Own &&
                     isRecorded(game.level()) && game.result() != Result::Playing;
     if (over_.entered) {
@@ -360,7 +281,7 @@ void Stage::finish() {
         items.push_back({Action::NextLevel, "Next level"});
     }
     items.push_back({Action::Restart, session_.isShow() ? "Watch again" : "Play again"});
-    if (fromReplays()) {
+    if (replays_.leadsFrom(session_)) {
         items.push_back({Action::Replays, "All replays"});
     }
     items.push_back({Action::Levels, "All levels"});

@@ -8,6 +8,7 @@
 #include <apart/stage/key_screen.hpp>
 #include <apart/stage/level_select.hpp>
 #include <apart/stage/menus.hpp>
+#include <apart/stage/reload.hpp>
 #include <apart/stage/session.hpp>
 #include <apart/stage/theatre.hpp>
 
@@ -94,6 +95,17 @@ struct ShownGame {
     bool wide = false; // in the middle, without the panel
 };
 
+/// The list of replays.
+struct ReplayList {
+    std::vector<ShowEntry> entries{};
+    std::optional<std::size_t> shown{}; // the one that was chosen; none: a file was given
+
+    /// True if the game is a replay of the list, or was taken over from one.
+    bool leadsFrom(const Session& session) const {
+        return shown && (session.isShow() || session.isWhatIf());
+    }
+};
+
 /// The application without its window: screens, time, and the effect of input on each screen. All
 /// external dependencies are arguments.
 class Stage {
@@ -133,15 +145,11 @@ private:
     void quit();
     void back();
     void act(const MenuOutcome& outcome);
-    void resetSettings();
     void turn(std::size_t dial, int percent);
 
     // Screens and games.
     void toTitle();
     void toLevels();
-    void toReplays();
-    bool fromReplays() const;
-    void pause();
     void toOptions(int page = 0);
     void open(Screen screen, Menu menu);
     void begin(std::size_t level);
@@ -157,10 +165,7 @@ private:
     void tick(Speaker& speaker);
     void tickDemo();
     void finish();
-    bool playsReloaded() const;
     void reloadLevel();
-    std::string formerBest() const;
-    void replaceLevel(std::shared_ptr<const Level> level);
     void keepGame();
     void checkScores();
     TitleOffer offer() const;
@@ -168,32 +173,13 @@ private:
     // Pictures (stage_picture.cpp).
     void drawTitle(Canvas& canvas) const;
     HudLook hudLook() const;
-    bool hasNews() const;
-    std::vector<std::string> notesOfFile() const;
-    std::vector<std::string> notesOfResult() const;
-
-    /// The first level, if its file is read again whenever it changes.
-    struct Reload {
-        static constexpr double kNewsSeconds = 5;
-        double at = 0;                   // s, of the next look at the file
-        std::vector<std::string> faults; // of the file
-        bool due = false;                // the game that is played has an earlier content
-        std::string news;                // a sentence about the last change, or empty
-        double newsAt = 0;               // s, since when it is shown
-    };
-
-    /// Screen::Replays.
-    struct ReplayList {
-        std::vector<ShowEntry> entries;
-        std::optional<std::size_t> shown; // the one that was chosen; none: a file was given
-    };
 
     /// The result screen.
     struct Outcome {
         double seconds = 0;   // since it appeared
         bool entered = false; // its score is one of the player's
         bool newBest = false;
-        std::string former; // a sentence about the best score of an earlier content, or empty
+        std::vector<std::string> notes{}; // sentences for the player
     };
 
     StageDef def_;

@@ -5,7 +5,6 @@
 #include <apart/stage/help.hpp>
 #include <apart/stage/layout.hpp>
 #include <apart/stage/logo.hpp>
-#include <apart/stage/own_levels.hpp>
 #include <apart/stage/palette.hpp>
 #include <apart/stage/results.hpp>
 #include <apart/stage/stage.hpp>
@@ -57,8 +56,12 @@ void paintNotices(Canvas& canvas, const std::vector<std::string>& notices, const
     }
 }
 
-/// Sentences about the level file that is being edited, as many as there is room for.
-void paintReload(Canvas& canvas, const std::vector<std::string>& sentences, Color color) {
+/// The errors of the level file that is being edited, or news of it, as many as there is room for.
+void paintReload(Canvas& canvas, const Reload& reload, double now) {
+    const bool news = reload.hasNews(now);
+    const std::vector<std::string> sentences =
+        news ? std::vector<std::string>{reload.news} : reload.faults;
+    const Color color = news ? palette::kText : palette::kDanger;
     constexpr std::size_t kLetters = 90; // per line
     constexpr Real kTop = Real(16.8);    // m, of the first line
     constexpr Real kLine = Real(0.6);    // m
@@ -95,6 +98,26 @@ void paintQuestion(Canvas& canvas, std::string_view question, Real bottom) {
         canvas.text(question, {0, bottom + Real(0.35)},
                     {Real(0.6), palette::kAccent, Typeface::Bold, Align::Middle, Real(10.6)});
     }
+}
+
+void paintOptions(Canvas& canvas, const Menu& menu, std::string_view question) {
+    paintVeil(canvas, faded(palette::kNight, 0.80f));
+    paintHeading(canvas, "Options");
+    canvas.text("left and right, or a click on the bar", {0, Real(1.7)}, quiet(Real(0.42)));
+    paintQuestion(canvas, question, Real(0.3));
+    menu.draw(canvas);
+}
+
+/// What the player is told below a result; the most important is the last. `entered`: the records
+/// that it was entered in, or nullptr.
+std::vector<std::string> resultNotes(const Reload& reload, const std::vector<std::string>& notes,
+                                     const Records* entered) {
+    std::vector<std::string> all = reload.notes();
+    all.insert(all.end(), notes.begin(), notes.end());
+    if (entered != nullptr) {
+        all.insert(all.end(), entered->lost().begin(), entered->lost().end());
+    }
+    return all;
 }
 
 /// `ticks` since the end of a won game.
@@ -184,8 +207,7 @@ void Stage::draw(Canvas& canvas) const {
     const bool help = screen_ == Screen::Help && help_;
     const ShownGame shown = apart::shownBy(*this);
     const Closeup& closeup = shown.closeup;
-    const bool wide = shown.wide;
-    canvas.begin(wide ? layout::kShownTitle : layout::kShown,
+    canvas.begin(shown.wide ? layout::kShownTitle : layout::kShown,
                  help ? Vec2{} : session_.play().juice().shake());
     canvas.setPalette(static_cast<Vision>(std::clamp(settings().colors, 0, 3)));
     canvas.setTextScale(static_cast<Real>(settings().text) / 100);
@@ -207,7 +229,7 @@ void Stage::draw(Canvas& canvas) const {
     if (closeup.scale > 1) {
         paintPanelBack(canvas, game().level().theme);
     }
-    if (!wide) {
+    if (!shown.wide) {
         paintHud(canvas, game(), hudLook());
     }
     switch (screen_) {
@@ -217,11 +239,7 @@ void Stage::draw(Canvas& canvas) const {
         paintVeil(canvas, faded(palette::kNight, 0.82f));
         return select_.draw(canvas, records_, seconds_);
     case Screen::Options:
-        paintVeil(canvas, faded(palette::kNight, 0.80f));
-        paintHeading(canvas, "Options");
-        canvas.text("left and right, or a click on the bar", {0, Real(1.7)}, quiet(Real(0.42)));
-        paintQuestion(canvas, confirm_.question(seconds_), Real(0.3));
-        return menu_.draw(canvas);
+        return paintOptions(canvas, menu_, confirm_.question(seconds_));
     case Screen::Keys:
         paintVeil(canvas, faded(palette::kNight, 0.84f));
         return keys_.draw(canvas, profile().bindings);
@@ -238,15 +256,12 @@ void Stage::draw(Canvas& canvas) const {
     case Screen::Playing:
         if (session_.isShow()) {
             return paintTheatre(canvas, theatre_, game().ticks(),
-                                fromReplays() ? "all replays" : "menu");
+                                replays_.leadsFrom(session_) ? "all replays" : "menu");
         }
-        paintReload(canvas, reload_.faults, palette::kDanger);
-        if (hasNews()) {
-            paintReload(canvas, {reload_.news}, palette::kText);
-        }
+        paintReload(canvas, reload_, seconds_);
         if (!confirm_.question(seconds_).empty()) {
             paintQuestion(canvas, confirm_.question(seconds_), Real(4.3));
-        } else if (reload_.faults.empty() && !hasNews()) {
+        } else if (reload_.faults.empty() && !reload_.hasNews(seconds_)) {
             paintServeHint(canvas, game(), profile().bindings);
         }
         if (game().result() == Result::Won) {
@@ -255,46 +270,18 @@ void Stage::draw(Canvas& canvas) const {
         return;
     case Screen::Paused:
         paintPaused(canvas, menu_, profile().bindings, confirm_.question(seconds_));
-        return paintNotices(canvas, notesOfFile(), kGameNotices);
-    case Screen::Over: {
+        return paintNotices(canvas, reload_.notes(), kGameNotices);
+    case Screen::Over:
         paintVeil(canvas, faded(palette::kNight, rerun_ ? 0.55f : 0.72f));
-        const std::int32_t score = game().score() + (endless_.number > 0 ? endless_.score : 0);
         paintResults(canvas,
-                     {game(), session_.statistics(), score, over_.newBest, over_.seconds,
+                     {game(), session_.statistics(),
+                      game().score() + (endless_.number > 0 ? endless_.score : 0), over_.newBest,
+                      over_.seconds,
                       endless_.number > 0 ? std::span<const MedalMarks>() : records_.marks()});
-        paintNotices(canvas, notesOfResult(), kGameNotices);
+        paintNotices(canvas, resultNotes(reload_, over_.notes, over_.entered ? &records_ : nullptr),
+                     kGameNotices);
         return menu_.draw(canvas);
     }
-    }
-}
-
-bool Stage::hasNews() const {
-    return reload_.faults.empty() && !reload_.news.empty() &&
-           seconds_ < reload_.newsAt + Reload::kNewsSeconds;
-}
-
-/// The first error of the level file that is being edited, and the number of the others.
-std::vector<std::string> Stage::notesOfFile() const {
-    const std::vector<std::string>& faults = reload_.faults;
-    if (faults.size() < 2) {
-        return faults;
-    }
-    return {fmt::format("{} ({})", faults[0],
-                        countText(static_cast<std::int64_t>(faults.size()) - 1, "more error"))};
-}
-
-/// What the player is told below the result; the most important one is the last.
-std::vector<std::string> Stage::notesOfResult() const {
-    std::vector<std::string> notes = notesOfFile();
-    if (!over_.former.empty()) {
-        notes.push_back(over_.former);
-    }
-    if (over_.entered) {
-        notes.insert(notes.end(), records_.lost().begin(), records_.lost().end());
-    } else if (session_.kind() == Session::Kind::Own && !isRecorded(game().level())) {
-        notes.push_back(game().level().name + " is played without scores, honours and replays.");
-    }
-    return notes;
 }
 
 void Stage::drawTitle(Canvas& canvas) const {

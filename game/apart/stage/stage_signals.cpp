@@ -21,6 +21,18 @@ void chirp(Speaker& speaker, int sound, bool chosen) {
     }
 }
 
+/// Adds the scores of the profile to recordings that do not note their own.
+std::vector<ShowEntry> withScores(std::vector<ShowEntry> replays, const Profile& profile) {
+    for (ShowEntry& replay : replays) {
+        const Best best =
+            replay.best ? profile.bestOf(replay.best->first, replay.best->second) : Best{};
+        if (!replay.score && best.score > 0) {
+            replay.score = best.score;
+        }
+    }
+    return replays;
+}
+
 bool anything(const Signals& signals) {
     return signals.anyKey || !signals.commands.empty() || signals.clicked ||
            signals.pointer.has_value();
@@ -161,7 +173,7 @@ void Stage::takePlaying(const Signals& signals) {
             break;
         case Command::Back:
         case Command::Pause:
-            return over ? finish() : pause();
+            return over ? finish() : open(Screen::Paused, pauseMenu(replays_.leadsFrom(session_)));
         case Command::Restart:
             if (mayEnd(Ending::Restart)) {
                 return again();
@@ -172,7 +184,7 @@ void Stage::takePlaying(const Signals& signals) {
         }
     }
     if (signals.focusLost && !over) {
-        pause();
+        open(Screen::Paused, pauseMenu(replays_.leadsFrom(session_)));
     }
 }
 
@@ -185,7 +197,8 @@ void Stage::takeShow(const Signals& signals) {
     }
     for (const Command command : signals.commands) {
         if (command == Command::Back) {
-            return fromReplays() ? toReplays() : pause();
+            return replays_.leadsFrom(session_) ? act({Action::Replays})
+                                                : open(Screen::Paused, pauseMenu(false));
         }
         const Theatre::Request request = theatre_.take(command, game().ticks());
         if (request.tick) {
@@ -257,7 +270,7 @@ void Stage::back() {
         if (behind_ == Screen::Title) {
             toTitle();
         } else {
-            pause();
+            open(Screen::Paused, pauseMenu(replays_.leadsFrom(session_)));
         }
         return menu_.choose(left);
     }
@@ -267,7 +280,8 @@ void Stage::back() {
         toTitle();
         return menu_.choose(Action::Records);
     default:
-        return screen_ == Screen::Over && fromReplays() ? toReplays() : toTitle();
+        return screen_ == Screen::Over && replays_.leadsFrom(session_) ? act({Action::Replays})
+                                                                       : toTitle();
     }
 }
 
@@ -306,7 +320,16 @@ void Stage::act(const MenuOutcome& outcome) {
     case Action::Records:
         return open(Screen::Records, recordsMenu(def_.replays != nullptr));
     case Action::Replays:
-        return mayEnd(Ending::Replays) ? toReplays() : void();
+        if (!mayEnd(Ending::Replays)) {
+            return;
+        }
+        if (!session_.isDemo()) {
+            level_ = nextToPlay(def_.levels, profile());
+            demo(level_);
+        }
+        replays_.entries = withScores(def_.replays(), profile());
+        open(Screen::Replays, replaysMenu(replays_.entries));
+        return menu_.chooseAt(replays_.shown.value_or(0));
     case Action::Replay: {
         std::variant<Show, std::string> read = replays_.entries[outcome.dial].load();
         if (auto* show = std::get_if<Show>(&read)) {
@@ -346,17 +369,14 @@ void Stage::act(const MenuOutcome& outcome) {
         toOptions(optionsPage_ + 1);
         return menu_.choose(Action::Page);
     case Action::Reset:
-        return settings() == Settings{} || confirm_.ask(Ending::Settings, seconds_)
-                   ? resetSettings()
-                   : void();
+        if (settings() == Settings{} || confirm_.ask(Ending::Settings, seconds_)) {
+            for (std::size_t i = 0; i < kDials.size(); ++i) {
+                turn(i, Settings{}.*kDials[i].value);
+            }
+        }
+        return;
     case Action::Dial:
         return turn(outcome.dial, outcome.percent);
-    }
-}
-
-void Stage::resetSettings() {
-    for (std::size_t i = 0; i < kDials.size(); ++i) {
-        turn(i, Settings{}.*kDials[i].value);
     }
 }
 

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include <apart/stage/hud.hpp>
+#include <apart/stage/reload.hpp>
+#include <apart/stage/stage.hpp>
+
+#include <fmt/format.h>
+
+namespace apart {
+
+std::vector<std::string> Reload::notes() const {
+    if (faults.size() < 2) {
+        return faults;
+    }
+    return {fmt::format("{} ({})", faults[0],
+                        countText(static_cast<std::int64_t>(faults.size()) - 1, "more error"))};
+}
+
+/// Reads the level of a file again when the file has changed, or notes its errors. A game on it
+/// that is not over starts again once it is on the screen.
+void Stage::reloadLevel() {
+    constexpr double kEvery = 0.5; // s
+    std::shared_ptr<const Level>& known = def_.levels[def_.firstLevel];
+    const bool own = session_.kind() == Session::Kind::Own && endless_.number == 0 &&
+                     game().level().name == known->name;
+    const bool over = game().result() != Result::Playing;
+    const bool playing = screen_ == Screen::Playing;
+    if (!def_.reload || (own && over && playing)) {
+        return; // its score is entered first
+    }
+    if (seconds_ >= reload_.at) {
+        reload_.at = seconds_ + kEvery;
+        std::optional<LevelChange> change = def_.reload();
+        if (change) {
+            reload_.faults = std::move(change->errors);
+        }
+        if (change && change->level && *change->level != *known) {
+            reload_.due = own && !over;
+            reload_.news.clear();
+            reload_.newsAt = seconds_;
+            if (digestOf(*change->level) != digestOf(*known)) {
+                const Best best = profile().bestOf(profile().mode, known->name);
+                reload_.news = best.score > 0
+                                   ? fmt::format("The level has changed, and its scores start "
+                                                 "anew. {} of its earlier content are kept.",
+                                                 countText(best.score, "point"))
+                                   : "";
+                records_.setLevel(change->level);
+            }
+            known = std::move(change->level);
+            const std::size_t chosen = select_.chosen();
+            select_ = LevelSelect(def_.levels);
+            select_.choose(chosen);
+        }
+    }
+    if (reload_.due && playing) {
+        reload_.newsAt = seconds_;
+        begin(def_.firstLevel);
+    }
+}
+
+} // namespace apart
