@@ -136,7 +136,7 @@ TEST(Ragdoll, LandsWithoutComingApart) {
                 fall.run(1, Real(1) / static_cast<Real>(rate));
                 EXPECT_LT(fall.widestGap(), Real(0.01));
             }
-            if (solver == support::Solver::Soft) {
+            if (solver == support::Solver::Soft && gaps.size() >= 24) { // fewer with sanitizers
                 std::sort(gaps.begin(), gaps.end());
                 EXPECT_LT(gaps[gaps.size() / 2], rate == 60 ? Real(0.045) : Real(0.03));
             }
