@@ -77,7 +77,8 @@ TEST_F(LevelReload, AnotherContentStartsANewTableAndKeepsTheFormerScore) {
         rig.press(Command::Restart);
         rig.frames(10);
         EXPECT_EQ(rig.stage.game().blocksAtStart(), 1);
-        EXPECT_TRUE(rig.picture().says("its scores start anew. " + grouped(first) + " points"));
+        EXPECT_TRUE(
+            rig.picture().says("a new table of scores begins. " + grouped(first) + " points"));
         EXPECT_FALSE(rig.picture().says("best  ")) << "no score to beat";
         playToTheEnd(rig);
         second = rig.stage.game().score();

@@ -34,7 +34,6 @@ public:
                std::span<const std::uint32_t> changed);
     /// Removes the unused indices of bounds and orders the others. True if that changed anything.
     bool compact();
-
     /// Searches the pairs of parts whose grown bounds have changed. False if none has.
     bool search(const Bodies& bodies, BodyPairs excluded, WorkerTeam& team);
     /// Result of the last search, in the order of PartBounds::isBefore().

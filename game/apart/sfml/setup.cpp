@@ -116,7 +116,7 @@ std::vector<std::filesystem::path> levelFolders() {
 /// Loads the profile and installs the functions that save it.
 void takeProfile(StageDef& def) {
     const std::optional<std::filesystem::path> file = profileFile();
-    const auto keepNothing = [&](const std::string& reason) { // told with each score, too
+    const auto keepNothing = [&](const std::string& reason) { // shown with each score, too
         def.keeping.save = [reason](const Profile&) { return reason; };
     };
     if (!file) {

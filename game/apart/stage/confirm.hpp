@@ -10,7 +10,7 @@ namespace apart {
 /// What ends a game or the program, or replaces the settings of the player.
 enum class Ending : std::uint8_t { Quit, Restart, Levels, Replays, Title, Settings };
 
-/// What loses a game or settings asks once: it takes effect when given again within kSeconds.
+/// An action that loses a game or settings takes effect when given twice within kSeconds.
 class Confirm {
 public:
     static constexpr double kSeconds = 2.5;

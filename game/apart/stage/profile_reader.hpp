@@ -18,7 +18,7 @@ inline constexpr std::array<const char*, kModeNames.size()> kBestTables = {"best
 struct SalvagedProfile {
     Profile profile{};
     std::optional<FileProblem> problem{}; // all faults by line; nullopt: none
-    bool newer = false;                   // of a format that this game does not know
+    bool newer = false;                   // in a format of a newer game
 };
 
 SalvagedProfile salvageProfile(std::string_view text, const std::string& file);

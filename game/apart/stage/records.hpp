@@ -53,8 +53,8 @@ public:
     /// Checks a score next, or after all others.
     void checkFirst(Mode mode, const std::string& key);
     void checkLast(Mode mode, const std::string& key);
-    /// This level has a new content, and its scores start anew: see ScoreBook. First ends the
-    /// checks that decide about results, unless they take long.
+    /// The content of this level has changed: a new table of scores begins, see ScoreBook. Before
+    /// that, completes the checks that results wait for, unless they take long.
     void setLevel(std::shared_ptr<const Level> level);
     /// Goes on with the checks, by about so many ticks; see ScoreBook. True if one has ended.
     bool advance(std::uint32_t ticks, bool loads = true);

@@ -29,7 +29,7 @@ SoundScene soundOf(const Session& session, bool playing, const Settings& setting
     return scene;
 }
 
-/// What the player is told of a game that is over.
+/// Text about a game that is over.
 std::vector<std::string> notesOf(const Session& session, const Records& records) {
     const Level& level = session.game().level();
     const Standing standing = records.standingOf(session.game().mode(), level.name);

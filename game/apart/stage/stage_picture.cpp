@@ -108,7 +108,7 @@ void paintOptions(Canvas& canvas, const Menu& menu, std::string_view question) {
     menu.draw(canvas);
 }
 
-/// What the player is told below a result; the most important is the last. `entered`: the records
+/// The lines below a result; the most important is the last. `entered`: the records
 /// that it was entered in, or nullptr.
 std::vector<std::string> resultNotes(const Reload& reload, const std::vector<std::string>& notes,
                                      const Records* entered) {

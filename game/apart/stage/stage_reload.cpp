@@ -40,8 +40,8 @@ void Stage::reloadLevel() {
             if (digestOf(*change->level) != digestOf(*known)) {
                 const Best best = profile().bestOf(profile().mode, known->name);
                 reload_.news = best.score > 0
-                                   ? fmt::format("The level has changed, and its scores start "
-                                                 "anew. {} of its earlier content are kept.",
+                                   ? fmt::format("The level has changed: a new table of scores "
+                                                 "begins. {} of its earlier content are kept.",
                                                  countText(best.score, "point"))
                                    : "";
                 records_.setLevel(change->level);

@@ -300,7 +300,7 @@ void Stage::takeMenu(const Signals& signals, Speaker& speaker) {
         chirp(speaker, profile().audible().sound, outcome.has_value());
     }
     if (!outcome && menu_.chosen() != before) {
-        confirm_.withdraw(); // it was asked of another item
+        confirm_.withdraw(); // another item is chosen
     }
     if (outcome) {
         act(*outcome);
