@@ -34,6 +34,12 @@ struct BodyRecord {
 struct Extent {
     Real rotationReach = 0; // m; see ConvexShape::rotationReach()
     Real coreRadius = 0;    // m; smallest of all parts
+
+    /// Bound (m) of the displacement of any point of the core by a turn (rad): the chord is not
+    /// longer than the arc, nor than the diameter.
+    Real reachOfTurn(Real angle) const {
+        return std::min(std::abs(angle), Real(2)) * rotationReach;
+    }
 };
 
 /// Bodies that changed since a stage last looked at them, as lists without order that may contain

@@ -318,7 +318,7 @@ void PartBounds::coverPrediction(const Bodies& bodies, const Tolerances& toleran
         const BodyVelocity& motion = bodies.motion[body];
         const Extent& extent = bodies.extent[body];
         const Vec2 ahead = dt * motion.velocity;
-        const Real rotationReach = dt * std::abs(motion.angularVelocity) * extent.rotationReach;
+        const Real rotationReach = extent.reachOfTurn(dt * motion.angularVelocity);
         tight_[i] = boundsAt(bodies, i, bodies.pose[body]);
         const Octagon needed =
             unite(tight_[i], tight_[i].moved(ahead)).grown(tolerances.margin + rotationReach);
@@ -335,7 +335,7 @@ void PartBounds::coverDisplacements(const Bodies& bodies, const Tolerances& tole
                                     WorkerTeam& team) {
     listOutgrown(bodies, team, [&](std::uint32_t body, std::size_t i) {
         const BodyVelocity& motion = bodies.motion[body];
-        const Real rotationReach = std::abs(motion.deltaAngle) * bodies.extent[body].rotationReach;
+        const Real rotationReach = bodies.extent[body].reachOfTurn(motion.deltaAngle);
         const Real way =
             std::max(std::abs(motion.deltaPosition.x), std::abs(motion.deltaPosition.y)) +
             rotationReach;

@@ -77,19 +77,21 @@ std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Re
 bool mayGoFarther(const Bodies& bodies, const ContactSummary& summary, Real far) {
     const BodyVelocity& a = bodies.motion[summary.bodyA];
     const BodyVelocity& b = bodies.motion[summary.bodyB];
-    const Real rotationReach = std::abs(a.deltaAngle) * bodies.extent[summary.bodyA].rotationReach +
-                               std::abs(b.deltaAngle) * bodies.extent[summary.bodyB].rotationReach;
+    const Real rotationReach = bodies.extent[summary.bodyA].reachOfTurn(a.deltaAngle) +
+                               bodies.extent[summary.bodyB].reachOfTurn(b.deltaAngle);
     const Real room = far - rotationReach;
     return room < 0 || lengthSquared(b.deltaPosition - a.deltaPosition) > room * room;
 }
 
 /// True if the bounds of two shapes meet on their paths while no body is stopped.
-bool mayMeet(const Bodies& bodies, const Mover& a, const Octagon& boundsA, const Mover& b,
-             const Octagon& boundsB, const Tolerances& tolerances) {
-    const BodyVelocity& motionA = bodies.motion[a.body];
-    const BodyVelocity& motionB = bodies.motion[b.body];
-    const Real rotationReach = std::abs(motionA.deltaAngle) * a.rotationReach +
-                               std::abs(motionB.deltaAngle) * b.rotationReach;
+bool mayMeet(const Bodies& bodies, const PartBounds& bounds, const ContactSummary& summary,
+             const Tolerances& tolerances) {
+    const Octagon& boundsA = bounds.tight(summary.proxies.first);
+    const Octagon& boundsB = bounds.tight(summary.proxies.second);
+    const BodyVelocity& motionA = bodies.motion[summary.bodyA];
+    const BodyVelocity& motionB = bodies.motion[summary.bodyB];
+    const Real rotationReach = bodies.extent[summary.bodyA].reachOfTurn(motionA.deltaAngle) +
+                               bodies.extent[summary.bodyB].reachOfTurn(motionB.deltaAngle);
     const Octagon way =
         unite(boundsB, boundsB.moved(motionB.deltaPosition - motionA.deltaPosition));
     return overlap(boundsA.grown(rotationReach + tolerances.slop), way);
@@ -120,9 +122,7 @@ bool closes(const Bodies& bodies, const PartBounds& bounds, const ContactSummary
     const bool mayBeThrough = motion > far &&
                               motion >= (extentA.coreRadius + extentB.coreRadius) / 2 &&
                               (thin || gap >= -tolerances.slop);
-    return (gap > tolerances.slop || mayBeThrough) &&
-           mayMeet(bodies, a, bounds.tight(summary.proxies.first), b,
-                   bounds.tight(summary.proxies.second), tolerances);
+    return (gap > tolerances.slop || mayBeThrough) && mayMeet(bodies, bounds, summary, tolerances);
 }
 
 /// Order of the heap: the earliest event on top, equal times in the order of the keys of contacts.
@@ -133,15 +133,16 @@ bool later(const Event& e, const Event& f) {
 
 } // namespace
 
-/// Marks the swift bodies. A pair without a swift body needs no continuous collision, for one of
-/// two reasons. It cannot close a gap wider than the slop, and closes a narrower one by less than
-/// half of the core radii. Or no contact has restitution, and each body moves by at most half of
-/// what the thinnest body may enter a locked one. False if no body is swift.
+/// Marks the swift bodies. A pair without a swift body needs no continuous collision: it cannot
+/// close a gap wider than the slop, and closes a narrower one by less than half of the core radii.
+/// While no body is stopped, a pair may need it only with a far body: else no contact has
+/// restitution, and each body moves by at most half of what the thinnest body may enter a locked
+/// one. False if no body is far.
 bool ContinuousCollision::markSwift(const Bodies& bodies, bool mayBounce,
                                     const Tolerances& tolerances, WorkerTeam& team) {
     const Real unseen =
         mayBounce ? Real(0) : allowedApproach(bodies.thinnest, bodies.thinnest, true) / 2;
-    std::uint8_t anySwift = 0;
+    std::uint8_t anyFar = 0;
     resizeByBody(swift_, bodies); // all 0 between steps
     team.forEach(bodies.awake.size(), kPairsPerPiece, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
@@ -150,13 +151,17 @@ bool ContinuousCollision::markSwift(const Bodies& bodies, bool mayBounce,
             const Extent& extent = bodies.extent[body];
             const Real way =
                 length(motion.deltaPosition) + std::abs(motion.deltaAngle) * extent.rotationReach;
-            if (way > unseen && !(way <= tolerances.slop / 2 && way < extent.coreRadius / 4)) {
-                swift_[body] = 1;
-                WorkerTeam::mark(anySwift);
+            if (way <= tolerances.slop / 2 && way < extent.coreRadius / 4) {
+                continue;
+            }
+            swift_[body] = kSwift; // by its own motion alone, whatever else the World holds
+            if (way > unseen) {
+                swift_[body] = kSwift | kFar;
+                WorkerTeam::mark(anyFar);
             }
         }
     });
-    return anySwift != 0;
+    return anyFar != 0;
 }
 
 void ContinuousCollision::run(Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
@@ -220,7 +225,7 @@ bool ContinuousCollision::findCandidates(const Bodies& bodies, const ContactSet&
                           const ContactSummary& summary = summaries[i];
                           if (summary.sensor) {
                               WorkerTeam::mark(sensors);
-                          } else if (isSwift(summary) &&
+                          } else if (hasMark(summary, kFar) &&
                                      closes(bodies, bounds, summary, tolerances)) {
                               found.push_back(static_cast<std::uint32_t>(i));
                           }
@@ -235,7 +240,7 @@ void ContinuousCollision::linkContacts(const Step& step) {
     next_.resize(step.summaries.size());
     for (std::uint32_t i = 0; i < step.summaries.size(); ++i) {
         const ContactSummary& summary = step.summaries[i];
-        if (!summary.sensor && isSwift(summary)) {
+        if (!summary.sensor && hasMark(summary, kSwift)) {
             next_[i] = {std::exchange(first_[summary.bodyA], i),
                         std::exchange(first_[summary.bodyB], i)};
         }

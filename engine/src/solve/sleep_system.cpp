@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 namespace kodo {
@@ -137,6 +138,37 @@ void SleepSystem::wakeOn(Bodies& bodies, ContactSet& contacts, std::span<const s
     wakeIslands(bodies, contacts);
 }
 
+/// Notes the islands that touch a body for wakeIslands(). Of the others, the contacts with it
+/// return to the list of steps, since the body may change.
+void SleepSystem::noteTouching(Bodies& bodies, ContactSet& contacts, std::uint32_t body) {
+    if (body >= neighbourIslands_.size()) {
+        return;
+    }
+    const auto isOfBody = [&](const Contact& contact) {
+        return contact.key.bodyA == body || contact.key.bodyB == body;
+    };
+    const auto touches = [&](const Contact& contact) {
+        return contact.wasTouching && isOfBody(contact);
+    };
+    returning_.clear();
+    for (const NeighbourIsland& neighbour : neighbourIslands_[body]) {
+        if (hasWoken(neighbour)) {
+            continue;
+        }
+        std::vector<Contact>& all = islands_[neighbour.island].contacts;
+        if (std::any_of(all.begin(), all.end(), touches)) {
+            woken_.push_back(neighbour.island);
+        } else {
+            std::copy_if(all.begin(), all.end(), std::back_inserter(returning_), isOfBody);
+            std::erase_if(all, isOfBody);
+        }
+    }
+    neighbourIslands_[body].clear();
+    if (!returning_.empty()) {
+        contacts.putBack(returning_, bodies);
+    }
+}
+
 void SleepSystem::wakeAround(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
                              std::uint32_t body) {
     disturb(bodies, body);
@@ -149,14 +181,7 @@ void SleepSystem::wakeAround(Bodies& bodies, ContactSet& contacts, const JointSe
         const std::uint32_t a = firstBody(joint.def).index;
         disturb(bodies, a == body ? secondBody(joint.def).index : a);
     });
-    if (body < neighbourIslands_.size()) {
-        for (const NeighbourIsland& neighbour : neighbourIslands_[body]) {
-            if (!hasWoken(neighbour)) {
-                woken_.push_back(neighbour.island);
-            }
-        }
-        neighbourIslands_[body].clear();
-    }
+    noteTouching(bodies, contacts, body);
     wakeIslands(bodies, contacts);
 }
 

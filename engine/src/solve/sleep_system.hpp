@@ -92,6 +92,7 @@ private:
     };
 
     void wakeIslands(Bodies& bodies, ContactSet& contacts);
+    void noteTouching(Bodies& bodies, ContactSet& contacts, std::uint32_t body);
     void disturb(Bodies& bodies, std::uint32_t body);
     void noteIslandContact(const Bodies& bodies, const Contact& contact, std::uint32_t island);
     bool hasWoken(const NeighbourIsland& neighbour) const {
