@@ -83,6 +83,27 @@ TEST(PartBounds, DropAFarLongerPredictionOutsideIt) {
     EXPECT_LT(discs.bounds.grown()[0].box().extent().x, 2);
 }
 
+// F2: whatever its speed, a rod of 2 m that spins reaches no farther than 1 m from its middle, so a
+// point of it moves by 2 m at most. Its bounds were as long as the arcs of its ends before, so it
+// was a candidate for contacts with everything within kilometres.
+TEST(PartBounds, OfASpinDoNotExceedTheDisc) {
+    for (const Real spin : {Real(100), Real(1e4), Real(9e6)}) {
+        Bodies bodies;
+        PartBounds bounds;
+        WorkerTeam team{nullptr};
+        const BodyDef def{.shape = Box{2, Real(0.25)}, .angularVelocity = spin};
+        addBody(bodies, def, makeGeometry(partsOf(def)));
+        refreshAwake(bodies);
+        bounds.renew(bodies, kDistances);
+        bounds.coverPrediction(bodies, kDistances, kDt, team);
+        const Real longest = 2 + 4 + 2 * (kDistances.margin + kDistances.grown);
+        EXPECT_LE(bounds.grown()[0].box().extent().x, longest + Real(0.1)) << spin << " rad/s";
+        bodies.motion[0].deltaAngle = spin * kDt;
+        bounds.coverDisplacements(bodies, kDistances, team);
+        EXPECT_LE(bounds.grown()[0].box().extent().x, longest + Real(0.1)) << spin << " rad/s";
+    }
+}
+
 // A disc that spins about its middle stays within its bounds. A body with a rotation reach needs
 // new ones.
 TEST(PartBounds, AreNotOutgrownByTheSpinOfADisc) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -60,6 +61,95 @@ TEST(KinematicImpact, AFastBarHitsEachBallInItsWay) {
                     support::run(world, static_cast<int>(Real(3.2) / turn) + 1);
                     ASSERT_GT(length(world[ball].position() - place), Real(0.01))
                         << "e " << restitution << ", " << turn << " rad, place " << i;
+                }
+            }
+        }
+    }
+}
+
+/// Velocity after the impact with a floor that recedes at `speed`, of a ball that comes at 5 m/s;
+/// 0 if there is none within 2 s.
+Real reboundFrom(const StepSettings& settings, const Shape& floor, Real restitution, Real speed,
+                 Real rate, Real height) {
+    World world({.settings = settings});
+    const Material material = withFriction(0, restitution);
+    world.add({.shape = floor,
+               .velocity = {0, -speed},
+               .material = material,
+               .type = BodyType::Kinematic});
+    BodyDef def = support::ballDef({0, height + Real(0.1)}, Real(0.1), material);
+    def.velocity = {0, -5};
+    const BodyId ball = world.add(def);
+    const int last = static_cast<int>((height / (5 - speed)) * rate) + 3;
+    for (int step = 0; step < last; ++step) {
+        world.step(1 / rate);
+    }
+    return world[ball].velocity().y > Real(-4.99) ? world[ball].velocity().y : 0;
+}
+
+// B8: a floor that recedes within the rest of the step in which a ball meets it. The impact comes
+// in the next step, at v' = -u + e (5 - u).
+TEST(KinematicImpact, ABallReboundsFromAFloorThatRecedes) {
+    const Shape floors[] = {Box{10, 1, {0, Real(-0.5)}}, Plane{}};
+    for (const StepSettings& settings : kImpactSolvers) {
+        for (const Shape& floor : floors) {
+            for (const Real restitution : {Real(0.1), Real(0.5), Real(1)}) {
+                for (const Real rate : {Real(60), Real(240)}) {
+                    for (const Real speed : {Real(0.1), Real(0.5), Real(1), Real(2), Real(4)}) {
+                        for (int place = 0; place < 20; ++place) {
+                            const Real height = Real(0.5) + Real(0.0043) * static_cast<Real>(place);
+                            const Real wanted = -speed + restitution * (5 - speed);
+                            ASSERT_NEAR(
+                                reboundFrom(settings, floor, restitution, speed, rate, height),
+                                wanted, Real(1e-3))
+                                << speed << " m/s, e " << restitution << ", " << rate
+                                << " Hz, place " << place;
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A hollow box of 4 m that turns.
+BodyDef turningBox(Real wall, Real speed, const Material& material) {
+    Compound walls;
+    for (const Real side : {Real(-2), Real(2)}) {
+        walls.parts.push_back(Box{4 + wall, wall, {0, side}});
+        walls.parts.push_back(Box{wall, 4 + wall, {side, 0}});
+    }
+    return {.shape = walls,
+            .angularVelocity = speed,
+            .material = material,
+            .type = BodyType::Kinematic};
+}
+
+// B1: a ball in a closed box that turns, while one wall recedes from it and another comes. Neither
+// does it leave, nor does it hang in the air at a speed with which it does not move.
+TEST(KinematicImpact, ABallStaysInAClosedBoxThatTurns) {
+    for (const StepSettings& settings : kImpactSolvers) {
+        for (const Real restitution : {Real(0), Real(0.1), Real(0.5)}) {
+            for (const Real speed : {Real(0.3), Real(0.5), Real(1)}) { // rad/s
+                for (int start = 0; start < 12; ++start) {
+                    World world({.gravity = {0, -10}, .settings = settings});
+                    const Material material = withFriction(Real(0.3), restitution);
+                    const BodyId box = world.add(turningBox(Real(0.1), speed, material));
+                    const Real x = Real(-1.2) + Real(0.2) * static_cast<Real>(start);
+                    const BodyId ball =
+                        world.add(support::ballDef({x, Real(-0.7)}, Real(0.1), material));
+                    int hanging = 0;
+                    for (int step = 0; step < 300; ++step) {
+                        const Vec2 before = world[ball].position();
+                        world.step(support::kDt);
+                        const Real moved = length(world[ball].position() - before) / support::kDt;
+                        const Real fast = length(world[ball].velocity());
+                        hanging = fast > 2 && moved < fast / 2 ? hanging + 1 : 0;
+                        ASSERT_LE(hanging, 3) << "step " << step;
+                        const Vec2 place = toLocal(world[box].transform(), world[ball].position());
+                        ASSERT_LT(std::max(std::abs(place.x), std::abs(place.y)), 2)
+                            << speed << " rad/s, e " << restitution << ", start " << start;
+                    }
                 }
             }
         }

@@ -2,6 +2,7 @@
 #include "support/solver.hpp"
 #include <support/sleeping.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <ostream>
 
@@ -394,6 +395,62 @@ TEST(Wake, AFewCalmBodiesSleepUnlessANeighbourMoves) {
         run(world, 200);
         EXPECT_EQ(isAsleep(world, lower), !moves);
         EXPECT_EQ(isAsleep(world, middle), !moves);
+    }
+}
+
+/// A stack asleep on the floor, and a wall beside it that does not touch it.
+struct Beside {
+    World world{{.gravity = support::kEarth}};
+    std::vector<BodyId> stack;
+    BodyId wall;
+
+    Beside(Solver solver, BodyType type, Real gap)
+        : world({.gravity = support::kEarth, .settings = settingsOf(solver)}) {
+        addFloor(world);
+        stack = addStack(world, 3, 0);
+        BodyDef def = boxDef({1 + gap, Real(1.5)}, 1, 2);
+        def.type = type;
+        wall = world.add(def);
+        run(world, 300);
+    }
+    bool sleeps() const {
+        return std::all_of(stack.begin(), stack.end(),
+                           [&](BodyId id) { return isAsleep(world, id); });
+    }
+};
+
+// O4: a body that is only near changes nothing for a sleeper, until it comes.
+TEST(Wake, IsNotCausedByABodyThatIsOnlyNear) {
+    void (*const changes[])(World&, BodyId) = {
+        [](World& world, BodyId wall) { world.remove(wall); },
+        [](World& world, BodyId wall) {
+            world[wall].setPosition({9, 5});
+        },
+        [](World& world, BodyId wall) { world[wall].setFlags(kDisabled); },
+        [](World& world, BodyId wall) { world[wall].setMaterial(slippery()); },
+        [](World& world, BodyId wall) {
+            world.weld(wall, Circle{Real(0.1), {Real(0.4), 0}}, Material{}, Real(1));
+        },
+        [](World& world, BodyId wall) { world[wall].wake(); },
+    };
+    for (const Solver solver : kSolvers) {
+        for (const BodyType type : {BodyType::Static, BodyType::Kinematic}) {
+            for (const Real gap : {Real(0.006), Real(0.015), Real(0.03)}) {
+                for (const auto change : changes) {
+                    Beside scene(solver, type, gap);
+                    ASSERT_TRUE(scene.sleeps());
+                    change(scene.world, scene.wall);
+                    run(scene.world, 10);
+                    ASSERT_TRUE(scene.sleeps()) << "gap " << gap;
+                    if (scene.world.contains(scene.wall)) {
+                        scene.world[scene.wall].setFlags(0);
+                        scene.world[scene.wall].setPosition({Real(0.9), Real(1.5)});
+                        run(scene.world, 2);
+                        ASSERT_FALSE(scene.sleeps()) << "gap " << gap;
+                    }
+                }
+            }
+        }
     }
 }
 

@@ -107,6 +107,7 @@ enum class Elsewhere {
     Platform,
     Rotor,
     Fast,
+    Spinner,
     kCount
 };
 
@@ -204,6 +205,15 @@ private:
             for (int i = 0; i < 5; ++i) {
                 box({static_cast<Real>(i) - 2, 5}, Real(0.4), 1, Real(0.5));
             }
+            break;
+        case Elsewhere::Spinner: // its corners move by km in a step
+            world_.add({.shape = Box{Real(0.5), Real(0.2)},
+                        .position = at_ + Vec2{0, 4},
+                        .angularVelocity = Real(9e6),
+                        .type = BodyType::Kinematic});
+            ids_.push_back(world_.add({.shape = Box{Real(0.4), Real(0.2)},
+                                       .position = at_ + Vec2{2, 1},
+                                       .angularVelocity = Real(3e4)}));
             break;
         case Elsewhere::Fast:
         case Elsewhere::kCount:
@@ -322,7 +332,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Combine(::testing::ValuesIn(support::kSolvers),
                        ::testing::Values(Elsewhere::Heap, Elsewhere::Ball, Elsewhere::HeavyLoad,
                                          Elsewhere::Crowd, Elsewhere::Chain, Elsewhere::Sleeper,
-                                         Elsewhere::Platform, Elsewhere::Rotor, Elsewhere::Fast)));
+                                         Elsewhere::Platform, Elsewhere::Rotor, Elsewhere::Fast,
+                                         Elsewhere::Spinner)));
 
 } // namespace
 } // namespace kodo

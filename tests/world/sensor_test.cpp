@@ -367,5 +367,33 @@ TEST(Sensor, CanBeTurnedOnAndOff) {
     EXPECT_LT(shoot(), 5);
 }
 
+// S2: a crossing that begins a step at any distance, also nearer than the slop, at any speed.
+TEST(Sensor, ReportsACrossingFromAnyDistance) {
+    for (const StepSettings& settings : {StepSettings{}, thesis2006()}) {
+        for (const Shape& shape :
+             {Shape{Circle{Real(0.01)}}, Shape{Circle{Real(0.1)}}, Shape{Point{}}}) {
+            for (const Real speed : {Real(15), Real(60), Real(300)}) {
+                for (const Real gap : {Real(0.00002), Real(0.0002), Real(0.001), Real(0.003),
+                                       Real(0.0039), Real(0.0041), Real(0.02)}) {
+                    World world({.settings = settings});
+                    const BodyId bar = world.add(sensorDef({}, Real(0.05), Real(0.4)));
+                    const Circle* const round = std::get_if<Circle>(&shape);
+                    const Real radius = round != nullptr ? round->radius : 0;
+                    const BodyId mover = world.add({.shape = shape,
+                                                    .position = {Real(-0.025) - radius - gap, 0},
+                                                    .velocity = {speed, 0}});
+                    Told told;
+                    for (int step = 0; step < 4; ++step) {
+                        world.step(kDt);
+                        told.read(world, bar, mover);
+                    }
+                    ASSERT_EQ(told.begins, 1) << speed << " m/s, gap " << gap << ", r " << radius;
+                    ASSERT_EQ(told.ends, 1) << speed << " m/s, gap " << gap << ", r " << radius;
+                }
+            }
+        }
+    }
+}
+
 } // namespace
 } // namespace kodo

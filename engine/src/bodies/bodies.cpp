@@ -50,13 +50,17 @@ void updateAwake(Bodies& bodies, std::span<const std::uint32_t> changed) {
 
 /// True if neither a lock nor a setting stops the rotation of a body. A particle has none to stop.
 bool canTurn(const Bodies& bodies, std::uint32_t body) {
-    const BodyVelocity& motion = bodies.motion[body];
-    return motion.invInertia > 0 ||
-           (motion.invMass > 0 && bodies.turns && bodies.geometry(body).mass.inertia == 0 &&
-            (locksOf(bodies.filter[body].flags) & kLockRotate) == 0);
+    return bodies.motion[body].invInertia > 0 || (bodies.turns && isParticle(bodies, body));
 }
 
 } // namespace
+
+bool isParticle(const Bodies& bodies, std::uint32_t body) {
+    const BodyVelocity& motion = bodies.motion[body];
+    return motion.invInertia == 0 && motion.invMass > 0 &&
+           bodies.geometry(body).mass.inertia == 0 &&
+           (locksOf(bodies.filter[body].flags) & kLockRotate) == 0;
+}
 
 void requireAlive(const Bodies& bodies, BodyId id, const char* field) {
     if (bodies.alive(id)) {

@@ -5,6 +5,7 @@
 #include "base/vector_reuse.hpp"
 #include "bodies/body_geometry.hpp"
 #include "bodies/body_velocity.hpp"
+#include "bodies/extent.hpp"
 #include "bodies/sleep_state.hpp"
 
 #include <algorithm>
@@ -28,18 +29,6 @@ struct BodyRecord {
     /// Number among bodies that overlap deeply, so that the middle of a part lies in the other
     /// part: above that of each of them with a lower index, from the beginning of the overlap.
     std::uint32_t crowdRank = 0;
-};
-
-/// Sizes from the body geometry, contiguous for loops over many bodies.
-struct Extent {
-    Real rotationReach = 0; // m; see ConvexShape::rotationReach()
-    Real coreRadius = 0;    // m; smallest of all parts
-
-    /// Bound (m) of the displacement of any point of the core by a turn (rad): the chord is not
-    /// longer than the arc, nor than the diameter.
-    Real reachOfTurn(Real angle) const {
-        return std::min(std::abs(angle), Real(2)) * rotationReach;
-    }
 };
 
 /// Bodies that changed since a stage last looked at them, as lists without order that may contain
@@ -237,6 +226,9 @@ void noteStart(Bodies& bodies);
 
 /// Updates the data that follow from geometry and lock flags.
 void refreshDerived(Bodies& bodies, std::uint32_t index);
+
+/// True for a movable body without inertia, whose rotation nothing locks.
+bool isParticle(const Bodies& bodies, std::uint32_t body);
 
 /// Enables or disables rotation. Without it, all bodies act as with kLockRotate, and bodies that
 /// could rotate lose their angular velocity.

@@ -218,10 +218,15 @@ void JointSet::listBusy(const Bodies& bodies) {
     busy_.erase(std::unique(busy_.begin(), busy_.end()), busy_.end());
 }
 
-void JointSet::beginStep() {
+void JointSet::beginStep(Bodies& bodies) {
     for (const std::uint32_t index : busy_) {
         joints_[index].linearImpulseSum = {};
         joints_[index].angularImpulseSum = 0;
+        for (const BodyId id : {firstBody(joints_[index].def), secondBody(joints_[index].def)}) {
+            if (isParticle(bodies, id.index)) {
+                bodies.motion[id.index].angularVelocity = 0; // it would act as a motor
+            }
+        }
     }
 }
 

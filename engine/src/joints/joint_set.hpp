@@ -91,7 +91,7 @@ public:
     /// joint and a contact that exclude each other would store energy without end. `pushSpeed` (m/s
     /// or rad/s): the largest at which contacts part.
     void boundBias(const ContactSet& contactSet, Real slop, Real pushSpeed);
-    void beginStep();
+    void beginStep(Bodies& bodies);
     /// Selects the joints of one level for the functions below, up to the next call: of the busy
     /// joints those with that level. A joint has the higher level of its two bodies; without
     /// `levels`, which is by body, all have level 0.

@@ -53,19 +53,20 @@ std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Re
     if (motion < gap) {
         return std::nullopt;
     }
+    const Real near = kStopShort * tolerances.slop;
+    if (contact.sensor) { // nothing holds it apart, however near it begins
+        return gap > 0 ? std::optional(std::min(near, gap / 2)) : std::nullopt;
+    }
     const bool againstLocked = bodies.locked(bodyA) || bodies.locked(bodyB);
     const bool far = motion > allowedApproach(shapeA.coreRadius, shapeB.coreRadius, againstLocked);
     if (gap > tolerances.slop) {
         const bool bounces = contact.bounces && settings.has(Feature::Restitution);
-        return bounces || contact.sensor || far ? std::optional(kStopShort * tolerances.slop)
-                                                : std::nullopt;
+        return bounces || far ? std::optional(near) : std::nullopt;
     }
     // Past the centres of both parts, contact points would separate them to the wrong side.
     const Real thickness = shapeA.coreRadius + shapeB.coreRadius;
     const Real deepest = std::min(4 * tolerances.slop, thickness);
-    const bool holds =
-        !far || motion < thickness / 2 || shapeA.oneSided || shapeB.oneSided || contact.sensor;
-    const Real near = kStopShort * tolerances.slop;
+    const bool holds = !far || motion < thickness / 2 || shapeA.oneSided || shapeB.oneSided;
     if (deepest < near) { // once as near as that, the pair may slide, or part
         return holds || gap <= 2 * near ? std::nullopt : std::optional(near);
     }
@@ -133,16 +134,15 @@ bool later(const Event& e, const Event& f) {
 
 } // namespace
 
-/// Marks the swift bodies. A pair without a swift body needs no continuous collision: it cannot
-/// close a gap wider than the slop, and closes a narrower one by less than half of the core radii.
-/// While no body is stopped, a pair may need it only with a far body: else no contact has
-/// restitution, and each body moves by at most half of what the thinnest body may enter a locked
-/// one. False if no body is far.
+/// Marks the swift bodies. A pair without a swift body needs no continuous collision, for one of
+/// two reasons. It cannot close a gap wider than the slop, and closes a narrower one by less than
+/// half of the core radii. Or no contact has restitution, and each body moves by at most half of
+/// what the thinnest body may enter a locked one. False if no body is swift.
 bool ContinuousCollision::markSwift(const Bodies& bodies, bool mayBounce,
                                     const Tolerances& tolerances, WorkerTeam& team) {
     const Real unseen =
         mayBounce ? Real(0) : allowedApproach(bodies.thinnest, bodies.thinnest, true) / 2;
-    std::uint8_t anyFar = 0;
+    std::uint8_t anySwift = 0;
     resizeByBody(swift_, bodies); // all 0 between steps
     team.forEach(bodies.awake.size(), kPairsPerPiece, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
@@ -151,17 +151,13 @@ bool ContinuousCollision::markSwift(const Bodies& bodies, bool mayBounce,
             const Extent& extent = bodies.extent[body];
             const Real way =
                 length(motion.deltaPosition) + std::abs(motion.deltaAngle) * extent.rotationReach;
-            if (way <= tolerances.slop / 2 && way < extent.coreRadius / 4) {
-                continue;
-            }
-            swift_[body] = kSwift; // by its own motion alone, whatever else the World holds
-            if (way > unseen) {
-                swift_[body] = kSwift | kFar;
-                WorkerTeam::mark(anyFar);
+            if (way > unseen && !(way <= tolerances.slop / 2 && way < extent.coreRadius / 4)) {
+                swift_[body] = 1;
+                WorkerTeam::mark(anySwift);
             }
         }
     });
-    return anyFar != 0;
+    return anySwift != 0;
 }
 
 void ContinuousCollision::run(Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
@@ -225,7 +221,7 @@ bool ContinuousCollision::findCandidates(const Bodies& bodies, const ContactSet&
                           const ContactSummary& summary = summaries[i];
                           if (summary.sensor) {
                               WorkerTeam::mark(sensors);
-                          } else if (hasMark(summary, kFar) &&
+                          } else if (isSwift(summary) &&
                                      closes(bodies, bounds, summary, tolerances)) {
                               found.push_back(static_cast<std::uint32_t>(i));
                           }
@@ -240,7 +236,7 @@ void ContinuousCollision::linkContacts(const Step& step) {
     next_.resize(step.summaries.size());
     for (std::uint32_t i = 0; i < step.summaries.size(); ++i) {
         const ContactSummary& summary = step.summaries[i];
-        if (!summary.sensor && hasMark(summary, kSwift)) {
+        if (!summary.sensor && isSwift(summary)) {
             next_[i] = {std::exchange(first_[summary.bodyA], i),
                         std::exchange(first_[summary.bodyB], i)};
         }

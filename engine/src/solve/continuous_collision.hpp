@@ -67,16 +67,12 @@ private:
         bool driven; // a locked body moves
     };
 
-    // Marks of swift_.
-    static constexpr std::uint8_t kSwift = 1; // its pairs are tested after a stop
-    static constexpr std::uint8_t kFar = 2;   // and before any stop
-
     bool markSwift(const Bodies& bodies, bool mayBounce, const Tolerances& tolerances,
                    WorkerTeam& team);
     bool findCandidates(const Bodies& bodies, const ContactSet& contactSet,
                         const Tolerances& tolerances, WorkerTeam& team);
-    bool hasMark(const ContactSummary& summary, std::uint8_t mark) const {
-        return ((swift_[summary.bodyA] | swift_[summary.bodyB]) & mark) != 0;
+    bool isSwift(const ContactSummary& summary) const {
+        return (swift_[summary.bodyA] | swift_[summary.bodyB]) != 0;
     }
     void linkContacts(const Step& step);
     void findTime(const Step& step, std::uint32_t contact, Real from);
@@ -102,7 +98,7 @@ private:
     void recordSensorImpact(const Bodies& bodies, Contact& contact, Real fraction,
                             const Tolerances& tolerances) const;
 
-    std::vector<std::uint8_t> swift_;       // by body: see markSwift()
+    std::vector<std::uint8_t> swift_;       // by body: moves so far that its pairs are tested
     std::vector<Real> stopAt_;              // by body: fraction of the step
     std::vector<Vec2> push_;                // by body: m, per whole step, by kinematic bodies
     std::vector<std::uint32_t> stopped_;    // bodies with stopAt_ < 1

@@ -29,6 +29,15 @@ Real harmlessOverlap(const Bodies& bodies, const ContactKey& key) {
            2;
 }
 
+/// Sets the component of `push` along `normal` to that of `way` (m), the displacement of a surface
+/// that recedes, so that the body stays at it.
+void follow(Vec2& push, Vec2 normal, Vec2 way) {
+    const Real there = dot(normal, push);
+    if (there <= 0) {
+        push += (dot(normal, way) - there) * normal;
+    }
+}
+
 /// Removes the component of `push` into a static surface.
 void holdBack(Vec2& push, Vec2 normal) {
     push -= std::min(dot(normal, push), Real(0)) * normal;
@@ -73,7 +82,8 @@ void ContinuousCollision::findPushes(const Step& step) {
 
 /// A body that meets a kinematic body within the step, or a body pushed by one, is pushed along,
 /// but not into a static body. With restitution, the impact of the next step makes it faster; it is
-/// pushed only where the kinematic body would be past it by then.
+/// pushed only where the kinematic body would be past it by then. If the kinematic body recedes, it
+/// is followed: across a gap, the next step would have no impact.
 void ContinuousCollision::takePushedDisplacement(const Step& step, const Contact& contact,
                                                  Real time) {
     const ContactKey& key = contact.key;
@@ -97,7 +107,7 @@ void ContinuousCollision::takePushedDisplacement(const Step& step, const Contact
     const Vec2 wayA = wayOf(key.bodyA, a.position);
     const Vec2 wayB = wayOf(key.bodyB, b.position);
     const Real overlap = (1 - time) * dot(normal, wayA - wayB);
-    if (contact.bounces && overlap <= harmlessOverlap(step.bodies, key)) {
+    if (contact.bounces && overlap >= 0 && overlap <= harmlessOverlap(step.bodies, key)) {
         return;
     }
     const auto take = [&](std::uint32_t body, std::uint32_t other, Vec2 away, Vec2 way) {
@@ -106,6 +116,8 @@ void ContinuousCollision::takePushedDisplacement(const Step& step, const Contact
         }
         if (step.bodies.locked(other) && !step.bodies.isMovingKinematic(other)) {
             holdBack(push_[body], away);
+        } else if (overlap < 0 && step.bodies.locked(other)) {
+            follow(push_[body], away, way);
         } else {
             pushAlong(push_[body], away, way);
         }
