@@ -211,9 +211,6 @@ private:
                         .position = at_ + Vec2{0, 4},
                         .angularVelocity = Real(9e6),
                         .type = BodyType::Kinematic});
-            ids_.push_back(world_.add({.shape = Box{Real(0.4), Real(0.2)},
-                                       .position = at_ + Vec2{2, 1},
-                                       .angularVelocity = Real(3e4)}));
             break;
         case Elsewhere::Fast:
         case Elsewhere::kCount:
