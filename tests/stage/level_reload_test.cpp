@@ -184,7 +184,7 @@ TEST_F(LevelReload, ADeletedFileIsToldUntilItIsThereAgain) {
 TEST_F(LevelReload, AGameOnAnotherLevelGoesOn) {
     write(kOne);
     StageDef def = start();
-    def.endless = [](std::uint32_t) { return glassLevel("Row", {2, 7}); };
+    def.endless = [](std::uint32_t, std::uint32_t) { return glassLevel("Row", {2, 7}); };
     StageRig rig(std::move(def));
     rig.press(Command::Pause);
     rig.clickItem(Action::ToTitle);

@@ -132,7 +132,9 @@ StageDef crowded(int percent, Mode mode) {
         totals = {12345, 6789, 1234567, 1234567, 234567, 45, 120};
     }
     def.marks = std::get<std::vector<MedalMarks>>(readMedals(assetsFolder() / "medals.toml"));
-    def.endless = [](std::uint32_t) { return glassLevel("An endless row of stones", {7}); };
+    def.endless = [](std::uint32_t, std::uint32_t) {
+        return glassLevel("An endless row of stones", {7});
+    };
     def.today = [] { return Day{20261126}; };
     def.daily = [](Day, std::uint32_t) { return glassLevel("Daily", {2, 7, 12}); };
     def.notices = {
