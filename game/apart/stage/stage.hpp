@@ -175,6 +175,7 @@ private:
 
     // Pictures (stage_picture.cpp).
     void drawTitle(Canvas& canvas) const;
+    std::string takenOverText() const;
     HudLook hudLook() const;
 
     /// The result screen.
