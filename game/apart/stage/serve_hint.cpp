@@ -194,9 +194,15 @@ HintGroup stacked(HintGroup upper, const HintGroup& lower, Real gap) {
 std::vector<HintGroup> titleGroups(const Canvas& canvas, const Level& level) {
     const HintGroup title = {{shortened(level.title, 48), 0, Real(1.1), palette::kAccent}};
     std::vector<HintGroup> groups;
-    for (const std::size_t letters : {48, 32, 22}) {
+    struct Column {
+        std::size_t lines;
+        std::size_t letters;
+        std::size_t most;
+    };
+    for (const auto& [lines, letters, most] : {Column{4, 48, 64}, {6, 32, 40}, {8, 22, 30}}) {
         HintGroup group = title;
-        for (const std::string& part : wrappedInto(6, level.idea, fitting(canvas, letters))) {
+        for (const std::string& part :
+             wrappedInto(lines, level.idea, fitting(canvas, letters), most)) {
             group.push_back({part, group.back().drop + Real(0.85), Real(0.52), palette::kText});
         }
         groups.push_back(std::move(group));
