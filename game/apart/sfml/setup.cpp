@@ -179,7 +179,7 @@ std::variant<StageDef, std::string> setUp(const Options& options) {
     StageDef def;
     def.levels = readLevels(def.notices);
     if (def.levels.empty()) {
-        return "There are no levels in " + (assetsFolder() / "levels").string() + ".";
+        return noLevelsText();
     }
     def.bot = [](const Game& game) { return std::optional(bot(game)); };
     const bool picture = !options.screenshot.empty() || options.frames > 0;
