@@ -31,6 +31,23 @@ TEST(Difficulty, SkillsRise) {
     EXPECT_GT(found.skills.back().cleared, found.skills.front().cleared + 0.2);
 }
 
+// A row of glass above a paddle that never moves: the ball comes back to it, or three are lost.
+TEST(Difficulty, ThePlayerWhoNeverMovesIsPlayedButIsNoSkill) {
+    const Level level = levelOf("bbbbbbbbbbbbbbb\nbbbbbbbbbbbbbbb\nbbbbbbbbbbbbbbb\n", 15000);
+    const LevelDifficulty found = difficultyOf(level, 2, 3600);
+    EXPECT_EQ(found.absent.games, 2u);
+    EXPECT_EQ(found.absent.won, 0u);
+    EXPECT_GT(found.absent.cleared, 0);
+    EXPECT_LT(found.absent.cleared, found.skills.back().cleared);
+    Game game(level, 1);
+    const kodo::Vec2 place = game.world()[game.paddle()].position();
+    for (int i = 0; i < 600; ++i) {
+        game.tick(bot(game, BotKind::Absent));
+    }
+    EXPECT_EQ(game.world()[game.paddle()].position().x, place.x);
+    EXPECT_FALSE(game.serving() && game.lives() == level.lives) << "it serves";
+}
+
 TEST(Difficulty, SharesByThemeLeaveOutThemesWithoutALevel) {
     std::vector<LevelDifficulty> levels(3);
     levels[0].skills[0] = {.games = 4, .won = 4, .cleared = 1};

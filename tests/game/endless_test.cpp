@@ -51,7 +51,7 @@ TEST(Endless, GoldenDigests) {
     for (const std::uint64_t digest : digests) {
         all = all * 31 + digest;
     }
-    EXPECT_EQ(toHex(all), "74d77d2ff63b7dea");
+    EXPECT_EQ(toHex(all), "0e8ab94fc819e679");
 }
 
 // Even numbers are walls.
@@ -109,6 +109,29 @@ TEST(Endless, BuildingsStandForAMinuteAndFallWhenHit) {
         }
         EXPECT_TRUE(isSolvable(level));
     }
+}
+
+// The ball flies straight from the paddle in the middle, so a ledge above it would bar all serves.
+TEST(Endless, TheFirstServeHitsABlock) {
+    int levels = 0;
+    int buildings = 0;
+    for (std::uint32_t seed = 1; seed <= static_cast<std::uint32_t>(support::draws(20)); ++seed) {
+        for (std::uint32_t number = 1; number <= 8; ++number) {
+            const Level level = endlessLevel({seed, number});
+            EXPECT_TRUE(servesHit(level)) << level.name;
+            ++levels;
+            buildings += level.freeBlocks.empty() ? 0 : 1;
+        }
+    }
+    EXPECT_GE(buildings, levels * 4 / 10) << "too few of the candidates are accepted";
+}
+
+TEST(Endless, ALedgeAboveThePaddleIsNotAccepted) {
+    Level level = endlessLevel({11, 1});
+    ASSERT_TRUE(servesHit(level));
+    level.obstructions.push_back(
+        {.kind = ObstructionKind::Ledge, .y = 5000, .size = 5200, .heights = {}, .height = 400});
+    EXPECT_FALSE(servesHit(level));
 }
 
 // Without the check some of the candidates would move, or the bot would not win.

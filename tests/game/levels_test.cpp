@@ -113,4 +113,11 @@ std::vector<std::string> checkedLevels() {
 INSTANTIATE_TEST_SUITE_P(Levels, EveryLevel, testing::ValuesIn(checkedLevels()),
                          [](const auto& level) { return level.param; });
 
+TEST(Levels, TheSentenceAboutMissingOnesNamesTheWholeFolderAndTheVariable) {
+    const std::string text = noLevelsText();
+    EXPECT_NE(text.find(std::filesystem::absolute(assetsFolder() / "levels").string()),
+              std::string::npos);
+    EXPECT_NE(text.find("APART_ASSETS"), std::string::npos);
+}
+
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
+#include <apart/core/lint.hpp>
 #include <apart/core/medals.hpp>
 #include <apart/core/tuning.hpp>
 
@@ -30,6 +31,39 @@ TEST(Medals, MarksAreRisingQuantilesOfTheScores) {
     std::iota(scores.begin(), scores.end(), 1000); // 1000 to 1100: quantile q is 1000 + 100 q
     EXPECT_EQ(marksOf(scores), (std::array<std::int32_t, 3>{1050, 1100, 1100}));
     EXPECT_EQ(marksOf({0}), (std::array<std::int32_t, 3>{50, 50, 50}));
+}
+
+TEST(Medals, SilverAndGoldAreRaisedAboveAScore) {
+    using Marks = std::array<std::int32_t, 3>;
+    EXPECT_EQ(raisedAbove({100, 200, 400}, 199), (Marks{100, 200, 400}));
+    EXPECT_EQ(raisedAbove({100, 200, 400}, 200), (Marks{100, 250, 400}));
+    EXPECT_EQ(raisedAbove({100, 200, 400}, 420), (Marks{100, 450, 500}));
+}
+
+/// The best score of games in which the paddle never moves.
+std::int32_t bestOfAbsent(const Level& level, std::uint32_t seeds, std::uint32_t mostTicks) {
+    std::int32_t best = 0;
+    for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
+        best = std::max(best, runBot(level, seed, mostTicks, BotKind::Absent).score);
+    }
+    return best;
+}
+
+TEST(Medals, MeasuringPutsSilverAboveThePlayerWhoNeverMoves) {
+    constexpr std::uint32_t kMostTicks = 120 * kTicksPerSecond;
+    const Level level = std::get<Level>(loadLevel("stone_circle"));
+    EXPECT_GT(measureMedals(level, 1, kMostTicks).scores[1],
+              bestOfAbsent(level, kAbsentGames, kMostTicks));
+}
+
+TEST(Medals, ThePlayerWhoNeverMovesWinsBronzeAtMost) {
+    const auto read = readMedals(assetsFolder() / "medals.toml");
+    ASSERT_TRUE(std::holds_alternative<std::vector<MedalMarks>>(read));
+    for (const char* name : {"dominoes", "stone_circle", "barrels", "card_house", "cradle"}) {
+        const std::int32_t best = bestOfAbsent(std::get<Level>(loadLevel(name)), 6, 14400);
+        EXPECT_LE(medalOf(best, name, std::get<std::vector<MedalMarks>>(read)), Medal::Bronze)
+            << name << " has changed: run tools/medals " << name;
+    }
 }
 
 TEST(Medals, TheTableIsReadAsItIsWritten) {

@@ -205,30 +205,6 @@ TEST(Labels, TheHintToServeIsNotOverWhatFalls) {
     EXPECT_GT(shown, 20);
 }
 
-// Title, idea and hints of a level: before, they lay on what is to be hit first.
-TEST(Labels, TheTitleOfALevelIsNotOverItsBlocks) {
-    for (const char* const name : {"first_light", "dominoes", "card_house", "escapement"}) {
-        const Game game(std::make_shared<const Level>(std::get<Level>(loadLevel(name))), 1);
-        RecordingCanvas canvas;
-        paintServeHint(canvas, game, Bindings{});
-        Real top = -1;
-        Real bottom = kFieldHeight;
-        for (const Stroke& stroke : canvas.strokes()) {
-            if (!stroke.text.empty()) {
-                top = std::max(top, stroke.place.y);
-                bottom = std::min(bottom, stroke.place.y);
-            }
-        }
-        EXPECT_GT(top, bottom) << name;
-        EXPECT_GT(bottom, kPaddleY) << name;
-        for (const Block& block : game.blocks()) {
-            const kodo::Aabb bounds = boundsOf(game, block);
-            const bool beside = bounds.lower.x > 8 || bounds.upper.x < -8;
-            EXPECT_TRUE(beside || bounds.lower.y > top || bounds.upper.y < bottom) << name;
-        }
-    }
-}
-
 TEST(Freeze, LastsLongerAfterAHarderImpact) {
     const auto framesOf = [](kodo::Real strength, int freeze) {
         StageDef def = StageRig::played();

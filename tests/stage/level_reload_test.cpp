@@ -100,6 +100,21 @@ TEST_F(LevelReload, AnotherContentStartsANewTableAndKeepsTheFormerScore) {
         << "also of a file that is in no folder of levels";
 }
 
+TEST_F(LevelReload, OnlyAnotherContentStartsAGameInProgressAgain) {
+    write(kThree);
+    StageRig rig(start());
+    rig.frames(100);
+    write(kThree, "Yours");
+    look(rig);
+    EXPECT_GT(rig.stage.game().ticks(), 100u) << "a new title";
+    EXPECT_TRUE(rig.picture().says("The next game shows the new texts"));
+    EXPECT_TRUE(rig.picture().says("LEVEL ")) << "it is still a level of the list";
+    write(kOne, "Yours");
+    look(rig);
+    EXPECT_LT(rig.stage.game().ticks(), 100u);
+    EXPECT_EQ(rig.stage.game().level().title, "Yours");
+}
+
 TEST_F(LevelReload, ANewTitleKeepsTheScores) {
     write(kThree);
     StageRig rig(start());
@@ -184,7 +199,7 @@ TEST_F(LevelReload, ADeletedFileIsToldUntilItIsThereAgain) {
 TEST_F(LevelReload, AGameOnAnotherLevelGoesOn) {
     write(kOne);
     StageDef def = start();
-    def.endless = [](std::uint32_t) { return glassLevel("Row", {2, 7}); };
+    def.endless = [](std::uint32_t, std::uint32_t) { return glassLevel("Row", {2, 7}); };
     StageRig rig(std::move(def));
     rig.press(Command::Pause);
     rig.clickItem(Action::ToTitle);

@@ -123,5 +123,28 @@ TEST(LevelSelect, ShowsThemeTitleIdeaBestScoresAndProgress) {
     EXPECT_TRUE(canvas.says(lookOf(Theme::Harbour).title));
 }
 
+TEST(LevelSelect, NamesTheHonourUnderThePointer) {
+    LevelSelect select(elevenLevels());
+    const Records records({}, {}, {}, {});
+    const auto seen = [&](Vec2 pointer) {
+        Signals signals;
+        signals.pointer = pointer;
+        select.take(signals);
+        RecordingCanvas canvas;
+        canvas.begin({{-16, 0}, {16, 20}}, {});
+        select.draw(canvas, records, 0);
+        return canvas.says("no ball lost");
+    };
+    EXPECT_FALSE(seen({0, 0}));
+    int places = 0; // of a grid of half a metre, right of the tiles
+    for (Real x = 4; x < 15; x += Real(0.5)) {
+        for (Real y = 0; y < 16; y += Real(0.5)) {
+            places += seen({x, y}) ? 1 : 0;
+        }
+    }
+    EXPECT_GE(places, 2) << "in both columns";
+    EXPECT_LE(places, 8);
+}
+
 } // namespace
 } // namespace apart

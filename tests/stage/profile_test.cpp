@@ -118,7 +118,7 @@ TEST_F(ProfileFile, ABadValueIsReplacedByItsDefaultAlone) {
         {"pure = true", "pure = 1", "pure must be true or false, and is false now",
          [](Profile& p) { p.mode = Mode::Standard; }},
         {"score = 12300", "score = -1", "score must be a whole number",
-         [](Profile& p) { p.best[0]["first_light"].score = 0; }},
+         [](Profile& p) { p.best[0]["first_light"].score = kUnreadScore; }},
         {"score = 12300\ncleared = true", "score = 12300\ncleared = yes", "",
          [](Profile& p) { p.best[0]["first_light"].cleared = false; }},
         {"[best.first_light]", "[best.first_light", "", [](Profile& p) { p.best[0].clear(); }},

@@ -41,7 +41,7 @@ TEST(Daily, OnlyARunFromItsFirstLevelWithItsSeedsIsOne) {
 
 StageDef withRuns() {
     StageDef def = StageRig::twoLevels();
-    def.endless = [](std::uint32_t) { return glassLevel("Row", {7}); };
+    def.endless = [](std::uint32_t, std::uint32_t) { return glassLevel("Row", {7}); };
     def.today = [] { return kToday; };
     def.daily = [](Day day, std::uint32_t number) {
         Level level = *glassLevel("Row of today", {7});

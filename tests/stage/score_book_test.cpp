@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <apart/stage/hud.hpp>
 #include <apart/stage/score_book.hpp>
 
 #include <gtest/gtest.h>
@@ -152,6 +153,24 @@ TEST(ScoreBook, TheLevelSelectShowsNoTypedInScoreAsTheBestOne) {
     EXPECT_FALSE(proved.picture().says("99 999 999"));
     EXPECT_EQ(proved.stage.profile().bestOf(Mode::Standard, game.level->name).score, game.score);
     EXPECT_EQ(proved.stage.profile().bestOf(Mode::Standard, game.level->name).unproved, 99999999);
+}
+
+TEST(ScoreBook, AScoreThatCannotBeReadIsTakenFromItsReplay) {
+    const Recorded game;
+    StageRig rig(claiming(game, kUnreadScore, ReplayRun{game.replay}));
+    rig.clickItem(Action::Levels);
+    rig.press(Command::Left);
+    EXPECT_TRUE(rig.picture().says("so far, more are checked"));
+    rig.frames(60 * 20);
+    const Best best = rig.stage.profile().bestOf(Mode::Standard, game.level->name);
+    EXPECT_EQ(best.score, game.score);
+    EXPECT_EQ(best.unproved, 0);
+    EXPECT_TRUE(rig.picture().says(countText(game.score, "point") + " in all"));
+
+    StageRig without(claiming(game, kUnreadScore, "no replay"));
+    without.clickItem(Action::Levels);
+    without.frames(60);
+    EXPECT_EQ(without.stage.profile().bestOf(Mode::Standard, game.level->name).score, 0);
 }
 
 // Honours that were typed into the profile without a game, or with a score that no replay gives.

@@ -316,7 +316,7 @@ TEST(Screens, AnEndlessRunContinuesAndSumsItsScores) {
     std::vector<Profile> kept;
     StageDef def = StageRig::twoLevels();
     def.keeping.save = StageRig::keeping(kept);
-    def.endless = [](std::uint32_t number) {
+    def.endless = [](std::uint32_t, std::uint32_t number) {
         return glassLevel(number == 1 ? "Row 1" : "Row 2", {7});
     };
     std::vector<std::pair<ReplayRun, std::string>> recorded;
@@ -352,7 +352,7 @@ TEST(Screens, AnEndlessRunContinuesAndSumsItsScores) {
 
 TEST(Screens, AnEndlessRunRestartsAtItsFirstLevel) {
     StageDef def = StageRig::twoLevels();
-    def.endless = [](std::uint32_t number) {
+    def.endless = [](std::uint32_t, std::uint32_t number) {
         return glassLevel(number == 4 ? "Row 4" : "Another", {7});
     };
     def.firstEndless = 4;
@@ -366,6 +366,25 @@ TEST(Screens, AnEndlessRunRestartsAtItsFirstLevel) {
     EXPECT_TRUE(rig.picture().says("once more to start again")) << "the run has points";
     rig.press(Command::Restart);
     EXPECT_EQ(rig.stage.game().level().title, "Row 4");
+}
+
+TEST(Screens, EachEndlessRunHasASeedOfItsOwn) {
+    StageDef def = StageRig::twoLevels();
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> made; // seed, number
+    def.endless = [&made](std::uint32_t seed, std::uint32_t number) {
+        made.emplace_back(seed, number);
+        return glassLevel("Row", {7});
+    };
+    def.endlessSeed = [next = 40u]() mutable { return ++next; };
+    StageRig rig(std::move(def));
+    rig.clickItem(Action::Endless);
+    playToTheEnd(rig);
+    rig.press(Command::Next);
+    playToTheEnd(rig);
+    rig.clickItem(Action::ToTitle);
+    rig.clickItem(Action::Endless);
+    using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+    EXPECT_EQ(made, (Pairs{{41, 1}, {41, 2}, {42, 1}}));
 }
 
 /// A recorded game of this level without input.

@@ -3,6 +3,7 @@
 #include <apart/core/assets.hpp>
 #include <apart/core/medals.hpp>
 #include <apart/core/tuning.hpp>
+#include <apart/stage/block_bounds.hpp>
 #include <apart/stage/hud.hpp>
 #include <apart/stage/layout.hpp>
 #include <apart/stage/letterforms.hpp>
@@ -132,7 +133,9 @@ StageDef crowded(int percent, Mode mode) {
         totals = {12345, 6789, 1234567, 1234567, 234567, 45, 120};
     }
     def.marks = std::get<std::vector<MedalMarks>>(readMedals(assetsFolder() / "medals.toml"));
-    def.endless = [](std::uint32_t) { return glassLevel("An endless row of stones", {7}); };
+    def.endless = [](std::uint32_t, std::uint32_t) {
+        return glassLevel("An endless row of stones", {7});
+    };
     def.today = [] { return Day{20261126}; };
     def.daily = [](Day, std::uint32_t) { return glassLevel("Daily", {2, 7, 12}); };
     def.notices = {
@@ -243,6 +246,55 @@ TEST(TextRoom, OfEachLevelInTheSelectionAndBesideTheField) {
             }
         }
     }
+}
+
+/// Names of the levels where a word of the hints covers a block, a rope, or the dots of the serve.
+std::set<std::string> coveredLevels(int percent) {
+    std::set<std::string> bad;
+    int whole = 0; // levels with their title in the field
+    for (const auto& level : allLevels()) {
+        Game game(level, 1);
+        RecordingCanvas canvas;
+        canvas.setTextScale(static_cast<Real>(percent) / 100);
+        canvas.begin(layout::kShown, {});
+        paintServeHint(canvas, game, Bindings{});
+        std::vector<Aabb> free;
+        for (const Block& block : game.blocks()) {
+            free.push_back(boundsOf(game, block));
+        }
+        for (const Link& link : game.links()) {
+            if (const auto* line =
+                    std::get_if<kodo::DistanceJoint>(&game.world().joint(link.joint))) {
+                const Vec2 a = game.world()[line->ends.a].transform() * line->ends.anchorA;
+                const Vec2 b = game.world()[line->ends.b].transform() * line->ends.anchorB;
+                for (int i = 0; i <= 100; ++i) {
+                    const Vec2 place = a + static_cast<Real>(i) / 100 * (b - a);
+                    free.push_back({place, place});
+                }
+            }
+        }
+        for (Real along = Real(0.55); along < Real(4.4); along += Real(0.1)) {
+            const Vec2 dot = game.world()[game.balls()[0].body].position();
+            free.push_back({dot + along * game.serveHeading(), dot + along * game.serveHeading()});
+        }
+        EXPECT_TRUE(canvas.says("to serve")) << level->name;
+        whole += canvas.says(level->title) ? 1 : 0;
+        for (const Stroke& stroke : canvas.strokes()) {
+            const Aabb box = boundsOf(stroke, canvas, Real(40));
+            if (!stroke.text.empty() && std::any_of(free.begin(), free.end(), [&](const Aabb& f) {
+                    return overlap(box, f);
+                })) {
+                bad.insert(level->name + ": " + stroke.text);
+            }
+        }
+    }
+    EXPECT_GE(whole, static_cast<int>(allLevels().size()) * 9 / 10);
+    return bad;
+}
+
+TEST(TextRoom, WordsBeforeAServeCoverNoBlockRopeOrDot) {
+    EXPECT_EQ(coveredLevels(100), std::set<std::string>{});
+    EXPECT_EQ(coveredLevels(140), std::set<std::string>{});
 }
 
 TEST(TextRoom, OfAGameAndItsPause) {

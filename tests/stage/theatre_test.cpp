@@ -83,6 +83,7 @@ TEST(Theatre, AClickOrADragOnTheBarGoesThere) {
     rig.frame(mouseOnBar(Real(0), true, false));
     EXPECT_EQ(rig.stage.game().ticks(), 0u);
     rig.press(Command::Confirm); // takes over
+    rig.press(Command::Confirm); // goes on
     EXPECT_FALSE(rig.stage.wantsPointer());
 }
 
@@ -118,8 +119,19 @@ TEST(Theatre, AGameTakenOverIsRecordedFromTheFirstTick) {
     StageRig rig(std::move(def));
     rig.press(Command::Right);
     rig.press(Command::Confirm);
-    EXPECT_TRUE(rig.picture().says("WHAT IF"));
-    rig.frames(60);
+    EXPECT_EQ(rig.stage.screen(), Screen::Paused) << "it waits for the player";
+    const std::uint32_t from = rig.stage.game().ticks();
+    const Real place = rig.stage.game().world()[rig.stage.game().paddle()].position().x;
+    rig.frames(30);
+    EXPECT_EQ(rig.stage.game().ticks(), from);
+    EXPECT_TRUE(rig.picture().says("replay at 0:05 of"));
+    EXPECT_TRUE(rig.picture().says("The score does not count"));
+    rig.press(Command::Confirm);
+    EXPECT_TRUE(rig.picture().says("WHAT IF   no score"));
+    rig.frames(3);
+    EXPECT_NEAR(rig.stage.game().world()[rig.stage.game().paddle()].position().x, place, 0.5)
+        << "the mouse has not moved";
+    rig.frames(57);
     rig.press(Command::Pause);
     rig.clickItem(Action::ToTitle);
     rig.clickItem(Action::ToTitle); // the game has points
@@ -195,8 +207,8 @@ TEST(Theatre, AReplayOfTheListLeadsBackToIt) {
     rig.press(Command::Back);
     expectTheList();
     watchTheSecond();
-    rig.press(Command::Confirm); // takes over
-    rig.press(Command::Pause);
+    rig.press(Command::Confirm); // takes over, and waits
+    EXPECT_EQ(rig.stage.screen(), Screen::Paused);
     rig.clickItem(Action::Replays);
     expectTheList();
     watchTheSecond();

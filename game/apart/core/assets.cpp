@@ -40,6 +40,14 @@ bool isName(const std::string& name) {
 
 } // namespace
 
+std::string noLevelsText() {
+    std::error_code error;
+    const fs::path folder = assetsFolder() / "levels";
+    const fs::path whole = fs::absolute(folder, error);
+    return "There are no levels in " + (error ? folder : whole).string() +
+           ". APART_ASSETS names another folder of assets.";
+}
+
 fs::path assetsFolder() {
     if (const char* named = std::getenv("APART_ASSETS"); named != nullptr && *named != '\0') {
         return named;

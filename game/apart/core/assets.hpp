@@ -14,6 +14,9 @@ namespace apart {
 /// unpacked or installed tree may therefore lie anywhere.
 std::filesystem::path assetsFolder();
 
+/// The sentence for a player whose assets hold no levels.
+std::string noLevelsText();
+
 /// Names of all levels, in playing order.
 std::vector<std::string> levelNames();
 

@@ -324,6 +324,11 @@ Input bot(const Game& game, BotKind kind) {
     if (kind == BotKind::Clumsy || kind == BotKind::Novice || kind == BotKind::Fair) {
         return keyBot(game, handOf(kind));
     }
+    if (kind == BotKind::Absent) {
+        Input input;
+        input.launch = game.ticks() % (kTicksPerSecond / 2) < 2;
+        return input;
+    }
     if (kind == BotKind::Erratic) {
         return erraticBot(game);
     }

@@ -27,9 +27,10 @@ enum class BotKind : std::uint8_t {
     Novice,  // as Clumsy, but sees the ball earlier and misses seldom
     Fair,    // as Clumsy, but follows the ball from the top, without a miss of its own
     Perfect, // as Good, but each shot is the surest one
+    Absent,  // never moves, and launches twice a second
 };
-inline constexpr std::array<std::string_view, 8> kBotNames = {
-    "good", "lazy", "random", "clumsy", "erratic", "novice", "fair", "perfect"};
+inline constexpr std::array<std::string_view, 9> kBotNames = {
+    "good", "lazy", "random", "clumsy", "erratic", "novice", "fair", "perfect", "absent"};
 
 /// The scale of skills by which the difficulty of levels is measured, from the lowest.
 inline constexpr std::array<BotKind, 5> kSkills = {BotKind::Clumsy, BotKind::Novice, BotKind::Fair,

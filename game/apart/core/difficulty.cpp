@@ -38,17 +38,20 @@ double LevelDifficulty::ease() const {
 }
 
 LevelDifficulty difficultyOf(const Level& level, std::uint32_t seeds, std::uint32_t mostTicks) {
-    LevelDifficulty difficulty{.level = level.name, .theme = level.theme};
-    for (std::size_t i = 0; i < kSkills.size(); ++i) {
-        SkillGames& sum = difficulty.skills[i];
+    const auto gamesOf = [&](BotKind player) {
+        SkillGames sum;
         for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
-            const BotRun run = runBot(level, seed, mostTicks, kSkills[i]);
+            const BotRun run = runBot(level, seed, mostTicks, player);
             ++sum.games;
             sum.won += run.result == Result::Won ? 1 : 0;
             sum.cleared += run.cleared / seeds;
             sum.seconds += static_cast<double>(run.ticks) / kTicksPerSecond / seeds;
         }
-    }
+        return sum;
+    };
+    LevelDifficulty difficulty{.level = level.name, .theme = level.theme};
+    std::transform(kSkills.begin(), kSkills.end(), difficulty.skills.begin(), gamesOf);
+    difficulty.absent = gamesOf(BotKind::Absent);
     return difficulty;
 }
 

@@ -27,6 +27,8 @@ struct LevelDifficulty {
     Theme theme = Theme::Daybreak;
     std::array<SkillGames, kSkills.size()> skills{}; // in the order of kSkills
 
+    SkillGames absent{}; // of a player who never moves
+
     /// Mean share of won games over all skills, 0..1: 1 is an easy level.
     double ease() const;
 };

@@ -355,7 +355,6 @@ Level endlessBuilding(const EndlessName& name, std::uint32_t attempt) {
     level.ballSpeed = 11000 + 150 * static_cast<std::int32_t>(hardness);
     level.theme = static_cast<Theme>(chance.below(static_cast<std::uint32_t>(kThemeNames.size())));
     level.title = std::string(kAdjectives[chance.below(kAdjectives.size())]) + " towers";
-    level.idea = "Storeys on pillars: what stands below carries all above.";
     addBuildings(level, chance, hardness);
     return level;
 }
@@ -363,7 +362,7 @@ Level endlessBuilding(const EndlessName& name, std::uint32_t attempt) {
 Level endlessLevel(const EndlessName& name) {
     for (std::uint32_t attempt = 0; name.number % 2 == 1 && attempt < kCandidates; ++attempt) {
         Level level = endlessBuilding(name, attempt);
-        if (stands(level) && isSolvable(level)) {
+        if (servesHit(level) && stands(level) && isSolvable(level)) {
             return level;
         }
     }

@@ -26,8 +26,9 @@ inline constexpr std::uint32_t kMostEndless = 999999; // the highest number
 std::optional<EndlessName> parseEndless(std::string_view name);
 
 /// Generates the level. Every block can be reached, and a good player can win. Even numbers are
-/// walls. Odd ones are buildings: candidates are made until one stands() and isSolvable(), see
-/// endless_building.hpp; a wall, if none of the first is. They depend on kRulesVersion.
+/// walls. Odd ones are buildings: candidates are made until one servesHit(), stands() and
+/// isSolvable(), see endless_building.hpp; a wall, if none of the first is. They depend on
+/// kRulesVersion.
 Level endlessLevel(const EndlessName& name);
 
 /// Adds a kind of block with the usual pattern and strength of its stuff to a generated level.

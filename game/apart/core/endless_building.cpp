@@ -20,6 +20,10 @@ constexpr std::int32_t kBeamHigh = 400;
 constexpr std::int32_t kPostWide = 600;
 constexpr std::int32_t kHighest = 15400; // top of the highest row
 constexpr std::int32_t kSpread = 7600;   // of the towers at the sides, from the middle
+constexpr std::int32_t kGap = 2400;      // between the ledges of the tower in the middle: serves
+                                         // pass it
+
+constexpr std::uint32_t kServeGames = 16; // of the check of serves, each with its own seed
 
 class BuildingMaker {
 public:
@@ -34,6 +38,10 @@ public:
     void build() {
         const bool middle = chance_.below(3) != 0;
         const bool sides = !middle || chance_.below(4) != 0;
+        level_.idea =
+            !middle ? "Two towers, and a way between them: over the roofs is the longer one."
+            : sides ? "Three towers: the one in the middle stands astride the first serve."
+                    : "One tower astride a gap: what spans the gap carries all above.";
         if (middle) {
             addTower(0, 3 * kBrickWide);
         }
@@ -72,12 +80,13 @@ private:
         return kBrickHigh;
     }
 
-    /// Pillars at the ends, a third one in the middle of a wide row, and a beam on them.
-    std::int32_t addStorey(std::int32_t x, std::int32_t y, std::int32_t width) {
+    /// Pillars at the ends, a third one in the middle of a wide row that is not open, and a beam on
+    /// them.
+    std::int32_t addStorey(std::int32_t x, std::int32_t y, std::int32_t width, bool open) {
         const std::int32_t high = 800 + 200 * static_cast<std::int32_t>(chance_.below(5));
         const std::int32_t arm = (width - kPostWide) / 2;
         for (const std::int32_t from : {-arm, 0, arm}) {
-            if (from != 0 || width > 2 * kBrickWide) {
+            if (from != 0 || (width > 2 * kBrickWide && !open)) {
                 add(Form::Brick, x + from, y + high / 2, kPostWide, high);
             }
         }
@@ -86,20 +95,31 @@ private:
         return high + kBeamHigh;
     }
 
-    void addTower(std::int32_t x, std::int32_t width) {
-        const std::int32_t low = 5400 + 400 * static_cast<std::int32_t>(chance_.below(5));
+    void addLedge(std::int32_t x, std::int32_t y, std::int32_t size) {
         level_.obstructions.push_back({.kind = ObstructionKind::Ledge,
                                        .x = x,
-                                       .y = low,
-                                       .size = width + 400,
+                                       .y = y,
+                                       .size = size,
                                        .heights = {},
                                        .height = kLedge});
+    }
+
+    void addTower(std::int32_t x, std::int32_t width) {
+        const std::int32_t low = 5400 + 400 * static_cast<std::int32_t>(chance_.below(5));
+        const bool open = width > 2 * kBrickWide; // a narrow tower stands beside the serves
+        const std::int32_t size = width + 400;
+        if (open) {
+            addLedge(x - (size + kGap) / 4, low, (size - kGap) / 2);
+            addLedge(x + (size + kGap) / 4, low, (size - kGap) / 2);
+        } else {
+            addLedge(x, low, size);
+        }
         const std::uint32_t rows = 3 + chance_.below(2 + hardness_ / 8);
         std::int32_t y = low + kLedge / 2;
         for (std::uint32_t row = 0; row < rows && y + 2000 < kHighest; ++row) {
             kind_ = someKind();
             const bool solid = row > 0 && chance_.below(3) == 0;
-            y += solid ? addBricks(x, y, width) : addStorey(x, y, width);
+            y += solid ? addBricks(x, y, width) : addStorey(x, y, width, open && row == 0);
             if (row > 0 && width > 2 * kBrickWide && chance_.below(2) == 0) {
                 width -= kBrickWide;
             }
@@ -173,6 +193,16 @@ bool stands(const Level& level) {
         }
     }
     return false;
+}
+
+bool servesHit(const Level& level) {
+    std::uint32_t hits = 0;
+    for (std::uint32_t seed = 1; seed <= kServeGames; ++seed) {
+        Game game(level, seed);
+        const kodo::Vec2 from = game.world()[game.balls()[0].body].position();
+        hits += game.meetsBlock(from, kFarSight * game.balls()[0].heading) ? 1 : 0;
+    }
+    return 4 * hits >= 3 * kServeGames;
 }
 
 bool isSolvable(const Level& level) {

@@ -58,6 +58,14 @@ std::array<std::int32_t, 3> marksOf(const std::vector<std::int32_t>& scores) {
     return marks;
 }
 
+std::array<std::int32_t, 3> raisedAbove(std::array<std::int32_t, 3> marks, std::int32_t score) {
+    if (marks[1] <= score) {
+        marks[1] = (score / kMedalStep + 1) * kMedalStep;
+        marks[2] = std::max(marks[2], marks[1] + kMedalStep);
+    }
+    return marks;
+}
+
 MedalMarks measureMedals(const Level& level, std::uint32_t seeds, std::uint32_t mostTicks) {
     std::vector<std::int32_t> scores;
     std::vector<std::int32_t> falls;
@@ -72,7 +80,11 @@ MedalMarks measureMedals(const Level& level, std::uint32_t seeds, std::uint32_t 
             }
         }
     }
-    MedalMarks marks{level.name, digestOf(level), marksOf(scores)};
+    std::int32_t absent = 0;
+    for (std::uint32_t seed = 1; seed <= kAbsentGames * seeds; ++seed) {
+        absent = std::max(absent, runBot(level, seed, mostTicks, BotKind::Absent).score);
+    }
+    MedalMarks marks{level.name, digestOf(level), raisedAbove(marksOf(scores), absent)};
     const std::int32_t fall = quantile(std::move(falls), kOneFallShare);
     marks.oneFall = fall >= kLeastOneFall ? fall : 0;
     marks.fewHits = hits.empty() ? 0 : std::max(1, quantile(std::move(hits), kFewHitsShare));

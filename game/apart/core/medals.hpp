@@ -39,12 +39,19 @@ inline constexpr double kFewHitsShare = 0.1;
 inline constexpr double kOneFallShare = 0.9;
 inline constexpr std::int32_t kLeastOneFall = 5; // blocks; levels with smaller collapses have none
 
+// Games of the absent player, which needs no skill, for each game of a skill.
+inline constexpr std::uint32_t kAbsentGames = 4;
+
 /// Measures the marks of a level: bots of each skill play `seeds` games, with seeds 1, 2, ..., of
-/// at most `mostTicks`. A mark is the quantile of their scores, rounded up.
+/// at most `mostTicks`. A mark is the quantile of their scores, rounded up. Silver and gold are
+/// above the best of kAbsentGames * `seeds` games of the absent player.
 MedalMarks measureMedals(const Level& level, std::uint32_t seeds, std::uint32_t mostTicks);
 
 /// The quantiles of some scores at kMedalShares, rounded up. At least one score.
 std::array<std::int32_t, 3> marksOf(const std::vector<std::int32_t>& scores);
+
+/// The marks, with silver and gold raised above a score, and gold above silver.
+std::array<std::int32_t, 3> raisedAbove(std::array<std::int32_t, 3> marks, std::int32_t score);
 
 /// The medal of a score; None if there are no marks for this level.
 Medal medalOf(std::int32_t score, const std::string& level, std::span<const MedalMarks> marks);

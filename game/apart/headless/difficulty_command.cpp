@@ -24,8 +24,8 @@ void printSkillHead() {
     for (const BotKind skill : kSkills) {
         fmt::print(" {:>8}", kBotNames[static_cast<std::size_t>(skill)]);
     }
-    fmt::print(" {:>8} {:>8}\n{:<29}", "clumsy", "good", "");
-    for (std::size_t i = 0; i < kSkills.size(); ++i) {
+    fmt::print(" {:>8} {:>8} {:>8}\n{:<29}", "absent", "clumsy", "good", "");
+    for (std::size_t i = 0; i < kSkills.size() + 1; ++i) {
         fmt::print(" {:>8}", "wins %");
     }
     fmt::print(" {:>8} {:>8}\n", "clears %", "s, mean");
@@ -36,8 +36,8 @@ void printSkillRow(const LevelDifficulty& level) {
     for (const SkillGames& games : level.skills) {
         fmt::print(" {:>8.0f}", 100 * games.wonShare());
     }
-    fmt::print(" {:>8.0f} {:>8.1f}\n", 100 * level.skills[kClumsy].cleared,
-               level.skills[kGood].seconds);
+    fmt::print(" {:>8.0f} {:>8.0f} {:>8.1f}\n", 100 * level.absent.wonShare(),
+               100 * level.skills[kClumsy].cleared, level.skills[kGood].seconds);
     std::fflush(stdout);
 }
 

@@ -89,11 +89,12 @@ int playBot(const BotOptions& options) {
 /// Plays one replay of a file and prints its report. Returns the number of unmet expectations.
 std::size_t playReplay(const std::string& file, const Replay& replay, bool json) {
     Playback playback = openReplay(file, replay);
-    playToEnd(playback);
+    const std::optional<std::uint32_t> ended = playToEnd(playback);
     for (const Playback::Failure& failure : playback.failures()) {
         fmt::print(stderr, "{}:{}: {}\n", file, failure.expectation.line, failure.text());
     }
     Report report = reportOf(playback.game());
+    report.ended = ended;
     report.expectationsFailed = playback.failures().size();
     print(report, json);
     if (!json && !playback.replay().expectations.empty()) {
@@ -119,8 +120,9 @@ bool verifyReplay(const std::string& file, const Replay& replay, bool json) {
     if (hashes == 0) {
         throw Refusal{file + ": there is no hash line to verify"};
     }
-    playToEnd(playback);
+    const std::optional<std::uint32_t> ended = playToEnd(playback);
     Report report = reportOf(playback.game());
+    report.ended = ended;
     report.hashesChecked = hashes;
     if (playback.divergence()) {
         report.firstDifference = playback.divergence()->tick;

@@ -143,12 +143,17 @@ Playback openReplay(const std::string& file, const Replay& replay) {
     return Playback(replay, std::move(level));
 }
 
-void playToEnd(Playback& playback) {
+std::optional<std::uint32_t> playToEnd(Playback& playback) {
     Progress progress;
+    std::optional<std::uint32_t> ended;
     while (!playback.done()) {
         playback.tick();
+        if (!ended && playback.game().result() != Result::Playing) {
+            ended = playback.game().ticks();
+        }
         progress.show(playback.game(), playback.replay().end);
     }
+    return ended;
 }
 
 int runTrace(const TraceCommand& command) {

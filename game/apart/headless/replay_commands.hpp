@@ -13,7 +13,8 @@ namespace apart {
 ReplayRun readRun(const std::string& file);
 /// A replay of a file with its level, ready to be played. Throws Refusal.
 Playback openReplay(const std::string& file, const Replay& replay);
-void playToEnd(Playback& playback);
+/// Returns the tick at which the game was won or lost.
+std::optional<std::uint32_t> playToEnd(Playback& playback);
 
 struct TraceCommand {
     std::string file;

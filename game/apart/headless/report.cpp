@@ -40,6 +40,9 @@ std::string asJson(const Report& report) {
                     report.level, report.seed, report.ticks,
                     kResultNames[static_cast<std::size_t>(report.result)], report.score,
                     report.lives, report.blocksLeft, toHex(report.stateHash));
+    if (report.ended) {
+        text += fmt::format(R"(, "ended": {})", *report.ended);
+    }
     if (report.expectationsFailed) {
         text += fmt::format(R"(, "expectationsFailed": {})", *report.expectationsFailed);
     }
@@ -52,12 +55,15 @@ std::string asJson(const Report& report) {
 }
 
 std::string asSentence(const Report& report) {
-    return fmt::format("{}, seed {}: {} after {} ({} ticks), score {}, lives {}, blocks left {}.\n"
-                       "State hash {}.",
-                       report.level, report.seed,
-                       kResultNames[static_cast<std::size_t>(report.result)], clockOf(report.ticks),
-                       report.ticks, report.score, report.lives, report.blocksLeft,
-                       toHex(report.stateHash));
+    const std::uint32_t end = report.ended.value_or(report.ticks);
+    const std::string more =
+        end < report.ticks ? fmt::format(" The replay goes on to tick {}.", report.ticks) : "";
+    return fmt::format(
+        "{}, seed {}: {} after {} ({} ticks), score {}, lives {}, blocks left {}.{}\n"
+        "State hash {}.",
+        report.level, report.seed, kResultNames[static_cast<std::size_t>(report.result)],
+        clockOf(end), end, report.score, report.lives, report.blocksLeft, more,
+        toHex(report.stateHash));
 }
 
 Progress::Progress() : terminal_(isatty(STDERR_FILENO) == 1) {}

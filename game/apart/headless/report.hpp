@@ -24,6 +24,7 @@ struct Report {
     std::optional<std::size_t> expectationsFailed{};
     std::optional<std::size_t> hashesChecked{};
     std::optional<std::uint32_t> firstDifference{}; // tick
+    std::optional<std::uint32_t> ended{};           // tick at which the game was won or lost
 };
 
 Report reportOf(const Game& game);

@@ -179,7 +179,7 @@ std::variant<StageDef, std::string> setUp(const Options& options) {
     StageDef def;
     def.levels = readLevels(def.notices);
     if (def.levels.empty()) {
-        return "There are no levels in " + (assetsFolder() / "levels").string() + ".";
+        return noLevelsText();
     }
     def.bot = [](const Game& game) { return std::optional(bot(game)); };
     const bool picture = !options.screenshot.empty() || options.frames > 0;
@@ -187,20 +187,25 @@ std::variant<StageDef, std::string> setUp(const Options& options) {
         takeProfile(def);
     }
     def.seed = options.seed ? *options.seed : picture ? 1 : std::random_device{}() % 1000000;
-    EndlessName endless{def.seed};
+    std::optional<std::uint32_t> runSeed = options.seed;
     std::string problem;
     if (!options.replay.empty()) {
         problem = takeReplay(def, options.replay);
     } else if (const auto row = parseEndless(options.level)) {
-        endless = options.level == "endless" ? endless : *row;
-        def.firstEndless = endless.number;
+        runSeed = options.level == "endless" ? runSeed : std::optional(row->seed);
+        def.firstEndless = row->number;
     } else if (options.level.ends_with(".toml")) {
         problem = takeLevelFile(def, options.level, levelFolders());
     } else if (!options.level.empty()) {
         problem = takeLevel(def, options.level);
     }
-    def.endless = [seed = endless.seed](std::uint32_t number) {
+    def.endless = [](std::uint32_t seed, std::uint32_t number) {
         return std::make_shared<const Level>(endlessLevel({seed, number}));
+    };
+    def.endlessSeed = [fixed = runSeed   ? runSeed
+                               : picture ? std::optional(1u)
+                                         : std::nullopt] {
+        return fixed ? *fixed : std::random_device{}() % 1000000;
     };
     def.today = today;
     def.daily = [](Day day, std::uint32_t number) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/tuning.hpp>
-#include <apart/stage/block_bounds.hpp>
 #include <apart/stage/hud.hpp>
 #include <apart/stage/layout.hpp>
 #include <apart/stage/marks.hpp>
@@ -11,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace apart {
 
@@ -241,74 +239,6 @@ Real evenHeight(const Canvas& canvas, const std::vector<std::string>& lines, Rea
 
 std::size_t fitting(const Canvas& canvas, std::size_t letters) {
     return static_cast<std::size_t>(static_cast<Real>(letters) / canvas.textScale());
-}
-
-/// Area (m^2) of the blocks that lines from `bottom` to `top` (m) would cover.
-static Real coveredBy(const Game& game, Real bottom, Real top) {
-    constexpr Real kHalfWidth = 8;
-    Real covered = 0;
-    for (const Block& block : game.blocks()) {
-        const kodo::Aabb bounds = boundsOf(game, block);
-        const Real width =
-            std::min(bounds.upper.x, kHalfWidth) - std::max(bounds.lower.x, -kHalfWidth);
-        const Real height = std::min(bounds.upper.y, top) - std::max(bounds.lower.y, bottom);
-        covered += std::max(width, Real(0)) * std::max(height, Real(0));
-    }
-    return covered;
-}
-
-/// Height (m) for lines that reach from `above` to `below` around it, where they cover the least of
-/// the blocks; of equal ones the nearest to the usual one.
-static Real clearHeight(const Game& game, Real above, Real below) {
-    constexpr Real kUsual = Real(7.3);
-    constexpr Real kHighest = Real(16.7);
-    Real best = kUsual;
-    Real least = std::numeric_limits<Real>::infinity();
-    for (Real y = Real(2.2) + below; y < kHighest; y += Real(0.3)) {
-        const Real cost = coveredBy(game, y - below, y + above) + Real(0.01) * std::abs(y - kUsual);
-        if (cost < least) {
-            least = cost;
-            best = y;
-        }
-    }
-    return best;
-}
-
-void paintServeHint(Canvas& canvas, const Game& game, const Bindings& keys) {
-    const bool falls =
-        std::any_of(game.blocks().begin(), game.blocks().end(), [&](const Block& block) {
-            return block.support == Support::Fallen &&
-                   game.ticks() < block.looseTick + 5 * kTicksPerSecond;
-        });
-    if (!game.serving() || game.result() != Result::Playing || falls) {
-        return; // not over what falls
-    }
-    constexpr Real kHintRoom = 2 * layout::kRight - 1; // m
-    const auto line = [&](std::string_view text, Real y, Real height, Color color) {
-        const Typeface face = height > 1 ? Typeface::Display : Typeface::Bold;
-        canvas.text(text, {Real(0.04), y - Real(0.04)},
-                    {height, palette::kInk, face, Align::Middle, kHintRoom});
-        canvas.text(text, {0, y}, {height, color, face, Align::Middle, kHintRoom});
-    };
-    const bool first = game.score() == 0;
-    const std::vector<std::string> idea = wrappedInto(4, game.level().idea, 48, 64);
-    const Real lines = first ? Real(0.85) * static_cast<Real>(idea.size()) + Real(2) : Real(1.4);
-    Real y = clearHeight(game, first ? Real(1.2) : Real(0), lines);
-    if (first) {
-        line(shortened(game.level().title, 48), y, Real(1.1), palette::kAccent);
-        for (const std::string& part : idea) {
-            y -= Real(0.85);
-            line(part, y, Real(0.52), palette::kText);
-        }
-    }
-    const float pulse = 0.75f + 0.25f * std::sin(0.07f * static_cast<float>(game.ticks() % 12000));
-    line(keys.prompt(Act::Serve) + " or click to serve", y - Real(1.1), Real(0.5),
-         faded(palette::kText, pulse));
-    if (first) {
-        line(fmt::format("left button, {}: pull      right button, {}: push",
-                         keys.prompt(Act::Pull), keys.prompt(Act::Push)),
-             y - Real(1.8), Real(0.42), palette::kQuiet);
-    }
 }
 
 void paintHud(Canvas& canvas, const Game& game, const HudLook& look) {

@@ -29,6 +29,9 @@ constexpr Real kAboutLeft = Real(4.7);
 constexpr Real kAboutRight = Real(14.6);
 constexpr Real kPreviewBelow = Real(5.9); // m; what stands below needs so much
 constexpr Vec2 kNowhere{1000, 1000};
+constexpr Vec2 kHonoursFrom{Real(0.3), Real(-1.95)}; // m, from the word BEST
+constexpr Real kHonourStep = Real(0.8);
+constexpr Real kPureRight = 5; // m, from the column of the standard rules
 
 std::array<Vec2, 4> cornersOf(const Aabb& box) {
     return {box.lower, Vec2{box.upper.x, box.lower.y}, box.upper, Vec2{box.lower.x, box.upper.y}};
@@ -131,6 +134,7 @@ std::optional<std::size_t> LevelSelect::take(const Signals& signals) {
         return std::nullopt;
     };
     if (signals.pointer) {
+        pointer_ = *signals.pointer;
         chosen_ = under(*signals.pointer).value_or(chosen_);
     }
     for (const Command command : signals.commands) {
@@ -173,7 +177,8 @@ void LevelSelect::drawBest(Canvas& canvas, const Records& records, Mode mode, Ve
     const bool proved = standing.proof == Proof::Proved;
     const Medal medal = records.medalOf(mode, level);
     const std::int32_t next = nextMark(proved ? standing.score : 0, level, records.marks());
-    const bool shown = standing.proof != Proof::None && standing.proof != Proof::Missing;
+    const bool shown = standing.proof != Proof::None && standing.proof != Proof::Missing &&
+                       standing.score != kUnreadScore;
     const bool offersMedal = counts && next > 0;
     const bool noted = !standing.note.empty(); // in the place of the next medal
     canvas.text(mode == Mode::Pure ? "BEST, PURE" : "BEST", place,
@@ -186,17 +191,6 @@ void LevelSelect::drawBest(Canvas& canvas, const Records& records, Mode mode, Ve
                 {Real(0.8) - Real(0.25) * larger, proved ? palette::kText : palette::kQuiet,
                  Typeface::Bold, Align::Left, Real(3.1)});
     paintMedal(canvas, place + Vec2{Real(3.6), Real(-0.62)}, Real(0.36), medal);
-    if (mode == Mode::Standard) {
-        std::string offers;
-        const std::vector<std::string> names =
-            honourNames(*levels_[chosen_], marksFor(level, records.marks()));
-        for (std::size_t i = kUsualHonours; i < names.size(); ++i) {
-            offers += (offers.empty() ? "" : ", ") + names[i];
-        }
-        canvas.text(
-            shortened(offers, 60), place + Vec2{0, Real(-2.75)},
-            {Real(0.4), palette::kQuiet, Typeface::Plain, Align::Left, kAboutRight - kAboutLeft});
-    }
     if (offersMedal) {
         canvas.text(
             fmt::format("{} {}", kMedalNames[static_cast<std::size_t>(medal) + 1], grouped(next)),
@@ -210,8 +204,32 @@ void LevelSelect::drawBest(Canvas& canvas, const Records& records, Mode mode, Ve
     canvas.text(note, place + below,
                 {Real(0.36), palette::kQuiet, Typeface::Plain, Align::Left, Real(4.7)});
     const MedalMarks* marks = marksFor(level, records.marks());
-    paintHonours(canvas, place + Vec2{Real(0.3), Real(-1.95)}, {Real(0.8), 0}, Real(0.26),
+    paintHonours(canvas, place + kHonoursFrom, {kHonourStep, 0}, Real(0.26),
                  {records.honoursOf(mode, level), *levels_[chosen_], marks});
+}
+
+/// The name of the honour under the pointer, else of those that this level offers beyond the usual
+/// ones. `place`: of the column of the standard rules.
+void LevelSelect::drawHonourNames(Canvas& canvas, const Records& records, Vec2 place) const {
+    const Level& level = *levels_[chosen_];
+    const std::vector<std::string> names =
+        honourNames(level, marksFor(level.name, records.marks()));
+    std::string text;
+    for (std::size_t i = kUsualHonours; i < names.size(); ++i) {
+        text += (text.empty() ? "" : ", ") + names[i];
+    }
+    for (const Real right : {Real(0), kPureRight}) {
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const Vec2 icon =
+                place + kHonoursFrom + Vec2{right + kHonourStep * static_cast<Real>(i), 0};
+            if (lengthSquared(pointer_ - icon) < kHonourStep * kHonourStep / 4) {
+                text = names[i];
+            }
+        }
+    }
+    canvas.text(
+        shortened(text, 60), place + Vec2{0, Real(-2.75)},
+        {Real(0.4), palette::kQuiet, Typeface::Plain, Align::Left, kAboutRight - kAboutLeft});
 }
 
 void LevelSelect::drawChosen(Canvas& canvas, const Records& records, double seconds) const {
@@ -246,24 +264,28 @@ void LevelSelect::drawChosen(Canvas& canvas, const Records& records, double seco
     }
     y -= Real(1.1);
     drawBest(canvas, records, Mode::Standard, {kAboutLeft, y});
-    drawBest(canvas, records, Mode::Pure, {kAboutLeft + Real(5), y});
+    drawBest(canvas, records, Mode::Pure, {kAboutLeft + kPureRight, y});
+    drawHonourNames(canvas, records, {kAboutLeft, y});
 }
 
 void LevelSelect::drawFoot(Canvas& canvas, const Records& records) const {
     int cleared = 0;
     std::int64_t points = 0;
+    bool checks = false; // some scores are not checked yet
     for (const auto& level : levels_) {
         const Mode mode = records.profile().mode;
         const Standing standing = records.standingOf(mode, level->name);
         cleared += records.honoursOf(mode, level->name).cleared ? 1 : 0;
         points += standing.proof == Proof::Proved ? standing.score : 0;
+        checks = checks || standing.proof == Proof::Waiting;
     }
     const Aabb back = backPlace();
     canvas.text("\u2039 back (escape)", {back.lower.x, back.lower.y + Real(0.35)},
                 {Real(0.46), palette::kText, Typeface::Plain, Align::Left, Real(8)});
     canvas.text(
-        fmt::format("{} of {} cleared, {} in all", cleared, levels_.size(),
-                    countText(std::min<std::int64_t>(points, 999999999), "point")),
+        fmt::format("{} of {} cleared, {} {}", cleared, levels_.size(),
+                    countText(std::min<std::int64_t>(points, 999999999), "point"),
+                    checks ? "so far, more are checked" : "in all"),
         {kAboutLeft, back.lower.y + Real(0.35)},
         {Real(0.46), palette::kQuiet, Typeface::Plain, Align::Left, kAboutRight - kAboutLeft});
 }

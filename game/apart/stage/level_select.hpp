@@ -47,6 +47,7 @@ private:
     bool scroll(Vec2 click);
     void drawArrows(Canvas& canvas) const;
     void drawTile(Canvas& canvas, std::size_t level, const Records& records) const;
+    void drawHonourNames(Canvas& canvas, const Records& records, Vec2 place) const;
     void drawChosen(Canvas& canvas, const Records& records, double seconds) const;
     void drawBest(Canvas& canvas, const Records& records, Mode mode, Vec2 place) const;
     void drawFoot(Canvas& canvas, const Records& records) const;
@@ -54,7 +55,8 @@ private:
     LevelList levels_;
     std::vector<Row> rows_;
     std::size_t chosen_ = 0;
-    std::size_t topRow_ = 0; // first visible row
+    std::size_t topRow_ = 0;     // first visible row
+    Vec2 pointer_{-1000, -1000}; // where it was last
 };
 
 } // namespace apart

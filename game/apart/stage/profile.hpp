@@ -33,6 +33,9 @@ struct Best {
 inline constexpr const char* kEndlessKey = "endless";
 
 /// Player data that persists between runs of the program.
+/// Score of a line that cannot be read, until its replay gives the true one. No game has it.
+inline constexpr std::int32_t kUnreadScore = 1;
+
 struct Profile {
     Settings settings{};
     Mode mode = Mode::Standard; // last choice

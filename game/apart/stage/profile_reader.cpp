@@ -132,6 +132,10 @@ private:
                 best->contains("few-hits") && truth(*best, "few-hits"),
                 best->contains("one-fall") && truth(*best, "one-fall"),
                 best->contains("kept") && truth(*best, "kept")};
+            const auto score = (*best)["score"].value_exact<std::int64_t>();
+            if (!score || *score < kScores.least || *score > kScores.most) {
+                bests[std::string(level.str())].score = kUnreadScore;
+            }
         }
     }
 

@@ -45,6 +45,9 @@ bool Records::advance(std::uint32_t ticks, bool loads) {
     if (standing.proof == Proof::Proved && standing.score != profile_.bestOf(mode, key).score) {
         profile_.correct(mode, key, standing.score);
     }
+    if (standing.proof != Proof::Proved && standing.score == kUnreadScore) {
+        profile_.best[static_cast<std::size_t>(mode)][key].score = 0;
+    }
     std::vector<Result> due;
     for (std::size_t i = 0; i < waiting_.size();) {
         if (waiting_[i].key == finding->key) {

@@ -140,6 +140,7 @@ void Session::seek(std::int64_t tick, const Pilot& pilot, const Settings& settin
 
 void Session::takeOver() {
     kind_ = Kind::WhatIf;
+    takenOverAt_ = game().ticks();
     marks_.erase(marks_.begin(), marks_.end() - 1);
     markEvery_ = kOwnMark;
 }

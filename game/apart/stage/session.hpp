@@ -46,7 +46,8 @@ public:
     Kind kind() const { return kind_; }
     bool isDemo() const { return kind_ == Kind::Demo; }
     bool isShow() const { return kind_ == Kind::Show; }
-    bool isWhatIf() const { return kind_ == Kind::WhatIf; } // taken over from a replay
+    bool isWhatIf() const { return kind_ == Kind::WhatIf; }    // taken over from a replay
+    std::uint32_t takenOverAt() const { return takenOverAt_; } // tick of the replay
     const Play& play() const { return *play_; }
     const Game& game() const { return play_->game(); }
     Closeup closeup() const { return camera_.closeup(game()); }
@@ -77,6 +78,7 @@ private:
     void mark();
 
     Kind kind_ = Kind::Demo;
+    std::uint32_t takenOverAt_ = 0;
     std::unique_ptr<Play> play_;
     std::optional<Recorder> recorder_;
     std::optional<Replay> record_; // after the end

@@ -60,7 +60,7 @@ Stage::Stage(StageDef def)
         level_ = nextToPlay(def_.levels, profile());
         beginShow();
     } else if (def_.firstEndless > 0) {
-        beginEndless(def_.firstEndless);
+        beginRun(0);
     } else if (def_.startAtOnce) {
         begin(level_);
     } else {
@@ -125,7 +125,7 @@ void Stage::beginEndless(std::uint32_t number) {
     if (endless_.day > 0) {
         beginGame(def_.daily(endless_.day, number), dailySeed(endless_.day, number));
     } else {
-        beginGame(def_.endless(number), def_.seed + games_);
+        beginGame(def_.endless(endless_.seed, number), def_.seed + games_);
     }
 }
 
@@ -134,6 +134,7 @@ void Stage::beginRun(Day day) {
     keepGame();
     endless_ = {};
     endless_.day = day;
+    endless_.seed = def_.endlessSeed ? def_.endlessSeed() : def_.seed;
     beginEndless(day > 0 ? 1 : std::max(def_.firstEndless, 1u));
 }
 

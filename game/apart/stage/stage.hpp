@@ -38,8 +38,10 @@ struct StageDef {
     std::vector<std::string> notices{}; // shown on the title screen
     /// Number of the endless level to start with; 0: none.
     std::uint32_t firstEndless = 0;
-    /// The endless level of a number from 1. Empty if there are no endless levels.
-    std::function<std::shared_ptr<const Level>(std::uint32_t)> endless{};
+    /// The endless level of a seed and a number from 1. Empty if there are no endless levels.
+    std::function<std::shared_ptr<const Level>(std::uint32_t, std::uint32_t)> endless{};
+    /// The seed of a new endless run. Empty: that of the first game.
+    std::function<std::uint32_t()> endlessSeed{};
     /// The current day, for daily runs, and their levels.
     std::function<Day()> today{};
     std::function<std::shared_ptr<const Level>(Day, std::uint32_t)> daily{};
@@ -57,6 +59,7 @@ struct EndlessRun {
     std::int32_t score = 0;   // of the previous levels
     ReplayRun before{};       // their replays
     Day day = 0;              // of a daily run; 0: it is none
+    std::uint32_t seed = 0;   // of the levels of a run that is not daily
 
     /// Key of the scores of a game: of the run, or else of its level.
     std::string keyOf(const Game& game) const {
@@ -172,6 +175,7 @@ private:
 
     // Pictures (stage_picture.cpp).
     void drawTitle(Canvas& canvas) const;
+    std::string takenOverText() const;
     HudLook hudLook() const;
 
     /// The result screen.

@@ -167,8 +167,9 @@ std::string placeOf(const Level& level, const LevelList& levels, const EndlessRu
     if (row || number > 0) {
         return fmt::format("ENDLESS {}", row ? row->number : number);
     }
-    const auto found = std::find_if(levels.begin(), levels.end(),
-                                    [&](const auto& other) { return *other == level; });
+    const auto found = std::find_if(levels.begin(), levels.end(), [&](const auto& other) {
+        return other->name == level.name && digestOf(*other) == digestOf(level);
+    });
     if (found == levels.end()) {
         return "A LEVEL OF ITS OWN";
     }
@@ -176,6 +177,15 @@ std::string placeOf(const Level& level, const LevelList& levels, const EndlessRu
 }
 
 } // namespace
+
+/// The replay and the time at which the player took over.
+std::string Stage::takenOverText() const {
+    const std::string date = replays_.shown && *replays_.shown < replays_.entries.size()
+                                 ? replays_.entries[*replays_.shown].date
+                                 : std::string();
+    return fmt::format("replay {}{}at {}", date, date.empty() ? "" : " ",
+                       theatre_.timeText(session_.takenOverAt()));
+}
 
 HudLook Stage::hudLook() const {
     HudLook look;
@@ -189,7 +199,8 @@ HudLook Stage::hudLook() const {
             theatre_.paused() ? "REPLAY  paused" : "REPLAY  " + theatre_.speedText() + " x";
         look.foot = theatre_.timeText(game().ticks());
     } else if (session_.isWhatIf()) {
-        look.pilot = "WHAT IF";
+        look.pilot = "WHAT IF   no score";
+        look.foot = takenOverText();
     }
     return look;
 }
@@ -270,6 +281,10 @@ void Stage::draw(Canvas& canvas) const {
         return;
     case Screen::Paused:
         paintPaused(canvas, menu_, profile().bindings, confirm_.question(seconds_));
+        if (session_.isWhatIf()) {
+            canvas.text(takenOverText() + ": from there you play. The score does not count.",
+                        {0, Real(11.9)}, quiet(Real(0.5), 2 * layout::kRight));
+        }
         return paintNotices(canvas, reload_.notes(), kGameNotices);
     case Screen::Over:
         paintVeil(canvas, faded(palette::kNight, rerun_ ? 0.55f : 0.72f));

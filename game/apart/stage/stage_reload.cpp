@@ -15,6 +15,14 @@ std::vector<std::string> Reload::notes() const {
                         countText(static_cast<std::int64_t>(faults.size()) - 1, "more error"))};
 }
 
+/// True if two levels differ in more than title, idea and theme.
+static bool differInPlay(const Level& a, Level b) {
+    b.title = a.title;
+    b.idea = a.idea;
+    b.theme = a.theme;
+    return a != b;
+}
+
 /// Reads the level of a file again when the file has changed, or notes its errors. A game on it
 /// that is not over starts again once it is on the screen.
 void Stage::reloadLevel() {
@@ -34,8 +42,9 @@ void Stage::reloadLevel() {
             reload_.faults = std::move(change->errors);
         }
         if (change && change->level && *change->level != *known) {
-            reload_.due = own && !over;
-            reload_.news.clear();
+            reload_.due = own && !over && differInPlay(game().level(), *change->level);
+            reload_.news =
+                own && !over && !reload_.due ? "The next game shows the new texts and theme." : "";
             reload_.newsAt = seconds_;
             if (digestOf(*change->level) != digestOf(*known)) {
                 const Best best = profile().bestOf(profile().mode, known->name);

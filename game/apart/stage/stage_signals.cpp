@@ -206,7 +206,7 @@ void Stage::takeShow(const Signals& signals) {
         }
         if (request.takeOver && game().result() == Result::Playing) {
             session_.takeOver();
-            return inputMapper_.letGo();
+            return open(Screen::Paused, pauseMenu(replays_.leadsFrom(session_)));
         }
     }
 }
