@@ -17,7 +17,8 @@ std::vector<std::string> builtEngines() {
 }
 
 const std::vector<std::string>& profileNames() {
-    static const std::vector<std::string> kNames{"default", "fast", "accurate", "thesis2006"};
+    static const std::vector<std::string> kNames{"default", "balanced", "fast", "accurate",
+                                                 "thesis2006"};
     return kNames;
 }
 

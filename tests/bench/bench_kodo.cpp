@@ -20,7 +20,7 @@ namespace bench::KODO_PRECISION {
 namespace {
 
 kodo::StepSettings profileOf(const std::string& name) {
-    if (name == "default") {
+    if (name == "default" || name == "balanced") {
         return kodo::balanced();
     }
     if (name == "fast") {

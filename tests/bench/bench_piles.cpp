@@ -75,6 +75,7 @@ Scene pyramid(int size, std::uint64_t) {
         }
     }
     scene.region = Region{{-1.5 * size - 10, 0}, {1.5 * size + 10, 2.0 * size}};
+    scene.stands = true;
     scene.error = meanDepth();
     return scene;
 }
@@ -104,6 +105,7 @@ Scene stack(int size, std::uint64_t) {
     Scene scene;
     scene.def = scenes::stack(size);
     scene.region = Region{{-10, 0}, {10, 2.0 * size}};
+    scene.stands = true;
     scene.error = {"top sinks", "mm", [=](const Stage& stage, const Depths&) {
                        return 1000 * size * sunk(stage, static_cast<std::size_t>(size), size);
                    }};
@@ -116,7 +118,8 @@ Scene massRatio(int size, std::uint64_t) {
     scene.def.name = "massratio";
     scene.def.bodies[11].density = size;
     scene.region = Region{{-10, 0}, {10, 20}};
-    scene.error = {"light boxes crushed", "%",
+    scene.stands = true;
+    scene.error = {"light boxes compressed", "%",
                    [](const Stage& stage, const Depths&) { return 100 * sunk(stage, 11, 10); }};
     return scene;
 }

@@ -66,6 +66,41 @@ Result withStages(Result result) {
     return result;
 }
 
+/// The engine and its settings. Those of Box2D have no profile.
+std::string wayOf(const RunOptions& options) {
+    if (options.engine.starts_with("box2d")) {
+        return options.engine;
+    }
+    const std::string& profile = options.step.profile;
+    return options.engine + ' ' + (profile == "default" ? "balanced" : profile);
+}
+
+/// What is measured of the state after the last step, without what has no meaning in the scene.
+std::string stateAsText(const Result& result) {
+    std::string text = "\n  at the end: ";
+    if (result.depths.pairs > 0) {
+        text += fmt::format("{} overlaps, largest {:.1f} mm, mean {:.1f} mm; ", result.depths.pairs,
+                            1e3 * result.depths.max, 1e3 * result.depths.mean);
+    }
+    text += fmt::format("kinetic energy {:.2g} J", result.kineticEnergy);
+    if (result.escaped) {
+        text += fmt::format("; {} of {} bodies outside", *result.escaped, result.bodies);
+    }
+    if (result.stands) {
+        text +=
+            fmt::format("\n  {} of {} bodies have kept their places; the farthest moved {:.3f} m "
+                        "sideways and {:.3f} m down",
+                        result.displacement.stood, result.bodies, result.displacement.sideways,
+                        result.displacement.down);
+    }
+    if (result.error) {
+        const bool share = result.errorUnit.empty();
+        text += fmt::format("\n  {}: {:.4g} {}", result.errorName,
+                            (share ? 100 : 1) * *result.error, share ? "%" : result.errorUnit);
+    }
+    return text;
+}
+
 } // namespace
 
 Summary summaryOf(std::vector<Result> results) {
@@ -140,9 +175,11 @@ std::string asJson(const Summary& summary, bool stages) {
 std::string asText(const Summary& summary, bool stages) {
     const Result& result = summary.result;
     const RunOptions& options = result.options;
-    std::string text = fmt::format("{} {}, {} {}: {:.4g} ms a step, {:.4g} ns a body and step",
-                                   options.scene, result.size, options.engine, options.step.profile,
-                                   result.cpuMsPerStep(), result.nsPerBodyStep());
+    std::string text = fmt::format("{} {}, {}: {:.4g} ms a step", options.scene, result.size,
+                                   wayOf(options), result.cpuMsPerStep());
+    if (result.bodies > 0) {
+        text += fmt::format(", {:.4g} ns a body and step", result.nsPerBodyStep());
+    }
     if (options.step.threads > 1) { // the other times cover only the calling thread
         text += fmt::format("; {:.4g} ms on the wall", result.wallMsPerStep());
     }
@@ -153,18 +190,9 @@ std::string asText(const Summary& summary, bool stages) {
         text += fmt::format(" (median of {}, spread {:.1f} %)", summary.runs, 100 * summary.spread);
     }
     if (!summary.against.empty()) {
-        text += fmt::format(", {:.3f} of {}", summary.ratio, summary.against);
+        text += fmt::format(", {:.3f} of the time of {}", summary.ratio, summary.against);
     }
-    text += fmt::format("\n  depth {:.1f} / {:.1f} mm, max / mean of {} overlaps; drift {:.3f} m "
-                        "sideways, {:.3f} m down; stood {} of {}; escaped {}; {:.2g} J",
-                        1e3 * result.depths.max, 1e3 * result.depths.mean, result.depths.pairs,
-                        result.displacement.sideways, result.displacement.down,
-                        result.displacement.stood, result.bodies, result.escaped.value_or(0),
-                        result.kineticEnergy);
-    if (result.error) {
-        text += fmt::format("\n  {}: {:.4g}{}{}", result.errorName, *result.error,
-                            result.errorUnit.empty() ? "" : " ", result.errorUnit);
-    }
+    text += stateAsText(result);
     if (result.bytesPerBody > 0) {
         text += fmt::format("\n  {:.0f} bytes a body, with its share of all", result.bytesPerBody);
     }

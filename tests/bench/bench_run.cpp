@@ -122,6 +122,7 @@ public:
             result.escaped = escapedFrom(*scene_.region, bodies);
         }
         result.displacement = driftOf(bodies);
+        result.stands = scene_.stands;
         result.kineticEnergy = kineticEnergy(bodies);
         result.mass = stage_.engine().mass();
         result.stateHash = stage_.engine().stateHash();

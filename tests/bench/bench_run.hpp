@@ -41,6 +41,7 @@ struct Result {
     std::optional<double> maxOverlap;   // m, sampled every 20 steps
     std::optional<std::size_t> escaped; // empty: the scene has no region
     Drift displacement;
+    bool stands = false;      // of the scene: all bodies should keep their places
     double kineticEnergy = 0; // J
     double mass = 0;          // kg
     std::uint64_t stateHash = 0;

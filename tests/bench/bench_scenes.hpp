@@ -47,6 +47,7 @@ struct Scene {
     bool actIsTimed = false;
     bool stepIsTimed = true;
     bool worstStep = false; // also measure the longest step
+    bool stands = false;    // all bodies should keep their places
     bool events = false;    // the engine lists begins, ends and hits of contacts
     std::function<void(Stage&, int steps)> act{};
     std::optional<Region> region{};

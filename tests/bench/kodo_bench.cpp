@@ -25,7 +25,8 @@ void addOptions(CLI::App& app, Options& options) {
     app.add_option("--scene", run.scene, "The scene; pyramid unless given");
     app.add_option("--engine", run.engine, "kodo, kodo64, box2d or box2d3; kodo unless given")
         ->check(CLI::IsMember(engineNames()));
-    app.add_option("--profile", step.profile, "Settings of Kodo")
+    app.add_option("--profile", step.profile,
+                   "Settings of Kodo; balanced, its default, unless given")
         ->check(CLI::IsMember(profileNames()));
     app.add_option("--substeps", step.substeps,
                    "Number of substeps, instead of the profile's; of Box2D 3 (4)")

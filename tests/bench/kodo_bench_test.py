@@ -89,6 +89,15 @@ for threads in ("1", "2"):
     printed = "ms on the wall" in text
     check(code == 0 and printed == (threads == "2"), f"{threads} threads: {text}")
 
+# The text names each figure, and leaves out what has no meaning in the scene.
+text = bench("--scene", "pyramid", "--size", "5", "--steps", "20")[1]
+for words in ("kodo balanced: ", "overlaps, largest", "kinetic energy", "15 of 15 bodies have kept their places"):
+    check(words in text, f"the text has no '{words}': {text}")
+text = bench("--scene", "slide", "--profile", "balanced")[1]
+check("places" not in text and "stop distance: " in text and " %\n" in text, f"slide: {text}")
+text = bench("--scene", "pyramid", "--size", "5", "--steps", "2", "--engine", "box2d")[1]
+check(", box2d: " in text, f"Box2D has a profile: {text}")
+
 for wrong in (["--scene", "nowhere"], ["--engine", "nothing"], ["--threads", "0"],
               ["--substeps", "0"], ["--seed", "-1"], ["--nonesuch"], ["--set", "mass=3"],
               ["--set", "contactHertz=abc"], ["--against-profile", "fast"]):

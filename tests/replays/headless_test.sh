@@ -39,6 +39,15 @@ expect 0 '^166 broke block 169 .* impulse 19.5.* pieces 5 ' \
     "$program" trace "$replays/pattern_slats.replay" --from 160
 expect 0 '^166 pieceMomentumY = 307' \
     "$program" trace "$replays/pattern_slats.replay" --field pieceMomentumY
+expect 0 '^# tick event ' "$program" trace "$replays/pattern_slats.replay" --to 1
+expect 0 '^[0-9]+ struck (wall|block|paddle) at ' "$program" trace "$replays/pattern_slats.replay"
+expect 0 '^# Nothing happens from tick 1 to 2' \
+    "$program" trace "$replays/pattern_slats.replay" --from 1 --to 2
+expect 2 'from 9 is after --to 8' "$program" trace a.replay --from 9 --to 8
+expect 0 '^# The replay ends at tick 900, before tick 901' "$program" trace a.replay --from 901
+expect 2 'Try apart-headless trace --help' "$program" trace a.replay --from x
+expect 2 'Try apart-headless bot --help' "$program" bot --nosuch
+expect 2 'Try apart-headless --help' "$program" nosuch
 expect 2 'there is no field nothing' "$program" trace a.replay --field nothing
 mkdir levels && cp "$replays"/levels/patterns.toml levels/ 2>/dev/null
 grep -v '^hash' "$replays/pattern_slats.replay" >slats.replay
@@ -115,7 +124,7 @@ expect 1 '^unmet.replay:[0-9]+: expect 600 lives == 1, but lives is 8$' "$progra
 expect 2 'there is no level nowhere' "$program" bot --level nowhere
 expect 2 'a whole number from 0 to 4294967295, not .99999999999' "$program" bot --seed 99999999999
 expect 2 'level' "$program" bot --level=
-expect 2 'Try apart-headless --help' "$program" bot --ticks many
+expect 2 'Try apart-headless bot --help' "$program" bot --ticks many
 expect 2 'A subcommand is required.*Try apart-headless --help' "$program"
 expect 2 "^apart-headless: There is no command 'bogus'. Try apart-headless --help" "$program" bogus
 expect 2 "There is no option '--bogus'" "$program" --bogus

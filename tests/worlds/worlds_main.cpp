@@ -3,12 +3,15 @@
 #include <base/assert.hpp>
 #include <worlds/recipe.hpp>
 
+#include <algorithm>
 #include <atomic>
+#include <charconv>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <stdexcept>
@@ -32,6 +35,34 @@ void throwFailure(const char* condition, const char* file, int line) {
     throw std::logic_error(std::string(file) + ":" + std::to_string(line) + ": " + condition);
 }
 
+constexpr const char* kUsage =
+    "worlds [--seed N] [--count N] [--jobs N] [--shrink] [--into FOLDER]   random worlds, judged\n"
+    "worlds --replay FILE          judges one saved world\n"
+    "worlds --seed N --print       prints the world of a seed\n"
+    "worlds --help                 this text\n";
+
+constexpr const char* kJudges =
+    "\nJudges, and what they object to:\n"
+    "  energy     kinetic and potential energy above what was put in, by 0.5 % of the scale\n"
+    "  momentum   a change of momentum or angular momentum where nothing outside acts\n"
+    "  through    the path of a body crosses another body\n"
+    "  touch      a touch that begins twice, or has no begin, no end or no record\n"
+    "  sleep      all bodies sleep, and one of them would move without sleep\n"
+    "  twin       a copy, a snapshot, another pair search or a second thread has other bits\n"
+    "  numbers    a number that is not finite, or a frozen body\n"
+    "  exception  an exception, or an assertion that fails\n"
+    "\"of the scale\" in a finding of energy: relative to the largest kinetic energy so far, or, "
+    "if\n"
+    "larger, to the weight of all bodies times one length unit; work that was put in is added.\n"
+    "Exit code: 0 no finding, 1 a judge objected, 2 wrong use or a bad file.\n";
+
+/// A whole number below 2^64, in digits alone: std::strtoull() also takes a sign.
+bool readNumber(const char* text, std::uint64_t& number) {
+    const char* const end = text + std::strlen(text);
+    const auto [stop, error] = std::from_chars(text, end, number);
+    return *text != '\0' && stop == end && error == std::errc{};
+}
+
 bool readOptions(int argc, char** argv, Options& options) {
     for (int i = 1; i < argc; ++i) {
         const std::string name = argv[i];
@@ -47,9 +78,8 @@ bool readOptions(int argc, char** argv, Options& options) {
             (name == "--into" ? options.into : options.replay) = value;
             continue;
         }
-        char* end = nullptr;
-        const std::uint64_t number = std::strtoull(value, &end, 10);
-        if (*value == '\0' || *end != '\0') {
+        std::uint64_t number = 0;
+        if (!readNumber(value, number)) {
             return false;
         }
         if (name == "--seed") {
@@ -57,12 +87,13 @@ bool readOptions(int argc, char** argv, Options& options) {
         } else if (name == "--count") {
             options.count = number;
         } else if (name == "--jobs") {
-            options.jobs = static_cast<unsigned>(number);
+            options.jobs = static_cast<unsigned>(std::min<std::uint64_t>(number, 257));
         } else {
             return false;
         }
     }
-    return options.jobs >= 1 && options.jobs <= 256;
+    return options.jobs >= 1 && options.jobs <= 256 && options.count >= 1 &&
+           options.seed <= std::numeric_limits<std::uint64_t>::max() - (options.count - 1);
 }
 
 /// Judges seeds on several threads, each at its own pace.
@@ -139,11 +170,20 @@ private:
 };
 
 int replay(const Options& options) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(options.replay, ignored)) {
+        std::fprintf(stderr, "worlds: %s is a folder, not a file.\n", options.replay.c_str());
+        return 2;
+    }
     std::ifstream file(options.replay);
+    if (!file) {
+        std::fprintf(stderr, "worlds: %s cannot be read.\n", options.replay.c_str());
+        return 2;
+    }
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     const std::optional<worlds::Recipe> recipe = worlds::fromText(text);
     if (!recipe) {
-        std::fprintf(stderr, "%s is no world.\n", options.replay.c_str());
+        std::fprintf(stderr, "worlds: %s is no saved world.\n", options.replay.c_str());
         return 2;
     }
     const std::optional<worlds::Finding> finding = worlds::judge(*recipe);
@@ -158,11 +198,18 @@ int replay(const Options& options) {
 } // namespace
 
 int main(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        if (std::strcmp(argv[i], "--help") == 0 || std::strcmp(argv[i], "-h") == 0) {
+            std::printf("%s%s", kUsage, kJudges);
+            return 0;
+        }
+    }
     Options options;
     if (!readOptions(argc, argv, options)) {
-        std::fputs("worlds [--seed N] [--count N] [--jobs N] [--shrink] [--into FOLDER]\n"
-                   "worlds --replay FILE\nworlds --seed N --print\n",
-                   stderr);
+        std::fprintf(stderr,
+                     "worlds: wrong use. Numbers are whole; --count is 1 or more, --jobs 1 to 256, "
+                     "and the last seed below 2^64.\n%s",
+                     kUsage);
         return 2;
     }
     kodo::setAssertHandler(&throwFailure);

@@ -4,6 +4,7 @@ import html
 import json
 import math
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -464,6 +465,25 @@ def picture(scenes):
     )
 
 
+def names_in_sources(folder=pathlib.Path("tests/cross")):
+    """The names of all scenes, before the program is built: each CamelCase text in the chapters."""
+    texts = (path.read_text(encoding="utf-8") for path in sorted(folder.glob("scenes_*.cpp")))
+    return [name for text in texts for name in re.findall(r'"([A-Z][a-z]+[A-Z][A-Za-z0-9]+)"', text)]
+
+
+def refuse_early(options, chosen):
+    """Wrong use that needs no build to be seen."""
+    for file in filter(None, (chosen.output, chosen.picture)):
+        if not file.parent.is_dir():
+            options.error(f"there is no folder {file.parent}")
+        if file.is_dir():
+            options.error(f"{file} is a folder, not a file")
+    names = names_in_sources()
+    for wanted in (chosen.scenes or []) if names else []:
+        if not any(wanted in name for name in names):
+            options.error(f"no scene's name contains {wanted}")
+
+
 def main():
     options = Options("tools/crosscheck", add_help=False)
     options.add_argument("--output", type=pathlib.Path)
@@ -472,6 +492,7 @@ def main():
     options.add_argument("--program", type=pathlib.Path)  # for the test of this page
     options.add_argument("--check-options", action="store_true")
     chosen = options.parse_args()
+    refuse_early(options, chosen)
     if chosen.check_options:
         return 0
     program = chosen.program or pathlib.Path("build/release/bin/crosscheck")
@@ -480,6 +501,11 @@ def main():
         sys.stderr.write(f"{program} ended with {run.returncode}.\n")
         return 1
     scenes = json.loads(run.stdout)
+    if chosen.program:  # the test of this page
+        hidden = {scene["name"] for scene in scenes} - set(names_in_sources())
+        if hidden and names_in_sources():
+            sys.stderr.write(f"Not found in the sources: {', '.join(sorted(hidden))}\n")
+            return 1
     if chosen.picture:
         chosen.picture.write_text(picture(scenes), encoding="utf-8")
         print(f"Written: {chosen.picture}")

@@ -189,9 +189,9 @@ def legend(page, x, y):
         page.text(x + 16, y + 4, family.says)
         y += 21
     page.line([(x - 10, y + 12), (x + 10, y + 12)], chart.INK, 1.5, "5 3")
-    page.text(x + 16, y + 16, "front: not beaten by any setting of Kodo")
+    page.text(x + 16, y + 16, "Pareto front: not beaten by any setting of Kodo")
     page.ring(x, y + 33, 8, "#cf222e")
-    page.text(x + 16, y + 37, "knee of the front")
+    page.text(x + 16, y + 37, "point of diminishing returns")
     page.mark(x, y + 54, "#8c959f", "cross")
     page.text(x + 16, y + 58, "scene lost")
 

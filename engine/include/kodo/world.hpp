@@ -55,9 +55,9 @@ public:
 
     /// Throws BadDefinition with what check(def) says.
     BodyId add(const BodyDef& def);
-    /// Removes a body and its joints, and wakes what touches it. Costs its own contacts; the first
-    /// removal after a step also lists the contacts of all awake bodies, and each one looks at all
-    /// joints.
+    /// Removes a body and its joints, and wakes what touches it. Costs its own contacts and joints.
+    /// The first removal after a step also lists the contacts of all awake bodies. With each joint,
+    /// ordered lists of all joints move up: 50 us of 60,000.
     void remove(BodyId id);
     /// Adds a copy of a body at another position (m, world: of the shape's frame).
     BodyId clone(BodyId id, Vec2 position);

@@ -230,6 +230,12 @@ CLI::App* addSoak(CLI::App& app, SoakCommand& soak) {
     return command;
 }
 
+/// The command whose --help explains the error.
+std::string helpOf(const CLI::App& app) {
+    const std::vector<CLI::App*> chosen = app.get_subcommands();
+    return "apart-headless " + (chosen.empty() ? "" : chosen.front()->get_name() + " ") + "--help";
+}
+
 /// CLI11 reports only that a command is missing. This names the unknown word in its place.
 std::string problemOf(const CLI::App& app, const CLI::ParseError& error) {
     const std::vector<std::string> unknown = app.remaining();
@@ -289,8 +295,7 @@ int run(int argc, char** argv) {
         if (error.get_exit_code() == 0) {
             return app.exit(error); // --help
         }
-        fmt::print(stderr, "apart-headless: {}. Try apart-headless --help.\n",
-                   problemOf(app, error));
+        fmt::print(stderr, "apart-headless: {}. Try {}.\n", problemOf(app, error), helpOf(app));
         return 2;
     }
     if (replayCommand->parsed()) {

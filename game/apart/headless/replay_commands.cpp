@@ -15,6 +15,26 @@ namespace apart {
 
 namespace {
 
+constexpr std::string_view nameOf(Role role) {
+    switch (role) {
+    case Role::Wall:
+        return "wall";
+    case Role::Paddle:
+        return "paddle";
+    case Role::Block:
+        return "block";
+    case Role::Ball:
+        return "ball";
+    case Role::Shard:
+        return "shard";
+    case Role::Part:
+        return "part";
+    case Role::Obstruction:
+        return "obstruction";
+    }
+    return "body"; // of no role
+}
+
 /// The numbers that an event has, in units of metre, kilogram and second.
 template <typename E>
 std::string numbersOf(const E& event) {
@@ -26,7 +46,7 @@ std::string numbersOf(const E& event) {
         add("block", event.key);
     }
     if constexpr (requires { event.what; }) {
-        add("role", static_cast<int>(event.what));
+        text += fmt::format(" {}", nameOf(event.what));
     }
     if constexpr (requires { event.power; }) {
         add("power", kPowerNames[static_cast<std::size_t>(event.power)]);
@@ -79,12 +99,14 @@ std::vector<Field> fieldsOf(const std::vector<std::string>& names) {
     return fields;
 }
 
-void printEvents(const Game& game) {
+/// Returns the number of lines.
+std::size_t printEvents(const Game& game) {
     for (const Event& event : game.events()) {
         const std::string numbers =
             std::visit([](const auto& one) { return numbersOf(one); }, event);
         fmt::print("{} {}{}\n", game.ticks(), kFieldNames[kValueFields + event.index()], numbers);
     }
+    return game.events().size();
 }
 
 /// At most four a replay, so that a change of them stays small.
@@ -109,14 +131,20 @@ std::string hashLine(const std::string& file, const Replay& replay) {
 void trace(Playback playback, const TraceCommand& command, const std::vector<Field>& fields) {
     std::map<Field, std::int64_t> before;
     Progress progress(STDOUT_FILENO);
-    const std::uint32_t end = std::min(command.to, playback.replay().end);
+    const std::uint32_t last = playback.replay().end;
+    if (command.from > last) {
+        fmt::print("# The replay ends at tick {}, before tick {}.\n", last, command.from);
+        return;
+    }
+    const std::uint32_t end = std::min(command.to, last);
+    std::size_t lines = 0;
     while (playback.game().ticks() < end) {
         playback.tick();
         progress.show(playback.game(), end);
         if (playback.game().ticks() < command.from) {
             continue;
         }
-        printEvents(playback.game());
+        lines += printEvents(playback.game());
         for (const Field field : fields) {
             const std::int64_t now = playback.valueOf(field);
             const auto known = before.find(field);
@@ -124,8 +152,12 @@ void trace(Playback playback, const TraceCommand& command, const std::vector<Fie
                 fmt::print("{} {} = {}\n", playback.game().ticks(),
                            kFieldNames[static_cast<std::size_t>(field)], now);
                 before[field] = now;
+                ++lines;
             }
         }
+    }
+    if (lines == 0) {
+        fmt::print("# Nothing happens from tick {} to {}.\n", command.from, end);
     }
 }
 
@@ -157,8 +189,14 @@ std::optional<std::uint32_t> playToEnd(Playback& playback) {
 }
 
 int runTrace(const TraceCommand& command) {
+    if (command.from > command.to) {
+        throw Refusal{fmt::format("--from {} is after --to {}. Try apart-headless trace --help.",
+                                  command.from, command.to)};
+    }
     const std::vector<Field> fields = fieldsOf(command.fields);
     const ReplayRun run = readRun(command.file);
+    fmt::print("# tick event ... in m, kg, s, N, N s; tick field = value in the units of "
+               "game/replays.md; 120 ticks are a second\n");
     for (const Replay& replay : run) {
         if (run.size() > 1) {
             fmt::print("level {}\n", replay.level);

@@ -23,8 +23,9 @@ struct TraceCommand {
     std::vector<std::string> fields; // whose values are printed when they change
 };
 
-/// Prints what happened in a replay, an event a line: tick, name of the event, its numbers. In a
-/// run of several levels, a line with the name of each comes first. Returns 0.
+/// Prints a line with the units, then what happened in a replay, an event a line: tick, name of the
+/// event, its numbers. In a run of several levels, a line with the name of each comes first. Throws
+/// Refusal if `from` is after `to`. Returns 0.
 int runTrace(const TraceCommand& command);
 
 /// Plays handwritten replays and replaces their hash lines. Returns 0.
