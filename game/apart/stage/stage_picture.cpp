@@ -157,6 +157,14 @@ void paintPaused(Canvas& canvas, const Menu& menu, const Bindings& keys,
     paintQuestion(canvas, question, Real(1.6));
 }
 
+/// `from`: the replay and its time; empty if the game was not taken over.
+void paintTakenOver(Canvas& canvas, const std::string& from) {
+    if (!from.empty()) {
+        canvas.text(from + ": from there you play. The score does not count.", {0, Real(11.9)},
+                    quiet(Real(0.5), 2 * layout::kRight));
+    }
+}
+
 /// Position of a level in the list, or in an endless or a daily run.
 std::string placeOf(const Level& level, const LevelList& levels, const EndlessRun& run) {
     const std::uint32_t number = run.number;
@@ -176,16 +184,14 @@ std::string placeOf(const Level& level, const LevelList& levels, const EndlessRu
     return fmt::format("LEVEL {} OF {}", found - levels.begin() + 1, levels.size());
 }
 
-} // namespace
-
 /// The replay and the time at which the player took over.
-std::string Stage::takenOverText() const {
-    const std::string date = replays_.shown && *replays_.shown < replays_.entries.size()
-                                 ? replays_.entries[*replays_.shown].date
-                                 : std::string();
-    return fmt::format("replay {}{}at {}", date, date.empty() ? "" : " ",
-                       theatre_.timeText(session_.takenOverAt()));
+std::string takenOverText(const ReplayList& list, const Theatre& theatre, std::uint32_t tick) {
+    const bool listed = list.shown && *list.shown < list.entries.size();
+    const std::string date = listed ? list.entries[*list.shown].date + " " : "";
+    return fmt::format("replay {}at {}", date, theatre.timeText(tick));
 }
+
+} // namespace
 
 HudLook Stage::hudLook() const {
     HudLook look;
@@ -200,7 +206,7 @@ HudLook Stage::hudLook() const {
         look.foot = theatre_.timeText(game().ticks());
     } else if (session_.isWhatIf()) {
         look.pilot = "WHAT IF   no score";
-        look.foot = takenOverText();
+        look.foot = takenOverText(replays_, theatre_, session_.takenOverAt());
     }
     return look;
 }
@@ -270,9 +276,9 @@ void Stage::draw(Canvas& canvas) const {
                                 replays_.leadsFrom(session_) ? "all replays" : "menu");
         }
         paintReload(canvas, reload_, seconds_);
-        if (!confirm_.question(seconds_).empty()) {
-            paintQuestion(canvas, confirm_.question(seconds_), Real(4.3));
-        } else if (reload_.faults.empty() && !reload_.hasNews(seconds_)) {
+        paintQuestion(canvas, confirm_.question(seconds_), Real(4.3)); // if there is one
+        if (confirm_.question(seconds_).empty() && reload_.faults.empty() &&
+            !reload_.hasNews(seconds_)) {
             paintServeHint(canvas, game(), profile().bindings);
         }
         if (game().result() == Result::Won) {
@@ -281,10 +287,7 @@ void Stage::draw(Canvas& canvas) const {
         return;
     case Screen::Paused:
         paintPaused(canvas, menu_, profile().bindings, confirm_.question(seconds_));
-        if (session_.isWhatIf()) {
-            canvas.text(takenOverText() + ": from there you play. The score does not count.",
-                        {0, Real(11.9)}, quiet(Real(0.5), 2 * layout::kRight));
-        }
+        paintTakenOver(canvas, session_.isWhatIf() ? hudLook().foot : "");
         return paintNotices(canvas, reload_.notes(), kGameNotices);
     case Screen::Over:
         paintVeil(canvas, faded(palette::kNight, rerun_ ? 0.55f : 0.72f));
