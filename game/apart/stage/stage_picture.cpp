@@ -136,14 +136,13 @@ void paintFeast(Canvas& canvas, int ticks, const Bindings& keys) {
          {Real(0.5), palette::kText, Typeface::Bold, Align::Middle});
 }
 
-void paintPaused(Canvas& canvas, const Menu& menu, const Bindings& keys,
-                 std::string_view question) {
+void paintPaused(Canvas& canvas, const Menu& menu, std::string_view question, const HudLook& look) {
     paintVeil(canvas, faded(palette::kNight, 0.72f));
     canvas.text("Paused", {0, Real(13)},
                 {Real(1.6), palette::kText, Typeface::Display, Align::Middle});
     menu.draw(canvas);
     Real y = Real(4.9);
-    const auto prompt = [&](Act act) { return keys.prompt(act); };
+    const auto prompt = [&](Act act) { return look.keys.prompt(act); };
     for (const std::string& line :
          {fmt::format("mouse; {}: left; {}: right      {} or click: serve", prompt(Act::Left),
                       prompt(Act::Right), prompt(Act::Serve)),
@@ -154,15 +153,11 @@ void paintPaused(Canvas& canvas, const Menu& menu, const Bindings& keys,
         canvas.text(line, {0, y}, quiet(Real(0.42), 2 * layout::kRight));
         y -= Real(0.7);
     }
-    paintQuestion(canvas, question, Real(1.6));
-}
-
-/// `from`: the replay and its time; empty if the game was not taken over.
-void paintTakenOver(Canvas& canvas, const std::string& from) {
-    if (!from.empty()) {
-        canvas.text(from + ": from there you play. The score does not count.", {0, Real(11.9)},
+    if (look.takenOver) {
+        canvas.text(look.foot + ": from there you play. The score does not count.", {0, Real(11.9)},
                     quiet(Real(0.5), 2 * layout::kRight));
     }
+    paintQuestion(canvas, question, Real(1.6));
 }
 
 /// Position of a level in the list, or in an endless or a daily run.
@@ -206,6 +201,7 @@ HudLook Stage::hudLook() const {
         look.foot = theatre_.timeText(game().ticks());
     } else if (session_.isWhatIf()) {
         look.pilot = "WHAT IF   no score";
+        look.takenOver = true;
         look.foot = takenOverText(replays_, theatre_, session_.takenOverAt());
     }
     return look;
@@ -286,8 +282,7 @@ void Stage::draw(Canvas& canvas) const {
         }
         return;
     case Screen::Paused:
-        paintPaused(canvas, menu_, profile().bindings, confirm_.question(seconds_));
-        paintTakenOver(canvas, session_.isWhatIf() ? hudLook().foot : "");
+        paintPaused(canvas, menu_, confirm_.question(seconds_), hudLook());
         return paintNotices(canvas, reload_.notes(), kGameNotices);
     case Screen::Over:
         paintVeil(canvas, faded(palette::kNight, rerun_ ? 0.55f : 0.72f));
