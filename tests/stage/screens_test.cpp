@@ -368,25 +368,6 @@ TEST(Screens, AnEndlessRunRestartsAtItsFirstLevel) {
     EXPECT_EQ(rig.stage.game().level().title, "Row 4");
 }
 
-TEST(Screens, EachEndlessRunHasASeedOfItsOwn) {
-    StageDef def = StageRig::twoLevels();
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> made; // seed, number
-    def.endless = [&made](std::uint32_t seed, std::uint32_t number) {
-        made.emplace_back(seed, number);
-        return glassLevel("Row", {7});
-    };
-    def.endlessSeed = [next = 40u]() mutable { return ++next; };
-    StageRig rig(std::move(def));
-    rig.clickItem(Action::Endless);
-    playToTheEnd(rig);
-    rig.press(Command::Next);
-    playToTheEnd(rig);
-    rig.clickItem(Action::ToTitle);
-    rig.clickItem(Action::Endless);
-    using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
-    EXPECT_EQ(made, (Pairs{{41, 1}, {41, 2}, {42, 1}}));
-}
-
 /// A recorded game of this level without input.
 StageDef showing(std::shared_ptr<const Level> level) {
     StageDef def = StageRig::twoLevels();

@@ -3,7 +3,6 @@
 #include <apart/core/assets.hpp>
 #include <apart/core/medals.hpp>
 #include <apart/core/tuning.hpp>
-#include <apart/stage/block_bounds.hpp>
 #include <apart/stage/hud.hpp>
 #include <apart/stage/layout.hpp>
 #include <apart/stage/letterforms.hpp>
@@ -15,6 +14,7 @@
 #include <cmath>
 #include <set>
 
+#include "kept_free.hpp"
 #include "letter_widths.hpp"
 #include "stage_rig.hpp"
 
@@ -258,25 +258,7 @@ std::set<std::string> coveredLevels(int percent) {
         canvas.setTextScale(static_cast<Real>(percent) / 100);
         canvas.begin(layout::kShown, {});
         paintServeHint(canvas, game, Bindings{});
-        std::vector<Aabb> free;
-        for (const Block& block : game.blocks()) {
-            free.push_back(boundsOf(game, block));
-        }
-        for (const Link& link : game.links()) {
-            if (const auto* line =
-                    std::get_if<kodo::DistanceJoint>(&game.world().joint(link.joint))) {
-                const Vec2 a = game.world()[line->ends.a].transform() * line->ends.anchorA;
-                const Vec2 b = game.world()[line->ends.b].transform() * line->ends.anchorB;
-                for (int i = 0; i <= 100; ++i) {
-                    const Vec2 place = a + static_cast<Real>(i) / 100 * (b - a);
-                    free.push_back({place, place});
-                }
-            }
-        }
-        for (Real along = Real(0.55); along < Real(4.4); along += Real(0.1)) {
-            const Vec2 dot = game.world()[game.balls()[0].body].position();
-            free.push_back({dot + along * game.serveHeading(), dot + along * game.serveHeading()});
-        }
+        const std::vector<Aabb> free = keptFree(game);
         EXPECT_TRUE(canvas.says("to serve")) << level->name;
         whole += canvas.says(level->title) ? 1 : 0;
         for (const Stroke& stroke : canvas.strokes()) {

@@ -18,8 +18,9 @@ struct HudLook {
     std::int32_t best = 0;        // score to beat; 0: none
     Bindings keys{};
     bool muted = false;
-    std::string pilot{}; // label of the player in control; empty: the human player
-    std::string foot{};  // last line of the panel; empty: the key that pauses
+    bool takenOver = false; // from a replay
+    std::string pilot{};    // label of the player in control; empty: the human player
+    std::string foot{};     // last line of the panel; empty: the key that pauses
 };
 
 void paintHud(Canvas& canvas, const Game& game, const HudLook& look);

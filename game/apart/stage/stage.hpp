@@ -175,7 +175,6 @@ private:
 
     // Pictures (stage_picture.cpp).
     void drawTitle(Canvas& canvas) const;
-    std::string takenOverText() const;
     HudLook hudLook() const;
 
     /// The result screen.

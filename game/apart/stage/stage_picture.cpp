@@ -136,14 +136,13 @@ void paintFeast(Canvas& canvas, int ticks, const Bindings& keys) {
          {Real(0.5), palette::kText, Typeface::Bold, Align::Middle});
 }
 
-void paintPaused(Canvas& canvas, const Menu& menu, const Bindings& keys,
-                 std::string_view question) {
+void paintPaused(Canvas& canvas, const Menu& menu, std::string_view question, const HudLook& look) {
     paintVeil(canvas, faded(palette::kNight, 0.72f));
     canvas.text("Paused", {0, Real(13)},
                 {Real(1.6), palette::kText, Typeface::Display, Align::Middle});
     menu.draw(canvas);
     Real y = Real(4.9);
-    const auto prompt = [&](Act act) { return keys.prompt(act); };
+    const auto prompt = [&](Act act) { return look.keys.prompt(act); };
     for (const std::string& line :
          {fmt::format("mouse; {}: left; {}: right      {} or click: serve", prompt(Act::Left),
                       prompt(Act::Right), prompt(Act::Serve)),
@@ -153,6 +152,10 @@ void paintPaused(Canvas& canvas, const Menu& menu, const Bindings& keys,
                       prompt(Act::Restart), prompt(Act::Mute))}) {
         canvas.text(line, {0, y}, quiet(Real(0.42), 2 * layout::kRight));
         y -= Real(0.7);
+    }
+    if (look.takenOver) {
+        canvas.text(look.foot + ": from there you play. The score does not count.", {0, Real(11.9)},
+                    quiet(Real(0.5), 2 * layout::kRight));
     }
     paintQuestion(canvas, question, Real(1.6));
 }
@@ -176,16 +179,14 @@ std::string placeOf(const Level& level, const LevelList& levels, const EndlessRu
     return fmt::format("LEVEL {} OF {}", found - levels.begin() + 1, levels.size());
 }
 
-} // namespace
-
 /// The replay and the time at which the player took over.
-std::string Stage::takenOverText() const {
-    const std::string date = replays_.shown && *replays_.shown < replays_.entries.size()
-                                 ? replays_.entries[*replays_.shown].date
-                                 : std::string();
-    return fmt::format("replay {}{}at {}", date, date.empty() ? "" : " ",
-                       theatre_.timeText(session_.takenOverAt()));
+std::string takenOverText(const ReplayList& list, const Theatre& theatre, std::uint32_t tick) {
+    const bool listed = list.shown && *list.shown < list.entries.size();
+    const std::string date = listed ? list.entries[*list.shown].date + " " : "";
+    return fmt::format("replay {}at {}", date, theatre.timeText(tick));
 }
+
+} // namespace
 
 HudLook Stage::hudLook() const {
     HudLook look;
@@ -200,7 +201,8 @@ HudLook Stage::hudLook() const {
         look.foot = theatre_.timeText(game().ticks());
     } else if (session_.isWhatIf()) {
         look.pilot = "WHAT IF   no score";
-        look.foot = takenOverText();
+        look.takenOver = true;
+        look.foot = takenOverText(replays_, theatre_, session_.takenOverAt());
     }
     return look;
 }
@@ -270,9 +272,9 @@ void Stage::draw(Canvas& canvas) const {
                                 replays_.leadsFrom(session_) ? "all replays" : "menu");
         }
         paintReload(canvas, reload_, seconds_);
-        if (!confirm_.question(seconds_).empty()) {
-            paintQuestion(canvas, confirm_.question(seconds_), Real(4.3));
-        } else if (reload_.faults.empty() && !reload_.hasNews(seconds_)) {
+        paintQuestion(canvas, confirm_.question(seconds_), Real(4.3)); // if there is one
+        if (confirm_.question(seconds_).empty() && reload_.faults.empty() &&
+            !reload_.hasNews(seconds_)) {
             paintServeHint(canvas, game(), profile().bindings);
         }
         if (game().result() == Result::Won) {
@@ -280,11 +282,7 @@ void Stage::draw(Canvas& canvas) const {
         }
         return;
     case Screen::Paused:
-        paintPaused(canvas, menu_, profile().bindings, confirm_.question(seconds_));
-        if (session_.isWhatIf()) {
-            canvas.text(takenOverText() + ": from there you play. The score does not count.",
-                        {0, Real(11.9)}, quiet(Real(0.5), 2 * layout::kRight));
-        }
+        paintPaused(canvas, menu_, confirm_.question(seconds_), hudLook());
         return paintNotices(canvas, reload_.notes(), kGameNotices);
     case Screen::Over:
         paintVeil(canvas, faded(palette::kNight, rerun_ ? 0.55f : 0.72f));
