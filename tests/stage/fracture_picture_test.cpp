@@ -108,9 +108,9 @@ TEST(Labels, StartBesideAllThatBreaks) {
 TEST(Labels, ABlockThatIsTornOffPassesBesideItsLabel) {
     int labels = 0;
     int crossed = 0;
-    for (const char* name : {"first_light", "turnstiles"}) {
-        const auto level = std::make_shared<const Level>(std::get<Level>(loadLevel(name)));
-        Game game(level, 1);
+    const auto level = std::make_shared<const Level>(std::get<Level>(loadLevel("first_light")));
+    for (const std::uint32_t seed : {2, 3}) {
+        Game game(level, seed);
         Juice juice(1, Settings{});
         kodo::BodyId torn;
         for (int tick = 0; tick < 5000; ++tick) {
