@@ -15,7 +15,7 @@ from virtual_screen import Program, Screen, check, judged, skip_without_tools, w
 SCALE = 1280 / 31.2
 MIDDLE_Y = 9.25
 ROW = 0.98  # m, between items of a menu
-IDEA = "600x60+235+495"  # area of a level's idea, which vanishes with the serve
+IDEA = "600x60+200+95"  # area of a level's idea, which vanishes with the serve
 
 
 def item(top, number):
