@@ -218,15 +218,10 @@ void JointSet::listBusy(const Bodies& bodies) {
     busy_.erase(std::unique(busy_.begin(), busy_.end()), busy_.end());
 }
 
-void JointSet::beginStep(Bodies& bodies) {
+void JointSet::beginStep() {
     for (const std::uint32_t index : busy_) {
         joints_[index].linearImpulseSum = {};
         joints_[index].angularImpulseSum = 0;
-        for (const BodyId id : {firstBody(joints_[index].def), secondBody(joints_[index].def)}) {
-            if (isParticle(bodies, id.index)) {
-                bodies.motion[id.index].angularVelocity = 0; // it would act as a motor
-            }
-        }
     }
 }
 
@@ -249,8 +244,8 @@ bool isSoft(const Bodies& bodies, const JointDef& def) {
 
 } // namespace
 
-void JointSet::beginGroup(const Bodies& bodies, DirectSolve direct,
-                          std::span<const std::uint8_t> levels, std::uint32_t level) {
+void JointSet::beginGroup(Bodies& bodies, DirectSolve direct, std::span<const std::uint8_t> levels,
+                          std::uint32_t level) {
     own_.clear();
     takenRevolutes_.clear();
     treeCandidates_.clear();
@@ -264,6 +259,11 @@ void JointSet::beginGroup(const Bodies& bodies, DirectSolve direct,
             continue;
         }
         own_.push_back(index);
+        for (const std::uint32_t body : {a, b}) {
+            if (bodies.motion[body].invInertia == 0 && isParticle(bodies, body)) {
+                bodies.motion[body].angularVelocity = 0; // it would act as a motor
+            }
+        }
         if (const auto* spring = std::get_if<DistanceJoint>(&def);
             spring != nullptr && spring->hertz > 0) {
             springs_.add(bodies, index, *spring);

@@ -91,12 +91,12 @@ public:
     /// joint and a contact that exclude each other would store energy without end. `pushSpeed` (m/s
     /// or rad/s): the largest at which contacts part.
     void boundBias(const ContactSet& contactSet, Real slop, Real pushSpeed);
-    void beginStep(Bodies& bodies);
+    void beginStep();
     /// Selects the joints of one level for the functions below, up to the next call: of the busy
     /// joints those with that level. A joint has the higher level of its two bodies; without
     /// `levels`, which is by body, all have level 0.
-    void beginGroup(const Bodies& bodies, DirectSolve direct,
-                    std::span<const std::uint8_t> levels = {}, std::uint32_t level = 0);
+    void beginGroup(Bodies& bodies, DirectSolve direct, std::span<const std::uint8_t> levels = {},
+                    std::uint32_t level = 0);
     /// Revolute joints that belong to no tree, of bodies that can be moved or are locked. The
     /// caller solves them in this step. Those of bodies that can only rotate need InertiaBounds.
     std::span<const std::uint32_t> takeRevolutes(const Bodies& bodies);

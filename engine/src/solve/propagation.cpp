@@ -346,7 +346,7 @@ void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints
         assignReusing(strongest_, contacts.size(), StrongestGroup{});
     }
     visits_ = 0;
-    joints.beginStep(bodies);
+    joints.beginStep();
     joints.boundBias(contactSet, step.tolerances.slop,
                      settings.pushSpeed * step.tolerances.slop * Tolerances::kSlopsPerUnit);
     joints.beginGroup(bodies, DirectSolve::EveryTree);

@@ -148,7 +148,7 @@ void SoftSolver::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joi
     for (const std::uint32_t place : newcomers_) {
         contactSet.noteRow(place);
     }
-    joints.beginStep(bodies);
+    joints.beginStep();
     joints.boundBias(contactSet, tolerances.slop,
                      soft.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit);
     moveFree(bodies, dt);
