@@ -109,7 +109,7 @@ TEST(Labels, ABlockThatIsTornOffPassesBesideItsLabel) {
     int labels = 0;
     int crossed = 0;
     const auto level = std::make_shared<const Level>(std::get<Level>(loadLevel("first_light")));
-    for (const std::uint32_t seed : {2, 3}) {
+    for (const std::uint32_t seed : {2u, 3u}) {
         Game game(level, seed);
         Juice juice(1, Settings{});
         kodo::BodyId torn;
