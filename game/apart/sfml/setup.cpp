@@ -19,6 +19,10 @@ namespace apart {
 
 namespace {
 
+std::uint32_t anySeed() {
+    return std::random_device{}() % 1000000;
+}
+
 /// Gives the inputs of a replay by the tick of the game.
 Pilot pilotOf(const Replay& replay) {
     return [replay](const Game& game) -> std::optional<Input> {
@@ -186,7 +190,7 @@ std::variant<StageDef, std::string> setUp(const Options& options) {
     if (!picture) { // a picture does not depend on the profile
         takeProfile(def);
     }
-    def.seed = options.seed ? *options.seed : picture ? 1 : std::random_device{}() % 1000000;
+    def.seed = options.seed ? *options.seed : picture ? 1 : anySeed();
     std::optional<std::uint32_t> runSeed = options.seed;
     std::string problem;
     if (!options.replay.empty()) {
@@ -204,9 +208,7 @@ std::variant<StageDef, std::string> setUp(const Options& options) {
     };
     def.endlessSeed = [fixed = runSeed   ? runSeed
                                : picture ? std::optional(1u)
-                                         : std::nullopt] {
-        return fixed ? *fixed : std::random_device{}() % 1000000;
-    };
+                                         : std::nullopt] { return fixed ? *fixed : anySeed(); };
     def.today = today;
     def.daily = [](Day day, std::uint32_t number) {
         return std::make_shared<const Level>(endlessLevel({day, number}));

@@ -32,10 +32,10 @@ struct Best {
 /// Key of the best endless run in Profile::best. No level has this name.
 inline constexpr const char* kEndlessKey = "endless";
 
-/// Player data that persists between runs of the program.
 /// Score of a line that cannot be read, until its replay gives the true one. No game has it.
 inline constexpr std::int32_t kUnreadScore = 1;
 
+/// Player data that persists between runs of the program.
 struct Profile {
     Settings settings{};
     Mode mode = Mode::Standard; // last choice

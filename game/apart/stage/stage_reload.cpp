@@ -7,20 +7,24 @@
 
 namespace apart {
 
+namespace {
+
+/// True if two levels differ in more than title, idea and theme.
+bool differInPlay(const Level& a, Level b) {
+    b.title = a.title;
+    b.idea = a.idea;
+    b.theme = a.theme;
+    return a != b;
+}
+
+} // namespace
+
 std::vector<std::string> Reload::notes() const {
     if (faults.size() < 2) {
         return faults;
     }
     return {fmt::format("{} ({})", faults[0],
                         countText(static_cast<std::int64_t>(faults.size()) - 1, "more error"))};
-}
-
-/// True if two levels differ in more than title, idea and theme.
-static bool differInPlay(const Level& a, Level b) {
-    b.title = a.title;
-    b.idea = a.idea;
-    b.theme = a.theme;
-    return a != b;
 }
 
 /// Reads the level of a file again when the file has changed, or notes its errors. A game on it
