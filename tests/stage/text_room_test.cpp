@@ -206,6 +206,30 @@ TEST(TextRoom, OfTheHelp) {
     });
 }
 
+/// Strokes of honours on the numbers of the tiles, in the row of the honours.
+int strokesOnNumbers(const RecordingCanvas& canvas, Vec2 window) {
+    const Real scale = window.x / canvas.visible().extent().x;
+    int count = 0;
+    for (const Stroke& number : canvas.strokes()) {
+        const bool isNumber = number.kind == Stroke::Kind::Text &&
+                              number.text.find_first_not_of("0123456789") == std::string::npos &&
+                              number.style.height == Real(0.42) &&
+                              number.style.face == Typeface::Bold;
+        if (!isNumber) {
+            continue;
+        }
+        Aabb box = boundsOf(number, canvas, scale);
+        box.upper.y = number.place.y + Real(0.33); // previews may have ropes above
+        count += static_cast<int>(std::count_if(
+            canvas.strokes().begin(), canvas.strokes().end(), [&](const Stroke& stroke) {
+                const bool isIcon =
+                    stroke.kind == Stroke::Kind::Line || stroke.kind == Stroke::Kind::Ring;
+                return isIcon && overlap(box, Aabb{stroke.place, stroke.place}.grown(Real(0.05)));
+            }));
+    }
+    return count;
+}
+
 TEST(TextRoom, OfEachLevelInTheSelectionAndBesideTheField) {
     const std::size_t step = support::kSanitized ? 9 : 1;
     for (const int percent : kSizes) {
@@ -225,6 +249,7 @@ TEST(TextRoom, OfEachLevelInTheSelectionAndBesideTheField) {
                 records.setMarks(def.marks);
                 select.draw(canvas, records, 0);
                 EXPECT_EQ(crowdedTexts(canvas, window), std::vector<std::string>{}) << i;
+                EXPECT_EQ(strokesOnNumbers(canvas, window), 0) << i;
                 Profile fresh; // no scores, but medals to win
                 fresh.mode = mode;
                 Records none(fresh, {}, {}, {});

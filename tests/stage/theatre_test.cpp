@@ -156,10 +156,12 @@ TEST(Theatre, ListsReplaysAndTellsWhyOneCannotBePlayed) {
         entries.back().load = [] { return std::variant<Show, std::string>("It is too old."); };
         return entries;
     };
+    def.replayFolder = "a/folder";
     StageRig rig(std::move(def));
     rig.clickItem(Action::Records);
     rig.clickItem(Action::Replays);
-    for (const char* text : {"a game", "2026-11-26", "won", "12 345", "an old game"}) {
+    for (const char* text :
+         {"a game", "2026-11-26", "won", "12 345", "an old game", "files in a/folder"}) {
         EXPECT_TRUE(rig.picture().says(text)) << text;
     }
     EXPECT_TRUE(rig.picture().says("6 789")) << "the score of the profile";

@@ -12,7 +12,7 @@ namespace apart {
 using kodo::Real;
 
 // To be raised whenever the same inputs give another game. Older replays are then refused.
-inline constexpr std::uint32_t kRulesVersion = 27;
+inline constexpr std::uint32_t kRulesVersion = 28;
 
 inline constexpr int kTicksPerSecond = 120;
 inline constexpr Real kTickSeconds = Real(1) / 120;
@@ -74,7 +74,7 @@ inline constexpr std::int32_t kLastBlocks = 3;     // at most so many left: the 
 inline constexpr std::uint32_t kLastHurry = 2;     // factor of the clock for the last blocks
 inline constexpr Real kTornSpeed = 7;              // m/s that a pull would give a free block; then
                                                    // the mount of the block fails
-inline constexpr std::uint32_t kLooseTicks = 1200; // 10 s: lifetime of a loose block
+inline constexpr std::uint32_t kLooseTicks = 840;  // 7 s: lifetime of a loose block
 inline constexpr int kLoopTimes = 3;               // similar paddle hits that make a loop
 inline constexpr Real kLoopCell = Real(0.25);      // m; resolution of the place of a paddle hit
 inline constexpr Real kLoopHeading = Real(0.05);   // resolution of its heading; 3 degrees

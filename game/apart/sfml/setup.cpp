@@ -134,6 +134,7 @@ void takeProfile(StageDef& def) {
     if (!loaded.notice.empty()) {
         def.notices.push_back(loaded.notice);
     }
+    def.replayFolder = file->parent_path().string();
     def.replays = [folder = file->parent_path(), levels = def.levels] {
         return replaysIn(folder, levels);
     };

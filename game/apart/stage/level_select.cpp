@@ -24,6 +24,7 @@ constexpr Real kTilesLeft = Real(-14.6);
 constexpr Real kTilesTop = Real(15.5);
 constexpr Vec2 kTileStep{Real(3.05), Real(3.3)}; // m, between tiles
 constexpr Vec2 kTile{Real(2.8), Real(2.1)};
+constexpr Real kNumber = Real(0.42); // m, height of the number of a level
 constexpr Real kHeader = Real(0.75); // m, above the tiles of a row
 constexpr Real kAboutLeft = Real(4.7);
 constexpr Real kAboutRight = Real(14.6);
@@ -159,12 +160,15 @@ void LevelSelect::drawTile(Canvas& canvas, std::size_t level, const Records& rec
     paintPreview(canvas, *levels_[level], box.grown(Real(-0.18)));
     canvas.outline(cornersOf(box), chosen ? Real(0.09) : Real(0.04), rim);
     canvas.text(std::to_string(level + 1), {box.lower.x + Real(0.18), box.lower.y + Real(0.17)},
-                {Real(0.42), chosen ? palette::kAccent : palette::kQuiet, Typeface::Bold});
+                {kNumber, chosen ? palette::kAccent : palette::kQuiet, Typeface::Bold});
+    // From the right edge on; closer together where the number leaves less room.
     const MedalMarks* marks = marksFor(name, records.marks());
-    const Real left =
-        Real(0.3) + Real(0.37) * static_cast<Real>(honourNames(*levels_[level], marks).size() - 1);
-    paintHonours(canvas, {box.upper.x - left, box.lower.y + Real(0.33)}, {Real(0.37), 0},
-                 Real(0.15), {records.honoursOf(mode, name), *levels_[level], marks});
+    const auto gaps = static_cast<Real>(honourNames(*levels_[level], marks).size() - 1);
+    const Real room = kTile.x - Real(0.7) - Real(1.4) * kNumber * canvas.textScale();
+    const Real step = std::min(Real(0.37), room / std::max(gaps, Real(1)));
+    paintHonours(canvas, {box.upper.x - Real(0.3) - step * gaps, box.lower.y + Real(0.33)},
+                 {step, 0}, Real(0.405) * step,
+                 {records.honoursOf(mode, name), *levels_[level], marks});
     paintMedal(canvas, box.upper - Vec2{Real(0.36), Real(0.36)}, Real(0.24),
                records.medalOf(mode, name));
 }

@@ -49,6 +49,7 @@ struct StageDef {
     std::function<std::optional<LevelChange>()> reload{};
     /// Replays to watch, the latest first.
     std::function<std::vector<ShowEntry>()> replays{};
+    std::string replayFolder{}; // shown with the list of replays
     std::optional<Show> show{}; // starts at once; later games are the player's
     Pilot bot{};                // plays behind the title screen, if set
     Pilot pilot{};              // plays all games instead of the player, if set

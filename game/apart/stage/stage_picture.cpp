@@ -263,6 +263,7 @@ void Stage::draw(Canvas& canvas) const {
     case Screen::Replays:
         paintVeil(canvas, faded(palette::kNight, 0.80f));
         paintHeading(canvas, "Replays");
+        canvas.text("files in " + def_.replayFolder, {0, Real(0.35)}, quiet(Real(0.42)));
         return menu_.draw(canvas);
     case Screen::Help: // above
         return;
