@@ -4,6 +4,7 @@
 #include "contacts/contact_update.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace kodo {
@@ -117,11 +118,21 @@ std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies, const WriteB
 std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies,
                                               std::span<const std::uint32_t> of,
                                               const WriteBack& writeBack) {
+    const auto isIdle = [&](const ContactSummary& summary) {
+        return !bodies.active(summary.bodyA) && !bodies.active(summary.bodyB);
+    };
+    takeIdleOf(of, isIdle, writeBack);
+    return idle_;
+}
+
+/// Moves the contacts of some bodies for which isIdle(summary) is true to idle_, in order.
+template <typename IsIdle>
+void ContactSet::takeIdleOf(std::span<const std::uint32_t> bodies, IsIdle isIdle,
+                            const WriteBack& writeBack) {
     idle_.clear();
-    for (const std::uint32_t body : of) {
+    for (const std::uint32_t body : bodies) {
         store_.lists().forEach(body, [&](std::uint32_t slot) {
-            const ContactSummary& summary = summaries()[slot];
-            if (!bodies.active(summary.bodyA) && !bodies.active(summary.bodyB)) {
+            if (isIdle(summaries()[slot])) {
                 takeIdle(slot, writeBack);
                 store_.detach(slot);
             }
@@ -130,6 +141,22 @@ std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies,
     freeDetached();
     std::sort(idle_.begin(), idle_.end(), // total order: keys are unique
               [](const Contact& a, const Contact& b) { return a.key < b.key; });
+}
+
+std::span<const Contact> ContactSet::takeArrivals(const Bodies& bodies,
+                                                  const WriteBack& writeBack) {
+    const auto isIdle = [&](const ContactSummary& summary) {
+        const Flags either =
+            bodies.filter[summary.bodyA].flags | bodies.filter[summary.bodyB].flags;
+        return (either & (kAsleep | kOutside)) == kAsleep && !bodies.active(summary.bodyA) &&
+               !bodies.active(summary.bodyB);
+    };
+    if (std::exchange(allArrived_, false)) {
+        arrivals_.resize(bodies.size());
+        std::iota(arrivals_.begin(), arrivals_.end(), 0u);
+    }
+    takeIdleOf(arrivals_, isIdle, writeBack);
+    arrivals_.clear();
     return idle_;
 }
 
@@ -189,8 +216,19 @@ void ContactSet::renewChanged(const Bodies& bodies, const Tolerances& tolerances
     store_.refreshPlaces();
 }
 
+void ContactSet::noteArrivals(std::span<const std::uint32_t> bodies) {
+    arrivals_.insert(arrivals_.end(), bodies.begin(), bodies.end());
+    if (arrivals_.size() > candidates_.bounds().size()) {
+        allArrived_ = true;
+        arrivals_.clear();
+    }
+}
+
 void ContactSet::applyChanges(const Bodies& bodies, const Tolerances& tolerances) {
     freeDetached();
+    allArrived_ = allArrived_ || stale_ || pairsStale_;
+    noteArrivals(changes_);
+    noteArrivals(activityChanges_);
     if (std::exchange(stale_, false)) {
         renew(bodies, tolerances);
         pairsStale_ = false;

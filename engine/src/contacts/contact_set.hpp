@@ -74,6 +74,11 @@ public:
     std::span<const Contact> takeIdle(const Bodies& bodies, const WriteBack& writeBack);
     std::span<const Contact> takeIdle(const Bodies& bodies, std::span<const std::uint32_t> of,
                                       const WriteBack& writeBack);
+    /// The same for the contacts of sleeping bodies with inactive ones that arrived, changed or
+    /// stopped since the last call.
+    std::span<const Contact> takeArrivals(const Bodies& bodies, const WriteBack& writeBack);
+    /// These bodies began or ceased to be active within the step.
+    void noteArrivals(std::span<const std::uint32_t> bodies);
     /// Puts back contacts that takeIdle returned. A contact already in the list stays unchanged.
     void putBack(std::span<const Contact> contacts, Bodies& bodies);
     /// Updates bounds and contacts after changes of bodies; does not search pairs.
@@ -132,6 +137,9 @@ private:
     template <typename Gone>
     void eraseIf(Gone gone);
     void takeIdle(std::uint32_t slot, const WriteBack& writeBack);
+    template <typename IsIdle>
+    void takeIdleOf(std::span<const std::uint32_t> bodies, IsIdle isIdle,
+                    const WriteBack& writeBack);
     void takeOut(Contact& contact, const WriteBack& writeBack);
     void noteEnd(const Contact& contact);
     void writeRecords() const;
@@ -157,9 +165,11 @@ private:
     std::vector<std::uint32_t> onGround_;                  // slots: argument of ghostCollisions_
     std::vector<Contact> idle_;                            // result of takeIdle
     std::vector<std::uint32_t> changes_, activityChanges_; // bodies
-    std::vector<std::uint8_t> hasChanged_;                 // by body: 1 if in changes_
+    std::vector<std::uint32_t> arrivals_;  // bodies with a change since the last takeArrivals
+    std::vector<std::uint8_t> hasChanged_; // by body: 1 if in changes_
     Real fastestApproach_ = 0;
     bool stale_ = true, pairsStale_ = true, liveStale_ = true;
+    bool allArrived_ = true;      // instead of arrivals_
     bool contactsChanged_ = true; // in number or slot, or a body became immovable or movable
     std::uint8_t anySensors_ = 0, anyBounces_ = 0; // 0 or 1, from the last noteKinds
 };

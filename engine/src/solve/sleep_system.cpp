@@ -138,8 +138,8 @@ void SleepSystem::wakeOn(Bodies& bodies, ContactSet& contacts, std::span<const s
     wakeIslands(bodies, contacts);
 }
 
-/// Notes the islands that touch a body for wakeIslands(). Of the others, the contacts with it
-/// return to the list of steps, since the body may change.
+/// Notes the islands that touch a body for wakeIslands(). Of the others, as beside a sensor, the
+/// contacts with it return to the list of steps, since the body may change.
 void SleepSystem::noteTouching(Bodies& bodies, ContactSet& contacts, std::uint32_t body) {
     if (body >= neighbourIslands_.size()) {
         return;
@@ -148,7 +148,7 @@ void SleepSystem::noteTouching(Bodies& bodies, ContactSet& contacts, std::uint32
         return contact.key.bodyA == body || contact.key.bodyB == body;
     };
     const auto touches = [&](const Contact& contact) {
-        return contact.wasTouching && isOfBody(contact);
+        return contact.wasTouching && contact.responds() && isOfBody(contact);
     };
     returning_.clear();
     for (const NeighbourIsland& neighbour : neighbourIslands_[body]) {
@@ -296,7 +296,17 @@ void SleepSystem::sleepIslands(Bodies& bodies, ContactSet& contacts, const Write
     for (const auto& [root, body] : sleepers_) {
         members_.push_back(body);
     }
-    for (const Contact& contact : contacts.takeIdle(bodies, members_, writeBack)) {
+    keepContacts(bodies, contacts.takeIdle(bodies, members_, writeBack));
+}
+
+void SleepSystem::keepArrivals(const Bodies& bodies, ContactSet& contacts,
+                               const WriteBack& writeBack) {
+    keepContacts(bodies, contacts.takeArrivals(bodies, writeBack));
+}
+
+/// Inserts contacts into those of their islands.
+void SleepSystem::keepContacts(const Bodies& bodies, std::span<const Contact> idle) {
+    for (const Contact& contact : idle) {
         const std::uint32_t a = bodies.sleep[contact.key.bodyA].island;
         const std::uint32_t island = a != kNoIsland ? a : bodies.sleep[contact.key.bodyB].island;
         keep(islands_[island].contacts, contact);

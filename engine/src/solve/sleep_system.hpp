@@ -44,6 +44,9 @@ public:
                      const StepSettings& settings, const Tolerances& tolerances, Real dt);
     /// Puts these islands to sleep with their contacts; writeBack(contact) is called before.
     void sleepIslands(Bodies& bodies, ContactSet& contacts, const WriteBack& writeBack);
+    /// Takes contacts of sleeping bodies with inactive ones that arrived before this step out of
+    /// the list, to the islands.
+    void keepArrivals(const Bodies& bodies, ContactSet& contacts, const WriteBack& writeBack);
 
     /// Restarts the calm count of a body, and wakes its island if it is asleep.
     void wake(Bodies& bodies, ContactSet& contacts, std::uint32_t body);
@@ -94,6 +97,7 @@ private:
     void wakeIslands(Bodies& bodies, ContactSet& contacts);
     void noteTouching(Bodies& bodies, ContactSet& contacts, std::uint32_t body);
     void disturb(Bodies& bodies, std::uint32_t body);
+    void keepContacts(const Bodies& bodies, std::span<const Contact> idle);
     void noteIslandContact(const Bodies& bodies, const Contact& contact, std::uint32_t island);
     bool hasWoken(const NeighbourIsland& neighbour) const {
         return islands_[neighbour.island].version != neighbour.version;

@@ -262,8 +262,8 @@ void SnapshotFields::one(FieldEntry& entry) {
 void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Tolerances& tolerances) {
     // The state of the pair finder affects time, not results: it starts fresh.
     auto& [candidates, store, touchCounts, records, ghostCollisions, oneWayBodies, lineSides, live,
-           found, onGround, idle, changes, activityChanges, hasChanged, fastestApproach, stale,
-           pairsStale, liveStale, contactsChanged, anySensors, anyBounces] = set;
+           found, onGround, idle, changes, activityChanges, arrivals, hasChanged, fastestApproach,
+           stale, pairsStale, liveStale, allArrived, contactsChanged, anySensors, anyBounces] = set;
     auto& [bounds, finder, still, movers, pairs] = candidates;
     auto& [contacts, summaries, order, newOrder, lists, gone, pairChanges, changesFound, holes,
            added, addedIsDeep, movedTo, slots, reorderPolicy, placesStale] = store;

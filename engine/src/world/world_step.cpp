@@ -73,6 +73,7 @@ void WorldStep::run(StageListener* listener) {
         breakJoints();
     }
     enter(StepStage::Sleep);
+    sleep_.keepArrivals(bodies_, contacts_, writeBack_);
     if (settings_.has(Feature::Sleep) && !bodies_.awake.empty() &&
         sleep_.updateSleep(bodies_, contacts_, joints_, settings_, tolerances_, dt_)) {
         sleep_.sleepIslands(bodies_, contacts_, writeBack_);
@@ -120,7 +121,11 @@ void WorldStep::wakeIslands(bool arrivals) {
 
 /// Computes the accelerations.
 void WorldStep::gatherForces() {
-    joints_.findBusy(bodies_, refreshAwake(bodies_));
+    const bool toggled = refreshAwake(bodies_);
+    joints_.findBusy(bodies_, toggled);
+    if (toggled) {
+        contacts_.noteArrivals(bodies_.changes.toggled); // kinematic bodies that stopped
+    }
     frozen_.clear();
     if (!gatherAccelerations(bodies_, fields_, dt_, team_)) {
         freezeUnsoundForces();
