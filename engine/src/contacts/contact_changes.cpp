@@ -9,6 +9,15 @@
 
 namespace kodo {
 inline namespace KODO_PRECISION {
+namespace {
+
+std::vector<std::uint32_t> allOf(const Bodies& bodies) {
+    std::vector<std::uint32_t> all(bodies.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return all;
+}
+
+} // namespace
 
 /// Frees the slots of removed contacts.
 void ContactSet::freeDetached() {
@@ -16,18 +25,6 @@ void ContactSet::freeDetached() {
         store_.renumber(records_.toggled());
         changed();
     }
-}
-
-/// Removes the contacts for which gone(slot) is true, in the order of keys.
-template <typename Gone>
-void ContactSet::eraseIf(Gone gone) {
-    freeDetached();
-    store_.forEachInOrder([&](std::uint32_t slot) {
-        if (gone(slot)) {
-            store_.detach(slot);
-        }
-    });
-    freeDetached();
 }
 
 void ContactSet::drop(std::uint32_t body, const WriteBack& writeBack) {
@@ -54,11 +51,6 @@ void ContactSet::touchedBy(std::uint32_t body, std::vector<std::uint32_t>& other
             others.push_back(key.bodyA == body ? key.bodyB : key.bodyA);
         }
     });
-}
-
-/// No contact may be resident.
-void ContactSet::writeRecords() const {
-    records_.all(recordSource([](Contact&) {}));
 }
 
 void ContactSet::writeBack(std::uint32_t body, const WriteBack& writeBack) {
@@ -102,29 +94,6 @@ void ContactSet::takeIdle(std::uint32_t slot, const WriteBack& writeBack) {
     clearImpactImpulses(taken);
 }
 
-std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies, const WriteBack& writeBack) {
-    idle_.clear();
-    eraseIf([&](std::uint32_t slot) {
-        const ContactSummary& summary = summaries()[slot];
-        const bool gone = !bodies.active(summary.bodyA) && !bodies.active(summary.bodyB);
-        if (gone) {
-            takeIdle(slot, writeBack);
-        }
-        return gone;
-    });
-    return idle_;
-}
-
-std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies,
-                                              std::span<const std::uint32_t> of,
-                                              const WriteBack& writeBack) {
-    const auto isIdle = [&](const ContactSummary& summary) {
-        return !bodies.active(summary.bodyA) && !bodies.active(summary.bodyB);
-    };
-    takeIdleOf(of, isIdle, writeBack);
-    return idle_;
-}
-
 /// Moves the contacts of some bodies for which isIdle(summary) is true to idle_, in order.
 template <typename IsIdle>
 void ContactSet::takeIdleOf(std::span<const std::uint32_t> bodies, IsIdle isIdle,
@@ -143,6 +112,20 @@ void ContactSet::takeIdleOf(std::span<const std::uint32_t> bodies, IsIdle isIdle
               [](const Contact& a, const Contact& b) { return a.key < b.key; });
 }
 
+std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies, const WriteBack& writeBack) {
+    return takeIdle(bodies, allOf(bodies), writeBack);
+}
+
+std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies,
+                                              std::span<const std::uint32_t> of,
+                                              const WriteBack& writeBack) {
+    const auto isIdle = [&](const ContactSummary& summary) {
+        return !bodies.active(summary.bodyA) && !bodies.active(summary.bodyB);
+    };
+    takeIdleOf(of, isIdle, writeBack);
+    return idle_;
+}
+
 std::span<const Contact> ContactSet::takeArrivals(const Bodies& bodies,
                                                   const WriteBack& writeBack) {
     const auto isIdle = [&](const ContactSummary& summary) {
@@ -152,8 +135,7 @@ std::span<const Contact> ContactSet::takeArrivals(const Bodies& bodies,
                !bodies.active(summary.bodyB);
     };
     if (std::exchange(allArrived_, false)) {
-        arrivals_.resize(bodies.size());
-        std::iota(arrivals_.begin(), arrivals_.end(), 0u);
+        arrivals_ = allOf(bodies);
     }
     takeIdleOf(arrivals_, isIdle, writeBack);
     arrivals_.clear();

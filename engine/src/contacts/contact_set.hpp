@@ -134,15 +134,12 @@ private:
     friend class SnapshotFields;
 
     void freeDetached();
-    template <typename Gone>
-    void eraseIf(Gone gone);
     void takeIdle(std::uint32_t slot, const WriteBack& writeBack);
     template <typename IsIdle>
     void takeIdleOf(std::span<const std::uint32_t> bodies, IsIdle isIdle,
                     const WriteBack& writeBack);
     void takeOut(Contact& contact, const WriteBack& writeBack);
     void noteEnd(const Contact& contact);
-    void writeRecords() const;
     void renew(const Bodies& bodies, const Tolerances& tolerances);
     void renewChanged(const Bodies& bodies, const Tolerances& tolerances);
     void refreshPairs(Bodies& bodies, BodyPairs excluded, WorkerTeam& team);

@@ -271,7 +271,7 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
            recordSlots] = records;
     auto& [parts, firstPart, room, count, firstBefore, from, usedCount, inOrder, compared, moves,
            convexes, corners, leftOver, tight, grown, changed, isChanged, outgrown] = bounds;
-    set.writeRecords();
+    set.records().all(set.recordSource([](Contact&) {})); // none is resident
     if (!reads()) {
         set.applyChanges(bodies, tolerances);
         if (candidates.compact()) {

@@ -108,6 +108,13 @@ void paintOptions(Canvas& canvas, const Menu& menu, std::string_view question) {
     menu.draw(canvas);
 }
 
+void paintReplays(Canvas& canvas, const Menu& menu, const std::string& folder) {
+    paintVeil(canvas, faded(palette::kNight, 0.80f));
+    paintHeading(canvas, "Replays");
+    canvas.text("files in " + folder, {0, Real(0.35)}, quiet(Real(0.42)));
+    menu.draw(canvas);
+}
+
 /// The lines below a result; the most important is the last. `entered`: the records
 /// that it was entered in, or nullptr.
 std::vector<std::string> resultNotes(const Reload& reload, const std::vector<std::string>& notes,
@@ -261,10 +268,7 @@ void Stage::draw(Canvas& canvas) const {
         paintStatistics(canvas, profile().totals);
         return menu_.draw(canvas);
     case Screen::Replays:
-        paintVeil(canvas, faded(palette::kNight, 0.80f));
-        paintHeading(canvas, "Replays");
-        canvas.text("files in " + def_.replayFolder, {0, Real(0.35)}, quiet(Real(0.42)));
-        return menu_.draw(canvas);
+        return paintReplays(canvas, menu_, def_.replayFolder);
     case Screen::Help: // above
         return;
     case Screen::Playing:
