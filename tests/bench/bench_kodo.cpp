@@ -240,6 +240,17 @@ public:
         return sum;
     }
 
+    double readEvents() const override {
+        constexpr kodo::Real kLeastSpeed = 1; // m/s, as Box2D v3 by default
+        const kodo::World& world = scene_.world;
+        double sum = static_cast<double>(world.begunCollisions().size() +
+                                         world.endedCollisions().size());
+        for (const kodo::CollisionRecord& record : world.hits(kLeastSpeed)) {
+            sum += wide(record.approachSpeed);
+        }
+        return sum;
+    }
+
     double impulse(std::size_t a, std::size_t b) const override {
         double sum = 0;
         for (const kodo::CollisionRecord& record : scene_.world.collisions()) {

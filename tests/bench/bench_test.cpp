@@ -201,7 +201,9 @@ TEST(Runs, ReadTheContactsOfAStackInEveryEngine) {
         }
         // 3 + 2 + 1 weights of 10 N over a step; 5 % covers what still moves.
         EXPECT_NEAR(engine->readContacts(), 60 * kDt, 0.05 * 60 * kDt) << name;
-        EXPECT_GE(engine->readEvents(), 0) << name;
+        if (!name.starts_with("box2d") || name == "box2d3") { // the others have no such list
+            EXPECT_EQ(engine->readEvents(), 0) << name << ": nothing begins, ends or hits";
+        }
         engine->push(3, {0, 5});
         EXPECT_EQ(engine->state(3).velocity.y, 5) << name;
         engine->step(kDt);
