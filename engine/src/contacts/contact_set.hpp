@@ -80,6 +80,11 @@ public:
     void applyChanges(const Bodies& bodies, const Tolerances& tolerances);
 
     // Within a step, in this order.
+    /// Sizes the arrays by body, so that no first use costs a step as much as all bodies.
+    void makeRoom(const Bodies& bodies) {
+        store_.makeRoom(bodies);
+        ghostCollisions_.makeRoom(bodies);
+    }
     /// Updates the list before a step of dt: the pairs that may touch within it, in order. Bodies
     /// of `excluded` pairs do not touch each other, whatever their flags are.
     void updatePairs(Bodies& bodies, BodyPairs excluded, const Tolerances& tolerances, Real dt,

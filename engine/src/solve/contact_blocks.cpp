@@ -35,9 +35,21 @@ std::uint8_t removedLanes(const BlockState& state, const std::uint8_t* taken) {
 
 } // namespace
 
+void ContactBlocks::makeRoom(const Bodies& bodies) {
+    resizeByBody(colours_, bodies);
+    resizeByBody(refinedLevels_, bodies);
+    resizeByBody(sharedOf_, bodies, kNone); // all kNone between steps
+}
+
 void ContactBlocks::refine(const Refinement& refinement, ContactSet& contacts,
                            const Bodies& bodies) {
-    refinedLevels_.assign(refinement.levels().begin(), refinement.levels().end());
+    for (const std::uint32_t body : refined_) {
+        refinedLevels_[body] = 0;
+    }
+    refined_.assign(refinement.refined().begin(), refinement.refined().end());
+    for (const std::uint32_t body : refined_) {
+        refinedLevels_[body] = refinement.levels()[body];
+    }
     const std::span<const ContactSummary> summaries = contacts.summaries();
     for (std::uint32_t slot = 0; slot < summaries.size(); ++slot) {
         Contact& contact = contacts.contacts()[slot];
@@ -52,11 +64,7 @@ void ContactBlocks::refine(const Refinement& refinement, ContactSet& contacts,
 
 void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, bool friction,
                           bool rolling) {
-    resizeByBody(colours_, bodies);
-    if (!refinedLevels_.empty()) {
-        resizeByBody(refinedLevels_, bodies);
-    }
-    const std::size_t bins = BlockBins::kLevelBins * (refinedLevels_.empty() ? 1 : kLevels);
+    const std::size_t bins = BlockBins::kLevelBins * (refined_.empty() ? 1 : kLevels);
     if (passOrder_.blocks().size() > singles_ + bins * partitions_.count() + size() / 4) {
         // Most lanes are empty.
         evictAll(contacts, bodies);
@@ -227,7 +235,6 @@ void ContactBlocks::arrange(const Bodies& bodies, std::span<Contact> contacts,
                             std::span<const std::uint32_t> newcomers,
                             std::span<const std::uint16_t> crowd, Real pushSpeed) {
     freeLanes(bodies);
-    resizeByBody(sharedOf_, bodies, kNone); // all kNone between steps
     for (const std::uint32_t place : newcomers) {
         Contact& contact = contacts[place];
         if (!keepsColour(bodies, contact)) {

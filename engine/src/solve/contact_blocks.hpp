@@ -38,6 +38,8 @@ public:
 
     /// Blocks of one level of Refinement, and of one colour after the other.
     static constexpr std::uint32_t kLevels = Refinement::kLevels;
+    /// Sizes the arrays by body.
+    void makeRoom(const Bodies& bodies);
     /// Sets the levels of the bodies from now on, after these have changed. Contacts store the
     /// impulses of a whole substep, lanes those of its parts.
     void refine(const Refinement& refinement, ContactSet& contacts, const Bodies& bodies);
@@ -132,7 +134,7 @@ private:
     static constexpr std::size_t kNearBytes = 3 << 20;
 
     std::uint32_t levelOf(const Contact& contact) const {
-        return refinedLevels_.empty()
+        return refined_.empty()
                    ? 0u
                    : std::max(refinedLevels_[contact.key.bodyA], refinedLevels_[contact.key.bodyB]);
     }
@@ -181,7 +183,8 @@ private:
     std::size_t singles_ = 0;                  // lanes in use without a colour
     std::vector<std::uint32_t> sharedOf_;      // by body without a free colour: its open block
     std::vector<std::uint32_t> sharedBodies_;  // scratch of arrange(): bodies in sharedOf_
-    std::vector<std::uint8_t> refinedLevels_;  // by body; empty if all are 0
+    std::vector<std::uint8_t> refinedLevels_;  // by body
+    std::vector<std::uint32_t> refined_;       // bodies with a level above 0
     std::vector<Carried> carried_;             // by row
     std::vector<std::uint8_t> taken_;          // by row: taken in this step
     std::vector<std::uint8_t> touching_ = {0}; // by row: touched in the last step; one more: false

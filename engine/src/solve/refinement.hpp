@@ -37,12 +37,16 @@ public:
         const Tolerances& tolerances;
         Real hertz; // of contacts in a whole substep
     };
+    /// Sizes the array by body.
+    void makeRoom(const Bodies& bodies) { resizeByBody(levels_, bodies); }
     /// Finds the levels of a step. True if any has changed since the last step.
     bool find(const Step& step);
     /// By body; empty if all are 0.
     std::span<const std::uint8_t> levels() const {
         return refined_.empty() ? std::span<const std::uint8_t>() : levels_;
     }
+    /// Bodies with a level above 0, in order.
+    std::span<const std::uint32_t> refined() const { return refined_; }
     std::uint32_t levelOf(std::uint32_t body) const { return refined_.empty() ? 0 : levels_[body]; }
     /// Level of a contact or joint. Only a movable body has a level above 0.
     std::uint32_t levelOf(std::uint32_t a, std::uint32_t b) const {
