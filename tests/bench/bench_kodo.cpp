@@ -243,8 +243,8 @@ public:
     double readEvents() const override {
         constexpr kodo::Real kLeastSpeed = 1; // m/s, as Box2D v3 by default
         const kodo::World& world = scene_.world;
-        double sum = static_cast<double>(world.begunCollisions().size() +
-                                         world.endedCollisions().size());
+        double sum =
+            static_cast<double>(world.begunCollisions().size() + world.endedCollisions().size());
         for (const kodo::CollisionRecord& record : world.hits(kLeastSpeed)) {
             sum += wide(record.approachSpeed);
         }

@@ -182,5 +182,42 @@ TEST(PartBounds, KeepIndicesOfPartsWhileOtherBodiesComeAndGo) {
     EXPECT_EQ(bounds.indexOf(9, 0), 10u);
 }
 
+// Regression: new indices for the parts of a small World visited the slots of all bodies that it
+// once had.
+TEST(PartBounds, NewIndicesVisitWhatLives) {
+    constexpr std::uint32_t kGone = 10000;
+    Bodies bodies;
+    PartBounds bounds;
+    const BodyDef def{.shape = Circle{1}};
+    const auto add = [&] { return addBody(bodies, def, makeGeometry(partsOf(def))).index; };
+    std::vector<std::uint32_t> gone;
+    for (std::uint32_t i = 0; i < kGone + 4; ++i) {
+        add();
+    }
+    bounds.renew(bodies, kDistances);
+    for (std::uint32_t i = 2; i < kGone + 2; ++i) {
+        removeBody(bodies, i);
+        gone.push_back(i);
+    }
+    EXPECT_TRUE(bounds.renew(bodies, kDistances, gone));
+    std::vector<std::uint32_t> listed;
+    bounds.listBodies(listed);
+    EXPECT_EQ(listed, (std::vector<std::uint32_t>{0, 1, kGone + 2, kGone + 3}));
+    for (int i = 0; i < 3; ++i) {
+        const std::uint64_t before = bounds.moves();
+        const std::uint32_t added = add();
+        EXPECT_FALSE(bounds.renew(bodies, kDistances, std::vector{added}));
+        EXPECT_FALSE(bounds.isInOrder());
+        EXPECT_TRUE(bounds.compact());
+        EXPECT_LT(bounds.moves() - before, 20u);
+        EXPECT_EQ(bounds.indexOf(kGone + 3, 0), 4u);
+        EXPECT_EQ(bounds.indexNow(3, kGone + 3), 4u);
+        removeBody(bodies, added);
+        EXPECT_FALSE(bounds.renew(bodies, kDistances, std::vector{added}));
+        EXPECT_TRUE(bounds.compact());
+        EXPECT_EQ(bounds.indexOf(kGone + 3, 0), 3u);
+    }
+}
+
 } // namespace
 } // namespace kodo

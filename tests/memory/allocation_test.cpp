@@ -296,5 +296,42 @@ TEST(Allocation, AChurnedPileHoldsNoMoreMemory) {
     }
 }
 
+// Regression: the first contact, bounce, stop and sleep of a World sized arrays of all its bodies
+// within the step. 16 KB are four bytes for each of them.
+TEST(Allocation, TheFirstUseOfAFeatureSizesNoArrayOfAllBodies) {
+    constexpr int kBoxes = 4096;
+    const auto make = [] {
+        World world({.gravity = support::kEarth});
+        for (int i = 0; i < kBoxes; ++i) {
+            world.add({.shape = Box{1, 1},
+                       .position = {static_cast<Real>(2 * i), 0},
+                       .type = BodyType::Static});
+        }
+        world.add({.shape = Box{40, 1}, .position = {-100, 0}, .type = BodyType::Static});
+        for (int i = 0; i < 4; ++i) {
+            const Real x = static_cast<Real>(4 * i) - 110;
+            BodyDef ball = support::ballDef({x, 3}, Real(0.5));
+            ball.material.restitution = i < 2 ? Real(0.5) : Real(0);
+            ball.velocity = {0, i == 1 ? Real(-300) : Real(0)};
+            world.add(ball);
+        }
+        return world;
+    };
+    const auto play = [](World world) {
+        world.step(support::kDt);
+        world.step(support::kDt);
+        for (int i = 0; i < 600; ++i) {
+            const std::size_t before = bench::liveBytes();
+            world.step(support::kDt);
+            ASSERT_LT(bench::liveBytes(), before + 4 * kBoxes) << i;
+        }
+        EXPECT_EQ(stepStats(world).bodies, 0u);
+    };
+    const World world = make();
+    play(make());
+    play(world);
+    play(fromBytes(toBytes(world)));
+}
+
 } // namespace
 } // namespace kodo

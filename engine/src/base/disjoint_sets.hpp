@@ -12,6 +12,7 @@ namespace kodo {
 /// independent of the order of joins.
 class DisjointSets {
 public:
+    void reserve(std::size_t count) { parent_.reserve(count); }
     /// New indices are in no set.
     void resize(std::size_t count) { parent_.resize(count, kNone); }
     /// Makes a set of one index.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -18,8 +19,16 @@ public:
     void forget() { valid_ = false; }
     void begin(std::size_t slots) {
         valid_ = true;
-        first_.clear();
+        std::fill(first_.begin(), first_.end(), kEnd);
         links_.resize(2 * slots);
+    }
+
+    /// Sizes the array by body, with room for more.
+    void makeRoom(std::size_t bodies, std::size_t room) {
+        if (first_.size() < bodies) {
+            first_.reserve(room);
+            first_.resize(bodies, kEnd);
+        }
     }
 
     void add(std::uint32_t slot, std::uint32_t bodyA, std::uint32_t bodyB) {

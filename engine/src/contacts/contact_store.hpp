@@ -38,6 +38,10 @@ public:
     std::uint32_t slotAt(std::size_t index) const { return order_[index].slot; }
     /// Sorts slots in the order of the keys of their contacts. Not valid after a change of bodies.
     void sortByKey(std::span<std::uint32_t> slots) const;
+    /// Sizes the array by body, so that no first use costs a step as much as all bodies.
+    void makeRoom(const Bodies& bodies) {
+        lists_.makeRoom(bodies.size(), bodies.record.capacity());
+    }
     /// Slots of the contacts of each body.
     const ContactLists& lists() const;
 

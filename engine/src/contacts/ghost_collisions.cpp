@@ -111,7 +111,6 @@ void GhostCollisions::link(const Bodies& bodies, std::span<const ContactSummary>
         first_[body] = kEnd;
     }
     linked_.clear();
-    resizeByBody(first_, bodies, kEnd);
     next_.resize(summaries.size());
     onPieces_.clear();
     onPieces_.reserve(bodies.record.capacity());

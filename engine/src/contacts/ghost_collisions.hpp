@@ -20,6 +20,8 @@ inline namespace KODO_PRECISION {
 /// surface.
 class GhostCollisions {
 public:
+    /// Sizes the array by body.
+    void makeRoom(const Bodies& bodies) { resizeByBody(first_, bodies, kEnd); }
     /// Must be called after contacts were added, removed or moved, or a body became immovable or
     /// movable. `onGround`: slots of the contacts between an immovable and a movable body, in
     /// order, without sensors.

@@ -11,6 +11,8 @@ inline namespace KODO_PRECISION {
 namespace {
 
 constexpr std::size_t kFewUnused = 64; // indices; up to so many are kept
+// A sort of the bodies with parts costs as much as a visit of so many slots of bodies for each.
+constexpr std::size_t kSlots = 16;
 // New indices for all parts cost as much as so many comparisons of contacts by rank for each part.
 constexpr std::uint64_t kComparisons = 4;
 // Largest size of stored bounds relative to the needed ones. A body that was fast for one step
@@ -197,15 +199,41 @@ bool PartBounds::countStep(std::size_t contacts) {
     return compared_ > kComparisons * parts_.size();
 }
 
+std::size_t PartBounds::listBodies(std::vector<std::uint32_t>& bodies) const {
+    bodies.clear();
+    if (count_.size() <= kSlots * parts_.size()) {
+        for (std::uint32_t body = 0; body < count_.size(); ++body) {
+            if (count_[body] > 0) {
+                bodies.push_back(body);
+            }
+        }
+        return count_.size();
+    }
+    for (const Part& part : parts_) {
+        if (part.part == 0 && count_[part.body] > 0) {
+            bodies.push_back(part.body);
+        }
+    }
+    if (!inOrder_) {
+        std::sort(bodies.begin(), bodies.end()); // total order: bodies are unique
+    }
+    return parts_.size();
+}
+
 /// Gives each body the range that it needs, in order.
 void PartBounds::renumber() {
-    firstBefore_ = firstPart_;
+    moves_ += listBodies(bodies_);
+    for (const Part& part : parts_) {
+        if (part.part == 0) {
+            room_[part.body] = count_[part.body];
+        }
+    }
+    firstBefore_.resize(firstPart_.size());
     parts_.clear();
     from_.clear();
-    for (std::uint32_t body = 0; body < count_.size(); ++body) {
-        const std::uint32_t before = firstBefore_[body];
+    for (const std::uint32_t body : bodies_) {
+        const std::uint32_t before = firstBefore_[body] = firstPart_[body];
         firstPart_[body] = static_cast<std::uint32_t>(from_.size());
-        room_[body] = count_[body];
         for (std::uint32_t k = 0; k < count_[body]; ++k) {
             parts_.push_back({body, static_cast<std::uint16_t>(k)});
             from_.push_back(before + k);
@@ -226,11 +254,11 @@ void PartBounds::renumber() {
     }
 }
 
-/// Moves the elements of a list to their new indices.
+/// Moves the elements of a list to their new indices. Keeps room for as many again.
 template <typename T>
 void PartBounds::pick(std::vector<T>& list) const {
     std::vector<T> next;
-    next.reserve(std::max(list.capacity(), from_.size()));
+    next.reserve(std::max(std::min(list.capacity(), 2 * from_.size() + kFewUnused), from_.size()));
     for (const std::uint32_t i : from_) {
         next.push_back(list[i]);
     }

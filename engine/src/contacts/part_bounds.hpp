@@ -49,6 +49,9 @@ public:
     bool isBefore(BoundsPair a, BoundsPair b) const {
         return a.first != b.first ? rank(a.first) < rank(b.first) : rank(a.second) < rank(b.second);
     }
+    /// Lists the bodies with parts, in order, and returns the number of visits. These are linear in
+    /// the number of parts, however many bodies there once were.
+    std::size_t listBodies(std::vector<std::uint32_t>& bodies) const;
     /// Number of parts of a body.
     std::uint32_t countOf(std::uint32_t body) const { return count_[body]; }
     const Octagon& tight(std::size_t i) const { return tight_[i]; }
@@ -74,7 +77,7 @@ public:
     std::uint32_t indexNow(std::uint32_t before, std::uint32_t body) const {
         return before - firstBefore_[body] + firstPart_[body];
     }
-    /// Number of indices that were assigned again, of all calls so far.
+    /// Number of indices that were assigned again and of visits for it, of all calls so far.
     std::uint64_t moves() const { return moves_; }
     /// Lists all parts.
     void listAll();
@@ -122,8 +125,9 @@ private:
     std::vector<std::uint32_t> firstPart_;   // by body
     std::vector<std::uint32_t> room_;        // by body: length of its range
     std::vector<std::uint32_t> count_;       // by body: its parts
-    std::vector<std::uint32_t> firstBefore_; // firstPart_ before the last renumber()
+    std::vector<std::uint32_t> firstBefore_; // firstPart_ before the last renumber(), if any part
     std::vector<std::uint32_t> from_;        // scratch: by new index the old one
+    std::vector<std::uint32_t> bodies_;      // scratch: bodies with parts
     std::size_t usedCount_ = 0;
     bool inOrder_ = true;
     std::uint64_t compared_ = 0; // contacts by rank, since the order was lost

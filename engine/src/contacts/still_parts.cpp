@@ -79,9 +79,10 @@ void StillParts::followAwake(const Bodies& bodies, const PartBounds& bounds) {
 void StillParts::rebuild(const Bodies& bodies, const PartBounds& bounds) {
     planes_.clear();
     std::vector<BoundsTree::Leaf> leaves;
-    for (std::uint32_t body = 0; body < bodies.size(); ++body) {
+    bounds.listBodies(listed_);
+    for (const std::uint32_t body : listed_) {
         const std::uint32_t count = bounds.countOf(body);
-        if (count == 0 || isAwake(bodies, body)) {
+        if (isAwake(bodies, body)) {
             continue;
         }
         if (hasPlane(bodies, body)) {
@@ -138,7 +139,7 @@ void StillParts::removePlanes(std::uint32_t body) {
 }
 
 void StillParts::listOthers(const Bodies& bodies, const PartBounds& bounds,
-                            std::vector<std::uint32_t>& parts) const {
+                            std::vector<std::uint32_t>& parts) {
     parts.clear();
     const auto add = [&](std::uint32_t body) {
         const std::uint32_t first = bounds.indexOf(body, 0);
@@ -147,9 +148,8 @@ void StillParts::listOthers(const Bodies& bodies, const PartBounds& bounds,
         }
     };
     if (!hasTree_) {
-        for (std::uint32_t body = 0; body < bodies.size(); ++body) {
-            add(body);
-        }
+        bounds.listBodies(listed_);
+        std::for_each(listed_.begin(), listed_.end(), add);
         return;
     }
     std::for_each(bodies.awake.begin(), bodies.awake.end(), add);

@@ -37,7 +37,7 @@ public:
     /// Lists the parts to search without the tree, by rank: of active bodies, of planes, and the
     /// changed ones; all if there is no tree.
     void listOthers(const Bodies& bodies, const PartBounds& bounds,
-                    std::vector<std::uint32_t>& parts) const;
+                    std::vector<std::uint32_t>& parts);
     const BoundsTree& tree() const { return parts_.tree(); }
 
 private:
@@ -53,6 +53,7 @@ private:
     PartTree parts_;
     std::vector<std::uint32_t> planes_; // bodies with a plane, in order
     std::vector<std::uint32_t> active_; // Bodies::awake at the last update
+    std::vector<std::uint32_t> listed_; // scratch: bodies with parts
     std::size_t counted_ = 0;           // bodies awake when `hasTree_` was decided
     std::size_t all_ = 0;               // parts, at that time
     bool built_ = false;                // the tree is valid

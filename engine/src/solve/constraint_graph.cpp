@@ -46,7 +46,6 @@ void ContactBlocks::layOut(std::span<const Contact> contacts) {
 void ContactBlocks::rebuildGraph(const Bodies& bodies, ContactSet& contacts,
                                  std::uint32_t partitions) {
     partitions_.find(bodies, contacts.summaries(), partitions);
-    resizeByBody(colours_, bodies);
     evictAll(contacts.contacts(), bodies);
     forgetLanes();
     layOut(contacts.contacts());

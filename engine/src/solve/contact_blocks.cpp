@@ -52,10 +52,6 @@ void ContactBlocks::refine(const Refinement& refinement, ContactSet& contacts,
 
 void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, bool friction,
                           bool rolling) {
-    resizeByBody(colours_, bodies);
-    if (!refinedLevels_.empty()) {
-        resizeByBody(refinedLevels_, bodies);
-    }
     const std::size_t bins = BlockBins::kLevelBins * (refinedLevels_.empty() ? 1 : kLevels);
     if (passOrder_.blocks().size() > singles_ + bins * partitions_.count() + size() / 4) {
         // Most lanes are empty.
@@ -227,7 +223,6 @@ void ContactBlocks::arrange(const Bodies& bodies, std::span<Contact> contacts,
                             std::span<const std::uint32_t> newcomers,
                             std::span<const std::uint16_t> crowd, Real pushSpeed) {
     freeLanes(bodies);
-    resizeByBody(sharedOf_, bodies, kNone); // all kNone between steps
     for (const std::uint32_t place : newcomers) {
         Contact& contact = contacts[place];
         if (!keepsColour(bodies, contact)) {

@@ -134,6 +134,13 @@ bool later(const Event& e, const Event& f) {
 
 } // namespace
 
+void ContinuousCollision::makeRoom(const Bodies& bodies) {
+    resizeByBody(swift_, bodies);             // all 0 between steps
+    resizeByBody(stopAt_, bodies, Real(1));   // all 1 between steps
+    resizeByBody(push_, bodies);              // all 0 between steps
+    resizeByBody(first_, bodies, kNoContact); // all kNoContact between steps
+}
+
 /// Marks the swift bodies. A pair without a swift body needs no continuous collision, for one of
 /// two reasons. It cannot close a gap wider than the slop, and closes a narrower one by less than
 /// half of the core radii. Or no contact has restitution, and each body moves by at most half of
@@ -143,7 +150,6 @@ bool ContinuousCollision::markSwift(const Bodies& bodies, bool mayBounce,
     const Real unseen =
         mayBounce ? Real(0) : allowedApproach(bodies.thinnest, bodies.thinnest, true) / 2;
     std::uint8_t anySwift = 0;
-    resizeByBody(swift_, bodies); // all 0 between steps
     team.forEach(bodies.awake.size(), kPairsPerPiece, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             const std::uint32_t body = bodies.awake[k];
@@ -171,8 +177,6 @@ void ContinuousCollision::run(Bodies& bodies, ContactSet& contactSet, const Join
         sensors = findCandidates(bodies, contactSet, tolerances, team);
     }
     if (!candidates_.empty() || sensors) {
-        resizeByBody(stopAt_, bodies, Real(1)); // all 1 between steps
-        resizeByBody(push_, bodies);            // all 0 between steps
         const bool driven =
             std::any_of(bodies.awake.begin(), bodies.awake.end(),
                         [&](std::uint32_t body) { return bodies.isMovingKinematic(body); });
@@ -186,7 +190,7 @@ void ContinuousCollision::run(Bodies& bodies, ContactSet& contactSet, const Join
         if (sensors) {
             noticeSensors(bodies, contacts, settings, tolerances);
         }
-        finish(bodies, driven, dt);
+        finish(bodies, dt);
     }
     for (const std::uint32_t body : bodies.awake) {
         swift_[body] = 0;
@@ -194,15 +198,20 @@ void ContinuousCollision::run(Bodies& bodies, ContactSet& contactSet, const Join
 }
 
 /// Shortens the displacements of the stopped bodies.
-void ContinuousCollision::finish(Bodies& bodies, bool driven, Real dt) {
+void ContinuousCollision::finish(Bodies& bodies, Real dt) {
     for (const std::uint32_t body : bodies.awake) {
         if (stopAt_[body] < 1) {
             stop(bodies, body, stopAt_[body], push_[body], dt);
         }
     }
-    if (driven) { // sleeping bodies may have a push too
-        std::fill(push_.begin(), push_.end(), Vec2{});
+    for (const std::uint32_t body : pushed_) {
+        push_[body] = {};
     }
+    pushed_.clear();
+    for (const std::uint32_t body : linked_) {
+        first_[body] = kNoContact;
+    }
+    linked_.clear();
     for (const std::uint32_t body : stopped_) {
         stopAt_[body] = 1;
     }
@@ -232,15 +241,22 @@ bool ContinuousCollision::findCandidates(const Bodies& bodies, const ContactSet&
 
 /// Builds the lists of the contacts of each body, from contacts with a swift body.
 void ContinuousCollision::linkContacts(const Step& step) {
-    first_.assign(step.bodies.size(), kNoContact);
     next_.resize(step.summaries.size());
     for (std::uint32_t i = 0; i < step.summaries.size(); ++i) {
         const ContactSummary& summary = step.summaries[i];
         if (!summary.sensor && isSwift(summary)) {
-            next_[i] = {std::exchange(first_[summary.bodyA], i),
-                        std::exchange(first_[summary.bodyB], i)};
+            next_[i] = {link(summary.bodyA, i), link(summary.bodyB, i)};
         }
     }
+}
+
+/// Puts a contact at the begin of the list of a body, and returns the next one.
+std::uint32_t ContinuousCollision::link(std::uint32_t body, std::uint32_t contact) {
+    const std::uint32_t next = std::exchange(first_[body], contact);
+    if (next == kNoContact) {
+        linked_.push_back(body);
+    }
+    return next;
 }
 
 MotionPath ContinuousCollision::pathOf(const Bodies& bodies, std::uint32_t body) const {

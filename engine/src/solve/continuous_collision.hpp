@@ -39,6 +39,8 @@ public:
         const Tolerances& tolerances;
         Real dt; // s
     };
+    /// Sizes the arrays by body, so that no first use costs a step as much as all bodies.
+    void makeRoom(const Bodies& bodies);
     void run(Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
              const Parameters& parameters, WorkerTeam& team);
     /// Slots of the contacts with lines whose bodies the last run stopped: a corner that was far
@@ -75,6 +77,8 @@ private:
         return (swift_[summary.bodyA] | swift_[summary.bodyB]) != 0;
     }
     void linkContacts(const Step& step);
+    std::uint32_t link(std::uint32_t body, std::uint32_t contact);
+    Vec2& pushOf(std::uint32_t body);
     void findTime(const Step& step, std::uint32_t contact, Real from);
     void queueImpact(const Step& step, std::uint32_t contact);
     void findImpacts(const Step& step, WorkerTeam& team);
@@ -92,7 +96,7 @@ private:
     void stopJointed(const Step& step, bool atGround);
     Real violationAt(const Bodies& bodies, const JointDef& def, Real fractionA,
                      Real fractionB) const;
-    void finish(Bodies& bodies, bool driven, Real dt);
+    void finish(Bodies& bodies, Real dt);
     void noticeSensors(const Bodies& bodies, std::span<Contact> contacts,
                        const StepSettings& settings, const Tolerances& tolerances);
     void recordSensorImpact(const Bodies& bodies, Contact& contact, Real fraction,
@@ -101,6 +105,7 @@ private:
     std::vector<std::uint8_t> swift_;       // by body: moves so far that its pairs are tested
     std::vector<Real> stopAt_;              // by body: fraction of the step
     std::vector<Vec2> push_;                // by body: m, per whole step, by kinematic bodies
+    std::vector<std::uint32_t> pushed_;     // bodies that may have a push_
     std::vector<std::uint32_t> stopped_;    // bodies with stopAt_ < 1
     std::vector<std::uint32_t> candidates_; // contacts that may meet while no body is stopped
     ParallelCollector<std::uint32_t> found_;
@@ -108,6 +113,7 @@ private:
     // Linked lists of the contacts of each body: first_ by body; next_ by contact, for its bodies a
     // and b.
     std::vector<std::uint32_t> first_;
+    std::vector<std::uint32_t> linked_; // bodies with a list
     std::vector<std::array<std::uint32_t, 2>> next_;
     std::vector<std::uint32_t> pulling_;       // stopped bodies whose joints are still to be tested
     std::vector<std::uint32_t> jointsOf_;      // scratch: of one body

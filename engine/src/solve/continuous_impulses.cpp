@@ -45,6 +45,14 @@ void holdBack(Vec2& push, Vec2 normal) {
 
 } // namespace
 
+/// The push of a body, to be changed.
+Vec2& ContinuousCollision::pushOf(std::uint32_t body) {
+    if (push_[body] == Vec2{}) {
+        pushed_.push_back(body);
+    }
+    return push_[body];
+}
+
 /// Finds the pushes by kinematic bodies that touch or nearly touch at the start of the step. A body
 /// with restitution has become faster than the kinematic body by its impact and needs no push.
 void ContinuousCollision::findPushes(const Step& step) {
@@ -70,7 +78,7 @@ void ContinuousCollision::findPushes(const Step& step) {
             const Vec2 way =
                 floor.deltaPosition + cross(floor.deltaAngle, isA ? point.armA : point.armB);
             const Vec2 normal = isA ? contact.manifold.normal : -contact.manifold.normal;
-            Vec2& push = push_[isA ? bodyB : bodyA];
+            Vec2& push = pushOf(isA ? bodyB : bodyA);
             if (stop) {
                 holdBack(push, normal);
             } else {
@@ -114,12 +122,13 @@ void ContinuousCollision::takePushedDisplacement(const Step& step, const Contact
         if (step.bodies.locked(body)) {
             return;
         }
+        Vec2& push = pushOf(body);
         if (step.bodies.locked(other) && !step.bodies.isMovingKinematic(other)) {
-            holdBack(push_[body], away);
+            holdBack(push, away);
         } else if (overlap < 0 && step.bodies.locked(other)) {
-            follow(push_[body], away, way);
+            follow(push, away, way);
         } else {
-            pushAlong(push_[body], away, way);
+            pushAlong(push, away, way);
         }
     };
     take(key.bodyA, key.bodyB, -normal, wayB);

@@ -228,9 +228,7 @@ void ImpactSolver::solve(Bodies& bodies, ContactSet& contactSet, const ContactBl
     if (!anyFast(contactSet.live(), summaries, step.team, wasFast)) {
         return;
     }
-    resizeByBody(lastHit_, bodies); // all 0 between steps
     round_ = 0;
-    sets_.resize(bodies.size());
     const Inputs inputs{bodies, contactSet, blocks, step, restSpeed};
     listCandidates(inputs);
     const int passes = std::max(1, std::get<SoftSettings>(step.settings.solver).impactPasses);

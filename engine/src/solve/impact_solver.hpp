@@ -41,6 +41,12 @@ public:
         WorkerTeam& team;
     };
 
+    /// Sizes the arrays by body, so that no first use costs a step as much as all bodies.
+    void makeRoom(const Bodies& bodies) {
+        resizeByBody(lastHit_, bodies); // all 0 between steps
+        sets_.reserve(bodies.record.capacity());
+        sets_.resize(bodies.size());
+    }
     void solve(Bodies& bodies, ContactSet& contactSet, const ContactBlocks& blocks,
                const Step& step);
 

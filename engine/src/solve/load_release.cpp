@@ -213,7 +213,6 @@ void LoadRelease::releaseSeparating(const Inputs& inputs, std::uint32_t body, Re
 }
 
 void LoadRelease::markJointed(const Inputs& inputs, std::uint8_t mark) {
-    resizeByBody(jointed_, inputs.bodies);
     inputs.joints.forEachBusy([&](const JointSet::Joint& joint) {
         jointed_[firstBody(joint.def).index] = mark;
         jointed_[secondBody(joint.def).index] = mark;
@@ -235,8 +234,6 @@ void LoadRelease::run(const Inputs& inputs, std::span<const std::uint32_t> list,
     }
     before_ = before;
     queue_.clear();
-    resizeByBody(visits_, bodies);
-    resizeByBody(queued_, bodies);
     markJointed(inputs, 1);
     for (std::size_t i = 0, count = changed_.size(); i < count; ++i) {
         releaseSeparating(inputs, changed_[i], h);

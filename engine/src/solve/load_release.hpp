@@ -44,6 +44,12 @@ public:
         const Tolerances& tolerances;
     };
 
+    /// Sizes the arrays by body.
+    void makeRoom(const Bodies& bodies) {
+        resizeByBody(visits_, bodies);
+        resizeByBody(queued_, bodies);
+        resizeByBody(jointed_, bodies);
+    }
     /// After the warm start of contacts in a substep of h (s). `list`: bodies; `before`: their
     /// velocities with the forces of the substep, without contacts and joints.
     void run(const Inputs& inputs, std::span<const std::uint32_t> list,

@@ -90,6 +90,12 @@ void OverlapRelaxation::clear() {
     visits_ = 0;
 }
 
+void OverlapRelaxation::makeRoom(const Bodies& bodies) {
+    sets_.reserve(bodies.record.capacity() + 1);
+    sets_.resize(bodies.size() + 1);
+    resizeByBody(clusters_, bodies);
+}
+
 void OverlapRelaxation::begin(std::size_t bodies) {
     clear();
     sets_.resize(bodies + 1);

@@ -36,6 +36,8 @@ public:
         std::span<const std::uint16_t> crowd; // by body: number of overlaps beyond four slops
     };
 
+    /// Sizes the arrays by body.
+    void makeRoom(const Bodies& bodies);
     /// Finds the contacts that take part.
     void find(const Contacts& contacts);
     /// For a step without deep overlaps.

@@ -100,8 +100,6 @@ void Propagation::predict(const Bodies& bodies, std::span<Contact> contacts,
 void Propagation::findIslands(const Bodies& bodies, const ContactSet& contactSet,
                               const JointSet& joints) {
     const std::span<const Contact> contacts = contactSet.contacts();
-    islands_.resize(bodies.size());
-    numbers_.resize(bodies.size());
     for (const std::uint32_t body : bodies.awake) {
         islands_.makeSet(body);
         numbers_[body] = kNone;
@@ -254,7 +252,6 @@ void Propagation::separate(Bodies& bodies, const Step& step, Real h) {
     if (!any) {
         return;
     }
-    parting_.resize(bodies.size());
     for (const PropagationRow& row : rows_) {
         parting_[row.a] = parting_[row.b] = {};
     }
@@ -286,7 +283,6 @@ void Propagation::separate(Bodies& bodies, const Step& step, Real h) {
 
 /// Bodies with a noticeable impulse of a row move by their velocity, all others in free flight.
 void Propagation::markExposure(const Bodies& bodies, const JointSet& joints, Real h, Real slop) {
-    exposure_.resize(bodies.size());
     for (const std::uint32_t body : bodies.awake) {
         exposure_[body] = ContactExposure::Free;
     }
@@ -316,11 +312,13 @@ void Propagation::relax(Bodies& bodies, JointSet& joints, JointPass pass,
     }
     pass.last = false;
     joints.solve(bodies, pass);
-    jointed_.assign(bodies.size(), 0);
-    joints.forEachBusy([&](const JointSet::Joint& joint) {
-        jointed_[firstBody(joint.def).index] = 1;
-        jointed_[secondBody(joint.def).index] = 1;
-    });
+    const auto markJointed = [&](std::uint8_t mark) {
+        joints.forEachBusy([&](const JointSet::Joint& joint) {
+            jointed_[firstBody(joint.def).index] = mark;
+            jointed_[secondBody(joint.def).index] = mark;
+        });
+    };
+    markJointed(1);
     for (int k = 1; k <= kRelaxPasses; ++k) {
         forEachRow(Stage::Contacts, settings.contactPasses + k, [&](PropagationRow& row) {
             if ((jointed_[row.a] | jointed_[row.b]) != 0) {
@@ -330,6 +328,7 @@ void Propagation::relax(Bodies& bodies, JointSet& joints, JointPass pass,
         pass.last = k == kRelaxPasses;
         joints.solve(bodies, pass);
     }
+    markJointed(0);
 }
 
 void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints,

@@ -52,6 +52,8 @@ public:
         }
     };
 
+    /// Sizes the arrays by body, so that no first use costs a step as much as all bodies.
+    void makeRoom(const Bodies& bodies);
     /// Needs fresh manifolds at the start poses. Leaves them with the separations before the last
     /// substep, and with impulses. Bodies get their displacements.
     void solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step);
@@ -124,7 +126,7 @@ private:
     std::vector<std::uint32_t> struckEnds_; // by island: its end in struck_
     std::vector<SeparationShift> parting_;  // by body
     std::vector<ContactExposure> exposure_; // by body
-    std::vector<std::uint8_t> jointed_;     // by body
+    std::vector<std::uint8_t> jointed_;     // by body; 0 outside relax()
     std::vector<std::uint32_t> node_;       // by body: its node in the contact graph
     std::vector<std::uint32_t> immovable_;  // nodes
     std::vector<SupportEdge> supports_;     // between nodes

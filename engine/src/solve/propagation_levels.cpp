@@ -16,12 +16,21 @@ constexpr Real kSteep = Real(0.25);
 
 } // namespace
 
+void Propagation::makeRoom(const Bodies& bodies) {
+    islands_.reserve(bodies.record.capacity());
+    islands_.resize(bodies.size());
+    resizeByBody(numbers_, bodies);
+    resizeByBody(parting_, bodies);
+    resizeByBody(exposure_, bodies);
+    resizeByBody(jointed_, bodies);
+    resizeByBody(node_, bodies);
+    resizeByBody(levelOf_, bodies);
+}
+
 /// Finds the levels of all bodies with rows, and sorts the rows by the higher level of their
 /// bodies. Rows between bodies without support from the ground are left out.
 void Propagation::findLevels(const Bodies& bodies) {
     constexpr std::uint32_t kNoNode = ~std::uint32_t{};
-    node_.resize(bodies.size());
-    levelOf_.resize(bodies.size());
     for (const PropagationRow& row : rows_) {
         node_[row.a] = node_[row.b] = kNoNode;
     }

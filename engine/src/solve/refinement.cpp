@@ -186,7 +186,6 @@ bool Refinement::find(const Step& step) {
     }
     findSeeds(step);
     if (!seeds_.empty()) {
-        levels_.resize(step.bodies.size(), 0);
         listJoints(step);
         std::sort(seeds_.begin(), seeds_.end(), std::greater<>()); // total order: bodies are unique
         for (const auto& [level, body] : seeds_) {                 // the highest first

@@ -37,6 +37,8 @@ public:
         const Tolerances& tolerances;
         Real hertz; // of contacts in a whole substep
     };
+    /// Sizes the array by body.
+    void makeRoom(const Bodies& bodies) { resizeByBody(levels_, bodies); }
     /// Finds the levels of a step. True if any has changed since the last step.
     bool find(const Step& step);
     /// By body; empty if all are 0.

@@ -89,12 +89,19 @@ void SleepSystem::countCalm(Bodies& bodies, const StepSettings& settings,
     }
 }
 
+void SleepSystem::makeRoom(const Bodies& bodies) {
+    resizeByBody(leastCalm_, bodies);
+    resizeByBody(reachedBy_, bodies); // all 0 between steps
+    resizeByBody(neighboursOf_, bodies);
+}
+
 /// Finds the base of each body of calm islands: the range of the points that support it, across its
 /// acceleration.
 void SleepSystem::findBases(const Bodies& bodies, const ContactSet& contacts) {
-    resizeByBody(bases_, bodies);
+    bases_.clear();
+    reserveReusing(bases_, sleepers_.size());
     for (const auto& [root, body] : sleepers_) {
-        bases_[body] = baseOf(body, bodies, contacts);
+        bases_.push_back(baseOf(body, bodies, contacts));
     }
 }
 
@@ -131,7 +138,8 @@ void SleepSystem::holdMoving(Bodies& bodies, std::uint32_t enough, const Toleran
     const auto isOnBase = [&](const Base& base) {
         return base.least < -tolerances.slop && base.most > tolerances.slop;
     };
-    for (const auto& [root, body] : sleepers_) {
+    for (std::size_t k = 0; k < sleepers_.size(); ++k) {
+        const auto [root, body] = sleepers_[k];
         SleepState& rest = bodies.sleep[body];
         const Mass& mass = bodies.geometry(body).mass;
         BodyVelocity change = bodies.motion[body];
@@ -139,7 +147,7 @@ void SleepSystem::holdMoving(Bodies& bodies, std::uint32_t enough, const Toleran
         change.velocity -= rest.samples[1].velocity;
         change.angularVelocity -= rest.samples[1].angularVelocity;
         const Real changed = std::sqrt(kineticEnergy(change, mass));
-        const Real noise = (isOnBase(bases_[body]) ? kNoiseOnBase : kNoise) *
+        const Real noise = (isOnBase(bases_[k]) ? kNoiseOnBase : kNoise) *
                            std::sqrt(energyOfForces(bodies.acceleration[body], mass, dt));
         if (now - std::sqrt(rest.leastEnergy) > noise) {
             restartCount(rest, bodies.pose[body]);
@@ -155,10 +163,8 @@ void SleepSystem::holdMoving(Bodies& bodies, std::uint32_t enough, const Toleran
 /// Lists the bodies of calm islands, searched from one calm body after the other.
 void SleepSystem::findCalmIslands(const Bodies& bodies, const ContactSet& contacts,
                                   const JointSet& joints, std::uint32_t enough) {
-    resizeByBody(leastCalm_, bodies);
-    resizeByBody(reachedBy_, bodies); // all 0 between steps
     reached_.clear();
-    reached_.reserve(bodies.record.capacity());
+    reached_.reserve(bodies.awake.capacity());
     std::uint32_t search = 0;
     for (const std::uint32_t body : calm_) {
         if (reachedBy_[body] != 0) {
@@ -224,7 +230,7 @@ bool SleepSystem::updateSleep(Bodies& bodies, const ContactSet& contacts, const 
     }
     const auto enough = static_cast<std::uint32_t>(settings.sleepSteps);
     sleepers_.clear();
-    sleepers_.reserve(bodies.record.capacity());
+    sleepers_.reserve(bodies.awake.capacity());
     findCalmIslands(bodies, contacts, joints, enough);
     if (!sleepers_.empty()) {
         findBases(bodies, contacts);

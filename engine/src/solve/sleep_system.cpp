@@ -34,6 +34,19 @@ void keep(std::vector<Contact>& held, const Contact& contact) {
 
 } // namespace
 
+/// The list of a body.
+std::vector<SleepSystem::NeighbourIsland>& SleepSystem::neighboursFor(std::uint32_t body) {
+    if (body >= neighboursOf_.size()) {
+        neighboursOf_.resize(body + std::size_t{1}, 0);
+    }
+    std::uint32_t& index = neighboursOf_[body];
+    if (index == 0) {
+        index = static_cast<std::uint32_t>(neighbourIslands_.size());
+        neighbourIslands_.emplace_back();
+    }
+    return neighbourIslands_[index];
+}
+
 /// Notes that an island has a contact with a body that is not its own.
 void SleepSystem::noteIslandContact(const Bodies& bodies, const Contact& contact,
                                     std::uint32_t island) {
@@ -41,10 +54,7 @@ void SleepSystem::noteIslandContact(const Bodies& bodies, const Contact& contact
         if (bodies.sleep[body].island == island) {
             continue;
         }
-        if (body >= neighbourIslands_.size()) {
-            neighbourIslands_.resize(body + std::size_t{1});
-        }
-        std::vector<NeighbourIsland>& all = neighbourIslands_[body];
+        std::vector<NeighbourIsland>& all = neighboursFor(body);
         if (all.size() == all.capacity()) {
             std::erase_if(all, [&](const NeighbourIsland& old) { return hasWoken(old); });
         }
@@ -117,10 +127,10 @@ void SleepSystem::wakeAll(Bodies& bodies, ContactSet& contacts) {
 void SleepSystem::wakeOn(Bodies& bodies, ContactSet& contacts, std::span<const std::uint32_t> of) {
     members_.clear();
     for (const std::uint32_t body : of) {
-        if (body >= neighbourIslands_.size() || !bodies.active(body)) {
+        if (body >= neighboursOf_.size() || !bodies.active(body)) {
             continue;
         }
-        for (const NeighbourIsland& neighbour : neighbourIslands_[body]) {
+        for (const NeighbourIsland& neighbour : neighbourIslands_[neighboursOf_[body]]) {
             if (hasWoken(neighbour)) {
                 continue;
             }
@@ -141,9 +151,10 @@ void SleepSystem::wakeOn(Bodies& bodies, ContactSet& contacts, std::span<const s
 /// Notes the islands that touch a body for wakeIslands(). Of the others, as beside a sensor, the
 /// contacts with it return to the list of steps, since the body may change.
 void SleepSystem::noteTouching(Bodies& bodies, ContactSet& contacts, std::uint32_t body) {
-    if (body >= neighbourIslands_.size()) {
+    if (body >= neighboursOf_.size() || neighboursOf_[body] == 0) {
         return;
     }
+    std::vector<NeighbourIsland>& neighbours = neighbourIslands_[neighboursOf_[body]];
     const auto isOfBody = [&](const Contact& contact) {
         return contact.key.bodyA == body || contact.key.bodyB == body;
     };
@@ -151,7 +162,7 @@ void SleepSystem::noteTouching(Bodies& bodies, ContactSet& contacts, std::uint32
         return contact.wasTouching && contact.responds() && isOfBody(contact);
     };
     returning_.clear();
-    for (const NeighbourIsland& neighbour : neighbourIslands_[body]) {
+    for (const NeighbourIsland& neighbour : neighbours) {
         if (hasWoken(neighbour)) {
             continue;
         }
@@ -163,7 +174,7 @@ void SleepSystem::noteTouching(Bodies& bodies, ContactSet& contacts, std::uint32
             std::erase_if(all, isOfBody);
         }
     }
-    neighbourIslands_[body].clear();
+    neighbours.clear();
     if (!returning_.empty()) {
         contacts.putBack(returning_, bodies);
     }

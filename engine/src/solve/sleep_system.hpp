@@ -31,6 +31,8 @@ void restartCount(SleepState& rest, const Transform& pose);
 /// lists of a step.
 class SleepSystem {
 public:
+    /// Sizes the arrays by body, so that no first use costs a step as much as all bodies.
+    void makeRoom(const Bodies& bodies);
     /// Wakes the islands that an active body touches. Needs fresh manifolds.
     void wakeTouched(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances);
     /// Wakes the islands that a joint connects to an active body.
@@ -98,6 +100,7 @@ private:
     void noteTouching(Bodies& bodies, ContactSet& contacts, std::uint32_t body);
     void disturb(Bodies& bodies, std::uint32_t body);
     void keepContacts(const Bodies& bodies, std::span<const Contact> idle);
+    std::vector<NeighbourIsland>& neighboursFor(std::uint32_t body);
     void noteIslandContact(const Bodies& bodies, const Contact& contact, std::uint32_t island);
     bool hasWoken(const NeighbourIsland& neighbour) const {
         return islands_[neighbour.island].version != neighbour.version;
@@ -115,13 +118,14 @@ private:
 
     std::vector<Island> islands_;
     std::size_t sleepingIslands_ = 0;
-    std::vector<std::uint32_t> freeIslands_;                     // heap, the lowest on top
-    std::vector<std::vector<NeighbourIsland>> neighbourIslands_; // by body
-    std::vector<std::uint32_t> calm_;                            // calm for long enough, in order
-    std::vector<std::uint32_t> reached_;                         // scratch of findCalmIslands
+    std::vector<std::uint32_t> freeIslands_;  // heap, the lowest on top
+    std::vector<std::uint32_t> neighboursOf_; // by body: index of its list, 0 of none
+    std::vector<std::vector<NeighbourIsland>> neighbourIslands_{1}; // lists; the first stays empty
+    std::vector<std::uint32_t> calm_;      // calm for long enough, in order
+    std::vector<std::uint32_t> reached_;   // scratch of findCalmIslands
     std::vector<std::uint32_t> reachedBy_; // by body: number of the search; 0: none
     std::vector<std::uint32_t> leastCalm_; // by root: calm steps
-    std::vector<Base> bases_;              // by body
+    std::vector<Base> bases_;              // of sleepers_
     std::vector<std::pair<std::uint32_t, std::uint32_t>> sleepers_; // root and body
     std::vector<std::uint32_t> members_;                            // of an island, or to be woken
     std::vector<std::uint32_t> woken_;                              // islands: see wakeIslands

@@ -51,16 +51,9 @@ bool isLeaving(const Bodies& bodies, const Contact& contact, Real dt) {
 
 /// Clears the marks of all bodies, then marks those with joints.
 void SoftSolver::clearMarks(const Bodies& bodies, const JointSet& joints) {
-    resizeByBody(exposure_, bodies);
-    resizeByBody(near_, bodies);
-    resizeByBody(touched_, bodies);
-    resizeByBody(overlapCount_, bodies);
-    anyDeep_ = 0;
-    const bool most = kMany * bodies.awake.size() > bodies.size();
-    if (std::exchange(anyCrowded_, std::uint8_t{0}) != 0 || most) { // inactive bodies too
+    anyDeep_ = anyCrowded_ = 0;
+    if (kMany * bodies.awake.size() > bodies.size()) {
         std::fill(overlapCount_.begin(), overlapCount_.end(), std::uint16_t{0});
-    }
-    if (most) {
         std::fill(near_.begin(), near_.end(), std::uint8_t{0});
         std::fill(touched_.begin(), touched_.end(), std::uint8_t{0});
     } else {
@@ -196,6 +189,15 @@ void SoftSolver::countOverlap(const Bodies& bodies, const ContactSummary& summar
         if (count > ContactBlocks::kNeighbours) {
             WorkerTeam::mark(anyCrowded_);
         }
+    }
+}
+
+/// After a step with a crowd: what becomes inactive or immovable before the next one counts
+/// nothing.
+void SoftSolver::clearOverlapCounts(ContactSet& contactSet) {
+    for (const std::uint32_t place : contactSet.live()) {
+        const ContactSummary& summary = contactSet.summaries()[place];
+        overlapCount_[summary.bodyA] = overlapCount_[summary.bodyB] = 0;
     }
 }
 

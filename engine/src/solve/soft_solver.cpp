@@ -20,6 +20,17 @@ constexpr int kSpringPasses = 4;
 
 } // namespace
 
+void SoftSolver::makeRoom(const Bodies& bodies) {
+    resizeByBody(exposure_, bodies);
+    resizeByBody(near_, bodies);
+    resizeByBody(touched_, bodies);
+    resizeByBody(overlapCount_, bodies);
+    resizeByBody(before_, bodies);
+    refinement_.makeRoom(bodies);
+    loadRelease_.makeRoom(bodies);
+    groups_[0].overlapRelaxation.makeRoom(bodies);
+}
+
 /// Lists the bodies of joints that RevoluteBlocks does not solve, each once.
 void SoftSolver::findJointed(const JointSet& joints) {
     jointed_.clear();
@@ -159,6 +170,9 @@ void SoftSolver::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joi
         }
     }
     moveKinematic(bodies, dt);
+    if (anyCrowded_ != 0) {
+        clearOverlapCounts(contactSet);
+    }
     blocks_.noteTouching(tolerances.slop, team);
 }
 

@@ -45,6 +45,8 @@ public:
         WorkerTeam& team;
     };
 
+    /// Sizes the arrays by body, so that no first use costs a step as much as all bodies.
+    void makeRoom(const Bodies& bodies);
     void solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step);
     /// Visits of contacts in the last step.
     std::size_t visits() const { return visits_; }
@@ -95,6 +97,7 @@ private:
     void collectPiece(const Collecting& run, std::span<const std::uint32_t> places,
                       std::vector<std::uint32_t>& newcomers);
     void noteExposure(const Collecting& run, const ContactSummary& summary, bool leaves);
+    void clearOverlapCounts(ContactSet& contactSet);
     void clearMarks(const Bodies& bodies, const JointSet& joints);
     void beginCollecting(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
                          const Step& step);

@@ -133,7 +133,6 @@ void SoftSolver::runSubstep(Substeps& run, int substep, int substeps) {
     JointPass& jointPass = run.jointPass;
     const PassSettings& settings = run.pass.settings;
     if (first) {
-        resizeByBody(before_, bodies);
         std::fill(fromJoints_.begin(), fromJoints_.end(), Velocity{});
     }
     for (std::size_t k = 0; k < jointed_.size() && !first; ++k) {

@@ -269,8 +269,8 @@ void SnapshotFields::contacts(ContactSet& set, const Bodies& bodies, const Toler
            added, addedIsDeep, movedTo, slots, reorderPolicy, placesStale] = store;
     auto& [allDue, eventsDue, toggled, allRecords, begun, ended, removed, ends, nextEnds,
            recordSlots] = records;
-    auto& [parts, firstPart, room, count, firstBefore, from, usedCount, inOrder, compared, moves,
-           convexes, corners, leftOver, tight, grown, changed, isChanged, outgrown] = bounds;
+    auto& [parts, firstPart, room, count, firstBefore, from, listed, usedCount, inOrder, compared,
+           moves, convexes, corners, leftOver, tight, grown, changed, isChanged, outgrown] = bounds;
     set.records().all(set.recordSource([](Contact&) {})); // none is resident
     if (!reads()) {
         set.applyChanges(bodies, tolerances);

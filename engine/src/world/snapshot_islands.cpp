@@ -16,8 +16,8 @@ bool areInOrder(std::span<const std::uint32_t> bodies, std::size_t count) {
 }
 
 void SnapshotFields::rest(SleepSystem& stage, Bodies& bodies) {
-    auto& [islands, sleepingIslands, freeIslands, neighbourIslands, calm, reached, reachedBy,
-           leastCalm, bases, sleepers, members, woken, returning] = stage;
+    auto& [islands, sleepingIslands, freeIslands, neighboursOf, neighbourIslands, calm, reached,
+           reachedBy, leastCalm, bases, sleepers, members, woken, returning] = stage;
     all(islands);
     if (!reads()) {
         return;

@@ -46,6 +46,7 @@ void WorldStep::run(StageListener* listener) {
             listener->enter(stage);
         }
     };
+    makeRoom();
     const bool arrivals = !bodies_.changes.arrived.empty();
     contacts_.updatePairs(bodies_, joints_.excludedPairs(), tolerances_, dt_, team_);
     clearArrivals(bodies_);
@@ -81,6 +82,22 @@ void WorldStep::run(StageListener* listener) {
     }
     if (listener != nullptr) {
         listener->leave();
+    }
+}
+
+/// Sizes what is stored by body in the step after bodies were added: no later one has to.
+void WorldStep::makeRoom() {
+    if (std::holds_alternative<PropagationSettings>(settings_.solver)) {
+        propagation_.makeRoom(bodies_);
+    } else {
+        impacts_.makeRoom(bodies_);
+        softSolver_.makeRoom(bodies_);
+    }
+    if (settings_.has(Feature::ContinuousCollision)) {
+        continuous_.makeRoom(bodies_);
+    }
+    if (settings_.has(Feature::Sleep)) {
+        sleep_.makeRoom(bodies_);
     }
 }
 

@@ -17,6 +17,7 @@ public:
 private:
     void forAwake(void (*work)(Bodies&, std::span<const std::uint32_t>));
     void updateManifolds();
+    void makeRoom();
     void evictTeleported();
     void evictContactsOf(std::uint32_t body);
     void wakeIslands(bool arrivals);
