@@ -17,18 +17,6 @@ void ContactSet::freeDetached() {
     }
 }
 
-/// Removes the contacts for which gone(slot) is true, in the order of keys.
-template <typename Gone>
-void ContactSet::eraseIf(Gone gone) {
-    freeDetached();
-    store_.forEachInOrder([&](std::uint32_t slot) {
-        if (gone(slot)) {
-            store_.detach(slot);
-        }
-    });
-    freeDetached();
-}
-
 void ContactSet::drop(std::uint32_t body, const WriteBack& writeBack) {
     store_.lists().forEach(body, [&](std::uint32_t slot) {
         takeOut(contacts()[slot], writeBack);
@@ -99,19 +87,6 @@ void ContactSet::takeIdle(std::uint32_t slot, const WriteBack& writeBack) {
     // Otherwise the step after putBack would report them again.
     taken.approachSpeed = 0;
     clearImpactImpulses(taken);
-}
-
-std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies, const WriteBack& writeBack) {
-    idle_.clear();
-    eraseIf([&](std::uint32_t slot) {
-        const ContactSummary& summary = summaries()[slot];
-        const bool gone = !bodies.active(summary.bodyA) && !bodies.active(summary.bodyB);
-        if (gone) {
-            takeIdle(slot, writeBack);
-        }
-        return gone;
-    });
-    return idle_;
 }
 
 std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies,
