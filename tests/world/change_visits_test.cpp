@@ -142,6 +142,77 @@ TEST(ChangeVisits, ARegionInTheGapOfACompoundHasItsBodyInside) {
     EXPECT_EQ(world.bodyCount(), 1u);
 }
 
+/// Stacks of four boxes outside the region, each on its own plate, and a box inside.
+struct ParkedStacks {
+    World world{WorldDef{.gravity = support::kEarth}};
+    std::vector<BodyId> boxes;
+    BodyId inside = world.add(support::boxDef({-20, 5}, 1, 1));
+    static constexpr std::uint64_t kOfStack = 4; // contacts
+
+    ParkedStacks() {
+        for (int column = 0; column < kBodies / 4; ++column) {
+            const auto x = static_cast<Real>(2 * column);
+            world.add({.shape = Box{Real(1.5), 1},
+                       .position = {x, Real(-0.5)},
+                       .type = BodyType::Static});
+            for (int row = 0; row < 4; ++row) {
+                boxes.push_back(
+                    world.add(support::boxDef({x, static_cast<Real>(row) + Real(0.5)}, 1, 1)));
+            }
+        }
+        support::run(world, 3);
+        world.setRegion(regionAt(-50, 45));
+        support::run(world, 3);
+        EXPECT_EQ(stepStats(world).bodies, 1u);
+    }
+    /// Parked contacts and bodies visited by a call and the step after it.
+    template <typename Call>
+    std::uint64_t visits(Call call) {
+        const std::uint64_t before = stepStats(world).changeVisits;
+        call();
+        world.step(support::kDt);
+        return stepStats(world).changeVisits - before;
+    }
+};
+
+// Regression: each of these calls visited all parked contacts.
+TEST(ChangeVisits, ACallOnABodyOutsideVisitsItsOwnParkedContacts) {
+    ParkedStacks stacks;
+    World& world = stacks.world;
+    const auto box = [&](std::size_t i) { return world[stacks.boxes[i]]; };
+    constexpr std::uint64_t kOwn = 2;
+    EXPECT_LE(stacks.visits([&] { box(4 * 50 + 1).setMaterial(withFriction(0)); }), kOwn);
+    EXPECT_LE(stacks.visits([&] { box(4 * 60 + 1).setPosition({70, 30}); }), kOwn);
+    EXPECT_LE(stacks.visits([&] { box(4 * 70 + 1).setVelocity({1, 0}); }), kOwn);
+    EXPECT_LE(stacks.visits([&] { world.remove(stacks.boxes[4 * 80 + 1]); }), kOwn);
+    EXPECT_LE(stacks.visits([&] { world[stacks.inside].setMaterial(withFriction(0)); }), 0u);
+}
+
+// Regression: they visited all parked contacts.
+TEST(ChangeVisits, ABodyThatLeavesOrEntersTheRegionVisitsItsOwnParkedContacts) {
+    ParkedStacks stacks;
+    World& world = stacks.world;
+    (void)rayCast(world, {0, 50}, {0, 40}); // builds the tree of queries
+    world.setRegion(regionAt(-50, Real(45.5)));
+    BodyRef inside = world[stacks.inside];
+    const auto leave = [&] {
+        inside.setPosition({-6, 5});
+        inside.setVelocity({200, 0});
+        world.step(support::kDt);
+    };
+    EXPECT_LE(stacks.visits(leave), 0u);
+    EXPECT_TRUE(support::isOutside(world, stacks.inside));
+    EXPECT_LE(stacks.visits([&] { inside.setPosition({-20, 5}); }), 0u);
+    EXPECT_FALSE(support::isOutside(world, stacks.inside));
+    // The plate and its boxes enter, then leave: each is visited, and both ends of each contact, by
+    // the call and by the step.
+    const std::uint64_t most = 6 * ParkedStacks::kOfStack;
+    EXPECT_LE(stacks.visits([&] { world.setRegion(regionAt(-50, 50)); }), most);
+    EXPECT_FALSE(support::isOutside(world, stacks.boxes[3]));
+    EXPECT_LE(stacks.visits([&] { world.setRegion(regionAt(-50, 45)); }), most);
+    EXPECT_TRUE(support::isOutside(world, stacks.boxes[3]));
+}
+
 // Regression: the parts of all later bodies got new indices.
 TEST(ChangeVisits, AWeldVisitsTheBodyThatIsWelded) {
     SleepingRow row;

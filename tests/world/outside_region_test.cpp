@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <support/outside.hpp>
 #include <support/phase_book.hpp>
+#include <support/sleeping.hpp>
 
 namespace kodo {
 namespace {
@@ -130,6 +131,41 @@ TEST(OutsideRegion, ContactsEndWhenABodyIsRemovedOrTeleported) {
     tower.world.setRegion(Tower::kAll);
     tower.world.step(kDt);
     EXPECT_EQ(phasesOf(tower.world), (Phases{0, 3, 0}));
+}
+
+// A sensor leaves the region while a body sleeps in it. Regression: once that body woke, their
+// contact began again.
+TEST(OutsideRegion, AParkedContactGoesOnWhenItsSleepingBodyWakes) {
+    World world({.gravity = support::kEarth});
+    addFloor(world);
+    const BodyId sleeper = world.add(boxDef({0, Real(0.5)}, 1, 1));
+    support::PhaseBook book;
+    const auto step = [&] {
+        world.step(kDt);
+        book.read(world);
+    };
+    for (int i = 0; i < 60; ++i) {
+        step();
+    }
+    ASSERT_TRUE(support::isAsleep(world, sleeper));
+    const BodyId sensor = world.add({.shape = Box{20, Real(0.2)},
+                                     .position = {-10, Real(0.5)},
+                                     .velocity = {Real(0.1), 0},
+                                     .type = BodyType::Kinematic,
+                                     .flags = kSensor});
+    step();
+    ASSERT_NE(support::recordOf(world, sleeper, sensor), nullptr);
+    ASSERT_TRUE(support::isAsleep(world, sleeper));
+    world.setRegion(Aabb{{Real(0.2), -5}, {10, 10}}); // overlaps the sleeper alone
+    ASSERT_TRUE(isOutside(world, sensor));
+    step();
+    world[sleeper].wake();
+    World restored = fromBytes(toBytes(world));
+    for (int i = 0; i < 10; ++i) {
+        step();
+        restored.step(kDt);
+        EXPECT_EQ(restored.stateHash(), world.stateHash()) << i;
+    }
 }
 
 // A restored World with parked contacts continues with the same bits.

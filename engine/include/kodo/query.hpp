@@ -83,7 +83,8 @@ struct QueryPoint {
 };
 
 /// The closest body within maxDistance (m, >= 0; infinite: the whole World). Ties go to the lower
-/// id, then to the lower part.
+/// id, then to the lower part. The cost grows with the number of closer bodies that the filter
+/// refuses or `except` contains: where few bodies pass, a small maxDistance bounds it.
 KODO_API std::optional<QueryPoint> closestPoint(const World& world, Vec2 point, Real maxDistance,
                                                 CollisionFilter which = {},
                                                 std::span<const BodyId> except = {});

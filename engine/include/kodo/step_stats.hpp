@@ -24,7 +24,8 @@ struct StepStats {
     std::size_t joints = 0;     // joints of awake bodies
     std::uint64_t pairWork = 0; // modelled cost of the broad phase, all steps so far (ps)
     /// Bodies and parts that calls visited which concern many: setRegion(), forces on all, and
-    /// welds whose parts need more room in the next step. Of all calls so far.
+    /// welds whose parts need more room in the next step. Also contacts outside the region that
+    /// calls and steps visited. Of all calls so far.
     std::uint64_t changeVisits = 0;
 };
 

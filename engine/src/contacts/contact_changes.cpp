@@ -112,10 +112,6 @@ void ContactSet::takeIdleOf(std::span<const std::uint32_t> bodies, IsIdle isIdle
               [](const Contact& a, const Contact& b) { return a.key < b.key; });
 }
 
-std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies, const WriteBack& writeBack) {
-    return takeIdle(bodies, allOf(bodies), writeBack);
-}
-
 std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies,
                                               std::span<const std::uint32_t> of,
                                               const WriteBack& writeBack) {

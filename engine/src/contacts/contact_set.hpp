@@ -16,6 +16,7 @@
 #include "contacts/touch_counts.hpp"
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -69,9 +70,12 @@ public:
             pairsStale_ = true;
         }
     }
-    /// Removes and returns the contacts between bodies that are not active in a step, in order:
-    /// all, or those `of` some bodies; calls writeBack(contact) before. Valid until the next call.
-    std::span<const Contact> takeIdle(const Bodies& bodies, const WriteBack& writeBack);
+    /// The bodies of activityChanged() since the last step, with duplicates; empty: any body.
+    std::optional<std::span<const std::uint32_t>> activityChanges() const {
+        return stale_ || pairsStale_ ? std::nullopt : std::optional(std::span(activityChanges_));
+    }
+    /// Removes and returns the contacts `of` some bodies with none that is active in a step, in
+    /// order; calls writeBack(contact) before. Valid until the next call.
     std::span<const Contact> takeIdle(const Bodies& bodies, std::span<const std::uint32_t> of,
                                       const WriteBack& writeBack);
     /// The same for the contacts of sleeping bodies with inactive ones that arrived, changed or

@@ -4,6 +4,7 @@
 
 #include "base/checks.hpp"
 #include "bodies/body_checks.hpp"
+#include "world/except_list.hpp"
 #include "world/query_checks.hpp"
 #include "world/world_impl.hpp"
 
@@ -70,7 +71,7 @@ public:
         : bodies_(world.impl().bodyData()),
           view_(world.impl().queryView()),
           which_(which),
-          except_(except) {
+          except_(bodies_, except) {
         refuse(checkFilter(which));
     }
 
@@ -103,16 +104,13 @@ public:
 private:
     bool isAsked(std::uint32_t body) const {
         const Flags flags = bodies_.filter[body].flags;
-        return (flags & kDisabled) == 0 && accepts(which_, flags) &&
-               (except_.empty() || std::none_of(except_.begin(), except_.end(), [&](BodyId id) {
-                    return id.index == body && bodies_.alive(id);
-                }));
+        return (flags & kDisabled) == 0 && accepts(which_, flags) && !except_.contains(body);
     }
 
     const Bodies& bodies_;
     QueryTree::View view_;
     CollisionFilter which_;
-    std::span<const BodyId> except_;
+    mutable ExceptList except_;
 };
 
 bool isBefore(const QueryHit& a, const QueryHit& b) { // total order: each part is hit once

@@ -38,6 +38,13 @@ bool isWellInside(const Aabb& box, const Bodies& bodies, std::uint32_t body) {
            center.y - reach > box.lower.y && center.y + reach < box.upper.y;
 }
 
+/// True for contacts with an active body.
+auto hasActive(const Bodies& bodies) {
+    return [&bodies](const Contact& contact) {
+        return bodies.active(contact.key.bodyA) || bodies.active(contact.key.bodyB);
+    };
+}
+
 } // namespace
 
 bool Region::contains(const Bodies& bodies, std::uint32_t body) const {
@@ -61,7 +68,7 @@ void Region::place(std::uint32_t body, Bodies& bodies, ContactSet& contacts,
                    const WriteBack& writeBack) {
     if (update(bodies, body)) {
         contacts.bodyChanged(body); // updates its bounds at the place where it stopped
-        park(bodies, contacts, writeBack);
+        park({&body, 1}, bodies, contacts, writeBack);
     }
 }
 
@@ -105,74 +112,68 @@ void Region::moveInOut(std::vector<std::uint32_t>& candidates, Bodies& bodies, C
         update(bodies, body);
         contacts.activityChanged(body);
     }
-    unparkActive(bodies, contacts);
-    setAside(contacts.takeIdle(bodies, candidates, writeBack), bodies, contacts);
+    park(candidates, bodies, contacts, writeBack);
 }
 
-void Region::park(Bodies& bodies, ContactSet& contacts, const WriteBack& writeBack) {
-    unparkActive(bodies, contacts);
-    setAside(contacts.takeIdle(bodies, writeBack), bodies, contacts);
+void Region::park(std::span<const std::uint32_t> of, Bodies& bodies, ContactSet& contacts,
+                  const WriteBack& writeBack) {
+    parked_.take(of, hasActive(bodies), unparked_);
+    putBack(bodies, contacts);
+    setAside(contacts.takeIdle(bodies, of, writeBack), of, bodies, contacts);
 }
 
-void Region::unparkActive(Bodies& bodies, ContactSet& contacts) {
-    const auto isActive = [&](const Contact& contact) {
-        return bodies.active(contact.key.bodyA) || bodies.active(contact.key.bodyB);
-    };
-    unpark(isActive, bodies, contacts);
+void Region::followActivity(Bodies& bodies, ContactSet& contacts) {
+    if (parked_.isEmpty()) {
+        return;
+    }
+    if (const auto changed = contacts.activityChanges()) {
+        parked_.take(*changed, hasActive(bodies), unparked_);
+    } else {
+        parked_.take(hasActive(bodies), unparked_);
+    }
+    putBack(bodies, contacts);
 }
 
-/// Parks those of the idle contacts that have a body outside.
-void Region::setAside(std::span<const Contact> idle, Bodies& bodies, ContactSet& contacts) {
+/// Parks those of the idle contacts `of` some bodies that have a body outside.
+void Region::setAside(std::span<const Contact> idle, std::span<const std::uint32_t> of,
+                      Bodies& bodies, ContactSet& contacts) {
     const auto waits = [&](std::uint32_t body) {
         return (bodies.filter[body].flags & kOutside) != 0;
     };
+    const auto byKey = [](const Contact& a, const Contact& b) { return a.key < b.key; };
+    const auto wasFoundAgain = [&](const Contact& old) {
+        return std::binary_search(idle.begin(), idle.end(), old, byKey);
+    };
+    parked_.take(of, wasFoundAgain, unparked_);
     // Contacts of frozen bodies return to the list, since their end is not yet recorded.
     unparked_.clear();
-    const auto byKey = [](const Contact& a, const Contact& b) { return a.key < b.key; };
-    std::erase_if(parked_, [&](const Contact& old) { // found again since
-        return std::binary_search(idle.begin(), idle.end(), old, byKey);
-    });
     for (const Contact& contact : idle) {
-        const bool aside = waits(contact.key.bodyA) || waits(contact.key.bodyB);
-        (aside ? parked_ : unparked_).push_back(contact);
-        if (aside) {
-            markParked(contact);
-        }
-    }
-    contacts.putBack(unparked_, bodies);
-}
-
-void Region::markParked(const Contact& contact) {
-    for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
-        if (body >= mayBeParked_.size()) {
-            mayBeParked_.resize(body + std::size_t{1}, 0);
-        }
-        mayBeParked_[body] = 1;
-    }
-}
-
-/// Returns the parked contacts for which which(contact) is true to the list.
-template <typename Which>
-void Region::unpark(Which which, Bodies& bodies, ContactSet& contacts) {
-    unparked_.clear();
-    std::erase_if(parked_, [&](const Contact& contact) {
-        const bool back = which(contact);
-        if (back) {
+        if (waits(contact.key.bodyA) || waits(contact.key.bodyB)) {
+            parked_.add(contact);
+        } else {
             unparked_.push_back(contact);
-            describeContact(unparked_.back(), bodies); // its bodies may have changed since
         }
-        return back;
-    });
+    }
     contacts.putBack(unparked_, bodies);
+    unparked_.clear();
+}
+
+/// Returns unparked_ to the list.
+void Region::putBack(Bodies& bodies, ContactSet& contacts) {
+    if (unparked_.empty()) {
+        return;
+    }
+    for (Contact& contact : unparked_) {
+        describeContact(contact, bodies); // its bodies may have changed since
+    }
+    contacts.putBack(unparked_, bodies);
+    unparked_.clear();
 }
 
 void Region::unparkContactsOf(std::uint32_t body, Bodies& bodies, ContactSet& contacts) {
-    if (body < mayBeParked_.size() && std::exchange(mayBeParked_[body], std::uint8_t{0}) != 0) {
-        const auto isOwn = [=](const Contact& contact) {
-            return contact.key.bodyA == body || contact.key.bodyB == body;
-        };
-        unpark(isOwn, bodies, contacts);
-    }
+    parked_.take(
+        {&body, 1}, [](const Contact&) { return true; }, unparked_);
+    putBack(bodies, contacts);
 }
 
 void Region::makeOutsideStatic(Bodies& bodies, const ContactSet& contacts, const JointSet& joints) {

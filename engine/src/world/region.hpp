@@ -4,6 +4,7 @@
 #include "contacts/contact_set.hpp"
 #include "joints/joint_set.hpp"
 #include "solve/contact_blocks.hpp"
+#include "world/parked_contacts.hpp"
 #include "world/query_tree.hpp"
 
 #include <optional>
@@ -43,14 +44,17 @@ public:
     /// The same for a body that may have contacts.
     void place(std::uint32_t body, Bodies& bodies, ContactSet& contacts,
                const WriteBack& writeBack);
-    /// Parks contacts without an active body, and puts those with one back.
-    void park(Bodies& bodies, ContactSet& contacts, const WriteBack& writeBack);
+    /// Parks those contacts of some bodies that have no active body, and puts those with one back.
+    void park(std::span<const std::uint32_t> of, Bodies& bodies, ContactSet& contacts,
+              const WriteBack& writeBack);
+    /// Puts back the contacts of bodies that have become active since the last step.
+    void followActivity(Bodies& bodies, ContactSet& contacts);
     /// After setBox(): updates the candidates that entered or left the region, and keeps only these
     /// in the list. The other bodies and their contacts stay as they are.
     void moveInOut(std::vector<std::uint32_t>& candidates, Bodies& bodies, ContactSet& contacts,
                    const WriteBack& writeBack);
     void unparkContactsOf(std::uint32_t body, Bodies& bodies, ContactSet& contacts);
-    std::span<const Contact> parked() const { return parked_; }
+    const ParkedContacts& parked() const { return parked_; }
 
     /// Bodies outside the region count as static during the solve, for touching contacts and
     /// joints.
@@ -67,19 +71,16 @@ public:
 private:
     friend class SnapshotFields;
 
-    void unparkActive(Bodies& bodies, ContactSet& contacts);
-    void setAside(std::span<const Contact> idle, Bodies& bodies, ContactSet& contacts);
-    void markParked(const Contact& contact);
-    template <typename Which>
-    void unpark(Which which, Bodies& bodies, ContactSet& contacts);
+    void setAside(std::span<const Contact> idle, std::span<const std::uint32_t> of, Bodies& bodies,
+                  ContactSet& contacts);
+    void putBack(Bodies& bodies, ContactSet& contacts);
 
     std::optional<Aabb> box_;
     // Of bodies outside the region, during the solve.
     std::vector<std::pair<std::uint32_t, BodyVelocity>> outsideVelocities_;
-    std::vector<Contact> parked_;
-    std::vector<Contact> unparked_;         // scratch: a step allocates nothing
-    std::vector<std::uint8_t> mayBeParked_; // by body: 0 if none of its contacts is parked
-    std::uint32_t scans_ = 0;               // see countScan(); no state, as the tree is none
+    ParkedContacts parked_;
+    std::vector<Contact> unparked_; // scratch: a step allocates nothing
+    std::uint32_t scans_ = 0;       // see countScan(); no state, as the tree is none
 };
 
 } // namespace KODO_PRECISION

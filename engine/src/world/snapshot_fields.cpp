@@ -352,7 +352,9 @@ void SnapshotFields::world(WorldImpl& world) {
     auto& [guard, settings, tolerances, stepCount, count, bodies, flagBlocks, fields, contacts,
            impacts, softSolver, propagation, contactVisits, changeVisits, continuous, sleep, joints,
            broken, frozen, region, queries, lastGeometry] = world;
-    auto& [box, outsideVelocities, parked, unparked, mayBeParked, scans] = region;
+    auto& [box, outsideVelocities, parkedContacts, unparked, scans] = region;
+    auto& [parked, gaps, lists, slots, visits] = parkedContacts;
+    parkedContacts.closeGaps();
     softSolver.blocks().writeBackAll(contacts.contacts(), bodies);
     all(settings, tolerances, stepCount);
     bodies.turns = settings.has(Feature::Rotation);
@@ -373,8 +375,8 @@ void SnapshotFields::world(WorldImpl& world) {
         for (Contact& contact : parked) {
             completeContact(contact, bodies);
             contact.row = {};
-            region.markParked(contact);
         }
+        parkedContacts.listAll();
     }
     if (box) {
         require(box->lower.x <= box->upper.x && box->lower.y <= box->upper.y,

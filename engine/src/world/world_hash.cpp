@@ -64,7 +64,7 @@ std::uint64_t WorldImpl::stateHash() const {
         addContact(current);
     });
     sleep_.forEachContact(addContact);
-    std::for_each(region_.parked().begin(), region_.parked().end(), addContact);
+    region_.parked().forEach(addContact);
     joints_.forEach([&](const JointSet::Joint& joint) {
         hash.add(static_cast<std::uint32_t>(joint.def.index()));
         hash.add(firstBody(joint.def).index);

@@ -136,6 +136,7 @@ void WorldImpl::updateAwake() {
             contacts_.activityChanged(body);
         }
     }
+    region_.followActivity(bodies_, contacts_);
 }
 
 void WorldImpl::setRegion(std::optional<Aabb> region) {
@@ -186,8 +187,8 @@ void WorldImpl::velocityChanged(std::uint32_t body) {
     if (own.deltaPosition == Vec2{} && own.deltaAngle == 0) {
         wakeNeighbours(body);
         if ((bodies_.filter[body].flags & kOutside) != 0) {
-            region_.park(bodies_, contacts_,
-                         writeBack()); // again, since it stays outside the region
+            // Again, since it stays outside the region.
+            region_.park({&body, 1}, bodies_, contacts_, writeBack());
         }
     }
     bodies_.noteActivity(body);

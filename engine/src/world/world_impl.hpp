@@ -69,7 +69,8 @@ public:
     StepStats stats() const {
         return {bodies_.awake.size(), contactVisits_, joints_.busyCount(),
                 contacts_.candidates().finder().work(),
-                changeVisits_ + contacts_.candidates().bounds().moves()};
+                changeVisits_ + contacts_.candidates().bounds().moves() +
+                    region_.parked().visits()};
     }
     void setPairSearch(std::optional<PairSearch> only) {
         contacts_.candidates().finder().use(only);

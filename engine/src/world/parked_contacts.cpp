@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "world/parked_contacts.hpp"
+
+#include <algorithm>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+void ParkedContacts::add(const Contact& contact) {
+    lists_.add(static_cast<std::uint32_t>(contacts_.size()), contact.key.bodyA, contact.key.bodyB);
+    contacts_.push_back(contact);
+}
+
+/// Takes the contacts in slots_, which may contain duplicates.
+void ParkedContacts::takeNoted(std::vector<Contact>& taken) {
+    std::sort(slots_.begin(), slots_.end()); // total order: equal indices are identical
+    slots_.erase(std::unique(slots_.begin(), slots_.end()), slots_.end());
+    for (const std::uint32_t slot : slots_) {
+        Contact& contact = contacts_[slot];
+        taken.push_back(contact);
+        lists_.remove(slot, contact.key.bodyA, contact.key.bodyB);
+        contact = {};
+        ++gaps_;
+    }
+    if (gaps_ > contacts_.size() / 2) { // at most two visits for each removal
+        closeGaps();
+    }
+}
+
+void ParkedContacts::closeGaps() {
+    std::uint32_t to = 0;
+    for (std::uint32_t from = 0; from < contacts_.size(); ++from) {
+        const Contact& contact = contacts_[from];
+        if (isGap(contact)) {
+            continue;
+        }
+        if (to != from) {
+            lists_.move(from, to, contact.key.bodyA, contact.key.bodyB);
+            contacts_[to] = contact;
+        }
+        ++to;
+    }
+    contacts_.resize(to);
+    gaps_ = 0;
+}
+
+/// After contacts_ was replaced, without gaps.
+void ParkedContacts::listAll() {
+    gaps_ = 0;
+    lists_.begin(contacts_.size());
+    for (std::uint32_t slot = 0; slot < contacts_.size(); ++slot) {
+        lists_.add(slot, contacts_[slot].key.bodyA, contacts_[slot].key.bodyB);
+    }
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo
