@@ -45,6 +45,8 @@ struct Crowd {
 
     ContactPassArguments arrange(ContactBlocks& blocks) {
         std::vector<std::uint32_t> newcomers;
+        WorkerTeam serial;
+        blocks.carry(bodies, serial); // as a step does first
         blocks.begin(bodies, contacts, true, true);
         for (std::uint32_t i = 0; i < contacts.size(); ++i) {
             if (!blocks.take(bodies, contacts[i])) {
