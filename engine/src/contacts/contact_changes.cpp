@@ -94,12 +94,17 @@ void ContactSet::takeIdle(std::uint32_t slot, const WriteBack& writeBack) {
     clearImpactImpulses(taken);
 }
 
-/// Moves the contacts of some bodies for which isIdle(summary) is true to idle_, in order.
-template <typename IsIdle>
-void ContactSet::takeIdleOf(std::span<const std::uint32_t> bodies, IsIdle isIdle,
-                            const WriteBack& writeBack) {
+std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies,
+                                              std::span<const std::uint32_t> of,
+                                              const WriteBack& writeBack, Flags states) {
+    const auto isIdle = [&](const ContactSummary& summary) {
+        const Flags either =
+            bodies.filter[summary.bodyA].flags | bodies.filter[summary.bodyB].flags;
+        return !bodies.active(summary.bodyA) && !bodies.active(summary.bodyB) &&
+               (states == 0 || (either & (kAsleep | kOutside)) == states);
+    };
     idle_.clear();
-    for (const std::uint32_t body : bodies) {
+    for (const std::uint32_t body : of) {
         store_.lists().forEach(body, [&](std::uint32_t slot) {
             if (isIdle(summaries()[slot])) {
                 takeIdle(slot, writeBack);
@@ -110,30 +115,18 @@ void ContactSet::takeIdleOf(std::span<const std::uint32_t> bodies, IsIdle isIdle
     freeDetached();
     std::sort(idle_.begin(), idle_.end(), // total order: keys are unique
               [](const Contact& a, const Contact& b) { return a.key < b.key; });
-}
-
-std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies,
-                                              std::span<const std::uint32_t> of,
-                                              const WriteBack& writeBack) {
-    const auto isIdle = [&](const ContactSummary& summary) {
-        return !bodies.active(summary.bodyA) && !bodies.active(summary.bodyB);
-    };
-    takeIdleOf(of, isIdle, writeBack);
     return idle_;
 }
 
 std::span<const Contact> ContactSet::takeArrivals(const Bodies& bodies,
                                                   const WriteBack& writeBack) {
-    const auto isIdle = [&](const ContactSummary& summary) {
-        const Flags either =
-            bodies.filter[summary.bodyA].flags | bodies.filter[summary.bodyB].flags;
-        return (either & (kAsleep | kOutside)) == kAsleep && !bodies.active(summary.bodyA) &&
-               !bodies.active(summary.bodyB);
-    };
+    if (!allArrived_ && arrivals_.empty()) {
+        return {};
+    }
     if (std::exchange(allArrived_, false)) {
         arrivals_ = allOf(bodies);
     }
-    takeIdleOf(arrivals_, isIdle, writeBack);
+    takeIdle(bodies, arrivals_, writeBack, kAsleep);
     arrivals_.clear();
     return idle_;
 }
@@ -204,9 +197,12 @@ void ContactSet::noteArrivals(std::span<const std::uint32_t> bodies) {
 
 void ContactSet::applyChanges(const Bodies& bodies, const Tolerances& tolerances) {
     freeDetached();
-    allArrived_ = allArrived_ || stale_ || pairsStale_;
-    noteArrivals(changes_);
-    noteArrivals(activityChanges_);
+    if (stale_ || pairsStale_) {
+        allArrived_ = true;
+    } else if (!changes_.empty() || !activityChanges_.empty()) {
+        noteArrivals(changes_);
+        noteArrivals(activityChanges_);
+    }
     if (std::exchange(stale_, false)) {
         renew(bodies, tolerances);
         pairsStale_ = false;

@@ -41,8 +41,6 @@ void ContactSet::sortContacts() {
 
 void ContactSet::updatePairs(Bodies& bodies, BodyPairs excluded, const Tolerances& tolerances,
                              Real dt, WorkerTeam& team) {
-    store_.makeRoom(bodies);
-    ghostCollisions_.makeRoom(bodies);
     records_.begin();
     applyChanges(bodies, tolerances);
     if (store_.countStep()) {

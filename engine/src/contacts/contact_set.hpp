@@ -75,14 +75,20 @@ public:
         return stale_ || pairsStale_ ? std::nullopt : std::optional(std::span(activityChanges_));
     }
     /// Removes and returns the contacts `of` some bodies with none that is active in a step, in
-    /// order; calls writeBack(contact) before. Valid until the next call.
+    /// order; calls writeBack(contact) before. `states`: only those whose bodies together have
+    /// exactly these of kAsleep and kOutside; 0: all. Valid until the next call.
     std::span<const Contact> takeIdle(const Bodies& bodies, std::span<const std::uint32_t> of,
-                                      const WriteBack& writeBack);
+                                      const WriteBack& writeBack, Flags states = 0);
     /// The same for the contacts of sleeping bodies with inactive ones that arrived, changed or
     /// stopped since the last call.
     std::span<const Contact> takeArrivals(const Bodies& bodies, const WriteBack& writeBack);
     /// These bodies began or ceased to be active within the step.
     void noteArrivals(std::span<const std::uint32_t> bodies);
+    /// Sizes the arrays by body, so that no first use costs a step as much as all bodies.
+    void makeRoom(const Bodies& bodies) {
+        store_.makeRoom(bodies);
+        ghostCollisions_.makeRoom(bodies);
+    }
     /// Puts back contacts that takeIdle returned. A contact already in the list stays unchanged.
     void putBack(std::span<const Contact> contacts, Bodies& bodies);
     /// Updates bounds and contacts after changes of bodies; does not search pairs.
@@ -139,9 +145,6 @@ private:
 
     void freeDetached();
     void takeIdle(std::uint32_t slot, const WriteBack& writeBack);
-    template <typename IsIdle>
-    void takeIdleOf(std::span<const std::uint32_t> bodies, IsIdle isIdle,
-                    const WriteBack& writeBack);
     void takeOut(Contact& contact, const WriteBack& writeBack);
     void noteEnd(const Contact& contact);
     void renew(const Bodies& bodies, const Tolerances& tolerances);

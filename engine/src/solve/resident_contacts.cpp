@@ -31,10 +31,12 @@ void ContactBlocks::noteTouching(Real slop, WorkerTeam& team) {
 
 void ContactBlocks::carry(Bodies& bodies, WorkerTeam& team) {
     // In the step after bodies were added, so that no first contact costs a step as much as all.
-    resizeByBody(colours_, bodies);
-    resizeByBody(sharedOf_, bodies, kNone); // all kNone between steps
-    if (!refinedLevels_.empty()) {
-        resizeByBody(refinedLevels_, bodies);
+    if (colours_.size() != bodies.size()) {
+        resizeByBody(colours_, bodies);
+        resizeByBody(sharedOf_, bodies, kNone); // all kNone between steps
+        if (!refinedLevels_.empty()) {
+            resizeByBody(refinedLevels_, bodies);
+        }
     }
     if (!anyResident_) {
         return;

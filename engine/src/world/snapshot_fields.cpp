@@ -349,9 +349,9 @@ void SnapshotFields::definitions(const WorldImpl& world) {
 }
 
 void SnapshotFields::world(WorldImpl& world) {
-    auto& [guard, settings, tolerances, stepCount, count, bodies, flagBlocks, fields, contacts,
-           impacts, softSolver, propagation, contactVisits, changeVisits, continuous, sleep, joints,
-           broken, frozen, region, queries, lastGeometry] = world;
+    auto& [guard, settings, tolerances, stepCount, count, roomFor, bodies, flagBlocks, fields,
+           contacts, impacts, softSolver, propagation, contactVisits, changeVisits, continuous,
+           sleep, joints, broken, frozen, region, queries, lastGeometry] = world;
     auto& [box, outsideVelocities, parkedContacts, unparked, scans] = region;
     auto& [parked, gaps, lists, slots, visits] = parkedContacts;
     parkedContacts.closeGaps();

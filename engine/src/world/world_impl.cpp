@@ -353,6 +353,7 @@ void WorldImpl::setSettings(const StepSettings& settings) {
     }
     writeBackContacts();
     settings_ = settings;
+    roomFor_ = 0; // other stages may run
     if (!settings.has(Feature::Friction)) {
         softSolver_.blocks().discardLanes();
         for (Contact& contact : contacts_.contacts()) {

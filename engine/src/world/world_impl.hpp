@@ -109,6 +109,7 @@ private:
     Tolerances tolerances_;
     std::uint64_t stepCount_ = 0;
     std::size_t count_ = 0;
+    std::size_t roomFor_ = 0; // see WorldStep::makeRoom
     Bodies bodies_;
     FlagBlocks flagBlocks_; // of bodies_
     std::vector<FieldEntry> fields_;

@@ -34,6 +34,7 @@ WorldStep::WorldStep(WorldImpl& world, Real dt, Executor* executor)
       continuous_(world.continuous_),
       broken_(world.broken_),
       frozen_(world.frozen_),
+      roomFor_(world.roomFor_),
       contactVisits_(world.contactVisits_),
       writeBack_(world.writeBack()),
       stepCount_(world.stepCount_),
@@ -87,6 +88,11 @@ void WorldStep::run(StageListener* listener) {
 
 /// Sizes what is stored by body in the step after bodies were added: no later one has to.
 void WorldStep::makeRoom() {
+    if (roomFor_ == bodies_.size()) {
+        return;
+    }
+    roomFor_ = bodies_.size();
+    contacts_.makeRoom(bodies_);
     if (std::holds_alternative<PropagationSettings>(settings_.solver)) {
         propagation_.makeRoom(bodies_);
     } else {

@@ -48,6 +48,7 @@ private:
     ContinuousCollision& continuous_;
     std::vector<BrokenJoint>& broken_;
     std::vector<BodyId>& frozen_;
+    std::size_t& roomFor_;
     std::size_t& contactVisits_;
     WriteBack writeBack_;
     std::uint64_t stepCount_;
