@@ -36,6 +36,11 @@ refuse 'tools is a folder' tools/crosscheck --output tools
 refuse "no scene's name contains nosuch" tools/crosscheck --scenes Pendulum nosuch
 timeout 60 python3 -B tools/lib/crosscheck.py --check-options --scenes Pendulum ||
     { echo 'FAILED: a scene that exists is refused' && failed=1; }
+mkdir -p box2d3/include/box2d && : >box2d3/include/box2d/id.h
+for also in '--profiles fast' '--engines kodo64'; do
+    # shellcheck disable=SC2086 # two words
+    refuse 'give no --engines or --profiles' tools/bench --box2d3 box2d3 $also
+done
 tools/bench --help | grep -q '^The column "missed targets"' ||
     { echo 'FAILED: tools/bench --help does not explain its columns' && failed=1; }
 exit $failed

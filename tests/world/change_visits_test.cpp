@@ -13,6 +13,15 @@ namespace {
 constexpr int kBodies = 1000;
 constexpr Flags kRare = 4; // a user flag
 
+/// Bodies, parts and parked contacts visited by a call and the step after it.
+template <typename Call>
+std::uint64_t visitsOf(World& world, Call call) {
+    const std::uint64_t before = stepStats(world).changeVisits;
+    call();
+    world.step(support::kDt);
+    return stepStats(world).changeVisits - before;
+}
+
 /// A row of boxes that sleep on the floor, half a metre apart.
 struct SleepingRow {
     World world{WorldDef{.gravity = support::kEarth}};
@@ -29,13 +38,9 @@ struct SleepingRow {
         support::run(world, 120);
         EXPECT_EQ(support::countAsleep(world), std::size_t{kBodies});
     }
-    /// Bodies and parts visited by a call and the step after it.
     template <typename Call>
     std::uint64_t visits(Call call) {
-        const std::uint64_t before = stepStats(world).changeVisits;
-        call();
-        world.step(support::kDt);
-        return stepStats(world).changeVisits - before;
+        return visitsOf(world, call);
     }
 };
 
@@ -165,13 +170,9 @@ struct ParkedStacks {
         support::run(world, 3);
         EXPECT_EQ(stepStats(world).bodies, 1u);
     }
-    /// Parked contacts and bodies visited by a call and the step after it.
     template <typename Call>
     std::uint64_t visits(Call call) {
-        const std::uint64_t before = stepStats(world).changeVisits;
-        call();
-        world.step(support::kDt);
-        return stepStats(world).changeVisits - before;
+        return visitsOf(world, call);
     }
 };
 

@@ -81,58 +81,62 @@ const std::array<Arrival, 5> kArrivals = {{
      }},
 }};
 
-// Regression: a contact with what arrived later stayed in the list of each step, with a Persist,
-// until the body woke.
-TEST(SleeperArrival, OfASensorIsToldOnceAndCostsNoFurtherStep) {
+/// Calls test(sleeper, arrival) for each arrival with each solver.
+template <typename Test>
+void forEachArrival(Test test) {
     for (const support::Solver solver : kSolvers) {
         for (const Arrival& arrival : kArrivals) {
             SCOPED_TRACE(arrival.name);
             Sleeper sleeper(solver);
-            World& world = sleeper.world;
-            arrival.act(sleeper);
-            support::run(world, 2);
-            for (int step = 0; step < 60; ++step) {
-                world.step(kDt);
-                EXPECT_EQ(sleeper.records(), 0) << step;
-                EXPECT_TRUE(world.endedCollisions().empty());
-            }
-            EXPECT_TRUE(support::isAsleep(world, sleeper.box));
-            world[sleeper.box].wake();
-            world.step(kDt);
-            EXPECT_EQ(sleeper.records(), 2) << "it still touches the floor and the sensor";
+            test(sleeper, arrival);
         }
     }
 }
 
+// Regression: a contact with what arrived later stayed in the list of each step, with a Persist,
+// until the body woke.
+TEST(SleeperArrival, OfASensorIsToldOnceAndCostsNoFurtherStep) {
+    forEachArrival([](Sleeper& sleeper, const Arrival& arrival) {
+        World& world = sleeper.world;
+        arrival.act(sleeper);
+        support::run(world, 2);
+        for (int step = 0; step < 60; ++step) {
+            world.step(kDt);
+            EXPECT_EQ(sleeper.records(), 0) << step;
+            EXPECT_TRUE(world.endedCollisions().empty());
+        }
+        EXPECT_TRUE(support::isAsleep(world, sleeper.box));
+        world[sleeper.box].wake();
+        world.step(kDt);
+        EXPECT_EQ(sleeper.records(), 2) << "it still touches the floor and the sensor";
+    });
+}
+
 TEST(SleeperArrival, OfASensorBeginsOnceAndEndsWithoutWaking) {
-    for (const support::Solver solver : kSolvers) {
-        for (const Arrival& arrival : kArrivals) {
-            SCOPED_TRACE(arrival.name);
-            Sleeper sleeper(solver);
-            World& world = sleeper.world;
-            std::size_t begins = 0;
-            if (arrival.name == "slid in") {
-                world[sleeper.arrival].setType(BodyType::Kinematic);
-                world[sleeper.arrival].setVelocity({50, 0});
-                for (int step = 0; step < 60; ++step) {
-                    world.step(kDt);
-                    begins += world.begunCollisions().size();
-                }
-                world[sleeper.arrival].setVelocity({0, 0});
-            } else {
-                arrival.act(sleeper);
-            }
-            for (int step = 0; step < 10; ++step) {
+    forEachArrival([](Sleeper& sleeper, const Arrival& arrival) {
+        World& world = sleeper.world;
+        std::size_t begins = 0;
+        if (arrival.name == "slid in") {
+            world[sleeper.arrival].setType(BodyType::Kinematic);
+            world[sleeper.arrival].setVelocity({50, 0});
+            for (int step = 0; step < 60; ++step) {
                 world.step(kDt);
                 begins += world.begunCollisions().size();
             }
-            EXPECT_EQ(begins, 1u);
-            world[sleeper.arrival].setPosition({50, 1});
-            world.step(kDt);
-            EXPECT_EQ(world.endedCollisions().size(), 1u);
-            EXPECT_TRUE(support::isAsleep(world, sleeper.box));
+            world[sleeper.arrival].setVelocity({0, 0});
+        } else {
+            arrival.act(sleeper);
         }
-    }
+        for (int step = 0; step < 10; ++step) {
+            world.step(kDt);
+            begins += world.begunCollisions().size();
+        }
+        EXPECT_EQ(begins, 1u);
+        world[sleeper.arrival].setPosition({50, 1});
+        world.step(kDt);
+        EXPECT_EQ(world.endedCollisions().size(), 1u);
+        EXPECT_TRUE(support::isAsleep(world, sleeper.box));
+    });
 }
 
 // A wall within the margin does not touch the box; it is beside it when it wakes.
@@ -152,26 +156,22 @@ TEST(SleeperArrival, OfAWallThatDoesNotTouchIsKnownAfterWaking) {
 }
 
 TEST(SleeperArrival, IsTheSameInACopyAndFromBytesAtEachStep) {
-    for (const support::Solver solver : kSolvers) {
-        for (const Arrival& arrival : kArrivals) {
-            SCOPED_TRACE(arrival.name);
-            Sleeper sleeper(solver);
-            World& world = sleeper.world;
-            arrival.act(sleeper);
-            for (int step = 0; step < 4; ++step) {
-                World copy = world;
-                World read = fromBytes(toBytes(world));
-                world.step(kDt);
-                copy.step(kDt);
-                read.step(kDt);
-                ASSERT_EQ(copy.stateHash(), world.stateHash()) << step;
-                ASSERT_EQ(read.stateHash(), world.stateHash()) << step;
-                ASSERT_EQ(toBytes(copy), toBytes(world)) << step;
-                ASSERT_EQ(toBytes(read), toBytes(world)) << step;
-                ASSERT_EQ(read.collisions().size(), world.collisions().size()) << step;
-            }
+    forEachArrival([](Sleeper& sleeper, const Arrival& arrival) {
+        World& world = sleeper.world;
+        arrival.act(sleeper);
+        for (int step = 0; step < 4; ++step) {
+            World copy = world;
+            World read = fromBytes(toBytes(world));
+            world.step(kDt);
+            copy.step(kDt);
+            read.step(kDt);
+            ASSERT_EQ(copy.stateHash(), world.stateHash()) << step;
+            ASSERT_EQ(read.stateHash(), world.stateHash()) << step;
+            ASSERT_EQ(toBytes(copy), toBytes(world)) << step;
+            ASSERT_EQ(toBytes(read), toBytes(world)) << step;
+            ASSERT_EQ(read.collisions().size(), world.collisions().size()) << step;
         }
-    }
+    });
 }
 
 } // namespace

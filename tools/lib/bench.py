@@ -78,8 +78,14 @@ GROWTH = {
 }
 
 
+class Options(measure.Options):
+    def check(self, chosen):
+        if chosen.box2d3 and (chosen.engines or chosen.profiles):
+            self.error("--box2d3 compares Kodo in float with its defaults: give no --engines or --profiles")
+
+
 def options():
-    parser = measure.Options("tools/bench")
+    parser = Options("tools/bench")
     parser.add_argument("--scenes", nargs="+", choices=sorted({scene.name for scene in SCENES + LOADS}))
     parser.add_argument("--box2d3", metavar="DIR", type=box2d3.folder)
     parser.add_argument("--engines", nargs="+", choices=["kodo", "kodo64"])
@@ -88,8 +94,6 @@ def options():
     parser.add_argument("--no-growth", dest="growth", action="store_false")
     parser.add_argument("--quick", action="store_true")
     chosen = parser.parse_args()
-    if chosen.box2d3 and (chosen.engines or chosen.profiles):
-        parser.error("--box2d3 compares Kodo in float with its defaults: give no --engines or --profiles")
     chosen.engines = chosen.engines or ["kodo", "kodo64"]
     chosen.profiles = chosen.profiles or ["default"]
     if chosen.quick:

@@ -25,9 +25,13 @@ class Options(options.Options):
 
     def parse_args(self, args=None, namespace=None):
         chosen = super().parse_args(args, namespace)
+        self.check(chosen)
         if chosen.check_options:
             sys.exit(0)
         return chosen
+
+    def check(self, chosen):
+        """Refuses options that do not go together, by error()."""
 
 
 def runs(text):

@@ -159,7 +159,7 @@ void SleepSystem::noteTouching(Bodies& bodies, ContactSet& contacts, std::uint32
         return contact.key.bodyA == body || contact.key.bodyB == body;
     };
     const auto touches = [&](const Contact& contact) {
-        return contact.wasTouching && contact.responds() && isOfBody(contact);
+        return contact.wasTouching && !contact.sensor && isOfBody(contact);
     };
     returning_.clear();
     for (const NeighbourIsland& neighbour : neighbours) {
