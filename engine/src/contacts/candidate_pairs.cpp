@@ -38,7 +38,7 @@ void CandidatePairs::forgetOrder() {
     movers_.forget();
 }
 
-bool CandidatePairs::search(const Bodies& bodies, BodyPairs excluded, WorkerTeam& team) {
+bool CandidatePairs::search(const Bodies& bodies, const JointLists& joints, WorkerTeam& team) {
     pairs_.clear();
     if (bounds_.changed().empty()) {
         if (bodies.awake.size() < still_.awakeCount() / 2) {
@@ -61,8 +61,7 @@ bool CandidatePairs::search(const Bodies& bodies, BodyPairs excluded, WorkerTeam
         return a != b && (sensor || !(bodies.locked(a) && bodies.locked(b))) &&
                (sensor || ((flagsA & flagsB) & kSensor) == 0) &&
                (bodies.active(a) || bodies.active(b) || arrives()) &&
-               shouldCollide(bodies.filter[a], bodies.filter[b]) &&
-               !std::binary_search(excluded.begin(), excluded.end(), std::pair(a, b));
+               shouldCollide(bodies.filter[a], bodies.filter[b]) && !joints.exclude(a, b);
     };
     if (still_.update(bodies, bounds_) || bounds_.hasUnused() || !bounds_.isInOrder()) {
         searchMovers(bodies, accept, team);

@@ -3,6 +3,7 @@
 
 #include "base/worker_team.hpp"
 #include "bodies/bodies.hpp"
+#include "bodies/joint_lists.hpp"
 #include "broad/pair_finder.hpp"
 #include "contacts/part_bounds.hpp"
 #include "contacts/still_parts.hpp"
@@ -13,9 +14,6 @@
 
 namespace kodo {
 inline namespace KODO_PRECISION {
-
-/// Pairs of bodies, the lower index first, in order.
-using BodyPairs = std::span<const std::pair<std::uint32_t, std::uint32_t>>;
 
 /// The pairs of parts that may touch in a step: their grown bounds overlap, and filters and joints
 /// allow a contact. Owns the bounds and what searches them.
@@ -35,7 +33,7 @@ public:
     /// Removes the unused indices of bounds and orders the others. True if that changed anything.
     bool compact();
     /// Searches the pairs of parts whose grown bounds have changed. False if none has.
-    bool search(const Bodies& bodies, BodyPairs excluded, WorkerTeam& team);
+    bool search(const Bodies& bodies, const JointLists& joints, WorkerTeam& team);
     /// Result of the last search, in the order of PartBounds::isBefore().
     std::span<const BoundsPair> pairs() const { return pairs_; }
 

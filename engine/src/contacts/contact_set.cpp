@@ -39,7 +39,7 @@ void ContactSet::sortContacts() {
     }
 }
 
-void ContactSet::updatePairs(Bodies& bodies, BodyPairs excluded, const Tolerances& tolerances,
+void ContactSet::updatePairs(Bodies& bodies, const JointLists& joints, const Tolerances& tolerances,
                              Real dt, WorkerTeam& team) {
     records_.begin();
     applyChanges(bodies, tolerances);
@@ -47,18 +47,18 @@ void ContactSet::updatePairs(Bodies& bodies, BodyPairs excluded, const Tolerance
         sortContacts();
     }
     candidates_.bounds().coverPrediction(bodies, tolerances, dt, team);
-    refreshPairs(bodies, excluded, team);
+    refreshPairs(bodies, joints, team);
 }
 
-void ContactSet::coverDisplacements(Bodies& bodies, BodyPairs excluded,
+void ContactSet::coverDisplacements(Bodies& bodies, const JointLists& joints,
                                     const Tolerances& tolerances, WorkerTeam& team) {
     candidates_.bounds().coverDisplacements(bodies, tolerances, team);
-    refreshPairs(bodies, excluded, team);
+    refreshPairs(bodies, joints, team);
 }
 
 /// Adds and removes contacts so that the list matches the candidate pairs.
-void ContactSet::refreshPairs(Bodies& bodies, BodyPairs excluded, WorkerTeam& team) {
-    if (!candidates_.search(bodies, excluded, team)) {
+void ContactSet::refreshPairs(Bodies& bodies, const JointLists& joints, WorkerTeam& team) {
+    if (!candidates_.search(bodies, joints, team)) {
         return;
     }
     if (store_.findChanges(candidates_, team)) {

@@ -96,9 +96,9 @@ public:
 
     // Within a step, in this order.
     /// Updates the list before a step of dt: the pairs that may touch within it, in order. Bodies
-    /// of `excluded` pairs do not touch each other, whatever their flags are.
-    void updatePairs(Bodies& bodies, BodyPairs excluded, const Tolerances& tolerances, Real dt,
-                     WorkerTeam& team);
+    /// whose joint excludes a contact do not touch each other, whatever their flags are.
+    void updatePairs(Bodies& bodies, const JointLists& joints, const Tolerances& tolerances,
+                     Real dt, WorkerTeam& team);
     /// Updates manifolds and approach speeds for a step of dt. Of a resident contact whose manifold
     /// is kept, only the summary is updated.
     void updateManifolds(const Bodies& bodies, const Tolerances& tolerances, Real dt,
@@ -123,7 +123,7 @@ public:
     /// Updates the summaries after such a solver.
     void noteManifolds();
     /// Adds the pairs of bodies that the solver moved farther than updatePairs predicted.
-    void coverDisplacements(Bodies& bodies, BodyPairs excluded, const Tolerances& tolerances,
+    void coverDisplacements(Bodies& bodies, const JointLists& joints, const Tolerances& tolerances,
                             WorkerTeam& team);
     /// Resets contacts whose impulses or positions are not finite, and finds their manifolds again.
     void forgetUnsound(const Bodies& bodies, const Tolerances& tolerances, Real dt);
@@ -149,7 +149,7 @@ private:
     void noteEnd(const Contact& contact);
     void renew(const Bodies& bodies, const Tolerances& tolerances);
     void renewChanged(const Bodies& bodies, const Tolerances& tolerances);
-    void refreshPairs(Bodies& bodies, BodyPairs excluded, WorkerTeam& team);
+    void refreshPairs(Bodies& bodies, const JointLists& joints, WorkerTeam& team);
     void sortContacts();
     void changed();
     void noteKinds(const Bodies& bodies, WorkerTeam& team);

@@ -60,7 +60,7 @@ void JointSet::boundBias(const ContactSet& contactSet, Real slop, Real pushSpeed
     // With a sixteenth, the joint opens so far that it closes with force once the bodies have
     // parted.
     const Real touching = pushSpeed / 4;
-    if (excludedPairs_.size() == live_.size()) {
+    if (lists_.allExclude()) {
         return; // no joint lets its bodies collide, nor is any left bounded: see setDef()
     }
     for (const std::uint32_t index : busy_) {

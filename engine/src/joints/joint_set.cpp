@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -61,16 +60,14 @@ bool mayBeHeld(const Bodies& bodies, const JointDef& def) {
            (revolute || (!half(a) && !half(b)));
 }
 
-/// The two bodies, in order, if the joint forbids a contact between them.
-std::optional<std::pair<std::uint32_t, std::uint32_t>> excludedPairOf(const JointDef& def) {
+/// True if the joint forbids a contact between its bodies.
+bool excludesContact(const JointDef& def) {
     return std::visit(
-        [](const auto& kind) -> std::optional<std::pair<std::uint32_t, std::uint32_t>> {
+        [](const auto& kind) {
             if constexpr (requires { kind.ends; }) {
-                if (!kind.ends.collide) {
-                    return std::minmax({kind.ends.a.index, kind.ends.b.index});
-                }
+                return !kind.ends.collide;
             }
-            return std::nullopt;
+            return false;
         },
         def);
 }
@@ -92,7 +89,6 @@ JointId JointSet::add(const JointDef& def) {
     }
     joints_[slot.index] = {};
     joints_[slot.index].def = def;
-    live_.insert(std::lower_bound(live_.begin(), live_.end(), slot.index), slot.index);
     list(slot.index);
     busyStale_ = true;
     return idAt(slot.index);
@@ -100,30 +96,27 @@ JointId JointSet::add(const JointDef& def) {
 
 void JointSet::remove(JointId id) {
     ids_.release(id.index);
-    eraseFrom(live_, id.index);
     eraseFrom(busy_, id.index);
     unlist(id.index);
     busyStale_ = true;
 }
 
-/// Adds a joint to the lists of its bodies and its pair to the excluded pairs.
+/// Adds a joint to the lists of its bodies.
 void JointSet::list(std::uint32_t index) {
     const JointDef& def = joints_[index].def;
-    lists_.add(index, firstBody(def).index, secondBody(def).index);
-    if (const auto pair = excludedPairOf(def)) {
-        const auto at = std::lower_bound(excludedPairs_.begin(), excludedPairs_.end(), *pair);
-        excludedPairs_.insert(at, *pair);
-        pairChanges_.insert(pairChanges_.end(), {pair->first, pair->second});
-    }
+    lists_.add(index, firstBody(def).index, secondBody(def).index, excludesContact(def));
+    notePairChange(def);
 }
 
 /// Undoes list().
 void JointSet::unlist(std::uint32_t index) {
     lists_.remove(index);
-    if (const auto pair = excludedPairOf(joints_[index].def)) {
-        // one entry: other joints may exclude the pair too
-        excludedPairs_.erase(std::lower_bound(excludedPairs_.begin(), excludedPairs_.end(), *pair));
-        pairChanges_.insert(pairChanges_.end(), {pair->first, pair->second});
+    notePairChange(joints_[index].def);
+}
+
+void JointSet::notePairChange(const JointDef& def) {
+    if (excludesContact(def)) {
+        pairChanges_.insert(pairChanges_.end(), {firstBody(def).index, secondBody(def).index});
     }
 }
 
@@ -167,29 +160,23 @@ void JointSet::transfer(BodyId part, BodyId into, const Transform& place) {
 
 std::vector<JointId> JointSet::ids() const {
     std::vector<JointId> all;
-    for (const std::uint32_t index : live_) {
-        all.push_back(idAt(index));
+    for (std::uint32_t index = 0; index < joints_.size(); ++index) {
+        if (ids_.aliveAt(index)) {
+            all.push_back(idAt(index));
+        }
     }
     return all;
 }
 
 void JointSet::refreshLists() {
-    live_.clear();
     lists_.clear();
-    excludedPairs_.clear();
     for (std::uint32_t index = 0; index < joints_.size(); ++index) {
         if (!ids_.aliveAt(index)) {
             continue;
         }
-        live_.push_back(index);
         const JointDef& def = joints_[index].def;
-        lists_.add(index, firstBody(def).index, secondBody(def).index);
-        if (const auto pair = excludedPairOf(def)) {
-            excludedPairs_.push_back(*pair);
-        }
+        lists_.add(index, firstBody(def).index, secondBody(def).index, excludesContact(def));
     }
-    // total order: equal pairs are the same
-    std::sort(excludedPairs_.begin(), excludedPairs_.end());
     std::erase_if(busy_, [&](std::uint32_t index) { return !ids_.aliveAt(index); });
     busyStale_ = true;
 }
@@ -206,9 +193,12 @@ void JointSet::findBusy(const Bodies& bodies, bool changed) {
 void JointSet::listBusy(const Bodies& bodies) {
     constexpr std::size_t kFew = 4; // times as many awake bodies as joints: walks all joints
     busy_.clear();
-    if (live_.size() < kFew * bodies.awake.size()) {
-        std::copy_if(live_.begin(), live_.end(), std::back_inserter(busy_),
-                     [&](std::uint32_t index) { return !idle(bodies, joints_[index].def); });
+    if (joints_.size() < kFew * bodies.awake.size()) {
+        for (std::uint32_t index = 0; index < joints_.size(); ++index) {
+            if (ids_.aliveAt(index) && !idle(bodies, joints_[index].def)) {
+                busy_.push_back(index);
+            }
+        }
         return;
     }
     for (const std::uint32_t body : bodies.awake) {
@@ -335,7 +325,10 @@ void JointSet::scaleImpulses(Real by) {
 }
 
 void JointSet::forgetUnsound() {
-    for (const std::uint32_t index : live_) {
+    for (std::uint32_t index = 0; index < joints_.size(); ++index) {
+        if (!ids_.aliveAt(index)) {
+            continue;
+        }
         Joint& joint = joints_[index];
         Real sum = joint.angularImpulseSum;
         for (const Real impulse : joint.axes) {

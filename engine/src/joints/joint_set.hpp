@@ -2,11 +2,11 @@
 #pragma once
 
 #include "base/id_pool.hpp"
+#include "bodies/joint_lists.hpp"
 #include "contacts/contact_set.hpp"
 #include "joints/articulated_trees.hpp"
 #include "joints/body_rotations.hpp"
 #include "joints/inertia_bounds.hpp"
-#include "joints/joint_lists.hpp"
 #include "joints/spring_rates.hpp"
 
 #include <array>
@@ -64,7 +64,7 @@ public:
     Vec2 force(JointId id) const { return joints_[id.index].force; }   // N, on b
     Real torque(JointId id) const { return joints_[id.index].torque; } // N m, on b
     std::vector<JointId> ids() const;
-    std::size_t size() const { return live_.size(); }
+    std::size_t size() const { return lists_.size(); }
 
     /// The reason why transfer() would give a joint that check() refuses.
     std::optional<Problem> checkTransfer(BodyId part, BodyId into, const Transform& place,
@@ -73,9 +73,9 @@ public:
     /// between the two. `place` maps the shape frame of `part` to that of `into`.
     void transfer(BodyId part, BodyId into, const Transform& place);
 
-    /// Excluded pairs: bodies whose joint forbids a contact.
-    BodyPairs excludedPairs() const { return excludedPairs_; }
-    /// Calls visit(body) for the bodies of pairs that were added or removed since the last call.
+    const JointLists& lists() const { return lists_; }
+    /// Calls visit(body) for the bodies of excluded pairs, those whose joint forbids a contact,
+    /// that were added or removed since the last call.
     template <typename Visit>
     void takePairChanges(Visit visit) {
         std::for_each(pairChanges_.begin(), pairChanges_.end(), visit);
@@ -118,8 +118,10 @@ public:
     /// Visits all joints in order.
     template <typename Visit>
     void forEach(Visit visit) const {
-        for (const std::uint32_t index : live_) {
-            visit(joints_[index]);
+        for (std::uint32_t index = 0; index < joints_.size(); ++index) {
+            if (ids_.aliveAt(index)) {
+                visit(joints_[index]);
+            }
         }
     }
     /// Visits the joints of a body in order.
@@ -176,9 +178,7 @@ private:
     IdPool ids_;
     std::uint32_t stamp_ = 0;
     std::vector<Joint> joints_;
-    std::vector<std::uint32_t> live_; // in order
-    JointLists lists_;                // of live joints
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> excludedPairs_;
+    JointLists lists_;                       // of live joints
     std::vector<std::uint32_t> pairChanges_; // see takePairChanges()
     std::vector<BrokenJoint> broken_;
     ArticulatedTrees trees_;                             // of this step
@@ -196,6 +196,7 @@ private:
     void refreshLists();
     void list(std::uint32_t index);
     void unlist(std::uint32_t index);
+    void notePairChange(const JointDef& def);
     void listBusy(const Bodies& bodies);
     void listHinges(const Bodies& bodies);
     void measureHinges(Bodies& bodies, const JointPass& pass);

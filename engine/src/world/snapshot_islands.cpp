@@ -49,9 +49,8 @@ void SnapshotFields::rest(SleepSystem& stage, Bodies& bodies) {
 }
 
 void SnapshotFields::joints(JointSet& set, const Bodies& bodies, Real lengthUnit) {
-    auto& [ids, stamp, joints, live, lists, excluded, pairChanges, broken, trees, treeCandidates,
-           hinges, springs, inertias, rotations, own, takenRevolutes, busy, busyStale, lastPass] =
-        set;
+    auto& [ids, stamp, joints, lists, pairChanges, broken, trees, treeCandidates, hinges, springs,
+           inertias, rotations, own, takenRevolutes, busy, busyStale, lastPass] = set;
     one(ids);
     stamp = reads() ? 0 : stamp;
     joints.resize(ids.capacity());

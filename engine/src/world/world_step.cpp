@@ -49,7 +49,7 @@ void WorldStep::run(StageListener* listener) {
     };
     makeRoom();
     const bool arrivals = !bodies_.changes.arrived.empty();
-    contacts_.updatePairs(bodies_, joints_.excludedPairs(), tolerances_, dt_, team_);
+    contacts_.updatePairs(bodies_, joints_.lists(), tolerances_, dt_, team_);
     clearArrivals(bodies_);
     enter(StepStage::Narrow);
     updateManifolds();
@@ -168,7 +168,7 @@ void WorldStep::gatherForces() {
 
 /// Continuous collision: shortens displacements at the first impact.
 void WorldStep::runContinuous() {
-    contacts_.coverDisplacements(bodies_, joints_.excludedPairs(), tolerances_, team_);
+    contacts_.coverDisplacements(bodies_, joints_.lists(), tolerances_, team_);
     if (canWake() && sleep_.wakeRunOver(bodies_, contacts_, tolerances_)) {
         joints_.findBusy(bodies_, refreshAwake(bodies_));
     }
