@@ -68,6 +68,37 @@ Scene rays(int size, std::uint64_t seed) {
     return scene;
 }
 
+/// Rays of 20 m among balls that fly about in a closed box.
+Scene flying(int size, std::uint64_t seed) {
+    constexpr int kRays = 10;
+    Dice dice(seed);
+    Scene scene;
+    scene.def = {"flying", {}, {}};
+    const double side = 1.5 * std::sqrt(static_cast<double>(size));
+    const Material springy{0, 1};
+    for (const double end : {-0.5, side + 0.5}) {
+        scene.def.bodies.push_back(wall(side + 2, 1, {side / 2, end}, springy));
+        scene.def.bodies.push_back(wall(1, side + 2, {end, side / 2}, springy));
+    }
+    for (int i = 0; i < size; ++i) {
+        const Vec2 at{dice.between(0.3, side - 0.3), dice.between(0.3, side - 0.3)};
+        scene.def.bodies.push_back(scenes::ball(0.2, at, springy));
+        scene.def.bodies.back().velocity = {dice.between(-5, 5), dice.between(-5, 5)};
+    }
+    scene.every = 1;
+    scene.actIsTimed = true;
+    const auto random = std::make_shared<Dice>(seed + 1);
+    scene.act = [=](Stage& stage, int) {
+        for (int i = 0; i < kRays; ++i) {
+            const Vec2 from{random->between(0, side), random->between(0, side)};
+            const Vec2 way = 20.0 * scenes::direction(random->between(0, 1));
+            stage.engine().rayCast(from, from + way);
+        }
+    };
+    scene.warmUp = 60;
+    return scene;
+}
+
 /// A heap of which bodies are taken and on which others fall, in every step.
 Scene churn(int size, std::uint64_t seed) {
     Dice dice(seed);

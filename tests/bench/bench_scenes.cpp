@@ -74,6 +74,8 @@ std::span<const Recipe> recipes() {
         {"tiles", "200 balls and boxes bounce on static tiles", "tiles", 10000, 600, tiles},
         {"rays", "100 rays of 20 m in every step, among boxes that do not move", "boxes", 10000,
          200, rays},
+        {"flying", "balls fly about in a closed box; 10 rays of 20 m in every step", "balls", 2000,
+         300, flying},
         {"churn", "a heap of balls; each step removes 100 and adds 100 above", "balls", 500, 300,
          churn},
         {"columns", "balls fall on sleeping columns of four boxes, one every 2 s", "columns", 2000,

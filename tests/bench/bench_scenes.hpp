@@ -89,6 +89,7 @@ Scene smallRoom(int size, std::uint64_t seed);
 // bench_local.cpp
 Scene tiles(int size, std::uint64_t seed);
 Scene rays(int size, std::uint64_t seed);
+Scene flying(int size, std::uint64_t seed);
 Scene churn(int size, std::uint64_t seed);
 // bench_changes.cpp
 Scene columns(int size, std::uint64_t seed);

@@ -39,6 +39,7 @@ SCENES = [
     Wanted("shots", 10000),
     Wanted("tiles", 10000),
     Wanted("rays", 10000),
+    Wanted("flying", 2000),
     Wanted("churn", 500),
     Wanted("smallroom", 1),
     Wanted("empty", 1),

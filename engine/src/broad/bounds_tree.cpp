@@ -2,6 +2,7 @@
 #include "broad/bounds_tree.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -73,42 +74,69 @@ void BoundsTree::replaceChild(std::uint32_t parent, std::uint32_t child, std::ui
 std::uint32_t BoundsTree::insert(const Leaf& leaf) {
     const std::uint32_t node = newNode();
     nodes_[node] = {leaf.box, kNone, leaf.body, leaf.part, true};
-    if (root_ == kNone) {
-        root_ = node;
-        return node;
-    }
-    const std::uint32_t sibling = siblingFor(leaf.box);
-    const std::uint32_t parent = newNode();
-    replaceChild(nodes_[sibling].parent, sibling, parent);
-    nodes_[parent].first = sibling;
-    nodes_[parent].second = node;
-    nodes_[sibling].parent = parent;
-    nodes_[node].parent = parent;
-    refit(parent);
+    attach(node);
     return node;
 }
 
 void BoundsTree::remove(std::uint32_t node) {
-    const std::uint32_t parent = nodes_[node].parent;
+    detach(node);
     freeNode(node);
+}
+
+void BoundsTree::attach(std::uint32_t leaf) {
+    if (root_ == kNone) {
+        root_ = leaf;
+        return;
+    }
+    const std::uint32_t sibling = siblingFor(nodes_[leaf].box);
+    const std::uint32_t parent = newNode();
+    replaceChild(nodes_[sibling].parent, sibling, parent);
+    nodes_[parent].first = sibling;
+    nodes_[parent].second = leaf;
+    nodes_[sibling].parent = parent;
+    nodes_[leaf].parent = parent;
+    refit(parent);
+}
+
+void BoundsTree::detach(std::uint32_t leaf) {
+    const std::uint32_t parent = std::exchange(nodes_[leaf].parent, kNone);
     if (parent == kNone) {
         root_ = kNone;
         return;
     }
     const Node& gone = nodes_[parent];
-    const std::uint32_t sibling = gone.first == node ? gone.second : gone.first;
+    const std::uint32_t sibling = gone.first == leaf ? gone.second : gone.first;
     const std::uint32_t above = gone.parent;
     replaceChild(above, parent, sibling);
     freeNode(parent);
     refit(above);
 }
 
-/// Updates the boxes from a node up to the root.
+void BoundsTree::move(std::uint32_t leaf, const Aabb& box) {
+    constexpr int kNear = 3; // levels up to the box in which a leaf may move
+    std::uint32_t around = nodes_[leaf].parent;
+    for (int i = 1; i < kNear && around != kNone && !nodes_[around].box.contains(box); ++i) {
+        around = nodes_[around].parent;
+    }
+    if (around != kNone && nodes_[around].box.contains(box)) {
+        nodes_[leaf].box = box;
+        refit(nodes_[leaf].parent);
+        return;
+    }
+    detach(leaf);
+    nodes_[leaf].box = box;
+    attach(leaf);
+}
+
+/// Updates the boxes from a node up to where they stay as they are.
 void BoundsTree::refit(std::uint32_t node) {
-    while (node != kNone) {
+    int unchanged = 0; // nodes in a row
+    while (node != kNone && unchanged < 2) {
         Node& at = nodes_[node];
+        const Aabb before = at.box;
         at.box = unite(nodes_[at.first].box, nodes_[at.second].box);
         rotate(node);
+        unchanged = at.box == before ? unchanged + 1 : 0;
         node = at.parent;
     }
 }

@@ -34,6 +34,8 @@ public:
     /// Returns the node of the new leaf.
     std::uint32_t insert(const Leaf& leaf);
     void remove(std::uint32_t node);
+    /// Gives a leaf another box. One that stays near keeps its place in the tree.
+    void move(std::uint32_t leaf, const Aabb& box);
     void clear();
 
     const Aabb& box(std::uint32_t leaf) const { return nodes_[leaf].box; }
@@ -108,6 +110,8 @@ private:
     std::uint32_t newNode();
     void freeNode(std::uint32_t node);
     std::uint32_t siblingFor(const Aabb& box) const;
+    void attach(std::uint32_t leaf);
+    void detach(std::uint32_t leaf);
     void replaceChild(std::uint32_t parent, std::uint32_t child, std::uint32_t by);
     void refit(std::uint32_t node);
     void rotate(std::uint32_t node);

@@ -65,6 +65,15 @@ public:
         return count == 0 && leaf == BoundsTree::kNone;
     }
 
+    /// Gives the leaves of a body other boxes: box(part).
+    template <typename BoxOf>
+    void move(std::uint32_t body, std::size_t count, BoxOf boxOf) {
+        std::uint32_t leaf = has(body) ? firstLeaf_[body] : BoundsTree::kNone;
+        for (; count > 0 && leaf != BoundsTree::kNone; leaf = nextLeaf_[leaf]) {
+            tree_.move(leaf, boxOf(--count));
+        }
+    }
+
 private:
     void chain(std::uint32_t leaf, std::uint32_t body) {
         if (body >= firstLeaf_.size()) {

@@ -38,11 +38,11 @@ public:
         return *this;
     }
 
-    /// A body was added, removed or moved, or its geometry changed.
+    /// A body was added, removed or teleported, or its geometry changed.
     void bodyChanged(std::uint32_t body);
-    /// The same for several bodies.
+    /// Bodies moved in a step.
     void bodiesMoved(std::span<const std::uint32_t> bodies);
-    /// The same for all bodies.
+    /// All bodies may have changed.
     void bodiesChanged();
 
     /// True if a view() only follows the bodies that have changed.
@@ -51,8 +51,12 @@ public:
     View view(const Bodies& bodies, const Tolerances& tolerances);
 
 private:
+    enum class Change : std::uint8_t { None, Moved, Any };
+
+    void note(std::uint32_t body, Change change);
     void update(const Bodies& bodies, Real margin);
     void updateBody(const Bodies& bodies, std::uint32_t body, Real margin);
+    void moveBody(const Bodies& bodies, std::uint32_t body, Real margin);
     void removePlanes(std::uint32_t body);
     void rebuild(const Bodies& bodies, Real margin);
     void updateCompound(std::uint32_t body, std::span<const BoundsTree::Leaf> parts);
@@ -63,8 +67,9 @@ private:
     PartTree compounds_;                 // of each body with several leaves, their union
     std::vector<std::uint8_t> hasPlane_; // by body
     std::vector<PlanePart> planes_;
-    std::vector<std::uint32_t> changed_;  // bodies
-    std::vector<std::uint8_t> isChanged_; // by body: 1 if in changed_
+    std::vector<std::uint32_t> changed_; // bodies
+    std::vector<Change> changeOf_;       // by body; None: not in changed_
+    std::vector<Transform> leafPose_;    // by body: Bodies::pose when its leaves were made
     bool allStale_ = true;
     std::atomic<bool> stale_ = true;
     std::mutex mutex_;
