@@ -53,6 +53,14 @@ TEST(BoundsTree, FindsWhatAModelFinds) {
                 const Aabb box = randomBox(random, 20);
                 model[next] = {box, tree.insert({box, next, next + 7})};
                 ++next;
+            } else if (random.below(2) == 0) {
+                auto moved = model.lower_bound(static_cast<std::uint32_t>(random.below(next)));
+                moved = moved == model.end() ? model.begin() : moved;
+                const double far = random.below(4) == 0 ? 30 : 1;
+                const Vec2 by = random.point(far);
+                Aabb& box = moved->second.first;
+                box = {box.lower + by, box.upper + by};
+                tree.move(moved->second.second, box);
             } else {
                 auto gone = model.lower_bound(static_cast<std::uint32_t>(random.below(next)));
                 gone = gone == model.end() ? model.begin() : gone;
@@ -90,6 +98,42 @@ TEST(BoundsTree, StaysLowWhenLeavesComeInOrder) {
         tree.insert({{at, at + Vec2{1, 1}}, i, i + 7});
     }
     EXPECT_LE(tree.height(), 5 * 12u); // 12 levels suffice
+}
+
+// Leaves that move at random for a long time: searches visit about as many as in a new tree.
+TEST(BoundsTree, StaysGoodWhileLeavesMove) {
+    RandomNumbers random(3);
+    BoundsTree tree;
+    std::vector<BoundsTree::Leaf> leaves;
+    std::vector<std::uint32_t> nodes;
+    for (std::uint32_t i = 0; i < 2000; ++i) {
+        leaves.push_back({randomBox(random, 100), i, i + 7});
+    }
+    tree.build(leaves, nodes, leaves.size());
+    for (int round = 0; round < 300; ++round) {
+        for (std::size_t i = 0; i < leaves.size(); ++i) {
+            Aabb& box = leaves[i].box;
+            const Vec2 by = random.point(1);
+            box = {box.lower + by, box.upper + by};
+            tree.move(nodes[i], box);
+        }
+    }
+    const auto entriesOf = [&](const BoundsTree& searched) {
+        std::size_t entries = 0;
+        for (int i = 0; i < 200; ++i) {
+            const Vec2 at = RandomNumbers(static_cast<std::uint64_t>(i)).point(100);
+            searched.search(
+                [&](const Aabb& node) {
+                    ++entries;
+                    return node.contains(at) ? 0 : BoundsTree::kMissed;
+                },
+                [](std::uint32_t, std::uint32_t) {});
+        }
+        return entries;
+    };
+    BoundsTree fresh;
+    fresh.build(leaves, nodes, leaves.size());
+    EXPECT_LT(entriesOf(tree), 2 * entriesOf(fresh));
 }
 
 } // namespace

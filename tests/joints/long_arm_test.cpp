@@ -130,5 +130,37 @@ TEST(LongArm, LimitsOfARevoluteJointAddNoEnergy) {
     }
 }
 
+// F1: a body that can only turn, on a slider whose motor cannot move it, stays at rest.
+// Regression: with the angle held nothing moves along the axis, and the impulse was 0 / 0.
+TEST(LongArm, ASliderCannotMoveABodyThatOnlyTurns) {
+    for (const NamedSettings& solver : solvers()) {
+        for (const int rate : {30, 60, 240}) {
+            for (const Vec2 place : {Vec2{0, 0}, Vec2{-3.25f, 800}}) {
+                for (const Vec2 arm : {Vec2{1.125f, 0.75f}, Vec2{-4, -4.25f}, Vec2{-1.125f, 4}}) {
+                    SCOPED_TRACE(testing::Message() << solver.name << ", " << rate << " Hz, arm "
+                                                    << arm.x << ", " << arm.y << " at " << place.y);
+                    World world({.gravity = support::kEarth, .settings = solver.settings});
+                    const BodyId turning =
+                        world.add({.shape = Box{1, 1}, .position = place, .flags = kLockMove});
+                    const BodyId wall = world.add({.shape = Circle{0.5f},
+                                                   .position = place + Vec2{-8, -2},
+                                                   .type = BodyType::Static});
+                    world.add(PrismaticJoint{.ends = {turning, wall, arm, arm + Vec2{8, 2}},
+                                             .axis = {1, 0},
+                                             .limits = Range{-1, 1},
+                                             .motorSpeed = 0.5f,
+                                             .motorForce = 2});
+                    for (int step = 0; step < rate; ++step) {
+                        world.step(1 / static_cast<Real>(rate));
+                        ASSERT_EQ(world[turning].flags() & kFrozen, 0u) << "step " << step;
+                        ASSERT_LT(std::abs(world[turning].angularVelocity()), Real(0.02));
+                    }
+                    EXPECT_LT(std::abs(world[turning].rotation().angle()), Real(0.01));
+                }
+            }
+        }
+    }
+}
+
 } // namespace
 } // namespace kodo

@@ -317,5 +317,46 @@ TEST(SpringEnergy, ASpringOnLongArmsGainsNone) {
     }
 }
 
+// F1: the stiffness of a spring on a body that can only rotate does not depend on its angle: with
+// k = (2 pi f)^2 I / r^2, r being the arm, the energy never exceeds that of the stretched spring
+// by more than the ripple, omega h / 2 of it; a pull along the arm raises omega twofold here.
+// Regression: the stiffness followed the lever, and the energy grew by 45 % in five steps.
+TEST(SpringEnergy, ASpringOnABodyThatOnlyTurnsGainsNone) {
+    for (const StepSettings& settings : solvers()) {
+        for (const int rate : {30, 60, 240}) {
+            for (const double hertz : {0.5, 1.0, 2.0}) {
+                for (const Vec2 end : {Vec2{1, Real(0.8)}, Vec2{Real(-0.3), 2}}) {
+                    SCOPED_TRACE(testing::Message()
+                                 << "solver " << settings.solver.index() << ", " << rate << " Hz, "
+                                 << hertz << " Hz, end at " << end.x << ", " << end.y);
+                    joints::Rig rig({}, settings);
+                    const BodyId lever =
+                        rig.world.add({.shape = Box{Real(0.5), Real(0.1)}, .flags = kLockMove});
+                    const JointEnds ends{lever, rig.post, {Real(0.25), 0}, end};
+                    const Real length = Real(0.6) * kodo::length(joints::gapOf(rig.world, ends));
+                    rig.world.add(DistanceJoint{
+                        .ends = ends, .length = length, .hertz = static_cast<Real>(hertz)});
+                    const double omega = 2 * kPi * hertz;
+                    const BodyView body = std::as_const(rig.world)[lever];
+                    const double inertia = static_cast<double>(body.inertia());
+                    const double stiffness = omega * omega * inertia / (0.25 * 0.25);
+                    const auto energy = [&] {
+                        const double spin = static_cast<double>(body.angularVelocity());
+                        const double stretch = static_cast<double>(
+                            kodo::length(joints::gapOf(rig.world, ends)) - length);
+                        return (inertia * spin * spin + stiffness * stretch * stretch) / 2;
+                    };
+                    const double ripple = omega / (rate * substepsOf(settings));
+                    const double most = (1.05 + ripple) * energy();
+                    for (int step = 0; step < 10 * rate; ++step) {
+                        rig.world.step(1 / static_cast<Real>(rate));
+                        ASSERT_LT(energy(), most) << "step " << step;
+                    }
+                }
+            }
+        }
+    }
+}
+
 } // namespace
 } // namespace kodo

@@ -70,7 +70,7 @@ public:
     void change() {
         const std::vector<BodyId> ids = world_.bodies();
         const BodyId any = ids[1 + random_.below(ids.size() - 1)]; // not the plane
-        switch (random_.below(9)) {
+        switch (random_.below(11)) {
         case 0:
             return add();
         case 1:
@@ -92,7 +92,16 @@ public:
                 world_.unweld(any, random_.below(world_[any].partCount()));
             }
             return;
-        case 7:
+        case 7: // parts stay where they are, but turn about another centre
+            return world_[any].setMass(
+                MassDef{1, world_[any].localCenter() + random_.point(0.3), {}});
+        case 8:
+            if (world_[any].type() == BodyType::Dynamic) {
+                world_[any].setAngularVelocity(random_.between(-30, 30));
+                world_[any].setVelocity(random_.point(20));
+            }
+            return;
+        case 9:
             return random_.below(2) == 0 ? std::swap(world_, saved_) : void(world_ = saved_);
         default:
             return support::run(world_, 1 + static_cast<int>(random_.below(20)));

@@ -178,8 +178,12 @@ private:
     /// levers of its anchors are: a stiffness that varies with the direction would add energy.
     /// Levers raise the frequency and the damping ratio along its axis by the same factor.
     Softness springOf(const DistanceJoint& joint, const AxisConstraint& along) const {
-        const Real mass = frame_.a.invMass + frame_.b.invMass;
-        const Real give = mass + frame_.a.invInertia * along.leverA * along.leverA +
+        const Real free = frame_.a.invMass + frame_.b.invMass;
+        // of bodies that can only rotate: at the anchors, across their arms
+        const Real mass = free > 0 ? free
+                                   : frame_.a.invInertia * lengthSquared(frame_.armA) +
+                                         frame_.b.invInertia * lengthSquared(frame_.armB);
+        const Real give = free + frame_.a.invInertia * along.leverA * along.leverA +
                           frame_.b.invInertia * along.leverB * along.leverB;
         const Real factor = mass > 0 ? std::sqrt(give / mass) : Real(1);
         return Softness::spring(factor * joint.hertz, factor * joint.damping, pass_.h,

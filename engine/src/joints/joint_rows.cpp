@@ -170,6 +170,9 @@ Real AxisConstraint::missing(const BodyVelocity& a, const BodyVelocity& b, Real 
         const Real turned = angle.removed(biased);
         k = mass + (1 - turned) * (k - mass) + turned * together;
         now += angle.missing(a, b, biased) * (a.invInertia * leverA + b.invInertia * leverB);
+        if (!(k > 0)) {
+            return 0; // both bodies can only rotate: the angle leaves no motion along the axis
+        }
     }
     if (const PointConstraint* point = beside.point) {
         const Vec2 u =

@@ -194,9 +194,7 @@ void QueryTree::moveBody(const Bodies& bodies, std::uint32_t body, Real margin) 
         return;
     }
     leafPose_[body] = pose;
-    const auto boxOf = [&](std::size_t i) {
-        return boundsOf(parts[i].convex, pose).grown(margin);
-    };
+    const auto boxOf = [&](std::size_t i) { return boundsOf(parts[i].convex, pose).grown(margin); };
     parts_.move(body, parts.size(), boxOf);
     if (parts.size() > 1) {
         Aabb box = boxOf(0);
