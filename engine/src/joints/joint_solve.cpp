@@ -226,7 +226,8 @@ void JointSet::raiseInertias(Bodies& bodies, const JointPass& pass) {
         }
         if (kind->hertz > 0) {
             const Real extension = length(frame.gap) - kind->length;
-            force = std::max(force, joint.stiffness * std::abs(extension));
+            const Real carried = 1 + Softness::springLag(pass.h, joint.springBound);
+            force = std::max(force, joint.stiffness / carried * std::abs(extension));
         }
         inertias_.add(bodies, kind->ends.a.index, force * length(frame.armA));
         inertias_.add(bodies, kind->ends.b.index, force * length(frame.armB));
