@@ -296,5 +296,11 @@ TEST(ChangeVisits, NoForceWakesNoBody) {
     EXPECT_EQ(support::countAsleep(row.world), std::size_t{kBodies});
 }
 
+// Regression: a World without a region visited all bodies at each call without one.
+TEST(ChangeVisits, NoRegionInPlaceOfNoneVisitsNone) {
+    SleepingRow row;
+    EXPECT_EQ(row.visits([&] { row.world.setRegion({}); }), 0u);
+}
+
 } // namespace
 } // namespace kodo

@@ -228,6 +228,46 @@ TEST(SnapshotRefused, ValuesThatDefinitionsRefuse) {
     startsWith(Real(3.875), nan, "length: must be");
 }
 
+// Regression: a NaN in a contact was accepted, and was in a collision record then.
+TEST(SnapshotRefused, NotANumberAtAnyPlace) {
+    const Bytes good = toBytes(smallWorld());
+    ByteStream stream;
+    Real number = std::numeric_limits<Real>::quiet_NaN();
+    stream.number(number);
+    const Bytes nan = stream.takeWritten();
+    const auto isSound = [](const World& world) {
+        for (const BodyId id : world.bodies()) {
+            const BodyView body = world[id];
+            if (!isFinite(body.position()) || !isFinite(body.velocity())) {
+                return false;
+            }
+        }
+        const auto finite = [](const CollisionRecord& record) {
+            return isFinite(record.point) && isFinite(record.normal) &&
+                   std::isfinite(record.separation + record.approachSpeed + record.maxImpulse +
+                                 record.totalImpulse);
+        };
+        const std::span<const CollisionRecord> records = world.collisions();
+        return std::all_of(records.begin(), records.end(), finite);
+    };
+    int accepted = 0;
+    for (std::size_t place = 0; place + nan.size() <= good.size(); ++place) {
+        Bytes bytes = good;
+        std::copy(nan.begin(), nan.end(), bytes.begin() + static_cast<std::ptrdiff_t>(place));
+        seal(bytes);
+        try {
+            World world = fromBytes(bytes);
+            ++accepted;
+            ASSERT_TRUE(isSound(world)) << "at byte " << place;
+            world.step(kDt);
+            ASSERT_TRUE(isSound(world)) << "after a step, at byte " << place;
+        } catch (const BadSnapshot&) {
+            // as it should be
+        }
+    }
+    EXPECT_LT(accepted, static_cast<int>(good.size()) / 4);
+}
+
 // Fields of the engine are restored from the bytes. All others come from the caller, in equal
 // number.
 TEST(SnapshotRefused, AWrongNumberOfUserDefinedFields) {

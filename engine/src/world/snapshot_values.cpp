@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "world/snapshot_fields.hpp"
 
+#include "contacts/contact_update.hpp"
+
+#include <cmath>
+#include <numeric>
+
 // Plain values, in memory order unless a comment says otherwise.
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -122,6 +127,9 @@ void SnapshotFields::one(Contact& contact) {
     all(key, centerA, manifold, teleportCounts, relativeDisplacement, impulse, row, friction,
         rolling, approachSpeed, total);
     all(near, carried, sliding, passing, hidden, touching, wasTouching);
+    require(!reads() ||
+                (isSound(contact) && std::isfinite(approachSpeed + relativeDisplacement)),
+            "a number of a contact is not finite");
     hasStepImpulses = true; // conservative: it is not stored
 }
 
@@ -133,10 +141,15 @@ void SnapshotFields::one(CollisionRecord& record) {
     require(phase <= TouchPhase::End, "the phase of a collision record is unknown");
     all(pointCount);
     require(pointCount <= 2, "a collision record has more than two points");
+    Real sum = 0; // not finite if one of them is not
     for (auto& [position, gap, largest] : points) {
         all(position, gap, largest);
+        sum += position.x + position.y + gap + largest;
     }
     all(point, normal, separation, approachSpeed, maxImpulse, totalImpulse);
+    sum += point.x + point.y + normal.x + normal.y + separation + approachSpeed + maxImpulse;
+    require(!reads() || std::isfinite(sum + totalImpulse),
+            "a number of a collision record is not finite");
 }
 
 void SnapshotFields::one(SleepSystem::Island& island) {
@@ -189,6 +202,9 @@ void SnapshotFields::one(JointSet::Joint& joint) {
     auto& [def, point, axes, linearImpulseSum, angularImpulseSum, force, torque, solved,
            springBound, stiffness, mostBias] = joint;
     all(def, point, axes, force, torque);
+    const Real impulses = std::accumulate(axes.begin(), axes.end(), point.x + point.y);
+    require(!reads() || std::isfinite(impulses + force.x + force.y + torque),
+            "an impulse of a joint is not finite");
 }
 
 void SnapshotFields::one(BrokenJoint& broken) {

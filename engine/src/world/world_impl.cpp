@@ -144,6 +144,9 @@ void WorldImpl::setRegion(std::optional<Aabb> region) {
         refuse(checkBox("region", *region));
     }
     const std::optional<Aabb> before = region_.box();
+    if (!before && !region) {
+        return;
+    }
     region_.setBox(region);
     const bool isMove = before && region;
     std::vector<std::uint32_t> moved = isMove && (queries_.isBuilt() || region_.countScan())
