@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Judges random worlds from the command line; see tools/worlds.
+#include <CLI/CLI.hpp>
 #include <base/assert.hpp>
 #include <worlds/recipe.hpp>
 
@@ -7,7 +8,6 @@
 #include <atomic>
 #include <charconv>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -35,14 +35,8 @@ void throwFailure(const char* condition, const char* file, int line) {
     throw std::logic_error(std::string(file) + ":" + std::to_string(line) + ": " + condition);
 }
 
-constexpr const char* kUsage =
-    "worlds [--seed N] [--count N] [--jobs N] [--shrink] [--into FOLDER]   random worlds, judged\n"
-    "worlds --replay FILE          judges one saved world\n"
-    "worlds --seed N --print       prints the world of a seed\n"
-    "worlds --help                 this text\n";
-
 constexpr const char* kJudges =
-    "\nJudges, and what they object to:\n"
+    "Judges, and what they object to:\n"
     "  energy     kinetic and potential energy above what was put in, by 0.5 % of the scale\n"
     "  momentum   a change of momentum or angular momentum where nothing outside acts\n"
     "  through    the path of a body crosses another body\n"
@@ -54,46 +48,57 @@ constexpr const char* kJudges =
     "\"of the scale\" in a finding of energy: relative to the largest kinetic energy so far, or, "
     "if\n"
     "larger, to the weight of all bodies times one length unit; work that was put in is added.\n"
-    "Exit code: 0 no finding, 1 a judge objected, 2 wrong use or a bad file.\n";
+    "Exit code: 0 no finding, 1 a judge objected, 2 wrong use or a bad file.";
 
-/// A whole number below 2^64, in digits alone: std::strtoull() also takes a sign.
-bool readNumber(const char* text, std::uint64_t& number) {
-    const char* const end = text + std::strlen(text);
-    const auto [stop, error] = std::from_chars(text, end, number);
-    return *text != '\0' && stop == end && error == std::errc{};
+/// Accepts digits alone: conversions of the library also take a sign.
+CLI::Validator wholeNumber(std::uint64_t least, std::uint64_t most) {
+    const auto problem = [=](const std::string& text) {
+        std::uint64_t number = 0;
+        const char* const end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(text.data(), end, number);
+        const bool valid = stop == end && error == std::errc{} && number >= least && number <= most;
+        return valid ? std::string()
+                     : "must be a whole number from " + std::to_string(least) + " to " +
+                           std::to_string(most) + ", but is '" + text + "'";
+    };
+    return CLI::Validator(problem, "");
 }
 
-bool readOptions(int argc, char** argv, Options& options) {
-    for (int i = 1; i < argc; ++i) {
-        const std::string name = argv[i];
-        if (name == "--shrink" || name == "--print") {
-            (name == "--shrink" ? options.shrink : options.print) = true;
-            continue;
-        }
-        if (i + 1 == argc) {
-            return false;
-        }
-        const char* const value = argv[++i];
-        if (name == "--into" || name == "--replay") {
-            (name == "--into" ? options.into : options.replay) = value;
-            continue;
-        }
-        std::uint64_t number = 0;
-        if (!readNumber(value, number)) {
-            return false;
-        }
-        if (name == "--seed") {
-            options.seed = number;
-        } else if (name == "--count") {
-            options.count = number;
-        } else if (name == "--jobs") {
-            options.jobs = static_cast<unsigned>(std::min<std::uint64_t>(number, 257));
-        } else {
-            return false;
-        }
+void addOptions(CLI::App& app, Options& options) {
+    constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+    CLI::Option* const seed =
+        app.add_option("--seed", options.seed, "The first seed, 1 unless given")
+            ->check(wholeNumber(0, kMost));
+    CLI::Option* const count =
+        app.add_option("--count", options.count, "Number of worlds, 1000 unless given")
+            ->check(wholeNumber(1, kMost));
+    CLI::Option* const jobs =
+        app.add_option("--jobs", options.jobs, "Number of threads, 1 unless given")
+            ->check(wholeNumber(1, 256));
+    CLI::Option* const shrink = app.add_flag(
+        "--shrink", options.shrink, "Make each failing world as small as possible, and save it");
+    CLI::Option* const into =
+        app.add_option("--into", options.into, "Folder of the saved worlds; this one unless given")
+            ->needs(shrink);
+    CLI::Option* const replay =
+        app.add_option("--replay", options.replay, "Judge this saved world instead");
+    CLI::Option* const print =
+        app.add_flag("--print", options.print, "Print the world of the seed instead");
+    for (CLI::Option* const unused : {count, jobs, shrink, into}) {
+        replay->excludes(unused);
+        print->excludes(unused);
     }
-    return options.jobs >= 1 && options.jobs <= 256 && options.count >= 1 &&
-           options.seed <= std::numeric_limits<std::uint64_t>::max() - (options.count - 1);
+    replay->excludes(seed)->excludes(print);
+}
+
+/// Throws CLI::ParseError.
+void readOptions(CLI::App& app, Options& options, int argc, char** argv) {
+    addOptions(app, options);
+    app.parse(argc, argv);
+    if (!options.print &&
+        options.seed > std::numeric_limits<std::uint64_t>::max() - (options.count - 1)) {
+        throw CLI::ValidationError("--seed + --count - 1, the last seed, must be below 2^64");
+    }
 }
 
 /// Judges seeds on several threads, each at its own pace.
@@ -198,18 +203,17 @@ int replay(const Options& options) {
 } // namespace
 
 int main(int argc, char** argv) {
-    for (int i = 1; i < argc; ++i) {
-        if (std::strcmp(argv[i], "--help") == 0 || std::strcmp(argv[i], "-h") == 0) {
-            std::printf("%s%s", kUsage, kJudges);
-            return 0;
-        }
-    }
+    CLI::App app("Random worlds, judged in each step.");
+    app.name("worlds");
+    app.footer(kJudges);
     Options options;
-    if (!readOptions(argc, argv, options)) {
-        std::fprintf(stderr,
-                     "worlds: wrong use. Numbers are whole; --count is 1 or more, --jobs 1 to 256, "
-                     "and the last seed below 2^64.\n%s",
-                     kUsage);
+    try {
+        readOptions(app, options, argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) {
+            return app.exit(error); // --help
+        }
+        std::fprintf(stderr, "worlds: %s. Try worlds --help.\n", error.what());
         return 2;
     }
     kodo::setAssertHandler(&throwFailure);
