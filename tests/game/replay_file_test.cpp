@@ -159,8 +159,17 @@ TEST(ReplayFile, NamesTheLineOfAnError) {
         {with("0123456789abcdef", "0123"), ":10: a hash has 16"},
         {with("lives", "life"), ":11: there is no field 'life'"},
         {with("==", "="), ":11: there is no operator '='"},
-        {with("== playing", "== 3"), ":12: '3' is no value of result"},
-        {with("expect 100", "expect 121"), ":13: a hash or an expectation comes after the end"},
+        {with("== playing", "== 3"),
+         ":12: '3' is no value of result, which is playing, won or lost"},
+        {with("== playing", "< playing"), ":12: result has names, which have no order"},
+        {with("lives == 5", "lives == 3.5"),
+         ":11: '3.5' is no value of lives, which is a whole number"},
+        {with("expect 100", "expect by 100-60"),
+         ":11: '100-60' is no span FROM-TO: FROM must not be above TO"},
+        {with("expect 100", "expect 121"), ":11: the expectation comes after the end, tick 120"},
+        {with("expect 120", "expect 121"), ":12: the expectation comes after the end, tick 120"},
+        {with("hash 60", "hash 121"), ":10: a hash comes after the end, tick 120"},
+        {with("end 120", "end 50"), ":10: a hash comes after the end, tick 50"},
         {with("end 120", "end"), ":13: end needs one tick"},
         {kByHand + "200 0 - 0\n", ":14: nothing may follow"},
         {with("30 0", "launch 0"), ":7: 'launch' is neither a tick nor a word"},
@@ -269,7 +278,7 @@ TEST(ReplayFile, RefusesBadSpans) {
         return std::holds_alternative<FileProblem>(read) ? std::get<FileProblem>(read).reason
                                                          : std::string("none");
     };
-    EXPECT_NE(reasonOf("expect by 90-80 served == 1").find("is no span"), std::string::npos);
+    EXPECT_NE(reasonOf("expect by 90-80 served == 1").find("FROM must not"), std::string::npos);
     EXPECT_NE(reasonOf("expect until 90 served == 1").find("reads: expect"), std::string::npos);
     EXPECT_NE(reasonOf("expect never 0-201 served == 1").find("after the end"), std::string::npos);
     EXPECT_NE(reasonOf("expect never 0-x served == 1").find("is no span"), std::string::npos);

@@ -26,6 +26,7 @@ json='^\{"level": "[a-z_]+", "seed": [0-9]+, "ticks": [0-9]+, "result": "[a-z]+"
 json="$json"'"lives": [0-9]+, "blocksLeft": [0-9]+, "stateHash": "[0-9a-f]{16}"'
 
 expect 0 'Usage' "$program" --help
+expect 0 'APART_ASSETS names another folder of assets' "$program" --help
 expect 0 '^first_light ' "$program" levels
 expect 0 "$json\\}\$" "$program" bot --level mitosis --seed 7 --ticks 900 --record a.replay --json
 expect 0 'All 15 hashes agree' "$program" verify a.replay
@@ -45,6 +46,9 @@ expect 0 '^# Nothing happens from tick 1 to 2' \
     "$program" trace "$replays/pattern_slats.replay" --from 1 --to 2
 expect 2 'from 9 is after --to 8' "$program" trace a.replay --from 9 --to 8
 expect 0 '^# The replay ends at tick 900, before tick 901' "$program" trace a.replay --from 901
+expect 0 '^# The replay ends at tick 900, before tick 99999' "$program" trace a.replay --to 99999
+"$program" trace a.replay | grep -q '^# The replay ends' &&
+    { echo 'FAILED: trace to the end says that the replay ends before'; failed=1; }
 expect 2 'Try apart-headless trace --help' "$program" trace a.replay --from x
 expect 2 'Try apart-headless bot --help' "$program" bot --nosuch
 expect 2 'Try apart-headless --help' "$program" nosuch
@@ -119,6 +123,7 @@ expect 2 'one that was edited has none' "$program" verify both.replay
 sed -e 's/^seed 7$/seed 8/' -e 's/^digest .*/x/' -e '/^x$/d' -e 's/^rules/handwritten\nrules/' \
     a.replay >other.replay
 expect 1 'tick 60 is the first whose hash differs' "$program" verify other.replay
+expect 1 '^other.replay: the game diverges: tick 60 is the first' "$program" replay other.replay
 sed 's/^expect 600   lives .*/expect 600 lives == 1/' "$replays/keystone_caught.replay" >unmet.replay
 expect 1 '^unmet.replay:[0-9]+: expect 600 lives == 1, but lives is 8$' "$program" replay unmet.replay
 expect 2 'there is no level nowhere' "$program" bot --level nowhere

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <apart/core/expectation_reader.hpp>
 #include <apart/core/replay.hpp>
+#include <apart/core/replay_words.hpp>
 
 #include <algorithm>
 #include <limits>
-#include <span>
-#include <tuple>
 #include <utility>
 
 namespace apart {
@@ -13,37 +13,6 @@ namespace {
 
 constexpr const char* kHowToEdit =
     "To edit a replay, remove its digest line and add a line handwritten below the seed";
-
-using Words = std::vector<std::string_view>;
-
-Words wordsOf(std::string_view line) {
-    Words words;
-    line = line.substr(0, line.find('#'));
-    const std::string_view blanks = " \t\r";
-    for (std::size_t start = line.find_first_not_of(blanks); start != std::string_view::npos;) {
-        const std::size_t end = std::min(line.find_first_of(blanks, start), line.size());
-        words.push_back(line.substr(start, end - start));
-        start = line.find_first_not_of(blanks, end);
-    }
-    return words;
-}
-
-/// Index of the word among the names.
-std::optional<std::size_t> indexOf(std::string_view word, std::span<const std::string_view> names) {
-    const auto found = std::find(names.begin(), names.end(), word);
-    if (found == names.end()) {
-        return std::nullopt;
-    }
-    return static_cast<std::size_t>(found - names.begin());
-}
-
-std::string quoted(std::string_view word) {
-    std::string text = "'";
-    for (const char c : word.substr(0, 40)) {
-        text += c >= ' ' && c <= '~' ? c : '?';
-    }
-    return text + "'";
-}
 
 /// Reads a replay line by line up to the first problem. Each read...() returns the reason why its
 /// line is invalid, or "".
@@ -67,8 +36,13 @@ public:
             }
         }
         --line_;
-        const std::string reason = whatIsMissing();
-        return reason.empty() ? Read<Replay>(replay_) : Read<Replay>(problem(reason));
+        if (const std::string reason = whatIsMissing(); !reason.empty()) {
+            return problem(reason);
+        }
+        if (const std::optional<FileProblem> late = lateEntry()) {
+            return *late;
+        }
+        return replay_;
     }
 
 private:
@@ -100,7 +74,7 @@ private:
             return readHashes(words);
         }
         if (first == "expect") {
-            return readExpectation(words);
+            return readExpect(words);
         }
         if (first == "end") {
             return readEnd(words);
@@ -161,19 +135,6 @@ private:
         return "";
     }
 
-    static std::optional<std::uint32_t> tickOf(std::string_view word) {
-        const std::optional<std::int64_t> value = toNumber(word);
-        if (!value || *value < 0 || *value > kLongestReplay) {
-            return std::nullopt;
-        }
-        return static_cast<std::uint32_t>(*value);
-    }
-
-    static std::string tickReason(std::string_view word) {
-        return quoted(word) + " is not a tick: a whole number from 0 to " +
-               std::to_string(kLongestReplay);
-    }
-
     std::string readInput(const Words& words) {
         const std::optional<std::uint32_t> tick = tickOf(words[0]);
         if (!tick) {
@@ -230,83 +191,19 @@ private:
                 return "the ticks of hashes must rise";
             }
             replay_.hashes.push_back({*tick, *hash});
+            hashLines_.push_back(line_);
         }
         return "";
     }
 
-    /// A tick, or two with a hyphen between them.
-    static std::optional<std::pair<std::uint32_t, std::uint32_t>> spanOf(std::string_view word) {
-        const std::size_t hyphen = word.find('-');
-        if (hyphen == std::string_view::npos) {
-            const std::optional<std::uint32_t> tick = tickOf(word);
-            return tick ? std::optional(std::pair{std::uint32_t{0}, *tick}) : std::nullopt;
-        }
-        const std::optional<std::uint32_t> from = tickOf(word.substr(0, hyphen));
-        const std::optional<std::uint32_t> to = tickOf(word.substr(hyphen + 1));
-        if (!from || !to || *from > *to) {
-            return std::nullopt;
-        }
-        return std::pair{*from, *to};
-    }
-
-    std::string readExpectation(const Words& words) {
-        const std::optional<std::size_t> when =
-            words.size() == 6 ? indexOf(words[1], kWhenNames) : std::optional<std::size_t>(0);
-        if (!when || words.size() < 5 || words.size() > 6) {
-            return "an expectation reads: expect TICK FIELD OPERATOR VALUE, or with by, never or "
-                   "always and a span FROM-TO in place of the tick";
-        }
-        const std::size_t at = words.size() - 4;
+    std::string readExpect(const Words& words) {
         Expectation expectation;
-        expectation.when = static_cast<When>(*when);
         expectation.line = line_;
-        if (expectation.when == When::At) {
-            const std::optional<std::uint32_t> tick = tickOf(words[at]);
-            if (!tick) {
-                return tickReason(words[at]);
-            }
-            expectation.from = expectation.tick = *tick;
-        } else {
-            const auto span = spanOf(words[at]);
-            if (!span) {
-                return quoted(words[at]) +
-                       " is no span: TICK or FROM-TO, with whole numbers from "
-                       "0 to " +
-                       std::to_string(kLongestReplay);
-            }
-            std::tie(expectation.from, expectation.tick) = *span;
-        }
-        const std::string reason = readComparison(words, at + 1, expectation);
+        const std::string reason = readExpectation(words, expectation);
         if (reason.empty()) {
             replay_.expectations.push_back(expectation);
         }
         return reason;
-    }
-
-    /// Field, operator and value, from the word `at` on.
-    static std::string readComparison(const Words& words, std::size_t at,
-                                      Expectation& expectation) {
-        const std::optional<std::size_t> field = indexOf(words[at], kFieldNames);
-        const std::optional<std::size_t> comparison = indexOf(words[at + 1], kComparisonNames);
-        if (!field) {
-            return "there is no field " + quoted(words[at]);
-        }
-        if (!comparison) {
-            return "there is no operator " + quoted(words[at + 1]);
-        }
-        std::optional<std::int64_t> value = toNumber(words[at + 2]);
-        const std::span<const std::string_view> names = valueNames(static_cast<Field>(*field));
-        if (!names.empty()) {
-            const std::optional<std::size_t> name = indexOf(words[at + 2], names);
-            value = name ? std::optional(static_cast<std::int64_t>(*name)) : std::nullopt;
-        }
-        if (!value) {
-            return quoted(words[at + 2]) + " is no value of " + std::string(words[at]);
-        }
-        expectation.field = static_cast<Field>(*field);
-        expectation.comparison = static_cast<Comparison>(*comparison);
-        expectation.value = *value;
-        return "";
     }
 
     std::string readEnd(const Words& words) {
@@ -352,17 +249,32 @@ private:
                                "the digest of its level and its own digest at the end. ") +
                    kHowToEdit;
         }
-        const auto late = [&](const auto& entry) { return entry.tick > replay_.end; };
-        if (std::any_of(replay_.hashes.begin(), replay_.hashes.end(), late) ||
-            std::any_of(replay_.expectations.begin(), replay_.expectations.end(), late)) {
-            return "a hash or an expectation comes after the end";
-        }
         return "";
+    }
+
+    /// The first hash or expectation after the end.
+    std::optional<FileProblem> lateEntry() const {
+        std::optional<FileProblem> first;
+        const auto note = [&](std::uint32_t tick, int line, const char* what) {
+            if (tick > replay_.end && (!first || line < first->line)) {
+                first = FileProblem{file_, line,
+                                    std::string(what) + " comes after the end, tick " +
+                                        std::to_string(replay_.end)};
+            }
+        };
+        for (std::size_t i = 0; i < replay_.hashes.size(); ++i) {
+            note(replay_.hashes[i].tick, hashLines_[i], "a hash");
+        }
+        for (const Expectation& expectation : replay_.expectations) {
+            note(expectation.tick, expectation.line, "the expectation");
+        }
+        return first;
     }
 
     std::string_view text_;
     std::string file_;
     Replay replay_;
+    std::vector<int> hashLines_; // of each hash
     int line_ = 1;
     std::size_t lineStart_ = 0;
     bool begun_ = false;

@@ -86,8 +86,20 @@ int playBot(const BotOptions& options) {
     return 0;
 }
 
-/// Plays one replay of a file and prints its report. Returns the number of unmet expectations.
-std::size_t playReplay(const std::string& file, const Replay& replay, bool json) {
+/// Says where the game diverges from the hashes of the replay. False if it does.
+bool agrees(const std::string& file, const Playback& playback) {
+    if (!playback.divergence()) {
+        return true;
+    }
+    const auto& [tick, agreed] = *playback.divergence();
+    fmt::print(stderr, "{}: the game diverges: tick {} is the first whose hash differs{}\n", file,
+               tick, agreed ? fmt::format("; tick {} agrees", *agreed) : "");
+    return false;
+}
+
+/// Plays one replay of a file and prints its report. False if an expectation is unmet or a hash
+/// differs.
+bool playReplay(const std::string& file, const Replay& replay, bool json) {
     Playback playback = openReplay(file, replay);
     const std::optional<std::uint32_t> ended = playToEnd(playback);
     for (const Playback::Failure& failure : playback.failures()) {
@@ -102,15 +114,15 @@ std::size_t playReplay(const std::string& file, const Replay& replay, bool json)
                    playback.replay().expectations.size() - playback.failures().size(),
                    playback.replay().expectations.size());
     }
-    return playback.failures().size();
+    return agrees(file, playback) && playback.failures().empty();
 }
 
 int playRun(const std::string& file, bool json) {
-    std::size_t failed = 0;
+    bool good = true;
     for (const Replay& replay : readRun(file)) {
-        failed += playReplay(file, replay, json);
+        good = playReplay(file, replay, json) && good;
     }
-    return failed == 0 ? 0 : 1;
+    return good ? 0 : 1;
 }
 
 /// False if the game diverges.
@@ -128,11 +140,7 @@ bool verifyReplay(const std::string& file, const Replay& replay, bool json) {
         report.firstDifference = playback.divergence()->tick;
     }
     print(report, json);
-    if (playback.divergence()) {
-        const auto& [tick, agreed] = *playback.divergence();
-        fmt::print(stderr, "{}: the game diverges: tick {} is the first whose hash differs", file,
-                   tick);
-        fmt::print(stderr, "{}\n", agreed ? fmt::format("; tick {} agrees", *agreed) : "");
+    if (!agrees(file, playback)) {
         return false;
     }
     if (!json) {
@@ -250,10 +258,12 @@ int run(int argc, char** argv) {
     CLI::App app("aPart without a screen: plays replays, checks them, lets the bot play.");
     app.name("apart-headless");
     app.require_subcommand(1);
-    app.footer("Levels come from assets/levels, or from the folder that APART_ASSETS names.\n"
-               "endless, endless:SEED and endless:SEED:NUMBER are generated levels.\n"
-               "Exit code: 0 success, 1 an unmet expectation, a diverging replay or a failed\n"
-               "level check, 2 wrong use or a bad file.");
+    app.footer(
+        "Levels come from the folder levels of share/apart or assets, beside the program or in\n"
+        "a folder above it. APART_ASSETS names another folder of assets.\n"
+        "endless, endless:SEED and endless:SEED:NUMBER are generated levels.\n"
+        "Exit code: 0 success, 1 an unmet expectation, a diverging replay or a failed\n"
+        "level check, 2 wrong use or a bad file.");
     bool json = false;
     std::string file;
     BotOptions options;

@@ -136,7 +136,7 @@ void trace(Playback playback, const TraceCommand& command, const std::vector<Fie
         fmt::print("# The replay ends at tick {}, before tick {}.\n", last, command.from);
         return;
     }
-    const std::uint32_t end = std::min(command.to, last);
+    const std::uint32_t end = std::min(command.to.value_or(last), last);
     std::size_t lines = 0;
     while (playback.game().ticks() < end) {
         playback.tick();
@@ -158,6 +158,9 @@ void trace(Playback playback, const TraceCommand& command, const std::vector<Fie
     }
     if (lines == 0) {
         fmt::print("# Nothing happens from tick {} to {}.\n", command.from, end);
+    }
+    if (command.to > last) {
+        fmt::print("# The replay ends at tick {}, before tick {}.\n", last, *command.to);
     }
 }
 
@@ -189,9 +192,9 @@ std::optional<std::uint32_t> playToEnd(Playback& playback) {
 }
 
 int runTrace(const TraceCommand& command) {
-    if (command.from > command.to) {
+    if (command.to && command.from > *command.to) {
         throw Refusal{fmt::format("--from {} is after --to {}. Try apart-headless trace --help.",
-                                  command.from, command.to)};
+                                  command.from, *command.to)};
     }
     const std::vector<Field> fields = fieldsOf(command.fields);
     const ReplayRun run = readRun(command.file);

@@ -4,6 +4,7 @@
 #include <apart/core/run.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,9 @@ std::optional<std::uint32_t> playToEnd(Playback& playback);
 
 struct TraceCommand {
     std::string file;
-    std::uint32_t from = 0; // ticks
-    std::uint32_t to = kLongestReplay;
-    std::vector<std::string> fields; // whose values are printed when they change
+    std::uint32_t from = 0;            // ticks
+    std::optional<std::uint32_t> to{}; // the end unless given
+    std::vector<std::string> fields;   // whose values are printed when they change
 };
 
 /// Prints a line with the units, then what happened in a replay, an event a line: tick, name of the
