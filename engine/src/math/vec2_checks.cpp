@@ -9,7 +9,7 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 
 std::string textOf(Vec2 value) {
-    return "{" + textOf(value.x) + ", " + textOf(value.y) + "}";
+    return std::string("{") + textOf(value.x) + ", " + textOf(value.y) + "}";
 }
 
 std::optional<Problem> checkCoordinates(const char* field, Vec2 value, Real most,
