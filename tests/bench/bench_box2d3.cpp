@@ -201,7 +201,7 @@ private:
     }
 
     static void refuse(const StepOptions& options) {
-        if (options.profile != "default" || options.passes || options.positionPasses ||
+        if (options.profile || options.passes || options.positionPasses ||
             !options.leaveOut.empty() || options.pairs != "auto" || options.threads != 1) {
             throw WrongUse("Box2D 3 takes substeps, contactHertz and jointHertz, and nothing else");
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bench_engine.hpp"
 
+#include <algorithm>
+
 namespace bench {
 
 const std::vector<std::string>& engineNames() {
@@ -17,8 +19,7 @@ std::vector<std::string> builtEngines() {
 }
 
 const std::vector<std::string>& profileNames() {
-    static const std::vector<std::string> kNames{"default", "balanced", "fast", "accurate",
-                                                 "thesis2006"};
+    static const std::vector<std::string> kNames{kBalanced, "fast", "accurate", "thesis2006"};
     return kNames;
 }
 
@@ -33,8 +34,25 @@ const std::vector<std::string>& pairSearchNames() {
     return kNames;
 }
 
+namespace {
+
+/// Throws WrongUse for two values of one number.
+void refuseRepeated(const std::vector<std::string>& set) {
+    std::vector<std::string> names;
+    for (const std::string& text : set) {
+        const std::string name = text.substr(0, text.find('='));
+        if (std::find(names.begin(), names.end(), name) != names.end()) {
+            throw WrongUse("--set: " + name + " is set twice");
+        }
+        names.push_back(name);
+    }
+}
+
+} // namespace
+
 std::unique_ptr<Engine> makeEngine(const std::string& name, const scenes::SceneDef& scene,
                                    const StepOptions& options) {
+    refuseRepeated(options.set);
     if (name == "kodo") {
         return f32::makeKodo(scene, options);
     }

@@ -21,9 +21,12 @@ struct BodyState {
     double spin = 0;       // rad/s
 };
 
+/// The profile of Kodo's defaults.
+inline constexpr const char* kBalanced = "balanced";
+
 /// Options for stepping an engine. Options unknown to an engine cause WrongUse.
 struct StepOptions {
-    std::string profile = "default"; // see profileNames()
+    std::optional<std::string> profile{}; // of Kodo, see profileNames(); kBalanced unless given
     std::optional<int> substeps{};
     std::vector<std::string> set{};      // values of Kodo's StepSettings, such as
                                          // "contactHertz=120", the only one of Box2D 3

@@ -20,7 +20,7 @@ namespace bench::KODO_PRECISION {
 namespace {
 
 kodo::StepSettings profileOf(const std::string& name) {
-    if (name == "default" || name == "balanced") {
+    if (name == kBalanced) {
         return kodo::balanced();
     }
     if (name == "fast") {
@@ -65,77 +65,106 @@ std::optional<kodo::PairSearch> pairSearchOf(const std::string& name) {
     return place == kPairSearches.size() ? std::nullopt : std::optional(kPairSearches[place]);
 }
 
-/// A single value of the settings. set() returns false if the value is invalid.
+/// A single value of the settings. set() returns why it cannot be set, or "".
 struct Number {
     const char* name;
-    bool (*set)(kodo::StepSettings&, double);
+    std::string (*set)(kodo::StepSettings&, double);
+    bool (*isIn)(const kodo::StepSettings&); // whether the solver has it
 };
 
 template <typename Number>
-bool setTo(Number& number, double value) {
-    if (!(std::abs(value) <= 1e9) || (std::is_integral_v<Number> && value != std::floor(value))) {
-        return false; // also for NaN
+std::string setTo(Number& number, double value) {
+    if (!std::isfinite(value)) {
+        return "is no finite number";
+    }
+    if (std::abs(value) > 1e9) {
+        return "is out of range: up to 1e9";
+    }
+    if (std::is_integral_v<Number> && value != std::floor(value)) {
+        return "is no whole number";
     }
     number = static_cast<Number>(value);
-    return true;
+    return "";
 }
 
 template <typename Settings, typename Number>
 Settings settingsWith(Number Settings::*);
 
 template <auto member>
-bool setIn(kodo::StepSettings& settings, double value) {
-    auto* const solver = std::get_if<decltype(settingsWith(member))>(&settings.solver);
-    return solver != nullptr && setTo(solver->*member, value);
+bool hasMember(const kodo::StepSettings& settings) {
+    return std::holds_alternative<decltype(settingsWith(member))>(settings.solver);
 }
 
-/// A value of the solver in the settings. False if the solver has no such value.
+template <auto member>
+void setIn(kodo::StepSettings& settings, double value, std::string& problem) {
+    if (auto* const solver = std::get_if<decltype(settingsWith(member))>(&settings.solver)) {
+        problem = setTo(solver->*member, value);
+    }
+}
+
+/// A value that the solver in the settings has, as one of these members.
 template <auto... members>
-bool setMember(kodo::StepSettings& settings, double value) {
-    return (setIn<members>(settings, value) || ...);
+std::string setMember(kodo::StepSettings& settings, double value) {
+    std::string problem;
+    (setIn<members>(settings, value, problem), ...);
+    return problem;
+}
+
+template <auto... members>
+constexpr Number numberOf(const char* name) {
+    return {name, setMember<members...>, [](const kodo::StepSettings& settings) {
+                return (hasMember<members>(settings) || ...);
+            }};
 }
 
 using Soft = kodo::SoftSettings;
 using Propagation = kodo::PropagationSettings;
 constexpr Number kNumbers[] = {
-    {"impactPasses", setMember<&Soft::impactPasses, &Propagation::impactPasses>},
-    {"contactPasses", setMember<&Propagation::contactPasses>},
-    {"shockPasses", setMember<&Propagation::shockPasses>},
-    {"contactHertz", setMember<&Soft::contactHertz>},
-    {"contactDamping", setMember<&Soft::contactDamping>},
-    {"jointHertz", setMember<&Soft::jointHertz, &Propagation::jointHertz>},
-    {"jointDamping", setMember<&Soft::jointDamping, &Propagation::jointDamping>},
-    {"pushSpeed", setMember<&Soft::pushSpeed, &Propagation::pushSpeed>},
+    numberOf<&Soft::impactPasses, &Propagation::impactPasses>("impactPasses"),
+    numberOf<&Propagation::contactPasses>("contactPasses"),
+    numberOf<&Propagation::shockPasses>("shockPasses"),
+    numberOf<&Soft::contactHertz>("contactHertz"),
+    numberOf<&Soft::contactDamping>("contactDamping"),
+    numberOf<&Soft::jointHertz, &Propagation::jointHertz>("jointHertz"),
+    numberOf<&Soft::jointDamping, &Propagation::jointDamping>("jointDamping"),
+    numberOf<&Soft::pushSpeed, &Propagation::pushSpeed>("pushSpeed"),
 };
 
-std::string namesOfNumbers() {
+/// Of the solver in the settings.
+std::string namesOfNumbers(const kodo::StepSettings& settings) {
     std::string names;
     for (const Number& number : kNumbers) {
-        names += (names.empty() ? "" : ", ") + std::string(number.name);
+        if (number.isIn(settings)) {
+            names += (names.empty() ? "" : ", ") + std::string(number.name);
+        }
     }
     return names;
 }
 
 /// "contactHertz=120".
-void setNumber(kodo::StepSettings& settings, const std::string& text) {
+void setNumber(kodo::StepSettings& settings, const std::string& text, const std::string& profile) {
     const std::size_t sign = text.find('=');
+    const std::string name = text.substr(0, sign);
     const auto* number =
-        std::find_if(std::begin(kNumbers), std::end(kNumbers), [&](const Number& candidate) {
-            return text.substr(0, sign) == candidate.name;
-        });
+        std::find_if(std::begin(kNumbers), std::end(kNumbers),
+                     [&](const Number& candidate) { return name == candidate.name; });
     if (number == std::end(kNumbers)) {
         throw WrongUse("'" + text + "' sets no number of Kodo's settings: these are " +
-                       namesOfNumbers());
+                       namesOfNumbers(settings));
+    }
+    if (!number->isIn(settings)) {
+        throw WrongUse("the solver of the profile " + profile + " has no " + name + ": it has " +
+                       namesOfNumbers(settings));
     }
     double value = 0;
     const char* end = text.data() + text.size();
     const char* start = sign == std::string::npos ? end : text.data() + sign + 1;
     const auto read = std::from_chars(start, end, value);
-    if (read.ec != std::errc() || read.ptr != end || !number->set(settings, value)) {
-        throw WrongUse(
-            "'" + text + "' is not " + number->name +
-            "=NUMBER, up to 1e9 and whole where passes are counted, for the solver of the "
-            "profile");
+    if (read.ec != std::errc() || read.ptr != end) {
+        throw WrongUse("'" + text + "' is not " + name + "=NUMBER");
+    }
+    if (const std::string problem = number->set(settings, value); !problem.empty()) {
+        throw WrongUse(name + ": " + std::string(start, end) + " " + problem);
     }
 }
 
@@ -143,11 +172,12 @@ kodo::StepSettings settingsOf(const StepOptions& options) {
     if (options.passes || options.positionPasses) {
         throw WrongUse("passes and position passes are Box2D's; for Kodo, set contactPasses");
     }
-    kodo::StepSettings settings = profileOf(options.profile);
+    const std::string profile = options.profile.value_or(kBalanced);
+    kodo::StepSettings settings = profileOf(profile);
     std::visit([&](auto& solver) { solver.substeps = options.substeps.value_or(solver.substeps); },
                settings.solver);
     for (const std::string& text : options.set) {
-        setNumber(settings, text);
+        setNumber(settings, text, profile);
     }
     for (const std::string& name : options.leaveOut) {
         settings.leaveOut |= featureOf(name);

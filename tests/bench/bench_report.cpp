@@ -31,11 +31,17 @@ private:
     std::string text_;
 };
 
+/// Only Kodo has profiles.
+bool hasProfile(const RunOptions& options) {
+    return !options.engine.starts_with("box2d");
+}
+
 void addSettings(JsonObject& json, const Result& result) {
     const StepOptions& step = result.options.step;
     json.add("scene", result.options.scene);
     json.add("engine", result.options.engine);
-    json.add("profile", step.profile);
+    json.add("profile", hasProfile(result.options) ? std::optional(step.profile.value_or(kBalanced))
+                                                   : std::nullopt);
     json.add("size", result.size);
     json.add("seed", static_cast<std::size_t>(result.options.seed));
     json.add("threads", step.threads);
@@ -66,13 +72,10 @@ Result withStages(Result result) {
     return result;
 }
 
-/// The engine and its settings. Those of Box2D have no profile.
+/// The engine and its settings.
 std::string wayOf(const RunOptions& options) {
-    if (options.engine.starts_with("box2d")) {
-        return options.engine;
-    }
-    const std::string& profile = options.step.profile;
-    return options.engine + ' ' + (profile == "default" ? "balanced" : profile);
+    return options.engine +
+           (hasProfile(options) ? ' ' + options.step.profile.value_or(kBalanced) : "");
 }
 
 /// What is measured of the state after the last step, without what has no meaning in the scene.

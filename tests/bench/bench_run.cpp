@@ -210,6 +210,9 @@ Result run(const RunOptions& options) {
     const std::size_t before = heapBytes();
     const std::unique_ptr<Engine> engine = makeEngine(options.engine, scene.def, step);
     const std::size_t made = heapBytes() - before;
+    if (options.snapshot && !engine->snapshotWork().write) {
+        throw WrongUse("--snapshot: " + options.engine + " has no snapshot");
+    }
     Run run(scene, *engine, options);
     const std::size_t ready = heapBytes();
     run.warmUp();

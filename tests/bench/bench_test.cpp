@@ -310,7 +310,7 @@ TEST(Options, AreRefusedIfTheEngineDoesNotSupportThem) {
     options.steps = 1;
     options.step.profile = "nonesuch";
     EXPECT_THROW(run(options), WrongUse);
-    options.step.profile = "default";
+    options.step.profile = kBalanced;
     options.step.leaveOut = {"gravity"};
     EXPECT_THROW(run(options), WrongUse);
     options.step.leaveOut = {};
@@ -320,6 +320,8 @@ TEST(Options, AreRefusedIfTheEngineDoesNotSupportThem) {
         options.step.set = {wrong};
         EXPECT_THROW(run(options), WrongUse) << wrong;
     }
+    options.step.set = {"contactHertz=60", "contactHertz=30"};
+    EXPECT_THROW(run(options), WrongUse);
     options.step.set = {"contactHertz=120", "impactPasses=4"};
     EXPECT_NO_THROW(run(options));
     options.step.set = {};
@@ -328,10 +330,18 @@ TEST(Options, AreRefusedIfTheEngineDoesNotSupportThem) {
     options.step.pairs = "auto";
     options.step.substeps = 0;
     EXPECT_THROW(run(options), WrongUse);
-    options.engine = "box2d"; // no substeps
+    options.engine = "box2d"; // no substeps, profiles or snapshots
+    options.step.profile = {};
     options.step.substeps = 4;
     EXPECT_THROW(run(options), WrongUse);
     options.step.substeps = {};
+    EXPECT_NO_THROW(run(options));
+    options.step.profile = kBalanced;
+    EXPECT_THROW(run(options), WrongUse);
+    options.step.profile = {};
+    options.snapshot = true;
+    EXPECT_THROW(run(options), WrongUse);
+    options.snapshot = false;
     options.engine = "unity";
     EXPECT_THROW(run(options), WrongUse);
     options.engine = "kodo";

@@ -61,10 +61,10 @@ class Fronts(unittest.TestCase):
 
     def test_the_verdict_names_a_setting_that_beats_the_default(self):
         question = trade.QUESTIONS[0]
-        default = result(2, 10, label="default")
+        default = result(2, 10, label="balanced")
         self.assertIn("nothing", trade.verdict_of(question, [default, result(1, 11)]))
         self.assertIn("0.50 of the time", trade.verdict_of(question, [default, result(1, 9)]))
-        lost = result(2, 2e4, label="default")
+        lost = result(2, 2e4, label="balanced")
         self.assertIn("lost", trade.verdict_of(question, [lost, result(1, 9)]))
 
     def test_a_setting_within_the_noise_of_the_front_is_not_beaten(self):

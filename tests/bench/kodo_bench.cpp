@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Benchmark of Kodo, Box2D 2.4.1 and Box2D 3: cost and accuracy of a step. Exit code: 0 done, 1 an
-// engine was not repeatable, 2 invalid options.
+// engine was not repeatable or the memory is not enough, 2 invalid options.
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+
+#include <new>
 
 #include "bench_report.hpp"
 
@@ -13,7 +15,7 @@ struct Options {
     RunOptions run;
     int repeat = 1;
     std::string against;
-    std::string againstProfile = "default";
+    std::optional<std::string> againstProfile{};
     bool json = false;
     bool list = false;
 };
@@ -21,7 +23,8 @@ struct Options {
 void addOptions(CLI::App& app, Options& options) {
     RunOptions& run = options.run;
     StepOptions& step = run.step;
-    app.add_flag("--list", options.list, "List the scenes, their sizes and their error measures");
+    CLI::Option* const list = app.add_flag("--list", options.list,
+                                           "List the scenes, their sizes and their error measures");
     app.add_option("--scene", run.scene, "The scene; pyramid unless given");
     app.add_option("--engine", run.engine, "kodo, kodo64, box2d or box2d3; kodo unless given")
         ->check(CLI::IsMember(engineNames()));
@@ -71,6 +74,11 @@ void addOptions(CLI::App& app, Options& options) {
     app.add_flag("--stages", options.run.step.stages,
                  "Also the time of each stage of a step; of Box2D, of the step as a whole");
     app.add_flag("--json", options.json, "Print one JSON object for each engine");
+    for (CLI::Option* const other : app.get_options()) {
+        if (other != list && other != app.get_help_ptr()) {
+            list->excludes(other);
+        }
+    }
 }
 
 void list() {
@@ -87,11 +95,13 @@ void list() {
     }
 }
 
-/// The other engine has default step options: only scene, size, steps and seed are shared.
+/// The other engine has default step options: only the scene and what is measured are shared, but
+/// for a snapshot, which Box2D 2.4.1 does not have.
 RunOptions opponentOf(const Options& options) {
     RunOptions other = options.run;
     other.engine = options.against;
     other.step = {};
+    other.snapshot = options.run.snapshot && options.against != "box2d";
     other.step.profile = options.againstProfile;
     return other;
 }
@@ -117,13 +127,18 @@ void runAll(const Options& options) {
     }
 }
 
+std::string sceneOf(const RunOptions& options) {
+    return fmt::format("--scene {}", options.scene) +
+           (options.size ? fmt::format(" --size {}", *options.size) : "");
+}
+
 int main(int argc, char** argv) {
     CLI::App app("Cost and accuracy of a step, in Kodo, Box2D 2.4.1 and Box2D 3.");
     app.name("kodo-bench");
     app.footer(
         "Times are CPU times of the calling thread during steps, also those of the ratio by "
         "--against.\nThe gain by helper threads shows in the wall time. Exit code: 0 done, 1 an "
-        "engine was not\nrepeatable, 2 wrong use.");
+        "engine was not\nrepeatable or the memory is not enough, 2 wrong use.");
     Options options;
     addOptions(app, options);
     try {
@@ -137,6 +152,9 @@ int main(int argc, char** argv) {
         return 2;
     } catch (const NotRepeatable& error) {
         fmt::print(stderr, "kodo-bench: {}.\n", error.what());
+        return 1;
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "kodo-bench: the memory is not enough for {}.\n", sceneOf(options.run));
         return 1;
     } catch (const std::exception& error) { // WrongUse, or a size rejected by an engine
         fmt::print(stderr, "kodo-bench: {}.\n", error.what());

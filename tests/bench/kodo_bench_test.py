@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Command-line tests of kodo-bench: kodo_bench_test.py PATH-OF-KODO-BENCH"""
 import json
+import resource
 import subprocess
 import sys
 
@@ -107,5 +108,51 @@ for wrong in (["--scene", "nowhere"], ["--engine", "nothing"], ["--threads", "0"
     check(word in done.stderr, f"{wrong} is refused without a word of it: {done.stderr}")
     if wrong[1:] in (["0"], ["-1"]):
         check(wrong[0] in done.stderr, f"{wrong} is refused without its name: {done.stderr}")
-check("contactPasses" in run("--set", "mass=3").stderr, "the settings of --set are not listed")
 check("NUMBER" in run("--set", "contactHertz=abc").stderr, "a wrong number is not reported as one")
+
+
+def refuses(words, sentence):
+    done = run(*words)
+    check(done.returncode == 2 and not done.stdout, f"{words} ends with {done.returncode}, not 2")
+    check(sentence in done.stderr, f"{words} is refused without '{sentence}': {done.stderr}")
+
+
+THESIS = ["--profile", "thesis2006", "--set"]
+for words, sentence in (
+    (["--set", "mass=3"], "these are impactPasses, contactHertz"),
+    ([*THESIS, "contactHertz=30"], "the solver of the profile thesis2006 has no contactHertz: it has"),
+    (["--set", "contactPasses=4"], "the solver of the profile balanced has no contactPasses"),
+    (["--set", "contactHertz=nan"], "contactHertz: nan is no finite number"),
+    (["--set", "contactHertz=inf"], "contactHertz: inf is no finite number"),
+    (["--set", "contactHertz=1e10"], "contactHertz: 1e10 is out of range: up to 1e9"),
+    ([*THESIS, "contactPasses=2.5"], "contactPasses: 2.5 is no whole number"),
+    (["--set", "contactHertz=60,contactHertz=30"], "--set: contactHertz is set twice"),
+    (["--set", "contactHertz=60", "--set", "contactHertz=60"], "--set: contactHertz is set twice"),
+    (["--engine", "box2d", "--snapshot"], "--snapshot: box2d has no snapshot"),
+    (["--engine", "box2d", "--profile", "balanced"], "Box2D 2.4.1 takes passes"),
+    (["--profile", "default"], "--profile"),
+    (["--list", "--json"], "--list"),
+    (["--list", "--scene", "pyramid"], "--list"),
+):
+    refuses(words, sentence)
+
+# One name of the default profile; Box2D has none.
+check((kodo["profile"], box2d["profile"]) == ("balanced", None), f"profiles: {kodo}, {box2d}")
+code, text = bench(*choice, "--profile", "balanced")
+check(json.loads(text)["stateHash"] == kodo["stateHash"], "balanced is not the default")
+code, text = bench(*choice, "--snapshot", "--against", "box2d")
+sizes = [json.loads(line)["snapshotBytes"] for line in text.splitlines()]
+check(code == 0 and sizes[0] > 0 and sizes[1] is None, f"sizes of snapshots: {sizes}")
+
+
+def limited(*arguments):
+    """With 1 GB of addresses; a sanitizer needs more even to start."""
+    limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (1 << 30, 1 << 30))
+    return subprocess.run([sys.argv[1], *arguments], capture_output=True, text=True, check=False,
+                          preexec_fn=limit)
+
+
+if limited("--list").returncode == 0:
+    done = limited("--scene", "pyramid", "--size", "9000")
+    check(done.returncode == 1, f"without memory it ends with {done.returncode}, not 1: {done}")
+    check("the memory is not enough for --scene pyramid --size 9000" in done.stderr, f"{done}")

@@ -70,7 +70,7 @@ LOADS = [
     Wanted("smash", 500),
     Wanted("crowdpoint", 100),
 ]
-PROFILES = ("default", "fast", "accurate", "thesis2006")
+PROFILES = ("balanced", "fast", "accurate", "thesis2006")
 # 1, 4 and 16 times the bodies, and 100,000. Heaps grow in width, pyramids in height.
 GROWTH = {
     "pyramid": (60, 120, 240),
@@ -81,6 +81,7 @@ GROWTH = {
 
 class Options(measure.Options):
     def check(self, chosen):
+        measure.refuse_quick(self, chosen)
         if chosen.box2d3 and (chosen.engines or chosen.profiles):
             self.error("--box2d3 compares Kodo in float with its defaults: give no --engines or --profiles")
 
@@ -91,14 +92,14 @@ def options():
     parser.add_argument("--box2d3", metavar="DIR", type=box2d3.folder)
     parser.add_argument("--engines", nargs="+", choices=["kodo", "kodo64"])
     parser.add_argument("--profiles", nargs="+", choices=PROFILES)
-    parser.add_argument("--repeat", type=measure.runs, default=5)
+    parser.add_argument("--repeat", type=measure.runs)
     parser.add_argument("--no-growth", dest="growth", action="store_false")
     parser.add_argument("--quick", action="store_true")
     chosen = parser.parse_args()
     chosen.engines = chosen.engines or ["kodo", "kodo64"]
-    chosen.profiles = chosen.profiles or ["default"]
-    if chosen.quick:
-        chosen.repeat, chosen.growth = 1, False
+    chosen.profiles = chosen.profiles or ["balanced"]
+    chosen.repeat = 1 if chosen.quick else chosen.repeat or 5
+    chosen.growth = chosen.growth and not chosen.quick
     return chosen
 
 
@@ -119,8 +120,8 @@ def with_ratios(results):
 
 
 def way_of(result):
-    profile = result["profile"]
-    return result["engine"] + ("" if profile == "default" else f" {profile}")
+    profile = result["profile"]  # None of Box2D
+    return result["engine"] + ("" if profile in (None, "balanced") else f" {profile}")
 
 
 def limits_of(wanted):

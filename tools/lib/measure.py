@@ -34,6 +34,12 @@ class Options(options.Options):
         """Refuses options that do not go together, by error()."""
 
 
+def refuse_quick(parser, chosen):
+    """--quick means one run each."""
+    if chosen.quick and chosen.repeat:
+        parser.error("--quick is one run each: give no --repeat")
+
+
 def runs(text):
     """Value of --repeat: 1 to 1000."""
     count = int(text) if text.isdecimal() else 0

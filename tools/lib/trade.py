@@ -58,6 +58,7 @@ class Family(typing.NamedTuple):
     joined: bool = False  # by a line: the settings are values of one parameter
 
 
+BALANCED = "balanced"  # the default profile
 FAMILIES = {
     "substeps": Family("#1f6feb", "dot", "substeps", True),
     "stiffness": Family("#1f6feb", "ring", "substeps at contactHertz"),
@@ -84,7 +85,7 @@ def settings():
         for n, hertz in ((4, 30), (8, 30), (8, 96), (16, 96), (16, 192), (32, 384))
     ]
     ways += [("impacts", f"{n} impacts", ["--set", f"impactPasses={n}"]) for n in (1, 4, 64)]
-    ways += [("profile", name, ["--profile", name]) for name in ("default", "fast", "accurate")]
+    ways += [("profile", name, ["--profile", name]) for name in (BALANCED, "fast", "accurate")]
     double = ["--engine", "kodo64", "--substeps"]
     ways += [("double", f"{n}", [*double, n]) for n in (1, 2, 4, 8, 16)]
     ways += [("left out", f"no {name}", ["--leave-out", name]) for name in FEATURES]
@@ -102,17 +103,26 @@ def settings():
     return ways
 
 
+class Options(measure.Options):
+    def check(self, chosen):
+        measure.refuse_quick(self, chosen)
+        if chosen.dials:
+            for name in ("scenes", "repeat", "quick"):
+                if getattr(chosen, name):
+                    self.error(f"--dials has scenes and runs of its own: give no --{name}")
+
+
 def options():
-    parser = measure.Options("tools/trade")
+    parser = Options("tools/trade")
     names = [question.name for question in QUESTIONS]
-    parser.add_argument("--scenes", nargs="+", choices=names, default=names)
-    parser.add_argument("--repeat", type=measure.runs, default=3)
+    parser.add_argument("--scenes", nargs="+", choices=names)
+    parser.add_argument("--repeat", type=measure.runs)
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--dials", action="store_true")
     parser.add_argument("--docs", action="store_true")
     chosen = parser.parse_args()
-    if chosen.quick:
-        chosen.repeat = 1
+    chosen.scenes = chosen.scenes or names
+    chosen.repeat = 1 if chosen.quick else chosen.repeat or 3
     return chosen
 
 
@@ -220,7 +230,7 @@ def draw(results, front, knee, path):
         if family.joined:
             page.line([place(result) for result in mine], family.colour, 0.8)
     page.line([place(result) for result in front], chart.INK, 1.5, "5 3")
-    last = sorted(results, key=lambda one: one["label"] == "default")  # drawn on top
+    last = sorted(results, key=lambda one: one["label"] == BALANCED)  # drawn on top
     for result in last:
         family = FAMILIES[result["family"]]
         hint = (
@@ -228,11 +238,11 @@ def draw(results, front, knee, path):
             f" {result['error']:.3g} {result['errorUnit']}"
         )
         lost = ("#8c959f", "cross") if result["lost"] else (family.colour, family.form)
-        size = 7 if result["label"] == "default" else 5
+        size = 7 if result["label"] == BALANCED else 5
         page.mark(*place(result), *lost, size, hint)
     if knee:
         page.ring(*place(knee), 11, "#cf222e")
-    important = [one for one in results if one["label"] == "default"]
+    important = [one for one in results if one["label"] == BALANCED]
     for result in [*important, *front, *results]:
         if "labelled" not in result:
             result["labelled"] = True
@@ -258,7 +268,7 @@ def front_table(front, knee, ours):
         "|---|--:|--:|---|",
     ]
     lines += [row_of(result, "knee" if result is knee else "") for result in front]
-    default = next(one for one in ours if one["label"] == "default")
+    default = next(one for one in ours if one["label"] == BALANCED)
     if default not in front:
         beaten = is_beaten(default, ours)
         remark = "**lost**" if default["lost"] else "**not on the front**"
@@ -268,7 +278,7 @@ def front_table(front, knee, ours):
 
 def verdict_of(question, ours):
     """Says whether any setting is both faster and more accurate than the default."""
-    default = next(one for one in ours if one["label"] == "default")
+    default = next(one for one in ours if one["label"] == BALANCED)
     if default["lost"]:
         return f"- {question.name}: **lost**, {default['error']:.3g} {default['errorUnit']}"
     beaters = [one for one in ours if not one["lost"] and is_beaten(default, [one])]
