@@ -33,14 +33,34 @@ done
 refuse 'no folder nowhere' tools/crosscheck --output nowhere/page.html
 refuse 'no folder nowhere' tools/crosscheck --picture nowhere/page.svg
 refuse 'tools is a folder' tools/crosscheck --output tools
-refuse "no scene's name contains nosuch" tools/crosscheck --scenes Pendulum nosuch
-timeout 60 python3 -B tools/lib/crosscheck.py --check-options --scenes Pendulum ||
+refuse "no scene's name or title contains nosuch; tools/crosscheck --list" \
+    tools/crosscheck --scenes Pendulum nosuch
+timeout 60 python3 -B tools/lib/crosscheck.py --check-options \
+    --scenes Pendulum pendulum head-on 'meet HEAD-on, e = 0.5' ||
     { echo 'FAILED: a scene that exists is refused' && failed=1; }
+grep -qx 'BallThroughPinsBouncesAndFallsOut' <<<"$(tools/crosscheck --list)" ||
+    { echo 'FAILED: tools/crosscheck --list does not name a scene' && failed=1; }
+refuse '^tools/crosscheck: --list writes no page' tools/crosscheck --list --scenes Pendulum
 mkdir -p box2d3/include/box2d && : >box2d3/include/box2d/id.h
 for also in '--profiles fast' '--engines kodo64'; do
     # shellcheck disable=SC2086 # two words
     refuse 'give no --engines or --profiles' tools/bench --box2d3 box2d3 $also
 done
+# Options that would have no effect.
+for wrong in '--check --survivors' '--check --only 1' '--report page.md --jobs 2'; do
+    # shellcheck disable=SC2086
+    refuse '^tools/mutants: --(check|report) runs no line: give no --' tools/mutants $wrong
+done
+for tool in bench trade; do
+    refuse "^tools/$tool: --quick is one run each: give no --repeat" "tools/$tool" --quick --repeat 3
+done
+for wrong in '--scenes pyramid' '--repeat 2' '--quick'; do
+    # shellcheck disable=SC2086
+    refuse "^tools/trade: --dials has .*: give no ${wrong%% *}" tools/trade --dials $wrong
+done
+refuse "invalid choice: 'default'" tools/bench --profiles default
+grep -q -- '^    tools/mutants .*--survivors' <<<"$(tools/mutants --help)" ||
+    { echo 'FAILED: --survivors is missing in the first line of tools/mutants --help' && failed=1; }
 tools/bench --help | grep -q '^The column "missed targets"' ||
     { echo 'FAILED: tools/bench --help does not explain its columns' && failed=1; }
 exit $failed

@@ -465,10 +465,22 @@ def picture(scenes):
     )
 
 
-def names_in_sources(folder=pathlib.Path("tests/cross")):
-    """The names of all scenes, before the program is built: each CamelCase text in the chapters."""
-    texts = (path.read_text(encoding="utf-8") for path in sorted(folder.glob("scenes_*.cpp")))
-    return [name for text in texts for name in re.findall(r'"([A-Z][a-z]+[A-Z][A-Za-z0-9]+)"', text)]
+NO_SCENE = "no scene's name or title contains {}; tools/crosscheck --list prints the names"
+
+
+def texts_in_sources(folder=pathlib.Path("tests/cross")):
+    """All texts of the chapters, before the program is built."""
+    sources = (path.read_text(encoding="utf-8") for path in sorted(folder.glob("scenes_*.cpp")))
+    return [text for source in sources for text in re.findall(r'"([^"\n]*)"', source)]
+
+
+def names_in_sources():
+    """The names of all scenes: each CamelCase text."""
+    return [t for t in texts_in_sources() if re.fullmatch("[A-Z][a-z]+[A-Z][A-Za-z0-9]+", t)]
+
+
+def is_wanted(scene, wanted):
+    return any(wanted.lower() in scene[key].lower() for key in ("name", "title"))
 
 
 def refuse_early(options, chosen):
@@ -478,10 +490,13 @@ def refuse_early(options, chosen):
             options.error(f"there is no folder {file.parent}")
         if file.is_dir():
             options.error(f"{file} is a folder, not a file")
-    names = names_in_sources()
-    for wanted in (chosen.scenes or []) if names else []:
-        if not any(wanted in name for name in names):
-            options.error(f"no scene's name contains {wanted}")
+    if chosen.list and (chosen.scenes or chosen.output or chosen.picture):
+        options.error("--list writes no page: give no --scenes, --output or --picture")
+    # Some titles are put together: each word is looked for, and the whole after the build.
+    text = "\n".join(texts_in_sources()).lower()
+    for wanted in (chosen.scenes or []) if text else []:
+        if not all(word in text for word in wanted.lower().split()):
+            options.error(NO_SCENE.format(wanted))
 
 
 def main():
@@ -489,10 +504,14 @@ def main():
     options.add_argument("--output", type=pathlib.Path)
     options.add_argument("--picture", type=pathlib.Path)
     options.add_argument("--scenes", nargs="+", metavar="NAME")
+    options.add_argument("--list", action="store_true")
     options.add_argument("--program", type=pathlib.Path)  # for the test of this page
     options.add_argument("--check-options", action="store_true")
     chosen = options.parse_args()
     refuse_early(options, chosen)
+    if chosen.list:
+        print("\n".join(names_in_sources()))
+        return 0
     if chosen.check_options:
         return 0
     program = chosen.program or pathlib.Path("build/release/bin/crosscheck")
@@ -510,10 +529,10 @@ def main():
         chosen.picture.write_text(picture(scenes), encoding="utf-8")
         print(f"Written: {chosen.picture}")
     if chosen.scenes:
-        scenes = [s for s in scenes if any(n in s["name"] for n in chosen.scenes)]
-        if not scenes:
-            sys.stderr.write("tools/crosscheck: no scene has such a name.\n")
-            return 2
+        for wanted in chosen.scenes:
+            if not any(is_wanted(scene, wanted) for scene in scenes):
+                options.error(NO_SCENE.format(wanted))
+        scenes = [s for s in scenes if any(is_wanted(s, wanted) for wanted in chosen.scenes)]
     output = chosen.output or pathlib.Path("build/crosscheck/crosscheck.html")
     output.parent.mkdir(parents=True, exist_ok=True)
     output.write_text(page(scenes), encoding="utf-8")
