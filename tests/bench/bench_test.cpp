@@ -301,7 +301,7 @@ TEST(Memory, ASnapshotAndACopyAreMeasuredOnRequest) {
     EXPECT_GT(result.snapshot->bytes, 0u);
     EXPECT_GT(result.copy->bytes, 0u);
     options.engine = "box2d"; // without a call for it
-    EXPECT_FALSE(run(options).snapshot);
+    EXPECT_THROW(run(options), WrongUse);
 }
 
 TEST(Options, AreRefusedIfTheEngineDoesNotSupportThem) {
@@ -330,7 +330,7 @@ TEST(Options, AreRefusedIfTheEngineDoesNotSupportThem) {
     options.step.pairs = "auto";
     options.step.substeps = 0;
     EXPECT_THROW(run(options), WrongUse);
-    options.engine = "box2d"; // no substeps, profiles or snapshots
+    options.engine = "box2d"; // no substeps and no profiles
     options.step.profile = {};
     options.step.substeps = 4;
     EXPECT_THROW(run(options), WrongUse);
@@ -339,9 +339,6 @@ TEST(Options, AreRefusedIfTheEngineDoesNotSupportThem) {
     options.step.profile = kBalanced;
     EXPECT_THROW(run(options), WrongUse);
     options.step.profile = {};
-    options.snapshot = true;
-    EXPECT_THROW(run(options), WrongUse);
-    options.snapshot = false;
     options.engine = "unity";
     EXPECT_THROW(run(options), WrongUse);
     options.engine = "kodo";

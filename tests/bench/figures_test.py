@@ -159,6 +159,11 @@ class Figures(unittest.TestCase):
         first = {"bodies": 1000, "nsPerBodyStep": 300}
         self.assertAlmostEqual(bench.allowed(first, {"bodies": 1_000_000}), 600)
 
+    def test_the_default_profile_has_no_name_in_the_table(self):
+        for profile, engine, way in (("balanced", "kodo", "kodo"), ("fast", "kodo64", "kodo64 fast"),
+                                     (None, "box2d", "box2d")):
+            self.assertEqual(bench.way_of({"engine": engine, "profile": profile}), way)
+
     def test_missed_targets_are_named(self):
         wanted = bench.Wanted("stack", 20, ratio=0.2, error=50, stands=True)
         good = result(1, 50, ratio=0.2, depthMeanMm=99, escaped=None, stood=20)
