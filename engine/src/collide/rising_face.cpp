@@ -84,6 +84,10 @@ std::optional<Manifold> contactWithRisingFace(const ConvexShape& ground, const T
     if (!face) {
         return std::nullopt;
     }
+    constexpr Real kGentle = Real(0.9); // cosine: a steep face counts once it is near
+    if (found.count == 0 && face->facing < kGentle) {
+        return std::nullopt;
+    }
     const Vec2 vertex = ground.vertices[face->vertex];
     const Vec2 rising = ground.normals[face->face];
     if (dot(rising, unrotate(a.rotation, found.normal)) > kSameDirection ||

@@ -13,6 +13,7 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
+constexpr Real kFlush = Real(0.01);          // rise of flush ground, in slops
 constexpr Real kSimilarNormals = Real(0.9); // least cosine between which impulses are kept
 
 /// Contact of a movable body with an immovable one, as seen from the movable one.
@@ -144,18 +145,22 @@ void GhostCollisions::hideBehind(const HidingStep& step, std::uint32_t carrier,
         return;
     }
     const ConvexShape& convex = bodies.convex(ground.body, ground.part);
-    if (liesUnder(convex, bodies.pose[ground.body], carrying.normal, point, tolerances.slop)) {
+    const Transform& pose = bodies.pose[ground.body];
+    const auto isUnder = [&](Real tolerance) {
+        return liesUnder(convex, pose, carrying.normal, point, tolerance);
+    };
+    const bool isFlush = isUnder(kFlush * tolerances.slop);
+    if (!isFlush && !contact.hidden &&
+        replaceByRisingFace(step, contact,
+                            {carrying.normal, point, tolerances.slop, tolerances.margin})) {
+        summaries[slot].idle = false;
+        summaries[slot].note(contact);
+        return;
+    }
+    if (isFlush || isUnder(tolerances.slop)) {
         contact.hidden = true;
         summaries[slot].idle = false;
         summaries[slot].kept = false;
-        return;
-    }
-    if (contact.manifold.count > 0 && !contact.hidden) {
-        if (replaceByRisingFace(step, contact,
-                                {carrying.normal, point, tolerances.slop, tolerances.margin})) {
-            summaries[slot].idle = false;
-            summaries[slot].note(contact);
-        }
     }
 }
 
