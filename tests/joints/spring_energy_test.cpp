@@ -368,8 +368,8 @@ TEST(SpringEnergy, AStiffSpringMakesNoAngularMomentum) {
                 for (const Real damping : {Real(0), Real(1)}) {
                     SCOPED_TRACE(testing::Message()
                                  << "solver " << settings.solver.index() << ", "
-                                 << substepsOf(settings) << " substeps, " << rate << " Hz, " << hertz
-                                 << " Hz, damping " << damping);
+                                 << substepsOf(settings) << " substeps, " << rate << " Hz, "
+                                 << hertz << " Hz, damping " << damping);
                     World world({.settings = settings});
                     const BodyId box = world.add({.shape = Box{1, Real(0.5)},
                                                   .position = {-1, 0},

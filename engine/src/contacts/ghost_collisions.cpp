@@ -13,7 +13,7 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-constexpr Real kFlush = Real(0.01);          // rise of flush ground, in slops
+constexpr Real kFlush = Real(0.01);         // rise of flush ground, in slops
 constexpr Real kSimilarNormals = Real(0.9); // least cosine between which impulses are kept
 
 /// Contact of a movable body with an immovable one, as seen from the movable one.
