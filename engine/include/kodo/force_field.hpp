@@ -128,7 +128,8 @@ private:
 ///   Linear:         a = strength d,                                strength in 1/s^2
 ///
 /// The softening (m) limits the first one to strength / softening^2. With the second one, all
-/// bodies oscillate with the period 2 pi / sqrt(strength).
+/// bodies oscillate with the period 2 pi / sqrt(strength), while strength dt^2 < 4: beyond that
+/// the steps of dt (s) are too long, and the energy grows without bound.
 class KODO_API Attractor final : public ForceField {
 public:
     enum class Law : std::uint8_t { InverseSquare, Linear };
@@ -169,6 +170,10 @@ KODO_API Submerged submerged(const ConvexShape& convex, const Transform& t, Vec2
 /// Overlapping parts of a body count twice, as they do in its mass.
 ///
 ///   F = -density A g - drag A v,  at the centroid of the submerged part, whose area is A
+///
+/// A body of density rho and width w at the surface bobs at a squared angular frequency of
+/// density g w / (rho A). Steps of dt (s) must keep that below 4 / dt^2: small light bodies need
+/// short ones.
 class KODO_API Buoyancy final : public ForceField {
 public:
     struct Fluid {

@@ -143,7 +143,8 @@ public:
     /// Contacts that began, persisted or ended. Costs all touching pairs. Sleeping pairs and pairs
     /// outside the region have no records until they continue; they have not ended.
     std::span<const CollisionRecord> collisions() const;
-    /// Of these, the ones that began. This list and the next cost what began and ended.
+    /// Of these, the ones that began. This list and the next cost what began and ended. A pair can
+    /// end and begin in one step: read what ended first.
     std::span<const CollisionRecord> begunCollisions() const;
     std::span<const CollisionRecord> endedCollisions() const;
     /// Of these, the impacts: the ones with an impulse whose approachSpeed is at least minSpeed
