@@ -46,6 +46,7 @@ void Session::begin(std::unique_ptr<Play> play, Kind kind) {
     markEvery_ = kind == Kind::Show ? kShowMark : kOwnMark;
     owed_ = 0;
     endTicks_ = 0;
+    standsStill_ = false;
     kept_ = counted_ = false;
     ghost_.reset();
     mark();
@@ -84,6 +85,11 @@ void Session::mark() {
 
 void Session::tick(const std::optional<Input>& input, const Settings& settings, Speaker& speaker) {
     const bool wasPlaying = game().result() == Result::Playing;
+    standsStill_ = !input && kind_ == Kind::Show && wasPlaying;
+    if (standsStill_) {
+        ++endTicks_;
+        return;
+    }
     const std::int32_t fallen = game().collapse().blocks;
     play_->tick(input.value_or(Input{}), speaker);
     if (ghost_) {
@@ -135,11 +141,14 @@ void Session::seek(std::int64_t tick, const Pilot& pilot, const Settings& settin
         this->tick(input, settings, silence);
     }
     endTicks_ = 0;
+    standsStill_ = false;
     owed_ = 0;
 }
 
 void Session::takeOver() {
     kind_ = Kind::WhatIf;
+    endTicks_ = 0;
+    standsStill_ = false;
     takenOverAt_ = game().ticks();
     marks_.erase(marks_.begin(), marks_.end() - 1);
     markEvery_ = kOwnMark;
@@ -180,6 +189,9 @@ bool Session::overdue() const {
 }
 
 Real Session::share() const {
+    if (standsStill_) {
+        return 1;
+    }
     return static_cast<Real>(std::min(owed_ * kTicksPerSecond, 1.0));
 }
 

@@ -34,7 +34,8 @@ public:
     void elapse(double seconds, double pace, const Settings& settings);
     /// True if a tick is due; takes its time.
     bool takeTick();
-    /// One tick. No input: the pilot has finished.
+    /// One tick. No input: the pilot has finished. A replay that ends before its game is over stands
+    /// still from then on.
     void tick(const std::optional<Input>& input, const Settings& settings, Speaker& speaker);
     void endFanfare() { fanfare_.stop(); }
 
@@ -65,6 +66,8 @@ public:
     std::optional<Rerun> rerun() const;
     int endTicks() const { return endTicks_; } // since the end of the game
     bool overdue() const;                      // the end has been shown long enough
+    /// Ticks of the game until now, or until it was over.
+    std::uint32_t clock() const { return statistics_.ticks; }
     /// Time since the last tick, as a share of a tick, 0..1.
     Real share() const;
 
@@ -91,6 +94,7 @@ private:
     std::optional<Play> beforeFall_;
     double owed_ = 0; // s of game time to be simulated
     int endTicks_ = 0;
+    bool standsStill_ = false; // a replay, at its end
     bool kept_ = false;    // takeUnkept() was true
     bool counted_ = false; // takeUncounted() was true
     std::optional<Ghost> ghost_;

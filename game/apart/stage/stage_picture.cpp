@@ -205,7 +205,7 @@ HudLook Stage::hudLook() const {
     if (session_.isShow()) {
         look.pilot =
             theatre_.paused() ? "REPLAY  paused" : "REPLAY  " + theatre_.speedText() + " x";
-        look.foot = theatre_.timeText(game().ticks());
+        look.foot = theatre_.timeText(session_.clock());
     } else if (session_.isWhatIf()) {
         look.pilot = "WHAT IF   no score";
         look.takenOver = true;
@@ -273,7 +273,7 @@ void Stage::draw(Canvas& canvas) const {
         return;
     case Screen::Playing:
         if (session_.isShow()) {
-            return paintTheatre(canvas, theatre_, game().ticks(),
+            return paintTheatre(canvas, theatre_, session_.clock(),
                                 replays_.leadsFrom(session_) ? "all replays" : "menu");
         }
         paintReload(canvas, reload_, seconds_);
