@@ -7,6 +7,7 @@
 The second folder receives pictures of each screen. Exit code 0: all checks passed, 1: one
 failed, 77: a tool is missing."""
 import pathlib
+import signal
 import sys
 import time
 
@@ -132,6 +133,19 @@ def play(screen, apart, report):
         blank.unlink()
 
 
+def check_interruption(screen, apart, number):
+    """A signal ends the program as the button of the window does: the running game is kept."""
+    kept = pathlib.Path(screen.config.name) / "apart" / "last.replay"
+    kept.unlink(missing_ok=True)
+    with Program(screen, "aPart", apart, "--mute", "--level", "first_light") as game:
+        game.wait_until_drawn(FIELD)
+        time.sleep(4)  # shorter games are not kept
+        game.process.send_signal(number)
+        code, output = game.wait_for_end()
+        check(f"{number.name} ends the program: exit code {code}", code == 0 and output.strip() == "")
+    check(f"{number.name} keeps the running game", kept.exists())
+
+
 def check_screenshot(screen, apart, report):
     path = report / "screenshot.png"
     result = screen.run(apart, "--level", "first_light", "--screenshot", str(path), "--at", "600")
@@ -166,6 +180,8 @@ def main():
             check_screenshot(screen, apart, report)
             check_without_window_manager(screen, apart, report)
             play(screen, apart, report)
+            for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGINT):
+                check_interruption(screen, apart, number)
         print(f"Pictures: {report}")
     return judged(work, report)
 

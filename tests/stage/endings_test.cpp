@@ -52,6 +52,31 @@ TEST(Endings, WhatEndsAGameWithoutPointsDoesNotAsk) {
     }
 }
 
+// Regression: during the fanfare the score was lost.
+TEST(Endings, ClosingAndRestartingEnterAResultThatIsNotEnteredYet) {
+    for (const bool closes : {true, false}) {
+        StageRig rig(StageRig::playing());
+        for (int i = 0; i < 120 * 300 && rig.stage.game().result() == Result::Playing; ++i) {
+            makeMove(rig);
+        }
+        ASSERT_EQ(rig.stage.game().result(), Result::Won);
+        ASSERT_EQ(rig.stage.screen(), Screen::Playing);
+        const std::string name = rig.stage.game().level().name;
+        const std::int32_t score = rig.stage.game().score();
+        if (closes) {
+            Signals signals;
+            signals.closed = true;
+            rig.frame(signals);
+            EXPECT_TRUE(rig.stage.wantsToQuit());
+        } else {
+            rig.press(Command::Restart);
+            EXPECT_EQ(rig.stage.game().result(), Result::Playing);
+        }
+        EXPECT_EQ(rig.stage.profile().bestOf(Mode::Standard, name).score, score);
+        EXPECT_EQ(rig.stage.profile().totals[0].games, 1);
+    }
+}
+
 TEST(Screens, EachEndlessRunHasASeedOfItsOwn) {
     StageDef def = StageRig::twoLevels();
     std::vector<std::pair<std::uint32_t, std::uint32_t>> made; // seed, number

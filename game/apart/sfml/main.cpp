@@ -3,6 +3,7 @@
 #include <apart/core/tuning.hpp>
 #include <apart/sfml/frame_times.hpp>
 #include <apart/sfml/inspector.hpp>
+#include <apart/sfml/interruption.hpp>
 #include <apart/sfml/options.hpp>
 #include <apart/sfml/setup.hpp>
 #include <apart/sfml/sfml_canvas.hpp>
@@ -73,10 +74,12 @@ int play(StageDef def, const Options& options) {
     SfmlControls controls(window, canvas);
     const std::unique_ptr<Speaker> speaker = makeSpeaker(options.mute);
     Inspector inspector;
+    watchForInterruption();
     auto last = Clock::now();
     while (!stage.wantsToQuit()) {
         controls.setBindings(stage.profile().bindings);
-        const Signals signals = controls.poll();
+        Signals signals = controls.poll();
+        signals.closed = signals.closed || isInterrupted();
         const auto now = Clock::now();
         const double frame = secondsBetween(last, now);
         stage.advance(frame, signals, *speaker);

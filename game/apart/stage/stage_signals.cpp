@@ -176,6 +176,9 @@ void Stage::takePlaying(const Signals& signals) {
             return over ? finish() : open(Screen::Paused, pauseMenu(replays_.leadsFrom(session_)));
         case Command::Restart:
             if (mayEnd(Ending::Restart)) {
+                if (over) {
+                    finish();
+                }
                 return again();
             }
             break;
@@ -250,6 +253,11 @@ bool Stage::mayEnd(Ending ending) {
 }
 
 void Stage::quit() {
+    const bool fanfare = screen_ == Screen::Playing && session_.kind() == Session::Kind::Own &&
+                         game().result() != Result::Playing;
+    if (fanfare) {
+        finish(); // its result is not entered yet
+    }
     quit_ = true;
     keepGame();
     records_.close();
