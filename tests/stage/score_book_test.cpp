@@ -173,6 +173,47 @@ TEST(ScoreBook, AScoreThatCannotBeReadIsTakenFromItsReplay) {
     EXPECT_EQ(without.stage.profile().bestOf(Mode::Standard, game.level->name).score, 0);
 }
 
+// After a line like "cleared = maybe", or without a profile.
+TEST(ScoreBook, ThatALevelIsClearedIsTakenFromItsReplay) {
+    const Recorded game;
+    std::vector<Profile> saved;
+    StageDef def = claiming(game, game.score, ReplayRun{game.replay});
+    def.profile.best[0][game.level->name].cleared = false;
+    def.keeping.save = StageRig::keeping(saved);
+    StageRig rig(std::move(def));
+    EXPECT_TRUE(rig.picture().says("Play   1  One block"));
+    rig.frames(60 * 10);
+    EXPECT_TRUE(rig.stage.profile().bestOf(Mode::Standard, game.level->name).cleared);
+    EXPECT_TRUE(rig.picture().says("Play   2  Three blocks"));
+    ASSERT_EQ(saved.size(), 1u) << "at once, and once";
+    EXPECT_TRUE(saved[0].bestOf(Mode::Standard, game.level->name).cleared);
+    rig.clickItem(Action::Levels);
+    EXPECT_TRUE(rig.picture().says("1 of 2 cleared"));
+
+    Replay lost = game.replay; // left before its end
+    lost.end /= 2;
+    std::erase_if(lost.inputs, [&](const auto& change) { return change.tick > lost.end; });
+    std::erase_if(lost.hashes, [&](const auto& mark) { return mark.tick > lost.end; });
+    StageDef other = claiming(game, game.score, ReplayRun{lost});
+    other.profile.best[0][game.level->name].cleared = false;
+    StageRig without(std::move(other));
+    without.frames(60 * 20);
+    EXPECT_FALSE(without.stage.profile().bestOf(Mode::Standard, game.level->name).cleared);
+}
+
+TEST(ScoreBook, AScoreThatItsReplayGivesIsSavedAtOnce) {
+    const Recorded game;
+    std::vector<Profile> saved;
+    StageDef def = claiming(game, kUnreadScore, ReplayRun{game.replay});
+    def.keeping.save = StageRig::keeping(saved);
+    StageRig rig(std::move(def));
+    for (int i = 0; i < 60 * 20 && saved.empty(); ++i) {
+        rig.frame();
+    }
+    ASSERT_EQ(saved.size(), 1u);
+    EXPECT_EQ(saved[0].bestOf(Mode::Standard, game.level->name).score, game.score);
+}
+
 // Honours that were typed into the profile without a game, or with a score that no replay gives.
 TEST(ScoreBook, TheLevelSelectShowsNoHonoursOfAScoreWithoutProof) {
     const Recorded game;

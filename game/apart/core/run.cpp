@@ -110,6 +110,7 @@ void RunCheck::close() {
     const bool last = next_ == run_.size();
     score_ += game.score();
     done_ = last;
+    won_ = game.result() == Result::Won;
     if (playback_->divergence() || (!last && game.result() != Result::Won)) {
         done_ = failed_ = true;
     }

@@ -42,6 +42,7 @@ public:
     /// Sum of the scores. nullopt before the end, and if the run is no proof: a level cannot be
     /// loaded, a hash differs, or a level before the last one is not won.
     std::optional<std::int32_t> score() const;
+    bool won() const { return won_; } // the last level, once score() is given
 
 private:
     void open();
@@ -56,6 +57,7 @@ private:
     std::int32_t score_ = 0;
     bool done_ = false;
     bool failed_ = false;
+    bool won_ = false;
 };
 
 } // namespace apart

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <apart/stage/daily.hpp>
 #include <apart/stage/records.hpp>
 
 #include <algorithm>
@@ -42,9 +43,7 @@ bool Records::advance(std::uint32_t ticks, bool loads) {
     }
     const auto& [mode, key] = finding->key;
     const Standing& standing = finding->standing;
-    if (standing.proof == Proof::Proved && standing.score != profile_.bestOf(mode, key).score) {
-        profile_.correct(mode, key, standing.score);
-    }
+    const bool mends = mend(*finding);
     if (standing.proof != Proof::Proved && standing.score == kUnreadScore) {
         profile_.best[static_cast<std::size_t>(mode)][key].score = 0;
     }
@@ -60,10 +59,37 @@ bool Records::advance(std::uint32_t ticks, bool loads) {
     for (Result& result : due) {
         enterBest(std::move(result));
     }
-    if (!due.empty()) {
+    if (!due.empty() || mends) {
         save();
     }
     return true;
+}
+
+/// Takes score and victory from the replay. False if the profile has them already.
+bool Records::mend(const ScoreBook::Finding& finding) {
+    const auto& [mode, key] = finding.key;
+    const Best known = profile_.bestOf(mode, key);
+    const bool scored = finding.standing.score == known.score;
+    const bool cleared = known.cleared || !finding.standing.cleared;
+    if (finding.standing.proof != Proof::Proved || (scored && cleared)) {
+        return false;
+    }
+    if (!scored) {
+        profile_.correct(mode, key, finding.standing.score);
+    }
+    profile_.best[static_cast<std::size_t>(mode)][key].cleared |= finding.standing.cleared;
+    return true;
+}
+
+void Records::checkDoubtful() {
+    for (std::size_t mode = 0; mode < profile_.best.size(); ++mode) {
+        for (const auto& [key, best] : profile_.best[mode]) {
+            const bool level = key != kEndlessKey && !dayOf(key);
+            if (best.score == kUnreadScore || (level && !best.cleared)) {
+                checkLast(static_cast<Mode>(mode), key);
+            }
+        }
+    }
 }
 
 std::optional<Replay> Records::bestGame(Mode mode, const Level& level) const {

@@ -53,6 +53,9 @@ public:
     /// Checks a score next, or after all others.
     void checkFirst(Mode mode, const std::string& key);
     void checkLast(Mode mode, const std::string& key);
+    /// Checks, after all others, the scores that could not be read, and those of levels that are
+    /// not noted as cleared: their replays may say more.
+    void checkDoubtful();
     /// The content of this level has changed: a new table of scores begins, see ScoreBook. Before
     /// that, completes the checks that results wait for, unless they take long.
     void setLevel(std::shared_ptr<const Level> level);
@@ -86,6 +89,7 @@ public:
     const std::vector<std::string>& notices() const { return notices_; }
 
 private:
+    bool mend(const ScoreBook::Finding& finding);
     void settleWaiting();
     void adoptSaved(const ScoreBook::Key& key);
     bool enterBest(Result result);

@@ -160,7 +160,7 @@ std::optional<ScoreBook::Finding> ScoreBook::advance(std::uint32_t ticks, bool l
         return std::nullopt;
     }
     if (const std::optional<std::int32_t> score = check.run->score()) {
-        return settle({Proof::Proved, *score});
+        return settle({Proof::Proved, *score, {}, check.run->won()});
     }
     return settle({Proof::Missing, check.score, "its replay fails"});
 }

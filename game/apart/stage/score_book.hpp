@@ -32,6 +32,7 @@ struct Standing {
     Proof proof = Proof::None;
     std::int32_t score = 0; // of the replay if proved, else of the profile
     std::string note{};     // few words for the player, unless proved: "rules 21"
+    bool cleared = false;   // by the replay, once a check has proved the score
 };
 
 /// Source of the recorded best games.

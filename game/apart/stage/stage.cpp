@@ -52,6 +52,7 @@ Stage::Stage(StageDef def)
                std::move(def_.scores), std::move(def_.notices)),
       select_(def_.levels) {
     records_.setMarks(std::move(def_.marks));
+    records_.checkDoubtful();
     level_ = std::min(def_.firstLevel, def_.levels.size() - 1);
     if (def_.reload) {
         records_.setLevel(def_.levels[level_]);
@@ -184,6 +185,7 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     const bool playing = screen_ == Screen::Playing;
     if (records_.advance(playing ? kCheckInGames : kCheckInMenus, !playing) &&
         screen_ == Screen::Title) {
+        level_ = nextToPlay(def_.levels, profile());
         refreshTitle(menu_, offer(), records_);
     }
     if (help_ && screen_ == Screen::Help) {
