@@ -137,6 +137,59 @@ TEST_F(ReplayStore, AnOlderRecordingIsListedWithoutResultAndScore) {
     EXPECT_EQ(entry.best, (std::pair<Mode, std::string>{Mode::Standard, level_->name}));
 }
 
+/// The stage after the start of the game on the files of a folder.
+StageDef started(const fs::path& folder, const LevelList& levels) {
+    LoadedProfile loaded = loadProfile(folder / "profile.toml");
+    restoreScores(loaded, folder / "profile.toml");
+    StageDef def = StageRig::twoLevels();
+    def.levels = levels;
+    def.profile = std::move(loaded.profile);
+    if (!loaded.notice.empty()) {
+        def.notices = {loaded.notice};
+    }
+    def.scores = scoresIn(folder, levels);
+    def.keeping.save = profileSaver(folder / "profile.toml", def.profile.totals);
+    return def;
+}
+
+// Regression: all scores were gone, although each had its replay.
+TEST_F(ReplayStore, WithoutAProfileTheScoresAreThoseOfTheReplays) {
+    EXPECT_EQ(keepReplay(folder_, {game_}, level_->name), "");
+    EXPECT_EQ(keepReplay(folder_, {game_}, "gone"), "") << "a replay of another level";
+    Playback played(game_, level_);
+    while (!played.done()) {
+        played.tick();
+    }
+    {
+        StageRig rig(started(folder_, {level_}));
+        const std::vector<std::string>& notices = rig.stage.records().notices();
+        ASSERT_EQ(notices.size(), 1u);
+        EXPECT_NE(notices[0].find("is missing: the scores are taken from 2 replays in best"),
+                  std::string::npos);
+        rig.frames(60 * 10);
+        rig.clickItem(Action::Levels);
+        EXPECT_TRUE(rig.picture().says("1 of 1 cleared"));
+    }
+    const LoadedProfile saved =
+        loadProfile(folder_ / "profile.toml"); // without the end of the game
+    EXPECT_TRUE(saved.whole);
+    EXPECT_EQ(saved.profile.bestOf(Mode::Standard, level_->name),
+              (Best{played.game().score(), true, false, false}));
+    EXPECT_TRUE(started(folder_, {level_}).notices.empty()) << "the next time";
+}
+
+TEST_F(ReplayStore, AScoreThatADamagedProfileHasLostIsThatOfItsReplay) {
+    EXPECT_EQ(keepReplay(folder_, {game_}, level_->name), "");
+    ASSERT_FALSE(writeTextFile(folder_ / "profile.toml", "format = 1\n[best.test_1\nscore = 70\n"));
+    StageRig rig(started(folder_, {level_}));
+    rig.frames(60 * 20);
+    EXPECT_GT(rig.stage.records().provedScore(Mode::Standard, level_->name), 0);
+}
+
+TEST_F(ReplayStore, WithoutProfileAndReplaysNothingIsSaid) {
+    EXPECT_TRUE(started(folder_, {level_}).notices.empty());
+}
+
 TEST_F(ReplayStore, ListsOfTheBestGamesOnlyTheLatest) {
     for (int i = 0; i < 15; ++i) {
         EXPECT_EQ(keepReplay(folder_, {game_}, "level_" + std::to_string(i)), "");

@@ -130,6 +130,7 @@ void takeProfile(StageDef& def) {
     }
     addOwnLevels(def, file->parent_path() / "levels");
     LoadedProfile loaded = loadProfile(*file);
+    restoreScores(loaded, *file);
     def.profile = std::move(loaded.profile);
     if (!loaded.notice.empty()) {
         def.notices.push_back(loaded.notice);

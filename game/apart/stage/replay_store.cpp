@@ -2,7 +2,7 @@
 #include <apart/core/assets.hpp>
 #include <apart/core/endless.hpp>
 #include <apart/stage/daily.hpp>
-#include <apart/stage/profile_file.hpp>
+#include <apart/stage/hud.hpp>
 #include <apart/stage/replay_store.hpp>
 
 #include <fmt/format.h>
@@ -93,6 +93,19 @@ std::optional<std::int64_t> scoreOf(const ReplayRun& run) {
     return sum;
 }
 
+/// Mode and key of the best game that a file has by its name: KEY-MODE.replay.
+std::optional<std::pair<Mode, std::string>> keyOf(const std::filesystem::path& file) {
+    for (std::size_t mode = 0; mode < kModeNames.size(); ++mode) {
+        const std::string ending = "-" + std::string(kModeNames[mode]);
+        std::string key = file.stem().string();
+        if (file.extension() == ".replay" && key.size() > ending.size() && key.ends_with(ending)) {
+            key.resize(key.size() - ending.size());
+            return std::pair{static_cast<Mode>(mode), key};
+        }
+    }
+    return std::nullopt;
+}
+
 std::filesystem::file_time_type timeOf(const std::filesystem::path& file) {
     std::error_code unread;
     return std::filesystem::last_write_time(file, unread);
@@ -119,15 +132,36 @@ ShowEntry entryOf(const std::filesystem::path& file, const LevelList& levels) {
         constexpr std::array<std::string_view, 3> kWords = {"left", "won", "lost"};
         entry.result = kWords.at(static_cast<std::size_t>(*result));
     }
-    if (!last) {
-        const std::string mode = "-" + std::string(kModeNames[static_cast<std::size_t>(end.mode)]);
-        std::string key = file.stem().string();
-        if (key.ends_with(mode)) {
-            key.resize(key.size() - mode.size());
-            entry.best = {end.mode, key};
-        }
+    if (const auto key = keyOf(file); !last && key && key->first == end.mode) {
+        entry.best = key;
     }
     return entry;
+}
+
+void restoreScores(LoadedProfile& loaded, const std::filesystem::path& profile) {
+    if (loaded.whole || loaded.keepFile) {
+        return;
+    }
+    std::int64_t restored = 0;
+    std::error_code error;
+    for (std::filesystem::directory_iterator entry(profile.parent_path() / "best", error), end;
+         !error && entry != end; entry.increment(error)) {
+        const auto key = keyOf(entry->path());
+        if (key && loaded.profile.bestOf(key->first, key->second).score == 0) {
+            auto& bests = loaded.profile.best[static_cast<std::size_t>(key->first)];
+            bests[key->second].score = kUnreadScore;
+            ++restored;
+        }
+    }
+    if (restored == 0) {
+        return;
+    }
+    const std::string from =
+        fmt::format("taken from {} in best, once each is checked.", countText(restored, "replay"));
+    loaded.notice +=
+        loaded.notice.empty()
+            ? fmt::format("The profile {} is missing: the scores are {}", profile.string(), from)
+            : " Missing scores are " + from;
 }
 
 std::vector<std::filesystem::path> replayFiles(const std::filesystem::path& folder) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <apart/stage/level_select.hpp>
+#include <apart/stage/profile_file.hpp>
 #include <apart/stage/score_book.hpp>
 #include <apart/stage/theatre.hpp>
 
@@ -23,6 +24,10 @@ std::string keepReplay(const std::filesystem::path& folder, const ReplayRun& run
 
 /// The recorded best games in the player's folder, on these levels.
 ScoreStore scoresIn(const std::filesystem::path& folder, const LevelList& levels);
+
+/// Of a profile that is missing or damaged: the scores that it lacks and that have a replay in
+/// best/ are marked as unread, so that Records takes them from there. The notice says so.
+void restoreScores(LoadedProfile& loaded, const std::filesystem::path& profile);
 
 /// The entry of a replay in the list, without `load`. Its title is that of the level, or the name
 /// of the file if it cannot be read.
