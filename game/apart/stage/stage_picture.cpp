@@ -145,7 +145,8 @@ void paintFeast(Canvas& canvas, int ticks, const Bindings& keys) {
 
 void paintPaused(Canvas& canvas, const Menu& menu, std::string_view question, const HudLook& look) {
     paintVeil(canvas, faded(palette::kNight, 0.72f));
-    canvas.text("Paused", {0, Real(13)},
+    const Real top = menu.place(0).upper.y;
+    canvas.text("Paused", {0, top + Real(1.4)},
                 {Real(1.6), palette::kText, Typeface::Display, Align::Middle});
     menu.draw(canvas);
     Real y = Real(4.9);
@@ -161,7 +162,8 @@ void paintPaused(Canvas& canvas, const Menu& menu, std::string_view question, co
         y -= Real(0.7);
     }
     if (look.takenOver) {
-        canvas.text(look.foot + ": from there you play. The score does not count.", {0, Real(11.9)},
+        canvas.text(look.foot + ": from there you play. The score does not count.",
+                    {0, top + Real(0.3)},
                     quiet(Real(0.5), 2 * layout::kRight));
     }
     paintQuestion(canvas, question, Real(1.6));
