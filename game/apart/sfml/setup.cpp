@@ -3,11 +3,11 @@
 #include <apart/core/bot.hpp>
 #include <apart/core/endless.hpp>
 #include <apart/core/medals.hpp>
-#include <apart/core/run.hpp>
 #include <apart/sfml/setup.hpp>
 #include <apart/stage/own_levels.hpp>
 #include <apart/stage/profile_file.hpp>
 #include <apart/stage/replay_store.hpp>
+#include <apart/stage/show_file.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -21,16 +21,6 @@ namespace {
 
 std::uint32_t anySeed() {
     return std::random_device{}() % 1000000;
-}
-
-/// Gives the inputs of a replay by the tick of the game.
-Pilot pilotOf(const Replay& replay) {
-    return [replay](const Game& game) -> std::optional<Input> {
-        if (game.ticks() >= replay.end) {
-            return std::nullopt;
-        }
-        return inputAt(replay, game.ticks());
-    };
 }
 
 /// All valid levels of the game. Each error of the others is a notice.
@@ -60,37 +50,14 @@ std::string takeLevel(StageDef& def, const std::string& name) {
     return {};
 }
 
-/// The show of one replay of a file, or the reason why it cannot be played.
-std::variant<Show, std::string> showOf(const std::filesystem::path& file,
-                                       const std::shared_ptr<const ReplayRun>& run,
-                                       std::size_t number) {
-    const Replay& replay = (*run)[number];
-    Read<Level> level = loadLevelOf(file, replay.level);
-    if (const auto* problem = std::get_if<FileProblem>(&level)) {
-        return problem->text();
-    }
-    if (const auto problem = refusal(replay, std::get<Level>(level))) {
-        return file.string() + " " + *problem + ".";
-    }
-    Show show{std::make_shared<const Level>(std::get<Level>(std::move(level))), replay.seed,
-              replay.mode, pilotOf(replay), replay.end};
-    if (number + 1 < run->size()) {
-        show.next = [file, run, number] { return showOf(file, run, number + 1); };
-    }
-    return show;
-}
-
-/// The show of a replay file, or the reason why it cannot be played.
-std::variant<Show, std::string> showOf(const std::filesystem::path& file) {
-    Read<ReplayRun> read = readRunFile(file);
-    if (const auto* problem = std::get_if<FileProblem>(&read)) {
-        return problem->text();
-    }
-    return showOf(file, std::make_shared<const ReplayRun>(std::get<ReplayRun>(std::move(read))), 0);
+/// The player's folder of levels; empty if there is none.
+std::filesystem::path ownLevels() {
+    const std::optional<std::filesystem::path> file = profileFile();
+    return file ? file->parent_path() / "levels" : std::filesystem::path();
 }
 
 std::string takeReplay(StageDef& def, const std::string& file) {
-    std::variant<Show, std::string> show = showOf(file);
+    std::variant<Show, std::string> show = showOf(file, ownLevels());
     if (auto* problem = std::get_if<std::string>(&show)) {
         return std::move(*problem);
     }
@@ -103,7 +70,7 @@ std::vector<ShowEntry> replaysIn(const std::filesystem::path& folder, const Leve
     std::vector<ShowEntry> entries;
     for (const std::filesystem::path& file : replayFiles(folder)) {
         entries.push_back(entryOf(file, levels));
-        entries.back().load = [file] { return showOf(file); };
+        entries.back().load = [file] { return showOf(file, ownLevels()); };
     }
     return entries;
 }
@@ -111,8 +78,8 @@ std::vector<ShowEntry> replaysIn(const std::filesystem::path& folder, const Leve
 /// The folder of the game's levels and, if there is one, that of the player's.
 std::vector<std::filesystem::path> levelFolders() {
     std::vector<std::filesystem::path> folders{assetsFolder() / "levels"};
-    if (const std::optional<std::filesystem::path> file = profileFile()) {
-        folders.push_back(file->parent_path() / "levels");
+    if (const std::filesystem::path own = ownLevels(); !own.empty()) {
+        folders.push_back(own);
     }
     return folders;
 }
@@ -128,7 +95,7 @@ void takeProfile(StageDef& def) {
             "Settings and scores are not kept: neither XDG_CONFIG_HOME nor HOME is set.");
         return keepNothing(def.notices.back());
     }
-    addOwnLevels(def, file->parent_path() / "levels");
+    addOwnLevels(def, ownLevels());
     LoadedProfile loaded = loadProfile(*file);
     restoreScores(loaded, *file);
     def.profile = std::move(loaded.profile);

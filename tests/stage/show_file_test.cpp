@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/assets.hpp>
+#include <apart/stage/replay_store.hpp>
+#include <apart/stage/show_file.hpp>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "stage_rig.hpp"
+
+namespace apart {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Provides a separate folder for each test.
+class ShowFile : public testing::Test {
+protected:
+    void SetUp() override {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = fs::path(testing::TempDir()) / "apart-shows" / test->name();
+        fs::remove_all(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    fs::path folder_;
+};
+
+// Regression: the message had the names of all levels, and a path that never existed.
+TEST_F(ShowFile, AMissingLevelIsNamedInOneLineWithThePlaceOfOwnLevels) {
+    Replay replay = recordedGame(glassLevel("One block", {7}), 3);
+    replay.level = "my_tower";
+    EXPECT_EQ(keepReplay(folder_, {replay}, ""), "");
+    const fs::path file = folder_ / "last.replay";
+    EXPECT_EQ(std::get<std::string>(showOf(file, "a/levels")),
+              "The level my_tower is not among the levels. Levels of your own belong in a/levels.");
+    EXPECT_EQ(std::get<std::string>(showOf(file, {})),
+              "The level my_tower is not among the levels.");
+    fs::create_directories(folder_ / "levels");
+    ASSERT_FALSE(writeTextFile(folder_ / "levels" / "my_tower.toml", "format = 1\nwidth = 0\n"));
+    EXPECT_NE(std::get<std::string>(showOf(file, {})).find("my_tower.toml:"), std::string::npos)
+        << "a file with errors";
+}
+
+TEST_F(ShowFile, AReplayOfALevelOfTheGameIsPlayed) {
+    const auto level = std::make_shared<const Level>(std::get<Level>(loadLevel("first_light")));
+    const Replay replay = recordedGame(level, 3, 300);
+    EXPECT_EQ(keepReplay(folder_, {replay}, ""), "");
+    StageDef def = StageRig::twoLevels();
+    def.show = std::get<Show>(showOf(folder_ / "last.replay", {}));
+    EXPECT_EQ(def.show->end, 300u);
+    StageRig rig(std::move(def));
+    rig.untilOver();
+    EXPECT_EQ(rig.stage.game().stateHash(), replay.hashes.back().hash);
+}
+
+} // namespace
+} // namespace apart
