@@ -47,7 +47,7 @@ protected:
         LoadedProfile loaded = loadProfile(player() / "profile.toml");
         def.profile = std::move(loaded.profile);
         def.scores = scoresIn(player(), def.levels);
-        def.keeping.save = profileSaver(player() / "profile.toml", def.profile.totals);
+        def.keeping.save = profileSaver(player() / "profile.toml", def.profile);
         def.keeping.keepReplay = [folder = player()](const ReplayRun& run, const std::string& key) {
             return keepReplay(folder, run, key);
         };

@@ -166,7 +166,7 @@ TEST_F(ProfileFile, SavingKeepsWhatIsRightInADamagedFile) {
     other.enter(Mode::Standard, "b", {70, false, false, true});
     write(toText(other) + "\nnonsense\n");
     Profile profile = someProfile();
-    ASSERT_FALSE(saveProfile(file_, profile, profile.totals));
+    ASSERT_FALSE(saveProfile(file_, profile, profile));
     profile.enter(Mode::Standard, "b", {70, false, false, true});
     EXPECT_EQ(loadProfile(file_).profile, profile);
     EXPECT_TRUE(fs::exists(file_.string() + ".broken"));
@@ -241,8 +241,8 @@ TEST_F(ProfileFile, SavingAddsWhatWasCountedSinceTheLastSave) {
     Profile start;
     start.totals[2] = {10, 4, 500, 40, 12, 8, 5};
     ASSERT_FALSE(saveProfile(file_, start));
-    const auto saveOne = profileSaver(file_, start.totals);
-    const auto saveOther = profileSaver(file_, start.totals);
+    const auto saveOne = profileSaver(file_, start);
+    const auto saveOther = profileSaver(file_, start);
     Profile one = start;
     Profile other = start;
     add(one.totals[2], {1, 1, 60, 7, 0, 9, 2});
@@ -251,6 +251,31 @@ TEST_F(ProfileFile, SavingAddsWhatWasCountedSinceTheLastSave) {
     add(other.totals[2], {2, 0, 90, 5, 1, 3, 6});
     EXPECT_EQ(saveOther(other), "");
     EXPECT_EQ(loadProfile(file_).profile.totals[2], (PlayTotals{13, 5, 650, 52, 13, 9, 6}));
+}
+
+// Of two games that run at once, neither loses the settings of the other.
+TEST_F(ProfileFile, SavingReplacesTheSettingsThatThisGameHasChanged) {
+    const Profile start;
+    ASSERT_FALSE(saveProfile(file_, start));
+    const auto saveOne = profileSaver(file_, start);
+    const auto saveOther = profileSaver(file_, start);
+    Profile one = start;
+    Profile other = start;
+    other.settings.sound = 100;
+    other.muted = true;
+    other.bindings.bind(Act::Pull, 1, kNoKey);
+    EXPECT_EQ(saveOther(other), "");
+    one.settings.music = 10;
+    one.mode = Mode::Pure;
+    EXPECT_EQ(saveOne(one), "");
+    Profile both = other;
+    both.settings.music = 10;
+    both.mode = Mode::Pure;
+    EXPECT_EQ(loadProfile(file_).profile, both);
+    other.settings.music = 30; // the latest change counts
+    EXPECT_EQ(saveOther(other), "");
+    EXPECT_EQ(saveOne(one), "");
+    EXPECT_EQ(loadProfile(file_).profile.settings.music, 30);
 }
 
 // D12: a score that its replay did not give does not come back from the file.

@@ -148,7 +148,7 @@ StageDef started(const fs::path& folder, const LevelList& levels) {
         def.notices = {loaded.notice};
     }
     def.scores = scoresIn(folder, levels);
-    def.keeping.save = profileSaver(folder / "profile.toml", def.profile.totals);
+    def.keeping.save = profileSaver(folder / "profile.toml", def.profile);
     return def;
 }
 

@@ -49,7 +49,7 @@ protected:
         LoadedProfile loaded = withProfile ? loadProfile(file()) : LoadedProfile{};
         Keeping keeping;
         if (withProfile) {
-            keeping.save = profileSaver(file(), loaded.profile.totals);
+            keeping.save = profileSaver(file(), loaded.profile);
             keeping.saved = [path = file()] { return savedProfile(path); };
         }
         keeping.keepReplay = [folder = folder_](const ReplayRun& run, const std::string& best) {

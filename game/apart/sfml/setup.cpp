@@ -115,7 +115,7 @@ void takeProfile(StageDef& def) {
         return keepNothing(loaded.notice);
     }
     def.keeping.saved = [path = *file] { return savedProfile(path); };
-    def.keeping.save = profileSaver(*file, def.profile.totals);
+    def.keeping.save = profileSaver(*file, def.profile);
 }
 
 /// The current day (UTC).

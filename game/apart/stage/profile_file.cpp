@@ -53,12 +53,31 @@ TotalsByTheme withCounts(TotalsByTheme saved, const TotalsByTheme& now,
     return saved;
 }
 
+/// Replaces each setting that is as it was `before` by that of `saved`.
+void takeSettings(Profile& profile, const Profile& saved, const Profile& before) {
+    for (const Dial& dial : kDials) {
+        int& value = profile.settings.*dial.value;
+        value = value == before.settings.*dial.value ? saved.settings.*dial.value : value;
+    }
+    profile.mode = profile.mode == before.mode ? saved.mode : profile.mode;
+    profile.muted = profile.muted == before.muted ? saved.muted : profile.muted;
+    if (profile.bindings == before.bindings) { // a key of one act may be that of another
+        profile.bindings = saved.bindings;
+    }
+}
+
 /// The profile with the better of its scores and those of `saved`, which another game that ran
-/// meanwhile may have saved. The totals are those of `saved` and what was counted since `before`;
-/// those of a damaged file do not count.
-Profile mergedWith(const LoadedProfile& saved, Profile profile, const TotalsByTheme& before) {
+/// meanwhile may have saved. The totals are those of `saved` and what was counted since `before`,
+/// the settings those of `saved` but for what has changed since `before`. Settings and totals of a
+/// damaged file do not count.
+Profile mergedWith(const LoadedProfile& saved, Profile profile,
+                   const std::optional<Profile>& before) {
     if (saved.whole) {
-        profile.totals = withCounts(saved.profile.totals, profile.totals, before);
+        profile.totals = withCounts(saved.profile.totals, profile.totals,
+                                    before ? before->totals : TotalsByTheme{});
+    }
+    if (saved.whole && before) {
+        takeSettings(profile, saved.profile, *before);
     }
     for (std::size_t mode = 0; mode < saved.profile.best.size(); ++mode) {
         for (const auto& [level, best] : saved.profile.best[mode]) {
@@ -199,7 +218,7 @@ std::optional<Profile> savedProfile(const std::filesystem::path& file) {
 }
 
 std::optional<FileProblem> saveProfile(const std::filesystem::path& file, const Profile& profile,
-                                       const TotalsByTheme& before) {
+                                       const std::optional<Profile>& before) {
     std::error_code error;
     std::filesystem::create_directories(file.parent_path(), error);
     if (error) {
@@ -214,12 +233,12 @@ std::optional<FileProblem> saveProfile(const std::filesystem::path& file, const 
 }
 
 std::function<std::string(const Profile&)> profileSaver(const std::filesystem::path& file,
-                                                        const TotalsByTheme& loaded) {
-    return [file, before = loaded](const Profile& profile) mutable -> std::string {
+                                                        const Profile& loaded) {
+    return [file, before = std::optional(loaded)](const Profile& profile) mutable -> std::string {
         if (const std::optional<FileProblem> problem = saveProfile(file, profile, before)) {
             return "Settings and scores are not kept: " + problem->text() + ".";
         }
-        before = profile.totals;
+        before = profile;
         return "";
     };
 }

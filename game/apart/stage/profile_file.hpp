@@ -41,14 +41,15 @@ LoadedProfile loadProfile(const std::filesystem::path& file);
 std::optional<Profile> savedProfile(const std::filesystem::path& file);
 
 /// Keeps the better scores of the file, if another game has saved some meanwhile, and adds what was
-/// counted since the totals `before` to its totals. Creates the folder if needed. On failure the
-/// old file stays intact; so does one that loadProfile() would not replace.
+/// counted since the profile `before` to its totals. Of the settings it replaces those that differ
+/// from `before`; all, without one. Creates the folder if needed. On failure the old file stays
+/// intact; so does one that loadProfile() would not replace.
 std::optional<FileProblem> saveProfile(const std::filesystem::path& file, const Profile& profile,
-                                       const TotalsByTheme& before = {});
+                                       const std::optional<Profile>& before = std::nullopt);
 
-/// Saves the profile of one run of the game, whose totals were `loaded` at its start. Returns a
-/// sentence on failure.
+/// Saves the profile of one run of the game, which was `loaded` at its start. Returns a sentence on
+/// failure.
 std::function<std::string(const Profile&)> profileSaver(const std::filesystem::path& file,
-                                                        const TotalsByTheme& loaded);
+                                                        const Profile& loaded);
 
 } // namespace apart
