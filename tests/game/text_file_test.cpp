@@ -54,6 +54,24 @@ TEST_F(TextFile, APipeIsNotReplacedByAFile) {
     EXPECT_TRUE(fs::is_fifo(pipe));
 }
 
+TEST_F(TextFile, ALinkStaysAndItsTargetIsWritten) {
+    fs::create_directories(folder_ / "other");
+    fs::create_symlink("other/second", folder_ / "first");
+    fs::create_symlink(folder_ / "other" / "file", folder_ / "other" / "second");
+    for (const char* text : {"one", "two"}) { // without a target, then with one
+        ASSERT_FALSE(writeTextFile(folder_ / "first", text));
+        EXPECT_TRUE(fs::is_symlink(folder_ / "first"));
+        EXPECT_TRUE(fs::is_symlink(folder_ / "other" / "second"));
+        EXPECT_FALSE(fs::is_symlink(folder_ / "other" / "file"));
+        EXPECT_EQ(std::get<std::string>(readTextFile(folder_ / "other" / "file", 100)), text);
+    }
+    fs::create_symlink("circle", folder_ / "circle");
+    const auto problem = writeTextFile(folder_ / "circle", "text");
+    ASSERT_TRUE(problem);
+    EXPECT_EQ(problem->reason, "is a link that leads in a circle");
+    EXPECT_TRUE(fs::is_symlink(folder_ / "circle"));
+}
+
 TEST_F(TextFile, ALongerFileThanTheLimitIsRefused) {
     const fs::path file = folder_ / "file";
     ASSERT_FALSE(writeTextFile(file, std::string(100, 'x')));

@@ -337,6 +337,22 @@ TEST_F(ProfileFile, SavingLeavesNoTemporaryFile) {
     EXPECT_EQ(loadProfile(file_).profile.settings, Profile{}.settings);
 }
 
+// A profile may be kept in a folder under version control, and linked from there.
+TEST_F(ProfileFile, OneThatIsALinkStaysALink) {
+    const fs::path target = folder_ / "kept" / "aPart.toml";
+    fs::create_directories(target.parent_path());
+    fs::create_directories(file_.parent_path());
+    fs::create_symlink("../kept/aPart.toml", file_);
+    ASSERT_FALSE(saveProfile(file_, someProfile())) << "there is no target yet";
+    EXPECT_TRUE(fs::is_symlink(file_));
+    EXPECT_EQ(loadProfile(target).profile, someProfile());
+    std::ofstream(target) << "format = 1\nchain = ture\n";
+    EXPECT_NE(loadProfile(file_).notice, "");
+    EXPECT_TRUE(fs::is_symlink(file_));
+    EXPECT_EQ(read(file_.string() + ".broken"), "format = 1\nchain = ture\n");
+    EXPECT_TRUE(loadProfile(target).whole);
+}
+
 TEST_F(ProfileFile, IsInTheConfigurationFolderOfTheUser) {
     const auto with = [](const char* config, const char* home) {
         setenv("XDG_CONFIG_HOME", config, 1);

@@ -155,6 +155,20 @@ std::filesystem::path temporaryFor(const std::filesystem::path& path) {
     return fresh;
 }
 
+/// Where a chain of symbolic links leads, to a file that need not exist; nullopt: in a circle.
+std::optional<std::filesystem::path> targetOf(std::filesystem::path path) {
+    constexpr int kMostLinks = 40;
+    for (int i = 0; i < kMostLinks; ++i) {
+        std::error_code error;
+        if (!std::filesystem::is_symlink(std::filesystem::symlink_status(path, error))) {
+            return path;
+        }
+        const std::filesystem::path next = std::filesystem::read_symlink(path, error);
+        path = next.is_absolute() ? next : path.parent_path() / next;
+    }
+    return std::nullopt;
+}
+
 /// Writes and closes a file that is on the disk then. Returns 0, or the number of the error.
 int writeToDisk(const std::filesystem::path& path, std::string_view text) {
     std::FILE* const file = std::fopen(path.string().c_str(), "wb");
@@ -245,7 +259,11 @@ std::optional<FileProblem> writeTextFile(const std::filesystem::path& path, std:
             return FileProblem{path.string(), 0, std::move(reason)};
         }
     }
-    const std::filesystem::path fresh = temporaryFor(path);
+    const std::optional<std::filesystem::path> target = targetOf(path);
+    if (!target) {
+        return FileProblem{path.string(), 0, "is a link that leads in a circle"};
+    }
+    const std::filesystem::path fresh = temporaryFor(*target);
     if (const int number = writeToDisk(fresh, text)) {
         std::error_code ignored;
         std::filesystem::remove(fresh, ignored);
@@ -253,7 +271,7 @@ std::optional<FileProblem> writeTextFile(const std::filesystem::path& path, std:
                            "cannot be written: " + std::generic_category().message(number)};
     }
     std::error_code error;
-    std::filesystem::rename(fresh, path, error);
+    std::filesystem::rename(fresh, *target, error);
     if (error) {
         std::error_code ignored;
         std::filesystem::remove(fresh, ignored);

@@ -42,8 +42,9 @@ using Read = std::variant<T, FileProblem>;
 Read<std::string> readTextFile(const std::filesystem::path& path, std::size_t limit);
 
 /// Writes a temporary file beside `path`, brings it to the disk and then renames it, so that a
-/// failure keeps the old file. Its name is its own, so that two programs may save at once. A pipe
-/// or a device is refused, since the renamed file would replace it.
+/// failure keeps the old file. Its name is its own, so that two programs may save at once. A
+/// symbolic link stays: its target is written. A pipe or a device is refused, since the renamed
+/// file would replace it.
 std::optional<FileProblem> writeTextFile(const std::filesystem::path& path, std::string_view text);
 
 /// 64-bit FNV-1a; detects damage, not forgery.

@@ -197,7 +197,11 @@ LoadedProfile loadProfile(const std::filesystem::path& file) {
         return {std::move(salvage.profile), {}, false, true};
     }
     const std::filesystem::path aside = freeAside(file, ".broken");
-    std::filesystem::rename(file, aside, error);
+    if (std::filesystem::is_symlink(file, error)) { // the link stays
+        std::filesystem::copy_file(file, aside, error);
+    } else {
+        std::filesystem::rename(file, aside, error);
+    }
     const std::string kept = error ? "The file cannot be renamed."
                                    : "The file is kept as " + aside.filename().string() + ".";
     if (!error) {
