@@ -11,12 +11,16 @@ namespace {
 
 /// A show of a recorded game.
 Show showing(const std::shared_ptr<const Level>& level, const Replay& replay) {
-    return Show{level, replay.seed, replay.mode,
+    return Show{level,
+                replay.seed,
+                replay.mode,
                 [replay](const Game& game) {
                     return game.ticks() < replay.end ? std::optional(inputAt(replay, game.ticks()))
                                                      : std::nullopt;
                 },
-                replay.end};
+                replay.end,
+                {},
+                replay.hashes};
 }
 
 StageDef watching(const std::shared_ptr<const Level>& level, const Replay& replay) {
@@ -54,8 +58,9 @@ TEST(ReplayEnd, ThePictureStandsStillThere) {
     const Real shown = rig.stage.game().world()[rig.stage.game().balls()[0].body].position().x;
     const auto ball = [&] {
         const auto& strokes = rig.picture().strokes();
-        return std::any_of(strokes.begin(), strokes.end(),
-                           [&](const Stroke& stroke) { return std::abs(stroke.place.x - shown) < 1e-4; });
+        return std::any_of(strokes.begin(), strokes.end(), [&](const Stroke& stroke) {
+            return std::abs(stroke.place.x - shown) < Real(1e-4);
+        });
     };
     for (int i = 0; i < 10; ++i) {
         EXPECT_TRUE(ball()) << "not between two ticks";
@@ -91,6 +96,46 @@ TEST(ReplayEnd, TheClockStopsWhenTheGameIsOver) {
     const std::string clock = std::to_string(seconds / 60) + (seconds % 60 < 10 ? ":0" : ":") +
                               std::to_string(seconds % 60) + " of ";
     EXPECT_TRUE(rig.picture().says(clock)) << clock;
+}
+
+// Regression: it was played to its end without a word.
+TEST(ReplayEnd, ADivergenceFromTheRecordingIsToldOnce) {
+    const auto level = glassLevel("A row", {2, 4, 6, 8, 10, 12});
+    Replay replay = recordedGame(level, 3, 1500);
+    for (HashMark& mark : replay.hashes) {
+        mark.hash ^= mark.tick >= 840 ? 1 : 0;
+    }
+    const std::string sentence = "The replay diverges from the recording at 0:07.";
+    StageRig rig(watching(level, replay));
+    while (rig.stage.game().ticks() < 838) {
+        EXPECT_FALSE(rig.picture().says("diverges"));
+        rig.frame();
+    }
+    rig.frames(10);
+    EXPECT_TRUE(rig.picture().says(sentence));
+    rig.frames(60 * 5);
+    ASSERT_EQ(rig.stage.screen(), Screen::Playing);
+    EXPECT_FALSE(rig.picture().says("diverges")) << "it covers the field for a while only";
+    rig.untilOver();
+    EXPECT_TRUE(rig.picture().says(sentence)) << "beside the result";
+
+    rig.clickItem(Action::Restart);
+    rig.press(Command::Pause);
+    rig.press(Command::Right);
+    EXPECT_FALSE(rig.picture().says("diverges"));
+    rig.press(Command::Right);
+    EXPECT_TRUE(rig.picture().says(sentence)) << "also of ticks that were skipped";
+}
+
+TEST(ReplayEnd, OfARecordedGameNothingIsSaid) {
+    const auto level = glassLevel("One block", {7});
+    StageRig rig(watching(level, recordedGame(level, 3)));
+    while (rig.stage.screen() == Screen::Playing) {
+        ASSERT_FALSE(rig.picture().says("diverges"));
+        rig.frame();
+    }
+    rig.frames(5);
+    EXPECT_FALSE(rig.picture().says("diverges"));
 }
 
 } // namespace

@@ -36,6 +36,8 @@ void Session::begin(std::unique_ptr<Play> play, Kind kind) {
     play_ = std::move(play);
     recorder_.reset();
     record_.reset();
+    recorded_.clear();
+    divergedAt_.reset();
     if (kind != Kind::Demo) {
         recorder_.emplace(play_->game());
     }
@@ -101,6 +103,7 @@ void Session::tick(const std::optional<Input>& input, const Settings& settings, 
             record_ = recordOf(*recorder_, game());
         }
     }
+    compare();
     timeScale_.tick(game(), settings);
     statistics_.update(game());
     if (fallen == 0 && game().collapse().blocks > 0 && kind_ == Kind::Own) {
@@ -117,6 +120,19 @@ void Session::tick(const std::optional<Input>& input, const Settings& settings, 
         fanfare_.begin();
     }
     endTicks_ += !input || game().result() != Result::Playing ? 1 : 0;
+}
+
+void Session::compare() {
+    if (kind_ != Kind::Show || divergedAt_) {
+        return;
+    }
+    const std::uint32_t now = game().ticks();
+    const auto mark = std::lower_bound(
+        recorded_.begin(), recorded_.end(), now,
+        [](const HashMark& known, std::uint32_t tick) { return known.tick < tick; });
+    if (mark != recorded_.end() && mark->tick == now && mark->hash != game().stateHash()) {
+        divergedAt_ = now;
+    }
 }
 
 void Session::seek(std::int64_t tick, const Pilot& pilot, const Settings& settings) {

@@ -34,11 +34,15 @@ public:
     void elapse(double seconds, double pace, const Settings& settings);
     /// True if a tick is due; takes its time.
     bool takeTick();
-    /// One tick. No input: the pilot has finished. A replay that ends before its game is over stands
-    /// still from then on.
+    /// One tick. No input: the pilot has finished. A replay that ends before its game is over
+    /// stands still from then on.
     void tick(const std::optional<Input>& input, const Settings& settings, Speaker& speaker);
     void endFanfare() { fanfare_.stop(); }
 
+    /// Compares the states of a show with those of its recording, from now on.
+    void compareWith(std::vector<HashMark> recorded) { recorded_ = std::move(recorded); }
+    /// The first tick at which they differ.
+    std::optional<std::uint32_t> divergedAt() const { return divergedAt_; }
     /// Goes to a tick of a show, played by its pilot.
     void seek(std::int64_t tick, const Pilot& pilot, const Settings& settings);
     /// The show becomes a game of the player.
@@ -79,9 +83,12 @@ private:
         std::optional<Recorder> recorder;
     };
     void mark();
+    void compare();
 
     Kind kind_ = Kind::Demo;
     std::uint32_t takenOverAt_ = 0;
+    std::vector<HashMark> recorded_; // of a show
+    std::optional<std::uint32_t> divergedAt_;
     std::unique_ptr<Play> play_;
     std::optional<Recorder> recorder_;
     std::optional<Replay> record_; // after the end
@@ -95,8 +102,8 @@ private:
     double owed_ = 0; // s of game time to be simulated
     int endTicks_ = 0;
     bool standsStill_ = false; // a replay, at its end
-    bool kept_ = false;    // takeUnkept() was true
-    bool counted_ = false; // takeUncounted() was true
+    bool kept_ = false;        // takeUnkept() was true
+    bool counted_ = false;     // takeUncounted() was true
     std::optional<Ghost> ghost_;
 };
 

@@ -56,6 +56,7 @@ std::variant<Show, std::string> showOf(const std::shared_ptr<const ShowFile>& fi
     }
     Show show{std::make_shared<const Level>(std::get<Level>(std::move(level))), replay.seed,
               replay.mode, pilotOf(replay), replay.end};
+    show.hashes = replay.hashes;
     if (number + 1 < file->run.size()) {
         show.next = [file, number] { return showOf(file, number + 1); };
     }

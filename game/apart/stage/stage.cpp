@@ -29,8 +29,18 @@ SoundScene soundOf(const Session& session, bool playing, const Settings& setting
     return scene;
 }
 
+/// About a replay that is not the recorded game.
+std::string divergenceText(const Session& session) {
+    return fmt::format("The replay diverges from the recording at {}.",
+                       clockText(session.divergedAt().value_or(0)));
+}
+
 /// Text about a game that is over.
 std::vector<std::string> notesOf(const Session& session, const Records& records) {
+    if (session.isShow()) {
+        return session.divergedAt() ? std::vector{divergenceText(session)}
+                                    : std::vector<std::string>{};
+    }
     const Level& level = session.game().level();
     const Standing standing = records.standingOf(session.game().mode(), level.name);
     if (standing.proof == Proof::Older && standing.note == kOlderLevel) {
@@ -103,12 +113,14 @@ void Stage::enterShow() {
     const Show& show = theatre_.show();
     enter(std::make_unique<Play>(show.level, show.seed, show.mode, profile().audible()),
           Session::Kind::Show);
+    session_.compareWith(show.hashes);
 }
 
 void Stage::enter(std::unique_ptr<Play> play, Session::Kind kind) {
     keepGame();
     session_.begin(std::move(play), kind);
     rerun_.reset();
+    divergence_ = {};
     reload_.due = false;
     screen_ = Screen::Playing;
     inputMapper_.letGo();
@@ -202,6 +214,10 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     session_.elapse(seconds, session_.isShow() ? theatre_.pace() : 1, settings());
     while (session_.takeTick()) {
         tick(speaker);
+    }
+    if (session_.isShow() && session_.divergedAt() && divergence_.news.empty()) {
+        divergence_.news = divergenceText(session_);
+        divergence_.newsAt = seconds_;
     }
 }
 

@@ -202,6 +202,7 @@ private:
     Records records_;
     Confirm confirm_;
     Reload reload_;
+    Reload divergence_; // news of a replay
     InputMapper inputMapper_;
     Menu menu_;
     KeyScreen keys_;

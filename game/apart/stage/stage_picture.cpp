@@ -275,6 +275,7 @@ void Stage::draw(Canvas& canvas) const {
         return;
     case Screen::Playing:
         if (session_.isShow()) {
+            paintReload(canvas, divergence_, seconds_);
             return paintTheatre(canvas, theatre_, session_.clock(),
                                 replays_.leadsFrom(session_) ? "all replays" : "menu");
         }

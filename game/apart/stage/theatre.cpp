@@ -18,12 +18,12 @@ constexpr Real kLow = Real(-0.2);
 constexpr Real kHigh = Real(-0.08);
 constexpr Real kHalf = Real(11.5);
 
-std::string timeText(std::uint32_t ticks) {
+} // namespace
+
+std::string clockText(std::uint32_t ticks) {
     const std::uint32_t seconds = ticks / kTicksPerSecond;
     return fmt::format("{}:{:02}", seconds / 60, seconds % 60);
 }
-
-} // namespace
 
 void Theatre::begin(Show show) {
     *this = {};
@@ -101,7 +101,7 @@ std::optional<std::int64_t> Theatre::drag(const Signals& signals) {
 }
 
 std::string Theatre::timeText(std::uint32_t tick) const {
-    return apart::timeText(std::min(tick, show_.end)) + " of " + apart::timeText(show_.end);
+    return clockText(std::min(tick, show_.end)) + " of " + clockText(show_.end);
 }
 
 void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick,

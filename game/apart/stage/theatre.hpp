@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <apart/core/game.hpp>
+#include <apart/core/replay.hpp>
 #include <apart/stage/canvas.hpp>
 #include <apart/stage/controls.hpp>
 
@@ -30,6 +30,7 @@ struct Show {
     /// The next level of a recorded run, or the reason why it cannot be played. Empty after the
     /// last one.
     std::function<std::variant<Show, std::string>()> next{};
+    std::vector<HashMark> hashes{}; // of the recording, by rising tick
 };
 
 /// A replay of the player's list. `load` reads it, or gives the reason why it cannot be played.
@@ -80,6 +81,9 @@ private:
     int speed_ = 0;
     bool held_ = false; // the bar, by the mouse
 };
+
+/// "0:12"
+std::string clockText(std::uint32_t ticks);
 
 /// Paints the bar and the keys of a show. `back`: where escape leads.
 void paintTheatre(Canvas& canvas, const Theatre& theatre, std::uint32_t tick,
