@@ -109,7 +109,31 @@ TEST_F(OwnLevels, TheFolderOmitsFilesWhoseNameNoReplayCanHold) {
     addOwnLevels(def, folder_);
     ASSERT_EQ(def.levels.size(), 3u);
     EXPECT_EQ(def.levels[2]->name, "my_tower-2");
-    EXPECT_EQ(def.notices.size(), 4u);
+    EXPECT_EQ(def.leftOut.size(), 4u);
+}
+
+// Regression: the last two were shown, without the number of the others.
+TEST_F(OwnLevels, TheTitleShowsTheFirstErrorAndTheNumberOfTheOtherLevels) {
+    for (const char* name : {"a", "b", "c", "d"}) {
+        std::ofstream(folder_ / (std::string(name) + ".toml")) << "format = 1\nwidth = 0\n";
+    }
+    StageDef def = StageRig::twoLevels();
+    addOwnLevels(def, folder_);
+    def.notices = {"Another notice."};
+    StageRig rig(std::move(def));
+    const std::vector<std::string>& notices = rig.stage.records().notices();
+    ASSERT_EQ(notices.size(), 2u);
+    EXPECT_NE(notices[0].find("a.toml:"), std::string::npos) << notices[0];
+    EXPECT_TRUE(notices[0].ends_with("The level is left out, and 3 more.")) << notices[0];
+    EXPECT_TRUE(rig.picture().says("and 3 more."));
+    EXPECT_TRUE(rig.picture().says("Another notice."));
+
+    fs::remove(folder_ / "b.toml");
+    fs::remove(folder_ / "c.toml");
+    fs::remove(folder_ / "d.toml");
+    StageDef one = StageRig::twoLevels();
+    addOwnLevels(one, folder_);
+    EXPECT_TRUE(StageRig(std::move(one)).picture().says("left out."));
 }
 
 } // namespace

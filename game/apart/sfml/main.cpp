@@ -148,8 +148,10 @@ int run(const Options& options) {
         return kNoDisplay;
     }
     StageDef stage = std::get<StageDef>(std::move(def));
-    for (const std::string& notice : stage.notices) {
-        complain(notice);
+    for (const auto* sentences : {&stage.leftOut, &stage.notices}) {
+        for (const std::string& sentence : *sentences) {
+            complain(sentence);
+        }
     }
     if (options.frames > 0) {
         return timeFrames(std::move(stage), options);

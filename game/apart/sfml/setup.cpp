@@ -23,13 +23,13 @@ std::uint32_t anySeed() {
     return std::random_device{}() % 1000000;
 }
 
-/// All valid levels of the game. Each error of the others is a notice.
-LevelList readLevels(std::vector<std::string>& notices) {
+/// All valid levels of the game. The first error of each other one is a sentence.
+LevelList readLevels(std::vector<std::string>& leftOut) {
     LevelList levels;
     for (const std::string& name : levelNames()) {
         Read<Level> level = loadLevel(name);
         if (const auto* problem = std::get_if<FileProblem>(&level)) {
-            notices.push_back(problem->text() + ". The level is left out.");
+            leftOut.push_back(problem->text() + ". The level is left out.");
         } else {
             levels.push_back(std::make_shared<const Level>(std::get<Level>(std::move(level))));
         }
@@ -150,7 +150,7 @@ void takeMarks(StageDef& def) {
 
 std::variant<StageDef, std::string> setUp(const Options& options) {
     StageDef def;
-    def.levels = readLevels(def.notices);
+    def.levels = readLevels(def.leftOut);
     if (def.levels.empty()) {
         return noLevelsText();
     }

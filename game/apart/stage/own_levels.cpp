@@ -86,15 +86,15 @@ void addOwnLevels(StageDef& def, const fs::path& folder) {
     for (const fs::path& file : files) {
         const std::string name = file.stem().string();
         if (const std::string problem = problemOfName(name); !problem.empty()) {
-            def.notices.push_back(file.string() + ": " + name + " " + problem +
+            def.leftOut.push_back(file.string() + ": " + name + " " + problem +
                                   ". The level is left out.");
             continue;
         }
         Read<Level> read = readLevelFile(file);
         if (const auto* problem = std::get_if<FileProblem>(&read)) {
-            def.notices.push_back(problem->text() + ". The level is left out.");
+            def.leftOut.push_back(problem->text() + ". The level is left out.");
         } else if (isListed(def.levels, name)) {
-            def.notices.push_back(file.string() + ": the game has a level " + name +
+            def.leftOut.push_back(file.string() + ": the game has a level " + name +
                                   " already. The level is left out.");
         } else {
             def.levels.push_back(std::make_shared<const Level>(std::get<Level>(std::move(read))));

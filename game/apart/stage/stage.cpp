@@ -29,6 +29,21 @@ SoundScene soundOf(const Session& session, bool playing, const Settings& setting
     return scene;
 }
 
+/// The notices at the start: the first error of the levels that are left out, with the number of
+/// the others, and the rest.
+std::vector<std::string> noticesOf(const StageDef& def) {
+    std::vector<std::string> all = def.notices;
+    if (!def.leftOut.empty()) {
+        std::string first = def.leftOut[0];
+        if (def.leftOut.size() > 1 && first.ends_with('.')) {
+            first.pop_back();
+            first += fmt::format(", and {} more.", def.leftOut.size() - 1);
+        }
+        all.insert(all.begin(), first);
+    }
+    return all;
+}
+
 /// About a replay that is not the recorded game.
 std::string divergenceText(const Session& session) {
     return fmt::format("The replay diverges from the recording at {}.",
@@ -59,7 +74,7 @@ std::vector<std::string> notesOf(const Session& session, const Records& records)
 Stage::Stage(StageDef def)
     : def_(std::move(def)),
       records_(std::move(def_.profile), def_.pilot ? Keeping{} : std::move(def_.keeping),
-               std::move(def_.scores), std::move(def_.notices)),
+               std::move(def_.scores), noticesOf(def_)),
       select_(def_.levels) {
     records_.setMarks(std::move(def_.marks));
     records_.checkDoubtful();

@@ -35,7 +35,8 @@ struct StageDef {
     Keeping keeping{};
     ScoreStore scores{};                // the best games
     std::vector<MedalMarks> marks{};    // of the levels
-    std::vector<std::string> notices{}; // shown on the title screen
+    std::vector<std::string> leftOut{}; // sentences: the first error of each level that is left out
+    std::vector<std::string> notices{}; // shown on the title screen, below the first of these
     /// Number of the endless level to start with; 0: none.
     std::uint32_t firstEndless = 0;
     /// The endless level of a seed and a number from 1. Empty if there are no endless levels.
